@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# --- Header-only libraries of Common. None of them appears in an installed header.
+find_package(Eigen3 3.3 REQUIRED CONFIG)
+find_package(Boost 1.70 REQUIRED)
+
+# littoral_find_headers(<target> <header>): an imported target for a library that is used by
+# its headers alone and has no package file of its own.
+function (littoral_find_headers target header)
+  string(MAKE_C_IDENTIFIER "${target}_INCLUDE_DIR" variable)
+  find_path(${variable} "${header}" REQUIRED)
+  mark_as_advanced(${variable})
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${target} INTERFACE "${${variable}}")
+endfunction ()
+
+littoral_find_headers(Random123::Random123 Random123/philox.h)
+littoral_find_headers(kissfft::header kissfft/kissfft.hh)
+find_package(Threads REQUIRED)
+
+if (NOT LITTORAL_WITH_VTK)
+  set(LITTORAL_WITH_PARAVIEW OFF)
+  set(LITTORAL_WITH_PYTHON OFF)
+  return ()
+endif ()
+
+# --- Python. Debian's VTK modules belong to Debian's interpreter, whatever comes first on PATH.
+if (LITTORAL_WITH_PYTHON AND NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python interpreter")
+endif ()
+
+# --- VTK, through ParaView if it is there.
+# Components are named so that only their dependencies are looked up. What the tests add is
+# optional: VTK would otherwise insist on the development files of every image format.
+set(littoral_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel)
+set(littoral_vtk_test_components)
+if (LITTORAL_WITH_PYTHON)
+  list(APPEND littoral_vtk_components WrappingPythonCore)
+endif ()
+if (LITTORAL_BUILD_TESTING)
+  set(littoral_vtk_test_components
+    FiltersCore FiltersGeneral FiltersGeometry FiltersSources ImagingCore InteractionStyle IOXML
+    RenderingCore RenderingOpenGL2 TestingCore TestingRendering)
+endif ()
+set(littoral_find_vtk_arguments REQUIRED
+  COMPONENTS ${littoral_vtk_components}
+  OPTIONAL_COMPONENTS ${littoral_vtk_test_components})
+
+if (LITTORAL_WITH_PARAVIEW)
+  find_package(ParaView COMPONENTS RemotingCore)
+  if (ParaView_FOUND)
+    # ParaView brings its own VTK; no other one may be mixed in.
+    find_package(VTK ${littoral_find_vtk_arguments}
+      PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
+  elseif (ParaView_DIR)
+    message(FATAL_ERROR
+      "ParaView is in ${ParaView_DIR}, but something that its SDK needs is missing (see above). "
+      "Install the packages in CMake/debian-packages.txt, or build without the plugin: "
+      "-DLITTORAL_WITH_PARAVIEW=OFF.")
+  else ()
+    message(STATUS "ParaView was not found: building against plain VTK, without the plugin")
+    set(LITTORAL_WITH_PARAVIEW OFF)
+  endif ()
+endif ()
+if (NOT LITTORAL_WITH_PARAVIEW)
+  find_package(VTK 9.1 ${littoral_find_vtk_arguments})
+endif ()
+message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")

@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Compiler options of hand-written code; generated wrapping code stays without them.
+# Contraction into fused multiply-adds is off: the same source must give the same bytes on
+# every machine and at every vector width.
+function (littoral_compile_options target)
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options("${target}" PRIVATE -Wall -Wextra -ffp-contract=off)
+  endif ()
+endfunction ()
+
+# Installs the export set when there is no VTK module build that would do it.
+function (littoral_install_export)
+  install(EXPORT Littoral
+    NAMESPACE Littoral::
+    FILE Littoral-targets.cmake
+    DESTINATION "${LITTORAL_CMAKE_DIR}"
+    COMPONENT development)
+  export(EXPORT Littoral
+    NAMESPACE Littoral::
+    FILE "${CMAKE_BINARY_DIR}/${LITTORAL_CMAKE_DIR}/Littoral-targets.cmake")
+endfunction ()
+
+# Writes `littoral-env`, the script that runs a command with this build tree's libraries,
+# Python package and plugin. The tests and the entry script use it.
+function (littoral_configure_environment)
+  set(LITTORAL_ENV_PYTHON "${CMAKE_BINARY_DIR}/${LITTORAL_PYTHON_DIR}")
+  set(LITTORAL_ENV_LIBRARY "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+  set(LITTORAL_ENV_PLUGIN "${LITTORAL_PLUGIN_BUILD_DIR}")
+  configure_file("${PROJECT_SOURCE_DIR}/CMake/littoral-env.in"
+    "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/littoral-env" @ONLY
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+      WORLD_READ WORLD_EXECUTE)
+  set(LITTORAL_ENV "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/littoral-env" PARENT_SCOPE)
+endfunction ()

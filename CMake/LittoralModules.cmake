@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The VTK modules, their Python wrapping and the ParaView plugin, in the order that VTK's and
+# ParaView's build functions ask for.
+
+set(littoral_want_tests NO)
+if (LITTORAL_BUILD_TESTING)
+  set(littoral_want_tests WANT) # makes TEST_DEPENDS known to Testing/Cxx
+endif ()
+
+vtk_module_scan(
+  MODULE_FILES
+    "${PROJECT_SOURCE_DIR}/Sources/vtk.module"
+    "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
+  REQUEST_MODULES
+    Littoral::LittoralSources
+    Littoral::LittoralFilters
+  PROVIDES_MODULES littoral_modules
+  ENABLE_TESTS ${littoral_want_tests})
+
+vtk_module_build(
+  MODULES ${littoral_modules}
+  PACKAGE Littoral
+  INSTALL_EXPORT Littoral
+  HEADERS_DESTINATION "${LITTORAL_HEADERS_DIR}"
+  CMAKE_DESTINATION "${LITTORAL_CMAKE_DIR}"
+  LICENSE_DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/Littoral"
+  TEST_DIRECTORY_NAME NONE)
+
+if (LITTORAL_WITH_PYTHON)
+  add_subdirectory(Wrapping/Python)
+endif ()
+
+set(LITTORAL_PLUGIN_BUILD_DIR "")
+if (LITTORAL_WITH_PARAVIEW)
+  set(LITTORAL_PLUGIN_SUBDIR "${PARAVIEW_PLUGIN_SUBDIR}")
+  set(LITTORAL_PLUGIN_BUILD_DIR
+    "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${LITTORAL_PLUGIN_SUBDIR}/Littoral")
+
+  paraview_plugin_scan(
+    PLUGIN_FILES "${PROJECT_SOURCE_DIR}/paraview-plugin/paraview.plugin"
+    PROVIDES_PLUGINS littoral_plugins
+    ENABLE_BY_DEFAULT ON)
+  set(littoral_autoload)
+  if (LITTORAL_PLUGIN_AUTOLOAD)
+    set(littoral_autoload ${littoral_plugins})
+  endif ()
+  paraview_plugin_build(
+    PLUGINS ${littoral_plugins}
+    AUTOLOAD ${littoral_autoload}
+    LIBRARY_SUBDIRECTORY "${LITTORAL_PLUGIN_SUBDIR}"
+    PLUGINS_FILE_NAME Littoral.plugins.xml)
+endif ()

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralParallel_h
+#define LittoralParallel_h
+
+#include <cstddef>
+#include <functional>
+
+namespace littoral
+{
+
+/// Work on the half-open range [begin, end).
+using RangeTask = std::function<void(std::size_t begin, std::size_t end)>;
+
+/**
+ * Cuts [0, count) into ranges and runs the task on each, on whatever threads the caller has. Results may not depend on
+ * the cuts. The VTK classes pass vtkSMPTools; a program without a pipeline can do with SerialFor.
+ */
+using ParallelFor = std::function<void(std::size_t count, const RangeTask& task)>;
+
+inline void SerialFor(std::size_t count, const RangeTask& task)
+{
+  task(0, count);
+}
+
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralRandomStream_h
+#define LittoralRandomStream_h
+
+#include <array>
+#include <cstdint>
+
+namespace littoral
+{
+
+/// What random numbers are drawn for. Two purposes never share a number, so that a new draw in one place leaves every
+/// other place as it was. Values are part of the results: never renumber them.
+enum class RandomPurpose : std::uint32_t
+{
+  ElevationLines = 1,
+  ReflectanceLines = 2,
+};
+
+/**
+ * Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011). A number is a pure function of the user's seed,
+ * the purpose, the object it belongs to (a line, a plant, a particle) and the index of the draw: there is no state,
+ * hence the same numbers for any thread, rank, order or part of the domain.
+ */
+class RandomStream
+{
+public:
+  RandomStream(int seed, RandomPurpose purpose)
+    : Key{ static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(purpose) }
+  {
+  }
+
+  /// Four independent 32-bit words.
+  std::array<std::uint32_t, 4> Words(std::uint64_t object, std::uint64_t draw) const;
+
+  /// Two independent numbers, uniform on the open interval (0, 1), with 52 random bits each.
+  std::array<double, 2> UniformPair(std::uint64_t object, std::uint64_t draw) const;
+
+  /// Two independent standard normal numbers (Box-Muller, so that no standard library has a say).
+  std::array<double, 2> NormalPair(std::uint64_t object, std::uint64_t draw) const;
+
+private:
+  std::array<std::uint32_t, 2> Key;
+};
+
+}
+
+#endif

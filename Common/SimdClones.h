@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSimdClones_h
+#define LittoralSimdClones_h
+
+/**
+ * Marks a hot function that the compiler builds twice, for any x86-64 and for AVX2; the processor chooses when the
+ * library is loaded. Floating-point contraction is off in this library and no loop is allowed to reassociate, so that
+ * both versions give the same bytes.
+ */
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
+  !defined(__SANITIZE_ADDRESS__)
+#define LITTORAL_SIMD_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define LITTORAL_SIMD_CLONES
+#endif
+
+#endif

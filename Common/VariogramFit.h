@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralVariogramFit_h
+#define LittoralVariogramFit_h
+
+#include "CovarianceModels.h"
+#include "Variogram.h"
+
+#include <functional>
+#include <vector>
+
+namespace littoral
+{
+
+/// What is fitted beside variance, range(s) and fractal dimension.
+struct VariogramFitOptions
+{
+  bool Nugget = false;      ///< a jump at distance zero, as measurement noise makes it
+  bool Anisotropy = false;  ///< an ellipse of ranges; needs bins in several directions
+  double LongestRange = 1e4; ///< [m], no model is given a longer one: what is longer than the lags cannot be told
+  double FractalRange = 1e4; ///< [m], largest wavelength of the fractal model, which no variogram can tell
+};
+
+/// One model, fitted.
+struct VariogramFit
+{
+  CovarianceParameters Field;
+  double Nugget = 0.0;
+  double AnisotropyRatio = 1.0; ///< longest over shortest range, >= 1; Field.Range is the longest
+  double AnisotropyAngle = 0.0; ///< [rad] in [0, pi), direction of the longest range
+  double WeightedSSE = 0.0;     ///< weighted sum of squared logarithms of (measured / model), mean weight 1
+  double AICc = 0.0;            ///< corrected Akaike criterion of these residuals; smaller is better
+  bool Converged = false;
+};
+
+/// Semivariance of the fitted model at a separation (x, y) [m].
+double Semivariance(const VariogramFit& fit, double x, double y);
+
+/// Mean of the model's semivariance over all directions at a distance [m].
+double MeanSemivariance(const VariogramFit& fit, double distance);
+
+/**
+ * Fits one model by least squares of logarithms (Levenberg-Marquardt, several starts), which for small residuals is
+ * Cressie's weighting by the model itself. Weights are pairs / lag^2: the many pairs of long lags tell little, as they
+ * share the same few large structures. Bins of zero semivariance are passed over.
+ */
+VariogramFit FitVariogram(
+  CovarianceModel model, const std::vector<LagBin>& bins, const VariogramFitOptions& options = {});
+
+/// Fits all models; best (smallest AICc) first. Calls progress(part done) and stops early when that returns false.
+std::vector<VariogramFit> FitAllModels(const std::vector<LagBin>& bins, const VariogramFitOptions& options = {},
+  const std::function<bool(double)>& progress = {});
+
+}
+
+#endif

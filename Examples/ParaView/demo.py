@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measure a real place, and grow a terrain like it.
+
+    pvbatch demo.py [FOLDER]
+
+reads the elevation model of the Jacksboro fault, Tennessee, fits models of covariance to it, grows
+a twin from the best one, and writes into FOLDER (default: a new temporary folder):
+
+    twin-terrain.png   the place and its twin
+    figure2.png        the place and a fractal field of the same dimension
+    variogram.png      what was measured, and what the models say
+    fits.csv           the fitted models, best first
+    twin.vti           the twin: image with the point array Elevation [m]
+"""
+
+import os
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+from littoral import vtkCovarianceFitFilter, vtkTurningBandsTerrainSource
+from littoral.chart import save_variogram_chart
+from littoral.elevation import array_from_image, read_elevation, write_vti
+from littoral.picture import save_pair
+from littoral.scene import plaster_colour
+from littoral.tables import column, model_names, one_model, write_csv
+
+STEPS = 7
+EXAGGERATION = 3.0
+START = time.time()
+
+
+def say(step, text):
+    """A line of progress: share done, seconds gone, what comes now."""
+    print(f"[{100 * step // STEPS:3d} %, {time.time() - START:4.1f} s] {text}", flush=True)
+
+
+def measure(image):
+    """Fits and variogram of an image, as two tables."""
+    fit = vtkCovarianceFitFilter()
+    fit.SetInputData(image)
+    fit.Update()
+    return fit.GetOutput(0), fit.GetOutput(1)
+
+
+def grow(place, fits, seed):
+    """A terrain on the grid of a place, from the first row of fits."""
+    source = vtkTurningBandsTerrainSource()
+    source.SetInputData(fits)
+    source.SetWholeExtent(place.GetExtent())
+    source.SetOrigin(place.GetOrigin())
+    source.SetSpacing(place.GetSpacing())
+    source.SetMean(float(array_from_image(place).mean()))
+    source.SetSeed(seed)
+    source.Update()
+    return source.GetOutput()
+
+
+def print_fits(fits):
+    """The fits for a reader."""
+    print(f"    {'model':<18} {'std. deviation':>14} {'range':>9} {'AICc':>9}")
+    columns = (column(fits, name) for name in ("Variance", "Range", "AICc"))
+    for model, variance, reach, criterion in zip(model_names(fits), *columns):
+        print(f"    {model:<18} {variance ** 0.5:12.1f} m {reach:7.0f} m {criterion:9.1f}")
+
+
+def main(folder):
+    """Do all of it, into a folder."""
+    os.makedirs(folder, exist_ok=True)
+
+    def file(name):
+        return os.path.join(folder, name)
+
+    say(0, "reading the elevation model of the Jacksboro fault")
+    place = read_elevation()
+    bounds = np.array(place.GetBounds()) / 1e3
+    size = f"{bounds[1]:.0f} \u00d7 {bounds[3]:.0f} km, heights \u00d7 {EXAGGERATION:.0f}"
+
+    say(1, "measuring its covariance")
+    fits, variogram = measure(place)
+    models = model_names(fits)
+    print_fits(fits)
+    write_csv(fits, file("fits.csv"))
+
+    say(2, f"growing its twin: {models[0]}")
+    twin = grow(place, fits, seed=1)
+    write_vti(twin, file("twin.vti"))
+
+    say(3, "measuring the twin")
+    print_fits(measure(twin)[0])
+
+    say(4, "drawing variogram.png")
+    save_variogram_chart(file("variogram.png"), variogram, models)
+
+    say(5, "drawing twin-terrain.png")
+    save_pair(
+        file("twin-terrain.png"), (place, twin), ("Jacksboro fault, Tennessee", "Its twin"),
+        (f"measured \u00b7 {size}", f"grown by Littoral \u00b7 {size}"), EXAGGERATION)
+
+    say(6, "drawing figure2.png")
+    fractal = one_model(fits, "Fractal")
+    dimension = column(fractal, "FractalDimension")[0]
+    save_pair(
+        file("figure2.png"), (place, grow(place, fractal, seed=1)),
+        ("(a) Real terrain", "(b) Turning bands"),
+        (f"Jacksboro fault, D = {dimension:.2f}", f"fractal field, D = {dimension:.2f}"),
+        EXAGGERATION, plaster_colour)
+    say(STEPS, f"all written into {folder}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"))

@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCovarianceFitFilter.h"
+
+#include "FractalDimension.h"
+#include "GridSamples.h"
+#include "LittoralPipeline.h"
+#include "Variogram.h"
+#include "VariogramFit.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkCovarianceFitFilter);
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+/// Fewer points along a side have no lags to speak of.
+constexpr int SmallestSide = 8;
+
+vtkDoubleArray* AddColumn(vtkTable* table, const std::string& name, vtkIdType rows, double value = 0.0)
+{
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(name.c_str());
+  column->SetNumberOfValues(rows);
+  column->Fill(value);
+  table->AddColumn(column);
+  return column;
+}
+
+void AddField(vtkTable* table, const char* name, std::initializer_list<double> values)
+{
+  vtkNew<vtkDoubleArray> field;
+  field->SetName(name);
+  field->SetNumberOfComponents(static_cast<int>(values.size()));
+  field->InsertNextTuple(std::data(values));
+  table->GetFieldData()->AddArray(field);
+}
+
+littoral::GridSamples ReadSamples(vtkImageData* image, vtkDataArray* array, bool useNoData, double noData)
+{
+  littoral::GridSamples samples;
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  samples.Width = dimensions[0];
+  samples.Height = dimensions[1];
+  samples.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
+  samples.Values.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < samples.Values.size(); ++i)
+  {
+    const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
+    const bool missing = !std::isfinite(value) || (useNoData && value == noData);
+    samples.Values[i] = missing ? NaN : value;
+  }
+  return samples;
+}
+
+void WriteFits(const std::vector<littoral::VariogramFit>& fits, const littoral::PlaneTrend& trend, vtkTable* table)
+{
+  const vtkIdType rows = static_cast<vtkIdType>(fits.size());
+  vtkNew<vtkStringArray> names;
+  names->SetName("Model");
+  names->SetNumberOfValues(rows);
+  table->AddColumn(names);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("ModelId");
+  ids->SetNumberOfValues(rows);
+  table->AddColumn(ids);
+  using littoral::CovarianceModel;
+  const auto column = [&](const char* name, auto valueOf) {
+    vtkDoubleArray* values = AddColumn(table, name, rows);
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      values->SetValue(row, valueOf(fits[row]));
+    }
+  };
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    names->SetValue(row, littoral::CovarianceModelName(fits[row].Field.Model));
+    ids->SetValue(row, static_cast<int>(fits[row].Field.Model));
+  }
+  using Fit = littoral::VariogramFit;
+  column("Variance", [](const Fit& fit) { return fit.Field.Variance; });
+  column("Range", [](const Fit& fit) { return fit.Field.Range; });
+  column("SecondRange",
+    [](const Fit& fit) { return fit.Field.Model == CovarianceModel::Telis ? fit.Field.SecondRange : NaN; });
+  column("FractalDimension",
+    [](const Fit& fit) { return fit.Field.Model == CovarianceModel::Fractal ? fit.Field.FractalDimension : NaN; });
+  column("Nugget", [](const Fit& fit) { return fit.Nugget; });
+  column("AnisotropyRatio", [](const Fit& fit) { return fit.AnisotropyRatio; });
+  column("AnisotropyAngle", [](const Fit& fit) { return fit.AnisotropyAngle; });
+  column("Mean", [&](const Fit&) { return trend.Mean; });
+  column("SlopeX", [&](const Fit&) { return trend.Slope[0]; });
+  column("SlopeY", [&](const Fit&) { return trend.Slope[1]; });
+  column("WeightedSSE", [](const Fit& fit) { return fit.WeightedSSE; });
+  column("AICc", [](const Fit& fit) { return fit.AICc; });
+}
+
+void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vector<littoral::LagBin>& sectors,
+  int directions, const std::vector<littoral::VariogramFit>& fits, vtkTable* table)
+{
+  const vtkIdType rows = static_cast<vtkIdType>(rings.size());
+  vtkDoubleArray* lag = AddColumn(table, "Lag", rows);
+  vtkDoubleArray* semivariance = AddColumn(table, "Semivariance", rows);
+  vtkDoubleArray* pairs = AddColumn(table, "Pairs", rows);
+  std::vector<vtkIdType> rowOfRing;
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    lag->SetValue(row, rings[row].Lag);
+    semivariance->SetValue(row, rings[row].Semivariance);
+    pairs->SetValue(row, rings[row].Pairs);
+    rowOfRing.resize(rings[row].Ring + 1, -1);
+    rowOfRing[rings[row].Ring] = row;
+  }
+  for (const littoral::VariogramFit& fit : fits)
+  {
+    vtkDoubleArray* model = AddColumn(table, littoral::CovarianceModelName(fit.Field.Model), rows);
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      model->SetValue(row, littoral::MeanSemivariance(fit, rings[row].Lag));
+    }
+  }
+  std::vector<vtkDoubleArray*> columns;
+  for (int direction = 0; direction < directions; ++direction)
+  {
+    char name[32];
+    std::snprintf(name, sizeof(name), "Semivariance_%03d", static_cast<int>(std::lround(180.0 * direction / directions)));
+    columns.push_back(AddColumn(table, name, rows, NaN));
+  }
+  for (const littoral::LagBin& bin : sectors)
+  {
+    columns[bin.Direction]->SetValue(rowOfRing[bin.Ring], bin.Semivariance);
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkCovarianceFitFilter::vtkCovarianceFitFilter()
+  : MaximumLag(0.0)
+  , NumberOfLags(40)
+  , RemoveTrend(true)
+  , FitNugget(false)
+  , FitAnisotropy(true)
+  , NumberOfDirections(12)
+  , LongestRange(0.0)
+  , FractalWavelength(0.0)
+  , UseNoDataValue(false)
+  , NoDataValue(-9999.0)
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//----------------------------------------------------------------------------
+vtkCovarianceFitFilter::~vtkCovarianceFitFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkCovarianceFitFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkCovarianceFitFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Statistics of a part are not those of the whole: every rank reads all of the image.
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  int whole[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkCovarianceFitFilter::CheckProperties()
+{
+  const auto isLength = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!isLength(this->MaximumLag) || !isLength(this->LongestRange) || !isLength(this->FractalWavelength))
+  {
+    vtkErrorMacro("MaximumLag, LongestRange and FractalWavelength are "
+      << this->MaximumLag << ", " << this->LongestRange << ", " << this->FractalWavelength
+      << "; they must be finite and not negative.");
+    return false;
+  }
+  if (this->NumberOfLags < 6 || this->NumberOfLags > 10000)
+  {
+    vtkErrorMacro("NumberOfLags is " << this->NumberOfLags << "; it must be 6 to 10000.");
+    return false;
+  }
+  if (this->NumberOfDirections < 4 || this->NumberOfDirections > 90)
+  {
+    vtkErrorMacro("NumberOfDirections is " << this->NumberOfDirections << "; it must be 4 to 90.");
+    return false;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkCovarianceFitFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  vtkTable* table = vtkTable::GetData(outputVector, 0);
+  vtkTable* variogram = vtkTable::GetData(outputVector, 1);
+  // A table has no pieces: the first holds all of it.
+  const auto isLaterPiece = [outputVector](int port) {
+    return outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+  };
+  if (isLaterPiece(0) && isLaterPiece(1))
+  {
+    return 1;
+  }
+  if (!this->CheckProperties())
+  {
+    return 0;
+  }
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  if (dimensions[2] != 1 || dimensions[0] < SmallestSide || dimensions[1] < SmallestSide)
+  {
+    vtkErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+                                   << " points; a fit needs one layer in z of at least " << SmallestSide << " x "
+                                   << SmallestSide << ".");
+    return 0;
+  }
+  vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
+  if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() || array->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro("The image has no scalar point array to fit" << (array ? ": the chosen one is a vector or lies on "
+                                                                           "cells."
+                                                                         : "."));
+    return 0;
+  }
+
+  this->SetProgressText("Fitting covariance models");
+  littoral::GridSamples samples = ReadSamples(image, array, this->UseNoDataValue, this->NoDataValue);
+  const littoral::SampleMoments moments = littoral::Moments(samples);
+  if (moments.Count < static_cast<std::size_t>(SmallestSide * SmallestSide))
+  {
+    vtkErrorMacro("Only " << moments.Count << " of " << samples.Values.size()
+                          << " values are there, the others are NaN or no-data; a fit needs at least "
+                          << SmallestSide * SmallestSide << ".");
+    return 0;
+  }
+  const littoral::PlaneTrend trend =
+    this->RemoveTrend ? littoral::RemovePlane(samples) : littoral::RemoveMean(samples);
+  const double variance = littoral::Moments(samples).Variance;
+  if (variance <= 1e-20 * (moments.Variance + moments.Mean * moments.Mean))
+  {
+    vtkErrorMacro("The image is " << (moments.Variance > 0.0 ? "a plane" : "constant")
+                                  << ": there is no variation to fit.");
+    return 0;
+  }
+
+  const double sideX = (dimensions[0] - 1) * samples.Spacing[0];
+  const double sideY = (dimensions[1] - 1) * samples.Spacing[1];
+  const double maximumLag = this->MaximumLag > 0.0 ? this->MaximumLag : 0.5 * std::min(sideX, sideY);
+  const littoral::VariogramMap map = littoral::ComputeVariogramMap(samples, maximumLag, littoral::SmpFor);
+  this->UpdateProgress(0.3);
+  if (littoral::IsAborted(this))
+  {
+    return 1;
+  }
+
+  const int directions = this->FitAnisotropy ? this->NumberOfDirections : 0;
+  const std::vector<littoral::LagBin> rings = littoral::BinVariogram(map, maximumLag, this->NumberOfLags, 1);
+  const std::vector<littoral::LagBin> sectors = directions > 0
+    ? littoral::BinVariogram(map, maximumLag, this->NumberOfLags, directions)
+    : std::vector<littoral::LagBin>();
+  littoral::VariogramFitOptions options;
+  options.Nugget = this->FitNugget;
+  options.Anisotropy = this->FitAnisotropy;
+  options.LongestRange = this->LongestRange > 0.0 ? this->LongestRange : 0.5 * maximumLag;
+  options.FractalRange = this->FractalWavelength > 0.0 ? this->FractalWavelength : 4.0 * std::max(sideX, sideY);
+  bool aborted = false;
+  const std::vector<littoral::VariogramFit> fits =
+    littoral::FitAllModels(directions > 0 ? sectors : rings, options, [&](double part) {
+      this->UpdateProgress(0.3 + 0.6 * part);
+      aborted = littoral::IsAborted(this);
+      return !aborted;
+    });
+  if (aborted)
+  {
+    return 1;
+  }
+  if (!std::isfinite(fits.front().AICc))
+  {
+    vtkErrorMacro("No model could be fitted: only " << rings.size() << " lags up to " << maximumLag
+                                                    << " have pairs. Take a longer MaximumLag.");
+    return 0;
+  }
+
+  WriteFits(fits, trend, table);
+  WriteVariogram(rings, sectors, directions, fits, variogram);
+  const littoral::DimensionEstimate periodogram = littoral::DimensionFromPeriodogram(samples, littoral::SmpFor);
+  const littoral::DimensionEstimate slope = littoral::DimensionFromVariogram(map);
+  AddField(table, "SampleVariance", { variance });
+  AddField(table, "NumberOfValues", { static_cast<double>(moments.Count) });
+  AddField(table, "PeriodogramDimension", { periodogram.Dimension, periodogram.StandardError });
+  AddField(table, "VariogramDimension", { slope.Dimension, slope.StandardError });
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkCovarianceFitFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumLag: " << this->MaximumLag << "\n";
+  os << indent << "NumberOfLags: " << this->NumberOfLags << "\n";
+  os << indent << "RemoveTrend: " << (this->RemoveTrend ? "on" : "off") << "\n";
+  os << indent << "FitNugget: " << (this->FitNugget ? "on" : "off") << "\n";
+  os << indent << "FitAnisotropy: " << (this->FitAnisotropy ? "on" : "off") << "\n";
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "LongestRange: " << this->LongestRange << "\n";
+  os << indent << "FractalWavelength: " << this->FractalWavelength << "\n";
+  os << indent << "UseNoDataValue: " << (this->UseNoDataValue ? "on" : "off") << "\n";
+  os << indent << "NoDataValue: " << this->NoDataValue << "\n";
+}

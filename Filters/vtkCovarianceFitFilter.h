@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCovarianceFitFilter
+ * @brief   measures the variogram of an image and fits seven covariance models to it
+ *
+ * Input: a vtkImageData of one layer with a scalar point array (SetInputArrayToProcess; default the active scalars),
+ * typically the elevation [m] of a real place. NaN and, on request, a no-data value are left out.
+ *
+ * Output 0: a vtkTable, a row a model, best first, as vtkTurningBandsTerrainSource takes it. Columns: `Model` (name),
+ * `ModelId`, `Variance` [m^2], `Range` [m], `SecondRange` [m], `FractalDimension` (NaN where a model has none),
+ * `Nugget` [m^2], `AnisotropyRatio`, `AnisotropyAngle` [rad], `Mean` [m], `SlopeX`, `SlopeY` (the plane that was
+ * removed, with its height at the grid's middle), `WeightedSSE`, `AICc`. Field data: `SampleVariance` [m^2] (of what
+ * remains when the plane is removed), `NumberOfValues`, `PeriodogramDimension` and `VariogramDimension` (fractal
+ * dimension from the slope of either, with its standard error).
+ *
+ * Output 1: a vtkTable, a row a lag: `Lag` [m], `Semivariance` [m^2], `Pairs`, one column a model, and one a direction
+ * (`Semivariance_000`, `Semivariance_015`..., degrees from x) where anisotropy is fitted. Ready for a line chart.
+ *
+ * The variogram is exact, by Fourier transform, with exact pair counts. Models are fitted by Levenberg-Marquardt to
+ * logarithms of semivariances, as Setas et al. propose at the end of section 2.1. The criterion AICc treats lags as
+ * independent, which they are not: take differences as an order, not as a test.
+ *
+ * @sa vtkTurningBandsTerrainSource
+ */
+#ifndef vtkCovarianceFitFilter_h
+#define vtkCovarianceFitFilter_h
+
+#include "LittoralFiltersModule.h" // for export macro
+#include "vtkTableAlgorithm.h"
+
+class LITTORALFILTERS_EXPORT vtkCovarianceFitFilter : public vtkTableAlgorithm
+{
+public:
+  static vtkCovarianceFitFilter* New();
+  vtkTypeMacro(vtkCovarianceFitFilter, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Longest distance of pairs [m], not negative; 0: half the shorter side. Default 0.
+  vtkSetMacro(MaximumLag, double);
+  vtkGetMacro(MaximumLag, double);
+  ///@}
+
+  ///@{
+  /// Number of distance classes up to MaximumLag, 6 to 10000. Default 40.
+  vtkSetMacro(NumberOfLags, int);
+  vtkGetMacro(NumberOfLags, int);
+  ///@}
+
+  ///@{
+  /// Whether a plane is fitted and removed first; else the mean alone. Default on.
+  vtkSetMacro(RemoveTrend, bool);
+  vtkGetMacro(RemoveTrend, bool);
+  vtkBooleanMacro(RemoveTrend, bool);
+  ///@}
+
+  ///@{
+  /// Whether a jump of the variogram at distance zero (measurement noise) is fitted. Default off.
+  vtkSetMacro(FitNugget, bool);
+  vtkGetMacro(FitNugget, bool);
+  vtkBooleanMacro(FitNugget, bool);
+  ///@}
+
+  ///@{
+  /// Whether an ellipse of ranges is fitted to the variograms of NumberOfDirections directions. Default on.
+  vtkSetMacro(FitAnisotropy, bool);
+  vtkGetMacro(FitAnisotropy, bool);
+  vtkBooleanMacro(FitAnisotropy, bool);
+  ///@}
+
+  ///@{
+  /// Number of directions over half a turn, 4 to 90. Default 12.
+  vtkSetMacro(NumberOfDirections, int);
+  vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  ///@{
+  /**
+   * No model is given a longer range than this [m], not negative; 0: half of MaximumLag. What is longer than the lags
+   * looks like one more trend and cannot be told. Default 0.
+   */
+  vtkSetMacro(LongestRange, double);
+  vtkGetMacro(LongestRange, double);
+  ///@}
+
+  ///@{
+  /// Largest wavelength of the Fractal model [m], not negative, which no variogram tells; 0: four times the longer
+  /// side. Default 0.
+  vtkSetMacro(FractalWavelength, double);
+  vtkGetMacro(FractalWavelength, double);
+  ///@}
+
+  ///@{
+  /// Whether values equal to NoDataValue are missing ones. Default off.
+  vtkSetMacro(UseNoDataValue, bool);
+  vtkGetMacro(UseNoDataValue, bool);
+  vtkBooleanMacro(UseNoDataValue, bool);
+  ///@}
+
+  ///@{
+  /// The value that marks a missing one. Default -9999.
+  vtkSetMacro(NoDataValue, double);
+  vtkGetMacro(NoDataValue, double);
+  ///@}
+
+protected:
+  vtkCovarianceFitFilter();
+  ~vtkCovarianceFitFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double MaximumLag;
+  int NumberOfLags;
+  bool RemoveTrend;
+  bool FitNugget;
+  bool FitAnisotropy;
+  int NumberOfDirections;
+  double LongestRange;
+  double FractalWavelength;
+  bool UseNoDataValue;
+  double NoDataValue;
+
+private:
+  vtkCovarianceFitFilter(const vtkCovarianceFitFilter&) = delete;
+  void operator=(const vtkCovarianceFitFilter&) = delete;
+
+  bool CheckProperties();
+};
+
+#endif

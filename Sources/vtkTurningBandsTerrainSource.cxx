@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTurningBandsTerrainSource.h"
+
+#include "LittoralPipeline.h"
+#include "TurningBands.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkTurningBandsTerrainSource);
+
+namespace
+{
+/// Rows that one thread fills at a time: enough for long runs along the lines that are closer to y.
+constexpr int RowsAtOnce = 128;
+}
+
+/// One field in full: the numerics' parameters, and what is added to them.
+class vtkTurningBandsTerrainSource::Recipe
+{
+public:
+  littoral::TurningBandsParameters Bands;
+  double Mean = 0.0;
+  double Slope[2] = { 0.0, 0.0 };
+  const char* Name = "";
+};
+
+//----------------------------------------------------------------------------
+vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
+  : WholeExtent{ 0, 500, 0, 500, 0, 0 }
+  , Origin{ 0.0, 0.0, 0.0 }
+  , Spacing{ 2.0, 2.0, 1.0 }
+  , Model(Fractal)
+  , StandardDeviation(60.0)
+  , Mean(200.0)
+  , Slope{ 0.0, 0.0 }
+  , Range(1000.0)
+  , SecondRange(50.0)
+  , FractalDimension(2.15)
+  , NumberOfLines(64)
+  , NumberOfHarmonics(1000)
+  , HarmonicSpacing(Adaptive)
+  , ShortestWavelength(0.0)
+  , AnisotropyRatio(1.0)
+  , AnisotropyAngle(0.0)
+  , Seed(1)
+  , Reflectance(false)
+  , ReflectanceModel(SimpleExponential)
+  , ReflectanceRange(100.0)
+  , ReflectanceMean(0.5)
+  , ReflectanceStandardDeviation(0.15)
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//----------------------------------------------------------------------------
+vtkTurningBandsTerrainSource::~vtkTurningBandsTerrainSource() = default;
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const int* extent = this->WholeExtent;
+  if (extent[1] < extent[0] || extent[3] < extent[2])
+  {
+    vtkErrorMacro("WholeExtent " << extent[0] << " " << extent[1] << " " << extent[2] << " " << extent[3]
+                                 << " is empty: the last index of an axis must not be below the first.");
+    return 0;
+  }
+  if (extent[5] != extent[4])
+  {
+    vtkErrorMacro("WholeExtent has " << extent[5] - static_cast<long long>(extent[4]) + 1
+                                     << " layers in z: a terrain has exactly one.");
+    return 0;
+  }
+  if (!(this->Spacing[0] > 0.0) || !(this->Spacing[1] > 0.0) || !std::isfinite(this->Spacing[0]) ||
+    !std::isfinite(this->Spacing[1]))
+  {
+    vtkErrorMacro("Spacing is " << this->Spacing[0] << ", " << this->Spacing[1] << "; it must be finite and positive.");
+    return 0;
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->WholeExtent, 6);
+  info->Set(vtkDataObject::ORIGIN(), this->Origin, 3);
+  info->Set(vtkDataObject::SPACING(), this->Spacing, 3);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Each piece of the terrain needs the whole table, also on the ranks beyond the first.
+  if (vtkInformation* info = inputVector[0]->GetInformationObject(0))
+  {
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ElevationRecipe() const
+{
+  Recipe recipe;
+  recipe.Name = "Elevation";
+  recipe.Mean = this->Mean;
+  recipe.Slope[0] = this->Slope[0];
+  recipe.Slope[1] = this->Slope[1];
+  littoral::TurningBandsParameters& bands = recipe.Bands;
+  bands.Field.Model = static_cast<littoral::CovarianceModel>(this->Model);
+  bands.Field.Variance = this->StandardDeviation * std::abs(this->StandardDeviation); // keeps a wrong sign visible
+  bands.Field.Range = this->Range;
+  bands.Field.SecondRange = this->SecondRange;
+  bands.Field.FractalDimension = this->FractalDimension;
+  bands.NumberOfLines = this->NumberOfLines;
+  bands.NumberOfHarmonics = this->NumberOfHarmonics;
+  bands.Bins = this->HarmonicSpacing == Uniform ? littoral::HarmonicBins::Uniform : littoral::HarmonicBins::Adaptive;
+  bands.AnisotropyRatio = this->AnisotropyRatio;
+  bands.AnisotropyAngle = vtkMath::RadiansFromDegrees(this->AnisotropyAngle);
+  bands.ShortestWavelength = this->ShortestWavelength;
+  bands.Seed = this->Seed;
+  bands.Purpose = littoral::RandomPurpose::ElevationLines;
+  return recipe;
+}
+
+//----------------------------------------------------------------------------
+vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ReflectanceRecipe() const
+{
+  Recipe recipe = this->ElevationRecipe();
+  recipe.Name = "Reflectance";
+  recipe.Mean = this->ReflectanceMean;
+  recipe.Slope[0] = recipe.Slope[1] = 0.0;
+  littoral::TurningBandsParameters& bands = recipe.Bands;
+  bands.Field.Model = static_cast<littoral::CovarianceModel>(this->ReflectanceModel);
+  bands.Field.Variance = this->ReflectanceStandardDeviation * std::abs(this->ReflectanceStandardDeviation);
+  bands.Field.Range = this->ReflectanceRange;
+  bands.Field.SecondRange = 0.1 * this->ReflectanceRange;
+  bands.AnisotropyRatio = 1.0;
+  bands.Purpose = littoral::RandomPurpose::ReflectanceLines;
+  return recipe;
+}
+
+//----------------------------------------------------------------------------
+bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
+{
+  if (fits->GetNumberOfRows() == 0)
+  {
+    vtkErrorMacro("The table of fits is empty; connect the first output of a covariance fit.");
+    return false;
+  }
+  littoral::TurningBandsParameters& bands = recipe.Bands;
+  const auto take = [fits](const char* column, double& value) {
+    if (fits->GetColumnByName(column))
+    {
+      value = fits->GetValueByName(0, column).ToDouble();
+    }
+  };
+  double model = -1.0;
+  take("ModelId", model);
+  if (!(model >= 0.0))
+  {
+    vtkErrorMacro("The table of fits has no column ModelId with a model; connect the first output of a covariance fit.");
+    return false;
+  }
+  bands.Field.Model = static_cast<littoral::CovarianceModel>(static_cast<int>(model));
+  take("Variance", bands.Field.Variance);
+  take("Range", bands.Field.Range);
+  take("SecondRange", bands.Field.SecondRange);
+  take("FractalDimension", bands.Field.FractalDimension);
+  take("AnisotropyRatio", bands.AnisotropyRatio);
+  take("AnisotropyAngle", bands.AnisotropyAngle);
+  take("Mean", recipe.Mean);
+  take("SlopeX", recipe.Slope[0]);
+  take("SlopeY", recipe.Slope[1]);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkTurningBandsTerrainSource::CheckRecipe(const Recipe& recipe)
+{
+  const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
+  std::string reason = littoral::WhyInvalid(recipe.Bands, grid);
+  if (reason.empty() && !(std::isfinite(recipe.Mean) && std::isfinite(recipe.Slope[0] + recipe.Slope[1])))
+  {
+    reason = "Mean and Slope must be finite.";
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot grow " << recipe.Name << ": " << reason);
+    return false;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkTurningBandsTerrainSource::Grow(
+  const Recipe& recipe, const int extent[6], double first, double last, float* values)
+{
+  const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
+  const littoral::GridWindow window{ { extent[0], extent[2] }, { extent[1], extent[3] } };
+  littoral::TurningBandsField field(recipe.Bands, grid, window);
+  const double middle = 0.5 * (first + last);
+  if (!littoral::RunWithProgress(this, field.GetNumberOfLines(), first, middle,
+        [&](std::size_t line) { field.TabulateLine(line); }))
+  {
+    return false;
+  }
+
+  const std::size_t width = static_cast<std::size_t>(extent[1]) - extent[0] + 1;
+  const std::size_t height = static_cast<std::size_t>(extent[3]) - extent[2] + 1;
+  const double centreX = 0.5 * (this->WholeExtent[0] + static_cast<double>(this->WholeExtent[1]));
+  const double centreY = 0.5 * (this->WholeExtent[2] + static_cast<double>(this->WholeExtent[3]));
+  const bool tilted = recipe.Slope[0] != 0.0 || recipe.Slope[1] != 0.0;
+  return littoral::RunWithProgress(
+    this, (height + RowsAtOnce - 1) / RowsAtOnce, middle, last, [&](std::size_t piece) {
+      const std::size_t begin = piece * RowsAtOnce;
+      const std::size_t end = std::min<std::size_t>(begin + RowsAtOnce, height);
+      field.FillRows(extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, recipe.Mean,
+        values + begin * width);
+      for (std::size_t j = begin; tilted && j < end; ++j)
+      {
+        const double rise = recipe.Slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centreY);
+        for (std::size_t i = 0; i < width; ++i)
+        {
+          const double x = this->Spacing[0] * (extent[0] + static_cast<double>(i) - centreX);
+          values[j * width + i] += static_cast<float>(recipe.Slope[0] * x + rise);
+        }
+      }
+    });
+}
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+
+  Recipe elevation = this->ElevationRecipe();
+  vtkTable* fits = vtkTable::GetData(inputVector[0]);
+  if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
+    (this->Reflectance && !this->CheckRecipe(this->ReflectanceRecipe())))
+  {
+    return 0;
+  }
+
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  const double width = extent[1] - static_cast<double>(extent[0]) + 1.0;
+  const double height = extent[3] - static_cast<double>(extent[2]) + 1.0;
+  const double bytes = width * height * sizeof(float) * (this->Reflectance ? 2 : 1);
+  if (bytes > littoral::AvailableMemory())
+  {
+    vtkErrorMacro("A terrain of " << width << " x " << height << " points needs " << bytes / 0x1p30
+                                  << " GiB, more than this machine has free. Take a smaller WholeExtent, or ask for a "
+                                     "part of it.");
+    return 0;
+  }
+
+  output->SetExtent(extent);
+  output->SetOrigin(this->Origin);
+  output->SetSpacing(this->Spacing);
+  if (extent[1] < extent[0] || extent[3] < extent[2])
+  {
+    return 1; // a rank with nothing to do
+  }
+  const vtkIdType count = output->GetNumberOfPoints();
+  this->SetProgressText("Growing terrain");
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Elevation");
+  heights->SetNumberOfValues(count);
+  const double half = this->Reflectance ? 0.5 : 1.0;
+  bool done = this->Grow(elevation, extent, 0.0, half, heights->GetPointer(0));
+  vtkNew<vtkFloatArray> reflectance;
+  if (done && this->Reflectance)
+  {
+    reflectance->SetName("Reflectance");
+    reflectance->SetNumberOfValues(count);
+    done = this->Grow(this->ReflectanceRecipe(), extent, half, 1.0, reflectance->GetPointer(0));
+    for (vtkIdType i = 0; done && i < count; ++i)
+    {
+      reflectance->SetValue(i, vtkMath::ClampValue(reflectance->GetValue(i), 0.0f, 1.0f));
+    }
+  }
+  if (!done) // aborted
+  {
+    output->Initialize();
+    return 1;
+  }
+  output->GetPointData()->SetScalars(heights);
+  if (this->Reflectance)
+  {
+    output->GetPointData()->AddArray(reflectance);
+  }
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkTurningBandsTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const int* extent = this->WholeExtent;
+  os << indent << "WholeExtent: " << extent[0] << " " << extent[1] << " " << extent[2] << " " << extent[3] << " "
+     << extent[4] << " " << extent[5] << "\n";
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2] << "\n";
+  os << indent << "Spacing: " << this->Spacing[0] << " " << this->Spacing[1] << " " << this->Spacing[2] << "\n";
+  os << indent << "Model: " << this->Model << "\n";
+  os << indent << "StandardDeviation: " << this->StandardDeviation << "\n";
+  os << indent << "Mean: " << this->Mean << "\n";
+  os << indent << "Slope: " << this->Slope[0] << " " << this->Slope[1] << "\n";
+  os << indent << "Range: " << this->Range << "\n";
+  os << indent << "SecondRange: " << this->SecondRange << "\n";
+  os << indent << "FractalDimension: " << this->FractalDimension << "\n";
+  os << indent << "NumberOfLines: " << this->NumberOfLines << "\n";
+  os << indent << "NumberOfHarmonics: " << this->NumberOfHarmonics << "\n";
+  os << indent << "HarmonicSpacing: " << this->HarmonicSpacing << "\n";
+  os << indent << "ShortestWavelength: " << this->ShortestWavelength << "\n";
+  os << indent << "AnisotropyRatio: " << this->AnisotropyRatio << "\n";
+  os << indent << "AnisotropyAngle: " << this->AnisotropyAngle << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Reflectance: " << (this->Reflectance ? "on" : "off") << "\n";
+  os << indent << "ReflectanceModel: " << this->ReflectanceModel << "\n";
+  os << indent << "ReflectanceRange: " << this->ReflectanceRange << "\n";
+  os << indent << "ReflectanceMean: " << this->ReflectanceMean << "\n";
+  os << indent << "ReflectanceStandardDeviation: " << this->ReflectanceStandardDeviation << "\n";
+}

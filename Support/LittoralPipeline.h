@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralPipeline_h
+#define LittoralPipeline_h
+
+// What the VTK classes share between the numerics and the pipeline. Private: never installed, never wrapped.
+
+#include "Parallel.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
+
+#include <vtksys/SystemInformation.hxx>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace littoral
+{
+
+/// The numerics' parallel loop on VTK's threads.
+inline void SmpFor(std::size_t count, const RangeTask& task)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
+    task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+  });
+}
+
+/// Whether the user asked to stop.
+inline bool IsAborted(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)
+  return algorithm->CheckAbort();
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+/**
+ * Runs pieces 0 ... count-1 on all threads, in a few batches, between which progress is reported from first to last
+ * and an abort is noticed. False when aborted.
+ */
+template <typename Task>
+bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, double last, const Task& task)
+{
+  const std::size_t batch = std::max<std::size_t>(8, (count + 15) / 16);
+  for (std::size_t done = 0; done < count; done += batch)
+  {
+    if (IsAborted(algorithm))
+    {
+      return false;
+    }
+    algorithm->UpdateProgress(first + (last - first) * done / count);
+    const std::size_t end = std::min(count, done + batch);
+    vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), 1, [&](vtkIdType a, vtkIdType b) {
+      for (vtkIdType piece = a; piece < b; ++piece)
+      {
+        task(static_cast<std::size_t>(piece));
+      }
+    });
+  }
+  return true;
+}
+
+/// Memory that can be taken without driving others out [bytes].
+inline double AvailableMemory()
+{
+  vtksys::SystemInformation system;
+  return 0.9 * 1024.0 * static_cast<double>(system.GetHostMemoryTotal() - system.GetHostMemoryUsed());
+}
+
+}
+
+#endif

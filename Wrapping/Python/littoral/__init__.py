@@ -1,0 +1,13 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Living landscapes and seas for VTK.
+
+Every VTK class of Littoral can be imported from this package:
+
+    from littoral import vtkTurningBandsTerrainSource
+"""
+
+from .LittoralSources import *
+from .LittoralFilters import *
+
+__all__ = sorted(name for name in globals() if name.startswith("vtk"))

@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The variogram as a chart: what was measured as points, what the models say as lines."""
+
+import re
+
+import numpy as np
+import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401, draws charts
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkChartsCore import (
+    vtkAxis, vtkChart, vtkChartLegend, vtkChartXY, vtkPlotPoints)
+from vtkmodules.vtkCommonDataModel import vtkRectf
+from vtkmodules.vtkViewsContext2D import vtkContextView
+
+from .picture import write_png
+from .tables import column, table_of
+
+INK = (0.20, 0.22, 0.26)
+GRID = (0.90, 0.90, 0.90)
+BEST = (0.80, 0.27, 0.12)
+OTHERS = (
+    (0.13, 0.42, 0.62), (0.29, 0.56, 0.35), (0.55, 0.40, 0.65), (0.80, 0.62, 0.20),
+    (0.40, 0.66, 0.72), (0.62, 0.62, 0.62))
+
+
+def save_variogram_chart(filename, variogram, models, size=(1200, 750), oversampling=2):
+    """Draw a variogram: a table of `Lag` [m], `Semivariance` [m2] and a column for each model.
+
+    models: names of the columns to draw, best first.
+    """
+    names = ["Semivariance", *models]
+    table = table_of({"Lag": 1e-3 * column(variogram, "Lag")} | {
+        name: 1e-3 * column(variogram, name) for name in names})
+    chart = vtkChartXY()
+    for rank, model in enumerate(models):
+        _add_line(chart, table, model, rank, oversampling)
+    _add_points(chart, table, oversampling)
+    font = 19 * oversampling
+    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Lag (km)", font, column(table, "Lag").max())
+    upper = 1.15 * column(table, "Semivariance").max()
+    _style_axis(chart.GetAxis(vtkAxis.LEFT), "Semivariance (1000 m\u00b2)", font, upper)
+    _style_legend(chart, font)
+    margin = 30 * oversampling
+    chart.SetAutoSize(False)
+    chart.SetSize(vtkRectf(margin, margin, *(s * oversampling - 2 * margin for s in size)))
+    view = vtkContextView()
+    view.GetScene().AddItem(chart)
+    view.GetRenderer().SetBackground(1.0, 1.0, 1.0)
+    write_png(view.GetRenderWindow(), filename, size, oversampling)
+
+
+def _add_line(chart, table, model, rank, oversampling):
+    line = chart.AddPlot(vtkChart.LINE)
+    line.SetInputData(table, "Lag", model)
+    words = re.sub(r"(?<=[a-z])(?=[A-Z0-9])", " ", model)
+    line.SetLabel(words if rank else words + " (best)")
+    line.SetColorF(*(OTHERS[(rank - 1) % len(OTHERS)] if rank else BEST))
+    line.SetWidth((1.6 if rank else 4.0) * oversampling)
+
+
+def _add_points(chart, table, oversampling):
+    points = chart.AddPlot(vtkChart.POINTS)
+    points.SetInputData(table, "Lag", "Semivariance")
+    points.SetLabel("measured")
+    points.SetMarkerStyle(vtkPlotPoints.CIRCLE)
+    points.SetMarkerSize(7.0 * oversampling)
+    points.SetColorF(*INK)
+
+
+def _style_axis(axis, title, font, upper):
+    axis.SetTitle(title)
+    axis.SetBehavior(vtkAxis.FIXED)
+    axis.SetRange(0.0, upper)
+    axis.SetNotation(vtkAxis.PRINTF_NOTATION)
+    axis.SetLabelFormat("%g")
+    axis.SetCustomTickPositions(numpy_to_vtk(_ticks(upper), deep=True))
+    axis.GetPen().SetColorF(*INK)
+    axis.GetGridPen().SetColorF(*GRID)
+    for text in (axis.GetTitleProperties(), axis.GetLabelProperties()):
+        text.SetFontSize(font)
+        text.SetColor(*INK)
+        text.BoldOff()
+
+
+def _style_legend(chart, font):
+    chart.SetShowLegend(True)
+    legend = chart.GetLegend()
+    legend.SetHorizontalAlignment(vtkChartLegend.RIGHT)
+    legend.SetVerticalAlignment(vtkChartLegend.BOTTOM)
+    legend.SetLabelSize(font)
+    legend.SetSymbolWidth(2 * font)
+    legend.SetPadding(font // 3)
+    legend.GetPen().SetOpacityF(0.0)
+
+
+def _ticks(upper):
+    """Five to ten round steps from 0 to an upper value."""
+    decade = 10.0 ** np.floor(np.log10(upper / 5.0))
+    step = max(s * decade for s in (1.0, 2.0, 5.0) if 5.0 * s * decade <= upper)
+    return np.arange(0.0, upper, step)
