@@ -121,7 +121,7 @@ DimensionEstimate DimensionFromVariogram(const VariogramMap& map)
   const double cell = std::max(map.Spacing[0], map.Spacing[1]);
   std::vector<double> x;
   std::vector<double> y;
-  for (const LagBin& bin : BinVariogram(map, 16.5 * cell, 16, 1))
+  for (const LagBin& bin : BinVariogram(map, 16.5 * cell, 24, 1))
   {
     if (bin.Lag > 1.5 * cell && bin.Semivariance > 0.0)
     {

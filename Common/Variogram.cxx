@@ -95,7 +95,7 @@ std::vector<LagBin> BinVariogram(const VariogramMap& map, double maximumLag, int
       {
         continue;
       }
-      const int ring = std::min(rings - 1, static_cast<int>(lag / maximumLag * rings));
+      const int ring = std::min(rings - 1, static_cast<int>(std::sqrt(lag / maximumLag) * rings));
       const double turn = std::atan2(y, x) / Pi; // in [0, 1]
       const int sector = static_cast<int>(std::floor(turn * directions + 0.5)) % directions;
       LagBin& bin = bins[static_cast<std::size_t>(sector) * rings + ring];

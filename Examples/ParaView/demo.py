@@ -23,10 +23,10 @@ import numpy as np
 
 from littoral import vtkCovarianceFitFilter, vtkTurningBandsTerrainSource
 from littoral.chart import save_variogram_chart
-from littoral.elevation import array_from_image, read_elevation, write_vti
+from littoral.elevation import read_elevation, write_vti
 from littoral.picture import save_pair
 from littoral.scene import plaster_colour
-from littoral.tables import column, model_names, one_model, write_csv
+from littoral.tables import column, model_names, write_csv
 
 STEPS = 7
 EXAGGERATION = 3.0
@@ -53,8 +53,24 @@ def grow(place, fits, seed):
     source.SetWholeExtent(place.GetExtent())
     source.SetOrigin(place.GetOrigin())
     source.SetSpacing(place.GetSpacing())
-    source.SetMean(float(array_from_image(place).mean()))
     source.SetSeed(seed)
+    source.Update()
+    return source.GetOutput()
+
+
+def grow_fractal(place, fits, dimension):
+    """A fractal field on the grid of a place, of the same mean and variance."""
+    fields = fits.GetFieldData()
+    bounds = place.GetBounds()
+    source = vtkTurningBandsTerrainSource()
+    source.SetModelToFractal()
+    source.SetFractalDimension(dimension)
+    source.SetStandardDeviation(fields.GetArray("SampleVariance").GetValue(0) ** 0.5)
+    source.SetMean(column(fits, "Mean")[0])
+    source.SetRange(max(bounds[1] - bounds[0], bounds[3] - bounds[2]))
+    source.SetWholeExtent(place.GetExtent())
+    source.SetOrigin(place.GetOrigin())
+    source.SetSpacing(place.GetSpacing())
     source.Update()
     return source.GetOutput()
 
@@ -101,10 +117,9 @@ def main(folder):
         (f"measured \u00b7 {size}", f"grown by Littoral \u00b7 {size}"), EXAGGERATION)
 
     say(6, "drawing figure2.png")
-    fractal = one_model(fits, "Fractal")
-    dimension = column(fractal, "FractalDimension")[0]
+    dimension = fits.GetFieldData().GetArray("PeriodogramDimension").GetValue(0)
     save_pair(
-        file("figure2.png"), (place, grow(place, fractal, seed=1)),
+        file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
         ("(a) Real terrain", "(b) Turning bands"),
         (f"Jacksboro fault, D = {dimension:.2f}", f"fractal field, D = {dimension:.2f}"),
         EXAGGERATION, plaster_colour)

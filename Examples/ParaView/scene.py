@@ -51,8 +51,7 @@ def grown_like(fits, place):
     """The twin: a terrain on the grid of a place, from the table of fits."""
     return simple.TurningBandsTerrainFromFits(
         registrationName="Twin", Input=fits, WholeExtent=place.GetExtent(),
-        Origin=place.GetOrigin(), Spacing=place.GetSpacing(),
-        Mean=float(array_from_image(place).mean()))
+        Origin=place.GetOrigin(), Spacing=place.GetSpacing())
 
 
 def show_variogram(fit, view):
@@ -108,7 +107,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     view = build(folder)
     if __name__ == "__main__" and len(sys.argv) > 1:
-        simple.SaveScreenshot(os.path.join(folder, "scene.png"), view.GetLayout() if 0 else view)
+        simple.SaveScreenshot(os.path.join(folder, "scene.png"), view)
         simple.SaveState(os.path.join(folder, "scene.pvsm"))
 
 
