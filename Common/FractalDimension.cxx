@@ -76,8 +76,7 @@ DimensionEstimate DimensionFromPeriodogram(const GridSamples& samples, const Par
   }
   grid.Forward(parallel);
 
-  const double shortSide =
-    std::min(samples.Width * samples.Spacing[0], samples.Height * samples.Spacing[1]);
+  const double shortSide = std::min(samples.Width * samples.Spacing[0], samples.Height * samples.Spacing[1]);
   const double lowest = 6.0 * TwoPi / shortSide;
   const double highest = TwoPi / (5.0 * std::max(samples.Spacing[0], samples.Spacing[1]));
   std::vector<double> power(NumberOfRings);

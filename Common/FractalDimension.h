@@ -10,7 +10,8 @@
 namespace littoral
 {
 
-/// A fractal dimension of a surface, 2 to 3 for a fractal one, and its standard error. NaN where there are too few data.
+/// A fractal dimension of a surface, 2 to 3 for a fractal one, and its standard error. NaN where there are too few
+/// data.
 struct DimensionEstimate
 {
   double Dimension;

@@ -44,8 +44,8 @@ SampleMoments Moments(const GridSamples& samples)
   }
   moments.Mean = sum / moments.Count;
   double squares = 0.0;
-  ForEachValue(samples,
-    [&](double, double, double value) { squares += (value - moments.Mean) * (value - moments.Mean); });
+  ForEachValue(
+    samples, [&](double, double, double value) { squares += (value - moments.Mean) * (value - moments.Mean); });
   moments.Variance = squares / moments.Count;
   return moments;
 }
@@ -74,9 +74,8 @@ PlaneTrend RemovePlane(GridSamples& samples)
   const Eigen::Vector3d plane = normal.completeOrthogonalDecomposition().solve(right);
   trend.Mean += plane[0];
   trend.Slope = { plane[1] / scaleX, plane[2] / scaleY };
-  ForEachValue(samples, [&](double x, double y, double& value) {
-    value -= plane[0] + trend.Slope[0] * x + trend.Slope[1] * y;
-  });
+  ForEachValue(
+    samples, [&](double x, double y, double& value) { value -= plane[0] + trend.Slope[0] * x + trend.Slope[1] * y; });
   return trend;
 }
 

@@ -34,7 +34,7 @@ SampleMoments Moments(const GridSamples& samples);
 /// A plane through the middle of the grid.
 struct PlaneTrend
 {
-  double Mean = 0.0;                      ///< height at the grid's centre
+  double Mean = 0.0;                       ///< height at the grid's centre
   std::array<double, 2> Slope{ 0.0, 0.0 }; ///< change per metre along x and y
 };
 

@@ -8,7 +8,7 @@
  * library is loaded. Floating-point contraction is off in this library and no loop is allowed to reassociate, so that
  * both versions give the same bytes.
  */
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&                       \
   !defined(__SANITIZE_ADDRESS__)
 #define LITTORAL_SIMD_CLONES __attribute__((target_clones("avx2", "default")))
 #else

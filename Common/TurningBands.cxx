@@ -196,7 +196,8 @@ LITTORAL_SIMD_CLONES void AddShifted(const TableShift& shift, int count, float* 
   }
 }
 
-/// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for the cache.
+/// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
+/// the cache.
 constexpr int TileSize = 256;
 
 bool IsPositive(double value)
@@ -324,8 +325,7 @@ void TurningBandsField::CutBins()
     for (int k = 0; k <= count; ++k)
     {
       const double part = static_cast<double>(k) / count;
-      this->BinEdges[k] =
-        geometric ? lowest * std::pow(highest / lowest, part) : lowest + (highest - lowest) * part;
+      this->BinEdges[k] = geometric ? lowest * std::pow(highest / lowest, part) : lowest + (highest - lowest) * part;
     }
   }
   else
@@ -341,8 +341,8 @@ void TurningBandsField::CutBins()
     {
       const double part = static_cast<double>(i) / samples;
       const double w1 = highest * part * part * part;
-      const double octave = highest > 2.0 * median ? std::max(0.0, std::log(w1 / median) / std::log(highest / median))
-                                                   : w1 / highest;
+      const double octave =
+        highest > 2.0 * median ? std::max(0.0, std::log(w1 / median) / std::log(highest / median)) : w1 / highest;
       const double mass1 = 0.5 * (SpectrumBelow(field, w1) / total + octave);
       for (; k <= count && k <= mass1 * count; ++k)
       {
@@ -459,13 +459,12 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
     const double node = std::floor(position);
     TableShift shift;
     SplineWeights(position - node, shift.Weights);
-    const long long first = static_cast<long long>(node) - 1 +
-      static_cast<long long>(this->Stride) * firstAlong - line.FirstNode;
+    const long long first =
+      static_cast<long long>(node) - 1 + static_cast<long long>(this->Stride) * firstAlong - line.FirstNode;
     for (int tap = 0; tap < 4; ++tap)
     {
       const std::size_t n = static_cast<std::size_t>(first + tap);
-      shift.Taps[tap] =
-        line.Table.data() + (n & (this->Stride - 1)) * line.PhaseLength + (n >> this->StrideBits);
+      shift.Taps[tap] = line.Table.data() + (n & (this->Stride - 1)) * line.PhaseLength + (n >> this->StrideBits);
     }
     return shift;
   };

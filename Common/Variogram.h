@@ -48,7 +48,8 @@ struct LagBin
 
 /**
  * Averages the map over rings up to maximumLag [m], narrow near zero, where the variogram bends, and wide far out: ring
- * k ends at maximumLag ((k+1) / rings)^2; and over sectors of pi / directions (1: all directions together). Empty bins are left out; order: sector by sector, lags increasing.
+ * k ends at maximumLag ((k+1) / rings)^2; and over sectors of pi / directions (1: all directions together). Empty bins
+ * are left out; order: sector by sector, lags increasing.
  */
 std::vector<LagBin> BinVariogram(const VariogramMap& map, double maximumLag, int rings, int directions);
 

@@ -145,8 +145,7 @@ struct Residuals
       const LagBin& bin = this->Bins[i];
       const double model = Semivariance(fit, bin.Separation[0], bin.Separation[1]);
       const double floor = 1e-300;
-      residuals[static_cast<int>(i)] =
-        this->RootWeights[i] * std::log(bin.Semivariance / std::max(model, floor));
+      residuals[static_cast<int>(i)] = this->RootWeights[i] * std::log(bin.Semivariance / std::max(model, floor));
     }
     return 0;
   }
@@ -217,8 +216,7 @@ double MeanSemivariance(const VariogramFit& fit, double distance)
   return sum / directions;
 }
 
-VariogramFit FitVariogram(
-  CovarianceModel model, const std::vector<LagBin>& allBins, const VariogramFitOptions& options)
+VariogramFit FitVariogram(CovarianceModel model, const std::vector<LagBin>& allBins, const VariogramFitOptions& options)
 {
   std::vector<LagBin> bins;
   std::copy_if(allBins.begin(), allBins.end(), std::back_inserter(bins),
@@ -275,8 +273,8 @@ VariogramFit FitVariogram(
   return best;
 }
 
-std::vector<VariogramFit> FitAllModels(const std::vector<LagBin>& bins, const VariogramFitOptions& options,
-  const std::function<bool(double)>& progress)
+std::vector<VariogramFit> FitAllModels(
+  const std::vector<LagBin>& bins, const VariogramFitOptions& options, const std::function<bool(double)>& progress)
 {
   std::vector<VariogramFit> fits;
   for (int model = 0; model < NumberOfCovarianceModels; ++model)

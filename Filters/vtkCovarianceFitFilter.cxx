@@ -145,7 +145,8 @@ void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vecto
   for (int direction = 0; direction < directions; ++direction)
   {
     char name[32];
-    std::snprintf(name, sizeof(name), "Semivariance_%03d", static_cast<int>(std::lround(180.0 * direction / directions)));
+    std::snprintf(
+      name, sizeof(name), "Semivariance_%03d", static_cast<int>(std::lround(180.0 * direction / directions)));
     columns.push_back(AddColumn(table, name, rows, NaN));
   }
   for (const littoral::LagBin& bin : sectors)
@@ -170,8 +171,7 @@ vtkCovarianceFitFilter::vtkCovarianceFitFilter()
   , NoDataValue(-9999.0)
 {
   this->SetNumberOfOutputPorts(2);
-  this->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 //----------------------------------------------------------------------------
@@ -267,13 +267,12 @@ int vtkCovarianceFitFilter::RequestData(
                           << SmallestSide * SmallestSide << ".");
     return 0;
   }
-  const littoral::PlaneTrend trend =
-    this->RemoveTrend ? littoral::RemovePlane(samples) : littoral::RemoveMean(samples);
+  const littoral::PlaneTrend trend = this->RemoveTrend ? littoral::RemovePlane(samples) : littoral::RemoveMean(samples);
   const double variance = littoral::Moments(samples).Variance;
   if (variance <= 1e-20 * (moments.Variance + moments.Mean * moments.Mean))
   {
-    vtkErrorMacro("The image is " << (moments.Variance > 0.0 ? "a plane" : "constant")
-                                  << ": there is no variation to fit.");
+    vtkErrorMacro(
+      "The image is " << (moments.Variance > 0.0 ? "a plane" : "constant") << ": there is no variation to fit.");
     return 0;
   }
 

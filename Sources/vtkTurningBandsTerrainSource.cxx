@@ -184,7 +184,8 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
   take("ModelId", model);
   if (!(model >= 0.0))
   {
-    vtkErrorMacro("The table of fits has no column ModelId with a model; connect the first output of a covariance fit.");
+    vtkErrorMacro(
+      "The table of fits has no column ModelId with a model; connect the first output of a covariance fit.");
     return false;
   }
   bands.Field.Model = static_cast<littoral::CovarianceModel>(static_cast<int>(model));
@@ -225,8 +226,8 @@ bool vtkTurningBandsTerrainSource::Grow(
   const littoral::GridWindow window{ { extent[0], extent[2] }, { extent[1], extent[3] } };
   littoral::TurningBandsField field(recipe.Bands, grid, window);
   const double middle = 0.5 * (first + last);
-  if (!littoral::RunWithProgress(this, field.GetNumberOfLines(), first, middle,
-        [&](std::size_t line) { field.TabulateLine(line); }))
+  if (!littoral::RunWithProgress(
+        this, field.GetNumberOfLines(), first, middle, [&](std::size_t line) { field.TabulateLine(line); }))
   {
     return false;
   }
@@ -236,22 +237,21 @@ bool vtkTurningBandsTerrainSource::Grow(
   const double centreX = 0.5 * (this->WholeExtent[0] + static_cast<double>(this->WholeExtent[1]));
   const double centreY = 0.5 * (this->WholeExtent[2] + static_cast<double>(this->WholeExtent[3]));
   const bool tilted = recipe.Slope[0] != 0.0 || recipe.Slope[1] != 0.0;
-  return littoral::RunWithProgress(
-    this, (height + RowsAtOnce - 1) / RowsAtOnce, middle, last, [&](std::size_t piece) {
-      const std::size_t begin = piece * RowsAtOnce;
-      const std::size_t end = std::min<std::size_t>(begin + RowsAtOnce, height);
-      field.FillRows(extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, recipe.Mean,
-        values + begin * width);
-      for (std::size_t j = begin; tilted && j < end; ++j)
+  return littoral::RunWithProgress(this, (height + RowsAtOnce - 1) / RowsAtOnce, middle, last, [&](std::size_t piece) {
+    const std::size_t begin = piece * RowsAtOnce;
+    const std::size_t end = std::min<std::size_t>(begin + RowsAtOnce, height);
+    field.FillRows(extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, recipe.Mean,
+      values + begin * width);
+    for (std::size_t j = begin; tilted && j < end; ++j)
+    {
+      const double rise = recipe.Slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centreY);
+      for (std::size_t i = 0; i < width; ++i)
       {
-        const double rise = recipe.Slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centreY);
-        for (std::size_t i = 0; i < width; ++i)
-        {
-          const double x = this->Spacing[0] * (extent[0] + static_cast<double>(i) - centreX);
-          values[j * width + i] += static_cast<float>(recipe.Slope[0] * x + rise);
-        }
+        const double x = this->Spacing[0] * (extent[0] + static_cast<double>(i) - centreX);
+        values[j * width + i] += static_cast<float>(recipe.Slope[0] * x + rise);
       }
-    });
+    }
+  });
 }
 
 //----------------------------------------------------------------------------

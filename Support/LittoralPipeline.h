@@ -22,9 +22,8 @@ namespace littoral
 /// The numerics' parallel loop on VTK's threads.
 inline void SmpFor(std::size_t count, const RangeTask& task)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
-    task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
-  });
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
 /// Whether the user asked to stop.

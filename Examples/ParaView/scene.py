@@ -15,7 +15,7 @@ import tempfile
 
 from paraview import simple
 
-from littoral.elevation import array_from_image, read_elevation, write_vti
+from littoral.elevation import read_elevation, write_vti
 from littoral.scene import prepare_view, row_centres, show_lit, width_of
 
 EXAGGERATION = 3.0

@@ -167,7 +167,7 @@ TEST(TurningBands, EveryLineHasItsFullVarianceAndLiesOnAHalfCircle)
     const auto a = field.GetDirection(line);
     const auto b = field.GetDirection((line + 1) % 16);
     EXPECT_NEAR(std::abs(a[0] * b[1] - a[1] * b[0]), std::sin(Pi / 16), 1e-12); // as lines, evenly spread
-    EXPECT_GE(a[1], std::sin(Pi * (1.0 - 1.0 / 16)) * -1.0); // and each line once
+    EXPECT_GE(a[1], std::sin(Pi * (1.0 - 1.0 / 16)) * -1.0);                    // and each line once
   }
 }
 

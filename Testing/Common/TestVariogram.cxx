@@ -26,8 +26,7 @@ GridSamples Noise(int width, int height, double missing = 0.0)
   for (int n = 0; n < width * height; ++n)
   {
     const bool isMissing = random.UniformPair(n, 1)[0] < missing;
-    samples.Values.push_back(
-      isMissing ? std::numeric_limits<double>::quiet_NaN() : 100.0 + random.NormalPair(n, 0)[0]);
+    samples.Values.push_back(isMissing ? std::numeric_limits<double>::quiet_NaN() : 100.0 + random.NormalPair(n, 0)[0]);
   }
   return samples;
 }

@@ -118,6 +118,8 @@ def write_vti(image, filename):
 
     writer = vtkXMLImageDataWriter()
     writer.SetInputData(image)
+    # Inline data: some versions of expat keep VTK from reading appended data back.
+    writer.SetDataModeToBinary()
     writer.SetFileName(filename)
     writer.Write()
 

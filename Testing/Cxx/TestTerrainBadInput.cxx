@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Every bad property of the terrain source gives one message that names it, a failed update and an empty output.
+#include "ErrorCounter.h"
+#include "vtkTurningBandsTerrainSource.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+#include <climits>
+#include <functional>
+#include <limits>
+
+namespace
+{
+
+using Source = vtkTurningBandsTerrainSource;
+
+bool Fails(const char* word, const std::function<void(Source*)>& spoil)
+{
+  vtkNew<Source> source;
+  source->SetWholeExtent(0, 20, 0, 20, 0, 0);
+  spoil(source);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(source);
+  bool good = errors->ExpectOneNaming(word);
+  if (source->GetOutput()->GetNumberOfPoints() != 0)
+  {
+    std::cerr << "output is not empty for bad " << word << std::endl;
+    good = false;
+  }
+  return good;
+}
+
+}
+
+int TestTerrainBadInput(int, char*[])
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  bool good = true;
+  for (double bad : { 0.0, -3.0, nan, inf })
+  {
+    good &= Fails("Range", [=](Source* s) { s->SetRange(bad); });
+    good &= Fails("Spacing", [=](Source* s) { s->SetSpacing(bad, 1.0, 1.0); });
+    good &= Fails("SecondRange", [=](Source* s) {
+      s->SetModelToTelis();
+      s->SetSecondRange(bad);
+    });
+    good &= Fails("Reflectance", [=](Source* s) {
+      s->ReflectanceOn();
+      s->SetReflectanceRange(bad);
+    });
+  }
+  for (double bad : { 2.0, 3.0, 1.0, 4.0, nan })
+  {
+    good &= Fails("FractalDimension", [=](Source* s) { s->SetFractalDimension(bad); });
+  }
+  for (int bad : { 0, -1, INT_MIN })
+  {
+    good &= Fails("NumberOfLines", [=](Source* s) { s->SetNumberOfLines(bad); });
+    good &= Fails("NumberOfHarmonics", [=](Source* s) { s->SetNumberOfHarmonics(bad); });
+  }
+  good &= Fails("Model", [](Source* s) { s->SetModel(7); });
+  good &= Fails("Model", [](Source* s) { s->SetModel(-1); });
+  good &= Fails("Variance", [=](Source* s) { s->SetStandardDeviation(nan); });
+  good &= Fails("Variance", [=](Source* s) { s->SetStandardDeviation(-5.0); });
+  good &= Fails("Mean", [=](Source* s) { s->SetMean(nan); });
+  good &= Fails("Slope", [=](Source* s) { s->SetSlope(nan, 0.0); });
+  good &= Fails("Origin", [=](Source* s) { s->SetOrigin(nan, 0.0, 0.0); });
+  good &= Fails("AnisotropyRatio", [](Source* s) { s->SetAnisotropyRatio(0.5); });
+  good &= Fails("AnisotropyRatio", [=](Source* s) { s->SetAnisotropyRatio(nan); });
+  good &= Fails("AnisotropyAngle", [=](Source* s) { s->SetAnisotropyAngle(nan); });
+  good &= Fails("ShortestWavelength", [](Source* s) { s->SetShortestWavelength(-1.0); });
+  good &= Fails("empty", [](Source* s) { s->SetWholeExtent(0, -1, 0, 5, 0, 0); });
+  good &= Fails("layers", [](Source* s) { s->SetWholeExtent(0, 5, 0, 5, 0, 3); });
+  // 40 TiB, beyond any machine of today: refused before memory is asked for.
+  good &= Fails("GiB", [](Source* s) { s->SetWholeExtent(0, 3200000, 0, 3200000, 0, 0); });
+
+  vtkNew<vtkTable> empty;
+  good &= Fails("empty", [&](Source* s) { s->SetInputData(empty); });
+  vtkNew<vtkTable> other;
+  vtkNew<vtkDoubleArray> column;
+  column->SetName("Distance");
+  column->InsertNextValue(1.0);
+  other->AddColumn(column);
+  good &= Fails("ModelId", [&](Source* s) { s->SetInputData(other); });
+  column->SetName("ModelId");
+  column->SetValue(0, nan);
+  good &= Fails("ModelId", [&](Source* s) { s->SetInputData(other); });
+
+  // A part of an extent that as a whole would not fit is no trouble.
+  vtkNew<Source> huge;
+  huge->SetWholeExtent(0, 99999, 0, 99999, 0, 0);
+  const int part[6] = { 50000, 50031, 70000, 70031, 0, 0 };
+  huge->UpdateExtent(part);
+  if (huge->GetOutput()->GetNumberOfPoints() != 32 * 32)
+  {
+    std::cerr << "a small part of a huge terrain was not grown" << std::endl;
+    good = false;
+  }
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The same bytes for any part of the extent and any number of threads.
+#include "vtkTurningBandsTerrainSource.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <cstring>
+#include <iostream>
+
+namespace
+{
+
+vtkNew<vtkTurningBandsTerrainSource> Source()
+{
+  vtkNew<vtkTurningBandsTerrainSource> source;
+  source->SetWholeExtent(-100, 923, 0, 1023, 0, 0);
+  source->SetAnisotropyRatio(2.5);
+  source->SetAnisotropyAngle(25.0);
+  source->SetSlope(0.1, -0.05);
+  source->ReflectanceOn();
+  return source;
+}
+
+const float* Values(vtkTurningBandsTerrainSource* source, const char* name)
+{
+  return vtkFloatArray::SafeDownCast(source->GetOutput()->GetPointData()->GetArray(name))->GetPointer(0);
+}
+
+}
+
+int TestTerrainPieces(int, char*[])
+{
+  bool good = true;
+  auto whole = Source();
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "STDThread", false }, [&]() { whole->Update(); });
+  auto threaded = Source();
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2, "STDThread", false }, [&]() { threaded->Update(); });
+  auto part = Source();
+  const int extent[6] = { 300, 363, 555, 618, 0, 0 };
+  part->UpdateExtent(extent);
+  for (const char* name : { "Elevation", "Reflectance" })
+  {
+    const float* a = Values(whole, name);
+    if (std::memcmp(a, Values(threaded, name), sizeof(float) * 1024 * 1024) != 0)
+    {
+      std::cerr << name << " differs between one and two threads" << std::endl;
+      good = false;
+    }
+    const float* b = Values(part, name);
+    for (int j = 0; j < 64; ++j)
+    {
+      const int row = 555 + j;
+      const int column = 300 + 100;
+      if (std::memcmp(b + 64 * j, a + 1024 * row + column, 64 * sizeof(float)) != 0)
+      {
+        std::cerr << name << " differs in row " << row << " of a 64 x 64 part" << std::endl;
+        good = false;
+        break;
+      }
+    }
+    for (int n = 0; name[0] == 'R' && n < 1024 * 1024; ++n)
+    {
+      good &= a[n] >= 0.0f && a[n] <= 1.0f;
+    }
+  }
+  auto other = Source();
+  other->SetSeed(2);
+  other->UpdateExtent(extent);
+  if (std::memcmp(Values(part, "Elevation"), Values(other, "Elevation"), 64 * 64 * sizeof(float)) == 0)
+  {
+    std::cerr << "another seed gives the same terrain" << std::endl;
+    good = false;
+  }
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}

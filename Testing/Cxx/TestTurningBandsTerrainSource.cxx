@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The default terrain with reflectance, lit from the side: a picture against its baseline.
+#include "vtkTurningBandsTerrainSource.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkImageDataGeometryFilter.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkWarpScalar.h"
+
+int TestTurningBandsTerrainSource(int argc, char* argv[])
+{
+  vtkNew<vtkTurningBandsTerrainSource> terrain;
+  terrain->SetWholeExtent(0, 200, 0, 200, 0, 0);
+  terrain->SetSpacing(5.0, 5.0, 1.0);
+  terrain->ReflectanceOn();
+  vtkNew<vtkImageDataGeometryFilter> surface;
+  surface->SetInputConnection(terrain->GetOutputPort());
+  vtkNew<vtkWarpScalar> relief;
+  relief->SetInputConnection(surface->GetOutputPort());
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(relief->GetOutputPort());
+  normals->SplittingOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("Reflectance");
+  mapper->SetScalarRange(0.0, 1.0);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  renderer->SetBackground(0.75, 0.82, 0.9);
+  renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(-2000.0, 500.0, 1200.0);
+  sun->SetFocalPoint(500.0, 500.0, 200.0);
+  renderer->AddLight(sun);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(300, 240);
+  window->AddRenderer(renderer);
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(window);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(500.0, -900.0, 1000.0);
+  camera->SetFocalPoint(500.0, 430.0, 170.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  renderer->ResetCameraClippingRange();
+  window->Render();
+
+  int result = vtkRegressionTestImage(window);
+  if (result == vtkRegressionTester::DO_INTERACTOR)
+  {
+    interactor->Start();
+  }
+  return !result;
+}
