@@ -18,6 +18,7 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -249,6 +250,12 @@ int vtkCovarianceFitFilter::RequestData(
     return 0;
   }
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
+  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  // An empty name or "NULL" is how ParaView says that nothing was chosen yet.
+  if (!array && chosen && (std::string(chosen).empty() || std::string(chosen) == "NULL"))
+  {
+    array = image->GetPointData()->GetScalars();
+  }
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() || array->GetNumberOfComponents() != 1)
   {
     vtkErrorMacro("The image has no scalar point array to fit" << (array ? ": the chosen one is a vector or lies on "

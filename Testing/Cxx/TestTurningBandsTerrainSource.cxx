@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkImageDataGeometryFilter.h"
 #include "vtkLight.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
@@ -36,6 +37,11 @@ int TestTurningBandsTerrainSource(int argc, char* argv[])
   mapper->SetInputConnection(normals->GetOutputPort());
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray("Reflectance");
+  vtkNew<vtkLookupTable> earth;
+  earth->SetHueRange(0.09, 0.25);
+  earth->SetSaturationRange(0.35, 0.5);
+  earth->SetValueRange(0.9, 0.6);
+  mapper->SetLookupTable(earth);
   mapper->SetScalarRange(0.0, 1.0);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
@@ -46,9 +52,15 @@ int TestTurningBandsTerrainSource(int argc, char* argv[])
   renderer->AutomaticLightCreationOff();
   vtkNew<vtkLight> sun;
   sun->SetLightTypeToSceneLight();
-  sun->SetPosition(-2000.0, 500.0, 1200.0);
+  sun->SetPosition(-2000.0, 100.0, 1600.0);
   sun->SetFocalPoint(500.0, 500.0, 200.0);
   renderer->AddLight(sun);
+  vtkNew<vtkLight> sky;
+  sky->SetLightTypeToSceneLight();
+  sky->SetPosition(500.0, 0.0, 5000.0);
+  sky->SetFocalPoint(500.0, 500.0, 200.0);
+  sky->SetColor(0.45, 0.5, 0.6);
+  renderer->AddLight(sky);
   vtkNew<vtkRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetSize(300, 240);

@@ -54,7 +54,7 @@ def _add_line(chart, table, model, rank, oversampling):
     line.SetInputData(table, "Lag", model)
     words = re.sub(r"(?<=[a-z])(?=[A-Z0-9])", " ", model)
     line.SetLabel(words if rank else words + " (best)")
-    line.SetColorF(*(OTHERS[(rank - 1) % len(OTHERS)] if rank else BEST))
+    line.SetColor(*(OTHERS[(rank - 1) % len(OTHERS)] if rank else BEST))
     line.SetWidth((1.6 if rank else 4.0) * oversampling)
 
 
@@ -64,7 +64,7 @@ def _add_points(chart, table, oversampling):
     points.SetLabel("measured")
     points.SetMarkerStyle(vtkPlotPoints.CIRCLE)
     points.SetMarkerSize(7.0 * oversampling)
-    points.SetColorF(*INK)
+    points.SetColor(*INK)
 
 
 def _style_axis(axis, title, font, upper):
