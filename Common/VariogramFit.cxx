@@ -86,11 +86,11 @@ public:
     }
     else
     {
-      fit.Field.Range = this->Options.LongestRange / (1.0 + expHeld(-unknowns[n++]));
+      fit.Field.Range = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
     }
     if (this->Model == CovarianceModel::Telis)
     {
-      fit.Field.SecondRange = this->Options.LongestRange / (1.0 + expHeld(-unknowns[n++]));
+      fit.Field.SecondRange = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
     }
     if (this->Options.Nugget)
     {
@@ -106,10 +106,16 @@ public:
   }
 
 private:
+  /// The spherical model's range is where correlation ends, the others' where it has fallen to about a third.
+  double LongestRange() const
+  {
+    return (this->Model == CovarianceModel::Spherical ? 2.0 : 1.0) * this->Options.LongestRange;
+  }
+
   /// Ranges lie between 0 and the longest.
   double RangeToUnknown(double range) const
   {
-    const double part = std::clamp(range / this->Options.LongestRange, 1e-12, 1.0 - 1e-12);
+    const double part = std::clamp(range / this->LongestRange(), 1e-12, 1.0 - 1e-12);
     return std::log(part / (1.0 - part));
   }
 

@@ -194,6 +194,9 @@ int vtkCovarianceFitFilter::RequestUpdateExtent(
   int whole[6];
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   return 1;
 }
 

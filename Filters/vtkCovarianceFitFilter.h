@@ -77,8 +77,9 @@ public:
 
   ///@{
   /**
-   * No model is given a longer range than this [m], not negative; 0: half of MaximumLag. What is longer than the lags
-   * looks like one more trend and cannot be told. Default 0.
+   * No model is given a longer range than this [m], not negative; Spherical, whose range is where correlation ends, no
+   * more than twice this. 0: half of MaximumLag. What is longer than the lags looks like one more trend and cannot be
+   * told. Default 0.
    */
   vtkSetMacro(LongestRange, double);
   vtkGetMacro(LongestRange, double);
