@@ -13,12 +13,16 @@ import os
 import sys
 import tempfile
 
-from paraview import simple
+from paraview import servermanager, simple
 
 from littoral.elevation import read_elevation, write_vti
 from littoral.scene import prepare_view, row_centres, show_lit, width_of
+from littoral.tables import model_names
 
 EXAGGERATION = 3.0
+
+#: Red, green, blue of the measured points and of the models, best first.
+COLOURS = ("0.2 0.2 0.25", "0.8 0.27 0.12", "0.15 0.45 0.7", "0.3 0.6 0.35", "0.75 0.55 0.15")
 
 RELIEF = """
 from littoral.scene import relief_block
@@ -55,17 +59,25 @@ def grown_like(fits, place):
 
 
 def show_variogram(fit, view):
-    """The second output of the fit as a chart."""
+    """The second output of the fit as a chart: points measured, lines fitted."""
+    fit.UpdatePipeline()
+    models = model_names(servermanager.Fetch(simple.OutputPort(fit, 0)))
     shown = simple.Show(simple.OutputPort(fit, 1), view, "XYChartRepresentation")
-    names = [name for name in shown.SeriesVisibility[::2]]
     shown.UseIndexForXAxis = 0
     shown.XArrayName = "Lag"
-    shown.SeriesVisibility = [name for name in names if name not in ("Lag", "Pairs")]
+    shown.SeriesVisibility = ["Semivariance"] + models[:4]
     shown.SeriesMarkerStyle = ["Semivariance", "4"]
+    shown.SeriesMarkerSize = ["Semivariance", "7"]
     shown.SeriesLineStyle = ["Semivariance", "0"]
+    shown.SeriesLineThickness = [models[0], "4"]
+    colours = dict(zip(["Semivariance"] + models, COLOURS))
+    shown.SeriesColor = [word for name, colour in colours.items() for word in (name, *colour.split())]
     view.BottomAxisTitle = "Lag (m)"
     view.LeftAxisTitle = "Semivariance (m\u00b2)"
     view.ShowLegend = 1
+    view.LegendLocation = "BottomRight"
+    view.BottomAxisTitleFontSize = view.LeftAxisTitleFontSize = 12
+    simple.Render(view)
 
 
 def build(folder):
@@ -78,9 +90,10 @@ def build(folder):
     fit = simple.CovarianceFit(registrationName="Fits", Input=reader)
     twin = grown_like(fit, place)
 
-    layout = simple.CreateLayout(name="Littoral")
-    view = simple.CreateRenderView(ViewSize=[1600, 760])
-    layout.AssignView(0, view)
+    # In the window a view is there already; a script has to make one.
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = [1600, 760]
+    layout = simple.GetLayout(view)
     width = width_of(place)
     centres = row_centres(width, 2)
     blocks = [
@@ -92,7 +105,7 @@ def build(folder):
     prepare_view(view, width, 2)
 
     chart = simple.CreateView("XYChartView")
-    simple.AssignViewToLayout(chart, layout, layout.SplitVertical(0, 0.65))
+    simple.AssignViewToLayout(chart, layout, layout.SplitVertical(0, 0.6))
     show_variogram(fit, chart)
     simple.SetActiveView(view)
     simple.SetActiveSource(twin)
