@@ -44,7 +44,7 @@ vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
   , Origin{ 0.0, 0.0, 0.0 }
   , Spacing{ 2.0, 2.0, 1.0 }
   , Model(Fractal)
-  , StandardDeviation(60.0)
+  , StandardDeviation(40.0)
   , Mean(200.0)
   , Slope{ 0.0, 0.0 }
   , Range(1000.0)

@@ -87,7 +87,7 @@ public:
   ///@}
 
   ///@{
-  /// Standard deviation of the elevation [m], not negative. Default 60.
+  /// Standard deviation of the elevation [m], not negative. Default 40.
   vtkSetMacro(StandardDeviation, double);
   vtkGetMacro(StandardDeviation, double);
   ///@}
