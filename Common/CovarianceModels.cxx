@@ -37,11 +37,34 @@ double Whittle(double x)
 }
 
 /**
+ * x^n times the integral of t^(-n) J0(t) from x to infinity, for large x: integration by parts, twice for each term,
+ * gives an asymptotic series.
+ */
+double ScaledTailOfBesselJ0(double n, double x)
+{
+  const double J0 = BesselJ(0, x);
+  const double J1 = BesselJ(1, x);
+  double sum = 0.0;
+  double factor = 1.0;
+  for (int k = 0; k < 6; ++k)
+  {
+    const double a = n + 1.0 + 2.0 * k;
+    sum += factor * (-J1 + a * J0 / x);
+    factor *= -a * a / (x * x);
+  }
+  return sum;
+}
+
+/**
  * The integral of J0 from 0 to x: 2 (J1 + J3 + J5 + ...). All orders come from one backward recurrence (Miller),
- * scaled by J0 + 2 J2 + 2 J4 + ... = 1.
+ * scaled by J0 + 2 J2 + 2 J4 + ... = 1. Far out, 1 less the tail.
  */
 double IntegralOfBesselJ0(double x)
 {
+  if (x > 60.0)
+  {
+    return 1.0 - ScaledTailOfBesselJ0(0.0, x);
+  }
   const int start = 2 * static_cast<int>(0.5 * (x + 12.0 * std::cbrt(x) + 20.0));
   double above = 0.0;
   double here = 1e-280;
@@ -157,19 +180,7 @@ double FractalUncorrelation(double H, double x)
     }
     return std::pow(half, 2.0 * H) * std::tgamma(1.0 - H) / std::tgamma(1.0 + H) + 2.0 * H * sum;
   }
-  // Integration by parts, twice, of 2H x^(2H) * integral of t^(-2H-1) J0(t) from x: an asymptotic series.
-  const double n = 2.0 * H + 1.0;
-  const double J0 = BesselJ(0, x);
-  const double J1 = BesselJ(1, x);
-  double sum = 0.0;
-  double factor = 1.0;
-  for (int k = 0; k < 6; ++k)
-  {
-    const double a = n + 1.0 + 2.0 * k;
-    sum += factor * (-J1 + a * J0 / x);
-    factor *= -a * a / (x * x);
-  }
-  return 1.0 - 2.0 * H / x * sum;
+  return 1.0 - 2.0 * H / x * ScaledTailOfBesselJ0(2.0 * H + 1.0, x);
 }
 
 double Correlation(const CovarianceParameters& field, double r)
