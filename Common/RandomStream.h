@@ -15,6 +15,9 @@ enum class RandomPurpose : std::uint32_t
 {
   ElevationLines = 1,
   ReflectanceLines = 2,
+  QuadratCounts = 3,
+  QuadratOrder = 4,
+  QuadratPositions = 5,
 };
 
 /**

@@ -25,7 +25,7 @@ from littoral import vtkCovarianceFitFilter, vtkTurningBandsTerrainSource
 from littoral.chart import save_variogram_chart
 from littoral.elevation import read_elevation, write_vti
 from littoral.picture import save_pair
-from littoral.scene import plaster_colour
+from littoral.scene import height_colour
 from littoral.tables import column, model_names, write_csv
 
 STEPS = 7
@@ -122,7 +122,7 @@ def main(folder):
         file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
         ("(a) Real terrain", "(b) Turning bands"),
         (f"Jacksboro fault, D = {dimension:.2f}", f"fractal field, D = {dimension:.2f}"),
-        EXAGGERATION, plaster_colour)
+        EXAGGERATION, height_colour)
     say(STEPS, f"all written into {folder}")
 
 

@@ -71,7 +71,8 @@ def show_variogram(fit, view):
     shown.SeriesLineStyle = ["Semivariance", "0"]
     shown.SeriesLineThickness = [models[0], "4"]
     colours = dict(zip(["Semivariance"] + models, COLOURS))
-    shown.SeriesColor = [word for name, colour in colours.items() for word in (name, *colour.split())]
+    shown.SeriesColor = [
+        word for name, colour in colours.items() for word in (name, *colour.split())]
     view.BottomAxisTitle = "Lag (m)"
     view.LeftAxisTitle = "Semivariance (m\u00b2)"
     view.ShowLegend = 1

@@ -36,9 +36,9 @@ def save_variogram_chart(filename, variogram, models, size=(1200, 750), oversamp
         _add_line(chart, table, model, rank, oversampling)
     _add_points(chart, table, oversampling)
     font = 19 * oversampling
-    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Lag (km)", font, column(table, "Lag").max())
-    upper = 1.15 * column(table, "Semivariance").max()
-    _style_axis(chart.GetAxis(vtkAxis.LEFT), "Semivariance (1000 m\u00b2)", font, upper)
+    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Lag (km)", font, 0.8*column(table, "Lag").min(), 1.1 * column(table, "Lag").max())
+    upper = 1.6 * column(table, "Semivariance").max()
+    _style_axis(chart.GetAxis(vtkAxis.LEFT), "Semivariance (1000 m\u00b2)", font, 0.6*column(table, "Semivariance").min(), upper)
     _style_legend(chart, font)
     margin = 30 * oversampling
     chart.SetAutoSize(False)
@@ -53,7 +53,7 @@ def _add_line(chart, table, model, rank, oversampling):
     line = chart.AddPlot(vtkChart.LINE)
     line.SetInputData(table, "Lag", model)
     words = re.sub(r"(?<=[a-z])(?=[A-Z0-9])", " ", model)
-    line.SetLabel(words if rank else words + " (best)")
+    line.SetLabel(f" {words}" if rank else f" {words} (best)")
     line.SetColor(*(OTHERS[(rank - 1) % len(OTHERS)] if rank else BEST))
     line.SetWidth((1.6 if rank else 4.0) * oversampling)
 
@@ -61,19 +61,19 @@ def _add_line(chart, table, model, rank, oversampling):
 def _add_points(chart, table, oversampling):
     points = chart.AddPlot(vtkChart.POINTS)
     points.SetInputData(table, "Lag", "Semivariance")
-    points.SetLabel("measured")
+    points.SetLabel(" measured")
     points.SetMarkerStyle(vtkPlotPoints.CIRCLE)
     points.SetMarkerSize(7.0 * oversampling)
     points.SetColor(*INK)
 
 
-def _style_axis(axis, title, font, upper):
+def _style_axis(axis, title, font, lower, upper):
     axis.SetTitle(title)
     axis.SetBehavior(vtkAxis.FIXED)
-    axis.SetRange(0.0, upper)
+    axis.SetLogScale(True)
+    axis.SetUnscaledRange(lower, upper)
     axis.SetNotation(vtkAxis.PRINTF_NOTATION)
     axis.SetLabelFormat("%g")
-    axis.SetCustomTickPositions(numpy_to_vtk(_ticks(upper), deep=True))
     axis.GetPen().SetColorF(*INK)
     axis.GetGridPen().SetColorF(*GRID)
     for text in (axis.GetTitleProperties(), axis.GetLabelProperties()):

@@ -32,7 +32,10 @@ PASTURE = np.array((0.238, 0.215, 0.104))
 FOREST = np.array((0.050, 0.080, 0.034))
 UPLAND = np.array((0.095, 0.105, 0.042))
 ROCK = np.array((0.260, 0.225, 0.185))
-PLASTER = np.array((0.400, 0.385, 0.360))
+#: From low to high land.
+ATLAS = np.array((
+    (0.115, 0.190, 0.140), (0.210, 0.265, 0.150), (0.360, 0.320, 0.170), (0.330, 0.205, 0.105),
+    (0.420, 0.360, 0.310)))
 SOIL = np.array((0.075, 0.052, 0.034))
 BEDS = np.array(
     ((0.300, 0.235, 0.165), (0.200, 0.165, 0.130), (0.245, 0.170, 0.110), (0.260, 0.235, 0.200)))
@@ -133,6 +136,7 @@ def natural_colour(z, spacing, reflectance=None):
     `reflectance` [0..1], where given, decides between wood and meadow as chance does otherwise.
     """
     slope = np.degrees(np.arccos(normals(z, spacing)[..., 2]))
+    slope *= 25.0 / max(25.0, np.percentile(slope, 95.0))  # rock stays rare in steep countries
     height = _standard(z)
     hollow = _standard(z - blur(z, 28))
     patches = _noise(z.shape, 10, seed=1) if reflectance is None else 4.0 * (reflectance - 0.5)
@@ -146,9 +150,11 @@ def natural_colour(z, spacing, reflectance=None):
     return _mix(colour, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * _step(steep, 24.0, 36.0))
 
 
-def plaster_colour(z, spacing, reflectance=None):
-    """Colour of a plaster cast, so that only the shape speaks."""
-    return np.broadcast_to(PLASTER, z.shape + (3,))
+def height_colour(z, spacing, reflectance=None):
+    """Colour by height alone, as in an atlas, so that the shape speaks."""
+    share = np.clip(0.5 + 0.22 * _standard(z), 0.0, 1.0)
+    steps = np.linspace(0.0, 1.0, len(ATLAS))
+    return np.stack([np.interp(share, steps, channel) for channel in ATLAS.T], axis=-1)
 
 
 def section_colour(along, height, depth, thickness):
@@ -322,7 +328,7 @@ def row_camera(width, count, aspect):
 
     aspect: width over height of the picture.
     """
-    angle, reach = 7.0, (0.05 + 0.75 * count) * width
+    angle, reach = 7.0, (0.25 + 0.65 * count) * width
     focus = 0.05 * width * direction(90.0 - TURN, 0.0) - (0.0, 0.0, 0.01 * width)
     distance = reach / aspect / np.tan(np.radians(0.5 * angle))
     return focus + distance * direction(180.0 - TURN, LIFT), focus, angle

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "QuadratPattern.h"
+
+#include "RandomStream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Where the frequency of r points falls short of the law.
+double Shortfall(
+  const std::vector<double>& mass, const std::vector<long long>& frequency, std::size_t r, double quadrats)
+{
+  return quadrats * mass[r] - static_cast<double>(frequency[r]);
+}
+
+/// Moves one quadrat from r to r + step points, where the law suffers least.
+void ShiftOne(const std::vector<double>& mass, std::vector<long long>& frequency, int step, double quadrats)
+{
+  double best = -1e300;
+  std::size_t from = 0;
+  for (std::size_t r = step > 0 ? 0 : 1; r + (step > 0 ? 1 : 0) < frequency.size(); ++r)
+  {
+    const double gain = Shortfall(mass, frequency, r + step, quadrats) - Shortfall(mass, frequency, r, quadrats);
+    if (frequency[r] > 0 && gain > best)
+    {
+      best = gain;
+      from = r;
+    }
+  }
+  --frequency[from];
+  ++frequency[from + step];
+}
+
+std::vector<int> SampledCounts(const QuadratLawParameters& law, long long quadrats, int seed)
+{
+  std::vector<double> cumulative = MassFunction(law);
+  std::partial_sum(cumulative.begin(), cumulative.end(), cumulative.begin());
+  const RandomStream random(seed, RandomPurpose::QuadratCounts);
+  std::vector<int> counts(static_cast<std::size_t>(quadrats));
+  for (std::size_t q = 0; q < counts.size(); ++q)
+  {
+    const double u = random.UniformPair(q, 0)[0] * cumulative.back();
+    counts[q] = static_cast<int>(std::upper_bound(cumulative.begin(), cumulative.end(), u) - cumulative.begin());
+  }
+  return counts;
+}
+
+/// Counts in a random order of the quadrats (Fisher and Yates).
+std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats, int seed)
+{
+  const std::vector<long long> frequency = QuotaFrequencies(law, quadrats);
+  std::vector<int> counts;
+  counts.reserve(static_cast<std::size_t>(quadrats));
+  for (std::size_t r = 0; r < frequency.size(); ++r)
+  {
+    counts.insert(counts.end(), static_cast<std::size_t>(frequency[r]), static_cast<int>(r));
+  }
+  const RandomStream random(seed, RandomPurpose::QuadratOrder);
+  for (std::size_t q = counts.size(); q > 1; --q)
+  {
+    const auto other = static_cast<std::size_t>(random.UniformPair(q, 0)[0] * static_cast<double>(q));
+    std::swap(counts[q - 1], counts[std::min(other, q - 1)]);
+  }
+  return counts;
+}
+
+}
+
+std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats)
+{
+  const std::vector<double> mass = MassFunction(law);
+  const double all = static_cast<double>(quadrats);
+  std::vector<long long> frequency(mass.size());
+  long long given = 0;
+  for (std::size_t r = 0; r < mass.size(); ++r)
+  {
+    frequency[r] = static_cast<long long>(std::floor(all * mass[r]));
+    given += frequency[r];
+  }
+  std::vector<std::size_t> order(mass.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return Shortfall(mass, frequency, a, all) > Shortfall(mass, frequency, b, all);
+  });
+  for (std::size_t n = 0; given < quadrats; n = (n + 1) % order.size(), ++given)
+  {
+    ++frequency[order[n]];
+  }
+  const long long wanted = std::llround(all * law.Mean);
+  long long total = 0;
+  for (std::size_t r = 0; r < frequency.size(); ++r)
+  {
+    total += frequency[r] * static_cast<long long>(r);
+  }
+  for (; total < wanted; ++total)
+  {
+    ShiftOne(mass, frequency, 1, all);
+  }
+  for (; total > wanted; --total)
+  {
+    ShiftOne(mass, frequency, -1, all);
+  }
+  return frequency;
+}
+
+std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed)
+{
+  return mode == QuadratMode::Quota ? QuotaCounts(law, quadrats, seed) : SampledCounts(law, quadrats, seed);
+}
+
+std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat, int index, int seed)
+{
+  const RandomStream random(seed, RandomPurpose::QuadratPositions);
+  const auto u = random.UniformPair(static_cast<std::uint64_t>(quadrat), static_cast<std::uint64_t>(index));
+  const double i = static_cast<double>(quadrat % grid.Count[0]);
+  const double j = static_cast<double>(quadrat / grid.Count[0]);
+  return { grid.Origin[0] + grid.Size[0] * (i + u[0]) / grid.Count[0],
+    grid.Origin[1] + grid.Size[1] * (j + u[1]) / grid.Count[1] };
+}
+
+long long QuadratOf(const QuadratGrid& grid, double x, double y)
+{
+  const double u = (x - grid.Origin[0]) / grid.Size[0];
+  const double v = (y - grid.Origin[1]) / grid.Size[1];
+  if (!(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0))
+  {
+    return -1;
+  }
+  const int i = std::min(grid.Count[0] - 1, static_cast<int>(u * grid.Count[0]));
+  const int j = std::min(grid.Count[1] - 1, static_cast<int>(v * grid.Count[1]));
+  return static_cast<long long>(j) * grid.Count[0] + i;
+}
+
+}
