@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace littoral
 {
@@ -72,6 +73,29 @@ std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats
   return counts;
 }
 
+}
+
+std::string WhyInvalid(const QuadratGrid& grid)
+{
+  std::ostringstream text;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (!std::isfinite(grid.Origin[axis]))
+    {
+      return "Origin must be finite.";
+    }
+    if (!std::isfinite(grid.Size[axis]) || grid.Size[axis] <= 0.0)
+    {
+      text << "Size is " << grid.Size[0] << ", " << grid.Size[1] << "; it must be finite and positive.";
+      return text.str();
+    }
+    if (grid.Count[axis] < 1)
+    {
+      text << "Quadrats is " << grid.Count[0] << ", " << grid.Count[1] << "; it must be positive.";
+      return text.str();
+    }
+  }
+  return {};
 }
 
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats)

@@ -6,6 +6,7 @@
 #include "QuadratLaws.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace littoral
@@ -20,6 +21,9 @@ struct QuadratGrid
 
   long long NumberOfQuadrats() const { return static_cast<long long>(this->Count[0]) * this->Count[1]; }
 };
+
+/// Why this is no grid, in words for a user; empty when it is one.
+std::string WhyInvalid(const QuadratGrid& grid);
 
 /// How counts are given to quadrats.
 enum class QuadratMode

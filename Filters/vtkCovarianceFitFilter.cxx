@@ -5,28 +5,24 @@
 #include "FractalDimension.h"
 #include "GridSamples.h"
 #include "LittoralPipeline.h"
+#include "LittoralTables.h"
 #include "Variogram.h"
 #include "VariogramFit.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <cmath>
 #include <cstdio>
-#include <initializer_list>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -40,7 +36,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Fewer points along a side have no lags to speak of.
 constexpr int SmallestSide = 8;
 
-vtkDoubleArray* AddColumn(vtkTable* table, const std::string& name, vtkIdType rows, double value = 0.0)
+vtkDoubleArray* AddEmptyColumn(vtkTable* table, const std::string& name, vtkIdType rows, double value = 0.0)
 {
   vtkNew<vtkDoubleArray> column;
   column->SetName(name.c_str());
@@ -48,15 +44,6 @@ vtkDoubleArray* AddColumn(vtkTable* table, const std::string& name, vtkIdType ro
   column->Fill(value);
   table->AddColumn(column);
   return column;
-}
-
-void AddField(vtkTable* table, const char* name, std::initializer_list<double> values)
-{
-  vtkNew<vtkDoubleArray> field;
-  field->SetName(name);
-  field->SetNumberOfComponents(static_cast<int>(values.size()));
-  field->InsertNextTuple(std::data(values));
-  table->GetFieldData()->AddArray(field);
 }
 
 littoral::GridSamples ReadSamples(vtkImageData* image, vtkDataArray* array, bool useNoData, double noData)
@@ -79,29 +66,11 @@ littoral::GridSamples ReadSamples(vtkImageData* image, vtkDataArray* array, bool
 
 void WriteFits(const std::vector<littoral::VariogramFit>& fits, const littoral::PlaneTrend& trend, vtkTable* table)
 {
-  const vtkIdType rows = static_cast<vtkIdType>(fits.size());
-  vtkNew<vtkStringArray> names;
-  names->SetName("Model");
-  names->SetNumberOfValues(rows);
-  table->AddColumn(names);
-  vtkNew<vtkIntArray> ids;
-  ids->SetName("ModelId");
-  ids->SetNumberOfValues(rows);
-  table->AddColumn(ids);
   using littoral::CovarianceModel;
-  const auto column = [&](const char* name, auto valueOf) {
-    vtkDoubleArray* values = AddColumn(table, name, rows);
-    for (vtkIdType row = 0; row < rows; ++row)
-    {
-      values->SetValue(row, valueOf(fits[row]));
-    }
-  };
-  for (vtkIdType row = 0; row < rows; ++row)
-  {
-    names->SetValue(row, littoral::CovarianceModelName(fits[row].Field.Model));
-    ids->SetValue(row, static_cast<int>(fits[row].Field.Model));
-  }
   using Fit = littoral::VariogramFit;
+  const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, fits, valueOf); };
+  column("Model", [](const Fit& fit) { return std::string(littoral::CovarianceModelName(fit.Field.Model)); });
+  column("ModelId", [](const Fit& fit) { return static_cast<int>(fit.Field.Model); });
   column("Variance", [](const Fit& fit) { return fit.Field.Variance; });
   column("Range", [](const Fit& fit) { return fit.Field.Range; });
   column("SecondRange",
@@ -122,9 +91,9 @@ void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vecto
   int directions, const std::vector<littoral::VariogramFit>& fits, vtkTable* table)
 {
   const vtkIdType rows = static_cast<vtkIdType>(rings.size());
-  vtkDoubleArray* lag = AddColumn(table, "Lag", rows);
-  vtkDoubleArray* semivariance = AddColumn(table, "Semivariance", rows);
-  vtkDoubleArray* pairs = AddColumn(table, "Pairs", rows);
+  vtkDoubleArray* lag = AddEmptyColumn(table, "Lag", rows);
+  vtkDoubleArray* semivariance = AddEmptyColumn(table, "Semivariance", rows);
+  vtkDoubleArray* pairs = AddEmptyColumn(table, "Pairs", rows);
   std::vector<vtkIdType> rowOfRing;
   for (vtkIdType row = 0; row < rows; ++row)
   {
@@ -136,7 +105,7 @@ void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vecto
   }
   for (const littoral::VariogramFit& fit : fits)
   {
-    vtkDoubleArray* model = AddColumn(table, littoral::CovarianceModelName(fit.Field.Model), rows);
+    vtkDoubleArray* model = AddEmptyColumn(table, littoral::CovarianceModelName(fit.Field.Model), rows);
     for (vtkIdType row = 0; row < rows; ++row)
     {
       model->SetValue(row, littoral::MeanSemivariance(fit, rings[row].Lag));
@@ -148,7 +117,7 @@ void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vecto
     char name[32];
     std::snprintf(
       name, sizeof(name), "Semivariance_%03d", static_cast<int>(std::lround(180.0 * direction / directions)));
-    columns.push_back(AddColumn(table, name, rows, NaN));
+    columns.push_back(AddEmptyColumn(table, name, rows, NaN));
   }
   for (const littoral::LagBin& bin : sectors)
   {
@@ -194,9 +163,7 @@ int vtkCovarianceFitFilter::RequestUpdateExtent(
   int whole[6];
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  littoral::RequestAll(info);
   return 1;
 }
 
@@ -231,11 +198,7 @@ int vtkCovarianceFitFilter::RequestData(
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   vtkTable* table = vtkTable::GetData(outputVector, 0);
   vtkTable* variogram = vtkTable::GetData(outputVector, 1);
-  // A table has no pieces: the first holds all of it.
-  const auto isLaterPiece = [outputVector](int port) {
-    return outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
-  };
-  if (isLaterPiece(0) && isLaterPiece(1))
+  if (littoral::AsksForLaterPieces(outputVector))
   {
     return 1;
   }
@@ -328,10 +291,10 @@ int vtkCovarianceFitFilter::RequestData(
   WriteVariogram(rings, sectors, directions, fits, variogram);
   const littoral::DimensionEstimate periodogram = littoral::DimensionFromPeriodogram(samples, littoral::SmpFor);
   const littoral::DimensionEstimate slope = littoral::DimensionFromVariogram(map);
-  AddField(table, "SampleVariance", { variance });
-  AddField(table, "NumberOfValues", { static_cast<double>(moments.Count) });
-  AddField(table, "PeriodogramDimension", { periodogram.Dimension, periodogram.StandardError });
-  AddField(table, "VariogramDimension", { slope.Dimension, slope.StandardError });
+  littoral::AddField(table, "SampleVariance", { variance });
+  littoral::AddField(table, "NumberOfValues", { static_cast<double>(moments.Count) });
+  littoral::AddField(table, "PeriodogramDimension", { periodogram.Dimension, periodogram.StandardError });
+  littoral::AddField(table, "VariogramDimension", { slope.Dimension, slope.StandardError });
   this->UpdateProgress(1.0);
   return 1;
 }

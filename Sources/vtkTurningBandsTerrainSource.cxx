@@ -114,12 +114,7 @@ int vtkTurningBandsTerrainSource::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // Each piece of the terrain needs the whole table, also on the ranks beyond the first.
-  if (vtkInformation* info = inputVector[0]->GetInformationObject(0))
-  {
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  }
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

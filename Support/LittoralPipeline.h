@@ -8,7 +8,9 @@
 #include "Parallel.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkInformation.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
 
 #include <vtksys/SystemInformation.hxx>
@@ -60,6 +62,17 @@ bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, d
     });
   }
   return true;
+}
+
+/// Asks an input for all of its data, whatever piece is asked of the algorithm. Null (no input) is allowed.
+inline void RequestAll(vtkInformation* input)
+{
+  if (input)
+  {
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
 }
 
 /// Memory that can be taken without driving others out [bytes].

@@ -73,6 +73,7 @@ def show_variogram(fit, view):
     colours = dict(zip(["Semivariance"] + models, COLOURS))
     shown.SeriesColor = [
         word for name, colour in colours.items() for word in (name, *colour.split())]
+    view.LeftAxisLogScale = view.BottomAxisLogScale = 1
     view.BottomAxisTitle = "Lag (m)"
     view.LeftAxisTitle = "Semivariance (m\u00b2)"
     view.ShowLegend = 1
@@ -103,11 +104,11 @@ def build(folder):
     for block in blocks:
         show_lit(block, view)
     show_lit(polydata_filter("Floor", blocks, FLOOR), view)
-    prepare_view(view, width, 2)
 
     chart = simple.CreateView("XYChartView")
     simple.AssignViewToLayout(chart, layout, layout.SplitVertical(0, 0.6))
     show_variogram(fit, chart)
+    prepare_view(view, width, 2)
     simple.SetActiveView(view)
     simple.SetActiveSource(twin)
     simple.Render(view)

@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The variogram as a chart: what was measured as points, what the models say as lines."""
+"""The variogram as a chart: what was measured as points, what the models say as lines.
+
+Both axes are logarithmic, since a variogram speaks over decades and the models are fitted so.
+"""
 
 import re
 
 import numpy as np
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401, draws charts
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkChartsCore import (
     vtkAxis, vtkChart, vtkChartLegend, vtkChartXY, vtkPlotPoints)
 from vtkmodules.vtkCommonDataModel import vtkRectf
@@ -36,9 +38,10 @@ def save_variogram_chart(filename, variogram, models, size=(1200, 750), oversamp
         _add_line(chart, table, model, rank, oversampling)
     _add_points(chart, table, oversampling)
     font = 19 * oversampling
-    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Lag (km)", font, 0.8*column(table, "Lag").min(), 1.1 * column(table, "Lag").max())
-    upper = 1.6 * column(table, "Semivariance").max()
-    _style_axis(chart.GetAxis(vtkAxis.LEFT), "Semivariance (1000 m\u00b2)", font, 0.6*column(table, "Semivariance").min(), upper)
+    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Lag (km)", font, column(table, "Lag"))
+    _style_axis(
+        chart.GetAxis(vtkAxis.LEFT), "Semivariance (1000 m\u00b2)", font,
+        column(table, "Semivariance"))
     _style_legend(chart, font)
     margin = 30 * oversampling
     chart.SetAutoSize(False)
@@ -67,11 +70,12 @@ def _add_points(chart, table, oversampling):
     points.SetColor(*INK)
 
 
-def _style_axis(axis, title, font, lower, upper):
+def _style_axis(axis, title, font, values):
+    positive = values[values > 0.0] if np.any(values > 0.0) else np.ones(1)
     axis.SetTitle(title)
     axis.SetBehavior(vtkAxis.FIXED)
     axis.SetLogScale(True)
-    axis.SetUnscaledRange(lower, upper)
+    axis.SetUnscaledRange(0.8 * positive.min(), 1.25 * positive.max())
     axis.SetNotation(vtkAxis.PRINTF_NOTATION)
     axis.SetLabelFormat("%g")
     axis.GetPen().SetColorF(*INK)
@@ -91,10 +95,3 @@ def _style_legend(chart, font):
     legend.SetSymbolWidth(2 * font)
     legend.SetPadding(font // 3)
     legend.GetPen().SetOpacityF(0.0)
-
-
-def _ticks(upper):
-    """Five to ten round steps from 0 to an upper value."""
-    decade = 10.0 ** np.floor(np.log10(upper / 5.0))
-    step = max(s * decade for s in (1.0, 2.0, 5.0) if 5.0 * s * decade <= upper)
-    return np.arange(0.0, upper, step)

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkQuadratAnalysisFilter.h"
+
+#include "LittoralPipeline.h"
+#include "LittoralTables.h"
+#include "QuadratFit.h"
+#include "QuadratPattern.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkQuadratAnalysisFilter);
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+/// Fewer points say nothing about a pattern.
+constexpr long long FewestPoints = 5;
+/// Laws of clusters cost the square of the largest count.
+constexpr std::size_t LargestCount = 500;
+constexpr double SignificanceLevel = 0.05;
+
+using Fit = littoral::QuadratFit;
+using littoral::QuadratLaw;
+
+bool HasTrials(const Fit& fit)
+{
+  return fit.Law.Law == QuadratLaw::Binomial || fit.Law.Law == QuadratLaw::PoissonBinomial;
+}
+bool HasShape(const Fit& fit)
+{
+  return fit.Law.Law == QuadratLaw::NegativeBinomial || fit.Law.Law == QuadratLaw::PoissonNegativeBinomial;
+}
+bool HasClusterMean(const Fit& fit)
+{
+  return fit.Law.Law == QuadratLaw::PoissonPoisson || fit.Law.Law == QuadratLaw::PoissonNegativeBinomial;
+}
+bool HasSuccess(const Fit& fit)
+{
+  return fit.Law.Law == QuadratLaw::PoissonBinomial;
+}
+
+std::string Verdict(const Fit& fit, const Fit& best)
+{
+  if (!fit.Exists)
+  {
+    return "does not exist";
+  }
+  if (&fit == &best)
+  {
+    return "best";
+  }
+  return fit.AIC - best.AIC < littoral::DistinguishableAIC ? "not distinguishable" : "worse";
+}
+
+void WriteFits(const std::vector<Fit>& fits, vtkTable* table)
+{
+  using namespace littoral;
+  AddColumn(table, "Law", fits, [](const Fit& fit) { return std::string(QuadratLawName(fit.Law.Law)); });
+  AddColumn(table, "LawId", fits, [](const Fit& fit) { return static_cast<int>(fit.Law.Law); });
+  const auto column = [&](const char* name, auto valueOf) { AddColumn(table, name, fits, valueOf); };
+  column("MeanPerQuadrat", [](const Fit& fit) { return fit.Law.Mean; });
+  column("Trials", [](const Fit& fit) { return HasTrials(fit) ? fit.Law.Trials : NaN; });
+  column("ClusterShape", [](const Fit& fit) { return HasShape(fit) ? fit.Law.ClusterShape : NaN; });
+  column("ClusterMean", [](const Fit& fit) { return HasClusterMean(fit) ? fit.Law.ClusterMean : NaN; });
+  column("ClusterSuccess", [](const Fit& fit) { return HasSuccess(fit) ? fit.Law.ClusterSuccess : NaN; });
+  const auto moments = [&](const char* name, auto has, auto valueOf) {
+    AddColumn(table, name, fits,
+      [=](const Fit& fit) { return fit.MomentsExist && has(fit) ? static_cast<double>(valueOf(fit.Moments)) : NaN; });
+  };
+  moments("MomentsTrials", HasTrials, [](const auto& law) { return law.Trials; });
+  moments("MomentsClusterShape", HasShape, [](const auto& law) { return law.ClusterShape; });
+  moments("MomentsClusterMean", HasClusterMean, [](const auto& law) { return law.ClusterMean; });
+  moments("MomentsClusterSuccess", HasSuccess, [](const auto& law) { return law.ClusterSuccess; });
+  column("LogLikelihood", [](const Fit& fit) { return fit.LogLikelihood; });
+  column("AIC", [](const Fit& fit) { return fit.AIC; });
+  column("ChiSquare", [](const Fit& fit) { return fit.ChiSquare; });
+  column("DegreesOfFreedom", [](const Fit& fit) { return static_cast<double>(fit.DegreesOfFreedom); });
+  column("PValue", [](const Fit& fit) { return fit.PValue; });
+  column("Verdict", [&](const Fit& fit) { return Verdict(fit, fits.front()); });
+}
+
+void WriteFrequencies(
+  const std::vector<long long>& frequencies, const std::vector<Fit>& fits, double quadrats, vtkTable* table)
+{
+  using namespace littoral;
+  std::vector<int> counts(frequencies.size());
+  for (std::size_t r = 0; r < counts.size(); ++r)
+  {
+    counts[r] = static_cast<int>(r);
+  }
+  AddColumn(table, "Points", counts, [](int r) { return r; });
+  AddColumn(table, "Observed", counts, [&](int r) { return static_cast<double>(frequencies[r]); });
+  for (const Fit& fit : fits)
+  {
+    const std::vector<double> mass = MassFunction(fit.Law, static_cast<int>(frequencies.size()));
+    AddColumn(table, QuadratLawName(fit.Law.Law), counts, [&](int r) { return quadrats * mass[r]; });
+  }
+}
+
+/// As many quadrats as points, nearly square.
+void ChooseQuadrats(littoral::QuadratGrid& grid, double points)
+{
+  const double side = std::sqrt(grid.Size[0] * grid.Size[1] / points);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    grid.Count[axis] = std::max(1, static_cast<int>(std::lround(grid.Size[axis] / side)));
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkQuadratAnalysisFilter::vtkQuadratAnalysisFilter()
+  : Origin{ 0.0, 0.0 }
+  , Size{ 0.0, 0.0 }
+  , Quadrats{ 0, 0 }
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//----------------------------------------------------------------------------
+vtkQuadratAnalysisFilter::~vtkQuadratAnalysisFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkQuadratAnalysisFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratAnalysisFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Statistics of a part are not those of the whole.
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratAnalysisFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (littoral::AsksForLaterPieces(outputVector))
+  {
+    return 1;
+  }
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkTable* table = vtkTable::GetData(outputVector, 0);
+  vtkTable* bars = vtkTable::GetData(outputVector, 1);
+  const vtkIdType points = input->GetNumberOfPoints();
+  if (points < FewestPoints)
+  {
+    vtkErrorMacro("The input has " << points << " points; an analysis needs at least " << FewestPoints << ".");
+    return 0;
+  }
+
+  littoral::QuadratGrid grid;
+  const bool boxed = this->Size[0] == 0.0 && this->Size[1] == 0.0;
+  double bounds[6];
+  input->GetBounds(bounds);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    grid.Origin[axis] = boxed ? bounds[2 * axis] : this->Origin[axis];
+    grid.Size[axis] = boxed ? bounds[2 * axis + 1] - bounds[2 * axis] : this->Size[axis];
+  }
+  if (boxed && !(grid.Size[0] > 0.0 && grid.Size[1] > 0.0))
+  {
+    vtkErrorMacro("The points cover no area: their box is " << grid.Size[0] << " x " << grid.Size[1] << " m.");
+    return 0;
+  }
+  std::string reason = littoral::WhyInvalid(grid);
+  if (reason.empty() && this->Quadrats[0] == 0 && this->Quadrats[1] == 0)
+  {
+    ChooseQuadrats(grid, static_cast<double>(points));
+  }
+  else if (reason.empty())
+  {
+    grid.Count = { this->Quadrats[0], this->Quadrats[1] };
+    reason = littoral::WhyInvalid(grid);
+  }
+  const double quadrats = static_cast<double>(grid.NumberOfQuadrats());
+  if (reason.empty() && (quadrats < 2.0 || 4.0 * quadrats > littoral::AvailableMemory()))
+  {
+    reason = std::to_string(grid.NumberOfQuadrats()) + " quadrats cannot be analysed; take another number.";
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot analyse: " << reason);
+    return 0;
+  }
+
+  this->SetProgressText("Counting points");
+  std::vector<int> counts(static_cast<std::size_t>(grid.NumberOfQuadrats()), 0);
+  long long inside = 0;
+  for (vtkIdType id = 0; id < points; ++id)
+  {
+    double position[3];
+    input->GetPoint(id, position);
+    const long long quadrat = littoral::QuadratOf(grid, position[0], position[1]);
+    if (quadrat >= 0)
+    {
+      ++counts[static_cast<std::size_t>(quadrat)];
+      ++inside;
+    }
+  }
+  if (inside < FewestPoints)
+  {
+    vtkErrorMacro("Only " << inside << " of " << points << " points lie in the study area.");
+    return 0;
+  }
+  const std::vector<long long> frequencies = littoral::CountFrequencies(counts);
+  if (frequencies.size() > LargestCount)
+  {
+    vtkErrorMacro("A quadrat holds " << frequencies.size() - 1
+                                     << " points; take more Quadrats, so that none holds more "
+                                     << "than " << LargestCount << ".");
+    return 0;
+  }
+
+  this->UpdateProgress(0.2);
+  const littoral::QuadratMoments moments = littoral::MomentsOfCounts(frequencies);
+  const std::vector<Fit> fits = littoral::FitAllQuadratLaws(frequencies);
+  WriteFits(fits, table);
+  WriteFrequencies(frequencies, fits, quadrats, bars);
+  const bool random = moments.DispersionPValue > SignificanceLevel;
+  littoral::AddField(table, "DispersionIndex", { moments.DispersionIndex });
+  littoral::AddField(table, "DispersionPValue", { moments.DispersionPValue });
+  littoral::AddText(table, "Pattern", random ? "random" : moments.DispersionIndex < 1.0 ? "regular" : "clustered");
+  littoral::AddField(table, "Origin", { grid.Origin[0], grid.Origin[1] });
+  littoral::AddField(table, "Size", { grid.Size[0], grid.Size[1] });
+  littoral::AddField(table, "Quadrats", { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]) });
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkQuadratAnalysisFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "Quadrats: " << this->Quadrats[0] << " " << this->Quadrats[1] << "\n";
+}

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkQuadratPointSource.h"
+
+#include "LittoralPipeline.h"
+#include "QuadratPattern.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkQuadratPointSource);
+
+namespace
+{
+/// More quadrats than this are hardly meant.
+constexpr long long MostQuadrats = 1000000000;
+/// Points that one thread places at a time.
+constexpr std::size_t QuadratsAtOnce = 1 << 14;
+}
+
+/// Law and grid in full.
+class vtkQuadratPointSource::Recipe
+{
+public:
+  littoral::QuadratLawParameters Law;
+  littoral::QuadratGrid Grid;
+};
+
+//----------------------------------------------------------------------------
+vtkQuadratPointSource::vtkQuadratPointSource()
+  : Origin{ 0.0, 0.0 }
+  , Size{ 1000.0, 1000.0 }
+  , Quadrats{ 20, 20 }
+  , Law(Poisson)
+  , MeanPerQuadrat(1.0)
+  , Trials(3)
+  , ClusterShape(0.5)
+  , ClusterMean(4.0)
+  , ClusterSuccess(0.5)
+  , Mode(Quota)
+  , Seed(1)
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//----------------------------------------------------------------------------
+vtkQuadratPointSource::~vtkQuadratPointSource() = default;
+
+//----------------------------------------------------------------------------
+int vtkQuadratPointSource::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratPointSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratPointSource::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recipe)
+{
+  littoral::QuadratLawParameters& law = recipe.Law;
+  law.Law = static_cast<littoral::QuadratLaw>(this->Law);
+  law.Mean = this->MeanPerQuadrat;
+  law.Trials = this->Trials;
+  law.ClusterShape = this->ClusterShape;
+  law.ClusterMean = this->ClusterMean;
+  law.ClusterSuccess = this->ClusterSuccess;
+  recipe.Grid = { { this->Origin[0], this->Origin[1] }, { this->Size[0], this->Size[1] },
+    { this->Quadrats[0], this->Quadrats[1] } };
+  vtkTable* table = vtkTable::GetData(fits);
+  if (!table)
+  {
+    return true;
+  }
+  if (table->GetNumberOfRows() == 0 || !table->GetColumnByName("LawId"))
+  {
+    vtkErrorMacro("The table of fits has no row with a LawId; connect the first output of a quadrat analysis.");
+    return false;
+  }
+  const auto take = [table](const char* column, auto& value) {
+    if (table->GetColumnByName(column))
+    {
+      const double number = table->GetValueByName(0, column).ToDouble();
+      if (std::isfinite(number)) // NaN: the law has no such parameter
+      {
+        value = static_cast<std::decay_t<decltype(value)>>(number);
+      }
+    }
+  };
+  int id = -1;
+  take("LawId", id);
+  law.Law = static_cast<littoral::QuadratLaw>(id);
+  take("MeanPerQuadrat", law.Mean);
+  take("Trials", law.Trials);
+  take("ClusterShape", law.ClusterShape);
+  take("ClusterMean", law.ClusterMean);
+  take("ClusterSuccess", law.ClusterSuccess);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const auto measured = [&](const char* name, auto& value) {
+      vtkDataArray* array = table->GetFieldData()->GetArray(name);
+      if (array && array->GetNumberOfComponents() == 2 && array->GetNumberOfTuples() == 1)
+      {
+        value = static_cast<std::decay_t<decltype(value)>>(array->GetComponent(0, axis));
+      }
+    };
+    measured("Origin", recipe.Grid.Origin[axis]);
+    measured("Size", recipe.Grid.Size[axis]);
+    measured("Quadrats", recipe.Grid.Count[axis]);
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratPointSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  Recipe recipe;
+  if (!this->MakeRecipe(inputVector[0], recipe))
+  {
+    return 0;
+  }
+  std::string reason = littoral::WhyInvalid(recipe.Grid);
+  if (reason.empty())
+  {
+    reason = littoral::WhyInvalid(recipe.Law);
+  }
+  if (reason.empty() && this->Mode != Quota && this->Mode != Sampling)
+  {
+    reason = "Mode is " + std::to_string(this->Mode) + "; it must be 0 or 1.";
+  }
+  const long long quadrats = recipe.Grid.NumberOfQuadrats();
+  const double points = static_cast<double>(quadrats) * recipe.Law.Mean;
+  if (reason.empty() &&
+    (quadrats > MostQuadrats || 48.0 * points + 8.0 * static_cast<double>(quadrats) > littoral::AvailableMemory()))
+  {
+    reason = "about " + std::to_string(static_cast<long long>(points)) + " points in " + std::to_string(quadrats) +
+      " quadrats are more than this machine has memory for.";
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot scatter points: " << reason);
+    return 0;
+  }
+
+  this->SetProgressText("Scattering points");
+  const std::vector<int> counts =
+    littoral::QuadratCounts(recipe.Law, quadrats, static_cast<littoral::QuadratMode>(this->Mode), this->Seed);
+  std::vector<vtkIdType> firstSite(counts.size() + 1, 0);
+  std::partial_sum(counts.begin(), counts.end(), firstSite.begin() + 1);
+
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const long long piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const long long pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
+  const std::size_t firstQuadrat = static_cast<std::size_t>(quadrats * piece / pieces);
+  const std::size_t lastQuadrat = static_cast<std::size_t>(quadrats * (piece + 1) / pieces);
+  const vtkIdType first = firstSite[firstQuadrat];
+  const vtkIdType count = firstSite[lastQuadrat] - first;
+
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  positions->SetNumberOfPoints(count);
+  vtkNew<vtkIdTypeArray> site;
+  site->SetName("SiteId");
+  site->SetNumberOfValues(count);
+  vtkNew<vtkIdTypeArray> quadratOf;
+  quadratOf->SetName("QuadratId");
+  quadratOf->SetNumberOfValues(count);
+  double* xyz = vtkDoubleArray::SafeDownCast(positions->GetData())->GetPointer(0);
+  const std::size_t batches = (lastQuadrat - firstQuadrat + QuadratsAtOnce - 1) / QuadratsAtOnce;
+  const bool done = littoral::RunWithProgress(this, batches, 0.2, 1.0, [&](std::size_t batch) {
+    const std::size_t begin = firstQuadrat + batch * QuadratsAtOnce;
+    const std::size_t end = std::min(begin + QuadratsAtOnce, lastQuadrat);
+    for (std::size_t quadrat = begin; quadrat < end; ++quadrat)
+    {
+      for (int index = 0; index < counts[quadrat]; ++index)
+      {
+        const vtkIdType id = firstSite[quadrat] + index;
+        const auto position =
+          littoral::QuadratPosition(recipe.Grid, static_cast<long long>(quadrat), index, this->Seed);
+        xyz[3 * (id - first)] = position[0];
+        xyz[3 * (id - first) + 1] = position[1];
+        xyz[3 * (id - first) + 2] = 0.0;
+        site->SetValue(id - first, id);
+        quadratOf->SetValue(id - first, static_cast<vtkIdType>(quadrat));
+      }
+    }
+  });
+  if (!done) // aborted
+  {
+    return 1;
+  }
+
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, vtkIdType{ 0 });
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(count);
+  std::iota(corners->GetPointer(0), corners->GetPointer(0) + count, vtkIdType{ 0 });
+  vtkNew<vtkCellArray> vertices;
+  vertices->SetData(offsets, corners);
+  output->SetPoints(positions);
+  output->SetVerts(vertices);
+  output->GetPointData()->AddArray(site);
+  output->GetPointData()->AddArray(quadratOf);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkQuadratPointSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "Quadrats: " << this->Quadrats[0] << " " << this->Quadrats[1] << "\n";
+  os << indent << "Law: " << this->Law << "\n";
+  os << indent << "MeanPerQuadrat: " << this->MeanPerQuadrat << "\n";
+  os << indent << "Trials: " << this->Trials << "\n";
+  os << indent << "ClusterShape: " << this->ClusterShape << "\n";
+  os << indent << "ClusterMean: " << this->ClusterMean << "\n";
+  os << indent << "ClusterSuccess: " << this->ClusterSuccess << "\n";
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}
