@@ -24,7 +24,7 @@ constexpr int LargestCluster = 12;
 
 double LogLikelihood(const QuadratLawParameters& law, const std::vector<long long>& frequencies)
 {
-  const std::vector<double> mass = MassFunction(law, static_cast<int>(frequencies.size()) - 1);
+  const std::vector<double> mass = MassFunctionUpTo(law, static_cast<int>(frequencies.size()) - 1);
   double sum = 0.0;
   for (std::size_t r = 0; r < frequencies.size(); ++r)
   {

@@ -12,8 +12,10 @@ namespace littoral
 namespace
 {
 
-/// Longest mass function that is computed; beyond it a law is refused.
+/// Beyond this mean a law is refused.
 constexpr double LargestMean = 1e5;
+/// A tail that is heavier than this is cut: the laws of clusters cost the square of the length.
+constexpr std::size_t LongestMass = 20000;
 
 /**
  * Builds P(0), P(1)... from ln P(0) and a recurrence, which is given all earlier values. They are kept within the range
@@ -201,12 +203,19 @@ double CountVariance(const QuadratLawParameters& law)
   return 0.0;
 }
 
+std::vector<double> MassFunctionUpTo(const QuadratLawParameters& law, int last)
+{
+  std::vector<double> mass = MassUpTo(law, static_cast<std::size_t>(last) + 1);
+  mass.resize(static_cast<std::size_t>(last) + 1, 0.0);
+  return mass;
+}
+
 std::vector<double> MassFunction(const QuadratLawParameters& law, int atLeast)
 {
   // First as far as a normal tail reaches, then further while something is left.
   const double reach = law.Mean + 12.0 * std::sqrt(CountVariance(law)) + 20.0;
   std::size_t count = std::max<std::size_t>(static_cast<std::size_t>(reach), static_cast<std::size_t>(atLeast) + 1);
-  for (int attempt = 0; attempt < 6; ++attempt)
+  for (int attempt = 0; attempt < 6 && count < LongestMass; ++attempt)
   {
     std::vector<double> mass = MassUpTo(law, count);
     double total = 0.0;

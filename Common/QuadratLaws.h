@@ -53,6 +53,9 @@ std::string WhyInvalid(const QuadratLawParameters& law);
 /// Variance of the number of points in a quadrat.
 double CountVariance(const QuadratLawParameters& law);
 
+/// Probability of 0, 1, 2... last points.
+std::vector<double> MassFunctionUpTo(const QuadratLawParameters& law, int last);
+
 /// Probability of 0, 1, 2... points, as far as more than 1e-15 in all is left, but at least up to the given count.
 std::vector<double> MassFunction(const QuadratLawParameters& law, int atLeast = 0);
 

@@ -251,7 +251,7 @@ def floor_shadow(bounds, sun=SUN, cells=400):
     b = np.array([b for b in bounds if b[0] < b[1]])
     if not len(b):
         return vtkPolyData()
-    height, margin = 0.8 * b[:, 5].mean(), 8.0 * b[:, 5].max()
+    height, margin = 0.8 * b[:, 5].mean(), 4.0 * b[:, 5].max()
     x = np.linspace(b[:, 0].min() - margin, b[:, 1].max() + margin, cells)
     y = np.linspace(b[:, 2].min() - margin, b[:, 3].max() + margin, cells)
     inside = np.zeros((cells, cells), bool)
@@ -259,8 +259,10 @@ def floor_shadow(bounds, sun=SUN, cells=400):
         inside |= ((x > west) & (x < east)) & ((y > south) & (y < north))[:, None]
     z, spacing = np.where(inside, height, 0.0), (x[1] - x[0], y[1] - y[0])
     direct = blur(sunlight(z, spacing, *sun, softness=0.2), 2)
-    sky = openness(z, spacing, farthest=6.0 * height, directions=16)
+    sky = openness(z, spacing, farthest=4.0 * height, directions=16)
     shade = np.where(inside, 0.6, 1.0 - (0.55 + 0.45 * direct) * (0.35 + 0.65 * sky))
+    border = np.minimum(np.arange(cells), np.arange(cells)[::-1]) * spacing[0] / margin
+    shade *= _step(np.minimum(border, border[:, None]), 0.0, 0.5)
     rgba = np.full(z.shape + (4,), (38, 44, 58, 0), np.uint8)
     rgba[..., 3] = np.round(255.0 * np.clip(blur(shade, 1), 0.0, 1.0))
     points = np.stack(np.broadcast_arrays(x, y[:, None], 0.0), axis=-1)
@@ -330,7 +332,7 @@ def row_camera(width, count, aspect):
     """
     angle, reach = 7.0, (0.25 + 0.65 * count) * width
     focus = 0.05 * width * direction(90.0 - TURN, 0.0) - (0.0, 0.0, 0.01 * width)
-    distance = reach / min(aspect, 1.4 * count) / np.tan(np.radians(0.5 * angle))
+    distance = reach / min(aspect, 1.3 * count) / np.tan(np.radians(0.5 * angle))
     return focus + distance * direction(180.0 - TURN, LIFT), focus, angle
 
 

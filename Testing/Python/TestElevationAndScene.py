@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The helpers that read elevation models and bake light, against what is known of them."""
+
+import os
+import tempfile
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+
+from littoral.elevation import (
+    array_from_image, image_from_array, metres_per_degree, read_elevation, write_vti)
+from littoral.scene import (
+    blur, direction, floor_shadow, normals, openness, relief_block, row_camera, subdivide, sunlight)
+from littoral.tables import column, model_names, one_model, table_of
+
+
+def raises(error, call, *arguments):
+    try:
+        call(*arguments)
+    except error:
+        return True
+    return False
+
+
+# A degree at 45 degrees of latitude, from tables of WGS 84.
+east, north = metres_per_degree(45.0)
+assert abs(east - 78847.0) < 1.0 and abs(north - 111132.0) < 1.0, (east, north)
+
+# The elevation model has its first row in the south, and survives a file.
+place = read_elevation()
+heights = array_from_image(place)
+assert heights.shape == (344, 403) and (heights.min(), heights.max()) == (236.0, 1076.0)
+assert heights[:, :100].mean() > heights[:, -100:].mean()  # mountains in the west
+with tempfile.TemporaryDirectory() as folder:
+    file = os.path.join(folder, "place.vti")
+    write_vti(place, file)
+    again = read_elevation(file)
+assert np.array_equal(array_from_image(again), heights)
+assert again.GetSpacing() == place.GetSpacing()
+assert raises(FileNotFoundError, read_elevation, "no such file.npz")
+
+# Subdivision keeps a plane, blur keeps the mean of a wave, and a plane has one normal.
+y, x = np.mgrid[0:20, 0:30].astype(float)
+plane = 2.0 * x - y
+assert np.allclose(subdivide(plane)[::2, ::2], plane)
+assert np.allclose(blur(np.full((9, 9), 3.0), 2), 3.0)
+assert np.allclose(normals(plane, (1.0, 1.0)), np.array((-2.0, 1.0, 1.0)) / 6.0**0.5)
+assert np.allclose(direction(90.0, 0.0), (1.0, 0.0, 0.0))
+
+# A wall of 20 m in the west throws a shadow of 20 m / tan 45 degrees to the east of it.
+wall = np.zeros((5, 101))
+wall[:, :10] = 20.0
+seen = sunlight(wall, (1.0, 1.0), 270.0, 45.0, softness=0.01)[2]
+length = np.count_nonzero(seen[10:] < 0.5)
+assert abs(length - 20) <= 1, length
+assert np.all(seen[:10] > 0.99) and np.all(seen[35:] > 0.99)
+assert np.all(openness(np.zeros((8, 8)), (1.0, 1.0)) == 1.0)
+assert openness(wall, (1.0, 1.0))[2, 10] < 0.9
+
+# A block stands on z = 0 round its centre; flat, tiny and holed terrains have one as well.
+holed = np.where(x + y > 40.0, np.nan, plane)
+for terrain in (plane, np.full((4, 5), 7.0), plane[:2, :2], holed):
+    block = relief_block(image_from_array(terrain, (10.0, 10.0)), centre=(100.0, 0.0))
+    low, high = np.array(block.GetBounds()).reshape(3, 2).T
+    assert low[2] == 0.0 and abs(low[0] + high[0] - 200.0) < 1e-3 and np.isfinite(high).all()
+    rgb = vtk_to_numpy(block.GetPointData().GetArray("RGB"))
+    assert rgb.shape == (block.GetNumberOfPoints(), 3) and rgb.max() > 50
+assert floor_shadow([block.GetBounds()]).GetNumberOfPoints() > 0
+assert floor_shadow([(1.0, -1.0) * 3]).GetNumberOfPoints() == 0
+empty = image_from_array(plane, (1.0, 1.0))
+empty.GetPointData().Initialize()
+assert raises(ValueError, relief_block, empty)
+
+# The camera of a row sees all blocks from above.
+eye, focus, angle = row_camera(1000.0, 2, 2.0)
+assert eye[2] > 0.0 and np.linalg.norm(eye - focus) > 1000.0 and 0.0 < angle < 90.0
+
+# One row of a table of fits.
+fits, names = table_of({"Variance": [4.0, 9.0]}), vtkStringArray()
+names.SetName("Model")
+for name in ("Telis", "Fractal"):
+    names.InsertNextValue(name)
+fits.AddColumn(names)
+assert model_names(one_model(fits, "Fractal")) == ["Fractal"]
+assert column(one_model(fits, "Fractal"), "Variance")[0] == 9.0
