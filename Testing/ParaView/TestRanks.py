@@ -42,6 +42,12 @@ assert fits.GetNumberOfRows() == 7, f"{fits.GetNumberOfRows()} rows on {ranks} r
 result = [hashlib.sha256(whole_image(proxy).tobytes()).hexdigest() for proxy in (terrain, twin)]
 for name in ("ModelId", "Variance", "Range", "AICc"):
     result.append(vtk_to_numpy(fits.GetColumnByName(name)).tobytes().hex())
+points = simple.QuadratPoints(Quadrats=[30, 20], Law="Negative Binomial", MeanPerQuadrat=2.0)
+cloud = servermanager.Fetch(points)
+sites = vtk_to_numpy(cloud.GetPointData().GetArray("SiteId"))
+xyz = vtk_to_numpy(cloud.GetPoints().GetData())[np.argsort(sites)]
+assert len(sites) == 1200, f"{len(sites)} points on {ranks} ranks"
+result.append(hashlib.sha256(xyz.tobytes()).hexdigest())
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:

@@ -332,7 +332,7 @@ def row_camera(width, count, aspect):
     """
     angle, reach = 7.0, (0.25 + 0.65 * count) * width
     focus = 0.05 * width * direction(90.0 - TURN, 0.0) - (0.0, 0.0, 0.01 * width)
-    distance = reach / min(aspect, 1.3 * count) / np.tan(np.radians(0.5 * angle))
+    distance = reach / min(aspect, 0.2 + 1.2 * count) / np.tan(np.radians(0.5 * angle))
     return focus + distance * direction(180.0 - TURN, LIFT), focus, angle
 
 
