@@ -303,7 +303,8 @@ std::array<double, 2> TurningBandsField::GetDirection(std::size_t line) const
  */
 double TurningBandsField::HighestWaveNumber() const
 {
-  const double folded = this->Parameters.ShortestWavelength > 0.0 ? 1.0 : MostFoldings;
+  const bool open = this->Parameters.ShortestWavelength == 0.0 && this->Parameters.Bins == HarmonicBins::Adaptive;
+  const double folded = open ? MostFoldings : 1.0; // equal widths have no harmonics to spare
   return folded * TwoPi / this->Wavelength;
 }
 

@@ -101,6 +101,10 @@ public:
     {
       fit.AnisotropyRatio = expHeld(unknowns[n++]);
       fit.AnisotropyAngle = unknowns[n++];
+      // The range in hand is the longest, also where that lies across the angle: so the bound holds for both.
+      const double across = std::min(1.0, fit.AnisotropyRatio);
+      fit.Field.Range *= across;
+      fit.Field.SecondRange *= across;
     }
     return fit;
   }
