@@ -11,7 +11,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -24,7 +23,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCovarianceFitFilter);
@@ -35,16 +36,6 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Fewer points along a side have no lags to speak of.
 constexpr int SmallestSide = 8;
-
-vtkDoubleArray* AddEmptyColumn(vtkTable* table, const std::string& name, vtkIdType rows, double value = 0.0)
-{
-  vtkNew<vtkDoubleArray> column;
-  column->SetName(name.c_str());
-  column->SetNumberOfValues(rows);
-  column->Fill(value);
-  table->AddColumn(column);
-  return column;
-}
 
 littoral::GridSamples ReadSamples(vtkImageData* image, vtkDataArray* array, bool useNoData, double noData)
 {
@@ -90,38 +81,30 @@ void WriteFits(const std::vector<littoral::VariogramFit>& fits, const littoral::
 void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vector<littoral::LagBin>& sectors,
   int directions, const std::vector<littoral::VariogramFit>& fits, vtkTable* table)
 {
-  const vtkIdType rows = static_cast<vtkIdType>(rings.size());
-  vtkDoubleArray* lag = AddEmptyColumn(table, "Lag", rows);
-  vtkDoubleArray* semivariance = AddEmptyColumn(table, "Semivariance", rows);
-  vtkDoubleArray* pairs = AddEmptyColumn(table, "Pairs", rows);
-  std::vector<vtkIdType> rowOfRing;
-  for (vtkIdType row = 0; row < rows; ++row)
-  {
-    lag->SetValue(row, rings[row].Lag);
-    semivariance->SetValue(row, rings[row].Semivariance);
-    pairs->SetValue(row, rings[row].Pairs);
-    rowOfRing.resize(rings[row].Ring + 1, -1);
-    rowOfRing[rings[row].Ring] = row;
-  }
+  using littoral::LagBin;
+  const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, rings, valueOf); };
+  column("Lag", [](const LagBin& ring) { return ring.Lag; });
+  column("Semivariance", [](const LagBin& ring) { return ring.Semivariance; });
+  column("Pairs", [](const LagBin& ring) { return ring.Pairs; });
   for (const littoral::VariogramFit& fit : fits)
   {
-    vtkDoubleArray* model = AddEmptyColumn(table, littoral::CovarianceModelName(fit.Field.Model), rows);
-    for (vtkIdType row = 0; row < rows; ++row)
-    {
-      model->SetValue(row, littoral::MeanSemivariance(fit, rings[row].Lag));
-    }
+    column(littoral::CovarianceModelName(fit.Field.Model),
+      [&](const LagBin& ring) { return littoral::MeanSemivariance(fit, ring.Lag); });
   }
-  std::vector<vtkDoubleArray*> columns;
+  std::map<std::pair<int, int>, double> measured; // by direction and ring; a short ring may miss some directions
+  for (const LagBin& sector : sectors)
+  {
+    measured[{ sector.Direction, sector.Ring }] = sector.Semivariance;
+  }
   for (int direction = 0; direction < directions; ++direction)
   {
     char name[32];
     std::snprintf(
       name, sizeof(name), "Semivariance_%03d", static_cast<int>(std::lround(180.0 * direction / directions)));
-    columns.push_back(AddEmptyColumn(table, name, rows, NaN));
-  }
-  for (const littoral::LagBin& bin : sectors)
-  {
-    columns[bin.Direction]->SetValue(rowOfRing[bin.Ring], bin.Semivariance);
+    column(name, [&](const LagBin& ring) {
+      const auto found = measured.find({ direction, ring.Ring });
+      return found == measured.end() ? NaN : found->second;
+    });
   }
 }
 
