@@ -120,7 +120,7 @@ public:
   ///@}
 
   ///@{
-  /// Any whole number; the same seed gives the same points on any machine. Default 1.
+  /// Any whole number; the same seed gives the same points. Default 1.
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

@@ -170,7 +170,7 @@ public:
   ///@}
 
   ///@{
-  /// Any whole number; the same seed gives the same terrain on any machine. Default 1.
+  /// Any whole number; the same seed gives the same terrain. Default 1.
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
