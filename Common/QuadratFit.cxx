@@ -192,22 +192,16 @@ private:
     fit.MomentsExist = this->IsClustered() && p > 0.0 && shape > 0.0;
     fit.Moments.ClusterShape = fit.MomentsExist ? shape : NaN;
     fit.Moments.ClusterMean = fit.MomentsExist ? shape * p : NaN;
-    double size = 1.0;
-    const Maximum outer = MaximiseOver(0.02, 200.0, [&](double k) {
+    const auto bestSize = [&](double k) {
       QuadratLawParameters law = fit.Law;
       law.ClusterShape = k;
       return MaximiseOver(1e-2, 1e2, [&](double t) {
         law.ClusterMean = t;
         return this->Likelihood(law);
-      }).Value;
-    });
-    fit.Law.ClusterShape = outer.Argument;
-    size = MaximiseOver(1e-2, 1e2, [&](double t) {
-      QuadratLawParameters law = fit.Law;
-      law.ClusterMean = t;
-      return this->Likelihood(law);
-    }).Argument;
-    fit.Law.ClusterMean = size;
+      });
+    };
+    fit.Law.ClusterShape = MaximiseOver(0.02, 200.0, [&](double k) { return bestSize(k).Value; }).Argument;
+    fit.Law.ClusterMean = bestSize(fit.Law.ClusterShape).Argument;
     fit.Exists = this->IsClustered();
   }
 

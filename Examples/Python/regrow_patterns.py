@@ -35,7 +35,8 @@ CELL, GAP, TITLE = 330, 26, 46
 
 def read_points(name):
     """A CSV file with columns x and y as vtkPolyData."""
-    table = np.genfromtxt(os.path.join(DATA, name + ".csv"), delimiter=",", names=True, deletechars='"')
+    filename = os.path.join(DATA, name + ".csv")
+    table = np.genfromtxt(filename, delimiter=",", names=True, deletechars='"')
     xyz = np.column_stack([table[column] for column in table.dtype.names] + [np.zeros(len(table))])
     points = vtkPoints()
     points.SetData(numpy_to_vtk(xyz, deep=True))

@@ -21,5 +21,6 @@ for law, pattern in EXPECTED.items():
     analysis.Update()
     fields = analysis.GetOutput().GetFieldData()
     called = fields.GetAbstractArray("Pattern").GetValue(0)
-    print(f"{law}: {called}, index of dispersion {fields.GetArray('DispersionIndex').GetValue(0):.2f}")
+    index = fields.GetArray("DispersionIndex").GetValue(0)
+    print(f"{law}: {called}, index of dispersion {index:.2f}")
     assert called == pattern, f"{law} is called {called}"

@@ -96,7 +96,7 @@ def read_raster(filename):
     from vtkmodules.vtkIOGDAL import vtkGDALRasterReader
 
     if filename.lower().endswith(".asc"):
-        raise ValueError(f"{filename}: VTK 9.2 cannot read ASCII grids through GDAL; convert it to GeoTIFF")
+        raise ValueError(f"{filename}: VTK cannot read ASCII grids; convert it to GeoTIFF")
     reader = vtkGDALRasterReader()
     reader.SetFileName(filename)
     reader.Update()
