@@ -9,12 +9,14 @@ a twin from the best one, and writes into FOLDER (default: a new temporary folde
 
     twin-terrain.png   the place and its twin
     figure2.png        the place and a fractal field of the same dimension
+    patterns.png       three classical point patterns, and patterns regrown from their laws
     variogram.png      what was measured, and what the models say
     fits.csv           the fitted models, best first
     twin.vti           the twin: image with the point array Elevation [m]
 """
 
 import os
+import runpy
 import sys
 import tempfile
 import time
@@ -28,7 +30,10 @@ from littoral.picture import save_pair
 from littoral.scene import height_colour
 from littoral.tables import column, model_names, write_csv
 
-STEPS = 7
+#: The example that measures and regrows point patterns.
+PATTERNS = os.path.join(
+    os.path.dirname(os.path.abspath(__file__)), "..", "Python", "regrow_patterns.py")
+STEPS = 8
 EXAGGERATION = 3.0
 START = time.time()
 
@@ -123,6 +128,9 @@ def main(folder):
         ("(a) Real terrain", "(b) Turning bands"),
         (f"Jacksboro fault, D = {dimension:.2f}", f"fractal field, D = {dimension:.2f}"),
         EXAGGERATION, height_colour)
+
+    say(7, "drawing patterns.png")
+    runpy.run_path(PATTERNS)["main"](folder)
     say(STEPS, f"all written into {folder}")
 
 
