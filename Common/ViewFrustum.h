@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralViewFrustum_h
+#define LittoralViewFrustum_h
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// A perspective view of a scene. Direction and Up need no unit length.
+struct View
+{
+  std::array<double, 3> Point{ 0.0, 0.0, 0.0 };         ///< [m]
+  std::array<double, 3> Direction{ 0.0, 1.0, 0.0 };     ///< towards what is looked at
+  std::array<double, 3> Up{ 0.0, 0.0, 1.0 };            ///< not along Direction
+  double Angle = 0.5235987755982988;                    ///< vertical, full [rad], 0 to pi, both excluded
+  double AspectRatio = 1.0;                             ///< width / height of the picture, positive
+  double Height = 1080.0;                               ///< of the picture [pixels], positive
+  double Near = 0.0;                                    ///< [m], not negative
+  double Far = std::numeric_limits<double>::infinity(); ///< [m], above Near
+};
+
+/// Why this is no view, in words for a user; empty when it is one.
+std::string WhyInvalid(const View& view);
+
+/// A box with its sides along the axes: smallest and largest x, y, z [m].
+struct Box
+{
+  std::array<double, 3> Low{ 0.0, 0.0, 0.0 };
+  std::array<double, 3> High{ 0.0, 0.0, 0.0 };
+};
+
+/// The smallest distance of a point from a box [m]; 0 inside.
+double Distance(const Box& box, const std::array<double, 3>& point);
+
+/**
+ * The volume that a valid view shows: four planes through the view point, a near plane, and a far plane if Far is
+ * finite.
+ *
+ * Tests are conservative: what is touched is never rejected. A box or sphere beyond one of the planes is rejected. One
+ * that is beyond none of them, yet outside near an edge of the volume, is kept.
+ */
+class ViewFrustum
+{
+public:
+  /// Points with Normal . x + Offset >= 0 are inside; the normal has unit length.
+  struct Plane
+  {
+    std::array<double, 3> Normal;
+    double Offset;
+  };
+
+  explicit ViewFrustum(const View& view);
+
+  const View& GetView() const { return this->Seen; }
+
+  /// Left, right, bottom, top, near and, if there is one, far.
+  const std::vector<Plane>& GetPlanes() const { return this->Planes; }
+
+  bool Contains(const std::array<double, 3>& point) const;
+  bool MayShow(const Box& box) const;
+  bool MayShow(const std::array<double, 3>& centre, double radius) const;
+
+  /// How tall a length [m] across the view appears at a distance [m], in pixels; infinite at distance 0.
+  double PixelsOf(double length, double distance) const;
+
+private:
+  View Seen;
+  std::vector<Plane> Planes;
+};
+
+}
+
+#endif

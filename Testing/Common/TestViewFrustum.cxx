@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constants.h"
+#include "ViewFrustum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace littoral;
+
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+Vector RandomVector(std::mt19937& random, double size)
+{
+  std::uniform_real_distribution<double> uniform(-size, size);
+  return { uniform(random), uniform(random), uniform(random) };
+}
+
+View RandomView(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  View view;
+  view.Point = RandomVector(random, 5.0);
+  view.Direction = RandomVector(random, 3.0);
+  view.Up = RandomVector(random, 2.0);
+  view.Angle = 0.1 + 2.5 * uniform(random);
+  view.AspectRatio = 0.3 + 2.0 * uniform(random);
+  view.Near = uniform(random);
+  view.Far = uniform(random) < 0.5 ? view.Near + 10.0 * uniform(random) : std::numeric_limits<double>::infinity();
+  return view;
+}
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Projects the point on the picture, as a camera does.
+bool IsShown(const View& view, const Vector& point)
+{
+  const auto unit = [](Vector a) {
+    const double length = std::sqrt(Dot(a, a));
+    return Vector{ a[0] / length, a[1] / length, a[2] / length };
+  };
+  const Vector ahead = unit(view.Direction);
+  const double along = Dot(ahead, view.Up);
+  const Vector up =
+    unit({ view.Up[0] - along * ahead[0], view.Up[1] - along * ahead[1], view.Up[2] - along * ahead[2] });
+  const Vector away = { point[0] - view.Point[0], point[1] - view.Point[1], point[2] - view.Point[2] };
+  const double depth = Dot(ahead, away);
+  const double y = Dot(up, away);
+  const double x2 = Dot(away, away) - depth * depth - y * y;
+  const double half = depth * std::tan(view.Angle / 2.0);
+  return depth >= view.Near && depth <= view.Far && std::abs(y) <= half &&
+    std::sqrt(std::max(x2, 0.0)) <= half * view.AspectRatio;
+}
+
+}
+
+TEST(ViewFrustum, HoldsThePointsThatACameraProjectsOnThePicture)
+{
+  std::mt19937 random(1);
+  int shown = 0;
+  for (int n = 0; n < 200; ++n)
+  {
+    const View view = RandomView(random);
+    ASSERT_EQ(WhyInvalid(view), "");
+    const ViewFrustum frustum(view);
+    for (int k = 0; k < 200; ++k)
+    {
+      const Vector point = RandomVector(random, 15.0);
+      EXPECT_EQ(frustum.Contains(point), IsShown(view, point));
+      shown += IsShown(view, point);
+    }
+  }
+  EXPECT_GT(shown, 2000);
+  EXPECT_LT(shown, 20000);
+}
+
+TEST(ViewFrustum, NeverRejectsABoxOrSphereWithAShownPoint)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int rejectedBoxes = 0;
+  int rejectedSpheres = 0;
+  for (int n = 0; n < 3000; ++n)
+  {
+    const View view = RandomView(random);
+    const ViewFrustum frustum(view);
+    Box box;
+    box.Low = RandomVector(random, 10.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.High[axis] = box.Low[axis] + 4.0 * uniform(random);
+    }
+    const Vector centre = RandomVector(random, 10.0);
+    const double radius = 3.0 * uniform(random);
+    bool boxShown = false;
+    bool sphereShown = false;
+    for (int k = 0; k < 100; ++k)
+    {
+      Vector point;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        point[axis] = box.Low[axis] + (box.High[axis] - box.Low[axis]) * uniform(random);
+      }
+      boxShown = boxShown || IsShown(view, point);
+      const Vector step = RandomVector(random, radius);
+      if (Dot(step, step) <= radius * radius)
+      {
+        sphereShown = sphereShown || IsShown(view, { centre[0] + step[0], centre[1] + step[1], centre[2] + step[2] });
+      }
+    }
+    EXPECT_TRUE(frustum.MayShow(box) || !boxShown);
+    EXPECT_TRUE(frustum.MayShow(centre, radius) || !sphereShown);
+    rejectedBoxes += !frustum.MayShow(box);
+    rejectedSpheres += !frustum.MayShow(centre, radius);
+  }
+  EXPECT_GT(rejectedBoxes, 1000);
+  EXPECT_GT(rejectedSpheres, 1000);
+}
+
+TEST(ViewFrustum, ABoxThatHoldsTheViewPointIsShown)
+{
+  std::mt19937 random(3);
+  for (int n = 0; n < 100; ++n)
+  {
+    View view = RandomView(random);
+    view.Near = 0.0;
+    const Box around{ { view.Point[0] - 0.1, view.Point[1] - 0.1, view.Point[2] - 0.1 },
+      { view.Point[0] + 0.1, view.Point[1] + 0.1, view.Point[2] + 0.1 } };
+    EXPECT_TRUE(ViewFrustum(view).MayShow(around));
+  }
+}
+
+TEST(ViewFrustum, PixelsOfALength)
+{
+  View view;
+  view.Angle = Pi / 2.0;
+  view.Height = 800.0;
+  const ViewFrustum frustum(view);
+  EXPECT_NEAR(frustum.PixelsOf(20.0, 10.0), 800.0, 1e-9); // as tall as the picture
+  EXPECT_NEAR(frustum.PixelsOf(1.0, 100.0), 4.0, 1e-12);
+  EXPECT_EQ(frustum.PixelsOf(0.0, 0.0), 0.0);
+  EXPECT_TRUE(std::isinf(frustum.PixelsOf(1.0, 0.0)));
+}
+
+TEST(ViewFrustum, DistanceOfABox)
+{
+  const Box box{ { 0.0, 0.0, 0.0 }, { 1.0, 2.0, 3.0 } };
+  EXPECT_EQ(Distance(box, { 0.5, 0.5, 0.5 }), 0.0);
+  EXPECT_EQ(Distance(box, { 4.0, 6.0, 1.0 }), 5.0);
+  EXPECT_EQ(Distance(box, { 0.5, 1.0, -2.0 }), 2.0);
+}
+
+TEST(ViewFrustum, BadViewsAreNamed)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto reason = [](auto spoil) {
+    View view;
+    spoil(view);
+    return WhyInvalid(view);
+  };
+  const auto names = [](const std::string& text, const char* word) { return text.find(word) != std::string::npos; };
+  EXPECT_EQ(WhyInvalid(View()), "");
+  EXPECT_TRUE(names(reason([&](View& v) { v.Point[1] = nan; }), "ViewPoint"));
+  EXPECT_TRUE(names(reason([&](View& v) { v.Direction = { 0.0, 0.0, 0.0 }; }), "ViewDirection"));
+  EXPECT_TRUE(names(reason([&](View& v) { v.Direction[0] = inf; }), "ViewDirection"));
+  EXPECT_TRUE(names(reason([&](View& v) { v.Up = { 0.0, 0.0, 0.0 }; }), "ViewUp"));
+  EXPECT_TRUE(names(reason([&](View& v) { v.Up = { 0.0, -3.0, 0.0 }; }), "ViewUp"));
+  for (double bad : { 0.0, -1.0, Pi, nan })
+  {
+    EXPECT_TRUE(names(reason([=](View& v) { v.Angle = bad; }), "ViewAngle"));
+  }
+  for (double bad : { 0.0, -1.0, inf, nan })
+  {
+    EXPECT_TRUE(names(reason([=](View& v) { v.AspectRatio = bad; }), "AspectRatio"));
+    EXPECT_TRUE(names(reason([=](View& v) { v.Height = bad; }), "ViewHeight"));
+  }
+  EXPECT_TRUE(names(reason([](View& v) { v.Near = -1.0; }), "near"));
+  EXPECT_TRUE(names(reason([](View& v) { v.Near = v.Far = 3.0; }), "far"));
+}
