@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralPlantMesh_h
+#define LittoralPlantMesh_h
+
+#include "Vector3.h"
+
+#include <array>
+#include <vector>
+
+namespace littoral
+{
+
+/// Red, green and blue, 0 to 255.
+using Colour = std::array<unsigned char, 3>;
+
+/// Polygons with what a renderer and a skinner want at each vertex. Arrays are empty where there is nothing to say.
+struct PlantMesh
+{
+  std::vector<Vector3> Points; ///< [m]
+  std::vector<Vector3> Normals;
+  std::vector<std::array<double, 2>> TCoords;
+  std::vector<Colour> Colours;
+  std::vector<std::array<int, 4>> JointIds;
+  std::vector<std::array<double, 4>> JointWeights; ///< sum to 1 at each vertex
+  std::vector<int> Offsets{ 0 };                   ///< polygon i has the corners Offsets[i] ... Offsets[i + 1] - 1
+  std::vector<int> Corners;
+
+  int NumberOfPolygons() const { return static_cast<int>(this->Offsets.size()) - 1; }
+
+  template <typename List>
+  void AddPolygon(const List& corners)
+  {
+    this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
+    this->Offsets.push_back(static_cast<int>(this->Corners.size()));
+  }
+};
+
+}
+
+#endif
