@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# --- Header-only libraries of Common. None of them appears in an installed header.
+# --- Header-only libraries of Common. Of these only GLM appears in installed headers.
 find_package(Eigen3 3.3 REQUIRED CONFIG)
 find_package(Boost 1.70 REQUIRED)
+find_package(glm REQUIRED CONFIG)
 
 # littoral_find_headers(<target> <header>): an imported target for a library that is used by
 # its headers alone and has no package file of its own.

@@ -19,7 +19,7 @@ Vector3 DirectionAt(const Skeleton& skeleton, const SkeletonBranch& branch, int 
   const int node = branch.First + step;
   const int before = step > 0 ? node - 1 : node;
   const int after = step + 1 < branch.Count ? node + 1 : node;
-  return Normalised(Subtract(skeleton.Nodes[after].Position, skeleton.Nodes[before].Position));
+  return glm::normalize(skeleton.Nodes[after].Position - skeleton.Nodes[before].Position);
 }
 
 void AddJoints(PlantMesh& mesh, const SkeletonBranch& branch, int step)
@@ -33,8 +33,8 @@ void AddJoints(PlantMesh& mesh, const SkeletonBranch& branch, int step)
 /// The first vector, turned into the plane at a right angle to the direction.
 Vector3 Carried(const Vector3& side, const Vector3& direction)
 {
-  const Vector3 flat = Add(side, direction, -Dot(side, direction));
-  return Length(flat) > 1e-6 ? Normalised(flat) : Perpendicular(direction);
+  const Vector3 flat = side - glm::dot(side, direction) * direction;
+  return glm::length(flat) > 1e-6 ? glm::normalize(flat) : Perpendicular(direction);
 }
 
 void AddVertex(PlantMesh& mesh, const Vector3& point, const Vector3& normal, double u, double v, const Colour& bark)
@@ -67,13 +67,13 @@ void SkinBranch(
     const SkeletonNode& node = skeleton.Nodes[branch.First + step];
     const Vector3 direction = DirectionAt(skeleton, branch, step);
     side = Carried(side, direction);
-    const Vector3 other = Cross(direction, side);
-    v += step > 0 ? Length(Subtract(node.Position, skeleton.Nodes[branch.First + step - 1].Position)) : 0.0;
+    const Vector3 other = glm::cross(direction, side);
+    v += step > 0 ? glm::distance(node.Position, skeleton.Nodes[branch.First + step - 1].Position) : 0.0;
     for (int corner = 0; corner <= sides; ++corner)
     {
       const double angle = TwoPi * (corner % sides) / sides;
-      const Vector3 normal = Add(Add({ 0.0, 0.0, 0.0 }, side, std::cos(angle)), other, std::sin(angle));
-      AddVertex(mesh, Add(node.Position, normal, node.Radius), normal, static_cast<double>(corner) / sides,
+      const Vector3 normal = std::cos(angle) * side + std::sin(angle) * other;
+      AddVertex(mesh, node.Position + node.Radius * normal, normal, static_cast<double>(corner) / sides,
         v / options.BarkLength, options.Bark);
       AddJoints(mesh, branch, step);
     }
@@ -85,7 +85,7 @@ void SkinBranch(
   const SkeletonNode& tip = skeleton.Nodes[branch.First + branch.Count - 1];
   const Vector3 direction = DirectionAt(skeleton, branch, branch.Count - 1);
   const int ring = static_cast<int>(mesh.Points.size()) - (sides + 1);
-  AddVertex(mesh, Add(tip.Position, direction, tip.Radius), direction, 0.5, v / options.BarkLength, options.Bark);
+  AddVertex(mesh, tip.Position + tip.Radius * direction, direction, 0.5, v / options.BarkLength, options.Bark);
   AddJoints(mesh, branch, branch.Count - 1);
   for (int corner = 0; corner < sides; ++corner)
   {

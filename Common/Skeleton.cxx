@@ -15,12 +15,9 @@ std::string WhyNodeInvalid(const Skeleton& skeleton, int index)
 {
   const SkeletonNode& node = skeleton.Nodes[index];
   const std::string name = "node " + std::to_string(index);
-  for (const double value : node.Position)
+  if (!IsFinite(node.Position))
   {
-    if (!std::isfinite(value))
-    {
-      return name + " has a position that is not finite.";
-    }
+    return name + " has a position that is not finite.";
   }
   if (!std::isfinite(node.Radius) || node.Radius <= 0.0)
   {
@@ -58,7 +55,7 @@ std::string WhyBranchInvalid(const Skeleton& skeleton, int index, int first)
     {
       return name + " does not lead from node to node.";
     }
-    if (node > first && !(Length(Subtract(skeleton.Nodes[node].Position, skeleton.Nodes[node - 1].Position)) > 0.0))
+    if (node > first && !(glm::distance(skeleton.Nodes[node].Position, skeleton.Nodes[node - 1].Position) > 0.0))
     {
       return name + " has a segment of zero length.";
     }
@@ -90,7 +87,7 @@ double Skeleton::BranchLength(int branch) const
   double length = 0.0;
   for (int node = this->Branches[branch].First; node < this->Tip(branch); ++node)
   {
-    length += Length(Subtract(this->Nodes[node + 1].Position, this->Nodes[node].Position));
+    length += glm::distance(this->Nodes[node + 1].Position, this->Nodes[node].Position);
   }
   return length;
 }
@@ -103,7 +100,7 @@ Vector3 Skeleton::Along(int branch, double part, int& node) const
   node = run.First + step;
   const Vector3& from = this->Nodes[node].Position;
   const Vector3& to = this->Nodes[std::min(node + 1, this->Tip(branch))].Position;
-  return Add(from, Subtract(to, from), place - step);
+  return from + (place - step) * (to - from);
 }
 
 std::string WhyInvalid(const Skeleton& skeleton)

@@ -14,46 +14,12 @@ namespace littoral
 namespace
 {
 
-using Vector = std::array<double, 3>;
-
 /// Two directions closer than this (sine of the angle) span no plane.
 constexpr double SmallestSine = 1e-9;
 
-double Dot(const Vector& a, const Vector& b)
+bool IsDirection(const Vector3& a)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Length(const Vector& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-Vector Unit(const Vector& a)
-{
-  const double length = Length(a);
-  return { a[0] / length, a[1] / length, a[2] / length };
-}
-
-/// a x + b y
-Vector Combine(double a, const Vector& x, double b, const Vector& y)
-{
-  return { a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2] };
-}
-
-bool IsFinite(const Vector& a)
-{
-  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
-}
-
-bool IsDirection(const Vector& a)
-{
-  const double length = Length(a);
+  const double length = glm::length(a);
   return IsFinite(a) && std::isfinite(length) && length > 1e-150;
 }
 
@@ -74,7 +40,7 @@ std::string WhyInvalid(const View& view)
   {
     return "ViewUp must be finite and not zero.";
   }
-  if (Length(Cross(Unit(view.Direction), Unit(view.Up))) < SmallestSine)
+  if (glm::length(glm::cross(glm::normalize(view.Direction), glm::normalize(view.Up))) < SmallestSine)
   {
     return "ViewUp lies along ViewDirection.";
   }
@@ -98,40 +64,40 @@ std::string WhyInvalid(const View& view)
   return text.str();
 }
 
-double Distance(const Box& box, const Vector& point)
+double Distance(const Box& box, const Vector3& point)
 {
-  Vector away;
+  Vector3 away;
   for (int axis = 0; axis < 3; ++axis)
   {
     away[axis] = std::max({ box.Low[axis] - point[axis], 0.0, point[axis] - box.High[axis] });
   }
-  return Length(away);
+  return glm::length(away);
 }
 
 ViewFrustum::ViewFrustum(const View& view)
   : Seen(view)
 {
-  const Vector ahead = Unit(view.Direction);
-  const Vector right = Unit(Cross(ahead, Unit(view.Up)));
-  const Vector up = Cross(right, ahead);
+  const Vector3 ahead = glm::normalize(view.Direction);
+  const Vector3 right = glm::normalize(glm::cross(ahead, glm::normalize(view.Up)));
+  const Vector3 up = glm::cross(right, ahead);
   const double tangentY = std::tan(0.5 * view.Angle);
   const double tangentX = tangentY * view.AspectRatio;
-  const auto add = [&](const Vector& normal, double distance) {
-    const Vector unit = Unit(normal);
-    this->Planes.push_back({ unit, -Dot(unit, view.Point) - distance });
+  const auto add = [&](const Vector3& normal, double distance) {
+    const Vector3 unit = glm::normalize(normal);
+    this->Planes.push_back({ unit, -glm::dot(unit, view.Point) - distance });
   };
-  add(Combine(tangentX, ahead, 1.0, right), 0.0);
-  add(Combine(tangentX, ahead, -1.0, right), 0.0);
-  add(Combine(tangentY, ahead, 1.0, up), 0.0);
-  add(Combine(tangentY, ahead, -1.0, up), 0.0);
+  add(tangentX * ahead + right, 0.0);
+  add(tangentX * ahead - right, 0.0);
+  add(tangentY * ahead + up, 0.0);
+  add(tangentY * ahead - up, 0.0);
   add(ahead, view.Near);
   if (std::isfinite(view.Far))
   {
-    add(Combine(-1.0, ahead, 0.0, up), -view.Far);
+    add(-ahead, -view.Far);
   }
 }
 
-bool ViewFrustum::Contains(const Vector& point) const
+bool ViewFrustum::Contains(const Vector3& point) const
 {
   return this->MayShow(point, 0.0);
 }
@@ -139,19 +105,19 @@ bool ViewFrustum::Contains(const Vector& point) const
 bool ViewFrustum::MayShow(const Box& box) const
 {
   return std::all_of(this->Planes.begin(), this->Planes.end(), [&](const Plane& plane) {
-    Vector corner; // the one that is farthest inside
+    Vector3 corner; // the one that is farthest inside
     for (int axis = 0; axis < 3; ++axis)
     {
       corner[axis] = plane.Normal[axis] > 0.0 ? box.High[axis] : box.Low[axis];
     }
-    return Dot(plane.Normal, corner) + plane.Offset >= 0.0;
+    return glm::dot(plane.Normal, corner) + plane.Offset >= 0.0;
   });
 }
 
-bool ViewFrustum::MayShow(const Vector& centre, double radius) const
+bool ViewFrustum::MayShow(const Vector3& centre, double radius) const
 {
   return std::all_of(this->Planes.begin(), this->Planes.end(),
-    [&](const Plane& plane) { return Dot(plane.Normal, centre) + plane.Offset >= -radius; });
+    [&](const Plane& plane) { return glm::dot(plane.Normal, centre) + plane.Offset >= -radius; });
 }
 
 double ViewFrustum::PixelsOf(double length, double distance) const

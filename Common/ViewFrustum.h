@@ -3,7 +3,8 @@
 #ifndef LittoralViewFrustum_h
 #define LittoralViewFrustum_h
 
-#include <array>
+#include "Vector3.h"
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,9 +15,9 @@ namespace littoral
 /// A perspective view of a scene. Direction and Up need no unit length.
 struct View
 {
-  std::array<double, 3> Point{ 0.0, 0.0, 0.0 };         ///< [m]
-  std::array<double, 3> Direction{ 0.0, 1.0, 0.0 };     ///< towards what is looked at
-  std::array<double, 3> Up{ 0.0, 0.0, 1.0 };            ///< not along Direction
+  Vector3 Point{ 0.0, 0.0, 0.0 };                       ///< [m]
+  Vector3 Direction{ 0.0, 1.0, 0.0 };                   ///< towards what is looked at
+  Vector3 Up{ 0.0, 0.0, 1.0 };                          ///< not along Direction
   double Angle = 0.5235987755982988;                    ///< vertical, full [rad], 0 to pi, both excluded
   double AspectRatio = 1.0;                             ///< width / height of the picture, positive
   double Height = 1080.0;                               ///< of the picture [pixels], positive
@@ -30,12 +31,12 @@ std::string WhyInvalid(const View& view);
 /// A box with its sides along the axes: smallest and largest x, y, z [m].
 struct Box
 {
-  std::array<double, 3> Low{ 0.0, 0.0, 0.0 };
-  std::array<double, 3> High{ 0.0, 0.0, 0.0 };
+  Vector3 Low{ 0.0, 0.0, 0.0 };
+  Vector3 High{ 0.0, 0.0, 0.0 };
 };
 
 /// The smallest distance of a point from a box [m]; 0 inside.
-double Distance(const Box& box, const std::array<double, 3>& point);
+double Distance(const Box& box, const Vector3& point);
 
 /**
  * The volume that a valid view shows: four planes through the view point, a near plane, and a far plane if Far is
@@ -50,7 +51,7 @@ public:
   /// Points with Normal . x + Offset >= 0 are inside; the normal has unit length.
   struct Plane
   {
-    std::array<double, 3> Normal;
+    Vector3 Normal;
     double Offset;
   };
 
@@ -61,9 +62,9 @@ public:
   /// Left, right, bottom, top, near and, if there is one, far.
   const std::vector<Plane>& GetPlanes() const { return this->Planes; }
 
-  bool Contains(const std::array<double, 3>& point) const;
+  bool Contains(const Vector3& point) const;
   bool MayShow(const Box& box) const;
-  bool MayShow(const std::array<double, 3>& centre, double radius) const;
+  bool MayShow(const Vector3& centre, double radius) const;
 
   /// How tall a length [m] across the view appears at a distance [m], in pixels; infinite at distance 0.
   double PixelsOf(double length, double distance) const;

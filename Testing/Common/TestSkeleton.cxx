@@ -108,9 +108,9 @@ TEST(BranchSkin, HasNoDegenerateTriangles)
       ASSERT_LT(corner[i], static_cast<int>(mesh.Points.size()));
     }
     const Vector3& a = mesh.Points[corner[0]];
-    const Vector3 across = Cross(Subtract(mesh.Points[corner[1]], a), Subtract(mesh.Points[corner[2]], a));
-    EXPECT_GT(Length(across), 1e-6);
-    EXPECT_GT(Dot(across, mesh.Normals[corner[0]]), 0.0) << "triangle " << polygon << " faces inward";
+    const Vector3 across = glm::cross(mesh.Points[corner[1]] - a, mesh.Points[corner[2]] - a);
+    EXPECT_GT(glm::length(across), 1e-6);
+    EXPECT_GT(glm::dot(across, mesh.Normals[corner[0]]), 0.0) << "triangle " << polygon << " faces inward";
   }
 }
 
@@ -156,11 +156,11 @@ TEST(BranchSkin, LiesAroundTheJoints)
       EXPECT_EQ(plant.Nodes[joint].Branch, plant.Nodes[mesh.JointIds[vertex][0]].Branch);
     }
     EXPECT_DOUBLE_EQ(sum, 1.0);
-    EXPECT_NEAR(Length(mesh.Normals[vertex]), 1.0, 1e-12);
+    EXPECT_NEAR(glm::length(mesh.Normals[vertex]), 1.0, 1e-12);
   }
   for (int corner = 0; corner < 13; ++corner) // the trunk's first ring
   {
-    EXPECT_NEAR(Length(mesh.Points[corner]), 0.2, 1e-12);
+    EXPECT_NEAR(glm::length(mesh.Points[corner]), 0.2, 1e-12);
     EXPECT_NEAR(mesh.Points[corner][2], 0.0, 1e-12);
   }
 }

@@ -14,9 +14,7 @@ using namespace littoral;
 namespace
 {
 
-using Vector = std::array<double, 3>;
-
-Vector RandomVector(std::mt19937& random, double size)
+Vector3 RandomVector(std::mt19937& random, double size)
 {
   std::uniform_real_distribution<double> uniform(-size, size);
   return { uniform(random), uniform(random), uniform(random) };
@@ -36,26 +34,16 @@ View RandomView(std::mt19937& random)
   return view;
 }
 
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Projects the point on the picture, as a camera does.
-bool IsShown(const View& view, const Vector& point)
+bool IsShown(const View& view, const Vector3& point)
 {
-  const auto unit = [](Vector a) {
-    const double length = std::sqrt(Dot(a, a));
-    return Vector{ a[0] / length, a[1] / length, a[2] / length };
-  };
-  const Vector ahead = unit(view.Direction);
-  const double along = Dot(ahead, view.Up);
-  const Vector up =
-    unit({ view.Up[0] - along * ahead[0], view.Up[1] - along * ahead[1], view.Up[2] - along * ahead[2] });
-  const Vector away = { point[0] - view.Point[0], point[1] - view.Point[1], point[2] - view.Point[2] };
-  const double depth = Dot(ahead, away);
-  const double y = Dot(up, away);
-  const double x2 = Dot(away, away) - depth * depth - y * y;
+  const Vector3 ahead = glm::normalize(view.Direction);
+  const double along = glm::dot(ahead, view.Up);
+  const Vector3 up = glm::normalize(view.Up - along * ahead);
+  const Vector3 away = point - view.Point;
+  const double depth = glm::dot(ahead, away);
+  const double y = glm::dot(up, away);
+  const double x2 = glm::dot(away, away) - depth * depth - y * y;
   const double half = depth * std::tan(view.Angle / 2.0);
   return depth >= view.Near && depth <= view.Far && std::abs(y) <= half &&
     std::sqrt(std::max(x2, 0.0)) <= half * view.AspectRatio;
@@ -74,7 +62,7 @@ TEST(ViewFrustum, HoldsThePointsThatACameraProjectsOnThePicture)
     const ViewFrustum frustum(view);
     for (int k = 0; k < 200; ++k)
     {
-      const Vector point = RandomVector(random, 15.0);
+      const Vector3 point = RandomVector(random, 15.0);
       EXPECT_EQ(frustum.Contains(point), IsShown(view, point));
       shown += IsShown(view, point);
     }
@@ -99,20 +87,20 @@ TEST(ViewFrustum, NeverRejectsABoxOrSphereWithAShownPoint)
     {
       box.High[axis] = box.Low[axis] + 4.0 * uniform(random);
     }
-    const Vector centre = RandomVector(random, 10.0);
+    const Vector3 centre = RandomVector(random, 10.0);
     const double radius = 3.0 * uniform(random);
     bool boxShown = false;
     bool sphereShown = false;
     for (int k = 0; k < 100; ++k)
     {
-      Vector point;
+      Vector3 point;
       for (int axis = 0; axis < 3; ++axis)
       {
         point[axis] = box.Low[axis] + (box.High[axis] - box.Low[axis]) * uniform(random);
       }
       boxShown = boxShown || IsShown(view, point);
-      const Vector step = RandomVector(random, radius);
-      if (Dot(step, step) <= radius * radius)
+      const Vector3 step = RandomVector(random, radius);
+      if (glm::dot(step, step) <= radius * radius)
       {
         sphereShown = sphereShown || IsShown(view, { centre[0] + step[0], centre[1] + step[1], centre[2] + step[2] });
       }

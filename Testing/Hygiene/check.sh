@@ -23,9 +23,9 @@ case "${1:-}" in
       fail_if_found "Common must not include VTK:"
     ;;
   common-headers-only-std)
-    # <name> is the standard library, <name.h> or <folder/name> is not.
-    grep -nE '#[[:space:]]*include[[:space:]]*<[^>]*[./]' Common/*.h |
-      fail_if_found "Installed headers of Common must do with the standard library:"
+    # <name> is the standard library, <name.h> or <folder/name> is not; GLM alone is allowed beside it.
+    grep -nE '#[[:space:]]*include[[:space:]]*<[^>]*[./]' Common/*.h | grep -v '<glm/' |
+      fail_if_found "Installed headers of Common must do with the standard library and GLM:"
     ;;
   headers-without-using)
     grep -rnE '^[[:space:]]*using[[:space:]]+namespace' --include='*.h' "${folders[@]}" |
