@@ -18,6 +18,8 @@ enum class RandomPurpose : std::uint32_t
   QuadratCounts = 3,
   QuadratOrder = 4,
   QuadratPositions = 5,
+  TreeBranches = 16,
+  TreeLeaves = 17,
 };
 
 /**

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReevesTree.h"
+
+#include "Constants.h"
+#include "RandomStream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr double GoldenAngle = 2.39996322972865332; // of the leaves of many plants [rad]
+constexpr int SegmentsOfTrunk = 12;
+constexpr int SegmentsOfBranch = 5;
+constexpr double ShortestBranch = 0.006; // as part of the height
+
+/// What a branch starts with.
+struct Bud
+{
+  int Node;
+  Vector3 Position;
+  Vector3 Direction;
+  double Length; // [m]
+  double Radius; // [m]
+};
+
+class Grower
+{
+public:
+  explicit Grower(const ReevesTreeParameters& parameters)
+    : P(parameters)
+    , Branching(parameters.Seed, RandomPurpose::TreeBranches)
+    , Leafing(parameters.Seed, RandomPurpose::TreeLeaves)
+  {
+  }
+
+  ReevesTree Run()
+  {
+    this->GrowTrunk();
+    this->GrowBranches(0);
+    this->GrowLeaves();
+    return std::move(this->Tree);
+  }
+
+private:
+  const ReevesTreeParameters& P;
+  RandomStream Branching;
+  RandomStream Leafing;
+  ReevesTree Tree;
+
+  /// A factor of mean 1, never far from it.
+  double Vary(std::uint64_t object, std::uint64_t draw) const
+  {
+    const double deviate = std::clamp(this->Branching.NormalPair(object, draw)[0], -2.0, 2.0);
+    return std::max(0.2, 1.0 + this->P.Variation * deviate);
+  }
+
+  void GrowTrunk()
+  {
+    Skeleton& wood = this->Tree.Wood;
+    const double reach = this->P.Height * this->P.TrunkReach;
+    wood.StartBranch(-1, { 0.0, 0.0, 0.0 }, this->P.TrunkRadius);
+    Vector3 position{ 0.0, 0.0, 0.0 };
+    for (int step = 1; step <= SegmentsOfTrunk; ++step)
+    {
+      const double part = static_cast<double>(step) / SegmentsOfTrunk;
+      const auto sway = this->Branching.NormalPair(0, 100 + step);
+      const double amount = 0.03 * this->P.Variation * reach / SegmentsOfTrunk * (1.0 - part) * 5.0;
+      position = { position[0] + amount * std::clamp(sway[0], -2.0, 2.0),
+        position[1] + amount * std::clamp(sway[1], -2.0, 2.0), reach * part };
+      wood.Grow(position, this->P.TrunkRadius * (1.0 - 0.9 * part));
+    }
+  }
+
+  /// How far it is to the surface of the crown [m].
+  double Reach(const Vector3& position, const Vector3& direction) const
+  {
+    const double step = (this->P.Height + this->P.CrownRadius) / 200.0;
+    double reach = 0.0;
+    while (reach < 2.0 * this->P.Height + 2.0 * this->P.CrownRadius &&
+      CrownDepth(this->P, Add(position, direction, reach + step)) > 0.0)
+    {
+      reach += step;
+    }
+    return reach;
+  }
+
+  Bud MakeBud(int parent, int index, int count) const
+  {
+    const Skeleton& wood = this->Tree.Wood;
+    const bool onTrunk = parent == 0;
+    const std::uint64_t object = static_cast<std::uint64_t>(parent) * 4096 + static_cast<std::uint64_t>(index) + 1;
+    const auto place = this->Branching.UniformPair(object, 0);
+    const double reach = this->P.Height * this->P.TrunkReach;
+    const double low = onTrunk ? std::min(0.95, this->P.CrownBase / reach) : 0.2;
+    Bud bud{};
+    bud.Position = wood.Along(parent, low + (0.98 - low) * (index + place[0]) / count, bud.Node);
+    const Vector3 axis = Normalised(Subtract(wood.Nodes[bud.Node + 1].Position, wood.Nodes[bud.Node].Position));
+    const Vector3 side = Perpendicular(axis);
+    const double turn = index * GoldenAngle + place[1];
+    const Vector3 around = Add(Add({ 0.0, 0.0, 0.0 }, side, std::cos(turn)), Cross(axis, side), std::sin(turn));
+    const double angle = std::min(2.6, this->P.BranchAngle * Pi / 180.0 * this->Vary(object, 1));
+    bud.Direction = Normalised(Add(Add({ 0.0, 0.0, 0.0 }, axis, std::cos(angle)), around, std::sin(angle)));
+    const double parentLength = wood.BranchLength(parent);
+    bud.Length = onTrunk ? this->Reach(bud.Position, bud.Direction) : 0.5 * parentLength;
+    bud.Length *= this->Vary(object, 2);
+    bud.Radius = 0.6 * wood.Nodes[bud.Node].Radius;
+    return bud;
+  }
+
+  /// Grows one branch until its length is reached or the crown's surface.
+  void GrowBranch(const Bud& bud)
+  {
+    std::vector<Vector3> path;
+    Vector3 position = bud.Position;
+    Vector3 direction = bud.Direction;
+    const double step = bud.Length / SegmentsOfBranch;
+    for (int segment = 0; segment < SegmentsOfBranch; ++segment)
+    {
+      direction = Normalised(Add(direction, { 0.0, 0.0, 1.0 }, this->P.Lift));
+      position = Add(position, direction, step);
+      if (CrownDepth(this->P, position) <= 0.0)
+      {
+        break;
+      }
+      path.push_back(position);
+    }
+    if (path.empty() || Length(Subtract(path.back(), bud.Position)) < ShortestBranch * this->P.Height)
+    {
+      return;
+    }
+    this->Tree.Wood.StartBranch(bud.Node, bud.Position, bud.Radius);
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+      this->Tree.Wood.Grow(path[i], bud.Radius * (1.0 - 0.8 * (i + 1.0) / SegmentsOfBranch));
+    }
+  }
+
+  void GrowBranches(int parent)
+  {
+    for (int order = 1, first = parent, last = 1; order <= this->P.Orders; ++order)
+    {
+      for (int branch = first; branch < last; ++branch)
+      {
+        const int count = order == 1 ? this->P.MainBranches : this->P.SideBranches;
+        for (int index = 0; index < count; ++index)
+        {
+          this->GrowBranch(this->MakeBud(branch, index, count));
+        }
+      }
+      first = last;
+      last = static_cast<int>(this->Tree.Wood.Branches.size());
+    }
+  }
+
+  /// Branches that bear leaves: all but the trunk and, in a tree of several orders, the main branches.
+  std::vector<int> Twigs() const
+  {
+    const std::vector<SkeletonBranch>& branches = this->Tree.Wood.Branches;
+    std::vector<int> twigs;
+    for (int wanted = std::min(2, this->P.Orders); twigs.empty() && wanted >= 0; --wanted)
+    {
+      for (int branch = 0; branch < static_cast<int>(branches.size()); ++branch)
+      {
+        if (branches[branch].Order >= wanted)
+        {
+          twigs.push_back(branch);
+        }
+      }
+    }
+    return twigs;
+  }
+
+  Colour Tint(const LeafParticle& leaf, int twig, std::uint64_t index) const
+  {
+    const double depth = std::clamp(CrownDepth(this->P, leaf.Position), 0.0, 1.0);
+    const double height =
+      std::clamp((leaf.Position[2] - this->P.CrownBase) / (this->P.Height - this->P.CrownBase), 0.0, 1.0);
+    const double sunny = Dot(leaf.Normal, { 0.53, -0.42, 0.74 });
+    const auto own = this->Leafing.NormalPair(index, 3);
+    const auto ofTwig = this->Leafing.NormalPair(static_cast<std::uint64_t>(twig), 4);
+    const double light = std::clamp(
+      (0.62 + 0.28 * height) * (1.0 - 0.4 * depth) * (1.0 + 0.22 * sunny) * (1.0 + 0.08 * own[0] + 0.06 * ofTwig[0]),
+      0.3, 1.6);
+    const double warm = std::clamp(0.05 * own[1] + 0.05 * ofTwig[1], -0.2, 0.2);
+    const double gains[3] = { light * (1.0 + warm), light, light * (1.0 - warm) };
+    Colour tint{};
+    for (int i = 0; i < 3; ++i)
+    {
+      tint[i] = static_cast<unsigned char>(std::clamp(gains[i] * this->P.Leaf[i], 1.0, 255.0));
+    }
+    return tint;
+  }
+
+  void GrowLeaves()
+  {
+    const std::vector<int> twigs = this->Twigs();
+    this->Tree.Leaves.reserve(static_cast<std::size_t>(this->P.NumberOfLeaves));
+    for (int leaf = 0; leaf < this->P.NumberOfLeaves; ++leaf)
+    {
+      const std::uint64_t index = static_cast<std::uint64_t>(leaf);
+      const int twig = twigs[index % twigs.size()];
+      const auto place = this->Leafing.UniformPair(index, 0);
+      const auto across = this->Leafing.NormalPair(index, 1);
+      const auto up = this->Leafing.NormalPair(index, 2);
+      LeafParticle particle;
+      const Vector3 onTwig = this->Tree.Wood.Along(twig, 0.25 + 0.75 * place[0], particle.Node);
+      const double spread = 0.4 * this->P.LeafSize;
+      const Vector3 offset{ spread * across[0], spread * across[1], spread * up[0] };
+      particle.Position = Add(onTwig, offset);
+      if (CrownDepth(this->P, particle.Position) < 0.0)
+      {
+        particle.Position = onTwig;
+      }
+      particle.Normal = CrownNormal(this->P, particle.Position);
+      particle.Size = this->P.LeafSize * std::clamp(1.0 + this->P.Variation * up[1], 0.4, 1.6);
+      particle.Tint = this->Tint(particle, twig, index);
+      this->Tree.Leaves.push_back(particle);
+    }
+  }
+};
+
+std::string OutOfRange(const char* name, double value, double low, double high)
+{
+  if (std::isfinite(value) && value >= low && value <= high)
+  {
+    return {};
+  }
+  return std::string(name) + " is " + std::to_string(value) + "; it must be from " + std::to_string(low) + " to " +
+    std::to_string(high) + ".";
+}
+
+}
+
+ReevesTreeParameters PresetParameters(TreePreset preset)
+{
+  ReevesTreeParameters p;
+  switch (preset)
+  {
+    case TreePreset::Pine:
+      p = { CrownShape::Cone, 14.0, 2.8, 1.2, 0.2, 0.97, 2, 70, 9, 88.0, -0.04, 0.12, 9000, 0.34, 0.3, { 58, 92, 62 },
+        { 112, 78, 58 }, 1 };
+      break;
+    case TreePreset::Birch:
+      p = { CrownShape::Ellipsoid, 13.0, 2.6, 3.0, 0.14, 0.95, 3, 26, 5, 45.0, -0.06, 0.2, 6000, 0.22, 0.75,
+        { 142, 160, 66 }, { 222, 218, 208 }, 1 };
+      break;
+    case TreePreset::Shrub:
+      p = { CrownShape::Ellipsoid, 2.2, 1.4, 0.1, 0.05, 0.35, 3, 14, 6, 50.0, 0.1, 0.25, 4000, 0.11, 0.6,
+        { 104, 134, 70 }, { 96, 82, 66 }, 1 };
+      break;
+    case TreePreset::Custom:
+    case TreePreset::Oak:
+      break;
+  }
+  return p;
+}
+
+std::string WhyInvalid(const ReevesTreeParameters& p)
+{
+  const auto number = [](auto value) { return static_cast<double>(value); };
+  for (const std::string& reason : { OutOfRange("CrownShape", number(static_cast<int>(p.Shape)), 0, 1),
+         OutOfRange("Height", p.Height, 0.05, 150.0), OutOfRange("CrownRadius", p.CrownRadius, 0.01, 100.0),
+         OutOfRange("TrunkRadius", p.TrunkRadius, 0.001, 10.0), OutOfRange("TrunkReach", p.TrunkReach, 0.1, 1.0),
+         OutOfRange("CrownBase", p.CrownBase, 0.0, 0.9 * p.TrunkReach * p.Height), OutOfRange("Orders", p.Orders, 1, 4),
+         OutOfRange("MainBranches", p.MainBranches, 1, 500), OutOfRange("SideBranches", p.SideBranches, 1, 20),
+         OutOfRange("BranchAngle", p.BranchAngle, 0.0, 150.0), OutOfRange("Lift", p.Lift, -0.9, 0.9),
+         OutOfRange("Variation", p.Variation, 0.0, 0.5), OutOfRange("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000),
+         OutOfRange("LeafSize", p.LeafSize, 0.001, 5.0), OutOfRange("LeafWidth", p.LeafWidth, 0.01, 2.0) })
+  {
+    if (!reason.empty())
+    {
+      return reason;
+    }
+  }
+  return {};
+}
+
+double CrownDepth(const ReevesTreeParameters& p, const Vector3& position)
+{
+  const double outward = std::hypot(position[0], position[1]) / p.CrownRadius;
+  const double up = (position[2] - p.CrownBase) / (p.Height - p.CrownBase);
+  if (p.Shape == CrownShape::Cone)
+  {
+    return up < 0.0 || up >= 1.0 ? -1.0 : 1.0 - outward / (1.0 - up);
+  }
+  return 1.0 - std::hypot(outward, 2.0 * up - 1.0);
+}
+
+Vector3 CrownNormal(const ReevesTreeParameters& p, const Vector3& position)
+{
+  const double tall = p.Height - p.CrownBase;
+  if (p.Shape == CrownShape::Cone)
+  {
+    const Vector3 flat = Normalised({ position[0], position[1], 0.0 });
+    return Normalised({ flat[0] * tall, flat[1] * tall, p.CrownRadius });
+  }
+  const double across = p.CrownRadius * p.CrownRadius;
+  const double middle = 0.5 * (p.Height + p.CrownBase);
+  return Normalised({ position[0] / across, position[1] / across, (position[2] - middle) * 4.0 / (tall * tall) });
+}
+
+ReevesTree GrowReevesTree(const ReevesTreeParameters& parameters)
+{
+  return Grower(parameters).Run();
+}
+
+}
