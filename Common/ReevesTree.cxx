@@ -84,7 +84,7 @@ private:
     const double step = (this->P.Height + this->P.CrownRadius) / 200.0;
     double reach = 0.0;
     while (reach < 2.0 * this->P.Height + 2.0 * this->P.CrownRadius &&
-      CrownDepth(this->P, Add(position, direction, reach + step)) > 0.0)
+      CrownDepth(this->P, position + (reach + step) * direction) > 0.0)
     {
       reach += step;
     }
@@ -101,12 +101,12 @@ private:
     const double low = onTrunk ? std::min(0.95, this->P.CrownBase / reach) : 0.2;
     Bud bud{};
     bud.Position = wood.Along(parent, low + (0.98 - low) * (index + place[0]) / count, bud.Node);
-    const Vector3 axis = Normalised(Subtract(wood.Nodes[bud.Node + 1].Position, wood.Nodes[bud.Node].Position));
+    const Vector3 axis = Normalised(wood.Nodes[bud.Node + 1].Position - wood.Nodes[bud.Node].Position);
     const Vector3 side = Perpendicular(axis);
     const double turn = index * GoldenAngle + place[1];
-    const Vector3 around = Add(Add({ 0.0, 0.0, 0.0 }, side, std::cos(turn)), Cross(axis, side), std::sin(turn));
+    const Vector3 around = std::cos(turn) * side + std::sin(turn) * glm::cross(axis, side);
     const double angle = std::min(2.6, this->P.BranchAngle * Pi / 180.0 * this->Vary(object, 1));
-    bud.Direction = Normalised(Add(Add({ 0.0, 0.0, 0.0 }, axis, std::cos(angle)), around, std::sin(angle)));
+    bud.Direction = Normalised(std::cos(angle) * axis + std::sin(angle) * around);
     const double parentLength = wood.BranchLength(parent);
     bud.Length = onTrunk ? this->Reach(bud.Position, bud.Direction) : 0.5 * parentLength;
     bud.Length *= this->Vary(object, 2);
@@ -123,15 +123,15 @@ private:
     const double step = bud.Length / SegmentsOfBranch;
     for (int segment = 0; segment < SegmentsOfBranch; ++segment)
     {
-      direction = Normalised(Add(direction, { 0.0, 0.0, 1.0 }, this->P.Lift));
-      position = Add(position, direction, step);
+      direction = Normalised(direction + Vector3(0.0, 0.0, this->P.Lift));
+      position = position + step * direction;
       if (CrownDepth(this->P, position) <= 0.0)
       {
         break;
       }
       path.push_back(position);
     }
-    if (path.empty() || Length(Subtract(path.back(), bud.Position)) < ShortestBranch * this->P.Height)
+    if (path.empty() || glm::distance(path.back(), bud.Position) < ShortestBranch * this->P.Height)
     {
       return;
     }
@@ -182,7 +182,7 @@ private:
     const double depth = std::clamp(CrownDepth(this->P, leaf.Position), 0.0, 1.0);
     const double height =
       std::clamp((leaf.Position[2] - this->P.CrownBase) / (this->P.Height - this->P.CrownBase), 0.0, 1.0);
-    const double sunny = Dot(leaf.Normal, { 0.53, -0.42, 0.74 });
+    const double sunny = glm::dot(leaf.Normal, Vector3(0.53, -0.42, 0.74));
     const auto own = this->Leafing.NormalPair(index, 3);
     const auto ofTwig = this->Leafing.NormalPair(static_cast<std::uint64_t>(twig), 4);
     const double light = std::clamp(
@@ -213,7 +213,7 @@ private:
       const Vector3 onTwig = this->Tree.Wood.Along(twig, 0.25 + 0.75 * place[0], particle.Node);
       const double spread = 0.4 * this->P.LeafSize;
       const Vector3 offset{ spread * across[0], spread * across[1], spread * up[0] };
-      particle.Position = Add(onTwig, offset);
+      particle.Position = onTwig + offset;
       if (CrownDepth(this->P, particle.Position) < 0.0)
       {
         particle.Position = onTwig;

@@ -19,6 +19,13 @@ inline bool IsFinite(const Vector3& a)
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
+/// The direction of a vector; up for the zero vector.
+inline Vector3 Normalised(const Vector3& a)
+{
+  const double length = glm::length(a);
+  return length > 0.0 ? a / length : Vector3(0.0, 0.0, 1.0);
+}
+
 /// A unit vector at a right angle to a unit vector.
 inline Vector3 Perpendicular(const Vector3& a)
 {

@@ -65,7 +65,7 @@ TEST_P(ReevesTreePresets, GrowsASoundTreeInItsCrown)
     for (const LeafParticle& leaf : tree.Leaves)
     {
       EXPECT_GE(CrownDepth(parameters, leaf.Position), -0.02);
-      EXPECT_NEAR(Length(leaf.Normal), 1.0, 1e-12);
+      EXPECT_NEAR(glm::length(leaf.Normal), 1.0, 1e-12);
       EXPECT_GT(leaf.Tint[0] + leaf.Tint[1] + leaf.Tint[2], 40) << "a black leaf";
       highest = std::max(highest, leaf.Position[2]);
     }
@@ -89,7 +89,7 @@ TEST_P(ReevesTreePresets, SkinsWithoutDegenerateTriangles)
   {
     const int* corner = &mesh.Corners[mesh.Offsets[polygon]];
     const Vector3& a = mesh.Points[corner[0]];
-    EXPECT_GT(Length(Cross(Subtract(mesh.Points[corner[1]], a), Subtract(mesh.Points[corner[2]], a))), 0.0);
+    EXPECT_GT(glm::length(glm::cross(mesh.Points[corner[1]] - a, mesh.Points[corner[2]] - a)), 0.0);
   }
 }
 

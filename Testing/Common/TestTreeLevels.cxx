@@ -22,10 +22,9 @@ TEST(TreeLevels, LowHasFourPolygonsInTheBounds)
       for (int i = first + 1; i + 1 < mesh.Offsets[polygon + 1]; ++i)
       {
         const Vector3& a = mesh.Points[mesh.Corners[first]];
-        area =
-          Add(area, Cross(Subtract(mesh.Points[mesh.Corners[i]], a), Subtract(mesh.Points[mesh.Corners[i + 1]], a)));
+        area = area + glm::cross(mesh.Points[mesh.Corners[i]] - a, mesh.Points[mesh.Corners[i + 1]] - a);
       }
-      EXPECT_GT(Dot(area, mesh.Normals[mesh.Corners[first]]), 0.01);
+      EXPECT_GT(glm::dot(area, mesh.Normals[mesh.Corners[first]]), 0.01);
     }
     for (const Vector3& point : mesh.Points)
     {
