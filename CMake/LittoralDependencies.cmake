@@ -35,7 +35,7 @@ endif ()
 # Components are named so that only their dependencies are looked up. What the tests add is
 # optional: VTK would otherwise insist on the development files of every image format.
 set(littoral_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel)
+  CommonCore CommonDataModel CommonExecutionModel RenderingCore)
 set(littoral_vtk_test_components)
 if (LITTORAL_WITH_PYTHON)
   list(APPEND littoral_vtk_components WrappingPythonCore)
@@ -43,7 +43,7 @@ endif ()
 if (LITTORAL_BUILD_TESTING)
   set(littoral_vtk_test_components
     FiltersCore FiltersGeneral FiltersGeometry FiltersSources ImagingCore InteractionStyle IOXML
-    RenderingCore RenderingOpenGL2 TestingCore TestingRendering)
+    RenderingOpenGL2 TestingCore TestingRendering)
 endif ()
 set(littoral_find_vtk_arguments REQUIRED
   COMPONENTS ${littoral_vtk_components}

@@ -4,6 +4,8 @@
 
 #include "Constants.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -23,6 +25,30 @@ bool IsDirection(const Vector3& a)
   return IsFinite(a) && std::isfinite(length) && length > 1e-150;
 }
 
+/// Components rounded to multiples of a step; as they are for a step of 0.
+Vector3 RoundedTo(const Vector3& a, double step)
+{
+  return step > 0.0 ? step * glm::round(a / step) : a;
+}
+
+/// More than this cannot be told apart by rounding the components of a unit vector.
+constexpr double LargestAngleStep = 0.25;
+
+}
+
+View Rounded(const View& view, double lengthStep, double angleStep)
+{
+  View rounded = view;
+  rounded.Point = RoundedTo(view.Point, lengthStep);
+  rounded.Margin += 0.5 * std::sqrt(3.0) * lengthStep;
+  const double step = std::min(angleStep, LargestAngleStep);
+  rounded.Direction = RoundedTo(glm::normalize(view.Direction), step);
+  // Only the part of Up across the direction counts, so that is what is rounded.
+  const Vector3 up = glm::normalize(glm::cross(glm::cross(view.Direction, view.Up), view.Direction));
+  rounded.Up = RoundedTo(up, step);
+  // Each of the two unit vectors turns by at most half the diagonal of a cell of the grid, a little more as an angle.
+  rounded.AngleMargin += 2.0 * step;
+  return rounded;
 }
 
 std::string WhyInvalid(const View& view)
@@ -80,16 +106,26 @@ ViewFrustum::ViewFrustum(const View& view)
   const Vector3 ahead = glm::normalize(view.Direction);
   const Vector3 right = glm::normalize(glm::cross(ahead, glm::normalize(view.Up)));
   const Vector3 up = glm::cross(right, ahead);
-  const double tangentY = std::tan(0.5 * view.Angle);
-  const double tangentX = tangentY * view.AspectRatio;
+  const double halfHeight = 0.5 * view.Angle;
+  const double halfWidth = std::atan(std::tan(halfHeight) * view.AspectRatio);
   const auto add = [&](const Vector3& normal, double distance) {
-    const Vector3 unit = glm::normalize(normal);
-    this->Planes.push_back({ unit, -glm::dot(unit, view.Point) - distance });
+    this->Planes.push_back({ normal, view.Margin - glm::dot(normal, view.Point) - distance });
   };
-  add(tangentX * ahead + right, 0.0);
-  add(tangentX * ahead - right, 0.0);
-  add(tangentY * ahead + up, 0.0);
-  add(tangentY * ahead - up, 0.0);
+  // A side turns about an axis of the picture. That moves its far corners less, the more the wider the picture is.
+  const auto addSides = [&](double halfAngle, double otherHalf, const Vector3& across) {
+    const double angle = halfAngle + view.AngleMargin / std::cos(otherHalf);
+    if (angle < 0.5 * Pi)
+    {
+      add(std::sin(angle) * ahead + std::cos(angle) * across, 0.0);
+      add(std::sin(angle) * ahead - std::cos(angle) * across, 0.0);
+    }
+  };
+  addSides(halfWidth, halfHeight, right);
+  addSides(halfHeight, halfWidth, up);
+  if (view.AngleMargin > 0.0)
+  {
+    return;
+  }
   add(ahead, view.Near);
   if (std::isfinite(view.Far))
   {

@@ -23,7 +23,17 @@ struct View
   double Height = 1080.0;                               ///< of the picture [pixels], positive
   double Near = 0.0;                                    ///< [m], not negative
   double Far = std::numeric_limits<double>::infinity(); ///< [m], above Near
+  double Margin = 0.0;                                  ///< by which the volume is widened on all sides [m]
+  double AngleMargin = 0.0; ///< by which the view may be turned; no near and far planes then [rad]
 };
+
+/**
+ * The view that stands for all views near it: point and directions rounded to a grid of a length [m] and an angle
+ * [rad], and the volume widened so that it holds the volume of the view itself. What is chosen with it changes only
+ * when the view has moved by a step, yet depends on nothing but the view. A step of 0 keeps that part as it is. The
+ * view must be valid.
+ */
+View Rounded(const View& view, double lengthStep, double angleStep);
 
 /// Why this is no view, in words for a user; empty when it is one.
 std::string WhyInvalid(const View& view);

@@ -114,6 +114,47 @@ TEST(ViewFrustum, NeverRejectsABoxOrSphereWithAShownPoint)
   EXPECT_GT(rejectedSpheres, 1000);
 }
 
+TEST(ViewFrustum, ARoundedViewHoldsWhatTheViewShows)
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int shown = 0;
+  for (int n = 0; n < 400; ++n)
+  {
+    View view = RandomView(random);
+    view.Angle = 0.1 + 1.5 * uniform(random);
+    const ViewFrustum rounded(Rounded(view, 2.0 * uniform(random), 0.25 * uniform(random)));
+    for (int m = 0; m < 300; ++m)
+    {
+      const Vector3 point = view.Point + RandomVector(random, 8.0);
+      if (IsShown(view, point))
+      {
+        ++shown;
+        ASSERT_TRUE(rounded.Contains(point));
+      }
+    }
+  }
+  EXPECT_GT(shown, 1000);
+}
+
+TEST(ViewFrustum, NearbyViewsRoundToTheSame)
+{
+  View view;
+  view.Point = { 10.02, 20.01, 3.99 };
+  view.Direction = { 0.3, 0.8, 0.1 };
+  const View first = Rounded(view, 0.5, 0.02);
+  view.Point = { 9.99, 19.98, 4.01 };
+  view.Direction = { 0.3003, 0.8, 0.1 };
+  const View second = Rounded(view, 0.5, 0.02);
+  EXPECT_EQ(first.Point, second.Point);
+  EXPECT_EQ(first.Direction, second.Direction);
+  EXPECT_EQ(first.Up, second.Up);
+  EXPECT_EQ(first.Point, Vector3(10.0, 20.0, 4.0));
+  const View exact = Rounded(view, 0.0, 0.0);
+  EXPECT_EQ(exact.Point, view.Point);
+  EXPECT_EQ(exact.Margin, 0.0);
+}
+
 TEST(ViewFrustum, ABoxThatHoldsTheViewPointIsShown)
 {
   std::mt19937 random(3);

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkViewDependentAlgorithm.h"
+
+#include "Constants.h"
+#include "ViewFrustum.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+constexpr double Degree = littoral::Pi / 180.0;
+
+littoral::Vector3 VectorOf(const double a[3])
+{
+  return { a[0], a[1], a[2] };
+}
+
+void Copy(double x, double y, double z, double to[3])
+{
+  to[0] = x;
+  to[1] = y;
+  to[2] = z;
+}
+
+bool AreTheSame(const littoral::View& a, const littoral::View& b)
+{
+  return a.Point == b.Point && a.Direction == b.Direction && a.Up == b.Up && a.Angle == b.Angle &&
+    a.AspectRatio == b.AspectRatio && a.Height == b.Height;
+}
+}
+
+//----------------------------------------------------------------------------
+vtkViewDependentAlgorithm::vtkViewDependentAlgorithm()
+  : ViewPoint{ 0.0, -100.0, 20.0 }
+  , ViewDirection{ 0.0, 1.0, 0.0 }
+  , ViewUp{ 0.0, 0.0, 1.0 }
+  , ViewAngle(30.0)
+  , AspectRatio(16.0 / 9.0)
+  , ViewHeight(1080.0)
+  , NearDistance(60.0)
+  , FarDistance(250.0)
+  , MoveTolerance(0.0)
+  , TurnTolerance(0.0)
+{
+}
+
+//----------------------------------------------------------------------------
+vtkViewDependentAlgorithm::~vtkViewDependentAlgorithm()
+{
+  this->Follow(nullptr);
+}
+
+//----------------------------------------------------------------------------
+littoral::View vtkViewDependentAlgorithm::UnroundedView() const
+{
+  littoral::View view;
+  view.Point = VectorOf(this->ViewPoint);
+  view.Direction = VectorOf(this->ViewDirection);
+  view.Up = VectorOf(this->ViewUp);
+  view.Angle = this->ViewAngle * Degree;
+  view.AspectRatio = this->AspectRatio;
+  view.Height = this->ViewHeight;
+  return view;
+}
+
+//----------------------------------------------------------------------------
+littoral::View vtkViewDependentAlgorithm::RoundedView() const
+{
+  const littoral::View view = this->UnroundedView();
+  const bool rounds = this->MoveTolerance > 0.0 || this->TurnTolerance > 0.0;
+  return rounds && littoral::WhyInvalid(view).empty()
+    ? littoral::Rounded(view, std::max(0.0, this->MoveTolerance), std::max(0.0, this->TurnTolerance) * Degree)
+    : view;
+}
+
+//----------------------------------------------------------------------------
+bool vtkViewDependentAlgorithm::GetView(littoral::View& view)
+{
+  const std::string reason = littoral::WhyInvalid(this->UnroundedView());
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+    return false;
+  }
+  if (!(this->MoveTolerance >= 0.0 && std::isfinite(this->MoveTolerance)))
+  {
+    vtkErrorMacro("MoveTolerance is " << this->MoveTolerance << " m; it must be finite and not negative.");
+    return false;
+  }
+  if (!(this->TurnTolerance >= 0.0 && this->TurnTolerance <= 10.0))
+  {
+    vtkErrorMacro("TurnTolerance is " << this->TurnTolerance << " degrees; it must be from 0 to 10.");
+    return false;
+  }
+  if (!(this->NearDistance >= 0.0 && this->FarDistance >= this->NearDistance))
+  {
+    vtkErrorMacro("NearDistance is " << this->NearDistance << " m and FarDistance " << this->FarDistance
+                                     << " m; they must not be negative, and far must not be nearer than near.");
+    return false;
+  }
+  view = this->RoundedView();
+  return true;
+}
+
+//----------------------------------------------------------------------------
+template <typename Change>
+void vtkViewDependentAlgorithm::ChangeView(const Change& change)
+{
+  const littoral::View before = this->RoundedView();
+  change();
+  if (!AreTheSame(before, this->RoundedView()))
+  {
+    this->Modified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetViewPoint(double x, double y, double z)
+{
+  this->ChangeView([&]() { Copy(x, y, z, this->ViewPoint); });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetViewDirection(double x, double y, double z)
+{
+  this->ChangeView([&]() { Copy(x, y, z, this->ViewDirection); });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetViewUp(double x, double y, double z)
+{
+  this->ChangeView([&]() { Copy(x, y, z, this->ViewUp); });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetViewAngle(double angle)
+{
+  this->ChangeView([&]() { this->ViewAngle = angle; });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetAspectRatio(double ratio)
+{
+  this->ChangeView([&]() { this->AspectRatio = ratio; });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetViewHeight(double height)
+{
+  this->ChangeView([&]() { this->ViewHeight = height; });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetCamera(vtkCamera* camera)
+{
+  if (!camera)
+  {
+    return;
+  }
+  this->ChangeView([&]() {
+    camera->GetPosition(this->ViewPoint);
+    camera->GetDirectionOfProjection(this->ViewDirection);
+    camera->GetViewUp(this->ViewUp);
+    this->ViewAngle = camera->GetViewAngle();
+    if (camera->GetParallelProjection())
+    {
+      const double distance = camera->GetParallelScale() / std::tan(0.5 * this->ViewAngle * Degree);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->ViewPoint[axis] = camera->GetFocalPoint()[axis] - distance * this->ViewDirection[axis];
+      }
+    }
+    else if (camera->GetUseHorizontalViewAngle())
+    {
+      this->ViewAngle = 2.0 * std::atan(std::tan(0.5 * this->ViewAngle * Degree) / this->AspectRatio) / Degree;
+    }
+  });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::Follow(vtkRenderer* renderer)
+{
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->Observer);
+  }
+  this->Renderer = renderer;
+  if (renderer)
+  {
+    this->Observer = renderer->AddObserver(vtkCommand::StartEvent, this, &vtkViewDependentAlgorithm::TakeRenderer);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::TakeRenderer()
+{
+  const int* size = this->Renderer->GetSize();
+  if (size[0] > 0 && size[1] > 0)
+  {
+    this->SetAspectRatio(static_cast<double>(size[0]) / size[1]);
+    this->SetViewHeight(size[1]);
+  }
+  this->SetCamera(this->Renderer->GetActiveCamera());
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double a[3]) {
+    os << indent << name << ": " << a[0] << " " << a[1] << " " << a[2] << "\n";
+  };
+  print("ViewPoint", this->ViewPoint);
+  print("ViewDirection", this->ViewDirection);
+  print("ViewUp", this->ViewUp);
+  os << indent << "ViewAngle: " << this->ViewAngle << "\n";
+  os << indent << "AspectRatio: " << this->AspectRatio << "\n";
+  os << indent << "ViewHeight: " << this->ViewHeight << "\n";
+  os << indent << "NearDistance: " << this->NearDistance << "\n";
+  os << indent << "FarDistance: " << this->FarDistance << "\n";
+  os << indent << "MoveTolerance: " << this->MoveTolerance << "\n";
+  os << indent << "TurnTolerance: " << this->TurnTolerance << "\n";
+  os << indent << "Renderer: " << this->Renderer << "\n";
+}
