@@ -35,13 +35,17 @@ class Grower
 public:
   explicit Grower(const ReevesTreeParameters& parameters)
     : P(parameters)
+    , Crown(CrownOf(parameters))
     , Branching(parameters.Seed, RandomPurpose::TreeBranches)
     , Leafing(parameters.Seed, RandomPurpose::TreeLeaves)
   {
   }
 
-  ReevesTree Run()
+  Plant Run()
   {
+    this->Tree.Crown = this->Crown;
+    this->Tree.Leaf = this->P.Leaf;
+    this->Tree.Bark = this->P.Bark;
     this->GrowTrunk();
     this->GrowBranches(0);
     this->GrowLeaves();
@@ -50,9 +54,10 @@ public:
 
 private:
   const ReevesTreeParameters& P;
+  CrownVolume Crown;
   RandomStream Branching;
   RandomStream Leafing;
-  ReevesTree Tree;
+  Plant Tree;
 
   /// A factor of mean 1, never far from it.
   double Vary(std::uint64_t object, std::uint64_t draw) const
@@ -84,7 +89,7 @@ private:
     const double step = (this->P.Height + this->P.CrownRadius) / 200.0;
     double reach = 0.0;
     while (reach < 2.0 * this->P.Height + 2.0 * this->P.CrownRadius &&
-      CrownDepth(this->P, position + (reach + step) * direction) > 0.0)
+      Depth(this->Crown, position + (reach + step) * direction) > 0.0)
     {
       reach += step;
     }
@@ -125,7 +130,7 @@ private:
     {
       direction = Normalised(direction + Vector3(0.0, 0.0, this->P.Lift));
       position = position + step * direction;
-      if (CrownDepth(this->P, position) <= 0.0)
+      if (Depth(this->Crown, position) <= 0.0)
       {
         break;
       }
@@ -179,23 +184,9 @@ private:
 
   Colour Tint(const LeafParticle& leaf, int twig, std::uint64_t index) const
   {
-    const double depth = std::clamp(CrownDepth(this->P, leaf.Position), 0.0, 1.0);
-    const double height =
-      std::clamp((leaf.Position[2] - this->P.CrownBase) / (this->P.Height - this->P.CrownBase), 0.0, 1.0);
-    const double sunny = glm::dot(leaf.Normal, Vector3(0.53, -0.42, 0.74));
     const auto own = this->Leafing.NormalPair(index, 3);
     const auto ofTwig = this->Leafing.NormalPair(static_cast<std::uint64_t>(twig), 4);
-    const double light = std::clamp(
-      (0.62 + 0.28 * height) * (1.0 - 0.4 * depth) * (1.0 + 0.22 * sunny) * (1.0 + 0.08 * own[0] + 0.06 * ofTwig[0]),
-      0.3, 1.6);
-    const double warm = std::clamp(0.05 * own[1] + 0.05 * ofTwig[1], -0.2, 0.2);
-    const double gains[3] = { light * (1.0 + warm), light, light * (1.0 - warm) };
-    Colour tint{};
-    for (int i = 0; i < 3; ++i)
-    {
-      tint[i] = static_cast<unsigned char>(std::clamp(gains[i] * this->P.Leaf[i], 1.0, 255.0));
-    }
-    return tint;
+    return TintOf(this->P.Leaf, this->Crown, leaf.Position, { { own[0], own[1] }, { ofTwig[0], ofTwig[1] } });
   }
 
   void GrowLeaves()
@@ -214,11 +205,11 @@ private:
       const double spread = 0.4 * this->P.LeafSize;
       const Vector3 offset{ spread * across[0], spread * across[1], spread * up[0] };
       particle.Position = onTwig + offset;
-      if (CrownDepth(this->P, particle.Position) < 0.0)
+      if (Depth(this->Crown, particle.Position) < 0.0)
       {
         particle.Position = onTwig;
       }
-      particle.Normal = CrownNormal(this->P, particle.Position);
+      particle.Normal = Outward(this->Crown, particle.Position);
       particle.Size = this->P.LeafSize * std::clamp(1.0 + this->P.Variation * up[1], 0.4, 1.6);
       particle.Tint = this->Tint(particle, twig, index);
       this->Tree.Leaves.push_back(particle);
@@ -282,31 +273,12 @@ std::string WhyInvalid(const ReevesTreeParameters& p)
   return {};
 }
 
-double CrownDepth(const ReevesTreeParameters& p, const Vector3& position)
+CrownVolume CrownOf(const ReevesTreeParameters& p)
 {
-  const double outward = std::hypot(position[0], position[1]) / p.CrownRadius;
-  const double up = (position[2] - p.CrownBase) / (p.Height - p.CrownBase);
-  if (p.Shape == CrownShape::Cone)
-  {
-    return up < 0.0 || up >= 1.0 ? -1.0 : 1.0 - outward / (1.0 - up);
-  }
-  return 1.0 - std::hypot(outward, 2.0 * up - 1.0);
+  return { p.Shape, { 0.0, 0.0, p.CrownBase }, p.Height - p.CrownBase, p.CrownRadius };
 }
 
-Vector3 CrownNormal(const ReevesTreeParameters& p, const Vector3& position)
-{
-  const double tall = p.Height - p.CrownBase;
-  if (p.Shape == CrownShape::Cone)
-  {
-    const Vector3 flat = Normalised({ position[0], position[1], 0.0 });
-    return Normalised({ flat[0] * tall, flat[1] * tall, p.CrownRadius });
-  }
-  const double across = p.CrownRadius * p.CrownRadius;
-  const double middle = 0.5 * (p.Height + p.CrownBase);
-  return Normalised({ position[0] / across, position[1] / across, (position[2] - middle) * 4.0 / (tall * tall) });
-}
-
-ReevesTree GrowReevesTree(const ReevesTreeParameters& parameters)
+Plant GrowReevesTree(const ReevesTreeParameters& parameters)
 {
   return Grower(parameters).Run();
 }

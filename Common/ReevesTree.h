@@ -3,21 +3,12 @@
 #ifndef LittoralReevesTree_h
 #define LittoralReevesTree_h
 
-#include "PlantMesh.h"
-#include "Skeleton.h"
+#include "Plant.h"
 
 #include <string>
-#include <vector>
 
 namespace littoral
 {
-
-/// The volume that limits the growth of a crown.
-enum class CrownShape
-{
-  Cone = 0,
-  Ellipsoid = 1,
-};
 
 /// Trees with numbers of their own.
 enum class TreePreset
@@ -52,41 +43,21 @@ struct ReevesTreeParameters
   int Seed = 1;
 };
 
-/// A leaf, or a tuft of leaves, as a particle.
-struct LeafParticle
-{
-  Vector3 Position{ 0.0, 0.0, 0.0 }; ///< [m]
-  Vector3 Normal{ 0.0, 0.0, 1.0 };   ///< outward from the crown
-  double Size = 0.1;                 ///< [m]
-  Colour Tint{ 0, 0, 0 };
-  int Node = 0; ///< of the skeleton that carries it
-};
-
-struct ReevesTree
-{
-  Skeleton Wood;
-  std::vector<LeafParticle> Leaves;
-};
-
 /// The numbers of a preset; those of Custom are the defaults.
 ReevesTreeParameters PresetParameters(TreePreset preset);
 
 /// Why there is no such tree, with the name of the parameter; empty when there is.
 std::string WhyInvalid(const ReevesTreeParameters& parameters);
 
-/// How deep a position [m] is in the crown: 1 on the axis at mid-height (ellipsoid) or on the axis (cone), 0 on the
-/// surface of the bounding volume, negative outside.
-double CrownDepth(const ReevesTreeParameters& parameters, const Vector3& position);
-
-/// The outward direction of the bounding volume's level surface at a position.
-Vector3 CrownNormal(const ReevesTreeParameters& parameters, const Vector3& position);
+/// The volume that bounds the crown of a valid tree.
+CrownVolume CrownOf(const ReevesTreeParameters& parameters);
 
 /**
  * Grows a tree as a structured particle system (Reeves and Blau 1985): a trunk, branches that repeat their parent's
  * rule with lengths cut by the bounding volume, leaves as particles on the branches of the highest order. Each number
  * is a function of the seed and of the branch or leaf it belongs to. The parameters must be valid.
  */
-ReevesTree GrowReevesTree(const ReevesTreeParameters& parameters);
+Plant GrowReevesTree(const ReevesTreeParameters& parameters);
 
 }
 

@@ -17,7 +17,7 @@ class ReevesTreePresets : public testing::TestWithParam<TreePreset>
 {
 };
 
-bool SameBytes(const ReevesTree& a, const ReevesTree& b)
+bool SameBytes(const Plant& a, const Plant& b)
 {
   if (a.Wood.Nodes.size() != b.Wood.Nodes.size() || a.Leaves.size() != b.Leaves.size())
   {
@@ -49,7 +49,7 @@ TEST_P(ReevesTreePresets, GrowsASoundTreeInItsCrown)
   for (int seed = 1; seed <= 8; ++seed)
   {
     parameters.Seed = seed;
-    const ReevesTree tree = GrowReevesTree(parameters);
+    const Plant tree = GrowReevesTree(parameters);
     ASSERT_EQ(WhyInvalid(tree.Wood), "");
     EXPECT_GT(tree.Wood.Branches.size(), 50u);
     for (std::size_t branch = 1; branch < tree.Wood.Branches.size(); ++branch)
@@ -57,14 +57,14 @@ TEST_P(ReevesTreePresets, GrowsASoundTreeInItsCrown)
       EXPECT_LE(tree.Wood.Branches[branch].Order, parameters.Orders);
       for (int node = tree.Wood.Branches[branch].First + 1; node <= tree.Wood.Tip(static_cast<int>(branch)); ++node)
       {
-        EXPECT_GT(CrownDepth(parameters, tree.Wood.Nodes[node].Position), 0.0);
+        EXPECT_GT(Depth(CrownOf(parameters), tree.Wood.Nodes[node].Position), 0.0);
       }
     }
     ASSERT_EQ(tree.Leaves.size(), static_cast<std::size_t>(parameters.NumberOfLeaves));
     double highest = 0.0;
     for (const LeafParticle& leaf : tree.Leaves)
     {
-      EXPECT_GE(CrownDepth(parameters, leaf.Position), -0.02);
+      EXPECT_GE(Depth(CrownOf(parameters), leaf.Position), -0.02);
       EXPECT_NEAR(glm::length(leaf.Normal), 1.0, 1e-12);
       EXPECT_GT(leaf.Tint[0] + leaf.Tint[1] + leaf.Tint[2], 40) << "a black leaf";
       highest = std::max(highest, leaf.Position[2]);
@@ -76,7 +76,7 @@ TEST_P(ReevesTreePresets, GrowsASoundTreeInItsCrown)
 TEST_P(ReevesTreePresets, IsAFunctionOfItsSeed)
 {
   ReevesTreeParameters parameters = PresetParameters(GetParam());
-  const ReevesTree one = GrowReevesTree(parameters);
+  const Plant one = GrowReevesTree(parameters);
   EXPECT_TRUE(SameBytes(one, GrowReevesTree(parameters)));
   parameters.Seed = 2;
   EXPECT_FALSE(SameBytes(one, GrowReevesTree(parameters)));
@@ -123,7 +123,7 @@ TEST(ReevesTree, LeavesAreDarkerInside)
   int count[2] = { 0, 0 };
   for (const LeafParticle& leaf : GrowReevesTree(parameters).Leaves)
   {
-    const int inside = CrownDepth(parameters, leaf.Position) > 0.4 ? 1 : 0;
+    const int inside = Depth(CrownOf(parameters), leaf.Position) > 0.4 ? 1 : 0;
     light[inside] += leaf.Tint[1];
     ++count[inside];
   }
