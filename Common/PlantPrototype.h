@@ -4,29 +4,13 @@
 #define LittoralPlantPrototype_h
 
 #include "Plant.h"
-
-#include <array>
-#include <cstddef>
-#include <vector>
+#include "TextureImage.h"
 
 namespace littoral
 {
 
-/// A picture with transparency; texture coordinates (0, 0) are the first texel's corner, u runs along a row.
-struct TextureImage
-{
-  int Columns = 0;
-  int Rows = 0;
-  std::vector<std::array<unsigned char, 4>> Texels; ///< red, green, blue, opacity
-
-  std::array<unsigned char, 4>& At(int column, int row)
-  {
-    return this->Texels[static_cast<std::size_t>(row) * this->Columns + column];
-  }
-};
-
-/// A plant at three levels of detail. A texture multiplies the colours of the mesh before it; without a texture the
-/// colours alone are a fair picture.
+/// A plant at three levels of detail. The colours of a mesh alone are a fair picture. LeafTexture multiplies the
+/// colours of Leaves; CrownTexture replaces those of Crown.
 struct PlantPrototype
 {
   // High

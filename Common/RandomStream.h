@@ -20,6 +20,7 @@ enum class RandomPurpose : std::uint32_t
   QuadratPositions = 5,
   TreeBranches = 16,
   TreeLeaves = 17,
+  CrownJitter = 25,
 };
 
 /**

@@ -46,6 +46,7 @@ public:
     this->Tree.Crown = this->Crown;
     this->Tree.Leaf = this->P.Leaf;
     this->Tree.Bark = this->P.Bark;
+    this->Tree.Form = this->P.Form;
     this->GrowTrunk();
     this->GrowBranches(0);
     this->GrowLeaves();
@@ -189,6 +190,21 @@ private:
     return TintOf(this->P.Leaf, this->Crown, leaf.Position, { { own[0], own[1] }, { ofTwig[0], ofTwig[1] } });
   }
 
+  /// Leaves point along their twig and out of the crown, face outwards, and none as the other.
+  void Orient(LeafParticle& leaf, std::uint64_t index) const
+  {
+    const std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
+    const Vector3 along = Normalised(nodes[leaf.Node + 1].Position - nodes[leaf.Node].Position);
+    const auto first = this->Leafing.NormalPair(index, 5);
+    const auto second = this->Leafing.NormalPair(index, 6);
+    const auto third = this->Leafing.NormalPair(index, 7);
+    const Vector3 scatter{ first[0], first[1], second[0] };
+    leaf.Axis = Normalised(along + 0.5 * leaf.Normal + 0.5 * scatter);
+    const Vector3 towards = leaf.Normal + 0.5 * Vector3(second[1], third[0], third[1]);
+    const Vector3 flat = towards - glm::dot(towards, leaf.Axis) * leaf.Axis;
+    leaf.Facing = glm::length(flat) > 1e-6 ? glm::normalize(flat) : Perpendicular(leaf.Axis);
+  }
+
   void GrowLeaves()
   {
     const std::vector<int> twigs = this->Twigs();
@@ -210,7 +226,9 @@ private:
         particle.Position = onTwig;
       }
       particle.Normal = Outward(this->Crown, particle.Position);
+      this->Orient(particle, index);
       particle.Size = this->P.LeafSize * std::clamp(1.0 + this->P.Variation * up[1], 0.4, 1.6);
+      particle.Width = this->P.LeafWidth;
       particle.Tint = this->Tint(particle, twig, index);
       this->Tree.Leaves.push_back(particle);
     }
@@ -236,15 +254,15 @@ ReevesTreeParameters PresetParameters(TreePreset preset)
   {
     case TreePreset::Pine:
       p = { CrownShape::Cone, 14.0, 2.8, 1.2, 0.2, 0.97, 2, 70, 9, 88.0, -0.04, 0.12, 9000, 0.34, 0.3, { 58, 92, 62 },
-        { 112, 78, 58 }, 1 };
+        { 112, 78, 58 }, LeafForm::Needle, 1 };
       break;
     case TreePreset::Birch:
       p = { CrownShape::Ellipsoid, 13.0, 2.6, 3.0, 0.14, 0.95, 3, 26, 5, 45.0, -0.06, 0.2, 6000, 0.22, 0.75,
-        { 142, 160, 66 }, { 222, 218, 208 }, 1 };
+        { 142, 160, 66 }, { 222, 218, 208 }, LeafForm::Blade, 1 };
       break;
     case TreePreset::Shrub:
       p = { CrownShape::Ellipsoid, 2.2, 1.4, 0.1, 0.05, 0.35, 3, 14, 6, 50.0, 0.1, 0.25, 4000, 0.11, 0.6,
-        { 104, 134, 70 }, { 96, 82, 66 }, 1 };
+        { 104, 134, 70 }, { 96, 82, 66 }, LeafForm::Blade, 1 };
       break;
     case TreePreset::Custom:
     case TreePreset::Oak:
@@ -263,7 +281,8 @@ std::string WhyInvalid(const ReevesTreeParameters& p)
          OutOfRange("MainBranches", p.MainBranches, 1, 500), OutOfRange("SideBranches", p.SideBranches, 1, 20),
          OutOfRange("BranchAngle", p.BranchAngle, 0.0, 150.0), OutOfRange("Lift", p.Lift, -0.9, 0.9),
          OutOfRange("Variation", p.Variation, 0.0, 0.5), OutOfRange("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000),
-         OutOfRange("LeafSize", p.LeafSize, 0.001, 5.0), OutOfRange("LeafWidth", p.LeafWidth, 0.01, 2.0) })
+         OutOfRange("LeafForm", number(static_cast<int>(p.Form)), 0, 1), OutOfRange("LeafSize", p.LeafSize, 0.001, 5.0),
+         OutOfRange("LeafWidth", p.LeafWidth, 0.01, 2.0) })
   {
     if (!reason.empty())
     {

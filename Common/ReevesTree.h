@@ -40,6 +40,7 @@ struct ReevesTreeParameters
   double LeafWidth = 0.7;     ///< as part of its length
   Colour Leaf{ 92, 122, 48 }; ///< in the light
   Colour Bark{ 105, 88, 70 };
+  LeafForm Form = LeafForm::Blade;
   int Seed = 1;
 };
 

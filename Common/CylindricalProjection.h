@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralCylindricalProjection_h
+#define LittoralCylindricalProjection_h
+
+#include "Plant.h"
+#include "TextureImage.h"
+
+#include <vector>
+
+namespace littoral
+{
+
+/// A mesh with colours, multiplied by a texture if there is one.
+struct TexturedMesh
+{
+  const PlantMesh* Mesh = nullptr;
+  const TextureImage* Texture = nullptr;
+};
+
+/**
+ * What an eye sees that circles around the axis of a crown (Setas et al., section 4.1.2). A texel at (u, v) stands for
+ * rays towards the axis, horizontal, from the direction 2 pi u and at the height v of the crown. It has the mean colour
+ * of the outermost triangles that the rays hit before they reach the axis, and is opaque in the share of rays that hit.
+ */
+TextureImage CylindricalProjection(
+  const std::vector<TexturedMesh>& meshes, const CrownVolume& crown, int columns, int rows);
+
+}
+
+#endif

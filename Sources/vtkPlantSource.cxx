@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPlantSource.h"
+
+#include "LeafCards.h"
+#include "LittoralPlants.h"
+#include "PlantLevels.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+//----------------------------------------------------------------------------
+vtkPlantSource::vtkPlantSource()
+  : Seed(1)
+  , TextureSize{ 256, 128 }
+  , CrownJitter(0.0)
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//----------------------------------------------------------------------------
+vtkPlantSource::~vtkPlantSource() = default;
+
+//----------------------------------------------------------------------------
+int vtkPlantSource::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkPlantSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  const int picture[6] = { 0, this->TextureSize[0] - 1, 0, this->TextureSize[1] - 1, 0, 0 };
+  outputVector->GetInformationObject(1)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), picture, 6);
+  const std::array<int, 2> size = this->LeafTextureSize();
+  const int leaf[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  outputVector->GetInformationObject(2)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), leaf, 6);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+std::array<int, 2> vtkPlantSource::LeafTextureSize() const
+{
+  return { littoral::LeafPictureSize, littoral::LeafPictureSize };
+}
+
+//----------------------------------------------------------------------------
+bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
+{
+  options.Seed = this->Seed;
+  options.TextureColumns = this->TextureSize[0];
+  options.TextureRows = this->TextureSize[1];
+  options.CrownJitter = this->CrownJitter;
+  const std::string reason = littoral::WhyInvalid(options);
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+    return false;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  littoral::PlantLevelOptions options;
+  littoral::PlantPrototype prototype;
+  if (!this->MakeOptions(options) || !this->Grow(options, prototype))
+  {
+    return 0;
+  }
+  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
+  {
+    littoral::CopyToBlocks(prototype, vtkMultiBlockDataSet::GetData(outputVector, 0));
+  }
+  littoral::CopyToImage(prototype.CrownTexture, vtkImageData::GetData(outputVector, 1));
+  littoral::CopyToImage(prototype.LeafTexture, vtkImageData::GetData(outputVector, 2));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkPlantSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "TextureSize: " << this->TextureSize[0] << " " << this->TextureSize[1] << "\n";
+  os << indent << "CrownJitter: " << this->CrownJitter << "\n";
+}

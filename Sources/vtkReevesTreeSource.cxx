@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReevesTreeSource.h"
+
+#include "LittoralPlants.h"
+#include "PlantLevels.h"
+#include "ReevesTree.h"
+
+#include "vtkObjectFactory.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkReevesTreeSource);
+
+//----------------------------------------------------------------------------
+vtkReevesTreeSource::vtkReevesTreeSource()
+  : Preset(Oak)
+  , CrownShape(Ellipsoid)
+  , Height(12.0)
+  , CrownRadius(5.0)
+  , CrownBase(2.5)
+  , TrunkRadius(0.3)
+  , TrunkReach(0.65)
+  , Orders(3)
+  , MainBranches(16)
+  , SideBranches(6)
+  , BranchAngle(55.0)
+  , Lift(0.15)
+  , Variation(0.2)
+  , NumberOfLeaves(6000)
+  , LeafSize(0.32)
+  , LeafWidth(0.7)
+  , LeafForm(Blade)
+  , LeafColor{ 0.36, 0.48, 0.19 }
+  , BarkColor{ 0.41, 0.35, 0.27 }
+{
+}
+
+//----------------------------------------------------------------------------
+vtkReevesTreeSource::~vtkReevesTreeSource() = default;
+
+//----------------------------------------------------------------------------
+bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+{
+  if (this->Preset < Custom || this->Preset > Shrub)
+  {
+    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 4.");
+    return false;
+  }
+  littoral::ReevesTreeParameters p = littoral::PresetParameters(static_cast<littoral::TreePreset>(this->Preset));
+  if (this->Preset == Custom)
+  {
+    p.Shape = static_cast<littoral::CrownShape>(this->CrownShape);
+    p.Form = static_cast<littoral::LeafForm>(this->LeafForm);
+    p.Height = this->Height;
+    p.CrownRadius = this->CrownRadius;
+    p.CrownBase = this->CrownBase;
+    p.TrunkRadius = this->TrunkRadius;
+    p.TrunkReach = this->TrunkReach;
+    p.Orders = this->Orders;
+    p.MainBranches = this->MainBranches;
+    p.SideBranches = this->SideBranches;
+    p.BranchAngle = this->BranchAngle;
+    p.Lift = this->Lift;
+    p.Variation = this->Variation;
+    p.NumberOfLeaves = this->NumberOfLeaves;
+    p.LeafSize = this->LeafSize;
+    p.LeafWidth = this->LeafWidth;
+    if (!littoral::TakeColour(this->LeafColor, p.Leaf) || !littoral::TakeColour(this->BarkColor, p.Bark))
+    {
+      vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
+      return false;
+    }
+  }
+  p.Seed = this->Seed;
+  const std::string reason = littoral::WhyInvalid(p);
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+    return false;
+  }
+  prototype = littoral::LevelsOf(littoral::GrowReevesTree(p), options);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void vtkReevesTreeSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "CrownShape: " << this->CrownShape << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "CrownRadius: " << this->CrownRadius << "\n";
+  os << indent << "CrownBase: " << this->CrownBase << "\n";
+  os << indent << "TrunkRadius: " << this->TrunkRadius << "\n";
+  os << indent << "TrunkReach: " << this->TrunkReach << "\n";
+  os << indent << "Orders: " << this->Orders << "\n";
+  os << indent << "MainBranches: " << this->MainBranches << "\n";
+  os << indent << "SideBranches: " << this->SideBranches << "\n";
+  os << indent << "BranchAngle: " << this->BranchAngle << "\n";
+  os << indent << "Lift: " << this->Lift << "\n";
+  os << indent << "Variation: " << this->Variation << "\n";
+  os << indent << "NumberOfLeaves: " << this->NumberOfLeaves << "\n";
+  os << indent << "LeafSize: " << this->LeafSize << "\n";
+  os << indent << "LeafWidth: " << this->LeafWidth << "\n";
+  os << indent << "LeafForm: " << this->LeafForm << "\n";
+  os << indent << "LeafColor: " << this->LeafColor[0] << " " << this->LeafColor[1] << " " << this->LeafColor[2] << "\n";
+  os << indent << "BarkColor: " << this->BarkColor[0] << " " << this->BarkColor[1] << " " << this->BarkColor[2] << "\n";
+}
