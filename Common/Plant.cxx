@@ -33,6 +33,11 @@ Vector3 Outward(const CrownVolume& crown, const Vector3& position)
   return Normalised({ away.x / across, away.y / across, (away.z - 0.5 * crown.Height) / along });
 }
 
+Vector3 LitNormal(const CrownVolume& crown, const Vector3& position, const Vector3& facing)
+{
+  return Normalised(facing + 0.6 * Normalised(Outward(crown, position) + Vector3(0.0, 0.0, 0.55)));
+}
+
 CrownVolume VolumeAround(const std::vector<Vector3>& positions, CrownShape shape)
 {
   CrownVolume crown;
@@ -70,10 +75,8 @@ Colour TintOf(const Colour& leaf, const CrownVolume& crown, const Vector3& posit
 {
   const double depth = std::clamp(Depth(crown, position), 0.0, 1.0);
   const double height = std::clamp((position.z - crown.Foot.z) / crown.Height, 0.0, 1.0);
-  const double sunny = glm::dot(Outward(crown, position), Vector3(0.53, -0.42, 0.74));
-  const double strength = std::clamp((0.62 + 0.28 * height) * (1.0 - 0.4 * depth) * (1.0 + 0.22 * sunny) *
-      (1.0 + 0.08 * light.OfLeaf[0] + 0.06 * light.OfTwig[0]),
-    0.3, 1.6);
+  const double strength = std::clamp(
+    (0.62 + 0.28 * height) * (1.0 - 0.4 * depth) * (1.0 + 0.08 * light.OfLeaf[0] + 0.06 * light.OfTwig[0]), 0.3, 1.6);
   const double warm = std::clamp(0.05 * light.OfLeaf[1] + 0.05 * light.OfTwig[1], -0.2, 0.2);
   const double gains[3] = { strength * (1.0 + warm), strength, strength * (1.0 - warm) };
   Colour tint{};

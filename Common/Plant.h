@@ -34,6 +34,10 @@ double Depth(const CrownVolume& crown, const Vector3& position);
 /// The outward direction of the volume's level surface at a position [m].
 Vector3 Outward(const CrownVolume& crown, const Vector3& position);
 
+/// The normal of a leaf for light: the way it faces, drawn towards the outside of its crown, so that a crown has a
+/// bright and a dark side, and lifted, since lower leaves are lit through the crown and from the ground as well.
+Vector3 LitNormal(const CrownVolume& crown, const Vector3& position, const Vector3& facing);
+
 /// The smallest volume of a shape, about the mean of the positions, that holds all of them.
 CrownVolume VolumeAround(const std::vector<Vector3>& positions, CrownShape shape);
 
@@ -50,7 +54,7 @@ struct LeafParticle
   Vector3 Position{ 0.0, 0.0, 0.0 }; ///< of its foot [m]
   Vector3 Axis{ 0.0, 0.0, 1.0 };     ///< from foot to tip, of unit length
   Vector3 Facing{ 1.0, 0.0, 0.0 };   ///< at a right angle to the leaf, of unit length
-  Vector3 Normal{ 0.0, 0.0, 1.0 };   ///< outward from the crown, for smooth light on all of it
+  Vector3 Normal{ 0.0, 0.0, 1.0 };   ///< for light, of unit length
   double Size = 0.1;                 ///< from foot to tip [m]
   double Width = 0.7;                ///< as part of Size
   Colour Tint{ 0, 0, 0 };
@@ -75,8 +79,8 @@ struct LeafLight
   double OfTwig[2] = { 0.0, 0.0 }; ///< and of the twig that it grows on
 };
 
-/// The colour of a leaf at a place in a crown: darker within and below, lighter on the sunny side (Reeves and Blau's
-/// probabilistic shading), with a scatter from leaf to leaf and twig to twig.
+/// The colour of a leaf at a place in a crown: darker within and below (Reeves and Blau's
+/// probabilistic shading, but for the sun, which is the renderer's), with a scatter from leaf to leaf and twig to twig.
 Colour TintOf(const Colour& leaf, const CrownVolume& crown, const Vector3& position, const LeafLight& light);
 
 }

@@ -17,8 +17,9 @@ namespace
 
 constexpr double GoldenAngle = 2.39996322972865332; // of the leaves of many plants [rad]
 constexpr int SegmentsOfTrunk = 12;
-constexpr int SegmentsOfBranch = 5;
-constexpr double ShortestBranch = 0.006; // as part of the height
+constexpr int SegmentsOfBranch[] = { 6, 4, 2, 2 }; // by order; twigs bend little and are many
+constexpr double ShortestBranch = 0.006;           // as part of the height
+constexpr double ThickestBranch = 0.018;           // radius as part of the length
 
 /// What a branch starts with.
 struct Bud
@@ -28,6 +29,7 @@ struct Bud
   Vector3 Direction;
   double Length; // [m]
   double Radius; // [m]
+  int Segments;
 };
 
 class Grower
@@ -116,7 +118,8 @@ private:
     const double parentLength = wood.BranchLength(parent);
     bud.Length = onTrunk ? this->Reach(bud.Position, bud.Direction) : 0.5 * parentLength;
     bud.Length *= this->Vary(object, 2);
-    bud.Radius = 0.6 * wood.Nodes[bud.Node].Radius;
+    bud.Radius = std::min(0.6 * wood.Nodes[bud.Node].Radius, ThickestBranch * bud.Length);
+    bud.Segments = SegmentsOfBranch[wood.Branches[parent].Order];
     return bud;
   }
 
@@ -126,8 +129,8 @@ private:
     std::vector<Vector3> path;
     Vector3 position = bud.Position;
     Vector3 direction = bud.Direction;
-    const double step = bud.Length / SegmentsOfBranch;
-    for (int segment = 0; segment < SegmentsOfBranch; ++segment)
+    const double step = bud.Length / bud.Segments;
+    for (int segment = 0; segment < bud.Segments; ++segment)
     {
       direction = Normalised(direction + Vector3(0.0, 0.0, this->P.Lift));
       position = position + step * direction;
@@ -144,7 +147,7 @@ private:
     this->Tree.Wood.StartBranch(bud.Node, bud.Position, bud.Radius);
     for (std::size_t i = 0; i < path.size(); ++i)
     {
-      this->Tree.Wood.Grow(path[i], bud.Radius * (1.0 - 0.8 * (i + 1.0) / SegmentsOfBranch));
+      this->Tree.Wood.Grow(path[i], bud.Radius * (1.0 - 0.8 * (i + 1.0) / bud.Segments));
     }
   }
 
@@ -199,10 +202,12 @@ private:
     const auto second = this->Leafing.NormalPair(index, 6);
     const auto third = this->Leafing.NormalPair(index, 7);
     const Vector3 scatter{ first[0], first[1], second[0] };
-    leaf.Axis = Normalised(along + 0.5 * leaf.Normal + 0.5 * scatter);
-    const Vector3 towards = leaf.Normal + 0.5 * Vector3(second[1], third[0], third[1]);
+    const Vector3 outward = Outward(this->Crown, leaf.Position);
+    leaf.Axis = Normalised(along + 0.5 * outward + 0.5 * scatter);
+    const Vector3 towards = outward + 0.5 * Vector3(second[1], third[0], third[1]);
     const Vector3 flat = towards - glm::dot(towards, leaf.Axis) * leaf.Axis;
     leaf.Facing = glm::length(flat) > 1e-6 ? glm::normalize(flat) : Perpendicular(leaf.Axis);
+    leaf.Normal = LitNormal(this->Crown, leaf.Position, leaf.Facing);
   }
 
   void GrowLeaves()
@@ -225,7 +230,6 @@ private:
       {
         particle.Position = onTwig;
       }
-      particle.Normal = Outward(this->Crown, particle.Position);
       this->Orient(particle, index);
       particle.Size = this->P.LeafSize * std::clamp(1.0 + this->P.Variation * up[1], 0.4, 1.6);
       particle.Width = this->P.LeafWidth;
@@ -253,15 +257,15 @@ ReevesTreeParameters PresetParameters(TreePreset preset)
   switch (preset)
   {
     case TreePreset::Pine:
-      p = { CrownShape::Cone, 14.0, 2.8, 1.2, 0.2, 0.97, 2, 70, 9, 88.0, -0.04, 0.12, 9000, 0.34, 0.3, { 58, 92, 62 },
-        { 112, 78, 58 }, LeafForm::Needle, 1 };
+      p = { CrownShape::Cone, 15.0, 3.0, 1.0, 0.2, 0.985, 2, 90, 8, 92.0, -0.05, 0.12, 11000, 0.36, 0.34,
+        { 62, 96, 62 }, { 92, 70, 56 }, LeafForm::Needle, 1 };
       break;
     case TreePreset::Birch:
-      p = { CrownShape::Ellipsoid, 13.0, 2.6, 3.0, 0.14, 0.95, 3, 26, 5, 45.0, -0.06, 0.2, 6000, 0.22, 0.75,
+      p = { CrownShape::Ellipsoid, 13.0, 2.7, 2.6, 0.13, 0.95, 3, 36, 5, 48.0, -0.05, 0.2, 9000, 0.2, 0.75,
         { 142, 160, 66 }, { 222, 218, 208 }, LeafForm::Blade, 1 };
       break;
     case TreePreset::Shrub:
-      p = { CrownShape::Ellipsoid, 2.2, 1.4, 0.1, 0.05, 0.35, 3, 14, 6, 50.0, 0.1, 0.25, 4000, 0.11, 0.6,
+      p = { CrownShape::Ellipsoid, 2.0, 1.4, 0.05, 0.04, 0.4, 3, 18, 6, 58.0, 0.06, 0.25, 5000, 0.11, 0.6,
         { 104, 134, 70 }, { 96, 82, 66 }, LeafForm::Blade, 1 };
       break;
     case TreePreset::Custom:

@@ -25,17 +25,17 @@ struct ReevesTreeParameters
 {
   CrownShape Shape = CrownShape::Ellipsoid;
   double Height = 12.0;      ///< [m]
-  double CrownRadius = 5.0;  ///< largest [m]
-  double CrownBase = 2.5;    ///< height of the lowest leaves [m]
+  double CrownRadius = 5.4;  ///< largest [m]
+  double CrownBase = 2.2;    ///< height of the lowest leaves [m]
   double TrunkRadius = 0.3;  ///< at the ground [m]
   double TrunkReach = 0.65;  ///< part of the height that the trunk grows to
   int Orders = 3;            ///< of branches on the trunk, 1 to 4
-  int MainBranches = 16;     ///< on the trunk
+  int MainBranches = 22;     ///< on the trunk
   int SideBranches = 6;      ///< on each branch
-  double BranchAngle = 55.0; ///< between a branch and its parent [degrees]
-  double Lift = 0.15;        ///< bend of branches: up where positive, down where negative
+  double BranchAngle = 62.0; ///< between a branch and its parent [degrees]
+  double Lift = 0.08;        ///< bend of branches: up where positive, down where negative
   double Variation = 0.2;    ///< standard deviation of lengths and angles, as part of their means
-  int NumberOfLeaves = 6000;
+  int NumberOfLeaves = 10000;
   double LeafSize = 0.32;     ///< length of a leaf or of a tuft of leaves [m]
   double LeafWidth = 0.7;     ///< as part of its length
   Colour Leaf{ 92, 122, 48 }; ///< in the light

@@ -61,13 +61,13 @@ public:
   ///@}
 
   ///@{
-  /// Largest radius of the crown [m], 0.01 to 100. Default 5.
+  /// Largest radius of the crown [m], 0.01 to 100. Default 5.4.
   vtkSetMacro(CrownRadius, double);
   vtkGetMacro(CrownRadius, double);
   ///@}
 
   ///@{
-  /// Height of the lowest leaves [m], from 0 to 0.9 of the trunk. Default 2.5.
+  /// Height of the lowest leaves [m], from 0 to 0.9 of the trunk. Default 2.2.
   vtkSetMacro(CrownBase, double);
   vtkGetMacro(CrownBase, double);
   ///@}
@@ -91,7 +91,7 @@ public:
   ///@}
 
   ///@{
-  /// Number of branches on the trunk, 1 to 500. Default 16.
+  /// Number of branches on the trunk, 1 to 500. Default 22.
   vtkSetMacro(MainBranches, int);
   vtkGetMacro(MainBranches, int);
   ///@}
@@ -103,13 +103,13 @@ public:
   ///@}
 
   ///@{
-  /// Mean angle between a branch and its parent [degrees], 0 to 150. Default 55.
+  /// Mean angle between a branch and its parent [degrees], 0 to 150. Default 62.
   vtkSetMacro(BranchAngle, double);
   vtkGetMacro(BranchAngle, double);
   ///@}
 
   ///@{
-  /// Bend of branches, up where positive and down where negative, -0.9 to 0.9. Default 0.15.
+  /// Bend of branches, up where positive and down where negative, -0.9 to 0.9. Default 0.08.
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
   ///@}
@@ -121,7 +121,7 @@ public:
   ///@}
 
   ///@{
-  /// Number of leaves, 0 to 1000000. Default 6000.
+  /// Number of leaves, 0 to 1000000. Default 10000.
   vtkSetMacro(NumberOfLeaves, int);
   vtkGetMacro(NumberOfLeaves, int);
   ///@}
