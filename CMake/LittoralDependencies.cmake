@@ -50,7 +50,7 @@ set(littoral_find_vtk_arguments REQUIRED
   OPTIONAL_COMPONENTS ${littoral_vtk_test_components})
 
 if (LITTORAL_WITH_PARAVIEW)
-  find_package(ParaView COMPONENTS RemotingCore)
+  find_package(ParaView COMPONENTS RemotingCore RemotingServerManager RemotingViews)
   if (ParaView_FOUND)
     # ParaView brings its own VTK; no other one may be mixed in.
     find_package(VTK ${littoral_find_vtk_arguments}

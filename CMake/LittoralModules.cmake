@@ -9,13 +9,22 @@ if (LITTORAL_BUILD_TESTING)
   set(littoral_want_tests WANT) # makes TEST_DEPENDS known to Testing/Cxx
 endif ()
 
+set(littoral_client_file)
+set(littoral_client_module)
+if (LITTORAL_WITH_PARAVIEW)
+  set(littoral_client_file "${PROJECT_SOURCE_DIR}/paraview-plugin/ClientProxies/vtk.module")
+  set(littoral_client_module Littoral::LittoralClientProxies)
+endif ()
+
 vtk_module_scan(
   MODULE_FILES
     "${PROJECT_SOURCE_DIR}/Sources/vtk.module"
     "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
+    ${littoral_client_file}
   REQUEST_MODULES
     Littoral::LittoralSources
     Littoral::LittoralFilters
+    ${littoral_client_module}
   PROVIDES_MODULES littoral_modules
   ENABLE_TESTS ${littoral_want_tests})
 

@@ -57,10 +57,24 @@ void JoinRings(PlantMesh& mesh, int sides)
   }
 }
 
+/// Twigs are darker than the trunk, whatever that is.
+Colour BarkOf(const Colour& trunk, int order)
+{
+  constexpr Colour Twig{ 74, 60, 50 };
+  const double part = std::min(0.9, 0.35 * order);
+  Colour bark{};
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    bark[channel] = static_cast<unsigned char>(std::lround((1.0 - part) * trunk[channel] + part * Twig[channel]));
+  }
+  return bark;
+}
+
 void SkinBranch(
   PlantMesh& mesh, const Skeleton& skeleton, const SkeletonBranch& branch, int sides, const BranchSkinOptions& options)
 {
   Vector3 side = Perpendicular(DirectionAt(skeleton, branch, 0));
+  const Colour bark = BarkOf(options.Bark, branch.Order);
   double v = 0.0;
   for (int step = 0; step < branch.Count; ++step)
   {
@@ -74,7 +88,7 @@ void SkinBranch(
       const double angle = TwoPi * (corner % sides) / sides;
       const Vector3 normal = std::cos(angle) * side + std::sin(angle) * other;
       AddVertex(mesh, node.Position + node.Radius * normal, normal, static_cast<double>(corner) / sides,
-        v / options.BarkLength, options.Bark);
+        v / options.BarkLength, bark);
       AddJoints(mesh, branch, step);
     }
     if (step > 0)
@@ -85,7 +99,7 @@ void SkinBranch(
   const SkeletonNode& tip = skeleton.Nodes[branch.First + branch.Count - 1];
   const Vector3 direction = DirectionAt(skeleton, branch, branch.Count - 1);
   const int ring = static_cast<int>(mesh.Points.size()) - (sides + 1);
-  AddVertex(mesh, tip.Position + tip.Radius * direction, direction, 0.5, v / options.BarkLength, options.Bark);
+  AddVertex(mesh, tip.Position + tip.Radius * direction, direction, 0.5, v / options.BarkLength, bark);
   AddJoints(mesh, branch, branch.Count - 1);
   for (int corner = 0; corner < sides; ++corner)
   {

@@ -14,7 +14,7 @@ struct BranchSkinOptions
 {
   int MostSides = 12;         ///< of the thickest branch; thinner ones get fewer, at least 3
   double BarkLength = 1.0;    ///< [m] of branch for one repeat of the bark texture
-  Colour Bark{ 110, 90, 70 }; ///< colour of the wood
+  Colour Bark{ 110, 90, 70 }; ///< colour of the trunk; twigs are darker
 };
 
 /// Sides of a branch of a radius [m], when the thickest has another.

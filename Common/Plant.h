@@ -68,7 +68,7 @@ struct Plant
   std::vector<LeafParticle> Leaves;
   LeafForm Form = LeafForm::Blade;
   CrownVolume Crown;
-  Colour Leaf{ 92, 122, 48 }; ///< in the light
+  Colour Leaf{ 112, 146, 60 }; ///< in the light
   Colour Bark{ 105, 88, 70 };
 };
 

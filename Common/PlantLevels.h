@@ -26,7 +26,7 @@ std::string WhyInvalid(const PlantLevelOptions& options);
 struct PlantOutline
 {
   CrownVolume Crown;
-  Colour Leaf{ 92, 122, 48 };
+  Colour Leaf{ 112, 146, 60 };
   Colour Bark{ 105, 88, 70 };
 };
 

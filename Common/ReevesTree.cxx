@@ -258,15 +258,15 @@ ReevesTreeParameters PresetParameters(TreePreset preset)
   {
     case TreePreset::Pine:
       p = { CrownShape::Cone, 15.0, 3.0, 1.0, 0.2, 0.985, 2, 90, 8, 92.0, -0.05, 0.12, 11000, 0.36, 0.34,
-        { 62, 96, 62 }, { 92, 70, 56 }, LeafForm::Needle, 1 };
+        { 76, 114, 74 }, { 92, 70, 56 }, LeafForm::Needle, 1 };
       break;
     case TreePreset::Birch:
       p = { CrownShape::Ellipsoid, 13.0, 2.7, 2.6, 0.13, 0.95, 3, 36, 5, 48.0, -0.05, 0.2, 9000, 0.2, 0.75,
-        { 142, 160, 66 }, { 222, 218, 208 }, LeafForm::Blade, 1 };
+        { 162, 184, 78 }, { 222, 218, 208 }, LeafForm::Blade, 1 };
       break;
     case TreePreset::Shrub:
       p = { CrownShape::Ellipsoid, 2.0, 1.4, 0.05, 0.04, 0.4, 3, 18, 6, 58.0, 0.06, 0.25, 5000, 0.11, 0.6,
-        { 104, 134, 70 }, { 96, 82, 66 }, LeafForm::Blade, 1 };
+        { 120, 154, 80 }, { 96, 82, 66 }, LeafForm::Blade, 1 };
       break;
     case TreePreset::Custom:
     case TreePreset::Oak:

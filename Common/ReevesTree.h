@@ -38,7 +38,7 @@ struct ReevesTreeParameters
   int NumberOfLeaves = 10000;
   double LeafSize = 0.32;     ///< length of a leaf or of a tuft of leaves [m]
   double LeafWidth = 0.7;     ///< as part of its length
-  Colour Leaf{ 92, 122, 48 }; ///< in the light
+  Colour Leaf{ 112, 146, 60 }; ///< in the light
   Colour Bark{ 105, 88, 70 };
   LeafForm Form = LeafForm::Blade;
   int Seed = 1;

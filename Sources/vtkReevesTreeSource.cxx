@@ -31,7 +31,7 @@ vtkReevesTreeSource::vtkReevesTreeSource()
   , LeafSize(0.32)
   , LeafWidth(0.7)
   , LeafForm(Blade)
-  , LeafColor{ 0.36, 0.48, 0.19 }
+  , LeafColor{ 0.44, 0.57, 0.24 }
   , BarkColor{ 0.41, 0.35, 0.27 }
 {
 }

@@ -145,7 +145,7 @@ public:
   ///@}
 
   ///@{
-  /// Colour of a leaf in the light: red, green, blue, each 0 to 1. Default 0.36 0.48 0.19.
+  /// Colour of a leaf in the light: red, green, blue, each 0 to 1. Default 0.44 0.57 0.24.
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}

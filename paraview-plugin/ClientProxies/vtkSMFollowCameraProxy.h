@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMFollowCameraProxy
+ * @brief   a filter that follows the camera of the active view
+ *
+ * While the property FollowCamera of the proxy is on, the properties ViewPoint, ViewDirection, ViewUp, ViewAngle,
+ * AspectRatio and ViewHeight take the values of the active render view before each of its pictures. It lives in the
+ * client, with or without a window: in ParaView, in pvpython, and in front of a server; a state file keeps it.
+ */
+#ifndef vtkSMFollowCameraProxy_h
+#define vtkSMFollowCameraProxy_h
+
+#include "LittoralClientProxiesModule.h" // for export macro
+#include "vtkSMNaturalDisplayProxy.h"
+
+class vtkSMRenderViewProxy;
+
+class LITTORALCLIENTPROXIES_EXPORT vtkSMFollowCameraProxy : public vtkSMNaturalDisplayProxy
+{
+public:
+  static vtkSMFollowCameraProxy* New();
+  vtkTypeMacro(vtkSMFollowCameraProxy, vtkSMNaturalDisplayProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void UpdateVTKObjects() override;
+
+protected:
+  vtkSMFollowCameraProxy();
+  ~vtkSMFollowCameraProxy() override;
+
+private:
+  vtkSMFollowCameraProxy(const vtkSMFollowCameraProxy&) = delete;
+  void operator=(const vtkSMFollowCameraProxy&) = delete;
+
+  void WatchSelection(vtkObject* selection);
+  void WatchView(vtkSMRenderViewProxy* view);
+  void OnActiveView();
+  void OnPicture();
+
+  vtkWeakPointer<vtkObject> Selection; ///< of the active view
+  vtkWeakPointer<vtkSMRenderViewProxy> View;
+  unsigned long SelectionObserver = 0;
+  unsigned long ViewObserver = 0;
+  bool IsTaking = false;
+};
+
+#endif
