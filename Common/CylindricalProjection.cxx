@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace littoral
 {
@@ -51,7 +52,7 @@ public:
 
   void Cast(const TexturedMesh& textured)
   {
-    const PlantMesh& mesh = *textured.Mesh;
+    const PlantMesh& mesh = textured.Mesh;
     const auto cornerOf = [&](int index) {
       const int point = mesh.Corners[index];
       return Corner{ mesh.Points[point] - this->Crown.Foot, mesh.Colours[point],
@@ -235,14 +236,10 @@ void SpreadColours(TextureImage& picture)
 
 }
 
-TextureImage CylindricalProjection(
-  const std::vector<TexturedMesh>& meshes, const CrownVolume& crown, int columns, int rows)
+TextureImage CylindricalProjection(const TexturedMesh& leaves, const CrownVolume& crown, int columns, int rows)
 {
   Caster caster(crown, columns, rows);
-  for (const TexturedMesh& mesh : meshes)
-  {
-    caster.Cast(mesh);
-  }
+  caster.Cast(leaves);
   TextureImage picture = caster.Picture();
   SpreadColours(picture);
   return picture;

@@ -6,25 +6,22 @@
 #include "Plant.h"
 #include "TextureImage.h"
 
-#include <vector>
-
 namespace littoral
 {
 
 /// A mesh with colours, multiplied by a texture if there is one.
 struct TexturedMesh
 {
-  const PlantMesh* Mesh = nullptr;
+  const PlantMesh& Mesh;
   const TextureImage* Texture = nullptr;
 };
 
 /**
  * What an eye sees that circles around the axis of a crown (Setas et al., section 4.1.2). A texel at (u, v) stands for
  * rays towards the axis, horizontal, from the direction 2 pi u and at the height v of the crown. It has the mean colour
- * of the outermost triangles that the rays hit before they reach the axis, and is opaque in the share of rays that hit.
+ * of the outermost leaves that the rays hit before they reach the axis, and is opaque in the share of rays that hit.
  */
-TextureImage CylindricalProjection(
-  const std::vector<TexturedMesh>& meshes, const CrownVolume& crown, int columns, int rows);
+TextureImage CylindricalProjection(const TexturedMesh& leaves, const CrownVolume& crown, int columns, int rows);
 
 }
 

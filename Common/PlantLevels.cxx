@@ -227,7 +227,8 @@ PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood)
   const SkeletonBranch& trunk = wood.Branches.front();
   const SkeletonNode& foot = wood.Nodes[trunk.First];
   const double r = foot.Radius;
-  const double top = wood.Nodes[wood.Tip(0)].Position.z - foot.Position.z;
+  // Up to the crown only: beyond, it would lie in the crown's own plane.
+  const double top = std::max(outline.Crown.Foot.z - foot.Position.z, r);
   const std::vector<std::array<double, 2>> rectangle{ { -r, 0.0 }, { r, 0.0 }, { r, top }, { -r, top } };
   const std::vector<std::array<double, 2>> crown = OutlineOf(outline.Crown);
   PlantMesh mesh;
@@ -242,8 +243,8 @@ PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood)
 void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, const PlantLevelOptions& options)
 {
   const TextureImage* leafTexture = prototype.LeafTexture.Texels.empty() ? nullptr : &prototype.LeafTexture;
-  prototype.CrownTexture = CylindricalProjection({ { &prototype.Leaves, leafTexture }, { &prototype.Skin, nullptr } },
-    outline.Crown, options.TextureColumns, options.TextureRows);
+  prototype.CrownTexture = CylindricalProjection(
+    { prototype.Leaves, leafTexture }, outline.Crown, options.TextureColumns, options.TextureRows);
   prototype.Trunk = TrunkCone(prototype.Wood, outline.Bark);
   prototype.Crown = CrownEnvelope(outline.Crown, options);
   const TextureImage& seen = prototype.CrownTexture;

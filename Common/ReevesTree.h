@@ -36,8 +36,8 @@ struct ReevesTreeParameters
   double Lift = 0.08;        ///< bend of branches: up where positive, down where negative
   double Variation = 0.2;    ///< standard deviation of lengths and angles, as part of their means
   int NumberOfLeaves = 10000;
-  double LeafSize = 0.32;     ///< length of a leaf or of a tuft of leaves [m]
-  double LeafWidth = 0.7;     ///< as part of its length
+  double LeafSize = 0.32;      ///< length of a leaf or of a tuft of leaves [m]
+  double LeafWidth = 0.7;      ///< as part of its length
   Colour Leaf{ 112, 146, 60 }; ///< in the light
   Colour Bark{ 105, 88, 70 };
   LeafForm Form = LeafForm::Blade;

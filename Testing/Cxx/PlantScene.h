@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PlantScene_h
+#define PlantScene_h
+
+// Pictures of plants for regression tests.
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkLight.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+#include <cstring>
+
+/// A renderer with sun, sky and a pale background.
+class PlantScene
+{
+public:
+  PlantScene()
+  {
+    this->Renderer->SetBackground(0.78, 0.85, 0.92);
+    this->Renderer->AutomaticLightCreationOff();
+    this->AddLight(-0.7, -0.5, 0.6, 1.1);
+    this->AddLight(0.0, 0.0, 1.0, 0.5);
+    this->AddLight(0.8, -0.6, 0.1, 0.4);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(400, 160);
+    this->Window->AddRenderer(this->Renderer);
+    this->Interactor->SetRenderWindow(this->Window);
+  }
+
+  /// Adds all polygons below a data object, moved by x; a texture goes on all of them and replaces their colours where
+  /// it is asked to.
+  void Add(vtkDataObject* data, double x, vtkImageData* texture = nullptr, bool replaces = false)
+  {
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+    {
+      for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
+      {
+        this->Add(blocks->GetBlock(index), x, texture, replaces);
+      }
+      return;
+    }
+    auto* polygons = vtkPolyData::SafeDownCast(data);
+    if (!polygons || polygons->GetNumberOfPolys() == 0)
+    {
+      return;
+    }
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(polygons);
+    mapper->SetScalarVisibility(!replaces);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(x, 0.0, 0.0);
+    actor->GetProperty()->SetSpecular(0.0);
+    actor->GetProperty()->SetAmbient(0.25);
+    if (texture)
+    {
+      vtkNew<vtkTexture> picture;
+      picture->SetInputData(texture);
+      picture->InterpolateOn();
+      actor->SetTexture(picture);
+    }
+    this->Renderer->AddActor(actor);
+  }
+
+  /// Draws from a point towards another and compares with the baseline.
+  int Compare(int argc, char* argv[], const double eye[3], const double focus[3], double angle)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(eye);
+    camera->SetFocalPoint(focus);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(angle);
+    this->Renderer->ResetCameraClippingRange();
+    this->Window->Render();
+    const int result = vtkRegressionTestImage(this->Window.Get());
+    if (result == vtkRegressionTester::DO_INTERACTOR)
+    {
+      this->Interactor->Start();
+    }
+    return result == vtkRegressionTester::FAILED ? 1 : 0;
+  }
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+
+private:
+  void AddLight(double x, double y, double z, double intensity)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(1000.0 * x, 1000.0 * y, 1000.0 * z);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetIntensity(intensity);
+    this->Renderer->AddLight(light);
+  }
+};
+
+/// The block at a path such as "High/Leaves"; null if there is none.
+inline vtkDataObject* BlockAt(vtkDataObject* data, const char* path)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
+  const char* slash = std::strchr(path, '/');
+  const std::size_t length = slash ? static_cast<std::size_t>(slash - path) : std::strlen(path);
+  for (unsigned int index = 0; blocks && index < blocks->GetNumberOfBlocks(); ++index)
+  {
+    const char* name = blocks->GetMetaData(index)->Get(vtkCompositeDataSet::NAME());
+    if (name && std::strlen(name) == length && std::strncmp(name, path, length) == 0)
+    {
+      return slash ? BlockAt(blocks->GetBlock(index), slash + 1) : blocks->GetBlock(index);
+    }
+  }
+  return nullptr;
+}
+
+#endif
