@@ -135,19 +135,28 @@ def natural_colour(z, spacing, reflectance=None):
 
     `reflectance` [0..1], where given, decides between wood and meadow as chance does otherwise.
     """
-    slope = np.degrees(np.arccos(normals(z, spacing)[..., 2]))
-    slope *= 25.0 / max(25.0, np.percentile(slope, 95.0))  # rock stays rare in steep countries
-    height = _standard(z)
-    hollow = _standard(z - blur(z, 28))
-    patches = _noise(z.shape, 10, seed=1) if reflectance is None else 4.0 * (reflectance - 0.5)
-    grain = _noise(z.shape, 0, seed=2)
+    slope, height, hollow, patches, grain = _relief(z, spacing, reflectance)
     dry = _step(patches + 0.4 * grain - 0.3 * hollow, -0.5, 1.8)
     high = _step(height + 0.4 * patches, 0.2, 2.2)
-    wooded = 0.10 * (slope - 7.0) + 0.45 * hollow + 0.35 * height - 0.6 * patches + 0.25 * grain
     steep = slope + 4.0 * np.maximum(height - 1.0, 0.0) + 2.0 * patches + grain
     wood = _mix(FOREST, UPLAND, high) * (1.0 + 0.14 * grain[..., None])
-    colour = _mix(_mix(MEADOW, PASTURE, dry), wood, _step(wooded, -0.9, 0.7))
+    colour = _mix(_mix(MEADOW, PASTURE, dry), wood, wood_share(z, spacing, reflectance))
     return _mix(colour, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * _step(steep, 24.0, 36.0))
+
+
+def wood_share(z, spacing, reflectance=None):
+    """Share [0..1] of the ground that trees cover, where `natural_colour` paints woods."""
+    slope, height, hollow, patches, grain = _relief(z, spacing, reflectance)
+    wooded = 0.10 * (slope - 7.0) + 0.45 * hollow + 0.35 * height - 0.6 * patches + 0.25 * grain
+    return _step(wooded, -0.9, 0.7)
+
+
+def _relief(z, spacing, reflectance):
+    """What decides on plant cover: slope [degrees], height, hollows, patches and grain."""
+    slope = np.degrees(np.arccos(normals(z, spacing)[..., 2]))
+    slope *= 25.0 / max(25.0, np.percentile(slope, 95.0))  # rock stays rare in steep countries
+    patches = _noise(z.shape, 10, seed=1) if reflectance is None else 4.0 * (reflectance - 0.5)
+    return slope, _standard(z), _standard(z - blur(z, 28)), patches, _noise(z.shape, 0, seed=2)
 
 
 def height_colour(z, spacing, reflectance=None):

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plants in plain VTK pictures: their blocks by name, and actors in daylight.
+
+    source = vtkReevesTreeSource()
+    source.Update()
+    renderer.AddActor(plant_actor(block(source.GetOutput(), "High", "Leaves")))
+"""
+
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
+
+from . import scene
+
+
+def block(data, *names):
+    """The block below a multiblock by the names on the way to it; None if there is none."""
+    for name in names:
+        blocks = range(data.GetNumberOfBlocks()) if data else ()
+        data = next(
+            (data.GetBlock(k) for k in blocks
+             if data.GetMetaData(k).Get(vtkCompositeDataSet.NAME()) == name), None)
+    return data
+
+
+def plant_actor(part, picture=None):
+    """Actor of a part of a plant in its own colours, or with a picture instead of them."""
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    mapper.SetInputData(part)
+    mapper.SetScalarVisibility(picture is None)
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.25)
+    if picture is not None:
+        texture = vtkTexture()
+        texture.SetInputData(picture)
+        texture.InterpolateOn()
+        texture.MipmapOn()
+        actor.SetTexture(texture)
+    return actor
+
+
+def level_actors(source, level):
+    """Actors of a level, "High", "Medium" or "Low", of an updated plant source."""
+    data = source.GetOutput()
+    if level == "High":
+        return [plant_actor(block(data, "High", name)) for name in ("Skin", "Leaves")]
+    if level == "Medium":
+        return [plant_actor(block(data, "Medium", "Trunk")),
+                plant_actor(block(data, "Medium", "Crown"), source.GetOutputDataObject(1))]
+    return [plant_actor(block(data, "Low"))]
+
+
+def add_daylight(renderer, sun=(215.0, 40.0)):
+    """Sun, sky and light from the ground. sun: azimuth and elevation [degrees]."""
+    renderer.AutomaticLightCreationOff()
+    lamps = (
+        (scene.direction(*sun), (1.0, 0.94, 0.82), 1.1), ((0.0, 0.0, 1.0), (0.65, 0.78, 1.0), 0.45),
+        (scene.direction(sun[0] - 120.0, 5.0), (0.85, 0.88, 0.85), 0.35))
+    for towards, colour, intensity in lamps:
+        light = vtkLight()
+        light.SetPosition(*(1e5 * c for c in towards))
+        light.SetFocalPoint(0.0, 0.0, 0.0)
+        light.SetColor(*colour)
+        light.SetIntensity(intensity)
+        renderer.AddLight(light)
