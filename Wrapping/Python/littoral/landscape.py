@@ -1,28 +1,33 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Open-air scenes in ParaView: a country to stand in, sky, sun, haze and leaves that let light through.
+"""Open-air scenes in ParaView: a country to stand in, its woods, sky, sun and haze.
 
-Works with the rasterizer that every ParaView has; no ray tracing. Lengths are in metres, z is up. The sun stands
-where `littoral.scene.SUN` says unless told otherwise.
+All of it works with the rasterizer that every ParaView has; no ray tracing. Lengths are in metres, x is east, y north,
+z up; azimuths count from north to the east.
 """
 
 import json
-import math
+import os
 
 import numpy as np
+from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from . import scene
-from .elevation import array_from_image, image_from_array
+from .elevation import array_from_image, image_from_array, read_elevation
+from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 
-#: Colour of the air far away.
-HAZE = (0.71, 0.79, 0.87)
-#: Share of light that the air takes, per metre.
-THICKNESS = 1.0 / 9000.0
-#: What a cloudless sky looks like at the horizon and above.
-HORIZON, ZENITH = (0.76, 0.84, 0.91), (0.22, 0.42, 0.74)
+#: Azimuth and elevation of the sun [degrees].
+SUN = (165.0, 38.0)
+#: Colour of the air far away, and how far one sees [m].
+HAZE, SIGHT = (0.70, 0.79, 0.88), 9000.0
+#: Radius of the sky [m].
+SKY = 15000.0
 
-WORLD = [
+PLACE = [
     {"type": "vertex", "original": "//VTK::PositionVC::Dec",
      "replacement": "//VTK::PositionVC::Dec\nout vec3 placeMC;"},
     {"type": "vertex", "original": "//VTK::PositionVC::Impl",
@@ -30,8 +35,307 @@ WORLD = [
     {"type": "fragment", "original": "//VTK::PositionVC::Dec",
      "replacement": "//VTK::PositionVC::Dec\nin vec3 placeMC;"}]
 
-AIR = """
-  float away = length(vertexVC.xyz);
-  float clear = exp(-{thickness} * away);
-  gl_FragData[0].rgb = mix(vec3({haze}), gl_FragData[0].rgb, clear);
+#: Light goes through leaves: their normal is the same on both sides, while VTK turns it to the eye.
+BOTH_SIDES = [
+    {"type": "fragment", "original": "//VTK::Normal::Impl",
+     "replacement": "//VTK::Normal::Impl\n"
+                    "  if (gl_FrontFacing == false) normalVCVSOutput = -normalVCVSOutput;"}]
+
+AIR = f"""
+  gl_FragData[0].rgb = mix(vec3{HAZE}, gl_FragData[0].rgb, exp(-length(vertexVC.xyz) / {SIGHT}));
 """
+
+#: Grass and stones: noise of five sizes from 1 m upwards.
+GRAIN = """
+  vec2 at = placeMC.xy;
+  float grain = 0.0, weight = 0.5;
+  for (int octave = 0; octave < 5; ++octave)
+  {
+    vec2 cell = floor(at), part = fract(at);
+    part = part * part * (3.0 - 2.0 * part);
+    vec4 corners = vec4(dot(cell, vec2(127.1, 311.7)));
+    corners += vec4(0.0, 127.1, 311.7, 438.8);
+    corners = fract(sin(corners) * 43758.5453);
+    grain += weight *
+      mix(mix(corners.x, corners.y, part.x), mix(corners.z, corners.w, part.x), part.y);
+    at *= 0.41;
+    weight *= 0.8;
+  }
+  gl_FragData[0].rgb *= 0.6 + 0.4 * grain;
+"""
+
+#: The picture of a crown replaces its colours; where it is transparent there is no crown.
+CROWN = """
+  vec4 leaves = texture(actortexture, tcoordVCVSOutput);
+  if (leaves.a < 0.5) discard;
+  gl_FragData[0].rgb = leaves.rgb * (gl_FragData[0].rgb + 0.12);
+"""
+
+
+# Country ------------------------------------------------------------------------------------------
+
+
+class Country:
+    """A part of an elevation model, refined, with small relief grown on it, lit colours and woods.
+
+    image: the terrain, with the point arrays Elevation [m] and RGB; wood: share of the ground that
+    trees cover, by row and column.
+    """
+
+    def __init__(self, corner=(10500.0, 6500.0), size=10000.0, refinements=3, seed=1):
+        model = read_elevation()
+        spacing = model.GetSpacing()[:2]
+        column, row = (int(corner[k] / spacing[k]) for k in (0, 1))
+        columns, rows = (int(size / spacing[k]) for k in (0, 1))
+        z = array_from_image(model).astype(float)[row:row + rows, column:column + columns]
+        for _ in range(refinements):
+            z, spacing = scene.subdivide(z), (0.5 * spacing[0], 0.5 * spacing[1])
+        relief, reflectance = _small_relief(z.shape, spacing, seed)
+        slope = np.degrees(np.arccos(scene.normals(z, spacing)[..., 2]))
+        self.z = z + relief * np.clip(slope / 12.0, 0.15, 1.5)
+        self.spacing = spacing
+        self.wood = scene.wood_share(self.z, spacing, reflectance)
+        self.image = image_from_array(self.z.astype(np.float32), (*spacing, 1.0))
+        self._paint(reflectance)
+
+    def height(self, x, y):
+        """Height of the ground at places [m]."""
+        return _sampled(self.z, self.spacing, x, y)
+
+    def _paint(self, reflectance):
+        """Lit colours as the array RGB."""
+        seen = (scene.sunlight(self.z, self.spacing, *SUN), scene.openness(self.z, self.spacing))
+        colour = scene.natural_colour(self.z, self.spacing, reflectance)
+        normals = scene.normals(self.z, self.spacing)
+        light = scene._lit(colour, normals, scene.direction(*SUN), *seen)
+        rgb = numpy_to_vtk(scene._to_bytes(light).reshape(-1, 3), deep=True)
+        rgb.SetName("RGB")
+        self.image.GetPointData().AddArray(rgb)
+
+
+def _small_relief(shape, spacing, seed):
+    """Heights and reflectance that the elevation model does not resolve."""
+    source = vtkTurningBandsTerrainSource()
+    source.SetModelToFractal()
+    source.SetFractalDimension(2.25)
+    source.SetRange(400.0)
+    source.SetStandardDeviation(3.0)
+    source.SetMean(0.0)
+    source.SetWholeExtent(0, shape[1] - 1, 0, shape[0] - 1, 0, 0)
+    source.SetSpacing(*spacing, 1.0)
+    source.SetSeed(seed)
+    source.ReflectanceOn()
+    source.Update()
+    image = source.GetOutput()
+    return array_from_image(image), array_from_image(image, "Reflectance")
+
+
+def _sampled(values, spacing, x, y):
+    """Bilinear samples of a grid that starts at (0, 0)."""
+    u, v = np.asarray(x) / spacing[0], np.asarray(y) / spacing[1]
+    i = np.clip(u.astype(int), 0, values.shape[1] - 2)
+    j = np.clip(v.astype(int), 0, values.shape[0] - 2)
+    u, v = u - i, v - j
+    low = values[j, i] * (1.0 - u) + values[j, i + 1] * u
+    high = values[j + 1, i] * (1.0 - u) + values[j + 1, i + 1] * u
+    return low * (1.0 - v) + high * v
+
+
+# Woods --------------------------------------------------------------------------------------------
+
+
+def wood_sites(country, origin, size, mean_distance=13.0, seed=1):
+    """Sites of trees on a rectangle, with the point array Species: 0 pine, 1 oak, 2 birch, 3 shrub.
+
+    Neyman's law of type A gives the clusters of the candidates; they stay where the country is
+    wooded, a few alone on the meadows. Pines like the heights, birches the edges of woods.
+    """
+    source = vtkQuadratPointSource()
+    source.SetOrigin(*origin)
+    source.SetSize(*size)
+    source.SetQuadrats(*(max(1, int(s / mean_distance)) for s in size))
+    source.SetLaw(source.PoissonPoisson)
+    source.SetClusterMean(1.5)
+    source.SetMode(source.Sampling)
+    source.SetSeed(seed)
+    source.Update()
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    points = vtk_to_numpy(source.GetOutput().GetPoints().GetData())
+    x, y = points[:, 0].astype(float), points[:, 1].astype(float)
+    chance = np.random.default_rng(seed).random((3, len(x)))
+    wood = _sampled(country.wood, country.spacing, x, y)
+    z = country.height(x, y)
+    stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.012, 1.0)
+    high = np.clip((z - np.percentile(country.z, 30.0)) / (0.6 * np.ptp(country.z)), 0.05, 0.85)
+    edge = np.exp(-((wood - 0.45) / 0.25) ** 2)
+    species = np.where(chance[1] < high, 0, np.where(chance[2] < 0.15 + 0.5 * edge, 2, 1))
+    species[(wood < 0.35) & (chance[2] < 0.5)] = 3
+    return points_with(np.column_stack((x, y, z))[stays], Species=species[stays].astype(np.int32))
+
+
+def points_with(places, **arrays):
+    """Vertices at places [n, 3] with point arrays."""
+    data, points, vertices = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(places.astype(np.float32), deep=True))
+    ids = np.arange(len(places), dtype=np.int64)
+    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+    vertices.SetData(1, numpy_to_vtkIdTypeArray(ids, deep=True))
+    data.SetPoints(points)
+    data.SetVerts(vertices)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    return data
+
+
+# Sky ----------------------------------------------------------------------------------------------
+
+
+def write_sky(filename, columns=6144, rows=1024, seed=4):
+    """A sky with fair-weather clouds as a PNG: azimuth along rows, elevation upwards."""
+    cells = 2048
+    clouds = _cloud_field(cells, seed)
+    elevation = np.linspace(0.0, 0.5 * np.pi, rows)[:, None]
+    azimuth = np.linspace(0.0, 2.0 * np.pi, columns)[None]
+    reach = 200.0 * np.cos(elevation) / (np.sin(elevation) + 0.06)  # on the layer of clouds
+    density = _sampled(
+        np.pad(clouds, (0, 1), mode="wrap"), (1.0, 1.0), (reach * np.sin(azimuth)) % cells,
+        (reach * np.cos(azimuth)) % cells)
+    cover = scene._step(density, 0.55, 1.45) * np.clip((elevation - 0.03) / 0.25, 0.0, 0.9)
+    low = np.exp(-3.4 * np.sin(elevation)) * np.ones_like(azimuth)
+    blue = scene._mix(np.array((0.26, 0.46, 0.76)), np.array((0.76, 0.85, 0.92)), low)
+    shade = 1.0 - 0.22 * np.clip((density - 1.2) / 1.6, 0.0, 1.0)
+    colour = scene._mix(blue, np.array((1.0, 0.99, 0.97)) * shade[..., None], cover)
+    _write_png(filename, np.round(255.0 * np.clip(colour, 0.0, 1.0)).astype(np.uint8))
+
+
+def _cloud_field(cells, seed):
+    """Periodic noise of unit variance with heaps of about 150 cells."""
+    frequency = np.hypot(np.fft.fftfreq(cells)[:, None], np.fft.rfftfreq(cells)[None])
+    frequency[0, 0] = np.inf
+    strength = frequency ** -1.6 / np.sqrt(1.0 + (0.006 / frequency) ** 4)
+    white = np.random.default_rng(seed).standard_normal((cells, cells))
+    field = np.fft.irfft2(np.fft.rfft2(white) * strength, s=white.shape)
+    return field / field.std()
+
+
+def sky_dome(centre):
+    """The inside of a sphere around a place, with texture coordinates for `write_sky`."""
+    elevation = np.linspace(-0.05, 0.5 * np.pi, 40)[:, None]
+    azimuth = np.linspace(0.0, 2.0 * np.pi, 121)[None]
+    away = np.stack(np.broadcast_arrays(
+        np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth),
+        np.sin(elevation)), axis=-1)
+    dome = scene._surface([(SKY * away + np.asarray(centre), np.zeros(away.shape, np.uint8))])
+    upwards = 0.998 * np.clip(elevation / (0.5 * np.pi), 0.001, 1.0)
+    places = np.stack(np.broadcast_arrays(azimuth / (2.0 * np.pi), upwards), axis=-1)
+    array = numpy_to_vtk(places.reshape(-1, 2).astype(np.float32), deep=True)
+    array.SetName("TCoords")
+    dome.GetPointData().SetTCoords(array)
+    return dome
+
+
+def _write_png(filename, pixels):
+    """Bytes [row, column, channel], the lowest row first, as a PNG."""
+    image = vtkImageData()
+    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
+    image.GetPointData().SetScalars(
+        numpy_to_vtk(pixels.reshape(-1, pixels.shape[2]), deep=True))
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(filename)
+    writer.Write()
+
+
+# Views --------------------------------------------------------------------------------------------
+
+
+def prepare_view(view):
+    """Sun, sky light and light from the ground; no widgets; smooth edges."""
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Single Color"
+    view.Background = HAZE
+    view.UseFXAA = 1
+    view.UseLight = 0
+    view.AdditionalLights = []
+    for towards, colour, intensity in (
+            (scene.direction(*SUN), (1.0, 0.93, 0.80), 1.15),
+            ((0.0, 0.0, 1.0), (0.62, 0.76, 1.0), 0.5),
+            (scene.direction(SUN[0] - 110.0, 10.0), (0.85, 0.88, 0.85), 0.4)):
+        light = simple.AddLight(view=view)
+        light.Coords = "Scene"
+        light.Type = "Directional"
+        light.Position = [1e5 * c for c in towards]
+        light.FocalPoint = [0.0, 0.0, 0.0]
+        light.DiffuseColor = list(colour)
+        light.Intensity = intensity
+
+
+def look(view, eye, focus, angle):
+    """Point the camera of a view; the angle is vertical [degrees]."""
+    view.CameraPosition = list(eye)
+    view.CameraFocalPoint = list(focus)
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraViewAngle = angle
+
+
+def show_ground(source, view):
+    """Show a terrain with lit colours, grain and haze."""
+    shown = _show_coloured(source, view)
+    _bake(shown)
+    _shade(shown, PLACE, GRAIN + AIR)
+    return shown
+
+
+def show_plants(source, view):
+    """Show the levels of a scattered forest but for the crowns of the middle one."""
+    shown = _show_coloured(source, view)
+    shown.BlockSelectors = ["/Root/High", "/Root/Medium/Trunk", "/Root/Low"]
+    shown.Specular = 0.0
+    _shade(shown, BOTH_SIDES, AIR)
+    return shown
+
+
+def show_crowns(source, view, picture):
+    """Show the crowns of the middle level with their picture, a PNG file."""
+    crowns = simple.ExtractBlock(Input=source, Selectors=["/Root/Medium/Crown"])
+    shown = _show_coloured(crowns, view)
+    shown.Texture = simple.CreateTexture(picture)
+    shown.SelectTCoordArray = "TCoords"
+    shown.Specular = 0.0
+    _shade(shown, [], CROWN + AIR)
+    return shown
+
+
+def show_sky(source, view, picture):
+    """Show a dome with its picture, a PNG file."""
+    shown = simple.Show(source, view)
+    simple.ColorBy(shown, None)
+    shown.Texture = simple.CreateTexture(picture)
+    shown.SelectTCoordArray = "TCoords"
+    shown.RepeatTextures = 0
+    shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
+    _bake(shown)
+    return shown
+
+
+def _show_coloured(source, view):
+    shown = simple.Show(source, view)
+    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.MapScalars = 0
+    return shown
+
+
+def _bake(shown):
+    """The colours are the light."""
+    shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
+
+
+def _shade(shown, changes, fragment):
+    """Adds to the shaders of a representation."""
+    shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
+    last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
+    shown.UseShaderReplacements = 1
+    shown.ShaderReplacements = json.dumps(changes + [last])

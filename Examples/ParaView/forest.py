@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A forest on a real terrain, walked through by a camera.
+
+    ./littoral gui Examples/ParaView/forest.py      opens it in ParaView
+    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png and the walk into FOLDER
+
+The terrain is a part of the elevation model of the Jacksboro fault, refined; trees stand where its
+woods are. Terrain and trees come in levels of detail that follow the camera.
+"""
+
+import os
+import sys
+import tempfile
+
+import numpy as np
+from paraview import simple
+
+from littoral import landscape
+from littoral.elevation import write_vti
+
+#: Where the walk begins and ends, and what it looks at [m].
+FIRST, LAST, TARGET = (7300.0, 8200.0), (7180.0, 8080.0), (4200.0, 3200.0)
+EYE_HEIGHT, VIEW_ANGLE = 7.0, 30.0
+#: Lower left corner and size of the part with trees [m].
+WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
+SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and the seed of its prototype
+
+
+def write_polydata(data, filename):
+    """Write polydata as a VTK XML file that every version can read back."""
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(data)
+    writer.SetDataModeToBinary()
+    writer.SetFileName(filename)
+    writer.Write()
+
+
+def reader(kind, name, filename):
+    """A reader of a file without times."""
+    return kind(registrationName=name, FileName=[filename], TimeArray="None")
+
+
+def eye_at(country, share):
+    """Where the eye is after a share of the walk."""
+    place = (1.0 - share) * np.array(FIRST) + share * np.array(LAST)
+    return np.array((*place, country.height(*place) + EYE_HEIGHT))
+
+
+def build(folder, view):
+    """The pipeline, shown in a view; gives the country."""
+    def file(name):
+        return os.path.join(folder, name)
+
+    country = landscape.Country()
+    write_vti(country.image, file("country.vti"))
+    write_polydata(landscape.wood_sites(country, *WOODS), file("sites.vtp"))
+    write_polydata(landscape.sky_dome(eye_at(country, 0.5)), file("sky.vtp"))
+    landscape.write_sky(file("sky.png"))
+
+    terrain = reader(simple.XMLImageDataReader, "Country", file("country.vti"))
+    sites = reader(simple.XMLPolyDataReader, "Sites", file("sites.vtp"))
+    sky = reader(simple.XMLPolyDataReader, "Sky", file("sky.vtp"))
+    trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
+             for name, seed in SPECIES]
+    ground = simple.TerrainLevelOfDetail(
+        registrationName="Ground", Input=terrain, NearDistance=600.0, FarDistance=6000.0)
+    forest = simple.PlantScatter(
+        registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
+        NearDistance=110.0, FarDistance=500.0)
+
+    landscape.prepare_view(view)
+    look(country, view, 0.0)
+    landscape.show_sky(sky, view, file("sky.png"))
+    landscape.show_ground(ground, view)
+    landscape.show_plants(forest, view)
+    simple.UpdatePipeline(proxy=forest)
+    simple.SaveData(file("crowns.png"), simple.OutputPort(forest, 1))
+    landscape.show_crowns(forest, view, file("crowns.png"))
+    return country
+
+
+def look(country, view, share):
+    """Point the camera after a share of the walk."""
+    target = np.array((*TARGET, country.height(*TARGET) - 60.0))
+    landscape.look(view, eye_at(country, share), target, VIEW_ANGLE)
+
+
+def main(folder, size=(960, 540), frames=0):
+    """Build the scene; in batch, write the picture and the walk as well."""
+    simple._DisableFirstRenderCameraReset()
+    os.makedirs(folder, exist_ok=True)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = list(size)
+    country = build(folder, view)
+    view.GetRenderer().SetNearClippingPlaneTolerance(2e-5)
+    simple.Render(view)
+    for frame in range(frames):
+        look(country, view, frame / max(1, frames - 1))
+        simple.SaveScreenshot(os.path.join(folder, f"walk.{frame:04d}.png"), view)
+    if frames == 0 and len(sys.argv) > 1:
+        simple.SaveScreenshot(os.path.join(folder, "forest.png"), view)
+
+
+if len(sys.argv) > 1:
+    main(sys.argv[1], tuple(map(int, sys.argv[2:4])) or (960, 540),
+         int(sys.argv[4]) if len(sys.argv) > 4 else 0)
+else:
+    main(tempfile.mkdtemp(prefix="littoral-"))
