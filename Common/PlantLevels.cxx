@@ -52,19 +52,26 @@ std::vector<std::array<double, 2>> OutlineOf(const CrownVolume& crown)
   return outline;
 }
 
-/// The mean colour of what is seen around a place of the texture, as far as `reach` texels; the leaf's where nothing
-/// is.
-Colour MeanColour(const TextureImage& texture, double u, double v, int reach, const Colour& leaf)
+/// A part of a picture; beyond its last column comes the first again.
+struct TexelWindow
 {
-  const int column = static_cast<int>(u * texture.Columns);
-  const int row = static_cast<int>(v * texture.Rows);
+  int Column; ///< in the middle
+  int Row;
+  int Width; ///< to both sides
+  int Height;
+};
+
+/// The mean colour of what is seen in a part of the picture; the leaf's where nothing is.
+Colour MeanColour(const TextureImage& seen, const TexelWindow& window, const Colour& leaf)
+{
   double sums[3] = { 0.0, 0.0, 0.0 };
   double weight = 0.0;
-  for (int y = std::max(0, row - reach); y <= std::min(texture.Rows - 1, row + reach); ++y)
+  const int last = std::min(seen.Rows - 1, window.Row + window.Height);
+  for (int row = std::max(0, window.Row - window.Height); row <= last; ++row)
   {
-    for (int x = column - reach; x <= column + reach; ++x)
+    for (int column = window.Column - window.Width; column <= window.Column + window.Width; ++column)
     {
-      const Texel& texel = texture.At(((x % texture.Columns) + texture.Columns) % texture.Columns, y);
+      const Texel& texel = seen.At(((column % seen.Columns) + seen.Columns) % seen.Columns, row);
       weight += texel[3];
       for (int channel = 0; channel < 3; ++channel)
       {
@@ -78,6 +85,21 @@ Colour MeanColour(const TextureImage& texture, double u, double v, int reach, co
     mean[channel] = static_cast<unsigned char>(std::lround(sums[channel] / weight));
   }
   return mean;
+}
+
+/// The colour around a vertex of the envelope.
+Colour ColourAround(const TextureImage& seen, double u, double v, const Colour& leaf)
+{
+  const int reach = std::max(1, seen.Columns / (2 * SidesOfCrown));
+  const int row = std::min(seen.Rows - 1, static_cast<int>(v * seen.Rows));
+  return MeanColour(seen, { static_cast<int>(u * seen.Columns), row, reach, reach }, leaf);
+}
+
+/// The colour of the whole crown at a part of its height.
+Colour ColourAtHeight(const TextureImage& seen, double v, const Colour& leaf)
+{
+  const int row = std::min(seen.Rows - 1, static_cast<int>(v * seen.Rows));
+  return MeanColour(seen, { 0, row, seen.Columns / 2, seen.Rows / 8 }, leaf);
 }
 
 /// Builds an envelope from rings of vertices around the axis.
@@ -222,7 +244,7 @@ PlantMesh CrownEnvelope(const CrownVolume& crown, const PlantLevelOptions& optio
   return Envelope(crown, options).Run();
 }
 
-PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood)
+PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood, const TextureImage& seen)
 {
   const SkeletonBranch& trunk = wood.Branches.front();
   const SkeletonNode& foot = wood.Nodes[trunk.First];
@@ -235,7 +257,13 @@ PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood)
   for (const Vector3& across : { Vector3{ 1.0, 0.0, 0.0 }, Vector3{ 0.0, 1.0, 0.0 } })
   {
     AddUpright(mesh, foot.Position, rectangle, across, outline.Bark);
+    const std::size_t first = mesh.Points.size();
     AddUpright(mesh, outline.Crown.Foot, crown, across, outline.Leaf);
+    for (std::size_t i = first; i < mesh.Points.size(); ++i)
+    {
+      const double up = (mesh.Points[i].z - outline.Crown.Foot.z) / outline.Crown.Height;
+      mesh.Colours[i] = ColourAtHeight(seen, std::clamp(up, 0.0, 1.0), outline.Leaf);
+    }
   }
   return mesh;
 }
@@ -247,15 +275,11 @@ void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, cons
     { prototype.Leaves, leafTexture }, outline.Crown, options.TextureColumns, options.TextureRows);
   prototype.Trunk = TrunkCone(prototype.Wood, outline.Bark);
   prototype.Crown = CrownEnvelope(outline.Crown, options);
-  const TextureImage& seen = prototype.CrownTexture;
-  const int reach = std::max(1, seen.Columns / (2 * SidesOfCrown));
   for (const auto& at : prototype.Crown.TCoords)
   {
-    prototype.Crown.Colours.push_back(MeanColour(seen, at[0], at[1], reach, outline.Leaf));
+    prototype.Crown.Colours.push_back(ColourAround(prototype.CrownTexture, at[0], at[1], outline.Leaf));
   }
-  PlantOutline asSeen = outline;
-  asSeen.Leaf = MeanColour(seen, 0.5, 0.5, std::max(seen.Columns, seen.Rows) / 2, outline.Leaf);
-  prototype.Low = LowPlant(asSeen, prototype.Wood);
+  prototype.Low = LowPlant(outline, prototype.Wood, prototype.CrownTexture);
 }
 
 PlantPrototype LevelsOf(const Plant& plant, const PlantLevelOptions& options)

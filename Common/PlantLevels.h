@@ -38,8 +38,8 @@ PlantMesh TrunkCone(const Skeleton& wood, const Colour& bark);
 PlantMesh CrownEnvelope(const CrownVolume& crown, const PlantLevelOptions& options);
 
 /// The lowest level: exactly four untextured polygons, two crossed rectangles for the trunk and two crossed triangles
-/// (cone) or ellipses (ellipsoid) for the crown.
-PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood);
+/// (cone) or ellipses (ellipsoid) for the crown, which has the colours of its picture, from foot to top.
+PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood, const TextureImage& seen);
 
 /// Adds Medium and Low to a prototype of which High is there.
 void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, const PlantLevelOptions& options);
