@@ -3,8 +3,11 @@
 #include "vtkSMNaturalDisplayProxy.h"
 
 #include "vtkCommand.h"
+#include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMOutputPort.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
@@ -51,12 +54,19 @@ void vtkSMNaturalDisplayProxy::OnRegister(vtkObject* manager, unsigned long, voi
   {
     return;
   }
+  // Asked of the port, since the input may be a compound proxy that has this one in it.
   const vtkSMPropertyHelper input(representation, "Input");
-  if (input.GetAsProxy() != this || input.GetOutputPort() != 0)
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  vtkSMOutputPort* port = source ? source->GetOutputPort(input.GetOutputPort()) : nullptr;
+  if (!port || port->GetSourceProxy() != this || port->GetPortIndex() != 0)
   {
     return;
   }
-  vtkSMPropertyHelper(representation, "MapScalars").Set(0);
+  source->UpdatePipeline();
+  if (port->GetDataInformation()->GetArrayInformation("RGB", vtkDataObject::POINT))
+  {
+    vtkSMPropertyHelper(representation, "MapScalars").Set(0);
+  }
   const vtkPVXMLElement* hint =
     this->GetHints() ? this->GetHints()->FindNestedElementByName("NaturalDisplay") : nullptr;
   const char* block = hint ? const_cast<vtkPVXMLElement*>(hint)->GetAttribute("block") : nullptr;

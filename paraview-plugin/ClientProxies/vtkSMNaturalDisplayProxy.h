@@ -5,7 +5,7 @@
  * @brief   a source that is first shown in its own colours
  *
  * ParaView colours by a colour map unless it is told otherwise. This proxy tells each new representation of its first
- * output to take the array of colours as it is. Where the hint
+ * output to take the point array RGB, if there is one, as it is. Where the hint
  *
  *     <NaturalDisplay block="/Root/High" />
  *
