@@ -11,7 +11,8 @@ import os
 
 import numpy as np
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import (
+    numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy)
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -45,9 +46,9 @@ AIR = f"""
   gl_FragData[0].rgb = mix(vec3{HAZE}, gl_FragData[0].rgb, exp(-length(vertexVC.xyz) / {SIGHT}));
 """
 
-#: Grass and stones: noise of five sizes from 1 m upwards.
+#: Grass and stones: noise of five sizes from half a metre upwards.
 GRAIN = """
-  vec2 at = placeMC.xy;
+  vec2 at = 2.0 * placeMC.xy;
   float grain = 0.0, weight = 0.5;
   for (int octave = 0; octave < 5; ++octave)
   {
@@ -61,14 +62,14 @@ GRAIN = """
     at *= 0.41;
     weight *= 0.8;
   }
-  gl_FragData[0].rgb *= 0.6 + 0.4 * grain;
+  gl_FragData[0].rgb *= mix(vec3(0.50, 0.56, 0.46), vec3(0.96, 0.95, 0.88), 0.6 * grain);
 """
 
 #: The picture of a crown replaces its colours; where it is transparent there is no crown.
 CROWN = """
   vec4 leaves = texture(actortexture, tcoordVCVSOutput);
   if (leaves.a < 0.5) discard;
-  gl_FragData[0].rgb = leaves.rgb * (gl_FragData[0].rgb + 0.12);
+  gl_FragData[0].rgb *= leaves.rgb / max(diffuseColor, vec3(0.02));
 """
 
 
@@ -106,6 +107,7 @@ class Country:
         """Lit colours as the array RGB."""
         seen = (scene.sunlight(self.z, self.spacing, *SUN), scene.openness(self.z, self.spacing))
         colour = scene.natural_colour(self.z, self.spacing, reflectance)
+        colour = colour * (1.0 - 0.35 * self.wood[..., None])  # little light comes through trees
         normals = scene.normals(self.z, self.spacing)
         light = scene._lit(colour, normals, scene.direction(*SUN), *seen)
         rgb = numpy_to_vtk(scene._to_bytes(light).reshape(-1, 3), deep=True)
@@ -159,13 +161,12 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1):
     source.SetMode(source.Sampling)
     source.SetSeed(seed)
     source.Update()
-    from vtkmodules.util.numpy_support import vtk_to_numpy
     points = vtk_to_numpy(source.GetOutput().GetPoints().GetData())
     x, y = points[:, 0].astype(float), points[:, 1].astype(float)
     chance = np.random.default_rng(seed).random((3, len(x)))
     wood = _sampled(country.wood, country.spacing, x, y)
     z = country.height(x, y)
-    stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.012, 1.0)
+    stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.02, 1.0)
     high = np.clip((z - np.percentile(country.z, 30.0)) / (0.6 * np.ptp(country.z)), 0.05, 0.85)
     edge = np.exp(-((wood - 0.45) / 0.25) ** 2)
     species = np.where(chance[1] < high, 0, np.where(chance[2] < 0.15 + 0.5 * edge, 2, 1))
@@ -173,12 +174,53 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1):
     return points_with(np.column_stack((x, y, z))[stays], Species=species[stays].astype(np.int32))
 
 
+def shadows(country, places, radius, height, sun=SUN):
+    """Soft shadows of crowns on the ground: translucent disks with four components in `RGB`.
+
+    places: feet of the plants [n, 3]; radius, height: of their crowns and of the middles of these [m].
+    """
+    towards = scene.direction(*sun)
+    steep = towards[2] / np.hypot(*towards[:2])
+    angles = np.arange(12) * 2.0 * np.pi / 12.0
+    ring = np.concatenate(([[0.0, 0.0]], *(
+        share * np.column_stack((np.cos(angles), np.sin(angles))) for share in (0.75, 1.15))))
+    along = -towards[:2] / np.hypot(*towards[:2])
+    across = np.array((-along[1], along[0]))
+    offset = ring[:, :1] * along * (0.5 + 0.5 / steep) + ring[:, 1:] * across
+    centre = places[:, None, :2] + (along / steep) * height[:, None, None]
+    ground = centre + radius[:, None, None] * offset
+    z = country.height(ground[..., 0], ground[..., 1]) + 0.12
+    points = np.concatenate((ground, z[..., None]), axis=-1).reshape(-1, 3)
+    k, after = np.arange(12), (np.arange(12) + 1) % 12
+    one = np.concatenate((
+        np.column_stack((np.zeros(12, int), 1 + k, 1 + after)),
+        np.column_stack((1 + k, 13 + k, 13 + after)),
+        np.column_stack((1 + k, 13 + after, 1 + after))))
+    triangles = one[None] + len(ring) * np.arange(len(places))[:, None, None]
+    rgba = np.zeros((len(ring), 4), np.uint8)
+    rgba[:, :3] = (30, 38, 34)
+    rgba[:, 3] = np.repeat((135, 120, 0), (1, 12, 12))
+    return polygons_with(points, triangles.reshape(-1, 3), np.tile(rgba, (len(places), 1)))
+
+
+def polygons_with(points, triangles, colours):
+    """Triangles between points [n, 3] with the colours `RGB`."""
+    data, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(points.astype(np.float32), deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(triangles.astype(np.int64).ravel(), deep=True))
+    data.SetPoints(places)
+    data.SetPolys(cells)
+    rgb = numpy_to_vtk(colours, deep=True)
+    rgb.SetName("RGB")
+    data.GetPointData().SetScalars(rgb)
+    return data
+
+
 def points_with(places, **arrays):
     """Vertices at places [n, 3] with point arrays."""
     data, points, vertices = vtkPolyData(), vtkPoints(), vtkCellArray()
     points.SetData(numpy_to_vtk(places.astype(np.float32), deep=True))
     ids = np.arange(len(places), dtype=np.int64)
-    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
     vertices.SetData(1, numpy_to_vtkIdTypeArray(ids, deep=True))
     data.SetPoints(points)
     data.SetVerts(vertices)
@@ -291,8 +333,11 @@ def show_ground(source, view):
 
 def show_plants(source, view):
     """Show the levels of a scattered forest but for the crowns of the middle one."""
-    shown = _show_coloured(source, view)
-    shown.BlockSelectors = ["/Root/High", "/Root/Medium/Trunk", "/Root/Low"]
+    # Without the skeletons: lines have no normals for the shader.
+    parts = simple.ExtractBlock(Input=source, Selectors=[
+        "/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low"])
+    shown = _show_coloured(parts, view)
+    shown.Ambient = 0.35
     shown.Specular = 0.0
     _shade(shown, BOTH_SIDES, AIR)
     return shown
@@ -302,10 +347,18 @@ def show_crowns(source, view, picture):
     """Show the crowns of the middle level with their picture, a PNG file."""
     crowns = simple.ExtractBlock(Input=source, Selectors=["/Root/Medium/Crown"])
     shown = _show_coloured(crowns, view)
+    shown.Ambient = 0.45
     shown.Texture = simple.CreateTexture(picture)
     shown.SelectTCoordArray = "TCoords"
     shown.Specular = 0.0
     _shade(shown, [], CROWN + AIR)
+    return shown
+
+
+def show_shadows(source, view):
+    """Show shadows on the ground."""
+    shown = _show_coloured(source, view)
+    _bake(shown)
     return shown
 
 
