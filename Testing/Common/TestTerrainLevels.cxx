@@ -194,7 +194,7 @@ TEST_P(Grounds, AreWatertightInRandomViews)
   const auto share = [&]() { return static_cast<double>(random() % 100001) / 100000.0; };
   const TerrainPyramid pyramid(MakeGround(203, 118, GetParam(), 5), 16, 5);
   std::size_t mixed = 0; // views in which several levels meet
-  for (int round = 0; round < 40; ++round)
+  for (int round = 0; round < 120; ++round)
   {
     View view;
     view.Point = { 1000.0 + 406.0 * share(), -500.0 + 354.0 * share(), 300.0 * share() };
