@@ -1,0 +1,437 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainLevelOfDetailFilter.h"
+
+#include "LittoralPipeline.h"
+#include "LittoralTables.h"
+#include "TerrainLevels.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkTerrainLevelOfDetailFilter);
+
+/// The pyramid, and what it was made of.
+struct vtkTerrainLevelOfDetailFilter::KeptPyramid
+{
+  std::optional<littoral::TerrainPyramid> Pyramid;
+  vtkMTimeType ImageTime = 0;
+  vtkMTimeType HeightsTime = 0;
+  int TileSize = 0;
+  int Levels = 0;
+};
+
+namespace
+{
+
+/// A mesh that becomes part of a block, and where in it.
+struct Part
+{
+  const littoral::TerrainMesh* Mesh;
+  int Level;
+  vtkIdType FirstPoint;
+  vtkIdType FirstTriangle;
+};
+
+/// The meshes of a block one after the other.
+struct Layout
+{
+  std::vector<Part> Parts;
+  vtkIdType Points = 0;
+  vtkIdType Triangles = 0;
+
+  void Add(const littoral::TerrainMesh& mesh, int level)
+  {
+    if (!mesh.Triangles.empty())
+    {
+      this->Parts.push_back({ &mesh, level, this->Points, this->Triangles });
+      this->Points += static_cast<vtkIdType>(mesh.Samples.size());
+      this->Triangles += static_cast<vtkIdType>(mesh.Triangles.size() / 3);
+    }
+  }
+};
+
+template <typename Array>
+vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/// Pairs of an array of the image and its copy in a block.
+using CarriedArrays = std::vector<std::pair<vtkDataArray*, vtkSmartPointer<vtkDataArray>>>;
+
+/// Empty copies of what is carried along. Bits are not: threads cannot write neighbouring ones.
+CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkIdType tuples)
+{
+  CarriedArrays carried;
+  vtkPointData* from = image->GetPointData();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = from->GetArray(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    const bool isMade = name.empty() || name == "Elevation" || name == "Normals" || name == "TCoords";
+    if (!isMade && array != heights && array->GetDataType() != VTK_BIT)
+    {
+      vtkSmartPointer<vtkDataArray> copy;
+      copy.TakeReference(array->NewInstance());
+      copy->SetName(array->GetName());
+      copy->SetNumberOfComponents(array->GetNumberOfComponents());
+      copy->SetNumberOfTuples(tuples);
+      carried.emplace_back(array, copy);
+    }
+  }
+  return carried;
+}
+
+/// Makes a block of its parts, each on a thread of its own.
+vtkSmartPointer<vtkPolyData> MakeBlock(
+  const Layout& layout, const littoral::TerrainPyramid& pyramid, vtkImageData* image, vtkDataArray* heights)
+{
+  const auto positions = NewArray<vtkDoubleArray>("Points", 3, layout.Points);
+  const auto elevation = NewArray<vtkFloatArray>("Elevation", 1, layout.Points);
+  const auto normals = NewArray<vtkFloatArray>("Normals", 3, layout.Points);
+  const auto coordinates = NewArray<vtkFloatArray>("TCoords", 2, layout.Points);
+  const auto levels = NewArray<vtkIntArray>("Level", 1, layout.Triangles);
+  const auto offsets = NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1);
+  const auto connectivity = NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles);
+  const CarriedArrays carried = NewCarriedArrays(image, heights, layout.Points);
+  const littoral::HeightSamples& samples = pyramid.GetSamples();
+
+  const auto copyPoint = [&](vtkIdType point, std::size_t sample) {
+    const littoral::Vector3 position = samples.Position(sample);
+    std::copy_n(&position.x, 3, positions->GetPointer(3 * point));
+    elevation->SetValue(point, samples.Values[sample]);
+    std::copy_n(pyramid.GetNormal(sample).data(), 3, normals->GetPointer(3 * point));
+    float* coordinate = coordinates->GetPointer(2 * point);
+    coordinate[0] = static_cast<float>(static_cast<double>(sample % samples.Width) / (samples.Width - 1));
+    coordinate[1] = static_cast<float>(static_cast<double>(sample / samples.Width) / (samples.Height - 1));
+    for (const auto& pair : carried)
+    {
+      pair.second->SetTuple(point, static_cast<vtkIdType>(sample), pair.first);
+    }
+  };
+  const auto copyPart = [&](const Part& part) {
+    for (std::size_t i = 0; i < part.Mesh->Samples.size(); ++i)
+    {
+      copyPoint(part.FirstPoint + static_cast<vtkIdType>(i), part.Mesh->Samples[i]);
+    }
+    for (std::size_t i = 0; i < part.Mesh->Triangles.size(); ++i)
+    {
+      connectivity->SetValue(
+        3 * part.FirstTriangle + static_cast<vtkIdType>(i), part.FirstPoint + part.Mesh->Triangles[i]);
+    }
+    const vtkIdType triangles = static_cast<vtkIdType>(part.Mesh->Triangles.size() / 3);
+    for (vtkIdType i = part.FirstTriangle; i < part.FirstTriangle + triangles; ++i)
+    {
+      offsets->SetValue(i, 3 * i);
+      levels->SetValue(i, part.Level);
+    }
+  };
+  littoral::SmpFor(layout.Parts.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      copyPart(layout.Parts[i]);
+    }
+  });
+  offsets->SetValue(layout.Triangles, 3 * layout.Triangles);
+
+  auto block = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  block->SetPoints(points);
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(offsets, connectivity);
+  block->SetPolys(triangles);
+  for (const auto& pair : carried)
+  {
+    block->GetPointData()->AddArray(pair.second);
+  }
+  block->GetPointData()->SetScalars(elevation);
+  block->GetPointData()->SetNormals(normals);
+  block->GetPointData()->SetTCoords(coordinates);
+  block->GetCellData()->AddArray(levels);
+  return block;
+}
+
+void AddCount(vtkDataObject* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> field;
+  field->SetName(name);
+  field->InsertNextValue(value);
+  data->GetFieldData()->AddArray(field);
+}
+
+/// About what a sample takes at most, here and in the output [bytes].
+double BytesASample(vtkImageData* image)
+{
+  double carried = 0.0;
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = image->GetPointData()->GetArray(i))
+    {
+      carried += array->GetNumberOfComponents() * array->GetDataTypeSize();
+    }
+  }
+  return 200.0 + carried;
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkTerrainLevelOfDetailFilter::vtkTerrainLevelOfDetailFilter()
+  : Selection(Distance)
+  , ScreenError(1.0)
+  , NumberOfLevels(5)
+  , TileSize(32)
+  , Cull(true)
+  , Kept(new KeptPyramid)
+{
+  this->NearDistance = 250.0;
+  this->FarDistance = 4000.0;
+}
+
+//----------------------------------------------------------------------------
+vtkTerrainLevelOfDetailFilter::~vtkTerrainLevelOfDetailFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkTerrainLevelOfDetailFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkTerrainLevelOfDetailFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  int whole[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  littoral::RequestAll(info);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkTerrainLevelOfDetailFilter::CheckProperties()
+{
+  if (this->Selection != Distance && this->Selection != ScreenErrorRule)
+  {
+    vtkErrorMacro("Selection is " << this->Selection << "; it must be 0 (distance) or 1 (screen error).");
+    return false;
+  }
+  if (!(this->ScreenError > 0.0 && std::isfinite(this->ScreenError)))
+  {
+    vtkErrorMacro("ScreenError is " << this->ScreenError << " pixels; it must be finite and positive.");
+    return false;
+  }
+  if (this->NumberOfLevels < 1 || this->NumberOfLevels > littoral::MostTerrainLevels)
+  {
+    vtkErrorMacro(
+      "NumberOfLevels is " << this->NumberOfLevels << "; it must be 1 to " << littoral::MostTerrainLevels << ".");
+    return false;
+  }
+  if (this->TileSize < 1 || this->TileSize > 4096 || (this->TileSize & (this->TileSize - 1)) != 0)
+  {
+    vtkErrorMacro("TileSize is " << this->TileSize << " cells; it must be a power of two from 1 to 4096.");
+    return false;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vtkInformationVector** inputVector)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  if (dimensions[2] != 1 || dimensions[0] < 2 || dimensions[1] < 2)
+  {
+    vtkErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+                                   << " points; terrain is one layer in z of at least 2 x 2.");
+    return nullptr;
+  }
+  vtkInformation* choice = this->GetInputArrayInformation(0);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  const bool isNamed = name && *name && std::string(name) != "NULL"; // "NULL": ParaView has chosen none yet
+  const bool isChosen = isNamed || (!name && choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+  vtkDataArray* heights =
+    isChosen ? this->GetInputArrayToProcess(0, inputVector) : image->GetPointData()->GetArray("Elevation");
+  if (!heights && !isChosen)
+  {
+    heights = image->GetPointData()->GetScalars();
+  }
+  if (!heights)
+  {
+    vtkErrorMacro("The image has no " << (isNamed ? "array '" + std::string(name) + "'" : "point scalars")
+                                      << " to take as elevation.");
+    return nullptr;
+  }
+  if (heights->GetNumberOfTuples() != image->GetNumberOfPoints() || heights->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro("The array '" << (heights->GetName() ? heights->GetName() : "")
+                                << "' is no elevation: it is a vector or lies on cells.");
+    return nullptr;
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------
+bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
+{
+  KeptPyramid& kept = *this->Kept;
+  if (kept.Pyramid && kept.ImageTime == image->GetMTime() && kept.HeightsTime == heights->GetMTime() &&
+    kept.TileSize == this->TileSize && kept.Levels == this->NumberOfLevels)
+  {
+    return true;
+  }
+  kept.Pyramid.reset();
+  const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
+  if (bytes > littoral::AvailableMemory())
+  {
+    vtkErrorMacro("The terrain in levels may take " << bytes / 1e9 << " GB, more than the free memory.");
+    return false;
+  }
+  littoral::HeightSamples samples;
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  samples.Width = dimensions[0];
+  samples.Height = dimensions[1];
+  double corner[3];
+  image->GetPoint(0, corner);
+  samples.Origin = { corner[0], corner[1] };
+  samples.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
+  samples.Values.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < samples.Values.size(); ++i)
+  {
+    samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
+    if (!std::isfinite(samples.Values[i]))
+    {
+      vtkErrorMacro("The elevation is NaN or infinite at point "
+        << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
+      return false;
+    }
+  }
+  kept.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
+  kept.ImageTime = image->GetMTime();
+  kept.HeightsTime = heights->GetMTime();
+  kept.TileSize = this->TileSize;
+  kept.Levels = this->NumberOfLevels;
+  return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkTerrainLevelOfDetailFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
+  littoral::View seen;
+  if (littoral::AsksForLaterPieces(outputVector))
+  {
+    return 1;
+  }
+  if (!this->CheckProperties() || !this->GetView(seen))
+  {
+    return 0;
+  }
+  vtkDataArray* heights = this->FindHeights(image, inputVector);
+  if (!heights || !this->UpdatePyramid(image, heights))
+  {
+    return 0;
+  }
+
+  const littoral::TerrainPyramid& pyramid = *this->Kept->Pyramid;
+  const std::vector<littoral::TerrainTile>& tiles = pyramid.GetTiles();
+  const littoral::ViewFrustum view(seen);
+  littoral::TerrainRule rule;
+  rule.ByScreenError = this->Selection == ScreenErrorRule;
+  rule.NearDistance = this->NearDistance;
+  rule.FarDistance = this->FarDistance;
+  rule.LargestPixels = this->ScreenError;
+  rule.Cull = this->Cull;
+  const std::vector<int> levels = littoral::SelectLevels(pyramid, view, rule);
+
+  std::vector<littoral::TerrainPatch> patches(tiles.size());
+  const auto makePatch = [&](std::size_t tile) {
+    if (levels[tile] != littoral::Culled)
+    {
+      patches[tile] = littoral::MakePatch(pyramid, levels, tile);
+    }
+  };
+  if (!littoral::RunWithProgress(this, tiles.size(), 0.2, 0.6, makePatch))
+  {
+    return 1;
+  }
+
+  const std::size_t seams = static_cast<std::size_t>(pyramid.GetLevels());
+  std::vector<Layout> layouts(seams + 1);
+  double shown = 0.0;
+  double largestError = 0.0;
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+  {
+    const int level = levels[tile];
+    if (level != littoral::Culled)
+    {
+      layouts[static_cast<std::size_t>(level)].Add(patches[tile].Surface, level);
+      layouts[seams].Add(patches[tile].Seams, level);
+      largestError = std::max(largestError, littoral::ScreenErrorOf(tiles[tile], level, view));
+      shown += 1.0;
+    }
+  }
+  double polygons = 0.0;
+  for (std::size_t block = 0; block <= seams; ++block)
+  {
+    const unsigned int index = static_cast<unsigned int>(block);
+    output->SetBlock(index, MakeBlock(layouts[block], pyramid, image, heights));
+    const std::string name = block == seams ? "Seams" : "Level" + std::to_string(block);
+    output->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+    polygons += static_cast<double>(layouts[block].Triangles);
+    this->UpdateProgress(0.6 + 0.4 * static_cast<double>(block + 1) / static_cast<double>(seams + 1));
+  }
+  const littoral::HeightSamples& samples = pyramid.GetSamples();
+  AddCount(output, "TilesShown", shown);
+  AddCount(output, "TilesInAll", static_cast<double>(tiles.size()));
+  AddCount(output, "PolygonsShown", polygons);
+  AddCount(output, "PolygonsAtFullDetail", 2.0 * (samples.Width - 1) * (samples.Height - 1));
+  AddCount(output, "LargestScreenError", largestError);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkTerrainLevelOfDetailFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Selection: " << this->Selection << "\n";
+  os << indent << "ScreenError: " << this->ScreenError << "\n";
+  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "TileSize: " << this->TileSize << "\n";
+  os << indent << "Cull: " << (this->Cull ? "on" : "off") << "\n";
+}

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Terrain in levels of detail: arrays, counters, same bytes on any threads, what is kept, bad input, a picture.
+#include "ErrorCounter.h"
+#include "vtkTerrainLevelOfDetailFilter.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+using Filter = vtkTerrainLevelOfDetailFilter;
+
+constexpr int Width = 203;
+constexpr int Height = 150;
+
+bool Check(bool good, const std::string& what)
+{
+  if (!good)
+  {
+    std::cerr << what << std::endl;
+  }
+  return good;
+}
+
+vtkSmartPointer<vtkImageData> Hills(int width = Width, int height = Height, int depth = 1)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, depth);
+  image->SetSpacing(10.0, 10.0, 1.0);
+  image->SetOrigin(500.0, -200.0, 0.0);
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Elevation");
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("RGB");
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double x = static_cast<double>(i % width);
+    const double y = static_cast<double>(i / width % height);
+    heights->InsertNextValue(static_cast<float>(
+      120.0 * std::sin(0.05 * x) * std::cos(0.07 * y) + 15.0 * std::sin(0.6 * x + 0.2 * y) * std::sin(0.5 * y)));
+    colours->InsertNextTuple3(i % 251, i % 7, 100);
+  }
+  image->GetPointData()->AddArray(colours);
+  image->GetPointData()->SetScalars(heights);
+  return image;
+}
+
+void LookAcross(Filter* filter)
+{
+  filter->SetViewPoint(1500.0, -500.0, 400.0);
+  filter->SetViewDirection(0.0, 1.0, -0.3);
+  filter->SetNearDistance(600.0);
+  filter->SetFarDistance(1500.0);
+}
+
+vtkPolyData* BlockOf(Filter* filter, unsigned int block)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutput()->GetBlock(block));
+}
+
+double CountOf(Filter* filter, const char* name)
+{
+  vtkDataArray* array = filter->GetOutput()->GetFieldData()->GetArray(name);
+  return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool PointsAreThoseOfTheImage(vtkPolyData* block, vtkImageData* image)
+{
+  vtkDataArray* heights = image->GetPointData()->GetArray("Elevation");
+  vtkDataArray* colours = image->GetPointData()->GetArray("RGB");
+  vtkPointData* arrays = block->GetPointData();
+  bool good = true;
+  for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    block->GetPoint(i, point);
+    const vtkIdType x = std::lround((point[0] - 500.0) / 10.0);
+    const vtkIdType y = std::lround((point[1] + 200.0) / 10.0);
+    const vtkIdType sample = y * Width + x;
+    const double* tcoords = arrays->GetTCoords()->GetTuple2(i);
+    good &= point[2] == heights->GetTuple1(sample) && arrays->GetArray("Elevation")->GetTuple1(i) == point[2];
+    good &= arrays->GetArray("RGB")->GetComponent(i, 0) == colours->GetComponent(sample, 0);
+    good &= std::abs(tcoords[0] - x / (Width - 1.0)) < 1e-6 && std::abs(tcoords[1] - y / (Height - 1.0)) < 1e-6;
+    const double* normal = arrays->GetNormals()->GetTuple3(i);
+    good &= normal[2] > 0.0 && std::abs(std::hypot(std::hypot(normal[0], normal[1]), normal[2]) - 1.0) < 1e-6;
+  }
+  return good;
+}
+
+bool Data()
+{
+  const auto image = Hills();
+  vtkNew<Filter> filter;
+  filter->SetInputData(image);
+  LookAcross(filter);
+  filter->Update();
+  bool good = Check(filter->GetOutput()->GetNumberOfBlocks() == 6, "not five levels and the seams");
+  double polygons = 0.0;
+  for (unsigned int block = 0; good && block < 6; ++block)
+  {
+    const std::string name = block == 5 ? "Seams" : "Level" + std::to_string(block);
+    vtkPolyData* data = BlockOf(filter, block);
+    good &= Check(name == filter->GetOutput()->GetMetaData(block)->Get(vtkCompositeDataSet::NAME()), name);
+    good &= Check(data && data->GetNumberOfCells() > 0, name + " is empty");
+    good = good && Check(PointsAreThoseOfTheImage(data, image), name + " has points that are not the image's");
+    double range[2];
+    data->GetCellData()->GetArray("Level")->GetRange(range);
+    good &= Check(block == 5 ? range[0] >= 1 && range[1] <= 4 : range[0] == block && range[1] == block, "Level");
+    polygons += static_cast<double>(data->GetNumberOfCells());
+  }
+  good &= Check(CountOf(filter, "PolygonsShown") == polygons, "PolygonsShown");
+  good &= Check(CountOf(filter, "PolygonsAtFullDetail") == 2.0 * (Width - 1) * (Height - 1), "PolygonsAtFullDetail");
+  good &= Check(CountOf(filter, "TilesInAll") == 7 * 5, "TilesInAll");
+  good &= Check(CountOf(filter, "TilesShown") > 5 && CountOf(filter, "TilesShown") < 35, "TilesShown");
+  good &= Check(CountOf(filter, "LargestScreenError") > 0.0, "LargestScreenError");
+
+  filter->SetSelection(Filter::ScreenErrorRule);
+  filter->SetScreenError(20.0);
+  filter->Update();
+  const double coarse = CountOf(filter, "PolygonsShown");
+  good &= Check(CountOf(filter, "LargestScreenError") <= 20.0, "the error on the screen is above ScreenError");
+  filter->SetScreenError(1e-6);
+  filter->Update();
+  good &= Check(CountOf(filter, "PolygonsShown") > coarse, "a smaller error takes no more polygons");
+  filter->CullOff();
+  filter->Update();
+  good &= Check(CountOf(filter, "PolygonsShown") == CountOf(filter, "PolygonsAtFullDetail"), "no full detail");
+  return good;
+}
+
+bool SameBytes(vtkDataArray* a, vtkDataArray* b)
+{
+  return a->GetNumberOfValues() == b->GetNumberOfValues() && a->GetNumberOfValues() > 0 &&
+    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+      static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0;
+}
+
+bool SameBlocks(Filter* one, Filter* two)
+{
+  bool good = true;
+  for (unsigned int block = 0; block < 6; ++block)
+  {
+    vtkPolyData* a = BlockOf(one, block);
+    vtkPolyData* b = BlockOf(two, block);
+    good &= SameBytes(a->GetPoints()->GetData(), b->GetPoints()->GetData());
+    good &= SameBytes(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
+    good &= SameBytes(a->GetPointData()->GetNormals(), b->GetPointData()->GetNormals());
+    good &= SameBytes(a->GetCellData()->GetArray("Level"), b->GetCellData()->GetArray("Level"));
+  }
+  return good;
+}
+
+/// The same bytes on one and two threads, whatever was seen before, and no trace of an earlier terrain.
+bool Reproducible()
+{
+  const auto image = Hills();
+  vtkNew<Filter> one;
+  vtkNew<Filter> two;
+  for (Filter* filter : { one.Get(), two.Get() })
+  {
+    vtkSMPTools::Initialize(filter == one ? 1 : 2);
+    filter->SetInputData(image);
+    LookAcross(filter);
+    filter->Update();
+  }
+  bool good = Check(SameBlocks(one, two), "the output depends on the number of threads");
+  two->SetViewPoint(900.0, 900.0, 50.0);
+  two->Update();
+  LookAcross(two);
+  two->Update();
+  good &= Check(SameBlocks(one, two), "the output depends on an earlier view");
+  vtkDataArray* heights = image->GetPointData()->GetArray("Elevation");
+  for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
+  {
+    heights->SetTuple1(i, 0.5 * heights->GetTuple1(i));
+  }
+  heights->Modified();
+  two->Update();
+  good &= Check(PointsAreThoseOfTheImage(BlockOf(two, 0), image), "the terrain of before is shown");
+  return good;
+}
+
+bool Pieces()
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(Hills());
+  LookAcross(filter);
+  filter->UpdatePiece(1, 2, 0);
+  const bool later = filter->GetOutput()->GetNumberOfBlocks() == 0;
+  filter->UpdatePiece(0, 2, 0);
+  return Check(later && filter->GetOutput()->GetNumberOfBlocks() == 6, "the terrain is not in the first piece alone");
+}
+
+bool Fails(const char* word, const std::function<void(Filter*)>& spoil, vtkImageData* image = nullptr)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(image ? image : Hills().Get());
+  spoil(filter);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(filter);
+  return Check(errors->ExpectOneNaming(word) && filter->GetOutput()->GetNumberOfBlocks() == 0, word);
+}
+
+bool BadInput()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto nothing = [](Filter*) {};
+  const auto hole = Hills();
+  hole->GetPointData()->GetArray("Elevation")->SetTuple1(77, nan);
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(5, 5, 1);
+  bool good = Fails("point 77", nothing, hole);
+  good &= Fails("scalars", nothing, bare);
+  good &= Fails("1 x 9 x 1", nothing, Hills(1, 9));
+  good &= Fails("x 2 points", nothing, Hills(9, 9, 2));
+  const auto choose = [](const char* name, int association) {
+    return [=](Filter* f) { f->SetInputArrayToProcess(0, 0, 0, association, name); };
+  };
+  good &= Fails("'Depth'", choose("Depth", vtkDataObject::FIELD_ASSOCIATION_POINTS));
+  good &= Fails("'RGB'", choose("RGB", vtkDataObject::FIELD_ASSOCIATION_POINTS));
+  for (const int size : { 0, -4, 12, 8192 })
+  {
+    good &= Fails("TileSize", [=](Filter* f) { f->SetTileSize(size); });
+  }
+  good &= Fails("NumberOfLevels", [](Filter* f) { f->SetNumberOfLevels(0); });
+  good &= Fails("NumberOfLevels", [](Filter* f) { f->SetNumberOfLevels(9); });
+  good &= Fails("ScreenError", [](Filter* f) { f->SetScreenError(0.0); });
+  good &= Fails("ScreenError", [=](Filter* f) { f->SetScreenError(nan); });
+  good &= Fails("Selection", [](Filter* f) { f->SetSelection(2); });
+  good &= Fails("ViewAngle", [](Filter* f) { f->SetViewAngle(180.0); });
+  good &= Fails("FarDistance", [](Filter* f) { f->SetFarDistance(1.0); });
+  return good;
+}
+
+void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double, 3>& colour)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(block);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  renderer->AddActor(actor);
+}
+
+}
+
+int TestTerrainLevelOfDetail(int argc, char* argv[])
+{
+  if (!Data() || !Reproducible() || !Pieces() || !BadInput())
+  {
+    return EXIT_FAILURE;
+  }
+  vtkNew<Filter> filter;
+  filter->SetInputData(Hills());
+  LookAcross(filter);
+  filter->CullOff();
+  filter->Update();
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.9, 0.93, 0.97);
+  const std::array<std::array<double, 3>, 6> colours{ { { 0.2, 0.5, 0.2 }, { 0.5, 0.6, 0.2 }, { 0.8, 0.7, 0.3 },
+    { 0.8, 0.5, 0.3 }, { 0.7, 0.4, 0.5 }, { 1.0, 0.0, 0.0 } } };
+  for (unsigned int block = 0; block < 6; ++block)
+  {
+    AddBlock(renderer, BlockOf(filter, block), colours[block]);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(1500.0, -1500.0, 1500.0);
+  camera->SetFocalPoint(1500.0, 450.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(40.0);
+  renderer->ResetCameraClippingRange();
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(300, 200);
+  window->AddRenderer(renderer);
+  window->Render();
+  return !vtkRegressionTestImage(window);
+}
