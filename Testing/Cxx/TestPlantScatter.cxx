@@ -615,9 +615,15 @@ int TestPlantScatter(int argc, char* argv[])
   Forest forest;
   forest.AddTerrain();
   forest.Pine->SetPreset(vtkReevesTreeSource::Pine);
-  forest.Filter->SetViewPoint(0.0, -18.0, 6.0);
-  forest.Filter->SetViewDirection(0.0, 1.0, 0.0);
-  forest.Filter->SetViewAngle(35.0);
+  const double eye[3] = { 4.0, -52.0, 20.0 };
+  const double focus[3] = { 0.0, 30.0, 5.0 };
+  constexpr double Angle = 20.0;
+  forest.Filter->SetViewPoint(eye);
+  forest.Filter->SetViewDirection(focus[0] - eye[0], focus[1] - eye[1], focus[2] - eye[2]);
+  forest.Filter->SetViewAngle(Angle);
+  forest.Filter->SetAspectRatio(2.5);
+  forest.Filter->SetNearDistance(70.0);
+  forest.Filter->SetFarDistance(100.0);
   forest.Filter->Update();
   auto* crowns = vtkImageData::SafeDownCast(forest.Filter->GetOutputDataObject(1));
   auto* leaves = vtkImageData::SafeDownCast(forest.Filter->GetOutputDataObject(2));
@@ -626,7 +632,5 @@ int TestPlantScatter(int argc, char* argv[])
   scene.Add(forest.Part("Medium/Trunk"), 0.0);
   scene.Add(forest.Part("Medium/Crown"), 0.0, crowns, true);
   scene.Add(forest.Part("Low"), 0.0);
-  const double eye[3] = { 0.0, -18.0, 6.0 };
-  const double focus[3] = { 0.0, 50.0, 6.0 };
-  return scene.Compare(argc, argv, eye, focus, 35.0);
+  return scene.Compare(argc, argv, eye, focus, Angle);
 }
