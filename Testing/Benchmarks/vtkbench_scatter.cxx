@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Speed of scattering plants: a new view of a large forest, and many trees in full.
+#include "vtkPlantScatterFilter.h"
+#include "vtkQuadratPointSource.h"
+#include "vtkReevesTreeSource.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+
+#include <benchmark/benchmark.h>
+
+namespace
+{
+
+/// One tree on 100 m2 on the average, over a square.
+struct Forest
+{
+  vtkNew<vtkQuadratPointSource> Sites;
+  vtkNew<vtkReevesTreeSource> Tree;
+  vtkNew<vtkPlantScatterFilter> Filter;
+
+  Forest(int side, int leaves)
+  {
+    this->Sites->SetQuadrats(side, side);
+    this->Sites->SetSize(10.0 * side, 10.0 * side);
+    this->Tree->SetPreset(vtkReevesTreeSource::Custom);
+    this->Tree->SetNumberOfLeaves(leaves);
+    this->Filter->SetInputConnection(0, this->Sites->GetOutputPort());
+    this->Filter->SetInputConnection(1, this->Tree->GetOutputPort());
+    this->Filter->SetViewPoint(5.0 * side, 2.0 * side, 2.0);
+  }
+
+  void Report(benchmark::State& state)
+  {
+    vtkFieldData* fields = this->Filter->GetOutputDataObject(0)->GetFieldData();
+    for (const char* name : { "PlantsShown", "PlantsHigh", "PolygonsShown", "OutputBytes" })
+    {
+      state.counters[name] = fields->GetArray(name)->GetTuple1(0);
+    }
+  }
+};
+
+/// 100 000 trees of about 25 000 polygons, levels and cells, the eye a step further each time.
+void NewViewOfForest(benchmark::State& state)
+{
+  Forest forest(316, 10000);
+  forest.Filter->Update();
+  double step = 0.0;
+  for (auto _ : state)
+  {
+    step += 0.5;
+    forest.Filter->SetViewPoint(1580.0 + step, 632.0 + step, 2.0);
+    forest.Filter->Update();
+  }
+  forest.Report(state);
+}
+BENCHMARK(NewViewOfForest)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The same from nothing: sites are placed and sorted into cells, too.
+void FirstViewOfForest(benchmark::State& state)
+{
+  Forest forest(316, 10000);
+  forest.Filter->Update();
+  int seed = 1;
+  for (auto _ : state)
+  {
+    forest.Filter->SetSeed(++seed);
+    forest.Filter->Update();
+  }
+  forest.Report(state);
+}
+BENCHMARK(FirstViewOfForest)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Trees in full; the argument is the number of leaves of each.
+void AllInFull(benchmark::State& state)
+{
+  Forest forest(100, static_cast<int>(state.range(0)));
+  forest.Filter->UseLevelsOff();
+  forest.Filter->UseCellsOff();
+  for (auto _ : state)
+  {
+    forest.Filter->Modified();
+    forest.Filter->Update();
+    if (!forest.Filter->GetOutputDataObject(0)->GetFieldData()->GetArray("OutputBytes"))
+    {
+      state.SkipWithError("too little memory");
+      return;
+    }
+  }
+  forest.Report(state);
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * state.counters["OutputBytes"].value));
+}
+BENCHMARK(AllInFull)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(3);
+
+}
+
+BENCHMARK_MAIN();
