@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython
+"""FollowCamera: levels of detail change with the camera, without a window and in it, before a server, after a state."""
+
+import os
+import subprocess
+
+from paraview import simple
+
+PORT = 21511
+
+
+def counts(forest):
+    """Number of plants at each level, from the field data of what is shown."""
+    forest.UpdatePipeline()
+    fields = forest.GetDataInformation().GetFieldDataInformation()
+    return [fields.GetArrayInformation("Plants" + level).GetComponentRange(0)[0]
+            for level in ("High", "Medium", "Low")]
+
+
+def forest_in(view):
+    """A forest with few leaves on flat ground, shown."""
+    sites = simple.QuadratPoints(Size=[400.0, 400.0], Quadrats=[20, 20])
+    tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1)
+    forest = simple.PlantScatter(registrationName="Forest", Sites=sites, Prototypes=[tree])
+    shown = simple.Show(forest, view)
+    assert shown.MapScalars == 0, "colours go through a colour map"
+    return forest
+
+
+def stand(view, distance):
+    """Put the camera in front of the forest, and draw."""
+    view.CameraPosition = [200.0, -distance, 30.0]
+    view.CameraFocalPoint = [200.0, 200.0, 0.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    simple.Render(view)
+
+
+def check_follows(forest, view, where):
+    """The levels are those of the camera's place in each picture."""
+    stand(view, 20.0)
+    near = counts(forest)
+    stand(view, 2000.0)
+    far = counts(forest)
+    assert near[0] > 0, f"{where}: nothing is at the highest level near by: {near}"
+    assert far[0] == far[1] == 0 and far[2] > 0, f"{where}: not all are at the lowest level: {far}"
+    stand(view, 20.0)
+    assert counts(forest) == near, f"{where}: the way back gives other levels"
+
+
+def check_here(where):
+    """Ticked, not ticked, and after a state file."""
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = [400, 300]
+    forest = forest_in(view)
+    simple.Render(view)  # the first picture of a view resets its camera
+    check_follows(forest, view, where)
+
+    forest.FollowCamera = 0
+    stand(view, 20.0)
+    before = counts(forest)
+    stand(view, 2000.0)
+    assert counts(forest) == before, f"{where}: it follows though it should not"
+    forest.FollowCamera = 1
+
+    state = os.path.abspath(f"follow-{where}.pvsm")
+    simple.SaveState(state)
+    simple.ResetSession()
+    simple.LoadState(state)
+    forest, view = simple.FindSource("Forest"), simple.GetActiveViewOrCreate("RenderView")
+    check_follows(forest, view, f"{where}, after a state")
+
+
+def check_server():
+    """The same in front of a server."""
+    server = subprocess.Popen(["pvserver", f"--server-port={PORT}"], stdout=subprocess.PIPE)
+    try:
+        for line in server.stdout:
+            if b"Accepting connection" in line:
+                break
+        simple.Connect("localhost", PORT)
+        check_here("server")
+        simple.Disconnect()
+    finally:
+        server.terminate()
+        server.wait()
+
+
+if os.environ.get("LITTORAL_CLIENT_SCRIPT"):
+    check_here("window")
+else:
+    check_here("batch")
+    check_server()
