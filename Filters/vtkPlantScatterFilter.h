@@ -112,6 +112,9 @@ public:
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
+  /// Disconnects all prototypes.
+  void RemoveAllPrototypes() { this->RemoveAllInputConnections(1); }
+
 protected:
   vtkPlantScatterFilter();
   ~vtkPlantScatterFilter() override;

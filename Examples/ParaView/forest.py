@@ -15,6 +15,7 @@ import tempfile
 
 import numpy as np
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from littoral import landscape
 from littoral.elevation import write_vti
@@ -25,6 +26,16 @@ EYE_HEIGHT, VIEW_ANGLE = 7.0, 30.0
 #: Lower left corner and size of the part with trees [m].
 WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and the seed of its prototype
+#: Radius of the crown of each species, and height of its middle [m].
+CROWNS = np.array(((2.0, 4.5), (4.8, 6.5), (2.2, 7.0), (1.3, 0.9)))
+#: How far grass and shadows reach from the walk [m].
+GRASS_REACH, SHADOW_REACH = 75.0, 900.0
+#: A tuft of grass, as a shrub without wood.
+GRASS = dict(
+    Preset="Custom", Height=0.42, CrownRadius=0.35, CrownBase=0.0, TrunkRadius=0.004,
+    TrunkReach=0.3, Orders=1, MainBranches=10, BranchAngle=40.0, Lift=0.3, NumberOfLeaves=45,
+    LeafSize=0.32, LeafWidth=0.09, LeafForm="Blade", LeafColor=[0.50, 0.56, 0.24],
+    BarkColor=[0.45, 0.50, 0.25])
 
 
 def write_polydata(data, filename):
@@ -49,6 +60,15 @@ def eye_at(country, share):
     return np.array((*place, country.height(*place) + EYE_HEIGHT))
 
 
+def shadows_near(country, woods):
+    """The shadows of the trees near the walk."""
+    places = vtk_to_numpy(woods.GetPoints().GetData()).astype(float)
+    species = vtk_to_numpy(woods.GetPointData().GetArray("Species"))
+    near = np.hypot(*(places[:, :2] - eye_at(country, 0.5)[:2]).T) < SHADOW_REACH
+    radius, height = CROWNS[species[near]].T
+    return landscape.shadows(country, places[near], radius, height)
+
+
 def build(folder, view):
     """The pipeline, shown in a view; gives the country."""
     def file(name):
@@ -56,13 +76,16 @@ def build(folder, view):
 
     country = landscape.Country()
     write_vti(country.image, file("country.vti"))
-    write_polydata(landscape.wood_sites(country, *WOODS), file("sites.vtp"))
+    woods = landscape.wood_sites(country, *WOODS)
+    write_polydata(woods, file("sites.vtp"))
+    write_polydata(shadows_near(country, woods), file("shadows.vtp"))
     write_polydata(landscape.sky_dome(eye_at(country, 0.5)), file("sky.vtp"))
     landscape.write_sky(file("sky.png"))
 
     terrain = reader(simple.XMLImageDataReader, "Country", file("country.vti"))
     sites = reader(simple.XMLPolyDataReader, "Sites", file("sites.vtp"))
     sky = reader(simple.XMLPolyDataReader, "Sky", file("sky.vtp"))
+    shadows = reader(simple.XMLPolyDataReader, "Shadows", file("shadows.vtp"))
     trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
              for name, seed in SPECIES]
     ground = simple.TerrainLevelOfDetail(
@@ -71,10 +94,21 @@ def build(folder, view):
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
         NearDistance=110.0, FarDistance=500.0)
 
+    middle = eye_at(country, 0.5)
+    tufts = simple.QuadratPoints(
+        registrationName="Tufts", Origin=list(middle[:2] - GRASS_REACH), Law="Poisson Poisson",
+        Size=[2.0 * GRASS_REACH] * 2, Quadrats=[75, 75], MeanPerQuadrat=3.0, ClusterMean=2.0)
+    grass = simple.PlantScatter(
+        registrationName="Grass", Sites=tufts, Terrain=terrain, NearDistance=300.0,
+        Prototypes=[simple.ReevesTree(registrationName="Tuft", **GRASS)], FarDistance=300.0,
+        MaximumDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.15)
+
     landscape.prepare_view(view)
     look(country, view, 0.0)
     landscape.show_sky(sky, view, file("sky.png"))
     landscape.show_ground(ground, view)
+    landscape.show_shadows(shadows, view)
+    landscape.show_plants(grass, view)
     landscape.show_plants(forest, view)
     simple.UpdatePipeline(proxy=forest)
     simple.SaveData(file("crowns.png"), simple.OutputPort(forest, 1))
@@ -95,7 +129,6 @@ def main(folder, size=(960, 540), frames=0):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
     country = build(folder, view)
-    view.GetRenderer().SetNearClippingPlaneTolerance(2e-5)
     simple.Render(view)
     for frame in range(frames):
         look(country, view, frame / max(1, frames - 1))

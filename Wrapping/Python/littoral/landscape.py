@@ -25,8 +25,10 @@ from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 SUN = (165.0, 38.0)
 #: Colour of the air far away, and how far one sees [m].
 HAZE, SIGHT = (0.70, 0.79, 0.88), 9000.0
-#: Radius of the sky [m].
-SKY = 15000.0
+#: Radius of the sky [m]. It is drawn behind all else, however far that is: a dome beyond the land
+#: would push the near plane of the view away from the eye.
+SKY = 4000.0
+BEHIND = [{"type": "fragment", "original": "//VTK::Depth::Impl", "replacement": "gl_FragDepth = 0.999999;"}]
 
 PLACE = [
     {"type": "vertex", "original": "//VTK::PositionVC::Dec",
@@ -166,7 +168,7 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1):
     chance = np.random.default_rng(seed).random((3, len(x)))
     wood = _sampled(country.wood, country.spacing, x, y)
     z = country.height(x, y)
-    stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.02, 1.0)
+    stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.03, 1.0)
     high = np.clip((z - np.percentile(country.z, 30.0)) / (0.6 * np.ptp(country.z)), 0.05, 0.85)
     edge = np.exp(-((wood - 0.45) / 0.25) ** 2)
     species = np.where(chance[1] < high, 0, np.where(chance[2] < 0.15 + 0.5 * edge, 2, 1))
@@ -371,6 +373,8 @@ def show_sky(source, view, picture):
     shown.RepeatTextures = 0
     shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
     _bake(shown)
+    shown.UseShaderReplacements = 1
+    shown.ShaderReplacements = json.dumps(BEHIND)
     return shown
 
 
