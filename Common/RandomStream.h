@@ -21,6 +21,9 @@ enum class RandomPurpose : std::uint32_t
   TreeBranches = 16,
   TreeLeaves = 17,
   CrownJitter = 25,
+  WindAlong = 32,
+  WindAcross = 33,
+  WindUp = 34,
 };
 
 /**
