@@ -72,8 +72,8 @@ def section(speed, origin, spacing):
 
 def arrows(vectors, origin, spacing, every):
     """An actor of arrows in the plane: tails on every so many samples."""
-    rows = np.arange(every[0] // 2, vectors.shape[0], every[0])
-    columns = np.arange(every[1] // 2, vectors.shape[1] - every[1] // 2, every[1])
+    rows = np.arange(every[0] // 2, vectors.shape[0] - 2, every[0])
+    columns = np.arange(every[1] // 2, vectors.shape[1] - every[1], every[1])
     x, y = np.meshgrid(columns * spacing[0], origin + rows * spacing[1])
     flat = np.zeros((x.size, 3))
     flat[:, 0], flat[:, 1], flat[:, 2] = x.ravel(), y.ravel(), 1.0
