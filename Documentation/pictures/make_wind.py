@@ -31,7 +31,7 @@ SPEEDS = ((3.0, 0.08, 0.16, 0.36), (6.0, 0.13, 0.38, 0.56), (9.0, 0.28, 0.62, 0.
 
 
 def make_wind():
-    """A box along x, finer than the default: velocities by layer, column and sample, and spacing."""
+    """A fine box along x: velocities by layer, column and sample; spacing; height of the first."""
     source = vtkWindFieldSource()
     source.SetDimensions(1200, 81, 32)
     source.SetTimeStep(0.1)
