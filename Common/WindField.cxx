@@ -467,7 +467,7 @@ void WindField::FinishPlanes()
   }
   for (int layer = 0; layer < layers; ++layer)
   {
-    this->LayerFactor[layer] = static_cast<float>(std::sqrt(wants[layer] / has[layer]));
+    this->LayerFactor[layer] = has[layer] > 0.0 ? static_cast<float>(std::sqrt(wants[layer] / has[layer])) : 1.0f;
   }
 }
 

@@ -14,6 +14,8 @@ namespace
 constexpr double VonKarman = 0.4;
 /// Height of the speed in the exponent of the coherence [m] (eqs. 11, 12).
 constexpr double CoherenceHeight = 10.0;
+/// Beyond it there is no wind on Earth [m/s].
+constexpr double FastestWind = 1000.0;
 
 bool IsPositive(double value)
 {
@@ -52,9 +54,10 @@ double IecKaimalDensity(const WindModel& model, int component, double frequency)
 std::string WhyInvalid(const WindModel& model)
 {
   std::ostringstream reason;
-  if (!IsPositive(model.ReferenceSpeed))
+  if (!IsPositive(model.ReferenceSpeed) || model.ReferenceSpeed > FastestWind)
   {
-    reason << "ReferenceSpeed is " << model.ReferenceSpeed << " m/s; it must be positive.";
+    reason << "ReferenceSpeed is " << model.ReferenceSpeed << " m/s; it must be positive and at most " << FastestWind
+           << ".";
   }
   else if (!IsPositive(model.RoughnessLength))
   {

@@ -32,7 +32,7 @@ struct WindDecay
  */
 struct WindModel
 {
-  double ReferenceSpeed = 10.0;  ///< mean at ReferenceHeight [m/s], positive
+  double ReferenceSpeed = 10.0;  ///< mean at ReferenceHeight [m/s], positive, at most 1000
   double ReferenceHeight = 10.0; ///< above the ground [m], above RoughnessLength
   double RoughnessLength = 0.03; ///< of the ground [m], positive: 0.01 low grass ... 1 forest
   WindSpectrumModel Spectrum = WindSpectrumModel::SimiuScanlan;

@@ -84,7 +84,8 @@ public:
   ///@}
 
   ///@{
-  /// Mean wind at ReferenceHeight [m/s], positive; also the speed that turbulence is carried along with. Default 10.
+  /// Mean wind at ReferenceHeight [m/s], positive, at most 1000; also the speed that turbulence is carried along with.
+  /// Default 10.
   vtkSetMacro(ReferenceSpeed, double);
   vtkGetMacro(ReferenceSpeed, double);
   ///@}
