@@ -25,6 +25,9 @@ enum class RandomPurpose : std::uint32_t
   PlantAzimuth = 23,
   PlantTint = 24,
   CrownJitter = 25,
+  WindAlong = 32,
+  WindAcross = 33,
+  WindUp = 34,
 };
 
 /**

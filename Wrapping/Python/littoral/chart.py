@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The variogram as a chart: what was measured as points, what the models say as lines.
+"""Variograms and spectra as charts: what was measured as points, what the models say as lines.
 
-Both axes are logarithmic, since a variogram speaks over decades and the models are fitted so.
+Both axes are logarithmic, since both speak over decades.
 """
 
 import re
@@ -17,6 +17,7 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 from .picture import write_png
 from .tables import column, table_of
 
+FONT = 19  # [pixels]
 INK = (0.20, 0.22, 0.26)
 GRID = (0.90, 0.90, 0.90)
 BEST = (0.80, 0.27, 0.12)
@@ -37,12 +38,44 @@ def save_variogram_chart(filename, variogram, models, size=(1200, 750), oversamp
     for rank, model in enumerate(models):
         _add_line(chart, table, model, rank, oversampling)
     _add_points(chart, table, oversampling)
-    font = 19 * oversampling
-    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Lag (km)", font, column(table, "Lag"))
+    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Lag (km)", oversampling, column(table, "Lag"))
     _style_axis(
-        chart.GetAxis(vtkAxis.LEFT), "Semivariance (1000 m\u00b2)", font,
+        chart.GetAxis(vtkAxis.LEFT), "Semivariance (1000 m\u00b2)", oversampling,
         column(table, "Semivariance"))
-    _style_legend(chart, font)
+    _style_legend(chart, oversampling, vtkChartLegend.RIGHT)
+    _write(chart, filename, size, oversampling)
+
+
+def save_spectrum_chart(filename, spectra, components, size=(1200, 750), oversampling=2):
+    """Draw power spectra: a table of `Frequency` [Hz] and two columns for each component.
+
+    components: names of the columns with densities [m2/s2/Hz]; what the model says is in the
+    column of the same name with ` model` behind it.
+    """
+    chart = vtkChartXY()
+    for name, colour in zip(components, (BEST, *OTHERS)):
+        line = chart.AddPlot(vtkChart.LINE)
+        line.SetInputData(spectra, "Frequency", f"{name} model")
+        line.SetLabel(f" {name}: model")
+        line.SetColor(*colour)
+        line.SetWidth(2.5 * oversampling)
+        points = chart.AddPlot(vtkChart.POINTS)
+        points.SetInputData(spectra, "Frequency", name)
+        points.SetLabel(f" {name}: field")
+        points.SetMarkerStyle(vtkPlotPoints.CIRCLE)
+        points.SetMarkerSize(8.0 * oversampling)
+        points.SetColor(*colour)
+    values = np.concatenate([column(spectra, name) for name in components])
+    _style_axis(
+        chart.GetAxis(vtkAxis.BOTTOM), "Frequency (Hz)", oversampling,
+        column(spectra, "Frequency"))
+    _style_axis(
+        chart.GetAxis(vtkAxis.LEFT), "Power density (m\u00b2/s\u00b2/Hz)", oversampling, values)
+    _style_legend(chart, oversampling, vtkChartLegend.LEFT)
+    _write(chart, filename, size, oversampling)
+
+
+def _write(chart, filename, size, oversampling):
     margin = 30 * oversampling
     chart.SetAutoSize(False)
     chart.SetSize(vtkRectf(margin, margin, *(s * oversampling - 2 * margin for s in size)))
@@ -70,7 +103,7 @@ def _add_points(chart, table, oversampling):
     points.SetColor(*INK)
 
 
-def _style_axis(axis, title, font, values):
+def _style_axis(axis, title, oversampling, values):
     positive = values[values > 0.0] if np.any(values > 0.0) else np.ones(1)
     axis.SetTitle(title)
     axis.SetBehavior(vtkAxis.FIXED)
@@ -81,15 +114,16 @@ def _style_axis(axis, title, font, values):
     axis.GetPen().SetColorF(*INK)
     axis.GetGridPen().SetColorF(*GRID)
     for text in (axis.GetTitleProperties(), axis.GetLabelProperties()):
-        text.SetFontSize(font)
+        text.SetFontSize(FONT * oversampling)
         text.SetColor(*INK)
         text.BoldOff()
 
 
-def _style_legend(chart, font):
+def _style_legend(chart, oversampling, side):
+    font = FONT * oversampling
     chart.SetShowLegend(True)
     legend = chart.GetLegend()
-    legend.SetHorizontalAlignment(vtkChartLegend.RIGHT)
+    legend.SetHorizontalAlignment(side)
     legend.SetVerticalAlignment(vtkChartLegend.BOTTOM)
     legend.SetLabelSize(font)
     legend.SetSymbolWidth(2 * font)

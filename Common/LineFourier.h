@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralLineFourier_h
+#define LittoralLineFourier_h
+
+#include <cstddef>
+#include <vector>
+
+namespace littoral
+{
+
+/// Lines that are transformed side by side: one in each lane of the processor's vectors.
+inline constexpr int FourierLanes = 8;
+
+/// Complex values of FourierLanes lines, value by value: number k of a line is at k * FourierLanes + lane.
+struct LinePack
+{
+  explicit LinePack(std::size_t length)
+    : Re(length * FourierLanes)
+    , Im(length * FourierLanes)
+    , WorkRe(length * FourierLanes)
+    , WorkIm(length * FourierLanes)
+  {
+  }
+
+  std::vector<float> Re;
+  std::vector<float> Im;
+  std::vector<float> WorkRe; ///< room to work in
+  std::vector<float> WorkIm;
+};
+
+/**
+ * The discrete Fourier transform with the exponent +i, without scaling, of lines of one length, in single precision.
+ * Many short lines are what a wind field consists of; side by side they keep the vectors of any processor full, which
+ * a library that takes line after line does not.
+ */
+class LineFourier
+{
+public:
+  /// The length must be a product of 2, 3 and 5.
+  explicit LineFourier(int length);
+
+  int GetLength() const { return this->Length; }
+
+  /// Replaces each line of the pack by its transform.
+  void Backward(LinePack& pack) const;
+
+private:
+  struct Stage
+  {
+    int Radix;
+    int Rest;                 ///< length of the transforms that remain after it
+    std::vector<float> Turns; ///< Radix - 1 factors (real, imaginary) for each of Rest
+  };
+
+  int Length;
+  std::vector<Stage> Stages;
+};
+
+/**
+ * Real lines of an even length from their half spectra: x_n = sum over all k of X_k exp(2 pi i k n / length), where X
+ * beyond the middle is the conjugate.
+ */
+class RealLineFourier
+{
+public:
+  /// The length must be even and a product of 2, 3 and 5.
+  explicit RealLineFourier(int length);
+
+  int GetLength() const { return 2 * this->Half.GetLength(); }
+
+  /**
+   * The pack holds X_0 ... X_(length / 2), of which the first and the last must be real, and needs room for one value
+   * more than half the length. After it Re holds the even samples, Im the odd ones.
+   */
+  void Backward(LinePack& pack) const;
+
+private:
+  LineFourier Half;
+  std::vector<float> Turns; ///< exp(2 pi i k / length): real, imaginary
+};
+
+}
+
+#endif

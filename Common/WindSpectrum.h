@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralWindSpectrum_h
+#define LittoralWindSpectrum_h
+
+#include <array>
+#include <string>
+
+namespace littoral
+{
+
+/// Components of the wind: along the mean wind, across it to the left, up.
+inline constexpr int WindComponents = 3;
+
+/// Families of auto-spectra.
+enum class WindSpectrumModel
+{
+  SimiuScanlan = 0, ///< of the neutral surface layer, heights count (Setas et al., eq. 9, put right)
+  IecKaimal = 1,    ///< of IEC 61400-1: one intensity and one length for all heights
+};
+
+/// How fast coherence decays with the separation across and up; positive.
+struct WindDecay
+{
+  double Lateral = 10.0;
+  double Vertical = 10.0;
+};
+
+/**
+ * The neutral wind near the ground: a logarithmic mean profile, the spectra of the three components, and their root
+ * coherence. All of one run; nothing here is random.
+ */
+struct WindModel
+{
+  double ReferenceSpeed = 10.0;  ///< mean at ReferenceHeight [m/s], positive, at most 1000
+  double ReferenceHeight = 10.0; ///< above the ground [m], above RoughnessLength
+  double RoughnessLength = 0.03; ///< of the ground [m], positive: 0.01 low grass ... 1 forest
+  WindSpectrumModel Spectrum = WindSpectrumModel::SimiuScanlan;
+  double TurbulenceIntensity = 0.16; ///< IecKaimal: standard deviation along the wind over ReferenceSpeed, positive
+  std::array<WindDecay, WindComponents> Decay{ { { 10.0, 10.0 }, { 10.0, 10.0 }, { 8.0, 8.0 } } };
+};
+
+/// Why this is no wind, in words for a user; empty when it is one.
+std::string WhyInvalid(const WindModel& model);
+
+/// The velocity that the shear at the ground is measured with [m/s]: 0.4 times the slope of the mean over ln z.
+double FrictionVelocity(const WindModel& model);
+
+/// The mean at a height above RoughnessLength [m/s]: the logarithmic law (eq. 10).
+double MeanSpeed(const WindModel& model, double height);
+
+/// Speed at which the turbulence is carried past, the same for all heights [m/s].
+double ConvectionSpeed(const WindModel& model);
+
+/// One-sided power spectral density of a component [m2/s2/Hz] at a frequency [Hz] and a height [m] (eq. 9).
+double SpectralDensity(const WindModel& model, int component, double frequency, double height);
+
+/// Coherence decays over this times the frequency [s]: the distance with its decay coefficients, over the mean at 10 m.
+double CoherenceDelay(const WindModel& model, int component, double lateral, double vertical);
+
+/**
+ * |S_ij| / sqrt(S_ii S_jj) of two points a distance across and up apart [m] (eqs. 11, 12): real, positive, 1 for the
+ * same point. It is the square root of what signal processing calls coherence.
+ */
+double RootCoherence(const WindModel& model, int component, double frequency, double lateral, double vertical);
+
+}
+
+#endif

@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWindFieldSource.h"
+
+#include "LittoralPipeline.h"
+#include "WindField.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimeStamp.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkWindFieldSource);
+
+namespace
+{
+/// Parts of a time step that times are rounded to.
+constexpr double PartsOfStep = 1024.0;
+
+void AddNumber(vtkFieldData* fields, const char* name, double number)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(number);
+  fields->AddArray(array);
+}
+
+/// How far a periodic field has gone: whole samples, and the part of a sample beyond them.
+struct Shift
+{
+  int Samples;
+  float Part;
+};
+
+Shift ShiftAt(double time, const littoral::WindGrid& grid)
+{
+  const double parts = PartsOfStep * grid.Count[0];
+  double gone = std::fmod(std::round(PartsOfStep * (time / grid.TimeStep)), parts);
+  gone = gone < 0.0 ? gone + parts : gone;
+  const double samples = std::floor(gone / PartsOfStep);
+  return { static_cast<int>(samples), static_cast<float>(gone / PartsOfStep - samples) };
+}
+
+/// A turn about the vertical.
+struct Turn
+{
+  double Cosine;
+  double Sine;
+};
+
+/// Copies samples first ... last of a line that has been carried along, turned into world axes.
+void CopyLine(const float* line, int length, int first, int last, const Shift& shift, const Turn& turn, float* to)
+{
+  const float cosine = static_cast<float>(turn.Cosine);
+  const float sine = static_cast<float>(turn.Sine);
+  for (int i = first; i <= last; ++i, to += 3)
+  {
+    const int here = (i - shift.Samples + length) % length;
+    const float* a = line + 3 * static_cast<std::size_t>(here);
+    const float* b = line + 3 * static_cast<std::size_t>(here == 0 ? length - 1 : here - 1);
+    float velocity[3];
+    for (int component = 0; component < 3; ++component)
+    {
+      velocity[component] = a[component] + shift.Part * (b[component] - a[component]);
+    }
+    to[0] = cosine * velocity[0] - sine * velocity[1];
+    to[1] = sine * velocity[0] + cosine * velocity[1];
+    to[2] = velocity[2];
+  }
+}
+}
+
+/// All that the field depends on.
+class vtkWindFieldSource::Recipe
+{
+public:
+  littoral::WindModel Model;
+  littoral::WindGrid Grid;
+  littoral::WindSynthesis Synthesis;
+};
+
+/// The field at time 0 in the axes of the wind.
+class vtkWindFieldSource::Frozen
+{
+public:
+  vtkTimeStamp Made;
+  std::vector<float> Velocities;
+  double CoherenceError = 0.0;
+};
+
+//----------------------------------------------------------------------------
+vtkWindFieldSource::vtkWindFieldSource()
+  : Dimensions{ 600, 64, 24 }
+  , TimeStep(0.1)
+  , LateralSpacing(4.0)
+  , VerticalSpacing(2.0)
+  , BottomHeight(1.0)
+  , Center{ 0.0, 0.0 }
+  , ReferenceSpeed(10.0)
+  , ReferenceHeight(10.0)
+  , RoughnessLength(0.03)
+  , WindDirection(0.0)
+  , LongitudinalDecay{ 10.0, 10.0 }
+  , LateralDecay{ 10.0, 10.0 }
+  , VerticalDecay{ 8.0, 8.0 }
+  , Spectrum(SimiuScanlan)
+  , TurbulenceIntensity(0.16)
+  , Phases(Uniform)
+  , NormalizeVariance(false)
+  , Seed(1)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//----------------------------------------------------------------------------
+vtkWindFieldSource::~vtkWindFieldSource() = default;
+
+//----------------------------------------------------------------------------
+vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
+{
+  Recipe recipe;
+  littoral::WindModel& model = recipe.Model;
+  model.ReferenceSpeed = this->ReferenceSpeed;
+  model.ReferenceHeight = this->ReferenceHeight;
+  model.RoughnessLength = this->RoughnessLength;
+  model.Spectrum = static_cast<littoral::WindSpectrumModel>(this->Spectrum);
+  model.TurbulenceIntensity = this->TurbulenceIntensity;
+  model.Decay = { { { this->LongitudinalDecay[0], this->LongitudinalDecay[1] },
+    { this->LateralDecay[0], this->LateralDecay[1] }, { this->VerticalDecay[0], this->VerticalDecay[1] } } };
+  littoral::WindGrid& grid = recipe.Grid;
+  grid.Count = { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] };
+  grid.TimeStep = this->TimeStep;
+  grid.LateralSpacing = this->LateralSpacing;
+  grid.VerticalSpacing = this->VerticalSpacing;
+  grid.BottomHeight = this->BottomHeight;
+  recipe.Synthesis = { static_cast<littoral::WindPhases>(this->Phases), this->NormalizeVariance, this->Seed };
+  return recipe;
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const Recipe recipe = this->MakeRecipe();
+  const littoral::WindGrid& grid = recipe.Grid;
+  std::string reason = littoral::WhyInvalid(recipe.Model, grid);
+  if (reason.empty() && this->Phases != Uniform && this->Phases != GaussianAmplitudes)
+  {
+    reason = "Phases is " + std::to_string(this->Phases) + "; it must be 0 or 1.";
+  }
+  if (reason.empty() && !std::isfinite(this->WindDirection))
+  {
+    reason = "WindDirection must be finite.";
+  }
+  if (reason.empty() && !std::isfinite(this->Center[0] + this->Center[1]))
+  {
+    reason = "Center must be finite.";
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot make a wind: " << reason);
+    vtkImageData::GetData(outputVector)->Initialize();
+    return 0;
+  }
+
+  const int extent[6] = { 0, grid.Count[0] - 1, 0, grid.Count[1] - 1, 0, grid.Count[2] - 1 };
+  const double spacing[3] = { littoral::ConvectionSpeed(recipe.Model) * grid.TimeStep, grid.LateralSpacing,
+    grid.VerticalSpacing };
+  const double angle = vtkMath::RadiansFromDegrees(this->WindDirection);
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  const double back = 0.5 * spacing[0] * extent[1];
+  const double right = 0.5 * spacing[1] * extent[3];
+  const double origin[3] = { this->Center[0] - cosine * back + sine * right,
+    this->Center[1] - sine * back - cosine * right, grid.BottomHeight };
+  const double direction[9] = { cosine, -sine, 0.0, sine, cosine, 0.0, 0.0, 0.0, 1.0 };
+
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::DIRECTION(), direction, 9);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 3);
+
+  std::vector<double> times(grid.Count[0]);
+  for (int step = 0; step < grid.Count[0]; ++step)
+  {
+    times[step] = step * grid.TimeStep;
+  }
+  const double range[2] = { 0.0, grid.Period() };
+  info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), grid.Count[0]);
+  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkWindFieldSource::Freeze(const Recipe& recipe)
+{
+  auto frozen = std::make_unique<Frozen>();
+  this->Kept.reset();
+  this->SetProgressText("Making wind");
+  littoral::WindField field(recipe.Model, recipe.Grid, recipe.Synthesis);
+  frozen->Velocities.resize(recipe.Grid.NumberOfLines() * recipe.Grid.Count[0] * littoral::WindComponents);
+  for (int component = 0; component < littoral::WindComponents; ++component)
+  {
+    const double first = 0.9 * component / littoral::WindComponents;
+    field.BeginComponent(component);
+    if (!littoral::RunWithProgress(
+          this, field.NumberOfBlocks(), first, first + 0.2, [&](std::size_t block) { field.MakePlanes(block); }))
+    {
+      return false;
+    }
+    field.FinishPlanes();
+    if (!littoral::RunWithProgress(this, field.NumberOfPacks(), first + 0.2, first + 0.3,
+          [&](std::size_t pack) { field.MakeLines(pack, frozen->Velocities.data()); }))
+    {
+      return false;
+    }
+  }
+  frozen->CoherenceError = field.GetCoherenceError();
+  frozen->Made.Modified();
+  this->Kept = std::move(frozen);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  const Recipe recipe = this->MakeRecipe();
+  const littoral::WindGrid& grid = recipe.Grid;
+  const bool fresh = this->Kept && this->Kept->Made.GetMTime() > this->GetMTime();
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  double points = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    points *= std::max(0.0, extent[2 * axis + 1] - static_cast<double>(extent[2 * axis]) + 1.0);
+  }
+  const double bytes =
+    points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
+  if (bytes > littoral::AvailableMemory())
+  {
+    vtkErrorMacro("A wind with Dimensions " << grid.Count[0] << " x " << grid.Count[1] << " x " << grid.Count[2]
+                                            << " needs " << bytes / 0x1p30
+                                            << " GiB of memory, more than this machine has free.");
+    return 0;
+  }
+  if (!fresh && points > 0.0 && !this->Freeze(recipe))
+  {
+    return 1; // aborted
+  }
+
+  double place[9];
+  output->SetExtent(extent);
+  info->Get(vtkDataObject::ORIGIN(), place);
+  output->SetOrigin(place);
+  info->Get(vtkDataObject::SPACING(), place);
+  output->SetSpacing(place);
+  info->Get(vtkDataObject::DIRECTION(), place);
+  output->SetDirectionMatrix(place);
+  const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
+    ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
+    : 0.0;
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  if (!(points > 0.0))
+  {
+    return 1; // a rank with nothing to do
+  }
+  vtkNew<vtkFloatArray> velocity;
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(littoral::WindComponents);
+  velocity->SetNumberOfTuples(output->GetNumberOfPoints());
+  const Shift shift = ShiftAt(std::isfinite(time) ? time : 0.0, grid);
+  const Turn turn{ place[0], place[3] };
+  const std::size_t across = static_cast<std::size_t>(extent[3]) - extent[2] + 1;
+  const std::size_t up = static_cast<std::size_t>(extent[5]) - extent[4] + 1;
+  const std::size_t values = 3 * (static_cast<std::size_t>(extent[1]) - extent[0] + 1);
+  littoral::SmpFor(across * up, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t line = begin; line < end; ++line)
+    {
+      const std::size_t from = (extent[4] + line / across) * grid.Count[1] + extent[2] + line % across;
+      CopyLine(this->Kept->Velocities.data() + 3 * from * grid.Count[0], grid.Count[0], extent[0], extent[1], shift,
+        turn, velocity->GetPointer(0) + line * values);
+    }
+  });
+  output->GetPointData()->SetVectors(velocity);
+  vtkFieldData* fields = output->GetFieldData();
+  AddNumber(fields, "CoherenceError", this->Kept->CoherenceError);
+  AddNumber(fields, "FrictionVelocity", littoral::FrictionVelocity(recipe.Model));
+  AddNumber(fields, "ConvectionSpeed", littoral::ConvectionSpeed(recipe.Model));
+  AddNumber(fields, "Period", grid.Period());
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " " << this->Dimensions[2]
+     << "\n";
+  os << indent << "TimeStep: " << this->TimeStep << "\n";
+  os << indent << "LateralSpacing: " << this->LateralSpacing << "\n";
+  os << indent << "VerticalSpacing: " << this->VerticalSpacing << "\n";
+  os << indent << "BottomHeight: " << this->BottomHeight << "\n";
+  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << "\n";
+  os << indent << "ReferenceSpeed: " << this->ReferenceSpeed << "\n";
+  os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
+  os << indent << "RoughnessLength: " << this->RoughnessLength << "\n";
+  os << indent << "WindDirection: " << this->WindDirection << "\n";
+  os << indent << "LongitudinalDecay: " << this->LongitudinalDecay[0] << " " << this->LongitudinalDecay[1] << "\n";
+  os << indent << "LateralDecay: " << this->LateralDecay[0] << " " << this->LateralDecay[1] << "\n";
+  os << indent << "VerticalDecay: " << this->VerticalDecay[0] << " " << this->VerticalDecay[1] << "\n";
+  os << indent << "Spectrum: " << this->Spectrum << "\n";
+  os << indent << "TurbulenceIntensity: " << this->TurbulenceIntensity << "\n";
+  os << indent << "Phases: " << this->Phases << "\n";
+  os << indent << "NormalizeVariance: " << (this->NormalizeVariance ? "on" : "off") << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}

@@ -1,0 +1,621 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The spectral wind against its own model: spectra, coherence, profile, the reference method, bytes, bad input, loads.
+#include "WindCholesky.h"
+#include "WindField.h"
+#include "WindLoads.h"
+
+#include <gtest/gtest.h>
+
+#include <kissfft/kissfft.hh>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <thread>
+
+using namespace littoral;
+
+namespace
+{
+
+const double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+WindGrid GridOf(int along, int across, int up, double spacing = 2.0)
+{
+  WindGrid grid;
+  grid.Count = { along, across, up };
+  grid.TimeStep = 0.05;
+  grid.LateralSpacing = grid.VerticalSpacing = spacing;
+  return grid;
+}
+
+std::vector<float> Wind(const WindGrid& grid, const WindSynthesis& synthesis = {}, const WindModel& model = {})
+{
+  return WindField(model, grid, synthesis).Make();
+}
+
+/// One-sided Fourier amplitudes in time of one component, line after line, across fastest.
+std::vector<std::vector<std::complex<double>>> Spectra(
+  const std::vector<float>& field, const WindGrid& grid, int component)
+{
+  const int length = grid.Count[0];
+  kissfft<double> forward(length, false);
+  std::vector<std::complex<double>> series(length);
+  std::vector<std::complex<double>> spectrum(length);
+  std::vector<std::vector<std::complex<double>>> spectra;
+  for (std::size_t line = 0; line < grid.NumberOfLines(); ++line)
+  {
+    for (int time = 0; time < length; ++time)
+    {
+      const std::size_t index = line * length + (length - time) % length; // lines run against time
+      series[time] = field[index * WindComponents + component];
+    }
+    forward.transform(series.data(), spectrum.data());
+    spectra.emplace_back(spectrum.begin(), spectrum.begin() + length / 2 + 1);
+  }
+  return spectra;
+}
+
+/// Mean over the plane of the one-sided density that a field has, and of what the model says, frequency by frequency.
+struct PlaneSpectrum
+{
+  std::vector<double> Has;
+  std::vector<double> Wants;
+};
+
+PlaneSpectrum PlaneMean(
+  const std::vector<float>& field, const WindGrid& grid, int component, const WindModel& model = {})
+{
+  const auto spectra = Spectra(field, grid, component);
+  const double factor = 2.0 * grid.Period() / std::pow(grid.Count[0], 2.0) / grid.NumberOfLines();
+  PlaneSpectrum mean{ std::vector<double>(spectra[0].size(), 0.0), std::vector<double>(spectra[0].size(), 0.0) };
+  for (std::size_t k = 1; k < spectra[0].size(); ++k)
+  {
+    for (std::size_t line = 0; line < spectra.size(); ++line)
+    {
+      const double height = grid.Height(static_cast<int>(line) / grid.Count[1]);
+      mean.Has[k] += factor * std::norm(spectra[line][k]);
+      mean.Wants[k] += SpectralDensity(model, component, k / grid.Period(), height) / grid.NumberOfLines();
+    }
+  }
+  return mean;
+}
+
+/// The largest difference of the means over third-octave bands from low to high [Hz], in decibels.
+double WorstBand(const PlaneSpectrum& spectrum, const WindGrid& grid, double low, double high)
+{
+  double worst = 0.0;
+  for (double begin = low; begin < high; begin *= std::pow(2.0, 1.0 / 3.0))
+  {
+    const double end = std::min(high, begin * std::pow(2.0, 1.0 / 3.0));
+    double has = 0.0;
+    double wants = 0.0;
+    for (std::size_t k = 1; k < spectrum.Has.size(); ++k)
+    {
+      const double hertz = k / grid.Period();
+      if (hertz >= begin && hertz < end)
+      {
+        has += spectrum.Has[k];
+        wants += spectrum.Wants[k];
+      }
+    }
+    if (wants > 0.0)
+    {
+      worst = std::max(worst, std::abs(10.0 * std::log10(has / wants)));
+    }
+  }
+  return worst;
+}
+
+/// Slope of a density over frequency, both logarithmic, by least squares.
+double Slope(const std::vector<double>& density, const WindGrid& grid, double low, double high)
+{
+  double n = 0.0;
+  double x1 = 0.0;
+  double y1 = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (std::size_t k = 1; k < density.size(); ++k)
+  {
+    const double hertz = k / grid.Period();
+    if (hertz >= low && hertz <= high)
+    {
+      const double x = std::log(hertz);
+      const double y = std::log(density[k]);
+      n += 1.0;
+      x1 += x;
+      y1 += y;
+      xx += x * x;
+      xy += x * y;
+    }
+  }
+  return (n * xy - x1 * y1) / (n * xx - x1 * x1);
+}
+
+/// Root coherence of pairs of lines a number of columns and layers apart, in bands of an octave.
+struct CoherenceBands
+{
+  static constexpr int Bands = 10;
+  static constexpr double Lowest = 0.01; // [Hz]
+  std::array<double, Bands> Cross{};
+  std::array<double, Bands> Auto{};
+  std::array<double, Bands> Wants{};
+  std::array<double, Bands> Count{};
+
+  /// The spectra must be scaled to mean squares of 1.
+  void Add(const std::vector<std::vector<std::complex<double>>>& spectra, const WindGrid& grid, int component,
+    int across, int up)
+  {
+    const int columns = grid.Count[1] - across;
+    const int layers = grid.Count[2] - up;
+    for (std::size_t k = 1; k + 1 < spectra[0].size(); ++k)
+    {
+      const double hertz = k / grid.Period();
+      const int band = static_cast<int>(std::floor(std::log2(hertz / Lowest)));
+      if (band < 0 || band >= Bands)
+      {
+        continue;
+      }
+      for (int pair = 0; pair < columns * layers; ++pair)
+      {
+        const int line = pair / columns * grid.Count[1] + pair % columns;
+        const auto a = spectra[line][k];
+        const auto b = spectra[line + up * grid.Count[1] + across][k];
+        this->Cross[band] += a.real() * b.real() + a.imag() * b.imag();
+        this->Auto[band] += 0.5 * (std::norm(a) + std::norm(b));
+      }
+      this->Wants[band] +=
+        columns * layers * RootCoherence({}, component, hertz, across * grid.LateralSpacing, up * grid.VerticalSpacing);
+      this->Count[band] += columns * layers;
+    }
+  }
+
+  /// Largest difference from the model over the bands from a frequency [Hz] on.
+  double Worst(double low) const
+  {
+    double worst = 0.0;
+    for (int band = 0; band < Bands; ++band)
+    {
+      if (Lowest * std::pow(2.0, band) >= low && this->Count[band] > 0.0)
+      {
+        worst = std::max(worst, std::abs(this->Has(band) - this->Wants[band] / this->Count[band]));
+      }
+    }
+    return worst;
+  }
+
+  double Has(int band) const { return this->Cross[band] / this->Auto[band]; }
+};
+
+/// The spectra of all lines, each divided by the root of what the model says at its height.
+std::vector<std::vector<std::complex<double>>> ScaledSpectra(
+  const std::vector<float>& field, const WindGrid& grid, int component)
+{
+  auto spectra = Spectra(field, grid, component);
+  const double unit = std::sqrt(2.0 * grid.Period()) / grid.Count[0];
+  for (int layer = 0; layer < grid.Count[2]; ++layer)
+  {
+    for (std::size_t k = 1; k < spectra[0].size(); ++k)
+    {
+      const double scale = unit / std::sqrt(SpectralDensity({}, component, k / grid.Period(), grid.Height(layer)));
+      for (int column = 0; column < grid.Count[1]; ++column)
+      {
+        spectra[layer * grid.Count[1] + column][k] *= scale;
+      }
+    }
+  }
+  return spectra;
+}
+
+/// Runs in as many parts as asked, each on a thread of its own.
+ParallelFor OnThreads(int threads)
+{
+  return [threads](std::size_t count, const RangeTask& task) {
+    std::vector<std::thread> others;
+    for (int t = 0; t < threads; ++t)
+    {
+      others.emplace_back([&, t] { task(count * t / threads, count * (t + 1) / threads); });
+    }
+    for (std::thread& other : others)
+    {
+      other.join();
+    }
+  };
+}
+
+double Integral(int component)
+{
+  // Substitution f = exp(x): the integrand falls off exponentially at both ends.
+  const WindModel model;
+  double sum = 0.0;
+  const double step = 0.01;
+  for (double x = -40.0; x < 60.0; x += step)
+  {
+    sum += step * std::exp(x) * SpectralDensity(model, component, std::exp(x), 20.0);
+  }
+  return sum / std::pow(FrictionVelocity(model), 2.0);
+}
+
+}
+
+TEST(LineFourier, AgreesWithDoublePrecision)
+{
+  for (int length : { 1, 2, 3, 4, 5, 6, 30, 64, 90, 128, 6000 })
+  {
+    LinePack pack(length);
+    kissfft<double> reference(length, true);
+    std::vector<std::complex<double>> line(length);
+    std::vector<std::complex<double>> wants(length);
+    for (int k = 0; k < length; ++k)
+    {
+      for (int lane = 0; lane < FourierLanes; ++lane)
+      {
+        pack.Re[k * FourierLanes + lane] = static_cast<float>(std::sin(1.0 + k * k + lane));
+        pack.Im[k * FourierLanes + lane] = static_cast<float>(std::cos(3.0 * k + 2.0 * lane));
+      }
+      line[k] = { pack.Re[k * FourierLanes + 5], pack.Im[k * FourierLanes + 5] };
+    }
+    if (length == 1)
+    {
+      wants = line;
+    }
+    else
+    {
+      reference.transform(line.data(), wants.data());
+    }
+    LineFourier(length).Backward(pack);
+    double worst = 0.0;
+    for (int k = 0; k < length; ++k)
+    {
+      const std::complex<double> has{ pack.Re[k * FourierLanes + 5], pack.Im[k * FourierLanes + 5] };
+      worst = std::max(worst, std::abs(has - wants[k]));
+    }
+    EXPECT_LT(worst / std::sqrt(length), 2e-6) << length;
+  }
+}
+
+TEST(WindSpectrum, VariancesAreTheClosedForms)
+{
+  const double pi = std::acos(-1.0);
+  const double wants[] = { 200.0 / 50.0 * 1.5, 15.0 / 9.5 * 1.5,
+    3.36 * std::pow(10.0, -0.6) * 0.6 * pi / std::sin(0.6 * pi) };
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const double has = Integral(component);
+    std::cout << "variance / u*^2 of component " << component << ": " << has << ", closed form " << wants[component]
+              << "\n";
+    EXPECT_NEAR(has, wants[component], 1e-5);
+  }
+}
+
+TEST(WindSpectrum, KaimalHasTheVarianceAskedFor)
+{
+  WindModel model;
+  model.Spectrum = WindSpectrumModel::IecKaimal;
+  double sum = 0.0;
+  for (double x = -40.0; x < 60.0; x += 0.01)
+  {
+    sum += 0.01 * std::exp(x) * SpectralDensity(model, 0, std::exp(x), 20.0);
+  }
+  EXPECT_NEAR(std::sqrt(sum), model.TurbulenceIntensity * model.ReferenceSpeed, 1e-4);
+}
+
+TEST(WindField, SpectraOfOneRun)
+{
+  const WindGrid grid = GridOf(12000, 32, 32);
+  const std::vector<float> field = Wind(grid);
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const PlaneSpectrum spectrum = PlaneMean(field, grid, component);
+    const double worst = WorstBand(spectrum, grid, 0.2, 9.0);
+    const double has = Slope(spectrum.Has, grid, 1.0, 8.0);
+    const double wants = Slope(spectrum.Wants, grid, 1.0, 8.0);
+    std::cout << "component " << component << ": third-octave bands 0.2-9 Hz within " << worst
+              << " dB; slope at 1-8 Hz " << has << ", of the model " << wants << "\n";
+    EXPECT_LT(worst, 0.15);
+    EXPECT_NEAR(has, wants, 0.01);
+  }
+}
+
+TEST(WindField, MeanIsTheLogarithmicLaw)
+{
+  const WindGrid grid = GridOf(8192, 8, 16);
+  const std::vector<float> field = Wind(grid);
+  double worst = 0.0;
+  for (int layer = 0; layer < grid.Count[2]; ++layer)
+  {
+    const std::size_t count = static_cast<std::size_t>(grid.Count[0]) * grid.Count[1];
+    double sum[3] = { 0.0, 0.0, 0.0 };
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      for (int component = 0; component < 3; ++component)
+      {
+        sum[component] += field[(layer * count + n) * 3 + component] / count;
+      }
+    }
+    const double law = MeanSpeed({}, grid.Height(layer));
+    worst = std::max({ worst, std::abs(sum[0] / law - 1.0), std::abs(sum[1]) / law, std::abs(sum[2]) / law });
+  }
+  std::cout << "mean off the logarithmic law by " << worst << " at most\n";
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(WindField, CoherenceOfSixRuns)
+{
+  const WindGrid grid = GridOf(12000, 32, 32);
+  std::array<std::array<CoherenceBands, 8>, 3> bands;
+  const int steps[] = { 1, 2, 4, 8 };
+  CoherenceBands wrap;
+  for (int seed = 1; seed <= 6; ++seed)
+  {
+    WindSynthesis synthesis;
+    synthesis.Seed = seed;
+    const std::vector<float> field = Wind(grid, synthesis);
+    for (int component = 0; component < 3; ++component)
+    {
+      const auto spectra = ScaledSpectra(field, grid, component);
+      for (int n = 0; n < 4; ++n)
+      {
+        bands[component][n].Add(spectra, grid, component, steps[n], 0);
+        bands[component][4 + n].Add(spectra, grid, component, 0, steps[n]);
+      }
+      wrap.Add(spectra, grid, component, 0, grid.Count[2] - 1);
+    }
+  }
+  double worst = 0.0;
+  double fast = 0.0;
+  for (const auto& component : bands)
+  {
+    for (const CoherenceBands& one : component)
+    {
+      worst = std::max(worst, one.Worst(0.0));
+      fast = std::max(fast, one.Worst(0.2));
+    }
+  }
+  std::cout << "root coherence over 6 runs, 2 to 16 m apart, octaves from 0.01 Hz: within " << worst
+            << "; above 0.2 Hz within " << fast << "\n";
+  EXPECT_LT(worst, 0.06);
+  EXPECT_LT(fast, 0.01);
+
+  // On a circle without padding, top and bottom would be one spacing apart: a coherence of 0.55 at 0.3 Hz.
+  const double leak = wrap.Worst(0.2);
+  std::cout << "top and bottom layer, above 0.2 Hz: root coherence " << leak << " off the model\n";
+  EXPECT_LT(leak, 0.01);
+}
+
+TEST(WindField, ImpliedCoherenceIsTheModelWithinTheReportedError)
+{
+  const WindGrid grid = GridOf(2000, 16, 16);
+  WindField field({}, grid, {});
+  field.Make();
+  double worst = 0.0;
+  double fast = 0.0;
+  double topBottom = 0.0;
+  for (int component = 0; component < 3; ++component)
+  {
+    for (int frequency = 1; frequency <= 1000; ++frequency)
+    {
+      const double hertz = frequency / grid.Period();
+      const std::vector<float> implied = field.ImpliedCoherence(component, frequency);
+      for (int k = 0; k < grid.Count[2]; ++k)
+      {
+        for (int j = 0; j < grid.Count[1]; ++j)
+        {
+          const double error = std::abs(implied[k * grid.Count[1] + j] -
+            RootCoherence({}, component, hertz, j * grid.LateralSpacing, k * grid.VerticalSpacing));
+          worst = std::max(worst, error);
+          if (hertz > 0.2)
+          {
+            fast = std::max(fast, error);
+            topBottom = k == grid.Count[2] - 1 ? std::max(topBottom, error) : topBottom;
+          }
+        }
+      }
+    }
+  }
+  std::cout << "implied root coherence within " << worst << " (reported " << field.GetCoherenceError()
+            << "), above 0.2 Hz within " << fast << ", of top and bottom there within " << topBottom << "\n";
+  EXPECT_NEAR(worst, field.GetCoherenceError(), 1e-4);
+  EXPECT_LT(worst, 0.03);
+  EXPECT_LT(fast, 1e-4);
+}
+
+TEST(WindField, AgreesWithCholesky)
+{
+  const WindGrid grid = GridOf(2000, 8, 8);
+  for (int component = 0; component < 3; ++component)
+  {
+    PlaneSpectrum both{ std::vector<double>(1001, 0.0), std::vector<double>(1001, 0.0) };
+    std::array<std::array<CoherenceBands, 2>, 2> bands; // by method, then across and up
+    for (int seed = 1; seed <= 12; ++seed)
+    {
+      WindSynthesis synthesis;
+      synthesis.Seed = seed;
+      const std::vector<float> fields[] = { Wind(grid, synthesis), CholeskyWind({}, grid, synthesis) };
+      for (int method = 0; method < 2; ++method)
+      {
+        const PlaneSpectrum spectrum = PlaneMean(fields[method], grid, component);
+        std::vector<double>& sum = method == 0 ? both.Has : both.Wants;
+        std::transform(sum.begin(), sum.end(), spectrum.Has.begin(), sum.begin(), std::plus<double>());
+        const auto spectra = ScaledSpectra(fields[method], grid, component);
+        bands[method][0].Add(spectra, grid, component, 2, 0);
+        bands[method][1].Add(spectra, grid, component, 0, 2);
+      }
+    }
+    const double decibels = WorstBand(both, grid, 1.0, 9.0);
+    double apart = 0.0;
+    for (int band = 5; band < CoherenceBands::Bands - 1; ++band) // from 0.32 Hz
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        apart = std::max(apart, std::abs(bands[0][axis].Has(band) - bands[1][axis].Has(band)));
+      }
+    }
+    std::cout << "component " << component << ", 8 x 8, 12 runs: spectra of the two methods at 1-9 Hz within "
+              << decibels << " dB, root coherence from 0.32 Hz within " << apart << "\n";
+    EXPECT_LT(decibels, 0.15);
+    EXPECT_LT(apart, 0.02);
+  }
+}
+
+TEST(WindField, NormalizedVarianceIsTheSumOfTheSpectrum)
+{
+  const WindGrid grid = GridOf(1000, 8, 4);
+  WindSynthesis synthesis;
+  synthesis.NormalizeVariance = true;
+  for (WindPhases phases : { WindPhases::Uniform, WindPhases::GaussianAmplitudes })
+  {
+    synthesis.Phases = phases;
+    const std::vector<float> field = Wind(grid, synthesis);
+    for (int layer = 0; layer < 4; ++layer)
+    {
+      for (int component = 0; component < 3; ++component)
+      {
+        double wants = 0.0;
+        for (int frequency = 1; frequency <= 500; ++frequency)
+        {
+          wants += (frequency == 500 ? 0.5 : 1.0) / grid.Period() *
+            SpectralDensity({}, component, frequency / grid.Period(), grid.Height(layer));
+        }
+        const double mean = component == 0 ? MeanSpeed({}, grid.Height(layer)) : 0.0;
+        double has = 0.0;
+        for (std::size_t n = 0; n < 8000; ++n)
+        {
+          has += std::pow(field[(layer * std::size_t{ 8000 } + n) * 3 + component] - mean, 2.0) / 8000.0;
+        }
+        EXPECT_NEAR(has / wants, 1.0, 1e-5);
+      }
+    }
+  }
+}
+
+TEST(WindField, GaussianAmplitudesHaveUnitPower)
+{
+  WindSynthesis synthesis;
+  synthesis.Phases = WindPhases::GaussianAmplitudes;
+  std::vector<float> re(100000);
+  std::vector<float> im(re.size());
+  WindFactors(synthesis, 1, 7, 0, re.size(), re.data(), im.data());
+  double power = 0.0;
+  double fourth = 0.0;
+  for (std::size_t n = 0; n < re.size(); ++n)
+  {
+    const double square = static_cast<double>(re[n]) * re[n] + static_cast<double>(im[n]) * im[n];
+    power += square / re.size();
+    fourth += square * square / re.size();
+  }
+  EXPECT_NEAR(power, 1.0, 0.02);
+  EXPECT_NEAR(fourth, 2.0, 0.1);
+}
+
+TEST(WindField, SameBytesForAnyThreads)
+{
+  const WindGrid grid = GridOf(600, 10, 6);
+  WindField one({}, grid, {});
+  WindField two({}, grid, {});
+  WindField five({}, grid, {});
+  const std::vector<float> field = one.Make();
+  EXPECT_EQ(field, two.Make(OnThreads(2)));
+  EXPECT_EQ(field, five.Make(OnThreads(5)));
+  WindSynthesis other;
+  other.Seed = 2;
+  EXPECT_NE(field, Wind(grid, other));
+}
+
+TEST(WindField, SaysWhatIsWrong)
+{
+  const auto says = [](const char* word, const WindModel& model, const WindGrid& grid) {
+    const std::string reason = WhyInvalid(model, grid);
+    EXPECT_NE(reason.find(word), std::string::npos) << word << ": " << reason;
+  };
+  EXPECT_EQ(WhyInvalid({}, {}), "");
+  WindGrid grid;
+  grid.Count[0] = 601;
+  says("640", {}, grid);
+  grid.Count[0] = 14;
+  says("16", {}, grid);
+  grid.Count[0] = 0;
+  says("Dimensions", {}, grid);
+  for (double bad : { 0.0, -1.0, NotANumber, std::numeric_limits<double>::infinity() })
+  {
+    grid = {};
+    grid.TimeStep = bad;
+    says("TimeStep", {}, grid);
+    grid = {};
+    grid.LateralSpacing = bad;
+    says("LateralSpacing", {}, grid);
+    grid = {};
+    grid.VerticalSpacing = bad;
+    says("VerticalSpacing", {}, grid);
+    grid = {};
+    grid.BottomHeight = bad;
+    says("BottomHeight", {}, grid);
+    WindModel model;
+    model.ReferenceSpeed = bad;
+    says("ReferenceSpeed", model, {});
+    model = {};
+    model.ReferenceHeight = bad;
+    says("ReferenceHeight", model, {});
+    model = {};
+    model.RoughnessLength = bad;
+    says("RoughnessLength", model, {});
+    model = {};
+    model.Decay[1].Vertical = bad;
+    says("LateralDecay", model, {});
+  }
+  WindModel rough;
+  rough.RoughnessLength = 1.5;
+  says("RoughnessLength of 1.5", rough, {});
+}
+
+TEST(WindLoads, FollowBothLaws)
+{
+  WindLoadParameters air;
+  const Vector3 up(0.0, 0.0, 1.0);
+  const Vector3 wind(6.0, 0.0, 8.0);
+  // 1/2 1.2 1.1 0.1 = 0.066, with |U| = 10 and |U_perp| = 6.
+  EXPECT_NEAR(DragPerLength(air, up, 0.1, wind).x, 0.066 * 10.0 * 6.0, 1e-12);
+  air.Law = DragLaw::CrossFlow;
+  EXPECT_NEAR(DragPerLength(air, up, 0.1, wind).x, 0.066 * 6.0 * 6.0, 1e-12);
+  EXPECT_EQ(DragPerLength(air, up, 0.1, wind).z, 0.0);
+  air.LiftCoefficient = 1.1;
+  const Vector3 lift = LiftPerLength(air, up, 0.1, wind);
+  EXPECT_NEAR(lift.y, -0.066 * 36.0, 1e-12);
+  EXPECT_NEAR(glm::dot(lift, wind), 0.0, 1e-12);
+  EXPECT_EQ(glm::length(LiftPerLength(air, up, 0.1, up)), 0.0);
+  EXPECT_EQ(glm::length(DragPerLength(air, up, 0.1, Vector3(0.0))), 0.0);
+  EXPECT_NEAR(WeightPerLength(2.0).z, -19.6133, 1e-12);
+}
+
+TEST(WindLoads, ProjectionAddsUp)
+{
+  // Drag on the three axes, summed and projected once more, halved, is the drag on any beam.
+  const WindLoadParameters air;
+  const Vector3 wind(3.0, -4.0, 1.5);
+  const Vector3 axis = glm::normalize(Vector3(1.0, 2.0, -0.5));
+  Vector3 sum(0.0);
+  for (int n = 0; n < 3; ++n)
+  {
+    Vector3 unit(0.0);
+    unit[n] = 1.0;
+    sum += 0.5 * DragPerLength(air, unit, 0.2, wind);
+  }
+  const Vector3 projected = sum - glm::dot(sum, axis) * axis;
+  EXPECT_NEAR(glm::distance(projected, DragPerLength(air, axis, 0.2, wind)), 0.0, 1e-12);
+}
+
+TEST(WindLoads, SayWhatIsWrong)
+{
+  WindLoadParameters air;
+  EXPECT_EQ(WhyInvalid(air), "");
+  air.AirDensity = NotANumber;
+  EXPECT_NE(WhyInvalid(air).find("AirDensity"), std::string::npos);
+  air = {};
+  air.DragCoefficient = -1.0;
+  EXPECT_NE(WhyInvalid(air).find("DragCoefficient"), std::string::npos);
+}
