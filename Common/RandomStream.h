@@ -21,6 +21,7 @@ enum class RandomPurpose : std::uint32_t
   TreeBranches = 16,
   TreeLeaves = 17,
   CrownJitter = 25,
+  LeafFlutter = 40,
 };
 
 /**
