@@ -33,7 +33,25 @@ inline Vector3 TurnedBy(const glm::dquat& rotation, const Vector3& vector)
 
 /// The shortest rotation from one direction to another; neither needs unit length. The identity, exactly, for equal
 /// ones; half a turn about a right angle to opposite ones.
-glm::dquat RotationBetween(const Vector3& from, const Vector3& to);
+inline glm::dquat RotationBetween(const Vector3& from, const Vector3& to)
+{
+  const Vector3 axis = glm::cross(from, to);
+  const double alike = glm::dot(from, to);
+  if (axis == Vector3(0.0) && alike >= 0.0)
+  {
+    return { 1.0, 0.0, 0.0, 0.0 };
+  }
+  // (|a||b| + a.b, a x b) is the rotation but for its length, whose square is the sum of squares of its parts
+  const double sizes = std::sqrt(glm::dot(from, from) * glm::dot(to, to));
+  const double real = sizes + alike;
+  if (real <= 1e-12 * sizes)
+  {
+    const Vector3 side = Perpendicular(Normalised(from));
+    return { 0.0, side.x, side.y, side.z };
+  }
+  const double factor = 1.0 / std::sqrt(real * real + glm::dot(axis, axis));
+  return { factor * real, factor * axis.x, factor * axis.y, factor * axis.z };
+}
 
 /// What a joint adds to all that follows it: Turn x + Shift.
 struct JointChange
