@@ -28,17 +28,39 @@ struct Burden
   double Area = 0.0;
 };
 
-double MeanRadius(const Skeleton& skeleton, const SkeletonBranch& branch)
+/// What bends, weighs and drags in a tapered branch.
+struct Taper
 {
-  double sum = 0.0;
-  double length = 0.0;
+  double BendingRadius; // [m]
+  double MeanRadius;    // [m]
+  double MeanSquare;    // of the radius [m2]
+};
+
+/// The uniform beam with the tip's deflection of the tapered one under a uniform load at rest: by the moment at the
+/// part s of the length, (1 - s)^2 / 2, and its arm, the mean of 1 / R^4 with the weight 4 (1 - s)^3.
+Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double length)
+{
+  constexpr int Steps = 8; // in a segment
+  Taper taper{ 0.0, 0.0, 0.0 };
+  double give = 0.0;
+  double place = 0.0;
   for (int node = branch.First; node + 1 < branch.First + branch.Count; ++node)
   {
-    const double segment = glm::distance(skeleton.Nodes[node + 1].Position, skeleton.Nodes[node].Position);
-    sum += 0.5 * segment * (skeleton.Nodes[node].Radius + skeleton.Nodes[node + 1].Radius);
-    length += segment;
+    const SkeletonNode& a = skeleton.Nodes[node];
+    const SkeletonNode& b = skeleton.Nodes[node + 1];
+    const double width = glm::distance(a.Position, b.Position) / length / Steps;
+    for (int step = 0; step < Steps; ++step, place += width)
+    {
+      const double radius = a.Radius + (step + 0.5) / Steps * (b.Radius - a.Radius);
+      const double low = std::max(0.0, 1.0 - place);
+      const double high = std::max(0.0, 1.0 - place - width);
+      give += (std::pow(low, 4) - std::pow(high, 4)) / std::pow(radius, 4);
+      taper.MeanRadius += width * radius;
+      taper.MeanSquare += width * radius * radius;
+    }
   }
-  return sum / length;
+  taper.BendingRadius = std::pow(give, -0.25);
+  return taper;
 }
 
 /// Adds leaves to their branches, then branches, from the twigs down, to those that carry them.
@@ -62,6 +84,13 @@ void AddCarried(const Skeleton& skeleton, const std::vector<double>& leafAreas, 
       below.Area += burdens[branch].Area;
     }
   }
+}
+
+/// Weights of values at 0, 1, 2 and 3 in the cubic through them.
+std::array<double, 4> CubicWeights(double x)
+{
+  return { -(x - 1.0) * (x - 2.0) * (x - 3.0) / 6.0, 0.5 * x * (x - 2.0) * (x - 3.0), -0.5 * x * (x - 1.0) * (x - 3.0),
+    x * (x - 1.0) * (x - 2.0) / 6.0 };
 }
 
 /// Frequencies in equal ratios over those that are met.
@@ -96,11 +125,11 @@ std::vector<BranchBeam> BeamsOf(
     beam.Axis = BranchAxis(skeleton, branch);
     beam.Middle = skeleton.Along(branch, 0.5, node);
     beam.Beam.Length = skeleton.BranchLength(branch);
-    beam.Beam.Radius = MeanRadius(skeleton, skeleton.Branches[branch]);
+    const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], beam.Beam.Length);
+    beam.Beam.Radius = taper.BendingRadius;
     beam.Beam.YoungModulus = options.Wood.YoungModulus;
-    const double section = Pi * beam.Beam.Radius * beam.Beam.Radius;
-    burdens[branch].Mass = options.Wood.Density * section * beam.Beam.Length;
-    burdens[branch].Area = 2.0 * beam.Beam.Radius * beam.Beam.Length;
+    burdens[branch].Mass = options.Wood.Density * Pi * taper.MeanSquare * beam.Beam.Length;
+    burdens[branch].Area = 2.0 * taper.MeanRadius * beam.Beam.Length;
   }
   if (options.Carries)
   {
@@ -117,6 +146,7 @@ std::vector<BranchBeam> BeamsOf(
 PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& options, double step,
   const Vector3& middle, const WindAtPlace& wind, const ParallelFor& parallelFor)
   : Step(step)
+  , Shared(options.Response == SwayResponse::Interpolated)
 {
   // A beam along `axis` in a load per length f: amplitude at rest = mean of the shape x f across / (m w^2).
   const double unitDrag = 0.5 * options.Load.AirDensity * options.Load.DragCoefficient;
@@ -128,7 +158,7 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
       const double frequency = AngularFrequency(beam.Beam, mode);
       const double give = MeanShape(mode) / (beam.Beam.MassPerLength * frequency * frequency);
       const Vector3 weight = options.Gravity ? WeightPerLength(beam.Beam.MassPerLength) : Vector3(0.0);
-      this->Motions.push_back({ beam.Axis, give * AcrossBeam(weight, beam.Axis), give, 0, 0.0 });
+      this->Motions.push_back({ beam.Axis, give * AcrossBeam(weight, beam.Axis), give, 0, { 1.0, 0.0, 0.0, 0.0 } });
       frequencies.push_back(std::min(frequency, FastestAngle / step));
       if (options.Response == SwayResponse::Interpolated)
       {
@@ -146,8 +176,9 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
   {
     const double place =
       (MostColumns - 1) * std::log(frequencies[i] / columns.front()) / std::log(columns.back() / columns.front());
-    this->Motions[i].Column = std::clamp(static_cast<int>(place), 0, MostColumns - 2);
-    this->Motions[i].Upwards = std::clamp(place - this->Motions[i].Column, 0.0, 1.0);
+    Motion& motion = this->Motions[i];
+    motion.Column = std::clamp(static_cast<int>(place) - 1, 0, MostColumns - 4);
+    motion.Weights = CubicWeights(place - motion.Column);
   }
   std::vector<Vector3> velocities;
   wind(middle, velocities);
@@ -175,7 +206,7 @@ void PlantSway::TabulateOrthogonal(const std::vector<double>& frequencies, doubl
   const std::vector<Vector3>& wind, const ParallelFor& parallelFor)
 {
   this->Samples = wind.size();
-  this->Columns = frequencies.size() + 1; // the last is read with a weight of zero where there is one frequency alone
+  this->Columns = std::max<std::size_t>(4, frequencies.size()); // four are read, of weight zero where there is one
   this->Table.assign(this->Samples * this->Columns, Triple{});
   parallelFor(frequencies.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t column = begin; column < end; ++column)
@@ -197,7 +228,7 @@ void PlantSway::TabulateEach(const std::vector<BranchBeam>& beams, const SwayOpt
   std::vector<Vector3> first;
   wind(beams.front().Middle, first);
   this->Samples = first.size();
-  this->Columns = this->Motions.size() + 1;
+  this->Columns = this->Motions.size();
   this->Table.assign(this->Samples * this->Columns, Triple{});
   const auto modes = static_cast<std::size_t>(options.NumberOfModes);
   parallelFor(beams.size(), [&](std::size_t begin, std::size_t end) {
@@ -239,19 +270,22 @@ void PlantSway::Amplitudes(double time, Vector3* amplitudes) const
     }
     return sum;
   };
-  std::array<Vector3, MostColumns + 1> shared;
-  const bool few = this->Columns <= shared.size();
-  for (std::size_t column = 0; few && column < this->Columns; ++column)
+  std::array<Vector3, MostColumns> shared;
+  for (std::size_t column = 0; this->Shared && column < this->Columns; ++column)
   {
     shared[column] = read(column);
   }
   for (std::size_t i = 0; i < this->Motions.size(); ++i)
   {
     const Motion& motion = this->Motions[i];
-    Vector3 response = few ? shared[motion.Column] : read(motion.Column);
-    if (motion.Upwards > 0.0)
+    Vector3 response(0.0);
+    for (int tap = 0; this->Shared && tap < 4; ++tap)
     {
-      response += motion.Upwards * ((few ? shared[motion.Column + 1] : read(motion.Column + 1)) - response);
+      response += motion.Weights[tap] * shared[motion.Column + tap];
+    }
+    if (!this->Shared)
+    {
+      response = read(motion.Column);
     }
     amplitudes[i] = motion.Rest + motion.Gain * AcrossBeam(response, motion.Axis);
   }

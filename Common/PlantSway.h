@@ -30,10 +30,10 @@ struct SwayOptions
   SwayResponse Response = SwayResponse::Interpolated;
   WindLoadParameters Load; ///< eq. 25 goes with the drag law Projection and without lift, whatever is said here
   WoodParameters Wood;
-  bool Gravity = false;  ///< adds weight to plants that stand as if there were none
-  bool Carries = true;   ///< a branch bears mass and drag of all that grows on it, spread along it
-  double LeafDrag = 0.1; ///< drag coefficient of leaves, which fold in the wind, by their area
-  double LeafMass = 0.2; ///< of an area of leaves [kg/m2]
+  bool Gravity = false;   ///< adds weight to plants that stand as if there were none
+  bool Carries = true;    ///< a branch bears mass and drag of all that grows on it, spread along it
+  double LeafDrag = 0.06; ///< drag coefficient of leaves, which fold in the wind, by their area
+  double LeafMass = 0.2;  ///< of an area of leaves [kg/m2]
 };
 
 /// A branch as a uniform beam.
@@ -45,8 +45,8 @@ struct BranchBeam
   double DragDiameter = 0.1;       ///< of the bare cylinder with the same drag [m]
 };
 
-/// The branches of a valid skeleton as beams: their mean radius bends. Areas of leaves [m2] are those on each node; or
-/// empty.
+/// The branches of a valid skeleton as uniform beams that give way at the tip as the tapered ones do. Areas of leaves
+/// [m2] are those on each node; or empty.
 std::vector<BranchBeam> BeamsOf(
   const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options);
 
@@ -77,13 +77,14 @@ private:
   struct Motion
   {
     Vector3 Axis;
-    Vector3 Rest;   // amplitude under its weight [m]
-    double Gain;    // amplitude for a unit of the table
-    int Column;     // of the table
-    double Upwards; // weight of the column above it
+    Vector3 Rest; // amplitude under its weight [m]
+    double Gain;  // amplitude for a unit of the table
+    int Column;   // of the table, the first of four
+    std::array<double, 4> Weights;
   };
 
   double Step;
+  bool Shared; // whether motions read between the columns of all, or each its own
   std::size_t Samples = 0;
   std::size_t Columns = 0;
   std::vector<Motion> Motions;

@@ -204,13 +204,34 @@ TEST(PlantSway, BranchesCarryWhatGrowsOnThem)
   {
     mass += beam.Beam.MassPerLength * beam.Beam.Length;
     area += beam.DragDiameter * beam.Beam.Length;
-    EXPECT_NEAR(beam.DragDiameter, 2.0 * beam.Beam.Radius, 1e-12);
   }
   EXPECT_NEAR(loaded[0].Beam.MassPerLength * loaded[0].Beam.Length / mass, 1.0, 1e-12);
   EXPECT_NEAR(loaded[0].DragDiameter * loaded[0].Beam.Length / area, 1.0, 1e-12);
   std::printf("trunk of an oak: bare %.3g Hz, loaded %.3g Hz\n", AngularFrequency(bare[0].Beam, 1) / TwoPi,
     AngularFrequency(loaded[0].Beam, 1) / TwoPi);
   EXPECT_LT(AngularFrequency(loaded[0].Beam, 1), AngularFrequency(bare[0].Beam, 1));
+}
+
+TEST(PlantSway, TaperedBranchesGiveAsTheirBeams)
+{
+  // A cone from R to R / 2: the integral of 4 (1 - s)^3 / R(s)^4 over the length by a fine sum.
+  Skeleton mast;
+  mast.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.2);
+  for (int i = 1; i <= 50; ++i)
+  {
+    mast.Grow({ 0.0, 0.0, 0.1 * i }, 0.2 * (1.0 - 0.01 * i));
+  }
+  double give = 0.0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double s = (i + 0.5) / 100000;
+    give += 4.0 * std::pow(1.0 - s, 3) / std::pow(0.2 * (1.0 - 0.5 * s), 4) / 100000;
+  }
+  const auto beams = BeamsOf(mast, {}, {});
+  std::printf("cone from R to R/2: bends as a cylinder of %.5f R\n", beams[0].Beam.Radius / 0.2);
+  EXPECT_NEAR(beams[0].Beam.Radius / std::pow(give, -0.25), 1.0, 1e-5);
+  EXPECT_NEAR(beams[0].DragDiameter, 2.0 * 0.15, 1e-12);
+  EXPECT_NEAR(beams[0].Beam.MassPerLength / (900.0 * Pi * 0.04 * 7.0 / 12.0), 1.0, 1e-4);
 }
 
 TEST(PlantSway, GravityBendsDownAndUprightBeamsNotAtAll)
