@@ -20,6 +20,10 @@ enum class RandomPurpose : std::uint32_t
   QuadratPositions = 5,
   TreeBranches = 16,
   TreeLeaves = 17,
+  PlantSpecies = 21,
+  PlantScale = 22,
+  PlantAzimuth = 23,
+  PlantTint = 24,
   CrownJitter = 25,
   LeafFlutter = 40,
 };

@@ -52,6 +52,7 @@ constexpr const char* BranchId = "BranchId";
 constexpr const char* Order = "Order";
 constexpr const char* Texture = "Texture";
 constexpr const char* TextureSize = "TextureSize";
+constexpr const char* PlantId = "PlantId";
 }
 
 /// A colour of 0 to 1 as bytes; false if it is none.
