@@ -6,6 +6,7 @@
 #include "PlantScene.h"
 
 #include "vtkBeamTreeDeformationFilter.h"
+#include "vtkPlantScatterFilter.h"
 #include "vtkReevesTreeSource.h"
 
 #include "vtkDoubleArray.h"
@@ -195,6 +196,31 @@ int TestBeamTreeDeformationFilter(int, char*[])
   sway->SetYoungModulus(1e8);
   Expect(at(2.0) != AllPoints(rest) && Stretch(rest, sway->GetOutputDataObject(0)) < 5e-6, "soft wood keeps lengths");
   sway->SetYoungModulus(9e9);
+
+  // A scattered wood: each plant in the wind where it stands.
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(0.0, 0.0, 100.0);
+  places->InsertNextPoint(37.0, 5.0, 120.0);
+  vtkNew<vtkPolyData> sites;
+  sites->SetPoints(places);
+  vtkNew<vtkPlantScatterFilter> wood;
+  wood->SetInputData(sites);
+  wood->SetInputConnection(1, tree->GetOutputPort());
+  sway->SetInputConnection(wood->GetOutputPort());
+  wood->Update();
+  const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "High/Skeleton");
+  Expect(standing.size() == 2 * PointsOf(rest, "High/Skeleton").size(), "two plants in full");
+  at(2.0);
+  const std::vector<float> bent = PointsOf(sway->GetOutputDataObject(0), "High/Skeleton");
+  const std::size_t half = bent.size() / 2;
+  const auto shift = [&](std::size_t i) { return double(bent[i]) - standing[i]; };
+  Expect(Farthest(bent, standing) > 0.02, "a wood sways");
+  Expect(Stretch(wood->GetOutputDataObject(0), sway->GetOutputDataObject(0)) < 5e-5, "a wood keeps its lengths");
+  Expect(std::abs(shift(3 * 12) - shift(half + 3 * 12)) > 1e-6, "plants at two places sway differently");
+  wind->SetStrength(0.0);
+  Expect(at(2.0) == AllPoints(wood->GetOutputDataObject(0)), "a wood without wind stands still exactly");
+  wind->SetStrength(8.0);
+  sway->SetInputConnection(tree->GetOutputPort());
 
   vtkNew<ErrorCounter> errors;
   errors->Watch(sway);
