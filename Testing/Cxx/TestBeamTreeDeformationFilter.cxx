@@ -206,6 +206,8 @@ int TestBeamTreeDeformationFilter(int, char*[])
   vtkNew<vtkPlantScatterFilter> wood;
   wood->SetInputData(sites);
   wood->SetInputConnection(1, tree->GetOutputPort());
+  wood->UseLevelsOff();
+  wood->UseCellsOff();
   sway->SetInputConnection(wood->GetOutputPort());
   wood->Update();
   const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "High/Skeleton");
