@@ -63,6 +63,18 @@ Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double len
   return taper;
 }
 
+/// A branch that grew is thick enough for what it bears: grown skeletons have a few twigs that are not, and would hang
+/// like threads. The radius [m] from which the tip sags by no more than a part of the length, in wood of the usual
+/// modulus.
+double LeastRadius(const RoundBeam& beam)
+{
+  constexpr double LargestSag = 0.2;
+  constexpr double UsualModulus = 9e9; // [Pa]
+  const double weight = glm::length(WeightPerLength(beam.MassPerLength));
+  const double least = weight * std::pow(beam.Length, 3) / (8.0 * UsualModulus * LargestSag);
+  return std::pow(least / SecondMoment(1.0), 0.25);
+}
+
 /// Adds leaves to their branches, then branches, from the twigs down, to those that carry them.
 void AddCarried(const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options,
   std::vector<Burden>& burdens)
@@ -139,6 +151,10 @@ std::vector<BranchBeam> BeamsOf(
   {
     beams[branch].Beam.MassPerLength = burdens[branch].Mass / beams[branch].Beam.Length;
     beams[branch].DragDiameter = burdens[branch].Area / beams[branch].Beam.Length;
+    if (options.Carries)
+    {
+      beams[branch].Beam.Radius = std::max(beams[branch].Beam.Radius, LeastRadius(beams[branch].Beam));
+    }
   }
   return beams;
 }

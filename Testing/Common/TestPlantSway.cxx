@@ -234,6 +234,19 @@ TEST(PlantSway, TaperedBranchesGiveAsTheirBeams)
   EXPECT_NEAR(beams[0].Beam.MassPerLength / (900.0 * Pi * 0.04 * 7.0 / 12.0), 1.0, 1e-4);
 }
 
+TEST(PlantSway, NoBranchHangsLikeAThread)
+{
+  Skeleton twig;
+  twig.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.001);
+  twig.Grow({ 1.0, 0.0, 0.0 }, 0.001);
+  SwayOptions options;
+  const RoundBeam beam = BeamsOf(twig, { 0.0, 1.0 }, options)[0].Beam;
+  const double sag = 9.80665 * beam.MassPerLength / (8.0 * 9e9 * SecondMoment(beam.Radius));
+  EXPECT_NEAR(sag, 0.2, 1e-9);
+  options.Carries = false;
+  EXPECT_NEAR(BeamsOf(twig, { 0.0, 1.0 }, options)[0].Beam.Radius, 0.001, 1e-12);
+}
+
 TEST(PlantSway, GravityBendsDownAndUprightBeamsNotAtAll)
 {
   SwayOptions options;
