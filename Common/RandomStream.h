@@ -28,6 +28,7 @@ enum class RandomPurpose : std::uint32_t
   WindAlong = 32,
   WindAcross = 33,
   WindUp = 34,
+  LeafFlutter = 40,
 };
 
 /**

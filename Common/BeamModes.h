@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralBeamModes_h
+#define LittoralBeamModes_h
+
+namespace littoral
+{
+
+/// The highest mode of vibration that is kept.
+inline constexpr int MostModes = 10;
+
+/// A uniform round cantilever.
+struct RoundBeam
+{
+  double Length = 1.0;        ///< [m]
+  double Radius = 0.05;       ///< of what bends [m]
+  double YoungModulus = 9e9;  ///< [Pa]
+  double MassPerLength = 5.0; ///< [kg/m]
+};
+
+/// The second moment of area of a round section, pi R^4 / 4 [m^4].
+double SecondMoment(double radius);
+
+/// The n-th positive root of cos(a) cosh(a) = -1, for n from 1 to MostModes: wave number times length.
+double CantileverRoot(int mode);
+
+/// The factor of the odd part of a mode's shape, (sinh a - sin a) / (cosh a + cos a) at the root a.
+double ShapeRatio(int mode);
+
+/// A mode's shape at a part of the length from 0, the clamped end, to 1; the mean of its square is 1 and its value at
+/// the tip 2 or -2 (eqs. 18 and 19 of Setas et al. in a form that neither overflows nor cancels).
+double ModeShape(int mode, double part);
+
+/// The derivative of the shape by the part of the length.
+double ModeSlope(int mode, double part);
+
+/// The mean of the shape over the beam: the share of a uniform load that drives the mode.
+double MeanShape(int mode);
+
+/// Angular frequency of a mode without damping [rad/s] (eq. 20).
+double AngularFrequency(const RoundBeam& beam, int mode);
+
+/// Modal mass (eq. 23) with shapes of mean square 1: the mass of the beam [kg].
+double ModalMass(const RoundBeam& beam);
+
+/// What the modes from 1 to the last one make of the deflection of the tip under a uniform load at rest, as part of the
+/// exact one, q L^4 / (8 E I).
+double StaticTipShare(int lastMode);
+
+}
+
+#endif

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constants.h"
+#include "PlantMotion.h"
+#include "PlantSway.h"
+#include "ReevesTree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+using namespace littoral;
+
+namespace
+{
+
+constexpr double Step = 0.05; // [s]
+constexpr int Samples = 800;
+
+/// A breeze with gusts along x, the same everywhere.
+void Gusts(const Vector3&, std::vector<Vector3>& velocities)
+{
+  velocities.resize(Samples);
+  for (int k = 0; k < Samples; ++k)
+  {
+    const double t = TwoPi * k / Samples;
+    velocities[k] = { 8.0 + 2.0 * std::sin(3.0 * t) + 1.5 * std::sin(31.0 * t + 1.0), 1.5 * std::cos(7.0 * t),
+      0.6 * std::sin(19.0 * t) };
+  }
+}
+
+void Calm(const Vector3&, std::vector<Vector3>& velocities)
+{
+  velocities.assign(Samples, Vector3(0.0));
+}
+
+void Steady(const Vector3&, std::vector<Vector3>& velocities)
+{
+  velocities.assign(Samples, Vector3(10.0, 0.0, 0.0));
+}
+
+Skeleton Oak()
+{
+  return GrowReevesTree(PresetParameters(TreePreset::Oak)).Wood;
+}
+
+std::vector<Vector3> AmplitudesAt(const PlantSway& sway, std::size_t count, double time)
+{
+  std::vector<Vector3> amplitudes(count);
+  sway.Amplitudes(time, amplitudes.data());
+  return amplitudes;
+}
+
+double Difference(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    largest = std::max(largest, glm::distance(a[i], b[i]));
+  }
+  return largest;
+}
+
+}
+
+TEST(PlantSway, NoWindNoAmplitude)
+{
+  const Skeleton oak = Oak();
+  for (const SwayResponse response : { SwayResponse::Interpolated, SwayResponse::Direct })
+  {
+    SwayOptions options;
+    options.Response = response;
+    const auto beams = BeamsOf(oak, {}, options);
+    const PlantSway sway(beams, options, Step, Vector3(0.0), Calm);
+    const PlantMotion motion(oak, 1);
+    std::vector<JointPose> poses(oak.Nodes.size());
+    motion.Pose(AmplitudesAt(sway, beams.size(), 3.21).data(), poses.data());
+    const Skeleton moved = Moved(oak, poses);
+    for (std::size_t node = 0; node < poses.size(); ++node)
+    {
+      ASSERT_EQ(std::memcmp(&moved.Nodes[node].Position, &oak.Nodes[node].Position, sizeof(Vector3)), 0);
+    }
+  }
+}
+
+TEST(PlantSway, SteadyWindBendsAMastByTheTextbook)
+{
+  Skeleton mast;
+  mast.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.02);
+  mast.Grow({ 0.0, 0.0, 3.0 }, 0.02);
+  for (const SwayResponse response : { SwayResponse::Interpolated, SwayResponse::Direct })
+  {
+    SwayOptions options;
+    options.Response = response;
+    options.NumberOfModes = 5;
+    const PlantSway sway(BeamsOf(mast, {}, options), options, Step, Vector3(0.0), Steady);
+    const auto amplitudes = AmplitudesAt(sway, 5, 1.0);
+    double tip = 0.0;
+    for (int mode = 1; mode <= 5; ++mode)
+    {
+      tip += amplitudes[mode - 1].x * ModeShape(mode, 1.0);
+    }
+    const double load = 0.5 * 1.2 * 1.1 * 0.04 * 100.0;
+    const double exact = load * std::pow(3.0, 4) / (8.0 * options.Wood.YoungModulus * SecondMoment(0.02));
+    std::printf("tip in a wind of 10 m/s: %.6g m, %.8f of q L^4 / 8 E I\n", tip, tip / exact);
+    EXPECT_NEAR(tip / exact, 1.0000147, 1e-6);
+  }
+}
+
+TEST(PlantSway, InterpolatedEqualsDirectForSimilarBeams)
+{
+  // Twelve beams of one size in all directions: what eq. 25 was made for.
+  SwayOptions options;
+  std::vector<BranchBeam> beams(12);
+  for (int i = 0; i < 12; ++i)
+  {
+    beams[i].Axis = Normalised(Vector3(std::sin(1.0 + i), std::cos(2.3 * i), std::sin(0.7 * i)));
+  }
+  const PlantSway interpolated(beams, options, Step, Vector3(0.0), Gusts);
+  options.Response = SwayResponse::Direct;
+  const PlantSway direct(beams, options, Step, Vector3(0.0), Gusts);
+  double largest = 0.0;
+  double error = 0.0;
+  for (int k = 0; k < 100; ++k)
+  {
+    const auto a = AmplitudesAt(interpolated, 12, 0.377 * k);
+    const auto b = AmplitudesAt(direct, 12, 0.377 * k);
+    error = std::max(error, Difference(a, b));
+    largest = std::max(largest, Difference(b, std::vector<Vector3>(12, Vector3(0.0))));
+  }
+  std::printf("similar beams, interpolated against direct: %.3g of the largest amplitude\n", error / largest);
+  EXPECT_LT(error / largest, 1e-6);
+}
+
+TEST(PlantSway, InterpolatedIsCloseForATree)
+{
+  const Skeleton oak = Oak();
+  SwayOptions options;
+  const auto beams = BeamsOf(oak, {}, options);
+  const PlantSway interpolated(beams, options, Step, Vector3(0.0), Gusts);
+  options.Response = SwayResponse::Direct;
+  const PlantSway direct(beams, options, Step, Vector3(0.0), Gusts);
+  double squares = 0.0;
+  double errors = 0.0;
+  for (int k = 0; k < 40; ++k)
+  {
+    const auto a = AmplitudesAt(interpolated, beams.size(), 0.977 * k);
+    const auto b = AmplitudesAt(direct, beams.size(), 0.977 * k);
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      errors += glm::dot(a[i] - b[i], a[i] - b[i]);
+      squares += glm::dot(b[i], b[i]);
+    }
+  }
+  std::printf("a tree, tabulated frequencies against each branch's own: %.3g rms\n", std::sqrt(errors / squares));
+  EXPECT_LT(std::sqrt(errors / squares), 0.01);
+}
+
+TEST(PlantSway, AnyTimeWithoutHistoryBitwise)
+{
+  const Skeleton oak = Oak();
+  for (const SwayResponse response : { SwayResponse::Interpolated, SwayResponse::Direct })
+  {
+    SwayOptions options;
+    options.Response = response;
+    options.NumberOfModes = 2;
+    const auto beams = BeamsOf(oak, {}, options);
+    const PlantSway one(beams, options, Step, Vector3(0.0), Gusts);
+    const PlantSway other(beams, options, Step, Vector3(0.0), Gusts, [](std::size_t count, const RangeTask& task) {
+      for (std::size_t i = count; i-- > 0;)
+      {
+        task(i, i + 1);
+      }
+    });
+    std::vector<std::vector<Vector3>> forward;
+    for (int k = 0; k < 20; ++k)
+    {
+      forward.push_back(AmplitudesAt(one, 2 * beams.size(), 1.7 * k));
+    }
+    for (int k = 19; k >= 0; --k)
+    {
+      EXPECT_EQ(AmplitudesAt(other, 2 * beams.size(), 1.7 * k), forward[k]);
+    }
+    const double period = Samples * Step;
+    EXPECT_LT(Difference(AmplitudesAt(one, 2 * beams.size(), 1.7 + period), forward[1]), 1e-9);
+  }
+}
+
+TEST(PlantSway, BranchesCarryWhatGrowsOnThem)
+{
+  const Skeleton oak = Oak();
+  SwayOptions options;
+  std::vector<double> areas(oak.Nodes.size(), 0.0);
+  areas.back() = 5.0;
+  const auto loaded = BeamsOf(oak, areas, options);
+  options.Carries = false;
+  const auto bare = BeamsOf(oak, areas, options);
+  double mass = options.LeafMass * 5.0;
+  double area = options.LeafDrag / options.Load.DragCoefficient * 5.0;
+  for (const BranchBeam& beam : bare)
+  {
+    mass += beam.Beam.MassPerLength * beam.Beam.Length;
+    area += beam.DragDiameter * beam.Beam.Length;
+  }
+  EXPECT_NEAR(loaded[0].Beam.MassPerLength * loaded[0].Beam.Length / mass, 1.0, 1e-12);
+  EXPECT_NEAR(loaded[0].DragDiameter * loaded[0].Beam.Length / area, 1.0, 1e-12);
+  std::printf("trunk of an oak: bare %.3g Hz, loaded %.3g Hz\n", AngularFrequency(bare[0].Beam, 1) / TwoPi,
+    AngularFrequency(loaded[0].Beam, 1) / TwoPi);
+  EXPECT_LT(AngularFrequency(loaded[0].Beam, 1), AngularFrequency(bare[0].Beam, 1));
+}
+
+TEST(PlantSway, TaperedBranchesGiveAsTheirBeams)
+{
+  // A cone from R to R / 2: the integral of 4 (1 - s)^3 / R(s)^4 over the length by a fine sum.
+  Skeleton mast;
+  mast.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.2);
+  for (int i = 1; i <= 50; ++i)
+  {
+    mast.Grow({ 0.0, 0.0, 0.1 * i }, 0.2 * (1.0 - 0.01 * i));
+  }
+  double give = 0.0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double s = (i + 0.5) / 100000;
+    give += 4.0 * std::pow(1.0 - s, 3) / std::pow(0.2 * (1.0 - 0.5 * s), 4) / 100000;
+  }
+  const auto beams = BeamsOf(mast, {}, {});
+  std::printf("cone from R to R/2: bends as a cylinder of %.5f R\n", beams[0].Beam.Radius / 0.2);
+  EXPECT_NEAR(beams[0].Beam.Radius / std::pow(give, -0.25), 1.0, 1e-5);
+  EXPECT_NEAR(beams[0].DragDiameter, 2.0 * 0.15, 1e-12);
+  EXPECT_NEAR(beams[0].Beam.MassPerLength / (900.0 * Pi * 0.04 * 7.0 / 12.0), 1.0, 1e-4);
+}
+
+TEST(PlantSway, NoBranchHangsLikeAThread)
+{
+  Skeleton twig;
+  twig.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.001);
+  twig.Grow({ 1.0, 0.0, 0.0 }, 0.001);
+  SwayOptions options;
+  const RoundBeam beam = BeamsOf(twig, { 0.0, 1.0 }, options)[0].Beam;
+  const double sag = 9.80665 * beam.MassPerLength / (8.0 * 9e9 * SecondMoment(beam.Radius));
+  EXPECT_NEAR(sag, 0.2, 1e-9);
+  options.Carries = false;
+  EXPECT_NEAR(BeamsOf(twig, { 0.0, 1.0 }, options)[0].Beam.Radius, 0.001, 1e-12);
+}
+
+TEST(PlantSway, GravityBendsDownAndUprightBeamsNotAtAll)
+{
+  SwayOptions options;
+  options.Gravity = true;
+  std::vector<BranchBeam> beams(2);
+  beams[1].Axis = { 1.0, 0.0, 0.0 };
+  const PlantSway sway(beams, options, Step, Vector3(0.0), Calm);
+  const auto amplitudes = AmplitudesAt(sway, 2, 0.0);
+  EXPECT_EQ(amplitudes[0], Vector3(0.0));
+  const RoundBeam& beam = beams[1].Beam;
+  const double exact = -9.80665 * beam.MassPerLength / (8.0 * beam.YoungModulus * SecondMoment(beam.Radius));
+  EXPECT_NEAR(2.0 * amplitudes[1].z / exact, 1.013388, 1e-5);
+}
+
+TEST(PlantSway, WoodOfSpecies)
+{
+  for (const WoodSpecies species :
+    { WoodSpecies::Custom, WoodSpecies::Pine, WoodSpecies::Oak, WoodSpecies::Birch, WoodSpecies::Shrub })
+  {
+    EXPECT_EQ(WhyInvalid(ParametersOf(species)), "");
+  }
+  WoodParameters wood;
+  wood.DampingRatio = std::nan("");
+  EXPECT_NE(WhyInvalid(wood).find("Damping"), std::string::npos);
+  wood = {};
+  wood.YoungModulus = 0.0;
+  EXPECT_NE(WhyInvalid(wood).find("YoungModulus"), std::string::npos);
+}

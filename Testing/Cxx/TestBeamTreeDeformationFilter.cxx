@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// An oak in a wind: at rest without one, the same at any time whatever was asked before, segments of one length, one
+// request to the wind for all frames, and clear words about bad input.
+#include "ErrorCounter.h"
+#include "PlantScene.h"
+
+#include "vtkBeamTreeDeformationFilter.h"
+#include "vtkPlantScatterFilter.h"
+#include "vtkReevesTreeSource.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+constexpr int Samples = 400;
+constexpr double Convection = 10.0; // [m/s]
+constexpr double Spacing = 0.5;     // [m]
+constexpr double Period = Samples * Spacing / Convection;
+
+/// A wind with gusts; of a strength, somewhere, with or without a flaw. It counts how often it is asked.
+class WindSource : public vtkImageAlgorithm
+{
+public:
+  static WindSource* New();
+  vtkTypeMacro(WindSource, vtkImageAlgorithm);
+  vtkSetMacro(Strength, double);
+  vtkSetMacro(Side, double);
+  double Strength = 8.0;
+  double Side = -20.0;
+  int Executions = 0;
+
+protected:
+  WindSource() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    const int extent[6] = { 0, Samples - 1, 0, 4, 0, 3 };
+    const double range[2] = { 0.0, Period };
+    output->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    output->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    ++this->Executions;
+    auto* image = vtkImageData::GetData(output);
+    image->SetDimensions(Samples, 5, 4);
+    image->SetSpacing(Spacing, 10.0, 5.0);
+    image->SetOrigin(0.0, this->Side, 2.0);
+    vtkNew<vtkFloatArray> velocity;
+    velocity->SetName("Velocity");
+    velocity->SetNumberOfComponents(3);
+    for (int i = 0; i < Samples * 20; ++i)
+    {
+      const double t = 6.283185307179586 * (i % Samples) / Samples;
+      velocity->InsertNextTuple3(this->Strength * (1.0 + 0.3 * std::sin(5.0 * t) + 0.2 * std::sin(33.0 * t)),
+        0.2 * this->Strength * std::cos(9.0 * t), 0.1 * this->Strength * std::sin(21.0 * t));
+    }
+    image->GetPointData()->AddArray(velocity);
+    vtkNew<vtkDoubleArray> speed;
+    speed->SetName("ConvectionSpeed");
+    speed->InsertNextValue(Convection);
+    image->GetFieldData()->AddArray(speed);
+    vtkNew<vtkDoubleArray> period;
+    period->SetName("Period");
+    period->InsertNextValue(Period);
+    image->GetFieldData()->AddArray(period);
+    return 1;
+  }
+};
+vtkStandardNewMacro(WindSource);
+
+std::vector<float> PointsOf(vtkDataObject* plants, const char* path)
+{
+  auto* data = vtkPolyData::SafeDownCast(BlockAt(plants, path));
+  auto* points = vtkFloatArray::SafeDownCast(data->GetPoints()->GetData());
+  return { points->GetPointer(0), points->GetPointer(0) + points->GetNumberOfValues() };
+}
+
+/// Skeleton, skin and leaves, in one.
+std::vector<float> AllPoints(vtkDataObject* plants)
+{
+  std::vector<float> all;
+  for (const char* path : { "High/Skeleton", "High/Skin", "High/Leaves" })
+  {
+    const std::vector<float> part = PointsOf(plants, path);
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+double Farthest(const std::vector<float>& a, const std::vector<float>& b)
+{
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    farthest = std::max(farthest, std::abs(static_cast<double>(a[i]) - b[i]));
+  }
+  return farthest;
+}
+
+/// Largest change of the length of a segment [m].
+double Stretch(vtkDataObject* rest, vtkDataObject* moved)
+{
+  const std::vector<float> a = PointsOf(rest, "High/Skeleton");
+  const std::vector<float> b = PointsOf(moved, "High/Skeleton");
+  auto* parents = vtkIntArray::SafeDownCast(
+    vtkPolyData::SafeDownCast(BlockAt(rest, "High/Skeleton"))->GetPointData()->GetArray("ParentId"));
+  const auto length = [&](const std::vector<float>& p, vtkIdType i, vtkIdType j) {
+    return std::hypot(
+      p[3 * i] - double(p[3 * j]), p[3 * i + 1] - double(p[3 * j + 1]), p[3 * i + 2] - double(p[3 * j + 2]));
+  };
+  double stretch = 0.0;
+  for (vtkIdType node = 0; node < parents->GetNumberOfValues(); ++node)
+  {
+    const int parent = parents->GetValue(node);
+    stretch = std::max(stretch, parent < 0 ? 0.0 : std::abs(length(a, node, parent) - length(b, node, parent)));
+  }
+  return stretch;
+}
+
+int Failures = 0;
+
+void Expect(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    std::cerr << "Failed: " << what << "\n";
+    ++Failures;
+  }
+}
+
+}
+
+int TestBeamTreeDeformationFilter(int, char*[])
+{
+  vtkNew<vtkReevesTreeSource> tree;
+  tree->Update();
+  vtkDataObject* rest = tree->GetOutputDataObject(0);
+  vtkNew<WindSource> wind;
+  vtkNew<vtkBeamTreeDeformationFilter> sway;
+  sway->SetInputConnection(tree->GetOutputPort());
+  sway->SetWindConnection(wind->GetOutputPort());
+  const auto at = [&](double time) {
+    sway->UpdateTimeStep(time);
+    return AllPoints(sway->GetOutputDataObject(0));
+  };
+
+  for (const int response : { 0, 1 })
+  {
+    sway->SetResponse(response);
+    const std::vector<float> first = at(1.3);
+    const double far = Farthest(first, AllPoints(rest));
+    const double stretch = Stretch(rest, sway->GetOutputDataObject(0));
+    std::cout << "response " << response << ": a point goes up to " << far << " m, segments change by " << stretch
+              << " m\n";
+    Expect(far > 0.02 && far < 3.0, "an oak sways, and not too much");
+    Expect(stretch < 5e-6, "segments keep their lengths to single precision");
+    const std::vector<float> second = at(4.7);
+    Expect(Farthest(first, second) > 1e-3, "the plant moves with time");
+    Expect(at(1.3) == first, "a time asked again gives the same bytes");
+    Expect(Farthest(at(1.3 + Period), first) < 1e-4, "the motion repeats after the period");
+    vtkNew<vtkBeamTreeDeformationFilter> other;
+    other->SetInputConnection(tree->GetOutputPort());
+    other->SetWindConnection(wind->GetOutputPort());
+    other->SetResponse(response);
+    other->UpdateTimeStep(4.7);
+    Expect(AllPoints(other->GetOutputDataObject(0)) == second, "a time asked first gives the same bytes");
+  }
+  Expect(wind->Executions == 1, "the wind is asked once");
+  Expect(Farthest(PointsOf(rest, "Low").empty() ? std::vector<float>{ 1.0f } : PointsOf(rest, "Low"),
+           PointsOf(sway->GetOutputDataObject(0), "Low")) == 0.0,
+    "Low stands still");
+
+  sway->SetResponse(0);
+  wind->SetStrength(0.0);
+  Expect(at(2.0) == AllPoints(rest), "no wind, rest pose exactly");
+  wind->SetStrength(8.0);
+  sway->SetYoungModulus(1e8);
+  Expect(at(2.0) != AllPoints(rest) && Stretch(rest, sway->GetOutputDataObject(0)) < 5e-6, "soft wood keeps lengths");
+  sway->SetYoungModulus(9e9);
+
+  // A scattered wood: each plant in the wind where it stands.
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(0.0, 0.0, 100.0);
+  places->InsertNextPoint(37.0, 5.0, 120.0);
+  vtkNew<vtkPolyData> sites;
+  sites->SetPoints(places);
+  vtkNew<vtkPlantScatterFilter> wood;
+  wood->SetInputData(sites);
+  wood->SetInputConnection(1, tree->GetOutputPort());
+  wood->UseLevelsOff();
+  wood->UseCellsOff();
+  sway->SetInputConnection(wood->GetOutputPort());
+  wood->Update();
+  const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "High/Skeleton");
+  Expect(standing.size() == 2 * PointsOf(rest, "High/Skeleton").size(), "two plants in full");
+  at(2.0);
+  const std::vector<float> bent = PointsOf(sway->GetOutputDataObject(0), "High/Skeleton");
+  const std::size_t half = bent.size() / 2;
+  const auto shift = [&](std::size_t i) { return double(bent[i]) - standing[i]; };
+  Expect(Farthest(bent, standing) > 0.02, "a wood sways");
+  Expect(Stretch(wood->GetOutputDataObject(0), sway->GetOutputDataObject(0)) < 5e-5, "a wood keeps its lengths");
+  Expect(std::abs(shift(3 * 12) - shift(half + 3 * 12)) > 1e-6, "plants at two places sway differently");
+  wind->SetStrength(0.0);
+  Expect(at(2.0) == AllPoints(wood->GetOutputDataObject(0)), "a wood without wind stands still exactly");
+  wind->SetStrength(8.0);
+  sway->SetInputConnection(tree->GetOutputPort());
+
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(sway);
+  const auto complains = [&](const char* about) { Expect(errors->ExpectOneNaming(about), about); };
+  sway->SetNumberOfModes(11);
+  complains("NumberOfModes");
+  sway->SetNumberOfModes(1);
+  sway->SetDamping(std::numeric_limits<double>::quiet_NaN());
+  complains("Damping");
+  sway->SetDamping(0.08);
+  wind->SetSide(100.0);
+  complains("does not reach");
+  wind->SetSide(-20.0);
+  wind->SetStrength(std::numeric_limits<double>::quiet_NaN());
+  complains("not finite");
+  wind->SetStrength(8.0);
+  vtkNew<vtkMultiBlockDataSet> empty;
+  sway->SetInputDataObject(0, empty);
+  complains("High/Skeleton");
+  return Failures;
+}

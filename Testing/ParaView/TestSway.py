@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Beam Tree Deformation from ParaView: its inputs, properties and times."""
+from paraview import simple
+from paraview.servermanager import Fetch
+
+WIND = """
+import vtk
+output.SetDimensions(200, 3, 3)
+output.SetSpacing(0.5, 40.0, 10.0)
+output.SetOrigin(0.0, -40.0, 2.0)
+velocity = vtk.vtkFloatArray()
+velocity.SetName("Velocity")
+velocity.SetNumberOfComponents(3)
+for i in range(1800):
+    velocity.InsertNextTuple3(6.0 + 4.0 * ((i % 200) < 100), 0.0, 0.0)
+output.GetPointData().AddArray(velocity)
+speed = vtk.vtkDoubleArray()
+speed.SetName("ConvectionSpeed")
+speed.InsertNextValue(10.0)
+output.GetFieldData().AddArray(speed)
+"""
+INFORMATION = """
+from paraview import util
+util.SetOutputWholeExtent(self, [0, 199, 0, 2, 0, 2])
+"""
+
+
+def skeleton(plant):
+    """The points of High/Skeleton."""
+    points = Fetch(plant).GetBlock(0).GetBlock(0).GetPoints()
+    return [points.GetPoint(i) for i in range(points.GetNumberOfPoints())]
+
+
+tree = simple.ReevesTree()
+wind = simple.ProgrammableSource(OutputDataSetType="vtkImageData", Script=WIND,
+                                 ScriptRequestInformation=INFORMATION)
+sway = simple.BeamTreeDeformation(Input=tree, Wind=wind, NumberOfModes=2, Damping=0.05)
+sway.UpdatePipeline(3.0)
+first = skeleton(sway)
+sway.UpdatePipeline(8.0)
+second = skeleton(sway)
+sway.UpdatePipeline(3.0)
+assert skeleton(sway) == first
+assert len(first) == len(skeleton(tree)) > 100
+assert first != second and first != skeleton(tree)
+print("moves", sorted(abs(a[0] - b[0]) for a, b in zip(first, second))[-1], "m between two times")
