@@ -25,6 +25,8 @@ enum class RandomPurpose : std::uint32_t
   PlantAzimuth = 23,
   PlantTint = 24,
   CrownJitter = 25,
+  WaveDirections = 48,
+  WavePhases = 49,
 };
 
 /**
