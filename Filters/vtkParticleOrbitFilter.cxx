@@ -317,8 +317,15 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   }
 
   const bool surface = this->GenerateSurface && IsAtSeaLevel(input->GetPoints(), sea.State.SeaLevel);
-  vtkSmartPointer<Array> centre = NewArray<Array>("Centre", 3, count);
-  centre->DeepCopy(input->GetPoints()->GetData());
+  auto centre = vtkSmartPointer<Array>::New();
+  if (Array* own = Array::SafeDownCast(input->GetPoints()->GetData()))
+  {
+    centre->ShallowCopy(own);
+  }
+  else
+  {
+    centre->DeepCopy(input->GetPoints()->GetData());
+  }
   centre->SetName("Centre");
   vtkSmartPointer<Array> place = NewArray<Array>("Points", 3, count);
   vtkPointData* arrays = output->GetPointData();
@@ -362,8 +369,17 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
       task(begin, std::min<std::size_t>(begin + PointsAtOnce, static_cast<std::size_t>(count)));
     });
   };
+  const bool anySlaves = !slaves.Master.empty();
+  const auto shift = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t value = 3 * begin; value < 3 * end; ++value)
+    {
+      const double moved = static_cast<double>(request.Displacement[value]) + request.Centres[value];
+      request.Displacement[value] = static_cast<Real>(moved);
+    }
+  };
   bool done = forAll(0.0, 0.8, [&](std::size_t begin, std::size_t end) {
     sea.Orbits.Evaluate(request, begin, end);
+    shift(begin, end);
     for (std::size_t id = begin; surface && id < end; ++id)
     {
       const Real* from = &gradient[5 * id];
@@ -376,10 +392,10 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
       jacobian->SetValue(id, static_cast<Real>(littoral::SurfaceJacobian(slope)));
     }
   });
-  if (done && !slaves.Master.empty())
+  if (done && anySlaves)
   {
     // Masters are no slaves: what is read here is not written here.
-    done = forAll(0.8, 0.9, [&](std::size_t begin, std::size_t end) {
+    done = forAll(0.8, 1.0, [&](std::size_t begin, std::size_t end) {
       for (std::size_t id = begin; id < end; ++id)
       {
         const vtkIdType master = slaves.Master[id];
@@ -389,23 +405,13 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
           {
             values[3 * id + axis] = values[3 * master + axis];
           }
+          const double offset = slaves.Offset->GetComponent(static_cast<vtkIdType>(id), axis);
+          Real& value = request.Displacement[3 * id + axis];
+          value = static_cast<Real>(static_cast<double>(value) + offset);
         }
       }
     });
   }
-  done = done && forAll(0.9, 1.0, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t id = begin; id < end; ++id)
-    {
-      const bool slave = !slaves.Master.empty() && slaves.Master[id] >= 0;
-      const std::size_t of = slave ? static_cast<std::size_t>(slaves.Master[id]) : id;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double offset = slave ? slaves.Offset->GetComponent(static_cast<vtkIdType>(id), axis) : 0.0;
-        Real& value = request.Displacement[3 * id + axis];
-        value = static_cast<Real>(static_cast<double>(value) + request.Centres[3 * of + axis] + offset);
-      }
-    }
-  });
   vtkNew<vtkPoints> points;
   points->SetData(place);
   output->SetPoints(points);
