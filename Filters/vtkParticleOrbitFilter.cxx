@@ -412,10 +412,15 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
       }
     });
   }
+  if (!done) // aborted
+  {
+    output->Initialize();
+    return true;
+  }
   vtkNew<vtkPoints> points;
   points->SetData(place);
   output->SetPoints(points);
-  if (done && surface)
+  if (surface)
   {
     const double folded = jacobian->GetRange()[0];
     if (folded <= 0.0)
