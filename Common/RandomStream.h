@@ -29,6 +29,8 @@ enum class RandomPurpose : std::uint32_t
   WindAcross = 33,
   WindUp = 34,
   LeafFlutter = 40,
+  WaveDirections = 48,
+  WavePhases = 49,
 };
 
 /**

@@ -11,8 +11,11 @@
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&                       \
   !defined(__SANITIZE_ADDRESS__)
 #define LITTORAL_SIMD_CLONES __attribute__((target_clones("avx2", "default")))
+/// The same with a third version, for AVX-512.
+#define LITTORAL_WIDE_SIMD_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define LITTORAL_SIMD_CLONES
+#define LITTORAL_WIDE_SIMD_CLONES
 #endif
 
 #endif

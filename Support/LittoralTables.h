@@ -5,6 +5,7 @@
 
 // Columns and field data of the tables that Littoral's analyses write. Private: never installed, never wrapped.
 
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -39,23 +40,23 @@ void AddColumn(vtkTable* table, const char* name, const Records& records, const 
   table->AddColumn(column);
 }
 
-/// Adds one tuple of numbers to the table's field data.
-inline void AddField(vtkTable* table, const char* name, std::initializer_list<double> values)
+/// Adds one tuple of numbers to the field data.
+inline void AddField(vtkDataObject* data, const char* name, std::initializer_list<double> values)
 {
   vtkNew<vtkDoubleArray> field;
   field->SetName(name);
   field->SetNumberOfComponents(static_cast<int>(values.size()));
   field->InsertNextTuple(std::data(values));
-  table->GetFieldData()->AddArray(field);
+  data->GetFieldData()->AddArray(field);
 }
 
-/// Adds a word to the table's field data.
-inline void AddText(vtkTable* table, const char* name, const std::string& text)
+/// Adds a word to the field data.
+inline void AddText(vtkDataObject* data, const char* name, const std::string& text)
 {
   vtkNew<vtkStringArray> field;
   field->SetName(name);
   field->InsertNextValue(text);
-  table->GetFieldData()->AddArray(field);
+  data->GetFieldData()->AddArray(field);
 }
 
 /// A table has no pieces, the first holds all of it: whether all outputs are asked for later ones only.

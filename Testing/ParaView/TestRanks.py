@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3
-"""The same terrain, the same fit and the same twin on any number of ranks.
+"""The same terrain, fit, twin, points and sea on any number of ranks.
 
 The run on one rank writes its result; the others compare with it.
 """
@@ -48,6 +48,13 @@ sites = vtk_to_numpy(cloud.GetPointData().GetArray("SiteId"))
 xyz = vtk_to_numpy(cloud.GetPoints().GetData())[np.argsort(sites)]
 assert len(sites) == 1200, f"{len(sites)} points on {ranks} ranks"
 result.append(hashlib.sha256(xyz.tobytes()).hexdigest())
+orbits = simple.ParticleOrbits(Input=points, SeaState=simple.SeaState(WaterDepth=12.0))
+orbits.UpdatePipeline(7.3)
+moved = servermanager.Fetch(orbits)
+order = np.argsort(vtk_to_numpy(moved.GetPointData().GetArray("SiteId")))
+places = vtk_to_numpy(moved.GetPoints().GetData())[order]
+assert 0.1 < np.abs(places - xyz).max() < 10.0, "particles do not ride on the waves"
+result.append(hashlib.sha256(places.tobytes()).hexdigest())
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeaSpectrum.h"
+
+#include "Constants.h"
+#include "Dispersion.h"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Of Pierson and Moskowitz.
+constexpr double Alpha = 8.1e-3;
+constexpr double Beta = 0.74;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+bool IsPositive(double value)
+{
+  return value > 0.0 && std::isfinite(value);
+}
+
+/// What finite depth leaves of a wave's energy, after Kitaigorodskii.
+double DepthFactor(double frequency, double depth)
+{
+  const double x = WaveNumber(frequency, depth) * depth;
+  if (!(x < 20.0))
+  {
+    return 1.0;
+  }
+  const double t = std::tanh(x);
+  return x > 0.0 ? t * t / (1.0 + 2.0 * x / std::sinh(2.0 * x)) : 0.0;
+}
+
+std::string WhyInvalidTable(const SpectrumParameters& parameters)
+{
+  const std::vector<double>& hertz = parameters.Frequencies;
+  const std::vector<double>& density = parameters.Densities;
+  if (hertz.size() < 2 || hertz.size() != density.size())
+  {
+    return "the table of the spectrum needs two rows or more of Frequency and Density.";
+  }
+  for (std::size_t row = 0; row < hertz.size(); ++row)
+  {
+    if (!std::isfinite(hertz[row]) || hertz[row] < 0.0 || (row > 0 && hertz[row] <= hertz[row - 1]))
+    {
+      return "Frequency in row " + std::to_string(row) + " of the spectrum must be above that in the row before.";
+    }
+    if (!std::isfinite(density[row]) || density[row] < 0.0)
+    {
+      return "Density in row " + std::to_string(row) + " of the spectrum is negative or no number.";
+    }
+  }
+  const auto highest = std::max_element(density.begin(), density.end());
+  return *highest > 0.0 && hertz[highest - density.begin()] > 0.0
+    ? ""
+    : "Density of the spectrum has no peak above frequency 0.";
+}
+
+}
+
+std::string WhyInvalid(const SpectrumParameters& parameters)
+{
+  std::ostringstream reason;
+  const int kind = static_cast<int>(parameters.Kind);
+  if (kind < 0 || kind > 3)
+  {
+    reason << "Spectrum is " << kind << "; it must be 0 to 3.";
+  }
+  else if (!(parameters.Depth > 0.0))
+  {
+    reason << "WaterDepth is " << parameters.Depth << " m; it must be 0 (deep) or positive.";
+  }
+  else if (parameters.Kind == SpectrumKind::Table)
+  {
+    return WhyInvalidTable(parameters);
+  }
+  else if (parameters.FromWind && !(parameters.WindSpeed >= 0.1 && parameters.WindSpeed <= 200.0))
+  {
+    reason << "WindSpeed is " << parameters.WindSpeed << " m/s; it must be 0.1 to 200.";
+  }
+  else if (!parameters.FromWind && !IsPositive(parameters.SignificantHeight))
+  {
+    reason << "SignificantWaveHeight is " << parameters.SignificantHeight << " m; it must be positive.";
+  }
+  else if (!parameters.FromWind && !(parameters.PeakPeriod >= 0.01 && parameters.PeakPeriod <= 10000.0))
+  {
+    reason << "PeakPeriod is " << parameters.PeakPeriod << " s; it must be 0.01 to 10000.";
+  }
+  else if (parameters.Kind != SpectrumKind::PiersonMoskowitz &&
+    !(parameters.PeakEnhancement >= 1.0 && parameters.PeakEnhancement <= 20.0))
+  {
+    reason << "PeakEnhancement is " << parameters.PeakEnhancement << "; it must be 1 to 20.";
+  }
+  return reason.str();
+}
+
+SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)
+  : Given(parameters)
+{
+  if (parameters.Kind == SpectrumKind::Table)
+  {
+    this->ReadTable();
+    return;
+  }
+  const double g = Gravity;
+  if (parameters.FromWind)
+  {
+    const double u = parameters.WindSpeed;
+    this->FormPeak = std::pow(0.8 * Beta, 0.25) * g / u;
+    this->Given.PeakPeriod = TwoPi / this->FormPeak;
+    this->Given.SignificantHeight = 4.0 * u * u / g * std::sqrt(0.25 * Alpha / Beta);
+  }
+  this->FitToHeightAndPeriod();
+}
+
+void SeaSpectrum::FitToHeightAndPeriod()
+{
+  const double wanted = TwoPi / this->Given.PeakPeriod;
+  const double variance = this->Given.SignificantHeight * this->Given.SignificantHeight / 16.0;
+  this->FormPeak = wanted;
+  this->Peak = wanted;
+  this->Scale = 5.0 * variance * std::pow(wanted, 4.0);
+  if (this->Given.Kind == SpectrumKind::PiersonMoskowitz)
+  {
+    this->Total = variance;
+    return;
+  }
+  if (this->Given.Kind == SpectrumKind::Tma && this->Given.FromWind)
+  {
+    // The wind gives the deep sea; depth then takes what it takes.
+    this->Given.Kind = SpectrumKind::Jonswap;
+    this->Scale *= variance / this->Energy(0.0, Infinity);
+    this->Given.Kind = SpectrumKind::Tma;
+    this->Peak = this->FindPeak();
+    this->Total = this->Energy(0.0, Infinity);
+    return;
+  }
+  // Depth shifts the peak a little: shift the form until the peak lies where it is wanted.
+  for (int step = 0; this->Given.Kind == SpectrumKind::Tma && step < 60; ++step)
+  {
+    const double ratio = wanted / this->FindPeak();
+    this->FormPeak *= ratio;
+    if (std::abs(ratio - 1.0) < 1e-9)
+    {
+      break;
+    }
+  }
+  this->Scale *= variance / this->Energy(0.0, Infinity);
+  this->Total = variance;
+}
+
+double SeaSpectrum::FindPeak() const
+{
+  // The factor of depth grows by less than w^5, and S beyond the form's peak falls from there on.
+  const auto negative = [this](double w) { return -this->Shape(w); };
+  const double p = this->FormPeak;
+  return boost::math::tools::brent_find_minima(negative, p, 2.0 * p, 40).first;
+}
+
+double SeaSpectrum::Shape(double w) const
+{
+  const double ratio = this->FormPeak / w;
+  const double form = std::exp(-1.25 * std::pow(ratio, 4.0)) * std::pow(w, -5.0);
+  if (!(form > 0.0) || this->Given.Kind == SpectrumKind::PiersonMoskowitz)
+  {
+    return form > 0.0 ? form : 0.0;
+  }
+  const double sigma = w > this->FormPeak ? 0.09 : 0.07;
+  const double off = (w / this->FormPeak - 1.0) / sigma;
+  const double young = form * std::pow(this->Given.PeakEnhancement, std::exp(-0.5 * off * off));
+  return this->Given.Kind == SpectrumKind::Tma ? young * DepthFactor(w, this->Given.Depth) : young;
+}
+
+double SeaSpectrum::Density(double w) const
+{
+  if (!(w > 0.0))
+  {
+    return 0.0;
+  }
+  if (this->Given.Kind != SpectrumKind::Table)
+  {
+    return this->Scale * this->Shape(w);
+  }
+  if (w < this->Nodes.front() || w > this->Nodes.back())
+  {
+    return 0.0;
+  }
+  const std::size_t next = std::min<std::size_t>(
+    std::upper_bound(this->Nodes.begin(), this->Nodes.end(), w) - this->Nodes.begin(), this->Nodes.size() - 1);
+  const double part = (w - this->Nodes[next - 1]) / (this->Nodes[next] - this->Nodes[next - 1]);
+  return this->Values[next - 1] + part * (this->Values[next] - this->Values[next - 1]);
+}
+
+double SeaSpectrum::Energy(double low, double high) const
+{
+  if (!(high > low))
+  {
+    return 0.0;
+  }
+  if (this->Given.Kind == SpectrumKind::Table)
+  {
+    return this->TableIntegral(high) - this->TableIntegral(low);
+  }
+  if (this->Given.Kind == SpectrumKind::PiersonMoskowitz)
+  {
+    const auto below = [this](double w) {
+      return w > 0.0 ? this->Total * std::exp(-1.25 * std::pow(this->FormPeak / w, 4.0)) : 0.0;
+    };
+    return below(high) - below(low);
+  }
+  // Cut where the form of the peak changes, so that each part is smooth.
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+  const auto density = [this](double w) { return this->Density(w); };
+  const double p = this->FormPeak;
+  double sum = 0.0;
+  double from = low;
+  for (const double cut : { 0.5 * p, 0.8 * p, p, 1.25 * p, 2.0 * p, high })
+  {
+    const double to = std::min(cut, high);
+    if (to > from)
+    {
+      sum += Rule::integrate(density, from, to, 10, 1e-13);
+      from = to;
+    }
+  }
+  return sum;
+}
+
+void SeaSpectrum::ReadTable()
+{
+  const std::size_t rows = this->Given.Frequencies.size();
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    this->Nodes.push_back(TwoPi * this->Given.Frequencies[row]);
+    this->Values.push_back(this->Given.Densities[row] / TwoPi);
+    this->Integrals.push_back(row == 0 ? 0.0
+                                       : this->Integrals.back() +
+          0.5 * (this->Values[row] + this->Values[row - 1]) * (this->Nodes[row] - this->Nodes[row - 1]));
+  }
+  this->Total = this->Integrals.back();
+  this->Peak = this->Nodes[std::max_element(this->Values.begin(), this->Values.end()) - this->Values.begin()];
+}
+
+double SeaSpectrum::TableIntegral(double w) const
+{
+  if (w <= this->Nodes.front())
+  {
+    return 0.0;
+  }
+  if (w >= this->Nodes.back())
+  {
+    return this->Total;
+  }
+  const std::size_t next = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), w) - this->Nodes.begin();
+  return this->Integrals[next - 1] + 0.5 * (this->Values[next - 1] + this->Density(w)) * (w - this->Nodes[next - 1]);
+}
+
+}

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSeaStateSource.h"
+
+#include "Constants.h"
+#include "LittoralPipeline.h"
+#include "LittoralSea.h"
+
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSeaStateSource);
+
+namespace
+{
+
+/// A column of numbers; empty if there is none of that name.
+std::vector<double> ColumnOf(vtkTable* table, const char* name)
+{
+  std::vector<double> values;
+  vtkDataArray* array = vtkDataArray::SafeDownCast(table->GetColumnByName(name));
+  for (vtkIdType row = 0; array && array->GetNumberOfComponents() == 1 && row < array->GetNumberOfTuples(); ++row)
+  {
+    values.push_back(array->GetTuple1(row));
+  }
+  return values;
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkSeaStateSource::vtkSeaStateSource()
+  : Spectrum(PiersonMoskowitz)
+  , SeaBy(Wind)
+  , WindSpeed(10.0)
+  , SignificantWaveHeight(2.0)
+  , PeakPeriod(7.0)
+  , PeakEnhancement(3.3)
+  , WaterDepth(0.0)
+  , SeaLevel(0.0)
+  , NumberOfTrains(30)
+  , FrequencyRange{ 0.5, 4.0 }
+  , MeanDirection(0.0)
+  , Spreading(10.0)
+  , EqualSpacing(false)
+  , Seed(1)
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//----------------------------------------------------------------------------
+vtkSeaStateSource::~vtkSeaStateSource() = default;
+
+//----------------------------------------------------------------------------
+int vtkSeaStateSource::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaStateSource::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaStateSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // All pieces hold all trains: each rank moves its own particles by the whole sea.
+  using namespace littoral;
+  SpectrumParameters spectrum;
+  spectrum.Kind = static_cast<SpectrumKind>(this->Spectrum);
+  spectrum.FromWind = this->SeaBy == Wind;
+  spectrum.WindSpeed = this->WindSpeed;
+  spectrum.SignificantHeight = this->SignificantWaveHeight;
+  spectrum.PeakPeriod = this->PeakPeriod;
+  spectrum.PeakEnhancement = this->PeakEnhancement;
+  spectrum.Depth = this->WaterDepth == 0.0 ? std::numeric_limits<double>::infinity() : this->WaterDepth;
+  vtkTable* measured = vtkTable::GetData(inputVector[0]);
+  if (this->Spectrum == Table && measured)
+  {
+    spectrum.Frequencies = ColumnOf(measured, "Frequency");
+    spectrum.Densities = ColumnOf(measured, "Density");
+  }
+  TrainParameters cut;
+  cut.Count = this->NumberOfTrains;
+  cut.Lowest = this->FrequencyRange[0];
+  cut.Highest = this->FrequencyRange[1];
+  cut.MeanDirection = this->MeanDirection * Pi / 180.0;
+  cut.Spreading = this->Spreading;
+  cut.EqualSpacing = this->EqualSpacing;
+  cut.Seed = this->Seed;
+
+  std::string reason = WhyInvalid(spectrum);
+  if (reason.empty() && this->SeaBy != Wind && this->SeaBy != HeightAndPeriod)
+  {
+    reason = "SeaBy is " + std::to_string(this->SeaBy) + "; it must be 0 or 1.";
+  }
+  if (reason.empty() && !std::isfinite(this->SeaLevel))
+  {
+    reason = "SeaLevel must be finite.";
+  }
+  if (reason.empty())
+  {
+    reason = WhyInvalid(cut);
+  }
+  SeaState state;
+  double height = 0.0;
+  double period = 0.0;
+  if (reason.empty())
+  {
+    const SeaSpectrum density(spectrum);
+    state = { TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel };
+    height = 4.0 * std::sqrt(density.TotalEnergy());
+    period = TwoPi / density.PeakFrequency();
+    reason = state.Trains.empty() ? "FrequencyRange holds no energy of the spectrum." : WhyInvalid(state);
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot make a sea: " << reason);
+    return 0;
+  }
+  vtkTable* output = vtkTable::GetData(outputVector);
+  WriteSeaState(state, output);
+  AddField(output, sea::SignificantWaveHeight, { height });
+  AddField(output, sea::PeakPeriod, { period });
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkSeaStateSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Spectrum: " << this->Spectrum << "\n";
+  os << indent << "SeaBy: " << this->SeaBy << "\n";
+  os << indent << "WindSpeed: " << this->WindSpeed << "\n";
+  os << indent << "SignificantWaveHeight: " << this->SignificantWaveHeight << "\n";
+  os << indent << "PeakPeriod: " << this->PeakPeriod << "\n";
+  os << indent << "PeakEnhancement: " << this->PeakEnhancement << "\n";
+  os << indent << "WaterDepth: " << this->WaterDepth << "\n";
+  os << indent << "SeaLevel: " << this->SeaLevel << "\n";
+  os << indent << "NumberOfTrains: " << this->NumberOfTrains << "\n";
+  os << indent << "FrequencyRange: " << this->FrequencyRange[0] << " " << this->FrequencyRange[1] << "\n";
+  os << indent << "MeanDirection: " << this->MeanDirection << "\n";
+  os << indent << "Spreading: " << this->Spreading << "\n";
+  os << indent << "EqualSpacing: " << this->EqualSpacing << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Speed of a frame of a million particles in 30 trains, and of what the functions alone take.
+#include "WaveOrbits.h"
+#include "vtkParticleOrbitFilter.h"
+#include "vtkSeaStateSource.h"
+
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+constexpr int Count = 1000000;
+
+template <typename Real>
+std::vector<Real> Centres()
+{
+  std::vector<Real> centres(3 * Count);
+  for (int n = 0; n < Count; ++n)
+  {
+    centres[3 * n] = static_cast<Real>(std::fmod(0.731 * n, 1000.0));
+    centres[3 * n + 1] = static_cast<Real>(std::fmod(1.137 * n, 1000.0));
+    centres[3 * n + 2] = static_cast<Real>(-20.0 * n / Count);
+  }
+  return centres;
+}
+
+SeaState Sea(double depth)
+{
+  return { TrainsOf(SeaSpectrum(SpectrumParameters{}), depth, TrainParameters{}), depth, 0.0 };
+}
+
+/// The numerics on two threads; depth 0 stands for deep water.
+template <typename Real>
+void MoveMillion(benchmark::State& state)
+{
+  const double depth = state.range(0) == 0 ? std::numeric_limits<double>::infinity() : state.range(0);
+  const SeaState sea = Sea(depth);
+  const std::vector<Real> centres = Centres<Real>();
+  std::vector<Real> moved(3 * Count);
+  OrbitRequest<Real> request;
+  request.Centres = centres.data();
+  request.Displacement = moved.data();
+  double time = 0.0;
+  for (auto _ : state)
+  {
+    const WaveOrbits orbits(sea, {}, time += 0.04);
+    std::thread other([&] { orbits.Evaluate(request, 0, Count / 2); });
+    orbits.Evaluate(request, Count / 2, Count);
+    other.join();
+    benchmark::DoNotOptimize(moved.data());
+  }
+  state.SetItemsProcessed(state.iterations() * Count * static_cast<long>(sea.Trains.size()));
+}
+BENCHMARK(MoveMillion<float>)->Arg(20)->Arg(0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MoveMillion<double>)->Arg(20)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The bound of plain code: as many sines, cosines and exponentials of the standard library, on two threads.
+void FunctionsAlone(benchmark::State& state)
+{
+  const auto work = [](int begin, int end) {
+    float sum = 0.0f;
+    for (int n = begin; n < end; ++n)
+    {
+      for (int train = 0; train < 30; ++train)
+      {
+        const float x = 1e-6f * n + 0.1f * train;
+        sum += std::sin(x) + std::cos(x) + std::exp(-x) + std::exp(-2.0f * x);
+      }
+    }
+    benchmark::DoNotOptimize(sum);
+  };
+  for (auto _ : state)
+  {
+    std::thread other([&] { work(0, Count / 2); });
+    work(Count / 2, Count);
+    other.join();
+  }
+  state.SetItemsProcessed(state.iterations() * Count * 30l);
+}
+BENCHMARK(FunctionsAlone)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The whole filter, with its arrays.
+void OrbitFilterFrame(benchmark::State& state)
+{
+  const std::vector<float> centres = Centres<float>();
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(Count);
+  std::copy(centres.begin(), centres.end(), array->GetPointer(0));
+  vtkNew<vtkPoints> points;
+  points->SetData(array);
+  vtkNew<vtkPolyData> particles;
+  particles->SetPoints(points);
+  vtkNew<vtkSeaStateSource> sea;
+  sea->SetWaterDepth(20.0);
+  vtkNew<vtkParticleOrbitFilter> orbits;
+  orbits->SetInputData(0, particles);
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  double time = 0.0;
+  for (auto _ : state)
+  {
+    orbits->UpdateTimeStep(time += 0.04);
+  }
+}
+BENCHMARK(OrbitFilterFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}
+
+BENCHMARK_MAIN();

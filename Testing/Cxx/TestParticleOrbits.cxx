@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sea states and orbits through the pipeline: time in any order, threads, blocks, slaves, and every bad input.
+#include "ErrorCounter.h"
+#include "vtkParticleOrbitFilter.h"
+#include "vtkSeaStateSource.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+using Sea = vtkSeaStateSource;
+using Orbits = vtkParticleOrbitFilter;
+
+bool Check(bool good, const char* what)
+{
+  if (!good)
+  {
+    std::cerr << what << std::endl;
+  }
+  return good;
+}
+
+/// Particles from 0 to 40 m below the sea, in single or double precision.
+vtkNew<vtkPolyData> Particles(int count, int type = VTK_DOUBLE)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  for (int n = 0; n < count; ++n)
+  {
+    points->InsertNextPoint(0.37 * n, 50.0 * std::sin(0.1 * n), -40.0 * n / count);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  return data;
+}
+
+std::vector<char> BytesOf(vtkDataArray* array)
+{
+  const char* begin = static_cast<const char*>(array->GetVoidPointer(0));
+  return { begin, begin + array->GetNumberOfValues() * array->GetDataTypeSize() };
+}
+
+std::vector<char> Moved(Orbits* orbits, double time)
+{
+  orbits->UpdateTimeStep(time);
+  return BytesOf(vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0))->GetPoints()->GetData());
+}
+
+bool CheckTimeOrderAndThreads()
+{
+  bool good = true;
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkNew<Sea> sea;
+    sea->SetWaterDepth(25.0);
+    const auto make = [&](Orbits* orbits) {
+      orbits->SetInputData(0, Particles(30000, type));
+      orbits->SetInputConnection(1, sea->GetOutputPort());
+    };
+    vtkNew<Orbits> direct;
+    make(direct);
+    const std::vector<char> wanted = Moved(direct, 7.3);
+    vtkNew<Orbits> other;
+    make(other);
+    for (int time = 0; time <= 7; ++time)
+    {
+      good &= Check(Moved(other, time) != wanted, "time has no effect");
+    }
+    good &= Check(Moved(other, 7.3) == wanted, "another state after 0 to 7");
+    Moved(other, 20.0);
+    good &= Check(Moved(other, 7.3) == wanted, "another state after 20 and back");
+    for (const int threads : { 1, 2 })
+    {
+      vtkSMPTools::Initialize(threads);
+      vtkNew<Orbits> again;
+      make(again);
+      good &= Check(Moved(again, 7.3) == wanted, "another state on other threads");
+    }
+    vtkSMPTools::Initialize(0);
+    good &= Check(vtkPolyData::SafeDownCast(direct->GetOutputDataObject(0))->GetPoints()->GetDataType() == type,
+      "another precision");
+  }
+  return good;
+}
+
+bool CheckSurface()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.0, 0.0, 450.0);
+  plane->SetPoint1(60.0, 0.0, 450.0);
+  plane->SetPoint2(0.0, 60.0, 450.0);
+  plane->SetResolution(50, 50);
+  vtkNew<Sea> sea;
+  sea->SetSeaLevel(450.0);
+  sea->SetWaterDepth(3.0);
+  sea->SetWindSpeed(5.0);
+  vtkNew<Orbits> orbits;
+  orbits->SetInputConnection(0, plane->GetOutputPort());
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->GenerateVelocityOn();
+  orbits->GenerateAccelerationOn();
+  orbits->UpdateTimeStep(3.0);
+  auto* output = vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0));
+  vtkPointData* arrays = output->GetPointData();
+  bool good = Check(arrays->GetNormals() && arrays->GetArray("Jacobian") && arrays->GetArray("Velocity") &&
+      arrays->GetArray("Acceleration") && arrays->GetArray("Centre")->GetComponent(0, 2) == 450.0,
+    "an array is missing");
+  const double* bounds = output->GetBounds();
+  good &= Check(bounds[4] > 449.0 && bounds[4] < 449.95 && bounds[5] > 450.05 && bounds[5] < 451.0, "no sea");
+  double range[2];
+  arrays->GetArray("Jacobian")->GetRange(range);
+  good &= Check(range[0] > 0.0 && range[0] < 1.0 && range[1] > 1.0 && range[1] < 2.5, "no Jacobian");
+  auto* regime = vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("DepthRegime"));
+  good &= Check(regime && regime->GetValue(0) == "intermediate", "another regime");
+  vtkInformation* info = orbits->GetOutputInformation(0);
+  const double* times = info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  return good & Check(times && times[1] == 60.0, "no time range");
+}
+
+bool CheckCountsAndSlaves()
+{
+  vtkNew<vtkPolyData> particles = Particles(4);
+  vtkNew<vtkIntArray> counts;
+  counts->SetName("TrainCount");
+  vtkNew<vtkIntArray> masters;
+  masters->SetName("MasterId");
+  vtkNew<vtkDoubleArray> offset;
+  offset->SetName("Offset");
+  offset->SetNumberOfComponents(3);
+  const int countOf[4] = { 30, 0, 5, 30 };
+  const int masterOf[4] = { -1, 1, -1, 0 };
+  for (int id = 0; id < 4; ++id)
+  {
+    counts->InsertNextValue(countOf[id]);
+    masters->InsertNextValue(masterOf[id]);
+    offset->InsertNextTuple3(0.5, -0.25, -0.125);
+  }
+  particles->GetPointData()->AddArray(counts);
+  particles->GetPointData()->AddArray(masters);
+  particles->GetPointData()->AddArray(offset);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, particles);
+  vtkNew<Sea> sea;
+  vtkNew<Orbits> orbits;
+  orbits->SetInputData(0, blocks);
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->GenerateVelocityOn();
+  orbits->UpdateTimeStep(2.0);
+  auto* moved = vtkMultiBlockDataSet::SafeDownCast(orbits->GetOutputDataObject(0));
+  auto* output = vtkPolyData::SafeDownCast(moved->GetBlock(1));
+  double p[4][3];
+  double rest[4][3];
+  for (int id = 0; id < 4; ++id)
+  {
+    output->GetPoint(id, p[id]);
+    particles->GetPoint(id, rest[id]);
+  }
+  bool good = Check(!moved->GetBlock(0), "a block from nowhere");
+  good &= Check(p[1][0] == rest[1][0] && p[1][2] == rest[1][2], "a point without trains moves");
+  good &= Check(p[2][0] != rest[2][0] && p[0][0] != rest[0][0], "a point with trains does not move");
+  good &= Check(std::abs(p[3][0] - p[0][0] - 0.5) < 1e-12 && std::abs(p[3][1] - p[0][1] + 0.25) < 1e-12 &&
+      std::abs(p[3][2] - p[0][2] + 0.125) < 1e-12,
+    "a slave leaves its master");
+  vtkDataArray* speed = output->GetPointData()->GetArray("Velocity");
+  good &= Check(speed->GetComponent(3, 0) == speed->GetComponent(0, 0), "a slave has a speed of its own");
+
+  // The first five trains alone.
+  vtkNew<vtkTable> few;
+  sea->Update();
+  few->DeepCopy(sea->GetOutput());
+  while (few->GetNumberOfRows() > 5)
+  {
+    few->RemoveRow(few->GetNumberOfRows() - 1);
+  }
+  vtkNew<Orbits> alone;
+  alone->SetInputData(0, Particles(4));
+  alone->SetInputData(1, few);
+  alone->UpdateTimeStep(2.0);
+  double q[3];
+  vtkPolyData::SafeDownCast(alone->GetOutputDataObject(0))->GetPoint(2, q);
+  return good & Check(std::memcmp(q, p[2], sizeof q) == 0, "TrainCount takes other trains");
+}
+
+bool SeaFails(const char* word, const std::function<void(Sea*)>& spoil)
+{
+  vtkNew<Sea> sea;
+  spoil(sea);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(sea);
+  return errors->ExpectOneNaming(word) && Check(sea->GetOutput()->GetNumberOfColumns() == 0, "output not empty");
+}
+
+vtkNew<vtkTable> Spectrum(const std::vector<double>& hertz, const std::vector<double>& densities)
+{
+  vtkNew<vtkDoubleArray> frequency;
+  frequency->SetName("Frequency");
+  vtkNew<vtkDoubleArray> density;
+  density->SetName("Density");
+  for (std::size_t row = 0; row < hertz.size(); ++row)
+  {
+    frequency->InsertNextValue(hertz[row]);
+    density->InsertNextValue(densities[row]);
+  }
+  vtkNew<vtkTable> table;
+  table->AddColumn(frequency);
+  table->AddColumn(density);
+  return table;
+}
+
+bool TableFails(const char* word, const std::vector<double>& hertz, const std::vector<double>& densities)
+{
+  return SeaFails(word, [&](Sea* sea) {
+    sea->SetSpectrum(Sea::Table);
+    sea->SetInputData(Spectrum(hertz, densities));
+  });
+}
+
+bool OrbitsFail(const char* word, const std::function<void(Orbits*, vtkPolyData*, vtkTable*)>& spoil)
+{
+  vtkNew<Sea> sea;
+  sea->SetWaterDepth(10.0);
+  sea->Update();
+  vtkNew<vtkTable> trains;
+  trains->DeepCopy(sea->GetOutput());
+  vtkNew<vtkPolyData> particles = Particles(10);
+  vtkNew<Orbits> orbits;
+  orbits->SetInputData(0, particles);
+  orbits->SetInputData(1, trains);
+  spoil(orbits, particles, trains);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(orbits);
+  return errors->ExpectOneNaming(word) &&
+    Check(vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0))->GetNumberOfPoints() == 0, "output not empty");
+}
+
+void AddInts(vtkPolyData* particles, const char* name, int value)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(particles->GetNumberOfPoints());
+  array->FillValue(value);
+  particles->GetPointData()->AddArray(array);
+}
+
+bool CheckBadInput()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  bool good = true;
+  good &= SeaFails("Spectrum", [](Sea* s) { s->SetSpectrum(4); });
+  good &= SeaFails("SeaBy", [](Sea* s) { s->SetSeaBy(2); });
+  good &= SeaFails("WindSpeed", [](Sea* s) { s->SetWindSpeed(0.0); });
+  good &= SeaFails("WindSpeed", [=](Sea* s) { s->SetWindSpeed(nan); });
+  good &= SeaFails("SignificantWaveHeight", [](Sea* s) {
+    s->SetSeaBy(Sea::HeightAndPeriod);
+    s->SetSignificantWaveHeight(-1.0);
+  });
+  good &= SeaFails("PeakPeriod", [](Sea* s) {
+    s->SetSeaBy(Sea::HeightAndPeriod);
+    s->SetPeakPeriod(0.0);
+  });
+  good &= SeaFails("PeakEnhancement", [](Sea* s) {
+    s->SetSpectrum(Sea::JONSWAP);
+    s->SetPeakEnhancement(0.5);
+  });
+  good &= SeaFails("WaterDepth", [](Sea* s) { s->SetWaterDepth(-3.0); });
+  good &= SeaFails("WaterDepth", [=](Sea* s) { s->SetWaterDepth(nan); });
+  good &= SeaFails("SeaLevel", [=](Sea* s) { s->SetSeaLevel(nan); });
+  good &= SeaFails("NumberOfTrains", [](Sea* s) { s->SetNumberOfTrains(0); });
+  good &= SeaFails("NumberOfTrains", [](Sea* s) { s->SetNumberOfTrains(2000000000); });
+  good &= SeaFails("FrequencyRange", [](Sea* s) { s->SetFrequencyRange(4.0, 0.5); });
+  good &= SeaFails("FrequencyRange", [](Sea* s) { s->SetFrequencyRange(0.0, 1e-3); });
+  good &= SeaFails("MeanDirection", [=](Sea* s) { s->SetMeanDirection(nan); });
+  good &= SeaFails("Spreading", [](Sea* s) { s->SetSpreading(-1.0); });
+  good &= SeaFails("table", [](Sea* s) { s->SetSpectrum(Sea::Table); });
+  good &= TableFails("Density", { 0.1, 0.2, 0.3 }, { 1.0, -2.0, 1.0 });
+  good &= TableFails("Frequency", { 0.1, 0.1, 0.3 }, { 1.0, 2.0, 1.0 });
+  good &= TableFails("Density", { 0.1, 0.2 }, { 0.0, 0.0 });
+
+  good &= OrbitsFail("no wave trains", [](Orbits* o, vtkPolyData*, vtkTable*) {
+    vtkNew<vtkTable> none;
+    o->SetInputData(1, none);
+  });
+  good &= OrbitsFail("Phase", [](Orbits*, vtkPolyData*, vtkTable* t) { t->RemoveColumnByName("Phase"); });
+  good &= OrbitsFail("another depth", [](Orbits*, vtkPolyData*, vtkTable* t) {
+    vtkDoubleArray::SafeDownCast(t->GetFieldData()->GetArray("WaterDepth"))->SetValue(0, 3.0);
+  });
+  good &= OrbitsFail("Amplitude", [=](Orbits*, vtkPolyData*, vtkTable* t) {
+    vtkDoubleArray::SafeDownCast(t->GetColumnByName("Amplitude"))->SetValue(3, nan);
+  });
+  good &= OrbitsFail("Choppiness", [](Orbits* o, vtkPolyData*, vtkTable*) { o->SetChoppiness(1.5); });
+  good &= OrbitsFail("TimeRange", [](Orbits* o, vtkPolyData*, vtkTable*) { o->SetTimeRange(3.0, 3.0); });
+  good &= OrbitsFail("Current", [=](Orbits* o, vtkPolyData*, vtkTable*) {
+    o->DopplerShiftOn();
+    o->SetCurrent(nan, 0.0);
+  });
+  good &= OrbitsFail("TrainCount", [](Orbits*, vtkPolyData* p, vtkTable*) { AddInts(p, "TrainCount", -1); });
+  good &= OrbitsFail("Offset", [](Orbits*, vtkPolyData* p, vtkTable*) { AddInts(p, "MasterId", -1); });
+  good &= OrbitsFail("MasterId", [](Orbits*, vtkPolyData* p, vtkTable*) {
+    AddInts(p, "MasterId", 10);
+    vtkNew<vtkDoubleArray> offset;
+    offset->SetName("Offset");
+    offset->SetNumberOfComponents(3);
+    offset->SetNumberOfTuples(10);
+    offset->Fill(0.0);
+    p->GetPointData()->AddArray(offset);
+  });
+
+  // Nothing to move is no error.
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<Orbits> orbits;
+  orbits->SetInputData(0, nothing);
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(orbits);
+  orbits->Update();
+  good &= Check(errors->Count == 0, "an empty input is an error");
+  return good;
+}
+
+bool CheckMeasuredSpectrum()
+{
+  vtkNew<Sea> sea;
+  sea->SetSpectrum(Sea::Table);
+  sea->SetInputData(Spectrum({ 0.05, 0.1, 0.2, 0.5 }, { 0.0, 4.0, 1.0, 0.0 }));
+  sea->SetFrequencyRange(0.5, 5.0);
+  sea->Update();
+  vtkDataArray* amplitude = vtkDataArray::SafeDownCast(sea->GetOutput()->GetColumnByName("Amplitude"));
+  double energy = 0.0;
+  for (vtkIdType row = 0; row < amplitude->GetNumberOfTuples(); ++row)
+  {
+    energy += 0.5 * amplitude->GetTuple1(row) * amplitude->GetTuple1(row);
+  }
+  vtkFieldData* fields = sea->GetOutput()->GetFieldData();
+  return Check(std::abs(energy - 0.5) < 1e-12, "another energy than the table's") &
+    Check(std::abs(fields->GetArray("SignificantWaveHeight")->GetTuple1(0) - 4.0 * std::sqrt(0.5)) < 1e-12,
+      "another height") &
+    Check(std::abs(fields->GetArray("PeakPeriod")->GetTuple1(0) - 10.0) < 1e-12, "another period");
+}
+
+}
+
+int TestParticleOrbits(int, char*[])
+{
+  bool good = CheckTimeOrderAndThreads();
+  good &= CheckSurface();
+  good &= CheckCountsAndSlaves();
+  good &= CheckMeasuredSpectrum();
+  good &= CheckBadInput();
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
