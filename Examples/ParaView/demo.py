@@ -36,7 +36,7 @@ from littoral.tables import column, model_names, write_csv
 HERE = os.path.dirname(os.path.abspath(__file__))
 PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
 FOREST = os.path.join(HERE, "forest.py")
-WALK = dict(size=(854, 480), frames=96)
+WALK = dict(size=(854, 480), frames=72)
 STEPS = 9
 EXAGGERATION = 3.0
 START = time.time()

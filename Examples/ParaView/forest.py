@@ -38,7 +38,7 @@ NEAR_TREES = (
 #: How far grass and shadows reach from the walk [m].
 GRASS_REACH, SHADOW_REACH = 70.0, 900.0
 #: Levels of detail are made anew when the eye has gone so far [m] or turned so far [degrees].
-STEADY = dict(MoveTolerance=8.0, TurnTolerance=2.0)
+STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
 #: A tuft of grass, as a shrub without wood.
 GRASS = dict(
     Preset="Custom", Height=0.40, CrownRadius=0.30, CrownBase=0.0, TrunkRadius=0.004,
