@@ -15,6 +15,8 @@
 #include <fstream>
 #include <ios>
 #include <limits>
+#include <memory>
+#include <sstream>
 #include <stdexcept>
 
 namespace littoral
@@ -271,6 +273,21 @@ openvdb::GridBase::Ptr MakeGrid(const Volume& volume, const VolumeFileOptions& o
 
 // --- What goes with the values --------------------------------------------------------------------------------------
 
+/**
+ * A transform with this very map. The constructor of Transform would take the steps as differences of places, which is
+ * wrong by 1e-10 m at 1000 km; reading one does not.
+ */
+openvdb::math::Transform::Ptr TransformOf(const openvdb::math::MapBase& map)
+{
+  std::stringstream stream(std::ios_base::in | std::ios_base::out | std::ios_base::binary);
+  openvdb::io::setCurrentVersion(stream);
+  openvdb::writeString(stream, map.type());
+  map.write(stream);
+  auto transform = std::make_shared<openvdb::math::Transform>();
+  transform->read(stream);
+  return transform;
+}
+
 openvdb::math::Transform::Ptr TransformOf(const VolumeLattice& lattice)
 {
   namespace math = openvdb::math;
@@ -297,7 +314,7 @@ openvdb::math::Transform::Ptr TransformOf(const VolumeLattice& lattice)
       step[2][0], step[2][1], step[2][2], 0.0, origin[0], origin[1], origin[2], 1.0);
     map = std::make_shared<math::AffineMap>(matrix);
   }
-  return std::make_shared<math::Transform>(map);
+  return TransformOf(*map);
 }
 
 void AddRemarks(const VolumeRemarks& remarks, openvdb::MetaMap& target)
@@ -472,13 +489,15 @@ openvdb::GridCPtrVec MakeGrids(const std::vector<Volume>& volumes, const VolumeF
   return grids;
 }
 
-/// Tells the progress of the writing, as far as it can be known before, in 20 steps.
-std::function<void(std::size_t)> WriteWatch(const openvdb::GridCPtrVec& grids, const VolumeProgress& progress)
+/// Tells the progress of the writing, as far as it can be known before compression, in 20 steps.
+std::function<void(std::size_t)> WriteWatch(
+  const openvdb::GridCPtrVec& grids, const VolumeFileOptions& options, const VolumeProgress& progress)
 {
   double bytes = 1.0;
   for (const auto& grid : grids)
   {
-    bytes += static_cast<double>(grid->memUsage());
+    const double components = grid->isType<openvdb::Vec3SGrid>() ? 3.0 : 1.0;
+    bytes += (options.Half ? 2.0 : 4.0) * components * static_cast<double>(grid->activeVoxelCount());
   }
   return [=, next = 0.0](std::size_t written) mutable {
     const double share = std::min(1.0, written / bytes);
@@ -509,7 +528,7 @@ VolumeOutcome WriteVolumes(const std::string& path, const std::vector<Volume>& v
     const openvdb::GridCPtrVec grids = MakeGrids(volumes, options, parallelFor, progress);
     openvdb::MetaMap fileRemarks;
     AddRemarks(remarks, fileRemarks);
-    file.OnWrite(WriteWatch(grids, progress));
+    file.OnWrite(WriteWatch(grids, options, progress));
     VolumeArchive(options.Compression).WriteTo(file.Stream(), grids, fileRemarks);
     if (file.Close())
     {
