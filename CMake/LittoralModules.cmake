@@ -4,7 +4,7 @@
 # The VTK modules, their Python wrapping and the ParaView plugin, in the order that VTK's and
 # ParaView's build functions ask for.
 
-set(littoral_want_tests NO)
+set(littoral_want_tests OFF)
 if (LITTORAL_BUILD_TESTING)
   set(littoral_want_tests WANT) # makes TEST_DEPENDS known to Testing/Cxx
 endif ()

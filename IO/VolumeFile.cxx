@@ -391,37 +391,35 @@ public:
   }
 };
 
-/// A number that different bytes hardly share.
+/// A number that different bytes hardly share, in four lanes that a processor can work on at once.
 class Digest
 {
 public:
   void Add(const char* bytes, std::size_t count)
   {
+    constexpr std::size_t stride = sizeof(this->Lanes);
     std::size_t at = 0;
-    for (; at + sizeof(std::uint64_t) <= count; at += sizeof(std::uint64_t))
+    for (; at + stride <= count; at += stride)
     {
-      std::uint64_t word;
-      std::memcpy(&word, bytes + at, sizeof(word));
-      this->Add(word);
+      this->AddStride(bytes + at);
     }
-    for (; at < count; ++at)
-    {
-      this->Add(static_cast<unsigned char>(bytes[at]));
-    }
+    char rest[stride] = {};
+    std::memcpy(rest, bytes + at, count - at);
+    this->AddStride(rest);
+    this->Lanes[0] ^= count;
   }
   /// As the text of an identifier of version 8: one made in a way of one's own.
   std::string Identifier() const
   {
-    const char* digits = "0123456789abcdef";
+    std::uint64_t states[2] = { Mix(this->Lanes[0] ^ Mix(this->Lanes[1])), Mix(this->Lanes[2] ^ Mix(this->Lanes[3])) };
     std::string text = "xxxxxxxx-xxxx-8xxx-8xxx-xxxxxxxxxxxx";
-    std::uint64_t states[2] = { this->State[0], this->State[1] };
     int used = 0;
     for (char& letter : text)
     {
       if (letter == 'x')
       {
         std::uint64_t& state = states[used++ / 16];
-        letter = digits[state & 15u];
+        letter = "0123456789abcdef"[state & 15u];
         state >>= 4;
       }
     }
@@ -429,14 +427,22 @@ public:
   }
 
 private:
-  void Add(std::uint64_t word)
+  static std::uint64_t Mix(std::uint64_t word)
   {
-    this->State[0] = (this->State[0] ^ word) * 0x9e3779b97f4a7c15u;
-    this->State[0] ^= this->State[0] >> 29;
-    this->State[1] = (this->State[1] + word) * 0xd6e8feb86659fd93u;
-    this->State[1] ^= this->State[1] >> 32;
+    word = (word ^ (word >> 32)) * 0xd6e8feb86659fd93u;
+    return word ^ (word >> 29);
   }
-  std::uint64_t State[2] = { 0x243f6a8885a308d3u, 0x13198a2e03707344u };
+  void AddStride(const char* bytes)
+  {
+    std::uint64_t words[4];
+    std::memcpy(words, bytes, sizeof(words));
+    for (int lane = 0; lane < 4; ++lane)
+    {
+      const std::uint64_t state = (this->Lanes[lane] ^ words[lane]) * 0x9e3779b97f4a7c15u;
+      this->Lanes[lane] = state ^ (state >> 29);
+    }
+  }
+  std::uint64_t Lanes[4] = { 0x243f6a8885a308d3u, 0x13198a2e03707344u, 0xa4093822299f31d0u, 0x082efa98ec4e6c89u };
 };
 
 /**
