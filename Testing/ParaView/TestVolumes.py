@@ -32,9 +32,9 @@ def compare_with_one_rank(name, proxy, **options):
 
 wind = simple.WindField(Dimensions=[40, 12, 10], TimeStep=0.25, WindDirection=30.0)
 wind.UpdatePipeline(0.0)
-types = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
-types = types.GetSupportedFileTypes(wind.SMProxy)
-assert "OpenVDB volumes (*.vdb)" in types, types
+factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+factory.UpdateAvailableWriters()
+assert "OpenVDB volumes(*.vdb" in factory.GetSupportedFileTypes(wind.SMProxy, 0)
 whole = compare_with_one_rank("wind", wind)
 half = compare_with_one_rank("half", wind, HalfFloat=1)
 sparse = compare_with_one_rank("sparse", wind, Tolerance=8.0, Compression="Zip")
