@@ -25,6 +25,18 @@ std::string TemporaryName(const std::filesystem::path& target)
   return (target.parent_path() / own).string();
 }
 
+/// Where symbolic links lead, also if nothing is there yet.
+std::string Followed(std::filesystem::path path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(path, error)); ++links)
+  {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path.string();
+}
+
 }
 
 template <typename Result>
@@ -77,11 +89,7 @@ ReplacedFile::ReplacedFile(const std::string& target)
     this->Reason = "it is not a regular file"; // moving a file over a device would destroy the device
     return;
   }
-  if (fs::is_symlink(fs::symlink_status(target, error)))
-  {
-    const fs::path followed = fs::weakly_canonical(target, error);
-    this->Target = error ? target : followed.string();
-  }
+  this->Target = Followed(target);
   this->Temporary = TemporaryName(this->Target);
   const int descriptor = ::open(this->Temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0)

@@ -627,6 +627,19 @@ private:
   void (*Handler)(int) = SIG_DFL;
 };
 
+/// A symbolic link stays one, and what it leads to is replaced.
+bool CheckLink()
+{
+  fs::create_symlink("led-to.vdb", folder / "link.vdb");
+  vtkNew<Writer> writer;
+  bool good = Write(writer, Piece(0, 9), "link.vdb");
+  good &= Check(fs::is_symlink(folder / "link.vdb"), "The link was replaced");
+  good &= Write(writer, Piece(0, 10), "link.vdb");
+  good &= Check(fs::is_symlink(folder / "link.vdb"), "The link was replaced by the second file");
+  good &= Check(!ReadFile("led-to.vdb").Grids->empty(), "The link leads to nothing");
+  return good;
+}
+
 /// The disk fills up at the first byte, in the middle, and at the last byte.
 bool CheckFullDisk()
 {
@@ -709,7 +722,8 @@ int TestVDBVolumeWriter(int argc, char* argv[])
   } checks[] = { { "values and places", CheckValuesAndPlaces }, { "straight maps", CheckStraightMaps },
     { "half precision", CheckHalf }, { "tolerance", CheckTolerance }, { "composites", CheckComposites },
     { "selection", CheckSelection }, { "bytes", CheckBytes }, { "series", CheckSeries }, { "bad input", CheckBadInput },
-    { "unwritable folder", CheckUnwritableFolder }, { "full disk", CheckFullDisk }, { "abort", CheckAbort } };
+    { "unwritable folder", CheckUnwritableFolder }, { "link", CheckLink }, { "full disk", CheckFullDisk },
+    { "abort", CheckAbort } };
   bool good = true;
   for (const auto& check : checks)
   {
