@@ -114,10 +114,10 @@ void WindByWriter(benchmark::State& state)
 {
   Writer(state, Wind());
 }
-BENCHMARK(CloudByOpenVDB)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(CloudByWriter)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(WindByOpenVDB)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(WindByWriter)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(CloudByOpenVDB)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(CloudByWriter)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(WindByOpenVDB)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(WindByWriter)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }
 
