@@ -239,5 +239,5 @@ int TestAonoKuniiTreeSource(int argc, char* argv[])
   }
   const double eye[3] = { 42.0, -180.0, 9.0 };
   const double focus[3] = { 42.0, 0.0, 6.5 };
-  return scene.Compare(argc, argv, eye, focus, 13.5);
+  return scene.Compare(argc, argv, eye, focus, 9.5);
 }
