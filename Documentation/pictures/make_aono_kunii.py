@@ -19,7 +19,7 @@ from littoral.plants import add_daylight, level_actors, plant_actor
 from littoral.scene import BACKGROUND
 
 SIZE = (900, 500)
-TREES = (("MonopodialC", "Monopodial", -12.0), ("SympodialC", "Sympodial", -0.5), ("TernaryB", "Ternary", 11.5))
+TREES = (("MonopodialC", "Monopodial", -12.5), ("SympodialC", "Sympodial", -0.2), ("TernaryB", "Ternary", 12.5))
 
 
 def ground():
@@ -72,12 +72,12 @@ def main(folder):
         for actor in level_actors(source, "High"):
             actor.SetPosition(x, 0.0, 0.0)
             renderer.AddActor(actor)
-        renderer.AddActor(label(name, (0.5 + x / 38.0, 0.06), 24, INK))
+        renderer.AddActor(label(name, (0.5 + x / 39.5, 0.06), 24, INK))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0.0, -80.0, 5.0)
-    camera.SetFocalPoint(0.0, 0.0, 5.2)
+    camera.SetFocalPoint(0.0, 0.0, 4.9)
     camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetViewAngle(14.0)
+    camera.SetViewAngle(15.6)
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.AddRenderer(renderer)

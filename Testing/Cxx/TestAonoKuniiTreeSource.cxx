@@ -232,12 +232,12 @@ int TestAonoKuniiTreeSource(int argc, char* argv[])
     source->Update();
     auto* crown = vtkImageData::SafeDownCast(source->GetOutputDataObject(1));
     scene.Add(BlockAt(source->GetOutputDataObject(0), "High"), x);
-    scene.Add(PartOf(source, "Medium/Trunk"), x + 11.0);
-    scene.Add(PartOf(source, "Medium/Crown"), x + 11.0, crown, true);
-    scene.Add(PartOf(source, "Low"), x + 21.0);
-    x += 32.0;
+    scene.Add(PartOf(source, "Medium/Trunk"), x + 15.0);
+    scene.Add(PartOf(source, "Medium/Crown"), x + 15.0, crown, true);
+    scene.Add(PartOf(source, "Low"), x + 30.0);
+    x += 47.0;
   }
-  const double eye[3] = { 42.0, -180.0, 9.0 };
-  const double focus[3] = { 42.0, 0.0, 6.5 };
-  return scene.Compare(argc, argv, eye, focus, 9.5);
+  const double eye[3] = { 62.0, -180.0, 9.0 };
+  const double focus[3] = { 62.0, 0.0, 6.5 };
+  return scene.Compare(argc, argv, eye, focus, 17.5);
 }
