@@ -20,6 +20,7 @@ enum class RandomPurpose : std::uint32_t
   QuadratPositions = 5,
   TreeBranches = 16,
   TreeLeaves = 17,
+  GardnerQuadrics = 20,
   PlantSpecies = 21,
   PlantScale = 22,
   PlantAzimuth = 23,
