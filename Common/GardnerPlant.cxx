@@ -22,8 +22,9 @@ constexpr int SegmentsOfTrunk = 10;
 constexpr int SegmentsOfLimb = 4;
 constexpr double TrunkInCrown = 0.6;  // part of the crown's height that the trunk reaches
 constexpr double ShortestLimb = 0.04; // as part of the height; what is nearer sits on the trunk
-constexpr int SidesOfShell = 20;
-constexpr int RingsOfShell = 9; // between the poles
+constexpr int SidesOfShell = 16;
+constexpr int RingsOfShell = 7; // between the poles
+constexpr int SidesOfSection = 12;
 
 /// Grows the wood and the quadrics.
 class Grower
@@ -185,11 +186,19 @@ private:
   }
 };
 
-/// Builds the shells of quadrics.
-class ShellBuilder
+/// Directions of sections in the unit sphere, as even as a spiral over half of it gives.
+Vector3 SectionNormal(int section)
+{
+  const double up = (section + 0.5) / NumberOfSections;
+  const double outward = std::sqrt(1.0 - up * up);
+  return { outward * std::cos(GoldenAngle * section), outward * std::sin(GoldenAngle * section), up };
+}
+
+/// Builds the shells and sections of quadrics.
+class QuadricBuilder
 {
 public:
-  ShellBuilder(const GardnerPlant& plant, const TextureImage& picture)
+  QuadricBuilder(const GardnerPlant& plant, const TextureImage& picture)
     : Plant(plant)
     , Picture(picture)
     , Crown(CrownOf(plant.Parameters))
@@ -204,54 +213,47 @@ public:
       {
         this->AddShell(quadric, shell);
       }
+      for (int section = 0; section < NumberOfSections; ++section)
+      {
+        this->AddSection(quadric, section);
+      }
     }
     return std::move(this->Mesh);
   }
 
 private:
-  /// A place on a shell: columns and rows of its vertices. Poles have a vertex in the middle of each side, so that each
-  /// triangle there has its own part of the picture.
-  struct Place
+  /// A vertex before it is known whether any triangle needs it.
+  struct Vertex
   {
-    double Column;
-    int Row;
+    Vector3 OfSphere;
+    Vector3 Facing; ///< in the sphere
+    std::array<double, 2> TCoord;
+    int Index = -1;
   };
 
   const GardnerPlant& Plant;
   const TextureImage& Picture;
   CrownVolume Crown;
   PlantMesh Mesh;
-  std::vector<int> Known; // vertices of the present shell; -1 where none is needed so far
-
-  std::array<double, 2> TCoordOf(const Place& place, int shell) const
-  {
-    const int stripRows = StripRows(this->Plant.Parameters.Shells, this->Picture.Rows);
-    // Half a texel off the edges, so that interpolation does not mix shells.
-    const double row = shell * stripRows + 0.5 + (stripRows - 1.0) * place.Row / (RingsOfShell + 1.0);
-    return { place.Column / SidesOfShell, row / this->Picture.Rows };
-  }
 
   /// Whether the picture is opaque anywhere near a triangle.
-  bool IsSeen(const std::array<Place, 3>& triangle, int shell) const
+  bool IsSeen(const std::array<Vertex*, 3>& triangle) const
   {
-    double low[2] = { 1.0, 1.0 };
-    double high[2] = { 0.0, 0.0 };
-    for (const Place& place : triangle)
+    const int sizes[2] = { this->Picture.Columns, this->Picture.Rows };
+    int low[2] = { sizes[0] - 1, sizes[1] - 1 };
+    int high[2] = { 0, 0 };
+    for (const Vertex* vertex : triangle)
     {
-      const auto at = this->TCoordOf(place, shell);
       for (int axis = 0; axis < 2; ++axis)
       {
-        low[axis] = std::min(low[axis], at[axis]);
-        high[axis] = std::max(high[axis], at[axis]);
+        const int texel = std::min(sizes[axis] - 1, static_cast<int>(vertex->TCoord[axis] * sizes[axis]));
+        low[axis] = std::min(low[axis], texel);
+        high[axis] = std::max(high[axis], texel);
       }
     }
-    const int columns[2] = { static_cast<int>(low[0] * this->Picture.Columns),
-      std::min(this->Picture.Columns - 1, static_cast<int>(high[0] * this->Picture.Columns)) };
-    const int rows[2] = { static_cast<int>(low[1] * this->Picture.Rows),
-      static_cast<int>(high[1] * this->Picture.Rows) };
-    for (int row = rows[0]; row <= rows[1]; ++row)
+    for (int row = low[1]; row <= high[1]; ++row)
     {
-      for (int column = columns[0]; column <= columns[1]; ++column)
+      for (int column = low[0]; column <= high[0]; ++column)
       {
         if (this->Picture.At(column, row)[3] > 0)
         {
@@ -262,15 +264,14 @@ private:
     return false;
   }
 
-  Colour TintAt(const Quadric& quadric, const Vector3& position, double scale) const
+  /// A tuft shades its inside and its underside.
+  Colour TintAt(const Quadric& quadric, const Vector3& ofSphere, const Vector3& position) const
   {
     const GardnerPlantParameters& p = this->Plant.Parameters;
     const double strength = p.Variation / 0.2;
     const Colour tint = TintOf(
       p.Leaf, this->Crown, position, { { 0.0, 0.0 }, { strength * quadric.Tints[0], strength * quadric.Tints[1] } });
-    // A tuft shades its inside and its underside.
-    const double up = (position.z - quadric.Centre.z) / quadric.Axes.z;
-    const double light = (0.7 + 0.3 * scale) * (1.0 + 0.2 * up);
+    const double light = (0.75 + 0.35 * glm::length(ofSphere)) * (1.0 + 0.25 * ofSphere.z);
     Colour seen{};
     for (int channel = 0; channel < 3; ++channel)
     {
@@ -279,51 +280,105 @@ private:
     return seen;
   }
 
-  int VertexAt(const Quadric& quadric, int shell, const Place& place)
+  int IndexOf(const Quadric& quadric, Vertex& vertex)
   {
-    int& known = this->Known[place.Row * (SidesOfShell + 1) + static_cast<int>(place.Column)];
-    if (known < 0)
+    if (vertex.Index < 0)
     {
-      known = static_cast<int>(this->Mesh.Points.size());
-      const double scale = std::sqrt(1.0 - ShellProfile(shell, this->Plant.Parameters.Shells));
-      const double column = place.Column < SidesOfShell ? place.Column : 0.0;
-      const Vector3 position =
-        PointOf(quadric, scale, TwoPi * column / SidesOfShell, Pi * place.Row / (RingsOfShell + 1.0));
+      vertex.Index = static_cast<int>(this->Mesh.Points.size());
+      const Vector3 position = PointOf(quadric, vertex.OfSphere);
       this->Mesh.Points.push_back(position);
-      this->Mesh.Normals.push_back(LitNormal(this->Crown, position, Outward(quadric, position)));
-      this->Mesh.TCoords.push_back(this->TCoordOf(place, shell));
-      this->Mesh.Colours.push_back(this->TintAt(quadric, position, scale));
+      this->Mesh.Normals.push_back(LitNormal(this->Crown, position, Outward(quadric, vertex.Facing)));
+      this->Mesh.TCoords.push_back(vertex.TCoord);
+      this->Mesh.Colours.push_back(this->TintAt(quadric, vertex.OfSphere, position));
       this->Mesh.JointIds.push_back({ quadric.Node, quadric.Node, quadric.Node, quadric.Node });
       this->Mesh.JointWeights.push_back({ 1.0, 0.0, 0.0, 0.0 });
     }
-    return known;
+    return vertex.Index;
   }
 
-  void AddTriangle(const Quadric& quadric, int shell, const std::array<Place, 3>& triangle)
+  void AddTriangle(const Quadric& quadric, Vertex& a, Vertex& b, Vertex& c)
   {
-    if (this->IsSeen(triangle, shell))
+    if (this->IsSeen({ &a, &b, &c }))
     {
-      this->Mesh.AddPolygon(std::array<int, 3>{ this->VertexAt(quadric, shell, triangle[0]),
-        this->VertexAt(quadric, shell, triangle[1]), this->VertexAt(quadric, shell, triangle[2]) });
+      this->Mesh.AddPolygon(
+        std::array<int, 3>{ this->IndexOf(quadric, a), this->IndexOf(quadric, b), this->IndexOf(quadric, c) });
     }
+  }
+
+  /// A vertex of a shell. Its side may be a half: poles have a vertex in the middle of each side, so that each triangle
+  /// there has its own part of the picture.
+  Vertex OnShell(int shell, double side, int ring) const
+  {
+    const int shells = this->Plant.Parameters.Shells;
+    const int stripRows = StripRows(shells);
+    const double angle = Pi * ring / (RingsOfShell + 1.0);
+    const double longitude = side < SidesOfShell ? TwoPi * side / SidesOfShell : 0.0;
+    const double outward = ring == 0 || ring == RingsOfShell + 1 ? 0.0 : std::sin(angle);
+    const Vector3 away{ outward * std::cos(longitude), outward * std::sin(longitude), -std::cos(angle) };
+    // Half a texel off the edges, so that interpolation does not mix shells.
+    const double row = SectionRows + shell * stripRows + 0.5 + (stripRows - 1.0) * ring / (RingsOfShell + 1.0);
+    return { std::sqrt(1.0 - ShellProfile(shell, shells)) * away, away,
+      { side / SidesOfShell, row / this->Picture.Rows } };
   }
 
   void AddShell(const Quadric& quadric, int shell)
   {
-    this->Known.assign((RingsOfShell + 2) * (SidesOfShell + 1), -1);
+    std::vector<std::vector<Vertex>> rings(RingsOfShell + 2);
+    for (int ring = 0; ring < RingsOfShell + 2; ++ring)
+    {
+      const bool pole = ring == 0 || ring == RingsOfShell + 1;
+      for (int side = 0; side < SidesOfShell + (pole ? 0 : 1); ++side)
+      {
+        rings[ring].push_back(this->OnShell(shell, side + (pole ? 0.5 : 0.0), ring));
+      }
+    }
     for (int side = 0; side < SidesOfShell; ++side)
     {
-      const double left = side;
-      const double right = side + 1.0;
-      const double middle = side + 0.5;
-      this->AddTriangle(quadric, shell, { { { middle, 0 }, { right, 1 }, { left, 1 } } });
+      this->AddTriangle(quadric, rings[0][side], rings[1][side + 1], rings[1][side]);
       for (int ring = 1; ring < RingsOfShell; ++ring)
       {
-        this->AddTriangle(quadric, shell, { { { left, ring }, { right, ring }, { right, ring + 1 } } });
-        this->AddTriangle(quadric, shell, { { { left, ring }, { right, ring + 1 }, { left, ring + 1 } } });
+        this->AddTriangle(quadric, rings[ring][side], rings[ring][side + 1], rings[ring + 1][side + 1]);
+        this->AddTriangle(quadric, rings[ring][side], rings[ring + 1][side + 1], rings[ring + 1][side]);
       }
       this->AddTriangle(
-        quadric, shell, { { { left, RingsOfShell }, { right, RingsOfShell }, { middle, RingsOfShell + 1 } } });
+        quadric, rings[RingsOfShell][side], rings[RingsOfShell][side + 1], rings[RingsOfShell + 1][side]);
+    }
+  }
+
+  /// A disk, with the picture of an outline on it and normals as on the side of the quadric that it faces.
+  void AddSection(const Quadric& quadric, int section)
+  {
+    // Its front is what is seen from outside of the crown.
+    const Vector3 fromCrown = quadric.Centre - this->Crown.Foot - Vector3(0.0, 0.0, 0.5 * this->Crown.Height);
+    const bool inwards = glm::dot(Outward(quadric, SectionNormal(section)), fromCrown) < 0.0;
+    const Vector3 normal = (inwards ? -1.0 : 1.0) * SectionNormal(section);
+    const Vector3 first = Perpendicular(normal);
+    const Vector3 second = glm::cross(normal, first);
+    const double half = 0.5 * GardnerColumns;
+    const auto vertexAt = [&](double radius, double angle) {
+      const double across = radius * std::cos(angle);
+      const double up = radius * std::sin(angle);
+      const Vector3 away = across * first + up * second;
+      // Half a texel off the edges, as on shells.
+      const double column = (section % 2) * half + 0.5 + 0.5 * (1.0 + across) * (half - 1.0);
+      const double row = 0.5 + 0.5 * (1.0 + up) * (SectionRows - 1.0);
+      return Vertex{ away, Normalised(away + 0.4 * normal),
+        { column / this->Picture.Columns, row / this->Picture.Rows } };
+    };
+    std::vector<Vertex> rings[3]{ { vertexAt(0.0, 0.0) }, {}, {} };
+    for (int ring = 1; ring < 3; ++ring)
+    {
+      for (int side = 0; side < SidesOfSection; ++side)
+      {
+        rings[ring].push_back(vertexAt(0.5 * ring, TwoPi * side / SidesOfSection));
+      }
+    }
+    for (int side = 0; side < SidesOfSection; ++side)
+    {
+      const int next = (side + 1) % SidesOfSection;
+      this->AddTriangle(quadric, rings[0][0], rings[1][side], rings[1][next]);
+      this->AddTriangle(quadric, rings[1][side], rings[2][side], rings[2][next]);
+      this->AddTriangle(quadric, rings[1][side], rings[2][next], rings[1][next]);
     }
   }
 };
@@ -353,13 +408,13 @@ GardnerPlantParameters PresetParameters(GardnerPreset preset)
   switch (preset)
   {
     case GardnerPreset::Cypress:
-      p = { 12.0, 1.25, 0.5, 0.16, 26, 5, { 6, 4, 4.0, 1.0, 0.06, 0.36 }, 0.15, { 74, 108, 62 }, { 96, 78, 62 }, 1 };
+      p = { 12.0, 1.25, 0.5, 0.16, 30, 3, { 6, 6, 6.0, 1.0, 0.06, 0.36 }, 0.15, { 96, 134, 78 }, { 96, 78, 62 }, 1 };
       break;
     case GardnerPreset::StonePine:
-      p = { 12.0, 5.2, 7.6, 0.3, 22, 5, { 6, 4, 4.0, 1.0, 0.07, 0.38 }, 0.15, { 92, 128, 70 }, { 122, 88, 66 }, 1 };
+      p = { 12.0, 5.2, 7.6, 0.3, 26, 3, { 6, 6, 6.0, 1.0, 0.07, 0.38 }, 0.15, { 118, 156, 88 }, { 122, 88, 66 }, 1 };
       break;
     case GardnerPreset::Bush:
-      p = { 2.2, 1.6, 0.05, 0.05, 12, 5, { 6, 4, 4.0, 1.0, 0.08, 0.4 }, 0.3, { 138, 152, 70 }, { 96, 82, 66 }, 1 };
+      p = { 2.2, 1.6, 0.05, 0.05, 16, 3, { 6, 6, 6.0, 1.0, 0.08, 0.4 }, 0.3, { 170, 182, 90 }, { 96, 82, 66 }, 1 };
       break;
     case GardnerPreset::Custom:
     case GardnerPreset::Tree:
@@ -404,15 +459,14 @@ double Profile(const Quadric& quadric, const Vector3& position)
   return 1.0 - glm::dot(within, within);
 }
 
-Vector3 PointOf(const Quadric& quadric, double scale, double longitude, double angle)
+Vector3 PointOf(const Quadric& quadric, const Vector3& ofSphere)
 {
-  const Vector3 own{ std::sin(angle) * std::cos(longitude), std::sin(angle) * std::sin(longitude), -std::cos(angle) };
-  return quadric.Centre + Turned(quadric, scale * own * quadric.Axes);
+  return quadric.Centre + Turned(quadric, ofSphere * quadric.Axes);
 }
 
-Vector3 Outward(const Quadric& quadric, const Vector3& position)
+Vector3 Outward(const Quadric& quadric, const Vector3& ofSphere)
 {
-  return Normalised(Turned(quadric, Within(quadric, position) / quadric.Axes));
+  return Normalised(Turned(quadric, ofSphere / quadric.Axes));
 }
 
 GardnerPlant GrowGardnerPlant(const GardnerPlantParameters& parameters)
@@ -420,9 +474,9 @@ GardnerPlant GrowGardnerPlant(const GardnerPlantParameters& parameters)
   return Grower(parameters).Run();
 }
 
-PlantMesh ShellsOf(const GardnerPlant& plant, const TextureImage& picture)
+PlantMesh QuadricMesh(const GardnerPlant& plant, const TextureImage& picture)
 {
-  return ShellBuilder(plant, picture).Run();
+  return QuadricBuilder(plant, picture).Run();
 }
 
 PlantPrototype LevelsOf(const GardnerPlant& plant, const PlantLevelOptions& options)
@@ -433,9 +487,8 @@ PlantPrototype LevelsOf(const GardnerPlant& plant, const PlantLevelOptions& opti
   skin.Bark = p.Bark;
   prototype.Wood = plant.Wood;
   prototype.Skin = SkinOf(plant.Wood, skin);
-  prototype.LeafTexture =
-    GardnerPicture(GardnerTexture(p.Texture), p.Shells, GardnerPictureSize[0], GardnerPictureSize[1]);
-  prototype.Leaves = ShellsOf(plant, prototype.LeafTexture);
+  prototype.LeafTexture = GardnerPicture(GardnerTexture(p.Texture), p.Shells);
+  prototype.Leaves = QuadricMesh(plant, prototype.LeafTexture);
   AddLowerLevels(prototype, { CrownOf(p), p.Leaf, p.Bark }, options);
   return prototype;
 }

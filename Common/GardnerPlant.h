@@ -29,11 +29,11 @@ struct GardnerPlantParameters
   double CrownRadius = 4.6; ///< largest [m]
   double CrownBase = 2.0;   ///< height of the lowest leaves [m]
   double TrunkRadius = 0.3; ///< at the ground [m]
-  int NumberOfQuadrics = 16;
-  int Shells = 5;                   ///< of each quadric
+  int NumberOfQuadrics = 24;
+  int Shells = 3;                   ///< of each quadric
   GardnerTextureParameters Texture; ///< FrequencyY and Origin are the plant's own
   double Variation = 0.2;           ///< standard deviation of sizes and places, as part of their means
-  Colour Leaf{ 122, 150, 62 };
+  Colour Leaf{ 138, 168, 84 };
   Colour Bark{ 105, 88, 70 };
   int Seed = 1;
 };
@@ -60,11 +60,11 @@ struct Quadric
 /// Gardner's profile, 1 less the quadric's equation: 1 at the centre, 0 on the surface, negative outside.
 double Profile(const Quadric& quadric, const Vector3& position);
 
-/// A point of the quadric scaled by a factor, at a longitude and an angle from the lower pole [rad].
-Vector3 PointOf(const Quadric& quadric, double scale, double longitude, double angle);
+/// The place of a point of the unit sphere that the quadric is an image of.
+Vector3 PointOf(const Quadric& quadric, const Vector3& ofSphere);
 
-/// The outward direction of the quadric at a position.
-Vector3 Outward(const Quadric& quadric, const Vector3& position);
+/// The outward direction of the quadric there.
+Vector3 Outward(const Quadric& quadric, const Vector3& ofSphere);
 
 /// A plant of textured quadrics.
 struct GardnerPlant
@@ -80,12 +80,12 @@ struct GardnerPlant
  */
 GardnerPlant GrowGardnerPlant(const GardnerPlantParameters& parameters);
 
-/// Columns and rows of the picture on the shells.
-inline constexpr int GardnerPictureSize[] = { 256, 640 };
+/// Sections through the middle of a quadric, spread over all directions.
+inline constexpr int NumberOfSections = 9;
 
-/// The shells of all quadrics, triangles that show the picture; those on which it is transparent all over are left
-/// out. A quadric follows the joint of the node that carries it.
-PlantMesh ShellsOf(const GardnerPlant& plant, const TextureImage& picture);
+/// The shells and sections of all quadrics, triangles that show the picture; those on which it is transparent all over
+/// are left out. A quadric follows the joint of the node that carries it.
+PlantMesh QuadricMesh(const GardnerPlant& plant, const TextureImage& picture);
 
 /// All levels of a plant.
 PlantPrototype LevelsOf(const GardnerPlant& plant, const PlantLevelOptions& options);

@@ -16,7 +16,7 @@ struct GardnerTextureParameters
 {
   int Terms = 6;                            ///< of each sum, 4 to 7
   int Frequency = 4;                        ///< FX_1: periods of the first term around a quadric, even
-  double FrequencyY = 4.0;                  ///< FY_1 [1/rad]
+  double FrequencyY = 6.0;                  ///< FY_1 [1/rad]
   double Offset = 1.0;                      ///< T0
   double CentreThreshold = 0.08;            ///< T1
   double SilhouetteThreshold = 0.4;         ///< T2
@@ -54,27 +54,38 @@ private:
   double Scale; // k
 };
 
-/**
- * The texture on the shells of a quadric, one above the other, the outermost at the foot: each goes around in all the
- * columns and from pole to pole in StripRows rows. Opaque or transparent, nothing between; the shade follows T.
- */
-TextureImage GardnerPicture(const GardnerTexture& texture, int shells, int columns, int rows);
+/// Columns of the picture that holds the texture as quadrics show it, and rows of its two parts.
+inline constexpr int GardnerColumns = 512;
+inline constexpr int SectionRows = 256; ///< at the foot: two sections side by side, each a square
+inline constexpr int ShellRows = 768;   ///< above them: the shells
 
 /// Rows of the picture for a shell.
-inline int StripRows(int shells, int rows)
+inline int StripRows(int shells)
 {
-  return rows / shells;
+  return ShellRows / shells;
 }
 
+/// The profiles of shells: of the outermost and as the innermost approaches it.
+inline constexpr double OuterProfile = 0.35;
+inline constexpr double InnerProfile = 0.95;
+
 /**
- * The profile of a shell, the outermost being 0: the middle of its share of 0 to 1. The shell is the quadric scaled by
- * sqrt(1 - g): a line of sight that meets no shell further in passes the middle of the outline at that distance, where
- * Gardner's profile, 1 less the squared distance, is the same g.
+ * The profile of a shell, the outermost being 0. The shell is the quadric scaled by sqrt(1 - g): a line of sight that
+ * meets no shell further in passes the middle of the outline at that distance, where Gardner's profile, 1 less the
+ * squared distance, is the same g. Nearer to the silhouette shells are seen edge on, and sections take over.
  */
 inline double ShellProfile(int shell, int shells)
 {
-  return (shell + 0.5) / shells;
+  return OuterProfile + (InnerProfile - OuterProfile) * shell / (shells - 1);
 }
+
+/**
+ * The texture as quadrics show it. Below, two sections: the outline of a quadric in a square, opaque by Gardner's rule
+ * with the profile 1 - r^2. Above, its shells, the outermost first: each goes around in all the columns and from pole
+ * to pole in StripRows rows, opaque by the rule with its own profile. Texels are opaque or transparent, nothing
+ * between; the shade follows T.
+ */
+TextureImage GardnerPicture(const GardnerTexture& texture, int shells);
 
 }
 

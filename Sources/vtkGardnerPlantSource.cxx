@@ -18,15 +18,15 @@ vtkGardnerPlantSource::vtkGardnerPlantSource()
   , CrownRadius(4.6)
   , CrownBase(2.0)
   , TrunkRadius(0.3)
-  , NumberOfQuadrics(16)
-  , Shells(5)
+  , NumberOfQuadrics(24)
+  , Shells(3)
   , Terms(6)
-  , Frequency(4)
+  , Frequency(6)
   , Offset(1.0)
   , CentreThreshold(0.08)
   , SilhouetteThreshold(0.4)
   , Variation(0.2)
-  , LeafColor{ 0.48, 0.59, 0.24 }
+  , LeafColor{ 0.54, 0.66, 0.33 }
   , BarkColor{ 0.41, 0.35, 0.27 }
 {
 }
@@ -37,7 +37,7 @@ vtkGardnerPlantSource::~vtkGardnerPlantSource() = default;
 //----------------------------------------------------------------------------
 std::array<int, 2> vtkGardnerPlantSource::LeafTextureSize() const
 {
-  return { littoral::GardnerPictureSize[0], littoral::GardnerPictureSize[1] };
+  return { littoral::GardnerColumns, littoral::SectionRows + littoral::ShellRows };
 }
 
 //----------------------------------------------------------------------------

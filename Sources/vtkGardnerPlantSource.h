@@ -12,7 +12,7 @@
  *
  * Each ellipsoid is a nest of shells, each with a g of its own, in triangles; it stands on a limb of the trunk and
  * moves with it. The texture is the picture on a leaf (output 2, and field data of `Leaves`) and carries the
- * transparency: without it the shells are bare. Outputs as in vtkPlantSource. Preset takes the numbers of a kind of
+ * transparency: without it they are bare. Outputs as in vtkPlantSource. Preset takes the numbers of a kind of
  * plant; with Custom all of them can be set.
  */
 #ifndef vtkGardnerPlantSource_h
@@ -68,13 +68,13 @@ public:
   ///@}
 
   ///@{
-  /// Number of ellipsoids that make up the crown, 1 to 500. Default 16.
+  /// Number of ellipsoids that make up the crown, 1 to 500. Default 24.
   vtkSetMacro(NumberOfQuadrics, int);
   vtkGetMacro(NumberOfQuadrics, int);
   ///@}
 
   ///@{
-  /// Nested shells of an ellipsoid, 2 to 8. More look softer and cost more polygons. Default 5.
+  /// Nested shells of an ellipsoid, 2 to 8. More look softer and cost more polygons. Default 3.
   vtkSetMacro(Shells, int);
   vtkGetMacro(Shells, int);
   ///@}
@@ -86,7 +86,7 @@ public:
   ///@}
 
   ///@{
-  /// FX_1, periods of the first term around an ellipsoid; even, 2 to 16. More make smaller tufts. Default 4.
+  /// FX_1, periods of the first term around an ellipsoid; even, 2 to 16. More make smaller tufts. Default 6.
   vtkSetMacro(Frequency, int);
   vtkGetMacro(Frequency, int);
   ///@}
@@ -117,7 +117,7 @@ public:
   ///@}
 
   ///@{
-  /// Colour of leaves in the light: red, green, blue, each 0 to 1. Default 0.48 0.59 0.24.
+  /// Colour of leaves in the light: red, green, blue, each 0 to 1. Default 0.54 0.66 0.33.
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}

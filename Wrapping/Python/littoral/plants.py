@@ -23,11 +23,25 @@ def block(data, *names):
     return data
 
 
-def plant_actor(part, picture=None):
-    """Actor of a part of a plant in its own colours, or with a picture instead of them."""
+#: Leaves are cut out of their picture: what is half transparent or more is not there.
+CUT_OUT = """//VTK::TCoord::Impl
+  if (gl_FragData[0].a < 0.5) discard;
+  gl_FragData[0].a = 1.0;
+"""
+#: Light goes through leaves: their normal is the same on both sides, while VTK turns it to the eye.
+BOTH_SIDES = """//VTK::Normal::Impl
+  if (gl_FrontFacing == false) normalVCVSOutput = -normalVCVSOutput;
+"""
+
+
+def plant_actor(part, picture=None, tinted=False):
+    """Actor of a part of a plant in its own colours, or with a picture instead of them.
+
+    tinted: the picture is multiplied with the colours, and the part is cut out where it is transparent.
+    """
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(part)
-    mapper.SetScalarVisibility(picture is None)
+    mapper.SetScalarVisibility(picture is None or tinted)
     actor.SetMapper(mapper)
     actor.GetProperty().SetAmbient(0.25)
     if picture is not None:
@@ -36,14 +50,24 @@ def plant_actor(part, picture=None):
         texture.InterpolateOn()
         texture.MipmapOn()
         actor.SetTexture(texture)
+    if tinted:
+        actor.ForceOpaqueOn()
+        shader = actor.GetShaderProperty()
+        shader.AddFragmentShaderReplacement("//VTK::TCoord::Impl", True, CUT_OUT, False)
+        shader.AddFragmentShaderReplacement("//VTK::Normal::Impl", True, BOTH_SIDES, False)
     return actor
 
 
-def level_actors(source, level):
-    """Actors of a level, "High", "Medium" or "Low", of an updated plant source."""
+def level_actors(source, level, leaf_picture=False):
+    """Actors of a level, "High", "Medium" or "Low", of an updated plant source.
+
+    leaf_picture: with the picture on the leaves of High. Quadrics need it, kites do without.
+    """
     data = source.GetOutput()
     if level == "High":
-        return [plant_actor(block(data, "High", name)) for name in ("Skin", "Leaves")]
+        leaves = block(data, "High", "Leaves")
+        picture = source.GetOutputDataObject(2) if leaf_picture else None
+        return [plant_actor(block(data, "High", "Skin")), plant_actor(leaves, picture, leaf_picture)]
     if level == "Medium":
         return [plant_actor(block(data, "Medium", "Trunk")),
                 plant_actor(block(data, "Medium", "Crown"), source.GetOutputDataObject(1))]
