@@ -340,11 +340,15 @@ def show_ground(source, view):
     return shown
 
 
-def show_plants(source, view):
-    """Show the levels of a scattered forest but for the crowns of the middle one."""
+def show_plants(source, view, leaves=True):
+    """Show the levels of a scattered forest but for the crowns of the middle one.
+
+    leaves: those of the nearest level too, without their picture; else show_leaves draws them.
+    """
     # Without the skeletons: lines have no normals for the shader.
-    parts = simple.ExtractBlock(Input=source, Selectors=[
-        "/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low"])
+    selectors = ["/Root/High/Skin", "/Root/Medium/Trunk", "/Root/Low"]
+    parts = simple.ExtractBlock(
+        Input=source, Selectors=selectors + ["/Root/High/Leaves"] * bool(leaves))
     shown = _show_coloured(parts, view)
     shown.Ambient = 0.35
     shown.Specular = 0.0
