@@ -104,7 +104,8 @@ with tempfile.TemporaryDirectory() as folder:
     bare = landscape.show_plants(forest, view)
     covered = 300 * 300 - background(folder)
     simple.Hide(bare.Input, view)
-    landscape.show_plants(forest, view, leaves=False)
+    others = [part for part in landscape.PLANT_PARTS if not part.endswith("Leaves")]
+    landscape.show_plants(forest, view, others)
     landscape.show_leaves(forest, view, picture)
     cut_out = 300 * 300 - background(folder)
 print(covered, "pixels without the picture,", cut_out, "with it")
