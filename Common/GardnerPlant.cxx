@@ -479,6 +479,31 @@ PlantMesh QuadricMesh(const GardnerPlant& plant, const TextureImage& picture)
   return QuadricBuilder(plant, picture).Run();
 }
 
+CrownVolume SeenCrown(const GardnerPlant& plant, const TextureImage& picture)
+{
+  double opaque = 0.0;
+  for (int row = 0; row < SectionRows; ++row)
+  {
+    for (int column = 0; column < picture.Columns; ++column)
+    {
+      opaque += picture.At(column, row)[3] > 0 ? 1.0 : 0.0;
+    }
+  }
+  const double outlines = 0.25 * Pi * SectionRows * picture.Columns;
+  const double seen = std::sqrt(std::min(1.0, opaque / outlines));
+  double size = 0.0;
+  for (const Quadric& quadric : plant.Quadrics)
+  {
+    size += quadric.Axes.x / plant.Parameters.CrownRadius / static_cast<double>(plant.Quadrics.size());
+  }
+  const double scale = 1.0 - size * (1.0 - seen);
+  CrownVolume crown = CrownOf(plant.Parameters);
+  crown.Foot.z += 0.5 * (1.0 - scale) * crown.Height;
+  crown.Height *= scale;
+  crown.Radius *= scale;
+  return crown;
+}
+
 PlantPrototype LevelsOf(const GardnerPlant& plant, const PlantLevelOptions& options)
 {
   const GardnerPlantParameters& p = plant.Parameters;
@@ -489,7 +514,7 @@ PlantPrototype LevelsOf(const GardnerPlant& plant, const PlantLevelOptions& opti
   prototype.Skin = SkinOf(plant.Wood, skin);
   prototype.LeafTexture = GardnerPicture(GardnerTexture(p.Texture), p.Shells);
   prototype.Leaves = QuadricMesh(plant, prototype.LeafTexture);
-  AddLowerLevels(prototype, { CrownOf(p), p.Leaf, p.Bark }, options);
+  AddLowerLevels(prototype, { SeenCrown(plant, prototype.LeafTexture), p.Leaf, p.Bark }, options);
   return prototype;
 }
 

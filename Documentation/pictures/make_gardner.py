@@ -82,7 +82,7 @@ def main(folder):
         source.Update()
         for actor in shadow(place, SPREAD[kind]):
             renderer.AddActor(actor)
-        for actor in level_actors(source, "High", leaf_picture=True):
+        for actor in level_actors(source, "High", cut_leaves=True):
             actor.SetPosition(*place, 0.0)
             renderer.AddActor(actor)
     camera = renderer.GetActiveCamera()

@@ -299,6 +299,13 @@ TEST_P(GardnerPresets, MeshesAreSound)
     EXPECT_GT(mesh.Colours[vertex][0] + mesh.Colours[vertex][1] + mesh.Colours[vertex][2], 20) << "a black leaf";
   }
   EXPECT_EQ(prototype.Low.NumberOfPolygons(), 4);
+  for (const Vector3& point : prototype.Crown.Points)
+  {
+    EXPECT_GE(Depth(crown, point), 0.0) << "the medium crown reaches out of the bounding volume";
+  }
+  const CrownVolume seen = SeenCrown(plant, prototype.LeafTexture);
+  EXPECT_LT(seen.Radius, crown.Radius);
+  EXPECT_GT(seen.Radius, 0.8 * crown.Radius);
 }
 
 TEST_P(GardnerPresets, IsAFunctionOfItsSeed)

@@ -23,7 +23,7 @@ def block(data, *names):
     return data
 
 
-#: Leaves are cut out of their picture: what is half transparent or more is not there.
+#: What is half transparent or more is not there; the rest is opaque and needs no sorting.
 CUT_OUT = """//VTK::TCoord::Impl
   if (gl_FragData[0].a < 0.5) discard;
   gl_FragData[0].a = 1.0;
@@ -37,7 +37,7 @@ BOTH_SIDES = """//VTK::Normal::Impl
 def plant_actor(part, picture=None, tinted=False):
     """Actor of a part of a plant in its own colours, or with a picture instead of them.
 
-    tinted: the picture is multiplied with the colours, and the part is cut out where it is transparent.
+    tinted: the picture is multiplied with the colours.
     """
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(part)
@@ -50,27 +50,33 @@ def plant_actor(part, picture=None, tinted=False):
         texture.InterpolateOn()
         texture.MipmapOn()
         actor.SetTexture(texture)
-    if tinted:
-        actor.ForceOpaqueOn()
-        shader = actor.GetShaderProperty()
-        shader.AddFragmentShaderReplacement("//VTK::TCoord::Impl", True, CUT_OUT, False)
-        shader.AddFragmentShaderReplacement("//VTK::Normal::Impl", True, BOTH_SIDES, False)
     return actor
 
 
-def level_actors(source, level, leaf_picture=False):
+def cut_out(actor):
+    """The actor, cut out where its picture is transparent, and with light through its leaves."""
+    actor.ForceOpaqueOn()
+    shader = actor.GetShaderProperty()
+    shader.AddFragmentShaderReplacement("//VTK::TCoord::Impl", True, CUT_OUT, False)
+    shader.AddFragmentShaderReplacement("//VTK::Normal::Impl", True, BOTH_SIDES, False)
+    return actor
+
+
+def level_actors(source, level, cut_leaves=False):
     """Actors of a level, "High", "Medium" or "Low", of an updated plant source.
 
-    leaf_picture: with the picture on the leaves of High. Quadrics need it, kites do without.
+    cut_leaves: with the picture on the leaves of High, and pictures cut out. Quadrics need it, kites
+    do without.
     """
     data = source.GetOutput()
     if level == "High":
-        leaves = block(data, "High", "Leaves")
-        picture = source.GetOutputDataObject(2) if leaf_picture else None
-        return [plant_actor(block(data, "High", "Skin")), plant_actor(leaves, picture, leaf_picture)]
+        skin, leaves = plant_actor(block(data, "High", "Skin")), block(data, "High", "Leaves")
+        if not cut_leaves:
+            return [skin, plant_actor(leaves)]
+        return [skin, cut_out(plant_actor(leaves, source.GetOutputDataObject(2), tinted=True))]
     if level == "Medium":
-        return [plant_actor(block(data, "Medium", "Trunk")),
-                plant_actor(block(data, "Medium", "Crown"), source.GetOutputDataObject(1))]
+        crown = plant_actor(block(data, "Medium", "Crown"), source.GetOutputDataObject(1))
+        return [plant_actor(block(data, "Medium", "Trunk")), cut_out(crown) if cut_leaves else crown]
     return [plant_actor(block(data, "Low"))]
 
 
