@@ -22,6 +22,7 @@ enum class RandomPurpose : std::uint32_t
   TreeLeaves = 17,
   ForkBranches = 18,
   ForkLeaves = 19,
+  GardnerQuadrics = 20,
   PlantSpecies = 21,
   PlantScale = 22,
   PlantAzimuth = 23,
