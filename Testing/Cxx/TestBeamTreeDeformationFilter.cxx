@@ -9,9 +9,11 @@
 #include "vtkPlantScatterFilter.h"
 #include "vtkReevesTreeSource.h"
 
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,12 +21,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace
@@ -147,6 +151,202 @@ void Expect(bool holds, const char* what)
   }
 }
 
+/// Texture coordinates of the crowns.
+std::vector<float> TCoordsOf(vtkDataObject* plants)
+{
+  auto* data = vtkPolyData::SafeDownCast(BlockAt(plants, "Medium/Crown"));
+  auto* places = vtkFloatArray::SafeDownCast(data->GetPointData()->GetTCoords());
+  return { places->GetPointer(0), places->GetPointer(0) + places->GetNumberOfValues() };
+}
+
+/// By how much the points above a height have moved on average [m].
+double MeanShift(
+  const std::vector<float>& rest, const std::vector<float>& moved, double low, double high, double shift[3])
+{
+  int count = 0;
+  std::fill_n(shift, 3, 0.0);
+  for (std::size_t i = 0; i < rest.size(); i += 3)
+  {
+    if (rest[i + 2] >= low && rest[i + 2] <= high)
+    {
+      ++count;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        shift[axis] += double(moved[i + axis]) - rest[i + axis];
+      }
+    }
+  }
+  for (int axis = 0; axis < 3 && count > 0; ++axis)
+  {
+    shift[axis] /= count;
+  }
+  return std::hypot(shift[0], shift[1], shift[2]);
+}
+
+/// The middle level sways as the trunk in full does, and shows one picture after the other.
+void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, WindSource* wind)
+{
+  vtkDataObject* rest = tree->GetOutputDataObject(0);
+  sway->SetInputConnection(0, tree->GetOutputPort());
+  const std::vector<float> crown = PointsOf(rest, "Medium/Crown");
+  std::set<float> pictures;
+  double difference = 0.0;
+  double largest = 0.0;
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    const double time = 0.0703 * frame;
+    sway->UpdateTimeStep(time);
+    vtkDataObject* now = sway->GetOutputDataObject(0);
+    pictures.insert(TCoordsOf(now)[1]);
+    // The tip of the trunk, which is the first line of the skeleton, and the vertices of the crown at its height.
+    auto* bones = vtkPolyData::SafeDownCast(BlockAt(rest, "High/Skeleton"));
+    vtkNew<vtkIdList> trunk;
+    bones->GetCellPoints(0, trunk);
+    const vtkIdType tip = trunk->GetId(trunk->GetNumberOfIds() - 1);
+    const std::vector<float> a = PointsOf(rest, "High/Skeleton");
+    const std::vector<float> b = PointsOf(now, "High/Skeleton");
+    double mean[3];
+    MeanShift(crown, PointsOf(now, "Medium/Crown"), a[3 * tip + 2] - 1.2, a[3 * tip + 2] + 1.2, mean);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double wanted = double(b[3 * tip + axis]) - a[3 * tip + axis];
+      largest = std::max(largest, std::abs(wanted));
+      difference = std::max(difference, std::abs(mean[axis] - wanted));
+    }
+  }
+  std::cout << "the trunk's tip goes " << largest << " m, the envelope around it differs by " << difference << " m; "
+            << pictures.size() << " pictures\n";
+  Expect(largest > 0.005 && difference < 0.15 * largest, "the envelope sways as the trunk does");
+  Expect(pictures.size() == 8, "all pictures are shown in turn");
+  sway->UpdateTimeStep(1.1);
+  const std::vector<float> once = PointsOf(sway->GetOutputDataObject(0), "Medium/Crown");
+  const std::vector<float> places = TCoordsOf(sway->GetOutputDataObject(0));
+  sway->UpdateTimeStep(1.1 + Period);
+  Expect(Farthest(once, PointsOf(sway->GetOutputDataObject(0), "Medium/Crown")) < 1e-4 &&
+      places == TCoordsOf(sway->GetOutputDataObject(0)),
+    "the middle level repeats");
+
+  // The pictures differ from each other and hold leaves.
+  sway->Update(1);
+  auto* image = vtkImageData::SafeDownCast(sway->GetOutputDataObject(1));
+  auto* texels = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+  const int* size = image->GetDimensions();
+  Expect(size[0] == 260 && size[1] == 8 * 132, "eight pictures with borders, one above the other");
+  const auto picture = [&](int index) { return texels->GetPointer(4 * 260 * (132 * index + 2)); };
+  int changed = 0;
+  int opaque = 0;
+  for (int texel = 0; texel < 260 * 128; ++texel)
+  {
+    changed += std::memcmp(picture(2) + 4 * texel, picture(3) + 4 * texel, 4) != 0;
+    opaque += picture(3)[4 * texel + 3] > 127;
+  }
+  std::cout << "of a picture, " << 100.0 * opaque / (260 * 128) << " % is leaf; from one to the next "
+            << 100.0 * changed / (260 * 128) << " % changes\n";
+  Expect(opaque > 260 * 128 / 4 && changed > 260 * 128 / 20, "pictures hold leaves that move");
+
+  // A forest in the middle level: with its prototypes it sways, without them it stands.
+  vtkNew<vtkPoints> feet;
+  feet->InsertNextPoint(3.0, 4.0, 50.0);
+  feet->InsertNextPoint(23.0, -5.0, 60.0);
+  vtkNew<vtkPolyData> sites;
+  sites->SetPoints(feet);
+  vtkNew<vtkPlantScatterFilter> wood;
+  wood->SetInputData(sites);
+  wood->SetInputConnection(1, tree->GetOutputPort());
+  wood->UseCellsOff();
+  wood->SetNearDistance(1.0);
+  wood->SetFarDistance(1e4);
+  wood->Update();
+  const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "Medium/Crown");
+  vtkNew<vtkBeamTreeDeformationFilter> many;
+  many->SetInputConnection(wood->GetOutputPort());
+  many->SetWindConnection(wind->GetOutputPort());
+  many->UpdateTimeStep(2.0);
+  Expect(PointsOf(many->GetOutputDataObject(0), "Medium/Crown") == standing, "without prototypes, crowns stand still");
+  many->SetInputConnection(2, tree->GetOutputPort());
+  many->UpdateTimeStep(2.0);
+  const std::vector<float> swaying = PointsOf(many->GetOutputDataObject(0), "Medium/Crown");
+  const std::vector<float> trunks = PointsOf(many->GetOutputDataObject(0), "Medium/Trunk");
+  Expect(standing.size() == 2 * crown.size() && Farthest(swaying, standing) > 0.005, "with them, they sway");
+  Expect(Farthest(trunks, PointsOf(wood->GetOutputDataObject(0), "Medium/Trunk")) > 0.005, "trunks sway");
+  const std::size_t half = swaying.size() / 2;
+  bool apart = false;
+  for (std::size_t i = 0; i < half; ++i)
+  {
+    apart |= std::abs((swaying[i] - standing[i]) - (swaying[half + i] - standing[half + i])) > 1e-4;
+  }
+  Expect(apart, "crowns at two places sway differently");
+
+  // The same trees in full have trunks that go the same way.
+  wood->UseLevelsOff();
+  many->UpdateTimeStep(2.0);
+  double full[3];
+  double envelope[3];
+  const std::vector<float> bones = PointsOf(wood->GetOutputDataObject(0), "High/Skeleton");
+  auto* first = vtkPolyData::SafeDownCast(BlockAt(wood->GetOutputDataObject(0), "High/Skeleton"));
+  vtkNew<vtkIdList> line;
+  first->GetCellPoints(0, line);
+  const std::size_t tip = static_cast<std::size_t>(line->GetId(line->GetNumberOfIds() - 1));
+  const std::vector<float> bent = PointsOf(many->GetOutputDataObject(0), "High/Skeleton");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    full[axis] = double(bent[3 * tip + axis]) - bones[3 * tip + axis];
+  }
+  MeanShift({ standing.begin(), standing.begin() + static_cast<std::ptrdiff_t>(half) },
+    { swaying.begin(), swaying.begin() + static_cast<std::ptrdiff_t>(half) }, bones[3 * tip + 2] - 1.2,
+    bones[3 * tip + 2] + 1.2, envelope);
+  const double miss = std::hypot(full[0] - envelope[0], full[1] - envelope[1]);
+  std::cout << "a scattered trunk goes " << std::hypot(full[0], full[1]) << " m in full, its envelope differs by "
+            << miss << " m\n";
+  Expect(miss < 0.15 * std::hypot(full[0], full[1]), "a tree sways alike in both levels");
+
+  wind->SetStrength(0.0);
+  wood->UseLevelsOn();
+  many->UpdateTimeStep(2.0);
+  Expect(PointsOf(many->GetOutputDataObject(0), "Medium/Crown") == standing, "crowns stand still without wind");
+  wind->SetStrength(8.0);
+}
+
+/// What an observer hears and does.
+class Listener : public vtkCommand
+{
+public:
+  static Listener* New() { return new Listener; }
+  void Execute(vtkObject* caller, unsigned long, void* progress) override
+  {
+    ++this->Count;
+    const double now = *static_cast<double*>(progress);
+    this->Falls |= now < this->Last - 1e-12;
+    this->Last = now;
+    if (this->Stops)
+    {
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  }
+  int Count = 0;
+  double Last = 0.0;
+  bool Falls = false;
+  bool Stops = false;
+};
+
+void CheckProgressAndAbort(vtkBeamTreeDeformationFilter* sway, WindSource* wind)
+{
+  vtkNew<Listener> listener;
+  wind->Modified();
+  sway->AddObserver(vtkCommand::ProgressEvent, listener);
+  sway->UpdateTimeStep(0.7);
+  Expect(listener->Count > 4 && !listener->Falls && listener->Last == 1.0, "progress goes from start to end");
+  const std::vector<float> right = AllPoints(sway->GetOutputDataObject(0));
+  listener->Stops = true;
+  wind->Modified();
+  sway->UpdateTimeStep(0.7);
+  sway->SetAbortExecute(0);
+  sway->RemoveObserver(listener);
+  sway->Modified();
+  sway->UpdateTimeStep(0.7);
+  Expect(AllPoints(sway->GetOutputDataObject(0)) == right, "after an abort all is made");
+}
+
 }
 
 int TestBeamTreeDeformationFilter(int, char*[])
@@ -225,6 +425,9 @@ int TestBeamTreeDeformationFilter(int, char*[])
   Expect(at(2.0) == AllPoints(wood->GetOutputDataObject(0)), "a wood without wind stands still exactly");
   wind->SetStrength(8.0);
   sway->SetInputConnection(tree->GetOutputPort());
+
+  CheckMedium(sway, tree, wind);
+  CheckProgressAndAbort(sway, wind);
 
   vtkNew<ErrorCounter> errors;
   errors->Watch(sway);
