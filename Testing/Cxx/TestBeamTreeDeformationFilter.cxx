@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <set>
@@ -47,15 +48,21 @@ public:
   vtkTypeMacro(WindSource, vtkImageAlgorithm);
   vtkSetMacro(Strength, double);
   vtkSetMacro(Side, double);
+  vtkSetMacro(Top, double);
+  vtkSetMacro(Duration, int);
+  vtkSetMacro(Speed, double);
   double Strength = 8.0;
   double Side = -20.0;
+  double Top = 17.0;
+  int Duration = Samples; // [samples]
+  double Speed = Convection;
   int Executions = 0;
 
 protected:
   WindSource() { this->SetNumberOfInputPorts(0); }
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
   {
-    const int extent[6] = { 0, Samples - 1, 0, 4, 0, 3 };
+    const int extent[6] = { 0, this->Duration - 1, 0, 4, 0, 3 };
     const double range[2] = { 0.0, Period };
     output->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
     output->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
@@ -65,13 +72,13 @@ protected:
   {
     ++this->Executions;
     auto* image = vtkImageData::GetData(output);
-    image->SetDimensions(Samples, 5, 4);
-    image->SetSpacing(Spacing, 10.0, 5.0);
+    image->SetDimensions(this->Duration, 5, 4);
+    image->SetSpacing(Spacing, 10.0, (this->Top - 2.0) / 3.0);
     image->SetOrigin(0.0, this->Side, 2.0);
     vtkNew<vtkFloatArray> velocity;
     velocity->SetName("Velocity");
     velocity->SetNumberOfComponents(3);
-    for (int i = 0; i < Samples * 20; ++i)
+    for (int i = 0; i < this->Duration * 20; ++i)
     {
       const double t = 6.283185307179586 * (i % Samples) / Samples;
       velocity->InsertNextTuple3(this->Strength * (1.0 + 0.3 * std::sin(5.0 * t) + 0.2 * std::sin(33.0 * t)),
@@ -80,11 +87,11 @@ protected:
     image->GetPointData()->AddArray(velocity);
     vtkNew<vtkDoubleArray> speed;
     speed->SetName("ConvectionSpeed");
-    speed->InsertNextValue(Convection);
+    speed->InsertNextValue(this->Speed);
     image->GetFieldData()->AddArray(speed);
     vtkNew<vtkDoubleArray> period;
     period->SetName("Period");
-    period->InsertNextValue(Period);
+    period->InsertNextValue(this->Speed > 0.0 ? this->Duration * Spacing / this->Speed : 0.0);
     image->GetFieldData()->AddArray(period);
     return 1;
   }
@@ -347,6 +354,61 @@ void CheckProgressAndAbort(vtkBeamTreeDeformationFilter* sway, WindSource* wind)
   Expect(AllPoints(sway->GetOutputDataObject(0)) == right, "after an abort all is made");
 }
 
+/// Plants that lack something, or say something that cannot be.
+void CheckBadPlants(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, ErrorCounter* errors)
+{
+  const auto complains = [&](const char* about, const std::function<void(vtkMultiBlockDataSet*)>& spoil) {
+    vtkNew<vtkMultiBlockDataSet> plant;
+    plant->DeepCopy(tree->GetOutputDataObject(0));
+    spoil(plant);
+    sway->SetInputDataObject(0, plant);
+    Expect(errors->ExpectOneNaming(about), about);
+  };
+  const auto part = [](vtkMultiBlockDataSet* plant, const char* path) {
+    return vtkPolyData::SafeDownCast(BlockAt(plant, path));
+  };
+  complains("no block High/Skeleton", [](vtkMultiBlockDataSet* plant) { plant->Initialize(); });
+  complains("ParentId",
+    [&](vtkMultiBlockDataSet* plant) { part(plant, "High/Skeleton")->GetPointData()->RemoveArray("ParentId"); });
+  complains("Radius",
+    [&](vtkMultiBlockDataSet* plant) { part(plant, "High/Skeleton")->GetPointData()->RemoveArray("Radius"); });
+  complains("JointIds",
+    [&](vtkMultiBlockDataSet* plant) { part(plant, "High/Skin")->GetPointData()->RemoveArray("JointIds"); });
+  complains("JointIds of High/Leaves", [&](vtkMultiBlockDataSet* plant) {
+    part(plant, "High/Leaves")->GetPointData()->GetArray("JointIds")->SetComponent(5, 0, 1e6);
+  });
+  complains("not finite", [&](vtkMultiBlockDataSet* plant) {
+    part(plant, "High/Skeleton")->GetPoints()->SetPoint(7, 0.0, std::numeric_limits<double>::quiet_NaN(), 1.0);
+  });
+  complains("YoungModulus",
+    [&](vtkMultiBlockDataSet* plant) { plant->GetFieldData()->GetArray("Wood")->SetComponent(0, 0, -1.0); });
+
+  // A forest and prototypes that are not its own; more pictures than there is memory.
+  vtkNew<vtkPoints> feet;
+  feet->InsertNextPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkIntArray> species;
+  species->SetName("Species");
+  species->InsertNextValue(1);
+  vtkNew<vtkPolyData> sites;
+  sites->SetPoints(feet);
+  sites->GetPointData()->AddArray(species);
+  vtkNew<vtkPlantScatterFilter> wood;
+  wood->SetInputData(sites);
+  wood->AddInputConnection(1, tree->GetOutputPort());
+  wood->AddInputConnection(1, tree->GetOutputPort());
+  wood->UseCellsOff();
+  sway->SetInputConnection(0, wood->GetOutputPort());
+  sway->AddInputConnection(2, tree->GetOutputPort());
+  Expect(errors->ExpectOneNaming("Species"), "too few prototypes");
+  sway->SetPictureSize(4096, 4096);
+  sway->SetNumberOfPictures(16);
+  for (int i = 0; i < 127; ++i)
+  {
+    sway->AddInputConnection(2, tree->GetOutputPort());
+  }
+  Expect(errors->ExpectOneNaming("MB to sway"), "too many pictures");
+}
+
 }
 
 int TestBeamTreeDeformationFilter(int, char*[])
@@ -444,8 +506,24 @@ int TestBeamTreeDeformationFilter(int, char*[])
   wind->SetStrength(std::numeric_limits<double>::quiet_NaN());
   complains("not finite");
   wind->SetStrength(8.0);
-  vtkNew<vtkMultiBlockDataSet> empty;
-  sway->SetInputDataObject(0, empty);
-  complains("High/Skeleton");
+  wind->SetTop(4.0);
+  complains("does not reach");
+  wind->SetTop(17.0);
+  wind->SetDuration(2);
+  complains("duration");
+  wind->SetDuration(Samples);
+  wind->SetSpeed(0.0);
+  complains("ConvectionSpeed");
+  wind->SetSpeed(Convection);
+  sway->SetNumberOfPictures(0);
+  complains("NumberOfPictures");
+  sway->SetNumberOfPictures(8);
+  sway->SetPictureSize(256, 2);
+  complains("PictureSize");
+  sway->SetPictureSize(256, 128);
+  sway->SetLeafFlutter(-0.1);
+  complains("LeafFlutter");
+  sway->SetLeafFlutter(1.0);
+  CheckBadPlants(sway, tree, errors);
   return Failures;
 }
