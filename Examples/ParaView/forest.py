@@ -28,14 +28,19 @@ WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and the seed of its prototype
 #: Radius of the crown of each species, and height of its middle [m].
 CROWNS = np.array(((2.0, 4.5), (4.8, 6.5), (2.2, 7.0), (1.3, 0.9)))
+#: Trees along the walk: how far ahead and to the right [m], and the species.
+NEAR_TREES = (
+    (52, -21, 1), (78, -27, 2), (86, -34, 2), (70, 24, 2), (95, 33, 1), (118, 22, 0), (135, 30, 0),
+    (150, 41, 0), (47, 17, 3), (60, -8, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
+    (170, 10, 3), (210, 62, 1), (235, 48, 2), (140, -16, 2), (240, -10, 1), (260, 2, 1))
 #: How far grass and shadows reach from the walk [m].
-GRASS_REACH, SHADOW_REACH = 75.0, 900.0
+GRASS_REACH, SHADOW_REACH = 90.0, 900.0
 #: A tuft of grass, as a shrub without wood.
 GRASS = dict(
-    Preset="Custom", Height=0.42, CrownRadius=0.35, CrownBase=0.0, TrunkRadius=0.004,
-    TrunkReach=0.3, Orders=1, MainBranches=10, BranchAngle=40.0, Lift=0.3, NumberOfLeaves=45,
-    LeafSize=0.32, LeafWidth=0.09, LeafForm="Blade", LeafColor=[0.50, 0.56, 0.24],
-    BarkColor=[0.45, 0.50, 0.25])
+    Preset="Custom", Height=0.40, CrownRadius=0.30, CrownBase=0.0, TrunkRadius=0.004,
+    TrunkReach=0.3, Orders=1, MainBranches=8, BranchAngle=35.0, Lift=0.3, NumberOfLeaves=24,
+    LeafSize=0.34, LeafWidth=0.06, LeafForm="Blade", LeafColor=[0.56, 0.60, 0.30],
+    BarkColor=[0.55, 0.58, 0.30])
 
 
 def write_polydata(data, filename):
@@ -60,6 +65,15 @@ def eye_at(country, share):
     return np.array((*place, country.height(*place) + EYE_HEIGHT))
 
 
+def near_trees(country):
+    """The few trees that one walks past: positions and species."""
+    ahead = np.array(TARGET) - FIRST
+    ahead /= np.hypot(*ahead)
+    right = np.array((ahead[1], -ahead[0]))
+    distance, aside, species = np.array(NEAR_TREES).T
+    return FIRST + distance[:, None] * ahead + aside[:, None] * right, species.astype(int)
+
+
 def shadows_near(country, woods):
     """The shadows of the trees near the walk."""
     places = vtk_to_numpy(woods.GetPoints().GetData()).astype(float)
@@ -76,7 +90,7 @@ def build(folder, view):
 
     country = landscape.Country()
     write_vti(country.image, file("country.vti"))
-    woods = landscape.wood_sites(country, *WOODS)
+    woods = landscape.wood_sites(country, *WOODS, alone=near_trees(country))
     write_polydata(woods, file("sites.vtp"))
     write_polydata(shadows_near(country, woods), file("shadows.vtp"))
     write_polydata(landscape.sky_dome(eye_at(country, 0.5)), file("sky.vtp"))
@@ -92,23 +106,24 @@ def build(folder, view):
         registrationName="Ground", Input=terrain, NearDistance=600.0, FarDistance=6000.0)
     forest = simple.PlantScatter(
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
-        NearDistance=110.0, FarDistance=500.0)
+        NearDistance=260.0, FarDistance=700.0)
 
     middle = eye_at(country, 0.5)
     tufts = simple.QuadratPoints(
         registrationName="Tufts", Origin=list(middle[:2] - GRASS_REACH), Law="Poisson Poisson",
-        Size=[2.0 * GRASS_REACH] * 2, Quadrats=[75, 75], MeanPerQuadrat=3.0, ClusterMean=2.0)
+        Size=[2.0 * GRASS_REACH] * 2, Quadrats=[90, 90], MeanPerQuadrat=9.0, ClusterMean=3.0)
     grass = simple.PlantScatter(
         registrationName="Grass", Sites=tufts, Terrain=terrain, NearDistance=300.0,
         Prototypes=[simple.ReevesTree(registrationName="Tuft", **GRASS)], FarDistance=300.0,
-        MaximumDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.15)
+        MaximumDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.04)
 
     landscape.prepare_view(view)
     look(country, view, 0.0)
     landscape.show_sky(sky, view, file("sky.png"))
     landscape.show_ground(ground, view)
     landscape.show_shadows(shadows, view)
-    landscape.show_plants(grass, view)
+    blades = landscape.show_plants(grass, view)
+    blades.Ambient, blades.Diffuse = 0.75, 0.45  # light comes through
     landscape.show_plants(forest, view)
     simple.UpdatePipeline(proxy=forest)
     simple.SaveData(file("crowns.png"), simple.OutputPort(forest, 1))
