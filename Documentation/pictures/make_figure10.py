@@ -21,15 +21,15 @@ from littoral import landscape, scene, vtkQuadratPointSource, vtkTurningBandsTer
 from littoral.elevation import array_from_image, write_vti
 
 SIDE, SPACING = 1200.0, 3.0  # of the terrain [m]
-EYE, FOCUS = np.array((600.0, 60.0)), np.array((590.0, 500.0))
-EYE_HEIGHT, VIEW_ANGLE = 13.0, 27.0  # [m], [degrees]
+EYE, FOCUS = np.array((600.0, 70.0)), np.array((600.0, 640.0))
+EYE_HEIGHT, VIEW_ANGLE = 9.0, 25.0  # [m], [degrees]
 SIZE = (960, 520)
 SPEED, TIME = 14.0, 7.3  # of the wind [m/s]; of the picture [s]
 #: Radius of the crown, height of its middle [m]: pine and birch.
 CROWNS = np.array(((2.0, 4.5), (2.2, 7.0)))
 #: Houses: place [m], turn [degrees].
-HOUSES = ((575.0, 262.0, 20.0), (613.0, 279.0, -35.0), (548.0, 318.0, 75.0), (655.0, 330.0, 10.0),
-          (505.0, 420.0, -20.0))
+HOUSES = ((572.0, 300.0, 20.0), (612.0, 322.0, -35.0), (540.0, 352.0, 75.0), (660.0, 372.0, 10.0),
+          (498.0, 450.0, -20.0))
 WALLS, ROOF = (232, 222, 200), (150, 78, 56)
 
 
@@ -43,7 +43,7 @@ def smooth_country():
     cells = int(SIDE / SPACING)
     source.SetWholeExtent(0, cells, 0, cells, 0, 0)
     source.SetSpacing(SPACING, SPACING, 1.0)
-    source.SetSeed(11)
+    source.SetSeed(19)
     source.Update()
     z = array_from_image(source.GetOutput()).astype(float)
     return landscape.Country.from_heights(z, (SPACING, SPACING))
@@ -56,21 +56,21 @@ def tree_sites(country):
     source.SetSize(SIDE - 120.0, SIDE - 120.0)
     source.SetQuadrats(24, 24)
     source.SetLaw(source.PoissonPoisson)
-    source.SetMeanPerQuadrat(3.6)
+    source.SetMeanPerQuadrat(5.0)
     source.SetClusterMean(5.0)
     source.SetMode(source.Sampling)
-    source.SetSeed(6)
+    source.SetSeed(7)
     source.Update()
     places = vtk_to_numpy(source.GetOutput().GetPoints().GetData())[:, :2].astype(float)
     random = np.random.default_rng(3)
     away = places - EYE
     near = np.hypot(*away.T)
-    stays = near > 45.0
+    stays = near > 30.0
     for x, y, _ in HOUSES:
         stays &= np.hypot(places[:, 0] - x, places[:, 1] - y) > 16.0
         # The view of the houses stays open.
         along = np.clip(away @ (np.array((x, y)) - EYE) / np.sum((np.array((x, y)) - EYE) ** 2), 0.0, 1.0)
-        stays &= np.hypot(*(away - along[:, None] * (np.array((x, y)) - EYE)).T) > 7.0
+        stays &= np.hypot(*(away - along[:, None] * (np.array((x, y)) - EYE)).T) > 5.0
     places = places[stays]
     apart = np.ones(len(places), bool)
     for k in range(1, len(places)):
@@ -89,6 +89,7 @@ def houses(country):
     def face(corners, colour):
         corners = np.asarray(corners)
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        normal = -normal if normal[2] < 0.0 else normal  # a roof's outside is above
         shine = max(0.0, float(normal @ scene.direction(*landscape.SUN)) / np.linalg.norm(normal))
         first = len(points)
         points.extend(corners)
@@ -149,7 +150,7 @@ def draw(folder):
 
     prototypes = [simple.ReevesTree(Preset="Pine", Seed=3), simple.ReevesTree(Preset="Birch", Seed=2)]
     forest = simple.PlantScatter(
-        Sites=sites, Prototypes=prototypes, Terrain=terrain, NearDistance=170.0, FarDistance=2000.0)
+        Sites=sites, Prototypes=prototypes, Terrain=terrain, NearDistance=420.0, FarDistance=3000.0)
     wind = simple.WindField(
         Dimensions=[600, 100, 12], LateralSpacing=12.5, ReferenceSpeed=SPEED, Center=[0.5 * SIDE] * 2,
         RoughnessLength=0.1)
@@ -161,7 +162,8 @@ def draw(folder):
     landscape.look(view, eye, (*FOCUS, country.height(*FOCUS) + 2.0), VIEW_ANGLE)
     view.ViewTime = TIME
     landscape.show_sky(sky, view, os.path.join(folder, "sky.png"))
-    landscape.show_ground(terrain, view)
+    landscape.show_ground(
+        simple.TerrainLevelOfDetail(Input=terrain, NearDistance=3000.0, FarDistance=9000.0), view)
     landscape.show_shadows(dark, view)
     landscape.show_shadows(homes, view)
     landscape.show_plants(sway, view)
