@@ -542,25 +542,27 @@ void SwayForest::ShowPictures(double time, vtkPolyData* crowns) const
   tcoords->SetNumberOfTuples(crowns->GetNumberOfPoints());
   float* to = tcoords->GetPointer(0);
   const int pictures = this->Settings.Pictures;
-  for (std::size_t run = 0; run < this->Crowns.size(); ++run)
-  {
-    const CrownRun& crown = this->Crowns[run];
-    const std::size_t end = run + 1 < this->Crowns.size() ? this->Crowns[run + 1].First : points;
-    const SwayPrototype& species = this->Species[crown.Species];
-    const double swings = std::max(1.0, std::round(this->Wind->Period() * species.SwingFrequency));
-    const double phase = swings * time / this->Wind->Period() - crown.Delay;
-    const int picture = std::min(pictures - 1, static_cast<int>(pictures * (phase - std::floor(phase))));
-    const AtlasArea& area = this->Atlas.Areas[crown.Species * pictures + picture];
-    for (std::size_t point = crown.First; point < end; ++point)
+  SmpFor(this->Crowns.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t run = begin; run < end; ++run)
     {
-      const std::size_t vertex = point - crown.First;
-      const std::array<double, 2> own =
-        vertex < species.CrownTCoords.size() ? species.CrownTCoords[vertex] : std::array<double, 2>{ 0.5, 0.5 };
-      const std::array<double, 2> at = area.Map(own[0], own[1]);
-      to[2 * point] = static_cast<float>(at[0]);
-      to[2 * point + 1] = static_cast<float>(at[1]);
+      const CrownRun& crown = this->Crowns[run];
+      const std::size_t last = run + 1 < this->Crowns.size() ? this->Crowns[run + 1].First : points;
+      const SwayPrototype& species = this->Species[crown.Species];
+      const double swings = std::max(1.0, std::round(this->Wind->Period() * species.SwingFrequency));
+      const double phase = swings * time / this->Wind->Period() - crown.Delay;
+      const int picture = std::min(pictures - 1, static_cast<int>(pictures * (phase - std::floor(phase))));
+      const AtlasArea& area = this->Atlas.Areas[crown.Species * pictures + picture];
+      for (std::size_t point = crown.First; point < last; ++point)
+      {
+        const std::size_t vertex = point - crown.First;
+        const std::array<double, 2> own =
+          vertex < species.CrownTCoords.size() ? species.CrownTCoords[vertex] : std::array<double, 2>{ 0.5, 0.5 };
+        const std::array<double, 2> at = area.Map(own[0], own[1]);
+        to[2 * point] = static_cast<float>(at[0]);
+        to[2 * point + 1] = static_cast<float>(at[1]);
+      }
     }
-  }
+  });
   crowns->GetPointData()->SetTCoords(tcoords);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(crowns->GetFieldData());
