@@ -64,10 +64,10 @@ wood = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[4, 3], Size=[24.
 wind = simple.WindField(Dimensions=[240, 24, 6], ReferenceSpeed=14.0)
 sway = simple.BeamTreeDeformation(Input=wood, Wind=wind, Prototypes=[tree])
 for part in ("High/Skeleton", "High/Leaves", "Medium/Crown"):
-    cloud = simple.ConvertToPointCloud(Input=simple.MergeBlocks(
-        Input=simple.ExtractBlock(Input=sway, Selectors=[f"/Root/{part}"])))
-    cloud.UpdatePipeline(2.3)
-    data = servermanager.Fetch(cloud)
+    merged = simple.ExtractSurface(Input=simple.MergeBlocks(
+        Input=simple.ExtractBlock(Input=sway, Selectors=[f"/Root/{part}"]), MergePoints=0))
+    merged.UpdatePipeline(2.3)
+    data = servermanager.Fetch(merged)
     plants = vtk_to_numpy(data.GetPointData().GetArray("PlantId"))
     places = vtk_to_numpy(data.GetPoints().GetData())[np.argsort(plants, kind="stable")]
     assert len(places) > 100, f"{len(places)} points of {part} on {ranks} ranks"
