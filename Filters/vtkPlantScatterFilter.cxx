@@ -6,6 +6,7 @@
 #include "HeightGrid.h"
 #include "LittoralPipeline.h"
 #include "LittoralPlants.h"
+#include "LittoralRanges.h"
 #include "PlantMerge.h"
 #include "PlantReading.h"
 #include "PlantScatter.h"
@@ -822,6 +823,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkInformationVector* 
   WriteCounter(fields, "PolygonsShown", polygons);
   WriteCounter(fields, "PolygonsInAll", polygonsInAll);
   WriteCounter(fields, "OutputBytes", bytes);
+  littoral::KeepRanges(output);
   return true;
 }
 

@@ -354,11 +354,14 @@ def show_ground(source, view):
     return shown
 
 
-def show_plants(source, view):
-    """Show the levels of a scattered forest but for the crowns of the middle one."""
-    # Without the skeletons: lines have no normals for the shader.
-    parts = simple.ExtractBlock(Input=source, Selectors=[
-        "/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low"])
+#: What one sees of scattered plants, but for the crowns of the middle level. Skeletons are left out:
+#: lines have no normals for the shader.
+PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low")
+
+
+def show_plants(source, view, parts=PLANT_PARTS):
+    """Show parts of scattered plants."""
+    parts = simple.ExtractBlock(Input=source, Selectors=list(parts))
     shown = _show_coloured(parts, view)
     shown.Ambient = 0.35
     shown.Specular = 0.0
