@@ -3,6 +3,7 @@
 #include "SwayForest.h"
 
 #include "LittoralPipeline.h"
+#include "LittoralRanges.h"
 #include "TrunkSkin.h"
 
 #include <algorithm>
@@ -506,8 +507,10 @@ void SwayForest::MoveSkinOf(const Skin& skin, double time, vtkPolyData* moved)
   vtkNew<vtkPoints> places;
   places->SetData(points);
   moved->SetPoints(places);
+  KeepRanges(points.Get());
   if (normals)
   {
+    KeepRanges(normals.Get());
     moved->GetPointData()->SetNormals(normals);
   }
   if (std::strcmp(skin.Name, plant::Crown) == 0)
@@ -563,6 +566,7 @@ void SwayForest::ShowPictures(double time, vtkPolyData* crowns) const
       }
     }
   });
+  KeepRanges(tcoords.Get());
   crowns->GetPointData()->SetTCoords(tcoords);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(crowns->GetFieldData());
