@@ -5,6 +5,7 @@
 
 #include "Plant.h"
 #include "TextureImage.h"
+#include "WoodParameters.h"
 
 namespace littoral
 {
@@ -15,6 +16,7 @@ struct PlantPrototype
 {
   // High
   Skeleton Wood;
+  WoodParameters Timber; ///< what the skeleton is made of
   PlantMesh Skin;
   PlantMesh Leaves;
   TextureImage LeafTexture;

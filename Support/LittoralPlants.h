@@ -11,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -53,6 +54,7 @@ constexpr const char* Order = "Order";
 constexpr const char* Texture = "Texture";
 constexpr const char* TextureSize = "TextureSize";
 constexpr const char* PlantId = "PlantId";
+constexpr const char* Wood = "Wood";
 }
 
 /// A colour of 0 to 1 as bytes; false if it is none.
@@ -126,7 +128,14 @@ inline void AttachTexture(vtkDataObject* block, const TextureImage& texture)
   block->GetFieldData()->AddArray(ArrayOf<vtkIntArray>(plant::TextureSize, 1, size));
 }
 
-/// The same as an image, for vtkTexture.
+/// The wood that a plant is of, as field data: Young's modulus [Pa], density [kg/m3], damping ratio.
+inline void AttachWood(vtkDataObject* plant, const WoodParameters& wood)
+{
+  const std::vector<std::array<double, 3>> numbers{ { wood.YoungModulus, wood.Density, wood.DampingRatio } };
+  plant->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::Wood, 3, numbers));
+}
+
+/// A texture as an image, for vtkTexture.
 inline void CopyToImage(const TextureImage& texture, vtkImageData* image)
 {
   image->SetExtent(0, texture.Columns - 1, 0, texture.Rows - 1, 0, 0);
@@ -221,6 +230,7 @@ inline void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* 
   AddBlock(blocks, plant::High, high);
   AddBlock(blocks, plant::Medium, medium);
   AddBlock(blocks, plant::Low, PolyDataOf(prototype.Low));
+  AttachWood(blocks, prototype.Timber);
 }
 
 }

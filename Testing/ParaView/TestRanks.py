@@ -55,6 +55,23 @@ order = np.argsort(vtk_to_numpy(moved.GetPointData().GetArray("SiteId")))
 places = vtk_to_numpy(moved.GetPoints().GetData())[order]
 assert 0.1 < np.abs(places - xyz).max() < 10.0, "particles do not ride on the waves"
 result.append(hashlib.sha256(places.tobytes()).hexdigest())
+
+# A wood in the wind: places of all joints and crowns, by plant.
+tree = simple.ReevesTree(Preset="Shrub")
+wood = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[4, 3], Size=[24.0, 18.0]), Prototypes=[tree],
+                           FollowCamera=0, UseCells=0, NearDistance=12.0, FarDistance=900.0,
+                           ViewPoint=[0.0, 0.0, 2.0])
+wind = simple.WindField(Dimensions=[240, 24, 6], ReferenceSpeed=14.0)
+sway = simple.BeamTreeDeformation(Input=wood, Wind=wind, Prototypes=[tree])
+for part in ("High/Skeleton", "High/Leaves", "Medium/Crown"):
+    merged = simple.ExtractSurface(Input=simple.MergeBlocks(
+        Input=simple.ExtractBlock(Input=sway, Selectors=[f"/Root/{part}"]), MergePoints=0))
+    merged.UpdatePipeline(2.3)
+    data = servermanager.Fetch(merged)
+    plants = vtk_to_numpy(data.GetPointData().GetArray("PlantId"))
+    places = vtk_to_numpy(data.GetPoints().GetData())[np.argsort(plants, kind="stable")]
+    assert len(places) > 100, f"{len(places)} points of {part} on {ranks} ranks"
+    result.append(hashlib.sha256(places.tobytes()).hexdigest())
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:
