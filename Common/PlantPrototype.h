@@ -4,6 +4,7 @@
 #define LittoralPlantPrototype_h
 
 #include "Plant.h"
+#include "SeaweedSegment.h"
 #include "TextureImage.h"
 
 namespace littoral
@@ -15,6 +16,7 @@ struct PlantPrototype
 {
   // High
   Skeleton Wood;
+  std::vector<SeaweedSegment> Segments; ///< of each node of a seaweed, else empty
   PlantMesh Skin;
   PlantMesh Leaves;
   TextureImage LeafTexture;
