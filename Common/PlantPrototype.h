@@ -4,6 +4,7 @@
 #define LittoralPlantPrototype_h
 
 #include "Plant.h"
+#include "SeaweedSegment.h"
 #include "TextureImage.h"
 #include "WoodParameters.h"
 
@@ -17,6 +18,7 @@ struct PlantPrototype
   // High
   Skeleton Wood;
   WoodParameters Timber; ///< what the skeleton is made of
+  std::vector<SeaweedSegment> Segments; ///< of each node of a seaweed, else empty
   PlantMesh Skin;
   PlantMesh Leaves;
   TextureImage LeafTexture;

@@ -34,6 +34,8 @@ enum class RandomPurpose : std::uint32_t
   LeafFlutter = 40,
   WaveDirections = 48,
   WavePhases = 49,
+  SeaweedFronds = 52,
+  SeaweedBlades = 53,
 };
 
 /**

@@ -44,6 +44,11 @@ const KnownArray KnownArrays[] = {
   { plant::JointIds, ArrayUse::Nodes, VTK_INT, 4 },
   { plant::ParentId, ArrayUse::Nodes, VTK_INT, 1 },
   { plant::Radius, ArrayUse::Lengths, VTK_FLOAT, 1 },
+  { seaweed::Width, ArrayUse::Lengths, VTK_FLOAT, 1 },
+  { seaweed::Thickness, ArrayUse::Lengths, VTK_FLOAT, 1 },
+  { seaweed::Length, ArrayUse::Lengths, VTK_FLOAT, 1 },
+  { seaweed::Attachment, ArrayUse::Lengths, VTK_FLOAT, 1 },
+  { seaweed::Across, ArrayUse::Directions, VTK_FLOAT, 3 },
 };
 
 /// The array itself if it has the type, else a copy that has.

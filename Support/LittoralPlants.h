@@ -6,6 +6,7 @@
 // Plants between the numerics and VTK: the one place that knows names and types of their blocks and arrays. Private:
 // never installed, never wrapped.
 
+#include "LittoralSeaweeds.h"
 #include "PlantPrototype.h"
 
 #include "vtkCellArray.h"
@@ -217,7 +218,12 @@ inline void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* 
 {
   const Colour bark = prototype.Skin.Colours.empty() ? Colour{ 110, 90, 70 } : prototype.Skin.Colours.front();
   vtkNew<vtkMultiBlockDataSet> high;
-  AddBlock(high, plant::Skeleton, PolyDataOf(prototype.Wood, bark));
+  const auto skeleton = PolyDataOf(prototype.Wood, bark);
+  if (!prototype.Segments.empty())
+  {
+    AddSegments(prototype.Wood, prototype.Segments, skeleton);
+  }
+  AddBlock(high, plant::Skeleton, skeleton);
   AddBlock(high, plant::Skin, PolyDataOf(prototype.Skin));
   const auto leaves = PolyDataOf(prototype.Leaves);
   AttachTexture(leaves, prototype.LeafTexture);
