@@ -278,12 +278,18 @@ public:
       return;
     }
     const Vector3 from = place;
+    Vector3 ahead;
     place = littoral::DriftStep(
-      this->Layer, from, length, [&](const Vector3& at, int stage) { return currents.Velocity(at, stage); });
+      this->Layer, from, length, [&](const Vector3& at, int stage) { return currents.Velocity(at, stage); }, &ahead);
     if (!littoral::IsFinite(place)) // beyond all numbers
     {
       place = from;
       fate = Still;
+    }
+    else if (currents.Capture(from, ahead))
+    {
+      place = ahead;
+      fate = Captured;
     }
     else if (currents.Capture(from, place))
     {
