@@ -100,6 +100,9 @@ public:
   vtkGetVector2Macro(TimeRange, double);
   ///@}
 
+  /// Disconnects all currents.
+  void RemoveAllCurrents() { this->RemoveAllInputConnections(1); }
+
 protected:
   vtkCurrentDriftFilter();
   ~vtkCurrentDriftFilter() override;

@@ -161,7 +161,7 @@ void vtkSuspendedParticleSource::SetBoxName(int index, const char* name)
 void vtkSuspendedParticleSource::RemoveAllBoxes()
 {
   this->Boxes->Boxes.clear();
-  this->ClearBoxNames();
+  this->Modified();
 }
 
 //----------------------------------------------------------------------------

@@ -92,7 +92,7 @@ public:
   /// Names the box that was, or will be, added as number `index`. Default: the kind and the number.
   void SetBoxName(int index, const char* name);
 
-  /// Forgets all boxes and their names.
+  /// Forgets all boxes, but not their names.
   void RemoveAllBoxes();
 
   /// Forgets the names of boxes.
