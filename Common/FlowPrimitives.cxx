@@ -14,9 +14,13 @@ namespace littoral
 namespace
 {
 
-/// (1 - exp(-x))/x, 1 at 0.
+/// (1 - exp(-x))/x, 1 at 0. Beyond 40 the exponential is less than the last digit of 1.
 double CoreShare(double x)
 {
+  if (x > 40.0)
+  {
+    return 1.0 / x;
+  }
   return x > 1e-8 ? -std::expm1(-x) / x : 1.0 - 0.5 * x;
 }
 

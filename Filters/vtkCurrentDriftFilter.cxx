@@ -47,6 +47,8 @@ constexpr std::size_t PointsAtOnce = 1 << 10;
 constexpr std::size_t MostCheckpoints = 8;
 /// More steps than this are hardly meant.
 constexpr double MostSteps = 1e7;
+/// Times this near to a whole number of steps are on the grid, as those that players count up are.
+constexpr double WholeStep = 1e-12;
 
 /// What a point does.
 enum Fate : unsigned char
@@ -181,8 +183,11 @@ public:
     this->HasGoal = true;
     this->Time = time;
     const double passed = std::max(0.0, time - this->Clock.Start);
-    this->Step = static_cast<long long>(std::min(std::floor(passed / this->Clock.Step), 2.0 * MostSteps));
-    this->Rest = std::max(0.0, std::max(time, this->Clock.Start) - this->Clock.TimeOf(this->Step));
+    const double steps = std::min(passed / this->Clock.Step, 2.0 * MostSteps);
+    const double whole = std::round(steps);
+    const bool isWhole = std::abs(steps - whole) < WholeStep * std::max(1.0, whole);
+    this->Step = static_cast<long long>(isWhole ? whole : std::floor(steps));
+    this->Rest = isWhole ? 0.0 : std::max(0.0, time - this->Clock.TimeOf(this->Step));
     if (this->HasStart)
     {
       this->Resume();
