@@ -52,7 +52,7 @@ int TestDriftedParticles(int argc, char* argv[])
     drift->SetInputConnection(0, particles->GetOutputPort());
     drift->SetWaterDepth(2.0);
     AddFlow(drift, vtkFlowPrimitiveSource::Uniform, 0.05, 0.0, 0.0);
-    AddFlow(drift, vtkFlowPrimitiveSource::Vortex, 6.0, -1.5, 1.0);
+    AddFlow(drift, vtkFlowPrimitiveSource::Vortex, 16.0, -1.5, 1.0);
     AddFlow(drift, vtkFlowPrimitiveSource::Source, 8.0, -2.5, -3.0);
     AddFlow(drift, vtkFlowPrimitiveSource::Sink, 8.0, 3.0, -1.0);
     drift->UpdateTimeStep(late ? 7.3 : 1.5);
