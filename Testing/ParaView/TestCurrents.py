@@ -34,6 +34,10 @@ names = servermanager.Fetch(particles).GetFieldData().GetAbstractArray("BoxNames
 assert names.GetValue(1) == "Sand"
 rest = places(particles, 0.0)
 
+# Particles show their own colours.
+shown = simple.Show(particles)
+assert shown.Representation == "Point Gaussian" and shown.MapScalars == 0, "colours are mapped"
+
 # Currents: none, one, two.
 drift = simple.CurrentDrift(Input=particles)
 assert (places(drift, 3.0) == rest).all(), "points move without a current"
