@@ -368,7 +368,6 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, std::vector<F
 
 std::string CurrentSnapshot::Take(vtkDataObject* data, const std::string& array)
 {
-  std::vector<FlowPrimitive> primitives;
   std::string reason;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
@@ -377,15 +376,15 @@ std::string CurrentSnapshot::Take(vtkDataObject* data, const std::string& array)
     {
       if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
       {
-        reason = TakeDataSet(leaf, array, primitives, this->Grids);
+        reason = TakeDataSet(leaf, array, this->Primitives, this->Grids);
       }
     }
   }
   else if (auto* single = vtkDataSet::SafeDownCast(data))
   {
-    reason = TakeDataSet(single, array, primitives, this->Grids);
+    reason = TakeDataSet(single, array, this->Primitives, this->Grids);
   }
-  this->Primitives = FlowField(primitives);
+  this->Flow = FlowField(this->Primitives);
   return reason;
 }
 

@@ -39,9 +39,12 @@ public:
   std::string Take(vtkDataObject* data, const std::string& array);
 
   /// Velocity at a place [m/s]. Safe to call from many threads.
-  Vector3 Velocity(const Vector3& place) const
+  Vector3 Velocity(const Vector3& place) const { return this->Flow.Velocity(place) + this->GridVelocity(place); }
+
+  /// The same without flow primitives.
+  Vector3 GridVelocity(const Vector3& place) const
   {
-    Vector3 sum = this->Primitives.Velocity(place);
+    Vector3 sum(0.0);
     for (const auto& grid : this->Grids)
     {
       sum += grid->Velocity(place);
@@ -49,13 +52,19 @@ public:
     return sum;
   }
 
-  const FlowField& GetPrimitives() const { return this->Primitives; }
+  bool HasGrids() const { return !this->Grids.empty(); }
+
+  const std::vector<FlowPrimitive>& GetPrimitives() const { return this->Primitives; }
+
+  /// The sum of the primitives.
+  const FlowField& GetFlow() const { return this->Flow; }
 
   /// Whether the flow is the same everywhere.
-  bool IsUniform() const { return this->Grids.empty() && this->Primitives.IsUniform(); }
+  bool IsUniform() const { return this->Grids.empty() && this->Flow.IsUniform(); }
 
 private:
-  FlowField Primitives;
+  std::vector<FlowPrimitive> Primitives;
+  FlowField Flow;
   std::vector<std::shared_ptr<const VelocityGrid>> Grids;
 };
 

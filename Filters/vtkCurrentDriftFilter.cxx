@@ -67,15 +67,21 @@ struct Drifters
   std::size_t Size() const { return this->Places.size(); }
 };
 
-/// The three moments of a step of the Runge-Kutta method, for each current.
+/// All currents during a step of the Runge-Kutta method.
 struct StepCurrents
 {
-  std::vector<littoral::CurrentMixture> Stages[3];
+  littoral::FlowField Steady;                                ///< the primitives that do not change, in one sum
+  std::vector<const littoral::CurrentSnapshot*> SteadyGrids; ///< the rest of what does not change
+  std::vector<littoral::CurrentMixture> Changing[3];         ///< at the beginning, the middle and the end
 
   Vector3 Velocity(const Vector3& place, int stage) const
   {
-    Vector3 sum(0.0);
-    for (const littoral::CurrentMixture& current : this->Stages[stage])
+    Vector3 sum = this->Steady.Velocity(place);
+    for (const littoral::CurrentSnapshot* current : this->SteadyGrids)
+    {
+      sum += current->GridVelocity(place);
+    }
+    for (const littoral::CurrentMixture& current : this->Changing[stage])
     {
       sum += current.Velocity(place);
     }
@@ -85,9 +91,13 @@ struct StepCurrents
   /// Whether a sink, as it is at the end of the step, captures on the way.
   bool Capture(const Vector3& from, Vector3& to) const
   {
-    for (const littoral::CurrentMixture& current : this->Stages[2])
+    if (this->Steady.HasSinks() && this->Steady.Capture(from, to))
     {
-      const littoral::FlowField& flow = current.Nearest()->GetPrimitives();
+      return true;
+    }
+    for (const littoral::CurrentMixture& current : this->Changing[2])
+    {
+      const littoral::FlowField& flow = current.Nearest()->GetFlow();
       if (flow.HasSinks() && flow.Capture(from, to))
       {
         return true;
@@ -265,13 +275,24 @@ public:
   {
     StepCurrents currents;
     const auto moments = this->MomentsOf(step, length);
-    for (int stage = 0; stage < 3; ++stage)
+    std::vector<littoral::FlowPrimitive> steady;
+    for (const littoral::CurrentSeries& current : this->Currents)
     {
-      for (const littoral::CurrentSeries& current : this->Currents)
+      for (int stage = 0; !current.IsConstant() && stage < 3; ++stage)
       {
-        currents.Stages[stage].push_back(current.At(this->Clock, moments[stage]));
+        currents.Changing[stage].push_back(current.At(this->Clock, moments[stage]));
+      }
+      if (current.IsConstant())
+      {
+        const littoral::CurrentSnapshot* snapshot = current.At(this->Clock, moments[0]).First;
+        steady.insert(steady.end(), snapshot->GetPrimitives().begin(), snapshot->GetPrimitives().end());
+        if (snapshot->HasGrids())
+        {
+          currents.SteadyGrids.push_back(snapshot);
+        }
       }
     }
+    currents.Steady = littoral::FlowField(steady);
     return currents;
   }
 

@@ -82,7 +82,8 @@ inline std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitiv
   for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
   {
     FlowPrimitive primitive;
-    primitive.Type = static_cast<FlowType>(static_cast<int>(array(sea::FlowType)->GetTuple1(id)));
+    const double type = array(sea::FlowType)->GetTuple1(id);
+    primitive.Type = static_cast<FlowType>(type >= 0.0 && type < 4.0 ? static_cast<int>(type) : -1);
     primitive.Strength = array(sea::Strength)->GetTuple1(id);
     data->GetPoint(id, &primitive.Centre[0]);
     array(sea::Axis)->GetTuple(id, &primitive.Axis[0]);
