@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCurrentDriftFilter.h"
 
-#include "CurrentDrift.h"
-#include "CurrentSeries.h"
+#include "DriftHistory.h"
 #include "LittoralPipeline.h"
 #include "LittoralSea.h"
 #include "LittoralSlaves.h"
@@ -43,69 +42,6 @@ using littoral::Vector3;
 
 /// Points that one thread carries at a time.
 constexpr std::size_t PointsAtOnce = 1 << 10;
-/// States kept to begin from. Fixed, so that all ranks ask for currents in the same order.
-constexpr std::size_t MostCheckpoints = 8;
-/// More steps than this are hardly meant.
-constexpr double MostSteps = 1e7;
-/// Times this near to a whole number of steps are on the grid, as those that players count up are.
-constexpr double WholeStep = 1e-12;
-
-/// What a point does.
-enum Fate : unsigned char
-{
-  Free = 0,
-  Captured = 1,
-  Still = 2, ///< out of the water, or a slave: not carried by itself
-};
-
-/// Where all points are, and what they do.
-struct Drifters
-{
-  std::vector<Vector3> Places;
-  std::vector<unsigned char> Fates;
-
-  std::size_t Size() const { return this->Places.size(); }
-};
-
-/// All currents during a step of the Runge-Kutta method.
-struct StepCurrents
-{
-  littoral::FlowField Steady;                                ///< the primitives that do not change, in one sum
-  std::vector<const littoral::CurrentSnapshot*> SteadyGrids; ///< the rest of what does not change
-  std::vector<littoral::CurrentMixture> Changing[3];         ///< at the beginning, the middle and the end
-
-  Vector3 Velocity(const Vector3& place, int stage) const
-  {
-    Vector3 sum = this->Steady.Velocity(place);
-    for (const littoral::CurrentSnapshot* current : this->SteadyGrids)
-    {
-      sum += current->GridVelocity(place);
-    }
-    for (const littoral::CurrentMixture& current : this->Changing[stage])
-    {
-      sum += current.Velocity(place);
-    }
-    return sum;
-  }
-
-  /// Whether a sink, as it is at the end of the step, captures on the way.
-  bool Capture(const Vector3& from, Vector3& to) const
-  {
-    if (this->Steady.HasSinks() && this->Steady.Capture(from, to))
-    {
-      return true;
-    }
-    for (const littoral::CurrentMixture& current : this->Changing[2])
-    {
-      const littoral::FlowField& flow = current.Nearest()->GetFlow();
-      if (flow.HasSinks() && flow.Capture(from, to))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-};
 
 /// The leaves of an input that have points.
 std::vector<vtkPointSet*> LeavesOf(vtkDataObject* data)
@@ -144,202 +80,8 @@ vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
 }
 
 /// What is kept between requests.
-class vtkCurrentDriftFilter::Internals
+class vtkCurrentDriftFilter::Internals : public littoral::DriftHistory
 {
-public:
-  littoral::DriftClock Clock;
-  littoral::WaterLayer Layer;
-  std::vector<littoral::CurrentSeries> Currents;
-
-  // What is asked for: a whole number of steps and a part of one [s].
-  bool HasGoal = false;
-  double Time = 0.0;
-  long long Step = 0;
-  double Rest = 0.0;
-
-  // What is known.
-  bool HasStart = false;
-  Drifters Start;
-  std::map<long long, Drifters> Checkpoints; ///< by step
-  long long Stride = 1;                      ///< steps between checkpoints
-  Drifters Now;
-  long long NowStep = 0;
-  bool IsClosed = false; ///< all currents are the same everywhere: no steps
-  bool IsLooping = false;
-  int Restarts = 0;
-  std::vector<double> Key; ///< what all of this depends on
-
-  void Forget()
-  {
-    this->HasStart = false;
-    this->HasGoal = false;
-    this->IsClosed = false;
-    this->IsLooping = false;
-    this->Start = {};
-    this->Now = {};
-    this->Checkpoints.clear();
-    this->Stride = 1;
-    this->NowStep = 0;
-    this->Currents.clear();
-  }
-
-  /// Begins from the latest known state that is not after the goal.
-  void SetGoal(double time)
-  {
-    if (this->HasGoal && this->Time == time)
-    {
-      return;
-    }
-    this->HasGoal = true;
-    this->Time = time;
-    const double passed = std::max(0.0, time - this->Clock.Start);
-    const double steps = std::min(passed / this->Clock.Step, 2.0 * MostSteps);
-    const double whole = std::round(steps);
-    const bool isWhole = std::abs(steps - whole) < WholeStep * std::max(1.0, whole);
-    this->Step = static_cast<long long>(isWhole ? whole : std::floor(steps));
-    this->Rest = isWhole ? 0.0 : std::max(0.0, time - this->Clock.TimeOf(this->Step));
-    if (this->HasStart)
-    {
-      this->Resume();
-    }
-  }
-
-  void Resume()
-  {
-    auto after = this->Checkpoints.upper_bound(this->Step);
-    const bool hasOne = after != this->Checkpoints.begin();
-    const long long kept = hasOne ? std::prev(after)->first : 0;
-    if (this->NowStep <= this->Step && this->NowStep >= kept && this->Now.Size() == this->Start.Size())
-    {
-      return;
-    }
-    this->NowStep = kept;
-    this->Now = hasOne ? std::prev(after)->second : this->Start;
-  }
-
-  void KeepCheckpoint()
-  {
-    if (this->NowStep % this->Stride != 0)
-    {
-      return;
-    }
-    this->Checkpoints[this->NowStep] = this->Now;
-    while (this->Checkpoints.size() > MostCheckpoints)
-    {
-      this->Stride *= 2;
-      for (auto it = this->Checkpoints.begin(); it != this->Checkpoints.end();)
-      {
-        it = it->first % this->Stride == 0 ? std::next(it) : this->Checkpoints.erase(it);
-      }
-    }
-  }
-
-  bool IsConstant() const
-  {
-    return std::all_of(this->Currents.begin(), this->Currents.end(),
-      [](const littoral::CurrentSeries& current) { return current.IsConstant(); });
-  }
-
-  /// The moments that a step of this length [s] from a step of the clock needs.
-  std::array<littoral::DriftMoment, 3> MomentsOf(long long step, double length) const
-  {
-    const double share = length == this->Clock.Step ? 1.0 : length / this->Clock.Step;
-    return { { { step, 0.0 }, { step, 0.5 * share }, { step, share } } };
-  }
-
-  bool FindMissing(const littoral::CurrentSeries& current, double& time) const
-  {
-    if (this->IsClosed)
-    {
-      return false;
-    }
-    const double length = this->NowStep < this->Step ? this->Clock.Step : this->Rest;
-    for (const littoral::DriftMoment& moment : this->MomentsOf(this->NowStep, length))
-    {
-      if (current.FindMissing(this->Clock, moment, time))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool AnyMissing() const
-  {
-    double time = 0.0;
-    return std::any_of(this->Currents.begin(), this->Currents.end(),
-      [&](const littoral::CurrentSeries& current) { return this->FindMissing(current, time); });
-  }
-
-  StepCurrents CurrentsOf(long long step, double length) const
-  {
-    StepCurrents currents;
-    const auto moments = this->MomentsOf(step, length);
-    std::vector<littoral::FlowPrimitive> steady;
-    for (const littoral::CurrentSeries& current : this->Currents)
-    {
-      for (int stage = 0; !current.IsConstant() && stage < 3; ++stage)
-      {
-        currents.Changing[stage].push_back(current.At(this->Clock, moments[stage]));
-      }
-      if (current.IsConstant())
-      {
-        const littoral::CurrentSnapshot* snapshot = current.At(this->Clock, moments[0]).First;
-        steady.insert(steady.end(), snapshot->GetPrimitives().begin(), snapshot->GetPrimitives().end());
-        if (snapshot->HasGrids())
-        {
-          currents.SteadyGrids.push_back(snapshot);
-        }
-      }
-    }
-    currents.Steady = littoral::FlowField(steady);
-    return currents;
-  }
-
-  /// Carries a point by one step.
-  void Carry(const StepCurrents& currents, double length, Vector3& place, unsigned char& fate) const
-  {
-    if (fate != Free)
-    {
-      return;
-    }
-    const Vector3 from = place;
-    Vector3 ahead;
-    place = littoral::DriftStep(
-      this->Layer, from, length, [&](const Vector3& at, int stage) { return currents.Velocity(at, stage); }, &ahead);
-    if (!littoral::IsFinite(place)) // beyond all numbers
-    {
-      place = from;
-      fate = Still;
-    }
-    else if (currents.Capture(from, ahead))
-    {
-      place = ahead;
-      fate = Captured;
-    }
-    else if (currents.Capture(from, place))
-    {
-      fate = Captured;
-    }
-  }
-
-  /// The state at the goal, of one point; `currents` are those of the rest of a step.
-  void Finish(const StepCurrents& currents, std::size_t id, Vector3& place, unsigned char& fate) const
-  {
-    place = this->Now.Places[id];
-    fate = this->Now.Fates[id];
-    if (this->IsClosed)
-    {
-      if (fate == Free)
-      {
-        place += std::max(0.0, this->Time - this->Clock.Start) * currents.Velocity(place, 0);
-      }
-    }
-    else if (this->Rest > 0.0)
-    {
-      this->Carry(currents, this->Rest, place, fate);
-    }
-  }
 };
 
 //----------------------------------------------------------------------------
@@ -527,7 +269,7 @@ std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector
   {
     count += static_cast<double>(leaf->GetNumberOfPoints());
   }
-  if (count * (MostCheckpoints + 4.0) * (sizeof(Vector3) + 1.0) > littoral::AvailableMemory())
+  if (count * (littoral::MostDriftCheckpoints + 4.0) * (sizeof(Vector3) + 1.0) > littoral::AvailableMemory())
   {
     return std::to_string(static_cast<long long>(count)) + " points are more than this machine has memory for.";
   }
@@ -550,7 +292,7 @@ std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector
         return "point " + std::to_string(id) + " is not finite.";
       }
       state.Start.Places.push_back(place);
-      state.Start.Fates.push_back(isSlave || !isInWater ? Still : Free);
+      state.Start.Fates.push_back(isSlave || !isInWater ? littoral::Still : littoral::Free);
     }
   }
   state.HasStart = true;
@@ -570,7 +312,7 @@ bool vtkCurrentDriftFilter::Advance()
     const long long next = (state.NowStep / state.Stride + 1) * state.Stride;
     const long long last = state.IsConstant() ? std::min(state.Step, next) : state.NowStep + 1;
     const double length = state.Clock.Step;
-    const StepCurrents currents = state.CurrentsOf(state.NowStep, length);
+    const littoral::StepCurrents currents = state.CurrentsOf(state.NowStep, length);
     const std::size_t batches = (count + PointsAtOnce - 1) / PointsAtOnce;
     const double first = static_cast<double>(state.NowStep) / static_cast<double>(state.Step + 1);
     const double end = static_cast<double>(last) / static_cast<double>(state.Step + 1);
@@ -636,7 +378,7 @@ int vtkCurrentDriftFilter::RequestData(
       state.NowStep = 0;
       state.Now = state.Start;
     }
-    if (!state.IsClosed && (time - this->StartTime) / this->TimeStep > MostSteps)
+    if (!state.IsClosed && (time - this->StartTime) / this->TimeStep > littoral::MostDriftSteps)
     {
       reason = "time " + std::to_string(time) + " is more than 10 million times TimeStep after StartTime.";
     }
@@ -728,7 +470,7 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   flow->SetNumberOfTuples(this->GenerateCurrent ? count : 0);
   littoral::Slaves slaves;
   littoral::ReadSlaves(input, slaves);
-  const StepCurrents currents = state.CurrentsOf(state.NowStep, state.IsClosed ? 0.0 : state.Rest);
+  const littoral::StepCurrents currents = state.CurrentsOf(state.NowStep, state.IsClosed ? 0.0 : state.Rest);
   const std::size_t batches = (static_cast<std::size_t>(count) + PointsAtOnce - 1) / PointsAtOnce;
   const bool done = littoral::RunWithProgress(this, batches, 0.98, 1.0, [&](std::size_t batch) {
     const vtkIdType begin = static_cast<vtkIdType>(batch * PointsAtOnce);
@@ -736,7 +478,7 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
     {
       const vtkIdType master = slaves.Master.empty() ? -1 : slaves.Master[id];
       Vector3 place;
-      unsigned char fate = Free;
+      unsigned char fate = littoral::Free;
       state.Finish(currents, first + static_cast<std::size_t>(master >= 0 ? master : id), place, fate);
       if (master >= 0)
       {
@@ -746,7 +488,7 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
       }
       const Real tuple[3] = { static_cast<Real>(place.x), static_cast<Real>(place.y), static_cast<Real>(place.z) };
       places->SetTypedTuple(id, tuple);
-      captured->SetValue(id, fate == Captured ? 1 : 0);
+      captured->SetValue(id, fate == littoral::Captured ? 1 : 0);
       if (this->GenerateCurrent)
       {
         const Vector3 velocity = currents.Velocity(place, 2);
