@@ -20,6 +20,8 @@ enum class RandomPurpose : std::uint32_t
   QuadratPositions = 5,
   TreeBranches = 16,
   TreeLeaves = 17,
+  ForkBranches = 18,
+  ForkLeaves = 19,
   PlantSpecies = 21,
   PlantScale = 22,
   PlantAzimuth = 23,
