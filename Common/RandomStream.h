@@ -34,6 +34,9 @@ enum class RandomPurpose : std::uint32_t
   LeafFlutter = 40,
   WaveDirections = 48,
   WavePhases = 49,
+  ParticlePositions = 64,
+  ParticleSizes = 65,
+  ParticleOrientations = 66,
 };
 
 /**

@@ -5,6 +5,7 @@
 #include "Dispersion.h"
 #include "LittoralPipeline.h"
 #include "LittoralSea.h"
+#include "LittoralSlaves.h"
 #include "WaveOrbits.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -40,13 +41,6 @@ namespace
 constexpr vtkIdType PointsAtOnce = 1 << 13;
 /// How far from sea level the points of its surface may lie [m].
 constexpr double SurfaceTolerance = 1e-3;
-
-/// Masters and offsets of slaves; empty where there are none.
-struct Slaves
-{
-  std::vector<vtkIdType> Master; ///< of each point; negative: it is its own
-  vtkDataArray* Offset = nullptr;
-};
 
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
@@ -87,44 +81,6 @@ std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
       return "the point array TrainCount is negative at point " + std::to_string(id) + ".";
     }
     counts[id] = static_cast<int>(std::min(count, 1e9));
-  }
-  return "";
-}
-
-std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
-{
-  vtkDataArray* master = input->GetPointData()->GetArray("MasterId");
-  if (!master)
-  {
-    return "";
-  }
-  slaves.Offset = input->GetPointData()->GetArray("Offset");
-  if (master->GetNumberOfComponents() != 1)
-  {
-    return "the point array MasterId must have one component.";
-  }
-  if (!slaves.Offset || slaves.Offset->GetNumberOfComponents() != 3)
-  {
-    return "the point array MasterId needs an array Offset of three components beside it.";
-  }
-  const vtkIdType points = input->GetNumberOfPoints();
-  slaves.Master.resize(static_cast<std::size_t>(points));
-  for (vtkIdType id = 0; id < points; ++id)
-  {
-    const double value = master->GetTuple1(id);
-    if (!(value < static_cast<double>(points)))
-    {
-      return "MasterId of point " + std::to_string(id) + " is no point of its data set.";
-    }
-    slaves.Master[id] = value < 0.0 || static_cast<vtkIdType>(value) == id ? -1 : static_cast<vtkIdType>(value);
-  }
-  for (vtkIdType id = 0; id < points; ++id)
-  {
-    const vtkIdType its = slaves.Master[id];
-    if (its >= 0 && slaves.Master[its] >= 0)
-    {
-      return "MasterId of point " + std::to_string(id) + " is a slave itself.";
-    }
   }
   return "";
 }
@@ -300,11 +256,11 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   using Real = typename Array::ValueType;
   const vtkIdType count = input->GetNumberOfPoints();
   std::vector<int> trainCounts;
-  Slaves slaves;
+  littoral::Slaves slaves;
   std::string reason = ReadTrainCounts(input, trainCounts);
   if (reason.empty())
   {
-    reason = ReadSlaves(input, slaves);
+    reason = littoral::ReadSlaves(input, slaves);
   }
   if (reason.empty() && 17.0 * sizeof(Real) * static_cast<double>(count) > littoral::AvailableMemory())
   {

@@ -28,6 +28,25 @@ constexpr const char* WaterDepth = "WaterDepth";
 constexpr const char* SeaLevel = "SeaLevel";
 constexpr const char* SignificantWaveHeight = "SignificantWaveHeight";
 constexpr const char* PeakPeriod = "PeakPeriod";
+// Particles.
+constexpr const char* ParticleId = "ParticleId";
+constexpr const char* ParticleType = "ParticleType";
+constexpr const char* BoxId = "BoxId";
+constexpr const char* Radius = "Radius"; ///< [m]
+constexpr const char* RGB = "RGB";
+constexpr const char* MasterId = "MasterId";
+constexpr const char* Offset = "Offset"; ///< of a slave from its master [m]
+constexpr const char* Captured = "Captured";
+constexpr const char* Current = "Current"; ///< [m/s]
+// Field data of particles: a word for each value of ParticleType and BoxId.
+constexpr const char* ParticleTypes = "ParticleTypes";
+constexpr const char* BoxNames = "BoxNames";
+// Flow primitives.
+constexpr const char* FlowType = "FlowType";
+constexpr const char* Strength = "Strength";
+constexpr const char* Axis = "Axis";
+constexpr const char* CoreRadius = "CoreRadius";
+constexpr const char* InfluenceRadius = "InfluenceRadius";
 }
 
 /// Writes the trains as rows; depth and level as field data.

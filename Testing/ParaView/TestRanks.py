@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3
-"""The same terrain, fit, twin, points and sea on any number of ranks.
+"""The same terrain, fit, twin, points, sea and drift on any number of ranks.
 
 The run on one rank writes its result; the others compare with it.
 """
@@ -72,6 +72,20 @@ for part in ("High/Skeleton", "High/Leaves", "Medium/Crown"):
     places = vtk_to_numpy(data.GetPoints().GetData())[np.argsort(plants, kind="stable")]
     assert len(places) > 100, f"{len(places)} points of {part} on {ranks} ranks"
     result.append(hashlib.sha256(places.tobytes()).hexdigest())
+
+particles = simple.SuspendedParticles(Density=0.3)
+tide = simple.WindField(Dimensions=[60, 16, 8], TimeStep=0.5)
+drift = simple.CurrentDrift(Input=particles, KeepInWater=0, Currents=[
+    tide, simple.FlowPrimitive(FlowType="Vortex", Strength=6.0, Axis=[0.0, 0.2, 1.0], Center=[1.0, 0.0, 0.0]),
+    simple.FlowPrimitive(FlowType="Sink", Strength=9.0, Center=[2.0, -3.0, -4.0])])
+drift.UpdatePipeline(4.25)
+cloud = servermanager.Fetch(drift)
+order = np.argsort(vtk_to_numpy(cloud.GetPointData().GetArray("ParticleId")))
+assert len(order) > 6000, f"{len(order)} particles on {ranks} ranks"
+for array in (cloud.GetPoints().GetData(), *(cloud.GetPointData().GetArray(name)
+                                             for name in ("ParticleId", "Radius", "RGB", "Captured"))):
+    result.append(hashlib.sha256(vtk_to_numpy(array)[order].tobytes()).hexdigest())
+assert 10 < vtk_to_numpy(cloud.GetPointData().GetArray("Captured")).sum() < 1000
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:
