@@ -31,6 +31,7 @@ enum class RandomPurpose : std::uint32_t
   LeafFlutter = 40,
   WaveDirections = 48,
   WavePhases = 49,
+  SlaveOffsets = 72,
 };
 
 /**
