@@ -84,8 +84,7 @@ void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int si
 
 }
 
-ParticleFog::ParticleFog(
-  const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
+ParticleFog::ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
   : Extinction(grid.NumberOfSamples(), 0.0f)
 {
   // Layers of cells keep the order of the particles; a layer of samples adds the cells below, then those above. So the
@@ -160,8 +159,8 @@ double ExtinctionAt(const FogGrid& grid, const std::vector<float>& extinction, c
     {
       weight *= step[axis] ? where.Part[axis] : 1.0 - where.Part[axis];
     }
-    value += weight *
-      extinction[SampleOf(grid, where.Cell[0] + step[0], where.Cell[1] + step[1], where.Cell[2] + step[2])];
+    value +=
+      weight * extinction[SampleOf(grid, where.Cell[0] + step[0], where.Cell[1] + step[1], where.Cell[2] + step[2])];
   }
   return value;
 }

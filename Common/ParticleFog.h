@@ -17,7 +17,7 @@ namespace littoral
 struct FogGrid
 {
   Vector3 Origin{ 0.0, 0.0, 0.0 };
-  Vector3 Spacing{ 1.0, 1.0, 1.0 };     ///< [m], positive
+  Vector3 Spacing{ 1.0, 1.0, 1.0 };    ///< [m], positive
   std::array<int, 3> Count{ 2, 2, 2 }; ///< samples along x, y, z, 2 or more
 
   std::size_t NumberOfSamples() const
@@ -36,13 +36,14 @@ struct FogParticle
 /**
  * The extinction [1/m] of particles that cannot be told apart: cross sections by volume (Coulais et al., 3.3.3 draw a
  * texture instead). Each particle is shared out among the eight samples about it, by distance along each axis, so that
- * the integral of the field, linear between samples, is the sum of the cross sections. Particles outside of the grid are
- * left out and counted.
+ * the integral of the field, linear between samples, is the sum of the cross sections. Particles outside of the grid
+ * are left out and counted.
  */
 class ParticleFog
 {
 public:
-  ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor = SerialFor);
+  ParticleFog(
+    const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor = SerialFor);
 
   /// x fastest [1/m].
   const std::vector<float>& GetExtinction() const { return this->Extinction; }

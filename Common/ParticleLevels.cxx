@@ -75,10 +75,7 @@ private:
       this->Frustum.MayShow(centre, this->Table.AmplitudeAt(height) + this->Options.Margin);
   }
 
-  double DistanceOf(int particle) const
-  {
-    return glm::distance(this->Places[particle], this->Frustum.GetView().Point);
-  }
+  double DistanceOf(int particle) const { return glm::distance(this->Places[particle], this->Frustum.GetView().Point); }
 
   ShownParticle OnOrbit(int particle, double distance, double weight) const
   {
@@ -215,8 +212,8 @@ std::string WhyInvalid(const ParticleLevelOptions& options)
     const char* Name;
     double Value;
   } lengths[] = { { "MiddleDistance", options.MiddleDistance }, { "FarDistance", options.FarDistance },
-    { "BlendDistance", options.BlendDistance }, { "Visibility", options.VisibleDistance },
-    { "Margin", options.Margin }, { "FogMargin", options.FogMargin } };
+    { "BlendDistance", options.BlendDistance }, { "Visibility", options.VisibleDistance }, { "Margin", options.Margin },
+    { "FogMargin", options.FogMargin } };
   for (const auto& length : lengths)
   {
     if (!isLength(length.Value))

@@ -105,8 +105,7 @@ TrainTable::TrainTable(
   }
 }
 
-void TrainTable::FillCounts(
-  Row& row, const SeaState& sea, const View& view, TrainRule rule, double screenError) const
+void TrainTable::FillCounts(Row& row, const SeaState& sea, const View& view, TrainRule rule, double screenError) const
 {
   row.Counts.assign(NumberOfDistances, static_cast<int>(sea.Trains.size()));
   const double tangent = std::tan(0.5 * view.Angle);

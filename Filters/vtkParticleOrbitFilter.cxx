@@ -5,6 +5,7 @@
 #include "Dispersion.h"
 #include "LittoralPipeline.h"
 #include "LittoralSea.h"
+#include "TrainSelection.h"
 #include "WaveOrbits.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -69,7 +70,7 @@ bool IsAtSeaLevel(vtkPoints* points, double level)
 
 std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
 {
-  vtkDataArray* array = input->GetPointData()->GetArray("TrainCount");
+  vtkDataArray* array = input->GetPointData()->GetArray(littoral::sea::TrainCount);
   if (!array)
   {
     return "";
@@ -91,14 +92,30 @@ std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
   return "";
 }
 
+/// The order in which trains are taken; empty where they come as they are.
+std::string ReadTrainOrder(vtkPointSet* input, std::size_t trains, std::vector<int>& order)
+{
+  vtkDataArray* array = input->GetFieldData()->GetArray(littoral::sea::TrainOrder);
+  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+  {
+    order.push_back(static_cast<int>(array->GetComponent(n, 0)));
+  }
+  if (!order.empty() && (order.size() != trains || !littoral::IsPermutation(order)))
+  {
+    return "the field array TrainOrder is no order of the " + std::to_string(trains) +
+      " trains of the sea state; it belongs to another one.";
+  }
+  return "";
+}
+
 std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
 {
-  vtkDataArray* master = input->GetPointData()->GetArray("MasterId");
+  vtkDataArray* master = input->GetPointData()->GetArray(littoral::sea::MasterId);
   if (!master)
   {
     return "";
   }
-  slaves.Offset = input->GetPointData()->GetArray("Offset");
+  slaves.Offset = input->GetPointData()->GetArray(littoral::sea::Offset);
   if (master->GetNumberOfComponents() != 1)
   {
     return "the point array MasterId must have one component.";
@@ -138,11 +155,21 @@ public:
   Sea(const littoral::SeaState& state, const littoral::WaveOrbitOptions& options, double time)
     : Orbits(state, options, time)
     , State(state)
+    , Options(options)
+    , Time(time)
   {
+  }
+
+  /// The same with its trains in an order.
+  Sea InOrder(const std::vector<int>& order) const
+  {
+    return Sea(littoral::Ordered(this->State, order), this->Options, this->Time);
   }
 
   littoral::WaveOrbits Orbits;
   littoral::SeaState State;
+  littoral::WaveOrbitOptions Options;
+  double Time;
 };
 
 //----------------------------------------------------------------------------
@@ -289,8 +316,16 @@ bool vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSe
   {
     return true;
   }
-  return input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(sea, input, output)
-                                                         : this->MoveAs<vtkFloatArray>(sea, input, output);
+  std::vector<int> order;
+  const std::string reason = ReadTrainOrder(input, sea.State.Trains.size(), order);
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot move points: " << reason);
+    return false;
+  }
+  const Sea ordered = sea.InOrder(order);
+  return input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(ordered, input, output)
+                                                         : this->MoveAs<vtkFloatArray>(ordered, input, output);
 }
 
 //----------------------------------------------------------------------------
@@ -305,6 +340,15 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   if (reason.empty())
   {
     reason = ReadSlaves(input, slaves);
+  }
+  if (reason.empty() && !slaves.Master.empty())
+  {
+    // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
+    trainCounts.resize(slaves.Master.size(), std::numeric_limits<int>::max());
+    for (std::size_t id = 0; id < slaves.Master.size(); ++id)
+    {
+      trainCounts[id] = slaves.Master[id] >= 0 ? 0 : trainCounts[id];
+    }
   }
   if (reason.empty() && 17.0 * sizeof(Real) * static_cast<double>(count) > littoral::AvailableMemory())
   {

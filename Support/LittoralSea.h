@@ -28,6 +28,22 @@ constexpr const char* WaterDepth = "WaterDepth";
 constexpr const char* SeaLevel = "SeaLevel";
 constexpr const char* SignificantWaveHeight = "SignificantWaveHeight";
 constexpr const char* PeakPeriod = "PeakPeriod";
+
+// Levels of detail of particles: blocks, their point arrays, and a field array.
+constexpr const char* Near = "Near";
+constexpr const char* MasterSlave = "MasterSlave";
+constexpr const char* Far = "Far";
+constexpr const char* ParticleId = "ParticleId";
+constexpr const char* Alpha = "Alpha";
+constexpr const char* TrainCount = "TrainCount";
+constexpr const char* ErrorBound = "ErrorBound";
+constexpr const char* MasterId = "MasterId";
+constexpr const char* Offset = "Offset";
+constexpr const char* TrainOrder = "TrainOrder";
+
+// Fog.
+constexpr const char* Size = "Size"; ///< diameter of a particle [m]
+constexpr const char* Extinction = "Extinction";
 }
 
 /// Writes the trains as rows; depth and level as field data.

@@ -50,7 +50,8 @@ std::vector<Vector3> Places(int count, const Box& box, unsigned int seed = 1)
 }
 
 /// Moved by their first trains; counts empty: by all.
-std::vector<Vector3> Moved(const SeaState& sea, double time, const std::vector<Vector3>& places, std::vector<int> counts)
+std::vector<Vector3> Moved(
+  const SeaState& sea, double time, const std::vector<Vector3>& places, std::vector<int> counts)
 {
   if (counts.empty())
   {
@@ -100,7 +101,8 @@ bool Project(const View& view, const Vector3& point, std::array<double, 2>& pixe
     std::abs(pixel[1]) <= 0.5 * view.Height;
 }
 
-TrainTable Table(const SeaState& sea, const ParticleGroups& groups, const View& view, TrainRule rule, double error = 1.0)
+TrainTable Table(
+  const SeaState& sea, const ParticleGroups& groups, const View& view, TrainRule rule, double error = 1.0)
 {
   double low = groups.GetCells().front().Bounds.Low.z;
   double high = groups.GetCells().front().Bounds.High.z;
@@ -115,8 +117,8 @@ TrainTable Table(const SeaState& sea, const ParticleGroups& groups, const View& 
 ParticleSelection Select(const SeaState& sea, const std::vector<Vector3>& places, const ParticleGroups& groups,
   const View& view, const ParticleLevelOptions& options, TrainRule rule)
 {
-  return SelectParticles(places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0,
-    groups.GetCells().size());
+  return SelectParticles(
+    places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0, groups.GetCells().size());
 }
 
 /// A view of frame n on a way through the water, looking about.
@@ -448,9 +450,8 @@ TEST(ParticleLevels, WorkOfTheTableOfThePaper)
   ASSERT_EQ(sea.Trains.size(), 30u);
   const std::vector<Vector3> places = Places(4000, { { -5.0, 0.0, -8.5 }, { 5.0, 10.0, -7.5 } });
   const ParticleGroups groups(places, {}, 64);
-  const double published[3][5] = {
-    { 1.82, 2.09, 2.64, 4.09, 8.82 }, { 1.18, 1.45, 1.91, 2.55, 2.73 }, { 2.00, 2.55, 3.45, 5.64, 11.09 }
-  };
+  const double published[3][5] = { { 1.82, 2.09, 2.64, 4.09, 8.82 }, { 1.18, 1.45, 1.91, 2.55, 2.73 },
+    { 2.00, 2.55, 3.45, 5.64, 11.09 } };
   const char* names[3] = { "levels of detail", "selection of trains", "both" };
   const double everything = 30.0 * 4000.0;
   double ratio[3][5];
@@ -550,8 +551,8 @@ TEST(ParticleFog, KeepsTheSumOfCrossSections)
 
 TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)
 {
-  // Light along y through a box of particles: the part of rays that meet none, against the fog. Some particles are drawn
-  // in part, as where levels change: drawn and fog together must hide as much.
+  // Light along y through a box of particles: the part of rays that meet none, against the fog. Some particles are
+  // drawn in part, as where levels change: drawn and fog together must hide as much.
   const Box box{ { 0.0, 0.0, 0.0 }, { 4.0, 10.0, 4.0 } };
   const double diameter = 0.04;
   const double section = 0.25 * Pi * diameter * diameter;
