@@ -66,24 +66,24 @@ std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* input)
 
 /// Adds the particles of a point set. Why it cannot be done, in words for a user; empty when it was.
 std::string AddParticles(
-  vtkPointSet* set, double diameter, double efficiency, std::vector<littoral::FogParticle>& particles)
+  vtkPointSet* set, double defaultRadius, double efficiency, std::vector<littoral::FogParticle>& particles)
 {
-  vtkDataArray* sizes = set->GetPointData()->GetArray(littoral::sea::Size);
+  vtkDataArray* radii = set->GetPointData()->GetArray(littoral::sea::Radius);
   vtkDataArray* alphas = set->GetPointData()->GetArray(littoral::sea::Alpha);
   std::ostringstream reason;
   for (vtkIdType n = 0; n < set->GetNumberOfPoints(); ++n)
   {
     littoral::FogParticle particle;
     set->GetPoint(n, &particle.Place.x);
-    const double size = sizes ? sizes->GetComponent(n, 0) : diameter;
+    const double radius = radii ? radii->GetComponent(n, 0) : defaultRadius;
     const double alpha = alphas ? alphas->GetComponent(n, 0) : 1.0;
     if (!littoral::IsFinite(particle.Place))
     {
       reason << "point " << n << " has a coordinate that is no finite number.";
     }
-    else if (!(size >= 0.0 && std::isfinite(size)))
+    else if (!(radius >= 0.0 && std::isfinite(radius)))
     {
-      reason << "Size of point " << n << " is " << size << " m; it must be finite and not negative.";
+      reason << "Radius of point " << n << " is " << radius << " m; it must be finite and not negative.";
     }
     else if (!(alpha >= 0.0 && alpha <= 1.0))
     {
@@ -93,7 +93,7 @@ std::string AddParticles(
     {
       return reason.str();
     }
-    particle.CrossSection = alpha * efficiency * 0.25 * littoral::Pi * size * size;
+    particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
     particles.push_back(particle);
   }
   return "";
@@ -126,7 +126,7 @@ vtkParticleFogFilter::vtkParticleFogFilter()
   , Spacing(0.5)
   , UseBounds(false)
   , Bounds{ -10.0, 10.0, -10.0, 10.0, -10.0, 0.0 }
-  , ParticleDiameter(0.01)
+  , ParticleRadius(0.005)
   , ExtinctionEfficiency(1.0)
   , WaterExtinction(0.0)
 {
@@ -168,9 +168,9 @@ std::string vtkParticleFogFilter::WhyBadProperties() const
   {
     reason << "GridBy spacing needs UseBounds: the size of the image must be known beforehand.";
   }
-  else if (!isPositive(this->ParticleDiameter))
+  else if (!isPositive(this->ParticleRadius))
   {
-    reason << "ParticleDiameter is " << this->ParticleDiameter << " m; it must be finite and positive.";
+    reason << "ParticleRadius is " << this->ParticleRadius << " m; it must be finite and positive.";
   }
   else if (!isNotNegative(this->ExtinctionEfficiency))
   {
@@ -286,7 +286,7 @@ int vtkParticleFogFilter::RequestData(
   std::vector<littoral::FogParticle> particles;
   for (vtkPointSet* set : sets)
   {
-    reason = reason.empty() ? AddParticles(set, this->ParticleDiameter, this->ExtinctionEfficiency, particles) : reason;
+    reason = reason.empty() ? AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles) : reason;
   }
   if (!reason.empty())
   {
@@ -298,7 +298,7 @@ int vtkParticleFogFilter::RequestData(
   std::copy(this->Bounds, this->Bounds + 6, box);
   if (!this->UseBounds)
   {
-    BoxOf(particles, this->ParticleDiameter, box);
+    BoxOf(particles, 2.0 * this->ParticleRadius, box);
   }
   const littoral::FogGrid grid = this->MakeGrid(box);
   const littoral::ParticleFog fog(grid, particles, littoral::SmpFor);
@@ -350,7 +350,7 @@ void vtkParticleFogFilter::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << bound;
   }
   os << "\n";
-  os << indent << "ParticleDiameter: " << this->ParticleDiameter << "\n";
+  os << indent << "ParticleRadius: " << this->ParticleRadius << "\n";
   os << indent << "ExtinctionEfficiency: " << this->ExtinctionEfficiency << "\n";
   os << indent << "WaterExtinction: " << this->WaterExtinction << "\n";
 }

@@ -5,7 +5,7 @@
  * @brief   the fog that far particles are
  *
  * Input: a vtkPointSet, or a vtkMultiBlockDataSet, of which the block `Far` counts if there is one, else all point
- * sets. Optional point arrays: `Size`, the diameter of a particle [m], else ParticleDiameter; `Alpha`, how much of it
+ * sets. Optional point arrays: `Radius` of a particle [m], else ParticleRadius; `Alpha`, how much of it
  * is fog, as vtkParticleLevelOfDetailFilter tells, so that the fog fades in as particles fade out; else 1.
  *
  * Output: a vtkImageData with the point array `Extinction` (float) [1/m]: light that has gone a way through it is
@@ -79,9 +79,9 @@ public:
   ///@}
 
   ///@{
-  /// Of particles without an array Size [m], positive. Default 0.01.
-  vtkSetMacro(ParticleDiameter, double);
-  vtkGetMacro(ParticleDiameter, double);
+  /// Of particles without an array Radius [m], positive. Default 0.005.
+  vtkSetMacro(ParticleRadius, double);
+  vtkGetMacro(ParticleRadius, double);
   ///@}
 
   ///@{
@@ -112,7 +112,7 @@ protected:
   double Spacing;
   bool UseBounds;
   double Bounds[6];
-  double ParticleDiameter;
+  double ParticleRadius;
   double ExtinctionEfficiency;
   double WaterExtinction;
 

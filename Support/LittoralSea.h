@@ -42,7 +42,7 @@ constexpr const char* Offset = "Offset";
 constexpr const char* TrainOrder = "TrainOrder";
 
 // Fog.
-constexpr const char* Size = "Size"; ///< diameter of a particle [m]
+constexpr const char* Radius = "Radius"; ///< of a particle [m]
 constexpr const char* Extinction = "Extinction";
 }
 

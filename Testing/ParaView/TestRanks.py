@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3
-"""The same terrain, fit, twin, points and sea on any number of ranks.
+"""The same terrain, fit, twin, points, sea, levels of detail and fog on any number of ranks.
 
 The run on one rank writes its result; the others compare with it.
 """
@@ -31,6 +31,19 @@ def whole_image(proxy):
     return image
 
 
+def leaves(data):
+    """The point sets of a data object that are not empty."""
+    if not data.IsA("vtkDataObjectTree"):
+        return [data] if data.GetNumberOfPoints() else []
+    iterator = data.NewTreeIterator()
+    found = []
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        found += leaves(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return found
+
+
 terrain = simple.TurningBandsTerrain(WholeExtent=[0, 200, 0, 150, 0, 0], Model="Spherical", Range=120.0)
 fit = simple.CovarianceFit(Input=terrain)
 twin = simple.TurningBandsTerrainFromFits(Input=fit, WholeExtent=[0, 120, 0, 99, 0, 0], Seed=9)
@@ -55,6 +68,28 @@ order = np.argsort(vtk_to_numpy(moved.GetPointData().GetArray("SiteId")))
 places = vtk_to_numpy(moved.GetPoints().GetData())[order]
 assert 0.1 < np.abs(places - xyz).max() < 10.0, "particles do not ride on the waves"
 result.append(hashlib.sha256(places.tobytes()).hexdigest())
+levels = simple.ParticleLevelOfDetail(
+    Input=points, SeaState=orbits.SeaState, FollowCamera=0, ViewPoint=[150.0, -1.0, 0.5], MiddleDistance=40.0,
+    FarDistance=120.0, BlendDistance=5.0, Visibility=0.0, OffsetRange=[0.0, 20.0])
+drifting = simple.ParticleOrbits(Input=levels, SeaState=orbits.SeaState)
+drifting.UpdatePipeline(7.3)
+for block, name in enumerate(("Near", "MasterSlave", "Far")):
+    one = servermanager.Fetch(simple.ExtractBlock(Input=drifting, Selectors=[f"/Root/{name}"]))
+    pieces = leaves(one)
+    arrays = [np.concatenate([vtk_to_numpy(piece.GetPointData().GetArray(name)) for piece in pieces])
+              for name in ("ParticleId", "Alpha", "TrainCount")]
+    order = np.argsort(arrays[0])
+    assert len(order) > 0, "a level is empty"
+    arrays.append(np.concatenate([vtk_to_numpy(piece.GetPoints().GetData()) for piece in pieces]))
+    result.append(hashlib.sha256(b"".join(array[order].tobytes() for array in arrays)).hexdigest())
+fog = simple.ParticleFog(Input=levels, Dimensions=[9, 8, 2], ParticleRadius=0.05)
+fog.UpdatePipeline()
+cloud = servermanager.Fetch(simple.ConvertToPointCloud(Input=fog))
+xyz = vtk_to_numpy(cloud.GetPoints().GetData())
+values = vtk_to_numpy(cloud.GetPointData().GetArray("Extinction"))
+cells, first = np.unique(np.rint(xyz * 1e3).astype(int), axis=0, return_index=True)
+assert len(cells) == 9 * 8 * 2, f"{len(cells)} samples of fog on {ranks} ranks"
+result.append(hashlib.sha256(values[first].tobytes()).hexdigest())
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:
