@@ -69,8 +69,8 @@ places = vtk_to_numpy(moved.GetPoints().GetData())[order]
 assert 0.1 < np.abs(places - xyz).max() < 10.0, "particles do not ride on the waves"
 result.append(hashlib.sha256(places.tobytes()).hexdigest())
 levels = simple.ParticleLevelOfDetail(
-    Input=points, SeaState=orbits.SeaState, FollowCamera=0, ViewPoint=[150.0, -1.0, 0.5], MiddleDistance=40.0,
-    FarDistance=120.0, BlendDistance=5.0, Visibility=0.0, OffsetRange=[0.0, 20.0])
+    Input=points, SeaState=orbits.SeaState, FollowCamera=0, ViewPoint=[500.0, -1.0, 0.5], MiddleDistance=300.0,
+    FarDistance=700.0, BlendDistance=20.0, Visibility=0.0, OffsetRange=[0.0, 100.0])
 drifting = simple.ParticleOrbits(Input=levels, SeaState=orbits.SeaState)
 drifting.UpdatePipeline(7.3)
 for block, name in enumerate(("Near", "MasterSlave", "Far")):
