@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace littoral
@@ -19,17 +18,6 @@ namespace
 {
 
 constexpr int MostSlaves = 1000;
-
-Box BoundsOf(const std::vector<Vector3>& places, const std::vector<int>& order, std::size_t begin, std::size_t end)
-{
-  Box box{ places[order[begin]], places[order[begin]] };
-  for (std::size_t n = begin + 1; n < end; ++n)
-  {
-    box.Low = glm::min(box.Low, places[order[n]]);
-    box.High = glm::max(box.High, places[order[n]]);
-  }
-  return box;
-}
 
 int LongestSide(const Box& box)
 {
@@ -74,6 +62,12 @@ std::string WhyInvalid(const GroupOptions& options)
   return reason.str();
 }
 
+struct ParticleGroups::Item
+{
+  Vector3 Place;
+  int Particle;
+};
+
 ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options,
   std::size_t particlesPerCell, const ParallelFor& parallelFor)
   : GroupSize(static_cast<std::size_t>(options.Slaves) + 1)
@@ -81,28 +75,33 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
   , Masters(places.size())
   , Offsets(places.size(), Vector3(0.0))
 {
-  std::iota(this->Order.begin(), this->Order.end(), 0);
   if (places.empty())
   {
     return;
+  }
+  std::vector<Item> items(places.size());
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    items[n] = { places[n], static_cast<int>(n) };
   }
   const std::size_t group = this->GroupSize;
   const std::size_t cell = std::max(group, particlesPerCell);
   // A few large parts one after the other, each of them by a thread.
   std::vector<Cell> parts;
-  this->Split(places, 0, places.size(), group, std::max(cell, places.size() / 32), parts);
+  Split(items, 0, items.size(), group, std::max(cell, items.size() / 32), parts);
   std::vector<std::vector<Cell>> cells(parts.size());
   parallelFor(parts.size(), [&](std::size_t first, std::size_t last) {
+    std::vector<Cell> groups;
     for (std::size_t part = first; part < last; ++part)
     {
-      this->Split(places, parts[part].Begin, parts[part].End, group, cell, cells[part]);
+      Split(items, parts[part].Begin, parts[part].End, group, cell, cells[part]);
       for (Cell& each : cells[part])
       {
-        std::vector<Cell> groups;
-        this->Split(places, each.Begin, each.End, group, group, groups);
+        groups.clear();
+        Split(items, each.Begin, each.End, group, group, groups);
         for (const Cell& one : groups)
         {
-          this->Arrange(places, options, one.Begin, one.End);
+          this->Arrange(items, options, one.Begin, one.End);
         }
         const double scatter = options.Scatter && options.Slaves > 0 ? options.LargestOffset : 0.0;
         each.Bounds.Low -= scatter;
@@ -116,10 +115,15 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
   }
 }
 
-void ParticleGroups::Split(const std::vector<Vector3>& places, std::size_t begin, std::size_t end, std::size_t group,
+void ParticleGroups::Split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::size_t group,
   std::size_t cell, std::vector<Cell>& cells)
 {
-  const Box bounds = BoundsOf(places, this->Order, begin, end);
+  Box bounds{ items[begin].Place, items[begin].Place };
+  for (std::size_t n = begin + 1; n < end; ++n)
+  {
+    bounds.Low = glm::min(bounds.Low, items[n].Place);
+    bounds.High = glm::max(bounds.High, items[n].Place);
+  }
   if (end - begin <= cell)
   {
     cells.push_back({ begin, end, bounds });
@@ -127,41 +131,41 @@ void ParticleGroups::Split(const std::vector<Vector3>& places, std::size_t begin
   }
   const int axis = LongestSide(bounds);
   const std::size_t middle = begin + HalfOf(end - begin, group);
-  const auto at = [this](std::size_t n) { return this->Order.begin() + static_cast<std::ptrdiff_t>(n); };
-  // Which particles come first is settled by the ties' numbers; in which order they do is not, so it is made so.
-  const auto isBefore = [&](int a, int b) {
-    return places[a][axis] != places[b][axis] ? places[a][axis] < places[b][axis] : a < b;
-  };
-  std::nth_element(at(begin), at(middle), at(end), isBefore);
-  this->Split(places, begin, middle, group, cell, cells);
-  this->Split(places, middle, end, group, cell, cells);
+  const auto at = [&items](std::size_t n) { return items.begin() + static_cast<std::ptrdiff_t>(n); };
+  // Ties go by number, so that each half has the same particles whatever their order was.
+  std::nth_element(at(begin), at(middle), at(end), [axis](const Item& a, const Item& b) {
+    return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Particle < b.Particle;
+  });
+  Split(items, begin, middle, group, cell, cells);
+  Split(items, middle, end, group, cell, cells);
 }
 
-void ParticleGroups::Arrange(
-  const std::vector<Vector3>& places, const GroupOptions& options, std::size_t begin, std::size_t end)
+void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end)
 {
-  const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(begin);
-  const auto last = this->Order.begin() + static_cast<std::ptrdiff_t>(end);
-  std::sort(first, last);
+  const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = items.begin() + static_cast<std::ptrdiff_t>(end);
+  std::sort(first, last, [](const Item& a, const Item& b) { return a.Particle < b.Particle; });
   Vector3 sum(0.0);
-  std::for_each(first, last, [&](int particle) { sum += places[particle]; });
+  std::for_each(first, last, [&](const Item& item) { sum += item.Place; });
   const Vector3 middle = sum / static_cast<double>(end - begin);
-  const auto away = [&](int particle) { return glm::distance(places[particle], middle); };
-  const auto master = std::min_element(first, last, [&](int a, int b) { return away(a) < away(b); });
-  std::rotate(first, master, master + 1);
+  const auto away = [&](const Item& item) { return glm::distance(item.Place, middle); };
+  const auto central = std::min_element(first, last, [&](const Item& a, const Item& b) { return away(a) < away(b); });
+  std::rotate(first, central, central + 1);
   const RandomStream random(options.Seed, RandomPurpose::SlaveOffsets);
-  this->Masters[*first] = *first;
-  for (auto slave = first + 1; slave != last; ++slave)
+  const Item& master = *first;
+  for (auto item = first; item != last; ++item)
   {
-    Vector3 offset = places[*slave] - places[*first];
+    Vector3 offset = item->Place - master.Place;
     if (options.Scatter)
     {
-      offset = PlaceInShell(random, *slave, options.NearestOffset, options.LargestOffset);
+      offset = PlaceInShell(random, item->Particle, options.NearestOffset, options.LargestOffset);
     }
     const double length = glm::length(offset);
-    const bool follows = options.Scatter || (length >= options.NearestOffset && length <= options.LargestOffset);
-    this->Masters[*slave] = follows ? *first : *slave;
-    this->Offsets[*slave] = follows ? offset : Vector3(0.0);
+    const bool follows =
+      item != first && (options.Scatter || (length >= options.NearestOffset && length <= options.LargestOffset));
+    this->Order[begin + static_cast<std::size_t>(item - first)] = item->Particle;
+    this->Masters[item->Particle] = follows ? master.Particle : item->Particle;
+    this->Offsets[item->Particle] = follows ? offset : Vector3(0.0);
   }
 }
 

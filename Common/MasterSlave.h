@@ -64,9 +64,11 @@ public:
   const Vector3& OffsetOf(int particle) const { return this->Offsets[particle]; }
 
 private:
-  void Split(const std::vector<Vector3>& places, std::size_t begin, std::size_t end, std::size_t group,
-    std::size_t cell, std::vector<Cell>& cells);
-  void Arrange(const std::vector<Vector3>& places, const GroupOptions& options, std::size_t begin, std::size_t end);
+  struct Item; ///< a particle with its place beside it
+
+  static void Split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::size_t group, std::size_t cell,
+    std::vector<Cell>& cells);
+  void Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end);
 
   std::size_t GroupSize;
   std::vector<int> Order;

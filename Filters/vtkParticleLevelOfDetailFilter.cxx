@@ -75,6 +75,18 @@ Array* AddArray(vtkPointData* arrays, const char* name, int components, vtkIdTyp
   return array;
 }
 
+/// Calls a function for each place in a level, on all threads.
+template <typename Function>
+void ForEach(vtkIdType count, const Function& function)
+{
+  littoral::SmpFor(static_cast<std::size_t>(count), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      function(static_cast<vtkIdType>(n));
+    }
+  });
+}
+
 /// One vertex for each point.
 vtkSmartPointer<vtkCellArray> VerticesOf(vtkIdType count)
 {
@@ -82,11 +94,10 @@ vtkSmartPointer<vtkCellArray> VerticesOf(vtkIdType count)
   vtkNew<vtkIdTypeArray> connectivity;
   offsets->SetNumberOfValues(count + 1);
   connectivity->SetNumberOfValues(count);
-  for (vtkIdType n = 0; n < count; ++n)
-  {
+  ForEach(count, [&](vtkIdType n) {
     offsets->SetValue(n, n);
     connectivity->SetValue(n, n);
-  }
+  });
   offsets->SetValue(count, count);
   auto vertices = vtkSmartPointer<vtkCellArray>::New();
   vertices->SetData(offsets, connectivity);
@@ -101,11 +112,10 @@ void CarryArrays(vtkPointSet* input, const std::vector<littoral::ShownParticle>&
   vtkNew<vtkIdList> places;
   from->SetNumberOfIds(count);
   places->SetNumberOfIds(count);
-  for (vtkIdType n = 0; n < count; ++n)
-  {
+  ForEach(count, [&](vtkIdType n) {
     from->SetId(n, level[n].Particle);
     places->SetId(n, n);
-  }
+  });
   vtkNew<vtkPointData> carried;
   carried->ShallowCopy(input->GetPointData());
   for (const char* name : { littoral::sea::Alpha, littoral::sea::TrainCount, littoral::sea::ErrorBound,
@@ -119,33 +129,33 @@ void CarryArrays(vtkPointSet* input, const std::vector<littoral::ShownParticle>&
   if (!input->GetPointData()->GetAbstractArray(littoral::sea::ParticleId))
   {
     auto* ids = AddArray<vtkIdTypeArray>(to, littoral::sea::ParticleId, 1, count);
-    for (vtkIdType n = 0; n < count; ++n)
-    {
-      ids->SetValue(n, level[n].Particle);
-    }
+    ForEach(count, [&](vtkIdType n) { ids->SetValue(n, level[n].Particle); });
   }
 }
 
 /// The points of a level; those of scattered slaves about their masters.
 template <typename Array>
-vtkSmartPointer<vtkPoints> PointsOf(vtkPointSet* input, const std::vector<littoral::ShownParticle>& level,
+vtkSmartPointer<vtkPoints> PointsOf(const std::vector<littoral::ShownParticle>& level,
   const std::vector<littoral::Vector3>& places, const littoral::ParticleGroups& groups, bool scattered)
 {
+  using Real = typename Array::ValueType;
+  const vtkIdType count = static_cast<vtkIdType>(level.size());
   vtkNew<Array> points;
   points->SetNumberOfComponents(3);
-  points->SetNumberOfTuples(static_cast<vtkIdType>(level.size()));
-  for (std::size_t n = 0; n < level.size(); ++n)
-  {
+  points->SetNumberOfTuples(count);
+  Real* values = points->GetPointer(0);
+  ForEach(count, [&](vtkIdType n) {
     const littoral::ShownParticle& particle = level[n];
-    double place[3];
-    input->GetPoint(particle.Particle, place);
+    littoral::Vector3 place = places[particle.Particle];
     if (scattered && particle.Master >= 0)
     {
-      const littoral::Vector3 kept = places[groups.MasterOf(particle.Particle)] + groups.OffsetOf(particle.Particle);
-      std::copy_n(&kept.x, 3, place);
+      place = places[groups.MasterOf(particle.Particle)] + groups.OffsetOf(particle.Particle);
     }
-    points->SetTuple(static_cast<vtkIdType>(n), place);
-  }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      values[3 * n + axis] = static_cast<Real>(place[axis]);
+    }
+  });
   auto all = vtkSmartPointer<vtkPoints>::New();
   all->SetData(points);
   return all;
@@ -158,30 +168,25 @@ void AddLevelArrays(vtkPointData* arrays, const std::vector<littoral::ShownParti
   const vtkIdType count = static_cast<vtkIdType>(level.size());
   auto* alpha = AddArray<vtkFloatArray>(arrays, littoral::sea::Alpha, 1, count);
   auto* trains = AddArray<vtkIntArray>(arrays, littoral::sea::TrainCount, 1, count);
-  for (vtkIdType n = 0; n < count; ++n)
-  {
+  ForEach(count, [&](vtkIdType n) {
     alpha->SetValue(n, level[n].Weight);
     trains->SetValue(n, level[n].Trains);
-  }
+  });
   if (kind != LevelKind::Far)
   {
     auto* error = AddArray<vtkFloatArray>(arrays, littoral::sea::ErrorBound, 1, count);
-    for (vtkIdType n = 0; n < count; ++n)
-    {
-      error->SetValue(n, level[n].Error);
-    }
+    ForEach(count, [&](vtkIdType n) { error->SetValue(n, level[n].Error); });
   }
   if (kind == LevelKind::Middle)
   {
     auto* masters = AddArray<vtkIdTypeArray>(arrays, littoral::sea::MasterId, 1, count);
     auto* offsets = AddArray<vtkDoubleArray>(arrays, littoral::sea::Offset, 3, count);
-    for (vtkIdType n = 0; n < count; ++n)
-    {
-      const bool follows = level[n].Master >= 0;
+    ForEach(count, [&](vtkIdType n) {
       masters->SetValue(n, level[n].Master);
+      const bool follows = level[n].Master >= 0;
       const littoral::Vector3 offset = follows ? groups.OffsetOf(level[n].Particle) : littoral::Vector3(0.0);
-      offsets->SetTuple(n, &offset.x);
-    }
+      std::copy_n(&offset.x, 3, offsets->GetPointer(3 * n));
+    });
   }
 }
 
@@ -398,8 +403,8 @@ int vtkParticleLevelOfDetailFilter::RequestData(
     vtkNew<vtkPolyData> block;
     const bool scattered = this->SlavePlacement == Scattered;
     const bool isDouble = input->GetPoints()->GetDataType() == VTK_DOUBLE;
-    block->SetPoints(isDouble ? PointsOf<vtkDoubleArray>(input, level.Particles, kept.Places, *kept.Groups, scattered)
-                              : PointsOf<vtkFloatArray>(input, level.Particles, kept.Places, *kept.Groups, scattered));
+    block->SetPoints(isDouble ? PointsOf<vtkDoubleArray>(level.Particles, kept.Places, *kept.Groups, scattered)
+                              : PointsOf<vtkFloatArray>(level.Particles, kept.Places, *kept.Groups, scattered));
     block->SetVerts(VerticesOf(static_cast<vtkIdType>(level.Particles.size())));
     CarryArrays(input, level.Particles, block->GetPointData());
     AddLevelArrays(block->GetPointData(), level.Particles, level.Kind, *kept.Groups);
