@@ -42,7 +42,7 @@ def build(folder, view):
     sand, _ = underwater.bed(DEPTH, EYE)
     floor = reader("Bed", sand, folder)
     drifting = reader("Drifting", underwater.particles(
-        (-17.0, -1.0, -DEPTH + 0.4, 17.0, 29.0, -0.5), 260000, 0.0036, (0.86, 0.95, 0.88), clumps=0.75), folder)
+        (-17.0, -1.0, -DEPTH + 0.4, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.93), folder)
     levels = simple.ParticleLevelOfDetail(registrationName="Levels", Input=drifting, SeaState=sea, Visibility=30.0)
     moving = simple.ParticleOrbits(registrationName="Particles", Input=levels, SeaState=sea)
     fog = simple.ParticleFog(registrationName="Fog", Input=levels, GridBy="Spacing", Spacing=0.5, UseBounds=1,
@@ -55,21 +55,26 @@ def build(folder, view):
     for animated in (surface, moving):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
-    underwater.show_beyond(view, TIME, EYE)
-    underwater.show_bed(floor, view, TIME)
-    underwater.show_surface(surface, view, TIME)
     underwater.show_fog(fog, view)
     underwater.show_particles(near, view, EYE)
+    return [underwater.show_beyond(view, TIME, EYE), underwater.show_bed(floor, view, TIME),
+            underwater.show_surface(surface, view, TIME)]
 
 
 def main(folder, size=(960, 540), frames=0):
-    """Build the scene; in batch, write the picture as well."""
+    """Build the scene; in batch, write the picture or the film as well."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
-    build(folder, view)
+    shaded = build(folder, view)
     simple.Render(view)
+    for frame in range(frames):
+        time = TIME + frame / FRAMES_A_SECOND
+        for shown in shaded:
+            underwater.set_time(shown, time)
+        view.ViewTime = time
+        simple.SaveScreenshot(os.path.join(folder, f"underwater.{frame:04d}.png"), view)
     if frames == 0 and len(sys.argv) > 1:
         simple.SaveScreenshot(os.path.join(folder, "underwater.png"), view)
 

@@ -11,6 +11,7 @@ where their curvature focuses it at a depth there are caustics, and between the 
 
 import json
 import math
+import re
 
 import numpy as np
 from paraview import simple
@@ -193,13 +194,23 @@ def water_shader(time):
     azimuth, zenith = np.radians(SUN)
     towards = (np.sin(zenith) * np.sin(azimuth), np.sin(zenith) * np.cos(azimuth), np.cos(zenith))
     waves = ripples(time)
-    text = WATER.replace("WAVES", ", ".join(
-        "vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in waves))
-    text = text.replace("RIPPLES", str(len(waves))).replace("FOCUSING", str(FOCUSING)).replace("EXPOSURE", f"{EXPOSURE:.3f}")
+    text = WATER.replace("WAVES", _wave_list(waves)).replace("RIPPLES", str(len(waves)))
+    text = text.replace("FOCUSING", str(FOCUSING)).replace("EXPOSURE", f"{EXPOSURE:.3f}")
     for name, value in (("SUN", towards), ("DOWNWARD_VIEW", DOWNWARD_VIEW), ("UPWARD_VIEW", UPWARD_VIEW),
                         ("LEVEL_VIEW", LEVEL_VIEW), ("DOWNWARD", DOWNWARD), ("EXTINCTION", EXTINCTION)):
         text = text.replace("vec3" + name, "vec3({:.5f}, {:.5f}, {:.5f})".format(*value))
     return text
+
+
+def _wave_list(waves):
+    return ", ".join("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in waves)
+
+
+def set_time(shown, time):
+    """Move the ripples of a representation to a time [s]."""
+    shown.ShaderReplacements = re.sub(
+        r"(vec4 ripples\[\d+\] = vec4\[\d+\])\([^;]*\);", lambda found: f"{found[1]}({_wave_list(ripples(time))});",
+        shown.ShaderReplacements)
 
 
 # Meshes -------------------------------------------------------------------------------------------
@@ -283,8 +294,9 @@ def particles(box, count, radius, colour, seed=1, clumps=0.0):
     low, high = np.reshape(box, (2, 3))
     places = low + random.random((count, 3)) * (high - low)
     if clumps > 0.0:
-        centres = low + random.random((max(1, count // 16000), 3)) * (high - low)
-        near = centres[random.integers(len(centres), size=count)] + random.normal(0.0, 1.7, (count, 3)) * (1.3, 1.3, 0.55)
+        centres = low + (0.12, 0.35, 0.12) * (high - low) + random.random((max(1, count // 30000), 3)) * (
+            0.76, 0.55, 0.6) * (high - low)
+        near = centres[random.integers(len(centres), size=count)] + random.normal(0.0, 1.7, (count, 3)) * (1.5, 1.5, 0.6)
         inside = ((near > low) & (near < high)).all(axis=1, keepdims=True)
         places = np.where((random.random((count, 1)) < clumps) & inside, near, places)
     sizes = radius * np.exp(0.5 * random.standard_normal(count))
@@ -344,22 +356,20 @@ def show_particles(source, view, eye):
     shown.OpacityByArray, shown.OpacityArray = 1, ["POINTS", "Opacity"]
     shown.OpacityTransferFunction = simple.CreatePiecewiseFunction(Points=[0.0, 0.0, 0.5, 0.0, 1.0, 1.0, 0.5, 0.0])
     shown.Emissive = 0
+    shown.Opacity = 0.99  # drawn with what is translucent: it must not hide the fog behind it
     return shown
 
 
 def show_fog(source, view, colour=(0.50, 0.78, 0.76)):
     """Show the image of Particle Fog as a volume of a colour."""
-    simple.UpdatePipeline(proxy=source)
-    top = max(1e-6, source.GetDataInformation().GetPointDataInformation().GetArrayInformation(
-        "Extinction").GetComponentRange(0)[1])
+    extinctions = (0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.2, 2.5, 5.0)
     shown = simple.Show(source, view, "UniformGridRepresentation")
     shown.SetRepresentationType("Volume")
     shown.ColorArrayName = ["POINTS", "Extinction"]
     shown.LookupTable = simple.CreateLookupTable(
-        ColorSpace="RGB", RGBPoints=[0.0, *colour, top, *colour], AutomaticRescaleRangeMode="Never")
-    shares = [part / 8.0 for part in range(9)]
+        ColorSpace="RGB", RGBPoints=[0.0, *colour, extinctions[-1], *colour], AutomaticRescaleRangeMode="Never")
     shown.ScalarOpacityFunction = simple.CreatePiecewiseFunction(
-        Points=[number for part in shares for number in (part * top, 1.0 - math.exp(-part * top), 0.5, 0.0)])
+        Points=[number for each in extinctions for number in (each, 1.0 - math.exp(-each), 0.5, 0.0)])
     shown.ScalarOpacityUnitDistance = 1.0
     shown.Shade = 0
     return shown
