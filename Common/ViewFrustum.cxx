@@ -36,6 +36,12 @@ constexpr double LargestAngleStep = 0.25;
 
 }
 
+bool AreTheSame(const View& a, const View& b)
+{
+  return a.Point == b.Point && a.Direction == b.Direction && a.Up == b.Up && a.Angle == b.Angle &&
+    a.AspectRatio == b.AspectRatio && a.Height == b.Height;
+}
+
 View Rounded(const View& view, double lengthStep, double angleStep)
 {
   View rounded = view;

@@ -27,6 +27,9 @@ struct View
   double AngleMargin = 0.0; ///< by which the view may be turned; no near and far planes then [rad]
 };
 
+/// Whether two views show the same picture.
+bool AreTheSame(const View& a, const View& b);
+
 /**
  * The view that stands for all views near it: point and directions rounded to a grid of a length [m] and an angle
  * [rad], and the volume widened so that it holds the volume of the view itself. What is chosen with it changes only

@@ -6,6 +6,7 @@
 #include "HeightGrid.h"
 #include "LittoralPipeline.h"
 #include "LittoralPlants.h"
+#include "LittoralRanges.h"
 #include "PlantMerge.h"
 #include "PlantScatter.h"
 #include "SceneCells.h"
@@ -833,6 +834,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkInformationVector* 
   WriteCounter(fields, "PolygonsShown", polygons);
   WriteCounter(fields, "PolygonsInAll", polygonsInAll);
   WriteCounter(fields, "OutputBytes", bytes);
+  littoral::KeepRanges(output);
   return true;
 }
 

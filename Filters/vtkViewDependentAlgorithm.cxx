@@ -28,12 +28,6 @@ void Copy(double x, double y, double z, double to[3])
   to[1] = y;
   to[2] = z;
 }
-
-bool AreTheSame(const littoral::View& a, const littoral::View& b)
-{
-  return a.Point == b.Point && a.Direction == b.Direction && a.Up == b.Up && a.Angle == b.Angle &&
-    a.AspectRatio == b.AspectRatio && a.Height == b.Height;
-}
 }
 
 //----------------------------------------------------------------------------
@@ -115,7 +109,7 @@ void vtkViewDependentAlgorithm::ChangeView(const Change& change)
 {
   const littoral::View before = this->RoundedView();
   change();
-  if (!AreTheSame(before, this->RoundedView()))
+  if (!littoral::AreTheSame(before, this->RoundedView()))
   {
     this->Modified();
   }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measure a real place, and grow a terrain like it.
+"""Measure a real place, grow a terrain like it, and walk through a forest there.
 
     pvbatch demo.py [FOLDER]
 
@@ -13,6 +13,8 @@ a twin from the best one, and writes into FOLDER (default: a new temporary folde
     variogram.png      what was measured, and what the models say
     fits.csv           the fitted models, best first
     twin.vti           the twin: image with the point array Elevation [m]
+    forest.png         a part of the place with woods
+    walk.ogv           a walk there, and its pictures walk.0000.png and on
 """
 
 import os
@@ -30,10 +32,12 @@ from littoral.picture import save_pair
 from littoral.scene import height_colour
 from littoral.tables import column, model_names, write_csv
 
-#: The example that measures and regrows point patterns.
-PATTERNS = os.path.join(
-    os.path.dirname(os.path.abspath(__file__)), "..", "Python", "regrow_patterns.py")
-STEPS = 8
+#: The examples that regrow point patterns and that walk through a forest.
+HERE = os.path.dirname(os.path.abspath(__file__))
+PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
+FOREST = os.path.join(HERE, "forest.py")
+WALK = dict(size=(854, 480), frames=72)
+STEPS = 9
 EXAGGERATION = 3.0
 START = time.time()
 
@@ -41,6 +45,12 @@ START = time.time()
 def say(step, text):
     """A line of progress: share done, seconds gone, what comes now."""
     print(f"[{100 * step // STEPS:3d} %, {time.time() - START:4.1f} s] {text}", flush=True)
+
+
+def tell_frames(frame, frames):
+    """Progress of the film."""
+    if frame % 12 == 0:
+        print(f"    frame {frame} of {frames}, {time.time() - START:4.1f} s", flush=True)
 
 
 def measure(image):
@@ -131,6 +141,9 @@ def main(folder):
 
     say(7, "drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
+
+    say(8, "drawing forest.png and filming walk.ogv: the longest part")
+    runpy.run_path(FOREST, run_name="forest")["main"](folder, **WALK, told=tell_frames)
     say(STEPS, f"all written into {folder}")
 
 

@@ -3,7 +3,8 @@
 """A forest on a real terrain, walked through by a camera.
 
     ./littoral gui Examples/ParaView/forest.py      opens it in ParaView
-    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png and the walk into FOLDER
+    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png, the pictures of the walk and
+                                                    the film walk.ogv into FOLDER
 
 The terrain is a part of the elevation model of the Jacksboro fault, refined; trees stand where its
 woods are. Terrain and trees come in levels of detail that follow the camera.
@@ -19,6 +20,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from littoral import landscape
 from littoral.elevation import write_vti
+from littoral.film import save_film
 
 #: Where the walk begins and ends, and what it looks at [m].
 FIRST, LAST, TARGET = (7300.0, 8200.0), (7180.0, 8080.0), (4200.0, 3200.0)
@@ -28,14 +30,21 @@ WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and the seed of its prototype
 #: Radius of the crown of each species, and height of its middle [m].
 CROWNS = np.array(((2.0, 4.5), (4.8, 6.5), (2.2, 7.0), (1.3, 0.9)))
+#: Trees along the walk: how far ahead and to the right [m], and the species.
+NEAR_TREES = (
+    (52, -21, 1), (78, -27, 2), (86, -34, 2), (70, 24, 2), (95, 33, 1), (118, 22, 0), (135, 30, 0),
+    (150, 41, 0), (47, 17, 3), (60, -8, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
+    (170, 10, 3), (210, 62, 1), (235, 48, 2), (140, -16, 2), (240, -10, 1), (260, 2, 1))
 #: How far grass and shadows reach from the walk [m].
-GRASS_REACH, SHADOW_REACH = 75.0, 900.0
+GRASS_REACH, SHADOW_REACH = 70.0, 900.0
+#: Levels of detail are made anew when the eye has gone so far [m] or turned so far [degrees].
+STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
 #: A tuft of grass, as a shrub without wood.
 GRASS = dict(
-    Preset="Custom", Height=0.42, CrownRadius=0.35, CrownBase=0.0, TrunkRadius=0.004,
-    TrunkReach=0.3, Orders=1, MainBranches=10, BranchAngle=40.0, Lift=0.3, NumberOfLeaves=45,
-    LeafSize=0.32, LeafWidth=0.09, LeafForm="Blade", LeafColor=[0.50, 0.56, 0.24],
-    BarkColor=[0.45, 0.50, 0.25])
+    Preset="Custom", Height=0.40, CrownRadius=0.30, CrownBase=0.0, TrunkRadius=0.004,
+    TrunkReach=0.3, Orders=1, MainBranches=2, BranchAngle=35.0, Lift=0.3, NumberOfLeaves=24,
+    LeafSize=0.34, LeafWidth=0.06, LeafForm="Blade", LeafColor=[0.56, 0.60, 0.30],
+    BarkColor=[0.55, 0.58, 0.30])
 
 
 def write_polydata(data, filename):
@@ -60,6 +69,15 @@ def eye_at(country, share):
     return np.array((*place, country.height(*place) + EYE_HEIGHT))
 
 
+def near_trees(country):
+    """The few trees that one walks past: positions and species."""
+    ahead = np.array(TARGET) - FIRST
+    ahead /= np.hypot(*ahead)
+    right = np.array((ahead[1], -ahead[0]))
+    distance, aside, species = np.array(NEAR_TREES).T
+    return FIRST + distance[:, None] * ahead + aside[:, None] * right, species.astype(int)
+
+
 def shadows_near(country, woods):
     """The shadows of the trees near the walk."""
     places = vtk_to_numpy(woods.GetPoints().GetData()).astype(float)
@@ -76,7 +94,7 @@ def build(folder, view):
 
     country = landscape.Country()
     write_vti(country.image, file("country.vti"))
-    woods = landscape.wood_sites(country, *WOODS)
+    woods = landscape.wood_sites(country, *WOODS, alone=near_trees(country))
     write_polydata(woods, file("sites.vtp"))
     write_polydata(shadows_near(country, woods), file("shadows.vtp"))
     write_polydata(landscape.sky_dome(eye_at(country, 0.5)), file("sky.vtp"))
@@ -89,26 +107,28 @@ def build(folder, view):
     trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
              for name, seed in SPECIES]
     ground = simple.TerrainLevelOfDetail(
-        registrationName="Ground", Input=terrain, NearDistance=600.0, FarDistance=6000.0)
+        registrationName="Ground", Input=terrain, NearDistance=600.0, FarDistance=6000.0, **STEADY)
     forest = simple.PlantScatter(
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
-        NearDistance=110.0, FarDistance=500.0)
+        NearDistance=260.0, FarDistance=700.0, **STEADY)
 
-    middle = eye_at(country, 0.5)
+    size = np.abs(np.subtract(FIRST, LAST)) + 2.0 * GRASS_REACH
     tufts = simple.QuadratPoints(
-        registrationName="Tufts", Origin=list(middle[:2] - GRASS_REACH), Law="Poisson Poisson",
-        Size=[2.0 * GRASS_REACH] * 2, Quadrats=[75, 75], MeanPerQuadrat=3.0, ClusterMean=2.0)
+        registrationName="Tufts", Origin=list(np.minimum(FIRST, LAST) - GRASS_REACH),
+        Size=list(size), Quadrats=[int(length / 2.0) for length in size], Law="Poisson Poisson",
+        MeanPerQuadrat=5.0, ClusterMean=3.0)
     grass = simple.PlantScatter(
         registrationName="Grass", Sites=tufts, Terrain=terrain, NearDistance=300.0,
         Prototypes=[simple.ReevesTree(registrationName="Tuft", **GRASS)], FarDistance=300.0,
-        MaximumDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.15)
+        MaximumDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.04, **STEADY)
 
     landscape.prepare_view(view)
     look(country, view, 0.0)
     landscape.show_sky(sky, view, file("sky.png"))
     landscape.show_ground(ground, view)
     landscape.show_shadows(shadows, view)
-    landscape.show_plants(grass, view)
+    blades = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
+    blades.Ambient, blades.Diffuse = 0.75, 0.45  # light comes through
     landscape.show_plants(forest, view)
     simple.UpdatePipeline(proxy=forest)
     simple.SaveData(file("crowns.png"), simple.OutputPort(forest, 1))
@@ -122,23 +142,48 @@ def look(country, view, share):
     landscape.look(view, eye_at(country, share), target, VIEW_ANGLE)
 
 
-def main(folder, size=(960, 540), frames=0):
-    """Build the scene; in batch, write the picture and the walk as well."""
+def plan_walk(country, view, frames):
+    """Give the camera of a view its way: press Play in ParaView to go it."""
+    scene = simple.GetAnimationScene()
+    scene.PlayMode, scene.NumberOfFrames = "Sequence", frames
+    scene.StartTime, scene.EndTime = 0.0, 1.0
+    stops = []
+    for share in np.linspace(0.0, 1.0, 9):
+        look(country, view, share)
+        stops.append(simple.CameraKeyFrame(
+            KeyTime=share, Position=view.CameraPosition, FocalPoint=view.CameraFocalPoint,
+            ViewUp=view.CameraViewUp, ViewAngle=VIEW_ANGLE))
+    track = simple.GetCameraTrack(view)
+    track.Mode, track.KeyFrames = "Interpolate Camera", stops
+    look(country, view, 0.0)
+
+
+def film_walk(country, view, folder, frames, told):
+    """Write the pictures of the walk, and the film of them; `told` hears of each frame."""
+    pictures = []
+    for frame in range(frames):
+        told(frame, frames)
+        look(country, view, frame / max(1, frames - 1))
+        pictures.append(os.path.join(folder, f"walk.{frame:04d}.png"))
+        simple.SaveScreenshot(pictures[-1], view)
+    save_film(os.path.join(folder, "walk.ogv"), pictures)
+
+
+def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
+    """Build the scene, write its picture and, if it is to have frames, the walk."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
     country = build(folder, view)
-    simple.Render(view)
-    for frame in range(frames):
-        look(country, view, frame / max(1, frames - 1))
-        simple.SaveScreenshot(os.path.join(folder, f"walk.{frame:04d}.png"), view)
-    if frames == 0 and len(sys.argv) > 1:
-        simple.SaveScreenshot(os.path.join(folder, "forest.png"), view)
+    plan_walk(country, view, frames or 120)
+    simple.SaveScreenshot(os.path.join(folder, "forest.png"), view)
+    if frames:
+        film_walk(country, view, folder, frames, told)
 
 
-if len(sys.argv) > 1:
-    main(sys.argv[1], tuple(map(int, sys.argv[2:4])) or (960, 540),
-         int(sys.argv[4]) if len(sys.argv) > 4 else 0)
-else:
-    main(tempfile.mkdtemp(prefix="littoral-"))
+if __name__ != "forest":  # another script has run this one for its functions
+    arguments = sys.argv[1:]
+    main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"),
+         tuple(map(int, arguments[1:3])) or (960, 540),
+         int(arguments[3]) if len(arguments) > 3 else 0)

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMFollowCameraProxy.h"
 
+#include "Constants.h"
+#include "ViewFrustum.h"
+
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -14,6 +17,64 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkSMFollowCameraProxy);
+
+namespace
+{
+constexpr double Degree = littoral::Pi / 180.0;
+
+littoral::Vector3 VectorOf(const double a[3])
+{
+  return { a[0], a[1], a[2] };
+}
+
+littoral::Vector3 GetVector(vtkSMProxy* proxy, const char* name)
+{
+  double a[3] = { 0.0, 0.0, 0.0 };
+  vtkSMPropertyHelper(proxy, name).Get(a, 3);
+  return VectorOf(a);
+}
+
+void SetVector(vtkSMProxy* proxy, const char* name, const littoral::Vector3& a)
+{
+  vtkSMPropertyHelper(proxy, name).Set(&a.x, 3);
+}
+
+/// The view that a filter was told of last.
+littoral::View ViewOf(vtkSMProxy* filter)
+{
+  littoral::View view;
+  view.Point = GetVector(filter, "ViewPoint");
+  view.Direction = GetVector(filter, "ViewDirection");
+  view.Up = GetVector(filter, "ViewUp");
+  view.Angle = vtkSMPropertyHelper(filter, "ViewAngle").GetAsDouble() * Degree;
+  view.AspectRatio = vtkSMPropertyHelper(filter, "AspectRatio").GetAsDouble();
+  view.Height = vtkSMPropertyHelper(filter, "ViewHeight").GetAsDouble();
+  return view;
+}
+
+/// What the camera of a view shows; a view that has no size yet leaves that of another.
+littoral::View ViewOf(vtkSMRenderViewProxy* shown, littoral::View view)
+{
+  const vtkSMPropertyHelper size(shown, "ViewSize");
+  if (size.GetNumberOfElements() == 2 && size.GetAsInt(0) > 0 && size.GetAsInt(1) > 0)
+  {
+    view.AspectRatio = static_cast<double>(size.GetAsInt(0)) / size.GetAsInt(1);
+    view.Height = size.GetAsInt(1);
+  }
+  vtkCamera* camera = shown->GetActiveCamera();
+  view.Point = VectorOf(camera->GetPosition());
+  view.Direction = VectorOf(camera->GetDirectionOfProjection());
+  view.Up = VectorOf(camera->GetViewUp());
+  view.Angle = camera->GetViewAngle() * Degree;
+  if (camera->GetParallelProjection())
+  {
+    // A perspective that shows as much at the focal point.
+    const double distance = camera->GetParallelScale() / std::tan(0.5 * view.Angle);
+    view.Point = VectorOf(camera->GetFocalPoint()) - distance * view.Direction;
+  }
+  return view;
+}
+}
 
 //----------------------------------------------------------------------------
 vtkSMFollowCameraProxy::vtkSMFollowCameraProxy() = default;
@@ -93,35 +154,40 @@ void vtkSMFollowCameraProxy::OnActiveView()
 //----------------------------------------------------------------------------
 void vtkSMFollowCameraProxy::OnPicture()
 {
-  vtkCamera* camera = this->View ? this->View->GetActiveCamera() : nullptr;
-  if (!camera || this->IsTaking)
+  if (!this->View || !this->View->GetActiveCamera() || this->IsTaking)
   {
     return;
   }
+  const littoral::View view = ViewOf(this->View, ViewOf(this));
+  if (!this->Shows(view))
+  {
+    this->Take(view);
+  }
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMFollowCameraProxy::Shows(const littoral::View& view)
+{
+  const littoral::View before = ViewOf(this);
+  if (!littoral::WhyInvalid(before).empty() || !littoral::WhyInvalid(view).empty())
+  {
+    return false; // the filter says why
+  }
+  const double length = std::max(0.0, vtkSMPropertyHelper(this, "MoveTolerance").GetAsDouble());
+  const double angle = std::max(0.0, vtkSMPropertyHelper(this, "TurnTolerance").GetAsDouble()) * Degree;
+  return littoral::AreTheSame(littoral::Rounded(view, length, angle), littoral::Rounded(before, length, angle));
+}
+
+//----------------------------------------------------------------------------
+void vtkSMFollowCameraProxy::Take(const littoral::View& view)
+{
   this->IsTaking = true;
-  const vtkSMPropertyHelper size(this->View, "ViewSize");
-  if (size.GetNumberOfElements() == 2 && size.GetAsInt(0) > 0 && size.GetAsInt(1) > 0)
-  {
-    vtkSMPropertyHelper(this, "AspectRatio").Set(static_cast<double>(size.GetAsInt(0)) / size.GetAsInt(1));
-    vtkSMPropertyHelper(this, "ViewHeight").Set(static_cast<double>(size.GetAsInt(1)));
-  }
-  double point[3];
-  camera->GetPosition(point);
-  double angle = camera->GetViewAngle();
-  if (camera->GetParallelProjection())
-  {
-    // A perspective that shows as much at the focal point.
-    constexpr double Degree = 3.14159265358979323846 / 180.0;
-    const double distance = camera->GetParallelScale() / std::tan(0.5 * angle * Degree);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      point[axis] = camera->GetFocalPoint()[axis] - distance * camera->GetDirectionOfProjection()[axis];
-    }
-  }
-  vtkSMPropertyHelper(this, "ViewPoint").Set(point, 3);
-  vtkSMPropertyHelper(this, "ViewDirection").Set(camera->GetDirectionOfProjection(), 3);
-  vtkSMPropertyHelper(this, "ViewUp").Set(camera->GetViewUp(), 3);
-  vtkSMPropertyHelper(this, "ViewAngle").Set(angle);
+  SetVector(this, "ViewPoint", view.Point);
+  SetVector(this, "ViewDirection", view.Direction);
+  SetVector(this, "ViewUp", view.Up);
+  vtkSMPropertyHelper(this, "ViewAngle").Set(view.Angle / Degree);
+  vtkSMPropertyHelper(this, "AspectRatio").Set(view.AspectRatio);
+  vtkSMPropertyHelper(this, "ViewHeight").Set(view.Height);
   this->UpdateVTKObjects();
   this->IsTaking = false;
 }

@@ -5,7 +5,8 @@
  * @brief   a filter that follows the camera of the active view
  *
  * While the property FollowCamera of the proxy is on, the properties ViewPoint, ViewDirection, ViewUp, ViewAngle,
- * AspectRatio and ViewHeight take the values of the active render view before each of its pictures. It lives in the
+ * AspectRatio and ViewHeight take the values of the active render view before each of its pictures, if these differ by
+ * more than MoveTolerance and TurnTolerance: else nothing downstream would change, yet be drawn anew. It lives in the
  * client, with or without a window: in ParaView, in pvpython, and in front of a server; a state file keeps it.
  */
 #ifndef vtkSMFollowCameraProxy_h
@@ -15,6 +16,11 @@
 #include "vtkSMNaturalDisplayProxy.h"
 
 class vtkSMRenderViewProxy;
+
+namespace littoral
+{
+struct View;
+}
 
 class LITTORALCLIENTPROXIES_EXPORT vtkSMFollowCameraProxy : public vtkSMNaturalDisplayProxy
 {
@@ -37,6 +43,8 @@ private:
   void WatchView(vtkSMRenderViewProxy* view);
   void OnActiveView();
   void OnPicture();
+  bool Shows(const littoral::View& view);
+  void Take(const littoral::View& view);
 
   vtkWeakPointer<vtkObject> Selection; ///< of the active view
   vtkWeakPointer<vtkSMRenderViewProxy> View;

@@ -22,13 +22,15 @@ from .elevation import array_from_image, image_from_array, read_elevation
 from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 
 #: Azimuth and elevation of the sun [degrees].
-SUN = (165.0, 38.0)
+SUN = (120.0, 34.0)
 #: Colour of the air far away, and how far one sees [m].
 HAZE, SIGHT = (0.70, 0.79, 0.88), 9000.0
 #: Radius of the sky [m]. It is drawn behind all else, however far that is: a dome beyond the land
 #: would push the near plane of the view away from the eye.
 SKY = 4000.0
-BEHIND = [{"type": "fragment", "original": "//VTK::Depth::Impl", "replacement": "gl_FragDepth = 0.999999;"}]
+BEHIND = [
+    {"type": "fragment", "original": "//VTK::Depth::Impl",
+     "replacement": "gl_FragDepth = 0.999999;"}]
 
 PLACE = [
     {"type": "vertex", "original": "//VTK::PositionVC::Dec",
@@ -148,11 +150,13 @@ def _sampled(values, spacing, x, y):
 # Woods --------------------------------------------------------------------------------------------
 
 
-def wood_sites(country, origin, size, mean_distance=13.0, seed=1):
+def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
     """Sites of trees on a rectangle, with the point array Species: 0 pine, 1 oak, 2 birch, 3 shrub.
 
     Neyman's law of type A gives the clusters of the candidates; they stay where the country is
     wooded, a few alone on the meadows. Pines like the heights, birches the edges of woods.
+
+    alone: further trees, positions [n, 2] and species [n]; no other tree stands within 25 m.
     """
     source = vtkQuadratPointSource()
     source.SetOrigin(*origin)
@@ -173,6 +177,13 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1):
     edge = np.exp(-((wood - 0.45) / 0.25) ** 2)
     species = np.where(chance[1] < high, 0, np.where(chance[2] < 0.15 + 0.5 * edge, 2, 1))
     species[(wood < 0.35) & (chance[2] < 0.5)] = 3
+    if alone is not None:
+        places, kinds = alone
+        apart = np.hypot(x[:, None] - places[:, 0], y[:, None] - places[:, 1]).min(axis=1)
+        stays &= apart > 25.0
+        x, y = (np.concatenate((v[stays], places[:, k])) for k, v in enumerate((x, y)))
+        z, species = country.height(x, y), np.concatenate((species[stays], kinds))
+        stays = np.ones(len(x), bool)
     return points_with(np.column_stack((x, y, z))[stays], Species=species[stays].astype(np.int32))
 
 
@@ -246,7 +257,7 @@ def write_sky(filename, columns=6144, rows=1024, seed=4):
     density = _sampled(
         np.pad(clouds, (0, 1), mode="wrap"), (1.0, 1.0), (reach * np.sin(azimuth)) % cells,
         (reach * np.cos(azimuth)) % cells)
-    cover = scene._step(density, 0.55, 1.45) * np.clip((elevation - 0.03) / 0.25, 0.0, 0.9)
+    cover = scene._step(density, 0.45, 2.1) * np.clip((elevation - 0.03) / 0.25, 0.0, 0.92)
     low = np.exp(-3.4 * np.sin(elevation)) * np.ones_like(azimuth)
     blue = scene._mix(np.array((0.26, 0.46, 0.76)), np.array((0.76, 0.85, 0.92)), low)
     shade = 1.0 - 0.22 * np.clip((density - 1.2) / 1.6, 0.0, 1.0)
@@ -333,11 +344,14 @@ def show_ground(source, view):
     return shown
 
 
-def show_plants(source, view):
-    """Show the levels of a scattered forest but for the crowns of the middle one."""
-    # Without the skeletons: lines have no normals for the shader.
-    parts = simple.ExtractBlock(Input=source, Selectors=[
-        "/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low"])
+#: What one sees of scattered plants, but for the crowns of the middle level. Skeletons are left out:
+#: lines have no normals for the shader.
+PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low")
+
+
+def show_plants(source, view, parts=PLANT_PARTS):
+    """Show parts of scattered plants."""
+    parts = simple.ExtractBlock(Input=source, Selectors=list(parts))
     shown = _show_coloured(parts, view)
     shown.Ambient = 0.35
     shown.Specular = 0.0

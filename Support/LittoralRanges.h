@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralRanges_h
+#define LittoralRanges_h
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+// ParaView asks each array of each update for its ranges, by component and of its length. VTK finds them once and keeps
+// them with the array, but slowly: for a forest that follows the camera it is most of the time. Here they are found in
+// one pass over memory and kept where VTK looks for them. VTK drops them when an array is modified, as it drops its
+// own.
+
+namespace littoral
+{
+
+/// Smallest and largest values.
+struct ValueRange
+{
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+
+  void Add(double value)
+  {
+    this->Low = std::min(this->Low, value);
+    this->High = std::max(this->High, value);
+  }
+  void Add(const ValueRange& other)
+  {
+    this->Low = std::min(this->Low, other.Low);
+    this->High = std::max(this->High, other.High);
+  }
+};
+
+/// Ranges of the components of an array, and of the squared length of its tuples.
+struct TupleRanges
+{
+  static constexpr int Most = 9; ///< components
+  std::array<ValueRange, Most> Components;
+  ValueRange SquaredLength;
+  bool AreFinite = true;
+
+  template <typename T>
+  void AddTuples(const T* tuple, const T* end, int components)
+  {
+    for (; tuple != end; tuple += components)
+    {
+      double squares = 0.0;
+      for (int c = 0; c < components; ++c)
+      {
+        const double value = static_cast<double>(tuple[c]);
+        this->Components[c].Add(value);
+        squares += value * value;
+      }
+      this->SquaredLength.Add(squares);
+      this->AreFinite = this->AreFinite && std::isfinite(squares);
+    }
+  }
+
+  void Add(const TupleRanges& other)
+  {
+    for (int c = 0; c < Most; ++c)
+    {
+      this->Components[c].Add(other.Components[c]);
+    }
+    this->SquaredLength.Add(other.SquaredLength);
+    this->AreFinite = this->AreFinite && other.AreFinite;
+  }
+};
+
+template <typename T>
+TupleRanges RangesOf(const T* values, vtkIdType tuples, int components)
+{
+  vtkSMPThreadLocal<TupleRanges> local;
+  vtkSMPTools::For(0, tuples, 65536, [&](vtkIdType begin, vtkIdType end) {
+    local.Local().AddTuples(values + begin * components, values + end * components, components);
+  });
+  TupleRanges all;
+  for (const TupleRanges& part : local)
+  {
+    all.Add(part);
+  }
+  return all;
+}
+
+inline void SetRange(vtkInformation* info, vtkInformationDoubleVectorKey* key, double low, double high)
+{
+  const double range[2] = { low, high };
+  info->Set(key, range, 2);
+}
+
+/// Finds the ranges of an array that is complete. Arrays with values that are not finite are left to VTK.
+inline void KeepRanges(vtkDataArray* array)
+{
+  const int components = array ? array->GetNumberOfComponents() : 0;
+  const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
+  if (tuples == 0 || components < 1 || components > TupleRanges::Most || !array->HasStandardMemoryLayout())
+  {
+    return;
+  }
+  TupleRanges ranges;
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(ranges = RangesOf(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), tuples, components));
+    default:
+      return;
+  }
+  if (!ranges.AreFinite)
+  {
+    return;
+  }
+  vtkInformation* info = array->GetInformation();
+  for (vtkInformationInformationVectorKey* each :
+    { vtkDataArray::PER_COMPONENT(), vtkDataArray::PER_FINITE_COMPONENT() })
+  {
+    auto all = vtkSmartPointer<vtkInformationVector>::New();
+    all->SetNumberOfInformationObjects(components);
+    for (int c = 0; c < components; ++c)
+    {
+      const ValueRange& range = ranges.Components[c];
+      SetRange(all->GetInformationObject(c), vtkDataArray::COMPONENT_RANGE(), range.Low, range.High);
+    }
+    info->Set(each, all);
+  }
+  if (components > 1)
+  {
+    const ValueRange& squared = ranges.SquaredLength;
+    for (vtkInformationDoubleVectorKey* key : { vtkDataArray::L2_NORM_RANGE(), vtkDataArray::L2_NORM_FINITE_RANGE() })
+    {
+      SetRange(info, key, std::sqrt(squared.Low), std::sqrt(squared.High));
+    }
+  }
+}
+
+/// Finds the ranges of all arrays and of the points of data that are complete: points, polygons, blocks of them.
+inline void KeepRanges(vtkDataObject* data)
+{
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+    {
+      KeepRanges(each->GetCurrentDataObject());
+    }
+    return;
+  }
+  auto* set = vtkPointSet::SafeDownCast(data);
+  if (!set)
+  {
+    return;
+  }
+  if (set->GetPoints())
+  {
+    KeepRanges(set->GetPoints()->GetData());
+  }
+  for (vtkDataSetAttributes* fields :
+    { static_cast<vtkDataSetAttributes*>(set->GetPointData()), static_cast<vtkDataSetAttributes*>(set->GetCellData()) })
+  {
+    for (int k = 0; k < fields->GetNumberOfArrays(); ++k)
+    {
+      KeepRanges(fields->GetArray(k));
+    }
+  }
+}
+
+}
+
+#endif

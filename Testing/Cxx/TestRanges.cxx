@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Ranges that are kept with arrays are those that VTK finds, and are dropped when an array changes.
+
+#include "LittoralRanges.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+
+int Failures = 0;
+
+void Check(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    std::cerr << "FAILED: " << what << "\n";
+    ++Failures;
+  }
+}
+
+bool AreNear(const double a[2], const double b[2])
+{
+  return std::abs(a[0] - b[0]) <= 1e-15 * std::abs(b[0]) && std::abs(a[1] - b[1]) <= 1e-15 * std::abs(b[1]);
+}
+
+/// Numbers that differ by type, sign and component.
+template <typename Array>
+void Fill(Array* array, int components, vtkIdType tuples)
+{
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k)
+  {
+    array->SetValue(k, static_cast<typename Array::ValueType>(100.0 * std::sin(0.37 * k + k % components) + 100.0));
+  }
+}
+
+void CheckRanges(vtkDataArray* array)
+{
+  vtkSmartPointer<vtkDataArray> plain;
+  plain.TakeReference(array->NewInstance());
+  plain->DeepCopy(array);
+  plain->Modified();
+  littoral::KeepRanges(array);
+  Check(array->GetInformation()->Has(vtkDataArray::PER_COMPONENT()), "ranges are kept");
+  for (int c = array->GetNumberOfComponents() > 1 ? -1 : 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    double kept[2];
+    double found[2];
+    array->GetRange(kept, c);
+    plain->GetRange(found, c);
+    Check(AreNear(kept, found), "ranges are those of VTK");
+    array->GetFiniteRange(kept, c);
+    plain->GetFiniteRange(found, c);
+    Check(AreNear(kept, found), "finite ranges are those of VTK");
+  }
+}
+
+}
+
+int TestRanges(int, char*[])
+{
+  vtkNew<vtkFloatArray> floats;
+  vtkNew<vtkDoubleArray> doubles;
+  vtkNew<vtkIntArray> ints;
+  vtkNew<vtkUnsignedCharArray> bytes;
+  Fill(floats.Get(), 3, 200000); // more than one thread takes at once
+  Fill(doubles.Get(), 1, 1000);
+  Fill(ints.Get(), 4, 1000);
+  Fill(bytes.Get(), 3, 10);
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(floats), static_cast<vtkDataArray*>(doubles),
+         static_cast<vtkDataArray*>(ints), static_cast<vtkDataArray*>(bytes) })
+  {
+    CheckRanges(array);
+  }
+
+  doubles->SetValue(7, 1e6);
+  doubles->Modified();
+  Check(doubles->GetRange()[1] == 1e6, "a changed array is looked at anew");
+
+  doubles->SetValue(8, std::numeric_limits<double>::quiet_NaN());
+  doubles->Modified();
+  littoral::KeepRanges(doubles);
+  Check(!doubles->GetInformation()->Has(vtkDataArray::PER_COMPONENT()), "values that are not finite are VTK's concern");
+
+  vtkNew<vtkFloatArray> empty;
+  littoral::KeepRanges(empty);
+  Check(!empty->HasInformation(), "an empty array has no range");
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
