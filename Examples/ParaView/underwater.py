@@ -3,7 +3,7 @@
 """Under the waves: the surface from below, a sandy bed with stones, particles that fade into fog.
 
     ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView
-    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png, or frames, into FOLDER
+    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png, or a film, into FOLDER
 
 The same wave trains move the surface and the particles.
 """
@@ -16,10 +16,11 @@ from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from littoral import underwater
+from littoral.film import save_film
 
 DEPTH = 9.5  # of the water [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
-TIME, FRAMES_A_SECOND = 7.3, 24.0
+TIME, FRAMES_A_SECOND = 7.3, 24
 
 
 def reader(name, data, folder):
@@ -69,12 +70,15 @@ def main(folder, size=(960, 540), frames=0):
     view.ViewSize = list(size)
     shaded = build(folder, view)
     simple.Render(view)
-    for frame in range(frames):
+    pictures = [os.path.join(folder, f"underwater.{frame:04d}.png") for frame in range(frames)]
+    for frame, picture in enumerate(pictures):
         time = TIME + frame / FRAMES_A_SECOND
         for shown in shaded:
             underwater.set_time(shown, time)
         view.ViewTime = time
-        simple.SaveScreenshot(os.path.join(folder, f"underwater.{frame:04d}.png"), view)
+        simple.SaveScreenshot(picture, view)
+    if frames > 0:
+        save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
     if frames == 0 and len(sys.argv) > 1:
         simple.SaveScreenshot(os.path.join(folder, "underwater.png"), view)
 
