@@ -21,6 +21,7 @@ littoral_find_headers(kissfft::header kissfft/kissfft.hh)
 find_package(Threads REQUIRED)
 
 if (NOT LITTORAL_WITH_VTK)
+  set(LITTORAL_WITH_OPENVDB OFF)
   set(LITTORAL_WITH_PARAVIEW OFF)
   set(LITTORAL_WITH_PYTHON OFF)
   return ()
@@ -31,12 +32,34 @@ if (LITTORAL_WITH_PYTHON AND NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python interpreter")
 endif ()
 
+# --- OpenVDB. Its own find module insists on what it was compiled with; a program wants less.
+if (LITTORAL_WITH_OPENVDB)
+  find_path(OpenVDB_INCLUDE_DIR openvdb/openvdb.h)
+  find_library(OpenVDB_LIBRARY openvdb)
+  mark_as_advanced(OpenVDB_INCLUDE_DIR OpenVDB_LIBRARY)
+  find_package(TBB QUIET CONFIG)
+  find_package(Imath QUIET CONFIG)
+  if (OpenVDB_INCLUDE_DIR AND OpenVDB_LIBRARY AND TARGET TBB::tbb AND TARGET Imath::Imath)
+    add_library(OpenVDB::openvdb UNKNOWN IMPORTED GLOBAL)
+    set_target_properties(OpenVDB::openvdb PROPERTIES
+      IMPORTED_LOCATION "${OpenVDB_LIBRARY}"
+      INTERFACE_INCLUDE_DIRECTORIES "${OpenVDB_INCLUDE_DIR}"
+      INTERFACE_LINK_LIBRARIES "TBB::tbb;Imath::Imath;Boost::headers;Threads::Threads")
+  else ()
+    message(STATUS "OpenVDB, or TBB or Imath that it needs, was not found: no vtkVDBVolumeWriter")
+    set(LITTORAL_WITH_OPENVDB OFF)
+  endif ()
+endif ()
+
 # --- VTK, through ParaView if it is there.
 # Components are named so that only their dependencies are looked up. What the tests add is
 # optional: VTK would otherwise insist on the development files of every image format.
 set(littoral_vtk_components
   CommonCore CommonDataModel CommonExecutionModel RenderingCore)
 set(littoral_vtk_test_components)
+if (LITTORAL_WITH_OPENVDB)
+  list(APPEND littoral_vtk_components IOCore ParallelCore)
+endif ()
 if (LITTORAL_WITH_PYTHON)
   list(APPEND littoral_vtk_components WrappingPythonCore)
 endif ()

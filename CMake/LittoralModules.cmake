@@ -4,7 +4,7 @@
 # The VTK modules, their Python wrapping and the ParaView plugin, in the order that VTK's and
 # ParaView's build functions ask for.
 
-set(littoral_want_tests NO)
+set(littoral_want_tests OFF)
 if (LITTORAL_BUILD_TESTING)
   set(littoral_want_tests WANT) # makes TEST_DEPENDS known to Testing/Cxx
 endif ()
@@ -16,14 +16,23 @@ if (LITTORAL_WITH_PARAVIEW)
   set(littoral_client_module Littoral::LittoralClientProxies)
 endif ()
 
+set(littoral_io_file)
+set(littoral_io_module)
+if (LITTORAL_WITH_OPENVDB)
+  set(littoral_io_file "${PROJECT_SOURCE_DIR}/IO/vtk.module")
+  set(littoral_io_module Littoral::LittoralIO)
+endif ()
+
 vtk_module_scan(
   MODULE_FILES
     "${PROJECT_SOURCE_DIR}/Sources/vtk.module"
     "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
+    ${littoral_io_file}
     ${littoral_client_file}
   REQUEST_MODULES
     Littoral::LittoralSources
     Littoral::LittoralFilters
+    ${littoral_io_module}
     ${littoral_client_module}
   PROVIDES_MODULES littoral_modules
   ENABLE_TESTS ${littoral_want_tests})

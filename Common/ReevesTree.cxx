@@ -3,6 +3,7 @@
 #include "ReevesTree.h"
 
 #include "Constants.h"
+#include "ParameterRange.h"
 #include "RandomStream.h"
 
 #include <algorithm>
@@ -238,16 +239,6 @@ private:
     }
   }
 };
-
-std::string OutOfRange(const char* name, double value, double low, double high)
-{
-  if (std::isfinite(value) && value >= low && value <= high)
-  {
-    return {};
-  }
-  return std::string(name) + " is " + std::to_string(value) + "; it must be from " + std::to_string(low) + " to " +
-    std::to_string(high) + ".";
-}
 
 }
 

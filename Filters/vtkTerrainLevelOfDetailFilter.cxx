@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainLevelOfDetailFilter.h"
 
+#include "GroundColour.h"
 #include "LittoralPipeline.h"
+#include "LittoralRanges.h"
 #include "LittoralTables.h"
 #include "TerrainLevels.h"
 
@@ -25,6 +27,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,9 +114,46 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
   return carried;
 }
 
+/// Colours of the ground, or nothing where the image has its own or none are wanted.
+class GroundPainter
+{
+public:
+  GroundPainter(const littoral::TerrainPyramid& pyramid, vtkImageData* image, bool paints)
+    : Pyramid(pyramid)
+    , Reflectance(image->GetPointData()->GetArray("Reflectance"))
+    , Paints(paints && !image->GetPointData()->HasArray("RGB"))
+  {
+    const std::vector<float>& heights = pyramid.GetSamples().Values;
+    const auto ends = std::minmax_element(heights.begin(), heights.end());
+    this->Lowest = *ends.first;
+    this->Relief = std::max(static_cast<double>(*ends.second) - this->Lowest, 1e-9);
+  }
+
+  explicit operator bool() const { return this->Paints; }
+
+  littoral::Colour operator()(std::size_t sample) const
+  {
+    littoral::GroundPlace place;
+    place.Slope = std::acos(std::min(1.0, static_cast<double>(this->Pyramid.GetNormal(sample)[2])));
+    place.Height = (this->Pyramid.GetSamples().Values[sample] - this->Lowest) / this->Relief;
+    if (this->Reflectance)
+    {
+      place.Reflectance = this->Reflectance->GetComponent(static_cast<vtkIdType>(sample), 0);
+    }
+    return littoral::GroundColour(place);
+  }
+
+private:
+  const littoral::TerrainPyramid& Pyramid;
+  vtkDataArray* Reflectance;
+  bool Paints;
+  double Lowest = 0.0;
+  double Relief = 1.0;
+};
+
 /// Makes a block of its parts, each on a thread of its own.
-vtkSmartPointer<vtkPolyData> MakeBlock(
-  const Layout& layout, const littoral::TerrainPyramid& pyramid, vtkImageData* image, vtkDataArray* heights)
+vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::TerrainPyramid& pyramid,
+  const GroundPainter& painter, vtkImageData* image, vtkDataArray* heights)
 {
   const auto positions = NewArray<vtkDoubleArray>("Points", 3, layout.Points);
   const auto elevation = NewArray<vtkFloatArray>("Elevation", 1, layout.Points);
@@ -122,6 +162,7 @@ vtkSmartPointer<vtkPolyData> MakeBlock(
   const auto levels = NewArray<vtkIntArray>("Level", 1, layout.Triangles);
   const auto offsets = NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1);
   const auto connectivity = NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles);
+  const auto colours = NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0);
   const CarriedArrays carried = NewCarriedArrays(image, heights, layout.Points);
   const littoral::HeightSamples& samples = pyramid.GetSamples();
 
@@ -133,6 +174,10 @@ vtkSmartPointer<vtkPolyData> MakeBlock(
     float* coordinate = coordinates->GetPointer(2 * point);
     coordinate[0] = static_cast<float>(static_cast<double>(sample % samples.Width) / (samples.Width - 1));
     coordinate[1] = static_cast<float>(static_cast<double>(sample / samples.Width) / (samples.Height - 1));
+    if (painter)
+    {
+      std::copy_n(painter(sample).data(), 3, colours->GetPointer(3 * point));
+    }
     for (const auto& pair : carried)
     {
       pair.second->SetTuple(point, static_cast<vtkIdType>(sample), pair.first);
@@ -175,6 +220,14 @@ vtkSmartPointer<vtkPolyData> MakeBlock(
     block->GetPointData()->AddArray(pair.second);
   }
   block->GetPointData()->SetScalars(elevation);
+  if (painter)
+  {
+    block->GetPointData()->AddArray(colours);
+  }
+  if (block->GetPointData()->HasArray("RGB"))
+  {
+    block->GetPointData()->SetActiveScalars("RGB");
+  }
   block->GetPointData()->SetNormals(normals);
   block->GetPointData()->SetTCoords(coordinates);
   block->GetCellData()->AddArray(levels);
@@ -212,6 +265,7 @@ vtkTerrainLevelOfDetailFilter::vtkTerrainLevelOfDetailFilter()
   , NumberOfLevels(5)
   , TileSize(32)
   , Cull(true)
+  , GroundColors(true)
   , Kept(new KeptPyramid)
 {
   this->NearDistance = 250.0;
@@ -406,11 +460,12 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
       shown += 1.0;
     }
   }
+  const GroundPainter painter(pyramid, image, this->GroundColors);
   double polygons = 0.0;
   for (std::size_t block = 0; block <= seams; ++block)
   {
     const unsigned int index = static_cast<unsigned int>(block);
-    output->SetBlock(index, MakeBlock(layouts[block], pyramid, image, heights));
+    output->SetBlock(index, MakeBlock(layouts[block], pyramid, painter, image, heights));
     const std::string name = block == seams ? "Seams" : "Level" + std::to_string(block);
     output->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name.c_str());
     polygons += static_cast<double>(layouts[block].Triangles);
@@ -422,6 +477,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   AddCount(output, "PolygonsShown", polygons);
   AddCount(output, "PolygonsAtFullDetail", 2.0 * (samples.Width - 1) * (samples.Height - 1));
   AddCount(output, "LargestScreenError", largestError);
+  littoral::KeepRanges(output);
   return 1;
 }
 
@@ -434,4 +490,5 @@ void vtkTerrainLevelOfDetailFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "TileSize: " << this->TileSize << "\n";
   os << indent << "Cull: " << (this->Cull ? "on" : "off") << "\n";
+  os << indent << "GroundColors: " << (this->GroundColors ? "on" : "off") << "\n";
 }

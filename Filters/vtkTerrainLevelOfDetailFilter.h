@@ -10,9 +10,9 @@
  * Output: a vtkMultiBlockDataSet of vtkPolyData: `Level0` (all samples), `Level1` (every second) and so on, and
  * `Seams`, the vertical triangles that close the gaps between tiles of different levels, as Setas et al. propose in
  * section 4.1.1. Point arrays: `Elevation` (float) [m], `Normals` (of the full resolution, at any level), `TCoords`
- * (0 to 1 over the terrain), and the other numeric point arrays of the input. Cell array: `Level`, for a seam that of
- * the coarser side. Field data: `TilesShown`, `TilesInAll`, `PolygonsShown`, `PolygonsAtFullDetail`,
- * `LargestScreenError` [pixels].
+ * (0 to 1 over the terrain), `RGB` (see GroundColors), and the other numeric point arrays of the input. Cell array:
+ * `Level`, for a seam that of the coarser side. Field data: `TilesShown`, `TilesInAll`, `PolygonsShown`,
+ * `PolygonsAtFullDetail`, `LargestScreenError` [pixels].
  *
  * What does not depend on the view is kept until the input changes. Piece 0 holds all, other pieces are empty.
  *
@@ -75,6 +75,14 @@ public:
   vtkBooleanMacro(Cull, bool);
   ///@}
 
+  ///@{
+  /// Adds the point array `RGB`, the colours of a temperate country: meadow, dry grass where the array `Reflectance` of
+  /// the input is high, rock where it is steep. An array `RGB` of the input goes before. Default on.
+  vtkSetMacro(GroundColors, bool);
+  vtkGetMacro(GroundColors, bool);
+  vtkBooleanMacro(GroundColors, bool);
+  ///@}
+
 protected:
   vtkTerrainLevelOfDetailFilter();
   ~vtkTerrainLevelOfDetailFilter() override;
@@ -88,6 +96,7 @@ protected:
   int NumberOfLevels;
   int TileSize;
   bool Cull;
+  bool GroundColors;
 
 private:
   vtkTerrainLevelOfDetailFilter(const vtkTerrainLevelOfDetailFilter&) = delete;

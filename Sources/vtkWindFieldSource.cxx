@@ -10,6 +10,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -285,6 +286,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   velocity->SetName("Velocity");
   velocity->SetNumberOfComponents(littoral::WindComponents);
   velocity->SetNumberOfTuples(output->GetNumberOfPoints());
+  velocity->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
   const Shift shift = ShiftAt(std::isfinite(time) ? time : 0.0, grid);
   const Turn turn{ place[0], place[3] };
   const std::size_t across = static_cast<std::size_t>(extent[3]) - extent[2] + 1;

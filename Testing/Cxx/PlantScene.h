@@ -21,6 +21,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 
 #include <cstring>
@@ -43,14 +44,14 @@ public:
   }
 
   /// Adds all polygons below a data object, moved by x; a texture goes on all of them and replaces their colours where
-  /// it is asked to.
-  void Add(vtkDataObject* data, double x, vtkImageData* texture = nullptr, bool replaces = false)
+  /// it is asked to; or the polygons are cut out where it is transparent.
+  void Add(vtkDataObject* data, double x, vtkImageData* texture = nullptr, bool replaces = false, bool cutsOut = false)
   {
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
     {
       for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
       {
-        this->Add(blocks->GetBlock(index), x, texture, replaces);
+        this->Add(blocks->GetBlock(index), x, texture, replaces, cutsOut);
       }
       return;
     }
@@ -73,6 +74,12 @@ public:
       picture->SetInputData(texture);
       picture->InterpolateOn();
       actor->SetTexture(picture);
+    }
+    if (cutsOut)
+    {
+      actor->ForceOpaqueOn();
+      actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true,
+        "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n  gl_FragData[0].a = 1.0;\n", false);
     }
     this->Renderer->AddActor(actor);
   }

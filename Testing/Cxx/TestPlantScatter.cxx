@@ -3,6 +3,7 @@
 // Plants over sites: blocks, ids, terrain, memory between executions, pieces, threads, bad input, a picture.
 #include "ErrorCounter.h"
 #include "PlantScene.h"
+#include "vtkGardnerPlantSource.h"
 #include "vtkPlantScatterFilter.h"
 #include "vtkQuadratPointSource.h"
 #include "vtkReevesTreeSource.h"
@@ -16,8 +17,10 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -480,6 +483,68 @@ bool Atlas()
     good && texels && texels->GetNumberOfTuples() == size[0] * size[1], "the crown does not carry the atlas");
 }
 
+/// A plant of quadrics among trees of particles: each shows its own part of the common picture of leaves.
+bool MixedKinds()
+{
+  Forest forest;
+  vtkNew<vtkGardnerPlantSource> bush;
+  bush->SetPreset(vtkGardnerPlantSource::Bush);
+  bush->SetTextureSize(32, 16);
+  forest.Filter->AddInputConnection(1, bush->GetOutputPort());
+  forest.Filter->UseLevelsOff();
+  forest.Filter->UseCellsOff();
+  forest.Filter->Update();
+  auto* atlas = vtkImageData::SafeDownCast(forest.Filter->GetOutputDataObject(2));
+  auto* own = vtkImageData::SafeDownCast(bush->GetOutputDataObject(2));
+  auto* leaf = vtkImageData::SafeDownCast(forest.Pine->GetOutputDataObject(2));
+  const int* size = atlas->GetDimensions();
+  bool good = Check(
+    size[0] == own->GetDimensions()[0] + 4 && size[1] == own->GetDimensions()[1] + 2 * leaf->GetDimensions()[1] + 12,
+    "the pictures of leaves do not lie one above the other");
+  int announced[6];
+  forest.Filter->GetOutputInformation(2)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), announced);
+  good &= Check(announced[1] == size[0] - 1 && announced[3] == size[1] - 1, "the announced picture of leaves");
+  vtkDataArray* plants = forest.Array("High/Leaves", "PlantId");
+  vtkDataArray* coordinates = forest.Array("High/Leaves", "TCoords");
+  vtkDataArray* species = forest.Fields()->GetArray("Species");
+  auto* bushLeaves = vtkPolyData::SafeDownCast(BlockAt(bush->GetOutputDataObject(0), "High/Leaves"));
+  vtkDataArray* bushCoordinates = bushLeaves->GetPointData()->GetTCoords();
+  // The bush is the third from the foot; each picture has a border of two texels.
+  const int corner[2] = { 2, 2 * (leaf->GetDimensions()[1] + 4) + 2 };
+  for (int row = 0; row < own->GetDimensions()[1]; ++row)
+  {
+    const auto* from = static_cast<unsigned char*>(own->GetScalarPointer(0, row, 0));
+    const auto* to = static_cast<unsigned char*>(atlas->GetScalarPointer(corner[0], corner[1] + row, 0));
+    if (std::memcmp(from, to, 4 * static_cast<std::size_t>(own->GetDimensions()[0])) != 0)
+    {
+      return Check(false, "the picture of leaves is not in the common one");
+    }
+  }
+  std::map<int, vtkIdType> next; // vertex of the bush, by plant
+  vtkIdType compared = 0;
+  double farthest = 0.0; // [texels]
+  for (vtkIdType point = 0; point < plants->GetNumberOfTuples(); ++point)
+  {
+    const int plant = static_cast<int>(plants->GetTuple1(point));
+    if (species->GetTuple1(plant) != 2.0)
+    {
+      continue;
+    }
+    ++compared;
+    const vtkIdType vertex = next[plant]++;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double there = coordinates->GetComponent(point, axis) * size[axis];
+      const double here = bushCoordinates->GetComponent(vertex, axis) * own->GetDimensions()[axis];
+      farthest = std::max(farthest, std::abs(there - corner[axis] - here));
+    }
+  }
+  const auto bushes = static_cast<vtkIdType>(next.size());
+  good &= Check(bushes > 0 && bushes < 60, "the kinds are not mixed");
+  good &= Check(compared == bushes * bushLeaves->GetNumberOfPoints(), "leaves of quadrics got lost");
+  return good & Check(farthest < 1e-3, "quadrics show another part of the picture of leaves");
+}
+
 bool EmptySites()
 {
   Forest forest(0);
@@ -606,7 +671,7 @@ bool TooMuch()
 int TestPlantScatter(int argc, char* argv[])
 {
   if (!Blocks() || !Joints() || !Ground() || !Arrays() || !Memory() || !Threads() || !Pieces() || !Atlas() ||
-    !EmptySites() || !BadInput() || !TooMuch())
+    !MixedKinds() || !EmptySites() || !BadInput() || !TooMuch())
   {
     return EXIT_FAILURE;
   }

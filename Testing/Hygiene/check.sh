@@ -15,7 +15,7 @@ fail_if_found() { # MESSAGE, with the offending lines on standard input
   fi
 }
 
-folders=(CMake Common Support Sources Filters paraview-plugin Wrapping Examples Testing)
+folders=(CMake Common Support Sources Filters IO paraview-plugin Wrapping Examples Testing)
 
 case "${1:-}" in
   common-without-vtk)

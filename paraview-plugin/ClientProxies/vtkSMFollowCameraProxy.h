@@ -14,6 +14,7 @@
 
 #include "LittoralClientProxiesModule.h" // for export macro
 #include "vtkSMNaturalDisplayProxy.h"
+#include "vtkWeakPointer.h" // for what is watched
 
 class vtkSMRenderViewProxy;
 

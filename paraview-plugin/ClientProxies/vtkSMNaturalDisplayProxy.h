@@ -4,18 +4,20 @@
  * @class   vtkSMNaturalDisplayProxy
  * @brief   a source that is first shown in its own colours
  *
- * ParaView colours by a colour map unless it is told otherwise. This proxy tells each new representation of its first
- * output to take the point array RGB, if there is one, as it is. Where the hint
- *
- *     <NaturalDisplay block="/Root/High" />
- *
- * names a block, only that one is shown at first. Later changes by the user, and those of a state file, stay.
+ * See littoral::NaturalDisplay for how, and for the hint that says more.
  */
 #ifndef vtkSMNaturalDisplayProxy_h
 #define vtkSMNaturalDisplayProxy_h
 
 #include "LittoralClientProxiesModule.h" // for export macro
 #include "vtkSMSourceProxy.h"
+
+#include <memory> // for the display
+
+namespace littoral
+{
+class NaturalDisplay;
+}
 
 class LITTORALCLIENTPROXIES_EXPORT vtkSMNaturalDisplayProxy : public vtkSMSourceProxy
 {
@@ -34,10 +36,7 @@ private:
   vtkSMNaturalDisplayProxy(const vtkSMNaturalDisplayProxy&) = delete;
   void operator=(const vtkSMNaturalDisplayProxy&) = delete;
 
-  void OnRegister(vtkObject* manager, unsigned long event, void* information);
-
-  vtkWeakPointer<vtkObject> Manager;
-  unsigned long Observer = 0;
+  std::unique_ptr<littoral::NaturalDisplay> Display;
 };
 
 #endif

@@ -10,4 +10,9 @@ Every VTK class of Littoral can be imported from this package:
 from .LittoralSources import *
 from .LittoralFilters import *
 
+try:
+    from .LittoralIO import *
+except ModuleNotFoundError:
+    pass  # built without OpenVDB
+
 __all__ = sorted(name for name in globals() if name.startswith("vtk"))

@@ -76,6 +76,13 @@ CROWN = """
   gl_FragData[0].rgb *= leaves.rgb / max(diffuseColor, vec3(0.02));
 """
 
+#: The picture of leaves dims their colours; where it is transparent there is no leaf.
+LEAVES = """
+  vec4 leaf = texture(actortexture, tcoordVCVSOutput);
+  if (leaf.a < 0.5) discard;
+  gl_FragData[0] = vec4(gl_FragData[0].rgb * leaf.rgb, 1.0);
+"""
+
 
 # Country ------------------------------------------------------------------------------------------
 
@@ -368,6 +375,18 @@ def show_crowns(source, view, picture):
     shown.SelectTCoordArray = "TCoords"
     shown.Specular = 0.0
     _shade(shown, [], CROWN + AIR)
+    return shown
+
+
+def show_leaves(source, view, picture):
+    """Show the leaves of the nearest level with their picture, a PNG file. Quadrics need it."""
+    leaves = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Leaves"])
+    shown = _show_coloured(leaves, view)
+    shown.Ambient = 0.35
+    shown.Texture = simple.CreateTexture(picture)
+    shown.SelectTCoordArray = "TCoords"
+    shown.Specular = 0.0
+    _shade(shown, BOTH_SIDES, LEAVES + AIR)
     return shown
 
 

@@ -23,11 +23,25 @@ def block(data, *names):
     return data
 
 
-def plant_actor(part, picture=None):
-    """Actor of a part of a plant in its own colours, or with a picture instead of them."""
+#: What is half transparent or more is not there; the rest is opaque and needs no sorting.
+CUT_OUT = """//VTK::TCoord::Impl
+  if (gl_FragData[0].a < 0.5) discard;
+  gl_FragData[0].a = 1.0;
+"""
+#: Light goes through leaves: their normal is the same on both sides, while VTK turns it to the eye.
+BOTH_SIDES = """//VTK::Normal::Impl
+  if (gl_FrontFacing == false) normalVCVSOutput = -normalVCVSOutput;
+"""
+
+
+def plant_actor(part, picture=None, tinted=False):
+    """Actor of a part of a plant in its own colours, or with a picture instead of them.
+
+    tinted: the picture is multiplied with the colours.
+    """
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(part)
-    mapper.SetScalarVisibility(picture is None)
+    mapper.SetScalarVisibility(picture is None or tinted)
     actor.SetMapper(mapper)
     actor.GetProperty().SetAmbient(0.25)
     if picture is not None:
@@ -39,14 +53,30 @@ def plant_actor(part, picture=None):
     return actor
 
 
-def level_actors(source, level):
-    """Actors of a level, "High", "Medium" or "Low", of an updated plant source."""
+def cut_out(actor):
+    """The actor, cut out where its picture is transparent, and with light through its leaves."""
+    actor.ForceOpaqueOn()
+    shader = actor.GetShaderProperty()
+    shader.AddFragmentShaderReplacement("//VTK::TCoord::Impl", True, CUT_OUT, False)
+    shader.AddFragmentShaderReplacement("//VTK::Normal::Impl", True, BOTH_SIDES, False)
+    return actor
+
+
+def level_actors(source, level, cut_leaves=False):
+    """Actors of a level, "High", "Medium" or "Low", of an updated plant source.
+
+    cut_leaves: with the picture on the leaves of High, and pictures cut out. Quadrics need it, kites
+    do without.
+    """
     data = source.GetOutput()
     if level == "High":
-        return [plant_actor(block(data, "High", name)) for name in ("Skin", "Leaves")]
+        skin, leaves = plant_actor(block(data, "High", "Skin")), block(data, "High", "Leaves")
+        if not cut_leaves:
+            return [skin, plant_actor(leaves)]
+        return [skin, cut_out(plant_actor(leaves, source.GetOutputDataObject(2), tinted=True))]
     if level == "Medium":
-        return [plant_actor(block(data, "Medium", "Trunk")),
-                plant_actor(block(data, "Medium", "Crown"), source.GetOutputDataObject(1))]
+        crown = plant_actor(block(data, "Medium", "Crown"), source.GetOutputDataObject(1))
+        return [plant_actor(block(data, "Medium", "Trunk")), cut_out(crown) if cut_leaves else crown]
     return [plant_actor(block(data, "Low"))]
 
 

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralReplacedFile_h
+#define LittoralReplacedFile_h
+
+#include <fstream>
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace littoral
+{
+
+/**
+ * A file that takes its place only when it is whole. It is written beside the target under a name of its own; Commit
+ * moves it there. Before that the target is untouched, and the new file goes with this object.
+ */
+class ReplacedFile
+{
+public:
+  /// Creates the new file. Fails() tells whether that went well.
+  explicit ReplacedFile(const std::string& target);
+  ~ReplacedFile();
+  ReplacedFile(const ReplacedFile&) = delete;
+  ReplacedFile& operator=(const ReplacedFile&) = delete;
+
+  /// The first reason why something failed, as the system says it; empty if nothing has.
+  const std::string& WhyFailed() const { return this->Reason; }
+  /// Where to write. Throws std::ios_base::failure when the system refuses.
+  std::ostream& Stream() { return this->Output; }
+  /// Called with the bytes written from time to time; what it throws ends the write.
+  void OnWrite(std::function<void(std::size_t)> watch) { this->Buffer.Watch = std::move(watch); }
+  /// Ends the writing; the new file can then be read at Path(). False if it is not whole.
+  bool Close();
+  const std::string& Path() const { return this->Temporary; }
+  /// Moves the closed file to the target. False, with the target as it was, if that fails.
+  bool Commit();
+
+private:
+  /// Keeps the system's error number, which a stream forgets.
+  class NotingBuffer : public std::filebuf
+  {
+  public:
+    int Error = 0;
+    std::size_t Written = 0;
+    std::function<void(std::size_t)> Watch;
+
+  protected:
+    int_type overflow(int_type character) override;
+    std::streamsize xsputn(const char* bytes, std::streamsize count) override;
+    int sync() override;
+
+  private:
+    template <typename Result>
+    Result Note(Result result, bool failed);
+  };
+
+  void Fail(int error);
+
+  std::string Target;
+  std::string Temporary;
+  std::string Reason;
+  bool Exists = false;
+  NotingBuffer Buffer;
+  std::ostream Output;
+};
+
+}
+
+#endif

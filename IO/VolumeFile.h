@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralVolumeFile_h
+#define LittoralVolumeFile_h
+
+#include "Parallel.h"
+#include "Volume.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+enum class VolumeCompression
+{
+  None,
+  Zip,
+  Blosc ///< Zip where OpenVDB was built without Blosc
+};
+
+struct VolumeFileOptions
+{
+  bool Half = false;      ///< values in 16 bits in the file
+  double Tolerance = 0.0; ///< samples whose components are all at most this are not stored
+  VolumeCompression Compression = VolumeCompression::Blosc;
+};
+
+/// Told the share that is done, 0 to 1; says whether to go on.
+using VolumeProgress = std::function<bool(double)>;
+
+/// What became of a file.
+struct VolumeOutcome
+{
+  bool Written = false;
+  std::string Reason; ///< why it was not, in words for a user; empty where the user wanted it so
+};
+
+/**
+ * Writes volumes as grids of an OpenVDB file. Names must differ. A file that is there already stays as it is unless the
+ * new one is whole. The bytes depend on the arguments alone.
+ */
+VolumeOutcome WriteVolumes(const std::string& path, const std::vector<Volume>& volumes, const VolumeRemarks& remarks,
+  const VolumeFileOptions& options, const ParallelFor& parallelFor, const VolumeProgress& progress);
+
+}
+
+#endif

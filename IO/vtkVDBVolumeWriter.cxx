@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVDBVolumeWriter.h"
+
+#include "LittoralPipeline.h"
+#include "VolumeFile.h"
+#include "VolumeGather.h"
+#include "VolumeInput.h"
+
+#include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArraySelection.h"
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <regex>
+
+vtkStandardNewMacro(vtkVDBVolumeWriter);
+vtkCxxSetObjectMacro(vtkVDBVolumeWriter, Controller, vtkMultiProcessController);
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// Text, digits of the width, text.
+const std::regex SuffixForm("([^%]*)%([0-9]{0,2})d([^%]*)");
+
+std::string Numbered(const std::string& suffix, int number)
+{
+  std::smatch parts;
+  std::regex_match(suffix, parts, SuffixForm);
+  const std::string width = parts[2];
+  std::string digits = std::to_string(number);
+  const std::size_t wanted = width.empty() ? 0 : std::stoul(width);
+  digits.insert(0, wanted > digits.size() ? wanted - digits.size() : 0, width[0] == '0' ? '0' : ' ');
+  return parts[1].str() + digits + parts[3].str();
+}
+
+/// Memory of the grids, and of what becomes of them while they are written [bytes].
+double GridBytes(const std::vector<littoral::Volume>& volumes)
+{
+  double bytes = 0.0;
+  for (const littoral::Volume& volume : volumes)
+  {
+    for (const littoral::VolumeBlock& block : volume.Blocks)
+    {
+      bytes += 1.1 * sizeof(float) * volume.Components * static_cast<double>(block.Count());
+    }
+  }
+  return bytes;
+}
+
+/// Why the gathered input cannot be written; empty if it can.
+std::string WhyUnfit(const littoral::VolumeInput& input)
+{
+  if (!input.Reason.empty())
+  {
+    return input.Reason;
+  }
+  if (input.Samples == 0)
+  {
+    return "the input is empty.";
+  }
+  if (input.Volumes.empty())
+  {
+    return "the input has no array of numbers, or none is chosen.";
+  }
+  const double bytes = GridBytes(input.Volumes);
+  if (bytes > littoral::AvailableMemory())
+  {
+    return "its volumes need " + std::to_string(bytes / 0x1p30) + " GiB of memory, more than this machine has free.";
+  }
+  return {};
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkVDBVolumeWriter::vtkVDBVolumeWriter()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//----------------------------------------------------------------------------
+vtkVDBVolumeWriter::~vtkVDBVolumeWriter()
+{
+  this->SetController(nullptr);
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------
+vtkDataArraySelection* vtkVDBVolumeWriter::GetPointDataArraySelection()
+{
+  return this->PointDataArraySelection;
+}
+
+//----------------------------------------------------------------------------
+vtkDataArraySelection* vtkVDBVolumeWriter::GetCellDataArraySelection()
+{
+  return this->CellDataArraySelection;
+}
+
+//----------------------------------------------------------------------------
+vtkMTimeType vtkVDBVolumeWriter::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->PointDataArraySelection->GetMTime(),
+    this->CellDataArraySelection->GetMTime() });
+}
+
+//----------------------------------------------------------------------------
+int vtkVDBVolumeWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkTypeBool vtkVDBVolumeWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (this->WriteAllTimeSteps && input && request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    this->NumberOfSteps = input->Has(Pipeline::TIME_STEPS()) ? input->Length(Pipeline::TIME_STEPS()) : 0;
+    this->CurrentStep = 0;
+    return 1;
+  }
+  if (this->WriteAllTimeSteps && input && request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    if (this->CurrentStep < this->NumberOfSteps)
+    {
+      input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[this->CurrentStep]);
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector*)
+{
+  if (!this->WriteAllTimeSteps)
+  {
+    this->NumberOfSteps = 0;
+    this->CurrentStep = 0;
+  }
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->InvokeEvent(vtkCommand::StartEvent);
+  this->WriteData();
+  this->InvokeEvent(vtkCommand::EndEvent);
+  this->WriteTime.Modified();
+  const bool written = this->GetErrorCode() == vtkErrorCode::NoError;
+  if (written && ++this->CurrentStep < this->NumberOfSteps)
+  {
+    request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+  }
+  else
+  {
+    request->Remove(Pipeline::CONTINUE_EXECUTING());
+    this->CurrentStep = 0;
+  }
+  return written || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : 0; // an abort is no failure
+}
+
+//----------------------------------------------------------------------------
+bool vtkVDBVolumeWriter::HasFileName() const
+{
+  return this->FileName && *this->FileName;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkVDBVolumeWriter::WhyInvalid() const
+{
+  if (!(this->Tolerance >= 0.0))
+  {
+    return "Tolerance must be 0 or more.";
+  }
+  if (this->WriteAllTimeSteps && !std::regex_match(this->FileNameSuffix, SuffixForm))
+  {
+    return "FileNameSuffix is '" + this->FileNameSuffix + "'; it must hold one number like %d or %04d.";
+  }
+  return {};
+}
+
+//----------------------------------------------------------------------------
+std::string vtkVDBVolumeWriter::StepFileName() const
+{
+  if (this->NumberOfSteps == 0)
+  {
+    return this->FileName;
+  }
+  const std::filesystem::path whole(this->FileName);
+  const std::string name =
+    whole.stem().string() + Numbered(this->FileNameSuffix, this->CurrentStep) + whole.extension().string();
+  return (whole.parent_path() / name).string();
+}
+
+//----------------------------------------------------------------------------
+void vtkVDBVolumeWriter::Refuse(const std::string& reason)
+{
+  if (littoral::IsFirstRank(this->Controller))
+  {
+    vtkErrorMacro("Cannot write " << (this->HasFileName() ? this->StepFileName() : "a volume") << ": " << reason);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkVDBVolumeWriter::WriteData()
+{
+  vtkDataObject* data = this->GetInput();
+  std::string reason = this->HasFileName() ? this->WhyInvalid() : "FileName is empty.";
+  if (!reason.empty() || !data)
+  {
+    this->Refuse(data ? reason : "there is no input.");
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    return;
+  }
+  littoral::VolumeInput input =
+    littoral::ReadVolumes(data, this->PointDataArraySelection, this->CellDataArraySelection);
+  littoral::GatherVolumes(this->Controller, input);
+
+  littoral::VolumeOutcome outcome;
+  if (littoral::IsFirstRank(this->Controller))
+  {
+    outcome.Reason = WhyUnfit(input);
+    if (outcome.Reason.empty())
+    {
+      littoral::JoinVolumes(input.Volumes);
+      const double steps = std::max(1, this->NumberOfSteps);
+      this->SetProgressText("Writing volumes");
+      outcome = littoral::WriteVolumes(this->StepFileName(), input.Volumes, input.Remarks,
+        { this->HalfFloat, this->Tolerance, static_cast<littoral::VolumeCompression>(this->Compression) },
+        littoral::SmpFor, [&](double share) {
+          this->UpdateProgress((this->CurrentStep + share) / steps);
+          return !littoral::IsAborted(this);
+        });
+    }
+    if (!outcome.Reason.empty())
+    {
+      this->Refuse(outcome.Reason);
+    }
+  }
+  if (!littoral::ShareAnswer(this->Controller, outcome.Written))
+  {
+    const bool aborted = !outcome.Written && outcome.Reason.empty() && littoral::IsAborted(this);
+    this->SetErrorCode(aborted ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkVDBVolumeWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "HalfFloat: " << (this->HalfFloat ? "on" : "off") << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Compression: " << this->Compression << "\n";
+  os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "on" : "off") << "\n";
+  os << indent << "FileNameSuffix: " << this->FileNameSuffix << "\n";
+  os << indent << "PointDataArraySelection:\n";
+  this->PointDataArraySelection->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "CellDataArraySelection:\n";
+  this->CellDataArraySelection->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Controller: " << this->Controller << "\n";
+}

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAonoKuniiTreeSource.h"
+
+#include "AonoKuniiTree.h"
+#include "LittoralPlants.h"
+#include "PlantLevels.h"
+
+#include "vtkObjectFactory.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkAonoKuniiTreeSource);
+
+//----------------------------------------------------------------------------
+vtkAonoKuniiTreeSource::vtkAonoKuniiTreeSource()
+  : Preset(MonopodialA)
+  , Variation(0.1)
+  , Branching(Monopodial)
+  , Iterations(10)
+  , LengthRatio1(0.9)
+  , LengthRatio2(0.6)
+  , Angle1(45.0)
+  , Angle2(45.0)
+  , DivergenceAngle(137.5)
+  , DivergenceAngle2(132.63)
+  , WidthRatio(0.707)
+  , Elongation(1.109)
+  , Tropism{ 0.0, 0.0, -1.0 }
+  , Susceptibility(0.0)
+  , TrunkLength(1.75)
+  , TrunkRadius(0.17)
+  , BarkColor{ 0.41, 0.35, 0.27 }
+  , NumberOfLeaves(9000)
+  , LeafSize(0.25)
+  , LeafWidth(0.6)
+  , LeafForm(Blade)
+  , LeafColor{ 0.44, 0.57, 0.24 }
+{
+}
+
+//----------------------------------------------------------------------------
+vtkAonoKuniiTreeSource::~vtkAonoKuniiTreeSource() = default;
+
+//----------------------------------------------------------------------------
+bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+{
+  if (this->Preset < Custom || this->Preset > TernaryD)
+  {
+    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 12.");
+    return false;
+  }
+  littoral::AonoKuniiParameters p = littoral::PresetParameters(static_cast<littoral::ForkPreset>(this->Preset));
+  if (this->Preset == Custom)
+  {
+    p.Form = static_cast<littoral::Branching>(this->Branching);
+    p.Iterations = this->Iterations;
+    p.LengthRatio1 = this->LengthRatio1;
+    p.LengthRatio2 = this->LengthRatio2;
+    p.Angle1 = this->Angle1;
+    p.Angle2 = this->Angle2;
+    p.DivergenceAngle = this->DivergenceAngle;
+    p.DivergenceAngle2 = this->DivergenceAngle2;
+    p.WidthRatio = this->WidthRatio;
+    p.Elongation = this->Elongation;
+    p.Tropism = { this->Tropism[0], this->Tropism[1], this->Tropism[2] };
+    p.Susceptibility = this->Susceptibility;
+    p.TrunkLength = this->TrunkLength;
+    p.TrunkRadius = this->TrunkRadius;
+    p.NumberOfLeaves = this->NumberOfLeaves;
+    p.LeafSize = this->LeafSize;
+    p.LeafWidth = this->LeafWidth;
+    p.Outline = static_cast<littoral::LeafForm>(this->LeafForm);
+    if (!littoral::TakeColour(this->LeafColor, p.Leaf) || !littoral::TakeColour(this->BarkColor, p.Bark))
+    {
+      vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
+      return false;
+    }
+  }
+  p.Variation = this->Variation;
+  p.Seed = this->Seed;
+  const std::string reason = littoral::WhyInvalid(p);
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+    return false;
+  }
+  prototype = littoral::LevelsOf(littoral::GrowAonoKuniiTree(p), options);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void vtkAonoKuniiTreeSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "Variation: " << this->Variation << "\n";
+  os << indent << "Branching: " << this->Branching << "\n";
+  os << indent << "Iterations: " << this->Iterations << "\n";
+  os << indent << "LengthRatio1: " << this->LengthRatio1 << "\n";
+  os << indent << "LengthRatio2: " << this->LengthRatio2 << "\n";
+  os << indent << "Angle1: " << this->Angle1 << "\n";
+  os << indent << "Angle2: " << this->Angle2 << "\n";
+  os << indent << "DivergenceAngle: " << this->DivergenceAngle << "\n";
+  os << indent << "DivergenceAngle2: " << this->DivergenceAngle2 << "\n";
+  os << indent << "WidthRatio: " << this->WidthRatio << "\n";
+  os << indent << "Elongation: " << this->Elongation << "\n";
+  os << indent << "Tropism: " << this->Tropism[0] << " " << this->Tropism[1] << " " << this->Tropism[2] << "\n";
+  os << indent << "Susceptibility: " << this->Susceptibility << "\n";
+  os << indent << "TrunkLength: " << this->TrunkLength << "\n";
+  os << indent << "TrunkRadius: " << this->TrunkRadius << "\n";
+  os << indent << "BarkColor: " << this->BarkColor[0] << " " << this->BarkColor[1] << " " << this->BarkColor[2] << "\n";
+  os << indent << "NumberOfLeaves: " << this->NumberOfLeaves << "\n";
+  os << indent << "LeafSize: " << this->LeafSize << "\n";
+  os << indent << "LeafWidth: " << this->LeafWidth << "\n";
+  os << indent << "LeafForm: " << this->LeafForm << "\n";
+  os << indent << "LeafColor: " << this->LeafColor[0] << " " << this->LeafColor[1] << " " << this->LeafColor[2] << "\n";
+}

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGardnerPlantSource.h"
+
+#include "GardnerPlant.h"
+#include "LittoralPlants.h"
+
+#include "vtkObjectFactory.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkGardnerPlantSource);
+
+//----------------------------------------------------------------------------
+vtkGardnerPlantSource::vtkGardnerPlantSource()
+  : Preset(Tree)
+  , Height(11.0)
+  , CrownRadius(4.6)
+  , CrownBase(2.0)
+  , TrunkRadius(0.3)
+  , NumberOfQuadrics(24)
+  , Shells(3)
+  , Terms(6)
+  , Frequency(6)
+  , Offset(1.0)
+  , CentreThreshold(0.08)
+  , SilhouetteThreshold(0.4)
+  , Variation(0.2)
+  , LeafColor{ 0.54, 0.66, 0.33 }
+  , BarkColor{ 0.41, 0.35, 0.27 }
+{
+}
+
+//----------------------------------------------------------------------------
+vtkGardnerPlantSource::~vtkGardnerPlantSource() = default;
+
+//----------------------------------------------------------------------------
+std::array<int, 2> vtkGardnerPlantSource::LeafTextureSize() const
+{
+  return { littoral::GardnerColumns, littoral::SectionRows + littoral::ShellRows };
+}
+
+//----------------------------------------------------------------------------
+bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+{
+  if (this->Preset < Custom || this->Preset > Bush)
+  {
+    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 4.");
+    return false;
+  }
+  littoral::GardnerPlantParameters p = littoral::PresetParameters(static_cast<littoral::GardnerPreset>(this->Preset));
+  if (this->Preset == Custom)
+  {
+    p.Height = this->Height;
+    p.CrownRadius = this->CrownRadius;
+    p.CrownBase = this->CrownBase;
+    p.TrunkRadius = this->TrunkRadius;
+    p.NumberOfQuadrics = this->NumberOfQuadrics;
+    p.Shells = this->Shells;
+    p.Texture.Terms = this->Terms;
+    p.Texture.Frequency = this->Frequency;
+    p.Texture.Offset = this->Offset;
+    p.Texture.CentreThreshold = this->CentreThreshold;
+    p.Texture.SilhouetteThreshold = this->SilhouetteThreshold;
+    p.Variation = this->Variation;
+    if (!littoral::TakeColour(this->LeafColor, p.Leaf) || !littoral::TakeColour(this->BarkColor, p.Bark))
+    {
+      vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
+      return false;
+    }
+  }
+  p.Seed = this->Seed;
+  const std::string reason = littoral::WhyInvalid(p);
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+    return false;
+  }
+  prototype = littoral::LevelsOf(littoral::GrowGardnerPlant(p), options);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void vtkGardnerPlantSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "CrownRadius: " << this->CrownRadius << "\n";
+  os << indent << "CrownBase: " << this->CrownBase << "\n";
+  os << indent << "TrunkRadius: " << this->TrunkRadius << "\n";
+  os << indent << "NumberOfQuadrics: " << this->NumberOfQuadrics << "\n";
+  os << indent << "Shells: " << this->Shells << "\n";
+  os << indent << "Terms: " << this->Terms << "\n";
+  os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "CentreThreshold: " << this->CentreThreshold << "\n";
+  os << indent << "SilhouetteThreshold: " << this->SilhouetteThreshold << "\n";
+  os << indent << "Variation: " << this->Variation << "\n";
+  os << indent << "LeafColor: " << this->LeafColor[0] << " " << this->LeafColor[1] << " " << this->LeafColor[2] << "\n";
+  os << indent << "BarkColor: " << this->BarkColor[0] << " " << this->BarkColor[1] << " " << this->BarkColor[2] << "\n";
+}

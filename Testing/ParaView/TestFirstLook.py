@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a user sees first: natural colours and a view from the side, but only in an empty view."""
+
+from paraview import simple
+
+view = simple.CreateView("RenderView")
+view.ViewSize = [300, 200]
+simple.SetActiveView(view)
+
+forest = simple.Forest()
+for port in range(2):
+    shown = simple.Show(simple.OutputPort(forest, port), view)
+    assert shown.ColorArrayName[1] == "RGB" and shown.MapScalars == 0, "no natural colours"
+    if port == 0:
+        assert "/Root/High/Skin" in shown.BlockSelectors
+        assert not any("Skeleton" in block for block in shown.BlockSelectors)
+simple.Render(view)
+assert list(view.CameraViewUp) == [0.0, 0.0, 1.0], view.CameraViewUp
+assert view.CameraPosition[2] > view.CameraFocalPoint[2] + 10.0, "the eye is not above the forest"
+assert view.CameraPosition[1] < view.CameraFocalPoint[1] - 10.0, "north is not ahead"
+
+# A camera that someone has set is left alone, also with another source and in a second reset.
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (0, 0, 900), (200, 200, 0), (0, 1, 0)
+simple.Show(simple.ReevesTree(), view)
+simple.Render(view)
+assert list(view.CameraPosition) == [0.0, 0.0, 900.0]
+simple.ResetCamera(view)
+assert list(view.CameraViewUp) == [0.0, 1.0, 0.0]
+
+# Terrain has the colours of the ground unless it has its own or none are wanted.
+terrain = simple.TerrainLevelOfDetail(
+    Input=simple.TurningBandsTerrain(WholeExtent=[0, 64, 0, 64, 0, 0]), Cull=0)
+simple.UpdatePipeline(proxy=terrain)
+assert terrain.PointData.GetArray("RGB").GetRange(1)[1] > 0
+terrain.GroundColors = 0
+simple.UpdatePipeline(proxy=terrain)
+assert terrain.PointData.GetArray("RGB") is None

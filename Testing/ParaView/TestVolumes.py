@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvbatch mpi=1,2,3
+"""SaveData writes volumes: an image, a series, blocks, and the same bytes on any number of ranks."""
+import os
+import sys
+from glob import glob
+
+from paraview import servermanager, simple
+
+if not hasattr(servermanager.writers, "VDBVolumeWriter"):
+    print("built without OpenVDB")
+    sys.exit(125)
+ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+
+
+def content(path):
+    """The bytes of a file."""
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def compare_with_one_rank(name, proxy, **options):
+    """Saves; on several ranks, compares with what one has written before."""
+    path = f"{name}-{ranks}.vdb"
+    if os.path.exists(path):
+        os.remove(path)
+    simple.SaveData(path, proxy=proxy, **options)
+    assert content(path) == content(f"{name}-1.vdb"), f"{name} differs on {ranks} ranks"
+    return content(path)
+
+
+wind = simple.WindField(Dimensions=[40, 12, 10], TimeStep=0.25, WindDirection=30.0)
+wind.UpdatePipeline(0.0)
+factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+factory.UpdateAvailableWriters()
+assert "OpenVDB volumes(*.vdb" in factory.GetSupportedFileTypes(wind.SMProxy, 0)
+whole = compare_with_one_rank("wind", wind)
+half = compare_with_one_rank("half", wind, HalfFloat=1)
+sparse = compare_with_one_rank("sparse", wind, Tolerance=8.0, Compression="Zip")
+assert b"Velocity" in whole and b"m/s" in whole and b"contravariant relative" in whole
+assert len(half) < 0.7 * len(whole), "half precision is not smaller"
+assert len(sparse) < len(whole), "the tolerance has no effect"
+
+cells = simple.PointDatatoCellData(Input=simple.Wavelet(WholeExtent=[-10, 10, -6, 6, -4, 4]))
+compare_with_one_rank("cells", cells)
+blocks = simple.GroupDatasets(Input=[wind, cells])
+assert b"RTData" in compare_with_one_rank("blocks", blocks)
+
+for old in glob("series_*.vdb"):
+    os.remove(old)
+wind.Dimensions = [10, 4, 3]
+simple.SaveData("series.vdb", proxy=wind, Writetimestepsasfileseries=1, Filenamesuffix="_%.4d")
+files = sorted(glob("series_*.vdb"))
+assert files == [f"series_{step:04d}.vdb" for step in range(10)], files
+assert len({content(file) for file in files}) == 10, "the wind stands still"
+assert not glob(".*.part"), "a temporary file is left"
+print(f"volumes: {ranks} rank(s)")

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NaturalDisplay.h"
+
+#include "Constants.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMProxySelectionModel.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+#include <string>
+
+namespace littoral
+{
+namespace
+{
+
+/// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
+constexpr double EyeAzimuth = -0.62 * Pi;
+
+/// Whether nothing is shown in a view.
+bool IsEmpty(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
+  {
+    vtkSMProxy* one = shown.GetAsProxy(k);
+    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+}
+
+//----------------------------------------------------------------------------
+NaturalDisplay::~NaturalDisplay()
+{
+  this->StopWaiting();
+  if (this->Manager)
+  {
+    this->Manager->RemoveObserver(this->RegisterObserver);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::Watch()
+{
+  if (!this->Manager && this->Owner->GetSession())
+  {
+    this->Manager = this->Owner->GetSessionProxyManager();
+    this->RegisterObserver = this->Manager->AddObserver(vtkCommand::RegisterEvent, this, &NaturalDisplay::OnRegister);
+  }
+}
+
+//----------------------------------------------------------------------------
+const char* NaturalDisplay::Hint(const char* name)
+{
+  vtkPVXMLElement* hints = this->Owner->GetHints();
+  vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("NaturalDisplay") : nullptr;
+  return hint ? hint->GetAttribute(name) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
+{
+  const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
+  if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName ||
+    std::strcmp(registered->GroupName, "representations") != 0 || this->Manager->GetInLoadXMLState())
+  {
+    return;
+  }
+  vtkSMProxy* representation = registered->Proxy;
+  if (!representation->GetProperty("Input") || !representation->GetProperty("MapScalars"))
+  {
+    return;
+  }
+  const vtkSMPropertyHelper input(representation, "Input");
+  if (input.GetAsProxy() == this->Owner)
+  {
+    this->TakeColours(representation, input.GetOutputPort());
+    this->WaitForCamera();
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
+{
+  this->Owner->UpdatePipeline();
+  vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
+  if (data && data->GetArrayInformation("RGB", vtkDataObject::POINT))
+  {
+    vtkSMPropertyHelper(representation, "MapScalars").Set(0);
+  }
+  const char* blocks = port == 0 ? this->Hint("blocks") : nullptr;
+  if (blocks && representation->GetProperty("BlockSelectors"))
+  {
+    vtkSMPropertyHelper selectors(representation, "BlockSelectors");
+    std::istringstream names(blocks);
+    std::string name;
+    for (unsigned int k = 0; names >> name; ++k)
+    {
+      selectors.Set(k, name.c_str());
+    }
+  }
+  representation->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::WaitForCamera()
+{
+  vtkSMProxySelectionModel* active = this->Manager->GetSelectionModel("ActiveView");
+  auto* view = active ? vtkSMRenderViewProxy::SafeDownCast(active->GetCurrentProxy()) : nullptr;
+  if (!this->Hint("elevation") || !view || view == this->View || !IsEmpty(view))
+  {
+    return;
+  }
+  this->StopWaiting();
+  this->View = view;
+  this->PicturesToWait = 2; // a script draws once before it resets the camera
+  this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
+  this->ResetObserver = this->Shown->AddObserver(vtkCommand::ResetCameraEvent, this, &NaturalDisplay::OnResetCamera);
+  this->PictureObserver = view->AddObserver(vtkCommand::EndEvent, this, &NaturalDisplay::OnPicture);
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnResetCamera(vtkObject*, unsigned long, void*)
+{
+  vtkCamera* camera = this->View->GetActiveCamera();
+  this->StopWaiting();
+  const double elevation = std::atof(this->Hint("elevation")) * Pi / 180.0;
+  const char* closer = this->Hint("closer");
+  // What the camera shows of a sphere around the data does not depend on where it looks from.
+  const double distance = camera->GetDistance() / std::max(0.1, closer ? std::atof(closer) : 1.0);
+  double focus[3];
+  camera->GetFocalPoint(focus);
+  camera->SetPosition(focus[0] + distance * std::cos(elevation) * std::cos(EyeAzimuth),
+    focus[1] + distance * std::cos(elevation) * std::sin(EyeAzimuth), focus[2] + distance * std::sin(elevation));
+  camera->SetViewUp(0.0, 0.0, 1.0);
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnPicture(vtkObject*, unsigned long, void*)
+{
+  if (--this->PicturesToWait == 0)
+  {
+    this->StopWaiting(); // shown with a camera that someone has chosen
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::StopWaiting()
+{
+  if (this->View)
+  {
+    this->View->RemoveObserver(this->PictureObserver);
+  }
+  if (this->Shown)
+  {
+    this->Shown->RemoveObserver(this->ResetObserver);
+  }
+  this->Shown = nullptr;
+  this->View = nullptr;
+}
+
+}
