@@ -37,6 +37,7 @@ enum class RandomPurpose : std::uint32_t
   ParticlePositions = 64,
   ParticleSizes = 65,
   ParticleOrientations = 66,
+  SlaveOffsets = 72,
 };
 
 /**

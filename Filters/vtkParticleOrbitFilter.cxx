@@ -6,6 +6,7 @@
 #include "LittoralPipeline.h"
 #include "LittoralSea.h"
 #include "LittoralSlaves.h"
+#include "TrainSelection.h"
 #include "WaveOrbits.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -63,7 +64,7 @@ bool IsAtSeaLevel(vtkPoints* points, double level)
 
 std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
 {
-  vtkDataArray* array = input->GetPointData()->GetArray("TrainCount");
+  vtkDataArray* array = input->GetPointData()->GetArray(littoral::sea::TrainCount);
   if (!array)
   {
     return "";
@@ -85,6 +86,22 @@ std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
   return "";
 }
 
+/// The order in which trains are taken; empty where they come as they are.
+std::string ReadTrainOrder(vtkPointSet* input, std::size_t trains, std::vector<int>& order)
+{
+  vtkDataArray* array = input->GetFieldData()->GetArray(littoral::sea::TrainOrder);
+  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+  {
+    order.push_back(static_cast<int>(array->GetComponent(n, 0)));
+  }
+  if (!order.empty() && (order.size() != trains || !littoral::IsPermutation(order)))
+  {
+    return "the field array TrainOrder is no order of the " + std::to_string(trains) +
+      " trains of the sea state; it belongs to another one.";
+  }
+  return "";
+}
+
 }
 
 /// The sea at the requested time.
@@ -94,11 +111,21 @@ public:
   Sea(const littoral::SeaState& state, const littoral::WaveOrbitOptions& options, double time)
     : Orbits(state, options, time)
     , State(state)
+    , Options(options)
+    , Time(time)
   {
+  }
+
+  /// The same with its trains in an order.
+  Sea InOrder(const std::vector<int>& order) const
+  {
+    return Sea(littoral::Ordered(this->State, order), this->Options, this->Time);
   }
 
   littoral::WaveOrbits Orbits;
   littoral::SeaState State;
+  littoral::WaveOrbitOptions Options;
+  double Time;
 };
 
 //----------------------------------------------------------------------------
@@ -245,8 +272,16 @@ bool vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSe
   {
     return true;
   }
-  return input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(sea, input, output)
-                                                         : this->MoveAs<vtkFloatArray>(sea, input, output);
+  std::vector<int> order;
+  const std::string reason = ReadTrainOrder(input, sea.State.Trains.size(), order);
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot move points: " << reason);
+    return false;
+  }
+  const Sea ordered = sea.InOrder(order);
+  return input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(ordered, input, output)
+                                                         : this->MoveAs<vtkFloatArray>(ordered, input, output);
 }
 
 //----------------------------------------------------------------------------
@@ -261,6 +296,15 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   if (reason.empty())
   {
     reason = littoral::ReadSlaves(input, slaves);
+  }
+  if (reason.empty() && !slaves.Master.empty())
+  {
+    // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
+    trainCounts.resize(slaves.Master.size(), std::numeric_limits<int>::max());
+    for (std::size_t id = 0; id < slaves.Master.size(); ++id)
+    {
+      trainCounts[id] = slaves.Master[id] >= 0 ? 0 : trainCounts[id];
+    }
   }
   if (reason.empty() && 17.0 * sizeof(Real) * static_cast<double>(count) > littoral::AvailableMemory())
   {

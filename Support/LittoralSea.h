@@ -47,6 +47,18 @@ constexpr const char* Strength = "Strength";
 constexpr const char* Axis = "Axis";
 constexpr const char* CoreRadius = "CoreRadius";
 constexpr const char* InfluenceRadius = "InfluenceRadius";
+
+// Levels of detail of particles: blocks, their point arrays, and a field array.
+constexpr const char* Near = "Near";
+constexpr const char* MasterSlave = "MasterSlave";
+constexpr const char* Far = "Far";
+constexpr const char* Alpha = "Alpha";
+constexpr const char* TrainCount = "TrainCount";
+constexpr const char* ErrorBound = "ErrorBound";
+constexpr const char* TrainOrder = "TrainOrder";
+
+// Fog.
+constexpr const char* Extinction = "Extinction";
 }
 
 /// Writes the trains as rows; depth and level as field data.
