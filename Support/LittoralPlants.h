@@ -7,6 +7,7 @@
 // never installed, never wrapped.
 
 #include "LittoralSeaweeds.h"
+#include "LittoralBlocks.h"
 #include "PlantPrototype.h"
 
 #include "vtkCellArray.h"
@@ -27,7 +28,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <cstring>
 #include <type_traits>
 #include <vector>
 
@@ -70,29 +70,6 @@ inline bool TakeColour(const double from[3], Colour& to)
     to[channel] = static_cast<unsigned char>(std::lround(255.0 * from[channel]));
   }
   return true;
-}
-
-/// Appends a named block.
-inline void AddBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject* block)
-{
-  const unsigned int index = blocks->GetNumberOfBlocks();
-  blocks->SetBlock(index, block);
-  blocks->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name);
-}
-
-/// The block of a name; null where there is none.
-inline vtkDataObject* FindBlock(vtkMultiBlockDataSet* blocks, const char* name)
-{
-  for (unsigned int index = 0; blocks && index < blocks->GetNumberOfBlocks(); ++index)
-  {
-    const char* own =
-      blocks->HasMetaData(index) ? blocks->GetMetaData(index)->Get(vtkCompositeDataSet::NAME()) : nullptr;
-    if (own && std::strcmp(own, name) == 0)
-    {
-      return blocks->GetBlock(index);
-    }
-  }
-  return nullptr;
 }
 
 /// A point or cell array from tuples of numbers, each converted to the array's type.
