@@ -59,7 +59,7 @@ std::string WhyInvalid(const SeaweedSegment& segment)
     { OutOfRange("Width", segment.Width, 1e-6, 1e3), OutOfRange("Thickness", segment.Thickness, 1e-6, 1e3),
       OutOfRange("YoungModulus", segment.YoungModulus, 0.0, 1e13),
       OutOfRange("DampingRatio", segment.DampingRatio, 0.0, 1e3), OutOfRange("Density", segment.Density, 1.0, 1e5),
-      OutOfRange("Tissue", static_cast<double>(static_cast<int>(segment.Tissue)), 0.0, 2.0) })
+      OutOfRange("Tissue", static_cast<double>(static_cast<int>(segment.Tissue)), 0.0, 3.0) })
   {
     if (!reason.empty())
     {

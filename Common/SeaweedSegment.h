@@ -15,9 +15,10 @@ namespace littoral
 /// What a segment of a seaweed is.
 enum class SeaweedTissue
 {
-  Stipe = 0, ///< round
-  Blade = 1, ///< flat
-  Float = 2, ///< a gas bladder
+  Stipe = 0,    ///< round
+  Blade = 1,    ///< flat
+  Float = 2,    ///< a gas bladder
+  Holdfast = 3, ///< grown to the ground: never moves
 };
 
 /**
