@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSeaweedSource.h"
+
+#include "LittoralPlants.h"
+#include "SeaweedMesh.h"
+
+#include "vtkObjectFactory.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSeaweedSource);
+
+//----------------------------------------------------------------------------
+vtkSeaweedSource::vtkSeaweedSource()
+  : Preset(SugarKelp)
+  , SegmentsPerBranch(10)
+  , Form(Tuft)
+  , NumberOfFronds(7)
+  , HoldfastRadius(0.07)
+  , SpreadAngle(22.0)
+  , StipeLength(0.3)
+  , StipeRadius(0.006)
+  , BladeLength(1.7)
+  , BladeWidth(0.2)
+  , BladeThickness(0.002)
+  , Ruffle(0.3)
+  , BladeSpacing(0.35)
+  , FloatRadius(0.018)
+  , StipeModulus(1.5e7)
+  , BladeModulus(4e6)
+  , DampingRatio(0.1)
+  , StipeDensity(1020.0)
+  , BladeDensity(1005.0)
+  , FloatDensity(300.0)
+  , Variation(0.18)
+  , BladeColor{ 0.64, 0.455, 0.165 }
+  , StipeColor{ 0.44, 0.306, 0.133 }
+{
+}
+
+//----------------------------------------------------------------------------
+vtkSeaweedSource::~vtkSeaweedSource() = default;
+
+//----------------------------------------------------------------------------
+bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+{
+  if (this->Preset < Custom || this->Preset > Eelgrass)
+  {
+    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 3.");
+    return false;
+  }
+  littoral::SeaweedParameters p = littoral::PresetParameters(static_cast<littoral::SeaweedPreset>(this->Preset));
+  if (this->Preset == Custom)
+  {
+    p.Form = static_cast<littoral::SeaweedForm>(this->Form);
+    p.NumberOfFronds = this->NumberOfFronds;
+    p.HoldfastRadius = this->HoldfastRadius;
+    p.SpreadAngle = this->SpreadAngle;
+    p.StipeLength = this->StipeLength;
+    p.StipeRadius = this->StipeRadius;
+    p.BladeLength = this->BladeLength;
+    p.BladeWidth = this->BladeWidth;
+    p.BladeThickness = this->BladeThickness;
+    p.Ruffle = this->Ruffle;
+    p.BladeSpacing = this->BladeSpacing;
+    p.FloatRadius = this->FloatRadius;
+    p.StipeModulus = this->StipeModulus;
+    p.BladeModulus = this->BladeModulus;
+    p.DampingRatio = this->DampingRatio;
+    p.StipeDensity = this->StipeDensity;
+    p.BladeDensity = this->BladeDensity;
+    p.FloatDensity = this->FloatDensity;
+    p.Variation = this->Variation;
+    if (!littoral::TakeColour(this->BladeColor, p.Blade) || !littoral::TakeColour(this->StipeColor, p.Stipe))
+    {
+      vtkErrorMacro("BladeColor and StipeColor must be from 0 to 1.");
+      return false;
+    }
+  }
+  p.SegmentsPerBranch = this->SegmentsPerBranch;
+  p.Seed = this->Seed;
+  const std::string reason = littoral::WhyInvalid(p);
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+    return false;
+  }
+  prototype = littoral::LevelsOf(littoral::GrowSeaweed(p), options);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void vtkSeaweedSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "SegmentsPerBranch: " << this->SegmentsPerBranch << "\n";
+  os << indent << "Form: " << this->Form << "\n";
+  os << indent << "NumberOfFronds: " << this->NumberOfFronds << "\n";
+  os << indent << "HoldfastRadius: " << this->HoldfastRadius << "\n";
+  os << indent << "SpreadAngle: " << this->SpreadAngle << "\n";
+  os << indent << "StipeLength: " << this->StipeLength << "\n";
+  os << indent << "StipeRadius: " << this->StipeRadius << "\n";
+  os << indent << "BladeLength: " << this->BladeLength << "\n";
+  os << indent << "BladeWidth: " << this->BladeWidth << "\n";
+  os << indent << "BladeThickness: " << this->BladeThickness << "\n";
+  os << indent << "Ruffle: " << this->Ruffle << "\n";
+  os << indent << "BladeSpacing: " << this->BladeSpacing << "\n";
+  os << indent << "FloatRadius: " << this->FloatRadius << "\n";
+  os << indent << "StipeModulus: " << this->StipeModulus << "\n";
+  os << indent << "BladeModulus: " << this->BladeModulus << "\n";
+  os << indent << "DampingRatio: " << this->DampingRatio << "\n";
+  os << indent << "StipeDensity: " << this->StipeDensity << "\n";
+  os << indent << "BladeDensity: " << this->BladeDensity << "\n";
+  os << indent << "FloatDensity: " << this->FloatDensity << "\n";
+  os << indent << "Variation: " << this->Variation << "\n";
+  os << indent << "BladeColor: " << this->BladeColor[0] << " " << this->BladeColor[1] << " " << this->BladeColor[2]
+     << "\n";
+  os << indent << "StipeColor: " << this->StipeColor[0] << " " << this->StipeColor[1] << " " << this->StipeColor[2]
+     << "\n";
+}
