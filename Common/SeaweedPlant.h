@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSeaweedPlant_h
+#define LittoralSeaweedPlant_h
+
+#include "SeaweedSegment.h"
+#include "Skeleton.h"
+
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// The axes about which a joint of a seaweed turns. Values are those of a property: never renumber.
+enum class SeaweedJoint
+{
+  Bending = 0, ///< two axes at a right angle to the segment, no twist
+  Tilting = 1, ///< azimuth about the parent segment, then tilt (Coulais et al., figure 7)
+};
+
+/// How water pushes a seaweed.
+enum class SeaweedLoad
+{
+  Morison = 0, ///< drag by the relative velocity, inertia of water and plant, buoyancy
+  Direct = 1,  ///< a factor times acceleration (physical) or displacement (procedural) of the water, and current
+};
+
+/// How a seaweed is taken from one moment to the next.
+enum class SeaweedIntegrator
+{
+  Implicit = 0,      ///< linearly implicit trapezoidal rule, stable at any stiffness
+  ExplicitEuler = 1, ///< eq. 10 of Coulais et al.
+};
+
+/// The water around seaweeds, and what it does to them.
+struct SeaweedOptions
+{
+  SeaweedJoint Joint = SeaweedJoint::Bending;
+  SeaweedLoad Load = SeaweedLoad::Morison;
+  SeaweedIntegrator Integrator = SeaweedIntegrator::Implicit;
+  double WaterDensity = 1025.0;      ///< [kg/m3]
+  double SeaLevel = 0.0;             ///< above it nothing floats [m]
+  double DragCoefficient = 1.0;      ///< of the flow across a segment, by its width
+  double FrictionCoefficient = 0.02; ///< of the flow along a segment, by its surface
+  double AddedMassCoefficient = 1.0; ///< by the circle around the width
+  double DampingFactor = 1.0;        ///< of all damping ratios
+  double ForceFactor = 1.0;          ///< Direct: [N/m] for a m/s2, a metre or a m/s
+  double LeverArm = 0.5;             ///< procedural: where the load acts, as part of the segment; the paper's is 1
+  double LargestAngle = 1.0;         ///< procedural: of a joint [rad]
+};
+
+/// Why there are no such options, with the name of the property; empty when there are.
+std::string WhyInvalid(const SeaweedOptions& options);
+
+/// A stiff segment of a seaweed and the joint at its foot.
+struct SeaweedLink
+{
+  int Parent = -1;               ///< link that it grows on, before it; -1: the ground
+  bool IsFirst = true;           ///< of its branch
+  int Node = 0;                  ///< of the skeleton, at the foot
+  Vector3 Foot{ 0.0, 0.0, 0.0 }; ///< at rest [m]
+  Vector3 Axis{ 0.0, 0.0, 1.0 }; ///< at rest, of length 1
+  Vector3 Side{ 1.0, 0.0, 0.0 }; ///< at rest, at a right angle to it
+  double Theta = 0.0;            ///< of the paper, at rest [rad]
+  double Phi = 0.0;              ///< of the paper, at rest [rad]
+  double Length = 1.0;           ///< [m]
+  double Mass = 1.0;             ///< with the water that moves along [kg]
+  double AxialInertia = 1e-3;    ///< about its own axis [kg m2]
+  double WaterMass = 1.0;        ///< displaced water and the water that moves along [kg]
+  double Buoyancy = 0.0;         ///< in water, less weight [N]
+  double Weight = 0.0;           ///< in air [N]
+  double Frontage = 0.01;        ///< width times length [m2]
+  double Surface = 0.03;         ///< [m2]
+  double Stiffness = 1.0;        ///< of the joint [N m/rad]
+  double Damping = 0.0;          ///< of the joint [N m s/rad]
+  double Restoring = 0.0;        ///< what buoyancy beyond the joint adds to its stiffness upright [N m/rad]
+};
+
+/**
+ * The links of a skeleton, which must be valid, one for each node that is no tip. A joint between two segments bends as
+ * half of either does, one at the foot of a branch as half a segment, so that a chain of them bends as a beam does.
+ * Damping ratios hold for a joint that bears all beyond it, held stiff.
+ */
+std::vector<SeaweedLink> LinksOf(
+  const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, const SeaweedOptions& options);
+
+/// The damping [N m s/rad] of each joint for damping ratios of the links; also finds Restoring.
+void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& ratios);
+
+/// The longest step [s] with which explicit Euler does not blow up a plant in still water.
+double ExplicitLimit(const std::vector<SeaweedLink>& links);
+
+}
+
+#endif
