@@ -335,7 +335,7 @@ void SeaweedMotion::Step(double step, const WaterAtLink* water, const LinkPose* 
   Work* works = kept.data();
   for (std::size_t i = begin; i < end; ++i)
   {
-    this->Begin(step, water[i], poses, i, works, begin, states[i]);
+    this->Begin(step, water[i - begin], poses, i, works, begin, states[i]);
   }
   for (std::size_t i = end; i-- > begin;)
   {

@@ -63,7 +63,8 @@ public:
   /// The pose of one link whose parent's is known.
   void PoseOne(const LinkState& state, std::size_t link, LinkPose* poses) const;
 
-  /// Takes whole trees one step [s] further, from poses that go with the states.
+  /// Takes the whole trees [begin, end) one step [s] further, from poses that go with the states; `water` is theirs
+  /// alone.
   void Step(double step, const WaterAtLink* water, const LinkPose* poses, std::size_t begin, std::size_t end,
     LinkState* states) const;
 

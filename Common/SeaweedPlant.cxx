@@ -77,10 +77,14 @@ std::vector<SeaweedLink> LinksOf(
     for (int node = branch.First; node < branch.First + branch.Count - 1; ++node)
     {
       const SeaweedSegment& segment = segments[node];
+      if (segment.Tissue == SeaweedTissue::Holdfast)
+      {
+        continue; // ground to what grows on it
+      }
       SeaweedLink link = BodyOf(skeleton, node, segment, options);
       const int parent = skeleton.Nodes[node].Parent;
       link.Parent = parent < 0 ? -1 : linkOfNode[parent];
-      link.IsFirst = node == branch.First;
+      link.IsFirst = node == branch.First || link.Parent < 0;
       link.Theta = angles[node].Theta;
       link.Phi = angles[node].Phi;
       const double own = JointStiffness(segment, link.Length);

@@ -78,9 +78,9 @@ struct SeaweedLink
 };
 
 /**
- * The links of a skeleton, which must be valid, one for each node that is no tip. A joint between two segments bends as
- * half of either does, one at the foot of a branch as half a segment, so that a chain of them bends as a beam does.
- * Damping ratios hold for a joint that bears all beyond it, held stiff.
+ * The links of a skeleton, which must be valid, one for each node that is no tip and no holdfast. A joint between two
+ * segments bends as half of either does, one at the foot of a branch as half a segment, so that a chain of them bends
+ * as a beam does. Damping ratios hold for a joint that bears all beyond it, held stiff.
  */
 std::vector<SeaweedLink> LinksOf(
   const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, const SeaweedOptions& options);

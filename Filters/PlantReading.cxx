@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace littoral
 {
@@ -242,6 +243,27 @@ PlantMesh ReadMesh(vtkPolyData* block)
     mesh.AddPolygon(corners);
   }
   return mesh;
+}
+
+void ReplaceBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject* data)
+{
+  for (unsigned int block = 0; block < blocks->GetNumberOfBlocks(); ++block)
+  {
+    const char* own = blocks->HasMetaData(block) ? blocks->GetMetaData(block)->Get(vtkCompositeDataSet::NAME()) : "";
+    if (own && std::strcmp(own, name) == 0)
+    {
+      blocks->SetBlock(block, data);
+    }
+  }
+}
+
+vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(other->GetName());
+  array->SetNumberOfComponents(other->GetNumberOfComponents());
+  array->SetNumberOfTuples(other->GetNumberOfTuples());
+  return array;
 }
 
 }

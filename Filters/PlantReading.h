@@ -67,6 +67,12 @@ TextureImage ReadTexture(vtkPolyData* block);
 /// Polygons with colours and texture coordinates.
 PlantMesh ReadMesh(vtkPolyData* block);
 
+/// Puts a block in the place of that of the same name.
+void ReplaceBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject* data);
+
+/// An array of the same name and size, not filled.
+vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other);
+
 }
 
 #endif

@@ -26,28 +26,6 @@ int RowAt(const PlantTable& table, vtkIntArray* plantIds, vtkIdType point)
   return plantIds ? table.RowOf(plantIds->GetValue(point)) : 0;
 }
 
-/// Puts a block in the place of that of the same name.
-void Replace(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject* data)
-{
-  for (unsigned int block = 0; block < blocks->GetNumberOfBlocks(); ++block)
-  {
-    const char* own = blocks->HasMetaData(block) ? blocks->GetMetaData(block)->Get(vtkCompositeDataSet::NAME()) : "";
-    if (own && std::strcmp(own, name) == 0)
-    {
-      blocks->SetBlock(block, data);
-    }
-  }
-}
-
-vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other)
-{
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName(other->GetName());
-  array->SetNumberOfComponents(other->GetNumberOfComponents());
-  array->SetNumberOfTuples(other->GetNumberOfTuples());
-  return array;
-}
-
 }
 
 //----------------------------------------------------------------------------
@@ -458,7 +436,7 @@ void SwayForest::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDa
     {
       if (std::strcmp(this->Skins[index].Level, level) == 0)
       {
-        Replace(blocks, this->Skins[index].Name, moved[index]);
+        ReplaceBlock(blocks, this->Skins[index].Name, moved[index]);
       }
     }
     vtkPolyData* bones = std::strcmp(level, plant::High) == 0 ? PlantPartOf(plants, level, plant::Skeleton) : nullptr;
@@ -475,9 +453,9 @@ void SwayForest::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDa
       vtkNew<vtkPoints> points;
       points->SetData(places);
       bent->SetPoints(points);
-      Replace(blocks, plant::Skeleton, bent);
+      ReplaceBlock(blocks, plant::Skeleton, bent);
     }
-    Replace(output, level, blocks);
+    ReplaceBlock(output, level, blocks);
   }
 }
 

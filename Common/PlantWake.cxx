@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlantWake.h"
+
+#include "Constants.h"
+#include "ParameterRange.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Below it a plant counts as turning round, so that the strength has no jump [m/s].
+constexpr double SlowSpeed = 0.02;
+
+FlowPrimitive SourceAt(const Vector3& place, double strength, double core, double reach)
+{
+  FlowPrimitive source;
+  source.Type = FlowType::Source;
+  source.Centre = place;
+  source.Strength = strength;
+  source.CoreRadius = core;
+  source.InfluenceRadius = reach;
+  return source;
+}
+
+}
+
+std::string WhyInvalid(const WakeOptions& options)
+{
+  for (const std::string& reason : { OutOfRange("Strength", options.Strength, 0.0, 1e6),
+         OutOfRange("Reach", options.Reach, 1e-3, 1e3), OutOfRange("CoreShare", options.CoreShare, 1e-3, 1.0) })
+  {
+    if (!reason.empty())
+    {
+      return reason;
+    }
+  }
+  return {};
+}
+
+MovingPlant PlantOf(const std::vector<MovingPoint>& points)
+{
+  MovingPlant plant;
+  plant.Bounds = { points.front().Place, points.front().Place };
+  double weight = 0.0;
+  for (const MovingPoint& point : points)
+  {
+    plant.Centre += point.Weight * point.Place;
+    plant.Velocity += point.Weight * point.Velocity;
+    plant.Acceleration += point.Weight * point.Acceleration;
+    plant.Volume += point.Volume;
+    weight += point.Weight;
+    plant.Bounds.Low = glm::min(plant.Bounds.Low, point.Place);
+    plant.Bounds.High = glm::max(plant.Bounds.High, point.Place);
+  }
+  if (weight > 0.0)
+  {
+    plant.Centre /= weight;
+    plant.Velocity /= weight;
+    plant.Acceleration /= weight;
+  }
+  else
+  {
+    plant.Centre = 0.5 * (plant.Bounds.Low + plant.Bounds.High);
+  }
+  return plant;
+}
+
+std::vector<FlowPrimitive> WakeOf(const MovingPlant& plant, const WakeOptions& options)
+{
+  const double reach = std::max(1e-3, options.Reach * 0.5 * glm::distance(plant.Bounds.Low, plant.Bounds.High));
+  const double core = options.CoreShare * reach;
+  const double speed = glm::length(plant.Velocity);
+  if (options.Kind == WakeKind::Source)
+  {
+    const double along = glm::dot(plant.Acceleration, plant.Velocity) / (speed + SlowSpeed);
+    return { SourceAt(plant.Centre, options.Strength * along, core, reach) };
+  }
+  const double radius = std::cbrt(0.75 * plant.Volume / Pi);
+  const double moment = options.Strength * TwoPi * radius * radius * radius * speed;
+  const double apart = 0.5 * core;
+  const Vector3 half = speed > 0.0 ? 0.5 * apart / speed * plant.Velocity : Vector3(0.0);
+  return { SourceAt(plant.Centre + half, moment / apart, core, reach),
+    SourceAt(plant.Centre - half, -moment / apart, core, reach) };
+}
+
+}

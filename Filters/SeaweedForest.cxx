@@ -1,0 +1,588 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeaweedForest.h"
+
+#include "LittoralPipeline.h"
+#include "LittoralRanges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr std::size_t LinksAtOnce = 256;
+constexpr std::size_t MostCheckpoints = 16;
+
+double SmoothStep(double x)
+{
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// 1 up to a distance, 0 beyond the band that follows.
+double ShareOf(double distance, double end, double band)
+{
+  return band > 0.0 ? 1.0 - SmoothStep((distance - end) / band) : (distance <= end ? 1.0 : 0.0);
+}
+
+}
+
+//----------------------------------------------------------------------------
+std::string SeaweedForest::Read(vtkMultiBlockDataSet* plants, const SeaweedOptions& options)
+{
+  this->Options = options;
+  vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
+  if (!bones)
+  {
+    return "the plants have no block High/Skeleton.";
+  }
+  if (bones->GetNumberOfPoints() == 0)
+  {
+    this->Motion = std::make_unique<SeaweedMotion>(std::vector<SeaweedLink>(), options);
+    return {};
+  }
+  const double bytes = 2000.0 * static_cast<double>(bones->GetNumberOfPoints());
+  if (bytes > AvailableMemory())
+  {
+    return "the plants need " + std::to_string(static_cast<long long>(bytes / 1e6)) + " MB to move; take fewer.";
+  }
+  std::string reason = this->ReadPlants(bones);
+  reason = reason.empty() ? this->ReadSkins(plants) : reason;
+  if (reason.empty())
+  {
+    this->MakeBatches();
+    this->Reset();
+  }
+  return reason;
+}
+
+//----------------------------------------------------------------------------
+std::string SeaweedForest::ReadPlants(vtkPolyData* bones)
+{
+  std::vector<SeaweedSegment> segments;
+  std::string reason = ReadSkeleton(bones, this->Rest);
+  reason = reason.empty() ? ReadSegments(bones, segments) : reason;
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  for (const SkeletonNode& node : this->Rest.Nodes)
+  {
+    if (node.Position.z > this->Options.SeaLevel)
+    {
+      return "the plants reach " + std::to_string(node.Position.z - this->Options.SeaLevel) +
+        " m above the sea (SeaLevel of the sea state is " + std::to_string(this->Options.SeaLevel) +
+        " m); place them in deeper water.";
+    }
+  }
+  const std::vector<SeaweedLink> links = LinksOf(this->Rest, segments, this->Options);
+  this->Motion = std::make_unique<SeaweedMotion>(links, this->Options);
+  this->LinkOfNode.assign(this->Rest.Nodes.size(), -1);
+  for (std::size_t link = 0; link < links.size(); ++link)
+  {
+    this->LinkOfNode[links[link].Node] = static_cast<int>(link);
+  }
+  for (const SkeletonBranch& branch : this->Rest.Branches)
+  {
+    const int tip = branch.First + branch.Count - 1;
+    this->LinkOfNode[tip] = this->LinkOfNode[tip - 1];
+    for (int node = branch.First; node < tip; ++node)
+    {
+      if (this->LinkOfNode[node] >= 0)
+      {
+        this->OrderInBranch.push_back(node - branch.First);
+        this->LinksOfBranch.push_back(branch.Count - 1);
+      }
+    }
+  }
+  // Plants of a scattered forest by their PlantId, else all is one.
+  auto* ids = vtkIntArray::SafeDownCast(bones->GetPointData()->GetArray(plant::PlantId));
+  int last = -1;
+  for (std::size_t link = 0; link < links.size(); ++link)
+  {
+    const int id = ids ? ids->GetValue(links[link].Node) : 0;
+    if (this->Plants.empty() || id != last)
+    {
+      this->Plants.push_back({ link, link, Vector3(0.0), 0.0, 0.0f });
+      last = id;
+    }
+    this->Plants.back().EndLink = link + 1;
+  }
+  for (Plant& one : this->Plants)
+  {
+    Vector3 low(1e300);
+    Vector3 high(-1e300);
+    double reach = 0.0;
+    std::vector<double> lengths(one.EndLink - one.FirstLink, 0.0);
+    for (std::size_t link = one.FirstLink; link < one.EndLink; ++link)
+    {
+      const SeaweedLink& own = links[link];
+      const Vector3 end = own.Foot + own.Length * own.Axis;
+      low = glm::min(low, glm::min(own.Foot, end));
+      high = glm::max(high, glm::max(own.Foot, end));
+      const double below = own.Parent < 0 ? 0.0 : lengths[own.Parent - one.FirstLink];
+      lengths[link - one.FirstLink] = below + own.Length;
+      reach = std::max(reach, below + own.Length);
+    }
+    one.Middle = 0.5 * (low + high);
+    one.Reach = reach + 0.5 * glm::distance(low, high);
+  }
+  return {};
+}
+
+//----------------------------------------------------------------------------
+std::string SeaweedForest::ReadSkins(vtkMultiBlockDataSet* plants)
+{
+  for (const char* name : { plant::Skin, plant::Leaves })
+  {
+    vtkPolyData* block = PlantPartOf(plants, plant::High, name);
+    if (!block || block->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    const std::string reason = WhyBadSkin(block, name, this->Rest.Nodes.size());
+    if (!reason.empty())
+    {
+      return reason;
+    }
+    std::vector<std::size_t> plantOfNode(this->Rest.Nodes.size(), this->Plants.size());
+    for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
+    {
+      for (std::size_t link = this->Plants[plant].FirstLink; link < this->Plants[plant].EndLink; ++link)
+      {
+        plantOfNode[this->Motion->GetLinks()[link].Node] = plant;
+      }
+    }
+    for (const SkeletonBranch& branch : this->Rest.Branches)
+    {
+      plantOfNode[branch.First + branch.Count - 1] = plantOfNode[branch.First + branch.Count - 2];
+    }
+    Skin skin{ name, block, {} };
+    auto* ids = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointIds));
+    for (vtkIdType vertex = 0; vertex < block->GetNumberOfPoints(); ++vertex)
+    {
+      const std::size_t plant = plantOfNode[ids->GetValue(4 * vertex)];
+      if (skin.Runs.empty() || skin.Runs.back().Plant != plant)
+      {
+        skin.Runs.push_back({ vertex, vertex, plant });
+      }
+      skin.Runs.back().End = vertex + 1;
+    }
+    this->Skins.push_back(std::move(skin));
+  }
+  return {};
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::MakeBatches()
+{
+  const std::vector<std::size_t>& trees = this->Motion->GetTrees();
+  this->Batches.clear();
+  for (std::size_t tree = 0; tree + 1 < trees.size(); ++tree)
+  {
+    if (this->Batches.empty() || this->Batches.back().End - this->Batches.back().First >= LinksAtOnce)
+    {
+      this->Batches.push_back({ trees[tree], trees[tree] });
+    }
+    this->Batches.back().End = trees[tree + 1];
+  }
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::Reset()
+{
+  this->Now = this->Motion->AtRest();
+  this->NowPoses.resize(this->Now.size());
+  this->Motion->Pose(this->Now.data(), 0, this->Now.size(), this->NowPoses.data());
+  this->NowStep = 0;
+  this->Checkpoints.clear();
+  this->Stride = 1;
+}
+
+void SeaweedForest::Resume(long long step)
+{
+  const auto after = this->Checkpoints.upper_bound(step);
+  const long long kept = after == this->Checkpoints.begin() ? 0 : std::prev(after)->first;
+  if (this->NowStep <= step && this->NowStep >= kept)
+  {
+    return;
+  }
+  this->Now = kept == 0 ? this->Motion->AtRest() : std::prev(after)->second;
+  this->NowStep = kept;
+  SmpFor(this->Batches.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t batch = begin; batch < end; ++batch)
+    {
+      this->Motion->Pose(this->Now.data(), this->Batches[batch].First, this->Batches[batch].End, this->NowPoses.data());
+    }
+  });
+}
+
+//----------------------------------------------------------------------------
+/// The water at places.
+void SeaweedForest::WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
+  int trains, std::vector<WaterAtLink>& water) const
+{
+  const std::size_t count = middles.size();
+  water.assign(count, WaterAtLink());
+  std::vector<float> places(3 * count);
+  std::vector<float> first(3 * count, 0.0f);
+  std::vector<float> second(3 * count, 0.0f);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    water[i].Velocity = currents.Velocity(middles[i], 1);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      places[3 * i + axis] = static_cast<float>(middles[i][axis]);
+    }
+  }
+  if (this->Sea.Trains.empty() || count == 0)
+  {
+    return;
+  }
+  OrbitRequest<float> request;
+  const bool isDirect = this->Options.Load == SeaweedLoad::Direct;
+  std::vector<int> counts;
+  if (trains < static_cast<int>(this->Sea.Trains.size()))
+  {
+    counts.assign(count, trains);
+    request.TrainCounts = counts.data();
+  }
+  request.Centres = places.data();
+  request.Velocity = isDirect ? nullptr : first.data();
+  request.Acceleration = isDirect && !this->IsPhysical ? nullptr : second.data();
+  request.Displacement = isDirect && !this->IsPhysical ? second.data() : nullptr;
+  orbits.Evaluate(request, 0, count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Vector3 other(second[3 * i], second[3 * i + 1], second[3 * i + 2]);
+    WaterAtLink& one = water[i];
+    one.Velocity += Vector3(first[3 * i], first[3 * i + 1], first[3 * i + 2]);
+    (request.Displacement ? one.Displacement : one.Acceleration) = other;
+  }
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
+  std::vector<LinkPose>& poses) const
+{
+  // Loads are those of the middle of the step.
+  const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Batches.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+    std::vector<Vector3> middles;
+    std::vector<WaterAtLink> water;
+    for (vtkIdType index = begin; index < end; ++index)
+    {
+      const Batch& batch = this->Batches[static_cast<std::size_t>(index)];
+      middles.clear();
+      for (std::size_t link = batch.First; link < batch.End; ++link)
+      {
+        middles.push_back(poses[link].Foot + 0.5 * this->Motion->GetLinks()[link].Length * poses[link].Axis);
+      }
+      this->WaterAt(orbits, currents, middles, static_cast<int>(this->Sea.Trains.size()), water);
+      const std::vector<std::size_t>& trees = this->Motion->GetTrees();
+      auto tree = std::lower_bound(trees.begin(), trees.end(), batch.First);
+      for (; *tree < batch.End; ++tree)
+      {
+        const WaterAtLink* own = water.data() + (*tree - batch.First);
+        this->Motion->Step(step, own, poses.data(), *tree, *(tree + 1), states.data());
+      }
+      this->Motion->Pose(states.data(), batch.First, batch.End, poses.data());
+    }
+  });
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::Advance(double time, double step, const StepCurrents& currents)
+{
+  this->StepAll(time, step, currents, this->Now, this->NowPoses);
+  ++this->NowStep;
+  if (this->NowStep % this->Stride != 0)
+  {
+    return;
+  }
+  this->Checkpoints[this->NowStep] = this->Now;
+  while (this->Checkpoints.size() > MostCheckpoints)
+  {
+    this->Stride *= 2;
+    for (auto it = this->Checkpoints.begin(); it != this->Checkpoints.end();)
+    {
+      it = it->first % this->Stride == 0 ? std::next(it) : this->Checkpoints.erase(it);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// As many trains as leave an error of less than a part of a pixel at the plant's top, a bound for all of them at once.
+int SeaweedForest::TrainsFor(const Plant& plant, const SeaweedLevels& levels) const
+{
+  int count = static_cast<int>(this->Sea.Trains.size());
+  if (!levels.UseLevels || this->IsPhysical)
+  {
+    return count;
+  }
+  const double distance = glm::distance(plant.Middle, levels.Seen.Point);
+  const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
+  const double top = std::min(0.0, plant.Middle.z + plant.Reach - this->Sea.SeaLevel);
+  double left = 0.0;
+  for (; count > 0; --count)
+  {
+    left += AxesAt(this->Sea.Trains[static_cast<std::size_t>(count - 1)], top, this->Sea.Depth).Horizontal;
+    if (left > levels.PixelError * pixel)
+    {
+      break;
+    }
+  }
+  return count;
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const StepCurrents& currents,
+  const SeaweedLevels& levels, const ViewFrustum* view, const std::vector<LinkState>& states, SeaweedCounters& counters)
+{
+  double near = 1.0;
+  double far = 1.0;
+  if (view)
+  {
+    const double distance = glm::distance(plant.Middle, levels.Seen.Point);
+    near = ShareOf(distance, levels.NearDistance, levels.BlendDistance);
+    far = ShareOf(distance, levels.FarDistance, levels.BlendDistance);
+  }
+  const bool isSeen = !view || view->MayShow(plant.Middle, plant.Reach);
+  plant.Rigid = static_cast<float>(1.0 - near);
+  counters.Shown += isSeen ? 1 : 0;
+  const auto shareOf = [&](std::size_t link) {
+    const int order = this->OrderInBranch[link];
+    const double share = order == 0 ? 1.0 : (order < (this->LinksOfBranch[link] + 1) / 2 ? far : near);
+    return isSeen ? share : 0.0;
+  };
+  const auto isProcedural = [&](std::size_t link) {
+    return !this->IsPhysical || (this->OrderInBranch[link] == 0 && far < 1.0);
+  };
+  // Procedural loads are those at the places of rest.
+  std::vector<Vector3> middles;
+  std::vector<WaterAtLink> water;
+  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+  {
+    if (shareOf(link) > 0.0 && isProcedural(link))
+    {
+      const SeaweedLink& one = this->Motion->GetLinks()[link];
+      middles.push_back(one.Foot + 0.5 * one.Length * one.Axis);
+    }
+  }
+  const int trains = this->TrainsFor(plant, levels);
+  this->WaterAt(orbits, currents, middles, trains, water);
+  counters.TrainEvaluations += static_cast<std::int64_t>(middles.size()) * trains;
+  auto nextWater = water.begin();
+  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+  {
+    LinkState state = this->Motion->RestOf(link);
+    const double share = shareOf(link);
+    if (share > 0.0)
+    {
+      LinkState own = states[link];
+      if (isProcedural(link))
+      {
+        const LinkState guess = this->Motion->Procedural(*nextWater++, link, this->Shown.data());
+        own = this->IsPhysical ? this->Motion->Mixed(guess, own, far) : guess;
+      }
+      state = this->Motion->Mixed(state, own, share);
+      ++counters.Segments;
+    }
+    this->Motion->PoseOne(state, link, this->Shown.data());
+  }
+}
+
+//----------------------------------------------------------------------------
+SeaweedCounters SeaweedForest::Show(double time, double rest, const StepCurrents& currents, const SeaweedLevels& levels)
+{
+  this->Velocities.clear();
+  this->Accelerations.clear();
+  this->Shown.resize(this->Motion->GetLinks().size());
+  std::vector<LinkState> partly;
+  if (this->IsPhysical && rest > 0.0)
+  {
+    partly = this->Now;
+    std::vector<LinkPose> poses = this->NowPoses;
+    this->StepAll(time - rest, rest, currents, partly, poses);
+  }
+  const std::vector<LinkState>& states = partly.empty() ? this->Now : partly;
+  const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time);
+  std::unique_ptr<ViewFrustum> view;
+  if (levels.UseLevels)
+  {
+    view = std::make_unique<ViewFrustum>(levels.Seen);
+  }
+  std::vector<SeaweedCounters> counters(this->Plants.size());
+  SmpFor(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      this->ShowPlant(this->Plants[plant], orbits, currents, levels, view.get(), states, counters[plant]);
+    }
+  });
+  SeaweedCounters sum;
+  for (const SeaweedCounters& one : counters)
+  {
+    sum.Shown += one.Shown;
+    sum.Segments += one.Segments;
+    sum.TrainEvaluations += one.TrainEvaluations;
+  }
+  return sum;
+}
+
+//----------------------------------------------------------------------------
+/// Places of the nodes [m], or their velocities [m/s].
+std::vector<Vector3> SeaweedForest::NodesAt(const std::vector<LinkPose>& poses, bool velocities) const
+{
+  std::vector<Vector3> nodes(this->Rest.Nodes.size());
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+  {
+    const Vector3 rest = this->Rest.Nodes[node].Position;
+    const int link = this->LinkOfNode[node];
+    if (link < 0)
+    {
+      nodes[node] = velocities ? Vector3(0.0) : rest;
+      continue;
+    }
+    const LinkPose& pose = poses[link];
+    const Vector3 foot = this->Motion->GetLinks()[link].Foot;
+    const Vector3 arm = rest - foot;
+    const Vector3 moved = rest + (pose.Foot - foot) + TurnedBy(pose.Turn, arm);
+    nodes[node] = velocities ? pose.Velocity + glm::cross(pose.Spin, moved - pose.Foot) : moved;
+  }
+  return nodes;
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::FindMotion(double time, double rest, double step, const StepCurrents& currents)
+{
+  if (this->IsPhysical)
+  {
+    std::vector<LinkState> states = this->Now;
+    std::vector<LinkPose> poses = this->NowPoses;
+    const std::vector<Vector3> before = this->NodesAt(poses, true);
+    this->StepAll(time - rest, step, currents, states, poses);
+    const std::vector<Vector3> after = this->NodesAt(poses, true);
+    for (std::size_t node = 0; node < after.size(); ++node)
+    {
+      const Vector3 acceleration = (after[node] - before[node]) / step;
+      this->Velocities.push_back(before[node] + rest * acceleration);
+      this->Accelerations.push_back(acceleration);
+    }
+    return;
+  }
+  const std::vector<LinkPose> shown = this->Shown;
+  std::vector<Vector3> places[3];
+  for (int moment = 0; moment < 3; ++moment)
+  {
+    this->Show(time + (moment - 1) * step, 0.0, currents, SeaweedLevels());
+    places[moment] = this->NodesAt(this->Shown, false);
+  }
+  this->Shown = shown;
+  for (std::size_t node = 0; node < places[0].size(); ++node)
+  {
+    this->Velocities.push_back((places[2][node] - places[0][node]) / (2.0 * step));
+    this->Accelerations.push_back((places[2][node] - 2.0 * places[1][node] + places[0][node]) / (step * step));
+  }
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::MoveSkinOf(const Skin& skin, const std::vector<JointChange>& changes, vtkPolyData* moved) const
+{
+  vtkPointData* arrays = skin.Rest->GetPointData();
+  auto* restNormals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
+  auto* ids = vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds));
+  auto* weights = vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights));
+  auto points = FloatsLike(FloatPointsOf(skin.Rest));
+  auto normals = FloatsLike(restNormals);
+  const RestSkin<float> rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals->GetPointer(0), ids->GetPointer(0),
+    weights->GetPointer(0) };
+  float* p = points->GetPointer(0);
+  float* n = normals->GetPointer(0);
+  SmpFor(skin.Runs.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<float> stiff;
+    for (std::size_t index = begin; index < end; ++index)
+    {
+      const Run& run = skin.Runs[index];
+      const float rigid = run.Plant < this->Plants.size() ? this->Plants[run.Plant].Rigid : 0.0f;
+      RestSkin<float> own = rest;
+      const auto first = static_cast<std::size_t>(run.First);
+      const auto last = static_cast<std::size_t>(run.End);
+      if (rigid > 0.0f)
+      {
+        // Beyond NearDistance a vertex follows its nearest segment alone.
+        stiff.assign(rest.JointWeights + 4 * first, rest.JointWeights + 4 * last);
+        for (std::size_t vertex = 0; vertex < last - first; ++vertex)
+        {
+          float* weight = &stiff[4 * vertex];
+          const auto most = std::max_element(weight, weight + 4) - weight;
+          for (int i = 0; i < 4; ++i)
+          {
+            weight[i] += rigid * ((i == most ? 1.0f : 0.0f) - weight[i]);
+          }
+        }
+        own.JointWeights = stiff.data() - 4 * first;
+      }
+      MoveSkin(own, changes.data(), first, last, p, n);
+    }
+  });
+  vtkNew<vtkPoints> places;
+  places->SetData(points);
+  moved->SetPoints(places);
+  KeepRanges(points.Get());
+  KeepRanges(normals.Get());
+  moved->GetPointData()->SetNormals(normals);
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output) const
+{
+  if (this->Rest.Nodes.empty())
+  {
+    return;
+  }
+  std::vector<JointChange> changes(this->Rest.Nodes.size());
+  for (std::size_t node = 0; node < changes.size(); ++node)
+  {
+    const int link = this->LinkOfNode[node];
+    if (link >= 0)
+    {
+      const SeaweedLink& own = this->Motion->GetLinks()[link];
+      changes[node] = ChangeOf(PoseOf(own, this->Shown[link]), own.Foot);
+    }
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->ShallowCopy(FindBlock(plants, plant::High));
+  for (const Skin& skin : this->Skins)
+  {
+    vtkNew<vtkPolyData> moved;
+    moved->ShallowCopy(skin.Rest);
+    this->MoveSkinOf(skin, changes, moved);
+    ReplaceBlock(blocks, skin.Name, moved);
+  }
+  vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
+  vtkNew<vtkPolyData> bent;
+  bent->ShallowCopy(bones);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(bones->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(bones->GetNumberOfPoints());
+  const std::vector<Vector3> nodes = this->NodesAt(this->Shown, false);
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+  {
+    points->SetPoint(static_cast<vtkIdType>(node), &nodes[node].x);
+  }
+  bent->SetPoints(points);
+  if (!this->Velocities.empty())
+  {
+    bent->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Velocity", 3, this->Velocities));
+    bent->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Acceleration", 3, this->Accelerations));
+  }
+  ReplaceBlock(blocks, plant::Skeleton, bent);
+  ReplaceBlock(output, plant::High, blocks);
+}
+
+}

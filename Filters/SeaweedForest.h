@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SeaweedForest_h
+#define SeaweedForest_h
+
+// Seaweeds in the sea between blocks and the numerics. Private: never installed, never wrapped.
+
+#include "DriftHistory.h"
+#include "PlantReading.h"
+#include "SeaweedMotion.h"
+#include "ViewFrustum.h"
+#include "WaveOrbits.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace littoral
+{
+
+/// What is shown of seaweeds, and how.
+struct SeaweedLevels
+{
+  bool UseLevels = false;
+  double NearDistance = 5.0;  ///< [m]
+  double FarDistance = 20.0;  ///< [m]
+  double BlendDistance = 4.0; ///< beyond either, over which levels change [m]
+  double PixelError = 0.5;    ///< by waves that are left out [pixels]
+  View Seen;
+};
+
+/// What a picture cost.
+struct SeaweedCounters
+{
+  std::int64_t Shown = 0;            ///< plants
+  std::int64_t Segments = 0;         ///< that were moved by a method
+  std::int64_t TrainEvaluations = 0; ///< segments times wave trains, of what is shown
+};
+
+/// Seaweeds at full detail, one or many, with all that does not change from frame to frame, and their state.
+class SeaweedForest
+{
+public:
+  /// The reason why plants cannot be read, or nothing.
+  std::string Read(vtkMultiBlockDataSet* plants, const SeaweedOptions& options);
+
+  void SetSea(const SeaState& sea, bool isPhysical)
+  {
+    this->Sea = sea;
+    this->IsPhysical = isPhysical;
+  }
+
+  std::size_t GetNumberOfLinks() const { return this->Motion ? this->Motion->GetLinks().size() : 0; }
+  const std::vector<SeaweedLink>& GetLinks() const { return this->Motion->GetLinks(); }
+  std::size_t GetNumberOfPlants() const { return this->Plants.size(); }
+
+  /// All at rest at the step 0.
+  void Reset();
+
+  /// Begins from the latest known state that is not after a step.
+  void Resume(long long step);
+
+  long long GetStep() const { return this->NowStep; }
+
+  /// Takes the state one step further, from a time [s]. False when aborted.
+  void Advance(double time, double step, const StepCurrents& currents);
+
+  /// Finds the plants at a time, `rest` [s] after the state of the step.
+  SeaweedCounters Show(double time, double rest, const StepCurrents& currents, const SeaweedLevels& levels);
+
+  /// Adds Velocity and Acceleration of the nodes to what Show found; of all detail, whatever is shown.
+  void FindMotion(double time, double rest, double step, const StepCurrents& currents);
+
+  /// Writes the plants; `output` is a shallow copy of `plants`.
+  void Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output) const;
+
+private:
+  struct Plant
+  {
+    std::size_t FirstLink = 0;
+    std::size_t EndLink = 0;
+    Vector3 Middle{ 0.0 };
+    double Reach = 0.0; ///< of all it can touch around Middle [m]
+    float Rigid = 0.0f; ///< how far its skin has turned stiff, 0 to 1
+  };
+  /// A run of vertices of one plant.
+  struct Run
+  {
+    vtkIdType First = 0;
+    vtkIdType End = 0;
+    std::size_t Plant = 0;
+  };
+  struct Skin
+  {
+    const char* Name;
+    vtkPolyData* Rest = nullptr;
+    std::vector<Run> Runs;
+  };
+  /// Links that one thread moves at a time: whole trees.
+  struct Batch
+  {
+    std::size_t First = 0;
+    std::size_t End = 0;
+  };
+
+  SeaweedOptions Options;
+  SeaState Sea;
+  bool IsPhysical = true;
+  Skeleton Rest;
+  std::unique_ptr<SeaweedMotion> Motion;
+  std::vector<int> LinkOfNode;    ///< that moves it; -1: the ground
+  std::vector<int> OrderInBranch; ///< of a link
+  std::vector<int> LinksOfBranch; ///< of a link: how many its branch has
+  std::vector<Plant> Plants;
+  std::vector<Batch> Batches;
+  std::vector<Skin> Skins;
+
+  std::vector<LinkState> Now;
+  std::vector<LinkPose> NowPoses;
+  long long NowStep = 0;
+  std::map<long long, std::vector<LinkState>> Checkpoints;
+  long long Stride = 1;
+
+  std::vector<LinkPose> Shown;
+  std::vector<Vector3> Velocities;    ///< of nodes
+  std::vector<Vector3> Accelerations; ///< of nodes
+
+  std::string ReadPlants(vtkPolyData* bones);
+  std::string ReadSkins(vtkMultiBlockDataSet* plants);
+  void MakeBatches();
+  void WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles, int trains,
+    std::vector<WaterAtLink>& water) const;
+  void StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
+    std::vector<LinkPose>& poses) const;
+  int TrainsFor(const Plant& plant, const SeaweedLevels& levels) const;
+  void ShowPlant(Plant& plant, const WaveOrbits& orbits, const StepCurrents& currents, const SeaweedLevels& levels,
+    const ViewFrustum* view, const std::vector<LinkState>& states, SeaweedCounters& counters);
+  std::vector<Vector3> NodesAt(const std::vector<LinkPose>& poses, bool velocities) const;
+  void MoveSkinOf(const Skin& skin, const std::vector<JointChange>& changes, vtkPolyData* moved) const;
+};
+
+}
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPlantWakeFilter.h"
+
+#include "Constants.h"
+#include "LittoralCurrents.h"
+#include "LittoralPipeline.h"
+#include "ParameterRange.h"
+#include "PlantReading.h"
+#include "PlantWake.h"
+
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPlantWakeFilter);
+
+namespace
+{
+
+using littoral::MovingPoint;
+
+/// The nodes of a skeleton by plant, plants in the order in which they come. The reason why there are none, or nothing.
+std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>& plants, std::vector<int>& plantIds)
+{
+  const auto find = [bones](const char* name, int components) -> vtkDataArray* {
+    vtkDataArray* array = bones->GetPointData()->GetArray(name);
+    return array && array->GetNumberOfComponents() == components ? array : nullptr;
+  };
+  vtkDataArray* velocity = find("Velocity", 3);
+  vtkDataArray* acceleration = find("Acceleration", 3);
+  vtkDataArray* radius = find(littoral::plant::Radius, 1);
+  vtkDataArray* length = find(littoral::seaweed::Length, 1);
+  vtkDataArray* density = find(littoral::seaweed::Density, 1);
+  if (!velocity || !acceleration)
+  {
+    return "High/Skeleton has no point arrays Velocity[3] and Acceleration[3]; switch on GenerateMotion of the "
+           "deformation filter.";
+  }
+  if (!radius || !length || !density)
+  {
+    return "High/Skeleton has no point arrays Radius, Length and Density, as seaweeds have.";
+  }
+  vtkDataArray* ids = find(littoral::plant::PlantId, 1);
+  for (vtkIdType node = 0; node < bones->GetNumberOfPoints(); ++node)
+  {
+    const int id = ids ? static_cast<int>(ids->GetTuple1(node)) : 0;
+    if (plants.empty() || plantIds.back() != id)
+    {
+      plants.emplace_back();
+      plantIds.push_back(id);
+    }
+    MovingPoint point;
+    bones->GetPoint(node, &point.Place.x);
+    velocity->GetTuple(node, &point.Velocity.x);
+    acceleration->GetTuple(node, &point.Acceleration.x);
+    const double r = radius->GetTuple1(node);
+    point.Volume = littoral::Pi * r * r * length->GetTuple1(node);
+    point.Weight = density->GetTuple1(node) * point.Volume;
+    if (!littoral::IsFinite(point.Place) || !littoral::IsFinite(point.Velocity) ||
+      !littoral::IsFinite(point.Acceleration) || !(point.Weight >= 0.0))
+    {
+      return "node " + std::to_string(node) + " of High/Skeleton has numbers that are not finite, or no mass.";
+    }
+    plants.back().push_back(point);
+  }
+  return {};
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkPlantWakeFilter::vtkPlantWakeFilter()
+  : Primitive(0)
+  , Strength(0.5)
+  , Reach(1.0)
+  , CoreShare(0.2)
+{
+}
+
+vtkPlantWakeFilter::~vtkPlantWakeFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkPlantWakeFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkPlantWakeFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // A current is asked for as a whole.
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkPlantWakeFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  littoral::WakeOptions options;
+  options.Kind = static_cast<littoral::WakeKind>(this->Primitive);
+  options.Strength = this->Strength;
+  options.Reach = this->Reach;
+  options.CoreShare = this->CoreShare;
+  std::string reason = littoral::OutOfRange("Primitive", this->Primitive, 0, 1);
+  reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
+  vtkPolyData* bones = littoral::PlantPartOf(
+    vtkMultiBlockDataSet::GetData(inputVector[0]), littoral::plant::High, littoral::plant::Skeleton);
+  if (reason.empty() && !bones)
+  {
+    reason = "the plants have no block High/Skeleton.";
+  }
+  std::vector<std::vector<MovingPoint>> plants;
+  std::vector<int> plantIds;
+  if (reason.empty() && bones->GetNumberOfPoints() > 0)
+  {
+    reason = ReadPlants(bones, plants, plantIds);
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot make a wake: " << reason);
+    return 0;
+  }
+  std::vector<littoral::FlowPrimitive> primitives;
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(littoral::plant::PlantId);
+  for (std::size_t plant = 0; plant < plants.size(); ++plant)
+  {
+    for (const littoral::FlowPrimitive& one : littoral::WakeOf(littoral::PlantOf(plants[plant]), options))
+    {
+      primitives.push_back(one);
+      ids->InsertNextValue(plantIds[plant]);
+    }
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  littoral::WriteFlowPrimitives(primitives, output);
+  output->GetPointData()->AddArray(ids);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkPlantWakeFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Primitive: " << this->Primitive << "\n";
+  os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "CoreShare: " << this->CoreShare << "\n";
+}

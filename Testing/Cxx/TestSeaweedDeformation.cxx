@@ -1,0 +1,587 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Seaweeds that move, through the pipeline: rest, time in any order, threads, frame rates, skins against VTK's own
+// filter, levels of detail and their counters, wakes, and every bad input.
+#include "ErrorCounter.h"
+#include "LittoralPlants.h"
+#include "vtkCurrentDriftFilter.h"
+#include "vtkFlowPrimitiveSource.h"
+#include "vtkPlantWakeFilter.h"
+#include "vtkSeaStateSource.h"
+#include "vtkSeaweedDeformationFilter.h"
+#include "vtkSeaweedSource.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkPointSet.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkTransform.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnsignedShortArray.h"
+#include "vtkVersionMacros.h"
+#include "vtkWeightedTransformFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Filter = vtkSeaweedDeformationFilter;
+using littoral::Vector3;
+
+bool Check(bool good, const std::string& what)
+{
+  if (!good)
+  {
+    std::cerr << what << std::endl;
+  }
+  return good;
+}
+
+vtkPolyData* Part(vtkDataObject* plants, const char* name)
+{
+  auto* high = littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(plants), "High");
+  return vtkPolyData::SafeDownCast(littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(high), name));
+}
+
+std::vector<char> BytesOf(vtkDataArray* array)
+{
+  const char* begin = static_cast<const char*>(array->GetVoidPointer(0));
+  return { begin, begin + array->GetNumberOfValues() * array->GetDataTypeSize() };
+}
+
+std::vector<char> BytesAt(Filter* filter, double time)
+{
+  filter->UpdateTimeStep(time);
+  std::vector<char> all;
+  for (const char* name : { "Skeleton", "Leaves", "Skin" })
+  {
+    vtkPolyData* part = Part(filter->GetOutputDataObject(0), name);
+    if (part && part->GetNumberOfPoints() > 0)
+    {
+      const std::vector<char> bytes = BytesOf(part->GetPoints()->GetData());
+      all.insert(all.end(), bytes.begin(), bytes.end());
+    }
+  }
+  return all;
+}
+
+double Farthest(vtkPolyData* a, vtkPolyData* b)
+{
+  double most = a->GetNumberOfPoints() == b->GetNumberOfPoints() ? 0.0 : 1e9;
+  for (vtkIdType id = 0; most < 1e9 && id < a->GetNumberOfPoints(); ++id)
+  {
+    Vector3 p;
+    Vector3 q;
+    a->GetPoint(id, &p.x);
+    b->GetPoint(id, &q.x);
+    most = std::max(most, glm::distance(p, q));
+  }
+  return most;
+}
+
+/// The largest angle between segments of two skeletons [rad].
+double LargestTurn(vtkPolyData* a, vtkPolyData* b)
+{
+  double most = 0.0;
+  for (vtkIdType id = 1; id < a->GetNumberOfPoints(); ++id)
+  {
+    Vector3 p[2];
+    Vector3 q[2];
+    for (int end = 0; end < 2; ++end)
+    {
+      a->GetPoint(id - 1 + end, &p[end].x);
+      b->GetPoint(id - 1 + end, &q[end].x);
+    }
+    if (glm::distance(p[0], p[1]) > 0.02)
+    {
+      const Vector3 u = glm::normalize(p[1] - p[0]);
+      const Vector3 v = glm::normalize(q[1] - q[0]);
+      most = std::max(most, glm::length(glm::cross(u, v)));
+    }
+  }
+  return most;
+}
+
+long long Counter(vtkAlgorithm* filter, const char* name)
+{
+  vtkDataArray* array = filter->GetOutputDataObject(0)->GetFieldData()->GetArray(name);
+  return array ? static_cast<long long>(array->GetTuple1(0)) : -1;
+}
+
+/// Simple plants: stems of some segments at places, with one side branch each, as a scattered forest has them.
+vtkNew<vtkMultiBlockDataSet> Stems(const std::vector<Vector3>& places, int segments, double height = 1.0)
+{
+  littoral::Skeleton skeleton;
+  std::vector<int> plants;
+  for (const Vector3& place : places)
+  {
+    skeleton.StartBranch(-1, place, 0.01);
+    for (int i = 1; i <= segments; ++i)
+    {
+      skeleton.Grow(place + Vector3(0.0, 0.0, height * i / segments), 0.01);
+    }
+    plants.resize(skeleton.Nodes.size(), static_cast<int>(&place - places.data()));
+  }
+  littoral::SeaweedSegment segment;
+  segment.Width = 0.02;
+  segment.Thickness = 0.02;
+  segment.YoungModulus = 1e7;
+  segment.Density = 900.0;
+  const std::vector<littoral::SeaweedSegment> tissue(skeleton.Nodes.size(), segment);
+  auto bones = littoral::PolyDataOf(skeleton, littoral::Colour{ 90, 90, 40 });
+  littoral::AddSegments(skeleton, tissue, bones);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("PlantId");
+  for (int plant : plants)
+  {
+    ids->InsertNextValue(plant);
+  }
+  bones->GetPointData()->AddArray(ids);
+  vtkNew<vtkMultiBlockDataSet> high;
+  littoral::AddBlock(high, "Skeleton", bones);
+  vtkNew<vtkMultiBlockDataSet> all;
+  littoral::AddBlock(all, "High", high);
+  return all;
+}
+
+/// A seaweed in a swell with a current.
+struct Scene
+{
+  vtkNew<vtkSeaweedSource> Plant;
+  vtkNew<vtkSeaStateSource> Sea;
+  vtkNew<vtkFlowPrimitiveSource> Current;
+  vtkNew<Filter> Move;
+
+  Scene()
+  {
+    this->Sea->SetSeaLevel(12.0);
+    this->Current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
+    this->Current->SetStrength(0.15);
+    this->Move->SetInputConnection(this->Plant->GetOutputPort());
+    this->Move->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Move->AddInputConnection(2, this->Current->GetOutputPort());
+    this->Move->SetStartTime(-2.0);
+  }
+};
+
+bool TestMoves()
+{
+  Scene scene;
+  bool good = true;
+  for (int method : { 0, 1 })
+  {
+    for (int joint : { 0, 1 })
+    {
+      for (int load : { 0, 1 })
+      {
+        scene.Move->SetMethod(method);
+        scene.Move->SetJoint(joint);
+        scene.Move->SetLoad(load);
+        scene.Move->UpdateTimeStep(3.7);
+        vtkPolyData* rest = Part(scene.Plant->GetOutputDataObject(0), "Skeleton");
+        vtkPolyData* moved = Part(scene.Move->GetOutputDataObject(0), "Skeleton");
+        const double most = Farthest(rest, moved);
+        good = Check(most > 0.001 && most < 6.0,
+                 "Method " + std::to_string(method) + " Joint " + std::to_string(joint) + " Load " +
+                   std::to_string(load) + " moves by " + std::to_string(most)) &&
+          good;
+        Vector3 a;
+        Vector3 b;
+        rest->GetPoint(0, &a.x);
+        moved->GetPoint(0, &b.x);
+        good = Check(a == b, "the holdfast moves") && good;
+        for (vtkIdType cell = 0; cell < rest->GetNumberOfLines(); ++cell)
+        {
+          vtkNew<vtkIdList> line;
+          rest->GetLines()->GetCellAtId(cell, line);
+          for (vtkIdType i = 1; i < line->GetNumberOfIds(); ++i)
+          {
+            Vector3 p[4];
+            rest->GetPoint(line->GetId(i - 1), &p[0].x);
+            rest->GetPoint(line->GetId(i), &p[1].x);
+            moved->GetPoint(line->GetId(i - 1), &p[2].x);
+            moved->GetPoint(line->GetId(i), &p[3].x);
+            const double change = glm::distance(p[0], p[1]) - glm::distance(p[2], p[3]);
+            good = good && Check(std::abs(change) < 1e-6, "a segment changes by " + std::to_string(change));
+          }
+        }
+      }
+    }
+  }
+  return good;
+}
+
+/// Before StartTime, and where nothing pushes, all stays to the bit.
+bool TestRest()
+{
+  Scene scene;
+  scene.Move->UpdateTimeStep(-3.0);
+  bool good = true;
+  for (const char* name : { "Skeleton", "Leaves", "Skin" })
+  {
+    vtkPolyData* rest = Part(scene.Plant->GetOutputDataObject(0), name);
+    vtkPolyData* moved = Part(scene.Move->GetOutputDataObject(0), name);
+    good = Check(BytesOf(rest->GetPoints()->GetData()) == BytesOf(moved->GetPoints()->GetData()),
+             std::string(name) + " is not at rest before StartTime") &&
+      good;
+  }
+  return good;
+}
+
+bool TestTimes()
+{
+  bool good = true;
+  for (int method : { 0, 1 })
+  {
+    Scene scene;
+    scene.Move->SetMethod(method);
+    const std::vector<char> late = BytesAt(scene.Move, 6.13);
+    const std::vector<char> early = BytesAt(scene.Move, 1.02);
+    good = Check(early != late, "nothing moves") && good;
+    good = Check(BytesAt(scene.Move, 6.13) == late, "another order of times gives other plants") && good;
+    BytesAt(scene.Move, 6.12);
+    good = Check(BytesAt(scene.Move, 6.13) == late, "small steps give other plants") && good;
+    good = Check(BytesAt(scene.Move, 1.02) == early, "going back gives other plants") && good;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 1, 0)
+    for (int threads : { 1, 2 })
+    {
+      vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads }, [&]() {
+        Scene other;
+        other.Move->SetMethod(method);
+        good = Check(BytesAt(other.Move, 6.13) == late, "threads matter") && good;
+      });
+    }
+#endif
+  }
+  return good;
+}
+
+/// What was played at 10 and at 60 frames a second is the same.
+bool TestFrameRates()
+{
+  Scene slow;
+  Scene fast;
+  for (int frame = 0; frame <= 50; ++frame)
+  {
+    slow.Move->UpdateTimeStep(frame / 10.0);
+  }
+  for (int frame = 0; frame <= 300; ++frame)
+  {
+    fast.Move->UpdateTimeStep(frame / 60.0);
+  }
+  const double turn = LargestTurn(
+    Part(slow.Move->GetOutputDataObject(0), "Skeleton"), Part(fast.Move->GetOutputDataObject(0), "Skeleton"));
+  return Check(turn < 1e-3, "frame rates differ by " + std::to_string(turn) + " rad");
+}
+
+/// Blades against vtkWeightedTransformFilter, with the transforms that the moved skeleton tells.
+bool TestSkin()
+{
+  littoral::Skeleton skeleton;
+  vtkNew<vtkMultiBlockDataSet> plants = Stems({ { 0.0, 0.0, 0.0 } }, 6);
+  auto* high = vtkMultiBlockDataSet::SafeDownCast(littoral::FindBlock(plants, "High"));
+  littoral::PlantMesh mesh;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double z = i / 60.0;
+    mesh.Points.push_back({ 0.05 * std::cos(i), 0.05 * std::sin(i), z });
+    mesh.Normals.push_back({ std::cos(i), std::sin(i), 0.0 });
+    mesh.Colours.push_back({ 90, 90, 40 });
+    const int node = std::min(5, static_cast<int>(6 * z));
+    mesh.JointIds.push_back({ node, std::max(0, node - 1), 0, 0 });
+    mesh.JointWeights.push_back({ 0.75, 0.25, 0.0, 0.0 });
+  }
+  for (int i = 0; i + 2 < 60; ++i)
+  {
+    mesh.AddPolygon({ i, i + 1, i + 2 });
+  }
+  auto leaves = littoral::PolyDataOf(mesh);
+  littoral::AddBlock(high, "Leaves", leaves);
+  Scene scene;
+  scene.Current->SetStrength(0.5);
+  scene.Move->SetInputData(plants);
+  scene.Move->UpdateTimeStep(4.0);
+  vtkPolyData* before = Part(plants, "Skeleton");
+  vtkPolyData* after = Part(scene.Move->GetOutputDataObject(0), "Skeleton");
+  bool good = Check(Farthest(before, after) > 0.1, "the plant hardly moves");
+  vtkNew<vtkPolyData> indexed;
+  indexed->ShallowCopy(leaves);
+  vtkNew<vtkUnsignedShortArray> ids;
+  ids->SetName("Ids");
+  ids->SetNumberOfComponents(4);
+  for (const auto& joints : mesh.JointIds)
+  {
+    ids->InsertNextTuple4(joints[0], joints[1], joints[2], joints[3]);
+  }
+  indexed->GetPointData()->AddArray(ids);
+  vtkNew<vtkWeightedTransformFilter> oracle;
+  oracle->SetInputData(indexed);
+  oracle->SetTransformIndexArray("Ids");
+  oracle->SetWeightArray("JointWeights");
+  oracle->SetNumberOfTransforms(6);
+  Vector3 last(0.0, 0.0, 1.0);
+  glm::dquat turn{ 1.0, 0.0, 0.0, 0.0 };
+  for (int node = 0; node < 6; ++node)
+  {
+    Vector3 foot;
+    Vector3 end;
+    Vector3 rest;
+    before->GetPoint(node, &rest.x);
+    after->GetPoint(node, &foot.x);
+    after->GetPoint(node + 1, &end.x);
+    const Vector3 along = glm::normalize(end - foot);
+    turn = littoral::RotationBetween(last, along) * turn;
+    last = along;
+    vtkNew<vtkTransform> transform;
+    transform->Translate(foot.x, foot.y, foot.z);
+    const double angle = 2.0 * std::atan2(glm::length(Vector3(turn.x, turn.y, turn.z)), turn.w);
+    if (angle > 0.0)
+    {
+      transform->RotateWXYZ(angle * 180.0 / 3.14159265358979323846, turn.x, turn.y, turn.z);
+    }
+    transform->Translate(-rest.x, -rest.y, -rest.z);
+    transform->Update();
+    oracle->SetTransform(transform, node);
+  }
+  oracle->Update();
+  const double error = Farthest(
+    vtkPolyData::SafeDownCast(oracle->GetOutputDataObject(0)), Part(scene.Move->GetOutputDataObject(0), "Leaves"));
+  return Check(error < 1e-6, "skins differ by " + std::to_string(error)) && good;
+}
+
+/// Table 2 of the paper: seaweeds on 40 x 10 m seen lengthwise, by what is counted.
+bool TestTable()
+{
+  bool good = true;
+  double ratio = 0.0;
+  long long before[2] = { 0, 0 };
+  double slope = 0.0;
+  for (int count : { 25, 50, 100, 200, 300 })
+  {
+    std::vector<Vector3> places;
+    for (int plant = 0; plant < count; ++plant)
+    {
+      // A low-discrepancy sequence: any run of it is spread alike.
+      const double x = std::fmod(0.5 + 0.7548776662466927 * plant, 1.0);
+      const double y = std::fmod(0.5 + 0.5698402909980532 * plant, 1.0);
+      places.push_back({ 40.0 * x, 10.0 * y - 5.0, -10.0 });
+    }
+    vtkNew<vtkMultiBlockDataSet> plants = Stems(places, 6);
+    vtkNew<vtkFlowPrimitiveSource> current;
+    current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
+    vtkNew<Filter> filter;
+    filter->SetInputData(plants);
+    filter->AddInputConnection(2, current->GetOutputPort());
+    filter->SetMethod(0);
+    filter->SetNearDistance(5.0);
+    filter->SetFarDistance(20.0);
+    filter->SetBlendDistance(0.0);
+    filter->SetViewPoint(0.0, 0.0, -9.5);
+    filter->SetViewDirection(1.0, 0.0, 0.0);
+    filter->SetViewAngle(170.0);
+    filter->UpdateTimeStep(1.0);
+    const long long all = Counter(filter, "SegmentsMoved");
+    good = Check(all == 6 * count, "not all segments move without levels") && good;
+    filter->SetUseLevels(true);
+    filter->UpdateTimeStep(1.0);
+    const long long some = Counter(filter, "SegmentsMoved");
+    good = Check(Counter(filter, "PlantsShown") > 0, "no plant is in view") && good;
+    ratio = static_cast<double>(all) / static_cast<double>(some);
+    if (before[0] > 0)
+    {
+      slope = static_cast<double>(all - before[0]) / static_cast<double>(some - before[1]);
+    }
+    before[0] = all;
+    before[1] = some;
+    std::cout << count << " seaweeds: " << all << " segments moved, with levels " << some << ", ratio " << ratio
+              << "\n";
+    good = Check(ratio >= 1.89, "the ratio is " + std::to_string(ratio)) && good;
+  }
+  return Check(slope >= 1.89, "the slope ratio is " + std::to_string(slope)) && good;
+}
+
+/// The camera changes what is shown, never the state; and what it shows changes by less than a pixel a centimetre.
+bool TestCamera()
+{
+  bool good = true;
+  Scene scene;
+  const std::vector<char> full = BytesAt(scene.Move, 2.5);
+  scene.Move->SetUseLevels(true);
+  scene.Move->SetViewPoint(0.0, -60.0, 1.0);
+  scene.Move->SetViewDirection(0.0, 1.0, 0.0);
+  const std::vector<char> far = BytesAt(scene.Move, 2.0);
+  scene.Move->SetViewDirection(0.0, -1.0, 0.0);
+  scene.Move->UpdateTimeStep(2.2);
+  good = Check(Counter(scene.Move, "PlantsShown") == 0, "a plant behind the camera is shown") && good;
+  scene.Move->SetUseLevels(false);
+  good = Check(BytesAt(scene.Move, 2.5) == full, "the camera changes the state") && good;
+  good = Check(far != full, "far plants are as near ones") && good;
+
+  Scene still;
+  still.Move->SetUseLevels(true);
+  still.Move->SetViewDirection(0.0, 1.0, 0.0);
+  vtkNew<vtkPolyData> last;
+  double worst = 0.0;
+  for (double distance = 4.5; distance < 27.0; distance += 0.01)
+  {
+    still.Move->SetViewPoint(0.0, -distance, 1.0);
+    still.Move->UpdateTimeStep(2.5);
+    vtkPolyData* now = Part(still.Move->GetOutputDataObject(0), "Leaves");
+    if (last->GetNumberOfPoints() > 0)
+    {
+      const double pixel = 2.0 * distance * std::tan(15.0 * 3.14159265358979323846 / 180.0) / 1080.0;
+      worst = std::max(worst, Farthest(last, now) / pixel);
+    }
+    last->DeepCopy(now);
+  }
+  std::cout << "a step of 1 cm moves a blade by at most " << worst << " pixels\n";
+  return Check(worst > 0.0 && worst < 1.0, "levels jump by " + std::to_string(worst) + " pixels") && good;
+}
+
+/// Particles beside a plant move away and come back, far ones do not move at all.
+bool TestWake()
+{
+  bool good = true;
+  for (int primitive : { 0, 1 })
+  {
+    Scene scene;
+    scene.Current->SetStrength(0.0);
+    scene.Move->GenerateMotionOn();
+    vtkNew<vtkPlantWakeFilter> wake;
+    wake->SetInputConnection(scene.Move->GetOutputPort());
+    wake->SetPrimitive(primitive);
+    wake->UpdateTimeStep(2.0);
+    good = Check(wake->GetOutput()->GetNumberOfPoints() == primitive + 1, "a plant makes other primitives") && good;
+    double reach = wake->GetOutput()->GetPointData()->GetArray("InfluenceRadius")->GetTuple1(0);
+    Vector3 centre;
+    wake->GetOutput()->GetPoint(0, &centre.x);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(centre.x + 0.3, centre.y, centre.z);
+    points->InsertNextPoint(centre.x + 5.0 * reach, centre.y, centre.z);
+    vtkNew<vtkPolyData> particles;
+    particles->SetPoints(points);
+    vtkNew<vtkCurrentDriftFilter> drift;
+    drift->SetInputData(particles);
+    drift->AddInputConnection(1, wake->GetOutputPort());
+    drift->SetSeaLevel(12.0);
+    drift->SetTimeStep(0.25);
+    double most = 0.0;
+    double least = 0.0;
+    double before = centre.x + 0.3;
+    for (int frame = 1; frame <= 24; ++frame)
+    {
+      drift->UpdateTimeStep(0.5 * frame);
+      auto* moved = vtkPointSet::SafeDownCast(drift->GetOutputDataObject(0));
+      most = std::max(most, moved->GetPoint(0)[0] - before);
+      least = std::min(least, moved->GetPoint(0)[0] - before);
+      before = moved->GetPoint(0)[0];
+      good = good && Check(moved->GetPoint(1)[0] == centre.x + 5.0 * reach, "a far particle moves");
+    }
+    std::cout << "particles move by " << least << " to " << most << " m in half a second\n";
+    good = Check(most > 1e-5 && least < -1e-5, "particles do not go and come back") && good;
+  }
+  return good;
+}
+
+bool TestBadInput()
+{
+  bool good = true;
+  Scene scene;
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(scene.Move);
+  const auto broken = [&](const char* word, const std::function<void(vtkPolyData*)>& breaks) {
+    vtkNew<vtkMultiBlockDataSet> plants = Stems({ { 0.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 } }, 4);
+    breaks(Part(plants, "Skeleton"));
+    scene.Move->SetInputData(plants);
+    good = Check(errors->ExpectOneNaming(word), std::string("no message about ") + word) && good;
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(scene.Move->GetOutputDataObject(0));
+    good = Check(output->GetNumberOfBlocks() == 0, "there is an output in spite of an error") && good;
+  };
+  const auto change = [&](const char* name, int node, double value) {
+    return
+      [name, node, value](vtkPolyData* bones) { bones->GetPointData()->GetArray(name)->SetComponent(node, 0, value); };
+  };
+  broken("cycle", change("ParentId", 2, 3));
+  broken("does not exist", change("ParentId", 2, 77));
+  broken("Density", change("Density", 1, 0.0));
+  broken("YoungModulus", change("YoungModulus", 1, -1.0));
+  broken("Width", change("Width", 1, std::numeric_limits<double>::quiet_NaN()));
+  broken("radius", change("Radius", 1, std::numeric_limits<double>::quiet_NaN()));
+  for (const char* name : { "ParentId", "Density", "YoungModulus", "Across" })
+  {
+    broken(name, [name](vtkPolyData* bones) { bones->GetPointData()->RemoveArray(name); });
+  }
+  broken("finite", [](vtkPolyData* bones) { bones->GetPoints()->SetPoint(1, 0.0, std::nan(""), 0.0); });
+  broken("above the sea", [](vtkPolyData* bones) { bones->GetPoints()->SetPoint(9, 2.0, 0.0, 50.0); });
+  vtkNew<vtkMultiBlockDataSet> none;
+  scene.Move->SetInputData(none);
+  good = Check(errors->ExpectOneNaming("High/Skeleton"), "no message about a missing skeleton") && good;
+  scene.Move->SetInputConnection(scene.Plant->GetOutputPort());
+  scene.Move->RemoveAllCurrents();
+  scene.Move->RemoveSeaState();
+  good = Check(errors->ExpectOneNaming("no sea state"), "no message about a missing sea") && good;
+  scene.Move->SetInputConnection(1, scene.Sea->GetOutputPort());
+  const auto property = [&](const char* word, const std::function<void()>& breaks, const std::function<void()>& mends) {
+    breaks();
+    good = Check(errors->ExpectOneNaming(word), std::string("no message about ") + word) && good;
+    mends();
+  };
+  Filter* move = scene.Move;
+  property(
+    "TimeStep", [move]() { move->SetTimeStep(0.0); }, [move]() { move->SetTimeStep(0.02); });
+  property(
+    "Method", [move]() { move->SetMethod(2); }, [move]() { move->SetMethod(1); });
+  property(
+    "Joint", [move]() { move->SetJoint(-1); }, [move]() { move->SetJoint(0); });
+  property(
+    "Load", [move]() { move->SetLoad(5); }, [move]() { move->SetLoad(0); });
+  property(
+    "Integrator", [move]() { move->SetIntegrator(5); }, [move]() { move->SetIntegrator(0); });
+  property(
+    "DragCoefficient", [move]() { move->SetDragCoefficient(-1.0); }, [move]() { move->SetDragCoefficient(1.0); });
+  property(
+    "TimeRange", [move]() { move->SetTimeRange(1.0, 1.0); }, [move]() { move->SetTimeRange(0.0, 60.0); });
+  property(
+    "StartTime", [move]() { move->SetStartTime(std::nan("")); }, [move]() { move->SetStartTime(-2.0); });
+  scene.Move->UpdateTimeStep(0.0);
+  good = Check(Part(scene.Move->GetOutputDataObject(0), "Skeleton") != nullptr, "no plants after mending") && good;
+
+  vtkNew<vtkPlantWakeFilter> wake;
+  vtkNew<ErrorCounter> wakeErrors;
+  wakeErrors->Watch(wake);
+  wake->SetInputConnection(scene.Move->GetOutputPort());
+  good = Check(wakeErrors->ExpectOneNaming("GenerateMotion"), "no message about missing motion") && good;
+  move->GenerateMotionOn();
+  wake->SetStrength(-1.0);
+  good = Check(wakeErrors->ExpectOneNaming("Strength"), "no message about Strength") && good;
+  return good;
+}
+
+}
+
+int TestSeaweedDeformation(int, char*[])
+{
+  bool good = true;
+  const struct
+  {
+    const char* Name;
+    bool (*Run)();
+  } tests[] = { { "moves", TestMoves }, { "rest", TestRest }, { "times", TestTimes }, { "rates", TestFrameRates },
+    { "skin", TestSkin }, { "table", TestTable }, { "camera", TestCamera }, { "wake", TestWake },
+    { "bad input", TestBadInput } };
+  for (const auto& test : tests)
+  {
+    const bool passed = test.Run();
+    std::cout << test.Name << (passed ? " passed" : " FAILED") << std::endl;
+    good = passed && good;
+  }
+  return good ? 0 : 1;
+}
