@@ -76,7 +76,7 @@ if (LITTORAL_WITH_PYTHON)
 endif ()
 if (LITTORAL_BUILD_TESTING)
   set(littoral_vtk_test_components
-    FiltersCore FiltersGeneral FiltersGeometry FiltersSources ImagingCore InteractionStyle IOXML
+    FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources ImagingCore InteractionStyle IOXML
     RenderingOpenGL2 TestingCore TestingRendering)
 endif ()
 set(littoral_find_vtk_arguments REQUIRED

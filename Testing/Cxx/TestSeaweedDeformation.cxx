@@ -4,6 +4,7 @@
 // filter, levels of detail and their counters, wakes, and every bad input.
 #include "ErrorCounter.h"
 #include "LittoralPlants.h"
+#include "Skinning.h"
 #include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkPlantWakeFilter.h"
@@ -284,7 +285,6 @@ bool TestFrameRates()
 /// Blades against vtkWeightedTransformFilter, with the transforms that the moved skeleton tells.
 bool TestSkin()
 {
-  littoral::Skeleton skeleton;
   vtkNew<vtkMultiBlockDataSet> plants = Stems({ { 0.0, 0.0, 0.0 } }, 6);
   auto* high = vtkMultiBlockDataSet::SafeDownCast(littoral::FindBlock(plants, "High"));
   littoral::PlantMesh mesh;
@@ -300,7 +300,7 @@ bool TestSkin()
   }
   for (int i = 0; i + 2 < 60; ++i)
   {
-    mesh.AddPolygon({ i, i + 1, i + 2 });
+    mesh.AddPolygon(std::vector<int>{ i, i + 1, i + 2 });
   }
   auto leaves = littoral::PolyDataOf(mesh);
   littoral::AddBlock(high, "Leaves", leaves);
