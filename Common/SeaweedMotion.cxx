@@ -14,6 +14,9 @@ namespace littoral
 namespace
 {
 
+/// No joint turns further in a step [rad], whatever drives it; so that what blows up stays finite.
+constexpr double MostTurn = 0.8;
+
 /// Rotates a vector; cheaper than two quaternion products.
 Vector3 Rotated(const glm::dquat& rotation, const Vector3& vector)
 {
@@ -264,6 +267,8 @@ void SeaweedMotion::Begin(double step, const WaterAtLink& water, const LinkPose*
   const SeaweedLink& link = this->Links[index];
   const LinkPose& pose = poses[index];
   Work& work = works[index - first];
+  // The paper has no centrifugal terms; without drag they would drive limp plants wild.
+  const bool spins = this->Options.Load == SeaweedLoad::Morison;
   const bool isExplicit = this->Options.Integrator == SeaweedIntegrator::ExplicitEuler;
   const glm::dquat below = link.Parent < 0 ? glm::dquat{ 1.0, 0.0, 0.0, 0.0 } : poses[link.Parent].Turn;
   Vector3 relative;
@@ -318,7 +323,7 @@ void SeaweedMotion::Begin(double step, const WaterAtLink& water, const LinkPose*
   work.WW.AddDiagonal(inertia);
   work.WW.AddSquare(link.AxialInertia - inertia, e);
   const Vector3 centre = half * e;
-  const Vector3 swing = work.BiasLinear + glm::cross(pose.Spin, glm::cross(pose.Spin, centre));
+  const Vector3 swing = work.BiasLinear + (spins ? glm::cross(pose.Spin, glm::cross(pose.Spin, centre)) : Vector3(0.0));
   const Vector3 inertial = link.Mass * (swing + glm::cross(work.BiasAngular, centre));
   work.ImpulseV = step * (work.Force - inertial);
   const Vector3 across = work.BiasAngular - glm::dot(work.BiasAngular, e) * e;
@@ -433,6 +438,12 @@ void SeaweedMotion::Step(double step, const WaterAtLink* water, const LinkPose* 
     {
       moved[k] = step * (work.Rate[k] + work.Middle * x[k]);
       work.Rate[k] += x[k];
+    }
+    const double turn = std::max(std::hypot(moved[0], moved[1]), step * std::hypot(work.Rate[0], work.Rate[1]));
+    for (int k = 0; turn > MostTurn && k < 2; ++k)
+    {
+      moved[k] *= MostTurn / turn;
+      work.Rate[k] *= MostTurn / turn;
     }
     LinkState& state = states[i];
     if (this->Options.Joint == SeaweedJoint::Tilting)

@@ -29,7 +29,7 @@ struct SeaweedLevels
   bool UseLevels = false;
   double NearDistance = 5.0;  ///< [m]
   double FarDistance = 20.0;  ///< [m]
-  double BlendDistance = 4.0; ///< beyond either, over which levels change [m]
+  double BlendDistance = 6.0; ///< beyond either, over which levels change [m]
   double PixelError = 0.5;    ///< by waves that are left out [pixels]
   View Seen;
 };

@@ -145,7 +145,7 @@ public:
   ///@}
 
   ///@{
-  /// Length over which a level changes into the next, beyond NearDistance and FarDistance [m], not negative. Default 4.
+  /// Length over which a level changes into the next, beyond NearDistance and FarDistance [m], not negative. Default 6.
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
   ///@}

@@ -363,6 +363,7 @@ bool TestTable()
   double ratio = 0.0;
   long long before[2] = { 0, 0 };
   double slope = 0.0;
+  double first = 0.0;
   for (int count : { 25, 50, 100, 200, 300 })
   {
     std::vector<Vector3> places;
@@ -400,10 +401,12 @@ bool TestTable()
     }
     before[0] = all;
     before[1] = some;
+    first = first > 0.0 ? first : ratio;
     std::cout << count << " seaweeds: " << all << " segments moved, with levels " << some << ", ratio " << ratio
               << "\n";
     good = Check(ratio >= 1.89, "the ratio is " + std::to_string(ratio)) && good;
   }
+  good = Check(ratio > first, "the ratio does not grow with the number") && good;
   return Check(slope >= 1.89, "the slope ratio is " + std::to_string(slope)) && good;
 }
 
