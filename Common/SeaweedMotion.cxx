@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeaweedMotion.h"
 
+#include "SimdClones.h"
+
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
@@ -16,6 +18,9 @@ namespace
 
 /// No joint turns further in a step [rad], whatever drives it; so that what blows up stays finite.
 constexpr double MostTurn = 0.8;
+/// The bed pushes up what lies below the holdfast: by so much for its depth [1/s2], and at most [m/s2].
+constexpr double BedStiffness = 200.0;
+constexpr double BedPush = 6.0;
 
 /// Rotates a vector; cheaper than two quaternion products.
 Vector3 Rotated(const glm::dquat& rotation, const Vector3& vector)
@@ -256,13 +261,16 @@ Vector3 SeaweedMotion::ForceOn(
   const double reach = std::max(std::abs(2.0 * half.z), 0.1 * link.Length);
   const double wet = std::clamp((options.SeaLevel - low) / reach, 0.0, 1.0);
   const double lift = wet * link.Buoyancy - (1.0 - wet) * link.Weight;
-  return wet * (drag * across + friction * along + link.WaterMass * water.Acceleration) + Vector3(0.0, 0.0, lift);
+  const double depth = link.Bed - pose.Foot.z - half.z;
+  const double push = link.Mass * std::clamp(BedStiffness * depth, 0.0, BedPush);
+  return Vector3(0.0, 0.0, push) + wet * (drag * across + friction * along + link.WaterMass * water.Acceleration) +
+    Vector3(0.0, 0.0, lift);
 }
 
 //----------------------------------------------------------------------------
 /// Axes, deflections, biases and the link's own part of matrix and impulses.
-void SeaweedMotion::Begin(double step, const WaterAtLink& water, const LinkPose* poses, std::size_t index, Work* works,
-  std::size_t first, const LinkState& state) const
+LITTORAL_SIMD_CLONES void SeaweedMotion::Begin(double step, const WaterAtLink& water, const LinkPose* poses,
+  std::size_t index, Work* works, std::size_t first, const LinkState& state) const
 {
   const SeaweedLink& link = this->Links[index];
   const LinkPose& pose = poses[index];
@@ -332,8 +340,8 @@ void SeaweedMotion::Begin(double step, const WaterAtLink& water, const LinkPose*
 }
 
 //----------------------------------------------------------------------------
-void SeaweedMotion::Step(double step, const WaterAtLink* water, const LinkPose* poses, std::size_t begin,
-  std::size_t end, LinkState* states) const
+LITTORAL_SIMD_CLONES void SeaweedMotion::Step(double step, const WaterAtLink* water, const LinkPose* poses,
+  std::size_t begin, std::size_t end, LinkState* states) const
 {
   static thread_local std::vector<Work> kept;
   kept.assign(end - begin, Work());

@@ -85,6 +85,7 @@ std::vector<SeaweedLink> LinksOf(
       const int parent = skeleton.Nodes[node].Parent;
       link.Parent = parent < 0 ? -1 : linkOfNode[parent];
       link.IsFirst = node == branch.First || link.Parent < 0;
+      link.Bed = link.Parent < 0 ? link.Foot.z : links[link.Parent].Bed;
       link.Theta = angles[node].Theta;
       link.Phi = angles[node].Phi;
       const double own = JointStiffness(segment, link.Length);

@@ -74,6 +74,7 @@ struct SeaweedLink
   double Surface = 0.03;         ///< [m2]
   double Stiffness = 1.0;        ///< of the joint [N m/rad]
   double Damping = 0.0;          ///< of the joint [N m s/rad]
+  double Bed = -1e300;           ///< height of the ground below the plant [m]
   double Restoring = 0.0;        ///< what buoyancy beyond the joint adds to its stiffness upright [N m/rad]
 };
 

@@ -323,6 +323,19 @@ TEST(SeaweedMotion, LeansWithTheCurrent)
   }
 }
 
+TEST(SeaweedMotion, LimpPlantsLieOnTheBed)
+{
+  Plant plant(Stem(10, 2.0, 0.3), Tissue(0.02, 1e3, 0.1, 1200.0), SeaweedOptions());
+  plant.Flow({ 0.2, 0.0, 0.0 });
+  plant.Run(60.0, 1.0 / 48.0);
+  EXPECT_GT(plant.Tip().x, 1.5);
+  for (const LinkPose& pose : plant.Poses)
+  {
+    EXPECT_GT(pose.Foot.z, -50.05);
+    EXPECT_LT(pose.Foot.z, -49.8);
+  }
+}
+
 TEST(SeaweedMotion, ConvergesWithTheSquareOfTheStep)
 {
   const auto tip = [](double step) {
