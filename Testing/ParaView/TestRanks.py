@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3
-"""The same terrain, fit, twin, points, sea, wood, drift, levels of detail and fog on any number of ranks.
+"""The same terrain, fit, twin, points, sea, wood, drift, levels of detail, fog and seaweeds on any number of ranks.
 
 The run on one rank writes its result; the others compare with it.
 """
@@ -122,6 +122,22 @@ values = vtk_to_numpy(cloud.GetPointData().GetArray("Extinction"))
 cells, first = np.unique(np.rint(xyz * 1e3).astype(int), axis=0, return_index=True)
 assert len(cells) == 9 * 8 * 2, f"{len(cells)} samples of fog on {ranks} ranks"
 result.append(hashlib.sha256(values[first].tobytes()).hexdigest())
+
+# Seaweeds in a swell with a current, and their wake: places of all segments and blades, by plant.
+weed = simple.Seaweed(Preset="Eelgrass")
+meadow = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[3, 3], Size=[6.0, 6.0]), Prototypes=[weed],
+                             FollowCamera=0, UseCells=0, UseLevels=0)
+kelp = simple.SeaweedDeformation(Input=meadow, SeaState=simple.SeaState(SeaLevel=8.0), StartTime=0.0,
+                                 Currents=[simple.FlowPrimitive(Strength=0.1)], FollowCamera=0, GenerateMotion=1)
+for part in ("High/Skeleton", "High/Leaves"):
+    merged = simple.ExtractSurface(Input=simple.MergeBlocks(
+        Input=simple.ExtractBlock(Input=kelp, Selectors=[f"/Root/{part}"]), MergePoints=0))
+    merged.UpdatePipeline(1.31)
+    data = servermanager.Fetch(merged)
+    plants = vtk_to_numpy(data.GetPointData().GetArray("PlantId"))
+    places = vtk_to_numpy(data.GetPoints().GetData())[np.argsort(plants, kind="stable")]
+    assert len(places) > 100, f"{len(places)} points of {part} on {ranks} ranks"
+    result.append(hashlib.sha256(places.tobytes()).hexdigest())
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:

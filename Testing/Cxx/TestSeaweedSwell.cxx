@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// A seaweed in a regular swell, at four phases of a wave: it sways with the water, not like a stick.
+#include "PlantScene.h"
+#include "vtkSeaStateSource.h"
+#include "vtkSeaweedDeformationFilter.h"
+#include "vtkSeaweedSource.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+
+int TestSeaweedSwell(int argc, char* argv[])
+{
+  vtkNew<vtkSeaweedSource> weed;
+  weed->SetPreset(vtkSeaweedSource::Eelgrass);
+  vtkNew<vtkSeaStateSource> sea;
+  sea->SetSeaBy(1);
+  sea->SetSignificantWaveHeight(1.2);
+  sea->SetPeakPeriod(4.0);
+  sea->SetNumberOfTrains(1);
+  sea->SetFrequencyRange(0.95, 1.05);
+  sea->SetSpreading(0.0);
+  sea->SetSeaLevel(3.0);
+  sea->SetWaterDepth(3.0);
+  vtkNew<vtkSeaweedDeformationFilter> move;
+  move->SetInputConnection(weed->GetOutputPort());
+  move->SetInputConnection(1, sea->GetOutputPort());
+  PlantScene scene;
+  scene.Window->SetSize(400, 140);
+  for (int phase = 0; phase < 4; ++phase)
+  {
+    move->UpdateTimeStep(10.0 + phase);
+    vtkNew<vtkMultiBlockDataSet> plant;
+    plant->DeepCopy(BlockAt(move->GetOutputDataObject(0), "High"));
+    scene.Add(plant, 1.1 * phase);
+  }
+  const double eye[3] = { 1.75, -12.0, 0.9 };
+  const double focus[3] = { 1.75, 0.0, 0.5 };
+  return scene.Compare(argc, argv, eye, focus, 7.2);
+}
