@@ -10,6 +10,12 @@
 #include <cmath>
 #include <utility>
 
+#if defined(__GNUC__)
+#define LITTORAL_INLINE inline __attribute__((always_inline)) // into each of the versions that SimdClones.h makes
+#else
+#define LITTORAL_INLINE inline
+#endif
+
 namespace littoral
 {
 
@@ -23,12 +29,12 @@ constexpr double BedStiffness = 200.0;
 constexpr double BedPush = 6.0;
 
 /// Rotates a vector; cheaper than two quaternion products.
-Vector3 Rotated(const glm::dquat& rotation, const Vector3& vector)
+LITTORAL_INLINE Vector3 Rotated(const glm::dquat& rotation, const Vector3& vector)
 {
   return vector + TurnedBy(rotation, vector);
 }
 
-glm::dquat Conjugate(const glm::dquat& q)
+LITTORAL_INLINE glm::dquat Conjugate(const glm::dquat& q)
 {
   return { q.w, -q.x, -q.y, -q.z };
 }
@@ -45,7 +51,7 @@ glm::dquat BaseTurn(double theta, double phi)
 const glm::dquat GroundBase{ std::sqrt(0.5), std::sqrt(0.5), 0.0, 0.0 };
 
 /// The rotation vector that takes one unit vector to another [rad].
-Vector3 TurnBetween(const Vector3& from, const Vector3& to)
+LITTORAL_INLINE Vector3 TurnBetween(const Vector3& from, const Vector3& to)
 {
   const Vector3 axis = glm::cross(from, to);
   const double sine = glm::length(axis);
@@ -58,7 +64,7 @@ Vector3 TurnBetween(const Vector3& from, const Vector3& to)
 }
 
 /// A unit vector turned by a rotation vector at a right angle to it.
-Vector3 Swung(const Vector3& direction, const Vector3& turn)
+LITTORAL_INLINE Vector3 Swung(const Vector3& direction, const Vector3& turn)
 {
   const double angle = glm::length(turn);
   const double ratio = angle > 1e-8 ? std::sin(angle) / angle : 1.0;
@@ -70,12 +76,12 @@ struct Symmetric
 {
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
 
-  Vector3 operator*(const Vector3& v) const
+  LITTORAL_INLINE Vector3 operator*(const Vector3& v) const
   {
     return { this->xx * v.x + this->xy * v.y + this->xz * v.z, this->xy * v.x + this->yy * v.y + this->yz * v.z,
       this->xz * v.x + this->yz * v.y + this->zz * v.z };
   }
-  void AddScaled(double factor, const Symmetric& o)
+  LITTORAL_INLINE void AddScaled(double factor, const Symmetric& o)
   {
     this->xx += factor * o.xx;
     this->xy += factor * o.xy;
@@ -84,14 +90,14 @@ struct Symmetric
     this->yz += factor * o.yz;
     this->zz += factor * o.zz;
   }
-  void AddDiagonal(double d)
+  LITTORAL_INLINE void AddDiagonal(double d)
   {
     this->xx += d;
     this->yy += d;
     this->zz += d;
   }
   /// Adds f a a^T.
-  void AddSquare(double f, const Vector3& a)
+  LITTORAL_INLINE void AddSquare(double f, const Vector3& a)
   {
     const Vector3 b = f * a;
     this->xx += a.x * b.x;
@@ -102,7 +108,7 @@ struct Symmetric
     this->zz += a.z * b.z;
   }
   /// Takes a b^T + c d^T away, a sum that is symmetric.
-  void Subtract(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+  LITTORAL_INLINE void Subtract(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
   {
     this->xx -= a.x * b.x + c.x * d.x;
     this->xy -= a.x * b.y + c.x * d.y;
@@ -114,14 +120,14 @@ struct Symmetric
 };
 
 /// The matrix of the cross product with a from the left, times a symmetric matrix from the left: S [a].
-glm::dmat3 TimesCross(const Symmetric& s, const Vector3& a)
+LITTORAL_INLINE glm::dmat3 TimesCross(const Symmetric& s, const Vector3& a)
 {
   // Columns of [a]: a x e_k.
   return { s * Vector3(0.0, a.z, -a.y), s * Vector3(-a.z, 0.0, a.x), s * Vector3(a.y, -a.x, 0.0) };
 }
 
 /// a x each column.
-glm::dmat3 CrossTimes(const Vector3& a, const glm::dmat3& m)
+LITTORAL_INLINE glm::dmat3 CrossTimes(const Vector3& a, const glm::dmat3& m)
 {
   return { glm::cross(a, m[0]), glm::cross(a, m[1]), glm::cross(a, m[2]) };
 }
@@ -229,7 +235,8 @@ void SeaweedMotion::PoseOne(const LinkState& state, std::size_t index, LinkPose*
   pose.Spin += state.Rate.x * y + state.Rate.y * x;
 }
 
-void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t end, LinkPose* poses) const
+LITTORAL_SIMD_CLONES void SeaweedMotion::Pose(
+  const LinkState* states, std::size_t begin, std::size_t end, LinkPose* poses) const
 {
   for (std::size_t i = begin; i < end; ++i)
   {
@@ -447,7 +454,8 @@ LITTORAL_SIMD_CLONES void SeaweedMotion::Step(double step, const WaterAtLink* wa
       moved[k] = step * (work.Rate[k] + work.Middle * x[k]);
       work.Rate[k] += x[k];
     }
-    const double turn = std::max(std::hypot(moved[0], moved[1]), step * std::hypot(work.Rate[0], work.Rate[1]));
+    const double speed = std::sqrt(work.Rate[0] * work.Rate[0] + work.Rate[1] * work.Rate[1]);
+    const double turn = std::max(std::sqrt(moved[0] * moved[0] + moved[1] * moved[1]), step * speed);
     for (int k = 0; turn > MostTurn && k < 2; ++k)
     {
       moved[k] *= MostTurn / turn;

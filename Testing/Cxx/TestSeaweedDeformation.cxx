@@ -11,6 +11,7 @@
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
+#include "vtkWindFieldSource.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPointSet.h"
@@ -260,6 +261,34 @@ bool TestTimes()
       });
     }
 #endif
+  }
+  return good;
+}
+
+/// A current that changes is asked for step by step; no order of times matters.
+bool TestChangingCurrent()
+{
+  bool good = true;
+  for (int method : { 0, 1 })
+  {
+    Scene steady;
+    Scene scene;
+    vtkNew<vtkWindFieldSource> tide;
+    tide->SetDimensions(60, 16, 8);
+    tide->SetTimeStep(0.5);
+    scene.Move->AddInputConnection(2, tide->GetOutputPort());
+    for (Filter* filter : { scene.Move.Get(), steady.Move.Get() })
+    {
+      filter->SetMethod(method);
+      filter->SetDragCoefficient(0.02);
+      filter->SetStartTime(0.0);
+    }
+    const std::vector<char> late = BytesAt(scene.Move, 3.11);
+    good = Check(late != BytesAt(steady.Move, 3.11), "a changing current has no effect") && good;
+    BytesAt(scene.Move, 0.51);
+    good = Check(BytesAt(scene.Move, 3.11) == late, "the order of times matters in a changing current") && good;
+    BytesAt(scene.Move, 3.0);
+    good = Check(BytesAt(scene.Move, 3.11) == late, "going on matters in a changing current") && good;
   }
   return good;
 }
@@ -577,9 +606,9 @@ int TestSeaweedDeformation(int, char*[])
   {
     const char* Name;
     bool (*Run)();
-  } tests[] = { { "moves", TestMoves }, { "rest", TestRest }, { "times", TestTimes }, { "rates", TestFrameRates },
-    { "skin", TestSkin }, { "table", TestTable }, { "camera", TestCamera }, { "wake", TestWake },
-    { "bad input", TestBadInput } };
+  } tests[] = { { "moves", TestMoves }, { "rest", TestRest }, { "times", TestTimes },
+    { "changing current", TestChangingCurrent }, { "rates", TestFrameRates }, { "skin", TestSkin },
+    { "table", TestTable }, { "camera", TestCamera }, { "wake", TestWake }, { "bad input", TestBadInput } };
   for (const auto& test : tests)
   {
     const bool passed = test.Run();
