@@ -14,7 +14,8 @@ a twin from the best one, and writes into FOLDER (default: a new temporary folde
     fits.csv           the fitted models, best first
     twin.vti           the twin: image with the point array Elevation [m]
     forest.png         a part of the place with woods
-    walk.ogv           a walk there, and its pictures walk.0000.png and on
+    walk.ogv           a walk there in the wind, and its pictures walk.0000.png and on
+    wind.vdb           that wind as an OpenVDB volume
 """
 
 import os
@@ -36,7 +37,7 @@ from littoral.tables import column, model_names, write_csv
 HERE = os.path.dirname(os.path.abspath(__file__))
 PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
 FOREST = os.path.join(HERE, "forest.py")
-WALK = dict(size=(854, 480), frames=72)
+WALK = dict(size=(768, 432), frames=60)
 STEPS = 9
 EXAGGERATION = 3.0
 START = time.time()
