@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: none
 """A forest on a real terrain, in the wind, walked through by a camera.
 
     ./littoral gui Examples/ParaView/forest.py      opens it in ParaView
@@ -101,8 +102,9 @@ def shadows_near(country, woods):
 def build(folder, view):
     """The pipeline, shown in a view; gives the country."""
     def file(name):
-        return os.path.join(folder, name)
+        return os.path.join(folder, "data", name)
 
+    os.makedirs(file(""), exist_ok=True)
     country = landscape.Country()
     write_vti(country.image, file("country.vti"))
     woods = landscape.wood_sites(country, *WOODS, alone=near_trees(country))
@@ -150,7 +152,7 @@ def build(folder, view):
     simple.SaveData(file("crowns.png"), simple.OutputPort(sway, 1))
     landscape.show_crowns(sway, view, file("crowns.png"))
     if hasattr(littoral, "vtkVDBVolumeWriter"):
-        simple.SaveData(file("wind.vdb"), wind)
+        simple.SaveData(os.path.join(folder, "wind.vdb"), wind)
     return country
 
 
