@@ -1,9 +1,12 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: none
 """Under the waves: the surface from below, a sandy bed with stones, particles that fade into fog.
 
     ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView
-    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png, or a film, into FOLDER
+    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png and, as an OpenVDB volume,
+                                                        fog.vdb into FOLDER; with frames, also
+                                                        their pictures and the film underwater.ogv
 
 The same wave trains move the surface and the particles.
 """
@@ -15,17 +18,19 @@ import tempfile
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
+import littoral
 from littoral import underwater
 from littoral.film import save_film
 
 DEPTH = 9.5  # of the water [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
-TIME, FRAMES_A_SECOND = 7.3, 24
+TIME, FRAMES_A_SECOND = 7.3, 12
 
 
 def reader(name, data, folder):
     """A reader of polydata, by way of a file."""
-    filename = os.path.join(folder, f"{name}.vtp")
+    filename = os.path.join(folder, "data", f"{name}.vtp")
+    os.makedirs(os.path.dirname(filename), exist_ok=True)
     writer = vtkXMLPolyDataWriter()
     writer.SetInputData(data)
     writer.SetDataModeToBinary()
@@ -62,28 +67,35 @@ def build(folder, view):
             underwater.show_surface(surface, view, TIME)]
 
 
-def main(folder, size=(960, 540), frames=0):
-    """Build the scene; in batch, write the picture or the film as well."""
+def film(shaded, view, folder, frames, told):
+    """Write the pictures, and the film of them; `told` hears of each frame."""
+    pictures = []
+    for frame in range(frames):
+        told(frame, frames)
+        view.ViewTime = TIME + frame / FRAMES_A_SECOND
+        for shown in shaded:
+            underwater.set_time(shown, view.ViewTime)
+        pictures.append(os.path.join(folder, f"underwater.{frame:04d}.png"))
+        simple.SaveScreenshot(pictures[-1], view)
+    save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
+
+
+def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
+    """Build the scene, write its picture and fog and, if it is to have frames, the film."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
     shaded = build(folder, view)
-    simple.Render(view)
-    pictures = [os.path.join(folder, f"underwater.{frame:04d}.png") for frame in range(frames)]
-    for frame, picture in enumerate(pictures):
-        time = TIME + frame / FRAMES_A_SECOND
-        for shown in shaded:
-            underwater.set_time(shown, time)
-        view.ViewTime = time
-        simple.SaveScreenshot(picture, view)
+    simple.SaveScreenshot(os.path.join(folder, "underwater.png"), view)
+    if hasattr(littoral, "vtkVDBVolumeWriter"):
+        simple.SaveData(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
     if frames > 0:
-        save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
-    if frames == 0 and len(sys.argv) > 1:
-        simple.SaveScreenshot(os.path.join(folder, "underwater.png"), view)
+        film(shaded, view, folder, frames, told)
 
 
-if len(sys.argv) > 1:
-    main(sys.argv[1], tuple(map(int, sys.argv[2:4])) or (960, 540), int(sys.argv[4]) if len(sys.argv) > 4 else 0)
-else:
-    main(tempfile.mkdtemp(prefix="littoral-"))
+if __name__ != "underwater":  # another script has run this one for its functions
+    arguments = sys.argv[1:]
+    main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"),
+         tuple(map(int, arguments[1:3])) or (960, 540),
+         int(arguments[3]) if len(arguments) > 3 else 0)

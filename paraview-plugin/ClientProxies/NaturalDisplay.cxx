@@ -9,6 +9,7 @@
 #include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
@@ -52,6 +53,7 @@ bool IsEmpty(vtkSMProxy* view)
 NaturalDisplay::~NaturalDisplay()
 {
   this->StopWaiting();
+  this->StopWaitingForLegend();
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -106,6 +108,7 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
   if (data && data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     vtkSMPropertyHelper(representation, "MapScalars").Set(0);
+    this->WaitForLegend(representation);
   }
   const char* blocks = port == 0 ? this->Hint("blocks") : nullptr;
   if (blocks && representation->GetProperty("BlockSelectors"))
@@ -118,14 +121,62 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
       selectors.Set(k, name.c_str());
     }
   }
+  if (const char* array = this->Hint("color"))
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(representation, array, vtkDataObject::POINT);
+    vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
+  }
+  if (this->Hint("own-levels") && representation->GetProperty("SuppressLOD"))
+  {
+    vtkSMPropertyHelper(representation, "SuppressLOD").Set(1);
+  }
   representation->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+vtkSMRenderViewProxy* NaturalDisplay::ActiveView()
+{
+  vtkSMProxySelectionModel* active = this->Manager->GetSelectionModel("ActiveView");
+  return active ? vtkSMRenderViewProxy::SafeDownCast(active->GetCurrentProxy()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
+{
+  this->StopWaitingForLegend();
+  this->Coloured = representation;
+  this->LegendView = this->ActiveView();
+  if (this->LegendView)
+  {
+    this->LegendObserver =
+      this->LegendView->AddObserver(vtkCommand::StartEvent, this, &NaturalDisplay::OnStartOfPicture);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
+{
+  if (this->Coloured)
+  {
+    vtkSMPVRepresentationProxy::SetScalarBarVisibility(this->Coloured, this->LegendView, false);
+  }
+  this->StopWaitingForLegend();
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::StopWaitingForLegend()
+{
+  if (this->LegendView)
+  {
+    this->LegendView->RemoveObserver(this->LegendObserver);
+  }
+  this->LegendView = nullptr;
 }
 
 //----------------------------------------------------------------------------
 void NaturalDisplay::WaitForCamera()
 {
-  vtkSMProxySelectionModel* active = this->Manager->GetSelectionModel("ActiveView");
-  auto* view = active ? vtkSMRenderViewProxy::SafeDownCast(active->GetCurrentProxy()) : nullptr;
+  vtkSMRenderViewProxy* view = this->ActiveView();
   if (!this->Hint("elevation") || !view || view == this->View || !IsEmpty(view))
   {
     return;

@@ -17,14 +17,16 @@ namespace littoral
 /**
  * How a source is first shown in ParaView: in its own colours, and from the side where that is the better view.
  *
- * ParaView colours by a colour map and looks down along z unless it is told otherwise. This tells each new
- * representation of a source to take the point array RGB, if there is one, as it is. Where the hint
+ * ParaView colours by a colour map, with a legend, and looks down along z unless it is told otherwise. This tells each
+ * new representation of a source to take the point array RGB, if there is one, as it is, or to colour by the array that
+ * color="..." names. Where the hint
  *
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" />
  *
  * of the proxy names blocks, only these are shown at first, of the first output. Where it names an elevation
  * [degrees] and the source is the first thing in its view, the camera looks from that far above the horizon, z upwards,
- * and so many times closer than ParaView would go to show all. Later changes by the user, and those of a state file,
+ * and so many times closer than ParaView would go to show all. With own-levels="1", ParaView does not decimate it while
+ * the camera moves: it would tear leaves and crowns to shreds. Later changes by the user, and those of a state file,
  * stay.
  */
 class NaturalDisplay
@@ -45,6 +47,10 @@ private:
   const char* Hint(const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
   void TakeColours(vtkSMProxy* representation, int port);
+  vtkSMRenderViewProxy* ActiveView();
+  void WaitForLegend(vtkSMProxy* representation);
+  void OnStartOfPicture(vtkObject*, unsigned long, void*);
+  void StopWaitingForLegend();
   void WaitForCamera();
   void OnResetCamera(vtkObject*, unsigned long, void*);
   void OnPicture(vtkObject*, unsigned long, void*);
@@ -53,6 +59,9 @@ private:
   vtkSMSourceProxy* Owner;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
+  vtkWeakPointer<vtkSMProxy> Coloured; ///< whose legend would mean nothing
+  vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
+  unsigned long LegendObserver = 0;
   vtkWeakPointer<vtkSMRenderViewProxy> View; ///< whose camera is waited for
   vtkWeakPointer<vtkObject> Shown;           ///< what it shows on
   unsigned long ResetObserver = 0;
