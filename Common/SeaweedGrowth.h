@@ -52,8 +52,8 @@ struct SeaweedParameters
   double BladeDensity = 1005.0;  ///< [kg/m3]
   double FloatDensity = 300.0;   ///< gas included [kg/m3]; Canopy only
   double Variation = 0.18;       ///< standard deviation of sizes and angles, as part of their means
-  Colour Blade{ 164, 116, 42 };
-  Colour Stipe{ 112, 78, 34 };
+  Colour Blade{ 190, 136, 48 };
+  Colour Stipe{ 128, 90, 40 };
   int Seed = 1;
 };
 

@@ -34,8 +34,8 @@ vtkSeaweedSource::vtkSeaweedSource()
   , BladeDensity(1005.0)
   , FloatDensity(300.0)
   , Variation(0.18)
-  , BladeColor{ 0.64, 0.455, 0.165 }
-  , StipeColor{ 0.44, 0.306, 0.133 }
+  , BladeColor{ 0.745, 0.533, 0.188 }
+  , StipeColor{ 0.502, 0.353, 0.157 }
 {
 }
 

@@ -179,13 +179,13 @@ public:
   ///@}
 
   ///@{
-  /// Colour of the blades: red, green, blue, each 0 to 1. Default 0.64 0.455 0.165.
+  /// Colour of the blades: red, green, blue, each 0 to 1. Default 0.745 0.533 0.188.
   vtkSetVector3Macro(BladeColor, double);
   vtkGetVector3Macro(BladeColor, double);
   ///@}
 
   ///@{
-  /// Colour of stipes and holdfast: red, green, blue, each 0 to 1. Default 0.44 0.306 0.133.
+  /// Colour of stipes and holdfast: red, green, blue, each 0 to 1. Default 0.502 0.353 0.157.
   vtkSetVector3Macro(StipeColor, double);
   vtkGetVector3Macro(StipeColor, double);
   ///@}
