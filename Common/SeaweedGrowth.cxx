@@ -397,7 +397,6 @@ SeaweedParameters Eelgrass()
   p.SpreadAngle = 11.0;
   p.StipeModulus = 2e8;
   p.BladeModulus = 3e8;
-  p.DampingRatio = 0.05;
   p.StipeDensity = 1000.0;
   p.BladeDensity = 800.0;
   p.Variation = 0.2;

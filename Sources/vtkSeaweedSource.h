@@ -137,7 +137,7 @@ public:
 
   ///@{
   /// Young's modulus of stipes and floats [Pa], 1e3 to 1e12. The joint at the foot of a segment has the stiffness E I /
-  /// L. Default 1.5e7.
+  /// L. Default 3e7.
   vtkSetMacro(StipeModulus, double);
   vtkGetMacro(StipeModulus, double);
   ///@}
@@ -149,7 +149,7 @@ public:
   ///@}
 
   ///@{
-  /// Damping of the tissue alone, as part of critical damping, 0 to 10. Default 0.1.
+  /// Damping of the tissue alone, as part of critical damping, 0 to 10. Default 0.05.
   vtkSetMacro(DampingRatio, double);
   vtkGetMacro(DampingRatio, double);
   ///@}
