@@ -20,6 +20,17 @@ littoral_find_headers(Random123::Random123 Random123/philox.h)
 littoral_find_headers(kissfft::header kissfft/kissfft.hh)
 find_package(Threads REQUIRED)
 
+# --- FFTW in single precision, on request: it is GPL, and so is what is linked with it.
+if (LITTORAL_WITH_FFTW)
+  find_library(FFTW3F_LIBRARY fftw3f REQUIRED)
+  find_path(FFTW3F_INCLUDE_DIR fftw3.h REQUIRED)
+  mark_as_advanced(FFTW3F_LIBRARY FFTW3F_INCLUDE_DIR)
+  add_library(fftw3f::fftw3f UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(fftw3f::fftw3f PROPERTIES
+    IMPORTED_LOCATION "${FFTW3F_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${FFTW3F_INCLUDE_DIR}")
+endif ()
+
 if (NOT LITTORAL_WITH_VTK)
   set(LITTORAL_WITH_OPENVDB OFF)
   set(LITTORAL_WITH_PARAVIEW OFF)

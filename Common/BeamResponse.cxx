@@ -152,6 +152,12 @@ std::vector<Vector3> PeriodicResponse(const Oscillator& oscillator, double step,
   return response;
 }
 
+OscillatorState SettledState(const Oscillator& oscillator, double period, const OscillatorState& fromRest)
+{
+  const Matrix free = FreeOver(oscillator.Frequency * period, oscillator.DampingRatio);
+  return Correction(free, oscillator.Frequency, fromRest);
+}
+
 SeriesPlace::SeriesPlace(double time, double step, std::size_t count)
 {
   const double n = static_cast<double>(count);

@@ -57,6 +57,9 @@ std::vector<double> PeriodicResponse(const Oscillator& oscillator, double step, 
 /// The same for each component of a load in space.
 std::vector<Vector3> PeriodicResponse(const Oscillator& oscillator, double step, const std::vector<Vector3>& load);
 
+/// The state of the periodic motion, from that of an oscillator which was at rest one period [s] ago.
+OscillatorState SettledState(const Oscillator& oscillator, double period, const OscillatorState& fromRest);
+
 /// Responses of beams along x, y and z to one load in space, at one time; each is at a right angle to its beam.
 struct OrthogonalResponses
 {

@@ -80,4 +80,33 @@ glm::dquat LeafRotation(
     turn;
 }
 
+void TurnLeaf(const std::array<int, 4>& corners, const Vector3& wind, const std::array<double, 2>& flutter,
+  const LeafMotionOptions& options, float* points, float* normals)
+{
+  Vector3 at[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    const float* p = points + 3 * corners[i];
+    at[i] = { p[0], p[1], p[2] };
+  }
+  const LeafAxes axes{ Normalised(at[2] - at[0]), Normalised(glm::cross(at[2] - at[0], at[3] - at[1])) };
+  const glm::dquat turn = LeafRotation(axes, wind, flutter, options);
+  const auto add = [&](float* to, const Vector3& vector) {
+    const Vector3 change = TurnedBy(turn, vector);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      to[axis] += static_cast<float>(change[axis]);
+    }
+  };
+  for (int i = 0; i < 4; ++i)
+  {
+    add(points + 3 * corners[i], at[i] - at[0]);
+    float* normal = normals ? normals + 3 * corners[i] : nullptr;
+    if (normal)
+    {
+      add(normal, { normal[0], normal[1], normal[2] });
+    }
+  }
+}
+
 }

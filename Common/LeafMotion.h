@@ -58,6 +58,11 @@ struct LeafAxes
 glm::dquat LeafRotation(
   const LeafAxes& leaf, const Vector3& wind, const std::array<double, 2>& flutter, const LeafMotionOptions& options);
 
+/// Turns a leaf of four corners about the first of them; the third is its tip. Points and normals (which may be null)
+/// are tuples of three, of which the corners are indices.
+void TurnLeaf(const std::array<int, 4>& corners, const Vector3& wind, const std::array<double, 2>& flutter,
+  const LeafMotionOptions& options, float* points, float* normals);
+
 }
 
 #endif

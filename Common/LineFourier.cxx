@@ -4,6 +4,9 @@
 
 #include "Constants.h"
 #include "SimdClones.h"
+#ifdef LITTORAL_WITH_FFTW
+#include "FftwLines.h"
+#endif
 
 #include <cmath>
 
@@ -12,6 +15,11 @@ namespace littoral
 
 namespace
 {
+#ifdef LITTORAL_WITH_FFTW
+/// Shorter lines take longer to copy there and back than FFTW saves.
+constexpr int ShortestForFftw = 256;
+#endif
+
 constexpr float Sin60 = 0.86602540378443864676f;
 constexpr float Cos72 = 0.30901699437494742410f;
 constexpr float Sin72 = 0.95105651629515357212f;
@@ -218,9 +226,30 @@ LITTORAL_SIMD_CLONES void FoldHalves(LinePack& pack, std::size_t half, const flo
 }
 }
 
-LineFourier::LineFourier(int length)
+bool HasFftw()
+{
+#ifdef LITTORAL_WITH_FFTW
+  return true;
+#else
+  return false;
+#endif
+}
+
+FourierEngine UsualFourierEngine()
+{
+  return HasFftw() ? FourierEngine::Fftw : FourierEngine::Own;
+}
+
+LineFourier::LineFourier(int length, [[maybe_unused]] FourierEngine engine)
   : Length(length)
 {
+#ifdef LITTORAL_WITH_FFTW
+  if (engine == FourierEngine::Fftw && length >= ShortestForFftw)
+  {
+    this->Fftw = std::make_shared<FftwLines>(length);
+    return;
+  }
+#endif
   int rest = length;
   for (int radix : { 4, 2, 3, 5 })
   {
@@ -244,6 +273,13 @@ LineFourier::LineFourier(int length)
 
 void LineFourier::Backward(LinePack& pack) const
 {
+#ifdef LITTORAL_WITH_FFTW
+  if (this->Fftw)
+  {
+    this->Fftw->Backward(pack);
+    return;
+  }
+#endif
   std::size_t done = FourierLanes; // numbers side by side that the same turn belongs to
   for (const Stage& stage : this->Stages)
   {
@@ -262,8 +298,8 @@ void LineFourier::Backward(LinePack& pack) const
   }
 }
 
-RealLineFourier::RealLineFourier(int length)
-  : Half(length / 2)
+RealLineFourier::RealLineFourier(int length, FourierEngine engine)
+  : Half(length / 2, engine)
   , Turns(static_cast<std::size_t>(length))
 {
   for (int k = 0; k < length / 2; ++k)

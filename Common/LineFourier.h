@@ -4,10 +4,26 @@
 #define LittoralLineFourier_h
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace littoral
 {
+
+class FftwLines;
+
+/// Who transforms.
+enum class FourierEngine
+{
+  Own,
+  Fftw, ///< for long lines; Own for short ones, and where Littoral was built without it
+};
+
+/// Whether Littoral was built with FFTW.
+bool HasFftw();
+
+/// FFTW where Littoral was built with it.
+FourierEngine UsualFourierEngine();
 
 /// Lines that are transformed side by side: one in each lane of the processor's vectors.
 inline constexpr int FourierLanes = 8;
@@ -38,7 +54,7 @@ class LineFourier
 {
 public:
   /// The length must be a product of 2, 3 and 5.
-  explicit LineFourier(int length);
+  explicit LineFourier(int length, FourierEngine engine = UsualFourierEngine());
 
   int GetLength() const { return this->Length; }
 
@@ -55,6 +71,7 @@ private:
 
   int Length;
   std::vector<Stage> Stages;
+  std::shared_ptr<const FftwLines> Fftw; ///< null: own stages
 };
 
 /**
@@ -65,7 +82,7 @@ class RealLineFourier
 {
 public:
   /// The length must be even and a product of 2, 3 and 5.
-  explicit RealLineFourier(int length);
+  explicit RealLineFourier(int length, FourierEngine engine = UsualFourierEngine());
 
   int GetLength() const { return 2 * this->Half.GetLength(); }
 

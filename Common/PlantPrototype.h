@@ -6,6 +6,7 @@
 #include "Plant.h"
 #include "SeaweedSegment.h"
 #include "TextureImage.h"
+#include "WoodParameters.h"
 
 namespace littoral
 {
@@ -16,7 +17,11 @@ struct PlantPrototype
 {
   // High
   Skeleton Wood;
+<<<<<<< HEAD
   std::vector<SeaweedSegment> Segments; ///< of each node of a seaweed, else empty
+=======
+  WoodParameters Timber; ///< what the skeleton is made of
+>>>>>>> main
   PlantMesh Skin;
   PlantMesh Leaves;
   TextureImage LeafTexture;

@@ -4,10 +4,12 @@
 
 #include "BeamResponse.h"
 #include "Constants.h"
+#include "OscillatorBank.h"
 #include "PlantMotion.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace littoral
 {
@@ -15,8 +17,12 @@ namespace littoral
 namespace
 {
 
-/// Frequencies that are tabulated for eq. 25, in equal ratios.
+/// Frequencies that are tabulated for eq. 25, in equal ratios; where there are fewer motions, each has its own.
 constexpr int MostColumns = 128;
+
+/// Samples that are tabulated at a time, and those that a reader between samples needs besides.
+constexpr long long StretchSamples = 32;
+constexpr std::size_t TableRows = StretchSamples + 3;
 
 /// Frequencies above this, times the wind's step, follow the load at once.
 constexpr double FastestAngle = 30.0;
@@ -159,10 +165,48 @@ std::vector<BranchBeam> BeamsOf(
   return beams;
 }
 
-PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& options, double step,
-  const Vector3& middle, const WindAtPlace& wind, const ParallelFor& parallelFor)
-  : Step(step)
-  , Shared(options.Response == SwayResponse::Interpolated)
+TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas)
+{
+  TrunkMeasures measures;
+  measures.Length = skeleton.BranchLength(0);
+  measures.Axis = BranchAxis(skeleton, 0);
+  measures.BendingRadius = TaperOf(skeleton, skeleton.Branches[0], measures.Length).BendingRadius;
+  for (int branch = 0; branch < static_cast<int>(skeleton.Branches.size()); ++branch)
+  {
+    const double length = skeleton.BranchLength(branch);
+    const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], length);
+    measures.WoodVolume += Pi * taper.MeanSquare * length;
+    measures.WoodArea += 2.0 * taper.MeanRadius * length;
+  }
+  measures.LeafArea = std::accumulate(leafAreas.begin(), leafAreas.end(), 0.0);
+  return measures;
+}
+
+BranchBeam TrunkBeam(const TrunkMeasures& trunk, double scale, double azimuth, const SwayOptions& options)
+{
+  const double leafPart = options.Load.DragCoefficient > 0.0 ? options.LeafDrag / options.Load.DragCoefficient : 0.0;
+  const double c = std::cos(azimuth);
+  const double s = std::sin(azimuth);
+  BranchBeam beam;
+  beam.Axis = { c * trunk.Axis.x - s * trunk.Axis.y, s * trunk.Axis.x + c * trunk.Axis.y, trunk.Axis.z };
+  beam.Beam.Length = scale * trunk.Length;
+  beam.Beam.YoungModulus = options.Wood.YoungModulus;
+  const double mass = options.Wood.Density * scale * trunk.WoodVolume + options.LeafMass * trunk.LeafArea;
+  beam.Beam.MassPerLength = scale * scale * mass / beam.Beam.Length;
+  beam.DragDiameter = scale * scale * (trunk.WoodArea + leafPart * trunk.LeafArea) / beam.Beam.Length;
+  beam.Beam.Radius = std::max(scale * trunk.BendingRadius, LeastRadius(beam.Beam));
+  return beam;
+}
+
+PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& options, const WindTimes& times,
+  const Vector3& middle, const WindAtPlace& wind)
+  : Times(times)
+  , Middle(middle)
+  , WindAt(wind)
+  , Load(options.Load)
+  , Damping(options.Wood.DampingRatio)
+  , Beams(options.Response == SwayResponse::Direct ? beams : std::vector<BranchBeam>())
+  , Offset(static_cast<std::size_t>(std::abs(std::floor(middle.x + 3.0 * middle.y))) % StretchSamples)
 {
   // A beam along `axis` in a load per length f: amplitude at rest = mean of the shape x f across / (m w^2).
   const double unitDrag = 0.5 * options.Load.AirDensity * options.Load.DragCoefficient;
@@ -174,137 +218,195 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
       const double frequency = AngularFrequency(beam.Beam, mode);
       const double give = MeanShape(mode) / (beam.Beam.MassPerLength * frequency * frequency);
       const Vector3 weight = options.Gravity ? WeightPerLength(beam.Beam.MassPerLength) : Vector3(0.0);
-      this->Motions.push_back({ beam.Axis, give * AcrossBeam(weight, beam.Axis), give, 0, { 1.0, 0.0, 0.0, 0.0 } });
-      frequencies.push_back(std::min(frequency, FastestAngle / step));
+      this->Motions.push_back({ beam.Axis, give * AcrossBeam(weight, beam.Axis), give,
+        static_cast<int>(frequencies.size()), { 1.0, 0.0, 0.0, 0.0 } });
+      frequencies.push_back(std::min(frequency, FastestAngle / times.Step));
       if (options.Response == SwayResponse::Interpolated)
       {
         this->Motions.back().Gain *= unitDrag * beam.DragDiameter;
       }
     }
   }
-  if (options.Response == SwayResponse::Direct)
+  this->TakeColumns(frequencies);
+  this->Now.resize(3 * this->Frequencies.size());
+}
+
+void PlantSway::TakeColumns(const std::vector<double>& frequencies)
+{
+  this->Frequencies = frequencies;
+  if (!this->Beams.empty())
   {
-    this->TabulateEach(beams, options, wind, parallelFor);
     return;
   }
-  const std::vector<double> columns = FrequenciesOver(frequencies);
-  for (std::size_t i = 0; i < this->Motions.size() && columns.size() > 1; ++i)
+  if (frequencies.size() <= MostColumns) // in ascending order
   {
-    const double place =
-      (MostColumns - 1) * std::log(frequencies[i] / columns.front()) / std::log(columns.back() / columns.front());
+    std::vector<int> order(frequencies.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return frequencies[a] < frequencies[b]; });
+    for (std::size_t column = 0; column < order.size(); ++column)
+    {
+      this->Motions[order[column]].Column = static_cast<int>(column);
+    }
+    std::sort(this->Frequencies.begin(), this->Frequencies.end());
+    return;
+  }
+  this->Frequencies = FrequenciesOver(frequencies);
+  if (this->Frequencies.size() == 1)
+  {
+    std::for_each(this->Motions.begin(), this->Motions.end(), [](Motion& motion) { motion.Column = 0; });
+    return;
+  }
+  this->Taps = 4;
+  const double span = std::log(this->Frequencies.back() / this->Frequencies.front());
+  for (std::size_t i = 0; i < this->Motions.size(); ++i)
+  {
+    const double place = (MostColumns - 1) * std::log(frequencies[i] / this->Frequencies.front()) / span;
     Motion& motion = this->Motions[i];
     motion.Column = std::clamp(static_cast<int>(place) - 1, 0, MostColumns - 4);
     motion.Weights = CubicWeights(place - motion.Column);
   }
-  std::vector<Vector3> velocities;
-  wind(middle, velocities);
-  this->TabulateOrthogonal(columns, options.Wood.DampingRatio, velocities, parallelFor);
 }
 
-double PlantSway::TableBytes(std::size_t branches, const SwayOptions& options, std::size_t samples)
+double PlantSway::BytesOf(std::size_t branches, const SwayOptions& options)
 {
-  const double columns =
-    options.Response == SwayResponse::Direct ? double(branches) * options.NumberOfModes : MostColumns;
-  return columns * static_cast<double>(samples) * sizeof(Triple);
+  const double motions = static_cast<double>(branches) * options.NumberOfModes;
+  const bool direct = options.Response == SwayResponse::Direct;
+  const double columns = direct ? motions : std::min<double>(motions, MostColumns);
+  return columns * (3.0 * TableRows * sizeof(float) + 4.0 * sizeof(double)) + motions * sizeof(Motion) +
+    (direct ? static_cast<double>(branches) * sizeof(BranchBeam) : 0.0);
 }
 
-void PlantSway::Store(std::size_t column, const std::vector<Vector3>& series)
+void PlantSway::Tabulate(long long first)
 {
-  for (std::size_t sample = 0; sample < series.size(); ++sample)
+  this->Table.resize(3 * TableRows * this->Frequencies.size());
+  if (this->Beams.empty())
   {
-    const Vector3& value = series[sample];
-    this->Table[sample * this->Columns + column] = { static_cast<float>(value.x), static_cast<float>(value.y),
-      static_cast<float>(value.z) };
+    this->TabulateShared(first);
+    return;
+  }
+  for (std::size_t branch = 0; branch < this->Beams.size(); ++branch)
+  {
+    this->TabulateBranch(branch, first);
   }
 }
 
-void PlantSway::TabulateOrthogonal(const std::vector<double>& frequencies, double damping,
-  const std::vector<Vector3>& wind, const ParallelFor& parallelFor)
+void PlantSway::TabulateShared(long long first)
 {
-  this->Samples = wind.size();
-  this->Columns = std::max<std::size_t>(4, frequencies.size()); // four are read, of weight zero where there is one
-  this->Table.assign(this->Samples * this->Columns, Triple{});
-  parallelFor(frequencies.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t column = begin; column < end; ++column)
-    {
-      // Half the sum of the responses of beams along x, y and z is the response to all of the load, since each has
-      // two of its three components.
-      const double square = frequencies[column] * frequencies[column];
-      std::vector<Vector3> load(wind.size());
-      std::transform(wind.begin(), wind.end(), load.begin(),
-        [=](const Vector3& velocity) { return square * glm::length(velocity) * velocity; });
-      this->Store(column, PeriodicResponse({ frequencies[column], damping }, this->Step, load));
-    }
-  });
-}
-
-void PlantSway::TabulateEach(const std::vector<BranchBeam>& beams, const SwayOptions& options, const WindAtPlace& wind,
-  const ParallelFor& parallelFor)
-{
-  std::vector<Vector3> first;
-  wind(beams.front().Middle, first);
-  this->Samples = first.size();
-  this->Columns = this->Motions.size();
-  this->Table.assign(this->Samples * this->Columns, Triple{});
-  const auto modes = static_cast<std::size_t>(options.NumberOfModes);
-  parallelFor(beams.size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<Vector3> load;
-    for (std::size_t branch = begin; branch < end; ++branch)
-    {
-      const BranchBeam& beam = beams[branch];
-      wind(beam.Middle, load);
-      for (Vector3& value : load)
-      {
-        value = DragPerLength(options.Load, beam.Axis, beam.DragDiameter, value) +
-          LiftPerLength(options.Load, beam.Axis, beam.DragDiameter, value);
-      }
-      for (std::size_t mode = 0; mode < modes; ++mode)
-      {
-        const double frequency =
-          std::min(AngularFrequency(beam.Beam, static_cast<int>(mode) + 1), FastestAngle / this->Step);
-        std::vector<Vector3> series = PeriodicResponse({ frequency, options.Wood.DampingRatio }, this->Step, load);
-        for (Vector3& value : series)
-        {
-          value *= frequency * frequency;
-        }
-        this->Motions[branch * modes + mode].Column = static_cast<int>(branch * modes + mode);
-        this->Store(branch * modes + mode, series);
-      }
-    }
-  });
-}
-
-void PlantSway::Amplitudes(double time, Vector3* amplitudes) const
-{
-  const SeriesPlace place(time, this->Step, this->Samples);
-  const auto read = [&](std::size_t column) {
-    Vector3 sum(0.0);
-    for (int i = 0; i < 4; ++i)
-    {
-      const Triple& value = this->Table[place.Samples[i] * this->Columns + column];
-      sum += place.Weights[i] * Vector3(value[0], value[1], value[2]);
-    }
-    return sum;
-  };
-  std::array<Vector3, MostColumns> shared;
-  for (std::size_t column = 0; this->Shared && column < this->Columns; ++column)
+  // Slow columns remember longer and begin earlier; one that remembers more than a period settles after one.
+  const std::size_t columns = this->Frequencies.size();
+  std::vector<std::size_t> leads;
+  for (const double frequency : this->Frequencies)
   {
-    shared[column] = read(column);
+    leads.push_back(std::min(this->Times.Samples, StepsRemembered({ frequency, this->Damping }, this->Times.Step)));
   }
+  const std::size_t longest = leads.front();
+  std::vector<Vector3> load(longest + TableRows);
+  this->WindAt(this->Middle, first - static_cast<long long>(longest), load.size(), load.data());
+  // Half the sum of the responses of beams along x, y and z is the response to all of the load, since each has two of
+  // its three components.
+  std::transform(
+    load.begin(), load.end(), load.begin(), [](const Vector3& velocity) { return glm::length(velocity) * velocity; });
+  OscillatorBank bank(this->Frequencies, this->Damping, this->Times.Step);
+  std::size_t active = 0;
+  for (std::size_t sample = 0; sample < longest; ++sample)
+  {
+    while (active < columns && leads[active] >= longest - sample)
+    {
+      ++active;
+    }
+    bank.Advance(active, load[sample], load[sample + 1]);
+  }
+  for (std::size_t column = 0; column < columns && leads[column] == this->Times.Samples; ++column)
+  {
+    bank.Settle(column, this->Times.Samples);
+  }
+  for (std::size_t row = 0; row < TableRows; ++row)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::copy_n(bank.Places(axis), columns, &this->Table[(3 * row + axis) * columns]);
+    }
+    if (row + 1 < TableRows)
+    {
+      bank.Advance(columns, load[longest + row], load[longest + row + 1]);
+    }
+  }
+}
+
+void PlantSway::TabulateBranch(std::size_t branch, long long first)
+{
+  const BranchBeam& beam = this->Beams[branch];
+  const std::size_t columns = this->Frequencies.size();
+  const std::size_t modes = columns / this->Beams.size();
+  for (std::size_t column = branch * modes; column < (branch + 1) * modes; ++column)
+  {
+    const Oscillator oscillator{ this->Frequencies[column], this->Damping };
+    const std::size_t lead = std::min(this->Times.Samples, StepsRemembered(oscillator, this->Times.Step));
+    std::vector<Vector3> load(lead + TableRows);
+    this->WindAt(beam.Middle, first - static_cast<long long>(lead), load.size(), load.data());
+    for (Vector3& value : load)
+    {
+      value = DragPerLength(this->Load, beam.Axis, beam.DragDiameter, value) +
+        LiftPerLength(this->Load, beam.Axis, beam.DragDiameter, value);
+    }
+    OscillatorBank one({ oscillator.Frequency }, this->Damping, this->Times.Step);
+    for (std::size_t sample = 0; sample + 1 < load.size(); ++sample)
+    {
+      if (sample == lead && lead == this->Times.Samples)
+      {
+        one.Settle(0, lead);
+      }
+      for (std::size_t axis = 0; axis < 3 && sample >= lead; ++axis)
+      {
+        this->Table[(3 * (sample - lead) + axis) * columns + column] = static_cast<float>(*one.Places(axis));
+      }
+      one.Advance(1, load[sample], load[sample + 1]);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Table[(3 * (TableRows - 1) + axis) * columns + column] = static_cast<float>(*one.Places(axis));
+    }
+  }
+}
+
+void PlantSway::Amplitudes(double time, Vector3* amplitudes)
+{
+  const SeriesPlace place(time, this->Times.Step, this->Times.Samples);
+  const std::size_t at = (place.Samples[1] + this->Offset) % this->Times.Samples;
+  const long long stretch = static_cast<long long>(at) / StretchSamples;
+  if (stretch != this->Stretch)
+  {
+    this->Tabulate(stretch * StretchSamples - static_cast<long long>(this->Offset) - 1);
+    this->Stretch = stretch;
+  }
+  const std::size_t columns = this->Frequencies.size();
+  const float* rows = &this->Table[3 * columns * (at - static_cast<std::size_t>(stretch * StretchSamples))];
+  for (std::size_t i = 0; i < 3 * columns; ++i)
+  {
+    this->Now[i] = place.Weights[0] * rows[i] + place.Weights[1] * rows[3 * columns + i] +
+      place.Weights[2] * rows[6 * columns + i] + place.Weights[3] * rows[9 * columns + i];
+  }
+  const double* now = this->Now.data();
   for (std::size_t i = 0; i < this->Motions.size(); ++i)
   {
     const Motion& motion = this->Motions[i];
     Vector3 response(0.0);
-    for (int tap = 0; this->Shared && tap < 4; ++tap)
+    for (int tap = 0; tap < this->Taps; ++tap)
     {
-      response += motion.Weights[tap] * shared[motion.Column + tap];
-    }
-    if (!this->Shared)
-    {
-      response = read(motion.Column);
+      const double* value = now + motion.Column + tap;
+      response += motion.Weights[tap] * Vector3(value[0], value[columns], value[2 * columns]);
     }
     amplitudes[i] = motion.Rest + motion.Gain * AcrossBeam(response, motion.Axis);
   }
+}
+
+Vector3 PlantSway::Wind(double time) const
+{
+  const SeriesPlace place(time, this->Times.Step, this->Times.Samples);
+  std::array<Vector3, 4> around;
+  this->WindAt(this->Middle, static_cast<long long>(place.Samples[1]) - 1, 4, around.data());
+  return place.Weights[0] * around[0] + place.Weights[1] * around[1] + place.Weights[2] * around[2] +
+    place.Weights[3] * around[3];
 }
 
 }

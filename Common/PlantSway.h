@@ -50,51 +50,85 @@ struct BranchBeam
 std::vector<BranchBeam> BeamsOf(
   const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options);
 
-/// The wind at a place over one period, in equal steps of time. Called from many threads.
-using WindAtPlace = std::function<void(const Vector3& place, std::vector<Vector3>& velocities)>;
+/// What the trunk of a plant bears, in numbers that scale with the plant.
+struct TrunkMeasures
+{
+  double Length = 1.0;        ///< [m]
+  double BendingRadius = 0.1; ///< [m]
+  double WoodVolume = 0.0;    ///< of all branches [m3]
+  double WoodArea = 0.0;      ///< of all branches, seen from the side [m2]
+  double LeafArea = 0.0;      ///< [m2]
+  Vector3 Axis{ 0.0, 0.0, 1.0 };
+};
+
+TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas);
+
+/// The first of BeamsOf for a plant that was scaled and turned about the vertical [rad]. Its middle is left at the
+/// origin.
+BranchBeam TrunkBeam(const TrunkMeasures& trunk, double scale, double azimuth, const SwayOptions& options);
+
+/// A wind that repeats after so many steps of time [s].
+struct WindTimes
+{
+  double Step = 0.1;
+  std::size_t Samples = 4; ///< at least four
+};
+
+/// The wind at a place: `count` velocities, one a step, from the step `first` on, any whole number. Called from many
+/// threads.
+using WindAtPlace = std::function<void(const Vector3& place, long long first, std::size_t count, Vector3* velocities)>;
 
 /**
- * The modal amplitudes of a plant's branches in a wind that repeats: a periodic steady state, tabulated once, from
- * which any time can be read without its past.
+ * The modal amplitudes of a plant's branches in a wind that repeats: the periodic steady state. Any time can be asked
+ * for, and has the same bytes whatever was asked before. What is kept is a short stretch of time around the last one
+ * asked for; another one starts as long before as the slowest branch remembers. So memory does not grow with the wind.
  */
 class PlantSway
 {
 public:
-  /// The wind's step [s]; `middle` [m] is where the interpolated response meets the wind.
-  PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& options, double step, const Vector3& middle,
-    const WindAtPlace& wind, const ParallelFor& parallelFor = SerialFor);
+  /// `middle` [m] is where the interpolated response meets the wind.
+  PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& options, const WindTimes& times,
+    const Vector3& middle, const WindAtPlace& wind);
 
-  /// Memory of a table [bytes].
-  static double TableBytes(std::size_t branches, const SwayOptions& options, std::size_t samples);
+  /// Memory of a plant at most [bytes].
+  static double BytesOf(std::size_t branches, const SwayOptions& options);
 
-  /// The amplitudes at a time [s], any finite number, for PlantMotion: modes of a branch side by side.
-  void Amplitudes(double time, Vector3* amplitudes) const;
+  /// The amplitudes at a time [s], any finite number, for PlantMotion: modes of a branch side by side. One thread at a
+  /// time.
+  void Amplitudes(double time, Vector3* amplitudes);
+
+  /// The wind at the plant's middle at a time [s].
+  Vector3 Wind(double time) const;
 
 private:
-  using Triple = std::array<float, 3>;
-
   /// A mode of a branch.
   struct Motion
   {
     Vector3 Axis;
     Vector3 Rest; // amplitude under its weight [m]
     double Gain;  // amplitude for a unit of the table
-    int Column;   // of the table, the first of four
+    int Column;   // of the table, the first of those that are read
     std::array<double, 4> Weights;
   };
 
-  double Step;
-  bool Shared; // whether motions read between the columns of all, or each its own
-  std::size_t Samples = 0;
-  std::size_t Columns = 0;
+  WindTimes Times;
+  Vector3 Middle;
+  WindAtPlace WindAt;
+  WindLoadParameters Load;
+  double Damping;
   std::vector<Motion> Motions;
-  std::vector<Triple> Table; // row by row, a time each
+  std::vector<double> Frequencies; // of the columns
+  int Taps = 1;                    // columns that a motion reads
+  std::vector<BranchBeam> Beams;   // of the direct response; else empty
+  std::size_t Offset = 0;          // of the first stretch, so that not all plants begin one at the same time
+  long long Stretch = -1;          // which one the table holds
+  std::vector<float> Table;        // by sample, axis and column
+  std::vector<double> Now;         // by axis and column
 
-  void TabulateOrthogonal(const std::vector<double>& frequencies, double damping, const std::vector<Vector3>& wind,
-    const ParallelFor& parallelFor);
-  void TabulateEach(const std::vector<BranchBeam>& beams, const SwayOptions& options, const WindAtPlace& wind,
-    const ParallelFor& parallelFor);
-  void Store(std::size_t column, const std::vector<Vector3>& series);
+  void TakeColumns(const std::vector<double>& frequencies);
+  void Tabulate(long long first);
+  void TabulateShared(long long first);
+  void TabulateBranch(std::size_t branch, long long first);
 };
 
 }

@@ -36,6 +36,10 @@ enum class RandomPurpose : std::uint32_t
   WavePhases = 49,
   SeaweedFronds = 52,
   SeaweedBlades = 53,
+  ParticlePositions = 64,
+  ParticleSizes = 65,
+  ParticleOrientations = 66,
+  SlaveOffsets = 72,
 };
 
 /**

@@ -81,18 +81,30 @@ void MoveSkin(const RestSkin<Real>& rest, const JointChange* joints, std::size_t
 {
   for (std::size_t vertex = begin; vertex < end; ++vertex)
   {
-    glm::dmat3 turn(0.0);
-    Vector3 shift(0.0);
-    for (int i = 0; i < 4; ++i)
+    const Real* weights = rest.JointWeights + 4 * vertex;
+    const int* ids = rest.JointIds + 4 * vertex;
+    glm::dmat3 blended;
+    Vector3 shift;
+    const glm::dmat3* with = &blended;
+    if (weights[0] == Real(1))
     {
-      const double weight = rest.JointWeights[4 * vertex + i];
-      if (weight != 0.0)
+      with = &joints[ids[0]].Turn;
+      shift = joints[ids[0]].Shift;
+    }
+    else
+    {
+      blended = static_cast<double>(weights[0]) * joints[ids[0]].Turn;
+      shift = static_cast<double>(weights[0]) * joints[ids[0]].Shift;
+      for (int i = 1; i < 4; ++i)
       {
-        const JointChange& joint = joints[rest.JointIds[4 * vertex + i]];
-        turn += weight * joint.Turn;
-        shift += weight * joint.Shift;
+        if (weights[i] != Real(0))
+        {
+          blended += static_cast<double>(weights[i]) * joints[ids[i]].Turn;
+          shift += static_cast<double>(weights[i]) * joints[ids[i]].Shift;
+        }
       }
     }
+    const glm::dmat3& turn = *with;
     const Real* p = rest.Points + 3 * vertex;
     const Vector3 moved = turn * Vector3(p[0], p[1], p[2]) + shift;
     for (int axis = 0; axis < 3; ++axis)

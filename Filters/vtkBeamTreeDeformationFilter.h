@@ -8,12 +8,21 @@
  * Leaves}); port 1, the wind as a frozen field (vtkImageData, x along the wind, point array `Velocity`[3] [m/s], field
  * data `ConvectionSpeed` [m/s]; where there is field data `Period` [s] it has to be the length of the image over that
  * speed). The field is carried along x and repeats; it is asked for once, at its time 0, and not at each frame. Heights
- * in the wind are heights above a plant's foot.
+ * in the wind are heights above a plant's foot. Port 2, optional: the prototypes of a scattered forest, in their order.
  *
- * Output: the plants at the requested time (section 3.2 of Setas et al.): branches are cantilevers in their parents,
+ * Output 0: the plants at the requested time (section 3.2 of Setas et al.): branches are cantilevers in their parents,
  * with modes, a periodic steady state and segments that keep their lengths; skins follow the joints, and leaves turn to
  * the wind and flutter (eq. 26). Any time can be asked for; without wind all points stay where they are, to the bit.
- * The lower levels of detail pass through as they are. Times are those of the wind.
+ * In the level Medium, envelopes sway as the trunk in full does, and show pictures of the moving crown in turn (section
+ * 4.2); of a scattered forest they do where its prototypes are connected. Low stands still. Times are those of the
+ * wind.
+ *
+ * Output 1: these pictures (RGBA), one above the other, those of the first species first; texture coordinates of
+ * Medium/Crown point to the one of the moment. They also travel as field data `Texture` and `TextureSize` of the
+ * crowns.
+ *
+ * What is kept between frames does not grow with the length of the wind: at most 90 kB for the interpolated responses
+ * of a plant, 0.6 kB for each branch and mode of the direct ones.
  */
 #ifndef vtkBeamTreeDeformationFilter_h
 #define vtkBeamTreeDeformationFilter_h
@@ -24,7 +33,10 @@
 #include <memory> // for what is kept between frames
 #include <string> // for reasons
 
-class vtkImageData;
+namespace littoral
+{
+struct SwaySettings;
+}
 
 class LITTORALFILTERS_EXPORT vtkBeamTreeDeformationFilter : public vtkMultiBlockDataSetAlgorithm
 {
@@ -67,6 +79,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether plants that say of which wood they are (field data `Wood`, as the presets of the tree sources do) sway as
+  /// that. Else, and where they say nothing, the next three properties hold. Default on.
+  vtkSetMacro(WoodFromPlants, bool);
+  vtkGetMacro(WoodFromPlants, bool);
+  vtkBooleanMacro(WoodFromPlants, bool);
+  ///@}
+
+  ///@{
   /// Of the living wood along the grain [Pa], 1e5 to 1e12. Default 9e9.
   vtkSetMacro(YoungModulus, double);
   vtkGetMacro(YoungModulus, double);
@@ -91,6 +111,19 @@ public:
   ///@}
 
   ///@{
+  /// Pictures of a crown of the level Medium, made at equal times of a swing of its trunk, 1 to 16; 1: a still one.
+  /// Default 8.
+  vtkSetMacro(NumberOfPictures, int);
+  vtkGetMacro(NumberOfPictures, int);
+  ///@}
+
+  ///@{
+  /// Columns and rows of such a picture [texels], each from 4 to 4096. Default 256 128.
+  vtkSetVector2Macro(PictureSize, int);
+  vtkGetVector2Macro(PictureSize, int);
+  ///@}
+
+  ///@{
   /// Of the flutter of leaves. Any whole number. Default 1.
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -99,11 +132,15 @@ public:
   /// The wind, on port 1.
   void SetWindConnection(vtkAlgorithmOutput* wind) { this->SetInputConnection(1, wind); }
 
+  /// Disconnects all prototypes.
+  void RemoveAllPrototypes() { this->RemoveAllInputConnections(2); }
+
 protected:
   vtkBeamTreeDeformationFilter();
   ~vtkBeamTreeDeformationFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -113,20 +150,25 @@ protected:
   double DragCoefficient;
   int DragLaw;
   bool Gravity;
+  bool WoodFromPlants;
   double YoungModulus;
   double WoodDensity;
   double Damping;
   double LeafFlutter;
+  int NumberOfPictures;
+  int PictureSize[2];
   int Seed;
 
 private:
   vtkBeamTreeDeformationFilter(const vtkBeamTreeDeformationFilter&) = delete;
   void operator=(const vtkBeamTreeDeformationFilter&) = delete;
 
-  struct Forest;
-  std::unique_ptr<Forest> Kept; // plants and tables of the last inputs
+  struct Memory;
+  std::unique_ptr<Memory> Kept; // what was read from the last inputs
 
-  std::string Prepare(vtkMultiBlockDataSet* plants, vtkImageData* wind);
+  std::string WhyInvalid() const;
+  littoral::SwaySettings MakeSettings() const;
+  std::string Remember(vtkInformationVector** inputs);
 };
 
 #endif

@@ -5,6 +5,8 @@
 #include "Dispersion.h"
 #include "LittoralPipeline.h"
 #include "LittoralSea.h"
+#include "LittoralSlaves.h"
+#include "TrainSelection.h"
 #include "WaveOrbits.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -41,13 +43,6 @@ constexpr vtkIdType PointsAtOnce = 1 << 13;
 /// How far from sea level the points of its surface may lie [m].
 constexpr double SurfaceTolerance = 1e-3;
 
-/// Masters and offsets of slaves; empty where there are none.
-struct Slaves
-{
-  std::vector<vtkIdType> Master; ///< of each point; negative: it is its own
-  vtkDataArray* Offset = nullptr;
-};
-
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
 {
@@ -69,7 +64,7 @@ bool IsAtSeaLevel(vtkPoints* points, double level)
 
 std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
 {
-  vtkDataArray* array = input->GetPointData()->GetArray("TrainCount");
+  vtkDataArray* array = input->GetPointData()->GetArray(littoral::sea::TrainCount);
   if (!array)
   {
     return "";
@@ -91,40 +86,18 @@ std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
   return "";
 }
 
-std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
+/// The order in which trains are taken; empty where they come as they are.
+std::string ReadTrainOrder(vtkPointSet* input, std::size_t trains, std::vector<int>& order)
 {
-  vtkDataArray* master = input->GetPointData()->GetArray("MasterId");
-  if (!master)
+  vtkDataArray* array = input->GetFieldData()->GetArray(littoral::sea::TrainOrder);
+  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
   {
-    return "";
+    order.push_back(static_cast<int>(array->GetComponent(n, 0)));
   }
-  slaves.Offset = input->GetPointData()->GetArray("Offset");
-  if (master->GetNumberOfComponents() != 1)
+  if (!order.empty() && (order.size() != trains || !littoral::IsPermutation(order)))
   {
-    return "the point array MasterId must have one component.";
-  }
-  if (!slaves.Offset || slaves.Offset->GetNumberOfComponents() != 3)
-  {
-    return "the point array MasterId needs an array Offset of three components beside it.";
-  }
-  const vtkIdType points = input->GetNumberOfPoints();
-  slaves.Master.resize(static_cast<std::size_t>(points));
-  for (vtkIdType id = 0; id < points; ++id)
-  {
-    const double value = master->GetTuple1(id);
-    if (!(value < static_cast<double>(points)))
-    {
-      return "MasterId of point " + std::to_string(id) + " is no point of its data set.";
-    }
-    slaves.Master[id] = value < 0.0 || static_cast<vtkIdType>(value) == id ? -1 : static_cast<vtkIdType>(value);
-  }
-  for (vtkIdType id = 0; id < points; ++id)
-  {
-    const vtkIdType its = slaves.Master[id];
-    if (its >= 0 && slaves.Master[its] >= 0)
-    {
-      return "MasterId of point " + std::to_string(id) + " is a slave itself.";
-    }
+    return "the field array TrainOrder is no order of the " + std::to_string(trains) +
+      " trains of the sea state; it belongs to another one.";
   }
   return "";
 }
@@ -138,11 +111,21 @@ public:
   Sea(const littoral::SeaState& state, const littoral::WaveOrbitOptions& options, double time)
     : Orbits(state, options, time)
     , State(state)
+    , Options(options)
+    , Time(time)
   {
+  }
+
+  /// The same with its trains in an order.
+  Sea InOrder(const std::vector<int>& order) const
+  {
+    return Sea(littoral::Ordered(this->State, order), this->Options, this->Time);
   }
 
   littoral::WaveOrbits Orbits;
   littoral::SeaState State;
+  littoral::WaveOrbitOptions Options;
+  double Time;
 };
 
 //----------------------------------------------------------------------------
@@ -289,8 +272,16 @@ bool vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSe
   {
     return true;
   }
-  return input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(sea, input, output)
-                                                         : this->MoveAs<vtkFloatArray>(sea, input, output);
+  std::vector<int> order;
+  const std::string reason = ReadTrainOrder(input, sea.State.Trains.size(), order);
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot move points: " << reason);
+    return false;
+  }
+  const Sea ordered = sea.InOrder(order);
+  return input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(ordered, input, output)
+                                                         : this->MoveAs<vtkFloatArray>(ordered, input, output);
 }
 
 //----------------------------------------------------------------------------
@@ -300,11 +291,20 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   using Real = typename Array::ValueType;
   const vtkIdType count = input->GetNumberOfPoints();
   std::vector<int> trainCounts;
-  Slaves slaves;
+  littoral::Slaves slaves;
   std::string reason = ReadTrainCounts(input, trainCounts);
   if (reason.empty())
   {
-    reason = ReadSlaves(input, slaves);
+    reason = littoral::ReadSlaves(input, slaves);
+  }
+  if (reason.empty() && !slaves.Master.empty())
+  {
+    // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
+    trainCounts.resize(slaves.Master.size(), std::numeric_limits<int>::max());
+    for (std::size_t id = 0; id < slaves.Master.size(); ++id)
+    {
+      trainCounts[id] = slaves.Master[id] >= 0 ? 0 : trainCounts[id];
+    }
   }
   if (reason.empty() && 17.0 * sizeof(Real) * static_cast<double>(count) > littoral::AvailableMemory())
   {

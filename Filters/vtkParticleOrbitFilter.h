@@ -14,14 +14,15 @@
  * folds over itself: there is foam). Field data: `DepthRegime`, how the highest train feels the bed (deep,
  * intermediate or shallow), and `RegimeTrains`, the numbers of trains that are deep, intermediate and shallow.
  *
- * Three optional point arrays of the input are honoured. `TrainCount`: only that many trains, from the first, move the
- * point. `MasterId` with `Offset`[3]: the point is a slave and lies at that offset from where its master is, a point of
- * the same data set by its index; a negative index, or the point's own, makes it no slave, and a master may not be a
- * slave.
+ * Optional arrays of the input are honoured, as vtkParticleLevelOfDetailFilter makes them. Point array `TrainCount`:
+ * only that many trains, from the first, move the point; the field array `TrainOrder` tells which train is the first.
+ * Point arrays `MasterId` with `Offset`[3]: the point is a slave and lies at that offset from where its master is, a
+ * point of the same data set by its index; a negative index, or the point's own, makes it no slave, and a master may
+ * not be a slave.
  *
  * Coulais et al., eq. 2 with the misprints put right, and the axes of water of any depth; see Documentation/errata.md.
  *
- * @sa vtkSeaStateSource
+ * @sa vtkSeaStateSource vtkParticleLevelOfDetailFilter
  */
 #ifndef vtkParticleOrbitFilter_h
 #define vtkParticleOrbitFilter_h

@@ -8,6 +8,7 @@
 #include "LittoralPlants.h"
 #include "LittoralRanges.h"
 #include "PlantMerge.h"
+#include "PlantReading.h"
 #include "PlantScatter.h"
 #include "SceneCells.h"
 #include "TextureAtlas.h"
@@ -119,18 +120,6 @@ std::array<int, 2> TextureSizeOf(vtkPolyData* block)
   return columns >= 1.0 && rows >= 1.0 && columns * rows == static_cast<double>(texels->GetNumberOfTuples())
     ? std::array<int, 2>{ static_cast<int>(columns), static_cast<int>(rows) }
     : std::array<int, 2>{ 0, 0 };
-}
-
-littoral::TextureImage TextureOf(vtkPolyData* block)
-{
-  const std::array<int, 2> size = TextureSizeOf(block);
-  littoral::TextureImage image(size[0], size[1]);
-  if (!image.Texels.empty())
-  {
-    auto* texels = vtkUnsignedCharArray::SafeDownCast(block->GetFieldData()->GetArray(littoral::plant::Texture));
-    std::copy_n(texels->GetPointer(0), 4 * image.Texels.size(), image.Texels.front().data());
-  }
-  return image;
 }
 
 using Blocks = std::array<vtkPolyData*, NumberOfParts>;
@@ -612,8 +601,8 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
       return false;
     }
     this->Kept->Extents.push_back(ExtentOf(prototypes[index]));
-    crowns.push_back(TextureOf(prototypes[index][CrownPart]));
-    leaves.push_back(TextureOf(prototypes[index][LeavesPart]));
+    crowns.push_back(littoral::ReadTexture(prototypes[index][CrownPart]));
+    leaves.push_back(littoral::ReadTexture(prototypes[index][LeavesPart]));
   }
   littoral::TextureAtlas crownAtlas = littoral::StackTextures(crowns);
   littoral::TextureAtlas leafAtlas = littoral::StackTextures(leaves);

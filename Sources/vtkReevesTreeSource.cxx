@@ -80,6 +80,7 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     return false;
   }
   prototype = littoral::LevelsOf(littoral::GrowReevesTree(p), options);
+  prototype.Timber = littoral::ParametersOf(static_cast<littoral::WoodSpecies>(this->Preset));
   return true;
 }
 

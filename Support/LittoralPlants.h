@@ -7,11 +7,13 @@
 // never installed, never wrapped.
 
 #include "LittoralSeaweeds.h"
+#include "LittoralBlocks.h"
 #include "PlantPrototype.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -26,7 +28,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <cstring>
 #include <type_traits>
 #include <vector>
 
@@ -54,6 +55,7 @@ constexpr const char* Order = "Order";
 constexpr const char* Texture = "Texture";
 constexpr const char* TextureSize = "TextureSize";
 constexpr const char* PlantId = "PlantId";
+constexpr const char* Wood = "Wood";
 }
 
 /// A colour of 0 to 1 as bytes; false if it is none.
@@ -68,29 +70,6 @@ inline bool TakeColour(const double from[3], Colour& to)
     to[channel] = static_cast<unsigned char>(std::lround(255.0 * from[channel]));
   }
   return true;
-}
-
-/// Appends a named block.
-inline void AddBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject* block)
-{
-  const unsigned int index = blocks->GetNumberOfBlocks();
-  blocks->SetBlock(index, block);
-  blocks->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name);
-}
-
-/// The block of a name; null where there is none.
-inline vtkDataObject* FindBlock(vtkMultiBlockDataSet* blocks, const char* name)
-{
-  for (unsigned int index = 0; blocks && index < blocks->GetNumberOfBlocks(); ++index)
-  {
-    const char* own =
-      blocks->HasMetaData(index) ? blocks->GetMetaData(index)->Get(vtkCompositeDataSet::NAME()) : nullptr;
-    if (own && std::strcmp(own, name) == 0)
-    {
-      return blocks->GetBlock(index);
-    }
-  }
-  return nullptr;
 }
 
 /// A point or cell array from tuples of numbers, each converted to the array's type.
@@ -127,7 +106,14 @@ inline void AttachTexture(vtkDataObject* block, const TextureImage& texture)
   block->GetFieldData()->AddArray(ArrayOf<vtkIntArray>(plant::TextureSize, 1, size));
 }
 
-/// The same as an image, for vtkTexture.
+/// The wood that a plant is of, as field data: Young's modulus [Pa], density [kg/m3], damping ratio.
+inline void AttachWood(vtkDataObject* plant, const WoodParameters& wood)
+{
+  const std::vector<std::array<double, 3>> numbers{ { wood.YoungModulus, wood.Density, wood.DampingRatio } };
+  plant->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::Wood, 3, numbers));
+}
+
+/// A texture as an image, for vtkTexture.
 inline void CopyToImage(const TextureImage& texture, vtkImageData* image)
 {
   image->SetExtent(0, texture.Columns - 1, 0, texture.Rows - 1, 0, 0);
@@ -227,6 +213,7 @@ inline void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* 
   AddBlock(blocks, plant::High, high);
   AddBlock(blocks, plant::Medium, medium);
   AddBlock(blocks, plant::Low, PolyDataOf(prototype.Low));
+  AttachWood(blocks, prototype.Timber);
 }
 
 }

@@ -28,6 +28,37 @@ constexpr const char* WaterDepth = "WaterDepth";
 constexpr const char* SeaLevel = "SeaLevel";
 constexpr const char* SignificantWaveHeight = "SignificantWaveHeight";
 constexpr const char* PeakPeriod = "PeakPeriod";
+// Particles.
+constexpr const char* ParticleId = "ParticleId";
+constexpr const char* ParticleType = "ParticleType";
+constexpr const char* BoxId = "BoxId";
+constexpr const char* Radius = "Radius"; ///< [m]
+constexpr const char* RGB = "RGB";
+constexpr const char* MasterId = "MasterId";
+constexpr const char* Offset = "Offset"; ///< of a slave from its master [m]
+constexpr const char* Captured = "Captured";
+constexpr const char* Current = "Current"; ///< [m/s]
+// Field data of particles: a word for each value of ParticleType and BoxId.
+constexpr const char* ParticleTypes = "ParticleTypes";
+constexpr const char* BoxNames = "BoxNames";
+// Flow primitives.
+constexpr const char* FlowType = "FlowType";
+constexpr const char* Strength = "Strength";
+constexpr const char* Axis = "Axis";
+constexpr const char* CoreRadius = "CoreRadius";
+constexpr const char* InfluenceRadius = "InfluenceRadius";
+
+// Levels of detail of particles: blocks, their point arrays, and a field array.
+constexpr const char* Near = "Near";
+constexpr const char* MasterSlave = "MasterSlave";
+constexpr const char* Far = "Far";
+constexpr const char* Alpha = "Alpha";
+constexpr const char* TrainCount = "TrainCount";
+constexpr const char* ErrorBound = "ErrorBound";
+constexpr const char* TrainOrder = "TrainOrder";
+
+// Fog.
+constexpr const char* Extinction = "Extinction";
 }
 
 /// Writes the trains as rows; depth and level as field data.

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measure a real place, grow a terrain like it, and walk through a forest there.
+# run-with: pvbatch args=output args=2
+"""Measure a real place, grow a terrain like it, walk through a forest there, and dive into the sea.
 
-    pvbatch demo.py [FOLDER]
+    pvbatch demo.py [FOLDER [FRAMES]]
 
 reads the elevation model of the Jacksboro fault, Tennessee, fits models of covariance to it, grows
 a twin from the best one, and writes into FOLDER (default: a new temporary folder):
@@ -14,7 +15,11 @@ a twin from the best one, and writes into FOLDER (default: a new temporary folde
     fits.csv           the fitted models, best first
     twin.vti           the twin: image with the point array Elevation [m]
     forest.png         a part of the place with woods
-    walk.ogv           a walk there, and its pictures walk.0000.png and on
+    walk.ogv           a walk there in the wind, and its pictures walk.0000.png and on
+    wind.vdb           that wind as an OpenVDB volume
+    underwater.png     the surface from below, the bed, and particles that fade into fog
+    underwater.ogv     the same as a film, and its pictures underwater.0000.png and on
+    fog.vdb            that fog as an OpenVDB volume
 """
 
 import os
@@ -24,6 +29,7 @@ import tempfile
 import time
 
 import numpy as np
+from paraview import simple
 
 from littoral import vtkCovarianceFitFilter, vtkTurningBandsTerrainSource
 from littoral.chart import save_variogram_chart
@@ -32,12 +38,13 @@ from littoral.picture import save_pair
 from littoral.scene import height_colour
 from littoral.tables import column, model_names, write_csv
 
-#: The examples that regrow point patterns and that walk through a forest.
+#: The examples that regrow point patterns, walk through a forest and dive.
 HERE = os.path.dirname(os.path.abspath(__file__))
 PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
 FOREST = os.path.join(HERE, "forest.py")
-WALK = dict(size=(854, 480), frames=72)
-STEPS = 9
+UNDERWATER = os.path.join(HERE, "underwater.py")
+FILM_SIZE = 768, 432
+STEPS = 10
 EXAGGERATION = 3.0
 START = time.time()
 
@@ -49,7 +56,7 @@ def say(step, text):
 
 def tell_frames(frame, frames):
     """Progress of the film."""
-    if frame % 12 == 0:
+    if frame % 6 == 0:
         print(f"    frame {frame} of {frames}, {time.time() - START:4.1f} s", flush=True)
 
 
@@ -98,8 +105,16 @@ def print_fits(fits):
         print(f"    {model:<18} {variance ** 0.5:12.1f} m {reach:7.0f} m {criterion:9.1f}")
 
 
-def main(folder):
-    """Do all of it, into a folder."""
+def clear():
+    """Leave no view or source."""
+    for view in simple.GetViews():
+        simple.Delete(view)
+    for source in reversed(list(simple.GetSources().values())):
+        simple.Delete(source)
+
+
+def main(folder, frames=48):
+    """Do all of it, into a folder; films have so many frames."""
     os.makedirs(folder, exist_ok=True)
 
     def file(name):
@@ -143,9 +158,14 @@ def main(folder):
     runpy.run_path(PATTERNS)["main"](folder)
 
     say(8, "drawing forest.png and filming walk.ogv: the longest part")
-    runpy.run_path(FOREST, run_name="forest")["main"](folder, **WALK, told=tell_frames)
+    runpy.run_path(FOREST, run_name="forest")["main"](folder, FILM_SIZE, frames, tell_frames)
+    clear()
+
+    say(9, "drawing underwater.png and filming underwater.ogv")
+    runpy.run_path(UNDERWATER, run_name="underwater")["main"](folder, FILM_SIZE, frames, tell_frames)
     say(STEPS, f"all written into {folder}")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"))
+    arguments = sys.argv[1:]
+    main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"), *map(int, arguments[1:2]))

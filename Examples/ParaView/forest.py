@@ -1,13 +1,16 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A forest on a real terrain, walked through by a camera.
+# run-with: none
+"""A forest on a real terrain, in the wind, walked through by a camera.
 
     ./littoral gui Examples/ParaView/forest.py      opens it in ParaView
     pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png, the pictures of the walk and
-                                                    the film walk.ogv into FOLDER
+                                                    the film walk.ogv into FOLDER, and the
+                                                    wind as wind.vdb
 
 The terrain is a part of the elevation model of the Jacksboro fault, refined; trees stand where its
-woods are. Terrain and trees come in levels of detail that follow the camera.
+woods are. Terrain and trees come in levels of detail that follow the camera. Trees near enough to
+see it sway in a turbulent wind.
 """
 
 import os
@@ -18,13 +21,16 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import littoral
 from littoral import landscape
 from littoral.elevation import write_vti
 from littoral.film import save_film
 
 #: Where the walk begins and ends, and what it looks at [m].
-FIRST, LAST, TARGET = (7300.0, 8200.0), (7180.0, 8080.0), (4200.0, 3200.0)
+FIRST, LAST, TARGET = (7300.0, 8200.0), (7268.0, 8168.0), (4200.0, 3200.0)
 EYE_HEIGHT, VIEW_ANGLE = 7.0, 30.0
+#: Pictures a second, and the speed of the wind [m/s].
+RATE, WIND_SPEED = 12, 16.0
 #: Lower left corner and size of the part with trees [m].
 WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and the seed of its prototype
@@ -78,6 +84,12 @@ def near_trees(country):
     return FIRST + distance[:, None] * ahead + aside[:, None] * right, species.astype(int)
 
 
+def wind_centre():
+    """The middle of the trees that sway: those that are not far ahead."""
+    ahead = np.array(TARGET) - FIRST
+    return FIRST + 350.0 * ahead / np.hypot(*ahead)
+
+
 def shadows_near(country, woods):
     """The shadows of the trees near the walk."""
     places = vtk_to_numpy(woods.GetPoints().GetData()).astype(float)
@@ -90,8 +102,9 @@ def shadows_near(country, woods):
 def build(folder, view):
     """The pipeline, shown in a view; gives the country."""
     def file(name):
-        return os.path.join(folder, name)
+        return os.path.join(folder, "data", name)
 
+    os.makedirs(file(""), exist_ok=True)
     country = landscape.Country()
     write_vti(country.image, file("country.vti"))
     woods = landscape.wood_sites(country, *WOODS, alone=near_trees(country))
@@ -111,6 +124,11 @@ def build(folder, view):
     forest = simple.PlantScatter(
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
         NearDistance=260.0, FarDistance=700.0, **STEADY)
+    wind = simple.WindField(
+        registrationName="Wind", Dimensions=[600, 128, 10], LateralSpacing=12.5,
+        ReferenceSpeed=WIND_SPEED, RoughnessLength=0.1, Center=list(wind_centre()))
+    sway = simple.BeamTreeDeformation(
+        registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees)
 
     size = np.abs(np.subtract(FIRST, LAST)) + 2.0 * GRASS_REACH
     tufts = simple.QuadratPoints(
@@ -129,10 +147,12 @@ def build(folder, view):
     landscape.show_shadows(shadows, view)
     blades = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
     blades.Ambient, blades.Diffuse = 0.75, 0.45  # light comes through
-    landscape.show_plants(forest, view)
-    simple.UpdatePipeline(proxy=forest)
-    simple.SaveData(file("crowns.png"), simple.OutputPort(forest, 1))
-    landscape.show_crowns(forest, view, file("crowns.png"))
+    landscape.show_plants(sway, view)
+    simple.UpdatePipeline(proxy=sway)
+    simple.SaveData(file("crowns.png"), simple.OutputPort(sway, 1))
+    landscape.show_crowns(sway, view, file("crowns.png"))
+    if hasattr(littoral, "vtkVDBVolumeWriter"):
+        simple.SaveData(os.path.join(folder, "wind.vdb"), wind)
     return country
 
 
@@ -146,9 +166,9 @@ def plan_walk(country, view, frames):
     """Give the camera of a view its way: press Play in ParaView to go it."""
     scene = simple.GetAnimationScene()
     scene.PlayMode, scene.NumberOfFrames = "Sequence", frames
-    scene.StartTime, scene.EndTime = 0.0, 1.0
+    scene.StartTime, scene.EndTime = 0.0, (frames - 1) / RATE
     stops = []
-    for share in np.linspace(0.0, 1.0, 9):
+    for share in np.linspace(0.0, 1.0, 5):
         look(country, view, share)
         stops.append(simple.CameraKeyFrame(
             KeyTime=share, Position=view.CameraPosition, FocalPoint=view.CameraFocalPoint,
@@ -164,9 +184,10 @@ def film_walk(country, view, folder, frames, told):
     for frame in range(frames):
         told(frame, frames)
         look(country, view, frame / max(1, frames - 1))
+        view.ViewTime = frame / RATE
         pictures.append(os.path.join(folder, f"walk.{frame:04d}.png"))
         simple.SaveScreenshot(pictures[-1], view)
-    save_film(os.path.join(folder, "walk.ogv"), pictures)
+    save_film(os.path.join(folder, "walk.ogv"), pictures, RATE)
 
 
 def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):

@@ -10,6 +10,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 #include <vector>
@@ -34,59 +36,105 @@ Skeleton Tree()
   return oak;
 }
 
-void Gusts(const Vector3&, std::vector<Vector3>& velocities)
+constexpr std::size_t Samples = 12000;
+const WindTimes Times{ 0.05, Samples };
+
+/// A wind of ten minutes in a table, as from an image.
+const std::vector<Vector3>& GustTable()
 {
-  velocities.resize(2400);
-  for (std::size_t k = 0; k < velocities.size(); ++k)
+  static const std::vector<Vector3> table = [] {
+    std::vector<Vector3> velocities(Samples);
+    for (std::size_t k = 0; k < Samples; ++k)
+    {
+      const double t = TwoPi * static_cast<double>(k) / Samples;
+      velocities[k] = { 8.0 + 2.0 * std::sin(310.0 * t), std::cos(700.0 * t), std::sin(1900.0 * t) };
+    }
+    return velocities;
+  }();
+  return table;
+}
+
+void Gusts(const Vector3&, long long first, std::size_t count, Vector3* velocities)
+{
+  const std::vector<Vector3>& table = GustTable();
+  std::size_t at = static_cast<std::size_t>((first % static_cast<long long>(Samples) + Samples) % Samples);
+  for (std::size_t k = 0; k < count; ++k, at = at + 1 < Samples ? at + 1 : 0)
   {
-    const double t = TwoPi * static_cast<double>(k) / 2400.0;
-    velocities[k] = { 8.0 + 2.0 * std::sin(31.0 * t), std::cos(70.0 * t), std::sin(190.0 * t) };
+    velocities[k] = table[at];
   }
 }
 
-/// Runs trees [0, Trees) in equal parts on threads.
+/// Runs a task on threads, which is told its number and theirs.
 template <typename Task>
 void OnThreads(int threads, const Task& task)
 {
   std::vector<std::thread> others;
   for (int t = 1; t < threads; ++t)
   {
-    others.emplace_back([&, t] { task(Trees * t / threads, Trees * (t + 1) / threads); });
+    others.emplace_back([&, t] { task(t, threads); });
   }
-  task(0, Trees / threads);
+  task(0, threads);
   for (std::thread& other : others)
   {
     other.join();
   }
 }
 
-/// All trees at full detail, each at a time of its own, as if the wind came to it later.
+/// Frames of 1/60 s of a forest: some trees in full, of the others the trunk. Each tabulates anew every 1.6 s, at times
+/// of its own.
 void MoveForest(benchmark::State& state)
 {
   const int threads = static_cast<int>(state.range(0));
+  const int inFull = static_cast<int>(state.range(1));
   const Skeleton tree = Tree();
+  Skeleton trunk = tree;
+  trunk.Branches.resize(1);
+  trunk.Nodes.resize(static_cast<std::size_t>(tree.Branches[0].Count));
   const PlantMotion motion(tree, 1);
+  const PlantMotion trunkMotion(trunk, 1);
   const SwayOptions options;
-  const PlantSway sway(BeamsOf(tree, {}, options), options, 0.05, Vector3(0.0), Gusts);
+  const std::vector<BranchBeam> beams = BeamsOf(tree, {}, options);
+  std::vector<PlantSway> sways;
+  for (int i = 0; i < Trees; ++i)
+  {
+    const auto end = i < inFull ? beams.end() : beams.begin() + 1;
+    sways.emplace_back(
+      std::vector<BranchBeam>(beams.begin(), end), options, Times, Vector3(7.0 * i, 3.1 * i, 0.0), Gusts);
+  }
   std::vector<JointPose> poses(Trees * tree.Nodes.size());
   double time = 0.0;
+  double slowest = 0.0;
   for (auto _ : state)
   {
+    const auto begin = std::chrono::steady_clock::now();
     time += 1.0 / 60.0;
-    OnThreads(threads, [&](int begin, int end) {
+    OnThreads(threads, [&](int part, int parts) {
       std::vector<Vector3> amplitudes(tree.Branches.size());
-      for (int i = begin; i < end; ++i)
+      for (int i = part; i < Trees; i += parts)
       {
-        sway.Amplitudes(time - 0.1 * i, amplitudes.data());
-        motion.Pose(amplitudes.data(), poses.data() + i * tree.Nodes.size());
+        sways[i].Amplitudes(time, amplitudes.data());
+        (i < inFull ? motion : trunkMotion).Pose(amplitudes.data(), poses.data() + i * tree.Nodes.size());
       }
     });
     benchmark::DoNotOptimize(poses.data());
+    const std::chrono::duration<double, std::milli> frame = std::chrono::steady_clock::now() - begin;
+    slowest = time > 0.1 ? std::max(slowest, frame.count()) : 0.0;
   }
   state.counters["branches"] = static_cast<double>(tree.Branches.size());
   state.counters["joints"] = static_cast<double>(tree.Nodes.size());
+  state.counters["slowest frame, ms"] = slowest;
+  state.counters["responses, MB"] =
+    1e-6 * (inFull * PlantSway::BytesOf(beams.size(), options) + (Trees - inFull) * PlantSway::BytesOf(1, options));
 }
-BENCHMARK(MoveForest)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MoveForest)
+  ->ArgNames({ "threads", "in full" })
+  ->Args({ 1, 100 })
+  ->Args({ 2, 100 })
+  ->Args({ 1, Trees })
+  ->Args({ 2, Trees })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime()
+  ->Iterations(400);
 
 /// The bound: as many poses multiplied by one rotation, read and written once.
 void TurnSamePoses(benchmark::State& state)
@@ -97,8 +145,10 @@ void TurnSamePoses(benchmark::State& state)
   const glm::dquat turn{ 0.8, 0.6, 0.0, 0.0 };
   for (auto _ : state)
   {
-    OnThreads(threads, [&](int begin, int end) {
-      for (std::size_t i = begin * joints; i < end * joints; ++i)
+    OnThreads(threads, [&](int part, int parts) {
+      const std::size_t begin = Trees * part / parts * joints;
+      const std::size_t end = Trees * (part + 1) / parts * joints;
+      for (std::size_t i = begin; i < end; ++i)
       {
         poses[i].Rotation = turn * poses[i].Rotation;
         poses[i].Shift += TurnedBy(poses[i].Rotation, Vector3(0.0, 0.0, 1.0));

@@ -5,6 +5,7 @@
 #include "PlantMotion.h"
 #include "RandomStream.h"
 #include "ReevesTree.h"
+#include "TrunkSkin.h"
 
 #include <gtest/gtest.h>
 
@@ -159,6 +160,69 @@ TEST(PlantMotion, ChildrenMoveWithTheirParents)
     const Vector3 after = moved.Nodes[a].Position - moved.Nodes[2].Position;
     EXPECT_NEAR(glm::distance(after, before + TurnedBy(poses[2].Rotation, before)), 0.0, 1e-12);
     EXPECT_NEAR(std::abs(glm::dot(poses[a].Rotation, poses[2].Rotation)), 1.0, 1e-12);
+  }
+}
+
+TEST(PlantMotion, EnvelopesGoWithTheTrunk)
+{
+  // A trunk with a bend and a branch: vertices on the trunk go with it, those around it turn with its segments, and the
+  // branch is not asked.
+  Skeleton plant;
+  plant.StartBranch(-1, { 1.0, 2.0, 3.0 }, 0.2);
+  for (int i = 1; i <= 6; ++i)
+  {
+    plant.Grow({ 1.0 + 0.05 * i * i, 2.0, 3.0 + i }, 0.2);
+  }
+  plant.StartBranch(3, plant.Nodes[3].Position, 0.05);
+  plant.Grow(plant.Nodes[3].Position + Vector3(0.0, 2.0, 0.0), 0.05);
+  const Skeleton trunk = TrunkAlone(plant);
+  ASSERT_EQ(WhyInvalid(trunk), "");
+  ASSERT_EQ(trunk.Nodes.size(), 7u);
+  std::vector<JointPose> poses(7);
+  const Vector3 amplitude(0.1, 0.4, 0.0);
+  PlantMotion(trunk, 1).Pose(&amplitude, poses.data());
+  std::vector<JointPose> whole(plant.Nodes.size());
+  const Vector3 both[2] = { amplitude, Vector3(0.0, 0.0, 0.3) };
+  PlantMotion(plant, 1).Pose(both, whole.data());
+  std::vector<JointChange> changes;
+  for (int node = 0; node < 7; ++node)
+  {
+    EXPECT_EQ(whole[node].Shift, poses[node].Shift); // that of the plant in full
+    changes.push_back(ChangeOf(poses[node], trunk.Nodes[node].Position));
+  }
+  const TrunkSkin skin(trunk);
+  const auto moved = [&](const Vector3& position) {
+    const JointHold hold = skin.At(position);
+    EXPECT_NEAR(hold.Weights[0] + hold.Weights[1] + hold.Weights[2] + hold.Weights[3], 1.0, 1e-7);
+    Vector3 to = position;
+    for (int i = 0; i < 4; ++i)
+    {
+      const JointChange& change = changes[hold.Joints[i]];
+      to += static_cast<double>(hold.Weights[i]) * (change.Turn * position + change.Shift);
+    }
+    return to;
+  };
+  double worst = 0.0;
+  double turned = 0.0;
+  for (int node = 1; node < 7; ++node)
+  {
+    const Vector3 position = trunk.Nodes[node].Position;
+    worst = std::max(worst, glm::distance(moved(position), position + poses[node].Shift));
+    const double across = glm::distance(moved(position + Vector3(0.0, 3.0, 0.0)), moved(position));
+    turned = std::max(turned, std::abs(across - 3.0));
+  }
+  std::printf("vertices on the trunk miss it by %.3g m of a sway of %.3g m; an envelope stretches by %.3g\n", worst,
+    glm::length(poses[6].Shift), turned / 3.0);
+  EXPECT_LT(worst, 0.02);
+  EXPECT_LT(turned / 3.0, 0.05);
+  const JointHold foot = skin.At({ 1.0, 2.0, -5.0 });
+  const JointHold top = skin.At({ 3.0, 2.0, 50.0 });
+  EXPECT_EQ(foot.Joints[0], 0);
+  EXPECT_EQ(top.Joints[0], 5);
+  // Nearby vertices do not part.
+  for (double z = 2.0; z < 11.0; z += 0.01)
+  {
+    EXPECT_LT(glm::distance(moved({ 2.0, 1.0, z + 0.01 }), moved({ 2.0, 1.0, z })), 0.02);
   }
 }
 

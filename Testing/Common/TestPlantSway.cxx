@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BeamResponse.h"
 #include "Constants.h"
 #include "PlantMotion.h"
 #include "PlantSway.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
 using namespace littoral;
 
@@ -19,27 +21,28 @@ namespace
 
 constexpr double Step = 0.05; // [s]
 constexpr int Samples = 800;
+const WindTimes Times{ Step, Samples };
 
 /// A breeze with gusts along x, the same everywhere.
-void Gusts(const Vector3&, std::vector<Vector3>& velocities)
+void Gusts(const Vector3&, long long first, std::size_t count, Vector3* velocities)
 {
-  velocities.resize(Samples);
-  for (int k = 0; k < Samples; ++k)
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const double t = TwoPi * k / Samples;
+    const double t =
+      TwoPi * static_cast<double>(((first + static_cast<long long>(k)) % Samples + Samples) % Samples) / Samples;
     velocities[k] = { 8.0 + 2.0 * std::sin(3.0 * t) + 1.5 * std::sin(31.0 * t + 1.0), 1.5 * std::cos(7.0 * t),
       0.6 * std::sin(19.0 * t) };
   }
 }
 
-void Calm(const Vector3&, std::vector<Vector3>& velocities)
+void Calm(const Vector3&, long long, std::size_t count, Vector3* velocities)
 {
-  velocities.assign(Samples, Vector3(0.0));
+  std::fill_n(velocities, count, Vector3(0.0));
 }
 
-void Steady(const Vector3&, std::vector<Vector3>& velocities)
+void Steady(const Vector3&, long long, std::size_t count, Vector3* velocities)
 {
-  velocities.assign(Samples, Vector3(10.0, 0.0, 0.0));
+  std::fill_n(velocities, count, Vector3(10.0, 0.0, 0.0));
 }
 
 Skeleton Oak()
@@ -47,7 +50,7 @@ Skeleton Oak()
   return GrowReevesTree(PresetParameters(TreePreset::Oak)).Wood;
 }
 
-std::vector<Vector3> AmplitudesAt(const PlantSway& sway, std::size_t count, double time)
+std::vector<Vector3> AmplitudesAt(PlantSway& sway, std::size_t count, double time)
 {
   std::vector<Vector3> amplitudes(count);
   sway.Amplitudes(time, amplitudes.data());
@@ -74,7 +77,7 @@ TEST(PlantSway, NoWindNoAmplitude)
     SwayOptions options;
     options.Response = response;
     const auto beams = BeamsOf(oak, {}, options);
-    const PlantSway sway(beams, options, Step, Vector3(0.0), Calm);
+    PlantSway sway(beams, options, Times, Vector3(0.0), Calm);
     const PlantMotion motion(oak, 1);
     std::vector<JointPose> poses(oak.Nodes.size());
     motion.Pose(AmplitudesAt(sway, beams.size(), 3.21).data(), poses.data());
@@ -96,7 +99,7 @@ TEST(PlantSway, SteadyWindBendsAMastByTheTextbook)
     SwayOptions options;
     options.Response = response;
     options.NumberOfModes = 5;
-    const PlantSway sway(BeamsOf(mast, {}, options), options, Step, Vector3(0.0), Steady);
+    PlantSway sway(BeamsOf(mast, {}, options), options, Times, Vector3(0.0), Steady);
     const auto amplitudes = AmplitudesAt(sway, 5, 1.0);
     double tip = 0.0;
     for (int mode = 1; mode <= 5; ++mode)
@@ -119,9 +122,9 @@ TEST(PlantSway, InterpolatedEqualsDirectForSimilarBeams)
   {
     beams[i].Axis = Normalised(Vector3(std::sin(1.0 + i), std::cos(2.3 * i), std::sin(0.7 * i)));
   }
-  const PlantSway interpolated(beams, options, Step, Vector3(0.0), Gusts);
+  PlantSway interpolated(beams, options, Times, Vector3(0.0), Gusts);
   options.Response = SwayResponse::Direct;
-  const PlantSway direct(beams, options, Step, Vector3(0.0), Gusts);
+  PlantSway direct(beams, options, Times, Vector3(0.0), Gusts);
   double largest = 0.0;
   double error = 0.0;
   for (int k = 0; k < 100; ++k)
@@ -140,9 +143,9 @@ TEST(PlantSway, InterpolatedIsCloseForATree)
   const Skeleton oak = Oak();
   SwayOptions options;
   const auto beams = BeamsOf(oak, {}, options);
-  const PlantSway interpolated(beams, options, Step, Vector3(0.0), Gusts);
+  PlantSway interpolated(beams, options, Times, Vector3(0.0), Gusts);
   options.Response = SwayResponse::Direct;
-  const PlantSway direct(beams, options, Step, Vector3(0.0), Gusts);
+  PlantSway direct(beams, options, Times, Vector3(0.0), Gusts);
   double squares = 0.0;
   double errors = 0.0;
   for (int k = 0; k < 40; ++k)
@@ -168,13 +171,8 @@ TEST(PlantSway, AnyTimeWithoutHistoryBitwise)
     options.Response = response;
     options.NumberOfModes = 2;
     const auto beams = BeamsOf(oak, {}, options);
-    const PlantSway one(beams, options, Step, Vector3(0.0), Gusts);
-    const PlantSway other(beams, options, Step, Vector3(0.0), Gusts, [](std::size_t count, const RangeTask& task) {
-      for (std::size_t i = count; i-- > 0;)
-      {
-        task(i, i + 1);
-      }
-    });
+    PlantSway one(beams, options, Times, Vector3(0.0), Gusts);
+    PlantSway other(beams, options, Times, Vector3(0.0), Gusts);
     std::vector<std::vector<Vector3>> forward;
     for (int k = 0; k < 20; ++k)
     {
@@ -186,6 +184,78 @@ TEST(PlantSway, AnyTimeWithoutHistoryBitwise)
     }
     const double period = Samples * Step;
     EXPECT_LT(Difference(AmplitudesAt(one, 2 * beams.size(), 1.7 + period), forward[1]), 1e-9);
+  }
+}
+
+TEST(PlantSway, StretchesOfTimeAreThePeriodicResponse)
+{
+  // A stretch starts from rest some time before; the whole period at once does not. Little damping reaches beyond it.
+  std::vector<Vector3> wind(Samples);
+  Gusts(Vector3(0.0), 0, Samples, wind.data());
+  std::vector<Vector3> load;
+  std::transform(wind.begin(), wind.end(), std::back_inserter(load),
+    [](const Vector3& velocity) { return glm::length(velocity) * velocity; });
+  for (const double damping : { 0.3, 0.08, 0.004 })
+  {
+    for (const SwayResponse response : { SwayResponse::Interpolated, SwayResponse::Direct })
+    {
+      SwayOptions options;
+      options.Response = response;
+      options.Wood.DampingRatio = damping;
+      const BranchBeam beam;
+      PlantSway sway({ beam }, options, Times, Vector3(0.0), Gusts);
+      const double frequency = AngularFrequency(beam.Beam, 1);
+      std::vector<Vector3> exact = PeriodicResponse({ frequency, damping }, Step, load);
+      const double gain = 0.5 * 1.2 * 1.1 * beam.DragDiameter * MeanShape(1) / beam.Beam.MassPerLength;
+      double error = 0.0;
+      double largest = 0.0;
+      for (int k = 0; k < Samples; ++k)
+      {
+        const Vector3 wanted = gain * AcrossBeam(exact[k], beam.Axis);
+        error = std::max(error, glm::distance(AmplitudesAt(sway, 1, k * Step)[0], wanted));
+        largest = std::max(largest, glm::length(wanted));
+      }
+      std::printf("damping %g, response %d: stretches against the whole period %.3g\n", damping,
+        static_cast<int>(response), error / largest);
+      // single precision, of the whole load where that along the beam is taken away
+      EXPECT_LT(error / largest, 1e-6);
+    }
+  }
+}
+
+TEST(PlantSway, MemoryDoesNotGrowWithTheWind)
+{
+  SwayOptions options;
+  const double oak = PlantSway::BytesOf(300, options);
+  options.Response = SwayResponse::Direct;
+  const double direct = PlantSway::BytesOf(300, options);
+  std::printf("responses of a plant of 300 branches: %.0f kB interpolated, %.0f kB direct\n", oak / 1e3, direct / 1e3);
+  EXPECT_LT(oak, 1e5);
+  EXPECT_LT(direct, 3e5);
+}
+
+TEST(PlantSway, TrunksOfScaledPlants)
+{
+  const Skeleton oak = Oak();
+  std::vector<double> areas(oak.Nodes.size(), 0.02);
+  const SwayOptions options;
+  for (const double scale : { 0.7, 1.0, 1.3 })
+  {
+    Skeleton scaled = oak;
+    for (SkeletonNode& node : scaled.Nodes)
+    {
+      node.Position = scale * Vector3(-node.Position.y, node.Position.x, node.Position.z);
+      node.Radius *= scale;
+    }
+    std::vector<double> wide = areas;
+    std::for_each(wide.begin(), wide.end(), [=](double& area) { area *= scale * scale; });
+    const BranchBeam wanted = BeamsOf(scaled, wide, options)[0];
+    const BranchBeam beam = TrunkBeam(MeasureTrunk(oak, areas), scale, 0.25 * TwoPi, options);
+    EXPECT_NEAR(beam.Beam.Length / wanted.Beam.Length, 1.0, 1e-12);
+    EXPECT_NEAR(beam.Beam.Radius / wanted.Beam.Radius, 1.0, 1e-12);
+    EXPECT_NEAR(beam.Beam.MassPerLength / wanted.Beam.MassPerLength, 1.0, 1e-12);
+    EXPECT_NEAR(beam.DragDiameter / wanted.DragDiameter, 1.0, 1e-12);
+    EXPECT_LT(glm::distance(beam.Axis, wanted.Axis), 1e-12);
   }
 }
 
@@ -253,7 +323,7 @@ TEST(PlantSway, GravityBendsDownAndUprightBeamsNotAtAll)
   options.Gravity = true;
   std::vector<BranchBeam> beams(2);
   beams[1].Axis = { 1.0, 0.0, 0.0 };
-  const PlantSway sway(beams, options, Step, Vector3(0.0), Calm);
+  PlantSway sway(beams, options, Times, Vector3(0.0), Calm);
   const auto amplitudes = AmplitudesAt(sway, 2, 0.0);
   EXPECT_EQ(amplitudes[0], Vector3(0.0));
   const RoundBeam& beam = beams[1].Beam;

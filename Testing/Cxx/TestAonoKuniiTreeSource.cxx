@@ -239,5 +239,5 @@ int TestAonoKuniiTreeSource(int argc, char* argv[])
   }
   const double eye[3] = { 62.0, -180.0, 9.0 };
   const double focus[3] = { 62.0, 0.0, 6.5 };
-  return scene.Compare(argc, argv, eye, focus, 17.5);
+  return scene.Compare(argc, argv, eye, focus, 19.5);
 }

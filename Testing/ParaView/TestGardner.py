@@ -59,7 +59,7 @@ simple._DisableFirstRenderCameraReset()
 view = simple.CreateView("RenderView")
 view.ViewSize = [300, 300]
 shown = simple.Show(bush, view)
-assert shown.MapScalars == 0 and list(shown.BlockSelectors) == ["/Root/High"]
+assert shown.MapScalars == 0 and list(shown.BlockSelectors) == ["/Root/High/Skin", "/Root/High/Leaves"]
 simple.Hide(bush, view)
 
 # The wind moves each tuft as a whole.

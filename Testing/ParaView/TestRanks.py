@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3
-"""The same terrain, fit, twin, points and sea on any number of ranks.
+"""The same terrain, fit, twin, points, sea, wood, drift, levels of detail and fog on any number of ranks.
 
 The run on one rank writes its result; the others compare with it.
 """
@@ -31,6 +31,19 @@ def whole_image(proxy):
     return image
 
 
+def leaves(data):
+    """The point sets of a data object that are not empty."""
+    if not data.IsA("vtkDataObjectTree"):
+        return [data] if data.GetNumberOfPoints() else []
+    iterator = data.NewTreeIterator()
+    found = []
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        found += leaves(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return found
+
+
 terrain = simple.TurningBandsTerrain(WholeExtent=[0, 200, 0, 150, 0, 0], Model="Spherical", Range=120.0)
 fit = simple.CovarianceFit(Input=terrain)
 twin = simple.TurningBandsTerrainFromFits(Input=fit, WholeExtent=[0, 120, 0, 99, 0, 0], Seed=9)
@@ -55,6 +68,60 @@ order = np.argsort(vtk_to_numpy(moved.GetPointData().GetArray("SiteId")))
 places = vtk_to_numpy(moved.GetPoints().GetData())[order]
 assert 0.1 < np.abs(places - xyz).max() < 10.0, "particles do not ride on the waves"
 result.append(hashlib.sha256(places.tobytes()).hexdigest())
+
+# A wood in the wind: places of all joints and crowns, by plant.
+tree = simple.ReevesTree(Preset="Shrub")
+wood = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[4, 3], Size=[24.0, 18.0]), Prototypes=[tree],
+                           FollowCamera=0, UseCells=0, NearDistance=12.0, FarDistance=900.0,
+                           ViewPoint=[0.0, 0.0, 2.0])
+wind = simple.WindField(Dimensions=[240, 24, 6], ReferenceSpeed=14.0)
+sway = simple.BeamTreeDeformation(Input=wood, Wind=wind, Prototypes=[tree])
+for part in ("High/Skeleton", "High/Leaves", "Medium/Crown"):
+    merged = simple.ExtractSurface(Input=simple.MergeBlocks(
+        Input=simple.ExtractBlock(Input=sway, Selectors=[f"/Root/{part}"]), MergePoints=0))
+    merged.UpdatePipeline(2.3)
+    data = servermanager.Fetch(merged)
+    plants = vtk_to_numpy(data.GetPointData().GetArray("PlantId"))
+    places = vtk_to_numpy(data.GetPoints().GetData())[np.argsort(plants, kind="stable")]
+    assert len(places) > 100, f"{len(places)} points of {part} on {ranks} ranks"
+    result.append(hashlib.sha256(places.tobytes()).hexdigest())
+
+particles = simple.SuspendedParticles(Density=0.3)
+tide = simple.WindField(Dimensions=[60, 16, 8], TimeStep=0.5)
+drift = simple.CurrentDrift(Input=particles, KeepInWater=0, Currents=[
+    tide, simple.FlowPrimitive(FlowType="Vortex", Strength=6.0, Axis=[0.0, 0.2, 1.0], Center=[1.0, 0.0, 0.0]),
+    simple.FlowPrimitive(FlowType="Sink", Strength=9.0, Center=[2.0, -3.0, -4.0])])
+drift.UpdatePipeline(4.25)
+cloud = servermanager.Fetch(drift)
+order = np.argsort(vtk_to_numpy(cloud.GetPointData().GetArray("ParticleId")))
+assert len(order) > 6000, f"{len(order)} particles on {ranks} ranks"
+for array in (cloud.GetPoints().GetData(), *(cloud.GetPointData().GetArray(name)
+                                             for name in ("ParticleId", "Radius", "RGB", "Captured"))):
+    result.append(hashlib.sha256(vtk_to_numpy(array)[order].tobytes()).hexdigest())
+assert 10 < vtk_to_numpy(cloud.GetPointData().GetArray("Captured")).sum() < 1000
+
+levels = simple.ParticleLevelOfDetail(
+    Input=points, SeaState=orbits.SeaState, FollowCamera=0, ViewPoint=[500.0, -1.0, 0.5], MiddleDistance=300.0,
+    FarDistance=700.0, BlendDistance=20.0, Visibility=0.0, OffsetRange=[0.0, 100.0])
+drifting = simple.ParticleOrbits(Input=levels, SeaState=orbits.SeaState)
+drifting.UpdatePipeline(7.3)
+for block, name in enumerate(("Near", "MasterSlave", "Far")):
+    one = servermanager.Fetch(simple.ExtractBlock(Input=drifting, Selectors=[f"/Root/{name}"]))
+    pieces = leaves(one)
+    arrays = [np.concatenate([vtk_to_numpy(piece.GetPointData().GetArray(name)) for piece in pieces])
+              for name in ("ParticleId", "Alpha", "TrainCount")]
+    order = np.argsort(arrays[0])
+    assert len(order) > 0, "a level is empty"
+    arrays.append(np.concatenate([vtk_to_numpy(piece.GetPoints().GetData()) for piece in pieces]))
+    result.append(hashlib.sha256(b"".join(array[order].tobytes() for array in arrays)).hexdigest())
+fog = simple.ParticleFog(Input=levels, Dimensions=[9, 8, 2], ParticleRadius=0.05)
+fog.UpdatePipeline()
+cloud = servermanager.Fetch(simple.ConvertToPointCloud(Input=fog))
+xyz = vtk_to_numpy(cloud.GetPoints().GetData())
+values = vtk_to_numpy(cloud.GetPointData().GetArray("Extinction"))
+cells, first = np.unique(np.rint(xyz * 1e3).astype(int), axis=0, return_index=True)
+assert len(cells) == 9 * 8 * 2, f"{len(cells)} samples of fog on {ranks} ranks"
+result.append(hashlib.sha256(values[first].tobytes()).hexdigest())
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:

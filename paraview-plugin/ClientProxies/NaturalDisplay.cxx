@@ -118,6 +118,10 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
       selectors.Set(k, name.c_str());
     }
   }
+  if (this->Hint("own-levels") && representation->GetProperty("SuppressLOD"))
+  {
+    vtkSMPropertyHelper(representation, "SuppressLOD").Set(1);
+  }
   representation->UpdateVTKObjects();
 }
 

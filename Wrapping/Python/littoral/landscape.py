@@ -110,6 +110,16 @@ class Country:
         self.image = image_from_array(self.z.astype(np.float32), (*spacing, 1.0))
         self._paint(reflectance)
 
+    @classmethod
+    def from_heights(cls, z, spacing, reflectance=None, wood=None):
+        """A country of heights [row, column, m] of one's own; wood: as the attribute, default none."""
+        country = cls.__new__(cls)
+        country.z, country.spacing = z, spacing
+        country.wood = np.zeros(z.shape) if wood is None else wood
+        country.image = image_from_array(z.astype(np.float32), (*spacing, 1.0))
+        country._paint(reflectance)
+        return country
+
     def height(self, x, y):
         """Height of the ground at places [m]."""
         return _sampled(self.z, self.spacing, x, y)

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralFlowPrimitives_h
+#define LittoralFlowPrimitives_h
+
+#include "Vector3.h"
+
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// The four flow primitives of Coulais et al., section 3.2.2 and figure 2. Values are part of the data: never renumber.
+enum class FlowType
+{
+  Uniform = 0,
+  Source = 1,
+  Sink = 2,
+  Vortex = 3,
+};
+
+/// A flow of water around a place. Cores keep its velocity finite everywhere.
+struct FlowPrimitive
+{
+  FlowType Type = FlowType::Uniform;
+  double Strength = 0.2;         ///< uniform: speed [m/s]; source, sink: discharge [m3/s]; vortex: circulation [m2/s]
+  Vector3 Centre{ 0.0 };         ///< [m]; of no effect in a uniform flow without InfluenceRadius
+  Vector3 Axis{ 1.0, 0.0, 0.0 }; ///< of a uniform flow and of a vortex, of any length but 0
+  double CoreRadius = 0.5;       ///< [m], positive; of no effect in a uniform flow
+  double InfluenceRadius = 0.0;  ///< [m], beyond which there is no flow; 0: it reaches everywhere
+};
+
+/// Why a primitive cannot be, in words for a user; empty if it can.
+std::string WhyInvalid(const FlowPrimitive& primitive);
+
+/**
+ * The sum of flow primitives. With R from the centre, e the core and Q, G the strengths:
+ *  - source: Q R / (4 pi (R^2 + e^2)^(3/2)), a sink with the other sign;
+ *  - vortex: G / (2 pi q) (1 - exp(-q^2/e^2)) around the axis, q from the axis (Lamb and Oseen);
+ *  - within an influence radius I: times (1 - R^2/I^2)^2, which ends with no jump in velocity or its slope.
+ */
+class FlowField
+{
+public:
+  FlowField() = default;
+  explicit FlowField(const std::vector<FlowPrimitive>& primitives);
+
+  /// Velocity at a place [m/s].
+  Vector3 Velocity(const Vector3& place) const;
+
+  /// Whether the flow is the same everywhere, as that of no primitive is.
+  bool IsUniform() const { return this->Around.empty(); }
+
+  /// Whether there is no primitive.
+  bool IsEmpty() const { return this->Count == 0; }
+
+  /// Whether any primitive is a sink.
+  bool HasSinks() const { return !this->Sinks.empty(); }
+
+  /**
+   * Whether the way from one place to another touches the core of a sink. If so, `to` becomes the place of the way that
+   * is nearest to the centre of that sink, the first of them in order.
+   */
+  bool Capture(const Vector3& from, Vector3& to) const;
+
+private:
+  /// A primitive with what does not depend on the place worked out.
+  struct Local
+  {
+    FlowType Type;
+    Vector3 Centre;
+    Vector3 Axis;            ///< of length 1
+    double Factor;           ///< uniform: speed; source, sink: Q/4pi, signed; vortex: G/2pi
+    double CoreSquared;      ///< [m2]
+    double InverseCore;      ///< 1 / CoreSquared
+    double InverseInfluence; ///< one over the square of the influence radius; 0: it reaches everywhere
+  };
+  struct Ball
+  {
+    Vector3 Centre;
+    double RadiusSquared;
+  };
+
+  Vector3 Everywhere{ 0.0 };
+  std::vector<Local> Around;
+  std::vector<Ball> Sinks;
+  std::size_t Count = 0;
+};
+
+}
+
+#endif

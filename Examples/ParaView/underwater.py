@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: none
+"""Under the waves: the surface from below, a sandy bed with stones, particles that fade into fog.
+
+    ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView
+    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png and, as an OpenVDB volume,
+                                                        fog.vdb into FOLDER; with frames, also
+                                                        their pictures and the film underwater.ogv
+
+The same wave trains move the surface and the particles.
+"""
+
+import os
+import sys
+import tempfile
+
+from paraview import simple
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+import littoral
+from littoral import underwater
+from littoral.film import save_film
+
+DEPTH = 9.5  # of the water [m]
+EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
+TIME, FRAMES_A_SECOND = 7.3, 12
+
+
+def reader(name, data, folder):
+    """A reader of polydata, by way of a file."""
+    filename = os.path.join(folder, "data", f"{name}.vtp")
+    os.makedirs(os.path.dirname(filename), exist_ok=True)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(data)
+    writer.SetDataModeToBinary()
+    writer.SetFileName(filename)
+    writer.Write()
+    return simple.XMLPolyDataReader(registrationName=name, FileName=[filename], TimeArray="None")
+
+
+def build(folder, view):
+    """The pipeline, shown in a view; gives the representations with the water's shaders."""
+    sea = simple.SeaState(registrationName="Sea", SeaBy="Height And Period", SignificantWaveHeight=0.55,
+                          PeakPeriod=3.6, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
+    level = reader("Level", underwater.mesh(underwater.fan()), folder)
+    surface = simple.ParticleOrbits(registrationName="Surface", Input=level, SeaState=sea)
+    sand, _ = underwater.bed(DEPTH, EYE)
+    floor = reader("Bed", sand, folder)
+    drifting = reader("Drifting", underwater.particles(
+        (-17.0, -1.0, -DEPTH + 0.4, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.93), folder)
+    levels = simple.ParticleLevelOfDetail(registrationName="Levels", Input=drifting, SeaState=sea, Visibility=30.0)
+    moving = simple.ParticleOrbits(registrationName="Particles", Input=levels, SeaState=sea)
+    fog = simple.ParticleFog(registrationName="Fog", Input=levels, GridBy="Spacing", Spacing=0.5, UseBounds=1,
+                             Bounds=[-17.0, 17.0, -1.0, 29.0, -DEPTH, 0.0])
+    near = simple.ExtractBlock(Input=moving, Selectors=["/Root/Near", "/Root/MasterSlave"])
+
+    underwater.prepare_view(view)
+    view.CameraPosition, view.CameraFocalPoint = list(EYE), list(FOCUS)
+    view.CameraViewUp, view.CameraViewAngle = [0.0, 0.0, 1.0], VIEW_ANGLE
+    for animated in (surface, moving):
+        simple.UpdatePipeline(TIME, animated)
+    view.ViewTime = TIME
+    underwater.show_fog(fog, view)
+    underwater.show_particles(near, view, EYE)
+    return [underwater.show_beyond(view, TIME, EYE), underwater.show_bed(floor, view, TIME),
+            underwater.show_surface(surface, view, TIME)]
+
+
+def film(shaded, view, folder, frames, told):
+    """Write the pictures, and the film of them; `told` hears of each frame."""
+    pictures = []
+    for frame in range(frames):
+        told(frame, frames)
+        view.ViewTime = TIME + frame / FRAMES_A_SECOND
+        for shown in shaded:
+            underwater.set_time(shown, view.ViewTime)
+        pictures.append(os.path.join(folder, f"underwater.{frame:04d}.png"))
+        simple.SaveScreenshot(pictures[-1], view)
+    save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
+
+
+def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
+    """Build the scene, write its picture and fog and, if it is to have frames, the film."""
+    simple._DisableFirstRenderCameraReset()
+    os.makedirs(folder, exist_ok=True)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = list(size)
+    shaded = build(folder, view)
+    simple.SaveScreenshot(os.path.join(folder, "underwater.png"), view)
+    if hasattr(littoral, "vtkVDBVolumeWriter"):
+        simple.SaveData(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
+    if frames > 0:
+        film(shaded, view, folder, frames, told)
+
+
+if __name__ != "underwater":  # another script has run this one for its functions
+    arguments = sys.argv[1:]
+    main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"),
+         tuple(map(int, arguments[1:3])) or (960, 540),
+         int(arguments[3]) if len(arguments) > 3 else 0)

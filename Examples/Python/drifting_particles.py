@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A coastal sea from below: plankton, marine snow and minerals that drift in currents and ride on waves.
+
+    python3 drifting_particles.py [FOLDER]     writes drifting_particles.png into FOLDER
+"""
+
+import os
+import sys
+import tempfile
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTexture)
+
+from littoral import (
+    vtkCurrentDriftFilter, vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkSeaStateSource,
+    vtkSuspendedParticleSource)
+from littoral.picture import write_png
+
+DEPTH = 10.0  # of the water [m]
+WATER = (0.035, 0.23, 0.30)
+EYE = (0.0, -5.0, -5.0)
+HORIZON = 0.4  # height in the picture
+
+
+def flow(kind, strength, centre, axis=(0.0, 0.0, 1.0)):
+    """A flow primitive; strength in m/s, m3/s or m2/s."""
+    source = vtkFlowPrimitiveSource()
+    source.SetFlowType(kind)
+    source.SetStrength(strength)
+    source.SetCenter(*centre)
+    source.SetAxis(*axis)
+    return source
+
+
+def scene():
+    """Particles as squares with their pictures, the filter that moves them, and the sea."""
+    particles = vtkSuspendedParticleSource()
+    particles.SetMode(vtkSuspendedParticleSource.Quads)
+    particles.SetBounds(-5.0, 3.0, -7.0, 1.0, -DEPTH, 0.0)
+    particles.SetDensity(22.0)
+    particles.SetSizeSpread(0.6)
+    drift = vtkCurrentDriftFilter()
+    drift.SetInputConnection(0, particles.GetOutputPort())
+    drift.SetWaterDepth(DEPTH)
+    drift.currents = [flow(vtkFlowPrimitiveSource.Uniform, 0.15, (0.0, 0.0, 0.0), (1.0, 0.4, 0.0)),
+                      flow(vtkFlowPrimitiveSource.Vortex, 2.5, (1.0, -1.0, -5.0), (0.2, 0.0, 1.0))]
+    for current in drift.currents:
+        drift.AddInputConnection(1, current.GetOutputPort())
+    sea = vtkSeaStateSource()
+    sea.SetWindSpeed(6.0)
+    sea.SetWaterDepth(DEPTH)
+    sea.SetMeanDirection(20.0)
+    orbits = vtkParticleOrbitFilter()
+    orbits.SetInputConnection(0, drift.GetOutputPort())
+    orbits.SetInputConnection(1, sea.GetOutputPort())
+    return particles, drift, orbits, sea
+
+
+def faded(data, colours, sight):
+    """Colours of points (0 to 1), which turn into that of the water with the distance from the eye [m]."""
+    places = vtk_to_numpy(data.GetPoints().GetData())
+    share = np.exp(-np.linalg.norm(places - EYE, axis=1) / sight)[:, None]
+    colours = 255.0 * (share * colours + (1.0 - share) * np.array(WATER))
+    array = numpy_to_vtk(np.clip(colours, 0, 255).astype(np.uint8), deep=True,
+                         array_type=vtkUnsignedCharArray().GetDataType())
+    data.GetPointData().SetScalars(array)
+
+
+def unlit(data):
+    """An actor that shows colours as they are."""
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    mapper.SetInputData(data)
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def particle_actor(orbits, particles):
+    """Squares with the pictures of their kinds, tinted by RGB."""
+    data = orbits.GetOutput()
+    faded(data, vtk_to_numpy(data.GetPointData().GetArray("RGB")) / 255.0, 6.0)
+    texture = vtkTexture()
+    texture.SetInputConnection(particles.GetOutputPort(1))
+    texture.InterpolateOn()
+    texture.MipmapOn()
+    actor = unlit(data)
+    actor.SetTexture(texture)
+    actor.ForceTranslucentOn()
+    return actor
+
+
+def surface_actor(sea, time):
+    """The surface from below: bright where it is pressed together, as lenses of water are."""
+    plane = vtkPlaneSource()
+    plane.SetOrigin(-60.0, -12.0, 0.0)
+    plane.SetPoint1(60.0, -12.0, 0.0)
+    plane.SetPoint2(-60.0, 90.0, 0.0)
+    plane.SetResolution(600, 500)
+    orbits = vtkParticleOrbitFilter()
+    orbits.SetInputConnection(0, plane.GetOutputPort())
+    orbits.SetInputConnection(1, sea.GetOutputPort())
+    orbits.UpdateTimeStep(time)
+    data = orbits.GetOutput()
+    jacobian = vtk_to_numpy(data.GetPointData().GetArray("Jacobian"))
+    colours = np.column_stack([np.interp(jacobian, (0.75, 1.0, 1.25), shades) for shades in (
+        (0.80, 0.20, 0.08), (0.98, 0.58, 0.38), (0.94, 0.64, 0.46))])
+    faded(data, colours, 18.0)
+    return unlit(data)
+
+
+def main(folder):
+    """Draw the water at 7.3 s."""
+    particles, drift, orbits, sea = scene()
+    orbits.UpdateTimeStep(7.3)
+    before = vtk_to_numpy(particles.GetOutput().GetPoints().GetData())
+    after = vtk_to_numpy(drift.GetOutput().GetPoints().GetData())
+    way = abs(after - before).max()
+    print(f"{particles.GetOutput().GetNumberOfPolys()} particles; the farthest drifted {way:.2f} m along an axis")
+    assert 0.5 < way < 10.0, "no drift"
+    renderer = vtkRenderer()
+    renderer.GradientBackgroundOn()
+    below = 0.5 * np.array(WATER)
+    renderer.SetBackground(*below)
+    renderer.SetBackground2(*(below + (WATER - below) / HORIZON))
+    renderer.UseDepthPeelingOn()
+    renderer.SetMaximumNumberOfPeels(8)
+    renderer.AddActor(surface_actor(sea, 7.3))
+    renderer.AddActor(particle_actor(orbits, particles))
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(*EYE)
+    camera.SetFocalPoint(0.0, 3.0, -3.9)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    camera.SetViewAngle(42.0)
+    renderer.ResetCameraClippingRange()
+    window = vtkRenderWindow()
+    window.SetAlphaBitPlanes(1)
+    window.AddRenderer(renderer)
+    os.makedirs(folder, exist_ok=True)
+    write_png(window, os.path.join(folder, "drifting_particles.png"), (1000, 560))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"))

@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""An oak, a pine and a birch in the wind, as an image sequence, with numbers of how they move.
+
+    python3 swaying_trees.py [FOLDER] [FRAMES] [SPEED]
+
+writes swaying.0000.png ... into FOLDER, a frame each 1/12 s, in a wind of SPEED (10 m/s), and says how far and how
+often trunks and branches go to and fro.
+"""
+
+import os
+import sys
+import tempfile
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+
+from littoral import vtkBeamTreeDeformationFilter, vtkReevesTreeSource, vtkWindFieldSource
+from littoral.picture import write_png
+from littoral.plants import add_daylight, block, plant_actor
+
+SPECIES = (("Oak", 5, -10.5), ("Pine", 3, 0.0), ("Birch", 2, 8.0))  # preset, seed, place across [m]
+PRESETS = {"Pine": 1, "Oak": 2, "Birch": 3}
+FRAME = 1.0 / 12.0  # [s]
+STEP, SAMPLES = 0.1, 512  # of the measured motion [s]
+
+
+def make_wind(speed):
+    """A minute of wind over meadows."""
+    wind = vtkWindFieldSource()
+    wind.SetDimensions(600, 16, 10)
+    wind.SetReferenceSpeed(speed)
+    return wind
+
+
+def make_trees(wind):
+    """The filters, one a tree."""
+    trees = []
+    for preset, seed, _ in SPECIES:
+        tree = vtkReevesTreeSource()
+        tree.SetPreset(PRESETS[preset])
+        tree.SetSeed(seed)
+        sway = vtkBeamTreeDeformationFilter()
+        sway.SetInputConnection(0, tree.GetOutputPort())
+        sway.SetInputConnection(1, wind.GetOutputPort())
+        sway.Update()
+        trees.append(sway)
+    return trees
+
+
+def joints(sway, time):
+    """Positions of the skeleton's nodes."""
+    sway.UpdateTimeStep(time)
+    bones = block(sway.GetOutput(), "High", "Skeleton")
+    return vtk_to_numpy(bones.GetPoints().GetData()).copy()
+
+
+def feet_and_tips(sway):
+    """Nodes at the foot and at the tip of each branch; the trunk is the first."""
+    lines = block(sway.GetOutput(), "High", "Skeleton").GetLines()
+    nodes, offsets = (vtk_to_numpy(a) for a in (lines.GetConnectivityArray(), lines.GetOffsetsArray()))
+    return nodes[offsets[:-1]], nodes[offsets[1:] - 1]
+
+
+def frequency(series):
+    """Mean frequency of motions in time [Hz]: that of the speed over that of the place."""
+    moving = series - series.mean(axis=0)
+    speed = np.gradient(moving, STEP, axis=0)
+    return np.sqrt((speed ** 2).sum() / (moving ** 2).sum()) / (2.0 * np.pi)
+
+
+def measure(sway):
+    """Trunk, and branches from their feet: mean deflection, standard deviation [m], frequency [Hz]."""
+    rest = vtk_to_numpy(block(sway.GetInputDataObject(0, 0), "High", "Skeleton").GetPoints().GetData())
+    feet, tips = feet_and_tips(sway)
+    moves = np.array([joints(sway, k * STEP) - rest for k in range(SAMPLES)])
+    own = moves[:, tips] - moves[:, feet]
+    numbers = []
+    for series in (own[:, :1], own[:, 1:]):
+        spread = np.sqrt(series.var(axis=0).sum(axis=-1).mean())
+        numbers.append((np.linalg.norm(series.mean(axis=0), axis=-1).mean(), spread, frequency(series)))
+    return numbers
+
+
+def draw(trees, folder, frames):
+    """Write the frames."""
+    renderer, window = vtkRenderer(), vtkRenderWindow()
+    renderer.GradientBackgroundOn()
+    renderer.SetBackground(0.88, 0.91, 0.92)
+    renderer.SetBackground2(0.48, 0.64, 0.82)
+    renderer.UseFXAAOn()
+    add_daylight(renderer)
+    meadow, mapper, ground = vtkPlaneSource(), vtkPolyDataMapper(), vtkActor()
+    meadow.SetOrigin(-300.0, -300.0, 0.0)
+    meadow.SetPoint1(300.0, -300.0, 0.0)
+    meadow.SetPoint2(-300.0, 300.0, 0.0)
+    mapper.SetInputConnection(meadow.GetOutputPort())
+    ground.SetMapper(mapper)
+    ground.GetProperty().SetColor(0.50, 0.56, 0.33)
+    ground.GetProperty().SetAmbient(0.4)
+    renderer.AddActor(ground)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(-1.0, -40.0, 3.0)
+    camera.SetFocalPoint(-1.0, 0.0, 6.2)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    camera.SetViewAngle(24.0)
+    for frame in range(frames):
+        actors = []
+        for sway, (_, _, across) in zip(trees, SPECIES):
+            sway.UpdateTimeStep(frame * FRAME)
+            for name in ("Skin", "Leaves"):
+                actors.append(plant_actor(block(sway.GetOutput(), "High", name)))
+                actors[-1].SetPosition(across, 0.0, 0.0)
+                renderer.AddActor(actors[-1])
+        renderer.ResetCameraClippingRange()
+        write_png(window, os.path.join(folder, f"swaying.{frame:04d}.png"), (640, 360))
+        for actor in actors:
+            renderer.RemoveActor(actor)
+
+
+def main(folder, frames, speed):
+    """Measure and draw."""
+    trees = make_trees(make_wind(speed))
+    for sway, (preset, _, _) in zip(trees, SPECIES):
+        trunk, branches = measure(sway)
+        print(f"{preset:6} trunk: leans {trunk[0]:.3f} m, sways by {trunk[1]:.3f} m at {trunk[2]:.2f} Hz; branches "
+              f"besides: {branches[0]:.3f} m, {branches[1]:.3f} m, {branches[2]:.2f} Hz")
+        assert 0.0 < trunk[1] < 2.0 and branches[1] > 0.0, "nothing sways, or trees fall"
+    os.makedirs(folder, exist_ok=True)
+    draw(trees, folder, frames)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"),
+         int(sys.argv[2]) if len(sys.argv) > 2 else 2, float(sys.argv[3]) if len(sys.argv) > 3 else 10.0)

@@ -1,0 +1,391 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurrentSnapshot.h"
+
+#include "LittoralCurrents.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSmartPointer.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Velocities as numbers in memory; the array is kept alive.
+class Velocities
+{
+public:
+  explicit Velocities(vtkDataArray* array)
+    : Array(array)
+  {
+    if (auto* single = vtkFloatArray::SafeDownCast(array))
+    {
+      this->Single = single->GetPointer(0);
+    }
+    else if (auto* twice = vtkDoubleArray::SafeDownCast(array))
+    {
+      this->Double = twice->GetPointer(0);
+    }
+    else
+    {
+      vtkNew<vtkDoubleArray> copy;
+      copy->DeepCopy(array);
+      this->Array = copy.Get();
+      this->Double = copy->GetPointer(0);
+    }
+  }
+
+  /// Velocity of a point; none where it is no number.
+  Vector3 At(vtkIdType id) const
+  {
+    const Vector3 value = this->Single
+      ? Vector3(this->Single[3 * id], this->Single[3 * id + 1], this->Single[3 * id + 2])
+      : Vector3(this->Double[3 * id], this->Double[3 * id + 1], this->Double[3 * id + 2]);
+    return IsFinite(value) ? value : Vector3(0.0);
+  }
+
+private:
+  vtkSmartPointer<vtkDataArray> Array;
+  const float* Single = nullptr;
+  const double* Double = nullptr;
+};
+
+/// A place among the samples of one axis: the sample before it and the share of the next.
+struct AxisPlace
+{
+  int Index = 0;
+  double Share = 0.0;
+};
+
+/// Linear interpolation between the eight samples around a place. One layer of samples holds all along its axis.
+Vector3 Trilinear(const Velocities& values, const std::array<int, 3>& samples, const AxisPlace place[3])
+{
+  Vector3 sum(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double weight = 1.0;
+    vtkIdType id = 0;
+    vtkIdType stride = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int side = (corner >> axis) & 1;
+      weight *= side ? place[axis].Share : 1.0 - place[axis].Share;
+      id += stride * std::min(place[axis].Index + side, samples[axis] - 1);
+      stride *= samples[axis];
+    }
+    if (weight != 0.0)
+    {
+      sum += weight * values.At(id);
+    }
+  }
+  return sum;
+}
+
+/// False where the position [samples] is outside.
+bool PlaceAt(double position, int samples, AxisPlace& place)
+{
+  if (samples == 1)
+  {
+    place = { 0, 0.0 };
+    return true;
+  }
+  if (!(position >= 0.0 && position <= samples - 1))
+  {
+    return false;
+  }
+  place.Index = std::min(static_cast<int>(position), samples - 2);
+  place.Share = position - place.Index;
+  return true;
+}
+
+class ImageVelocity : public VelocityGrid
+{
+public:
+  ImageVelocity(vtkImageData* image, vtkDataArray* array)
+    : Values(array)
+  {
+    int extent[6];
+    image->GetExtent(extent);
+    const vtkMatrix4x4* matrix = image->GetPhysicalToIndexMatrix();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Samples[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+      for (int column = 0; column < 3; ++column)
+      {
+        this->Turn[axis][column] = matrix->GetElement(axis, column);
+      }
+    }
+    image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], &this->Corner[0]);
+  }
+
+  Vector3 Velocity(const Vector3& place) const override
+  {
+    const Vector3 arm = place - this->Corner;
+    AxisPlace at[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!PlaceAt(glm::dot(this->Turn[axis], arm), this->Samples[axis], at[axis]))
+      {
+        return Vector3(0.0);
+      }
+    }
+    return Trilinear(this->Values, this->Samples, at);
+  }
+
+private:
+  Velocities Values;
+  std::array<int, 3> Samples;
+  Vector3 Turn[3];
+  Vector3 Corner;
+};
+
+class RectilinearVelocity : public VelocityGrid
+{
+public:
+  RectilinearVelocity(vtkRectilinearGrid* grid, vtkDataArray* array)
+    : Values(array)
+  {
+    vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates() };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (vtkIdType id = 0; id < axes[axis]->GetNumberOfTuples(); ++id)
+      {
+        this->Coordinates[axis].push_back(axes[axis]->GetTuple1(id));
+      }
+      this->Samples[axis] = static_cast<int>(this->Coordinates[axis].size());
+    }
+  }
+
+  Vector3 Velocity(const Vector3& place) const override
+  {
+    AxisPlace at[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::vector<double>& values = this->Coordinates[axis];
+      if (values.size() == 1)
+      {
+        continue;
+      }
+      const bool rising = values.front() < values.back();
+      const double x = place[axis];
+      if (!(x >= std::min(values.front(), values.back()) && x <= std::max(values.front(), values.back())))
+      {
+        return Vector3(0.0);
+      }
+      const auto after = rising ? std::upper_bound(values.begin(), values.end(), x)
+                                : std::upper_bound(values.begin(), values.end(), x, std::greater<double>());
+      const int next = std::clamp(static_cast<int>(after - values.begin()), 1, this->Samples[axis] - 1);
+      const double width = values[next] - values[next - 1];
+      at[axis] = { next - 1, width != 0.0 ? (x - values[next - 1]) / width : 0.0 };
+    }
+    return Trilinear(this->Values, this->Samples, at);
+  }
+
+private:
+  Velocities Values;
+  std::array<int, 3> Samples;
+  std::vector<double> Coordinates[3];
+};
+
+/// Any cells: the one around a place is found, and its own interpolation taken.
+class CellVelocity : public VelocityGrid
+{
+public:
+  CellVelocity(vtkDataSet* data, vtkDataArray* array)
+    : Data(vtkSmartPointer<vtkDataSet>::Take(data->NewInstance()))
+    , Values(array)
+  {
+    this->Data->ShallowCopy(data);
+    this->Locator->SetDataSet(this->Data);
+    this->Locator->BuildLocator();
+    this->CellSize = std::max(1, this->Data->GetMaxCellSize());
+    this->Scratch.Local().Cell->SetCellTypeToEmptyCell();
+    this->Data->GetCell(0, this->Scratch.Local().Cell); // after this, data sets may be read from many threads
+    this->Data->GetBounds(this->Bounds);
+  }
+
+  Vector3 Velocity(const Vector3& place) const override
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!(place[axis] >= this->Bounds[2 * axis] && place[axis] <= this->Bounds[2 * axis + 1]))
+      {
+        return Vector3(0.0);
+      }
+    }
+    Tools& tools = this->Scratch.Local();
+    tools.Weights.resize(static_cast<std::size_t>(this->CellSize));
+    double x[3] = { place.x, place.y, place.z };
+    double coordinates[3];
+    const vtkIdType cell = this->Locator->FindCell(x, 0.0, tools.Cell, coordinates, tools.Weights.data());
+    Vector3 sum(0.0);
+    for (vtkIdType corner = 0; cell >= 0 && corner < tools.Cell->GetNumberOfPoints(); ++corner)
+    {
+      sum += tools.Weights[corner] * this->Values.At(tools.Cell->GetPointId(static_cast<int>(corner)));
+    }
+    return sum;
+  }
+
+private:
+  /// What a thread needs of its own; a copy has its own too.
+  struct Tools
+  {
+    vtkNew<vtkGenericCell> Cell;
+    std::vector<double> Weights;
+
+    Tools() = default;
+    Tools(const Tools&) {}
+    Tools& operator=(const Tools&) { return *this; }
+  };
+
+  vtkSmartPointer<vtkDataSet> Data;
+  Velocities Values;
+  vtkNew<vtkStaticCellLocator> Locator;
+  int CellSize;
+  double Bounds[6];
+  mutable vtkSMPThreadLocal<Tools> Scratch;
+};
+
+/// Whether velocities can be interpolated: some cell is more than points and lines.
+bool HasCells(vtkDataSet* data)
+{
+  vtkNew<vtkCellTypes> types;
+  data->GetCellTypes(types);
+  for (vtkIdType type = 0; type < types->GetNumberOfTypes(); ++type)
+  {
+    const int kind = types->GetCellType(type);
+    if (kind != VTK_EMPTY_CELL && kind != VTK_VERTEX && kind != VTK_POLY_VERTEX && kind != VTK_LINE &&
+      kind != VTK_POLY_LINE)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The array of velocities; null with a reason if there is none.
+vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name, std::string& reason)
+{
+  vtkPointData* arrays = data->GetPointData();
+  vtkDataArray* found = arrays->GetArray(name.empty() ? "Velocity" : name.c_str());
+  if (!found && name.empty())
+  {
+    int vectors = 0;
+    for (int index = 0; index < arrays->GetNumberOfArrays(); ++index)
+    {
+      vtkDataArray* array = arrays->GetArray(index);
+      if (array && array->GetNumberOfComponents() == 3)
+      {
+        found = array;
+        ++vectors;
+      }
+    }
+    if (vectors > 1)
+    {
+      reason = "a current has more than one point array of three components; name one in VelocityArray.";
+      return nullptr;
+    }
+  }
+  const std::string wanted = name.empty() ? "of velocities" : "'" + name + "'";
+  if (!found)
+  {
+    const bool onCells = !name.empty() && data->GetCellData()->GetArray(name.c_str());
+    reason = "a current has no point array " + wanted +
+      (onCells ? "; it is on cells: bring it to the points first." : " (VelocityArray), and is no flow primitive.");
+  }
+  else if (found->GetNumberOfComponents() != 3)
+  {
+    reason = "the point array " + wanted + " (VelocityArray) has " + std::to_string(found->GetNumberOfComponents()) +
+      " components; a velocity has three.";
+    found = nullptr;
+  }
+  else if (found->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    reason = "the point array " + wanted + " (VelocityArray) has " + std::to_string(found->GetNumberOfTuples()) +
+      " values for " + std::to_string(data->GetNumberOfPoints()) + " points.";
+    found = nullptr;
+  }
+  return found;
+}
+
+std::string TakeDataSet(vtkDataSet* data, const std::string& name, std::vector<FlowPrimitive>& primitives,
+  std::vector<std::shared_ptr<const VelocityGrid>>& grids)
+{
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return "";
+  }
+  if (HoldsFlowPrimitives(data))
+  {
+    return ReadFlowPrimitives(data, primitives);
+  }
+  std::string reason;
+  vtkDataArray* velocities = FindVelocities(data, name, reason);
+  if (!velocities)
+  {
+    return reason;
+  }
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    grids.push_back(std::make_shared<ImageVelocity>(image, velocities));
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    grids.push_back(std::make_shared<RectilinearVelocity>(rectilinear, velocities));
+  }
+  else if (HasCells(data))
+  {
+    grids.push_back(std::make_shared<CellVelocity>(data, velocities));
+  }
+  else
+  {
+    return "a current with velocities has no cells between whose points they could be interpolated.";
+  }
+  return "";
+}
+
+}
+
+std::string CurrentSnapshot::Take(vtkDataObject* data, const std::string& array)
+{
+  std::string reason;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); reason.empty() && !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        reason = TakeDataSet(leaf, array, this->Primitives, this->Grids);
+      }
+    }
+  }
+  else if (auto* single = vtkDataSet::SafeDownCast(data))
+  {
+    reason = TakeDataSet(single, array, this->Primitives, this->Grids);
+  }
+  this->Flow = FlowField(this->Primitives);
+  return reason;
+}
+
+}

@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkParticleFogFilter.h"
+
+#include "Constants.h"
+#include "LittoralBlocks.h"
+#include "LittoralPipeline.h"
+#include "LittoralSea.h"
+#include "LittoralTables.h"
+#include "ParticleFog.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkParticleFogFilter);
+
+namespace
+{
+
+/// What a particle and a sample take at most [bytes].
+constexpr double BytesAParticle = 150.0;
+constexpr double BytesASample = 24.0;
+constexpr double MostSamplesAlong = 1e6;
+
+/// The point sets that become fog.
+std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* input)
+{
+  std::vector<vtkPointSet*> sets;
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
+  vtkDataObject* far = littoral::FindBlock(blocks, littoral::sea::Far);
+  if (far || !blocks)
+  {
+    sets.push_back(vtkPointSet::SafeDownCast(far ? far : input));
+  }
+  else
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      sets.push_back(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()));
+    }
+  }
+  const auto isEmpty = [](vtkPointSet* set) { return !set || !set->GetPoints() || set->GetNumberOfPoints() == 0; };
+  sets.erase(std::remove_if(sets.begin(), sets.end(), isEmpty), sets.end());
+  return sets;
+}
+
+/// Adds the particles of a point set. Why it cannot be done, in words for a user; empty when it was.
+std::string AddParticles(
+  vtkPointSet* set, double defaultRadius, double efficiency, std::vector<littoral::FogParticle>& particles)
+{
+  vtkDataArray* radii = set->GetPointData()->GetArray(littoral::sea::Radius);
+  vtkDataArray* alphas = set->GetPointData()->GetArray(littoral::sea::Alpha);
+  std::ostringstream reason;
+  for (vtkIdType n = 0; n < set->GetNumberOfPoints(); ++n)
+  {
+    littoral::FogParticle particle;
+    set->GetPoint(n, &particle.Place.x);
+    const double radius = radii ? radii->GetComponent(n, 0) : defaultRadius;
+    const double alpha = alphas ? alphas->GetComponent(n, 0) : 1.0;
+    if (!littoral::IsFinite(particle.Place))
+    {
+      reason << "point " << n << " has a coordinate that is no finite number.";
+    }
+    else if (!(radius >= 0.0 && std::isfinite(radius)))
+    {
+      reason << "Radius of point " << n << " is " << radius << " m; it must be finite and not negative.";
+    }
+    else if (!(alpha >= 0.0 && alpha <= 1.0))
+    {
+      reason << "Alpha of point " << n << " is " << alpha << "; it must be 0 to 1.";
+    }
+    if (!reason.str().empty())
+    {
+      return reason.str();
+    }
+    particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
+    particles.push_back(particle);
+  }
+  return "";
+}
+
+/// The box of the particles, no thinner than a length [m]; a unit box without any.
+void BoxOf(const std::vector<littoral::FogParticle>& particles, double thickness, double box[6])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double low = particles.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    double high = particles.empty() ? 1.0 : -low;
+    for (const littoral::FogParticle& particle : particles)
+    {
+      low = std::min(low, particle.Place[axis]);
+      high = std::max(high, particle.Place[axis]);
+    }
+    const double missing = std::max(0.0, thickness - (high - low));
+    box[2 * axis] = low - 0.5 * missing;
+    box[2 * axis + 1] = high + 0.5 * missing;
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkParticleFogFilter::vtkParticleFogFilter()
+  : GridBy(ByDimensions)
+  , Dimensions{ 64, 64, 64 }
+  , Spacing(0.5)
+  , UseBounds(false)
+  , Bounds{ -10.0, 10.0, -10.0, 10.0, -10.0, 0.0 }
+  , ParticleRadius(0.005)
+  , ExtinctionEfficiency(1.0)
+  , WaterExtinction(0.0)
+{
+}
+
+//----------------------------------------------------------------------------
+vtkParticleFogFilter::~vtkParticleFogFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkParticleFogFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkParticleFogFilter::WhyBadProperties() const
+{
+  std::ostringstream reason;
+  const auto isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  const auto isNotNegative = [](double value) { return value >= 0.0 && std::isfinite(value); };
+  const bool bySpacing = this->GridBy == BySpacing;
+  if (!bySpacing && this->GridBy != ByDimensions)
+  {
+    reason << "GridBy is " << this->GridBy << "; it must be 0 (dimensions) or 1 (spacing).";
+  }
+  else if (!bySpacing && *std::min_element(this->Dimensions, this->Dimensions + 3) < 2)
+  {
+    reason << "Dimensions are " << this->Dimensions[0] << " " << this->Dimensions[1] << " " << this->Dimensions[2]
+           << "; each must be 2 or more.";
+  }
+  else if (bySpacing && !isPositive(this->Spacing))
+  {
+    reason << "Spacing is " << this->Spacing << " m; it must be finite and positive.";
+  }
+  else if (bySpacing && !this->UseBounds)
+  {
+    reason << "GridBy spacing needs UseBounds: the size of the image must be known beforehand.";
+  }
+  else if (!isPositive(this->ParticleRadius))
+  {
+    reason << "ParticleRadius is " << this->ParticleRadius << " m; it must be finite and positive.";
+  }
+  else if (!isNotNegative(this->ExtinctionEfficiency))
+  {
+    reason << "ExtinctionEfficiency is " << this->ExtinctionEfficiency << "; it must be finite and not negative.";
+  }
+  else if (!isNotNegative(this->WaterExtinction))
+  {
+    reason << "WaterExtinction is " << this->WaterExtinction << " 1/m; it must be finite and not negative.";
+  }
+  for (int axis = 0; axis < 3 && this->UseBounds && reason.str().empty(); ++axis)
+  {
+    const double low = this->Bounds[2 * axis];
+    const double high = this->Bounds[2 * axis + 1];
+    if (!(std::isfinite(low) && std::isfinite(high) && low < high))
+    {
+      reason << "Bounds along "
+             << "xyz"[axis] << " are " << low << " to " << high << " m; they must be finite and increasing.";
+    }
+    else if (bySpacing && (high - low) / this->Spacing > MostSamplesAlong)
+    {
+      reason << "Spacing is " << this->Spacing << " m, too little for Bounds that are " << high - low << " m apart.";
+    }
+  }
+  if (reason.str().empty())
+  {
+    const double samples = static_cast<double>(this->MakeGrid(this->Bounds).NumberOfSamples());
+    if (BytesASample * samples > littoral::AvailableMemory())
+    {
+      reason << "the image of " << samples << " samples needs more memory than there is: take fewer Dimensions or more "
+             << "Spacing.";
+    }
+  }
+  return reason.str();
+}
+
+//----------------------------------------------------------------------------
+littoral::FogGrid vtkParticleFogFilter::MakeGrid(const double box[6]) const
+{
+  littoral::FogGrid grid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double side = box[2 * axis + 1] - box[2 * axis];
+    grid.Origin[axis] = box[2 * axis];
+    if (this->GridBy == BySpacing)
+    {
+      constexpr double rounding = 1e-9;
+      grid.Spacing[axis] = this->Spacing;
+      grid.Count[axis] = static_cast<int>(std::max(1.0, std::ceil(side / this->Spacing - rounding))) + 1;
+    }
+    else
+    {
+      grid.Count[axis] = this->Dimensions[axis];
+      grid.Spacing[axis] = side / (this->Dimensions[axis] - 1);
+    }
+  }
+  return grid;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleFogFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const std::string reason = this->WhyBadProperties();
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot make fog: " << reason);
+    return 0;
+  }
+  const littoral::FogGrid grid = this->MakeGrid(this->Bounds);
+  const int whole[6] = { 0, grid.Count[0] - 1, 0, grid.Count[1] - 1, 0, grid.Count[2] - 1 };
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  if (this->UseBounds)
+  {
+    info->Set(vtkDataObject::ORIGIN(), &grid.Origin.x, 3);
+    info->Set(vtkDataObject::SPACING(), &grid.Spacing.x, 3);
+  }
+  else
+  {
+    // Known only with the particles.
+    info->Remove(vtkDataObject::ORIGIN());
+    info->Remove(vtkDataObject::SPACING());
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleFogFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleFogFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::vector<vtkPointSet*> sets = PointSetsOf(vtkDataObject::GetData(inputVector[0]));
+  double count = 0.0;
+  for (vtkPointSet* set : sets)
+  {
+    count += static_cast<double>(set->GetNumberOfPoints());
+  }
+  std::string reason;
+  if (BytesAParticle * count > littoral::AvailableMemory())
+  {
+    reason = "the particles need more memory than there is.";
+  }
+  this->SetProgressText("Making fog");
+  std::vector<littoral::FogParticle> particles;
+  for (vtkPointSet* set : sets)
+  {
+    reason = reason.empty() ? AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles) : reason;
+  }
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot make fog: " << reason);
+    return 0;
+  }
+  this->UpdateProgress(0.3);
+  double box[6];
+  std::copy(this->Bounds, this->Bounds + 6, box);
+  if (!this->UseBounds)
+  {
+    BoxOf(particles, 2.0 * this->ParticleRadius, box);
+  }
+  const littoral::FogGrid grid = this->MakeGrid(box);
+  const littoral::ParticleFog fog(grid, particles, littoral::SmpFor);
+  this->UpdateProgress(0.8);
+
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  output->SetExtent(extent);
+  output->SetOrigin(&grid.Origin.x);
+  output->SetSpacing(&grid.Spacing.x);
+  vtkNew<vtkFloatArray> extinction;
+  extinction->SetName(littoral::sea::Extinction);
+  extinction->SetNumberOfValues(output->GetNumberOfPoints());
+  const float water = static_cast<float>(this->WaterExtinction);
+  vtkIdType sample = 0;
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      const std::size_t row = (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0];
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        extinction->SetValue(sample++, fog.GetExtinction()[row + i] + water);
+      }
+    }
+  }
+  output->GetPointData()->SetScalars(extinction);
+  littoral::AddField(output, "ParticlesInFog", { count - static_cast<double>(fog.GetOutside()) });
+  littoral::AddField(output, "ParticlesOutside", { static_cast<double>(fog.GetOutside()) });
+  littoral::AddField(output, "CrossSection", { littoral::TotalCrossSection(grid, fog.GetExtinction()) });
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkParticleFogFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GridBy: " << this->GridBy << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " " << this->Dimensions[2]
+     << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "UseBounds: " << this->UseBounds << "\n";
+  os << indent << "Bounds:";
+  for (const double bound : this->Bounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n";
+  os << indent << "ParticleRadius: " << this->ParticleRadius << "\n";
+  os << indent << "ExtinctionEfficiency: " << this->ExtinctionEfficiency << "\n";
+  os << indent << "WaterExtinction: " << this->WaterExtinction << "\n";
+}

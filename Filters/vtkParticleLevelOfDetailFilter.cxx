@@ -1,0 +1,455 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkParticleLevelOfDetailFilter.h"
+
+#include "LittoralBlocks.h"
+#include "LittoralPipeline.h"
+#include "LittoralSea.h"
+#include "LittoralTables.h"
+#include "MasterSlave.h"
+#include "ParticleLevels.h"
+#include "TrainSelection.h"
+#include "ViewFrustum.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkParticleLevelOfDetailFilter);
+
+/// What does not depend on the view, and what it was made of.
+struct vtkParticleLevelOfDetailFilter::Memory
+{
+  std::vector<littoral::Vector3> Places;
+  std::unique_ptr<littoral::ParticleGroups> Groups;
+  double Lowest = 0.0; ///< that a particle may be centred, as a slave too [m]
+  double Highest = 0.0;
+  double MeanHeight = 0.0;
+  vtkDataArray* Points = nullptr; ///< compared, never used
+  vtkMTimeType PointsTime = 0;
+  std::vector<double> Numbers;
+};
+
+namespace
+{
+
+/// What a particle takes here and in the output at most, without its own arrays [bytes].
+constexpr double BytesAParticle = 400.0;
+
+enum class LevelKind
+{
+  Near,
+  Middle,
+  Far
+};
+
+template <typename Array>
+Array* AddArray(vtkPointData* arrays, const char* name, int components, vtkIdType tuples)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  arrays->AddArray(array);
+  return array;
+}
+
+/// Calls a function for each place in a level, on all threads.
+template <typename Function>
+void ForEach(vtkIdType count, const Function& function)
+{
+  littoral::SmpFor(static_cast<std::size_t>(count), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      function(static_cast<vtkIdType>(n));
+    }
+  });
+}
+
+/// One vertex for each point.
+vtkSmartPointer<vtkCellArray> VerticesOf(vtkIdType count)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  offsets->SetNumberOfValues(count + 1);
+  connectivity->SetNumberOfValues(count);
+  ForEach(count, [&](vtkIdType n) {
+    offsets->SetValue(n, n);
+    connectivity->SetValue(n, n);
+  });
+  offsets->SetValue(count, count);
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  vertices->SetData(offsets, connectivity);
+  return vertices;
+}
+
+/// The arrays of the input at the particles of a level, but for those that are made here.
+void CarryArrays(vtkPointSet* input, const std::vector<littoral::ShownParticle>& level, vtkPointData* to)
+{
+  const vtkIdType count = static_cast<vtkIdType>(level.size());
+  vtkNew<vtkIdList> from;
+  vtkNew<vtkIdList> places;
+  from->SetNumberOfIds(count);
+  places->SetNumberOfIds(count);
+  ForEach(count, [&](vtkIdType n) {
+    from->SetId(n, level[n].Particle);
+    places->SetId(n, n);
+  });
+  vtkNew<vtkPointData> carried;
+  carried->ShallowCopy(input->GetPointData());
+  for (const char* name : { littoral::sea::Alpha, littoral::sea::TrainCount, littoral::sea::ErrorBound,
+         littoral::sea::MasterId, littoral::sea::Offset })
+  {
+    carried->RemoveArray(name);
+  }
+  to->CopyAllOn();
+  to->CopyAllocate(carried, count);
+  to->CopyData(carried, from, places);
+  if (!input->GetPointData()->GetAbstractArray(littoral::sea::ParticleId))
+  {
+    auto* ids = AddArray<vtkIdTypeArray>(to, littoral::sea::ParticleId, 1, count);
+    ForEach(count, [&](vtkIdType n) { ids->SetValue(n, level[n].Particle); });
+  }
+}
+
+/// The points of a level; those of scattered slaves about their masters.
+template <typename Array>
+vtkSmartPointer<vtkPoints> PointsOf(const std::vector<littoral::ShownParticle>& level,
+  const std::vector<littoral::Vector3>& places, const littoral::ParticleGroups& groups, bool scattered)
+{
+  using Real = typename Array::ValueType;
+  const vtkIdType count = static_cast<vtkIdType>(level.size());
+  vtkNew<Array> points;
+  points->SetNumberOfComponents(3);
+  points->SetNumberOfTuples(count);
+  Real* values = points->GetPointer(0);
+  ForEach(count, [&](vtkIdType n) {
+    const littoral::ShownParticle& particle = level[n];
+    littoral::Vector3 place = places[particle.Particle];
+    if (scattered && particle.Master >= 0)
+    {
+      place = places[groups.MasterOf(particle.Particle)] + groups.OffsetOf(particle.Particle);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      values[3 * n + axis] = static_cast<Real>(place[axis]);
+    }
+  });
+  auto all = vtkSmartPointer<vtkPoints>::New();
+  all->SetData(points);
+  return all;
+}
+
+/// The arrays that tell how a level is drawn and moved.
+void AddLevelArrays(vtkPointData* arrays, const std::vector<littoral::ShownParticle>& level, LevelKind kind,
+  const littoral::ParticleGroups& groups)
+{
+  const vtkIdType count = static_cast<vtkIdType>(level.size());
+  auto* alpha = AddArray<vtkFloatArray>(arrays, littoral::sea::Alpha, 1, count);
+  auto* trains = AddArray<vtkIntArray>(arrays, littoral::sea::TrainCount, 1, count);
+  ForEach(count, [&](vtkIdType n) {
+    alpha->SetValue(n, level[n].Weight);
+    trains->SetValue(n, level[n].Trains);
+  });
+  if (kind != LevelKind::Far)
+  {
+    auto* error = AddArray<vtkFloatArray>(arrays, littoral::sea::ErrorBound, 1, count);
+    ForEach(count, [&](vtkIdType n) { error->SetValue(n, level[n].Error); });
+  }
+  if (kind == LevelKind::Middle)
+  {
+    auto* masters = AddArray<vtkIdTypeArray>(arrays, littoral::sea::MasterId, 1, count);
+    auto* offsets = AddArray<vtkDoubleArray>(arrays, littoral::sea::Offset, 3, count);
+    ForEach(count, [&](vtkIdType n) {
+      masters->SetValue(n, level[n].Master);
+      const bool follows = level[n].Master >= 0;
+      const littoral::Vector3 offset = follows ? groups.OffsetOf(level[n].Particle) : littoral::Vector3(0.0);
+      std::copy_n(&offset.x, 3, offsets->GetPointer(3 * n));
+    });
+  }
+}
+
+long long CountSlaves(const std::vector<littoral::ShownParticle>& level)
+{
+  return std::count_if(
+    level.begin(), level.end(), [](const littoral::ShownParticle& particle) { return particle.Master >= 0; });
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkParticleLevelOfDetailFilter::vtkParticleLevelOfDetailFilter()
+  : UseLevels(true)
+  , BlendDistance(0.5)
+  , Visibility(60.0)
+  , SlavesPerMaster(3)
+  , OffsetRange{ 0.0, 0.5 }
+  , SlavePlacement(OwnPlace)
+  , Seed(1)
+  , TrainSelection(PerTrain)
+  , ScreenError(1.0)
+  , UseCulling(true)
+  , ParticlesPerCell(64)
+  , Margin(0.01)
+  , FogMargin(1.0)
+  , Kept(new Memory)
+{
+  this->NearDistance = 2.0;
+  this->FarDistance = 12.0;
+  this->SetNumberOfInputPorts(2);
+}
+
+//----------------------------------------------------------------------------
+vtkParticleLevelOfDetailFilter::~vtkParticleLevelOfDetailFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkParticleLevelOfDetailFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkTable");
+  if (port == 1)
+  {
+    // So that its absence gets a message of ours.
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleLevelOfDetailFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleLevelOfDetailFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    littoral::RequestAll(inputVector[port]->GetInformationObject(0));
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkParticleLevelOfDetailFilter::WhyBadProperties() const
+{
+  std::ostringstream reason;
+  if (this->TrainSelection < PerTrain || this->TrainSelection > AllTrains)
+  {
+    reason << "TrainSelection is " << this->TrainSelection << "; it must be 0 (per train), 1 (tail sum) or 2 (all).";
+  }
+  else if (this->SlavePlacement != OwnPlace && this->SlavePlacement != Scattered)
+  {
+    reason << "SlavePlacement is " << this->SlavePlacement << "; it must be 0 (own place) or 1 (scattered).";
+  }
+  else if (!(this->ScreenError > 0.0 && std::isfinite(this->ScreenError)))
+  {
+    reason << "ScreenError is " << this->ScreenError << " pixels; it must be finite and positive.";
+  }
+  else if (this->ParticlesPerCell < 1)
+  {
+    reason << "ParticlesPerCell is " << this->ParticlesPerCell << "; it must be positive.";
+  }
+  return reason.str();
+}
+
+//----------------------------------------------------------------------------
+std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
+{
+  Memory& kept = *this->Kept;
+  const vtkIdType count = particles->GetPoints() ? particles->GetNumberOfPoints() : 0;
+  if (count == 0)
+  {
+    return "there are no particles in the input.";
+  }
+  vtkDataArray* points = particles->GetPoints()->GetData();
+  const std::vector<double> numbers{ static_cast<double>(this->SlavesPerMaster), this->OffsetRange[0],
+    this->OffsetRange[1], static_cast<double>(this->SlavePlacement), static_cast<double>(this->Seed),
+    static_cast<double>(this->ParticlesPerCell) };
+  const vtkMTimeType time = std::max(points->GetMTime(), particles->GetPoints()->GetMTime());
+  if (kept.Groups && kept.Points == points && kept.PointsTime == time && kept.Numbers == numbers)
+  {
+    return "";
+  }
+  kept = Memory();
+  littoral::GroupOptions options;
+  options.Slaves = this->SlavesPerMaster;
+  options.NearestOffset = this->OffsetRange[0];
+  options.LargestOffset = this->OffsetRange[1];
+  options.Scatter = this->SlavePlacement == Scattered;
+  options.Seed = this->Seed;
+  std::string reason = littoral::WhyInvalid(options);
+  if (reason.empty() &&
+    (count > std::numeric_limits<int>::max() ||
+      BytesAParticle * static_cast<double>(count) > littoral::AvailableMemory()))
+  {
+    reason = std::to_string(count) + " particles are more than this machine has memory for.";
+  }
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  std::vector<littoral::Vector3> places(static_cast<std::size_t>(count));
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    points->GetTuple(n, &places[n].x);
+    if (!littoral::IsFinite(places[n]))
+    {
+      return "point " + std::to_string(n) + " has a coordinate that is no finite number.";
+    }
+    kept.MeanHeight += places[n].z / static_cast<double>(count);
+  }
+  kept.Groups = std::make_unique<littoral::ParticleGroups>(
+    places, options, static_cast<std::size_t>(this->ParticlesPerCell), littoral::SmpFor);
+  kept.Lowest = std::numeric_limits<double>::infinity();
+  kept.Highest = -kept.Lowest;
+  for (const littoral::ParticleGroups::Cell& cell : kept.Groups->GetCells())
+  {
+    kept.Lowest = std::min(kept.Lowest, cell.Bounds.Low.z);
+    kept.Highest = std::max(kept.Highest, cell.Bounds.High.z);
+  }
+  kept.Places = std::move(places);
+  kept.Points = points;
+  kept.PointsTime = time;
+  kept.Numbers = numbers;
+  return "";
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleLevelOfDetailFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  littoral::ParticleLevelOptions options;
+  options.UseLevels = this->UseLevels;
+  options.UseCulling = this->UseCulling;
+  options.MiddleDistance = this->NearDistance;
+  options.FarDistance = this->FarDistance;
+  options.BlendDistance = this->BlendDistance;
+  options.VisibleDistance = this->Visibility;
+  options.Margin = this->Margin;
+  options.FogMargin = this->FogMargin;
+  littoral::SeaState state;
+  std::string reason = littoral::WhyInvalid(options);
+  reason = reason.empty() ? this->WhyBadProperties() : reason;
+  reason = reason.empty() ? littoral::ReadSeaState(vtkTable::GetData(inputVector[1]), state) : reason;
+  reason = reason.empty() ? this->RememberGroups(input) : reason;
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot choose levels of detail: " << reason);
+    return 0;
+  }
+  littoral::View view;
+  if (!this->GetView(view))
+  {
+    return 0;
+  }
+  this->SetProgressText("Choosing levels of detail");
+  const Memory& kept = *this->Kept;
+  const std::vector<int> order = littoral::OrderAt(state, kept.MeanHeight);
+  const littoral::TrainTable table(littoral::Ordered(state, order), kept.Lowest, kept.Highest, view,
+    static_cast<littoral::TrainRule>(this->TrainSelection), this->ScreenError);
+  const littoral::ViewFrustum frustum(view);
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const std::size_t piece = static_cast<std::size_t>(std::max(0, info->Get(Pipeline::UPDATE_PIECE_NUMBER())));
+  const std::size_t pieces = static_cast<std::size_t>(std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
+  const std::size_t cells = kept.Groups->GetCells().size();
+  const littoral::ParticleSelection selection = littoral::SelectParticles(kept.Places, *kept.Groups, table, frustum,
+    options, cells * piece / pieces, cells * (piece + 1) / pieces, littoral::SmpFor);
+  this->UpdateProgress(0.5);
+
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
+  const struct
+  {
+    const char* Name;
+    LevelKind Kind;
+    const std::vector<littoral::ShownParticle>& Particles;
+  } levels[] = { { littoral::sea::Near, LevelKind::Near, selection.Near },
+    { littoral::sea::MasterSlave, LevelKind::Middle, selection.Middle },
+    { littoral::sea::Far, LevelKind::Far, selection.Far } };
+  vtkNew<vtkIntArray> trainOrder;
+  trainOrder->SetName(littoral::sea::TrainOrder);
+  for (const int train : order)
+  {
+    trainOrder->InsertNextValue(train);
+  }
+  for (const auto& level : levels)
+  {
+    vtkNew<vtkPolyData> block;
+    const bool scattered = this->SlavePlacement == Scattered;
+    const bool isDouble = input->GetPoints()->GetDataType() == VTK_DOUBLE;
+    block->SetPoints(isDouble ? PointsOf<vtkDoubleArray>(level.Particles, kept.Places, *kept.Groups, scattered)
+                              : PointsOf<vtkFloatArray>(level.Particles, kept.Places, *kept.Groups, scattered));
+    block->SetVerts(VerticesOf(static_cast<vtkIdType>(level.Particles.size())));
+    CarryArrays(input, level.Particles, block->GetPointData());
+    AddLevelArrays(block->GetPointData(), level.Particles, level.Kind, *kept.Groups);
+    block->GetFieldData()->AddArray(trainOrder);
+    littoral::AddBlock(output, level.Name, block);
+  }
+
+  long long particles = 0;
+  const auto& all = kept.Groups->GetCells();
+  for (std::size_t cell = cells * piece / pieces; cell < cells * (piece + 1) / pieces; ++cell)
+  {
+    particles += static_cast<long long>(all[cell].End - all[cell].Begin);
+  }
+  const long long slaves = CountSlaves(selection.Middle);
+  const auto add = [output](const char* name, double value) { littoral::AddField(output, name, { value }); };
+  add("ParticlesInAll", static_cast<double>(particles));
+  add("ParticlesShown", static_cast<double>(selection.Shown));
+  add("ParticlesFar", static_cast<double>(selection.Far.size()));
+  add("Masters", static_cast<double>(static_cast<long long>(selection.Middle.size()) - slaves));
+  add("Slaves", static_cast<double>(slaves));
+  add("CellsInAll", static_cast<double>(selection.CellsInAll));
+  add("CellsShown", static_cast<double>(selection.CellsShown));
+  add("Orbits", static_cast<double>(selection.Orbits));
+  add("TrainSums", static_cast<double>(selection.TrainSum));
+  add("TrainSumsInAll", static_cast<double>(particles) * static_cast<double>(state.Trains.size()));
+  add("LargestSlaveError", selection.LargestSlave);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkParticleLevelOfDetailFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseLevels: " << this->UseLevels << "\n";
+  os << indent << "BlendDistance: " << this->BlendDistance << "\n";
+  os << indent << "Visibility: " << this->Visibility << "\n";
+  os << indent << "SlavesPerMaster: " << this->SlavesPerMaster << "\n";
+  os << indent << "OffsetRange: " << this->OffsetRange[0] << " " << this->OffsetRange[1] << "\n";
+  os << indent << "SlavePlacement: " << this->SlavePlacement << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "TrainSelection: " << this->TrainSelection << "\n";
+  os << indent << "ScreenError: " << this->ScreenError << "\n";
+  os << indent << "UseCulling: " << this->UseCulling << "\n";
+  os << indent << "ParticlesPerCell: " << this->ParticlesPerCell << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
+  os << indent << "FogMargin: " << this->FogMargin << "\n";
+}

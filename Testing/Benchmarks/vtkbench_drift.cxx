@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Speed of the drift of 100 000 particles, and of what its roots, divisions and exponentials alone take.
+#include "vtkCurrentDriftFilter.h"
+#include "vtkFlowPrimitiveSource.h"
+#include "vtkSuspendedParticleSource.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <thread>
+
+namespace
+{
+
+constexpr int Count = 100000;
+
+void AddFlow(vtkCurrentDriftFilter* drift, int type, double strength, double x)
+{
+  vtkNew<vtkFlowPrimitiveSource> flow;
+  flow->SetFlowType(type);
+  flow->SetStrength(strength);
+  flow->SetCenter(x, 0.5 * x, -5.0);
+  flow->SetAxis(0.1, 0.2, 1.0);
+  drift->AddInputConnection(1, flow->GetOutputPort());
+}
+
+void AddParticles(vtkCurrentDriftFilter* drift)
+{
+  vtkNew<vtkSuspendedParticleSource> particles;
+  const double box[12] = { -10.0, 10.0, -10.0, 10.0, -10.0, 0.0, 1.0, 0.01, Count, 1.0, 1.0, 1.0 };
+  particles->SetPreset(vtkSuspendedParticleSource::Custom);
+  particles->SetAmountIs(vtkSuspendedParticleSource::Count);
+  particles->AddBox(box);
+  drift->SetInputConnection(0, particles->GetOutputPort());
+  drift->SetWaterDepth(10.0);
+}
+
+/// Steps of a current without an end; each time asked for is one step later.
+void TakeSteps(benchmark::State& state, vtkCurrentDriftFilter* drift)
+{
+  long step = 0;
+  drift->UpdateTimeStep(0.0);
+  for (auto _ : state)
+  {
+    drift->UpdateTimeStep(0.1 * ++step);
+  }
+  state.SetItemsProcessed(state.iterations() * Count);
+}
+
+/// A source, a vortex, a uniform flow and a weak sink, of which each step asks four times.
+void StepInPrimitives(benchmark::State& state)
+{
+  vtkNew<vtkCurrentDriftFilter> drift;
+  AddParticles(drift);
+  AddFlow(drift, vtkFlowPrimitiveSource::Uniform, 0.01, 0.0);
+  AddFlow(drift, vtkFlowPrimitiveSource::Vortex, 1.0, 2.0);
+  AddFlow(drift, vtkFlowPrimitiveSource::Source, 1.0, -4.0);
+  AddFlow(drift, vtkFlowPrimitiveSource::Sink, 1e-3, 5.0);
+  TakeSteps(state, drift);
+}
+BENCHMARK(StepInPrimitives)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// An ocean model's output.
+void StepInImage(benchmark::State& state)
+{
+  vtkNew<vtkCurrentDriftFilter> drift;
+  AddParticles(drift);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 16);
+  image->SetOrigin(-16.0, -16.0, -12.0);
+  image->SetSpacing(0.5, 0.5, 0.8);
+  vtkNew<vtkDoubleArray> velocity;
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    const double* p = image->GetPoint(id);
+    velocity->InsertNextTuple3(-0.2 * p[1], 0.2 * p[0], 0.0);
+  }
+  image->GetPointData()->AddArray(velocity);
+  drift->SetInputData(1, image);
+  TakeSteps(state, drift);
+}
+BENCHMARK(StepInImage)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The bound: the same number of roots, divisions and exponentials as StepInPrimitives, on two threads.
+void FunctionsAlone(benchmark::State& state)
+{
+  const auto work = [](int begin, int end) {
+    double sum = 0.0;
+    for (int n = begin; n < end; ++n)
+    {
+      for (int stage = 0; stage < 4; ++stage)
+      {
+        const double x = 1e-4 * n + 0.1 * stage + 0.01;
+        sum += std::expm1(-x) / x;
+        sum += 1.0 / (x * std::sqrt(x)) + 1.0 / ((x + 1.0) * std::sqrt(x + 1.0));
+      }
+    }
+    benchmark::DoNotOptimize(sum);
+  };
+  for (auto _ : state)
+  {
+    std::thread other([&] { work(0, Count / 2); });
+    work(Count / 2, Count);
+    other.join();
+  }
+  state.SetItemsProcessed(state.iterations() * Count);
+}
+BENCHMARK(FunctionsAlone)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}
+
+BENCHMARK_MAIN();

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Frames of a million particles with and without levels of detail, and their fog.
+#include "vtkParticleFogFilter.h"
+#include "vtkParticleLevelOfDetailFilter.h"
+#include "vtkParticleOrbitFilter.h"
+#include "vtkSeaStateSource.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+namespace
+{
+
+constexpr int Count = 1000000;
+
+/// 60 m x 60 m x 12 m of water, 23 particles in each cubic metre.
+vtkNew<vtkPolyData> Particles()
+{
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(Count);
+  for (int n = 0; n < Count; ++n)
+  {
+    // A sequence of low discrepancy.
+    points->SetPoint(n, 60.0 * std::fmod(0.8191725134 * n, 1.0), 60.0 * std::fmod(0.6710436067 * n, 1.0),
+      -12.0 * std::fmod(0.5497004779 * n, 1.0));
+  }
+  vtkNew<vtkPolyData> particles;
+  particles->SetPoints(points);
+  return particles;
+}
+
+struct Scene
+{
+  vtkNew<vtkPolyData> Water = Particles();
+  vtkNew<vtkSeaStateSource> Sea;
+  vtkNew<vtkParticleLevelOfDetailFilter> Levels;
+  vtkNew<vtkParticleOrbitFilter> Orbits;
+
+  Scene()
+  {
+    this->Levels->SetInputData(0, this->Water);
+    this->Levels->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Levels->SetViewPoint(30.0, 5.0, -6.0);
+    this->Levels->SetViewAngle(40.0);
+    this->Orbits->SetInputConnection(0, this->Levels->GetOutputPort());
+    this->Orbits->SetInputConnection(1, this->Sea->GetOutputPort());
+  }
+
+  void Look(int frame) { this->Levels->SetViewDirection(std::sin(0.01 * frame), std::cos(0.01 * frame), 0.0); }
+};
+
+double Counter(vtkAlgorithm* algorithm, const char* name)
+{
+  return algorithm->GetOutputDataObject(0)->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+/// Groups and cells of new places, and the levels.
+void NewParticles(benchmark::State& state)
+{
+  Scene scene;
+  for (auto _ : state)
+  {
+    scene.Water->GetPoints()->Modified();
+    scene.Water->Modified();
+    scene.Levels->Update();
+  }
+}
+BENCHMARK(NewParticles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Levels of a new view.
+void NewView(benchmark::State& state)
+{
+  Scene scene;
+  scene.Levels->Update();
+  int frame = 0;
+  for (auto _ : state)
+  {
+    scene.Look(++frame);
+    scene.Levels->Update();
+  }
+}
+BENCHMARK(NewView)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A new view at a new time: levels and orbits.
+void FrameWithLevels(benchmark::State& state)
+{
+  Scene scene;
+  scene.Levels->Update();
+  int frame = 0;
+  for (auto _ : state)
+  {
+    scene.Look(++frame);
+    scene.Orbits->UpdateTimeStep(0.04 * frame);
+  }
+  state.counters["work"] = Counter(scene.Levels, "TrainSums") / Counter(scene.Levels, "TrainSumsInAll");
+  state.counters["shown"] = Counter(scene.Levels, "ParticlesShown");
+}
+BENCHMARK(FrameWithLevels)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// All particles in all trains at a new time.
+void FrameWithout(benchmark::State& state)
+{
+  Scene scene;
+  scene.Orbits->SetInputData(0, scene.Water);
+  int frame = 0;
+  for (auto _ : state)
+  {
+    scene.Orbits->UpdateTimeStep(0.04 * ++frame);
+  }
+}
+BENCHMARK(FrameWithout)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The fog of all particles.
+void FogOfAll(benchmark::State& state)
+{
+  Scene scene;
+  vtkNew<vtkParticleFogFilter> fog;
+  fog->SetInputData(scene.Water);
+  for (auto _ : state)
+  {
+    fog->Modified();
+    fog->Update();
+  }
+}
+BENCHMARK(FogOfAll)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}
+
+BENCHMARK_MAIN();

@@ -1,0 +1,608 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Particles in levels of detail and their fog, through the pipeline: arrays, motion within its bounds, pieces, threads,
+// any history of the camera, every bad input, and a picture of the levels and the fog.
+#include "ErrorCounter.h"
+#include "vtkParticleFogFilter.h"
+#include "vtkParticleLevelOfDetailFilter.h"
+#include "vtkParticleOrbitFilter.h"
+#include "vtkSeaStateSource.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Levels = vtkParticleLevelOfDetailFilter;
+using Fog = vtkParticleFogFilter;
+using Orbits = vtkParticleOrbitFilter;
+using Sea = vtkSeaStateSource;
+
+const char* const BlockNames[3] = { "Near", "MasterSlave", "Far" };
+
+bool Check(bool good, const char* what)
+{
+  if (!good)
+  {
+    std::cerr << what << std::endl;
+  }
+  return good;
+}
+
+/// Particles in a box before the eye at the origin, with an array of their own.
+vtkNew<vtkPolyData> Particles(int count, int type = VTK_DOUBLE)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(5);
+  const auto next = [&](double low, double high) {
+    random->Next();
+    return random->GetRangeValue(low, high);
+  };
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  vtkNew<vtkFloatArray> tint;
+  tint->SetName("Tint");
+  for (int n = 0; n < count; ++n)
+  {
+    points->InsertNextPoint(next(-8.0, 8.0), next(-2.0, 20.0), next(-9.0, 0.0));
+    tint->InsertNextValue(static_cast<float>(n));
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->GetPointData()->SetScalars(tint);
+  return data;
+}
+
+void LookAlongY(Levels* levels)
+{
+  levels->SetViewPoint(0.0, 0.0, -4.0);
+  levels->SetViewDirection(0.0, 1.0, 0.0);
+  levels->SetViewAngle(40.0);
+}
+
+vtkPolyData* BlockOf(vtkAlgorithm* algorithm, int index)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(algorithm->GetOutputDataObject(0));
+  const char* name = blocks->GetMetaData(index)->Get(vtkCompositeDataSet::NAME());
+  return name && std::strcmp(name, BlockNames[index]) == 0 ? vtkPolyData::SafeDownCast(blocks->GetBlock(index))
+                                                           : nullptr;
+}
+
+double Counter(vtkAlgorithm* algorithm, const char* name)
+{
+  vtkDataArray* array = algorithm->GetOutputDataObject(0)->GetFieldData()->GetArray(name);
+  return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
+}
+
+void Append(std::vector<char>& bytes, vtkDataArray* array)
+{
+  const char* begin = static_cast<const char*>(array->GetVoidPointer(0));
+  bytes.insert(bytes.end(), begin, begin + array->GetNumberOfValues() * array->GetDataTypeSize());
+}
+
+/// All bytes of the points and point arrays of the three blocks.
+std::vector<char> BytesOf(vtkAlgorithm* algorithm)
+{
+  std::vector<char> bytes;
+  for (int index = 0; index < 3; ++index)
+  {
+    vtkPolyData* block = BlockOf(algorithm, index);
+    Append(bytes, block->GetPoints()->GetData());
+    for (int n = 0; n < block->GetPointData()->GetNumberOfArrays(); ++n)
+    {
+      Append(bytes, block->GetPointData()->GetArray(n));
+    }
+  }
+  return bytes;
+}
+
+bool CheckArrays()
+{
+  bool good = true;
+  vtkNew<Sea> sea;
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkNew<vtkPolyData> particles = Particles(8000, type);
+    vtkNew<Levels> levels;
+    levels->SetInputData(0, particles);
+    levels->SetInputConnection(1, sea->GetOutputPort());
+    LookAlongY(levels);
+    levels->UseCullingOff();
+    levels->SetBlendDistance(1.0);
+    levels->SetOffsetRange(0.0, 1.0);
+    levels->Update();
+    std::vector<double> alpha(8000, 0.0);
+    for (int index = 0; index < 3; ++index)
+    {
+      vtkPolyData* block = BlockOf(levels, index);
+      if (!Check(block && block->GetNumberOfPoints() > 20, "a level is missing or empty"))
+      {
+        return false;
+      }
+      vtkPointData* arrays = block->GetPointData();
+      good &= Check(block->GetPoints()->GetDataType() == type, "another precision");
+      good &= Check(block->GetNumberOfVerts() == block->GetNumberOfPoints(), "vertices are missing");
+      good &= Check(arrays->GetScalars() && std::string(arrays->GetScalars()->GetName()) == "Tint", "scalars are lost");
+      good &= Check((arrays->GetArray("ErrorBound") != nullptr) == (index < 2), "ErrorBound");
+      good &= Check((arrays->GetArray("MasterId") != nullptr) == (index == 1), "MasterId");
+      for (vtkIdType n = 0; n < block->GetNumberOfPoints(); ++n)
+      {
+        const vtkIdType id = static_cast<vtkIdType>(arrays->GetArray("ParticleId")->GetTuple1(n));
+        alpha[id] += arrays->GetArray("Alpha")->GetTuple1(n);
+        double a[3];
+        double b[3];
+        block->GetPoint(n, a);
+        particles->GetPoint(id, b);
+        good &= a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && arrays->GetScalars()->GetTuple1(n) == id;
+      }
+    }
+    good &= Check(good, "a particle has another's place or number");
+    good &= Check(std::all_of(alpha.begin(), alpha.end(), [](double sum) { return std::abs(sum - 1.0) < 1e-6; }),
+      "alphas do not sum to 1");
+    good &= Check(Counter(levels, "ParticlesInAll") == 8000.0 && Counter(levels, "TrainSumsInAll") == 8000.0 * 30.0 &&
+        Counter(levels, "TrainSums") < 0.5 * 8000.0 * 30.0 && Counter(levels, "Slaves") > 1000.0 &&
+        Counter(levels, "LargestSlaveError") > 0.0 && Counter(levels, "CellsShown") == Counter(levels, "CellsInAll"),
+      "a counter is wrong");
+    levels->UseCullingOn();
+    levels->Update();
+    good &=
+      Check(Counter(levels, "CellsShown") < Counter(levels, "CellsInAll") && Counter(levels, "ParticlesShown") < 4000.0,
+        "nothing is culled");
+  }
+  return good;
+}
+
+/// Particles that the levels and the orbits move, against all of them in all trains.
+bool CheckMotion()
+{
+  bool good = true;
+  vtkNew<Sea> sea;
+  sea->SetWaterDepth(9.0);
+  vtkNew<vtkPolyData> particles = Particles(8000);
+  for (const int placement : { Levels::OwnPlace, Levels::Scattered })
+  {
+    vtkNew<Levels> levels;
+    levels->SetInputData(0, particles);
+    levels->SetInputConnection(1, sea->GetOutputPort());
+    levels->SetTrainSelection(Levels::TailSum);
+    levels->SetSlavePlacement(placement);
+    LookAlongY(levels);
+    vtkNew<Orbits> some;
+    some->SetInputConnection(0, levels->GetOutputPort());
+    some->SetInputConnection(1, sea->GetOutputPort());
+    some->UpdateTimeStep(4.2);
+    vtkNew<Orbits> all;
+    all->SetInputData(0, particles);
+    all->SetInputConnection(1, sea->GetOutputPort());
+    all->UpdateTimeStep(4.2);
+    auto* moved = vtkPolyData::SafeDownCast(all->GetOutputDataObject(0));
+    double least = 1.0;
+    double largest = 0.0;
+    for (int index = 0; index < (placement == Levels::OwnPlace ? 2 : 1); ++index)
+    {
+      vtkPolyData* block = BlockOf(some, index);
+      vtkPointData* arrays = block->GetPointData();
+      for (vtkIdType n = 0; n < block->GetNumberOfPoints(); ++n)
+      {
+        double a[3];
+        double b[3];
+        block->GetPoint(n, a);
+        moved->GetPoint(static_cast<vtkIdType>(arrays->GetArray("ParticleId")->GetTuple1(n)), b);
+        const double error = std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+        const double bound = arrays->GetArray("ErrorBound")->GetTuple1(n);
+        good &= error <= bound + 1e-12;
+        least = std::min(least, bound);
+        largest = std::max(largest, error);
+      }
+    }
+    good &= Check(good && largest > 1e-4, "a particle is farther off than its bound, or none is off at all");
+    vtkPolyData* block = BlockOf(some, 1);
+    vtkDataArray* masters = block->GetPointData()->GetArray("MasterId");
+    vtkDataArray* offsets = block->GetPointData()->GetArray("Offset");
+    int slaves = 0;
+    for (vtkIdType n = 0; n < block->GetNumberOfPoints(); ++n)
+    {
+      const vtkIdType master = static_cast<vtkIdType>(masters->GetTuple1(n));
+      if (master >= 0)
+      {
+        double a[3];
+        double b[3];
+        block->GetPoint(n, a);
+        block->GetPoint(master, b);
+        ++slaves;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          good &= std::abs(a[axis] - b[axis] - offsets->GetComponent(n, axis)) < 1e-12;
+        }
+      }
+    }
+    good &= Check(good && slaves > 200, "a slave leaves its master");
+    // Fog stays.
+    vtkPolyData* fog = BlockOf(some, 2);
+    double a[3];
+    double b[3];
+    fog->GetPoint(7, a);
+    BlockOf(levels, 2)->GetPoint(7, b);
+    good &= Check(a[0] == b[0] && a[2] == b[2], "fog moves");
+  }
+  return good;
+}
+
+/// Threads, pieces, and other views before this one.
+bool CheckSameBytes()
+{
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(9001, VTK_FLOAT);
+  const auto make = [&](Levels* levels) {
+    levels->SetInputData(0, particles);
+    levels->SetInputConnection(1, sea->GetOutputPort());
+    LookAlongY(levels);
+  };
+  vtkNew<Levels> direct;
+  make(direct);
+  direct->Update();
+  const std::vector<char> wanted = BytesOf(direct);
+  bool good = true;
+  vtkNew<Levels> travelled;
+  make(travelled);
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    travelled->SetViewPoint(0.5 * frame, -0.3 * frame, -4.0);
+    travelled->SetViewDirection(std::sin(0.4 * frame), std::cos(0.4 * frame), 0.1);
+    travelled->Update();
+    good &= Check(frame == 0 || BytesOf(travelled) != wanted, "the camera has no effect");
+  }
+  LookAlongY(travelled);
+  travelled->Update();
+  good &= Check(BytesOf(travelled) == wanted, "the way of the camera has an effect");
+  for (const int threads : { 1, 2 })
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<Levels> again;
+    make(again);
+    again->Update();
+    good &= Check(BytesOf(again) == wanted, "other bytes on other threads");
+  }
+  vtkSMPTools::Initialize(0);
+
+  // Particles of all pieces, moved, against those of the whole.
+  const auto places = [&](Orbits* orbits, std::map<std::pair<int, vtkIdType>, std::array<double, 4>>& found) {
+    for (int index = 0; index < 3; ++index)
+    {
+      vtkPolyData* block = BlockOf(orbits, index);
+      for (vtkIdType n = 0; n < block->GetNumberOfPoints(); ++n)
+      {
+        std::array<double, 4> place;
+        block->GetPoint(n, place.data());
+        place[3] = block->GetPointData()->GetArray("Alpha")->GetTuple1(n);
+        const vtkIdType id = static_cast<vtkIdType>(block->GetPointData()->GetArray("ParticleId")->GetTuple1(n));
+        found[{ index, id }] = place;
+      }
+    }
+  };
+  std::vector<std::map<std::pair<int, vtkIdType>, std::array<double, 4>>> found(2);
+  for (const int pieces : { 1, 3 })
+  {
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      vtkNew<Levels> levels;
+      make(levels);
+      vtkNew<Orbits> orbits;
+      orbits->SetInputConnection(0, levels->GetOutputPort());
+      orbits->SetInputConnection(1, sea->GetOutputPort());
+      orbits->UpdateTimeStep(3.0, piece, pieces, 0);
+      places(orbits, found[pieces == 1 ? 0 : 1]);
+    }
+  }
+  good &= Check(found[0] == found[1] && found[0].size() > 1000, "other particles in pieces");
+  return good;
+}
+
+bool CheckFog()
+{
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(20000);
+  vtkNew<vtkFloatArray> radius;
+  radius->SetName("Radius");
+  double section = 0.0;
+  for (int n = 0; n < 20000; ++n)
+  {
+    radius->InsertNextValue(n % 2 ? 0.01f : 0.02f);
+    section += vtkMath::Pi() * radius->GetValue(n) * radius->GetValue(n);
+  }
+  particles->GetPointData()->AddArray(radius);
+  vtkNew<Fog> fog;
+  fog->SetInputData(particles);
+  fog->SetDimensions(20, 24, 11);
+  fog->Update();
+  vtkImageData* image = fog->GetOutput();
+  vtkDataArray* extinction = image->GetPointData()->GetScalars();
+  bool good = Check(
+    extinction && std::string(extinction->GetName()) == "Extinction" && image->GetNumberOfPoints() == 20 * 24 * 11,
+    "no image of extinction");
+  good &= Check(std::abs(Counter(fog, "CrossSection") / section - 1.0) < 1e-5, "cross sections are lost");
+  const double volume = 16.0 * 22.0 * 9.0;
+  const double centre = extinction->GetTuple1(image->FindPoint(0.0, 9.0, -4.5));
+  good &= Check(centre > 0.2 * section / volume && centre < 3.0 * section / volume, "another extinction");
+
+  // Near, slaves and fog hide as much in all as all particles do as fog.
+  vtkNew<Levels> levels;
+  levels->SetInputData(0, particles);
+  levels->SetInputConnection(1, sea->GetOutputPort());
+  LookAlongY(levels);
+  levels->UseCullingOff();
+  vtkNew<Fog> far;
+  far->SetInputConnection(levels->GetOutputPort());
+  far->UseBoundsOn();
+  far->SetBounds(-8.0, 8.0, -2.0, 20.0, -9.0, 0.0);
+  far->SetGridBy(Fog::BySpacing);
+  far->SetSpacing(0.5);
+  far->Update();
+  int dimensions[3];
+  far->GetOutput()->GetDimensions(dimensions);
+  good &= Check(dimensions[0] == 33 && dimensions[1] == 45 && dimensions[2] == 19, "another grid");
+  double alone = 0.0;
+  double faded = 0.0;
+  for (int index = 0; index < 3; ++index)
+  {
+    vtkPointData* arrays = BlockOf(levels, index)->GetPointData();
+    for (vtkIdType n = 0; n < arrays->GetNumberOfTuples(); ++n)
+    {
+      const double r = arrays->GetArray("Radius")->GetTuple1(n);
+      (index < 2 ? alone : faded) += arrays->GetArray("Alpha")->GetTuple1(n) * vtkMath::Pi() * r * r;
+    }
+  }
+  good &= Check(std::abs((alone + Counter(far, "CrossSection")) / section - 1.0) < 1e-5 && faded > 0.1 * section,
+    "particles and fog do not make one whole");
+  vtkDataArray* field = far->GetOutput()->GetPointData()->GetScalars();
+  good &= Check(field->GetTuple1(far->GetOutput()->FindPoint(0.0, 5.0, -4.0)) == 0.0, "fog about near particles");
+
+  const double clearest = field->GetRange()[0];
+
+  // Water of its own, sub-extents, threads.
+  far->SetWaterExtinction(0.065);
+  far->Update();
+  good &= Check(clearest == 0.0 &&
+      std::abs(far->GetOutput()->GetPointData()->GetScalars()->GetRange()[0] - 0.065) < 1e-6,
+    "no water");
+  vtkNew<vtkImageData> whole;
+  whole->DeepCopy(far->GetOutput());
+  for (const int threads : { 1, 2 })
+  {
+    vtkSMPTools::Initialize(threads);
+    int part[6] = { 3, 20, 0, 44, 7, 18 };
+    far->Modified();
+    far->UpdateExtent(part);
+    for (int k = part[4]; k <= part[5]; ++k)
+    {
+      for (int i = part[0]; i <= part[1]; ++i)
+      {
+        good &=
+          far->GetOutput()->GetScalarComponentAsDouble(i, 30, k, 0) == whole->GetScalarComponentAsDouble(i, 30, k, 0);
+      }
+    }
+  }
+  vtkSMPTools::Initialize(0);
+  good &= Check(good, "a part of the image is another");
+
+  // No particles are no error: water alone.
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<Fog> clear;
+  clear->SetInputData(nothing);
+  clear->SetWaterExtinction(0.1);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(clear);
+  clear->Update();
+  const double* range = clear->GetOutput()->GetPointData()->GetScalars()->GetRange();
+  return good &
+    Check(errors->Count == 0 && std::abs(range[0] - 0.1) < 1e-6 && std::abs(range[1] - 0.1) < 1e-6,
+      "clear water is an error");
+}
+
+bool LevelsFail(const char* word, const std::function<void(Levels*, vtkPolyData*)>& spoil, bool withSea = true)
+{
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(100);
+  vtkNew<Levels> levels;
+  levels->SetInputData(0, particles);
+  if (withSea)
+  {
+    levels->SetInputConnection(1, sea->GetOutputPort());
+  }
+  spoil(levels, particles);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(levels);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(levels->GetOutputDataObject(0));
+  return errors->ExpectOneNaming(word) && Check(!output || output->GetNumberOfBlocks() == 0, "output not empty");
+}
+
+bool FogFails(const char* word, const std::function<void(Fog*, vtkPolyData*)>& spoil)
+{
+  vtkNew<vtkPolyData> particles = Particles(100);
+  vtkNew<Fog> fog;
+  fog->SetInputData(particles);
+  spoil(fog, particles);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(fog);
+  return errors->ExpectOneNaming(word) &&
+    Check(fog->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, "not empty");
+}
+
+void AddFloats(vtkPolyData* particles, const char* name, float value)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(particles->GetNumberOfPoints());
+  array->FillValue(value);
+  particles->GetPointData()->AddArray(array);
+}
+
+bool CheckBadInput()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  bool good = true;
+  good &= LevelsFail(
+    "sea state", [](Levels*, vtkPolyData*) {}, false);
+  good &= LevelsFail("no particles", [](Levels* l, vtkPolyData*) {
+    vtkNew<vtkPolyData> nothing;
+    l->SetInputData(0, nothing);
+  });
+  good &= LevelsFail("point 7", [=](Levels*, vtkPolyData* p) { p->GetPoints()->SetPoint(7, 0.0, nan, 0.0); });
+  good &= LevelsFail("MiddleDistance", [](Levels* l, vtkPolyData*) { l->SetMiddleDistance(13.0); });
+  good &= LevelsFail("FarDistance", [=](Levels* l, vtkPolyData*) { l->SetFarDistance(nan); });
+  good &= LevelsFail("BlendDistance", [](Levels* l, vtkPolyData*) { l->SetBlendDistance(-1.0); });
+  good &= LevelsFail("Visibility", [=](Levels* l, vtkPolyData*) { l->SetVisibility(nan); });
+  good &= LevelsFail("Margin", [](Levels* l, vtkPolyData*) { l->SetMargin(-1.0); });
+  good &= LevelsFail("FogMargin", [=](Levels* l, vtkPolyData*) { l->SetFogMargin(nan); });
+  good &= LevelsFail("SlavesPerMaster", [](Levels* l, vtkPolyData*) { l->SetSlavesPerMaster(-1); });
+  good &= LevelsFail("OffsetRange", [](Levels* l, vtkPolyData*) { l->SetOffsetRange(0.5, 0.1); });
+  good &= LevelsFail("OffsetRange", [=](Levels* l, vtkPolyData*) { l->SetOffsetRange(0.0, nan); });
+  good &= LevelsFail("SlavePlacement", [](Levels* l, vtkPolyData*) { l->SetSlavePlacement(2); });
+  good &= LevelsFail("TrainSelection", [](Levels* l, vtkPolyData*) { l->SetTrainSelection(3); });
+  good &= LevelsFail("ScreenError", [](Levels* l, vtkPolyData*) { l->SetScreenError(0.0); });
+  good &= LevelsFail("ScreenError", [=](Levels* l, vtkPolyData*) { l->SetScreenError(nan); });
+  good &= LevelsFail("ParticlesPerCell", [](Levels* l, vtkPolyData*) { l->SetParticlesPerCell(0); });
+  good &= LevelsFail("ViewAngle", [](Levels* l, vtkPolyData*) { l->SetViewAngle(180.0); });
+  good &= LevelsFail("ViewPoint", [=](Levels* l, vtkPolyData*) { l->SetViewPoint(nan, 0.0, 0.0); });
+
+  good &= FogFails("GridBy", [](Fog* f, vtkPolyData*) { f->SetGridBy(2); });
+  good &= FogFails("UseBounds", [](Fog* f, vtkPolyData*) { f->SetGridBy(Fog::BySpacing); });
+  good &= FogFails("Dimensions", [](Fog* f, vtkPolyData*) { f->SetDimensions(1, 10, 10); });
+  good &= FogFails("Dimensions", [](Fog* f, vtkPolyData*) { f->SetDimensions(100000, 100000, 1000); });
+  good &= FogFails("Spacing", [=](Fog* f, vtkPolyData*) {
+    f->SetGridBy(Fog::BySpacing);
+    f->UseBoundsOn();
+    f->SetSpacing(nan);
+  });
+  good &= FogFails("Spacing", [](Fog* f, vtkPolyData*) {
+    f->SetGridBy(Fog::BySpacing);
+    f->UseBoundsOn();
+    f->SetSpacing(1e-12);
+  });
+  good &= FogFails("Bounds", [](Fog* f, vtkPolyData*) {
+    f->UseBoundsOn();
+    f->SetBounds(1.0, -1.0, 0.0, 1.0, 0.0, 1.0);
+  });
+  good &= FogFails("ParticleRadius", [](Fog* f, vtkPolyData*) { f->SetParticleRadius(0.0); });
+  good &= FogFails("ExtinctionEfficiency", [](Fog* f, vtkPolyData*) { f->SetExtinctionEfficiency(-1.0); });
+  good &= FogFails("WaterExtinction", [=](Fog* f, vtkPolyData*) { f->SetWaterExtinction(nan); });
+  good &= FogFails("point 3", [=](Fog*, vtkPolyData* p) { p->GetPoints()->SetPoint(3, nan, 0.0, 0.0); });
+  good &= FogFails("Alpha", [](Fog*, vtkPolyData* p) { AddFloats(p, "Alpha", 1.5f); });
+  good &= FogFails("Radius", [](Fog*, vtkPolyData* p) { AddFloats(p, "Radius", -1.0f); });
+
+  // Orders that belong to another sea.
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(10);
+  vtkNew<vtkIntArray> order;
+  order->SetName("TrainOrder");
+  order->InsertNextValue(0);
+  particles->GetFieldData()->AddArray(order);
+  vtkNew<Orbits> orbits;
+  orbits->SetInputData(0, particles);
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(orbits);
+  return good & errors->ExpectOneNaming("TrainOrder");
+}
+
+/// The levels from above, each in its colour, fading into each other, and the fog as shades below them.
+int Picture(int argc, char* argv[])
+{
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(3000);
+  vtkNew<Levels> levels;
+  levels->SetInputData(0, particles);
+  levels->SetInputConnection(1, sea->GetOutputPort());
+  LookAlongY(levels);
+  levels->SetMiddleDistance(5.0);
+  levels->SetBlendDistance(1.5);
+  vtkNew<Orbits> orbits;
+  orbits->SetInputConnection(0, levels->GetOutputPort());
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->UpdateTimeStep(2.0);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.02, 0.10, 0.16);
+  const double colours[3][3] = { { 1.0, 0.75, 0.3 }, { 0.5, 0.9, 0.7 }, { 0.45, 0.6, 1.0 } };
+  for (int index = 0; index < 3; ++index)
+  {
+    vtkPolyData* block = BlockOf(orbits, index);
+    vtkNew<vtkUnsignedCharArray> rgba;
+    rgba->SetNumberOfComponents(4);
+    for (vtkIdType n = 0; n < block->GetNumberOfPoints(); ++n)
+    {
+      const double alpha = block->GetPointData()->GetArray("Alpha")->GetTuple1(n);
+      rgba->InsertNextTuple4(
+        255.0 * colours[index][0], 255.0 * colours[index][1], 255.0 * colours[index][2], 255.0 * alpha);
+    }
+    vtkNew<vtkPolyData> shown;
+    shown->ShallowCopy(block);
+    shown->GetPointData()->SetScalars(rgba);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(shown);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetPointSize(3.0f);
+    actor->GetProperty()->LightingOff();
+    renderer->AddActor(actor);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(11.0);
+  camera->SetFocalPoint(0.0, 10.0, -5.0);
+  camera->SetPosition(0.0, 10.0, 50.0);
+  camera->SetViewUp(-1.0, 0.0, 0.0);
+  renderer->ResetCameraClippingRange();
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(300, 200);
+  window->SetMultiSamples(0);
+  window->AddRenderer(renderer);
+  window->Render();
+  return vtkRegressionTestImage(window);
+}
+
+}
+
+int TestParticleLevels(int argc, char* argv[])
+{
+  bool good = CheckArrays();
+  good &= CheckMotion();
+  good &= CheckSameBytes();
+  good &= CheckFog();
+  good &= CheckBadInput();
+  return good && Picture(argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

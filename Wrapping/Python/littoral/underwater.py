@@ -1,0 +1,400 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Underwater scenes in ParaView: the surface from below, the bed with its caustics, shafts of light, haze, particles.
+
+All of it works with the rasterizer that every ParaView has; no ray tracing. Lengths are in metres, x is east, y north,
+z up, the sea level at 0. The shaders work in a linear measure of light, which they turn into colours at the end.
+
+Ripples too short for the wave trains of a scene are a sum of a few waves in the shaders. The same waves refract the sun:
+where their curvature focuses it at a depth there are caustics, and between the eye and a place there are shafts.
+"""
+
+import json
+import math
+import re
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from .landscape import points_with
+
+#: Towards the sun, as seen from under the water: its azimuth from north to the east and zenith angle [degrees].
+SUN = (12.0, 24.0)
+#: Of red, green and blue light: what water takes from a ray, and from the light that comes down [1/m].
+EXTINCTION, DOWNWARD = (0.150, 0.056, 0.046), (0.20, 0.050, 0.040)
+#: Light that the water gives to a long view up, across and down.
+UPWARD_VIEW, LEVEL_VIEW, DOWNWARD_VIEW = (0.10, 0.62, 0.78), (0.012, 0.20, 0.31), (0.003, 0.055, 0.095)
+#: Of the ripples, the longest ones, which focus light; the sun is too large for the others.
+FOCUSING = 8
+#: How light everything is.
+EXPOSURE = 1.55
+
+PLACES = [
+    {"type": "vertex", "original": "//VTK::PositionVC::Dec",
+     "replacement": "//VTK::PositionVC::Dec\nout vec3 placeMC;\nout vec3 eyeMC;"},
+    {"type": "vertex", "original": "//VTK::PositionVC::Impl",
+     "replacement": "//VTK::PositionVC::Impl\n  placeMC = vertexMC.xyz;\n"
+                    "  eyeMC = -transpose(mat3(MCVCMatrix)) * MCVCMatrix[3].xyz;"},
+    {"type": "fragment", "original": "//VTK::PositionVC::Dec",
+     "replacement": "//VTK::PositionVC::Dec\nin vec3 placeMC;\nin vec3 eyeMC;\n//LITTORAL::WATER"}]
+
+NORMALS = [
+    {"type": "vertex", "original": "//VTK::PositionVC::Dec",
+     "replacement": "//VTK::PositionVC::Dec\nout vec3 normalAtPlace;"},
+    {"type": "vertex", "original": "//VTK::PositionVC::Impl",
+     "replacement": "//VTK::PositionVC::Impl\n  normalAtPlace = normalMC;"},
+    {"type": "fragment", "original": "//VTK::PositionVC::Dec",
+     "replacement": "//VTK::PositionVC::Dec\nin vec3 normalAtPlace;"}]
+
+#: Ripples, caustics, shafts and haze. h: heights of the ripples; Hessian as xx, xy, yy.
+WATER = """
+const vec4 ripples[RIPPLES] = vec4[RIPPLES](WAVES); // k_x, k_y, amplitude, phase at the time
+float noiseAt(vec2 cell) { return fract(sin(dot(cell, vec2(127.1, 311.7))) * 43758.5453); }
+float noise(vec2 at)
+{
+  vec2 cell = floor(at), part = fract(at);
+  part = part * part * (3.0 - 2.0 * part);
+  return mix(mix(noiseAt(cell), noiseAt(cell + vec2(1.0, 0.0)), part.x),
+             mix(noiseAt(cell + vec2(0.0, 1.0)), noiseAt(cell + vec2(1.0, 1.0)), part.x), part.y);
+}
+vec2 rippleSlope(vec2 at, float least)
+{
+  vec2 slope = vec2(0.0);
+  for (int n = 0; n < RIPPLES; ++n)
+  {
+    float seen = smoothstep(0.0, 1.0, 1.5 - least * length(ripples[n].xy));
+    slope -= seen * ripples[n].z * ripples[n].xy * sin(dot(ripples[n].xy, at) + ripples[n].w);
+  }
+  return slope;
+}
+// How much the ripples focus sunlight at a depth below them, for rays that arrive at a place.
+float caustic(vec2 at, float depth, float blur)
+{
+  float reach = 0.25 * depth;
+  vec2 from = at;
+  for (int step = 0; step < 2; ++step)
+  {
+    vec2 slope = vec2(0.0);
+    for (int n = 0; n < FOCUSING; ++n)
+      slope -= ripples[n].z * ripples[n].xy * sin(dot(ripples[n].xy, from) + ripples[n].w);
+    from = at + reach * slope;
+  }
+  vec3 bend = vec3(0.0);
+  for (int n = 0; n < FOCUSING; ++n)
+  {
+    vec2 k = ripples[n].xy;
+    bend -= ripples[n].z * cos(dot(k, from) + ripples[n].w) * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
+  }
+  float area = (1.0 - reach * bend.x) * (1.0 - reach * bend.z) - reach * reach * bend.y * bend.y;
+  return 1.0 / (abs(area) + blur);
+}
+const vec3 sun = normalize(vec3SUN);
+vec3 downLight(float z) { return exp(vec3DOWNWARD * min(z, 0.0)); }
+vec2 entry(vec3 place) { return place.xy - sun.xy / sun.z * place.z; }
+// Light of the water along a direction of the view, without shafts.
+vec3 veil(vec3 towards)
+{
+  float up = towards.z;
+  vec3 light = up > 0.0 ? mix(vec3LEVEL_VIEW, vec3UPWARD_VIEW, pow(up, 1.15))
+                        : mix(vec3LEVEL_VIEW, vec3DOWNWARD_VIEW, pow(-up, 0.6));
+  float glow = max(0.0, dot(towards, sun));
+  return light * (1.0 + 0.8 * pow(glow, 4.0) + 2.2 * pow(glow, 24.0));
+}
+// A surface of a radiance, seen through the water between.
+vec3 through(vec3 radiance)
+{
+  vec3 ray = placeMC - eyeMC;
+  float way = length(ray);
+  vec3 towards = ray / way;
+  vec3 left = exp(-vec3EXTINCTION * way);
+  float nearest = min(way, 26.0);
+  float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  float shaft = 0.0, weight = 0.0;
+  for (int step = 0; step < 22; ++step)
+  {
+    float at = nearest * pow((float(step) + jitter) / 22.0, 1.3);
+    vec3 place = eyeMC + at * towards;
+    float share = exp(-0.075 * at) * exp(0.09 * place.z);
+    if (place.z < 0.0)
+      shaft += share * min(2.5, caustic(entry(place), 5.0, 0.35));
+    weight += share;
+  }
+  shaft = weight > 0.0 ? shaft / weight : 1.0;
+  float lit = mix(1.0, shaft * shaft * 0.72, 0.70 * smoothstep(-0.35, 0.25, towards.z) + 0.12);
+  return radiance * left + veil(towards) * (1.0 - left) * lit;
+}
+vec3 toned(vec3 light) { return pow(1.0 - exp(-EXPOSURE * light), vec3(1.0 / 2.0)); }
+"""
+
+#: The surface from below: the sky through Snell's window, and the water mirrored outside of it.
+SURFACE = """
+  vec3 towards = normalize(placeMC - eyeMC);
+  float away = length(placeMC - eyeMC);
+  vec3 wave = normalize(normalAtPlace);
+  vec2 slope = -wave.xy / wave.z + 1.15 * rippleSlope(placeMC.xy, 0.010 * away);
+  vec3 below = normalize(vec3(slope, -1.0));
+  float cosine = clamp(dot(-towards, below), 0.02, 1.0);
+  vec3 mirrored = reflect(towards, below);
+  mirrored.z = -abs(mirrored.z) - 0.02;
+  vec3 water = veil(normalize(mirrored)) * 1.15;
+  vec3 refracted = refract(towards, below, 1.333);
+  vec3 light = water;
+  float outside = 1.0 - 1.333 * 1.333 * (1.0 - cosine * cosine);
+  if (outside > 0.0)
+  {
+    float c = sqrt(outside);
+    float parallel = (1.333 * c - cosine) / (1.333 * c + cosine);
+    float across = (1.333 * cosine - c) / (1.333 * cosine + c);
+    float back = 0.5 * (parallel * parallel + across * across);
+    vec3 sky = mix(vec3(0.85, 0.97, 1.02), vec3(0.42, 0.72, 1.0), pow(max(refracted.z, 0.0), 0.7));
+    vec3 sunward = normalize(vec3(sun.xy * 1.333, sun.z));
+    float glare = max(0.0, dot(refracted, sunward));
+    sky *= 0.62 + 0.75 * noise(5.0 * refracted.xy + 3.0) * noise(13.0 * refracted.xy);
+    sky += vec3(1.0, 0.96, 0.85) * (1.6 * pow(glare, 12.0) + 14.0 * pow(glare, 220.0));
+    light = mix(sky * 2.1, water, back);
+  }
+  gl_FragData[0] = vec4(toned(through(light)), 1.0);
+"""
+
+#: Sand and stones under moving light. Vertex colours are their reflectance.
+BED = """
+  vec3 normal = normalize(normalAtPlace);
+  float depth = -placeMC.z;
+  float away = length(placeMC - eyeMC);
+  float fine = exp(-0.10 * away);
+  float grain = 0.55 * noise(9.0 * placeMC.xy) + 0.3 * noise(31.0 * placeMC.xy) + 0.15 * noise(83.0 * placeMC.xy);
+  vec3 albedo = ambientColor * mix(1.0, 0.45 + 1.05 * grain, fine);
+  float focus = caustic(entry(placeMC), depth, 0.16);
+  float glint = caustic(entry(placeMC) + vec2(17.0, 5.0), 0.55 * depth, 0.24);
+  float light = mix(1.0, min(focus, 4.5) * 0.60 + min(glint, 3.0) * 0.20, exp(-0.035 * away));
+  float facing = max(0.0, dot(normal, sun));
+  vec3 falling = downLight(placeMC.z) * (1.35 * facing * light + 0.35 + 0.25 * normal.z);
+  gl_FragData[0] = vec4(toned(through(albedo * falling)), 1.0);
+"""
+
+#: What lies beyond everything: water.
+BEYOND = "  gl_FragData[0] = vec4(toned(through(vec3(0.0))), 1.0);\n"
+
+
+def ripples(time, count=14, seed=3):
+    """Short waves as rows of k_x, k_y [rad/m], amplitude [m] and phase [rad] at a time [s], longest first."""
+    random = np.random.default_rng(seed)
+    length = 4.6 * 0.82 ** np.arange(count)
+    k = 2.0 * np.pi / length
+    angle = random.normal(0.5, 0.95, count)
+    phase = random.uniform(0.0, 2.0 * np.pi, count) - np.sqrt(9.81 * k) * time
+    return np.column_stack((k * np.cos(angle), k * np.sin(angle), 0.0105 * length ** 1.1, phase))
+
+
+def water_shader(time):
+    """The GLSL functions of the water at a time [s]."""
+    azimuth, zenith = np.radians(SUN)
+    towards = (np.sin(zenith) * np.sin(azimuth), np.sin(zenith) * np.cos(azimuth), np.cos(zenith))
+    waves = ripples(time)
+    text = WATER.replace("WAVES", _wave_list(waves)).replace("RIPPLES", str(len(waves)))
+    text = text.replace("FOCUSING", str(FOCUSING)).replace("EXPOSURE", f"{EXPOSURE:.3f}")
+    for name, value in (("SUN", towards), ("DOWNWARD_VIEW", DOWNWARD_VIEW), ("UPWARD_VIEW", UPWARD_VIEW),
+                        ("LEVEL_VIEW", LEVEL_VIEW), ("DOWNWARD", DOWNWARD), ("EXTINCTION", EXTINCTION)):
+        text = text.replace("vec3" + name, "vec3({:.5f}, {:.5f}, {:.5f})".format(*value))
+    return text
+
+
+def _wave_list(waves):
+    return ", ".join("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in waves)
+
+
+def set_time(shown, time):
+    """Move the ripples of a representation to a time [s]."""
+    shown.ShaderReplacements = re.sub(
+        r"(vec4 ripples\[\d+\] = vec4\[\d+\])\([^;]*\);", lambda found: f"{found[1]}({_wave_list(ripples(time))});",
+        shown.ShaderReplacements)
+
+
+# Meshes -------------------------------------------------------------------------------------------
+
+
+def fan(reach=160.0, nearest=0.3, rings=260, spokes=420, angle=130.0, height=0.0):
+    """A level mesh about the origin, open to the north, with cells that grow with distance."""
+    radius = np.concatenate(([0.0], np.geomspace(nearest, reach, rings)))
+    turn = np.radians(np.linspace(-0.5 * angle, 0.5 * angle, spokes))
+    x, y = np.outer(radius, np.sin(turn)), np.outer(radius, np.cos(turn))
+    points = np.stack((x, y, np.full_like(x, height)), axis=-1)
+    return points
+
+
+def mesh(points, normals=None, colours=None):
+    """Quadrilaterals between rows of points [row, column, 3]."""
+    rows, columns = points.shape[:2]
+    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
+    cells = np.column_stack((corner, corner + 1, corner + columns + 1, corner + columns))
+    data, places, polygons = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(points.reshape(-1, 3).astype(np.float32), deep=True))
+    polygons.SetData(4, numpy_to_vtkIdTypeArray(cells.astype(np.int64).ravel(), deep=True))
+    data.SetPoints(places)
+    data.SetPolys(polygons)
+    if normals is not None:
+        array = numpy_to_vtk(normals.reshape(-1, 3).astype(np.float32), deep=True)
+        array.SetName("Normals")
+        data.GetPointData().SetNormals(array)
+    if colours is not None:
+        array = numpy_to_vtk(np.round(255.0 * np.clip(colours, 0.0, 1.0)).astype(np.uint8).reshape(-1, 3), deep=True)
+        array.SetName("RGB")
+        data.GetPointData().AddArray(array)
+    return data
+
+
+def bed(depth, eye, size=120.0, samples=900, seed=5):
+    """A sandy bed with stones about a place, with the array RGB; and a function of its height [m]."""
+    heights = 0.45 * _field(size, samples, 30.0, 4.5, seed)
+    stones = _field(size, samples, 7.0, 3.6, seed + 1)
+    bumps = _field(size, samples, 2.2, 2.8, seed + 2)
+    rock = np.clip((stones + 0.12 * bumps - 1.25) / 0.22, 0.0, 1.0)
+    rock = rock * rock * (3.0 - 2.0 * rock)
+    step = size / (samples - 1)
+    along = np.arange(samples) * step - 0.5 * size
+    x, y = np.meshgrid(along + eye[0], along + eye[1] + 0.35 * size)
+    marks = np.sin(2.0 * np.pi * (0.45 * x + 1.25 * y + 0.9 * heights + 0.15 * bumps))  # of the waves in the sand
+    z = -depth + heights + (1.0 - rock) * 0.022 * marks + rock * (0.30 + 0.13 * bumps + 0.75 * (stones - 1.25))
+    zy, zx = np.gradient(z, step)
+    normals = np.stack((-zx, -zy, np.ones_like(z)), axis=-1)
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    sand = np.array((0.66, 0.60, 0.46)) * (1.0 + 0.07 * bumps[..., None] + 0.05 * marks[..., None])
+    stone = np.array((0.22, 0.23, 0.19)) * (1.0 + 0.30 * bumps[..., None])
+    crust = np.array((0.40, 0.26, 0.27))  # coralline algae
+    stone = stone + (crust - stone) * np.clip(0.7 * stones - 0.75 + 0.4 * bumps, 0.0, 0.8)[..., None]
+    colour = sand + (stone - sand) * rock[..., None]
+
+    def height(at_x, at_y):
+        column = np.clip(np.rint((np.asarray(at_x) - x[0, 0]) / step).astype(int), 0, samples - 1)
+        row = np.clip(np.rint((np.asarray(at_y) - y[0, 0]) / step).astype(int), 0, samples - 1)
+        return z[row, column]
+
+    return mesh(np.stack((x, y, z), axis=-1), normals, colour), height
+
+
+def _field(size, samples, reach, smoothness, seed):
+    """A periodic random field of unit variance; waves up to a reach [m] have most of it, shorter ones less."""
+    frequency = np.hypot(np.fft.fftfreq(samples)[:, None], np.fft.rfftfreq(samples)[None]) * samples / size
+    strength = (1.0 + (frequency * reach) ** 2) ** (-0.5 * smoothness)
+    strength[0, 0] = 0.0
+    white = np.random.default_rng(seed).standard_normal((samples, samples))
+    field = np.fft.irfft2(np.fft.rfft2(white) * strength, s=white.shape)
+    return field / field.std()
+
+
+def particles(box, count, radius, colour, seed=1, clumps=0.0):
+    """Particles in a box (smallest, then largest x, y, z) with the arrays Radius [m] and RGB.
+
+    radius: median [m]; clumps: 0 uniform to 1 gathered in clouds.
+    """
+    random = np.random.default_rng(seed)
+    low, high = np.reshape(box, (2, 3))
+    places = low + random.random((count, 3)) * (high - low)
+    if clumps > 0.0:
+        centres = low + (0.12, 0.35, 0.12) * (high - low) + random.random((max(1, count // 30000), 3)) * (
+            0.76, 0.55, 0.6) * (high - low)
+        near = centres[random.integers(len(centres), size=count)] + random.normal(0.0, 1.7, (count, 3)) * (1.5, 1.5, 0.6)
+        inside = ((near > low) & (near < high)).all(axis=1, keepdims=True)
+        places = np.where((random.random((count, 1)) < clumps) & inside, near, places)
+    sizes = radius * np.exp(0.5 * random.standard_normal(count))
+    shade = np.clip(np.array(colour) * random.uniform(0.75, 1.1, (count, 1)), 0.0, 1.0)
+    return points_with(places, Radius=sizes.astype(np.float32), RGB=np.round(255.0 * shade).astype(np.uint8))
+
+
+# Views --------------------------------------------------------------------------------------------
+
+
+def prepare_view(view):
+    """No widgets, no lights: the shaders are the light."""
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Single Color"
+    view.Background = [0.0, 0.25, 0.33]
+    view.UseFXAA = 1
+
+
+def show_surface(source, view, time):
+    """Show the surface of the water, moved by Particle Orbits, from below."""
+    shown = simple.Show(source, view)
+    shown.ColorArrayName = [None, ""]
+    _shade(shown, PLACES + NORMALS, SURFACE, time)
+    return shown
+
+
+def show_bed(source, view, time):
+    """Show a bed or other ground with the arrays RGB and Normals."""
+    shown = simple.Show(source, view)
+    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.MapScalars = 0
+    _shade(shown, PLACES + NORMALS, BED, time)
+    return shown
+
+
+def show_beyond(view, time, eye, radius=150.0):
+    """Show the water where nothing else is."""
+    sphere = simple.Sphere(Center=list(eye), Radius=radius, ThetaResolution=64, PhiResolution=64)
+    shown = simple.Show(sphere, view)
+    shown.ColorArrayName = [None, ""]
+    _shade(shown, PLACES, BEYOND, time)
+    return shown
+
+
+def show_particles(source, view, eye):
+    """Show particles as soft spots, with their Radius, RGB, and Alpha that fades in the water towards an eye."""
+    haze = "exp(-0.11 * sqrt((coordsX - {})^2 + (coordsY - {})^2 + (coordsZ - {})^2))".format(*eye)
+    faded = simple.Calculator(Input=source, ResultArrayName="Opacity", Function=f"0.75 * Alpha * {haze}")
+    shown = simple.Show(faded, view, "GeometryRepresentation")
+    shown.SetRepresentationType("Point Gaussian")
+    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.MapScalars = 0
+    shown.ShaderPreset = "Gaussian Blur"
+    shown.GaussianRadius = 1.0
+    shown.ScaleByArray, shown.SetScaleArray, shown.UseScaleFunction = 1, ["POINTS", "Radius"], 0
+    shown.OpacityByArray, shown.OpacityArray = 1, ["POINTS", "Opacity"]
+    shown.OpacityTransferFunction = simple.CreatePiecewiseFunction(Points=[0.0, 0.0, 0.5, 0.0, 1.0, 1.0, 0.5, 0.0])
+    shown.Emissive = 0
+    shown.Opacity = 0.99  # drawn with what is translucent: it must not hide the fog behind it
+    return shown
+
+
+def show_fog(source, view, colour=(0.50, 0.78, 0.76)):
+    """Show the image of Particle Fog as a volume of a colour."""
+    extinctions = (0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.2, 2.5, 5.0)
+    shown = simple.Show(source, view, "UniformGridRepresentation")
+    shown.SetRepresentationType("Volume")
+    shown.ColorArrayName = ["POINTS", "Extinction"]
+    shown.LookupTable = simple.CreateLookupTable(
+        ColorSpace="RGB", RGBPoints=[0.0, *colour, extinctions[-1], *colour], AutomaticRescaleRangeMode="Never")
+    shown.ScalarOpacityFunction = simple.CreatePiecewiseFunction(
+        Points=[number for each in extinctions for number in (each, 1.0 - math.exp(-each), 0.5, 0.0)])
+    shown.ScalarOpacityUnitDistance = 1.0
+    shown.Shade = 0
+    return shown
+
+
+def _shade(shown, changes, fragment, time):
+    """Adds to the shaders of a representation."""
+    shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
+    shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
+    changes = json.loads(json.dumps(changes))
+    declared = next(change for change in changes if "LITTORAL::WATER" in change["replacement"])
+    declared["replacement"] = declared["replacement"].replace("//LITTORAL::WATER", water_shader(time))
+    last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
+    shown.UseShaderReplacements = 1
+    shown.ShaderReplacements = json.dumps(_merged(changes) + [last])
+
+
+def _merged(changes):
+    """One change for each mark: a second one would not find it any more."""
+    merged = {}
+    for change in changes:
+        key = change["type"], change["original"]
+        if key in merged:
+            more = change["replacement"].replace(change["original"], "")
+            merged[key]["replacement"] += more
+        else:
+            merged[key] = change
+    return list(merged.values())
