@@ -17,11 +17,8 @@ struct PlantPrototype
 {
   // High
   Skeleton Wood;
-<<<<<<< HEAD
   std::vector<SeaweedSegment> Segments; ///< of each node of a seaweed, else empty
-=======
   WoodParameters Timber; ///< what the skeleton is made of
->>>>>>> main
   PlantMesh Skin;
   PlantMesh Leaves;
   TextureImage LeafTexture;
