@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws seaweeds.png of the user guide: three kinds of seaweeds under water.
+"""Draws seaweeds.jpg of the user guide: three kinds of seaweeds under water.
 
     ./littoral run pvpython Documentation/pictures/make_seaweeds.py [FOLDER]
 """
@@ -14,6 +14,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 from littoral import vtkSeaweedSource
@@ -192,7 +193,15 @@ def main(folder):
     window.AddRenderer(paper)
     for index, panel in enumerate(PANELS):
         window.AddRenderer(draw(panel, index))
-    write_png(window, os.path.join(folder, "seaweeds.png"), SIZE, OVERSAMPLING)
+    picture = os.path.join(folder, "seaweeds.png")
+    write_png(window, picture, SIZE, OVERSAMPLING)
+    reader, writer = vtkPNGReader(), vtkJPEGWriter()
+    reader.SetFileName(picture)
+    writer.SetInputConnection(reader.GetOutputPort())
+    writer.SetQuality(86)
+    writer.SetFileName(picture.replace(".png", ".jpg"))
+    writer.Write()
+    os.remove(picture)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))
