@@ -4,6 +4,7 @@
 
 #include "DriftHistory.h"
 #include "LittoralPipeline.h"
+#include "LittoralRanges.h"
 #include "LittoralSea.h"
 #include "LittoralSlaves.h"
 
@@ -406,6 +407,7 @@ int vtkCurrentDriftFilter::RequestData(
     return 1;
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
   return stop(true);
 }

@@ -4,6 +4,7 @@
 
 #include "LittoralBlocks.h"
 #include "LittoralPipeline.h"
+#include "LittoralRanges.h"
 #include "LittoralSea.h"
 #include "LittoralTables.h"
 #include "MasterSlave.h"
@@ -431,6 +432,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   add("TrainSums", static_cast<double>(selection.TrainSum));
   add("TrainSumsInAll", static_cast<double>(particles) * static_cast<double>(state.Trains.size()));
   add("LargestSlaveError", selection.LargestSlave);
+  littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -4,6 +4,7 @@
 
 #include "Dispersion.h"
 #include "LittoralPipeline.h"
+#include "LittoralRanges.h"
 #include "LittoralSea.h"
 #include "LittoralSlaves.h"
 #include "TrainSelection.h"
@@ -261,6 +262,7 @@ int vtkParticleOrbitFilter::RequestData(
   littoral::AddText(output, "DepthRegime", littoral::RegimeName(regime));
   littoral::AddField(output, "RegimeTrains", { regimes[0], regimes[1], regimes[2] });
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -4,6 +4,7 @@
 
 #include "LeafCards.h"
 #include "LittoralPlants.h"
+#include "LittoralRanges.h"
 #include "PlantLevels.h"
 
 #include "vtkImageData.h"
@@ -81,7 +82,9 @@ int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInfo
   }
   if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
   {
-    littoral::CopyToBlocks(prototype, vtkMultiBlockDataSet::GetData(outputVector, 0));
+    auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
+    littoral::CopyToBlocks(prototype, output);
+    littoral::KeepRanges(output);
   }
   littoral::CopyToImage(prototype.CrownTexture, vtkImageData::GetData(outputVector, 1));
   littoral::CopyToImage(prototype.LeafTexture, vtkImageData::GetData(outputVector, 2));

@@ -107,12 +107,15 @@ inline void SetRange(vtkInformation* info, vtkInformationDoubleVectorKey* key, d
   info->Set(key, range, 2);
 }
 
-/// Finds the ranges of an array that is complete. Arrays with values that are not finite are left to VTK.
+/// Finds the ranges of an array that is complete, unless they are there. Arrays with values that are not finite are
+/// left to VTK.
 inline void KeepRanges(vtkDataArray* array)
 {
   const int components = array ? array->GetNumberOfComponents() : 0;
   const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
-  if (tuples == 0 || components < 1 || components > TupleRanges::Most || !array->HasStandardMemoryLayout())
+  const bool isKnown =
+    array && array->HasInformation() && array->GetInformation()->Has(vtkDataArray::PER_FINITE_COMPONENT());
+  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::Most || !array->HasStandardMemoryLayout())
   {
     return;
   }

@@ -28,6 +28,21 @@ assert list(view.CameraPosition) == [0.0, 0.0, 900.0]
 simple.ResetCamera(view)
 assert list(view.CameraViewUp) == [0.0, 1.0, 0.0]
 
+# Each kind of plant, with its defaults.
+for kind in (simple.AonoKuniiTree, simple.GardnerPlant, simple.ReevesTree):
+    plant = kind()
+    shown = simple.Show(plant, view)
+    assert shown.MapScalars == 0 and list(shown.BlockSelectors) == ["/Root/High/Skin", "/Root/High/Leaves"]
+    low = simple.ExtractBlock(Input=plant, Selectors=["/Root/Low"])
+    low.UpdatePipeline()
+    assert low.GetDataInformation().GetNumberOfCells() == 4
+    simple.Hide(plant, view)
+ternary = simple.AonoKuniiTree(Preset="Custom", Branching="Ternary", Iterations=2, Variation=0.0, NumberOfLeaves=0)
+wood = simple.ExtractBlock(Input=ternary, Selectors=["/Root/High/Skeleton"])
+wood.UpdatePipeline()
+branches = (3 ** 3 - 1) // 2
+assert wood.GetDataInformation().GetNumberOfCells() == branches, wood.GetDataInformation().GetNumberOfCells()
+
 # Terrain has the colours of the ground unless it has its own or none are wanted.
 terrain = simple.TerrainLevelOfDetail(
     Input=simple.TurningBandsTerrain(WholeExtent=[0, 64, 0, 64, 0, 0]), Cull=0)

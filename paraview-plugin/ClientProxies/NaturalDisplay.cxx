@@ -9,6 +9,7 @@
 #include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
@@ -117,6 +118,11 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
     {
       selectors.Set(k, name.c_str());
     }
+  }
+  if (const char* array = this->Hint("color"))
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(representation, array, vtkDataObject::POINT);
+    vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
   }
   if (this->Hint("own-levels") && representation->GetProperty("SuppressLOD"))
   {

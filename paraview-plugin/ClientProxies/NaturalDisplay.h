@@ -18,7 +18,8 @@ namespace littoral
  * How a source is first shown in ParaView: in its own colours, and from the side where that is the better view.
  *
  * ParaView colours by a colour map and looks down along z unless it is told otherwise. This tells each new
- * representation of a source to take the point array RGB, if there is one, as it is. Where the hint
+ * representation of a source to take the point array RGB, if there is one, as it is, or to colour by the array that
+ * color="..." names. Where the hint
  *
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" />
  *

@@ -423,7 +423,7 @@ def show_sky(source, view, picture):
 
 def _show_coloured(source, view):
     shown = simple.Show(source, view)
-    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
     return shown
 

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PlantChecks_h
+#define PlantChecks_h
+
+// What holds for every plant source.
+
+#include "ErrorCounter.h"
+#include "PlantScene.h"
+
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolygon.h"
+#include "vtkSMPTools.h"
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <initializer_list>
+#include <iostream>
+
+inline bool Check(bool good, const char* what)
+{
+  if (!good)
+  {
+    std::cerr << what << std::endl;
+  }
+  return good;
+}
+
+/// The block of a source's first output.
+inline vtkPolyData* PartOf(vtkAlgorithm* source, const char* path)
+{
+  return vtkPolyData::SafeDownCast(BlockAt(source->GetOutputDataObject(0), path));
+}
+
+inline bool HasArrays(vtkAlgorithm* source, const char* path, std::initializer_list<const char*> names)
+{
+  vtkPolyData* part = PartOf(source, path);
+  bool good = Check(part && part->GetNumberOfCells() > 0, path);
+  for (const char* name : names)
+  {
+    vtkDataArray* array = good ? part->GetPointData()->GetArray(name) : nullptr;
+    good = good && Check(array && array->GetNumberOfTuples() == part->GetNumberOfPoints(), name);
+  }
+  return good;
+}
+
+/// Each vertex belongs to nodes of the skeleton, with weights that sum to 1.
+inline bool Joints(vtkAlgorithm* source, const char* path)
+{
+  const vtkIdType nodes = PartOf(source, "High/Skeleton")->GetNumberOfPoints();
+  vtkPointData* arrays = PartOf(source, path)->GetPointData();
+  vtkDataArray* ids = arrays->GetArray("JointIds");
+  vtkDataArray* weights = arrays->GetArray("JointWeights");
+  for (vtkIdType vertex = 0; vertex < ids->GetNumberOfTuples(); ++vertex)
+  {
+    double sum = 0.0;
+    for (int joint = 0; joint < 4; ++joint)
+    {
+      const double id = ids->GetComponent(vertex, joint);
+      if (id < 0 || id >= nodes)
+      {
+        return Check(false, "a joint that is no node");
+      }
+      sum += weights->GetComponent(vertex, joint);
+    }
+    if (std::abs(sum - 1.0) > 1e-6)
+    {
+      return Check(false, "joint weights do not sum to 1");
+    }
+  }
+  return true;
+}
+
+/// No polygon without area.
+inline bool Sound(vtkAlgorithm* source, const char* path)
+{
+  vtkPolyData* part = PartOf(source, path);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
+  {
+    part->GetCellPoints(cell, corners);
+    double normal[3];
+    vtkPolygon::ComputeNormal(
+      part->GetPoints(), static_cast<int>(corners->GetNumberOfIds()), corners->GetPointer(0), normal);
+    if (!(std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]) > 0.5))
+    {
+      return Check(false, "a polygon without area");
+    }
+  }
+  return true;
+}
+
+/// All levels with their arrays, sound polygons, and four plain polygons as the lowest.
+inline bool HasLevels(vtkAlgorithm* source)
+{
+  bool good = HasArrays(source, "High/Skeleton", { "ParentId", "Radius", "RGB" });
+  good &= HasArrays(source, "High/Skin", { "Normals", "RGB", "JointIds", "JointWeights", "TCoords" });
+  good &= HasArrays(source, "High/Leaves", { "Normals", "RGB", "JointIds", "JointWeights", "TCoords" });
+  good &= HasArrays(source, "Medium/Trunk", { "Normals", "RGB" });
+  good &= HasArrays(source, "Medium/Crown", { "Normals", "RGB", "TCoords" });
+  good &= HasArrays(source, "Low", { "Normals", "RGB" });
+  good = good && Joints(source, "High/Skin") && Joints(source, "High/Leaves");
+  for (const char* path : { "High/Skin", "High/Leaves", "Medium/Trunk", "Medium/Crown", "Low" })
+  {
+    good = good && Sound(source, path);
+  }
+  good &= Check(PartOf(source, "Low")->GetNumberOfPolys() == 4, "the lowest level has not four polygons");
+  return good & Check(PartOf(source, "Low")->GetPointData()->GetTCoords() == nullptr, "the lowest level has a texture");
+}
+
+inline bool SameBytes(vtkDataArray* a, vtkDataArray* b)
+{
+  return a->GetNumberOfValues() == b->GetNumberOfValues() &&
+    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+      static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0;
+}
+
+/// The same bytes on one thread and two, others with another seed.
+template <typename Source>
+bool Reproducible()
+{
+  vtkNew<Source> one;
+  vtkNew<Source> two;
+  vtkSMPTools::Initialize(1);
+  one->Update();
+  vtkSMPTools::Initialize(2);
+  two->Update();
+  bool good = true;
+  for (const char* path : { "High/Skin", "High/Leaves", "Medium/Crown", "Low" })
+  {
+    good &= Check(SameBytes(PartOf(one, path)->GetPoints()->GetData(), PartOf(two, path)->GetPoints()->GetData()),
+      "points depend on the number of threads");
+  }
+  vtkDataArray* first = vtkImageData::SafeDownCast(one->GetOutputDataObject(1))->GetPointData()->GetScalars();
+  vtkDataArray* second = vtkImageData::SafeDownCast(two->GetOutputDataObject(1))->GetPointData()->GetScalars();
+  good &= Check(SameBytes(first, second), "the picture of the crown depends on the number of threads");
+  two->SetSeed(7);
+  two->Update();
+  good &= Check(
+    !SameBytes(PartOf(one, "High/Leaves")->GetPoints()->GetData(), PartOf(two, "High/Leaves")->GetPoints()->GetData()),
+    "another seed gives the same plant");
+  return good;
+}
+
+/// A plant is in the first piece alone.
+template <typename Source>
+bool Pieces()
+{
+  vtkNew<Source> source;
+  source->UpdatePiece(1, 2, 0);
+  const bool later = PartOf(source, "High/Skin") == nullptr;
+  source->UpdatePiece(0, 2, 0);
+  return Check(later && PartOf(source, "High/Skin"), "the plant is not in the first piece alone");
+}
+
+/// A custom plant that was spoilt gives one message that has a word, and no data.
+template <typename Source>
+bool Fails(const char* word, const std::function<void(Source*)>& spoil)
+{
+  vtkNew<Source> source;
+  source->SetPreset(Source::Custom);
+  spoil(source);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(source);
+  return Check(errors->ExpectOneNaming(word) && !PartOf(source, "High/Skin"), word);
+}
+
+#endif
