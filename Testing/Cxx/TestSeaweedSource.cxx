@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Three kinds of seaweeds at their levels of detail: arrays, same bytes, pieces, bad input, a bed of them, a picture.
-#include "ErrorCounter.h"
 #include "LittoralPlants.h"
+#include "PlantChecks.h"
 #include "PlantScene.h"
 #include "vtkPlantScatterFilter.h"
 #include "vtkSeaweedSource.h"
@@ -15,13 +15,10 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -32,58 +29,6 @@ using Source = vtkSeaweedSource;
 
 const char* const Segments[] = { "ParentId", "Radius", "Width", "Thickness", "Length", "YoungModulus", "DampingRatio",
   "Density", "Across", "Tissue", "Attachment", "RestTheta", "RestPhi" };
-
-bool Check(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
-
-vtkPolyData* PartOf(vtkAlgorithm* source, const char* path)
-{
-  return vtkPolyData::SafeDownCast(BlockAt(source->GetOutputDataObject(0), path));
-}
-
-bool HasArrays(vtkAlgorithm* source, const char* path, std::initializer_list<const char*> names)
-{
-  vtkPolyData* part = PartOf(source, path);
-  bool good = Check(part && part->GetNumberOfCells() > 0, path);
-  for (const char* name : names)
-  {
-    vtkDataArray* array = good ? part->GetPointData()->GetArray(name) : nullptr;
-    good = good && Check(array && array->GetNumberOfTuples() == part->GetNumberOfPoints(), name);
-  }
-  return good;
-}
-
-bool Joints(vtkAlgorithm* source, const char* path)
-{
-  const vtkIdType nodes = PartOf(source, "High/Skeleton")->GetNumberOfPoints();
-  vtkPointData* arrays = PartOf(source, path)->GetPointData();
-  vtkDataArray* ids = arrays->GetArray("JointIds");
-  vtkDataArray* weights = arrays->GetArray("JointWeights");
-  for (vtkIdType vertex = 0; vertex < ids->GetNumberOfTuples(); ++vertex)
-  {
-    double sum = 0.0;
-    for (int joint = 0; joint < 4; ++joint)
-    {
-      const double id = ids->GetComponent(vertex, joint);
-      if (id < 0 || id >= nodes)
-      {
-        return Check(false, "a joint that is no node");
-      }
-      sum += weights->GetComponent(vertex, joint);
-    }
-    if (std::abs(sum - 1.0) > 1e-6)
-    {
-      return Check(false, "joint weights do not sum to 1");
-    }
-  }
-  return true;
-}
 
 bool PictureFits(Source* source, int port, const char* path)
 {
@@ -105,7 +50,7 @@ bool ReadsBack(Source* source)
   vtkPolyData* skeleton = PartOf(source, "High/Skeleton");
   std::vector<littoral::SeaweedSegment> segments;
   const std::string reason = littoral::ReadSegments(skeleton, segments);
-  bool good = Check(reason.empty(), reason) &&
+  bool good = Check(reason.empty(), reason.c_str()) &&
     Check(segments.size() == static_cast<std::size_t>(skeleton->GetNumberOfPoints()), "segments are missing");
   vtkDataArray* radius = skeleton->GetPointData()->GetArray("Radius");
   for (vtkIdType node = 0; good && node < skeleton->GetNumberOfPoints(); ++node)
@@ -137,52 +82,16 @@ bool Levels()
     {
       good &= HasArrays(source, "High/Skeleton", { name });
     }
-    good &= HasArrays(source, "High/Skin", { "Normals", "RGB", "JointIds", "JointWeights", "TCoords" });
-    good &= HasArrays(source, "High/Leaves", { "Normals", "RGB", "JointIds", "JointWeights", "TCoords" });
-    good &= HasArrays(source, "Medium/Trunk", { "Normals", "RGB" });
-    good &= HasArrays(source, "Medium/Crown", { "Normals", "RGB", "TCoords" });
-    good &= HasArrays(source, "Low", { "Normals", "RGB" });
-    good = good && Joints(source, "High/Skin") && Joints(source, "High/Leaves");
+    good = good && HasLevels(source);
     vtkPolyData* skeleton = PartOf(source, "High/Skeleton");
     good &= Check(skeleton->GetCellData()->GetArray("BranchId") && skeleton->GetCellData()->GetArray("Order") &&
         skeleton->GetNumberOfLines() == skeleton->GetNumberOfCells(),
       "the skeleton has no branches");
-    good &= Check(PartOf(source, "Low")->GetNumberOfPolys() == 4, "the lowest level has not four polygons");
-    good &= Check(PartOf(source, "Low")->GetPointData()->GetTCoords() == nullptr, "the lowest level has a texture");
     good &= Check(PictureFits(source, 1, "Medium/Crown") && PictureFits(source, 2, "High/Leaves"),
       "a picture and the field data of its block differ");
     good = good && ReadsBack(source);
   }
   return good;
-}
-
-bool SameBytes(vtkDataArray* a, vtkDataArray* b)
-{
-  return a->GetNumberOfValues() == b->GetNumberOfValues() &&
-    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-      static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0;
-}
-
-bool Reproducible()
-{
-  vtkNew<Source> one;
-  vtkNew<Source> two;
-  vtkSMPTools::Initialize(1);
-  one->Update();
-  vtkSMPTools::Initialize(2);
-  two->Update();
-  bool good = true;
-  for (const char* path : { "High/Skeleton", "High/Skin", "High/Leaves", "Medium/Crown", "Low" })
-  {
-    good &= Check(SameBytes(PartOf(one, path)->GetPoints()->GetData(), PartOf(two, path)->GetPoints()->GetData()),
-      "points differ from run to run");
-  }
-  two->SetSeed(7);
-  two->Update();
-  return good &
-    Check(!SameBytes(
-            PartOf(one, "High/Leaves")->GetPoints()->GetData(), PartOf(two, "High/Leaves")->GetPoints()->GetData()),
-      "another seed gives the same plant");
 }
 
 /// The resolution is free in any preset; it changes the chain and not the plant.
@@ -203,50 +112,32 @@ bool Resolution()
   return good & Check(std::abs(heights[1] - heights[0]) < 0.05 * heights[0], "the plant depends on its segments");
 }
 
-bool Pieces()
-{
-  vtkNew<Source> source;
-  source->UpdatePiece(1, 2, 0);
-  const bool later = PartOf(source, "High/Skin") == nullptr;
-  source->UpdatePiece(0, 2, 0);
-  return Check(later && PartOf(source, "High/Skin"), "the plant is not in the first piece alone");
-}
-
-bool Fails(const char* word, const std::function<void(Source*)>& spoil)
-{
-  vtkNew<Source> source;
-  source->SetPreset(Source::Custom);
-  spoil(source);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(source);
-  return Check(errors->ExpectOneNaming(word) && !PartOf(source, "High/Skin"), word);
-}
-
 bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  return Fails("Preset", [](Source* s) { s->SetPreset(4); }) & Fails("Form", [](Source* s) { s->SetForm(-1); }) &
-    Fails("NumberOfFronds", [](Source* s) { s->SetNumberOfFronds(0); }) &
-    Fails("HoldfastRadius", [](Source* s) { s->SetHoldfastRadius(0.0); }) &
-    Fails("SpreadAngle", [](Source* s) { s->SetSpreadAngle(90.0); }) &
-    Fails("StipeLength", [=](Source* s) { s->SetStipeLength(nan); }) &
-    Fails("StipeRadius", [](Source* s) { s->SetStipeRadius(-1.0); }) &
-    Fails("BladeLength", [](Source* s) { s->SetBladeLength(0.0); }) &
-    Fails("BladeWidth", [](Source* s) { s->SetBladeWidth(0.0); }) &
-    Fails("BladeThickness", [](Source* s) { s->SetBladeThickness(0.0); }) &
-    Fails("BladeSpacing", [](Source* s) { s->SetBladeSpacing(0.0); }) &
-    Fails("FloatRadius", [](Source* s) { s->SetFloatRadius(-0.1); }) &
-    Fails("Ruffle", [](Source* s) { s->SetRuffle(1.5); }) &
-    Fails("SegmentsPerBranch", [](Source* s) { s->SetSegmentsPerBranch(1); }) &
-    Fails("StipeModulus", [](Source* s) { s->SetStipeModulus(-1e7); }) &
-    Fails("BladeModulus", [=](Source* s) { s->SetBladeModulus(nan); }) &
-    Fails("DampingRatio", [](Source* s) { s->SetDampingRatio(-0.1); }) &
-    Fails("StipeDensity", [](Source* s) { s->SetStipeDensity(0.0); }) &
-    Fails("BladeDensity", [](Source* s) { s->SetBladeDensity(0.0); }) &
-    Fails("FloatDensity", [](Source* s) { s->SetFloatDensity(0.0); }) &
-    Fails("Variation", [](Source* s) { s->SetVariation(0.6); }) &
-    Fails("BladeColor", [](Source* s) { s->SetBladeColor(2.0, 0.0, 0.0); }) &
-    Fails("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
+  return Fails<Source>("Preset", [](Source* s) { s->SetPreset(4); }) &
+    Fails<Source>("Form", [](Source* s) { s->SetForm(-1); }) &
+    Fails<Source>("NumberOfFronds", [](Source* s) { s->SetNumberOfFronds(0); }) &
+    Fails<Source>("HoldfastRadius", [](Source* s) { s->SetHoldfastRadius(0.0); }) &
+    Fails<Source>("SpreadAngle", [](Source* s) { s->SetSpreadAngle(90.0); }) &
+    Fails<Source>("StipeLength", [=](Source* s) { s->SetStipeLength(nan); }) &
+    Fails<Source>("StipeRadius", [](Source* s) { s->SetStipeRadius(-1.0); }) &
+    Fails<Source>("BladeLength", [](Source* s) { s->SetBladeLength(0.0); }) &
+    Fails<Source>("BladeWidth", [](Source* s) { s->SetBladeWidth(0.0); }) &
+    Fails<Source>("BladeThickness", [](Source* s) { s->SetBladeThickness(0.0); }) &
+    Fails<Source>("BladeSpacing", [](Source* s) { s->SetBladeSpacing(0.0); }) &
+    Fails<Source>("FloatRadius", [](Source* s) { s->SetFloatRadius(-0.1); }) &
+    Fails<Source>("Ruffle", [](Source* s) { s->SetRuffle(1.5); }) &
+    Fails<Source>("SegmentsPerBranch", [](Source* s) { s->SetSegmentsPerBranch(1); }) &
+    Fails<Source>("StipeModulus", [](Source* s) { s->SetStipeModulus(-1e7); }) &
+    Fails<Source>("BladeModulus", [=](Source* s) { s->SetBladeModulus(nan); }) &
+    Fails<Source>("DampingRatio", [](Source* s) { s->SetDampingRatio(-0.1); }) &
+    Fails<Source>("StipeDensity", [](Source* s) { s->SetStipeDensity(0.0); }) &
+    Fails<Source>("BladeDensity", [](Source* s) { s->SetBladeDensity(0.0); }) &
+    Fails<Source>("FloatDensity", [](Source* s) { s->SetFloatDensity(0.0); }) &
+    Fails<Source>("Variation", [](Source* s) { s->SetVariation(0.6); }) &
+    Fails<Source>("BladeColor", [](Source* s) { s->SetBladeColor(2.0, 0.0, 0.0); }) &
+    Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
 }
 
 /// A bed of two kinds: lengths scale with the plant, material does not, the width turns with it.
@@ -329,7 +220,7 @@ bool Bed()
 
 int TestSeaweedSource(int argc, char* argv[])
 {
-  if (!Levels() || !Reproducible() || !Resolution() || !Pieces() || !BadInput() || !Bed())
+  if (!Levels() || !Reproducible<Source>() || !Resolution() || !Pieces<Source>() || !BadInput() || !Bed())
   {
     return EXIT_FAILURE;
   }
