@@ -300,14 +300,15 @@ def _field(size, samples, reach, smoothness, seed):
     return field / field.std()
 
 
-def kelp_sites(height, count=70, seed=4, top=-0.8):
+def kelp_sites(height, count=110, seed=4, top=-0.8):
     """Sites for Plant Scatter before the eye, in groves: Species 0 sugar kelp, 1 giant kelp, with their Scale.
 
     height: function of the bed's height [m]; top: what giant kelp does not reach beyond [m].
     """
     random = np.random.default_rng(seed)
     groves = ((-6.5, 11.5), (7.5, 14.0), (-13.0, 21.0), (15.0, 23.0), (1.5, 25.0))
-    places, species = [], []
+    near = ((3.3, 6.9), (4.3, 7.6), (2.7, 8.2), (5.4, 8.0), (-4.0, 7.3), (-5.2, 8.3), (-3.3, 8.9))
+    places, species = [(x, y, float(height(x, y))) for x, y in near], [0] * len(near)
     for number in range(count):
         giant = number % 4 == 0
         x, y = np.array(groves[number // 4 % len(groves)]) + random.normal(0.0, 1.7 if giant else 2.6, 2)
@@ -386,7 +387,7 @@ def show_particles(source, view, eye):
     faded = simple.Calculator(Input=source, ResultArrayName="Opacity", Function=f"0.75 * Alpha * {haze}")
     shown = simple.Show(faded, view, "GeometryRepresentation")
     shown.SetRepresentationType("Point Gaussian")
-    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
     shown.ShaderPreset = "Gaussian Blur"
     shown.GaussianRadius = 1.0
@@ -416,7 +417,7 @@ def show_fog(source, view, colour=(0.50, 0.78, 0.76)):
 def _show_lit(source, view, fragment, time):
     """Show something with the arrays RGB and Normals."""
     shown = simple.Show(source, view)
-    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
     _shade(shown, PLACES + NORMALS, fragment, time)
     return shown
