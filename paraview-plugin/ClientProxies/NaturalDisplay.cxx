@@ -53,6 +53,7 @@ bool IsEmpty(vtkSMProxy* view)
 NaturalDisplay::~NaturalDisplay()
 {
   this->StopWaiting();
+  this->StopWaitingForLegend();
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -107,6 +108,7 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
   if (data && data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     vtkSMPropertyHelper(representation, "MapScalars").Set(0);
+    this->WaitForLegend(representation);
   }
   const char* blocks = port == 0 ? this->Hint("blocks") : nullptr;
   if (blocks && representation->GetProperty("BlockSelectors"))
@@ -132,10 +134,49 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::WaitForCamera()
+vtkSMRenderViewProxy* NaturalDisplay::ActiveView()
 {
   vtkSMProxySelectionModel* active = this->Manager->GetSelectionModel("ActiveView");
-  auto* view = active ? vtkSMRenderViewProxy::SafeDownCast(active->GetCurrentProxy()) : nullptr;
+  return active ? vtkSMRenderViewProxy::SafeDownCast(active->GetCurrentProxy()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
+{
+  this->StopWaitingForLegend();
+  this->Coloured = representation;
+  this->LegendView = this->ActiveView();
+  if (this->LegendView)
+  {
+    this->LegendObserver =
+      this->LegendView->AddObserver(vtkCommand::StartEvent, this, &NaturalDisplay::OnStartOfPicture);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
+{
+  if (this->Coloured)
+  {
+    vtkSMPVRepresentationProxy::SetScalarBarVisibility(this->Coloured, this->LegendView, false);
+  }
+  this->StopWaitingForLegend();
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::StopWaitingForLegend()
+{
+  if (this->LegendView)
+  {
+    this->LegendView->RemoveObserver(this->LegendObserver);
+  }
+  this->LegendView = nullptr;
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::WaitForCamera()
+{
+  vtkSMRenderViewProxy* view = this->ActiveView();
   if (!this->Hint("elevation") || !view || view == this->View || !IsEmpty(view))
   {
     return;

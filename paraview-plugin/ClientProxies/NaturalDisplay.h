@@ -17,8 +17,8 @@ namespace littoral
 /**
  * How a source is first shown in ParaView: in its own colours, and from the side where that is the better view.
  *
- * ParaView colours by a colour map and looks down along z unless it is told otherwise. This tells each new
- * representation of a source to take the point array RGB, if there is one, as it is, or to colour by the array that
+ * ParaView colours by a colour map, with a legend, and looks down along z unless it is told otherwise. This tells each
+ * new representation of a source to take the point array RGB, if there is one, as it is, or to colour by the array that
  * color="..." names. Where the hint
  *
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" />
@@ -47,6 +47,10 @@ private:
   const char* Hint(const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
   void TakeColours(vtkSMProxy* representation, int port);
+  vtkSMRenderViewProxy* ActiveView();
+  void WaitForLegend(vtkSMProxy* representation);
+  void OnStartOfPicture(vtkObject*, unsigned long, void*);
+  void StopWaitingForLegend();
   void WaitForCamera();
   void OnResetCamera(vtkObject*, unsigned long, void*);
   void OnPicture(vtkObject*, unsigned long, void*);
@@ -55,6 +59,9 @@ private:
   vtkSMSourceProxy* Owner;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
+  vtkWeakPointer<vtkSMProxy> Coloured; ///< whose legend would mean nothing
+  vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
+  unsigned long LegendObserver = 0;
   vtkWeakPointer<vtkSMRenderViewProxy> View; ///< whose camera is waited for
   vtkWeakPointer<vtkObject> Shown;           ///< what it shows on
   unsigned long ResetObserver = 0;
