@@ -17,8 +17,8 @@ struct PlantPrototype
 {
   // High
   Skeleton Wood;
-  WoodParameters Timber; ///< what the skeleton is made of
   std::vector<SeaweedSegment> Segments; ///< of each node of a seaweed, else empty
+  WoodParameters Timber;                ///< what the skeleton is made of
   PlantMesh Skin;
   PlantMesh Leaves;
   TextureImage LeafTexture;

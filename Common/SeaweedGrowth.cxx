@@ -259,8 +259,8 @@ private:
     BladeCourse course;
     course.Azimuth = this->AzimuthOf(frond);
     course.TiltAtFoot = this->P.SpreadAngle * Degree * (0.35 + 1.3 * tilts[0]);
-    course.TiltAtTip = course.TiltAtFoot + this->P.SpreadAngle * Degree * (0.4 + 3.2 * tilts[1]);
-    course.Turn = (isLeaf ? 0.3 : 0.5) * std::clamp(turns[0], -2.0, 2.0);
+    course.TiltAtTip = course.TiltAtFoot + this->P.SpreadAngle * Degree * (0.4 + (isLeaf ? 5.0 : 2.6) * tilts[1]);
+    course.Turn = (isLeaf ? 0.6 : 0.5) * std::clamp(turns[0], -2.0, 2.0);
     course.Roll = 0.25 * std::clamp(rolls[0], -2.0, 2.0);
     course.Twist = (isLeaf ? 0.9 : 0.6) * std::clamp(rolls[1], -2.0, 2.0);
 
@@ -358,16 +358,16 @@ SeaweedParameters GiantKelp()
 {
   SeaweedParameters p;
   p.Form = SeaweedForm::Canopy;
-  p.NumberOfFronds = 5;
+  p.NumberOfFronds = 6;
   p.HoldfastRadius = 0.35;
   p.StipeLength = 14.0;
-  p.StipeRadius = 0.006;
-  p.BladeLength = 0.75;
-  p.BladeWidth = 0.13;
+  p.StipeRadius = 0.008;
+  p.BladeLength = 0.95;
+  p.BladeWidth = 0.17;
   p.BladeThickness = 0.0008;
-  p.BladeSpacing = 0.32;
-  p.FloatRadius = 0.017;
-  p.Ruffle = 0.18;
+  p.BladeSpacing = 0.26;
+  p.FloatRadius = 0.02;
+  p.Ruffle = 0.22;
   p.SpreadAngle = 38.0;
   p.SegmentsPerBranch = 12;
   p.StipeModulus = 1.5e7;
@@ -376,8 +376,8 @@ SeaweedParameters GiantKelp()
   p.BladeDensity = 1050.0;
   p.FloatDensity = 300.0;
   p.Variation = 0.2;
-  p.Blade = { 158, 126, 46 };
-  p.Stipe = { 140, 108, 46 };
+  p.Blade = { 182, 144, 52 };
+  p.Stipe = { 150, 116, 50 };
   return p;
 }
 
@@ -397,7 +397,6 @@ SeaweedParameters Eelgrass()
   p.SpreadAngle = 11.0;
   p.StipeModulus = 2e8;
   p.BladeModulus = 3e8;
-  p.DampingRatio = 0.05;
   p.StipeDensity = 1000.0;
   p.BladeDensity = 800.0;
   p.Variation = 0.2;
@@ -476,7 +475,7 @@ double BladeProfile(SeaweedForm form, double part)
       width = rise(0.35) * std::pow(1.0 - s, 0.75) * 1.5;
       break;
     case SeaweedForm::Meadow:
-      width = (0.75 + 0.25 * std::min(1.0, 4.0 * s)) * end(0.05);
+      width = (0.75 + 0.25 * std::min(1.0, 4.0 * s)) * end(0.03);
       break;
   }
   return std::clamp(width, 0.06, 1.0);

@@ -19,12 +19,12 @@ namespace
 
 constexpr int Haptera = 14;
 constexpr int SegmentsOfHapteron = 4;
-constexpr int SidesOfFloat = 8;
-constexpr int RingsOfFloat = 5;
-constexpr double RowsOfWave = 6.0;
-constexpr double WaveOfWidth = 0.85; // length of the waves of an edge, as part of the width
-constexpr int PlanesOfLow = 4;
-constexpr int SlicesOfLow = 8;
+constexpr int SidesOfFloat = 6;
+constexpr int RingsOfFloat = 4;
+constexpr double RowsOfWave = 5.0;
+constexpr double TipOfStrap = 0.02; // the last row of a leaf that ends bluntly, as part of its length
+constexpr int SidesOfLow = 4;
+constexpr int CornersOfLow = 16;
 
 Colour Scaled(const Colour& colour, double gain, double warm = 0.0)
 {
@@ -120,16 +120,24 @@ private:
   }
 };
 
-/// The colour of a blade at a part of its length and a distance from its middle, 1 at the edge.
-Colour ColourOfBlade(const SeaweedBlade& blade, SeaweedForm form, double part, double across)
+/// Length of the waves of an edge, as part of the width.
+double WaveOfWidth(SeaweedForm form)
+{
+  return form == SeaweedForm::Tuft ? 0.85 : 1.5;
+}
+
+/// The colour of a blade at a part of its length and a distance from its middle, 1 at the edge. Without its waves it is
+/// darker all over, by as much as their slopes are on the average.
+Colour ColourOfBlade(const SeaweedBlade& blade, SeaweedForm form, double part, double across, bool hasWaves)
 {
   const double foot = std::exp(-5.0 * part);
+  const double slopes = hasWaves ? 0.0 : blade.Ruffle / blade.Width;
   if (form == SeaweedForm::Meadow)
   {
-    return Scaled(blade.Tint, 1.0 - 0.25 * foot + 0.15 * part, 0.18 * std::pow(part, 4.0));
+    return Scaled(blade.Tint, 1.0 - slopes - 0.25 * foot + 0.15 * part, 0.18 * std::pow(part, 4.0));
   }
   const double thin = across * across; // light comes through the edge
-  return Scaled(blade.Tint, (0.84 + 0.22 * thin) * (1.0 - 0.2 * foot) + 0.06 * part, 0.05 * thin);
+  return Scaled(blade.Tint, (0.84 + 0.22 * thin) * (1.0 - 0.2 * foot - slopes) + 0.06 * part, 0.05 * thin);
 }
 
 class RibbonMaker
@@ -156,36 +164,50 @@ private:
   PlantMesh Mesh;
 
   /// How far a place of a ruffled blade lies from its plain [m].
-  static double Wave(const SeaweedBlade& blade, double part, double across)
+  double Wave(const SeaweedBlade& blade, double part, double across) const
   {
-    const double waves = blade.Length / (WaveOfWidth * blade.Width);
+    const double waves = blade.Length / (WaveOfWidth(this->Weed.Parameters.Form) * blade.Width);
     const double side = across > 0.0 ? 1.0 : -1.0;
     const double phase = TwoPi * part * waves * (1.0 + 0.06 * side) + (2.0 + side) * blade.Phase +
-      1.2 * std::sin(TwoPi * 1.7 * part + blade.Phase);
+      1.8 * std::sin(TwoPi * 1.7 * part + (2.0 - side) * blade.Phase);
     const double fade = std::min({ 1.0, 5.0 * part, 6.0 * (1.0 - part) });
-    return blade.Ruffle * fade * std::pow(std::abs(across), 1.6) * std::sin(phase);
+    const double uneven = 0.7 + 0.3 * std::sin(TwoPi * (2.3 + 0.9 * side) * part + 3.0 * blade.Phase);
+    return blade.Ruffle * fade * uneven * std::pow(std::abs(across), 1.6) * std::sin(phase);
   }
 
-  int RowsOf(const SeaweedBlade& blade, int segments) const
+  /// Where the rows of vertices are along a blade.
+  std::vector<double> RowsOf(const SeaweedBlade& blade, int segments) const
   {
-    double rows = std::max(1.0, std::ceil(this->Options.RowsOfSegment * segments));
+    const SeaweedForm form = this->Weed.Parameters.Form;
+    double count = std::max(1.0, std::ceil(this->Options.RowsOfSegment * segments));
     if (this->Options.HasRuffles && blade.Ruffle > 0.0)
     {
-      rows = std::max(rows, std::ceil(RowsOfWave * blade.Length / (WaveOfWidth * blade.Width)));
+      count = std::max(count, std::ceil(RowsOfWave * blade.Length / (WaveOfWidth(form) * blade.Width)));
     }
-    return static_cast<int>(std::min<double>(rows, this->Options.MostRows));
+    count = std::min<double>(count, this->Options.MostRows);
+    std::vector<double> rows;
+    for (int row = 0; row <= static_cast<int>(count); ++row)
+    {
+      const bool isTip = row == static_cast<int>(count);
+      if (isTip && form == SeaweedForm::Meadow && TipOfStrap * count < 1.0)
+      {
+        rows.push_back(1.0 - TipOfStrap);
+      }
+      rows.push_back(row / count);
+    }
+    return rows;
   }
 
   void AddBlade(const SeaweedBlade& blade)
   {
     const BladeCurve curve(this->Weed, blade);
     const bool ruffled = this->Options.HasRuffles && blade.Ruffle > 0.0;
-    const int rows = this->RowsOf(blade, curve.NumberOfSegments());
-    const int columns = ruffled ? 5 : 2;
+    const std::vector<double> parts = this->RowsOf(blade, curve.NumberOfSegments());
+    const int rows = static_cast<int>(parts.size()) - 1;
+    const int columns = !ruffled ? 2 : this->Weed.Parameters.Form == SeaweedForm::Tuft ? 5 : 3;
     const int first = static_cast<int>(this->Mesh.Points.size());
-    for (int row = 0; row <= rows; ++row)
+    for (const double part : parts)
     {
-      const double part = static_cast<double>(row) / rows;
       const Vector3 middle = curve.At(part);
       const Vector3 along = curve.DirectionAt(part);
       const Vector3 side = curve.SideAt(part, along);
@@ -194,10 +216,11 @@ private:
       for (int column = 0; column < columns; ++column)
       {
         const double across = 2.0 * column / (columns - 1) - 1.0;
-        const double wave = ruffled ? Wave(blade, part, across) : 0.0;
+        const double wave = ruffled ? this->Wave(blade, part, across) : 0.0;
         this->Mesh.Points.push_back(middle + across * half * side + wave * facing);
         this->Mesh.TCoords.push_back({ 0.5 + 0.5 * across, part });
-        this->Mesh.Colours.push_back(ColourOfBlade(blade, this->Weed.Parameters.Form, part, std::abs(across)));
+        this->Mesh.Colours.push_back(
+          ColourOfBlade(blade, this->Weed.Parameters.Form, part, std::abs(across), this->Options.HasRuffles));
         if (this->Options.HasJoints)
         {
           curve.AddJointAt(this->Mesh, part);
@@ -361,7 +384,7 @@ void AddFloat(PlantMesh& mesh, const Seaweed& seaweed, int node)
   const Vector3 other = glm::cross(axis, side);
   const double length = glm::length(step);
   const double thick = EquivalentRadius(seaweed.Segments[node]);
-  const Colour colour = Scaled(seaweed.Parameters.Blade, 1.18, 0.04);
+  const Colour colour = Scaled(seaweed.Parameters.Blade, 0.95, 0.02);
   const int first = static_cast<int>(mesh.Points.size());
   const auto add = [&](double part, double radius, double angle, double u) {
     const Vector3 normal = std::cos(angle) * side + std::sin(angle) * other;
@@ -398,140 +421,151 @@ void AddFloat(PlantMesh& mesh, const Seaweed& seaweed, int node)
   }
 }
 
-/// What is seen of a plant within a slice of heights, from a side.
-struct SeenSlice
+/// A polygon of a mesh, for the lowest level.
+struct Facet
 {
-  double Area = 0.0; // [m2]
-  double Sum = 0.0;  // of places times areas
-  double Low = 0.0;
+  Vector3 Middle{ 0.0, 0.0, 0.0 };
+  double Area = 0.0; // that may be seen [m2]
+  double Low = 0.0;  // lowest and highest corner [m]
   double High = 0.0;
-  double Colours[3] = { 0.0, 0.0, 0.0 };
-
-  void Add(double place, double area, const Colour& colour)
-  {
-    this->Low = this->Area > 0.0 ? std::min(this->Low, place) : place;
-    this->High = this->Area > 0.0 ? std::max(this->High, place) : place;
-    this->Area += area;
-    this->Sum += area * place;
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      this->Colours[channel] += area * colour[channel];
-    }
-  }
+  Colour Tint{ 0, 0, 0 };
 };
 
+/// Adds the polygons of a mesh, of which this part can be seen at once: half where it is closed.
+void AddFacets(const PlantMesh& mesh, double seen, std::vector<Facet>& facets)
+{
+  for (int polygon = 0; polygon < mesh.NumberOfPolygons(); ++polygon)
+  {
+    const int begin = mesh.Offsets[polygon];
+    const int end = mesh.Offsets[polygon + 1];
+    const Vector3& origin = mesh.Points[mesh.Corners[begin]];
+    Facet facet;
+    facet.Low = facet.High = origin.z;
+    facet.Tint = mesh.Colours[mesh.Corners[begin]];
+    Vector3 area(0.0);
+    for (int corner = begin; corner < end; ++corner)
+    {
+      const Vector3& point = mesh.Points[mesh.Corners[corner]];
+      const Vector3& next = mesh.Points[mesh.Corners[corner + 1 < end ? corner + 1 : begin]];
+      facet.Middle += point / static_cast<double>(end - begin);
+      facet.Low = std::min(facet.Low, point.z);
+      facet.High = std::max(facet.High, point.z);
+      area += 0.5 * glm::cross(point - origin, next - origin);
+    }
+    facet.Area = seen * glm::length(area);
+    facets.push_back(facet);
+  }
+}
+
+/// Makes four upright polygons of the four sides of a plant.
 class LowMaker
 {
 public:
   explicit LowMaker(const PlantPrototype& prototype)
-    : Parts{ &prototype.Skin, &prototype.Leaves }
   {
-    this->Bottom = this->Top = this->Parts[0]->Points.front().z;
-    for (const PlantMesh* part : this->Parts)
-    {
-      for (const Vector3& point : part->Points)
-      {
-        this->Bottom = std::min(this->Bottom, point.z);
-        this->Top = std::max(this->Top, point.z);
-      }
-    }
-    this->Thick = (this->Top - this->Bottom) / SlicesOfLow;
+    AddFacets(prototype.Skin, 0.5, this->Facets);
+    AddFacets(prototype.Leaves, 1.0, this->Facets);
   }
 
   PlantMesh Run()
   {
-    for (int plane = 0; plane < PlanesOfLow; ++plane)
+    for (int side = 0; side < SidesOfLow; ++side)
     {
-      const double azimuth = Pi * plane / PlanesOfLow;
-      this->AddPlane({ std::cos(azimuth), std::sin(azimuth), 0.0 });
+      const double azimuth = TwoPi * (side + 0.25) / SidesOfLow; // none is seen edge on from north or east
+      this->AddSide({ std::cos(azimuth), std::sin(azimuth), 0.0 });
     }
     return std::move(this->Mesh);
   }
 
 private:
-  const PlantMesh* Parts[2];
-  double Bottom = 0.0;
-  double Top = 0.0;
-  double Thick = 0.0;
+  std::vector<Facet> Facets;
   PlantMesh Mesh;
 
-  std::vector<SeenSlice> SlicesAlong(const Vector3& across) const
+  /// The facets on a side; all, a part of each, where there are none.
+  std::vector<Facet> FacetsOf(const Vector3& outward) const
   {
-    std::vector<SeenSlice> slices(SlicesOfLow);
-    const Vector3 facing{ -across.y, across.x, 0.0 };
-    for (const PlantMesh* part : this->Parts)
+    std::vector<Facet> own;
+    for (const Facet& facet : this->Facets)
     {
-      for (int polygon = 0; polygon < part->NumberOfPolygons(); ++polygon)
+      const double away = std::hypot(facet.Middle.x, facet.Middle.y);
+      if (glm::dot(facet.Middle, outward) > std::cos(Pi / SidesOfLow) * away)
       {
-        const int begin = part->Offsets[polygon];
-        const int end = part->Offsets[polygon + 1];
-        const Vector3& origin = part->Points[part->Corners[begin]];
-        Vector3 middle(0.0);
-        Vector3 area(0.0);
-        for (int corner = begin; corner < end; ++corner)
-        {
-          const Vector3& point = part->Points[part->Corners[corner]];
-          const Vector3& next = part->Points[part->Corners[corner + 1 < end ? corner + 1 : begin]];
-          middle += point / static_cast<double>(end - begin);
-          area += 0.5 * glm::cross(point - origin, next - origin);
-        }
-        const int slice = std::clamp(static_cast<int>((middle.z - this->Bottom) / this->Thick), 0, SlicesOfLow - 1);
-        slices[slice].Add(
-          glm::dot(middle, across), std::abs(glm::dot(area, facing)), part->Colours[part->Corners[begin]]);
+        own.push_back(facet);
       }
     }
-    return slices;
+    if (own.empty())
+    {
+      own = this->Facets;
+      for (Facet& facet : own)
+      {
+        facet.Area /= SidesOfLow;
+      }
+    }
+    return own;
   }
 
-  void AddPlane(const Vector3& across)
+  /// The mean colour around a height.
+  static Colour ColourAt(const std::vector<Facet>& facets, double height, double reach)
   {
-    const std::vector<SeenSlice> slices = this->SlicesAlong(across);
-    const Vector3 normal{ across.y, -across.x, 0.0 };
-    std::vector<std::array<double, 3>> outline; // left, right, height
-    std::vector<Colour> colours;
-    double middle = 0.0;
-    Colour colour = this->Parts[0]->Colours.front();
-    for (int slice = 0; slice < SlicesOfLow; ++slice)
+    double sums[3] = { 0.0, 0.0, 0.0 };
+    double weights = 0.0;
+    for (const Facet& facet : facets)
     {
-      const SeenSlice& seen = slices[slice];
-      double half = 0.001 * this->Thick;
-      if (seen.Area > 0.0)
+      const double off = (facet.Middle.z - height) / reach;
+      const double weight = facet.Area * std::exp(-off * off);
+      weights += weight;
+      for (int channel = 0; channel < 3; ++channel)
       {
-        half = std::max(half, 0.5 * std::min(seen.High - seen.Low, seen.Area / this->Thick));
-        middle = seen.Sum / seen.Area;
-        for (int channel = 0; channel < 3; ++channel)
-        {
-          colour[channel] = static_cast<unsigned char>(std::lround(seen.Colours[channel] / seen.Area));
-        }
-      }
-      const double height = this->Bottom + (slice + 0.5) * this->Thick;
-      if (slice == 0)
-      {
-        outline.push_back({ middle - half, middle + half, this->Bottom });
-        colours.push_back(colour);
-      }
-      outline.push_back({ middle - half, middle + half, height });
-      colours.push_back(colour);
-      if (slice == SlicesOfLow - 1)
-      {
-        outline.push_back({ middle - 0.4 * half, middle + 0.4 * half, this->Top });
-        colours.push_back(colour);
+        sums[channel] += weight * facet.Tint[channel];
       }
     }
+    Colour colour = facets.front().Tint;
+    for (int channel = 0; channel < 3 && weights > 0.0; ++channel)
+    {
+      colour[channel] = static_cast<unsigned char>(std::lround(sums[channel] / weights));
+    }
+    return colour;
+  }
+
+  /// An ellipse, sheared to lean as the side does: convex, so that any renderer fills it.
+  void AddSide(const Vector3& outward)
+  {
+    const std::vector<Facet> facets = this->FacetsOf(outward);
+    double low = facets.front().Low;
+    double high = facets.front().High;
+    double area = 0.0;
+    Vector3 mean(0.0); // of place, height and the square of height
+    double product = 0.0;
+    for (const Facet& facet : facets)
+    {
+      const double place = glm::dot(facet.Middle, outward);
+      const double height = facet.Middle.z;
+      low = std::min(low, facet.Low);
+      high = std::max(high, facet.High);
+      area += facet.Area;
+      mean += facet.Area * Vector3(place, height, height * height);
+      product += facet.Area * place * height;
+    }
+    mean /= area;
+    const double spread = mean.z - mean.y * mean.y;
+    const double lean = spread > 0.0 ? (product / area - mean.x * mean.y) / spread : 0.0;
+    double reach = 0.0;
+    for (const Facet& facet : facets)
+    {
+      reach = std::max(reach, std::abs(glm::dot(facet.Middle, outward) - mean.x - lean * (facet.Middle.z - mean.y)));
+    }
+    const double tall = 0.5 * (high - low);
+    const double half = std::clamp(area / (Pi * tall), 1e-3 * tall, std::max(reach, 2e-3 * tall));
     std::vector<int> corners;
-    const auto add = [&](double place, double height, const Colour& tint) {
+    for (int corner = 0; corner < CornersOfLow; ++corner)
+    {
+      const double angle = TwoPi * corner / CornersOfLow;
+      const double height = low + tall * (1.0 - std::cos(angle));
+      const double place = mean.x + lean * (height - mean.y) + half * std::sin(angle);
       corners.push_back(static_cast<int>(this->Mesh.Points.size()));
-      this->Mesh.Points.push_back(place * across + Vector3(0.0, 0.0, height));
-      this->Mesh.Normals.push_back(normal);
-      this->Mesh.Colours.push_back(tint);
-    };
-    for (std::size_t level = 0; level < outline.size(); ++level)
-    {
-      add(outline[level][1], outline[level][2], colours[level]);
-    }
-    for (std::size_t level = outline.size(); level-- > 0;)
-    {
-      add(outline[level][0], outline[level][2], colours[level]);
+      this->Mesh.Points.push_back(place * outward + Vector3(0.0, 0.0, height));
+      this->Mesh.Normals.push_back({ outward.y, -outward.x, 0.0 });
+      this->Mesh.Colours.push_back(ColourAt(facets, height, 0.25 * tall));
     }
     this->Mesh.AddPolygon(corners);
   }

@@ -34,8 +34,8 @@ TextureImage BladePicture(SeaweedForm form, const Colour& colour, int columns, i
 /**
  * All levels of a seaweed. High: Skin is what is round, Leaves are the blades, LeafTexture the relief of a blade in
  * grey. Medium: Trunk has fewer corners, Crown are blades without waves, CrownTexture is a blade in colour. Low: four
- * upright polygons, each as wide at a height as the plant itself or as the sum of what is seen of it there, whichever
- * is less.
+ * upright ellipses, one for each side of the plant, that lean as the side does. The area of each is that of what it
+ * stands for, as far as there is room.
  */
 PlantPrototype LevelsOf(const Seaweed& seaweed, const PlantLevelOptions& options);
 

@@ -29,12 +29,12 @@ enum class SeaweedTissue
 struct SeaweedSegment
 {
   SeaweedTissue Tissue = SeaweedTissue::Stipe;
-  double Width = 0.01;       ///< of the section, at its middle [m]
-  double Thickness = 0.01;   ///< [m], at most Width
-  double YoungModulus = 1e7; ///< [Pa]
-  double DampingRatio = 0.1; ///< of the tissue alone, of critical
-  double Density = 1000.0;   ///< gas included [kg/m3]
-  Vector3 Across{ 1, 0, 0 }; ///< unit vector along the width, at a right angle to the segment
+  double Width = 0.01;        ///< of the section, at its middle [m]
+  double Thickness = 0.01;    ///< [m], at most Width
+  double YoungModulus = 1e7;  ///< [Pa]
+  double DampingRatio = 0.05; ///< of the tissue alone, of critical
+  double Density = 1000.0;    ///< gas included [kg/m3]
+  Vector3 Across{ 1, 0, 0 };  ///< unit vector along the width, at a right angle to the segment
 };
 
 /// Area of the section [m2].

@@ -27,15 +27,15 @@ vtkSeaweedSource::vtkSeaweedSource()
   , Ruffle(0.3)
   , BladeSpacing(0.35)
   , FloatRadius(0.018)
-  , StipeModulus(1.5e7)
+  , StipeModulus(3e7)
   , BladeModulus(4e6)
-  , DampingRatio(0.1)
+  , DampingRatio(0.05)
   , StipeDensity(1020.0)
   , BladeDensity(1005.0)
   , FloatDensity(300.0)
   , Variation(0.18)
-  , BladeColor{ 0.64, 0.455, 0.165 }
-  , StipeColor{ 0.44, 0.306, 0.133 }
+  , BladeColor{ 0.745, 0.533, 0.188 }
+  , StipeColor{ 0.502, 0.353, 0.157 }
 {
 }
 

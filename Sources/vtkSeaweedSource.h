@@ -137,7 +137,7 @@ public:
 
   ///@{
   /// Young's modulus of stipes and floats [Pa], 1e3 to 1e12. The joint at the foot of a segment has the stiffness E I /
-  /// L. Default 1.5e7.
+  /// L. Default 3e7.
   vtkSetMacro(StipeModulus, double);
   vtkGetMacro(StipeModulus, double);
   ///@}
@@ -149,7 +149,7 @@ public:
   ///@}
 
   ///@{
-  /// Damping of the tissue alone, as part of critical damping, 0 to 10. Default 0.1.
+  /// Damping of the tissue alone, as part of critical damping, 0 to 10. Default 0.05.
   vtkSetMacro(DampingRatio, double);
   vtkGetMacro(DampingRatio, double);
   ///@}
@@ -179,13 +179,13 @@ public:
   ///@}
 
   ///@{
-  /// Colour of the blades: red, green, blue, each 0 to 1. Default 0.64 0.455 0.165.
+  /// Colour of the blades: red, green, blue, each 0 to 1. Default 0.745 0.533 0.188.
   vtkSetVector3Macro(BladeColor, double);
   vtkGetVector3Macro(BladeColor, double);
   ///@}
 
   ///@{
-  /// Colour of stipes and holdfast: red, green, blue, each 0 to 1. Default 0.44 0.306 0.133.
+  /// Colour of stipes and holdfast: red, green, blue, each 0 to 1. Default 0.502 0.353 0.157.
   vtkSetVector3Macro(StipeColor, double);
   vtkGetVector3Macro(StipeColor, double);
   ///@}

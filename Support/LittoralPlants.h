@@ -213,7 +213,10 @@ inline void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* 
   AddBlock(blocks, plant::High, high);
   AddBlock(blocks, plant::Medium, medium);
   AddBlock(blocks, plant::Low, PolyDataOf(prototype.Low));
-  AttachWood(blocks, prototype.Timber);
+  if (prototype.Segments.empty())
+  {
+    AttachWood(blocks, prototype.Timber);
+  }
 }
 
 }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws seaweeds.png of the user guide: three kinds of seaweeds under water.
+"""Draws seaweeds.jpg of the user guide: three kinds of seaweeds under water.
 
     ./littoral run pvpython Documentation/pictures/make_seaweeds.py [FOLDER]
 """
@@ -14,6 +14,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 from littoral import vtkSeaweedSource
@@ -27,8 +28,8 @@ PANELS = (  # kind, title, height of what is seen [m], places and seeds, camera
          clear=9.0, bed=(0.50, 0.47, 0.40), rocks=26, tilt=0.02,
          plants=((0.05, 0.0, 3), (-0.75, 1.7, 4), (1.0, 2.3, 6), (-0.1, 4.2, 5), (-1.7, 4.6, 8), (1.9, 5.6, 9),
                  (0.8, 7.0, 10), (-2.7, 7.5, 2))),
-    dict(kind="GiantKelp", title="Giant kelp", seen=16.4, low=(0.02, 0.19, 0.30), high=(0.50, 0.80, 0.80),
-         clear=42.0, bed=(0.42, 0.42, 0.38), rocks=20, tilt=0.03,
+    dict(kind="GiantKelp", title="Giant kelp", seen=13.6, low=(0.02, 0.19, 0.30), high=(0.50, 0.80, 0.80),
+         clear=38.0, bed=(0.42, 0.42, 0.38), rocks=20, tilt=0.03,
          plants=((0.6, 0.0, 2), (-3.9, 7.0, 3), (5.2, 13.0, 4), (-1.5, 20.0, 5), (-9.5, 24.0, 6), (9.0, 30.0, 7),
                  (2.2, 34.0, 8), (-5.5, 38.0, 9))),
     dict(kind="Eelgrass", title="Eelgrass", seen=1.25, low=(0.10, 0.33, 0.34), high=(0.56, 0.80, 0.74),
@@ -130,7 +131,7 @@ def plants_of(panel, random):
 def add_light(renderer):
     """Daylight from above, and what comes back from the water around."""
     renderer.AutomaticLightCreationOff()
-    for towards, colour, intensity in (((0.25, -0.35, 1.0), (1.0, 1.0, 0.90), 0.95),
+    for towards, colour, intensity in (((0.25, -0.35, 1.0), (1.0, 1.0, 0.90), 0.9),
                                        ((-0.6, -1.0, 0.25), (0.75, 0.95, 1.0), 0.5),
                                        ((0.5, 1.0, 0.5), (1.0, 1.0, 0.75), 0.35)):
         light = vtkLight()
@@ -146,7 +147,8 @@ def draw(panel, index):
     random = np.random.default_rng(5 + index)
     seen = panel["seen"]
     renderer = vtkRenderer()
-    renderer.SetViewport(index / len(PANELS), 0.0, (index + 1) / len(PANELS), 1.0)
+    gap = 0.0022 * np.array((index > 0, index + 1 < len(PANELS)))
+    renderer.SetViewport(index / len(PANELS) + gap[0], 0.0, (index + 1) / len(PANELS) - gap[1], 1.0)
     renderer.GradientBackgroundOn()
     renderer.SetBackground(*panel["low"])
     renderer.SetBackground2(*panel["high"])
@@ -164,13 +166,15 @@ def draw(panel, index):
             renderer.AddActor(rock(panel, (x, y), 0.06 * seen, random))
         for part, picture in (("Skin", None), ("Leaves", source.GetOutputDataObject(2))):
             actor = plant_actor(block(source.GetOutput(), "High", part), picture, tinted=True)
-            actor.GetProperty().SetAmbient(0.35)
-            actor.GetProperty().SetSpecular(0.12)
-            actor.GetProperty().SetSpecularPower(12.0)
+            actor.GetProperty().SetAmbient(0.55)
+            actor.GetProperty().SetSpecular(0.08)
+            actor.GetProperty().SetSpecularPower(8.0)
             actor.SetPosition(x, y, 0.025 * seen if panel["rocks"] else 0.0)
             actor.RotateZ(67.0 * seed)
             renderer.AddActor(under_water(actor, panel))
-    renderer.AddActor(label(panel["title"], (0.5, 0.02), 22 * OVERSAMPLING, (1.0, 1.0, 1.0)))
+    title = label(panel["title"], (0.5, 0.985), 20 * OVERSAMPLING, (1.0, 1.0, 1.0))
+    title.GetTextProperty().ShadowOn()
+    renderer.AddActor(title)
     camera = renderer.GetActiveCamera()
     middle = 0.44 * seen
     camera.SetPosition(0.0, -DISTANCE * seen, middle + panel["tilt"] * DISTANCE * seen)
@@ -184,9 +188,20 @@ def draw(panel, index):
 def main(folder):
     """Draw it into a folder."""
     window = vtkRenderWindow()
+    paper = vtkRenderer()
+    paper.SetBackground(1.0, 1.0, 1.0)
+    window.AddRenderer(paper)
     for index, panel in enumerate(PANELS):
         window.AddRenderer(draw(panel, index))
-    write_png(window, os.path.join(folder, "seaweeds.png"), SIZE, OVERSAMPLING)
+    picture = os.path.join(folder, "seaweeds.png")
+    write_png(window, picture, SIZE, OVERSAMPLING)
+    reader, writer = vtkPNGReader(), vtkJPEGWriter()
+    reader.SetFileName(picture)
+    writer.SetInputConnection(reader.GetOutputPort())
+    writer.SetQuality(86)
+    writer.SetFileName(picture.replace(".png", ".jpg"))
+    writer.Write()
+    os.remove(picture)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))

@@ -17,7 +17,7 @@ a twin from the best one, and writes into FOLDER (default: a new temporary folde
     forest.png         a part of the place with woods
     walk.ogv           a walk there in the wind, and its pictures walk.0000.png and on
     wind.vdb           that wind as an OpenVDB volume
-    underwater.png     the surface from below, the bed, and particles that fade into fog
+    underwater.png     the surface from below, kelp, and particles that fade into fog
     underwater.ogv     the same as a film, and its pictures underwater.0000.png and on
     fog.vdb            that fog as an OpenVDB volume
 """

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: none
-"""Under the waves: the surface from below, a sandy bed with stones, particles that fade into fog.
+"""Under the waves: the surface from below, kelp on a sandy bed with stones, particles that fade into fog.
 
     ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView
     pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png and, as an OpenVDB volume,
@@ -45,8 +45,13 @@ def build(folder, view):
                           PeakPeriod=3.6, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
     level = reader("Level", underwater.mesh(underwater.fan()), folder)
     surface = simple.ParticleOrbits(registrationName="Surface", Input=level, SeaState=sea)
-    sand, _ = underwater.bed(DEPTH, EYE)
+    sand, height = underwater.bed(DEPTH, EYE)
     floor = reader("Bed", sand, folder)
+    sites = reader("KelpSites", underwater.kelp_sites(height), folder)
+    kelp = simple.PlantScatter(
+        registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCells=0, Prototypes=[
+            simple.Seaweed(registrationName="SugarKelp"),
+            simple.Seaweed(registrationName="GiantKelp", Preset="Giant Kelp")])
     drifting = reader("Drifting", underwater.particles(
         (-17.0, -1.0, -DEPTH + 0.4, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.93), folder)
     levels = simple.ParticleLevelOfDetail(registrationName="Levels", Input=drifting, SeaState=sea, Visibility=30.0)
@@ -64,7 +69,7 @@ def build(folder, view):
     underwater.show_fog(fog, view)
     underwater.show_particles(near, view, EYE)
     return [underwater.show_beyond(view, TIME, EYE), underwater.show_bed(floor, view, TIME),
-            underwater.show_surface(surface, view, TIME)]
+            underwater.show_seaweeds(kelp, view, TIME), underwater.show_surface(surface, view, TIME)]
 
 
 def film(shaded, view, folder, frames, told):

@@ -335,8 +335,9 @@ TEST_P(SeaweedPresets, LowerLevelsAreAsLargeAsThePlant)
   const Vector3 side{ 0.6, 0.8, 0.0 };
   const double blades = SeenArea(prototype.Leaves, side);
   EXPECT_NEAR(SeenArea(prototype.Crown, side), blades, 0.35 * blades);
-  EXPECT_LT(SeenArea(prototype.Low, side), 4.0 * (blades + SeenArea(prototype.Skin, side)));
-  EXPECT_GT(SeenArea(prototype.Low, side), 0.3 * blades);
+  const double all = blades + SeenArea(prototype.Skin, side);
+  EXPECT_LT(SeenArea(prototype.Low, side), 2.0 * all);
+  EXPECT_GT(SeenArea(prototype.Low, side), 0.5 * all);
 }
 
 TEST_P(SeaweedPresets, IsAFunctionOfItsSeed)

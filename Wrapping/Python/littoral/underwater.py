@@ -175,6 +175,21 @@ BED = """
   gl_FragData[0] = vec4(toned(through(albedo * falling)), 1.0);
 """
 
+#: Blades and stipes. Light goes through blades; vertex colours are what it takes on.
+SEAWEED = """
+  vec3 normal = normalize(normalAtPlace);
+  vec3 towards = normalize(placeMC - eyeMC);
+  if (dot(normal, towards) > 0.0)
+    normal = -normal;
+  float facing = dot(normal, sun);
+  float focus = mix(1.0, min(3.0, caustic(entry(placeMC), max(0.5, -placeMC.z), 0.3)), 0.6);
+  vec3 reflected = ambientColor * (1.3 * max(0.0, facing) * focus + 0.42 + 0.22 * normal.z);
+  vec3 passed = ambientColor * (0.4 + ambientColor) * 1.1 * max(0.0, -facing) * focus;
+  float glow = pow(max(0.0, dot(towards, sun)), 3.0);
+  vec3 light = downLight(placeMC.z) * (reflected + passed * (1.0 + 2.0 * glow));
+  gl_FragData[0] = vec4(toned(through(light)), 1.0);
+"""
+
 #: What lies beyond everything: water.
 BEYOND = "  gl_FragData[0] = vec4(toned(through(vec3(0.0))), 1.0);\n"
 
@@ -285,6 +300,28 @@ def _field(size, samples, reach, smoothness, seed):
     return field / field.std()
 
 
+def kelp_sites(height, count=110, seed=4, top=-0.8):
+    """Sites for Plant Scatter before the eye, in groves: Species 0 sugar kelp, 1 giant kelp, with their Scale.
+
+    height: function of the bed's height [m]; top: what giant kelp does not reach beyond [m].
+    """
+    random = np.random.default_rng(seed)
+    groves = ((-6.5, 11.5), (7.5, 14.0), (-13.0, 21.0), (15.0, 23.0), (1.5, 25.0))
+    near = ((3.3, 6.9), (4.3, 7.6), (2.7, 8.2), (5.4, 8.0), (-4.0, 7.3), (-5.2, 8.3), (-3.3, 8.9))
+    places, species = [(x, y, float(height(x, y))) for x, y in near], [0] * len(near)
+    for number in range(count):
+        giant = number % 4 == 0
+        x, y = np.array(groves[number // 4 % len(groves)]) + random.normal(0.0, 1.7 if giant else 2.6, 2)
+        if y < 5.0 or abs(x) < 0.12 * y or (giant and y < 9.0):
+            continue  # keep the view free
+        places.append((x, y, float(height(x, y))))
+        species.append(int(giant))
+    places = np.array(places)
+    largest = (top - places[:, 2]) / 14.6  # giant kelp is that high [m]
+    scale = np.where(species, largest * random.uniform(0.75, 1.0, len(places)), random.uniform(0.7, 1.15, len(places)))
+    return points_with(places, Species=np.array(species, dtype=np.int32), Scale=scale)
+
+
 def particles(box, count, radius, colour, seed=1, clumps=0.0):
     """Particles in a box (smallest, then largest x, y, z) with the arrays Radius [m] and RGB.
 
@@ -326,11 +363,13 @@ def show_surface(source, view, time):
 
 def show_bed(source, view, time):
     """Show a bed or other ground with the arrays RGB and Normals."""
-    shown = simple.Show(source, view)
-    simple.ColorBy(shown, ("POINTS", "RGB"))
-    shown.MapScalars = 0
-    _shade(shown, PLACES + NORMALS, BED, time)
-    return shown
+    return _show_lit(source, view, BED, time)
+
+
+def show_seaweeds(source, view, time):
+    """Show seaweeds in full, of Seaweed or of Plant Scatter."""
+    parts = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Skin", "/Root/High/Leaves"])
+    return _show_lit(simple.MergeBlocks(Input=parts, OutputDataSetType="Polygonal Mesh"), view, SEAWEED, time)
 
 
 def show_beyond(view, time, eye, radius=150.0):
@@ -348,7 +387,7 @@ def show_particles(source, view, eye):
     faded = simple.Calculator(Input=source, ResultArrayName="Opacity", Function=f"0.75 * Alpha * {haze}")
     shown = simple.Show(faded, view, "GeometryRepresentation")
     shown.SetRepresentationType("Point Gaussian")
-    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
     shown.ShaderPreset = "Gaussian Blur"
     shown.GaussianRadius = 1.0
@@ -372,6 +411,15 @@ def show_fog(source, view, colour=(0.50, 0.78, 0.76)):
         Points=[number for each in extinctions for number in (each, 1.0 - math.exp(-each), 0.5, 0.0)])
     shown.ScalarOpacityUnitDistance = 1.0
     shown.Shade = 0
+    return shown
+
+
+def _show_lit(source, view, fragment, time):
+    """Show something with the arrays RGB and Normals."""
+    shown = simple.Show(source, view)
+    shown.ColorArrayName = ["POINTS", "RGB"]
+    shown.MapScalars = 0
+    _shade(shown, PLACES + NORMALS, fragment, time)
     return shown
 
 
