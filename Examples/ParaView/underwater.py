@@ -52,6 +52,10 @@ def build(folder, view):
         registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCells=0, Prototypes=[
             simple.Seaweed(registrationName="SugarKelp"),
             simple.Seaweed(registrationName="GiantKelp", Preset="Giant Kelp")])
+    # The swell has bent them since a few seconds before the picture.
+    bending = simple.SeaweedDeformation(
+        registrationName="Kelp in the swell", Input=kelp, SeaState=sea, UseLevels=0, FollowCamera=0,
+        StartTime=TIME - 4.0)
     drifting = reader("Drifting", underwater.particles(
         (-17.0, -1.0, -DEPTH + 0.4, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.93), folder)
     levels = simple.ParticleLevelOfDetail(registrationName="Levels", Input=drifting, SeaState=sea, Visibility=30.0)
@@ -63,13 +67,13 @@ def build(folder, view):
     underwater.prepare_view(view)
     view.CameraPosition, view.CameraFocalPoint = list(EYE), list(FOCUS)
     view.CameraViewUp, view.CameraViewAngle = [0.0, 0.0, 1.0], VIEW_ANGLE
-    for animated in (surface, moving):
+    for animated in (surface, bending, moving):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
     underwater.show_fog(fog, view)
     underwater.show_particles(near, view, EYE)
     return [underwater.show_beyond(view, TIME, EYE), underwater.show_bed(floor, view, TIME),
-            underwater.show_seaweeds(kelp, view, TIME), underwater.show_surface(surface, view, TIME)]
+            underwater.show_seaweeds(bending, view, TIME), underwater.show_surface(surface, view, TIME)]
 
 
 def film(shaded, view, folder, frames, told):
