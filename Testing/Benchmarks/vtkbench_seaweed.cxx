@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <benchmark/benchmark.h>
 
@@ -59,6 +60,24 @@ void StepLinks(benchmark::State& state)
 }
 BENCHMARK(StepLinks)->Unit(benchmark::kMillisecond);
 
+/// A plant of ten segments on each of the sites, in full.
+vtkSmartPointer<vtkPlantScatterFilter> BedOf(vtkPoints* sites)
+{
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(sites);
+  vtkNew<vtkSeaweedSource> weed;
+  weed->SetPreset(vtkSeaweedSource::Custom);
+  weed->SetForm(vtkSeaweedSource::Tuft);
+  weed->SetNumberOfFronds(1);
+  weed->SetSegmentsPerBranch(10);
+  auto scatter = vtkSmartPointer<vtkPlantScatterFilter>::New();
+  scatter->SetInputData(places);
+  scatter->AddInputConnection(1, weed->GetOutputPort());
+  scatter->UseLevelsOff();
+  scatter->UseCellsOff();
+  return scatter;
+}
+
 /// The same with a sea of 30 trains, on all threads, for 10 000 plants; the time of a step and of nothing else.
 void StepForest(benchmark::State& state)
 {
@@ -67,18 +86,7 @@ void StepForest(benchmark::State& state)
   {
     sites->InsertNextPoint(plant % 100, plant / 100, -10.0);
   }
-  vtkNew<vtkPolyData> places;
-  places->SetPoints(sites);
-  vtkNew<vtkSeaweedSource> weed;
-  weed->SetPreset(vtkSeaweedSource::Custom);
-  weed->SetForm(vtkSeaweedSource::Tuft);
-  weed->SetNumberOfFronds(1);
-  weed->SetSegmentsPerBranch(10);
-  vtkNew<vtkPlantScatterFilter> scatter;
-  scatter->SetInputData(places);
-  scatter->AddInputConnection(1, weed->GetOutputPort());
-  scatter->UseLevelsOff();
-  scatter->UseCellsOff();
+  const auto scatter = BedOf(sites);
   vtkNew<vtkSeaStateSource> sea;
   vtkNew<vtkSeaweedDeformationFilter> move;
   move->SetInputConnection(scatter->GetOutputPort());
@@ -108,18 +116,7 @@ void Pictures(benchmark::State& state)
   {
     sites->InsertNextPoint(0.13 * plant, plant % 10, -10.0);
   }
-  vtkNew<vtkPolyData> places;
-  places->SetPoints(sites);
-  vtkNew<vtkSeaweedSource> weed;
-  weed->SetPreset(vtkSeaweedSource::Custom);
-  weed->SetForm(vtkSeaweedSource::Tuft);
-  weed->SetNumberOfFronds(1);
-  weed->SetSegmentsPerBranch(10);
-  vtkNew<vtkPlantScatterFilter> scatter;
-  scatter->SetInputData(places);
-  scatter->AddInputConnection(1, weed->GetOutputPort());
-  scatter->UseLevelsOff();
-  scatter->UseCellsOff();
+  const auto scatter = BedOf(sites);
   vtkNew<vtkSeaStateSource> sea;
   vtkNew<vtkSeaweedDeformationFilter> move;
   move->SetInputConnection(scatter->GetOutputPort());
