@@ -142,11 +142,7 @@ int vtkCovarianceFitFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // Statistics of a part are not those of the whole: every rank reads all of the image.
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  int whole[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  littoral::RequestAll(info);
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -286,11 +286,7 @@ int vtkTerrainLevelOfDetailFilter::FillInputPortInformation(int, vtkInformation*
 int vtkTerrainLevelOfDetailFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  int whole[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  littoral::RequestAll(info);
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -72,6 +72,12 @@ inline void RequestAll(vtkInformation* input)
     input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
     input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    int whole[6];
+    if (input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())) // an image
+    {
+      input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+    }
   }
 }
 
