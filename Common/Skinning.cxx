@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Skinning.h"
 
+#include <cstring>
+
 namespace littoral
 {
 
@@ -20,28 +22,45 @@ LITTORAL_INLINE double SquareOf(const double* vector)
   return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
 }
 
+template <typename Number>
+LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
+{
+  return std::memcmp(a, b, 4 * sizeof(Number)) == 0;
+}
+
+/// The mean change of four joints by their weights.
+template <typename Real>
+LITTORAL_INLINE void Blend(const int* ids, const Real* weights, const JointChange* joints, Lanes* columns)
+{
+  for (int column = 0; column < 4; ++column)
+  {
+    columns[column] = Lanes(weights[0]) * joints[ids[0]].Columns[column];
+  }
+  for (int i = 1; i < 4; ++i)
+  {
+    if (weights[i] != Real(0))
+    {
+      for (int column = 0; column < 4; ++column)
+      {
+        columns[column] += Lanes(weights[i]) * joints[ids[i]].Columns[column];
+      }
+    }
+  }
+}
+
 template <typename Real>
 LITTORAL_INLINE void MoveVertices(const RestSkin<Real>& rest, const JointChange* joints, std::size_t begin,
   std::size_t end, Real* points, Real* normals)
 {
+  Lanes columns[4]{ 0.0, 0.0, 0.0, 0.0 };
   for (std::size_t vertex = begin; vertex < end; ++vertex)
   {
+    // Vertices around a branch follow the same joints alike.
     const Real* weights = rest.JointWeights + 4 * vertex;
     const int* ids = rest.JointIds + 4 * vertex;
-    Lanes columns[4];
-    for (int column = 0; column < 4; ++column)
+    if (vertex == begin || !IsSame(ids, ids - 4) || !IsSame(weights, weights - 4))
     {
-      columns[column] = Lanes(weights[0]) * joints[ids[0]].Columns[column];
-    }
-    for (int i = 1; i < 4; ++i)
-    {
-      if (weights[i] != Real(0))
-      {
-        for (int column = 0; column < 4; ++column)
-        {
-          columns[column] += Lanes(weights[i]) * joints[ids[i]].Columns[column];
-        }
-      }
+      Blend(ids, weights, joints, columns);
     }
     const Real* p = rest.Points + 3 * vertex;
     const Lanes moved = Turned(columns, p) + columns[3];

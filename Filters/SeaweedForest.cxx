@@ -389,8 +389,15 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
       LinkState own = states[link];
       if (isProcedural(link))
       {
-        const LinkState guess = this->Motion->Procedural(*nextWater++, link, this->Shown.data());
+        const LinkPose* below = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();
+        const LinkState guess = this->Motion->Procedural(*nextWater++, link, below);
         own = this->IsPhysical ? this->Motion->Mixed(guess, own, far) : guess;
+      }
+      if (!this->IsPhysical)
+      {
+        LinkPose* chain = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();
+        this->Motion->PoseOne(own, link, chain);
+        this->Full[link] = chain[link];
       }
       state = this->Motion->Mixed(state, own, share);
       ++counters.Segments;
@@ -405,6 +412,7 @@ SeaweedCounters SeaweedForest::Show(double time, double rest, const StepCurrents
   this->Velocities.clear();
   this->Accelerations.clear();
   this->Shown.resize(this->Motion->GetLinks().size());
+  this->Full.resize(this->Shown.size());
   std::vector<LinkState> partly;
   if (this->IsPhysical && rest > 0.0)
   {
@@ -561,6 +569,17 @@ void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* ou
   {
     return;
   }
+  // The azimuth of a segment that stands nearly upright on its parent may spin; its skin bends without that twist.
+  std::vector<glm::dquat> turns;
+  if (this->Options.Joint == SeaweedJoint::Tilting)
+  {
+    for (std::size_t link = 0; link < this->Shown.size(); ++link)
+    {
+      const SeaweedLink& own = this->Motion->GetLinks()[link];
+      const glm::dquat below = own.Parent < 0 ? glm::dquat{ 1.0, 0.0, 0.0, 0.0 } : turns[own.Parent];
+      turns.push_back(RotationBetween(own.Axis + TurnedBy(below, own.Axis), this->Shown[link].Axis) * below);
+    }
+  }
   std::vector<JointChange> changes(this->Rest.Nodes.size());
   for (std::size_t node = 0; node < changes.size(); ++node)
   {
@@ -568,7 +587,12 @@ void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* ou
     if (link >= 0)
     {
       const SeaweedLink& own = this->Motion->GetLinks()[link];
-      changes[node] = ChangeOf(own, this->Shown[link]);
+      LinkPose pose = this->Shown[link];
+      if (!turns.empty())
+      {
+        pose.Turn = turns[link];
+      }
+      changes[node] = ChangeOf(own, pose);
     }
   }
   vtkNew<vtkMultiBlockDataSet> blocks;

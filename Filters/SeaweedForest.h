@@ -127,6 +127,7 @@ private:
   long long Stride = 1;
 
   std::vector<LinkPose> Shown;
+  std::vector<LinkPose> Full; ///< procedural, as near by, but for what a branch grows on
   std::vector<Vector3> Velocities;    ///< of nodes
   std::vector<Vector3> Accelerations; ///< of nodes
 
