@@ -75,7 +75,7 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
 vtkPlantWakeFilter::vtkPlantWakeFilter()
   : Primitive(0)
   , Strength(0.5)
-  , Reach(1.0)
+  , Margin(0.5)
   , CoreShare(0.2)
 {
 }
@@ -104,7 +104,7 @@ int vtkPlantWakeFilter::RequestData(
   littoral::WakeOptions options;
   options.Kind = static_cast<littoral::WakeKind>(this->Primitive);
   options.Strength = this->Strength;
-  options.Reach = this->Reach;
+  options.Margin = this->Margin;
   options.CoreShare = this->CoreShare;
   std::string reason = littoral::OutOfRange("Primitive", this->Primitive, 0, 1);
   reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
@@ -148,6 +148,6 @@ void vtkPlantWakeFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Primitive: " << this->Primitive << "\n";
   os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "CoreShare: " << this->CoreShare << "\n";
 }
