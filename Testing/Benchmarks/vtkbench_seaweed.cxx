@@ -42,18 +42,15 @@ void StepLinks(benchmark::State& state)
   const SeaweedMotion motion(LinksOf(skeleton, segments, options), options);
   std::vector<LinkState> states = motion.AtRest();
   std::vector<LinkPose> poses(states.size());
-  std::vector<WaterAtLink> water(states.size());
-  for (WaterAtLink& one : water)
-  {
-    one.Velocity = { 0.3, 0.2, 0.0 };
-  }
-  const std::vector<std::size_t>& trees = motion.GetTrees();
+  motion.Pose(states.data(), 0, states.size(), poses.data());
+  WaterAtLink current;
+  current.Velocity = { 0.3, 0.2, 0.0 };
+  const std::vector<WaterAtLink> water(motion.GetBunches().front().LanedLinks(), current);
   for (auto _ : state)
   {
-    for (std::size_t tree = 0; tree + 1 < trees.size(); ++tree)
+    for (const SeaweedBunch& bunch : motion.GetBunches())
     {
-      motion.Pose(states.data(), trees[tree], trees[tree + 1], poses.data());
-      motion.Step(1.0 / 48.0, &water[trees[tree]], poses.data(), trees[tree], trees[tree + 1], states.data());
+      motion.Step(1.0 / 48.0, bunch, water.data(), states.data(), poses.data());
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<long>(states.size()));
