@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Kelp on a sandy bed that sways in a swell and a current, and particles that drift, ride on the swell and feel the kelp.
+"""Kelp that sways in a swell and a current, and particles that drift, ride on the swell and feel the kelp.
 
     python3 swaying_kelp.py [FOLDER] [FRAMES]
 
-writes swaying_kelp.0000.png ... into FOLDER, a frame each 1/12 s, and says how far a frond goes to and fro, how late it is
-behind the water, and what the kelp does to the particles.
+writes swaying_kelp.0000.png ... into FOLDER, a frame each 1/12 s, and says how far a frond goes to and fro, how
+far it is behind the water, and what the kelp does to the particles.
 """
 
 import os
@@ -33,8 +33,9 @@ from littoral.plants import block
 DEPTH = 7.0  # of the water over the middle of the bed [m]
 START, TIME, FRAME = -12.0, 9.0, 1.0 / 12.0  # kelp at rest, first picture, between pictures [s]
 SAMPLES = 24  # of a period of the swell
-EYE, FOCUS, VIEW_ANGLE = (0.0, -5.2, 1.6), (0.0, 0.0, 1.55), 46.0
-WATER = np.array((0.05, 0.27, 0.33))
+EYE, FOCUS, VIEW_ANGLE = (0.0, -4.3, 1.0), (0.0, 0.0, 1.35), 42.0
+HORIZON = 0.43  # height in the picture
+WATER = np.array((0.06, 0.34, 0.41))
 SIGHT = 7.0  # distance over which the water takes all but a third of the light [m]
 
 
@@ -52,13 +53,16 @@ def make_bed():
 
 
 def make_kelp(sand):
-    """Sugar kelp at random places of the bed."""
+    """Kelp at random places of the bed, with enough gas in its blades to stand in the swell."""
     sites = vtkQuadratPointSource()
-    sites.SetOrigin(-7.0, -1.0)
+    sites.SetOrigin(-7.0, -1.5)
     sites.SetSize(14.0, 12.0)
     sites.SetQuadrats(7, 6)
     sites.SetSeed(4)
     plant = vtkSeaweedSource()
+    plant.SetPreset(vtkSeaweedSource.Custom)
+    plant.SetBladeDensity(940.0)
+    plant.SetBladeModulus(2e7)
     kelp = vtkPlantScatterFilter()
     kelp.SetInputConnection(0, sites.GetOutputPort())
     kelp.AddInputConnection(1, plant.GetOutputPort())
@@ -112,7 +116,7 @@ class Scene:
         self.particles = vtkSuspendedParticleSource()
         self.particles.SetMode(vtkSuspendedParticleSource.Quads)
         self.particles.SetBounds(-8.0, 8.0, -4.5, 11.0, 0.0, 4.5)
-        self.particles.SetDensity(2.0)
+        self.particles.SetDensity(5.0)
         self.stirred = self.drift(self.currents + [self.wake])
         self.calm = self.drift(self.currents)
         self.riding = self.on_waves(self.stirred.GetOutputPort())
@@ -149,9 +153,9 @@ def cloud(points):
 
 
 def measure_frond(scene):
-    """Half the way of the longest frond of a plant along the swell [m], and how late it is [degrees], node by node.
+    """How the highest frond sways along the swell, at each node, beside the water at the node's mean place.
 
-    Also the heights of the nodes over the foot [m]. The water of a node is that at its mean place.
+    Heights over the foot [m], amplitudes of frond and water [m], phase behind the water [degrees; negative: ahead].
     """
     scene.sea.Update()
     swell = scene.sea.GetOutput().GetColumnByName("AngularFrequency").GetValue(0)
@@ -175,8 +179,8 @@ def measure_frond(scene):
         water.append(places(orbits.GetOutput()))
     turn = np.exp(1j * swell * times) * 2.0 / SAMPLES
     of_plant, of_water = (np.tensordot(turn, way[..., 0], 1) for way in (plant, np.array(water)))
-    late = np.degrees(np.angle(of_plant[1:] / of_water[1:]))
-    return plant.mean(axis=0)[1:, 2] - plant[0, 0, 2], np.abs(of_plant[1:]), np.abs(of_water[1:]), late
+    behind = np.degrees(np.angle(of_plant[1:] / of_water[1:]))
+    return plant.mean(axis=0)[1:, 2] - plant[0, 0, 2], np.abs(of_plant[1:]), np.abs(of_water[1:]), behind
 
 
 def measure_wakes(scene, time):
@@ -254,8 +258,8 @@ def draw(scene, folder, frames):
     """Write the frames."""
     renderer, window = vtkRenderer(), vtkRenderWindow()
     renderer.GradientBackgroundOn()
-    renderer.SetBackground(*WATER)
-    renderer.SetBackground2(*(1.9 * WATER))
+    renderer.SetBackground(*(0.6 * WATER))
+    renderer.SetBackground2(*(0.6 * WATER + 0.4 * WATER / HORIZON))
     renderer.UseDepthPeelingOn()
     window.SetAlphaBitPlanes(1)
     window.AddRenderer(renderer)
@@ -281,9 +285,9 @@ def draw(scene, folder, frames):
 def main(folder, frames):
     """Measure and draw."""
     scene = Scene()
-    heights, ways, of_water, late = measure_frond(scene)
-    print("height over the foot [m], to and fro of the frond and of the water [m], the frond is late by [degrees]:")
-    for row in list(zip(heights, ways, of_water, late))[::2]:
+    heights, ways, of_water, behind = measure_frond(scene)
+    print("height over the foot [m], amplitudes of the frond and of the water [m], frond behind the water [degrees]:")
+    for row in list(zip(heights, ways, of_water, behind))[::2]:
         print("  {:5.2f}  {:6.3f}  {:6.3f}  {:6.1f}".format(*row))
     assert 0.05 < ways[-1] < 2.0 and ways[-1] > ways[0], "the frond does not sway as it should"
     moved, near = measure_wakes(scene, TIME)
