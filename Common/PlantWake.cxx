@@ -5,6 +5,7 @@
 #include "Constants.h"
 #include "ParameterRange.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace littoral
@@ -15,6 +16,9 @@ namespace
 
 /// Below it a plant counts as turning round, so that the strength has no jump [m/s].
 constexpr double SlowSpeed = 0.02;
+
+/// Core of the wake of the smallest plants [m].
+constexpr double SmallestCore = 0.01;
 
 FlowPrimitive SourceAt(const Vector3& place, double strength, double core, const Box& box, double margin)
 {
@@ -73,8 +77,8 @@ MovingPlant PlantOf(const std::vector<MovingPoint>& points)
 
 std::vector<FlowPrimitive> WakeOf(const MovingPlant& plant, const WakeOptions& options)
 {
-  const Vector3 size = plant.Bounds.High - plant.Bounds.Low + 2.0 * options.Margin;
-  const double core = options.CoreShare * 0.5 * glm::length(size);
+  const double core =
+    std::max(SmallestCore, options.CoreShare * 0.5 * glm::distance(plant.Bounds.Low, plant.Bounds.High));
   const auto sourceAt = [&](const Vector3& place, double strength) {
     return SourceAt(place, strength, core, plant.Bounds, options.Margin);
   };

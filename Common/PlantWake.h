@@ -24,7 +24,7 @@ struct WakeOptions
   WakeKind Kind = WakeKind::Source;
   double Strength = 0.5;  ///< Source: discharge for an acceleration [m2 s]; Doublet: factor, 1 for a solid body
   double Margin = 0.5;    ///< distance from the plant's bounding box at which the wake has ended [m]
-  double CoreShare = 0.2; ///< core of the primitives, as part of half the diagonal of that box with its margin
+  double CoreShare = 0.2; ///< core of the primitives, as part of half the diagonal of that box
 };
 
 /// Why there are no such options, with the name of the property; empty when there are.

@@ -12,6 +12,9 @@
  *
  * A plant is not stirred by its own wake nor by those of others: nothing leads back to it.
  *
+ * Give it plants that do not depend on a view: from a vtkPlantScatterFilter and a vtkSeaweedDeformationFilter without
+ * UseLevels and UseCells. With them the bounding boxes, and what drifts in the wakes, would follow the camera.
+ *
  * Coulais et al., section 4.3.4.
  *
  * @sa vtkSeaweedDeformationFilter vtkCurrentDriftFilter
@@ -49,7 +52,7 @@ public:
   ///@}
 
   ///@{
-  /// Core of the primitives, as part of half the diagonal of the bounding box with its margin, 0.001 to 1. Default 0.2.
+  /// Core of the primitives, as part of half the diagonal of the bounding box, 0.001 to 1; at least 1 cm. Default 0.2.
   vtkSetMacro(CoreShare, double);
   vtkGetMacro(CoreShare, double);
   ///@}

@@ -266,6 +266,7 @@ TEST(PlantWake, IsWholeInTheBoundingBox)
       EXPECT_EQ(one.InfluenceBox.Low, Vector3(0.0));
       EXPECT_LT(glm::length(one.InfluenceBox.High - Vector3(0.7, 0.0, 1.8)), 1e-15);
       EXPECT_EQ(one.InfluenceMargin, options.Margin);
+      EXPECT_NEAR(one.CoreRadius, options.CoreShare * 0.5 * std::hypot(0.7, 1.8), 1e-12); // whatever the margin
     }
     const FlowField field(wake);
     EXPECT_GT(glm::length(field.Velocity({ 0.3, 0.1, 0.9 })), 0.0);
