@@ -138,46 +138,8 @@ FlowField::FlowField(const std::vector<FlowPrimitive>& primitives)
   this->Cells = BoxCells(reaches);
 }
 
-Vector3 FlowField::Velocity(const Vector3& place) const
+inline Vector3 FlowField::Local::Flow(const Vector3& arm, double squaredArm, double factor) const
 {
-  Vector3 sum = this->Everywhere;
-  for (const Local& local : this->Around)
-  {
-    sum += local.Flow(place);
-  }
-  for (const int near : this->Cells.Near(place))
-  {
-    sum += this->Ending[near].Flow(place);
-  }
-  return sum;
-}
-
-double FlowField::Local::Share(const Vector3& place, double squared) const
-{
-  double share = 1.0;
-  if (this->InverseMargin > 0.0)
-  {
-    const Vector3 away = glm::max(glm::max(this->Whole.Low - place, place - this->Whole.High), 0.0);
-    const double inside = std::max(0.0, 1.0 - glm::dot(away, away) * this->InverseMargin);
-    share = inside * inside;
-  }
-  if (this->InverseInfluence > 0.0)
-  {
-    const double inside = std::max(0.0, 1.0 - squared * this->InverseInfluence);
-    share *= inside * inside;
-  }
-  return share;
-}
-
-Vector3 FlowField::Local::Flow(const Vector3& place) const
-{
-  const Vector3 arm = place - this->Centre;
-  const double squared = glm::dot(arm, arm);
-  const double factor = this->Factor * this->Share(place, squared);
-  if (factor == 0.0)
-  {
-    return Vector3(0.0);
-  }
   switch (this->Type)
   {
     case FlowType::Uniform:
@@ -185,7 +147,7 @@ Vector3 FlowField::Local::Flow(const Vector3& place) const
     case FlowType::Source:
     case FlowType::Sink:
     {
-      const double softened = squared + this->CoreSquared;
+      const double softened = squaredArm + this->CoreSquared;
       return (factor / (softened * std::sqrt(softened))) * arm;
     }
     case FlowType::Vortex:
@@ -196,6 +158,49 @@ Vector3 FlowField::Local::Flow(const Vector3& place) const
     }
   }
   return Vector3(0.0);
+}
+
+inline double FlowField::Local::Share(const Vector3& place, double squaredArm) const
+{
+  double share = 1.0;
+  if (this->InverseMargin > 0.0)
+  {
+    const Vector3 away = glm::max(glm::max(this->Whole.Low - place, place - this->Whole.High), 0.0);
+    const double inside = std::max(0.0, 1.0 - glm::dot(away, away) * this->InverseMargin);
+    share = inside * inside;
+  }
+  if (this->InverseInfluence > 0.0)
+  {
+    const double inside = std::max(0.0, 1.0 - squaredArm * this->InverseInfluence);
+    share *= inside * inside;
+  }
+  return share;
+}
+
+Vector3 FlowField::Velocity(const Vector3& place) const
+{
+  Vector3 sum = this->Everywhere;
+  for (const Local& local : this->Around)
+  {
+    const Vector3 arm = place - local.Centre;
+    sum += local.Flow(arm, glm::dot(arm, arm), local.Factor);
+  }
+  if (this->Ending.empty())
+  {
+    return sum;
+  }
+  for (const int near : this->Cells.Near(place))
+  {
+    const Local& local = this->Ending[near];
+    const Vector3 arm = place - local.Centre;
+    const double squaredArm = glm::dot(arm, arm);
+    const double share = local.Share(place, squaredArm);
+    if (share > 0.0)
+    {
+      sum += local.Flow(arm, squaredArm, share * local.Factor);
+    }
+  }
+  return sum;
 }
 
 bool FlowField::Capture(const Vector3& from, Vector3& to) const

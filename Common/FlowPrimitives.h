@@ -83,8 +83,11 @@ private:
     double InverseInfluence; ///< one over the square of the influence radius; 0: it has none
     Box Whole;               ///< the influence box
     double InverseMargin;    ///< one over the square of its margin; 0: it has none
-    Vector3 Flow(const Vector3& place) const;
-    double Share(const Vector3& place, double squared) const;
+
+    /// The flow at a place, of an arm from the centre, with a factor in place of Factor.
+    Vector3 Flow(const Vector3& arm, double squaredArm, double factor) const;
+    /// What is left of the flow at a place, 0 to 1.
+    double Share(const Vector3& place, double squaredArm) const;
   };
   struct Ball
   {

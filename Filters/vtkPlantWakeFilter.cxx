@@ -11,6 +11,7 @@
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <string>
 #include <vector>
@@ -135,6 +136,11 @@ int vtkPlantWakeFilter::RequestData(
       primitives.push_back(one);
       ids->InsertNextValue(plantIds[plant]);
     }
+  }
+  // The first piece holds all primitives; else each rank would add its own.
+  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   littoral::WriteFlowPrimitives(primitives, output);

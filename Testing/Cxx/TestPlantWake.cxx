@@ -11,10 +11,12 @@
 #include "PlantChecks.h"
 #include "ViewFrustum.h"
 #include "vtkCurrentDriftFilter.h"
+#include "vtkFlowPrimitiveSource.h"
 #include "vtkPlantWakeFilter.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkPointSet.h"
 
 #include <algorithm>
@@ -318,6 +320,35 @@ bool TestTwoPlants()
   return good;
 }
 
+/// Wakes keep their boxes where other flow primitives are appended to them, and are whole in the first piece.
+bool TestAppended()
+{
+  Scene scene;
+  scene.Move->SetInputData(Stems({ Vector3(0.0) }));
+  vtkNew<vtkFlowPrimitiveSource> vortex;
+  vortex->SetFlowType(vtkFlowPrimitiveSource::Vortex);
+  vortex->SetAxis(0.0, 0.0, 1.0);
+  vortex->SetCenter(20.0, 0.0, 1.0);
+  vortex->SetInfluenceRadius(2.0);
+  scene.Wake->UpdateTimeStep(1.1);
+  vtkNew<vtkPolyData> wake;
+  wake->ShallowCopy(scene.Wake->GetOutput());
+  vtkNew<vtkAppendPolyData> all;
+  all->AddInputData(wake);
+  all->AddInputConnection(vortex->GetOutputPort());
+  scene.Drift->RemoveAllInputConnections(1);
+  scene.Drift->AddInputConnection(1, all->GetOutputPort());
+  const std::vector<Vector3> starts{ { 0.2, 0.0, 1.0 }, { 4.0, 0.0, 1.0 }, { 21.0, 0.0, 1.0 } };
+  scene.Drift->SetInputData(ParticlesAt(starts));
+  const std::vector<Vector3> moved = scene.At(2.0);
+  bool good = Check(moved[0] != starts[0] && moved[2] != starts[2], "appended primitives do not flow");
+  good &= Check(moved[1] == starts[1], "a wake has lost its box");
+  scene.Wake->UpdatePiece(1, 2, 0);
+  good &= Check(scene.Wake->GetOutput()->GetNumberOfPoints() == 0, "the second piece holds wakes too");
+  scene.Wake->UpdatePiece(0, 2, 0);
+  return good & Check(scene.Wake->GetOutput()->GetNumberOfPoints() == 1, "the first piece does not hold the wake");
+}
+
 bool TestBadInput()
 {
   bool good = true;
@@ -374,7 +405,7 @@ int TestPlantWake(int, char*[])
     const char* Name;
     bool (*Run)();
   } tests[] = { { "go and come back", TestGoAndComeBack }, { "end", TestEnd },
-    { "plants do not feel it", TestPlantsDoNotFeelIt }, { "two plants", TestTwoPlants },
+    { "plants do not feel it", TestPlantsDoNotFeelIt }, { "two plants", TestTwoPlants }, { "appended", TestAppended },
     { "bad input", TestBadInput } };
   for (const auto& test : tests)
   {
