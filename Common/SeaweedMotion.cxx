@@ -102,7 +102,9 @@ void SeaweedMotion::MakeBunches()
     LaneIndices at = bunch.First;
     for (std::size_t link = 0; link < bunch.Links; ++link)
     {
+      const int parent = this->Links[at[0]].Parent;
       this->Bodies.push_back(SideBySide(this->Links, at));
+      this->Parents.push_back(parent < 0 ? -1 : parent - static_cast<int>(bunch.First[0]));
       for (std::size_t& one : at)
       {
         ++one;
@@ -149,11 +151,13 @@ void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t
 //----------------------------------------------------------------------------
 void SeaweedMotion::Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles) const
 {
+  const LinkBody<Lanes>* bodies = &this->Bodies[bunch.Bodies];
   for (std::size_t i = 0; i < bunch.Links; ++i)
   {
-    for (const std::size_t first : bunch.First)
+    for (int lane = 0; lane < LaneCount; ++lane)
     {
-      *middles++ = poses[first + i].Foot + 0.5 * this->Links[first + i].Length * poses[first + i].Axis;
+      const LinkPose& pose = poses[bunch.First[lane] + i];
+      *middles++ = pose.Foot + 0.5 * bodies[i].Length.Values[lane] * pose.Axis;
     }
   }
 }

@@ -72,6 +72,7 @@ private:
   std::vector<SeaweedLink> Links;
   std::vector<SeaweedBunch> Bunches;
   std::vector<LinkBody<Lanes>> Bodies; // of the bunches
+  std::vector<int> Parents;            // of the bodies, by their places in the bunch; -1: the ground
 
   void MakeBunches();
 };

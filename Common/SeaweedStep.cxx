@@ -383,16 +383,15 @@ LITTORAL_SIMD_CLONES void SeaweedMotion::Step(
   kept.resize(std::max(kept.size(), bunch.Links));
   Work* works = kept.data();
   const LinkBody<Lanes>* links = &this->Bodies[bunch.Bodies];
-  const SeaweedLink* shape = &this->Links[bunch.First[0]];
-  const auto parentOf = [&](std::size_t i) { return shape[i].Parent - static_cast<int>(bunch.First[0]); };
+  const int* parents = &this->Parents[bunch.Bodies];
   const BunchStep bunchStep(this->Options, step);
   LaneIndices at = bunch.First;
   for (std::size_t i = 0; i < bunch.Links; ++i)
   {
+    const bool stands = parents[i] < 0;
     Load(at, states, poses, works[i]);
-    const bool stands = shape[i].Parent < 0;
-    bunchStep.Begin(links[i], WaterAt(water + LaneCount * i), stands ? nullptr : &links[parentOf(i)],
-      stands ? nullptr : &works[parentOf(i)], works[i]);
+    bunchStep.Begin(links[i], WaterAt(water + LaneCount * i), stands ? nullptr : &links[parents[i]],
+      stands ? nullptr : &works[parents[i]], works[i]);
     for (std::size_t& one : at)
     {
       ++one;
@@ -401,16 +400,15 @@ LITTORAL_SIMD_CLONES void SeaweedMotion::Step(
   for (std::size_t i = bunch.Links; i-- > 0;)
   {
     bunchStep.Close(links[i], works[i]);
-    if (shape[i].Parent >= 0)
+    if (parents[i] >= 0)
     {
-      bunchStep.HandDown(works[i], works[parentOf(i)]);
+      bunchStep.HandDown(works[i], works[parents[i]]);
     }
   }
   for (std::size_t i = 0; i < bunch.Links; ++i)
   {
-    const bool stands = shape[i].Parent < 0;
-    bunchStep.Finish(
-      links[i], stands ? nullptr : &links[parentOf(i)], stands ? nullptr : &works[parentOf(i)], works[i]);
+    const bool stands = parents[i] < 0;
+    bunchStep.Finish(links[i], stands ? nullptr : &links[parents[i]], stands ? nullptr : &works[parents[i]], works[i]);
     for (int lane = 0; lane < bunch.Trees; ++lane)
     {
       Store(works[i], lane, states[bunch.First[lane] + i], poses[bunch.First[lane] + i]);
