@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Seaweeds that move, through the pipeline: rest, time in any order, threads, frame rates, skins against VTK's own
-// filter, levels of detail and their counters, wakes, and every bad input.
+// filter, levels of detail and their counters, and every bad input.
 #include "ErrorCounter.h"
 #include "LittoralPlants.h"
 #include "Skinning.h"
-#include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"
-#include "vtkPlantWakeFilter.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
@@ -477,52 +475,6 @@ bool TestCamera()
   return Check(worst > 0.0 && worst < 1.0, "levels jump by " + std::to_string(worst) + " pixels") && good;
 }
 
-/// Particles beside a plant move away and come back, far ones do not move at all.
-bool TestWake()
-{
-  bool good = true;
-  for (int primitive : { 0, 1 })
-  {
-    Scene scene;
-    scene.Current->SetStrength(0.0);
-    scene.Move->GenerateMotionOn();
-    vtkNew<vtkPlantWakeFilter> wake;
-    wake->SetInputConnection(scene.Move->GetOutputPort());
-    wake->SetPrimitive(primitive);
-    wake->UpdateTimeStep(2.0);
-    good = Check(wake->GetOutput()->GetNumberOfPoints() == primitive + 1, "a plant makes other primitives") && good;
-    double reach = wake->GetOutput()->GetPointData()->GetArray("InfluenceRadius")->GetTuple1(0);
-    Vector3 centre;
-    wake->GetOutput()->GetPoint(0, &centre.x);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->InsertNextPoint(centre.x + 0.3, centre.y, centre.z);
-    points->InsertNextPoint(centre.x + 5.0 * reach, centre.y, centre.z);
-    vtkNew<vtkPolyData> particles;
-    particles->SetPoints(points);
-    vtkNew<vtkCurrentDriftFilter> drift;
-    drift->SetInputData(particles);
-    drift->AddInputConnection(1, wake->GetOutputPort());
-    drift->SetSeaLevel(12.0);
-    drift->SetTimeStep(0.25);
-    double most = 0.0;
-    double least = 0.0;
-    double before = centre.x + 0.3;
-    for (int frame = 1; frame <= 24; ++frame)
-    {
-      drift->UpdateTimeStep(0.5 * frame);
-      auto* moved = vtkPointSet::SafeDownCast(drift->GetOutputDataObject(0));
-      most = std::max(most, moved->GetPoint(0)[0] - before);
-      least = std::min(least, moved->GetPoint(0)[0] - before);
-      before = moved->GetPoint(0)[0];
-      good = good && Check(moved->GetPoint(1)[0] == centre.x + 5.0 * reach, "a far particle moves");
-    }
-    std::cout << "particles move by " << least << " to " << most << " m in half a second\n";
-    good = Check(most > 1e-5 && least < -1e-5, "particles do not go and come back") && good;
-  }
-  return good;
-}
-
 bool TestBadInput()
 {
   bool good = true;
@@ -585,15 +537,6 @@ bool TestBadInput()
     "StartTime", [move]() { move->SetStartTime(std::nan("")); }, [move]() { move->SetStartTime(-2.0); });
   scene.Move->UpdateTimeStep(0.0);
   good = Check(Part(scene.Move->GetOutputDataObject(0), "Skeleton") != nullptr, "no plants after mending") && good;
-
-  vtkNew<vtkPlantWakeFilter> wake;
-  vtkNew<ErrorCounter> wakeErrors;
-  wakeErrors->Watch(wake);
-  wake->SetInputConnection(scene.Move->GetOutputPort());
-  good = Check(wakeErrors->ExpectOneNaming("GenerateMotion"), "no message about missing motion") && good;
-  move->GenerateMotionOn();
-  wake->SetStrength(-1.0);
-  good = Check(wakeErrors->ExpectOneNaming("Strength"), "no message about Strength") && good;
   return good;
 }
 
@@ -608,7 +551,7 @@ int TestSeaweedDeformation(int, char*[])
     bool (*Run)();
   } tests[] = { { "moves", TestMoves }, { "rest", TestRest }, { "times", TestTimes },
     { "changing current", TestChangingCurrent }, { "rates", TestFrameRates }, { "skin", TestSkin },
-    { "table", TestTable }, { "camera", TestCamera }, { "wake", TestWake }, { "bad input", TestBadInput } };
+    { "table", TestTable }, { "camera", TestCamera }, { "bad input", TestBadInput } };
   for (const auto& test : tests)
   {
     const bool passed = test.Run();
