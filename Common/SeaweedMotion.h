@@ -3,6 +3,7 @@
 #ifndef LittoralSeaweedMotion_h
 #define LittoralSeaweedMotion_h
 
+#include "SeaweedJoint.h"
 #include "SeaweedPlant.h"
 #include "Skinning.h"
 
@@ -12,29 +13,16 @@
 namespace littoral
 {
 
-/// The water at the middle of a segment.
-struct WaterAtLink
+/// Trees of the same shape that are moved side by side. Where there are fewer than lanes, the first stands in for them.
+struct SeaweedBunch
 {
-  Vector3 Velocity{ 0.0, 0.0, 0.0 };     ///< of waves and current [m/s]
-  Vector3 Acceleration{ 0.0, 0.0, 0.0 }; ///< of the waves [m/s2]
-  Vector3 Displacement{ 0.0, 0.0, 0.0 }; ///< by the waves [m]; of Direct loads in procedural motion only
-};
+  LaneIndices First;      ///< links of the trees
+  std::size_t Links = 0;  ///< of each
+  int Trees = 0;          ///< 1 to LaneCount
+  std::size_t Bodies = 0; ///< where its own begin
 
-/// The state of a joint: its shape and how fast it changes.
-struct LinkState
-{
-  Vector3 Shape{ 0.0, 0.0, 1.0 }; ///< Bending: the segment's direction, as if its parent were at rest; else theta, phi
-  Vector3 Rate{ 0.0, 0.0, 0.0 };  ///< Bending: of turning against the parent, in the same frame; else of the angles
-};
-
-/// Where a link is and how it moves.
-struct LinkPose
-{
-  glm::dquat Turn{ 1.0, 0.0, 0.0, 0.0 }; ///< from rest
-  Vector3 Foot{ 0.0, 0.0, 0.0 };         ///< [m]
-  Vector3 Axis{ 0.0, 0.0, 1.0 };
-  Vector3 Velocity{ 0.0, 0.0, 0.0 }; ///< of the foot [m/s]
-  Vector3 Spin{ 0.0, 0.0, 0.0 };     ///< [rad/s]
+  /// The links of all its lanes.
+  std::size_t LanedLinks() const { return LaneCount * this->Links; }
 };
 
 /**
@@ -42,6 +30,8 @@ struct LinkPose
  * equations of motion of the tree are solved in one pass down and one pass up (joint forces, reactions of children and
  * centrifugal terms included), as a linearly implicit trapezoidal rule: springs, tension and drag are taken at the
  * middle of the step, so that a step may be long against the stiffest joint.
+ *
+ * Trees share nothing with others: those of the same shape are moved side by side, each as it would move alone.
  */
 class SeaweedMotion
 {
@@ -51,8 +41,7 @@ public:
 
   const std::vector<SeaweedLink>& GetLinks() const { return this->Links; }
 
-  /// Trees stand side by side: [Trees[i], Trees[i + 1]) share nothing with others.
-  const std::vector<std::size_t>& GetTrees() const { return this->Trees; }
+  const std::vector<SeaweedBunch>& GetBunches() const { return this->Bunches; }
 
   /// All at rest.
   std::vector<LinkState> AtRest() const;
@@ -63,10 +52,11 @@ public:
   /// The pose of one link whose parent's is known.
   void PoseOne(const LinkState& state, std::size_t link, LinkPose* poses) const;
 
-  /// Takes the whole trees [begin, end) one step [s] further, from poses that go with the states; `water` is theirs
-  /// alone.
-  void Step(double step, const WaterAtLink* water, const LinkPose* poses, std::size_t begin, std::size_t end,
-    LinkState* states) const;
+  /// The middles of the links of a bunch [m], a lane after the other of each: where the water is to be known.
+  void Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles) const;
+
+  /// Takes a bunch one step [s] further, its states and the poses that go with them; `water` is at its middles.
+  void Step(double step, const SeaweedBunch& bunch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const;
 
   /// The state of a link by eqs. 5 and 6, from the pose of its parent; without rates.
   LinkState Procedural(const WaterAtLink& water, std::size_t link, const LinkPose* poses) const;
@@ -80,20 +70,17 @@ public:
 private:
   SeaweedOptions Options;
   std::vector<SeaweedLink> Links;
-  std::vector<std::size_t> Trees;
-  std::vector<glm::dquat> Bases; // of the paper, at rest
-  std::vector<Vector3> Arms;     // from the parent's foot to the own, at rest
+  std::vector<SeaweedBunch> Bunches;
+  std::vector<LinkBody<Lanes>> Bodies; // of the bunches
+  std::vector<int> Parents;            // of the bodies, by their places in the bunch; -1: the ground
 
-  struct Work;
-  void Begin(double step, const WaterAtLink& water, const LinkPose* poses, std::size_t link, Work* works,
-    std::size_t first, const LinkState& state) const;
-  Vector3 ForceOn(const SeaweedLink& link, const LinkPose& pose, const WaterAtLink& water, double& resistance) const;
+  void MakeBunches();
 };
 
-/// What a pose moved a joint of the skeleton by.
-inline JointPose PoseOf(const SeaweedLink& link, const LinkPose& pose)
+/// What a pose of a link does to all that follows it.
+inline JointChange ChangeOf(const SeaweedLink& link, const LinkPose& pose)
 {
-  return { pose.Turn, pose.Foot - link.Foot };
+  return ChangeOf({ pose.Turn, pose.Foot - link.Foot }, link.Foot);
 }
 
 }

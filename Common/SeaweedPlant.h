@@ -6,6 +6,8 @@
 #include "SeaweedSegment.h"
 #include "Skeleton.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <string>
 #include <vector>
 
@@ -53,29 +55,38 @@ struct SeaweedOptions
 /// Why there are no such options, with the name of the property; empty when there are.
 std::string WhyInvalid(const SeaweedOptions& options);
 
-/// A stiff segment of a seaweed and the joint at its foot.
-struct SeaweedLink
+/// The numbers of a stiff segment of a seaweed and the joint at its foot; of one, or of several side by side (Lanes.h).
+template <typename Real>
+struct LinkBody
 {
-  int Parent = -1;               ///< link that it grows on, before it; -1: the ground
-  bool IsFirst = true;           ///< of its branch
-  int Node = 0;                  ///< of the skeleton, at the foot
-  Vector3 Foot{ 0.0, 0.0, 0.0 }; ///< at rest [m]
-  Vector3 Axis{ 0.0, 0.0, 1.0 }; ///< at rest, of length 1
-  Vector3 Side{ 1.0, 0.0, 0.0 }; ///< at rest, at a right angle to it
-  double Theta = 0.0;            ///< of the paper, at rest [rad]
-  double Phi = 0.0;              ///< of the paper, at rest [rad]
-  double Length = 1.0;           ///< [m]
-  double Mass = 1.0;             ///< with the water that moves along [kg]
-  double AxialInertia = 1e-3;    ///< about its own axis [kg m2]
-  double WaterMass = 1.0;        ///< displaced water and the water that moves along [kg]
-  double Buoyancy = 0.0;         ///< in water, less weight [N]
-  double Weight = 0.0;           ///< in air [N]
-  double Frontage = 0.01;        ///< width times length [m2]
-  double Surface = 0.03;         ///< [m2]
-  double Stiffness = 1.0;        ///< of the joint [N m/rad]
-  double Damping = 0.0;          ///< of the joint [N m s/rad]
-  double Bed = -1e300;           ///< height of the ground below the plant [m]
-  double Restoring = 0.0;        ///< what buoyancy beyond the joint adds to its stiffness upright [N m/rad]
+  using Vector = glm::vec<3, Real>;
+  Vector Foot{ Real(0.0) };                                          ///< at rest [m]
+  Vector Axis{ Real(0.0), Real(0.0), Real(1.0) };                    ///< at rest, of length 1
+  Vector Side{ Real(1.0), Real(0.0), Real(0.0) };                    ///< at rest, at a right angle to it
+  Vector Arm{ Real(0.0) };                                           ///< from the parent's foot to the own, at rest [m]
+  glm::qua<Real> Base{ Real(1.0), Real(0.0), Real(0.0), Real(0.0) }; ///< local base of the paper, at rest
+  Real Theta{ 0.0 };                                                 ///< of the paper, at rest [rad]
+  Real Phi{ 0.0 };                                                   ///< of the paper, at rest [rad]
+  Real Length{ 1.0 };                                                ///< [m]
+  Real Mass{ 1.0 };                                                  ///< with the water that moves along [kg]
+  Real AxialInertia{ 1e-3 };                                         ///< about its own axis [kg m2]
+  Real WaterMass{ 1.0 }; ///< displaced water and the water that moves along [kg]
+  Real Buoyancy{ 0.0 };  ///< in water, less weight [N]
+  Real Weight{ 0.0 };    ///< in air [N]
+  Real Frontage{ 0.01 }; ///< width times length [m2]
+  Real Surface{ 0.03 };  ///< [m2]
+  Real Stiffness{ 1.0 }; ///< of the joint [N m/rad]
+  Real Damping{ 0.0 };   ///< of the joint [N m s/rad]
+  Real Bed{ -1e300 };    ///< height of the ground below the plant [m]
+};
+
+/// A stiff segment of a seaweed and where it stands in its plant.
+struct SeaweedLink : LinkBody<double>
+{
+  int Parent = -1;        ///< link that it grows on, before it; -1: the ground
+  bool IsFirst = true;    ///< of its branch
+  int Node = 0;           ///< of the skeleton, at the foot
+  double Restoring = 0.0; ///< what buoyancy beyond the joint adds to its stiffness upright [N m/rad]
 };
 
 /**

@@ -18,4 +18,11 @@
 #define LITTORAL_WIDE_SIMD_CLONES
 #endif
 
+/// Marks a function that becomes a part of each version of those that call it.
+#if defined(__GNUC__)
+#define LITTORAL_INLINE inline __attribute__((always_inline))
+#else
+#define LITTORAL_INLINE inline
+#endif
+
 #endif

@@ -3,6 +3,7 @@
 #ifndef LittoralSkinning_h
 #define LittoralSkinning_h
 
+#include "SimdClones.h"
 #include "Vector3.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -24,11 +25,12 @@ struct JointPose
 };
 
 /// By how much a rotation moves a vector: exactly zero for the identity.
-inline Vector3 TurnedBy(const glm::dquat& rotation, const Vector3& vector)
+template <typename Real>
+LITTORAL_INLINE glm::vec<3, Real> TurnedBy(const glm::qua<Real>& rotation, const glm::vec<3, Real>& vector)
 {
-  const Vector3 axis{ rotation.x, rotation.y, rotation.z };
-  const Vector3 once = glm::cross(axis, vector);
-  return 2.0 * (rotation.w * once + glm::cross(axis, once));
+  const glm::vec<3, Real> axis{ rotation.x, rotation.y, rotation.z };
+  const glm::vec<3, Real> once = glm::cross(axis, vector);
+  return Real(2.0) * (rotation.w * once + glm::cross(axis, once));
 }
 
 /// The shortest rotation from one direction to another; neither needs unit length. The identity, exactly, for equal

@@ -23,12 +23,6 @@ constexpr double DeepInSingle = 20.0;
 /// k h below which b = r sinh k(z+h) / sinh kh would lose digits as a difference of exponentials.
 constexpr double ShallowInSingle = 1.0;
 
-#if defined(__GNUC__)
-#define LITTORAL_INLINE inline __attribute__((always_inline))
-#else
-#define LITTORAL_INLINE inline
-#endif
-
 /// Adding and subtracting it rounds to whole numbers.
 constexpr double RoundDouble = 6755399441055744.0;
 constexpr float RoundSingle = 12582912.0f;

@@ -181,15 +181,18 @@ std::string SeaweedForest::ReadSkins(vtkMultiBlockDataSet* plants)
 //----------------------------------------------------------------------------
 void SeaweedForest::MakeBatches()
 {
-  const std::vector<std::size_t>& trees = this->Motion->GetTrees();
+  const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
   this->Batches.clear();
-  for (std::size_t tree = 0; tree + 1 < trees.size(); ++tree)
+  std::size_t links = LinksAtOnce;
+  for (std::size_t bunch = 0; bunch < bunches.size(); ++bunch)
   {
-    if (this->Batches.empty() || this->Batches.back().End - this->Batches.back().First >= LinksAtOnce)
+    if (links >= LinksAtOnce)
     {
-      this->Batches.push_back({ trees[tree], trees[tree] });
+      this->Batches.push_back({ bunch, bunch });
+      links = 0;
     }
-    this->Batches.back().End = trees[tree + 1];
+    this->Batches.back().End = bunch + 1;
+    links += bunches[bunch].LanedLinks();
   }
 }
 
@@ -214,11 +217,9 @@ void SeaweedForest::Resume(long long step)
   }
   this->Now = kept == 0 ? this->Motion->AtRest() : std::prev(after)->second;
   this->NowStep = kept;
-  SmpFor(this->Batches.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t batch = begin; batch < end; ++batch)
-    {
-      this->Motion->Pose(this->Now.data(), this->Batches[batch].First, this->Batches[batch].End, this->NowPoses.data());
-    }
+  SmpFor(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
+    this->Motion->Pose(
+      this->Now.data(), this->Plants[begin].FirstLink, this->Plants[end - 1].EndLink, this->NowPoses.data());
   });
 }
 
@@ -272,6 +273,7 @@ void SeaweedForest::StepAll(double time, double step, const StepCurrents& curren
 {
   // Loads are those of the middle of the step.
   const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
+  const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Batches.size()), 1, [&](vtkIdType begin, vtkIdType end) {
     std::vector<Vector3> middles;
     std::vector<WaterAtLink> water;
@@ -279,19 +281,18 @@ void SeaweedForest::StepAll(double time, double step, const StepCurrents& curren
     {
       const Batch& batch = this->Batches[static_cast<std::size_t>(index)];
       middles.clear();
-      for (std::size_t link = batch.First; link < batch.End; ++link)
+      for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
       {
-        middles.push_back(poses[link].Foot + 0.5 * this->Motion->GetLinks()[link].Length * poses[link].Axis);
+        middles.resize(middles.size() + bunches[bunch].LanedLinks());
+        this->Motion->Middles(bunches[bunch], poses.data(), &middles[middles.size() - bunches[bunch].LanedLinks()]);
       }
       this->WaterAt(orbits, currents, middles, static_cast<int>(this->Sea.Trains.size()), water);
-      const std::vector<std::size_t>& trees = this->Motion->GetTrees();
-      auto tree = std::lower_bound(trees.begin(), trees.end(), batch.First);
-      for (; *tree < batch.End; ++tree)
+      const WaterAtLink* own = water.data();
+      for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
       {
-        const WaterAtLink* own = water.data() + (*tree - batch.First);
-        this->Motion->Step(step, own, poses.data(), *tree, *(tree + 1), states.data());
+        this->Motion->Step(step, bunches[bunch], own, states.data(), poses.data());
+        own += bunches[bunch].LanedLinks();
       }
-      this->Motion->Pose(states.data(), batch.First, batch.End, poses.data());
     }
   });
 }
@@ -552,7 +553,7 @@ void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* ou
     if (link >= 0)
     {
       const SeaweedLink& own = this->Motion->GetLinks()[link];
-      changes[node] = ChangeOf(PoseOf(own, this->Shown[link]), own.Foot);
+      changes[node] = ChangeOf(own, this->Shown[link]);
     }
   }
   vtkNew<vtkMultiBlockDataSet> blocks;

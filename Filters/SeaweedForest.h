@@ -101,7 +101,7 @@ private:
     vtkPolyData* Rest = nullptr;
     std::vector<Run> Runs;
   };
-  /// Links that one thread moves at a time: whole trees.
+  /// Bunches of trees that one thread moves at a time.
   struct Batch
   {
     std::size_t First = 0;

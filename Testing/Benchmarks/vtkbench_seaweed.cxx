@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Speed of seaweeds that move: a step of 10 000 physical plants of ten segments, and pictures of 300 plants with skins.
+#include "LittoralPlants.h"
 #include "SeaweedMotion.h"
 #include "vtkPlantScatterFilter.h"
 #include "vtkSeaStateSource.h"
@@ -13,10 +14,13 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace
@@ -42,27 +46,29 @@ void StepLinks(benchmark::State& state)
   const SeaweedMotion motion(LinksOf(skeleton, segments, options), options);
   std::vector<LinkState> states = motion.AtRest();
   std::vector<LinkPose> poses(states.size());
-  std::vector<WaterAtLink> water(states.size());
-  for (WaterAtLink& one : water)
-  {
-    one.Velocity = { 0.3, 0.2, 0.0 };
-  }
-  const std::vector<std::size_t>& trees = motion.GetTrees();
+  motion.Pose(states.data(), 0, states.size(), poses.data());
+  WaterAtLink current;
+  current.Velocity = { 0.3, 0.2, 0.0 };
+  const std::vector<WaterAtLink> water(motion.GetBunches().front().LanedLinks(), current);
   for (auto _ : state)
   {
-    for (std::size_t tree = 0; tree + 1 < trees.size(); ++tree)
+    for (const SeaweedBunch& bunch : motion.GetBunches())
     {
-      motion.Pose(states.data(), trees[tree], trees[tree + 1], poses.data());
-      motion.Step(1.0 / 48.0, &water[trees[tree]], poses.data(), trees[tree], trees[tree + 1], states.data());
+      motion.Step(1.0 / 48.0, bunch, water.data(), states.data(), poses.data());
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<long>(states.size()));
 }
 BENCHMARK(StepLinks)->Unit(benchmark::kMillisecond);
 
-/// A plant of ten segments on each of the sites, in full.
-vtkSmartPointer<vtkPlantScatterFilter> BedOf(vtkPoints* sites)
+/// Plants of ten segments on sites in rows of ten, in full, with the named blocks alone.
+vtkSmartPointer<vtkMultiBlockDataSet> BedOf(int plants, const std::vector<std::string>& blocks)
 {
+  vtkNew<vtkPoints> sites;
+  for (int plant = 0; plant < plants; ++plant)
+  {
+    sites->InsertNextPoint(0.13 * plant, plant % 10, -10.0);
+  }
   vtkNew<vtkPolyData> places;
   places->SetPoints(sites);
   vtkNew<vtkSeaweedSource> weed;
@@ -70,73 +76,101 @@ vtkSmartPointer<vtkPlantScatterFilter> BedOf(vtkPoints* sites)
   weed->SetForm(vtkSeaweedSource::Tuft);
   weed->SetNumberOfFronds(1);
   weed->SetSegmentsPerBranch(10);
-  auto scatter = vtkSmartPointer<vtkPlantScatterFilter>::New();
+  vtkNew<vtkPlantScatterFilter> scatter;
   scatter->SetInputData(places);
   scatter->AddInputConnection(1, weed->GetOutputPort());
   scatter->UseLevelsOff();
   scatter->UseCellsOff();
-  return scatter;
+  scatter->Update();
+  auto* high = vtkMultiBlockDataSet::SafeDownCast(
+    littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(scatter->GetOutputDataObject(0)), littoral::plant::High));
+  vtkNew<vtkMultiBlockDataSet> kept;
+  for (const std::string& name : blocks)
+  {
+    littoral::AddBlock(kept, name.c_str(), littoral::FindBlock(high, name.c_str()));
+  }
+  auto bed = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  littoral::AddBlock(bed, littoral::plant::High, kept);
+  return bed;
 }
 
-/// The same with a sea of 30 trains, on all threads, for 10 000 plants; the time of a step and of nothing else.
+/// Plants of a bed in a swell of 30 trains.
+struct Scene
+{
+  vtkNew<vtkSeaStateSource> Sea;
+  vtkNew<vtkSeaweedDeformationFilter> Move;
+
+  Scene(int plants, const std::vector<std::string>& blocks)
+  {
+    this->Move->SetInputData(BedOf(plants, blocks));
+    this->Move->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Move->SetStartTime(0.0);
+    this->Move->UpdateTimeStep(0.0);
+  }
+  double Segments() const
+  {
+    return this->Move->GetOutputDataObject(0)->GetFieldData()->GetArray("SegmentsInAll")->GetTuple1(0);
+  }
+};
+
+/// All segments of physical plants a step further, on all threads: "step" is the time of one [s].
 void StepForest(benchmark::State& state)
 {
-  vtkNew<vtkPoints> sites;
-  for (int plant = 0; plant < static_cast<int>(state.range(0)); ++plant)
-  {
-    sites->InsertNextPoint(plant % 100, plant / 100, -10.0);
-  }
-  const auto scatter = BedOf(sites);
-  vtkNew<vtkSeaStateSource> sea;
-  vtkNew<vtkSeaweedDeformationFilter> move;
-  move->SetInputConnection(scatter->GetOutputPort());
-  move->SetInputConnection(1, sea->GetOutputPort());
-  move->SetStartTime(0.0);
-  move->UpdateTimeStep(0.0);
+  Scene scene(static_cast<int>(state.range(0)), { littoral::plant::Skeleton });
   long step = 0;
   // Many steps a picture: the rest is small beside them.
   constexpr int Steps = 20;
   for (auto _ : state)
   {
     step += Steps;
-    move->UpdateTimeStep(step / 48.0);
+    scene.Move->UpdateTimeStep(step / 48.0);
   }
-  const double segments = move->GetOutputDataObject(0)->GetFieldData()->GetArray("SegmentsInAll")->GetTuple1(0);
-  state.counters["segments"] = segments;
+  state.counters["segments"] = scene.Segments();
   state.counters["step"] =
     benchmark::Counter(static_cast<double>(step), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(StepForest)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(StepForest)->Arg(300)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Pictures of 300 seaweeds: 0 procedural, 1 physical with a step each.
+/// What a step cannot go below: to read what it knows of segments, and to read and write their states and poses.
+void StepMemory(benchmark::State& state)
+{
+  const auto links = static_cast<std::size_t>(state.range(0)) * 10;
+  std::vector<double> bodies(links * sizeof(LinkBody<double>) / sizeof(double), 1.0);
+  std::vector<double> moved(links * (sizeof(LinkState) + sizeof(LinkPose)) / sizeof(double), 1.0);
+  const std::size_t share = bodies.size() / moved.size() + 1;
+  for (auto _ : state)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(moved.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        double sum = 0.0;
+        for (std::size_t k = share * i; k < std::min(share * (i + 1), bodies.size()); ++k)
+        {
+          sum += bodies[k];
+        }
+        moved[i] += sum;
+      }
+    });
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(StepMemory)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Pictures of 300 seaweeds with skins: 0 procedural, 1 physical with a step each.
 void Pictures(benchmark::State& state)
 {
-  vtkNew<vtkPoints> sites;
-  for (int plant = 0; plant < 300; ++plant)
-  {
-    sites->InsertNextPoint(0.13 * plant, plant % 10, -10.0);
-  }
-  const auto scatter = BedOf(sites);
-  vtkNew<vtkSeaStateSource> sea;
-  vtkNew<vtkSeaweedDeformationFilter> move;
-  move->SetInputConnection(scatter->GetOutputPort());
-  move->SetInputConnection(1, sea->GetOutputPort());
-  move->SetMethod(static_cast<int>(state.range(0)));
-  move->SetStartTime(0.0);
-  move->UpdateTimeStep(0.0);
+  Scene scene(300, { littoral::plant::Skeleton, littoral::plant::Skin });
+  scene.Move->SetMethod(static_cast<int>(state.range(0)));
+  scene.Move->UpdateTimeStep(0.0);
   long step = 0;
   for (auto _ : state)
   {
-    move->UpdateTimeStep(++step / 48.0);
+    scene.Move->UpdateTimeStep(++step / 48.0);
   }
-  auto* high =
-    vtkMultiBlockDataSet::SafeDownCast(vtkMultiBlockDataSet::SafeDownCast(move->GetOutputDataObject(0))->GetBlock(0));
-  double points = 0.0;
-  for (unsigned int block = 1; block < high->GetNumberOfBlocks(); ++block)
-  {
-    points += static_cast<double>(vtkPolyData::SafeDownCast(high->GetBlock(block))->GetNumberOfPoints());
-  }
-  state.counters["points"] = points / 300.0;
+  auto* high = vtkMultiBlockDataSet::SafeDownCast(
+    littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(scene.Move->GetOutputDataObject(0)), littoral::plant::High));
+  auto* skin = vtkPolyData::SafeDownCast(littoral::FindBlock(high, littoral::plant::Skin));
+  state.counters["points"] = static_cast<double>(skin->GetNumberOfPoints()) / 300.0;
   state.counters["frames"] = benchmark::Counter(static_cast<double>(step), benchmark::Counter::kIsRate);
 }
 BENCHMARK(Pictures)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();

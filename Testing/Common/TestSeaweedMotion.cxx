@@ -70,8 +70,18 @@ struct Plant
   void Pose() { this->Motion.Pose(this->States.data(), 0, this->Poses.size(), this->Poses.data()); }
   void Step(double step)
   {
-    this->Motion.Step(step, this->Water.data(), this->Poses.data(), 0, this->Poses.size(), this->States.data());
-    this->Pose();
+    for (const SeaweedBunch& bunch : this->Motion.GetBunches())
+    {
+      std::vector<WaterAtLink> water;
+      for (std::size_t i = 0; i < bunch.Links; ++i)
+      {
+        for (const std::size_t first : bunch.First)
+        {
+          water.push_back(this->Water[first + i]);
+        }
+      }
+      this->Motion.Step(step, bunch, water.data(), this->States.data(), this->Poses.data());
+    }
   }
   void Run(double time, double step)
   {
