@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr std::size_t LinksAtOnce = 256;
+constexpr std::size_t PosesAtOnce = 8192;
 constexpr std::size_t MostCheckpoints = 16;
 
 double SmoothStep(double x)
@@ -419,7 +420,10 @@ SeaweedCounters SeaweedForest::Show(double time, double rest, const StepCurrents
     view = std::make_unique<ViewFrustum>(levels.Seen);
   }
   std::vector<SeaweedCounters> counters(this->Plants.size());
-  SmpFor(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
+  // What has been moved by its equations needs to be posed only: some 30 ns a link.
+  const std::size_t links = std::max<std::size_t>(1, this->Motion->GetLinks().size());
+  const std::size_t length = this->IsPhysical ? this->Plants.size() * PosesAtOnce / links : 0;
+  SmpForRanges(this->Plants.size(), length, [&](std::size_t begin, std::size_t end) {
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       this->ShowPlant(this->Plants[plant], orbits, currents, levels, view.get(), states, counters[plant]);
@@ -504,7 +508,10 @@ void SeaweedForest::MoveSkinOf(const Skin& skin, const std::vector<JointChange>&
     weights->GetPointer(0) };
   float* p = points->GetPointer(0);
   float* n = normals->GetPointer(0);
+  // Ranges are found while the numbers are at hand.
+  vtkSMPThreadLocal<std::array<TupleRanges, 2>> parts;
   SmpFor(skin.Runs.size(), [&](std::size_t begin, std::size_t end) {
+    std::array<TupleRanges, 2>& part = parts.Local();
     std::vector<float> stiff;
     for (std::size_t index = begin; index < end; ++index)
     {
@@ -529,13 +536,21 @@ void SeaweedForest::MoveSkinOf(const Skin& skin, const std::vector<JointChange>&
         own.JointWeights = stiff.data() - 4 * first;
       }
       MoveSkin(own, changes.data(), first, last, p, n);
+      part[0].AddTuples(p + 3 * first, p + 3 * last, 3);
+      part[1].AddTuples(n + 3 * first, n + 3 * last, 3);
     }
   });
   vtkNew<vtkPoints> places;
   places->SetData(points);
   moved->SetPoints(places);
-  KeepRanges(points.Get());
-  KeepRanges(normals.Get());
+  std::array<TupleRanges, 2> ranges;
+  for (const std::array<TupleRanges, 2>& part : parts)
+  {
+    ranges[0].Add(part[0]);
+    ranges[1].Add(part[1]);
+  }
+  KeepRanges(points.Get(), ranges[0]);
+  KeepRanges(normals.Get(), ranges[1]);
   moved->GetPointData()->SetNormals(normals);
 }
 
