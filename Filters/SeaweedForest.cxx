@@ -351,8 +351,10 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
   if (view)
   {
     const double distance = glm::distance(plant.Middle, levels.Seen.Point);
-    near = ShareOf(distance, levels.NearDistance, levels.BlendDistance);
-    far = ShareOf(distance, levels.FarDistance, levels.BlendDistance);
+    // What reaches far sweeps over more pixels.
+    const double band = levels.BlendDistance > 0.0 ? std::max(levels.BlendDistance, plant.Reach) : 0.0;
+    near = ShareOf(distance, levels.NearDistance, band);
+    far = ShareOf(distance, levels.FarDistance, band);
   }
   const bool isSeen = !view || view->MayShow(plant.Middle, plant.Reach);
   plant.Rigid = static_cast<float>(1.0 - near);
