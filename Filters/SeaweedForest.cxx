@@ -571,9 +571,9 @@ void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* ou
   {
     return;
   }
-  // The azimuth of a segment that stands nearly upright on its parent may spin; its skin bends without that twist.
+  // The azimuth of a segment in line with its parent spins by any push; its skin bends without that twist.
   std::vector<glm::dquat> turns;
-  if (this->Options.Joint == SeaweedJoint::Tilting)
+  if (this->Options.Joint == SeaweedJoint::Tilting && this->IsPhysical)
   {
     for (std::size_t link = 0; link < this->Shown.size(); ++link)
     {

@@ -81,6 +81,7 @@ struct Scene
     }
     this->Motion->GenerateMotionOn();
     this->Shown->UseLevelsOn();
+    this->Shown->SetBlendDistance(0.0); // as the paper counts
     this->Wake->SetInputConnection(this->Motion->GetOutputPort());
     const double among[12] = { -6.0, 6.0, -4.0, 4.0, -Depth, -Depth + 2.5, 1.0, 0.01, Near, 1.0, 1.0, 1.0 };
     const double away[12] = { 20.0, 26.0, -4.0, 4.0, -Depth, -Depth + 2.5, 1.0, 0.01, Far, 1.0, 1.0, 1.0 };
