@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace littoral
@@ -103,16 +104,28 @@ std::string SeaweedForest::ReadPlants(vtkPolyData* bones)
   }
   // Plants of a scattered forest by their PlantId, else all is one.
   auto* ids = vtkIntArray::SafeDownCast(bones->GetPointData()->GetArray(plant::PlantId));
-  int last = -1;
-  for (std::size_t link = 0; link < links.size(); ++link)
+  constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+  std::size_t begun = None; // the plant of the id at hand, once it has a link
+  for (std::size_t node = 0; node < this->Rest.Nodes.size(); ++node)
   {
-    const int id = ids ? ids->GetValue(links[link].Node) : 0;
-    if (this->Plants.empty() || id != last)
+    const auto id = static_cast<vtkIdType>(node);
+    begun = node > 0 && ids && ids->GetValue(id) != ids->GetValue(id - 1) ? None : begun;
+    const int link = this->LinkOfNode[node];
+    if (link >= 0)
     {
-      this->Plants.push_back({ link, link, Vector3(0.0), 0.0, 0.0f });
-      last = id;
+      if (begun == None)
+      {
+        begun = this->Plants.size();
+        this->Plants.push_back({ static_cast<std::size_t>(link), 0, Vector3(0.0), 0.0, 0.0f });
+      }
+      this->Plants.back().EndLink = static_cast<std::size_t>(link) + 1;
     }
-    this->Plants.back().EndLink = link + 1;
+    // A holdfast goes with the plant that comes next; where none does, with any, for it never moves.
+    this->PlantOfNode.push_back(begun != None ? begun : this->Plants.size());
+  }
+  for (std::size_t& plant : this->PlantOfNode)
+  {
+    plant = std::min(plant, this->Plants.size() - 1);
   }
   for (Plant& one : this->Plants)
   {
@@ -151,23 +164,11 @@ std::string SeaweedForest::ReadSkins(vtkMultiBlockDataSet* plants)
     {
       return reason;
     }
-    std::vector<std::size_t> plantOfNode(this->Rest.Nodes.size(), this->Plants.size());
-    for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
-    {
-      for (std::size_t link = this->Plants[plant].FirstLink; link < this->Plants[plant].EndLink; ++link)
-      {
-        plantOfNode[this->Motion->GetLinks()[link].Node] = plant;
-      }
-    }
-    for (const SkeletonBranch& branch : this->Rest.Branches)
-    {
-      plantOfNode[branch.First + branch.Count - 1] = plantOfNode[branch.First + branch.Count - 2];
-    }
     Skin skin{ name, block, {}, {} };
     auto* ids = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointIds));
     for (vtkIdType vertex = 0; vertex < block->GetNumberOfPoints(); ++vertex)
     {
-      const std::size_t plant = plantOfNode[ids->GetValue(4 * vertex)];
+      const std::size_t plant = this->PlantOfNode[ids->GetValue(4 * vertex)];
       if (skin.Runs.empty() || skin.Runs.back().Plant != plant)
       {
         skin.Runs.push_back({ vertex, vertex, plant });
@@ -175,7 +176,7 @@ std::string SeaweedForest::ReadSkins(vtkMultiBlockDataSet* plants)
       skin.Runs.back().End = vertex + 1;
     }
     std::stable_sort(skin.Runs.begin(), skin.Runs.end(), [](const Run& a, const Run& b) { return a.Plant < b.Plant; });
-    for (std::size_t plant = 0; plant <= this->Plants.size() + 1; ++plant)
+    for (std::size_t plant = 0; plant <= this->Plants.size(); ++plant)
     {
       const auto first = std::lower_bound(
         skin.Runs.begin(), skin.Runs.end(), plant, [](const Run& run, std::size_t own) { return run.Plant < own; });
@@ -553,7 +554,7 @@ void SeaweedForest::FindChanges(
 void SeaweedForest::MoveRun(
   const Run& run, const RestSkin<float>& rest, const std::vector<JointChange>& changes, float* p, float* n) const
 {
-  const float rigid = run.Plant < this->Plants.size() ? this->Plants[run.Plant].Rigid : 0.0f;
+  const float rigid = this->Plants[run.Plant].Rigid;
   const auto first = static_cast<std::size_t>(run.First);
   const auto last = static_cast<std::size_t>(run.End);
   if (rigid <= 0.0f)
@@ -603,13 +604,10 @@ void SeaweedForest::MoveSkins(vtkMultiBlockDataSet* blocks) const
   }
   const std::vector<glm::dquat> turns = this->TurnsOfSkins();
   std::vector<JointChange> changes(this->Rest.Nodes.size());
-  SmpFor(this->Plants.size() + 1, [&](std::size_t begin, std::size_t end) {
+  SmpFor(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t plant = begin; plant < end; ++plant)
     {
-      if (plant < this->Plants.size())
-      {
-        this->FindChanges(this->Plants[plant], turns, changes);
-      }
+      this->FindChanges(this->Plants[plant], turns, changes);
       for (std::size_t skin = 0; skin < moved.size(); ++skin)
       {
         const Skin& own = this->Skins[skin];

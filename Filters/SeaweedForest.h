@@ -100,7 +100,7 @@ private:
     const char* Name;
     vtkPolyData* Rest = nullptr;
     std::vector<Run> Runs;             ///< by plants
-    std::vector<std::size_t> FirstRun; ///< of a plant, and of what stands on the ground
+    std::vector<std::size_t> FirstRun; ///< of a plant, and an end
   };
   /// Bunches of trees that one thread moves at a time.
   struct Batch
@@ -114,7 +114,8 @@ private:
   bool IsPhysical = true;
   Skeleton Rest;
   std::unique_ptr<SeaweedMotion> Motion;
-  std::vector<int> LinkOfNode;    ///< that moves it; -1: the ground
+  std::vector<int> LinkOfNode; ///< that moves it; -1: the ground
+  std::vector<std::size_t> PlantOfNode;
   std::vector<int> OrderInBranch; ///< of a link
   std::vector<int> LinksOfBranch; ///< of a link: how many its branch has
   std::vector<Plant> Plants;
