@@ -15,7 +15,7 @@ import re
 
 import numpy as np
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -339,6 +339,23 @@ def particles(box, count, radius, colour, seed=1, clumps=0.0):
     sizes = radius * np.exp(0.5 * random.standard_normal(count))
     shade = np.clip(np.array(colour) * random.uniform(0.75, 1.1, (count, 1)), 0.0, 1.0)
     return points_with(places, Radius=sizes.astype(np.float32), RGB=np.round(255.0 * shade).astype(np.uint8))
+
+
+def split_about(points, sites, reach=1.2, top=-0.5):
+    """Particles about plants, up to a reach [m] from where they stand and up to a height, and the other particles."""
+    places, feet = (vtk_to_numpy(data.GetPoints().GetData()).astype(float) for data in (points, sites))
+    about = np.zeros(len(places), dtype=bool)
+    for foot, giant in zip(feet, vtk_to_numpy(sites.GetPointData().GetArray("Species"))):
+        across = np.hypot(places[:, 0] - foot[0], places[:, 1] - foot[1])
+        about |= (across < (1.4 if giant else 1.0) * reach) & (places[:, 2] < (top if giant else foot[2] + 2.0 * reach))
+    return _selected(points, about), _selected(points, ~about)
+
+
+def _selected(points, chosen):
+    """The points with their arrays that a mask chooses."""
+    arrays = points.GetPointData()
+    return points_with(vtk_to_numpy(points.GetPoints().GetData())[chosen], **{
+        arrays.GetArrayName(k): vtk_to_numpy(arrays.GetArray(k))[chosen] for k in range(arrays.GetNumberOfArrays())})
 
 
 # Views --------------------------------------------------------------------------------------------
