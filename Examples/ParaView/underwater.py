@@ -28,7 +28,7 @@ TIME, FRAMES_A_SECOND = 7.3, 12
 CURRENT = 0.08  # [m/s]
 LEAD = 20.0  # how long the swell has bent the kelp [s]
 ADDED_MASS = 0.1  # blades lie along the water: most of it passes by
-STIR = 3.0  # of the wake of plants [m2 s]
+STIR = 25.0  # of the wake of plants [m2 s], stronger than in nature, to be seen
 
 
 def reader(name, data, folder):
@@ -45,8 +45,9 @@ def reader(name, data, folder):
 
 def moving_specks(name, particles, currents, sea):
     """Particles that drift in currents and ride on waves: those near enough to be seen one by one."""
+    # With this step the wake is asked for at the times of frames only.
     drift = simple.CurrentDrift(registrationName=name, Input=particles, Currents=currents, WaterDepth=DEPTH,
-                                StartTime=TIME - 1.0, TimeStep=1.0 / FRAMES_A_SECOND)
+                                StartTime=TIME - 1.0, TimeStep=2.0 / FRAMES_A_SECOND)
     levels = simple.ParticleLevelOfDetail(
         registrationName=f"{name}Levels", Input=drift, SeaState=sea, Visibility=30.0)
     riding = simple.ParticleOrbits(registrationName=f"{name}OnWaves", Input=levels, SeaState=sea)
@@ -75,7 +76,8 @@ def build(folder, view):
     wake = simple.PlantWake(registrationName="Wake", Input=bending, Strength=STIR)
     # Only particles about the kelp feel it; the others drift alike, which takes no steps.
     about, beyond = underwater.split_about(underwater.particles(
-        (-17.0, -1.0, -DEPTH + 0.4, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.93), plants)
+        (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.9, plants=plants),
+        plants)
     specks = [
         moving_specks("Stirred", reader("ParticlesAboutKelp", about, folder), [current, wake], sea),
         moving_specks("Drifting", reader("OtherParticles", beyond, folder), [current], sea)]
@@ -91,8 +93,9 @@ def build(folder, view):
     underwater.show_fog(fog, view)
     for near in specks:
         underwater.show_particles(near, view, EYE)
-    return [underwater.show_beyond(view, TIME, EYE), underwater.show_bed(floor, view, TIME),
-            underwater.show_seaweeds(bending, view, TIME), underwater.show_surface(surface, view, TIME)]
+    # From near to far: what is hidden is not shaded.
+    return [underwater.show_seaweeds(bending, view, TIME), underwater.show_bed(floor, view, TIME),
+            underwater.show_surface(surface, view, TIME), underwater.show_beyond(view, TIME, EYE)]
 
 
 def film(shaded, view, folder, frames, told):
