@@ -300,7 +300,7 @@ def _field(size, samples, reach, smoothness, seed):
     return field / field.std()
 
 
-def kelp_sites(height, count=170, seed=4, top=-0.8):
+def kelp_sites(height, count=130, seed=4, top=-0.8):
     """Sites for Plant Scatter before the eye, in groves: Species 0 sugar kelp, 1 giant kelp, with their Scale.
 
     height: function of the bed's height [m]; top: what giant kelp does not reach beyond [m].
@@ -393,7 +393,8 @@ def show_bed(source, view, time):
 def show_seaweeds(source, view, time):
     """Show seaweeds in full, of Seaweed or of Plant Scatter."""
     parts = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Skin", "/Root/High/Leaves"])
-    return _show_lit(simple.MergeBlocks(Input=parts, OutputDataSetType="Polygonal Mesh"), view, SEAWEED, time)
+    mesh_of_all = simple.MergeBlocks(Input=parts, OutputDataSetType="Polygonal Mesh", MergePoints=0)
+    return _show_lit(mesh_of_all, view, SEAWEED, time)
 
 
 def show_beyond(view, time, eye, radius=150.0):
