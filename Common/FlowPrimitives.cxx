@@ -4,6 +4,8 @@
 
 #include "Constants.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -22,6 +24,32 @@ double CoreShare(double x)
     return 1.0 / x;
   }
   return x > 1e-8 ? -std::expm1(-x) / x : 1.0 - 0.5 * x;
+}
+
+bool IsBox(const Box& box)
+{
+  return IsFinite(box.Low) && IsFinite(box.High) && box.Low.x <= box.High.x && box.Low.y <= box.High.y &&
+    box.Low.z <= box.High.z;
+}
+
+bool HasEnd(const FlowPrimitive& primitive)
+{
+  return primitive.InfluenceRadius > 0.0 || primitive.InfluenceMargin > 0.0;
+}
+
+/// A box outside of which there is no flow: the common part of that about the sphere and that about the influence box.
+Box ReachOf(const FlowPrimitive& primitive)
+{
+  const double margin = primitive.InfluenceMargin;
+  const double radius = primitive.InfluenceRadius;
+  const Box box{ primitive.InfluenceBox.Low - margin, primitive.InfluenceBox.High + margin };
+  const Box ball{ primitive.Centre - radius, primitive.Centre + radius };
+  if (radius == 0.0 || margin == 0.0)
+  {
+    return margin == 0.0 ? ball : box;
+  }
+  const Vector3 low = glm::max(box.Low, ball.Low);
+  return { low, glm::max(low, glm::min(box.High, ball.High)) }; // a point of no flow if they do not meet
 }
 
 }
@@ -55,23 +83,32 @@ std::string WhyInvalid(const FlowPrimitive& primitive)
   {
     reason << "InfluenceRadius is " << primitive.InfluenceRadius << " m; it must be positive, or 0 for none.";
   }
+  else if (!(primitive.InfluenceMargin >= 0.0 && std::isfinite(primitive.InfluenceMargin)))
+  {
+    reason << "InfluenceMargin is " << primitive.InfluenceMargin << " m; it must be positive, or 0 for none.";
+  }
+  else if (primitive.InfluenceMargin > 0.0 && !IsBox(primitive.InfluenceBox))
+  {
+    reason << "InfluenceBox must be finite, with lower ends that are not above the upper ones.";
+  }
   return reason.str();
 }
 
 FlowField::FlowField(const std::vector<FlowPrimitive>& primitives)
   : Count(primitives.size())
 {
+  std::vector<Box> reaches;
+  const auto inverseSquare = [](double length) { return length > 0.0 ? 1.0 / (length * length) : 0.0; };
   for (const FlowPrimitive& primitive : primitives)
   {
     const Vector3 axis = Normalised(primitive.Axis);
     const double core = primitive.CoreRadius * primitive.CoreRadius;
-    const double reach = primitive.InfluenceRadius;
     Local local{ primitive.Type, primitive.Centre, axis, primitive.Strength, core, 1.0 / core,
-      reach > 0.0 ? 1.0 / (reach * reach) : 0.0 };
+      inverseSquare(primitive.InfluenceRadius), primitive.InfluenceBox, inverseSquare(primitive.InfluenceMargin) };
     switch (primitive.Type)
     {
       case FlowType::Uniform:
-        if (reach == 0.0)
+        if (!HasEnd(primitive))
         {
           this->Everywhere += primitive.Strength * axis;
           continue;
@@ -88,8 +125,56 @@ FlowField::FlowField(const std::vector<FlowPrimitive>& primitives)
         local.Factor /= TwoPi;
         break;
     }
-    this->Around.push_back(local);
+    if (HasEnd(primitive))
+    {
+      this->Ending.push_back(local);
+      reaches.push_back(ReachOf(primitive));
+    }
+    else
+    {
+      this->Around.push_back(local);
+    }
   }
+  this->Cells = BoxCells(reaches);
+}
+
+inline Vector3 FlowField::Local::Flow(const Vector3& arm, double squaredArm, double factor) const
+{
+  switch (this->Type)
+  {
+    case FlowType::Uniform:
+      return factor * this->Axis;
+    case FlowType::Source:
+    case FlowType::Sink:
+    {
+      const double softened = squaredArm + this->CoreSquared;
+      return (factor / (softened * std::sqrt(softened))) * arm;
+    }
+    case FlowType::Vortex:
+    {
+      const Vector3 around = glm::cross(this->Axis, arm);
+      const double x = glm::dot(around, around) * this->InverseCore;
+      return (factor * this->InverseCore * CoreShare(x)) * around;
+    }
+  }
+  return Vector3(0.0);
+}
+
+inline double FlowField::Local::Share(const Vector3& place, double squaredArm) const
+{
+  double share = 1.0;
+  if (this->InverseMargin > 0.0)
+  {
+    const Vector3 away = glm::max(glm::max(this->Whole.Low - place, place - this->Whole.High), 0.0);
+    const double inside = std::max(0.0, 1.0 - glm::dot(away, away) * this->InverseMargin);
+    share = inside * inside;
+  }
+  if (this->InverseInfluence > 0.0)
+  {
+    const double inside = std::max(0.0, 1.0 - squaredArm * this->InverseInfluence);
+    share *= inside * inside;
+  }
+  return share;
 }
 
 Vector3 FlowField::Velocity(const Vector3& place) const
@@ -98,32 +183,21 @@ Vector3 FlowField::Velocity(const Vector3& place) const
   for (const Local& local : this->Around)
   {
     const Vector3 arm = place - local.Centre;
-    const double squared = glm::dot(arm, arm);
-    const double inside = 1.0 - squared * local.InverseInfluence;
-    if (inside <= 0.0)
+    sum += local.Flow(arm, glm::dot(arm, arm), local.Factor);
+  }
+  if (this->Ending.empty())
+  {
+    return sum;
+  }
+  for (const int near : this->Cells.Near(place))
+  {
+    const Local& local = this->Ending[near];
+    const Vector3 arm = place - local.Centre;
+    const double squaredArm = glm::dot(arm, arm);
+    const double share = local.Share(place, squaredArm);
+    if (share > 0.0)
     {
-      continue;
-    }
-    const double factor = local.InverseInfluence > 0.0 ? local.Factor * inside * inside : local.Factor;
-    switch (local.Type)
-    {
-      case FlowType::Uniform:
-        sum += factor * local.Axis;
-        break;
-      case FlowType::Source:
-      case FlowType::Sink:
-      {
-        const double softened = squared + local.CoreSquared;
-        sum += (factor / (softened * std::sqrt(softened))) * arm;
-        break;
-      }
-      case FlowType::Vortex:
-      {
-        const Vector3 around = glm::cross(local.Axis, arm);
-        const double x = glm::dot(around, around) * local.InverseCore;
-        sum += (factor * local.InverseCore * CoreShare(x)) * around;
-        break;
-      }
+      sum += local.Flow(arm, squaredArm, share * local.Factor);
     }
   }
   return sum;

@@ -3,7 +3,8 @@
 #ifndef LittoralFlowPrimitives_h
 #define LittoralFlowPrimitives_h
 
-#include "Vector3.h"
+#include "BoxCells.h"
+#include "ViewFrustum.h"
 
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct FlowPrimitive
   Vector3 Axis{ 1.0, 0.0, 0.0 }; ///< of a uniform flow and of a vortex, of any length but 0
   double CoreRadius = 0.5;       ///< [m], positive; of no effect in a uniform flow
   double InfluenceRadius = 0.0;  ///< [m], beyond which there is no flow; 0: it reaches everywhere
+  Box InfluenceBox;              ///< [m], within which the flow is whole; of no effect without InfluenceMargin
+  double InfluenceMargin = 0.0;  ///< distance from the box [m] at which the flow has ended; 0: there is no box
 };
 
 /// Why a primitive cannot be, in words for a user; empty if it can.
@@ -38,7 +41,10 @@ std::string WhyInvalid(const FlowPrimitive& primitive);
  * The sum of flow primitives. With R from the centre, e the core and Q, G the strengths:
  *  - source: Q R / (4 pi (R^2 + e^2)^(3/2)), a sink with the other sign;
  *  - vortex: G / (2 pi q) (1 - exp(-q^2/e^2)) around the axis, q from the axis (Lamb and Oseen);
- *  - within an influence radius I: times (1 - R^2/I^2)^2, which ends with no jump in velocity or its slope.
+ *  - within an influence radius I: times (1 - R^2/I^2)^2, which ends with no jump in velocity or its slope;
+ *  - at the distance d from an influence box of margin M: times (1 - d^2/M^2)^2, likewise, and 1 in the box.
+ *
+ * Primitives that end are found by a grid of cells: many of them cost no more than those that are near.
  */
 class FlowField
 {
@@ -50,7 +56,7 @@ public:
   Vector3 Velocity(const Vector3& place) const;
 
   /// Whether the flow is the same everywhere, as that of no primitive is.
-  bool IsUniform() const { return this->Around.empty(); }
+  bool IsUniform() const { return this->Around.empty() && this->Ending.empty(); }
 
   /// Whether there is no primitive.
   bool IsEmpty() const { return this->Count == 0; }
@@ -74,7 +80,14 @@ private:
     double Factor;           ///< uniform: speed; source, sink: Q/4pi, signed; vortex: G/2pi
     double CoreSquared;      ///< [m2]
     double InverseCore;      ///< 1 / CoreSquared
-    double InverseInfluence; ///< one over the square of the influence radius; 0: it reaches everywhere
+    double InverseInfluence; ///< one over the square of the influence radius; 0: it has none
+    Box Whole;               ///< the influence box
+    double InverseMargin;    ///< one over the square of its margin; 0: it has none
+
+    /// The flow at a place, of an arm from the centre, with a factor in place of Factor.
+    Vector3 Flow(const Vector3& arm, double squaredArm, double factor) const;
+    /// What is left of the flow at a place, 0 to 1.
+    double Share(const Vector3& place, double squaredArm) const;
   };
   struct Ball
   {
@@ -83,7 +96,9 @@ private:
   };
 
   Vector3 Everywhere{ 0.0 };
-  std::vector<Local> Around;
+  std::vector<Local> Around; ///< those without an end
+  std::vector<Local> Ending; ///< those with one
+  BoxCells Cells;            ///< where the latter end
   std::vector<Ball> Sinks;
   std::size_t Count = 0;
 };

@@ -33,7 +33,7 @@ struct alignas(LaneCount * sizeof(double)) Lanes
 
   Lanes() = default;
   LITTORAL_INLINE Lanes(double all) // as doubles become any number
-    : Values(Register{} + all)
+    : Values(all - Register{})
   {
   }
   LITTORAL_INLINE explicit Lanes(const Register& values)

@@ -17,14 +17,18 @@ namespace
 /// Below it a plant counts as turning round, so that the strength has no jump [m/s].
 constexpr double SlowSpeed = 0.02;
 
-FlowPrimitive SourceAt(const Vector3& place, double strength, double core, double reach)
+/// Core of the wake of the smallest plants [m].
+constexpr double SmallestCore = 0.01;
+
+FlowPrimitive SourceAt(const Vector3& place, double strength, double core, const Box& box, double margin)
 {
   FlowPrimitive source;
   source.Type = FlowType::Source;
   source.Centre = place;
   source.Strength = strength;
   source.CoreRadius = core;
-  source.InfluenceRadius = reach;
+  source.InfluenceBox = box;
+  source.InfluenceMargin = margin;
   return source;
 }
 
@@ -33,7 +37,7 @@ FlowPrimitive SourceAt(const Vector3& place, double strength, double core, doubl
 std::string WhyInvalid(const WakeOptions& options)
 {
   for (const std::string& reason : { OutOfRange("Strength", options.Strength, 0.0, 1e6),
-         OutOfRange("Reach", options.Reach, 1e-3, 1e3), OutOfRange("CoreShare", options.CoreShare, 1e-3, 1.0) })
+         OutOfRange("Margin", options.Margin, 1e-3, 1e3), OutOfRange("CoreShare", options.CoreShare, 1e-3, 1.0) })
   {
     if (!reason.empty())
     {
@@ -73,20 +77,22 @@ MovingPlant PlantOf(const std::vector<MovingPoint>& points)
 
 std::vector<FlowPrimitive> WakeOf(const MovingPlant& plant, const WakeOptions& options)
 {
-  const double reach = std::max(1e-3, options.Reach * 0.5 * glm::distance(plant.Bounds.Low, plant.Bounds.High));
-  const double core = options.CoreShare * reach;
+  const double core =
+    std::max(SmallestCore, options.CoreShare * 0.5 * glm::distance(plant.Bounds.Low, plant.Bounds.High));
+  const auto sourceAt = [&](const Vector3& place, double strength) {
+    return SourceAt(place, strength, core, plant.Bounds, options.Margin);
+  };
   const double speed = glm::length(plant.Velocity);
   if (options.Kind == WakeKind::Source)
   {
     const double along = glm::dot(plant.Acceleration, plant.Velocity) / (speed + SlowSpeed);
-    return { SourceAt(plant.Centre, options.Strength * along, core, reach) };
+    return { sourceAt(plant.Centre, options.Strength * along) };
   }
   const double radius = std::cbrt(0.75 * plant.Volume / Pi);
   const double moment = options.Strength * TwoPi * radius * radius * radius * speed;
   const double apart = 0.5 * core;
   const Vector3 half = speed > 0.0 ? 0.5 * apart / speed * plant.Velocity : Vector3(0.0);
-  return { SourceAt(plant.Centre + half, moment / apart, core, reach),
-    SourceAt(plant.Centre - half, -moment / apart, core, reach) };
+  return { sourceAt(plant.Centre + half, moment / apart), sourceAt(plant.Centre - half, -moment / apart) };
 }
 
 }

@@ -23,8 +23,8 @@ struct WakeOptions
 {
   WakeKind Kind = WakeKind::Source;
   double Strength = 0.5;  ///< Source: discharge for an acceleration [m2 s]; Doublet: factor, 1 for a solid body
-  double Reach = 1.0;     ///< where the wake ends, as part of half the diagonal of the plant's bounding box
-  double CoreShare = 0.2; ///< core of the primitives, as part of that distance
+  double Margin = 0.5;    ///< distance from the plant's bounding box at which the wake has ended [m]
+  double CoreShare = 0.2; ///< core of the primitives, as part of half the diagonal of that box
 };
 
 /// Why there are no such options, with the name of the property; empty when there are.
@@ -56,7 +56,8 @@ MovingPlant PlantOf(const std::vector<MovingPoint>& points);
 /**
  * The primitives of a plant, always as many: one source, whose strength is the acceleration along the way of the centre
  * of gravity, positive as the plant gets faster; or a source and a sink (of negative strength, so that it captures
- * nothing) for the doublet 2 pi R^3 v of a sphere of the plant's volume.
+ * nothing) for the doublet 2 pi R^3 v of a sphere of the plant's volume. They are whole within the plant's bounding
+ * box.
  */
 std::vector<FlowPrimitive> WakeOf(const MovingPlant& plant, const WakeOptions& options);
 

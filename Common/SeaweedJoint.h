@@ -120,6 +120,15 @@ LITTORAL_INLINE glm::vec<3, Real> BendTo(
   return ratio * axis + isOpposite * Real(Pi) * aside;
 }
 
+/// How fast the shortest turn from one direction to another turns about the latter as this swings at a rate: of that
+/// turn no more than the direction is kept. Near the opposite direction it would be infinite.
+template <typename Real>
+LITTORAL_INLINE glm::vec<3, Real> TwistOf(
+  const glm::vec<3, Real>& from, const glm::vec<3, Real>& to, const glm::vec<3, Real>& rate)
+{
+  return -(glm::dot(rate, from) / Larger(Real(1.0) + glm::dot(from, to), Real(0.05))) * to;
+}
+
 /// The pose of a link by that of its parent; null: it stands on the ground.
 template <typename Real>
 LITTORAL_INLINE void PoseLink(SeaweedJoint joint, const LinkBody<Real>& link, const LinkStateOf<Real>& state,
@@ -142,7 +151,7 @@ LITTORAL_INLINE void PoseLink(SeaweedJoint joint, const LinkBody<Real>& link, co
   {
     pose.Turn = below * TurnTo(link.Axis, state.Shape, link.Side);
     pose.Axis = Rotated(below, state.Shape);
-    pose.Spin += Rotated(below, state.Rate);
+    pose.Spin += Rotated(below, state.Rate + TwistOf(link.Axis, state.Shape, state.Rate));
     return;
   }
   const glm::qua<Real> base = parent ? parentLink->Base : GroundBase<Real>();

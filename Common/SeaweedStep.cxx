@@ -21,6 +21,10 @@ using Turn = glm::qua<Lanes>;
 
 /// No joint turns further in a step [rad], whatever drives it; so that what blows up stays finite.
 constexpr double MostTurn = 0.8;
+/// A blade does not fold flat: a joint bent further [rad] is pushed back as by a critically damped spring of this
+/// frequency [rad/s] with all that grows on it.
+constexpr double MostBend = 1.75;
+constexpr double StopFrequency = 20.0;
 
 /// A symmetric matrix of three rows.
 struct Symmetric
@@ -111,9 +115,12 @@ struct Work
   Vector Arm;        // from the parent's foot, now
   Vector BiasLinear; // acceleration of the foot when no joint accelerates
   Vector BiasAngular;
-  Vector S[2];     // axes of the joint
+  Vector B[2];     // axes of the joint, at right angles to the link
+  Vector S[2];     // how it turns about them, with the twist that goes with it
+  Vector Swerve;   // acceleration of the twist when the joint does not accelerate
   Lanes Rate[2];   // along them
   Lanes Spring[2]; // deflection along them
+  Lanes Folded;    // by how much it is bent too far, as part of the deflection
   Symmetric VV;
   Matrix VW;
   Symmetric WW;
@@ -152,7 +159,7 @@ public:
     {
       const Vector& spin = parent->Pose.Spin;
       work.Arm = pose.Foot - parent->Pose.Foot;
-      work.BiasAngular = parent->BiasAngular + glm::cross(spin, relative);
+      work.BiasAngular = parent->BiasAngular + glm::cross(spin, relative) + work.Swerve;
       work.BiasLinear =
         parent->BiasLinear + glm::cross(parent->BiasAngular, work.Arm) + glm::cross(spin, glm::cross(spin, work.Arm));
     }
@@ -199,13 +206,18 @@ public:
     work.WW.AddSquare(-straightens, e);
     const Vector& spin = work.Pose.Spin;
     work.ImpulseW -= step * half * tension * (spin - glm::dot(spin, e) * e);
-    const Lanes soft = half * (half * link.Stiffness + link.Damping);
+    const Lanes inertia = Lanes(0.5) * (work.WW.xx + work.WW.yy + work.WW.zz);
+    const Lanes stop = WhereLess(Lanes(0.0), work.Folded, Lanes(StopFrequency) * inertia, Lanes(0.0));
+    const Lanes stiffness = link.Stiffness + Lanes(StopFrequency) * stop;
+    const Lanes damping = link.Damping + Lanes(2.0) * stop;
+    const Lanes bent = link.Stiffness + Lanes(StopFrequency) * stop * work.Folded;
+    const Lanes soft = half * (half * stiffness + damping);
     for (int k = 0; k < 2; ++k)
     {
       work.G[k] = work.WW * work.S[k];
       work.U[k] = work.VW * work.S[k];
       work.Drive[k] = glm::dot(work.S[k], work.ImpulseW) -
-        step * (link.Stiffness * (work.Spring[k] + half * work.Rate[k]) + link.Damping * work.Rate[k]);
+        step * (bent * work.Spring[k] + (half * stiffness + damping) * work.Rate[k]);
     }
     const Lanes n00 = glm::dot(work.S[0], work.G[0]) + soft;
     const Lanes n01 = glm::dot(work.S[0], work.G[1]);
@@ -295,17 +307,32 @@ private:
     const LinkStateOf<Lanes>& state = work.State;
     if (this->Options.Joint == SeaweedJoint::Bending)
     {
-      work.S[0] = Rotated(work.Pose.Turn, link.Side);
-      work.S[1] = glm::cross(work.Pose.Axis, work.S[0]);
+      work.B[0] = Rotated(work.Pose.Turn, link.Side);
+      work.B[1] = glm::cross(work.Pose.Axis, work.B[0]);
       const Vector relative = Rotated(work.Below, state.Rate);
+      const Vector a = Rotated(work.Below, link.Axis);
+      const Vector& e = work.Pose.Axis;
+      for (int k = 0; k < 2; ++k)
+      {
+        work.S[k] = work.B[k] + TwistOf(a, e, work.B[k]);
+      }
+      const Lanes open = Larger(Lanes(1.0) + glm::dot(a, e), Lanes(0.05));
+      const Lanes part = glm::dot(relative, a) / open;
+      const Vector swing = glm::cross(relative, e);
+      work.Swerve = (part * glm::dot(swing, a) / open) * e - part * swing;
       const Vector bend = Rotated(work.Below, BendTo(link.Axis, state.Shape, link.Side));
       for (int k = 0; k < 2; ++k)
       {
-        work.Rate[k] = glm::dot(relative, work.S[k]);
-        work.Spring[k] = glm::dot(bend, work.S[k]);
+        work.Rate[k] = glm::dot(relative, work.B[k]);
+        work.Spring[k] = glm::dot(bend, work.B[k]);
       }
-      return relative;
+      const Lanes angle = LengthOf(bend);
+      const Lanes beyond = Larger(Lanes(0.0), angle - Lanes(MostBend)) / Larger(angle, Lanes(MostBend));
+      work.Folded = this->Options.Integrator == SeaweedIntegrator::Implicit ? beyond : Lanes(0.0); // the paper has none
+      return relative + TwistOf(a, e, relative);
     }
+    work.Folded = Lanes(0.0);
+    work.Swerve = Vector(Lanes(0.0));
     const Turn frame = parentLink ? work.Below * parentLink->Base : GroundBase<Lanes>();
     work.S[0] = Rotated(frame, Vector(Lanes(0.0), Lanes(1.0), Lanes(0.0)));
     work.S[1] = Rotated(frame, Vector(Cosine(state.Shape.x), Lanes(0.0), -Sine(state.Shape.x)));
@@ -335,8 +362,8 @@ private:
       return;
     }
     const Turn back = Opposite(work.Below);
-    state.Shape = Swung(state.Shape, Rotated(back, moved[0] * work.S[0] + moved[1] * work.S[1]));
-    const Vector rate = Rotated(back, work.Rate[0] * work.S[0] + work.Rate[1] * work.S[1]);
+    state.Shape = Swung(state.Shape, Rotated(back, moved[0] * work.B[0] + moved[1] * work.B[1]));
+    const Vector rate = Rotated(back, work.Rate[0] * work.B[0] + work.Rate[1] * work.B[1]);
     state.Rate = rate - glm::dot(rate, state.Shape) * state.Shape;
   }
 };

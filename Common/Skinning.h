@@ -3,16 +3,14 @@
 #ifndef LittoralSkinning_h
 #define LittoralSkinning_h
 
-#include "SimdClones.h"
+#include "Lanes.h"
 #include "Vector3.h"
 
 #include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace littoral
 {
@@ -55,11 +53,14 @@ inline glm::dquat RotationBetween(const Vector3& from, const Vector3& to)
   return { factor * real, factor * axis.x, factor * axis.y, factor * axis.z };
 }
 
-/// What a joint adds to all that follows it: Turn x + Shift.
+/// What a joint adds to all that follows it: a rotation less the identity, and a shift.
 struct JointChange
 {
-  glm::dmat3 Turn{ 0.0 }; ///< the rotation less the identity
-  Vector3 Shift{ 0.0, 0.0, 0.0 };
+  /// Three columns of the matrix and the shift [m], of three numbers each; the fourth lane is idle.
+  std::array<Lanes, 4> Columns{ 0.0, 0.0, 0.0, 0.0 };
+
+  /// By how much a place moves.
+  Vector3 Of(const Vector3& place) const;
 };
 
 /// The change of a joint that lies at a position at rest.
@@ -76,58 +77,11 @@ struct RestSkin
 };
 
 /// Linear blend skinning of the vertices [begin, end): where joints are at rest, vertices stay to the last bit. Normals
-/// keep unit length.
-template <typename Real>
-void MoveSkin(const RestSkin<Real>& rest, const JointChange* joints, std::size_t begin, std::size_t end, Real* points,
-  Real* normals)
-{
-  for (std::size_t vertex = begin; vertex < end; ++vertex)
-  {
-    const Real* weights = rest.JointWeights + 4 * vertex;
-    const int* ids = rest.JointIds + 4 * vertex;
-    glm::dmat3 blended;
-    Vector3 shift;
-    const glm::dmat3* with = &blended;
-    if (weights[0] == Real(1))
-    {
-      with = &joints[ids[0]].Turn;
-      shift = joints[ids[0]].Shift;
-    }
-    else
-    {
-      blended = static_cast<double>(weights[0]) * joints[ids[0]].Turn;
-      shift = static_cast<double>(weights[0]) * joints[ids[0]].Shift;
-      for (int i = 1; i < 4; ++i)
-      {
-        if (weights[i] != Real(0))
-        {
-          blended += static_cast<double>(weights[i]) * joints[ids[i]].Turn;
-          shift += static_cast<double>(weights[i]) * joints[ids[i]].Shift;
-        }
-      }
-    }
-    const glm::dmat3& turn = *with;
-    const Real* p = rest.Points + 3 * vertex;
-    const Vector3 moved = turn * Vector3(p[0], p[1], p[2]) + shift;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      points[3 * vertex + axis] = static_cast<Real>(p[axis] + moved[axis]);
-    }
-    if (!rest.Normals)
-    {
-      continue;
-    }
-    const Vector3 n(rest.Normals[3 * vertex], rest.Normals[3 * vertex + 1], rest.Normals[3 * vertex + 2]);
-    const Vector3 change = turn * n;
-    const Vector3 turned = n + change;
-    const bool moves = change != Vector3(0.0);
-    const double factor = moves ? glm::length(n) / std::sqrt(std::max(1e-300, glm::dot(turned, turned))) : 1.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      normals[3 * vertex + axis] = static_cast<Real>(factor * turned[axis]);
-    }
-  }
-}
+/// keep their lengths.
+void MoveSkin(const RestSkin<float>& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points,
+  float* normals);
+void MoveSkin(const RestSkin<double>& rest, const JointChange* joints, std::size_t begin, std::size_t end,
+  double* points, double* normals);
 
 }
 

@@ -259,11 +259,7 @@ void ReplaceBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject*
 
 vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other)
 {
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName(other->GetName());
-  array->SetNumberOfComponents(other->GetNumberOfComponents());
-  array->SetNumberOfTuples(other->GetNumberOfTuples());
-  return array;
+  return NewArray<vtkFloatArray>(other->GetName(), other->GetNumberOfComponents(), other->GetNumberOfTuples());
 }
 
 }

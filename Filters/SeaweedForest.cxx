@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr std::size_t LinksAtOnce = 256;
+constexpr std::size_t PosesAtOnce = 8192;
 constexpr std::size_t MostCheckpoints = 16;
 
 double SmoothStep(double x)
@@ -350,8 +351,10 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
   if (view)
   {
     const double distance = glm::distance(plant.Middle, levels.Seen.Point);
-    near = ShareOf(distance, levels.NearDistance, levels.BlendDistance);
-    far = ShareOf(distance, levels.FarDistance, levels.BlendDistance);
+    // What reaches far sweeps over more pixels.
+    const double band = levels.BlendDistance > 0.0 ? std::max(levels.BlendDistance, plant.Reach) : 0.0;
+    near = ShareOf(distance, levels.NearDistance, band);
+    far = ShareOf(distance, levels.FarDistance, band);
   }
   const bool isSeen = !view || view->MayShow(plant.Middle, plant.Reach);
   plant.Rigid = static_cast<float>(1.0 - near);
@@ -388,8 +391,15 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
       LinkState own = states[link];
       if (isProcedural(link))
       {
-        const LinkState guess = this->Motion->Procedural(*nextWater++, link, this->Shown.data());
+        const LinkPose* below = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();
+        const LinkState guess = this->Motion->Procedural(*nextWater++, link, below);
         own = this->IsPhysical ? this->Motion->Mixed(guess, own, far) : guess;
+      }
+      if (!this->IsPhysical)
+      {
+        LinkPose* chain = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();
+        this->Motion->PoseOne(own, link, chain);
+        this->Full[link] = chain[link];
       }
       state = this->Motion->Mixed(state, own, share);
       ++counters.Segments;
@@ -404,6 +414,7 @@ SeaweedCounters SeaweedForest::Show(double time, double rest, const StepCurrents
   this->Velocities.clear();
   this->Accelerations.clear();
   this->Shown.resize(this->Motion->GetLinks().size());
+  this->Full.resize(this->Shown.size());
   std::vector<LinkState> partly;
   if (this->IsPhysical && rest > 0.0)
   {
@@ -419,7 +430,10 @@ SeaweedCounters SeaweedForest::Show(double time, double rest, const StepCurrents
     view = std::make_unique<ViewFrustum>(levels.Seen);
   }
   std::vector<SeaweedCounters> counters(this->Plants.size());
-  SmpFor(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
+  // What has been moved by its equations needs to be posed only: some 30 ns a link.
+  const std::size_t links = std::max<std::size_t>(1, this->Motion->GetLinks().size());
+  const std::size_t length = this->IsPhysical ? this->Plants.size() * PosesAtOnce / links : 0;
+  SmpForRanges(this->Plants.size(), length, [&](std::size_t begin, std::size_t end) {
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       this->ShowPlant(this->Plants[plant], orbits, currents, levels, view.get(), states, counters[plant]);
@@ -504,7 +518,10 @@ void SeaweedForest::MoveSkinOf(const Skin& skin, const std::vector<JointChange>&
     weights->GetPointer(0) };
   float* p = points->GetPointer(0);
   float* n = normals->GetPointer(0);
+  // Ranges are found while the numbers are at hand.
+  vtkSMPThreadLocal<std::array<TupleRanges, 2>> parts;
   SmpFor(skin.Runs.size(), [&](std::size_t begin, std::size_t end) {
+    std::array<TupleRanges, 2>& part = parts.Local();
     std::vector<float> stiff;
     for (std::size_t index = begin; index < end; ++index)
     {
@@ -529,13 +546,21 @@ void SeaweedForest::MoveSkinOf(const Skin& skin, const std::vector<JointChange>&
         own.JointWeights = stiff.data() - 4 * first;
       }
       MoveSkin(own, changes.data(), first, last, p, n);
+      part[0].AddTuples(p + 3 * first, p + 3 * last, 3);
+      part[1].AddTuples(n + 3 * first, n + 3 * last, 3);
     }
   });
   vtkNew<vtkPoints> places;
   places->SetData(points);
   moved->SetPoints(places);
-  KeepRanges(points.Get());
-  KeepRanges(normals.Get());
+  std::array<TupleRanges, 2> ranges;
+  for (const std::array<TupleRanges, 2>& part : parts)
+  {
+    ranges[0].Add(part[0]);
+    ranges[1].Add(part[1]);
+  }
+  KeepRanges(points.Get(), ranges[0]);
+  KeepRanges(normals.Get(), ranges[1]);
   moved->GetPointData()->SetNormals(normals);
 }
 
@@ -546,6 +571,17 @@ void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* ou
   {
     return;
   }
+  // The azimuth of a segment in line with its parent spins by any push; its skin bends without that twist.
+  std::vector<glm::dquat> turns;
+  if (this->Options.Joint == SeaweedJoint::Tilting && this->IsPhysical)
+  {
+    for (std::size_t link = 0; link < this->Shown.size(); ++link)
+    {
+      const SeaweedLink& own = this->Motion->GetLinks()[link];
+      const glm::dquat below = own.Parent < 0 ? glm::dquat{ 1.0, 0.0, 0.0, 0.0 } : turns[own.Parent];
+      turns.push_back(RotationBetween(own.Axis + TurnedBy(below, own.Axis), this->Shown[link].Axis) * below);
+    }
+  }
   std::vector<JointChange> changes(this->Rest.Nodes.size());
   for (std::size_t node = 0; node < changes.size(); ++node)
   {
@@ -553,7 +589,12 @@ void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* ou
     if (link >= 0)
     {
       const SeaweedLink& own = this->Motion->GetLinks()[link];
-      changes[node] = ChangeOf(own, this->Shown[link]);
+      LinkPose pose = this->Shown[link];
+      if (!turns.empty())
+      {
+        pose.Turn = turns[link];
+      }
+      changes[node] = ChangeOf(own, pose);
     }
   }
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -27,10 +27,10 @@ namespace littoral
 struct SeaweedLevels
 {
   bool UseLevels = false;
-  double NearDistance = 5.0;  ///< [m]
-  double FarDistance = 20.0;  ///< [m]
-  double BlendDistance = 6.0; ///< beyond either, over which levels change [m]
-  double PixelError = 0.5;    ///< by waves that are left out [pixels]
+  double NearDistance = 5.0;   ///< [m]
+  double FarDistance = 20.0;   ///< [m]
+  double BlendDistance = 10.0; ///< beyond either, over which levels of small plants change [m]
+  double PixelError = 0.5;     ///< by waves that are left out [pixels]
   View Seen;
 };
 
@@ -127,6 +127,7 @@ private:
   long long Stride = 1;
 
   std::vector<LinkPose> Shown;
+  std::vector<LinkPose> Full;         ///< procedural, as near by, but for what a branch grows on
   std::vector<Vector3> Velocities;    ///< of nodes
   std::vector<Vector3> Accelerations; ///< of nodes
 

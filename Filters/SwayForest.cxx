@@ -517,10 +517,7 @@ void SwayForest::TurnLeaves(double time, float* points, float* normals) const
 void SwayForest::ShowPictures(double time, vtkPolyData* crowns) const
 {
   const auto points = static_cast<std::size_t>(crowns->GetNumberOfPoints());
-  vtkNew<vtkFloatArray> tcoords;
-  tcoords->SetName("TCoords");
-  tcoords->SetNumberOfComponents(2);
-  tcoords->SetNumberOfTuples(crowns->GetNumberOfPoints());
+  const auto tcoords = NewArray<vtkFloatArray>("TCoords", 2, crowns->GetNumberOfPoints());
   float* to = tcoords->GetPointer(0);
   const int pictures = this->Settings.Pictures;
   SmpFor(this->Crowns.size(), [&](std::size_t begin, std::size_t end) {

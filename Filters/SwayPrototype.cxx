@@ -93,7 +93,7 @@ std::vector<float> SwayPrototype::LeavesAt(double time, PlantSway& sway, const S
     vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights))->GetPointer(0) };
   const std::size_t count = static_cast<std::size_t>(this->Leaves->GetNumberOfPoints());
   std::vector<float> points(3 * count);
-  MoveSkin<float>(skin, changes.data(), 0, count, points.data(), nullptr);
+  MoveSkin(skin, changes.data(), 0, count, points.data(), nullptr);
   const Vector3 wind = sway.Wind(time);
   const LeafFlutter flutter(settings.Leaves);
   for (std::size_t leaf = 0; leaf < this->Corners.size(); ++leaf)

@@ -132,8 +132,6 @@ int vtkBeamTreeDeformationFilter::RequestUpdateExtent(
 {
   vtkInformation* wind = inputVector[WindPort]->GetInformationObject(0);
   littoral::RequestAll(wind);
-  wind->Set(
-    vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), wind->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
   wind->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.0);
   for (int index = 0; index < inputVector[PrototypesPort]->GetNumberOfInformationObjects(); ++index)
   {

@@ -3,6 +3,7 @@
 #include "vtkCurrentDriftFilter.h"
 
 #include "DriftHistory.h"
+#include "LittoralArrays.h"
 #include "LittoralPipeline.h"
 #include "LittoralRanges.h"
 #include "LittoralSea.h"
@@ -459,17 +460,9 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   using Real = typename Array::ValueType;
   const Internals& state = *this->State;
   const vtkIdType count = input->GetNumberOfPoints();
-  vtkNew<Array> places;
-  places->SetName("Points");
-  places->SetNumberOfComponents(3);
-  places->SetNumberOfTuples(count);
-  vtkNew<vtkUnsignedCharArray> captured;
-  captured->SetName(littoral::sea::Captured);
-  captured->SetNumberOfValues(count);
-  vtkNew<vtkFloatArray> flow;
-  flow->SetName(littoral::sea::Current);
-  flow->SetNumberOfComponents(3);
-  flow->SetNumberOfTuples(this->GenerateCurrent ? count : 0);
+  const auto places = littoral::NewArray<Array>("Points", 3, count);
+  const auto captured = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::Captured, 1, count);
+  const auto flow = littoral::NewArray<vtkFloatArray>(littoral::sea::Current, 3, this->GenerateCurrent ? count : 0);
   littoral::Slaves slaves;
   littoral::ReadSlaves(input, slaves);
   const littoral::StepCurrents currents = state.CurrentsOf(state.NowStep, state.IsClosed ? 0.0 : state.Rest);

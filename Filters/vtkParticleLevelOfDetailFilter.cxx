@@ -3,6 +3,7 @@
 #include "vtkParticleLevelOfDetailFilter.h"
 
 #include "LittoralBlocks.h"
+#include "LittoralArrays.h"
 #include "LittoralPipeline.h"
 #include "LittoralRanges.h"
 #include "LittoralSea.h"
@@ -68,10 +69,7 @@ enum class LevelKind
 template <typename Array>
 Array* AddArray(vtkPointData* arrays, const char* name, int components, vtkIdType tuples)
 {
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  const auto array = littoral::NewArray<Array>(name, components, tuples);
   arrays->AddArray(array);
   return array;
 }

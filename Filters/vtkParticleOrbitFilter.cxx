@@ -3,6 +3,7 @@
 #include "vtkParticleOrbitFilter.h"
 
 #include "Dispersion.h"
+#include "LittoralArrays.h"
 #include "LittoralPipeline.h"
 #include "LittoralRanges.h"
 #include "LittoralSea.h"
@@ -43,16 +44,6 @@ namespace
 constexpr vtkIdType PointsAtOnce = 1 << 13;
 /// How far from sea level the points of its surface may lie [m].
 constexpr double SurfaceTolerance = 1e-3;
-
-template <typename Array>
-vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
 
 bool IsAtSeaLevel(vtkPoints* points, double level)
 {
@@ -329,7 +320,7 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
     centre->DeepCopy(input->GetPoints()->GetData());
   }
   centre->SetName("Centre");
-  vtkSmartPointer<Array> place = NewArray<Array>("Points", 3, count);
+  vtkSmartPointer<Array> place = littoral::NewArray<Array>("Points", 3, count);
   vtkPointData* arrays = output->GetPointData();
   arrays->AddArray(centre);
   littoral::OrbitRequest<Real> request;
@@ -338,7 +329,7 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   request.Displacement = place->GetPointer(0);
   std::vector<Real*> vectors{ request.Displacement };
   const auto add = [&](const char* name) {
-    vtkSmartPointer<Array> array = NewArray<Array>(name, 3, count);
+    vtkSmartPointer<Array> array = littoral::NewArray<Array>(name, 3, count);
     arrays->AddArray(array);
     vectors.push_back(array->GetPointer(0));
     return array->GetPointer(0);
@@ -356,8 +347,8 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   std::vector<Real> gradient;
   if (surface)
   {
-    normals = NewArray<Array>("Normals", 3, count);
-    jacobian = NewArray<Array>("Jacobian", 1, count);
+    normals = littoral::NewArray<Array>("Normals", 3, count);
+    jacobian = littoral::NewArray<Array>("Jacobian", 1, count);
     gradient.resize(5 * static_cast<std::size_t>(count));
     request.Gradient = gradient.data();
     arrays->SetNormals(normals);

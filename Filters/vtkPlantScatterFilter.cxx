@@ -339,10 +339,7 @@ bool PutOnGround(const littoral::HeightGrid& grid, double slopeLimit, const doub
 template <typename Array, typename Number>
 void AddColumn(vtkFieldData* fields, const char* name, int components, std::size_t count, const Number& numberOf)
 {
-  vtkNew<Array> column;
-  column->SetName(name);
-  column->SetNumberOfComponents(components);
-  column->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  const auto column = littoral::NewArray<Array>(name, components, static_cast<vtkIdType>(count));
   auto* values = column->GetPointer(0);
   for (std::size_t index = 0; index < count; ++index)
   {
@@ -524,14 +521,7 @@ int vtkPlantScatterFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVe
   {
     for (int index = 0; index < inputs[port]->GetNumberOfInformationObjects(); ++index)
     {
-      vtkInformation* info = inputs[port]->GetInformationObject(index);
-      if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-      {
-        int whole[6];
-        info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-        info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-      }
-      littoral::RequestAll(info);
+      littoral::RequestAll(inputs[port]->GetInformationObject(index));
     }
   }
   return 1;

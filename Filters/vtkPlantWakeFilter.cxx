@@ -11,6 +11,7 @@
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <string>
 #include <vector>
@@ -75,7 +76,7 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
 vtkPlantWakeFilter::vtkPlantWakeFilter()
   : Primitive(0)
   , Strength(0.5)
-  , Reach(1.0)
+  , Margin(0.5)
   , CoreShare(0.2)
 {
 }
@@ -104,7 +105,7 @@ int vtkPlantWakeFilter::RequestData(
   littoral::WakeOptions options;
   options.Kind = static_cast<littoral::WakeKind>(this->Primitive);
   options.Strength = this->Strength;
-  options.Reach = this->Reach;
+  options.Margin = this->Margin;
   options.CoreShare = this->CoreShare;
   std::string reason = littoral::OutOfRange("Primitive", this->Primitive, 0, 1);
   reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
@@ -136,6 +137,11 @@ int vtkPlantWakeFilter::RequestData(
       ids->InsertNextValue(plantIds[plant]);
     }
   }
+  // The first piece holds all primitives; else each rank would add its own.
+  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   littoral::WriteFlowPrimitives(primitives, output);
   output->GetPointData()->AddArray(ids);
@@ -148,6 +154,6 @@ void vtkPlantWakeFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Primitive: " << this->Primitive << "\n";
   os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "CoreShare: " << this->CoreShare << "\n";
 }

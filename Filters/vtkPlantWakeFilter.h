@@ -7,10 +7,13 @@
  * Input: seaweeds that move, as vtkSeaweedDeformationFilter makes them with GenerateMotion (High/Skeleton with
  * `Velocity`, `Acceleration`, `Radius`, `Length` and `Density`). Output: flow primitives, as vtkFlowPrimitiveSource
  * makes them, with `PlantId`; a current for vtkCurrentDriftFilter. Each plant makes a source at its centre of gravity,
- * by its acceleration along its way, or a doublet by its velocity; either ends, with no jump, at the sphere around its
- * bounding box.
+ * by its acceleration along its way, or a doublet by its velocity. Either is whole within the bounding box of the
+ * plant's skeleton and ends, with no jump, within Margin about it (`InfluenceBox`, `InfluenceMargin`).
  *
  * A plant is not stirred by its own wake nor by those of others: nothing leads back to it.
+ *
+ * Give it plants that do not depend on a view: from a vtkPlantScatterFilter and a vtkSeaweedDeformationFilter without
+ * UseLevels and UseCells. With them the bounding boxes, and what drifts in the wakes, would follow the camera.
  *
  * Coulais et al., section 4.3.4.
  *
@@ -43,13 +46,13 @@ public:
   ///@}
 
   ///@{
-  /// Where the wake ends, as part of half the diagonal of the plant's bounding box, 0.001 to 1000. Default 1.
-  vtkSetMacro(Reach, double);
-  vtkGetMacro(Reach, double);
+  /// Distance from the plant's bounding box at which the wake has ended [m], 0.001 to 1000. Default 0.5.
+  vtkSetMacro(Margin, double);
+  vtkGetMacro(Margin, double);
   ///@}
 
   ///@{
-  /// Core of the primitives, as part of where the wake ends, 0.001 to 1. Default 0.2.
+  /// Core of the primitives, as part of half the diagonal of the bounding box, 0.001 to 1; at least 1 cm. Default 0.2.
   vtkSetMacro(CoreShare, double);
   vtkGetMacro(CoreShare, double);
   ///@}
@@ -64,7 +67,7 @@ protected:
 
   int Primitive;
   double Strength;
-  double Reach;
+  double Margin;
   double CoreShare;
 
 private:

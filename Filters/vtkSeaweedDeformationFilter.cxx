@@ -130,7 +130,9 @@ vtkSeaweedDeformationFilter::vtkSeaweedDeformationFilter()
   , LeverArm(0.5)
   , LargestAngle(60.0)
   , UseLevels(false)
-  , BlendDistance(6.0)
+  , BlendDistance(10.0)
+  , BlendTime(0.0)
+  , ViewSpeed(1.0)
   , PixelError(0.5)
   , GenerateMotion(false)
   , VelocityArray(nullptr)
@@ -290,8 +292,9 @@ std::string vtkSeaweedDeformationFilter::WhyInvalid(double time) const
          OutOfRange("Load", this->Load, 0, 1), OutOfRange("Integrator", this->Integrator, 0, 1),
          OutOfRange("StartTime", this->StartTime, -1e9, 1e9), OutOfRange("TimeStep", this->TimeStep, 1e-5, 1.0),
          OutOfRange("LargestAngle", this->LargestAngle, 0.0, 180.0),
-         OutOfRange("BlendDistance", this->BlendDistance, 0.0, 1e9),
-         OutOfRange("PixelError", this->PixelError, 0.0, 1e9), littoral::WhyInvalid(this->MakeOptions()) })
+         OutOfRange("BlendDistance", this->BlendDistance, 0.0, 1e9), OutOfRange("BlendTime", this->BlendTime, 0.0, 1e9),
+         OutOfRange("ViewSpeed", this->ViewSpeed, 0.0, 1e9), OutOfRange("PixelError", this->PixelError, 0.0, 1e9),
+         littoral::WhyInvalid(this->MakeOptions()) })
   {
     if (!reason.empty())
     {
@@ -476,7 +479,7 @@ int vtkSeaweedDeformationFilter::RequestData(
   }
   levels.NearDistance = this->NearDistance;
   levels.FarDistance = this->FarDistance;
-  levels.BlendDistance = this->BlendDistance;
+  levels.BlendDistance = this->BlendDistance + this->ViewSpeed * this->BlendTime;
   levels.PixelError = this->PixelError;
   const double rest = state.Clock.Rest;
   const littoral::SeaweedCounters counters = state.Forest.Show(time, rest, state.CurrentsOf(rest), levels);
@@ -519,6 +522,8 @@ void vtkSeaweedDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LargestAngle: " << this->LargestAngle << "\n";
   os << indent << "UseLevels: " << this->UseLevels << "\n";
   os << indent << "BlendDistance: " << this->BlendDistance << "\n";
+  os << indent << "BlendTime: " << this->BlendTime << "\n";
+  os << indent << "ViewSpeed: " << this->ViewSpeed << "\n";
   os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "GenerateMotion: " << this->GenerateMotion << "\n";
   os << indent << "VelocityArray: " << (this->VelocityArray ? this->VelocityArray : "(none)") << "\n";

@@ -17,8 +17,8 @@
  *
  * With UseLevels: within NearDistance all segments of a branch move; from there to FarDistance the half next to its
  * foot; beyond, the first, procedurally. What does not move keeps its angles of rest. Beyond NearDistance skins are
- * rigid: a vertex follows one segment. Levels change over BlendDistance. Plants out of the view stay at rest;
- * procedural ones leave out wave trains whose sum is less than PixelError. None of it touches the state.
+ * rigid: a vertex follows one segment. Levels change over BlendDistance and BlendTime. Plants out of the view stay at
+ * rest; procedural ones leave out wave trains whose sum is less than PixelError. None of it touches the state.
  *
  * Field data of the output: `PlantsInAll`, `PlantsShown`, `SegmentsInAll`, `SegmentsMoved` (in this picture),
  * `TrainEvaluations` (segments times wave trains, of procedural motion in this picture).
@@ -145,9 +145,24 @@ public:
   ///@}
 
   ///@{
-  /// Length over which a level changes into the next, beyond NearDistance and FarDistance [m], not negative. Default 6.
+  /// Length over which a level changes into the next, beyond NearDistance and FarDistance [m], not negative; for plants
+  /// that reach further, their reach. 0: levels change at once. Default 10.
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
+  ///@}
+
+  ///@{
+  /// Time that a view of ViewSpeed takes, at least, through a change of levels [s], not negative: BlendDistance grows
+  /// by what it goes in that time. So levels change over a time, and pictures still depend on no earlier ones. Default
+  /// 0.
+  vtkSetMacro(BlendTime, double);
+  vtkGetMacro(BlendTime, double);
+  ///@}
+
+  ///@{
+  /// How fast the view moves, for BlendTime [m/s], not negative. Default 1, a diver's.
+  vtkSetMacro(ViewSpeed, double);
+  vtkGetMacro(ViewSpeed, double);
   ///@}
 
   ///@{
@@ -211,6 +226,8 @@ protected:
   double LargestAngle;
   bool UseLevels;
   double BlendDistance;
+  double BlendTime;
+  double ViewSpeed;
   double PixelError;
   bool GenerateMotion;
   char* VelocityArray;

@@ -3,6 +3,7 @@
 #include "vtkTerrainLevelOfDetailFilter.h"
 
 #include "GroundColour.h"
+#include "LittoralArrays.h"
 #include "LittoralPipeline.h"
 #include "LittoralRanges.h"
 #include "LittoralTables.h"
@@ -78,16 +79,6 @@ struct Layout
   }
 };
 
-template <typename Array>
-vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
-
 /// Pairs of an array of the image and its copy in a block.
 using CarriedArrays = std::vector<std::pair<vtkDataArray*, vtkSmartPointer<vtkDataArray>>>;
 
@@ -155,14 +146,14 @@ private:
 vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::TerrainPyramid& pyramid,
   const GroundPainter& painter, vtkImageData* image, vtkDataArray* heights)
 {
-  const auto positions = NewArray<vtkDoubleArray>("Points", 3, layout.Points);
-  const auto elevation = NewArray<vtkFloatArray>("Elevation", 1, layout.Points);
-  const auto normals = NewArray<vtkFloatArray>("Normals", 3, layout.Points);
-  const auto coordinates = NewArray<vtkFloatArray>("TCoords", 2, layout.Points);
-  const auto levels = NewArray<vtkIntArray>("Level", 1, layout.Triangles);
-  const auto offsets = NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1);
-  const auto connectivity = NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles);
-  const auto colours = NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0);
+  const auto positions = littoral::NewArray<vtkDoubleArray>("Points", 3, layout.Points);
+  const auto elevation = littoral::NewArray<vtkFloatArray>("Elevation", 1, layout.Points);
+  const auto normals = littoral::NewArray<vtkFloatArray>("Normals", 3, layout.Points);
+  const auto coordinates = littoral::NewArray<vtkFloatArray>("TCoords", 2, layout.Points);
+  const auto levels = littoral::NewArray<vtkIntArray>("Level", 1, layout.Triangles);
+  const auto offsets = littoral::NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1);
+  const auto connectivity = littoral::NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles);
+  const auto colours = littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0);
   const CarriedArrays carried = NewCarriedArrays(image, heights, layout.Points);
   const littoral::HeightSamples& samples = pyramid.GetSamples();
 

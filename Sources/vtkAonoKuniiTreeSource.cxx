@@ -3,7 +3,6 @@
 #include "vtkAonoKuniiTreeSource.h"
 
 #include "AonoKuniiTree.h"
-#include "LittoralPlants.h"
 #include "PlantLevels.h"
 
 #include "vtkObjectFactory.h"
@@ -14,8 +13,8 @@ vtkStandardNewMacro(vtkAonoKuniiTreeSource);
 
 //----------------------------------------------------------------------------
 vtkAonoKuniiTreeSource::vtkAonoKuniiTreeSource()
-  : Preset(MonopodialA)
-  , Variation(0.1)
+  : vtkLeafyTreeSource(0.1, 0.17, 9000, 0.25, 0.6)
+  , Preset(MonopodialA)
   , Branching(Monopodial)
   , Iterations(10)
   , LengthRatio1(0.9)
@@ -29,13 +28,6 @@ vtkAonoKuniiTreeSource::vtkAonoKuniiTreeSource()
   , Tropism{ 0.0, 0.0, -1.0 }
   , Susceptibility(0.0)
   , TrunkLength(1.75)
-  , TrunkRadius(0.17)
-  , BarkColor{ 0.41, 0.35, 0.27 }
-  , NumberOfLeaves(9000)
-  , LeafSize(0.25)
-  , LeafWidth(0.6)
-  , LeafForm(Blade)
-  , LeafColor{ 0.44, 0.57, 0.24 }
 {
 }
 
@@ -71,9 +63,8 @@ bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, li
     p.LeafSize = this->LeafSize;
     p.LeafWidth = this->LeafWidth;
     p.Outline = static_cast<littoral::LeafForm>(this->LeafForm);
-    if (!littoral::TakeColour(this->LeafColor, p.Leaf) || !littoral::TakeColour(this->BarkColor, p.Bark))
+    if (!this->TakeColors(p.Leaf, p.Bark))
     {
-      vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
       return false;
     }
   }
@@ -94,7 +85,6 @@ void vtkAonoKuniiTreeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Preset: " << this->Preset << "\n";
-  os << indent << "Variation: " << this->Variation << "\n";
   os << indent << "Branching: " << this->Branching << "\n";
   os << indent << "Iterations: " << this->Iterations << "\n";
   os << indent << "LengthRatio1: " << this->LengthRatio1 << "\n";
@@ -108,11 +98,4 @@ void vtkAonoKuniiTreeSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tropism: " << this->Tropism[0] << " " << this->Tropism[1] << " " << this->Tropism[2] << "\n";
   os << indent << "Susceptibility: " << this->Susceptibility << "\n";
   os << indent << "TrunkLength: " << this->TrunkLength << "\n";
-  os << indent << "TrunkRadius: " << this->TrunkRadius << "\n";
-  os << indent << "BarkColor: " << this->BarkColor[0] << " " << this->BarkColor[1] << " " << this->BarkColor[2] << "\n";
-  os << indent << "NumberOfLeaves: " << this->NumberOfLeaves << "\n";
-  os << indent << "LeafSize: " << this->LeafSize << "\n";
-  os << indent << "LeafWidth: " << this->LeafWidth << "\n";
-  os << indent << "LeafForm: " << this->LeafForm << "\n";
-  os << indent << "LeafColor: " << this->LeafColor[0] << " " << this->LeafColor[1] << " " << this->LeafColor[2] << "\n";
 }

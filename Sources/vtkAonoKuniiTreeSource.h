@@ -9,18 +9,22 @@
  * Preset takes the numbers of one of twelve trees published in The Algorithmic Beauty of Plants (Prusinkiewicz and
  * Lindenmayer 1990, figures 2.6, 2.7 and 2.8, a to d) and gives it a size in metres, leaves and colours; with Custom
  * all numbers can be set. Outputs as in vtkPlantSource.
+ *
+ * With Variation 0 the tree is the published one, and seeds differ by their leaves alone. Leaves are on the segments of
+ * the last step. Defaults of what the base has: Variation 0.1, TrunkRadius 0.17, NumberOfLeaves 9000, LeafSize 0.25,
+ * LeafWidth 0.6.
  */
 #ifndef vtkAonoKuniiTreeSource_h
 #define vtkAonoKuniiTreeSource_h
 
 #include "LittoralSourcesModule.h" // for export macro
-#include "vtkPlantSource.h"
+#include "vtkLeafyTreeSource.h"
 
-class LITTORALSOURCES_EXPORT vtkAonoKuniiTreeSource : public vtkPlantSource
+class LITTORALSOURCES_EXPORT vtkAonoKuniiTreeSource : public vtkLeafyTreeSource
 {
 public:
   static vtkAonoKuniiTreeSource* New();
-  vtkTypeMacro(vtkAonoKuniiTreeSource, vtkPlantSource);
+  vtkTypeMacro(vtkAonoKuniiTreeSource, vtkLeafyTreeSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum PresetType
@@ -47,23 +51,10 @@ public:
     Ternary = 2,
   };
 
-  enum LeafFormType
-  {
-    Blade = 0,
-    Needle = 1,
-  };
-
   ///@{
-  /// A published tree, a PresetType. The parameters below are then of no effect, except Variation. Default MonopodialA.
+  /// A published tree, a PresetType. All numbers of the tree but Variation are then of no effect. Default MonopodialA.
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
-  ///@}
-
-  ///@{
-  /// Standard deviation of lengths and angles as part of their means, 0 to 0.5. 0 gives the published tree itself, and
-  /// seeds differ by their leaves alone. Default 0.1.
-  vtkSetMacro(Variation, double);
-  vtkGetMacro(Variation, double);
   ///@}
 
   ///@{
@@ -153,48 +144,6 @@ public:
   vtkGetMacro(TrunkLength, double);
   ///@}
 
-  ///@{
-  /// Radius of the trunk at the ground [m], 0.001 to 10. Default 0.17.
-  vtkSetMacro(TrunkRadius, double);
-  vtkGetMacro(TrunkRadius, double);
-  ///@}
-
-  ///@{
-  /// Colour of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
-  vtkSetVector3Macro(BarkColor, double);
-  vtkGetVector3Macro(BarkColor, double);
-  ///@}
-
-  ///@{
-  /// Number of leaves, 0 to 1000000, on the segments of the last step. Default 9000.
-  vtkSetMacro(NumberOfLeaves, int);
-  vtkGetMacro(NumberOfLeaves, int);
-  ///@}
-
-  ///@{
-  /// Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5. Default 0.25.
-  vtkSetMacro(LeafSize, double);
-  vtkGetMacro(LeafSize, double);
-  ///@}
-
-  ///@{
-  /// Width of a leaf as part of its length, 0.01 to 2. Default 0.6.
-  vtkSetMacro(LeafWidth, double);
-  vtkGetMacro(LeafWidth, double);
-  ///@}
-
-  ///@{
-  /// The outline of a leaf, a LeafFormType. Default Blade.
-  vtkSetMacro(LeafForm, int);
-  vtkGetMacro(LeafForm, int);
-  ///@}
-
-  ///@{
-  /// Colour of a leaf in the light: red, green, blue, each 0 to 1. Default 0.44 0.57 0.24.
-  vtkSetVector3Macro(LeafColor, double);
-  vtkGetVector3Macro(LeafColor, double);
-  ///@}
-
 protected:
   vtkAonoKuniiTreeSource();
   ~vtkAonoKuniiTreeSource() override;
@@ -202,7 +151,6 @@ protected:
   bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) override;
 
   int Preset;
-  double Variation;
   int Branching;
   int Iterations;
   double LengthRatio1;
@@ -216,13 +164,6 @@ protected:
   double Tropism[3];
   double Susceptibility;
   double TrunkLength;
-  double TrunkRadius;
-  double BarkColor[3];
-  int NumberOfLeaves;
-  double LeafSize;
-  double LeafWidth;
-  int LeafForm;
-  double LeafColor[3];
 
 private:
   vtkAonoKuniiTreeSource(const vtkAonoKuniiTreeSource&) = delete;

@@ -8,6 +8,10 @@
  * [m] and `InfluenceRadius` [m]. Connect any number of these sources to port 1 of vtkCurrentDriftFilter, or append
  * them to one data set: flows add up.
  *
+ * Flow primitives of other origin may also be kept to a box: with `InfluenceBox`[6] (smallest and largest x, y, z [m])
+ * and `InfluenceMargin` [m], the flow is whole in the box and is multiplied by (1 - d^2/M^2)^2 at the distance d from
+ * it, 0 from M on. A margin of 0 is no box, and this source writes that.
+ *
  * With R from the centre and e the core, a source of discharge Q flows with Q R / (4 pi (R^2 + e^2)^(3/2)) away from
  * the centre; a vortex of circulation G with G / (2 pi q) (1 - exp(-q^2/e^2)) around its axis at the distance q from
  * it. Both are at rest at the centre: velocities are finite everywhere.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReevesTreeSource.h"
 
-#include "LittoralPlants.h"
 #include "PlantLevels.h"
 #include "ReevesTree.h"
 
@@ -14,25 +13,18 @@ vtkStandardNewMacro(vtkReevesTreeSource);
 
 //----------------------------------------------------------------------------
 vtkReevesTreeSource::vtkReevesTreeSource()
-  : Preset(Oak)
+  : vtkLeafyTreeSource(0.2, 0.3, 10000, 0.32, 0.7)
+  , Preset(Oak)
   , CrownShape(Ellipsoid)
   , Height(12.0)
   , CrownRadius(5.4)
   , CrownBase(2.2)
-  , TrunkRadius(0.3)
   , TrunkReach(0.65)
   , Orders(3)
   , MainBranches(22)
   , SideBranches(6)
   , BranchAngle(62.0)
   , Lift(0.08)
-  , Variation(0.2)
-  , NumberOfLeaves(10000)
-  , LeafSize(0.32)
-  , LeafWidth(0.7)
-  , LeafForm(Blade)
-  , LeafColor{ 0.44, 0.57, 0.24 }
-  , BarkColor{ 0.41, 0.35, 0.27 }
 {
 }
 
@@ -66,9 +58,8 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     p.NumberOfLeaves = this->NumberOfLeaves;
     p.LeafSize = this->LeafSize;
     p.LeafWidth = this->LeafWidth;
-    if (!littoral::TakeColour(this->LeafColor, p.Leaf) || !littoral::TakeColour(this->BarkColor, p.Bark))
+    if (!this->TakeColors(p.Leaf, p.Bark))
     {
-      vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
       return false;
     }
   }
@@ -93,18 +84,10 @@ void vtkReevesTreeSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Height: " << this->Height << "\n";
   os << indent << "CrownRadius: " << this->CrownRadius << "\n";
   os << indent << "CrownBase: " << this->CrownBase << "\n";
-  os << indent << "TrunkRadius: " << this->TrunkRadius << "\n";
   os << indent << "TrunkReach: " << this->TrunkReach << "\n";
   os << indent << "Orders: " << this->Orders << "\n";
   os << indent << "MainBranches: " << this->MainBranches << "\n";
   os << indent << "SideBranches: " << this->SideBranches << "\n";
   os << indent << "BranchAngle: " << this->BranchAngle << "\n";
   os << indent << "Lift: " << this->Lift << "\n";
-  os << indent << "Variation: " << this->Variation << "\n";
-  os << indent << "NumberOfLeaves: " << this->NumberOfLeaves << "\n";
-  os << indent << "LeafSize: " << this->LeafSize << "\n";
-  os << indent << "LeafWidth: " << this->LeafWidth << "\n";
-  os << indent << "LeafForm: " << this->LeafForm << "\n";
-  os << indent << "LeafColor: " << this->LeafColor[0] << " " << this->LeafColor[1] << " " << this->LeafColor[2] << "\n";
-  os << indent << "BarkColor: " << this->BarkColor[0] << " " << this->BarkColor[1] << " " << this->BarkColor[2] << "\n";
 }

@@ -7,18 +7,20 @@
  * Reeves and Blau (1985): a trunk, branches that repeat their parent's rule, with lengths cut by a bounding cone or
  * ellipsoid, and leaves as particles on the twigs, darker within the crown than on its surface (Setas et al., section
  * 4.1). Outputs as in vtkPlantSource. Preset takes the numbers of a species; with Custom all of them can be set.
+ *
+ * Defaults of what the base has: Variation 0.2, TrunkRadius 0.3, NumberOfLeaves 10000, LeafSize 0.32, LeafWidth 0.7.
  */
 #ifndef vtkReevesTreeSource_h
 #define vtkReevesTreeSource_h
 
 #include "LittoralSourcesModule.h" // for export macro
-#include "vtkPlantSource.h"
+#include "vtkLeafyTreeSource.h"
 
-class LITTORALSOURCES_EXPORT vtkReevesTreeSource : public vtkPlantSource
+class LITTORALSOURCES_EXPORT vtkReevesTreeSource : public vtkLeafyTreeSource
 {
 public:
   static vtkReevesTreeSource* New();
-  vtkTypeMacro(vtkReevesTreeSource, vtkPlantSource);
+  vtkTypeMacro(vtkReevesTreeSource, vtkLeafyTreeSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum PresetType
@@ -36,14 +38,8 @@ public:
     Ellipsoid = 1,
   };
 
-  enum LeafFormType
-  {
-    Blade = 0,
-    Needle = 1,
-  };
-
   ///@{
-  /// A species, a PresetType. All parameters below are then of no effect, except for Custom. Default Oak.
+  /// A species, a PresetType. All numbers of the tree are then of no effect, except for Custom. Default Oak.
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
@@ -70,12 +66,6 @@ public:
   /// Height of the lowest leaves [m], from 0 to 0.9 of the trunk. Default 2.2.
   vtkSetMacro(CrownBase, double);
   vtkGetMacro(CrownBase, double);
-  ///@}
-
-  ///@{
-  /// Radius of the trunk at the ground [m], 0.001 to 10. Default 0.3.
-  vtkSetMacro(TrunkRadius, double);
-  vtkGetMacro(TrunkRadius, double);
   ///@}
 
   ///@{
@@ -114,48 +104,6 @@ public:
   vtkGetMacro(Lift, double);
   ///@}
 
-  ///@{
-  /// Standard deviation of lengths and angles as part of their means, 0 to 0.5. Default 0.2.
-  vtkSetMacro(Variation, double);
-  vtkGetMacro(Variation, double);
-  ///@}
-
-  ///@{
-  /// Number of leaves, 0 to 1000000. Default 10000.
-  vtkSetMacro(NumberOfLeaves, int);
-  vtkGetMacro(NumberOfLeaves, int);
-  ///@}
-
-  ///@{
-  /// Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5. Default 0.32.
-  vtkSetMacro(LeafSize, double);
-  vtkGetMacro(LeafSize, double);
-  ///@}
-
-  ///@{
-  /// Width of a leaf as part of its length, 0.01 to 2. Default 0.7.
-  vtkSetMacro(LeafWidth, double);
-  vtkGetMacro(LeafWidth, double);
-  ///@}
-
-  ///@{
-  /// The outline of a leaf, a LeafFormType. Default Blade.
-  vtkSetMacro(LeafForm, int);
-  vtkGetMacro(LeafForm, int);
-  ///@}
-
-  ///@{
-  /// Colour of a leaf in the light: red, green, blue, each 0 to 1. Default 0.44 0.57 0.24.
-  vtkSetVector3Macro(LeafColor, double);
-  vtkGetVector3Macro(LeafColor, double);
-  ///@}
-
-  ///@{
-  /// Colour of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
-  vtkSetVector3Macro(BarkColor, double);
-  vtkGetVector3Macro(BarkColor, double);
-  ///@}
-
 protected:
   vtkReevesTreeSource();
   ~vtkReevesTreeSource() override;
@@ -167,20 +115,12 @@ protected:
   double Height;
   double CrownRadius;
   double CrownBase;
-  double TrunkRadius;
   double TrunkReach;
   int Orders;
   int MainBranches;
   int SideBranches;
   double BranchAngle;
   double Lift;
-  double Variation;
-  int NumberOfLeaves;
-  double LeafSize;
-  double LeafWidth;
-  int LeafForm;
-  double LeafColor[3];
-  double BarkColor[3];
 
 private:
   vtkReevesTreeSource(const vtkReevesTreeSource&) = delete;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSuspendedParticleSource.h"
 
+#include "LittoralArrays.h"
 #include "LittoralPipeline.h"
 #include "LittoralPlants.h"
 #include "LittoralSea.h"
@@ -59,16 +60,6 @@ std::array<long long, 2> PicturesSize()
 {
   constexpr int Side = littoral::ParticlePictureSize;
   return littoral::AtlasSize(std::vector<std::array<int, 2>>(littoral::ParticleKinds, { Side, Side }));
-}
-
-template <typename Array>
-vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
 }
 
 /// Cells of `size` points each, from the first of each `stride` points after `skip`.
@@ -338,16 +329,16 @@ bool vtkSuspendedParticleSource::Scatter(const Recipe& recipe, long long first, 
   const int stride = quads ? QuadPoints : 1;
   const vtkIdType count = last - first;
   const vtkIdType points = count * stride;
-  auto place = NewArray<Array>("Points", 3, points);
-  auto id = NewArray<vtkIdTypeArray>(littoral::sea::ParticleId, 1, points);
-  auto boxId = NewArray<vtkIntArray>(littoral::sea::BoxId, 1, points);
-  auto type = NewArray<vtkIntArray>(littoral::sea::ParticleType, 1, points);
-  auto radius = NewArray<vtkFloatArray>(littoral::sea::Radius, 1, points);
-  auto colour = NewArray<vtkUnsignedCharArray>(littoral::sea::RGB, 3, points);
+  auto place = littoral::NewArray<Array>("Points", 3, points);
+  auto id = littoral::NewArray<vtkIdTypeArray>(littoral::sea::ParticleId, 1, points);
+  auto boxId = littoral::NewArray<vtkIntArray>(littoral::sea::BoxId, 1, points);
+  auto type = littoral::NewArray<vtkIntArray>(littoral::sea::ParticleType, 1, points);
+  auto radius = littoral::NewArray<vtkFloatArray>(littoral::sea::Radius, 1, points);
+  auto colour = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::RGB, 3, points);
   const vtkIdType corners = quads ? points : 0;
-  auto master = NewArray<vtkIdTypeArray>(littoral::sea::MasterId, 1, corners);
-  auto offset = NewArray<vtkFloatArray>(littoral::sea::Offset, 3, corners);
-  auto coordinates = NewArray<vtkFloatArray>("TCoords", 2, corners);
+  auto master = littoral::NewArray<vtkIdTypeArray>(littoral::sea::MasterId, 1, corners);
+  auto offset = littoral::NewArray<vtkFloatArray>(littoral::sea::Offset, 3, corners);
+  auto coordinates = littoral::NewArray<vtkFloatArray>("TCoords", 2, corners);
   const std::vector<littoral::AtlasArea> areas = quads ? Pictures().Areas : std::vector<littoral::AtlasArea>{};
 
   const auto write = [&](vtkIdType point, long long number, int box, const littoral::SuspendedParticle& particle) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindFieldSource.h"
 
+#include "LittoralArrays.h"
 #include "LittoralPipeline.h"
 #include "WindField.h"
 
@@ -282,10 +283,8 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   {
     return 1; // a rank with nothing to do
   }
-  vtkNew<vtkFloatArray> velocity;
-  velocity->SetName("Velocity");
-  velocity->SetNumberOfComponents(littoral::WindComponents);
-  velocity->SetNumberOfTuples(output->GetNumberOfPoints());
+  const auto velocity =
+    littoral::NewArray<vtkFloatArray>("Velocity", littoral::WindComponents, output->GetNumberOfPoints());
   velocity->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
   const Shift shift = ShiftAt(std::isfinite(time) ? time : 0.0, grid);
   const Turn turn{ place[0], place[3] };

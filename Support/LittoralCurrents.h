@@ -35,12 +35,19 @@ inline void WriteFlowPrimitives(const std::vector<FlowPrimitive>& primitives, vt
   vtkNew<vtkDoubleArray> axis;
   axis->SetName(sea::Axis);
   axis->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> box;
+  box->SetName(sea::InfluenceBox);
+  box->SetNumberOfComponents(6);
   for (const FlowPrimitive& primitive : primitives)
   {
     const vtkIdType id = points->InsertNextPoint(&primitive.Centre[0]);
     vertices->InsertNextCell(1, &id);
     type->InsertNextValue(static_cast<int>(primitive.Type));
     axis->InsertNextTuple(&primitive.Axis[0]);
+    for (int side = 0; side < 6; ++side)
+    {
+      box->InsertNextValue((side % 2 ? primitive.InfluenceBox.High : primitive.InfluenceBox.Low)[side / 2]);
+    }
   }
   data->SetPoints(points);
   data->SetVerts(vertices);
@@ -58,6 +65,9 @@ inline void WriteFlowPrimitives(const std::vector<FlowPrimitive>& primitives, vt
   data->GetPointData()->AddArray(axis);
   add(sea::CoreRadius, &FlowPrimitive::CoreRadius);
   add(sea::InfluenceRadius, &FlowPrimitive::InfluenceRadius);
+  // Also where there are no boxes, or appending other primitives to some that have them would lose these.
+  data->GetPointData()->AddArray(box);
+  add(sea::InfluenceMargin, &FlowPrimitive::InfluenceMargin);
 }
 
 /// Whether a data set holds flow primitives, and no field of velocities.
@@ -66,17 +76,44 @@ inline bool HoldsFlowPrimitives(vtkDataSet* data)
   return vtkPointSet::SafeDownCast(data) && data->GetPointData()->GetArray(sea::FlowType);
 }
 
-/// Adds the primitives of a data set. Why they cannot be read, in words for a user; empty when they were.
+/// Why a point array of some components is missing, in words for a user; empty if it is there.
+inline std::string WhyMissing(vtkDataSet* data, const char* name, int components)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != components)
+  {
+    return std::string("the flow primitives have no point array ") + name + " of " + std::to_string(components) +
+      (components > 1 ? " components." : " component.");
+  }
+  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    return std::string("the flow primitives' point array ") + name + " has " +
+      std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(data->GetNumberOfPoints()) +
+      " points.";
+  }
+  return "";
+}
+
+/// Adds the primitives of a data set. Why they cannot be read, in words for a user; empty when they were. The arrays of
+/// the influence box may both be missing.
 inline std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& primitives)
 {
   const auto array = [data](const char* name) { return data->GetPointData()->GetArray(name); };
-  for (const char* name : { sea::FlowType, sea::Strength, sea::Axis, sea::CoreRadius, sea::InfluenceRadius })
+  const bool hasBoxes = array(sea::InfluenceBox) || array(sea::InfluenceMargin);
+  const struct
   {
-    const int components = name == sea::Axis ? 3 : 1;
-    if (!array(name) || array(name)->GetNumberOfComponents() != components)
+    const char* Name;
+    int Components;
+    bool IsNeeded;
+  } arrays[] = { { sea::FlowType, 1, true }, { sea::Strength, 1, true }, { sea::Axis, 3, true },
+    { sea::CoreRadius, 1, true }, { sea::InfluenceRadius, 1, true }, { sea::InfluenceBox, 6, hasBoxes },
+    { sea::InfluenceMargin, 1, hasBoxes } };
+  for (const auto& one : arrays)
+  {
+    const std::string reason = one.IsNeeded ? WhyMissing(data, one.Name, one.Components) : "";
+    if (!reason.empty())
     {
-      return std::string("the flow primitives have no point array ") + name + " of " + std::to_string(components) +
-        (components > 1 ? " components." : " component.");
+      return reason;
     }
   }
   for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
@@ -89,6 +126,12 @@ inline std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitiv
     array(sea::Axis)->GetTuple(id, &primitive.Axis[0]);
     primitive.CoreRadius = array(sea::CoreRadius)->GetTuple1(id);
     primitive.InfluenceRadius = array(sea::InfluenceRadius)->GetTuple1(id);
+    for (int side = 0; hasBoxes && side < 6; ++side)
+    {
+      Box& box = primitive.InfluenceBox;
+      (side % 2 ? box.High : box.Low)[side / 2] = array(sea::InfluenceBox)->GetComponent(id, side);
+    }
+    primitive.InfluenceMargin = hasBoxes ? array(sea::InfluenceMargin)->GetTuple1(id) : 0.0;
     const std::string reason = WhyInvalid(primitive);
     if (!reason.empty())
     {

@@ -6,8 +6,9 @@
 // Plants between the numerics and VTK: the one place that knows names and types of their blocks and arrays. Private:
 // never installed, never wrapped.
 
-#include "LittoralSeaweeds.h"
+#include "LittoralArrays.h"
 #include "LittoralBlocks.h"
+#include "LittoralSeaweeds.h"
 #include "PlantPrototype.h"
 
 #include "vtkCellArray.h"
@@ -76,10 +77,7 @@ inline bool TakeColour(const double from[3], Colour& to)
 template <typename Array, typename Tuples>
 vtkSmartPointer<Array> ArrayOf(const char* name, int components, const Tuples& tuples)
 {
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
+  auto array = NewArray<Array>(name, components, static_cast<vtkIdType>(tuples.size()));
   auto* value = array->GetPointer(0);
   for (const auto& tuple : tuples)
   {

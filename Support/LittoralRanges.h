@@ -58,9 +58,49 @@ struct TupleRanges
   ValueRange SquaredLength;
   bool AreFinite = true;
 
+  /// Adds tuples of as many components; sums stay in registers.
+  template <int Count, typename T>
+  void AddTuplesOf(const T* tuple, const T* end)
+  {
+    std::array<ValueRange, Count> ranges;
+    ValueRange lengths;
+    double check = 0.0; // becomes no number where a value is not finite
+    for (; tuple != end; tuple += Count)
+    {
+      double squares = 0.0;
+      for (int c = 0; c < Count; ++c)
+      {
+        const double value = static_cast<double>(tuple[c]);
+        ranges[c].Add(value);
+        squares += value * value;
+      }
+      lengths.Add(squares);
+      check += 0.0 * squares;
+    }
+    for (int c = 0; c < Count; ++c)
+    {
+      this->Components[c].Add(ranges[c]);
+    }
+    this->SquaredLength.Add(lengths);
+    this->AreFinite = this->AreFinite && check == 0.0;
+  }
+
   template <typename T>
   void AddTuples(const T* tuple, const T* end, int components)
   {
+    switch (components)
+    {
+      case 1:
+        return this->AddTuplesOf<1>(tuple, end);
+      case 2:
+        return this->AddTuplesOf<2>(tuple, end);
+      case 3:
+        return this->AddTuplesOf<3>(tuple, end);
+      case 4:
+        return this->AddTuplesOf<4>(tuple, end);
+      default:
+        break;
+    }
     for (; tuple != end; tuple += components)
     {
       double squares = 0.0;
@@ -107,29 +147,14 @@ inline void SetRange(vtkInformation* info, vtkInformationDoubleVectorKey* key, d
   info->Set(key, range, 2);
 }
 
-/// Finds the ranges of an array that is complete, unless they are there. Arrays with values that are not finite are
-/// left to VTK.
-inline void KeepRanges(vtkDataArray* array)
+/// Keeps the ranges of an array that is complete. Those of arrays with values that are not finite are left to VTK.
+inline void KeepRanges(vtkDataArray* array, const TupleRanges& ranges)
 {
-  const int components = array ? array->GetNumberOfComponents() : 0;
-  const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
-  const bool isKnown =
-    array && array->HasInformation() && array->GetInformation()->Has(vtkDataArray::PER_FINITE_COMPONENT());
-  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::Most || !array->HasStandardMemoryLayout())
-  {
-    return;
-  }
-  TupleRanges ranges;
-  switch (array->GetDataType())
-  {
-    vtkTemplateMacro(ranges = RangesOf(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), tuples, components));
-    default:
-      return;
-  }
   if (!ranges.AreFinite)
   {
     return;
   }
+  const int components = array->GetNumberOfComponents();
   vtkInformation* info = array->GetInformation();
   for (vtkInformationInformationVectorKey* each :
     { vtkDataArray::PER_COMPONENT(), vtkDataArray::PER_FINITE_COMPONENT() })
@@ -150,6 +175,26 @@ inline void KeepRanges(vtkDataArray* array)
     {
       SetRange(info, key, std::sqrt(squared.Low), std::sqrt(squared.High));
     }
+  }
+}
+
+/// Finds the ranges of an array that is complete, unless they are there.
+inline void KeepRanges(vtkDataArray* array)
+{
+  const int components = array ? array->GetNumberOfComponents() : 0;
+  const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
+  const bool isKnown =
+    array && array->HasInformation() && array->GetInformation()->Has(vtkDataArray::PER_FINITE_COMPONENT());
+  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::Most || !array->HasStandardMemoryLayout())
+  {
+    return;
+  }
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(
+      KeepRanges(array, RangesOf(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), tuples, components)));
+    default:
+      return;
   }
 }
 

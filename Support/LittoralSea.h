@@ -47,6 +47,8 @@ constexpr const char* Strength = "Strength";
 constexpr const char* Axis = "Axis";
 constexpr const char* CoreRadius = "CoreRadius";
 constexpr const char* InfluenceRadius = "InfluenceRadius";
+constexpr const char* InfluenceBox = "InfluenceBox"; ///< smallest and largest x, y, z [m]
+constexpr const char* InfluenceMargin = "InfluenceMargin";
 
 // Levels of detail of particles: blocks, their point arrays, and a field array.
 constexpr const char* Near = "Near";

@@ -7,13 +7,13 @@
 // point arrays of High/Skeleton; a node has the values of the segment that starts there, a tip those of the segment
 // that ends there. Private: never installed, never wrapped.
 
+#include "LittoralArrays.h"
 #include "SeaweedSegment.h"
 
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
@@ -40,10 +40,9 @@ constexpr const char* RestPhi = "RestPhi";           ///< of the paper [rad]
 /// Adds the arrays to the skeleton as a block.
 inline void AddSegments(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, vtkPolyData* block)
 {
+  const auto nodes = static_cast<vtkIdType>(segments.size());
   const auto add = [&](const char* name, const auto& valueOf) {
-    auto array = vtkSmartPointer<vtkFloatArray>::New();
-    array->SetName(name);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(segments.size()));
+    const auto array = NewArray<vtkFloatArray>(name, 1, nodes);
     for (std::size_t node = 0; node < segments.size(); ++node)
     {
       array->SetValue(static_cast<vtkIdType>(node), static_cast<float>(valueOf(node)));
@@ -67,14 +66,9 @@ inline void AddSegments(const Skeleton& skeleton, const std::vector<SeaweedSegme
   add(seaweed::Attachment, [&](std::size_t node) { return angles[node].Attachment; });
   add(seaweed::RestTheta, [&](std::size_t node) { return angles[node].Theta; });
   add(seaweed::RestPhi, [&](std::size_t node) { return angles[node].Phi; });
-  auto across = vtkSmartPointer<vtkFloatArray>::New();
-  across->SetName(seaweed::Across);
-  across->SetNumberOfComponents(3);
-  across->SetNumberOfTuples(static_cast<vtkIdType>(segments.size()));
-  auto tissue = vtkSmartPointer<vtkIntArray>::New();
-  tissue->SetName(seaweed::Tissue);
-  tissue->SetNumberOfTuples(static_cast<vtkIdType>(segments.size()));
-  for (vtkIdType node = 0; node < across->GetNumberOfTuples(); ++node)
+  const auto across = NewArray<vtkFloatArray>(seaweed::Across, 3, nodes);
+  const auto tissue = NewArray<vtkIntArray>(seaweed::Tissue, 1, nodes);
+  for (vtkIdType node = 0; node < nodes; ++node)
   {
     const SeaweedSegment& segment = segments[static_cast<std::size_t>(node)];
     across->SetTuple3(node, segment.Across.x, segment.Across.y, segment.Across.z);

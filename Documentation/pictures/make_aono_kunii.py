@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersSources import vtkDiskSource
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from littoral import vtkAonoKuniiTreeSource
-from littoral.picture import INK, label, write_png
+from littoral.picture import INK, label, write_jpg
 from littoral.plants import add_daylight, level_actors, plant_actor
 from littoral.scene import BACKGROUND
 
@@ -81,7 +81,7 @@ def main(folder):
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
-    write_png(window, os.path.join(folder, "aono-kunii.png"), SIZE)
+    write_jpg(window, os.path.join(folder, "aono-kunii.jpg"), SIZE)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))

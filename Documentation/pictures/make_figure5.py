@@ -12,7 +12,6 @@ a direction between them. Eq. 25, with the factor 1/2 that it lacks, makes the f
 
 import os
 import sys
-import tempfile
 
 import numpy as np
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401, draws charts
@@ -23,12 +22,11 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkRectf)
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkPlaneSource
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import vtkBeamTreeDeformationFilter, vtkWindFieldSource
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight
 from littoral.tables import table_of
 
@@ -260,15 +258,7 @@ def main(folder):
     window.AddRenderer(beams_view(sways))
     window.GetRenderers().GetItemAsObject(1).SetLayer(1)
     window.SetNumberOfLayers(2)
-    with tempfile.TemporaryDirectory() as scratch:
-        name = os.path.join(scratch, "figure5.png")
-        write_png(window, name, SIZE)
-        reader, writer = vtkPNGReader(), vtkJPEGWriter()
-        reader.SetFileName(name)
-        writer.SetInputConnection(reader.GetOutputPort())
-        writer.SetFileName(os.path.join(folder, "figure5.jpg"))
-        writer.SetQuality(86)
-        writer.Write()
+    write_jpg(window, os.path.join(folder, "figure5.jpg"), SIZE, quality=86)
 
 
 if __name__ == "__main__":

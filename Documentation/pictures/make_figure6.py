@@ -15,12 +15,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTexture)
 
 from littoral import vtkPlantScatterFilter, vtkQuadratPointSource, vtkReevesTreeSource
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 
 SIDE, TREES_A_SIDE = 400.0, 20  # [m], 1
 EYE, HEADING = np.array((150.0, 14.0, 5.0)), np.radians(68.0)
@@ -284,19 +283,6 @@ def eye_renderer(forest):
     return renderer
 
 
-def write_jpg(window, folder, name):
-    """Draw a window off screen and write it with 92 % quality."""
-    draft = os.path.join(folder, f"{name}.png")
-    write_png(window, draft, PICTURE)
-    reader, writer = vtkPNGReader(), vtkJPEGWriter()
-    reader.SetFileName(draft)
-    writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetFileName(os.path.join(folder, f"{name}.jpg"))
-    writer.SetQuality(92)
-    writer.Write()
-    os.remove(draft)
-
-
 def main(folder):
     """Draw the picture into a folder."""
     forest, sites, crowns = scatter()
@@ -312,7 +298,7 @@ def main(folder):
     camera.SetClippingRange(1.0, 200.0)
     window.AddRenderer(renderer)
     window.AddRenderer(eye_renderer(forest))
-    write_jpg(window, folder, "figure6")
+    write_jpg(window, os.path.join(folder, "figure6.jpg"), PICTURE, quality=92)
 
 
 if __name__ == "__main__":

@@ -16,11 +16,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY, vtkPlotPoints
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkRectf
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkViewsContext2D import vtkContextView
 
 from littoral import vtkPlantScatterFilter, vtkQuadratPointSource, vtkReevesTreeSource
-from littoral.picture import INK, label, write_png
+from littoral.picture import INK, label, write_jpg
 from littoral.tables import table_of
 
 SIDE, EYE_HEIGHT = 500.0, 1.7  # [m]
@@ -148,15 +147,7 @@ def main(folder):
         actor = label(words + gain, (0.795, y + 0.008), 36, colour)
         actor.GetTextProperty().SetJustificationToLeft()
         view.GetRenderer().AddActor(actor)
-    draft = os.path.join(folder, "figure9.png")
-    write_png(window, draft, PICTURE)
-    reader, writer = vtkPNGReader(), vtkJPEGWriter()
-    reader.SetFileName(draft)
-    writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetFileName(os.path.join(folder, "figure9.jpg"))
-    writer.SetQuality(92)
-    writer.Write()
-    os.remove(draft)
+    write_jpg(window, os.path.join(folder, "figure9.jpg"), PICTURE, quality=92)
 
 
 if __name__ == "__main__":

@@ -14,11 +14,10 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import vtkCurrentDriftFilter, vtkFlowPrimitiveSource
-from littoral.picture import label, write_png
+from littoral.picture import label, write_jpg
 
 SIZE = (1500, 424)
 HALF = 3.0  # of the width of a panel [m]
@@ -198,15 +197,7 @@ def main(folder):
     window.AddRenderer(paper)
     for index, parts in enumerate(PANELS):
         window.AddRenderer(panel(index, *parts))
-    png = os.path.join(folder, "figure-sea-2.png")
-    write_png(window, png, SIZE)
-    reader, writer = vtkPNGReader(), vtkJPEGWriter()
-    reader.SetFileName(png)
-    writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetQuality(70)
-    writer.SetFileName(os.path.join(folder, "figure-sea-2.jpg"))
-    writer.Write()
-    os.remove(png)
+    write_jpg(window, os.path.join(folder, "figure-sea-2.jpg"), SIZE, quality=70)
 
 
 if __name__ == "__main__":

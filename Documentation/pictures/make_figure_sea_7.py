@@ -16,11 +16,10 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkConeSource
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkBillboardTextActor3D, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
-from littoral.picture import INK, write_png
+from littoral.picture import INK, write_jpg
 from littoral.scene import BACKGROUND
 
 SIZE = (520, 440)
@@ -144,15 +143,7 @@ def main(folder):
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
-    picture = os.path.join(folder, "figure-sea-7.png")
-    write_png(window, picture, SIZE)
-    reader, writer = vtkPNGReader(), vtkJPEGWriter()
-    reader.SetFileName(picture)
-    writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetQuality(88)
-    writer.SetFileName(picture.replace(".png", ".jpg"))
-    writer.Write()
-    os.remove(picture)
+    write_jpg(window, os.path.join(folder, "figure-sea-7.jpg"), SIZE)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws gardner.png of the user guide: plants of textured quadrics on a meadow.
+"""Draws gardner.jpg of the user guide: plants of textured quadrics on a meadow.
 
     ./littoral run pvpython Documentation/pictures/make_gardner.py [FOLDER]
 """
@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersSources import vtkDiskSource, vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from littoral import vtkGardnerPlantSource
-from littoral.picture import write_png
+from littoral.picture import write_jpg
 from littoral.plants import add_daylight, level_actors, plant_actor
 
 SIZE = (900, 500)
@@ -93,7 +93,7 @@ def main(folder):
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
-    write_png(window, os.path.join(folder, "gardner.png"), SIZE, oversampling=3)
+    write_jpg(window, os.path.join(folder, "gardner.jpg"), SIZE, oversampling=3)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw models.png: a shaded map of each covariance model, from the same random numbers.
+"""Draw models.jpg: a shaded map of each covariance model, from the same random numbers.
 
     ./littoral run pvpython Documentation/pictures/make_models.py [FOLDER]
 
@@ -18,7 +18,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from littoral import vtkTurningBandsTerrainSource
 from littoral.elevation import array_from_image
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.scene import direction, normals, openness, subdivide, sunlight
 
 POINTS, SEED = 256, 4
@@ -141,7 +141,7 @@ def main(folder):
     camera.SetFocalPoint(0.5 * PICTURE[0], 0.5 * PICTURE[1], 0.0)
     camera.SetPosition(0.5 * PICTURE[0], 0.5 * PICTURE[1], 100.0)
     window.AddRenderer(renderer)
-    write_png(window, os.path.join(folder, "models.png"), PICTURE)
+    write_jpg(window, os.path.join(folder, "models.jpg"), PICTURE)
 
 
 if __name__ == "__main__":

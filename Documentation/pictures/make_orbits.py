@@ -12,11 +12,10 @@ import sys
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import vtkParticleOrbitFilter, vtkSeaStateSource
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 
 SIZE = (1500, 620)
 WAVELENGTH = 10.0  # [m]
@@ -159,15 +158,7 @@ def main(folder):
     window = vtkRenderWindow()
     for index, (title, share, note) in enumerate(PANELS):
         window.AddRenderer(panel(index, title, share, note))
-    png = os.path.join(folder, "figure-sea-1.png")
-    write_png(window, png, SIZE)
-    reader, writer = vtkPNGReader(), vtkJPEGWriter()
-    reader.SetFileName(png)
-    writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetQuality(88)
-    writer.SetFileName(os.path.join(folder, "figure-sea-1.jpg"))
-    writer.Write()
-    os.remove(png)
+    write_jpg(window, os.path.join(folder, "figure-sea-1.jpg"), SIZE)
 
 
 if __name__ == "__main__":

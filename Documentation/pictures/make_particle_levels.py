@@ -14,12 +14,11 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import (
     vtkParticleFogFilter, vtkParticleLevelOfDetailFilter, vtkParticleOrbitFilter, vtkSeaStateSource)
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 
 PAPER = (0.975, 0.972, 0.965)
 NEAR, MIDDLE, FAR = (0.85, 0.36, 0.13), (0.16, 0.50, 0.42), (0.28, 0.45, 0.68)
@@ -91,15 +90,7 @@ class Sheet:
         camera.SetClippingRange(1.0, 600.0)
         window = vtkRenderWindow()
         window.AddRenderer(self.renderer)
-        draft = os.path.join(folder, f"{name}.png")
-        write_png(window, draft, self.size)
-        reader, writer = vtkPNGReader(), vtkJPEGWriter()
-        reader.SetFileName(draft)
-        writer.SetInputConnection(reader.GetOutputPort())
-        writer.SetFileName(os.path.join(folder, f"{name}.jpg"))
-        writer.SetQuality(quality)
-        writer.Write()
-        os.remove(draft)
+        write_jpg(window, os.path.join(folder, f"{name}.jpg"), self.size, quality)
 
 
 def _each(colours, outlines):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws figure8.png of the user guide: four species at their three levels of detail.
+"""Draws figure8.jpg of the user guide: four species at their three levels of detail.
 
     ./littoral run pvpython Documentation/pictures/make_plant_levels.py [FOLDER]
 """
@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersSources import vtkDiskSource
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from littoral import vtkReevesTreeSource
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight, block, level_actors, plant_actor
 from littoral.scene import BACKGROUND
 
@@ -91,7 +91,7 @@ def main(folder):
     window = vtkRenderWindow()
     for row, level in enumerate(LEVELS):
         window.AddRenderer(panel(level, row))
-    write_png(window, os.path.join(folder, "figure8.png"), SIZE)
+    write_jpg(window, os.path.join(folder, "figure8.jpg"), SIZE)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))

@@ -14,11 +14,10 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 from littoral import vtkSeaweedSource
-from littoral.picture import label, write_png
+from littoral.picture import label, write_jpg
 from littoral.plants import BOTH_SIDES, block, plant_actor
 
 SIZE = (900, 500)
@@ -193,15 +192,7 @@ def main(folder):
     window.AddRenderer(paper)
     for index, panel in enumerate(PANELS):
         window.AddRenderer(draw(panel, index))
-    picture = os.path.join(folder, "seaweeds.png")
-    write_png(window, picture, SIZE, OVERSAMPLING)
-    reader, writer = vtkPNGReader(), vtkJPEGWriter()
-    reader.SetFileName(picture)
-    writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetQuality(86)
-    writer.SetFileName(picture.replace(".png", ".jpg"))
-    writer.Write()
-    os.remove(picture)
+    write_jpg(window, os.path.join(folder, "seaweeds.jpg"), SIZE, 86, OVERSAMPLING)
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__)))

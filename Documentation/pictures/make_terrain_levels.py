@@ -9,16 +9,14 @@ FOLDER: default, that of this script.
 
 import os
 import sys
-import tempfile
 
 import numpy as np
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
 from littoral import vtkTerrainLevelOfDetailFilter
 from littoral.elevation import array_from_image, image_from_array, read_elevation
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 
 EXAGGERATION = 3.0
 SIZE = (1000, 560)  # pixels
@@ -111,20 +109,7 @@ def main(folder):
         renderer.AddActor(label(text, (place + 0.005, 0.06), 30, INK))
     window = vtkRenderWindow()
     window.AddRenderer(renderer)
-    write_jpg(window, os.path.join(folder, "figure7.jpg"))
-
-
-def write_jpg(window, filename):
-    """Draw a window off screen into a JPEG file."""
-    with tempfile.TemporaryDirectory() as folder:
-        name = os.path.join(folder, "picture.png")
-        write_png(window, name, SIZE)
-        reader, writer = vtkPNGReader(), vtkJPEGWriter()
-        reader.SetFileName(name)
-        writer.SetInputConnection(reader.GetOutputPort())
-        writer.SetQuality(90)
-        writer.SetFileName(filename)
-        writer.Write()
+    write_jpg(window, os.path.join(folder, "figure7.jpg"), SIZE, quality=90)
 
 
 if __name__ == "__main__":

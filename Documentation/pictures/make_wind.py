@@ -7,7 +7,6 @@
 
 import os
 import sys
-import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -16,13 +15,12 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkGlyph3D
 from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkGlyphSource2D
-from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
 from littoral import vtkWindFieldSource
-from littoral.picture import FAINT, INK, label, write_png
+from littoral.picture import FAINT, INK, label, write_jpg
 
 SIZE = (1400, 860)
 LENGTH = 300.0  # of the sections [m]
@@ -169,15 +167,7 @@ def main(folder):
     renderers = window.GetRenderers()
     for index in range(2):
         renderers.GetItemAsObject(index).SetLayer(1)
-    with tempfile.TemporaryDirectory() as scratch:
-        name = os.path.join(scratch, "figure4.png")
-        write_png(window, name, SIZE)
-        reader, writer = vtkPNGReader(), vtkJPEGWriter()
-        reader.SetFileName(name)
-        writer.SetInputConnection(reader.GetOutputPort())
-        writer.SetFileName(os.path.join(folder, "figure4.jpg"))
-        writer.SetQuality(88)
-        writer.Write()
+    write_jpg(window, os.path.join(folder, "figure4.jpg"), SIZE)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,6 @@ see it sway in a turbulent wind.
 
 import os
 import sys
-import tempfile
 
 import numpy as np
 from paraview import simple
@@ -24,7 +23,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import littoral
 from littoral import landscape
 from littoral.elevation import write_vti
-from littoral.film import save_film
+from littoral.film import folder_size_frames, save_film
 
 #: Where the walk begins and ends, and what it looks at [m].
 FIRST, LAST, TARGET = (7300.0, 8200.0), (7268.0, 8168.0), (4200.0, 3200.0)
@@ -204,7 +203,4 @@ def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
 
 
 if __name__ != "forest":  # another script has run this one for its functions
-    arguments = sys.argv[1:]
-    main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"),
-         tuple(map(int, arguments[1:3])) or (960, 540),
-         int(arguments[3]) if len(arguments) > 3 else 0)
+    main(*folder_size_frames(sys.argv[1:]))

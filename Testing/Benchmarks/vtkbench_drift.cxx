@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of the drift of 100 000 particles, and of what its roots, divisions and exponentials alone take.
+// Speed of the drift of 100 000 particles, also in the wakes of 300 plants, and of what its roots, divisions and
+// exponentials alone take.
 #include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkSuspendedParticleSource.h"
@@ -9,12 +10,14 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <thread>
+#include <vector>
 
 namespace
 {
@@ -66,6 +69,46 @@ void StepInPrimitives(benchmark::State& state)
   TakeSteps(state, drift);
 }
 BENCHMARK(StepInPrimitives)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Sources of the size of kelp, each in a box with a margin, on the bed below the particles and among them.
+void StepInWakes(benchmark::State& state)
+{
+  vtkNew<vtkCurrentDriftFilter> drift;
+  AddParticles(drift);
+  constexpr int Plants = 300;
+  vtkNew<vtkPoints> feet;
+  vtkNew<vtkPolyData> wakes;
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(static_cast<int>(values.size()));
+    for (int plant = 0; plant < Plants; ++plant)
+    {
+      array->InsertNextTuple(values.data());
+    }
+    wakes->GetPointData()->AddArray(array);
+    return array;
+  };
+  add("FlowType", { 1.0 });
+  add("Strength", { 0.05 });
+  add("Axis", { 0.0, 0.0, 1.0 });
+  add("CoreRadius", { 0.3 });
+  add("InfluenceRadius", { 0.0 });
+  add("InfluenceMargin", { 0.5 });
+  vtkNew<vtkDoubleArray> boxes = add("InfluenceBox", std::vector<double>(6, 0.0));
+  for (int plant = 0; plant < Plants; ++plant)
+  {
+    // A low-discrepancy sequence over the bed.
+    const double x = 20.0 * std::fmod(0.5 + 0.7548776662466927 * plant, 1.0) - 10.0;
+    const double y = 20.0 * std::fmod(0.5 + 0.5698402909980532 * plant, 1.0) - 10.0;
+    feet->InsertNextPoint(x, y, -9.0);
+    boxes->SetTuple6(plant, x - 0.8, x + 0.8, y - 0.8, y + 0.8, -10.0, -8.0);
+  }
+  wakes->SetPoints(feet);
+  drift->AddInputDataObject(1, wakes);
+  TakeSteps(state, drift);
+}
+BENCHMARK(StepInWakes)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// An ocean model's output.
 void StepInImage(benchmark::State& state)

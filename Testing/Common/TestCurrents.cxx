@@ -3,13 +3,18 @@
 #include "Constants.h"
 #include "CurrentDrift.h"
 #include "FlowPrimitives.h"
+#include "PlantWake.h"
+#include "RandomStream.h"
 #include "SuspendedParticles.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <limits>
+#include <vector>
 
 using namespace littoral;
 
@@ -110,6 +115,219 @@ TEST(FlowPrimitives, EndSmoothlyAtTheirInfluence)
   }
 }
 
+TEST(FlowPrimitives, AreWholeInTheirBoxAndEndWithinItsMargin)
+{
+  for (const FlowType type : { FlowType::Uniform, FlowType::Source, FlowType::Sink, FlowType::Vortex })
+  {
+    FlowPrimitive primitive = Primitive(type, 3.0, 0.3);
+    primitive.Axis = Vector3(0.2, 0.3, 1.0);
+    const FlowField endless({ primitive });
+    primitive.InfluenceBox = { { -1.0, -0.5, -2.0 }, { 1.5, 0.25, 0.5 } };
+    primitive.InfluenceMargin = 0.5;
+    const FlowField field({ primitive });
+    for (const Vector3 inside : { Vector3(0.1, 0.2, -0.3), Vector3(1.5, 0.25, 0.5), Vector3(-1.0, -0.5, -2.0) })
+    {
+      EXPECT_EQ(field.Velocity(inside), endless.Velocity(inside));
+    }
+    // Beside a face, an edge and a corner, at the distance d.
+    for (const Vector3 way : { Vector3(1.0, 0.0, 0.0), Vector3(0.6, 0.8, 0.0), Vector3(2.0, 2.0, 1.0) / 3.0 })
+    {
+      const auto at = [&](double d) { return Vector3(1.5, 0.25, 0.5) + d * way; };
+      for (const double d : { 0.1, 0.25, 0.4 })
+      {
+        const double share = std::pow(1.0 - 4.0 * d * d, 2.0);
+        EXPECT_LT(glm::length(field.Velocity(at(d)) - share * endless.Velocity(at(d))), 1e-14);
+        EXPECT_GT(glm::length(field.Velocity(at(d))), 1e-3);
+      }
+      // No jump of velocity or slope where it begins to fall and where it ends.
+      EXPECT_LT(glm::length(field.Velocity(at(1e-6)) - endless.Velocity(at(1e-6))), 1e-10);
+      EXPECT_LT(glm::length(field.Velocity(at(0.5 - 1e-6))), 1e-9);
+      EXPECT_EQ(field.Velocity(at(0.5 + 1e-9)), Vector3(0.0));
+      EXPECT_EQ(field.Velocity(at(50.0)), Vector3(0.0));
+    }
+    // Both ends hold.
+    primitive.InfluenceRadius = 0.6;
+    EXPECT_EQ(FlowField({ primitive }).Velocity({ 0.7, 0.0, 0.0 }), Vector3(0.0));
+    EXPECT_FALSE(FlowField({ primitive }).IsUniform());
+    primitive.Centre = Vector3(9.0, 0.0, 0.0);
+    EXPECT_EQ(FlowField({ primitive }).Velocity({ 9.0, 0.0, 0.1 }), Vector3(0.0));
+    EXPECT_EQ(FlowField({ primitive }).Velocity({ 2.0, 0.0, 0.1 }), Vector3(0.0));
+  }
+}
+
+TEST(FlowPrimitives, OfWhichManyEndAreSummedOneByOne)
+{
+  // Of all shapes: flat, thin, large, a point; and some without an end.
+  const RandomStream random(5, RandomPurpose::ParticlePositions);
+  std::vector<FlowPrimitive> all;
+  for (std::uint64_t n = 0; n < 400; ++n)
+  {
+    const auto number = [&](std::uint64_t k) { return random.UniformPair(n, k)[0]; };
+    FlowPrimitive one = Primitive(static_cast<FlowType>(n % 4), number(0) - 0.3, 0.2);
+    one.Centre = Vector3(40.0 * number(1), 10.0 * number(2), -3.0 * number(3));
+    const Vector3 half = n % 50 == 0 ? Vector3(30.0, 0.0, 9.0) : n % 9 == 0 ? Vector3(0.0) : Vector3(0.5, 0.3, 1.0);
+    one.InfluenceBox = { one.Centre - half, one.Centre + half * number(4) };
+    one.InfluenceMargin = n % 60 == 7 ? 0.0 : 0.1 + number(5);
+    one.InfluenceRadius = n % 7 == 3 ? 1.0 : 0.0;
+    all.push_back(one);
+  }
+  const FlowField field(all);
+  const auto number = [&random](std::uint64_t n, std::uint64_t k) { return random.UniformPair(n, k)[0]; };
+  std::vector<FlowField> alone;
+  for (const FlowPrimitive& one : all)
+  {
+    alone.push_back(FlowField({ one }));
+  }
+  int moving = 0;
+  for (std::uint64_t n = 0; n < 3000; ++n)
+  {
+    const Vector3 place(60.0 * number(n, 6) - 10.0, 20.0 * number(n, 7) - 5.0, 8.0 * number(n, 8) - 6.0);
+    Vector3 sum(0.0);
+    for (const FlowField& one : alone)
+    {
+      sum += one.Velocity(place);
+    }
+    ASSERT_LT(glm::length(field.Velocity(place) - sum), 1e-12);
+    moving += glm::length(sum) > 1e-3;
+  }
+  EXPECT_GT(moving, 2000);
+  EXPECT_FALSE(IsFinite(field.Velocity({ NaN, 0.0, 0.0 })));
+}
+
+TEST(BoxCells, FindWhatHoldsAPlace)
+{
+  const RandomStream random(6, RandomPurpose::ParticlePositions);
+  for (const bool isHuge : { false, true })
+  {
+    std::vector<Box> boxes;
+    for (std::uint64_t n = 0; n < 200; ++n)
+    {
+      const auto number = [&](std::uint64_t k) { return random.UniformPair(n, k)[0]; };
+      const Vector3 low(number(0), number(1), number(2));
+      boxes.push_back({ low, low + 0.1 * number(3) });
+    }
+    if (isHuge)
+    {
+      boxes.push_back({ Vector3(-1.7e308), Vector3(1.7e308) });
+      boxes.push_back({ Vector3(-Infinity, 0.0, 0.0), Vector3(0.5, Infinity, 1e-300) });
+    }
+    const BoxCells cells(boxes);
+    std::vector<Vector3> places;
+    for (const Box& box : boxes)
+    {
+      places.insert(places.end(), { box.Low, box.High, 0.5 * (box.Low + box.High) });
+    }
+    std::size_t listed = 0;
+    for (const Vector3& place : places)
+    {
+      const BoxCells::List near = cells.Near(place);
+      listed += near.End - near.Begin;
+      EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+      for (int box = 0; box < static_cast<int>(boxes.size()); ++box)
+      {
+        const bool holds = Distance(boxes[box], place) == 0.0;
+        EXPECT_TRUE(!holds || std::find(near.begin(), near.end(), box) != near.end());
+      }
+    }
+    EXPECT_TRUE(isHuge || listed < 20 * places.size()) << listed;
+  }
+  EXPECT_EQ(BoxCells().Near(Vector3(0.0)).Begin, nullptr);
+  EXPECT_EQ(BoxCells(std::vector<Box>{ {} }).Near(Vector3(NaN)).Begin, nullptr);
+  EXPECT_NE(BoxCells(std::vector<Box>{ {} }).Near(Vector3(0.0)).Begin, nullptr);
+}
+
+namespace
+{
+
+/// A stem of ten points that leans as it moves.
+MovingPlant Stem(const Vector3& velocity, const Vector3& acceleration, double lean = 0.0)
+{
+  std::vector<MovingPoint> points;
+  for (int n = 0; n < 10; ++n)
+  {
+    points.push_back({ { lean * n / 9.0, 0.0, 0.2 * n }, velocity, acceleration, 1e-4, 0.1 });
+  }
+  return PlantOf(points);
+}
+
+}
+
+TEST(PlantWake, IsWholeInTheBoundingBox)
+{
+  for (const WakeKind kind : { WakeKind::Source, WakeKind::Doublet })
+  {
+    WakeOptions options;
+    options.Kind = kind;
+    const MovingPlant plant = Stem({ 0.4, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, 0.7);
+    const std::vector<FlowPrimitive> wake = WakeOf(plant, options);
+    for (const FlowPrimitive& one : wake)
+    {
+      EXPECT_EQ(WhyInvalid(one), "");
+      EXPECT_EQ(one.InfluenceBox.Low, Vector3(0.0));
+      EXPECT_LT(glm::length(one.InfluenceBox.High - Vector3(0.7, 0.0, 1.8)), 1e-15);
+      EXPECT_EQ(one.InfluenceMargin, options.Margin);
+      EXPECT_NEAR(one.CoreRadius, options.CoreShare * 0.5 * std::hypot(0.7, 1.8), 1e-12); // whatever the margin
+    }
+    const FlowField field(wake);
+    EXPECT_GT(glm::length(field.Velocity({ 0.3, 0.1, 0.9 })), 0.0);
+    EXPECT_GT(glm::length(field.Velocity({ 0.0, 0.0, 2.2 })), 0.0);
+    EXPECT_EQ(field.Velocity({ 0.3, 0.0, 2.3 + 1e-9 }), Vector3(0.0)); // within the sphere about the box
+    EXPECT_EQ(field.Velocity({ 0.3, -0.5 - 1e-9, 0.9 }), Vector3(0.0));
+  }
+}
+
+TEST(PlantWake, OfAThinStemReachesParticlesBesideIt)
+{
+  // As strong as that of a stem that leans, whose box is not flat.
+  const auto beside = [](double lean, double far) {
+    return FlowField(WakeOf(Stem({ 0.4, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, lean), {})).Velocity({ lean + far, 0.0, 0.9 }).x;
+  };
+  EXPECT_GT(beside(0.0, 0.1), 0.01);
+  EXPECT_GT(beside(0.0, 0.25), 0.005);
+  EXPECT_GT(beside(0.0, 0.1), 0.5 * beside(0.3, 0.1));
+  // Even of a single point.
+  MovingPoint point;
+  point.Velocity = Vector3(0.4, 0.0, 0.0);
+  point.Acceleration = Vector3(1.0, 0.0, 0.0);
+  point.Weight = 1.0;
+  EXPECT_GT(FlowField(WakeOf(PlantOf({ point }), {})).Velocity({ 0.1, 0.0, 0.0 }).x, 0.01);
+}
+
+TEST(PlantWake, PushesAwayWhileThePlantGetsFaster)
+{
+  const auto ahead = [](const WakeOptions& options, double velocity, double acceleration) {
+    return FlowField(WakeOf(Stem({ velocity, 0.0, 0.0 }, { acceleration, 0.0, 0.0 }), options))
+      .Velocity({ 0.3, 0.0, 0.9 })
+      .x;
+  };
+  WakeOptions source;
+  EXPECT_GT(ahead(source, 0.4, 1.0), 0.0);
+  EXPECT_LT(ahead(source, 0.4, -1.0), 0.0);
+  EXPECT_GT(ahead(source, -0.4, -1.0), 0.0);
+  EXPECT_EQ(ahead(source, 0.0, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(ahead(source, -0.4, -1.0), ahead(source, 0.4, 1.0));
+  WakeOptions doublet;
+  doublet.Kind = WakeKind::Doublet;
+  EXPECT_GT(ahead(doublet, 0.4, 0.0), 0.0);
+  EXPECT_NEAR(ahead(doublet, -0.4, 0.0), -ahead(doublet, 0.4, 0.0), 1e-15);
+  EXPECT_EQ(ahead(doublet, 0.0, 1.0), 0.0);
+  EXPECT_FALSE(FlowField(WakeOf(Stem({ 0.4, 0.0, 0.0 }, Vector3(0.0)), doublet)).HasSinks());
+}
+
+TEST(PlantWake, SaysWhatIsWrong)
+{
+  const auto named = [](double WakeOptions::*member, double value, const char* word) {
+    WakeOptions options;
+    options.*member = value;
+    return WhyInvalid(options).find(word) == 0;
+  };
+  EXPECT_EQ(WhyInvalid(WakeOptions{}), "");
+  EXPECT_TRUE(named(&WakeOptions::Strength, -1.0, "Strength"));
+  EXPECT_TRUE(named(&WakeOptions::Margin, 0.0, "Margin"));
+  EXPECT_TRUE(named(&WakeOptions::Margin, NaN, "Margin"));
+  EXPECT_TRUE(named(&WakeOptions::CoreShare, 2.0, "CoreShare"));
+}
+
 TEST(FlowPrimitives, VorticesHaveNoDivergence)
 {
   for (const double reach : { 0.0, 2.0 })
@@ -149,6 +367,18 @@ TEST(FlowPrimitives, SayWhatIsWrong)
   EXPECT_TRUE(named(Primitive(FlowType::Sink, 1.0, 1.0, Infinity), "InfluenceRadius"));
   EXPECT_TRUE(named(Primitive(static_cast<FlowType>(4), 1.0), "FlowType"));
   FlowPrimitive primitive;
+  for (const double margin : { -1.0, NaN, Infinity })
+  {
+    primitive.InfluenceMargin = margin;
+    EXPECT_TRUE(named(primitive, "InfluenceMargin"));
+  }
+  primitive.InfluenceMargin = 0.5;
+  EXPECT_EQ(WhyInvalid(primitive), "");
+  primitive.InfluenceBox.Low.y = 0.1;
+  EXPECT_TRUE(named(primitive, "InfluenceBox"));
+  primitive.InfluenceBox.Low.y = NaN;
+  EXPECT_TRUE(named(primitive, "InfluenceBox"));
+  primitive = {};
   primitive.Axis = Vector3(0.0);
   EXPECT_TRUE(named(primitive, "Axis"));
   primitive.Axis = Vector3(1.0);

@@ -89,7 +89,8 @@ TEST(PlantMotion, NoWindIsTheRestPoseExactly)
   const std::vector<JointChange> changes = ChangesOf(rest, poses);
   std::vector<Vector3> points(skin.Points.size());
   std::vector<Vector3> normals(skin.Points.size());
-  MoveSkin<double>({ &skin.Points[0].x, &skin.Normals[0].x, skin.JointIds[0].data(), skin.JointWeights[0].data() },
+  MoveSkin(
+    RestSkin<double>{ &skin.Points[0].x, &skin.Normals[0].x, skin.JointIds[0].data(), skin.JointWeights[0].data() },
     changes.data(), 0, points.size(), &points[0].x, &normals[0].x);
   EXPECT_EQ(points, skin.Points);
   EXPECT_EQ(normals, skin.Normals);
@@ -198,7 +199,7 @@ TEST(PlantMotion, EnvelopesGoWithTheTrunk)
     for (int i = 0; i < 4; ++i)
     {
       const JointChange& change = changes[hold.Joints[i]];
-      to += static_cast<double>(hold.Weights[i]) * (change.Turn * position + change.Shift);
+      to += static_cast<double>(hold.Weights[i]) * change.Of(position);
     }
     return to;
   };
@@ -243,8 +244,7 @@ TEST(PlantMotion, RotationsBetweenDirections)
     EXPECT_NEAR(glm::distance(back, -from), 0.0, 1e-12);
     const JointChange change = ChangeOf({ q, to }, from);
     const Vector3 expected = (from + to) + TurnedBy(q, c[0] * to - from);
-    EXPECT_NEAR(
-      glm::distance(c[0] * to + change.Turn * (c[0] * to) + change.Shift, expected + c[0] * to - from), 0.0, 1e-12);
+    EXPECT_NEAR(glm::distance(c[0] * to + change.Of(c[0] * to), expected + c[0] * to - from), 0.0, 1e-12);
   }
 }
 
@@ -258,7 +258,8 @@ TEST(PlantMotion, SkinLiesAroundTheMovedJoints)
   const Skeleton moved = Moved(rest, poses);
   std::vector<Vector3> points(skin.Points.size());
   std::vector<Vector3> normals(skin.Points.size());
-  MoveSkin<double>({ &skin.Points[0].x, &skin.Normals[0].x, skin.JointIds[0].data(), skin.JointWeights[0].data() },
+  MoveSkin(
+    RestSkin<double>{ &skin.Points[0].x, &skin.Normals[0].x, skin.JointIds[0].data(), skin.JointWeights[0].data() },
     changes.data(), 0, points.size(), &points[0].x, &normals[0].x);
   const int ring = 13;
   double worst = 0.0;

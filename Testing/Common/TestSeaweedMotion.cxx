@@ -382,6 +382,71 @@ TEST(SeaweedMotion, BranchesPullAtTheirStem)
   EXPECT_GT(rises.Poses[1].Axis.z, 0.1);
 }
 
+TEST(SeaweedMotion, VelocitiesAreThoseOfThePlaces)
+{
+  // Frames that bend the shortest way also twist; what grows sideways on them feels it.
+  Skeleton skeleton;
+  skeleton.StartBranch(-1, { 0.0, 0.0, -20.0 }, 0.01);
+  for (int i = 1; i <= 6; ++i)
+  {
+    skeleton.Grow({ 0.05 * i, 0.0, -20.0 + 0.3 * i }, 0.01);
+  }
+  skeleton.StartBranch(3, skeleton.Nodes[3].Position, 0.01);
+  skeleton.Grow(skeleton.Nodes[3].Position + Vector3(0.2, 0.3, 0.0), 0.01);
+  skeleton.Grow(skeleton.Nodes[3].Position + Vector3(0.4, 0.6, 0.1), 0.01);
+  for (const SeaweedJoint joint : { SeaweedJoint::Bending, SeaweedJoint::Tilting })
+  {
+    SeaweedOptions options;
+    options.Joint = joint;
+    const std::vector<SeaweedSegment> segments(skeleton.Nodes.size(), Tissue(0.02, 1e5, 0.1, 1000.0));
+    Plant plant(LinksOf(skeleton, segments, options), options);
+    double worst = 0.0;
+    double fastest = 0.0;
+    double bend = 0.0;
+    for (int n = 0; n < 480; ++n)
+    {
+      plant.Flow({ std::sin(0.06 * n), std::cos(0.041 * n), 0.3 * std::sin(0.1 * n) });
+      plant.Step(1.0 / 48.0);
+      const double step = 1e-6;
+      Plant next = plant;
+      next.Step(step);
+      for (std::size_t link = 0; link < plant.Poses.size(); ++link)
+      {
+        const Vector3 moved = (next.Poses[link].Foot - plant.Poses[link].Foot) / step;
+        worst = std::max(worst, glm::distance(moved, plant.Poses[link].Velocity));
+        fastest = std::max(fastest, glm::length(moved));
+        const int parent = plant.Motion.GetLinks()[link].Parent;
+        const Vector3 below = parent < 0 ? Vector3(0.0, 0.0, 1.0) : plant.Poses[parent].Axis;
+        bend = std::max(bend, std::acos(std::clamp(glm::dot(below, plant.Poses[link].Axis), -1.0, 1.0)));
+      }
+    }
+    EXPECT_GT(bend, 1.0);
+    EXPECT_GT(fastest, 0.5);
+    EXPECT_LT(worst, 1e-3 * fastest);
+  }
+}
+
+TEST(SeaweedMotion, LimpPlantsNeitherFoldFlatNorOutrunTheWater)
+{
+  Plant plant(Stem(12, 2.4, 0.2), Tissue(0.02, 1e3, 0.1, 1010.0), SeaweedOptions());
+  double bend = 0.0;
+  double fastest = 0.0;
+  for (int n = 0; n < 48 * 40; ++n)
+  {
+    const double phase = TwoPi * n / (48.0 * 4.0);
+    plant.Flow({ 1.2 * std::sin(phase), 0.2 * std::cos(phase), 0.6 * std::cos(phase) });
+    plant.Step(1.0 / 48.0);
+    for (std::size_t link = 1; link < plant.Poses.size(); ++link)
+    {
+      bend = std::max(bend, std::acos(glm::dot(plant.Poses[link - 1].Axis, plant.Poses[link].Axis)));
+      fastest = std::max(fastest, glm::length(plant.Poses[link].Velocity));
+    }
+  }
+  EXPECT_GT(bend, 1.0);
+  EXPECT_LT(bend, 2.1);
+  EXPECT_LT(fastest, 2.0 * 1.3);
+}
+
 TEST(SeaweedMotion, SaysWhichOptionIsBad)
 {
   EXPECT_EQ(WhyInvalid(SeaweedOptions()), "");

@@ -10,7 +10,8 @@
 #include <iostream>
 #include <string>
 
-/// Counts an algorithm's own error messages and keeps the last; silences the executive's echo of a failed request.
+/// Counts an algorithm's own error messages, and if told so warnings, and keeps the last; silences the executive's echo
+/// of a failed request.
 class ErrorCounter : public vtkCommand
 {
 public:
@@ -23,9 +24,17 @@ public:
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this);
   }
 
-  void Execute(vtkObject* caller, unsigned long, void* text) override
+  /// Counts warnings as well, from now on.
+  void WatchWarnings() { this->Algorithm->AddObserver(vtkCommand::WarningEvent, this); }
+
+  void Execute(vtkObject* caller, unsigned long event, void* text) override
   {
-    if (caller == this->Algorithm)
+    if (event == vtkCommand::WarningEvent)
+    {
+      ++this->Warnings;
+      this->LastWarning = static_cast<const char*>(text);
+    }
+    else if (caller == this->Algorithm)
     {
       ++this->Count;
       this->Last = static_cast<const char*>(text);
@@ -50,6 +59,8 @@ public:
 
   int Count = 0;
   std::string Last;
+  int Warnings = 0;
+  std::string LastWarning;
 
 private:
   vtkAlgorithm* Algorithm = nullptr;

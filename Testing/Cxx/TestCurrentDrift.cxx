@@ -721,6 +721,19 @@ bool CheckBadInput()
   good &= DriftFails("Strength",
     [=](Drift*, vtkPolyData*, vtkPolyData* f) { f->GetPointData()->GetArray("Strength")->SetComponent(0, 0, nan); });
   good &= DriftFails("Axis", [](Drift*, vtkPolyData*, vtkPolyData* f) { f->GetPointData()->RemoveArray("Axis"); });
+  good &= DriftFails(
+    "InfluenceMargin", [](Drift*, vtkPolyData*, vtkPolyData* f) { f->GetPointData()->RemoveArray("InfluenceMargin"); });
+  good &= DriftFails(
+    "InfluenceBox", [](Drift*, vtkPolyData*, vtkPolyData* f) { f->GetPointData()->RemoveArray("InfluenceBox"); });
+  good &= DriftFails("InfluenceBox", [](Drift*, vtkPolyData*, vtkPolyData* f) { AddVectors(f, "InfluenceBox", 3, 1); });
+  good &= DriftFails("InfluenceBox", [](Drift*, vtkPolyData*, vtkPolyData* f) { AddVectors(f, "InfluenceBox", 6, 0); });
+  good &= DriftFails("InfluenceBox", [](Drift*, vtkPolyData*, vtkPolyData* f) {
+    f->GetPointData()->GetArray("InfluenceMargin")->SetComponent(0, 0, 1.0);
+    f->GetPointData()->GetArray("InfluenceBox")->SetComponent(0, 0, 1.0);
+  });
+  good &= DriftFails("InfluenceMargin", [=](Drift*, vtkPolyData*, vtkPolyData* f) {
+    f->GetPointData()->GetArray("InfluenceMargin")->SetComponent(0, 0, nan);
+  });
   good &= DriftFails("FlowType",
     [](Drift*, vtkPolyData*, vtkPolyData* f) { f->GetPointData()->GetArray("FlowType")->SetComponent(0, 0, 7); });
   good &= DriftFails("cells", [](Drift*, vtkPolyData*, vtkPolyData* f) {

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Seaweeds that move, through the pipeline: rest, time in any order, threads, frame rates, skins against VTK's own
-// filter, levels of detail and their counters, wakes, and every bad input.
+// filter, levels of detail and their counters, and every bad input.
 #include "ErrorCounter.h"
 #include "LittoralPlants.h"
 #include "Skinning.h"
-#include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"
-#include "vtkPlantWakeFilter.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
 #include "vtkWindFieldSource.h"
 
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointSet.h"
 #include "vtkSMPTools.h"
@@ -26,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
@@ -477,50 +477,109 @@ bool TestCamera()
   return Check(worst > 0.0 && worst < 1.0, "levels jump by " + std::to_string(worst) + " pixels") && good;
 }
 
-/// Particles beside a plant move away and come back, far ones do not move at all.
-bool TestWake()
+/// A view that moves at its speed takes BlendTime, at least, through a change of levels.
+bool TestBlendTime()
+{
+  Scene scene;
+  Filter* move = scene.Move;
+  move->SetUseLevels(true);
+  move->SetViewDirection(0.0, 1.0, 0.0);
+  move->SetBlendDistance(0.0);
+  const double speed = 2.0;
+  move->SetViewSpeed(speed);
+  const auto bladesAt = [&](double distance) {
+    move->SetViewPoint(0.0, -distance, 1.0);
+    move->UpdateTimeStep(2.5);
+    vtkNew<vtkPolyData> blades;
+    blades->DeepCopy(Part(move->GetOutputDataObject(0), "Leaves"));
+    return vtkSmartPointer<vtkPolyData>(blades);
+  };
+  const auto largestStep = [&](double time) {
+    move->SetBlendTime(time);
+    double most = 0.0;
+    auto last = bladesAt(4.0);
+    for (double way = 0.0; way < 1.0 + speed * (time + 0.5); way += speed / 24.0)
+    {
+      const auto now = bladesAt(4.0 + way);
+      most = std::max(most, Farthest(last, now));
+      last = now;
+    }
+    return most;
+  };
+  const double atOnce = largestStep(0.0);
+  const double blended = largestStep(4.0);
+  std::cout << "a frame moves a blade by at most " << atOnce << " m without, " << blended << " m with BlendTime 4\n";
+  bool good = Check(atOnce > 0.05, "levels do not change");
+  // The steepest part of the change is one and a half times its mean; tips sweep over bows, not over chords.
+  good = Check(blended > 0.0 && blended < 2.0 * atOnce / (4.0 * 24.0), "BlendTime does not last") && good;
+  return good;
+}
+
+/// Where a current is no number there is none: plants move as if that part of the field were still.
+bool TestHolesInCurrent()
+{
+  std::vector<char> moved[2];
+  for (int isHole : { 0, 1 })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(9, 9, 9);
+    image->SetOrigin(-4.0, -4.0, -1.0);
+    vtkNew<vtkFloatArray> velocity;
+    velocity->SetName("Velocity");
+    velocity->SetNumberOfComponents(3);
+    for (vtkIdType id = 0; id < 9 * 9 * 9; ++id)
+    {
+      const bool isBad = id % 2 == 0;
+      velocity->InsertNextTuple3(isBad ? (isHole ? std::nan("") : 0.0) : 0.4, 0.0, 0.0);
+    }
+    image->GetPointData()->AddArray(velocity);
+    vtkNew<vtkMultiBlockDataSet> plants = Stems({ { 0.2, 0.1, 0.0 } }, 6, 2.0);
+    Scene scene;
+    scene.Move->SetInputData(plants);
+    scene.Move->RemoveAllCurrents();
+    scene.Move->AddInputDataObject(2, image);
+    moved[isHole] = BytesAt(scene.Move, 1.0);
+    vtkPolyData* bones = Part(scene.Move->GetOutputDataObject(0), "Skeleton");
+    if (!Check(bones && Farthest(bones, Part(plants, "Skeleton")) < 4.0, "a hole in a current breaks the plants"))
+    {
+      return false;
+    }
+  }
+  return Check(moved[0] == moved[1], "a hole in a current is not still water");
+}
+
+/// Explicit Euler says once what TimeStep is too long for it, and is silent below.
+bool TestWarning()
 {
   bool good = true;
-  for (int primitive : { 0, 1 })
-  {
-    Scene scene;
-    scene.Current->SetStrength(0.0);
-    scene.Move->GenerateMotionOn();
-    vtkNew<vtkPlantWakeFilter> wake;
-    wake->SetInputConnection(scene.Move->GetOutputPort());
-    wake->SetPrimitive(primitive);
-    wake->UpdateTimeStep(2.0);
-    good = Check(wake->GetOutput()->GetNumberOfPoints() == primitive + 1, "a plant makes other primitives") && good;
-    double reach = wake->GetOutput()->GetPointData()->GetArray("InfluenceRadius")->GetTuple1(0);
-    Vector3 centre;
-    wake->GetOutput()->GetPoint(0, &centre.x);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->InsertNextPoint(centre.x + 0.3, centre.y, centre.z);
-    points->InsertNextPoint(centre.x + 5.0 * reach, centre.y, centre.z);
-    vtkNew<vtkPolyData> particles;
-    particles->SetPoints(points);
-    vtkNew<vtkCurrentDriftFilter> drift;
-    drift->SetInputData(particles);
-    drift->AddInputConnection(1, wake->GetOutputPort());
-    drift->SetSeaLevel(12.0);
-    drift->SetTimeStep(0.25);
-    double most = 0.0;
-    double least = 0.0;
-    double before = centre.x + 0.3;
-    for (int frame = 1; frame <= 24; ++frame)
-    {
-      drift->UpdateTimeStep(0.5 * frame);
-      auto* moved = vtkPointSet::SafeDownCast(drift->GetOutputDataObject(0));
-      most = std::max(most, moved->GetPoint(0)[0] - before);
-      least = std::min(least, moved->GetPoint(0)[0] - before);
-      before = moved->GetPoint(0)[0];
-      good = good && Check(moved->GetPoint(1)[0] == centre.x + 5.0 * reach, "a far particle moves");
-    }
-    std::cout << "particles move by " << least << " to " << most << " m in half a second\n";
-    good = Check(most > 1e-5 && least < -1e-5, "particles do not go and come back") && good;
-  }
-  return good;
+  Scene scene;
+  vtkNew<vtkMultiBlockDataSet> plants = Stems({ { 0.0, 0.0, 0.0 } }, 4);
+  scene.Move->SetInputData(plants);
+  scene.Move->SetStartTime(0.0);
+  vtkNew<ErrorCounter> messages;
+  messages->Watch(scene.Move);
+  messages->WatchWarnings();
+  const auto warnings = [&](int method, int integrator, double step, double time) {
+    messages->Warnings = 0;
+    scene.Move->SetMethod(method);
+    scene.Move->SetIntegrator(integrator);
+    scene.Move->SetTimeStep(step);
+    scene.Move->UpdateTimeStep(time);
+    return messages->Warnings;
+  };
+  good = Check(warnings(1, 1, 0.02, 0.1) == 1, "no warning, or more than one, of too long a TimeStep") && good;
+  const std::string text = messages->LastWarning;
+  const std::size_t place = text.find("above ");
+  const double limit = place == std::string::npos ? 0.0 : std::atof(text.c_str() + place + 6);
+  good = Check(text.find("TimeStep is 0.02") != std::string::npos && limit > 1e-5 && limit < 0.02,
+           "the warning is: " + text) &&
+    good;
+  good = Check(warnings(1, 1, 0.02, 0.2) == 0, "the next frame warns again") && good;
+  good = Check(warnings(1, 1, 1.01 * limit, 0.002) == 1, "no warning just beyond the limit") && good;
+  good = Check(warnings(1, 1, 0.99 * limit, 0.002) == 0, "a warning just below the limit") && good;
+  good = Check(warnings(1, 0, 0.02, 0.1) == 0, "the implicit integrator warns") && good;
+  good = Check(warnings(0, 1, 0.02, 0.1) == 0, "procedural plants warn") && good;
+  return Check(messages->Count == 0, "a warning is an error") && good;
 }
 
 bool TestBadInput()
@@ -560,7 +619,48 @@ bool TestBadInput()
   scene.Move->RemoveAllCurrents();
   scene.Move->RemoveSeaState();
   good = Check(errors->ExpectOneNaming("no sea state"), "no message about a missing sea") && good;
+  scene.Sea->Update();
+  for (const char* column : { "Amplitude", "AngularFrequency", "WaveNumber", "Direction", "Phase" })
+  {
+    vtkNew<vtkTable> sea;
+    sea->DeepCopy(scene.Sea->GetOutputDataObject(0));
+    vtkDataArray::SafeDownCast(sea->GetColumnByName(column))->SetComponent(1, 0, std::nan(""));
+    scene.Move->SetInputData(1, sea);
+    good = Check(errors->ExpectOneNaming(column), std::string("no message about NaN in ") + column) && good;
+    sea->RemoveColumnByName(column);
+    sea->Modified();
+    good = Check(errors->ExpectOneNaming(column), std::string("no message about a missing ") + column) && good;
+  }
+  for (const char* field : { "WaterDepth", "SeaLevel" })
+  {
+    vtkNew<vtkTable> sea;
+    sea->DeepCopy(scene.Sea->GetOutputDataObject(0));
+    sea->GetFieldData()->GetArray(field)->SetComponent(0, 0, std::nan(""));
+    scene.Move->SetInputData(1, sea);
+    good = Check(errors->ExpectOneNaming(field), std::string("no message about NaN in ") + field) && good;
+  }
+  vtkNew<vtkTable> calm;
+  scene.Move->SetInputData(1, calm);
+  good = Check(errors->ExpectOneNaming("no wave trains"), "no message about an empty sea state") && good;
   scene.Move->SetInputConnection(1, scene.Sea->GetOutputPort());
+  scene.Current->SetFlowType(vtkFlowPrimitiveSource::Vortex);
+  scene.Current->Update();
+  for (const char* name : { "Strength", "Axis", "CoreRadius", "InfluenceRadius" })
+  {
+    vtkNew<vtkPolyData> current;
+    current->DeepCopy(scene.Current->GetOutputDataObject(0));
+    current->GetPointData()->GetArray(name)->SetComponent(0, 0, std::nan(""));
+    scene.Move->RemoveAllCurrents();
+    scene.Move->AddInputDataObject(2, current);
+    good = Check(errors->ExpectOneNaming(name), std::string("no message about NaN in ") + name) && good;
+  }
+  scene.Move->RemoveAllCurrents();
+  for (double time : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    scene.Move->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time);
+    good = Check(errors->ExpectOneNaming("time"), "no message about a time that is no number") && good;
+  }
+  scene.Move->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.0);
   const auto property = [&](const char* word, const std::function<void()>& breaks, const std::function<void()>& mends) {
     breaks();
     good = Check(errors->ExpectOneNaming(word), std::string("no message about ") + word) && good;
@@ -585,15 +685,6 @@ bool TestBadInput()
     "StartTime", [move]() { move->SetStartTime(std::nan("")); }, [move]() { move->SetStartTime(-2.0); });
   scene.Move->UpdateTimeStep(0.0);
   good = Check(Part(scene.Move->GetOutputDataObject(0), "Skeleton") != nullptr, "no plants after mending") && good;
-
-  vtkNew<vtkPlantWakeFilter> wake;
-  vtkNew<ErrorCounter> wakeErrors;
-  wakeErrors->Watch(wake);
-  wake->SetInputConnection(scene.Move->GetOutputPort());
-  good = Check(wakeErrors->ExpectOneNaming("GenerateMotion"), "no message about missing motion") && good;
-  move->GenerateMotionOn();
-  wake->SetStrength(-1.0);
-  good = Check(wakeErrors->ExpectOneNaming("Strength"), "no message about Strength") && good;
   return good;
 }
 
@@ -608,7 +699,8 @@ int TestSeaweedDeformation(int, char*[])
     bool (*Run)();
   } tests[] = { { "moves", TestMoves }, { "rest", TestRest }, { "times", TestTimes },
     { "changing current", TestChangingCurrent }, { "rates", TestFrameRates }, { "skin", TestSkin },
-    { "table", TestTable }, { "camera", TestCamera }, { "wake", TestWake }, { "bad input", TestBadInput } };
+    { "table", TestTable }, { "camera", TestCamera }, { "blend time", TestBlendTime }, { "holes", TestHolesInCurrent },
+    { "warning", TestWarning }, { "bad input", TestBadInput } };
   for (const auto& test : tests)
   {
     const bool passed = test.Run();

@@ -123,21 +123,28 @@ cells, first = np.unique(np.rint(xyz * 1e3).astype(int), axis=0, return_index=Tr
 assert len(cells) == 9 * 8 * 2, f"{len(cells)} samples of fog on {ranks} ranks"
 result.append(hashlib.sha256(values[first].tobytes()).hexdigest())
 
-# Seaweeds in a swell with a current, and their wake: places of all segments and blades, by plant.
-weed = simple.Seaweed(Preset="Eelgrass")
-meadow = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[3, 3], Size=[6.0, 6.0]), Prototypes=[weed],
+# Seaweeds in a swell with a current: all segments, blades and stipes, by plant; in full, and in levels of detail.
+weeds = [simple.Seaweed(Preset="Eelgrass"), simple.Seaweed(Preset="Sugar Kelp")]
+meadow = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[3, 3], Size=[6.0, 6.0]), Prototypes=weeds,
                              FollowCamera=0, UseCells=0, UseLevels=0)
 kelp = simple.SeaweedDeformation(Input=meadow, SeaState=simple.SeaState(SeaLevel=8.0), StartTime=0.0,
-                                 Currents=[simple.FlowPrimitive(Strength=0.1)], FollowCamera=0, GenerateMotion=1)
-for part in ("High/Skeleton", "High/Leaves"):
-    merged = simple.ExtractSurface(Input=simple.MergeBlocks(
-        Input=simple.ExtractBlock(Input=kelp, Selectors=[f"/Root/{part}"]), MergePoints=0))
-    merged.UpdatePipeline(1.31)
-    data = servermanager.Fetch(merged)
-    plants = vtk_to_numpy(data.GetPointData().GetArray("PlantId"))
-    places = vtk_to_numpy(data.GetPoints().GetData())[np.argsort(plants, kind="stable")]
-    assert len(places) > 100, f"{len(places)} points of {part} on {ranks} ranks"
-    result.append(hashlib.sha256(places.tobytes()).hexdigest())
+                                 Currents=[simple.FlowPrimitive(Strength=0.1)], FollowCamera=0, GenerateMotion=1,
+                                 ViewPoint=[-2.0, 3.0, 1.0], ViewDirection=[1.0, 0.0, 0.0], ViewAngle=70.0,
+                                 NearDistance=3.0, FarDistance=5.0, BlendDistance=1.0)
+counts = set()
+for kelp.Method, kelp.UseLevels in (("Physical", 0), ("Physical", 1), ("Procedural", 0), ("Procedural", 1)):
+    for part, names in (("High/Skeleton", ("Velocity", "Acceleration")), ("High/Leaves", ()), ("High/Skin", ())):
+        merged = simple.ExtractSurface(Input=simple.MergeBlocks(
+            Input=simple.ExtractBlock(Input=kelp, Selectors=[f"/Root/{part}"]), MergePoints=0))
+        merged.UpdatePipeline(1.31)
+        data = servermanager.Fetch(merged)
+        order = np.argsort(vtk_to_numpy(data.GetPointData().GetArray("PlantId")), kind="stable")
+        assert len(order) > 100, f"{len(order)} points of {part} on {ranks} ranks"
+        arrays = [data.GetPoints().GetData(), *(data.GetPointData().GetArray(name) for name in names)]
+        hashes = [hashlib.sha256(vtk_to_numpy(array)[order].tobytes()).hexdigest() for array in arrays]
+        result += hashes
+        counts.add((part, hashes[0]))
+assert len(counts) == 12, "methods or levels of detail are of no effect"
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:

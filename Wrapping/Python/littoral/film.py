@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Films from pictures."""
+"""Films from pictures, and what scripts that make them are told."""
+
+import tempfile
 
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
@@ -23,3 +25,10 @@ def save_film(filename, pictures, frames_per_second=24):
     writer.End()
     if writer.GetError():
         raise OSError(f"{filename} cannot be written.")
+
+
+def folder_size_frames(arguments, size=(960, 540)):
+    """Read `[FOLDER [WIDTH HEIGHT [FRAMES]]]`; by default a new folder, the size and no frames."""
+    folder = arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-")
+    frames = int(arguments[3]) if len(arguments) > 3 else 0
+    return folder, tuple(map(int, arguments[1:3])) or size, frames

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""PNG pictures of surfaces with baked light, drawn off screen with plain VTK.
+"""Pictures of surfaces with baked light, drawn off screen with plain VTK.
 
 Places in a picture are shares of its width and height, from the lower left.
 """
@@ -9,7 +9,7 @@ import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, draws text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
 from vtkmodules.vtkImagingCore import vtkImageResize
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
     vtkWindowToImageFilter)
@@ -86,11 +86,23 @@ def label(text, place, height, colour=INK):
 
 def write_png(window, filename, size, oversampling=2):
     """Draw a window off screen, larger by `oversampling`, and write it at a size [pixels]."""
+    _write(vtkPNGWriter(), window, filename, size, oversampling)
+
+
+def write_jpg(window, filename, size, quality=88, oversampling=2):
+    """Draw a window as `write_png` does; quality: of the JPEG file, to 100."""
+    writer = vtkJPEGWriter()
+    writer.SetQuality(quality)
+    _write(writer, window, filename, size, oversampling)
+
+
+def _write(writer, window, filename, size, oversampling):
+    """Draw a window off screen and hand it to a writer."""
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
     window.SetSize(size[0] * oversampling, size[1] * oversampling)
     window.Render()
-    grab, shrink, writer = vtkWindowToImageFilter(), vtkImageResize(), vtkPNGWriter()
+    grab, shrink = vtkWindowToImageFilter(), vtkImageResize()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
     shrink.SetInputConnection(grab.GetOutputPort())

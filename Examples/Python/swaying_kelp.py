@@ -1,0 +1,304 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Kelp that sways in a swell and a current, and particles that drift, ride on the swell and feel the kelp.
+
+    python3 swaying_kelp.py [FOLDER] [FRAMES]
+
+writes swaying_kelp.0000.png ... into FOLDER, a frame each 1/12 s, and says how far a frond goes to and fro, how
+far it is behind the water, and what the kelp does to the particles.
+"""
+
+import os
+import sys
+import tempfile
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
+from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTexture)
+
+from littoral import (
+    vtkCurrentDriftFilter, vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter,
+    vtkPlantWakeFilter, vtkQuadratPointSource, vtkSeaStateSource, vtkSeaweedDeformationFilter,
+    vtkSeaweedSource, vtkSuspendedParticleSource, vtkTurningBandsTerrainSource)
+from littoral.picture import write_png
+from littoral.plants import block
+
+DEPTH = 7.0  # of the water over the middle of the bed [m]
+START, TIME, FRAME = -12.0, 9.0, 1.0 / 12.0  # kelp at rest, first picture, between pictures [s]
+SAMPLES = 24  # of a period of the swell
+EYE, FOCUS, VIEW_ANGLE = (0.0, -4.3, 1.0), (0.0, 0.0, 1.35), 42.0
+HORIZON = 0.43  # height in the picture
+WATER = np.array((0.06, 0.34, 0.41))
+SIGHT = 7.0  # distance over which the water takes all but a third of the light [m]
+
+
+def make_bed():
+    """Sand with low dunes, an image with the array Elevation."""
+    sand = vtkTurningBandsTerrainSource()
+    sand.SetWholeExtent(0, 200, 0, 160, 0, 0)
+    sand.SetOrigin(-20.0, -6.0, 0.0)
+    sand.SetSpacing(0.2, 0.2, 1.0)
+    sand.SetRange(12.0)
+    sand.SetShortestWavelength(1.5)
+    sand.SetMean(0.0)
+    sand.SetStandardDeviation(0.12)
+    return sand
+
+
+def make_kelp(sand):
+    """Kelp at random places of the bed, with enough gas in its blades to stand in the swell."""
+    sites = vtkQuadratPointSource()
+    sites.SetOrigin(-7.0, -1.5)
+    sites.SetSize(14.0, 12.0)
+    sites.SetQuadrats(7, 6)
+    sites.SetSeed(4)
+    plant = vtkSeaweedSource()
+    plant.SetPreset(vtkSeaweedSource.Custom)
+    plant.SetBladeDensity(940.0)
+    plant.SetBladeModulus(2e7)
+    kelp = vtkPlantScatterFilter()
+    kelp.SetInputConnection(0, sites.GetOutputPort())
+    kelp.AddInputConnection(1, plant.GetOutputPort())
+    kelp.SetInputConnection(2, sand.GetOutputPort())
+    kelp.SetUseLevels(False)
+    kelp.SetUseCells(False)
+    return kelp
+
+
+def make_swell():
+    """A regular swell towards the right."""
+    sea = vtkSeaStateSource()
+    sea.SetSeaBy(vtkSeaStateSource.HeightAndPeriod)
+    sea.SetSignificantWaveHeight(1.6)
+    sea.SetPeakPeriod(4.5)
+    sea.SetNumberOfTrains(1)
+    sea.SetFrequencyRange(0.8, 1.3)
+    sea.SetSpreading(0.0)
+    sea.SetWaterDepth(DEPTH)
+    sea.SetSeaLevel(DEPTH)
+    return sea
+
+
+def make_currents():
+    """A slow flow to the right, and a vortex among the kelp."""
+    along, around = vtkFlowPrimitiveSource(), vtkFlowPrimitiveSource()
+    along.SetStrength(0.05)
+    around.SetFlowType(vtkFlowPrimitiveSource.Vortex)
+    around.SetStrength(0.5)
+    around.SetCenter(1.5, 3.0, 1.0)
+    around.SetAxis(0.0, 0.0, 1.0)
+    around.SetInfluenceRadius(5.0)
+    return [along, around]
+
+
+class Scene:
+    """Kelp, its wakes, and particles that feel these, or do not."""
+
+    def __init__(self):
+        self.sand, self.sea, self.currents = make_bed(), make_swell(), make_currents()
+        standing = make_kelp(self.sand)
+        self.kelp = vtkSeaweedDeformationFilter()
+        self.kelp.SetInputConnection(0, standing.GetOutputPort())
+        self.kelp.SetInputConnection(1, self.sea.GetOutputPort())
+        for current in self.currents:
+            self.kelp.AddInputConnection(2, current.GetOutputPort())
+        self.kelp.SetStartTime(START)
+        self.kelp.GenerateMotionOn()
+        self.wake = vtkPlantWakeFilter()
+        self.wake.SetInputConnection(self.kelp.GetOutputPort())
+        self.particles = vtkSuspendedParticleSource()
+        self.particles.SetMode(vtkSuspendedParticleSource.Quads)
+        self.particles.SetBounds(-8.0, 8.0, -4.5, 11.0, 0.0, 4.5)
+        self.particles.SetDensity(5.0)
+        self.stirred = self.drift(self.currents + [self.wake])
+        self.calm = self.drift(self.currents)
+        self.riding = self.on_waves(self.stirred.GetOutputPort())
+
+    def drift(self, currents):
+        """The particles, carried by currents."""
+        drift = vtkCurrentDriftFilter()
+        drift.SetInputConnection(0, self.particles.GetOutputPort())
+        for current in currents:
+            drift.AddInputConnection(1, current.GetOutputPort())
+        drift.SetSeaLevel(DEPTH)
+        drift.SetTimeStep(0.25)
+        return drift
+
+    def on_waves(self, port):
+        """Points on their orbits in the swell."""
+        orbits = vtkParticleOrbitFilter()
+        orbits.SetInputConnection(0, port)
+        orbits.SetInputConnection(1, self.sea.GetOutputPort())
+        return orbits
+
+
+def places(data):
+    """Points of a data set, a copy."""
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def cloud(points):
+    """Points as polydata."""
+    data, array = vtkPolyData(), vtkPoints()
+    array.SetData(numpy_to_vtk(points, deep=True))
+    data.SetPoints(array)
+    return data
+
+
+def measure_frond(scene):
+    """How the highest frond sways along the swell, at each node, beside the water at the node's mean place.
+
+    Heights over the foot [m], amplitudes of frond and water [m], phase behind the water [degrees; negative: ahead].
+    """
+    scene.sea.Update()
+    swell = scene.sea.GetOutput().GetColumnByName("AngularFrequency").GetValue(0)
+    times = TIME + np.arange(SAMPLES) * 2.0 * np.pi / swell / SAMPLES
+    moving = []
+    for time in times:
+        scene.kelp.UpdateTimeStep(time)
+        bones = block(scene.kelp.GetOutput(), "High", "Skeleton")
+        moving.append(places(bones))
+    lines = bones.GetLines()
+    nodes, offsets = (vtk_to_numpy(a) for a in (lines.GetConnectivityArray(), lines.GetOffsetsArray()))
+    chains = [nodes[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
+    frond = max(chains, key=lambda chain: moving[0][chain[-1], 2] - moving[0][chain[0], 2])
+    plant = np.array(moving)[:, frond]
+    still, orbits = cloud(plant.mean(axis=0)), vtkParticleOrbitFilter()
+    orbits.SetInputData(0, still)
+    orbits.SetInputConnection(1, scene.sea.GetOutputPort())
+    water = []
+    for time in times:
+        orbits.UpdateTimeStep(time)
+        water.append(places(orbits.GetOutput()))
+    turn = np.exp(1j * swell * times) * 2.0 / SAMPLES
+    of_plant, of_water = (np.tensordot(turn, way[..., 0], 1) for way in (plant, np.array(water)))
+    behind = np.degrees(np.angle(of_plant[1:] / of_water[1:]))
+    return plant.mean(axis=0)[1:, 2] - plant[0, 0, 2], np.abs(of_plant[1:]), np.abs(of_water[1:]), behind
+
+
+def measure_wakes(scene, time):
+    """How far particles are from where they were without wakes [m], and whether they began near a plant."""
+    ways = []
+    for drift in (scene.stirred, scene.calm):
+        drift.UpdateTimeStep(time)
+        ways.append(places(drift.GetOutput())[::5])  # a square is the particle and four corners
+    starts = places(scene.particles.GetOutput())[::5]
+    scene.wake.UpdateTimeStep(0.0)
+    arrays = scene.wake.GetOutput().GetPointData()
+    boxes = vtk_to_numpy(arrays.GetArray("InfluenceBox")).reshape(-1, 3, 2)
+    near = np.zeros(len(starts), dtype=bool)
+    for box in boxes:
+        near |= ((starts > box[:, 0]) & (starts < box[:, 1])).all(axis=1)
+    return np.linalg.norm(ways[0] - ways[1], axis=1), near
+
+
+def faded(data, colours):
+    """Colours of points (0 to 1), which turn into that of the water with the distance from the eye."""
+    share = np.exp(-np.linalg.norm(places(data) - EYE, axis=1) / SIGHT)[:, None]
+    colours = 255.0 * (share * colours + (1.0 - share) * WATER)
+    data.GetPointData().SetScalars(numpy_to_vtk(
+        np.clip(colours, 0, 255).astype(np.uint8), deep=True, array_type=vtkUnsignedCharArray().GetDataType()))
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    mapper.SetInputData(data)
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def lit(data, colours):
+    """An actor in the light from above, which also shines through blades."""
+    normals = vtk_to_numpy(data.GetPointData().GetNormals())
+    light = 0.40 + 0.75 * abs(normals @ np.array((0.25, -0.35, 0.90)))
+    return faded(data, np.array(colours) * light[:, None] * (0.75, 1.0, 0.95))
+
+
+def bed_actor(sand):
+    """The bed as a surface."""
+    surface, warp, normals = vtkImageDataGeometryFilter(), vtkWarpScalar(), vtkPolyDataNormals()
+    surface.SetInputConnection(sand.GetOutputPort())
+    warp.SetInputConnection(surface.GetOutputPort())
+    normals.SetInputConnection(warp.GetOutputPort())
+    normals.SplittingOff()
+    normals.Update()
+    data = normals.GetOutput()
+    x, y, _ = places(data).T
+    marks = 1.0 + 0.05 * np.sin(9.0 * x + 1.5 * y + 1.5 * np.sin(0.8 * y))  # of the swell in the sand
+    return lit(data, np.array((0.68, 0.62, 0.47)) * marks[:, None])
+
+
+def kelp_actors(kelp):
+    """Stipes and blades."""
+    for name in ("Skin", "Leaves"):
+        part = vtkPolyData()
+        part.ShallowCopy(block(kelp.GetOutput(), "High", name))
+        yield lit(part, vtk_to_numpy(part.GetPointData().GetArray("RGB"))[:, :3] / 255.0)
+
+
+def particle_actor(scene):
+    """Squares with the pictures of their kinds."""
+    data, texture = vtkPolyData(), vtkTexture()
+    data.ShallowCopy(scene.riding.GetOutput())
+    actor = faded(data, vtk_to_numpy(data.GetPointData().GetArray("RGB")) / 255.0)
+    texture.SetInputConnection(scene.particles.GetOutputPort(1))
+    texture.InterpolateOn()
+    texture.MipmapOn()
+    actor.SetTexture(texture)
+    actor.ForceTranslucentOn()
+    return actor
+
+
+def draw(scene, folder, frames):
+    """Write the frames."""
+    renderer, window = vtkRenderer(), vtkRenderWindow()
+    renderer.GradientBackgroundOn()
+    renderer.SetBackground(*(0.6 * WATER))
+    renderer.SetBackground2(*(0.6 * WATER + 0.4 * WATER / HORIZON))
+    renderer.UseDepthPeelingOn()
+    window.SetAlphaBitPlanes(1)
+    window.AddRenderer(renderer)
+    renderer.AddActor(bed_actor(scene.sand))
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(*EYE)
+    camera.SetFocalPoint(*FOCUS)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    camera.SetViewAngle(VIEW_ANGLE)
+    for frame in range(frames):
+        time = TIME + frame * FRAME
+        scene.riding.UpdateTimeStep(time)
+        scene.kelp.UpdateTimeStep(time)
+        actors = [*kelp_actors(scene.kelp), particle_actor(scene)]
+        for actor in actors:
+            renderer.AddActor(actor)
+        renderer.ResetCameraClippingRange()
+        write_png(window, os.path.join(folder, f"swaying_kelp.{frame:04d}.png"), (640, 360))
+        for actor in actors:
+            renderer.RemoveActor(actor)
+
+
+def main(folder, frames):
+    """Measure and draw."""
+    scene = Scene()
+    heights, ways, of_water, behind = measure_frond(scene)
+    print("height over the foot [m], amplitudes of the frond and of the water [m], frond behind the water [degrees]:")
+    for row in list(zip(heights, ways, of_water, behind))[::2]:
+        print("  {:5.2f}  {:6.3f}  {:6.3f}  {:6.1f}".format(*row))
+    assert 0.05 < ways[-1] < 2.0 and ways[-1] > ways[0], "the frond does not sway as it should"
+    moved, near = measure_wakes(scene, TIME)
+    print(f"{len(moved)} particles, {near.sum()} of them among the kelp; its wakes moved those by "
+          f"{1e3 * moved[near].mean():.1f} mm on average, {1e3 * moved.max():.0f} mm at most, "
+          f"and {(moved == 0.0).sum()} not at all")
+    assert moved[near].mean() > 10.0 * moved[~near].mean() > 0.0, "particles do not feel the kelp"
+    os.makedirs(folder, exist_ok=True)
+    draw(scene, folder, frames)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-"),
+         int(sys.argv[2]) if len(sys.argv) > 2 else 1)

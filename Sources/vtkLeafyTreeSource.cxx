@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLeafyTreeSource.h"
+
+#include "LittoralPlants.h"
+
+//----------------------------------------------------------------------------
+vtkLeafyTreeSource::vtkLeafyTreeSource(
+  double variation, double trunkRadius, int leaves, double leafSize, double leafWidth)
+  : Variation(variation)
+  , TrunkRadius(trunkRadius)
+  , BarkColor{ 0.41, 0.35, 0.27 }
+  , NumberOfLeaves(leaves)
+  , LeafSize(leafSize)
+  , LeafWidth(leafWidth)
+  , LeafForm(Blade)
+  , LeafColor{ 0.44, 0.57, 0.24 }
+{
+}
+
+//----------------------------------------------------------------------------
+vtkLeafyTreeSource::~vtkLeafyTreeSource() = default;
+
+//----------------------------------------------------------------------------
+bool vtkLeafyTreeSource::TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark)
+{
+  const bool good = littoral::TakeColour(this->LeafColor, leaf) && littoral::TakeColour(this->BarkColor, bark);
+  if (!good)
+  {
+    vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
+  }
+  return good;
+}
+
+//----------------------------------------------------------------------------
+void vtkLeafyTreeSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Variation: " << this->Variation << "\n";
+  os << indent << "TrunkRadius: " << this->TrunkRadius << "\n";
+  os << indent << "BarkColor: " << this->BarkColor[0] << " " << this->BarkColor[1] << " " << this->BarkColor[2] << "\n";
+  os << indent << "NumberOfLeaves: " << this->NumberOfLeaves << "\n";
+  os << indent << "LeafSize: " << this->LeafSize << "\n";
+  os << indent << "LeafWidth: " << this->LeafWidth << "\n";
+  os << indent << "LeafForm: " << this->LeafForm << "\n";
+  os << indent << "LeafColor: " << this->LeafColor[0] << " " << this->LeafColor[1] << " " << this->LeafColor[2] << "\n";
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLeafyTreeSource
+ * @brief   base of the generators of trees
+ *
+ * What trees have in common beyond other plants: how much one differs from the next, the trunk, and the leaves.
+ * Defaults that are not given here are those of the subclass.
+ *
+ * @sa vtkReevesTreeSource vtkAonoKuniiTreeSource
+ */
+#ifndef vtkLeafyTreeSource_h
+#define vtkLeafyTreeSource_h
+
+#include "LittoralSourcesModule.h" // for export macro
+#include "vtkPlantSource.h"
+
+#include <array> // for a colour
+
+class LITTORALSOURCES_EXPORT vtkLeafyTreeSource : public vtkPlantSource
+{
+public:
+  vtkTypeMacro(vtkLeafyTreeSource, vtkPlantSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum LeafFormType
+  {
+    Blade = 0,
+    Needle = 1,
+  };
+
+  ///@{
+  /// Standard deviation of lengths and angles as part of their means, 0 to 0.5.
+  vtkSetMacro(Variation, double);
+  vtkGetMacro(Variation, double);
+  ///@}
+
+  ///@{
+  /// Radius of the trunk at the ground [m], 0.001 to 10.
+  vtkSetMacro(TrunkRadius, double);
+  vtkGetMacro(TrunkRadius, double);
+  ///@}
+
+  ///@{
+  /// Colour of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
+  vtkSetVector3Macro(BarkColor, double);
+  vtkGetVector3Macro(BarkColor, double);
+  ///@}
+
+  ///@{
+  /// Number of leaves, 0 to 1000000.
+  vtkSetMacro(NumberOfLeaves, int);
+  vtkGetMacro(NumberOfLeaves, int);
+  ///@}
+
+  ///@{
+  /// Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5.
+  vtkSetMacro(LeafSize, double);
+  vtkGetMacro(LeafSize, double);
+  ///@}
+
+  ///@{
+  /// Width of a leaf as part of its length, 0.01 to 2.
+  vtkSetMacro(LeafWidth, double);
+  vtkGetMacro(LeafWidth, double);
+  ///@}
+
+  ///@{
+  /// The outline of a leaf, a LeafFormType. Default Blade.
+  vtkSetMacro(LeafForm, int);
+  vtkGetMacro(LeafForm, int);
+  ///@}
+
+  ///@{
+  /// Colour of a leaf in the light: red, green, blue, each 0 to 1. Default 0.44 0.57 0.24.
+  vtkSetVector3Macro(LeafColor, double);
+  vtkGetVector3Macro(LeafColor, double);
+  ///@}
+
+protected:
+  vtkLeafyTreeSource(double variation, double trunkRadius, int leaves, double leafSize, double leafWidth);
+  ~vtkLeafyTreeSource() override;
+
+  /// The colours as bytes. False, with an error message, if they are none.
+  bool TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark);
+
+  double Variation;
+  double TrunkRadius;
+  double BarkColor[3];
+  int NumberOfLeaves;
+  double LeafSize;
+  double LeafWidth;
+  int LeafForm;
+  double LeafColor[3];
+
+private:
+  vtkLeafyTreeSource(const vtkLeafyTreeSource&) = delete;
+  void operator=(const vtkLeafyTreeSource&) = delete;
+};
+
+#endif
