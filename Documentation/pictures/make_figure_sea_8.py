@@ -59,7 +59,7 @@ def build(folder, view):
     kelp = simple.PlantScatter(Sites=reader("KelpSites", plants, folder), FollowCamera=0, UseLevels=0, UseCells=0,
                                Prototypes=[simple.Seaweed(Seed=seed, SegmentsPerBranch=14) for seed in (1, 2, 3)])
     bending = simple.SeaweedDeformation(
-        Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0, GenerateMotion=1, AddedMassCoefficient=0.1,
+        Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0, GenerateMotion=1,
         TimeStep=1.0 / 24.0, StartTime=TIME - LEAD)
     specks = reader("Specks", underwater.particles(
         (-12.0, 1.0, -DEPTH + 0.1, 12.0, 30.0, -0.4), 40000, 0.0055, (0.84, 0.93, 0.84), plants=plants, share=0.25),

@@ -27,7 +27,6 @@ EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
 TIME, FRAMES_A_SECOND = 7.3, 12
 CURRENT = 0.08  # [m/s]
 LEAD = 20.0  # how long the swell has bent the kelp [s]
-ADDED_MASS = 0.1  # blades lie along the water: most of it passes by
 STIR = 25.0  # of the wake of plants [m2 s], stronger than in nature, to be seen
 
 
@@ -72,7 +71,7 @@ def build(folder, view):
     current = simple.FlowPrimitive(registrationName="Current", Strength=CURRENT, Axis=[1.0, 0.25, 0.0])
     bending = simple.SeaweedDeformation(
         registrationName="Kelp in the swell", Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0,
-        GenerateMotion=1, AddedMassCoefficient=ADDED_MASS, TimeStep=1.0 / 24.0, StartTime=TIME - LEAD)
+        GenerateMotion=1, TimeStep=1.0 / 24.0, StartTime=TIME - LEAD)
     wake = simple.PlantWake(registrationName="Wake", Input=bending, Strength=STIR)
     # Only particles about the kelp feel it; the others drift alike, which takes no steps.
     about, beyond = underwater.split_about(underwater.particles(

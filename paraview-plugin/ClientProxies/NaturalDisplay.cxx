@@ -110,7 +110,9 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
     vtkSMPropertyHelper(representation, "MapScalars").Set(0);
     this->WaitForLegend(representation);
   }
-  const char* blocks = port == 0 ? this->Hint("blocks") : nullptr;
+  const bool isForest = data && data->GetArrayInformation("SiteId", vtkDataObject::FIELD);
+  const char* blocks = isForest ? this->Hint("forest-blocks") : nullptr;
+  blocks = port != 0 ? nullptr : blocks ? blocks : this->Hint("blocks");
   if (blocks && representation->GetProperty("BlockSelectors"))
   {
     vtkSMPropertyHelper selectors(representation, "BlockSelectors");
