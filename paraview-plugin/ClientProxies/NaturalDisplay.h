@@ -23,7 +23,8 @@ namespace littoral
  *
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" />
  *
- * of the proxy names blocks, only these are shown at first, of the first output. Where it names an elevation
+ * of the proxy names blocks, only these are shown at first, of the first output; of a scattered forest (field data
+ * SiteId) those that forest-blocks="..." names, if it does. Where it names an elevation
  * [degrees] and the source is the first thing in its view, the camera looks from that far above the horizon, z upwards,
  * and so many times closer than ParaView would go to show all. With own-levels="1", ParaView does not decimate it while
  * the camera moves: it would tear leaves and crowns to shreds. Later changes by the user, and those of a state file,
