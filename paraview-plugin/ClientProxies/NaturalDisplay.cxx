@@ -105,6 +105,10 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
 {
   this->Owner->UpdatePipeline();
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
+  if (!data || data->GetNumberOfPoints() == 0)
+  {
+    this->WaitForData(representation, port);
+  }
   if (data && data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     vtkSMPropertyHelper(representation, "MapScalars").Set(0);
@@ -133,6 +137,41 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
     vtkSMPropertyHelper(representation, "SuppressLOD").Set(1);
   }
   representation->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+/// Inputs that are missing at first leave nothing to take colours from.
+void NaturalDisplay::WaitForData(vtkSMProxy* representation, int port)
+{
+  this->Empty = representation;
+  this->EmptyPort = port;
+  if (this->DataObserver == 0)
+  {
+    this->DataObserver = this->Owner->AddObserver(vtkCommand::UpdateDataEvent, this, &NaturalDisplay::OnData);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
+{
+  vtkPVDataInformation* data = this->Owner->GetDataInformation(this->EmptyPort);
+  if (this->Empty && (!data || data->GetNumberOfPoints() == 0))
+  {
+    return;
+  }
+  this->Owner->RemoveObserver(this->DataObserver);
+  this->DataObserver = 0;
+  vtkSMProxy* representation = this->Empty;
+  this->Empty = nullptr;
+  if (!representation)
+  {
+    return;
+  }
+  if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(representation, "RGB", vtkDataObject::POINT);
+  }
+  this->TakeColours(representation, this->EmptyPort);
 }
 
 //----------------------------------------------------------------------------

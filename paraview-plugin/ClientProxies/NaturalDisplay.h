@@ -48,6 +48,8 @@ private:
   const char* Hint(const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
   void TakeColours(vtkSMProxy* representation, int port);
+  void WaitForData(vtkSMProxy* representation, int port);
+  void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject*, unsigned long, void*);
@@ -60,6 +62,9 @@ private:
   vtkSMSourceProxy* Owner;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
+  vtkWeakPointer<vtkSMProxy> Empty; ///< what was shown without data
+  int EmptyPort = 0;
+  unsigned long DataObserver = 0;
   vtkWeakPointer<vtkSMProxy> Coloured; ///< whose legend would mean nothing
   vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
   unsigned long LegendObserver = 0;
