@@ -10,16 +10,50 @@ namespace littoral
 namespace
 {
 
-/// Matrix times vector.
-template <typename Number>
-LITTORAL_INLINE Lanes Turned(const Lanes* columns, const Number* vector)
+typedef float Singles __attribute__((vector_size(LaneCount * sizeof(float))));
+
+/// Three numbers of an array; the fourth lane is 0.
+LITTORAL_INLINE Lanes Load(const double* from)
 {
-  return columns[0] * Lanes(vector[0]) + columns[1] * Lanes(vector[1]) + columns[2] * Lanes(vector[2]);
+  return { from[0], from[1], from[2], 0.0 };
+}
+LITTORAL_INLINE Lanes Load(const float* from)
+{
+  const Singles four{ from[0], from[1], from[2], 0.0f };
+  return Lanes(__builtin_convertvector(four, Lanes::Register));
 }
 
-LITTORAL_INLINE double SquareOf(const double* vector)
+LITTORAL_INLINE void Store(const Lanes& from, double* to)
 {
-  return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
+  to[0] = from.Values[0];
+  to[1] = from.Values[1];
+  to[2] = from.Values[2];
+}
+LITTORAL_INLINE void Store(const Lanes& from, float* to)
+{
+  const Singles four = __builtin_convertvector(from.Values, Singles);
+  to[0] = four[0];
+  to[1] = four[1];
+  to[2] = four[2];
+}
+
+/// One lane in all.
+template <int Lane>
+LITTORAL_INLINE Lanes All(const Lanes& a)
+{
+  return Lanes(__builtin_shufflevector(a.Values, a.Values, Lane, Lane, Lane, Lane));
+}
+
+/// Matrix times vector.
+LITTORAL_INLINE Lanes Turned(const Lanes* columns, const Lanes& vector)
+{
+  return columns[0] * All<0>(vector) + columns[1] * All<1>(vector) + columns[2] * All<2>(vector);
+}
+
+LITTORAL_INLINE double SquareOf(const Lanes& a)
+{
+  const Lanes squares = a * a;
+  return squares.Values[0] + squares.Values[1] + squares.Values[2];
 }
 
 template <typename Number>
@@ -48,11 +82,46 @@ LITTORAL_INLINE void Blend(const int* ids, const Real* weights, const JointChang
   }
 }
 
+/// Normals that wait for their lengths: roots and divisions are slow one by one.
+struct TurnedNormals
+{
+  static constexpr std::size_t Most = 64;
+  Lanes Turned[Most];
+  double Before[Most]; ///< squares of lengths
+  double After[Most];
+  std::size_t Count = 0;
+
+  LITTORAL_INLINE void Add(const Lanes& before, const Lanes& turned)
+  {
+    this->Turned[this->Count] = turned;
+    this->Before[this->Count] = SquareOf(before);
+    this->After[this->Count] = SquareOf(turned);
+    ++this->Count;
+  }
+
+  /// Stores them, with the lengths that they had.
+  template <typename Real>
+  LITTORAL_INLINE void Store(Real* to)
+  {
+    double factors[Most]; // all of them: without conditions the compiler takes four at a time
+    for (std::size_t i = 0; i < Most; ++i)
+    {
+      factors[i] = std::sqrt(this->Before[i] / (this->After[i] + 1e-300));
+    }
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      littoral::Store(Lanes(factors[i]) * this->Turned[i], to + 3 * i);
+    }
+    this->Count = 0;
+  }
+};
+
 template <typename Real>
 LITTORAL_INLINE void MoveVertices(const RestSkin<Real>& rest, const JointChange* joints, std::size_t begin,
   std::size_t end, Real* points, Real* normals)
 {
   Lanes columns[4]{ 0.0, 0.0, 0.0, 0.0 };
+  TurnedNormals waiting{};
   for (std::size_t vertex = begin; vertex < end; ++vertex)
   {
     // Vertices around a branch follow the same joints alike.
@@ -62,25 +131,16 @@ LITTORAL_INLINE void MoveVertices(const RestSkin<Real>& rest, const JointChange*
     {
       Blend(ids, weights, joints, columns);
     }
-    const Real* p = rest.Points + 3 * vertex;
-    const Lanes moved = Turned(columns, p) + columns[3];
-    for (int axis = 0; axis < 3; ++axis)
+    const Lanes place = Load(rest.Points + 3 * vertex);
+    Store(place + (Turned(columns, place) + columns[3]), points + 3 * vertex);
+    if (rest.Normals)
     {
-      points[3 * vertex + axis] = static_cast<Real>(p[axis] + moved.Values[axis]);
-    }
-    if (!rest.Normals)
-    {
-      continue;
-    }
-    const Real* n = rest.Normals + 3 * vertex;
-    const Lanes change = Turned(columns, n);
-    const double before[3] = { n[0], n[1], n[2] };
-    const double after[3] = { n[0] + change.Values[0], n[1] + change.Values[1], n[2] + change.Values[2] };
-    const double square = SquareOf(after);
-    const double factor = square > 0.0 ? std::sqrt(SquareOf(before) / square) : 1.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      normals[3 * vertex + axis] = static_cast<Real>(factor * after[axis]);
+      const Lanes normal = Load(rest.Normals + 3 * vertex);
+      waiting.Add(normal, normal + Turned(columns, normal));
+      if (waiting.Count == TurnedNormals::Most || vertex + 1 == end)
+      {
+        waiting.Store(normals + 3 * (vertex + 1 - waiting.Count));
+      }
     }
   }
 }
@@ -99,13 +159,13 @@ JointChange ChangeOf(const JointPose& pose, const Vector3& rest)
   change.Columns[2] = { 2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x), -2.0 * (q.x * q.x + q.y * q.y),
     0.0 };
   const Vector3& shift = pose.Shift;
-  change.Columns[3] = Lanes(shift.x, shift.y, shift.z, 0.0) - Turned(change.Columns.data(), &rest.x);
+  change.Columns[3] = Lanes(shift.x, shift.y, shift.z, 0.0) - Turned(change.Columns.data(), Load(&rest.x));
   return change;
 }
 
 Vector3 JointChange::Of(const Vector3& place) const
 {
-  const Lanes moved = Turned(this->Columns.data(), &place.x) + this->Columns[3];
+  const Lanes moved = Turned(this->Columns.data(), Load(&place.x)) + this->Columns[3];
   return { moved.Values[0], moved.Values[1], moved.Values[2] };
 }
 

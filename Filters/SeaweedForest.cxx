@@ -163,7 +163,7 @@ std::string SeaweedForest::ReadSkins(vtkMultiBlockDataSet* plants)
     {
       plantOfNode[branch.First + branch.Count - 1] = plantOfNode[branch.First + branch.Count - 2];
     }
-    Skin skin{ name, block, {} };
+    Skin skin{ name, block, {}, {} };
     auto* ids = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointIds));
     for (vtkIdType vertex = 0; vertex < block->GetNumberOfPoints(); ++vertex)
     {
@@ -173,6 +173,13 @@ std::string SeaweedForest::ReadSkins(vtkMultiBlockDataSet* plants)
         skin.Runs.push_back({ vertex, vertex, plant });
       }
       skin.Runs.back().End = vertex + 1;
+    }
+    std::stable_sort(skin.Runs.begin(), skin.Runs.end(), [](const Run& a, const Run& b) { return a.Plant < b.Plant; });
+    for (std::size_t plant = 0; plant <= this->Plants.size() + 1; ++plant)
+    {
+      const auto first = std::lower_bound(
+        skin.Runs.begin(), skin.Runs.end(), plant, [](const Run& run, std::size_t own) { return run.Plant < own; });
+      skin.FirstRun.push_back(static_cast<std::size_t>(first - skin.Runs.begin()));
     }
     this->Skins.push_back(std::move(skin));
   }
@@ -506,62 +513,138 @@ void SeaweedForest::FindMotion(double time, double rest, double step, const Step
 }
 
 //----------------------------------------------------------------------------
-void SeaweedForest::MoveSkinOf(const Skin& skin, const std::vector<JointChange>& changes, vtkPolyData* moved) const
+/// Turns of links as their skins show them; none: as they are. With the paper's joint the azimuth of a segment in line
+/// with its parent spins by any push; skins bend without that twist.
+std::vector<glm::dquat> SeaweedForest::TurnsOfSkins() const
 {
-  vtkPointData* arrays = skin.Rest->GetPointData();
-  auto* restNormals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
-  auto* ids = vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds));
-  auto* weights = vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights));
-  auto points = FloatsLike(FloatPointsOf(skin.Rest));
-  auto normals = FloatsLike(restNormals);
-  const RestSkin<float> rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals->GetPointer(0), ids->GetPointer(0),
-    weights->GetPointer(0) };
-  float* p = points->GetPointer(0);
-  float* n = normals->GetPointer(0);
-  // Ranges are found while the numbers are at hand.
-  vtkSMPThreadLocal<std::array<TupleRanges, 2>> parts;
-  SmpFor(skin.Runs.size(), [&](std::size_t begin, std::size_t end) {
-    std::array<TupleRanges, 2>& part = parts.Local();
-    std::vector<float> stiff;
-    for (std::size_t index = begin; index < end; ++index)
+  std::vector<glm::dquat> turns;
+  if (this->Options.Joint == SeaweedJoint::Tilting && this->IsPhysical)
+  {
+    for (std::size_t link = 0; link < this->Shown.size(); ++link)
     {
-      const Run& run = skin.Runs[index];
-      const float rigid = run.Plant < this->Plants.size() ? this->Plants[run.Plant].Rigid : 0.0f;
-      RestSkin<float> own = rest;
-      const auto first = static_cast<std::size_t>(run.First);
-      const auto last = static_cast<std::size_t>(run.End);
-      if (rigid > 0.0f)
+      const SeaweedLink& own = this->Motion->GetLinks()[link];
+      const glm::dquat below = own.Parent < 0 ? NoTurn<double>() : turns[own.Parent];
+      turns.push_back(RotationBetween(Rotated(below, own.Axis), this->Shown[link].Axis) * below);
+    }
+  }
+  return turns;
+}
+
+//----------------------------------------------------------------------------
+/// What the nodes of a plant do to skins.
+void SeaweedForest::FindChanges(
+  const Plant& plant, const std::vector<glm::dquat>& turns, std::vector<JointChange>& changes) const
+{
+  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+  {
+    const SeaweedLink& own = this->Motion->GetLinks()[link];
+    LinkPose pose = this->Shown[link];
+    pose.Turn = turns.empty() ? pose.Turn : turns[link];
+    const auto node = static_cast<std::size_t>(own.Node);
+    changes[node] = ChangeOf(own, pose);
+    if (this->LinkOfNode[node + 1] == static_cast<int>(link)) // a tip
+    {
+      changes[node + 1] = changes[node];
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void SeaweedForest::MoveRun(
+  const Run& run, const RestSkin<float>& rest, const std::vector<JointChange>& changes, float* p, float* n) const
+{
+  const float rigid = run.Plant < this->Plants.size() ? this->Plants[run.Plant].Rigid : 0.0f;
+  const auto first = static_cast<std::size_t>(run.First);
+  const auto last = static_cast<std::size_t>(run.End);
+  if (rigid <= 0.0f)
+  {
+    MoveSkin(rest, changes.data(), first, last, p, n);
+    return;
+  }
+  // Beyond NearDistance a vertex follows its nearest segment alone.
+  std::vector<float> stiff(rest.JointWeights + 4 * first, rest.JointWeights + 4 * last);
+  for (std::size_t vertex = 0; vertex < last - first; ++vertex)
+  {
+    float* weight = &stiff[4 * vertex];
+    const auto most = std::max_element(weight, weight + 4) - weight;
+    for (int i = 0; i < 4; ++i)
+    {
+      weight[i] += rigid * ((i == most ? 1.0f : 0.0f) - weight[i]);
+    }
+  }
+  RestSkin<float> own = rest;
+  own.JointWeights = stiff.data() - 4 * first;
+  MoveSkin(own, changes.data(), first, last, p, n);
+}
+
+//----------------------------------------------------------------------------
+/// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
+void SeaweedForest::MoveSkins(vtkMultiBlockDataSet* blocks) const
+{
+  struct Moved
+  {
+    RestSkin<float> Rest;
+    vtkSmartPointer<vtkFloatArray> Points;
+    vtkSmartPointer<vtkFloatArray> Normals;
+    vtkSMPThreadLocal<std::array<TupleRanges, 2>> Parts; // ranges of both, found while the numbers are at hand
+  };
+  std::vector<Moved> moved(this->Skins.size());
+  for (std::size_t skin = 0; skin < moved.size(); ++skin)
+  {
+    vtkPolyData* rest = this->Skins[skin].Rest;
+    vtkPointData* arrays = rest->GetPointData();
+    auto* normals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
+    auto* ids = vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds));
+    auto* weights = vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights));
+    moved[skin].Rest = { FloatPointsOf(rest)->GetPointer(0), normals->GetPointer(0), ids->GetPointer(0),
+      weights->GetPointer(0) };
+    moved[skin].Points = FloatsLike(FloatPointsOf(rest));
+    moved[skin].Normals = FloatsLike(normals);
+  }
+  const std::vector<glm::dquat> turns = this->TurnsOfSkins();
+  std::vector<JointChange> changes(this->Rest.Nodes.size());
+  SmpFor(this->Plants.size() + 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      if (plant < this->Plants.size())
       {
-        // Beyond NearDistance a vertex follows its nearest segment alone.
-        stiff.assign(rest.JointWeights + 4 * first, rest.JointWeights + 4 * last);
-        for (std::size_t vertex = 0; vertex < last - first; ++vertex)
-        {
-          float* weight = &stiff[4 * vertex];
-          const auto most = std::max_element(weight, weight + 4) - weight;
-          for (int i = 0; i < 4; ++i)
-          {
-            weight[i] += rigid * ((i == most ? 1.0f : 0.0f) - weight[i]);
-          }
-        }
-        own.JointWeights = stiff.data() - 4 * first;
+        this->FindChanges(this->Plants[plant], turns, changes);
       }
-      MoveSkin(own, changes.data(), first, last, p, n);
-      part[0].AddTuples(p + 3 * first, p + 3 * last, 3);
-      part[1].AddTuples(n + 3 * first, n + 3 * last, 3);
+      for (std::size_t skin = 0; skin < moved.size(); ++skin)
+      {
+        const Skin& own = this->Skins[skin];
+        float* p = moved[skin].Points->GetPointer(0);
+        float* n = moved[skin].Normals->GetPointer(0);
+        std::array<TupleRanges, 2>& part = moved[skin].Parts.Local();
+        for (std::size_t run = own.FirstRun[plant]; run < own.FirstRun[plant + 1]; ++run)
+        {
+          const vtkIdType first = 3 * own.Runs[run].First;
+          const vtkIdType last = 3 * own.Runs[run].End;
+          this->MoveRun(own.Runs[run], moved[skin].Rest, changes, p, n);
+          part[0].AddTuples(p + first, p + last, 3);
+          part[1].AddTuples(n + first, n + last, 3);
+        }
+      }
     }
   });
-  vtkNew<vtkPoints> places;
-  places->SetData(points);
-  moved->SetPoints(places);
-  std::array<TupleRanges, 2> ranges;
-  for (const std::array<TupleRanges, 2>& part : parts)
+  for (std::size_t skin = 0; skin < moved.size(); ++skin)
   {
-    ranges[0].Add(part[0]);
-    ranges[1].Add(part[1]);
+    vtkNew<vtkPoints> places;
+    places->SetData(moved[skin].Points);
+    std::array<TupleRanges, 2> ranges;
+    for (const std::array<TupleRanges, 2>& part : moved[skin].Parts)
+    {
+      ranges[0].Add(part[0]);
+      ranges[1].Add(part[1]);
+    }
+    KeepRanges(moved[skin].Points.Get(), ranges[0]);
+    KeepRanges(moved[skin].Normals.Get(), ranges[1]);
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(this->Skins[skin].Rest);
+    block->SetPoints(places);
+    block->GetPointData()->SetNormals(moved[skin].Normals);
+    ReplaceBlock(blocks, this->Skins[skin].Name, block);
   }
-  KeepRanges(points.Get(), ranges[0]);
-  KeepRanges(normals.Get(), ranges[1]);
-  moved->GetPointData()->SetNormals(normals);
 }
 
 //----------------------------------------------------------------------------
@@ -571,41 +654,9 @@ void SeaweedForest::Write(vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* ou
   {
     return;
   }
-  // The azimuth of a segment in line with its parent spins by any push; its skin bends without that twist.
-  std::vector<glm::dquat> turns;
-  if (this->Options.Joint == SeaweedJoint::Tilting && this->IsPhysical)
-  {
-    for (std::size_t link = 0; link < this->Shown.size(); ++link)
-    {
-      const SeaweedLink& own = this->Motion->GetLinks()[link];
-      const glm::dquat below = own.Parent < 0 ? glm::dquat{ 1.0, 0.0, 0.0, 0.0 } : turns[own.Parent];
-      turns.push_back(RotationBetween(own.Axis + TurnedBy(below, own.Axis), this->Shown[link].Axis) * below);
-    }
-  }
-  std::vector<JointChange> changes(this->Rest.Nodes.size());
-  for (std::size_t node = 0; node < changes.size(); ++node)
-  {
-    const int link = this->LinkOfNode[node];
-    if (link >= 0)
-    {
-      const SeaweedLink& own = this->Motion->GetLinks()[link];
-      LinkPose pose = this->Shown[link];
-      if (!turns.empty())
-      {
-        pose.Turn = turns[link];
-      }
-      changes[node] = ChangeOf(own, pose);
-    }
-  }
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->ShallowCopy(FindBlock(plants, plant::High));
-  for (const Skin& skin : this->Skins)
-  {
-    vtkNew<vtkPolyData> moved;
-    moved->ShallowCopy(skin.Rest);
-    this->MoveSkinOf(skin, changes, moved);
-    ReplaceBlock(blocks, skin.Name, moved);
-  }
+  this->MoveSkins(blocks);
   vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
   vtkNew<vtkPolyData> bent;
   bent->ShallowCopy(bones);

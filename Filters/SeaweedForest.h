@@ -99,7 +99,8 @@ private:
   {
     const char* Name;
     vtkPolyData* Rest = nullptr;
-    std::vector<Run> Runs;
+    std::vector<Run> Runs;             ///< by plants
+    std::vector<std::size_t> FirstRun; ///< of a plant, and of what stands on the ground
   };
   /// Bunches of trees that one thread moves at a time.
   struct Batch
@@ -142,7 +143,11 @@ private:
   void ShowPlant(Plant& plant, const WaveOrbits& orbits, const StepCurrents& currents, const SeaweedLevels& levels,
     const ViewFrustum* view, const std::vector<LinkState>& states, SeaweedCounters& counters);
   std::vector<Vector3> NodesAt(const std::vector<LinkPose>& poses, bool velocities) const;
-  void MoveSkinOf(const Skin& skin, const std::vector<JointChange>& changes, vtkPolyData* moved) const;
+  std::vector<glm::dquat> TurnsOfSkins() const;
+  void FindChanges(const Plant& plant, const std::vector<glm::dquat>& turns, std::vector<JointChange>& changes) const;
+  void MoveRun(
+    const Run& run, const RestSkin<float>& rest, const std::vector<JointChange>& changes, float* p, float* n) const;
+  void MoveSkins(vtkMultiBlockDataSet* blocks) const;
 };
 
 }
