@@ -25,6 +25,9 @@ from littoral.film import save_film
 DEPTH = 9.5  # of the water [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
 TIME, FRAMES_A_SECOND = 7.3, 12
+CURRENT = 0.08  # [m/s]
+LEAD = 20.0  # how long the swell has bent the kelp [s]
+STIR = 25.0  # of the wake of plants [m2 s], stronger than in nature, to be seen
 
 
 def reader(name, data, folder):
@@ -39,41 +42,59 @@ def reader(name, data, folder):
     return simple.XMLPolyDataReader(registrationName=name, FileName=[filename], TimeArray="None")
 
 
+def moving_specks(name, particles, currents, sea):
+    """Particles that drift in currents and ride on waves: those near enough to be seen one by one."""
+    # With this step the wake is asked for at the times of frames only.
+    drift = simple.CurrentDrift(registrationName=name, Input=particles, Currents=currents, WaterDepth=DEPTH,
+                                StartTime=TIME - 1.0, TimeStep=2.0 / FRAMES_A_SECOND)
+    levels = simple.ParticleLevelOfDetail(
+        registrationName=f"{name}Levels", Input=drift, SeaState=sea, Visibility=30.0)
+    riding = simple.ParticleOrbits(registrationName=f"{name}OnWaves", Input=levels, SeaState=sea)
+    return simple.ExtractBlock(Input=riding, Selectors=["/Root/Near", "/Root/MasterSlave"])
+
+
 def build(folder, view):
     """The pipeline, shown in a view; gives the representations with the water's shaders."""
-    sea = simple.SeaState(registrationName="Sea", SeaBy="Height And Period", SignificantWaveHeight=0.55,
-                          PeakPeriod=3.6, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
+    sea = simple.SeaState(registrationName="Sea", SeaBy="Height And Period", SignificantWaveHeight=0.6,
+                          PeakPeriod=6.2, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
     level = reader("Level", underwater.mesh(underwater.fan()), folder)
     surface = simple.ParticleOrbits(registrationName="Surface", Input=level, SeaState=sea)
     sand, height = underwater.bed(DEPTH, EYE)
     floor = reader("Bed", sand, folder)
-    sites = reader("KelpSites", underwater.kelp_sites(height), folder)
+    plants = underwater.kelp_sites(height)
+    sites = reader("KelpSites", plants, folder)
     kelp = simple.PlantScatter(
         registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCells=0, Prototypes=[
             simple.Seaweed(registrationName="SugarKelp"),
             simple.Seaweed(registrationName="GiantKelp", Preset="Giant Kelp")])
-    # The swell has bent them since a few seconds before the picture.
+    # It has bent since long before the picture: blades rise slowly from how they grew.
+    current = simple.FlowPrimitive(registrationName="Current", Strength=CURRENT, Axis=[1.0, 0.25, 0.0])
     bending = simple.SeaweedDeformation(
-        registrationName="Kelp in the swell", Input=kelp, SeaState=sea, UseLevels=0, FollowCamera=0,
-        StartTime=TIME - 4.0)
-    drifting = reader("Drifting", underwater.particles(
-        (-17.0, -1.0, -DEPTH + 0.4, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.93), folder)
-    levels = simple.ParticleLevelOfDetail(registrationName="Levels", Input=drifting, SeaState=sea, Visibility=30.0)
-    moving = simple.ParticleOrbits(registrationName="Particles", Input=levels, SeaState=sea)
-    fog = simple.ParticleFog(registrationName="Fog", Input=levels, GridBy="Spacing", Spacing=0.5, UseBounds=1,
-                             Bounds=[-17.0, 17.0, -1.0, 29.0, -DEPTH, 0.0])
-    near = simple.ExtractBlock(Input=moving, Selectors=["/Root/Near", "/Root/MasterSlave"])
+        registrationName="Kelp in the swell", Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0,
+        GenerateMotion=1, TimeStep=1.0 / 24.0, StartTime=TIME - LEAD)
+    wake = simple.PlantWake(registrationName="Wake", Input=bending, Strength=STIR)
+    # Only particles about the kelp feel it; the others drift alike, which takes no steps.
+    about, beyond = underwater.split_about(underwater.particles(
+        (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.9, plants=plants),
+        plants)
+    specks = [
+        moving_specks("Stirred", reader("ParticlesAboutKelp", about, folder), [current, wake], sea),
+        moving_specks("Drifting", reader("OtherParticles", beyond, folder), [current], sea)]
+    fog = simple.ParticleFog(registrationName="Fog", Input=simple.FindSource("DriftingLevels"), GridBy="Spacing",
+                             Spacing=0.5, UseBounds=1, Bounds=[-17.0, 17.0, -1.0, 29.0, -DEPTH, 0.0])
 
     underwater.prepare_view(view)
     view.CameraPosition, view.CameraFocalPoint = list(EYE), list(FOCUS)
     view.CameraViewUp, view.CameraViewAngle = [0.0, 0.0, 1.0], VIEW_ANGLE
-    for animated in (surface, bending, moving):
+    for animated in (surface, bending, *specks):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
     underwater.show_fog(fog, view)
-    underwater.show_particles(near, view, EYE)
-    return [underwater.show_beyond(view, TIME, EYE), underwater.show_bed(floor, view, TIME),
-            underwater.show_seaweeds(bending, view, TIME), underwater.show_surface(surface, view, TIME)]
+    for near in specks:
+        underwater.show_particles(near, view, EYE)
+    # From near to far: what is hidden is not shaded.
+    return [underwater.show_seaweeds(bending, view, TIME), underwater.show_bed(floor, view, TIME),
+            underwater.show_surface(surface, view, TIME), underwater.show_beyond(view, TIME, EYE)]
 
 
 def film(shaded, view, folder, frames, told):

@@ -67,3 +67,21 @@ drift.UpdatePipeline(2.0)
 moved = vtk_to_numpy(servermanager.Fetch(drift).GetPoints().GetData())
 assert abs(moved[0, 0] - x - 0.2) > 1e-5 and moved[1, 0] == x + 50.0, moved
 print("plants sway by", np.abs(first - second).max(), "m; a particle beside them by", abs(moved[0, 0] - x - 0.2), "m")
+
+# A single seaweed shows the level that moves; a scattered bed all levels. Inputs come first in the panel, views last.
+view = simple.CreateView("RenderView")
+shown = simple.Show(motion, view)
+assert list(shown.BlockSelectors) == ["/Root/High/Skin", "/Root/High/Leaves"], list(shown.BlockSelectors)
+assert not shown.MapScalars, "not in natural colours"
+sites = simple.PointSource(NumberOfPoints=5, Radius=3.0)
+bed = simple.PlantScatter(Sites=sites, Prototypes=[weed], FollowCamera=0, UseLevels=0, UseCells=0)
+swaying = simple.SeaweedDeformation(Input=bed, SeaState=sea, FollowCamera=0)
+selectors = list(simple.Show(swaying, view).BlockSelectors)
+assert selectors == ["/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium", "/Root/Low"], selectors
+names, each = [], servermanager.vtkSMOrderedPropertyIterator()
+each.SetProxy(motion.SMProxy)
+each.Begin()
+while not each.IsAtEnd():
+    names.append(each.GetKey())
+    each.Next()
+assert names.index("SeaState") < names.index("Method") < names.index("UseLevels") < names.index("FollowCamera"), names

@@ -105,12 +105,18 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
 {
   this->Owner->UpdatePipeline();
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
+  if (!data || data->GetNumberOfPoints() == 0)
+  {
+    this->WaitForData(representation, port);
+  }
   if (data && data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     vtkSMPropertyHelper(representation, "MapScalars").Set(0);
     this->WaitForLegend(representation);
   }
-  const char* blocks = port == 0 ? this->Hint("blocks") : nullptr;
+  const bool isForest = data && data->GetArrayInformation("SiteId", vtkDataObject::FIELD);
+  const char* blocks = isForest ? this->Hint("forest-blocks") : nullptr;
+  blocks = port != 0 ? nullptr : blocks ? blocks : this->Hint("blocks");
   if (blocks && representation->GetProperty("BlockSelectors"))
   {
     vtkSMPropertyHelper selectors(representation, "BlockSelectors");
@@ -131,6 +137,41 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
     vtkSMPropertyHelper(representation, "SuppressLOD").Set(1);
   }
   representation->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+/// Inputs that are missing at first leave nothing to take colours from.
+void NaturalDisplay::WaitForData(vtkSMProxy* representation, int port)
+{
+  this->Empty = representation;
+  this->EmptyPort = port;
+  if (this->DataObserver == 0)
+  {
+    this->DataObserver = this->Owner->AddObserver(vtkCommand::UpdateDataEvent, this, &NaturalDisplay::OnData);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
+{
+  vtkPVDataInformation* data = this->Owner->GetDataInformation(this->EmptyPort);
+  if (this->Empty && (!data || data->GetNumberOfPoints() == 0))
+  {
+    return;
+  }
+  this->Owner->RemoveObserver(this->DataObserver);
+  this->DataObserver = 0;
+  vtkSMProxy* representation = this->Empty;
+  this->Empty = nullptr;
+  if (!representation)
+  {
+    return;
+  }
+  if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(representation, "RGB", vtkDataObject::POINT);
+  }
+  this->TakeColours(representation, this->EmptyPort);
 }
 
 //----------------------------------------------------------------------------

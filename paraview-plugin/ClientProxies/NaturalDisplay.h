@@ -23,7 +23,8 @@ namespace littoral
  *
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" />
  *
- * of the proxy names blocks, only these are shown at first, of the first output. Where it names an elevation
+ * of the proxy names blocks, only these are shown at first, of the first output; of a scattered forest (field data
+ * SiteId) those that forest-blocks="..." names, if it does. Where it names an elevation
  * [degrees] and the source is the first thing in its view, the camera looks from that far above the horizon, z upwards,
  * and so many times closer than ParaView would go to show all. With own-levels="1", ParaView does not decimate it while
  * the camera moves: it would tear leaves and crowns to shreds. Later changes by the user, and those of a state file,
@@ -47,6 +48,8 @@ private:
   const char* Hint(const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
   void TakeColours(vtkSMProxy* representation, int port);
+  void WaitForData(vtkSMProxy* representation, int port);
+  void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject*, unsigned long, void*);
@@ -59,6 +62,9 @@ private:
   vtkSMSourceProxy* Owner;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
+  vtkWeakPointer<vtkSMProxy> Empty; ///< what was shown without data
+  int EmptyPort = 0;
+  unsigned long DataObserver = 0;
   vtkWeakPointer<vtkSMProxy> Coloured; ///< whose legend would mean nothing
   vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
   unsigned long LegendObserver = 0;

@@ -15,7 +15,7 @@ import re
 
 import numpy as np
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -26,7 +26,7 @@ SUN = (12.0, 24.0)
 #: Of red, green and blue light: what water takes from a ray, and from the light that comes down [1/m].
 EXTINCTION, DOWNWARD = (0.150, 0.056, 0.046), (0.20, 0.050, 0.040)
 #: Light that the water gives to a long view up, across and down.
-UPWARD_VIEW, LEVEL_VIEW, DOWNWARD_VIEW = (0.10, 0.62, 0.78), (0.012, 0.20, 0.31), (0.003, 0.055, 0.095)
+UPWARD_VIEW, LEVEL_VIEW, DOWNWARD_VIEW = (0.07, 0.50, 0.68), (0.008, 0.135, 0.235), (0.002, 0.040, 0.075)
 #: Of the ripples, the longest ones, which focus light; the sun is too large for the others.
 FOCUSING = 8
 #: How light everything is.
@@ -183,8 +183,8 @@ SEAWEED = """
     normal = -normal;
   float facing = dot(normal, sun);
   float focus = mix(1.0, min(3.0, caustic(entry(placeMC), max(0.5, -placeMC.z), 0.3)), 0.6);
-  vec3 reflected = ambientColor * (1.3 * max(0.0, facing) * focus + 0.42 + 0.22 * normal.z);
-  vec3 passed = ambientColor * (0.4 + ambientColor) * 1.1 * max(0.0, -facing) * focus;
+  vec3 reflected = ambientColor * (1.6 * max(0.0, facing) * focus + 0.42 + 0.22 * normal.z);
+  vec3 passed = ambientColor * (0.4 + ambientColor) * 2.0 * max(0.0, -facing) * focus;
   float glow = pow(max(0.0, dot(towards, sun)), 3.0);
   vec3 light = downLight(placeMC.z) * (reflected + passed * (1.0 + 2.0 * glow));
   gl_FragData[0] = vec4(toned(through(light)), 1.0);
@@ -300,19 +300,20 @@ def _field(size, samples, reach, smoothness, seed):
     return field / field.std()
 
 
-def kelp_sites(height, count=110, seed=4, top=-0.8):
+def kelp_sites(height, count=130, seed=4, top=-0.8):
     """Sites for Plant Scatter before the eye, in groves: Species 0 sugar kelp, 1 giant kelp, with their Scale.
 
     height: function of the bed's height [m]; top: what giant kelp does not reach beyond [m].
     """
     random = np.random.default_rng(seed)
-    groves = ((-6.5, 11.5), (7.5, 14.0), (-13.0, 21.0), (15.0, 23.0), (1.5, 25.0))
-    near = ((3.3, 6.9), (4.3, 7.6), (2.7, 8.2), (5.4, 8.0), (-4.0, 7.3), (-5.2, 8.3), (-3.3, 8.9))
+    groves = ((-6.0, 10.5), (7.0, 12.0), (-12.5, 19.0), (14.0, 20.0), (1.5, 25.0))
+    near = ((2.2, 4.7), (3.0, 5.4), (1.9, 6.1), (3.9, 5.9), (2.9, 6.8), (4.9, 7.0), (3.8, 7.9), (5.6, 8.3), (-2.6, 5.2),
+            (-3.6, 5.9), (-2.4, 6.7), (-4.5, 7.2), (-3.4, 8.0), (-5.4, 8.6), (-1.3, 9.4), (0.9, 10.4))
     places, species = [(x, y, float(height(x, y))) for x, y in near], [0] * len(near)
     for number in range(count):
         giant = number % 4 == 0
         x, y = np.array(groves[number // 4 % len(groves)]) + random.normal(0.0, 1.7 if giant else 2.6, 2)
-        if y < 5.0 or abs(x) < 0.12 * y or (giant and y < 9.0):
+        if y < 5.0 or abs(x) < 0.12 * y or (giant and y < 8.0):
             continue  # keep the view free
         places.append((x, y, float(height(x, y))))
         species.append(int(giant))
@@ -322,10 +323,10 @@ def kelp_sites(height, count=110, seed=4, top=-0.8):
     return points_with(places, Species=np.array(species, dtype=np.int32), Scale=scale)
 
 
-def particles(box, count, radius, colour, seed=1, clumps=0.0):
+def particles(box, count, radius, colour, seed=1, clumps=0.0, plants=None, share=0.03):
     """Particles in a box (smallest, then largest x, y, z) with the arrays Radius [m] and RGB.
 
-    radius: median [m]; clumps: 0 uniform to 1 gathered in clouds.
+    radius: median [m]; clumps: 0 uniform to 1 gathered in clouds; plants: sites that a share of all gathers about.
     """
     random = np.random.default_rng(seed)
     low, high = np.reshape(box, (2, 3))
@@ -336,9 +337,32 @@ def particles(box, count, radius, colour, seed=1, clumps=0.0):
         near = centres[random.integers(len(centres), size=count)] + random.normal(0.0, 1.7, (count, 3)) * (1.5, 1.5, 0.6)
         inside = ((near > low) & (near < high)).all(axis=1, keepdims=True)
         places = np.where((random.random((count, 1)) < clumps) & inside, near, places)
-    sizes = radius * np.exp(0.5 * random.standard_normal(count))
+    if plants is not None:
+        feet = vtk_to_numpy(plants.GetPoints().GetData())
+        gathered = feet[random.integers(len(feet), size=int(share * count))]
+        gathered = gathered + random.normal(0.0, 0.5, gathered.shape) * (1.0, 1.0, 0.0)
+        gathered[:, 2] += 2.2 * random.random(len(gathered))
+        places[:len(gathered)] = np.clip(gathered, low, high)
+    sizes = radius * np.exp(np.clip(0.5 * random.standard_normal(count), -1.5, 1.0))
     shade = np.clip(np.array(colour) * random.uniform(0.75, 1.1, (count, 1)), 0.0, 1.0)
     return points_with(places, Radius=sizes.astype(np.float32), RGB=np.round(255.0 * shade).astype(np.uint8))
+
+
+def split_about(points, sites, reach=1.0, top=-0.5):
+    """Particles about plants, up to a reach [m] from where they stand and up to a height, and the other particles."""
+    places, feet = (vtk_to_numpy(data.GetPoints().GetData()).astype(float) for data in (points, sites))
+    about = np.zeros(len(places), dtype=bool)
+    for foot, giant in zip(feet, vtk_to_numpy(sites.GetPointData().GetArray("Species"))):
+        across = np.hypot(places[:, 0] - foot[0], places[:, 1] - foot[1])
+        about |= (across < (1.4 if giant else 1.0) * reach) & (places[:, 2] < (top if giant else foot[2] + 2.0 * reach))
+    return _selected(points, about), _selected(points, ~about)
+
+
+def _selected(points, chosen):
+    """The points with their arrays that a mask chooses."""
+    arrays = points.GetPointData()
+    return points_with(vtk_to_numpy(points.GetPoints().GetData())[chosen], **{
+        arrays.GetArrayName(k): vtk_to_numpy(arrays.GetArray(k))[chosen] for k in range(arrays.GetNumberOfArrays())})
 
 
 # Views --------------------------------------------------------------------------------------------
@@ -369,7 +393,8 @@ def show_bed(source, view, time):
 def show_seaweeds(source, view, time):
     """Show seaweeds in full, of Seaweed or of Plant Scatter."""
     parts = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Skin", "/Root/High/Leaves"])
-    return _show_lit(simple.MergeBlocks(Input=parts, OutputDataSetType="Polygonal Mesh"), view, SEAWEED, time)
+    mesh_of_all = simple.MergeBlocks(Input=parts, OutputDataSetType="Polygonal Mesh", MergePoints=0)
+    return _show_lit(mesh_of_all, view, SEAWEED, time)
 
 
 def show_beyond(view, time, eye, radius=150.0):
