@@ -53,16 +53,14 @@ def make_bed():
 
 
 def make_kelp(sand):
-    """Kelp at random places of the bed, with enough gas in its blades to stand in the swell."""
+    """Sugar kelp at random places of the bed."""
     sites = vtkQuadratPointSource()
     sites.SetOrigin(-7.0, -1.5)
     sites.SetSize(14.0, 12.0)
     sites.SetQuadrats(7, 6)
     sites.SetSeed(4)
     plant = vtkSeaweedSource()
-    plant.SetPreset(vtkSeaweedSource.Custom)
-    plant.SetBladeDensity(940.0)
-    plant.SetBladeModulus(2e7)
+    plant.SetPreset(vtkSeaweedSource.SugarKelp)
     kelp = vtkPlantScatterFilter()
     kelp.SetInputConnection(0, sites.GetOutputPort())
     kelp.AddInputConnection(1, plant.GetOutputPort())
@@ -76,7 +74,7 @@ def make_swell():
     """A regular swell towards the right."""
     sea = vtkSeaStateSource()
     sea.SetSeaBy(vtkSeaStateSource.HeightAndPeriod)
-    sea.SetSignificantWaveHeight(1.6)
+    sea.SetSignificantWaveHeight(0.9)
     sea.SetPeakPeriod(4.5)
     sea.SetNumberOfTrains(1)
     sea.SetFrequencyRange(0.8, 1.3)
