@@ -24,6 +24,12 @@ from littoral.film import save_film
 
 DEPTH = 9.5  # of the water [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
+#: Giant kelp before it is scaled to this shallow water, some 0.6 of it: its blades are as large there as elsewhere.
+GIANT_KELP = dict(
+    Form="Canopy", NumberOfFronds=4, HoldfastRadius=0.35, StipeLength=14.0, StipeRadius=0.008, BladeLength=2.0,
+    BladeWidth=0.28, BladeThickness=0.0014, BladeSpacing=0.45, FloatRadius=0.02, Ruffle=0.22, SpreadAngle=45.0,
+    SegmentsPerBranch=12, StipeModulus=1.5e7, BladeModulus=5e6, StipeDensity=1040.0, BladeDensity=1026.0,
+    FloatDensity=300.0, Variation=0.2)
 TIME, FRAMES_A_SECOND = 7.3, 12
 CURRENT = 0.08  # [m/s]
 LEAD = 20.0  # how long the swell has bent the kelp [s]
@@ -66,7 +72,7 @@ def build(folder, view):
     kelp = simple.PlantScatter(
         registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCells=0, Prototypes=[
             simple.Seaweed(registrationName="SugarKelp"),
-            simple.Seaweed(registrationName="GiantKelp", Preset="Giant Kelp")])
+            simple.Seaweed(registrationName="GiantKelp", Preset="Custom", **GIANT_KELP)])
     # It has bent since long before the picture: blades rise slowly from how they grew.
     current = simple.FlowPrimitive(registrationName="Current", Strength=CURRENT, Axis=[1.0, 0.25, 0.0])
     bending = simple.SeaweedDeformation(
