@@ -397,6 +397,8 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
     if (share > 0.0)
     {
       LinkState own = states[link];
+      // Procedural loads go by how the segments below would lean near by, not by how they are shown: a change of levels
+      // would go up the whole branch.
       if (isProcedural(link))
       {
         const LinkPose* below = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();

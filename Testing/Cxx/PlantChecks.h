@@ -5,7 +5,9 @@
 
 // What holds for every plant source.
 
+#include "Check.h"
 #include "ErrorCounter.h"
+#include "LittoralPlants.h"
 #include "PlantScene.h"
 
 #include "vtkDataArray.h"
@@ -21,13 +23,11 @@
 #include <initializer_list>
 #include <iostream>
 
-inline bool Check(bool good, const char* what)
+/// A block of the level High of plants.
+inline vtkPolyData* Part(vtkDataObject* plants, const char* name)
 {
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
+  auto* high = littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(plants), "High");
+  return vtkPolyData::SafeDownCast(littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(high), name));
 }
 
 /// The block of a source's first output.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drift through the pipeline: uniform flow, vortices, sinks, grids, currents that change, time in any order, threads,
 // pieces, and every bad input.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"
@@ -43,15 +44,6 @@ using Flow = vtkFlowPrimitiveSource;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr double Pi = 3.14159265358979323846;
-
-bool Check(bool good, const char* what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 /// Points within 8 m of a place, at depths to 10 m.
 vtkNew<vtkPolyData> Particles(int count, int type = VTK_DOUBLE, double x = 0.0, double level = 0.0)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Particles in levels of detail and their fog, through the pipeline: arrays, motion within its bounds, pieces, threads,
 // any history of the camera, every bad input, and a picture of the levels and the fog.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkParticleFogFilter.h"
 #include "vtkParticleLevelOfDetailFilter.h"
@@ -54,15 +55,6 @@ using Orbits = vtkParticleOrbitFilter;
 using Sea = vtkSeaStateSource;
 
 const char* const BlockNames[3] = { "Near", "MasterSlave", "Far" };
-
-bool Check(bool good, const char* what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 /// Particles in a box before the eye at the origin, with an array of their own.
 vtkNew<vtkPolyData> Particles(int count, int type = VTK_DOUBLE)
@@ -397,9 +389,9 @@ bool CheckFog()
   // Water of its own, sub-extents, threads.
   far->SetWaterExtinction(0.065);
   far->Update();
-  good &= Check(clearest == 0.0 &&
-      std::abs(far->GetOutput()->GetPointData()->GetScalars()->GetRange()[0] - 0.065) < 1e-6,
-    "no water");
+  good &=
+    Check(clearest == 0.0 && std::abs(far->GetOutput()->GetPointData()->GetScalars()->GetRange()[0] - 0.065) < 1e-6,
+      "no water");
   vtkNew<vtkImageData> whole;
   whole->DeepCopy(far->GetOutput());
   for (const int threads : { 1, 2 })

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sea states and orbits through the pipeline: time in any order, threads, blocks, slaves, and every bad input.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkParticleOrbitFilter.h"
 #include "vtkSeaStateSource.h"
@@ -32,15 +33,6 @@ namespace
 
 using Sea = vtkSeaStateSource;
 using Orbits = vtkParticleOrbitFilter;
-
-bool Check(bool good, const char* what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 /// Particles from 0 to 40 m below the sea, in single or double precision.
 vtkNew<vtkPolyData> Particles(int count, int type = VTK_DOUBLE)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Plants over sites: blocks, ids, terrain, memory between executions, pieces, threads, bad input, a picture.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "PlantScene.h"
 #include "vtkGardnerPlantSource.h"
@@ -38,15 +39,6 @@ using Scatter = vtkPlantScatterFilter;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 const char* const Parts[] = { "High/Skeleton", "High/Skin", "High/Leaves", "Medium/Trunk", "Medium/Crown", "Low" };
 constexpr int LevelOfPart[] = { 0, 0, 0, 1, 1, 2 };
-
-bool Check(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 /// A forest of pines and shrubs that has plants at all levels.
 struct Forest

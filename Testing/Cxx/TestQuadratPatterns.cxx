@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Quadrat source and analysis: pieces, exact totals, the way from fit to pattern, and every bad input.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkQuadratAnalysisFilter.h"
 #include "vtkQuadratPointSource.h"
@@ -25,15 +26,6 @@ namespace
 
 using Source = vtkQuadratPointSource;
 using Analysis = vtkQuadratAnalysisFilter;
-
-bool Check(bool good, const char* what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 bool SourceFails(const char* word, const std::function<void(Source*)>& spoil)
 {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seaweeds that move, through the pipeline: rest, time in any order, threads, frame rates, skins against VTK's own
 // filter, levels of detail and their counters, and every bad input.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "LittoralPlants.h"
+#include "PlantChecks.h"
 #include "Skinning.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkSeaStateSource.h"
@@ -36,21 +38,6 @@ namespace
 
 using Filter = vtkSeaweedDeformationFilter;
 using littoral::Vector3;
-
-bool Check(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
-
-vtkPolyData* Part(vtkDataObject* plants, const char* name)
-{
-  auto* high = littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(plants), "High");
-  return vtkPolyData::SafeDownCast(littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(high), name));
-}
 
 std::vector<char> BytesOf(vtkDataArray* array)
 {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Skins of the preset seaweeds in a swell with a strong current: against VTK's own skinning, and how far what is round
 // gets thin, blades get narrow and facets get small, against what the angles of the joints allow.
+#include "Check.h"
 #include "LittoralPlants.h"
+#include "PlantChecks.h"
 #include "SeaweedSegment.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkPlantScatterFilter.h"
@@ -32,21 +34,6 @@ using littoral::Vector3;
 
 constexpr double ArmOfMarker = 64.0; // [m]: so long that single precision tells angles well
 constexpr double Rounding = 6e-8;    // of a number in single precision, as part of it
-
-bool Check(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
-
-vtkPolyData* Part(vtkDataObject* plants, const char* name)
-{
-  auto* high = littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(plants), "High");
-  return vtkPolyData::SafeDownCast(littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(high), name));
-}
 
 Vector3 PointOf(vtkPolyData* data, vtkIdType id)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Suspended particles: boxes, presets, pieces, squares, every bad input; and a picture of squares with their pictures.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkSuspendedParticleSource.h"
 
@@ -33,15 +34,6 @@ namespace
 {
 
 using Source = vtkSuspendedParticleSource;
-
-bool Check(bool good, const char* what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 std::vector<char> BytesOf(vtkPolyData* data)
 {

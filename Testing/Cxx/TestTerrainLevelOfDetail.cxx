@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Terrain in levels of detail: arrays, counters, same bytes on any threads, what is kept, bad input, a picture.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkTerrainLevelOfDetailFilter.h"
 
@@ -39,15 +40,6 @@ using Filter = vtkTerrainLevelOfDetailFilter;
 
 constexpr int Width = 203;
 constexpr int Height = 150;
-
-bool Check(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 vtkSmartPointer<vtkImageData> Hills(int width = Width, int height = Height, int depth = 1)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes written and read back with OpenVDB: values, places in the world, names and remarks, sparseness, composites,
 // threads, series, and every bad input with the old file untouched.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkVDBVolumeWriter.h"
 #include "vtkWindFieldSource.h"
@@ -52,15 +53,6 @@ using Writer = vtkVDBVolumeWriter;
 using Image = vtkSmartPointer<vtkImageData>;
 
 fs::path folder;
-
-bool Check(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 std::string InFolder(const std::string& name)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The wind through the pipeline: period, pieces, threads, direction, field data, bad input, a slice as a picture.
+#include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkWindFieldSource.h"
 
@@ -34,15 +35,6 @@ namespace
 {
 
 using Source = vtkWindFieldSource;
-
-bool Check(bool good, const char* what)
-{
-  if (!good)
-  {
-    std::cerr << what << std::endl;
-  }
-  return good;
-}
 
 bool Fails(const char* word, const std::function<void(Source*)>& spoil)
 {
