@@ -72,6 +72,9 @@ struct alignas(LaneCount * sizeof(double)) Lanes
   friend LITTORAL_INLINE Lanes operator-(const Lanes& a) { return Lanes(-a.Values); }
 };
 
+/// As many numbers of single precision, for memory.
+typedef float Singles __attribute__((vector_size(LaneCount * sizeof(float))));
+
 /// Where a condition holds, one number, else another.
 LITTORAL_INLINE double WhereLess(double a, double b, double then, double other)
 {

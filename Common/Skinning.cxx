@@ -10,8 +10,6 @@ namespace littoral
 namespace
 {
 
-typedef float Singles __attribute__((vector_size(LaneCount * sizeof(float))));
-
 /// Three numbers of an array; the fourth lane is 0.
 LITTORAL_INLINE Lanes Load(const double* from)
 {

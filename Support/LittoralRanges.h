@@ -3,6 +3,8 @@
 #ifndef LittoralRanges_h
 #define LittoralRanges_h
 
+#include "VectorRange.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -58,49 +60,31 @@ struct TupleRanges
   ValueRange SquaredLength;
   bool AreFinite = true;
 
-  /// Adds tuples of as many components; sums stay in registers.
-  template <int Count, typename T>
-  void AddTuplesOf(const T* tuple, const T* end)
+  void Add(const VectorRange& vectors)
   {
-    std::array<ValueRange, Count> ranges;
-    ValueRange lengths;
-    double check = 0.0; // becomes no number where a value is not finite
-    for (; tuple != end; tuple += Count)
+    for (int c = 0; c < 3; ++c)
     {
-      double squares = 0.0;
-      for (int c = 0; c < Count; ++c)
-      {
-        const double value = static_cast<double>(tuple[c]);
-        ranges[c].Add(value);
-        squares += value * value;
-      }
-      lengths.Add(squares);
-      check += 0.0 * squares;
+      this->Components[c].Add(vectors.Low[c]);
+      this->Components[c].Add(vectors.High[c]);
     }
-    for (int c = 0; c < Count; ++c)
+    this->SquaredLength.Add(vectors.LeastSquare);
+    this->SquaredLength.Add(vectors.MostSquare);
+    this->AreFinite = this->AreFinite && vectors.IsFinite;
+  }
+
+  void AddTuples(const float* tuple, const float* end, int components)
+  {
+    if (components == 3)
     {
-      this->Components[c].Add(ranges[c]);
+      this->Add(RangeOf(tuple, static_cast<std::size_t>(end - tuple) / 3));
+      return;
     }
-    this->SquaredLength.Add(lengths);
-    this->AreFinite = this->AreFinite && check == 0.0;
+    this->AddTuples<float>(tuple, end, components);
   }
 
   template <typename T>
   void AddTuples(const T* tuple, const T* end, int components)
   {
-    switch (components)
-    {
-      case 1:
-        return this->AddTuplesOf<1>(tuple, end);
-      case 2:
-        return this->AddTuplesOf<2>(tuple, end);
-      case 3:
-        return this->AddTuplesOf<3>(tuple, end);
-      case 4:
-        return this->AddTuplesOf<4>(tuple, end);
-      default:
-        break;
-    }
     for (; tuple != end; tuple += components)
     {
       double squares = 0.0;

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralVectorRange_h
+#define LittoralVectorRange_h
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace littoral
+{
+
+/// Between what the components of vectors lie, and the squares of their lengths.
+struct VectorRange
+{
+  static constexpr float Largest = std::numeric_limits<float>::infinity();
+  std::array<float, 3> Low{ Largest, Largest, Largest };
+  std::array<float, 3> High{ -Largest, -Largest, -Largest };
+  double LeastSquare = std::numeric_limits<double>::infinity();
+  double MostSquare = -std::numeric_limits<double>::infinity();
+  bool IsFinite = true; ///< else the others mean nothing
+};
+
+/// The ranges of vectors that follow each other in memory. Bound by reading them, four at a time.
+VectorRange RangeOf(const float* vectors, std::size_t count);
+
+}
+
+#endif
