@@ -86,6 +86,26 @@ int TestRanges(int, char*[])
     CheckRanges(array);
   }
 
+  // Vectors are taken four at a time; what is left over counts as well.
+  for (vtkIdType tuples = 1; tuples < 10; ++tuples)
+  {
+    vtkNew<vtkFloatArray> few;
+    Fill(few.Get(), 3, tuples);
+    CheckRanges(few);
+    for (vtkIdType value = 0; value < 3 * tuples; ++value)
+    {
+      for (const float bad : { std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity() })
+      {
+        vtkNew<vtkFloatArray> spoilt;
+        spoilt->DeepCopy(few);
+        spoilt->SetValue(value, bad);
+        spoilt->Modified();
+        littoral::KeepRanges(spoilt);
+        Check(!spoilt->GetInformation()->Has(vtkDataArray::PER_COMPONENT()), "vectors that are not finite are VTK's");
+      }
+    }
+  }
+
   doubles->SetValue(7, 1e6);
   doubles->Modified();
   Check(doubles->GetRange()[1] == 1e6, "a changed array is looked at anew");
