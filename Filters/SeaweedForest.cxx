@@ -283,12 +283,12 @@ void SeaweedForest::StepAll(double time, double step, const StepCurrents& curren
   // Loads are those of the middle of the step.
   const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
   const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Batches.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+  SmpFor(this->Batches.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<Vector3> middles;
     std::vector<WaterAtLink> water;
-    for (vtkIdType index = begin; index < end; ++index)
+    for (std::size_t index = begin; index < end; ++index)
     {
-      const Batch& batch = this->Batches[static_cast<std::size_t>(index)];
+      const Batch& batch = this->Batches[index];
       middles.clear();
       for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
       {
