@@ -120,13 +120,19 @@ LITTORAL_INLINE glm::vec<3, Real> BendTo(
   return ratio * axis + isOpposite * Real(Pi) * aside;
 }
 
-/// How fast the shortest turn from one direction to another turns about the latter as this swings at a rate: of that
-/// turn no more than the direction is kept. Near the opposite direction it would be infinite.
+/// 1 + cos of the angle between directions; not nearer to 0 than at 162 degrees, where twists would grow beyond bounds.
+template <typename Real>
+LITTORAL_INLINE Real OpeningOf(const glm::vec<3, Real>& from, const glm::vec<3, Real>& to)
+{
+  return Larger(Real(1.0) + glm::dot(from, to), Real(0.05));
+}
+
+/// How fast the shortest turn from one direction to another turns about the latter as this swings at a rate [rad/s].
 template <typename Real>
 LITTORAL_INLINE glm::vec<3, Real> TwistOf(
   const glm::vec<3, Real>& from, const glm::vec<3, Real>& to, const glm::vec<3, Real>& rate)
 {
-  return -(glm::dot(rate, from) / Larger(Real(1.0) + glm::dot(from, to), Real(0.05))) * to;
+  return -(glm::dot(rate, from) / OpeningOf(from, to)) * to;
 }
 
 /// The pose of a link by that of its parent; null: it stands on the ground.

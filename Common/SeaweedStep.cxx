@@ -316,7 +316,7 @@ private:
       {
         work.S[k] = work.B[k] + TwistOf(a, e, work.B[k]);
       }
-      const Lanes open = Larger(Lanes(1.0) + glm::dot(a, e), Lanes(0.05));
+      const Lanes open = OpeningOf(a, e);
       const Lanes part = glm::dot(relative, a) / open;
       const Vector swing = glm::cross(relative, e);
       work.Swerve = (part * glm::dot(swing, a) / open) * e - part * swing;

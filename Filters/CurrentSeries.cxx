@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurrentSeries.h"
 
+#include "LittoralPipeline.h"
+
+#include "vtkInformationVector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +77,52 @@ CurrentMixture CurrentSeries::At(const DriftClock& clock, const DriftMoment& mom
   const CurrentSnapshot* first = this->Kept.at(bracket.First).get();
   return bracket.Share > 0.0 ? CurrentMixture{ first, this->Kept.at(bracket.Second).get(), bracket.Share }
                              : CurrentMixture{ first, first, 0.0 };
+}
+
+//----------------------------------------------------------------------------
+std::vector<CurrentSeries> AnnouncedCurrents(vtkInformationVector* inputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::vector<CurrentSeries> currents;
+  for (int connection = 0; connection < inputs->GetNumberOfInformationObjects(); ++connection)
+  {
+    vtkInformation* info = inputs->GetInformationObject(connection);
+    RequestAll(info);
+    CurrentSeries current;
+    if (info->Has(Pipeline::TIME_STEPS()))
+    {
+      const double* steps = info->Get(Pipeline::TIME_STEPS());
+      current.Steps.assign(steps, steps + info->Length(Pipeline::TIME_STEPS()));
+    }
+    else if (info->Has(Pipeline::TIME_RANGE()))
+    {
+      info->Get(Pipeline::TIME_RANGE(), current.Range);
+      current.IsContinuous = current.Range[0] < current.Range[1];
+    }
+    currents.push_back(current);
+  }
+  return currents;
+}
+
+void AddTimes(const std::vector<CurrentSeries>& currents, std::vector<double>& key)
+{
+  for (const CurrentSeries& current : currents)
+  {
+    key.insert(key.end(), current.Steps.begin(), current.Steps.end());
+    key.insert(key.end(), current.Range, current.Range + 2);
+  }
+}
+
+void AskForTimes(const std::vector<CurrentSeries>& currents, vtkInformationVector* inputs)
+{
+  for (std::size_t connection = 0; connection < currents.size(); ++connection)
+  {
+    if (!currents[connection].IsConstant())
+    {
+      inputs->GetInformationObject(static_cast<int>(connection))
+        ->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), currents[connection].Asked);
+    }
+  }
 }
 
 }

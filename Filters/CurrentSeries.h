@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+class vtkInformationVector;
+
 namespace littoral
 {
 
@@ -98,6 +100,15 @@ private:
 
   std::map<double, std::shared_ptr<const CurrentSnapshot>> Kept;
 };
+
+/// The currents of a port, by what they announce of their times; asks each for all of its data.
+std::vector<CurrentSeries> AnnouncedCurrents(vtkInformationVector* inputs);
+
+/// Adds the times of currents to what a state depends on.
+void AddTimes(const std::vector<CurrentSeries>& currents, std::vector<double>& key);
+
+/// Asks each current that changes for the time that it is to be Asked for.
+void AskForTimes(const std::vector<CurrentSeries>& currents, vtkInformationVector* inputs);
 
 }
 

@@ -372,15 +372,12 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
     const double share = order == 0 ? 1.0 : (order < (this->LinksOfBranch[link] + 1) / 2 ? far : near);
     return isSeen ? share : 0.0;
   };
-  const auto isProcedural = [&](std::size_t link) {
-    return !this->IsPhysical || (this->OrderInBranch[link] == 0 && far < 1.0);
-  };
   // Procedural loads are those at the places of rest.
   std::vector<Vector3> middles;
   std::vector<WaterAtLink> water;
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
-    if (shareOf(link) > 0.0 && isProcedural(link))
+    if (!this->IsPhysical && shareOf(link) > 0.0)
     {
       const SeaweedLink& one = this->Motion->GetLinks()[link];
       middles.push_back(one.Foot + 0.5 * one.Length * one.Axis);
@@ -397,17 +394,12 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
     if (share > 0.0)
     {
       LinkState own = states[link];
-      // Procedural loads go by how the segments below would lean near by, not by how they are shown: a change of levels
-      // would go up the whole branch.
-      if (isProcedural(link))
-      {
-        const LinkPose* below = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();
-        const LinkState guess = this->Motion->Procedural(*nextWater++, link, below);
-        own = this->IsPhysical ? this->Motion->Mixed(guess, own, far) : guess;
-      }
       if (!this->IsPhysical)
       {
+        // Loads go by how the segments below would lean near by, not by how they are shown: a change of levels would
+        // go up the whole branch.
         LinkPose* chain = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();
+        own = this->Motion->Procedural(*nextWater++, link, chain);
         this->Motion->PoseOne(own, link, chain);
         this->Full[link] = chain[link];
       }
@@ -424,7 +416,7 @@ SeaweedCounters SeaweedForest::Show(double time, double rest, const StepCurrents
   this->Velocities.clear();
   this->Accelerations.clear();
   this->Shown.resize(this->Motion->GetLinks().size());
-  this->Full.resize(this->Shown.size());
+  this->Full.resize(this->IsPhysical ? 0 : this->Shown.size());
   std::vector<LinkState> partly;
   if (this->IsPhysical && rest > 0.0)
   {

@@ -26,14 +26,6 @@ constexpr int WindPort = 1;
 constexpr int PrototypesPort = 2;
 constexpr int MostPictures = 16; // a species, as pictures of more than 16384 texels cannot be shown everywhere
 
-/// Where in time a series is read.
-double RequestedTime(vtkInformation* output)
-{
-  return output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-    ? output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-    : 0.0;
-}
-
 /// When data last changed or were made anew.
 vtkMTimeType LastChange(vtkDataObject* data)
 {
@@ -217,7 +209,7 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
 int vtkBeamTreeDeformationFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const double time = RequestedTime(outputVector->GetInformationObject(0));
+  const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   std::string reason = this->WhyInvalid();
   if (reason.empty() && !(std::abs(time) <= 1e12))
   {

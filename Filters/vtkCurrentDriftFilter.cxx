@@ -71,14 +71,6 @@ std::vector<vtkPointSet*> LeavesOf(vtkDataObject* data)
   return leaves;
 }
 
-/// When what is upstream of a connection changed last.
-vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
-{
-  vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, connection);
-  auto* executive = producer ? vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive()) : nullptr;
-  return executive ? executive->GetPipelineMTime() : 0;
-}
-
 }
 
 /// What is kept between requests.
@@ -128,12 +120,7 @@ int vtkCurrentDriftFilter::FillInputPortInformation(int port, vtkInformation* in
 int vtkCurrentDriftFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  info->Remove(Pipeline::TIME_STEPS());
-  if (this->TimeRange[0] < this->TimeRange[1])
-  {
-    info->Set(Pipeline::TIME_RANGE(), this->TimeRange, 2);
-  }
+  littoral::AnnounceTimes(outputVector->GetInformationObject(0), this->TimeRange);
   return 1;
 }
 
@@ -146,30 +133,16 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
   // Points start where they are at StartTime, whatever time is asked for.
   particles->Set(Pipeline::UPDATE_TIME_STEP(), this->StartTime);
 
-  std::vector<littoral::CurrentSeries> currents;
-  std::vector<double> key{ static_cast<double>(this->GetMTime()), static_cast<double>(PipelineTime(this, 0, 0)),
+  const std::vector<littoral::CurrentSeries> currents = littoral::AnnouncedCurrents(inputVector[1]);
+  std::vector<double> key{ static_cast<double>(this->GetMTime()),
+    static_cast<double>(littoral::PipelineTime(this, 0, 0)),
     static_cast<double>(output->Get(Pipeline::UPDATE_PIECE_NUMBER())),
     static_cast<double>(output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) };
-  for (int connection = 0; connection < inputVector[1]->GetNumberOfInformationObjects(); ++connection)
+  for (std::size_t connection = 0; connection < currents.size(); ++connection)
   {
-    vtkInformation* info = inputVector[1]->GetInformationObject(connection);
-    littoral::RequestAll(info);
-    littoral::CurrentSeries current;
-    if (info->Has(Pipeline::TIME_STEPS()))
-    {
-      const double* steps = info->Get(Pipeline::TIME_STEPS());
-      current.Steps.assign(steps, steps + info->Length(Pipeline::TIME_STEPS()));
-    }
-    else if (info->Has(Pipeline::TIME_RANGE()))
-    {
-      info->Get(Pipeline::TIME_RANGE(), current.Range);
-      current.IsContinuous = current.Range[0] < current.Range[1];
-    }
-    key.push_back(static_cast<double>(PipelineTime(this, 1, connection)));
-    key.insert(key.end(), current.Steps.begin(), current.Steps.end());
-    key.insert(key.end(), current.Range, current.Range + 2);
-    currents.push_back(current);
+    key.push_back(static_cast<double>(littoral::PipelineTime(this, 1, static_cast<int>(connection))));
   }
+  littoral::AddTimes(currents, key);
   Internals& state = *this->State;
   // A pipeline that changes whenever it is asked must not keep this one from ever coming to an end.
   constexpr int MostRestarts = 2;
@@ -183,23 +156,17 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
     state.Currents = currents;
     state.Clock = { this->StartTime, this->TimeStep };
   }
-  const double time = output->Has(Pipeline::UPDATE_TIME_STEP()) ? output->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
+  const double time = littoral::RequestedTime(output);
   if (!this->WhyInvalid(time).empty())
   {
     return 1; // said when data are asked for
   }
   state.SetGoal(time);
-  for (std::size_t connection = 0; connection < state.Currents.size(); ++connection)
+  for (littoral::CurrentSeries& current : state.Currents)
   {
-    littoral::CurrentSeries& current = state.Currents[connection];
-    if (!current.IsConstant())
-    {
-      state.FindMissing(current, current.Asked);
-      inputVector[1]
-        ->GetInformationObject(static_cast<int>(connection))
-        ->Set(Pipeline::UPDATE_TIME_STEP(), current.Asked);
-    }
+    state.FindMissing(current, current.Asked);
   }
+  littoral::AskForTimes(state.Currents, inputVector[1]);
   return 1;
 }
 
@@ -345,7 +312,7 @@ int vtkCurrentDriftFilter::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   vtkInformation* info = outputVector->GetInformationObject(0);
-  const double time = info->Has(Pipeline::UPDATE_TIME_STEP()) ? info->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
+  const double time = littoral::RequestedTime(info);
   const auto stop = [&](bool good) {
     request->Remove(Pipeline::CONTINUE_EXECUTING());
     state.IsLooping = false;

@@ -155,13 +155,7 @@ int vtkParticleOrbitFilter::FillInputPortInformation(int port, vtkInformation* i
 int vtkParticleOrbitFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  info->Remove(Pipeline::TIME_STEPS());
-  if (this->TimeRange[0] < this->TimeRange[1])
-  {
-    info->Set(Pipeline::TIME_RANGE(), this->TimeRange, 2);
-  }
+  littoral::AnnounceTimes(outputVector->GetInformationObject(0), this->TimeRange);
   return 1;
 }
 
@@ -191,12 +185,7 @@ int vtkParticleOrbitFilter::RequestData(
   {
     reason = "TimeRange must be increasing.";
   }
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  double time = 0.0;
-  if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
-  {
-    time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-  }
+  const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   if (reason.empty() && !std::isfinite(time))
   {
     reason = "the requested time is no number.";

@@ -28,19 +28,6 @@ constexpr int PlantsPort = 0;
 constexpr int SeaPort = 1;
 constexpr int CurrentsPort = 2;
 
-/// When what is upstream of a connection changed last.
-double PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
-{
-  vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, connection);
-  auto* executive = producer ? vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive()) : nullptr;
-  return executive ? static_cast<double>(executive->GetPipelineMTime()) : 0.0;
-}
-
-double RequestedTime(vtkInformation* output)
-{
-  return output->Has(Pipeline::UPDATE_TIME_STEP()) ? output->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
-}
-
 void AddCounter(vtkDataObject* data, const char* name, std::int64_t value)
 {
   vtkNew<vtkTypeInt64Array> array;
@@ -175,12 +162,7 @@ int vtkSeaweedDeformationFilter::FillInputPortInformation(int port, vtkInformati
 int vtkSeaweedDeformationFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  info->Remove(Pipeline::TIME_STEPS());
-  if (this->TimeRange[0] < this->TimeRange[1])
-  {
-    info->Set(Pipeline::TIME_RANGE(), this->TimeRange, 2);
-  }
+  littoral::AnnounceTimes(outputVector->GetInformationObject(0), this->TimeRange);
   return 1;
 }
 
@@ -199,7 +181,7 @@ std::vector<double> vtkSeaweedDeformationFilter::StateKey(vtkInformationVector**
     for (int connection = 0; connection < inputVector[port]->GetNumberOfInformationObjects(); ++connection)
     {
       key.push_back(static_cast<double>(port));
-      key.push_back(PipelineTime(this, port, connection));
+      key.push_back(static_cast<double>(littoral::PipelineTime(this, port, connection)));
     }
   }
   for (const char* letter = this->VelocityArray; letter && *letter; ++letter)
@@ -216,30 +198,12 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   vtkInformation* output = outputVector->GetInformationObject(0);
   Internals& state = *this->State;
   std::vector<double> key = this->StateKey(inputVector, output);
-  std::vector<littoral::CurrentSeries> currents;
   if (vtkInformation* sea = inputVector[SeaPort]->GetInformationObject(0))
   {
     littoral::RequestAll(sea);
   }
-  for (int connection = 0; connection < inputVector[CurrentsPort]->GetNumberOfInformationObjects(); ++connection)
-  {
-    vtkInformation* info = inputVector[CurrentsPort]->GetInformationObject(connection);
-    littoral::RequestAll(info);
-    littoral::CurrentSeries current;
-    if (info->Has(Pipeline::TIME_STEPS()))
-    {
-      const double* steps = info->Get(Pipeline::TIME_STEPS());
-      current.Steps.assign(steps, steps + info->Length(Pipeline::TIME_STEPS()));
-    }
-    else if (info->Has(Pipeline::TIME_RANGE()))
-    {
-      info->Get(Pipeline::TIME_RANGE(), current.Range);
-      current.IsContinuous = current.Range[0] < current.Range[1];
-    }
-    key.insert(key.end(), current.Steps.begin(), current.Steps.end());
-    key.insert(key.end(), current.Range, current.Range + 2);
-    currents.push_back(current);
-  }
+  const std::vector<littoral::CurrentSeries> currents = littoral::AnnouncedCurrents(inputVector[CurrentsPort]);
+  littoral::AddTimes(currents, key);
   // A pipeline that changes whenever it is asked must not keep this one from ever coming to an end.
   constexpr int MostRestarts = 2;
   state.Restarts = state.IsLooping ? state.Restarts : 0;
@@ -253,7 +217,7 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
     state.Clock.Clock = { this->StartTime, this->TimeStep };
     state.IsPhysical = this->Method == 1;
   }
-  const double time = RequestedTime(output);
+  const double time = littoral::RequestedTime(output);
   if (!this->WhyInvalid(time).empty())
   {
     return 1; // said when data are asked for
@@ -270,17 +234,11 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   {
     state.Clock.NowStep = 0;
   }
-  for (std::size_t connection = 0; connection < state.Clock.Currents.size(); ++connection)
+  for (littoral::CurrentSeries& current : state.Clock.Currents)
   {
-    littoral::CurrentSeries& current = state.Clock.Currents[connection];
-    if (!current.IsConstant())
-    {
-      state.FindMissing(current, current.Asked);
-      inputVector[CurrentsPort]
-        ->GetInformationObject(static_cast<int>(connection))
-        ->Set(Pipeline::UPDATE_TIME_STEP(), current.Asked);
-    }
+    state.FindMissing(current, current.Asked);
   }
+  littoral::AskForTimes(state.Clock.Currents, inputVector[CurrentsPort]);
   return 1;
 }
 
@@ -436,7 +394,7 @@ int vtkSeaweedDeformationFilter::RequestData(
   Internals& state = *this->State;
   auto* plants = vtkMultiBlockDataSet::GetData(inputVector[PlantsPort]);
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
-  const double time = RequestedTime(outputVector->GetInformationObject(0));
+  const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   const auto stop = [&](bool good) {
     request->Remove(Pipeline::CONTINUE_EXECUTING());
     state.IsLooping = false;

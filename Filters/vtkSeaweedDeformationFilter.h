@@ -16,7 +16,7 @@
  * to begin from. Before StartTime plants are at rest. Procedural plants are a closed form of the time.
  *
  * With UseLevels: within NearDistance all segments of a branch move; from there to FarDistance the half next to its
- * foot; beyond, the first, procedurally. What does not move keeps its angles of rest. Beyond NearDistance skins are
+ * foot; beyond, the first. What does not move keeps its angles of rest. Beyond NearDistance skins are
  * rigid: a vertex follows one segment. Levels change over BlendDistance and BlendTime. Plants out of the view stay at
  * rest; procedural ones leave out wave trains whose sum is less than PixelError. None of it touches the state.
  *

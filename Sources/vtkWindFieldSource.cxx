@@ -275,9 +275,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   output->SetSpacing(place);
   info->Get(vtkDataObject::DIRECTION(), place);
   output->SetDirectionMatrix(place);
-  const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-    ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-    : 0.0;
+  const double time = littoral::RequestedTime(info);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   if (!(points > 0.0))
   {

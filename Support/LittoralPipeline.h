@@ -71,6 +71,31 @@ bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, d
   return true;
 }
 
+/// The time that is asked of an output [s]; 0 where none is.
+inline double RequestedTime(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  return output->Has(Pipeline::UPDATE_TIME_STEP()) ? output->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
+}
+
+/// Tells players of a range of times [s], any of which can be asked for; none if it is not increasing.
+inline void AnnounceTimes(vtkInformation* output, double* range)
+{
+  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  if (range[0] < range[1])
+  {
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+}
+
+/// When what is upstream of a connection changed last.
+inline vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
+{
+  vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, connection);
+  auto* executive = producer ? vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive()) : nullptr;
+  return executive ? executive->GetPipelineMTime() : 0;
+}
+
 /// Asks an input for all of its data, whatever piece is asked of the algorithm. Null (no input) is allowed.
 inline void RequestAll(vtkInformation* input)
 {

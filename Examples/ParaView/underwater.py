@@ -13,14 +13,13 @@ The same wave trains move the surface and the particles.
 
 import os
 import sys
-import tempfile
 
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import littoral
 from littoral import underwater
-from littoral.film import save_film
+from littoral.film import folder_size_frames, save_film
 
 DEPTH = 9.5  # of the water [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
@@ -131,7 +130,4 @@ def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
 
 
 if __name__ != "underwater":  # another script has run this one for its functions
-    arguments = sys.argv[1:]
-    main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"),
-         tuple(map(int, arguments[1:3])) or (960, 540),
-         int(arguments[3]) if len(arguments) > 3 else 0)
+    main(*folder_size_frames(sys.argv[1:]))
