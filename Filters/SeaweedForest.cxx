@@ -327,7 +327,7 @@ void SeaweedForest::Advance(double time, double step, const StepCurrents& curren
 }
 
 //----------------------------------------------------------------------------
-/// As many trains as leave an error of less than a part of a pixel at the plant's top, a bound for all of them at once.
+/// As many trains as leave out less than a part of a pixel of the motion of the water at the plant's top, all together.
 int SeaweedForest::TrainsFor(const Plant& plant, const SeaweedLevels& levels) const
 {
   int count = static_cast<int>(this->Sea.Trains.size());

@@ -30,7 +30,7 @@ struct SeaweedLevels
   double NearDistance = 5.0;   ///< [m]
   double FarDistance = 20.0;   ///< [m]
   double BlendDistance = 10.0; ///< beyond either, over which levels of small plants change [m]
-  double PixelError = 0.5;     ///< by waves that are left out [pixels]
+  double PixelError = 0.5;     ///< of the water, by waves that are left out [pixels]
   View Seen;
 };
 

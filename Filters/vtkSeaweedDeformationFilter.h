@@ -166,7 +166,8 @@ public:
   ///@}
 
   ///@{
-  /// What waves that are left out may add up to [pixels], not negative. Default 0.5.
+  /// What waves that are left out may move the water at the top of a plant by, all together [pixels], not negative. Of
+  /// procedural plants; limp ones may swing by half as much again. Default 0.5.
   vtkSetMacro(PixelError, double);
   vtkGetMacro(PixelError, double);
   ///@}

@@ -464,6 +464,43 @@ bool TestCamera()
   return Check(worst > 0.0 && worst < 1.0, "levels jump by " + std::to_string(worst) + " pixels") && good;
 }
 
+/// The farther a procedural plant is, the fewer wave trains move it; what is left out is less than a pixel. PixelError
+/// is that of the water: limp plants swing by more.
+bool TestTrains()
+{
+  Scene scene;
+  Filter* move = scene.Move;
+  scene.Plant->SetPreset(vtkSeaweedSource::Eelgrass);
+  move->SetMethod(0);
+  move->SetUseLevels(true);
+  move->SetNearDistance(1e4); // nothing else changes with the distance
+  move->SetFarDistance(1e4);
+  move->SetViewDirection(0.0, 1.0, 0.0);
+  bool good = true;
+  long long before = std::numeric_limits<long long>::max();
+  for (const double distance : { 5.0, 50.0, 500.0, 3000.0 })
+  {
+    move->SetViewPoint(0.0, -distance, 1.0);
+    move->SetPixelError(0.0);
+    move->UpdateTimeStep(2.5);
+    const long long all = Counter(move, "TrainEvaluations");
+    good = Check(all == 30 * Counter(move, "SegmentsMoved"), "without PixelError not all trains count") && good;
+    vtkNew<vtkPolyData> exact;
+    exact->DeepCopy(Part(move->GetOutputDataObject(0), "Skeleton"));
+    move->SetPixelError(0.5);
+    move->UpdateTimeStep(2.5);
+    const long long some = Counter(move, "TrainEvaluations");
+    const double pixel = 2.0 * distance * std::tan(15.0 * 3.14159265358979323846 / 180.0) / 1080.0;
+    const double error = Farthest(exact, Part(move->GetOutputDataObject(0), "Skeleton")) / pixel;
+    std::cout << "at " << distance << " m " << some << " of " << all << " trains and segments, " << error
+              << " pixels off\n";
+    good = Check(some <= before && some <= all, "more trains far away") && good;
+    good = Check(error < 1.0, "trains are missed by " + std::to_string(error) + " pixels") && good;
+    before = some;
+  }
+  return Check(before < 30 * Counter(move, "SegmentsMoved") / 2, "far away most trains count") && good;
+}
+
 /// A view that moves at its speed takes BlendTime, at least, through a change of levels.
 bool TestBlendTime()
 {
@@ -698,8 +735,8 @@ int TestSeaweedDeformation(int, char*[])
     bool (*Run)();
   } tests[] = { { "moves", TestMoves }, { "rest", TestRest }, { "times", TestTimes },
     { "changing current", TestChangingCurrent }, { "rates", TestFrameRates }, { "skin", TestSkin },
-    { "table", TestTable }, { "camera", TestCamera }, { "blend time", TestBlendTime }, { "holes", TestHolesInCurrent },
-    { "warning", TestWarning }, { "bad input", TestBadInput } };
+    { "table", TestTable }, { "camera", TestCamera }, { "trains", TestTrains }, { "blend time", TestBlendTime },
+    { "holes", TestHolesInCurrent }, { "warning", TestWarning }, { "bad input", TestBadInput } };
   for (const auto& test : tests)
   {
     const bool passed = test.Run();
