@@ -1,8 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
+include(LittoralCompatibility)
+
 # --- Header-only libraries of Common. Of these only GLM appears in installed headers.
-find_package(Eigen3 3.3 REQUIRED CONFIG)
+# Eigen from 3.3; no version is named, as 5.0 refuses to stand for 3.
+find_package(Eigen3 REQUIRED CONFIG)
 find_package(Boost 1.70 REQUIRED)
 find_package(glm REQUIRED CONFIG)
 
@@ -86,13 +89,17 @@ set(littoral_find_vtk_arguments REQUIRED
 if (LITTORAL_WITH_PARAVIEW)
   find_package(ParaView COMPONENTS RemotingCore RemotingServerManager RemotingViews)
   if (ParaView_FOUND)
-    # ParaView brings its own VTK; no other one may be mixed in.
-    find_package(VTK ${littoral_find_vtk_arguments}
-      PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
+    # No VTK but ParaView's may be mixed in: the one that it brings, or the system's that it was built against.
+    if (EXISTS "${ParaView_DIR}/vtk")
+      find_package(VTK ${littoral_find_vtk_arguments}
+        PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
+    else ()
+      find_package(VTK ${littoral_find_vtk_arguments})
+    endif ()
   elseif (ParaView_DIR)
     message(FATAL_ERROR
       "ParaView is in ${ParaView_DIR}, but something that its SDK needs is missing (see above). "
-      "Install the packages in CMake/debian-packages.txt, or build without the plugin: "
+      "Install the packages in CMake/packages, or build without the plugin: "
       "-DLITTORAL_WITH_PARAVIEW=OFF.")
   else ()
     message(STATUS "ParaView was not found: building against plain VTK, without the plugin")
@@ -103,3 +110,9 @@ if (NOT LITTORAL_WITH_PARAVIEW)
   find_package(VTK 9.1 ${littoral_find_vtk_arguments})
 endif ()
 message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")
+
+# --- Help pages: ParaView 5.12 and 5.13 cannot make them with Qt 6.
+if (NOT LITTORAL_WITH_PARAVIEW OR NOT PARAVIEW_USE_QT OR
+    (PARAVIEW_QT_MAJOR_VERSION GREATER 5 AND ParaView_VERSION VERSION_LESS 6))
+  set(LITTORAL_BUILD_HELP OFF)
+endif ()

@@ -11,8 +11,11 @@ configure_package_config_file(
 write_basic_package_version_file(
   "${CMAKE_BINARY_DIR}/${LITTORAL_CMAKE_DIR}/LittoralConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
+configure_file("${PROJECT_SOURCE_DIR}/CMake/LittoralCompatibility.cmake"
+  "${CMAKE_BINARY_DIR}/${LITTORAL_CMAKE_DIR}/LittoralCompatibility.cmake" COPYONLY)
 install(
   FILES
+    "${PROJECT_SOURCE_DIR}/CMake/LittoralCompatibility.cmake"
     "${CMAKE_BINARY_DIR}/${LITTORAL_CMAKE_DIR}/LittoralConfig.cmake"
     "${CMAKE_BINARY_DIR}/${LITTORAL_CMAKE_DIR}/LittoralConfigVersion.cmake"
   DESTINATION "${LITTORAL_CMAKE_DIR}"

@@ -349,7 +349,7 @@ bool CheckFog()
     "no image of extinction");
   good &= Check(std::abs(Counter(fog, "CrossSection") / section - 1.0) < 1e-5, "cross sections are lost");
   const double volume = 16.0 * 22.0 * 9.0;
-  const double centre = extinction->GetTuple1(image->FindPoint(0.0, 9.0, -4.5));
+  const double centre = extinction->GetTuple1(image->vtkDataSet::FindPoint(0.0, 9.0, -4.5));
   good &= Check(centre > 0.2 * section / volume && centre < 3.0 * section / volume, "another extinction");
 
   // Near, slaves and fog hide as much in all as all particles do as fog.
@@ -382,7 +382,7 @@ bool CheckFog()
   good &= Check(std::abs((alone + Counter(far, "CrossSection")) / section - 1.0) < 1e-5 && faded > 0.1 * section,
     "particles and fog do not make one whole");
   vtkDataArray* field = far->GetOutput()->GetPointData()->GetScalars();
-  good &= Check(field->GetTuple1(far->GetOutput()->FindPoint(0.0, 5.0, -4.0)) == 0.0, "fog about near particles");
+  good &= Check(field->GetTuple1(far->GetOutput()->vtkDataSet::FindPoint(0.0, 5.0, -4.0)) == 0.0, "fog about near particles");
 
   const double clearest = field->GetRange()[0];
 

@@ -9,7 +9,11 @@
 #include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#if __has_include("vtkSMColorMapEditorHelper.h") // ParaView 5.13 and later
+#include "vtkSMColorMapEditorHelper.h"
+#else
 #include "vtkSMPVRepresentationProxy.h"
+#endif
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
@@ -28,6 +32,12 @@ namespace littoral
 {
 namespace
 {
+
+#if __has_include("vtkSMColorMapEditorHelper.h")
+using ColorHelper = vtkSMColorMapEditorHelper;
+#else
+using ColorHelper = vtkSMPVRepresentationProxy;
+#endif
 
 /// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
 constexpr double EyeAzimuth = -0.62 * Pi;
@@ -129,8 +139,8 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
   }
   if (const char* array = this->Hint("color"))
   {
-    vtkSMPVRepresentationProxy::SetScalarColoring(representation, array, vtkDataObject::POINT);
-    vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
+    ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
+    ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
   }
   if (this->Hint("own-levels") && representation->GetProperty("SuppressLOD"))
   {
@@ -169,7 +179,7 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
   }
   if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
-    vtkSMPVRepresentationProxy::SetScalarColoring(representation, "RGB", vtkDataObject::POINT);
+    ColorHelper::SetScalarColoring(representation, "RGB", vtkDataObject::POINT);
   }
   this->TakeColours(representation, this->EmptyPort);
 }
@@ -199,7 +209,7 @@ void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
 {
   if (this->Coloured)
   {
-    vtkSMPVRepresentationProxy::SetScalarBarVisibility(this->Coloured, this->LegendView, false);
+    ColorHelper::SetScalarBarVisibility(this->Coloured, this->LegendView, false);
   }
   this->StopWaitingForLegend();
 }
