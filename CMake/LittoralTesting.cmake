@@ -1,6 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
+# What VTK, ParaView and Python write where something is wrong. Tests that provoke an error observe it, which keeps it
+# off the output.
+set(LITTORAL_COMPLAINTS "ERR\\|;WARN\\|;ERROR:;Warning:;Traceback")
+
 # Adds a ctest entry, or one for each rank count, for a Python script.
 #
 #   littoral_add_script_test(<label> <script> <runner> [<argument>...])
@@ -77,6 +81,7 @@ function (littoral_add_script_test label script runner)
       LABELS "${label}"
       TIMEOUT "${timeout}"
       SKIP_RETURN_CODE 125
+      FAIL_REGULAR_EXPRESSION "${LITTORAL_COMPLAINTS}"
       ENVIRONMENT
         "LITTORAL_SOURCE_DIR=${PROJECT_SOURCE_DIR};LITTORAL_CLIENT_SCRIPT=${script}")
     if (before)

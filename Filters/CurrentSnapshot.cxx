@@ -6,7 +6,6 @@
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -269,11 +268,9 @@ private:
 /// Whether velocities can be interpolated: some cell is more than points and lines.
 bool HasCells(vtkDataSet* data)
 {
-  vtkNew<vtkCellTypes> types;
-  data->GetCellTypes(types);
-  for (vtkIdType type = 0; type < types->GetNumberOfTypes(); ++type)
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
-    const int kind = types->GetCellType(type);
+    const int kind = data->GetCellType(cell);
     if (kind != VTK_EMPTY_CELL && kind != VTK_VERTEX && kind != VTK_POLY_VERTEX && kind != VTK_LINE &&
       kind != VTK_POLY_LINE)
     {

@@ -21,6 +21,7 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 from littoral import vtkPlantScatterFilter, vtkQuadratPointSource, vtkReevesTreeSource
 from littoral.picture import INK, label, write_jpg
 from littoral.tables import table_of
+from littoral.versions import set_plot_colour
 
 SIDE, EYE_HEIGHT = 500.0, 1.7  # [m]
 FRAMES, STEP = 90, 5.0  # 1, [m]
@@ -114,7 +115,7 @@ def main(folder):
         for kind in (vtkChart.LINE, vtkChart.POINTS):
             plot = chart.AddPlot(kind)
             plot.SetInputData(table, "Trees", name)
-            plot.SetColor(*colour)
+            set_plot_colour(plot, colour)
             plot.SetWidth(6.0 if kind == vtkChart.LINE else 1.0)
             if kind == vtkChart.POINTS:
                 plot.SetMarkerStyle(vtkPlotPoints.CIRCLE)

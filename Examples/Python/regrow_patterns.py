@@ -21,6 +21,7 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 from littoral import vtkQuadratAnalysisFilter, vtkQuadratPointSource
 from littoral.picture import write_png
 from littoral.tables import table_of
+from littoral.versions import set_plot_colour
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "patterns")
 
@@ -74,7 +75,7 @@ def panel(points, origin, title, colour, place, scale):
     plot.SetInputData(table_of({"x": xyz[:, 0], "y": xyz[:, 1]}), "x", "y")
     plot.SetMarkerStyle(vtkPlotPoints.CIRCLE)
     plot.SetMarkerSize(8.0 * scale)
-    plot.SetColor(*colour)
+    set_plot_colour(plot, colour)
     chart.SetTitle(title)
     chart.GetTitleProperties().SetFontSize(15 * scale)
     for axis_id, start in ((vtkAxis.BOTTOM, origin[0]), (vtkAxis.LEFT, origin[1])):

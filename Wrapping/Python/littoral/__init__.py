@@ -7,12 +7,22 @@ Every VTK class of Littoral can be imported from this package:
     from littoral import vtkTurningBandsTerrainSource
 """
 
+from ._version import __version__
 from .LittoralSources import *
 from .LittoralFilters import *
 
+#: What is not in this build, by the name under which it is asked for.
+_absent = {}
 try:
     from .LittoralIO import *
 except ModuleNotFoundError:
-    pass  # built without OpenVDB
+    _absent["vtkVDBVolumeWriter"] = "OpenVDB"
+
+
+def __getattr__(name):
+    if name in _absent:
+        raise ImportError(f"This Littoral was built without {_absent[name]}, which {name} needs")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = sorted(name for name in globals() if name.startswith("vtk"))

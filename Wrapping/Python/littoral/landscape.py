@@ -19,6 +19,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from . import scene
 from .elevation import array_from_image, image_from_array, read_elevation
+from .versions import create_texture
 from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 
 #: Azimuth and elevation of the sun [degrees].
@@ -381,7 +382,7 @@ def show_crowns(source, view, picture):
     crowns = simple.ExtractBlock(Input=source, Selectors=["/Root/Medium/Crown"])
     shown = _show_coloured(crowns, view)
     shown.Ambient = 0.45
-    shown.Texture = simple.CreateTexture(picture)
+    shown.Texture = create_texture(picture)
     shown.SelectTCoordArray = "TCoords"
     shown.Specular = 0.0
     _shade(shown, [], CROWN + AIR)
@@ -393,7 +394,7 @@ def show_leaves(source, view, picture):
     leaves = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Leaves"])
     shown = _show_coloured(leaves, view)
     shown.Ambient = 0.35
-    shown.Texture = simple.CreateTexture(picture)
+    shown.Texture = create_texture(picture)
     shown.SelectTCoordArray = "TCoords"
     shown.Specular = 0.0
     _shade(shown, BOTH_SIDES, LEAVES + AIR)
@@ -411,7 +412,7 @@ def show_sky(source, view, picture):
     """Show a dome with its picture, a PNG file."""
     shown = simple.Show(source, view)
     simple.ColorBy(shown, None)
-    shown.Texture = simple.CreateTexture(picture)
+    shown.Texture = create_texture(picture)
     shown.SelectTCoordArray = "TCoords"
     shown.RepeatTextures = 0
     shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]

@@ -7,19 +7,17 @@
     renderer.AddActor(plant_actor(block(source.GetOutput(), "High", "Leaves")))
 """
 
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
 from . import scene
+from .versions import block_name
 
 
 def block(data, *names):
     """The block below a multiblock by the names on the way to it; None if there is none."""
     for name in names:
         blocks = range(data.GetNumberOfBlocks()) if data else ()
-        data = next(
-            (data.GetBlock(k) for k in blocks
-             if data.GetMetaData(k).Get(vtkCompositeDataSet.NAME()) == name), None)
+        data = next((data.GetBlock(k) for k in blocks if block_name(data, k) == name), None)
     return data
 
 
