@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A recipe for Spack. Untried: no Spack was at hand; names of variants and packages are those of its index as of 2026."""
+
+from spack.package import *
+
+
+class Littoral(CMakePackage):
+    """Living landscapes and seas for VTK and ParaView."""
+
+    license("BSD-3-Clause")
+    version("main", branch="main")
+
+    variant("paraview", default=True, description="Build the ParaView plugin, against ParaView's VTK")
+    variant("openvdb", default=True, description="Build the writer of OpenVDB volumes")
+    variant("python", default=True, description="Build the Python package")
+
+    depends_on("c", type="build")
+    depends_on("cxx", type="build")
+    depends_on("cmake@3.21:", type="build")
+    depends_on("ninja", type="build")
+    depends_on("eigen@3.3:")
+    depends_on("boost@1.70:")
+    depends_on("glm")
+    depends_on("kissfft")
+    depends_on("random123")
+    depends_on("paraview@5.11: +python", when="+paraview +python")
+    depends_on("paraview@5.11:", when="+paraview")
+    depends_on("vtk@9.1: +python", when="~paraview +python")
+    depends_on("vtk@9.1:", when="~paraview")
+    depends_on("openvdb", when="+openvdb")
+    extends("python", when="+python")
+    depends_on("py-numpy", type="run", when="+python")
+
+    generator("ninja")
+
+    def cmake_args(self):
+        return [
+            self.define_from_variant("LITTORAL_WITH_PARAVIEW", "paraview"),
+            self.define_from_variant("LITTORAL_WITH_OPENVDB", "openvdb"),
+            self.define_from_variant("LITTORAL_WITH_PYTHON", "python"),
+            self.define("LITTORAL_BUILD_TESTING", self.run_tests),
+            self.define("LITTORAL_BUILD_BENCHMARKS", False),
+        ]
