@@ -204,6 +204,12 @@ std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
 std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector)
 {
   Internals& state = *this->State;
+  state.Layer = {};
+  if (this->KeepInWater)
+  {
+    state.Layer.Surface = this->SeaLevel;
+    state.Layer.Bed = this->WaterDepth > 0.0 ? this->SeaLevel - this->WaterDepth : state.Layer.Bed;
+  }
   const std::string name = this->VelocityArray ? this->VelocityArray : "";
   for (std::size_t connection = 0; connection < state.Currents.size(); ++connection)
   {
@@ -215,7 +221,7 @@ std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector
     }
     auto snapshot = std::make_shared<littoral::CurrentSnapshot>();
     const std::string reason =
-      snapshot->Take(vtkDataObject::GetData(inputVector[1], static_cast<int>(connection)), name);
+      snapshot->Take(vtkDataObject::GetData(inputVector[1], static_cast<int>(connection)), name, state.Layer);
     if (!reason.empty())
     {
       return reason;
@@ -225,12 +231,6 @@ std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector
   if (state.HasStart)
   {
     return "";
-  }
-  state.Layer = {};
-  if (this->KeepInWater)
-  {
-    state.Layer.Surface = this->SeaLevel;
-    state.Layer.Bed = this->WaterDepth > 0.0 ? this->SeaLevel - this->WaterDepth : state.Layer.Bed;
   }
   const std::vector<vtkPointSet*> leaves = LeavesOf(vtkDataObject::GetData(inputVector[0]));
   double count = 0.0;
@@ -340,8 +340,7 @@ int vtkCurrentDriftFilter::RequestData(
   {
     const bool isUniform = std::all_of(state.Currents.begin(), state.Currents.end(),
       [](const littoral::CurrentSeries& current) { return current.IsUniform(); });
-    const bool isBounded = std::isfinite(state.Layer.Bed) || std::isfinite(state.Layer.Surface);
-    state.IsClosed = isUniform && (!isBounded || state.CurrentsOf(0, 0.0).Velocity(Vector3(0.0), 0).z == 0.0);
+    state.IsClosed = isUniform; // and level wherever there is a wall
     if (state.IsClosed && state.NowStep > 0)
     {
       state.NowStep = 0;
