@@ -3,6 +3,8 @@
 #include "CurrentSnapshot.h"
 
 #include "LittoralCurrents.h"
+#include "LittoralPipeline.h"
+#include "VelocitySpline.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -24,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace littoral
@@ -55,6 +58,8 @@ public:
       this->Double = copy->GetPointer(0);
     }
   }
+
+  bool IsSingle() const { return this->Single != nullptr; }
 
   /// Velocity of a point; none where it is no number.
   Vector3 At(vtkIdType id) const
@@ -136,7 +141,22 @@ bool IsLevel(const Velocities& values, const std::array<int, 3>& samples, const 
   return true;
 }
 
-class ImageVelocity : public VelocityGrid
+/// Samples along three axes.
+class SampledVelocity : public VelocityGrid
+{
+public:
+  /// Where the samples of an axis are.
+  virtual std::vector<double> Nodes(int axis) const = 0;
+
+  /// A place along the axes.
+  virtual Vector3 PositionOf(const Vector3& place) const = 0;
+
+  virtual Vector3 Sample(std::size_t id) const = 0;
+
+  virtual bool IsSingle() const = 0;
+};
+
+class ImageVelocity : public SampledVelocity
 {
 public:
   ImageVelocity(vtkImageData* image, vtkDataArray* array)
@@ -159,6 +179,23 @@ public:
       this->Turn[2].y == 0.0 && this->Turn[2].z != 0.0;
   }
 
+  std::vector<double> Nodes(int axis) const override
+  {
+    std::vector<double> nodes(static_cast<std::size_t>(this->Samples[axis]));
+    std::iota(nodes.begin(), nodes.end(), 0.0);
+    return nodes;
+  }
+
+  Vector3 PositionOf(const Vector3& place) const override
+  {
+    const Vector3 arm = place - this->Corner;
+    return { glm::dot(this->Turn[0], arm), glm::dot(this->Turn[1], arm), glm::dot(this->Turn[2], arm) };
+  }
+
+  Vector3 Sample(std::size_t id) const override { return this->Values.At(static_cast<vtkIdType>(id)); }
+
+  bool IsSingle() const override { return this->Values.IsSingle(); }
+
   GridHeights Heights() const override
   {
     if (this->IsUpright && this->Samples[2] == 1)
@@ -178,11 +215,11 @@ public:
 
   Vector3 Velocity(const Vector3& place) const override
   {
-    const Vector3 arm = place - this->Corner;
+    const Vector3 position = this->PositionOf(place);
     AxisPlace at[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (!PlaceAt(glm::dot(this->Turn[axis], arm), this->Samples[axis], at[axis]))
+      if (!PlaceAt(position[axis], this->Samples[axis], at[axis]))
       {
         return Vector3(0.0);
       }
@@ -199,7 +236,7 @@ private:
   bool IsUpright; ///< whether its third axis is vertical, and the others level
 };
 
-class RectilinearVelocity : public VelocityGrid
+class RectilinearVelocity : public SampledVelocity
 {
 public:
   RectilinearVelocity(vtkRectilinearGrid* grid, vtkDataArray* array)
@@ -215,6 +252,14 @@ public:
       this->Samples[axis] = static_cast<int>(this->Coordinates[axis].size());
     }
   }
+
+  std::vector<double> Nodes(int axis) const override { return this->Coordinates[axis]; }
+
+  Vector3 PositionOf(const Vector3& place) const override { return place; }
+
+  Vector3 Sample(std::size_t id) const override { return this->Values.At(static_cast<vtkIdType>(id)); }
+
+  bool IsSingle() const override { return this->Values.IsSingle(); }
 
   GridHeights Heights() const override
   {
@@ -275,6 +320,45 @@ private:
   Velocities Values;
   std::array<int, 3> Samples;
   std::vector<double> Coordinates[3];
+};
+
+/// The same samples in splines.
+class SplineVelocity : public VelocityGrid
+{
+public:
+  explicit SplineVelocity(std::shared_ptr<const SampledVelocity> samples)
+    : Samples(std::move(samples))
+    , Spline(
+        { SplineAxis(this->Samples->Nodes(0)), SplineAxis(this->Samples->Nodes(1)),
+          SplineAxis(this->Samples->Nodes(2)) },
+        [this](std::size_t id) { return this->Samples->Sample(id); }, this->Samples->IsSingle(), SmpFor)
+  {
+  }
+
+  static bool CanBe(const SampledVelocity& samples)
+  {
+    return SplineAxis::IsMonotone(samples.Nodes(0)) && SplineAxis::IsMonotone(samples.Nodes(1)) &&
+      SplineAxis::IsMonotone(samples.Nodes(2));
+  }
+
+  GridHeights Heights() const override { return this->Samples->Heights(); }
+
+  bool IsLevelAt(double height) const override
+  {
+    // Between two level layers of samples splines need not be level.
+    const double position = this->Samples->PositionOf({ 0.0, 0.0, height }).z;
+    const std::vector<double> nodes = this->Samples->Nodes(2);
+    const bool isNode = nodes.size() == 1 || std::any_of(nodes.begin(), nodes.end(), [position](double node) {
+      return std::abs(position - node) <= 1e-9 * (1.0 + std::abs(node));
+    });
+    return isNode && this->Samples->IsLevelAt(height);
+  }
+
+  Vector3 Velocity(const Vector3& place) const override { return this->Spline.At(this->Samples->PositionOf(place)); }
+
+private:
+  std::shared_ptr<const SampledVelocity> Samples;
+  VelocitySpline Spline;
 };
 
 /// Any cells: the one around a place is found, and its own interpolation taken.
@@ -496,9 +580,14 @@ vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name, std::str
   return found;
 }
 
-std::string TakeDataSet(vtkDataSet* data, const std::string& name, std::vector<FlowPrimitive>& primitives,
-  std::vector<std::shared_ptr<const VelocityGrid>>& grids)
+std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolation interpolation,
+  std::vector<FlowPrimitive>& primitives, std::vector<std::shared_ptr<const VelocityGrid>>& grids)
 {
+  const auto add = [&](const std::shared_ptr<const SampledVelocity>& samples) {
+    const bool isSpline = interpolation == VelocityInterpolation::CubicSpline && SplineVelocity::CanBe(*samples);
+    grids.push_back(
+      isSpline ? std::make_shared<SplineVelocity>(samples) : std::static_pointer_cast<const VelocityGrid>(samples));
+  };
   if (data->GetNumberOfPoints() == 0)
   {
     return "";
@@ -515,11 +604,11 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, std::vector<F
   }
   if (auto* image = vtkImageData::SafeDownCast(data))
   {
-    grids.push_back(std::make_shared<ImageVelocity>(image, velocities));
+    add(std::make_shared<ImageVelocity>(image, velocities));
   }
   else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
   {
-    grids.push_back(std::make_shared<RectilinearVelocity>(rectilinear, velocities));
+    add(std::make_shared<RectilinearVelocity>(rectilinear, velocities));
   }
   else if (HasCells(data))
   {
@@ -534,7 +623,8 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, std::vector<F
 
 }
 
-std::string CurrentSnapshot::Take(vtkDataObject* data, const std::string& array, const WaterLayer& layer)
+std::string CurrentSnapshot::Take(
+  vtkDataObject* data, const std::string& array, const WaterLayer& layer, VelocityInterpolation interpolation)
 {
   std::string reason;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -544,13 +634,13 @@ std::string CurrentSnapshot::Take(vtkDataObject* data, const std::string& array,
     {
       if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
       {
-        reason = TakeDataSet(leaf, array, this->Primitives, this->Grids);
+        reason = TakeDataSet(leaf, array, interpolation, this->Primitives, this->Grids);
       }
     }
   }
   else if (auto* single = vtkDataSet::SafeDownCast(data))
   {
-    reason = TakeDataSet(single, array, this->Primitives, this->Grids);
+    reason = TakeDataSet(single, array, interpolation, this->Primitives, this->Grids);
   }
   this->Flow = FlowField(this->Primitives, layer);
   for (std::shared_ptr<const VelocityGrid>& grid : this->Grids)

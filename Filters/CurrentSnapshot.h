@@ -18,6 +18,13 @@
 namespace littoral
 {
 
+/// How velocities come about between the samples of images and rectilinear grids.
+enum class VelocityInterpolation
+{
+  Linear,
+  CubicSpline, ///< see VelocitySpline
+};
+
 /// Heights that a grid knows velocities of [m].
 struct GridHeights
 {
@@ -44,8 +51,8 @@ public:
 
 /**
  * All that flows in a data object, or in the leaves of a composite one: flow primitives, and data sets with a point
- * array of velocities. Where values are no numbers, as ocean models have on land, the water is at rest. Arrays are
- * shared with the data set, not copied.
+ * array of velocities. Where values are no numbers, as ocean models have on land, the water is at rest. Arrays
+ * are shared with the data set; splines have coefficients of their own, three a sample.
  *
  * In a layer of water nothing flows through the bed and the surface: see FlowField for primitives. A grid that ends
  * within its last step of a wall, as ocean models do whose samples are the middles of layers, is taken to reach it: its
@@ -59,7 +66,8 @@ class CurrentSnapshot
 public:
   /// Takes a data object. `array` names the velocities; empty: `Velocity`, or the only array of three components. Why
   /// it cannot be taken, in words for a user; empty when it was.
-  std::string Take(vtkDataObject* data, const std::string& array, const WaterLayer& layer = {});
+  std::string Take(vtkDataObject* data, const std::string& array, const WaterLayer& layer = {},
+    VelocityInterpolation interpolation = VelocityInterpolation::Linear);
 
   /// Velocity at a place [m/s]. Safe to call from many threads.
   Vector3 Velocity(const Vector3& place) const { return this->Flow.Velocity(place) + this->GridVelocity(place); }
