@@ -157,31 +157,54 @@ std::vector<Real> CoefficientsOf(
   return numbers;
 }
 
-/// The sum of coefficients by their weights.
-template <typename Real>
-Vector3 Sum(const Real* coefficients, const std::array<SplineAxis, 3>& axes, const SplineAxis::Weights weights[3])
+/// Rows of coefficients along the first axis, as many numbers as `Width`, summed by the weights of the other two.
+template <int Width, typename Real>
+void SumRows(
+  const Real* coefficients, const std::array<SplineAxis, 3>& axes, const SplineAxis::Weights weights[3], double* sum)
 {
   const std::size_t width = static_cast<std::size_t>(axes[0].Size());
   const std::size_t height = static_cast<std::size_t>(axes[1].Size());
-  double sum[3] = { 0.0, 0.0, 0.0 };
   for (int k = 0; k < axes[2].NumberOfWeights(); ++k)
   {
     for (int j = 0; j < axes[1].NumberOfWeights(); ++j)
     {
       const std::size_t layer = static_cast<std::size_t>(weights[2].First + k);
       const std::size_t row = layer * height + static_cast<std::size_t>(weights[1].First + j);
-      const Real* value = coefficients + 3 * (row * width + static_cast<std::size_t>(weights[0].First));
+      const Real* values = coefficients + 3 * (row * width + static_cast<std::size_t>(weights[0].First));
       const double weight = weights[2].Values[k] * weights[1].Values[j];
-      for (int i = 0; i < axes[0].NumberOfWeights(); ++i)
+      for (int n = 0; n < Width; ++n)
       {
-        for (int component = 0; component < 3; ++component)
-        {
-          sum[component] += weight * weights[0].Values[i] * value[3 * i + component];
-        }
+        sum[n] += weight * values[n];
       }
     }
   }
-  return { sum[0], sum[1], sum[2] };
+}
+
+/// The sum of coefficients by their weights.
+template <typename Real>
+Vector3 Sum(const Real* coefficients, const std::array<SplineAxis, 3>& axes, const SplineAxis::Weights weights[3])
+{
+  double row[3 * SplineAxis::MostWeights] = {};
+  switch (axes[0].NumberOfWeights())
+  {
+    case 1:
+      SumRows<3>(coefficients, axes, weights, row);
+      break;
+    case 2:
+      SumRows<6>(coefficients, axes, weights, row);
+      break;
+    case 3:
+      SumRows<9>(coefficients, axes, weights, row);
+      break;
+    default:
+      SumRows<12>(coefficients, axes, weights, row);
+  }
+  Vector3 sum(0.0);
+  for (int i = 0; i < axes[0].NumberOfWeights(); ++i)
+  {
+    sum += weights[0].Values[i] * Vector3(row[3 * i], row[3 * i + 1], row[3 * i + 2]);
+  }
+  return sum;
 }
 
 }

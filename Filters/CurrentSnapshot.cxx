@@ -332,6 +332,7 @@ public:
         { SplineAxis(this->Samples->Nodes(0)), SplineAxis(this->Samples->Nodes(1)),
           SplineAxis(this->Samples->Nodes(2)) },
         [this](std::size_t id) { return this->Samples->Sample(id); }, this->Samples->IsSingle(), SmpFor)
+    , IsLevelAnywhere(AreLevel(*this->Samples))
   {
   }
 
@@ -345,7 +346,11 @@ public:
 
   bool IsLevelAt(double height) const override
   {
-    // Between two level layers of samples splines need not be level.
+    // Between two level layers of samples splines need not be level, unless all layers are.
+    if (this->IsLevelAnywhere)
+    {
+      return true;
+    }
     const double position = this->Samples->PositionOf({ 0.0, 0.0, height }).z;
     const std::vector<double> nodes = this->Samples->Nodes(2);
     const bool isNode = nodes.size() == 1 || std::any_of(nodes.begin(), nodes.end(), [position](double node) {
@@ -357,8 +362,20 @@ public:
   Vector3 Velocity(const Vector3& place) const override { return this->Spline.At(this->Samples->PositionOf(place)); }
 
 private:
+  static bool AreLevel(const SampledVelocity& samples)
+  {
+    const std::size_t count = samples.Nodes(0).size() * samples.Nodes(1).size() * samples.Nodes(2).size();
+    std::size_t id = 0;
+    while (id < count && samples.Sample(id).z == 0.0)
+    {
+      ++id;
+    }
+    return id == count;
+  }
+
   std::shared_ptr<const SampledVelocity> Samples;
   VelocitySpline Spline;
+  bool IsLevelAnywhere; ///< as in data of horizontal velocities alone
 };
 
 /// Any cells: the one around a place is found, and its own interpolation taken.
