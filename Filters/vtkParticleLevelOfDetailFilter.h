@@ -114,8 +114,8 @@ public:
 
   ///@{
   /// Which trains are left out. TailSum: the last ones, as long as together they move the particle by less than
-  /// ScreenError, anywhere in a picture of ViewHeight. PerTrain, the paper's: each that moves it by less, whose sum may be
-  /// some times as much. AllTrains: none. Default TailSum.
+  /// ScreenError, anywhere in a picture of ViewHeight. PerTrain, the paper's: each that moves it by less, whose sum may
+  /// be some times as much. AllTrains: none. Default TailSum.
   vtkSetMacro(TrainSelection, int);
   vtkGetMacro(TrainSelection, int);
   ///@}
