@@ -25,6 +25,8 @@ constexpr long long StretchSamples = 32;
 constexpr std::size_t TableRows = StretchSamples + SeriesTaps - 1;
 /// The wind comes at half steps, where its fastest waves have four samples and the reader loses none of them.
 constexpr std::size_t WindRows = 2 * StretchSamples + SeriesTaps;
+/// Its first row is half a step before this one of the table: SeriesBefore half steps before the first to be read.
+constexpr long long WindMargin = SeriesBefore - SeriesBefore / 2;
 
 /// Frequencies above this, times the wind's step, follow the load at once.
 constexpr double FastestAngle = 30.0;
@@ -283,31 +285,30 @@ double PlantSway::BytesOf(std::size_t branches, const SwayOptions& options)
 void PlantSway::Tabulate(long long first)
 {
   this->Table.resize(3 * TableRows * this->Frequencies.size());
-  this->TabulateWind(first);
   if (this->Beams.empty())
   {
     this->TabulateShared(first);
     return;
   }
+  std::array<Vector3, WindRows / 2> winds;
+  this->WindAt(this->Middle, static_cast<double>(first + WindMargin), winds.size(), winds.data());
+  this->TabulateWind(first, winds.data());
   for (std::size_t branch = 0; branch < this->Beams.size(); ++branch)
   {
     this->TabulateBranch(branch, first);
   }
 }
 
-void PlantSway::TabulateWind(long long first)
+/// The wind at half steps; that at whole ones is known, from WindMargin after the first on.
+void PlantSway::TabulateWind(long long first, const Vector3* whole)
 {
-  this->Winds.resize(WindRows);
-  std::array<Vector3, WindRows / 2> rows;
-  // A reader in the first step begins one and a half steps before it.
-  const double begin = static_cast<double>(first + SeriesBefore) - 0.5 * SeriesBefore;
-  for (std::size_t half = 0; half < 2; ++half)
+  std::array<Vector3, WindRows / 2> between;
+  this->WindAt(this->Middle, static_cast<double>(first + WindMargin) - 0.5, between.size(), between.data());
+  this->Winds.clear();
+  for (std::size_t row = 0; row < between.size(); ++row)
   {
-    this->WindAt(this->Middle, begin + 0.5 * half, rows.size(), rows.data());
-    for (std::size_t row = 0; row < rows.size(); ++row)
-    {
-      this->Winds[2 * row + half] = rows[row];
-    }
+    this->Winds.push_back(between[row]);
+    this->Winds.push_back(whole[row]);
   }
 }
 
@@ -324,6 +325,7 @@ void PlantSway::TabulateShared(long long first)
   std::vector<Vector3> load(longest + TableRows + 2 * LoadMargin);
   this->WindAt(
     this->Middle, static_cast<double>(first) - static_cast<double>(longest + LoadMargin), load.size(), load.data());
+  this->TabulateWind(first, &load[longest + LoadMargin + WindMargin]);
   // Half the sum of the responses of beams along x, y and z is the response to all of the load, since each has two of
   // its three components.
   std::transform(

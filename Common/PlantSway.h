@@ -128,7 +128,7 @@ private:
   std::vector<double> Now;         // by axis and column
 
   long long Follow(long long sample);
-  void TabulateWind(long long first);
+  void TabulateWind(long long first, const Vector3* whole);
   void TakeColumns(const std::vector<double>& frequencies);
   void Tabulate(long long first);
   void TabulateShared(long long first);
