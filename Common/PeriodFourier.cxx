@@ -8,6 +8,7 @@
 #include <kissfft/kissfft.hh>
 
 #include <algorithm>
+#include <functional>
 
 namespace littoral
 {

@@ -136,6 +136,14 @@ void WindLines::Sample(const std::array<double, 3>& place, double first, std::si
   }
 }
 
+double LayerPlace(double height, double bottom, double spacing)
+{
+  const double place = (height - bottom) / spacing;
+  const double layer = std::floor(place);
+  const double below = bottom + layer * spacing;
+  return below > 0.0 ? layer + std::log(height / below) / std::log1p(spacing / below) : place;
+}
+
 WindCarrier::WindCarrier(int length)
   : Along(length)
 {

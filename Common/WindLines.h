@@ -49,6 +49,13 @@ private:
   std::vector<Wave> Spectra; ///< line by line, then component by component
 };
 
+/**
+ * The place between layers [samples] at which a bilinear mean has what the wind has at a height, where layers begin at
+ * `bottom` and are a spacing apart [m]: by the logarithm of the height, as the mean wind near the ground goes, and as
+ * fast gusts nearly do. By the height itself where a layer is not above the ground.
+ */
+double LayerPlace(double height, double bottom, double spacing);
+
 /// Lines of a wind as it is a part of a sample later, by the sums of their waves.
 class WindCarrier
 {

@@ -125,7 +125,10 @@ void FrozenWind::Sample(const Vector3& place, double first, std::size_t count, V
 {
   double index[3];
   this->Locate(place, index);
-  this->Lines->Sample({ index[0], index[1], index[2] }, first, count, velocities);
+  const double spacing = this->Image->GetSpacing()[2];
+  const double bottom = this->Image->GetOrigin()[2] + this->Image->GetExtent()[4] * spacing;
+  const double layer = LayerPlace(bottom + index[2] * spacing, bottom, spacing);
+  this->Lines->Sample({ index[0], index[1], layer }, first, count, velocities);
 }
 
 double FrozenWind::Arrival(const Vector3& place) const
