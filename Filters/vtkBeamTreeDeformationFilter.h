@@ -25,8 +25,8 @@
  * each wave has at the points around.
  *
  * What is kept between frames is the waves of the wind, as large as its image, and for each plant an amount that does
- * not grow with the length of the wind: at most 100 kB for the interpolated responses of a plant, 0.7 kB for each
- * branch and mode of the direct ones.
+ * not grow with the length of the wind: about 100 kB for the interpolated responses of a plant of 300 branches,
+ * 0.7 kB for each branch and mode of the direct ones.
  */
 #ifndef vtkBeamTreeDeformationFilter_h
 #define vtkBeamTreeDeformationFilter_h
