@@ -28,7 +28,7 @@ struct SwayOptions
 {
   int NumberOfModes = 1; ///< 1 to MostModes
   SwayResponse Response = SwayResponse::Interpolated;
-  WindLoadParameters Load; ///< eq. 25 goes with the drag law Projection and without lift, whatever is said here
+  WindLoadParameters Load; ///< eq. 25 goes with the law Projection, whatever is said here
   WoodParameters Wood;
   bool Gravity = false;   ///< adds weight to plants that stand as if there were none
   bool Carries = true;    ///< a branch bears mass and drag of all that grows on it, spread along it
@@ -74,9 +74,9 @@ struct WindTimes
   std::size_t Samples = 4; ///< at least four
 };
 
-/// The wind at a place: `count` velocities, one a step, from the step `first` on, any whole number. Called from many
+/// The wind at a place: `count` velocities, one a step, from the step `first` on, any finite number. Called from many
 /// threads.
-using WindAtPlace = std::function<void(const Vector3& place, long long first, std::size_t count, Vector3* velocities)>;
+using WindAtPlace = std::function<void(const Vector3& place, double first, std::size_t count, Vector3* velocities)>;
 
 /**
  * The modal amplitudes of a plant's branches in a wind that repeats: the periodic steady state. Any time can be asked
@@ -97,8 +97,8 @@ public:
   /// time.
   void Amplitudes(double time, Vector3* amplitudes);
 
-  /// The wind at the plant's middle at a time [s].
-  Vector3 Wind(double time) const;
+  /// The wind at the plant's middle at a time [s]. One thread at a time.
+  Vector3 Wind(double time);
 
 private:
   /// A mode of a branch.
@@ -106,7 +106,8 @@ private:
   {
     Vector3 Axis;
     Vector3 Rest; // amplitude under its weight [m]
-    double Gain;  // amplitude for a unit of the table
+    double Gain;  // amplitude for a unit of the table, across the beam
+    double Lift;  // and across that
     int Column;   // of the table, the first of those that are read
     std::array<double, 4> Weights;
   };
@@ -123,8 +124,11 @@ private:
   std::size_t Offset = 0;          // of the first stretch, so that not all plants begin one at the same time
   long long Stretch = -1;          // which one the table holds
   std::vector<float> Table;        // by sample, axis and column
+  std::vector<Vector3> Winds;      // at the middle, each half a step
   std::vector<double> Now;         // by axis and column
 
+  long long Follow(long long sample);
+  void TabulateWind(long long first, const Vector3* whole);
   void TakeColumns(const std::vector<double>& frequencies);
   void Tabulate(long long first);
   void TabulateShared(long long first);

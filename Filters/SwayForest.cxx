@@ -133,7 +133,7 @@ std::string SwayForest::WhyTooLarge(double bytes) const
 /// Heights in the wind are heights above a plant's foot.
 WindAtPlace SwayForest::WindOver(double ground) const
 {
-  return [wind = this->Wind, ground](const Vector3& place, long long first, std::size_t count, Vector3* velocities) {
+  return [wind = this->Wind, ground](const Vector3& place, double first, std::size_t count, Vector3* velocities) {
     wind->Sample(place - Vector3(0.0, 0.0, ground), first, count, velocities);
   };
 }
@@ -363,9 +363,9 @@ std::string SwayForest::ReadMediumSkin(vtkPolyData* block, const char* name, std
         trunkOfRow[row] < 0 ? nullptr : std::make_unique<TrunkSkin>(Placed(species.TrunkRest, this->Table.Places[row]));
       if (isCrown)
       {
-        // The pictures of plants downwind are those that the wind had before.
-        const double delay = this->Table.Places[row].Foot.x * 0.05 + this->Table.Places[row].Foot.y * 0.03;
-        this->Crowns.push_back({ point, this->Table.Places[row].Species, delay - std::floor(delay) });
+        // Plants downwind show later what the wind carries past.
+        const PlantPlace& place = this->Table.Places[row];
+        this->Crowns.push_back({ point, place.Species, this->Wind->Arrival(place.Foot) });
       }
     }
     if (hold)
@@ -527,7 +527,7 @@ void SwayForest::ShowPictures(double time, vtkPolyData* crowns) const
       const std::size_t last = run + 1 < this->Crowns.size() ? this->Crowns[run + 1].First : points;
       const SwayPrototype& species = this->Species[crown.Species];
       const double swings = std::max(1.0, std::round(this->Wind->Period() * species.SwingFrequency));
-      const double phase = swings * time / this->Wind->Period() - crown.Delay;
+      const double phase = swings * (time - crown.Arrival) / this->Wind->Period();
       const int picture = std::min(pictures - 1, static_cast<int>(pictures * (phase - std::floor(phase))));
       const AtlasArea& area = this->Atlas.Areas[crown.Species * pictures + picture];
       for (std::size_t point = crown.First; point < last; ++point)

@@ -67,7 +67,7 @@ private:
   {
     std::size_t First = 0;
     int Species = 0;
-    double Delay = 0.0; ///< of its pictures, as part of a swing
+    double Arrival = 0.0; ///< of the wind at its foot [s]
   };
 
   bool Whole = false;

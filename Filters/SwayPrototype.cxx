@@ -132,7 +132,7 @@ std::vector<TextureImage> SwayPrototype::Pictures(const FrozenWind& wind, const 
   int node = 0;
   const Vector3 middle = wind.Middle(this->Rest.Along(0, 0.75, node).z);
   PlantSway sway(BeamsOf(this->Rest, this->LeafAreas, options), options, wind.Times(), middle,
-    [&](const Vector3& place, long long first, std::size_t count, Vector3* velocities) {
+    [&](const Vector3& place, double first, std::size_t count, Vector3* velocities) {
       wind.Sample(place, first, count, velocities);
     });
   PlantMesh mesh = ReadMesh(this->Leaves);

@@ -48,6 +48,7 @@ vtkBeamTreeDeformationFilter::vtkBeamTreeDeformationFilter()
   : NumberOfModes(1)
   , Response(0)
   , DragCoefficient(1.1)
+  , LiftCoefficient(0.0)
   , DragLaw(0)
   , Gravity(false)
   , WoodFromPlants(true)
@@ -146,6 +147,7 @@ std::string vtkBeamTreeDeformationFilter::WhyInvalid() const
   check("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
   check("Response", this->Response, 0, 1);
   check("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
+  check("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
   check("DragLaw", this->DragLaw, 0, 1);
   check("LeafFlutter", this->LeafFlutter, 0.0, 2.0);
   check("NumberOfPictures", this->NumberOfPictures, 1, MostPictures);
@@ -163,6 +165,7 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
   settings.Options.NumberOfModes = this->NumberOfModes;
   settings.Options.Response = static_cast<littoral::SwayResponse>(this->Response);
   settings.Options.Load.DragCoefficient = this->DragCoefficient;
+  settings.Options.Load.LiftCoefficient = this->LiftCoefficient;
   settings.Options.Load.Law = static_cast<littoral::DragLaw>(this->DragLaw);
   settings.Options.Gravity = this->Gravity;
   settings.Options.Wood = { this->YoungModulus, this->WoodDensity, this->Damping };
@@ -242,6 +245,7 @@ void vtkBeamTreeDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
   os << indent << "Response: " << this->Response << "\n";
   os << indent << "DragCoefficient: " << this->DragCoefficient << "\n";
+  os << indent << "LiftCoefficient: " << this->LiftCoefficient << "\n";
   os << indent << "DragLaw: " << this->DragLaw << "\n";
   os << indent << "Gravity: " << this->Gravity << "\n";
   os << indent << "WoodFromPlants: " << this->WoodFromPlants << "\n";

@@ -21,8 +21,12 @@
  * Medium/Crown point to the one of the moment. They also travel as field data `Texture` and `TextureSize` of the
  * crowns.
  *
- * What is kept between frames does not grow with the length of the wind: at most 90 kB for the interpolated responses
- * of a plant, 0.6 kB for each branch and mode of the direct ones.
+ * Between its points the wind is read without loss: along x as the sum of its waves, across and up with the power that
+ * each wave has at the points around.
+ *
+ * What is kept between frames is the waves of the wind, as large as its image, and for each plant an amount that does
+ * not grow with the length of the wind: about 100 kB for the interpolated responses of a plant of 300 branches,
+ * 0.7 kB for each branch and mode of the direct ones.
  */
 #ifndef vtkBeamTreeDeformationFilter_h
 #define vtkBeamTreeDeformationFilter_h
@@ -62,6 +66,14 @@ public:
   /// Of a bare cylinder, 0 to 10. Default 1.1.
   vtkSetMacro(DragCoefficient, double);
   vtkGetMacro(DragCoefficient, double);
+  ///@}
+
+  ///@{
+  /// Of forces across the wind U and a branch e, to the side of U x e: to the right of the wind on an upright branch,
+  /// up on one that points to the wind's left (eq. 16). A branch and what grows on it have as much of it as of drag,
+  /// times LiftCoefficient over DragCoefficient. A round branch has none; -10 to 10. Default 0.
+  vtkSetMacro(LiftCoefficient, double);
+  vtkGetMacro(LiftCoefficient, double);
   ///@}
 
   ///@{
@@ -148,6 +160,7 @@ protected:
   int NumberOfModes;
   int Response;
   double DragCoefficient;
+  double LiftCoefficient;
   int DragLaw;
   bool Gravity;
   bool WoodFromPlants;

@@ -8,6 +8,7 @@
 #include "vtkBeamTreeDeformationFilter.h"
 #include "vtkPlantScatterFilter.h"
 #include "vtkReevesTreeSource.h"
+#include "vtkWindFieldSource.h"
 
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -25,6 +26,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -315,6 +317,76 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   wind->SetStrength(8.0);
 }
 
+/// Pictures of crowns go with the wind, wherever it blows to: what a plant shows now, one downwind shows when the wind
+/// has come to it, and one beside it shows at the same time.
+void CheckArrival(vtkReevesTreeSource* tree)
+{
+  vtkNew<vtkWindFieldSource> wind;
+  wind->SetDimensions(240, 8, 12);
+  wind->SetWindDirection(90.0);
+  wind->SetReferenceSpeed(8.0);
+  vtkNew<vtkPoints> feet;
+  feet->InsertNextPoint(0.0, 0.0, 0.0);
+  feet->InsertNextPoint(0.0, 12.0, 0.0);
+  feet->InsertNextPoint(9.0, 0.0, 0.0);
+  vtkNew<vtkPolyData> sites;
+  sites->SetPoints(feet);
+  vtkNew<vtkPlantScatterFilter> wood;
+  wood->SetInputData(sites);
+  wood->SetInputConnection(1, tree->GetOutputPort());
+  wood->UseCellsOff();
+  wood->SetNearDistance(1.0);
+  wood->SetFarDistance(1e4);
+  vtkNew<vtkBeamTreeDeformationFilter> sway;
+  sway->SetInputConnection(wood->GetOutputPort());
+  sway->SetInputConnection(2, tree->GetOutputPort());
+  sway->SetWindConnection(wind->GetOutputPort());
+  sway->SetPictureSize(32, 16);
+  const auto pictures = [&](double time, std::size_t plant) {
+    sway->UpdateTimeStep(time);
+    const std::vector<float> all = TCoordsOf(sway->GetOutputDataObject(0));
+    const auto third = static_cast<std::ptrdiff_t>(all.size() / 3);
+    const auto first = all.begin() + third * static_cast<std::ptrdiff_t>(plant);
+    return std::vector<float>(first, first + third);
+  };
+  int changes = 0;
+  for (int k = 0; k < 12; ++k)
+  {
+    const double time = 0.0713 + 0.217 * k;
+    const std::vector<float> now = pictures(time, 0);
+    Expect(pictures(time + 12.0 / 8.0, 1) == now, "a crown downwind shows what the wind brought it");
+    Expect(pictures(time, 2) == now, "crowns side by side in the wind show the same");
+    changes += pictures(time, 1) != now;
+  }
+  Expect(changes > 3, "a crown downwind is in another phase");
+}
+
+/// With a coefficient as large as that of drag, an upright trunk goes as far to the right of the wind as along it.
+void CheckLift(vtkBeamTreeDeformationFilter* sway, vtkDataObject* rest)
+{
+  constexpr std::size_t Joint = 12; // of the trunk
+  const std::vector<float> still = PointsOf(rest, "High/Skeleton");
+  const auto shift = [&](double lift) {
+    sway->SetLiftCoefficient(lift);
+    sway->UpdateTimeStep(2.0);
+    const std::vector<float> now = PointsOf(sway->GetOutputDataObject(0), "High/Skeleton");
+    return std::array<double, 2>{ double(now[3 * Joint]) - still[3 * Joint],
+      double(now[3 * Joint + 1]) - still[3 * Joint + 1] };
+  };
+  for (int response : { 0, 1 })
+  {
+    sway->SetResponse(response);
+    const std::array<double, 2> drag = shift(0.0);
+    const std::array<double, 2> both = shift(1.1);
+    const double miss = std::hypot(both[0] - drag[0] - drag[1], both[1] - drag[1] + drag[0]);
+    std::cout << "response " << response << ": drag moves a joint by " << drag[0] << ", " << drag[1]
+              << " m, lift turns that to the right within " << miss << " m\n";
+    Expect(miss < 0.05 * std::hypot(drag[0], drag[1]), "lift is drag, turned to the right");
+  }
+  sway->SetLiftCoefficient(0.0);
+  sway->SetResponse(0);
+}
+
 /// Everything of a wood that moves: the same on one and on two threads, all at once and in two pieces.
 void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
 {
@@ -545,7 +617,9 @@ int TestBeamTreeDeformationFilter(int, char*[])
   wind->SetStrength(8.0);
   sway->SetInputConnection(tree->GetOutputPort());
 
+  CheckLift(sway, rest);
   CheckMedium(sway, tree, wind);
+  CheckArrival(tree);
   CheckThreadsAndPieces(tree, wind);
   CheckProgressAndAbort(sway, wind);
 
@@ -558,6 +632,9 @@ int TestBeamTreeDeformationFilter(int, char*[])
   sway->SetDamping(std::numeric_limits<double>::quiet_NaN());
   complains("Damping");
   sway->SetDamping(0.08);
+  sway->SetLiftCoefficient(11.0);
+  complains("LiftCoefficient");
+  sway->SetLiftCoefficient(0.0);
   wind->SetSide(100.0);
   complains("does not reach");
   wind->SetSide(-20.0);
