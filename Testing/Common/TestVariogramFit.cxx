@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constants.h"
-#include "FractalDimension.h"
 #include "TurningBands.h"
 #include "VariogramFit.h"
 
@@ -183,32 +182,4 @@ TEST(VariogramFit, TooFewLagsFitNothing)
 {
   const std::vector<LagBin> bins(3, LagBin{ 1.0, { 1.0, 0.0 }, 1.0, 10.0, 0, 0 });
   EXPECT_TRUE(std::isinf(FitVariogram(CovarianceModel::Bessel1, bins).AICc));
-}
-
-TEST(FractalDimension, IsRecoveredByThePeriodogram)
-{
-  for (double dimension : { 2.15, 2.5, 2.8 })
-  {
-    double mean = 0.0;
-    const int seeds = 4;
-    for (int seed = 1; seed <= seeds; ++seed)
-    {
-      TurningBandsParameters parameters;
-      parameters.Field.Model = CovarianceModel::Fractal;
-      parameters.Field.Range = 2048.0;
-      parameters.Field.FractalDimension = dimension;
-      parameters.Seed = seed;
-      mean += DimensionFromPeriodogram(Grow(parameters, 512)).Dimension / seeds;
-    }
-    EXPECT_NEAR(mean, dimension, 0.05);
-  }
-}
-
-TEST(FractalDimension, IsNearByTheVariogram)
-{
-  TurningBandsParameters parameters;
-  parameters.Field.Model = CovarianceModel::Fractal;
-  parameters.Field.Range = 2048.0;
-  parameters.Field.FractalDimension = 2.5;
-  EXPECT_NEAR(DimensionFromVariogram(ComputeVariogramMap(Grow(parameters, 512), 20.0)).Dimension, 2.5, 0.1);
 }
