@@ -94,8 +94,8 @@ DetrendedWindow::DetrendedWindow(const GridSamples& samples, Trend trend)
   }
 
   // Separations of two cells: a triangle of weights about that of their middles; far apart the middles will do.
-  const int stepsX = std::clamp(samples.Width / this->CellsX, 1, MostSteps);
-  const int stepsY = std::clamp(samples.Height / this->CellsY, 1, MostSteps);
+  const int stepsX = std::clamp((samples.Width + this->CellsX / 2) / this->CellsX, 1, MostSteps);
+  const int stepsY = std::clamp((samples.Height + this->CellsY / 2) / this->CellsY, 1, MostSteps);
   const int lags = (2 * this->CellsX - 1) * this->CellsY;
   for (int lag = 0; lag < lags; ++lag)
   {

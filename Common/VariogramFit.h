@@ -17,7 +17,7 @@ class DetrendedWindow;
 /// What is fitted beside variance, range(s) and fractal dimension.
 struct VariogramFitOptions
 {
-  bool Nugget = false;     ///< a jump at distance zero, as measurement noise makes it, where it pays by AICc
+  bool Nugget = false;     ///< a jump at distance zero, as measurement noise makes it
   bool Anisotropy = false; ///< an ellipse of ranges; needs bins in several directions
   double LongestRange =
     1e4; ///< [m], no model is given a longer one (Spherical: twice this): what is longer than the lags cannot be told
@@ -64,8 +64,11 @@ double MeanSemivariance(const VariogramFit& fit, double distance);
 VariogramFit FitVariogram(
   CovarianceModel model, const std::vector<LagBin>& bins, const VariogramFitOptions& options = {});
 
-/// Fits all models; best (smallest AICc) first, and those at a bound after the others. Calls progress(part done) and
-/// stops early when that returns false.
+/**
+ * Fits all models; best (smallest AICc) first, and those at a bound after the others. With options.Nugget all are
+ * fitted without and with a nugget: the nuggets are kept where they lower the least AICc of all models by more
+ * than 0.4 a lag. Calls progress(part done) and stops early when that returns false.
+ */
 std::vector<VariogramFit> FitAllModels(const std::vector<LagBin>& bins, const VariogramFitOptions& options = {},
   const std::function<bool(double)>& progress = {});
 
