@@ -17,8 +17,9 @@
  * StandardDeviation, Mean, Range, SecondRange, FractalDimension, AnisotropyRatio, AnisotropyAngle and Slope, column
  * by column where a column is there: measure a real place, grow one like it. The nugget is measurement noise and is
  * not grown. Where the columns TrendWidth and TrendHeight [m] are there and positive, the field's own least squares
- * plane, over a rectangle of these sides or the whole extent where that is longer, about the middle of the extent, makes
- * room for Mean and Slope: the twin's plane is then the place's, and its variance about it on average the place's.
+ * plane, over a rectangle of these sides or the whole extent where that is longer, about the middle of the extent,
+ * makes room for Mean and Slope: the twin's plane is then the place's, and its variance about it on average the
+ * place's.
  *
  * @sa vtkCovarianceFitFilter
  */
