@@ -526,4 +526,31 @@ double TurningBandsField::ValueAt(double x, double y) const
   return sum;
 }
 
+PlaneTrend TurningBandsField::PlaneOfLine(
+  std::size_t index, const std::array<double, 2>& centre, const std::array<double, 2>& sides) const
+{
+  // Means over [-1, 1] of cos(u t) and of t sin(u t): the spherical Bessel functions j0 and j1.
+  const auto j0 = [](double u) { return std::abs(u) > 1e-4 ? std::sin(u) / u : 1.0; };
+  const auto j1 = [](double u) {
+    return std::abs(u) > 1e-2 ? (std::sin(u) / u - std::cos(u)) / u : u / 3.0 * (1.0 - 0.1 * u * u);
+  };
+  const Harmonics harmonics = this->GetHarmonics(index);
+  const std::array<double, 2>& gradient = this->Lines[index].Gradient;
+  const double middle = gradient[0] * centre[0] + gradient[1] * centre[1];
+  PlaneTrend plane;
+  for (std::size_t k = 0; k < harmonics.WaveNumber.size(); ++k)
+  {
+    // A cos(kx x + ky y + p) over sides a, b: mean A cos p j0(ux) j0(uy), slope -6/a A sin p j1(ux) j0(uy), ux = kx
+    // a/2.
+    const double phase = harmonics.WaveNumber[k] * middle + harmonics.Phase[k];
+    const double ux = 0.5 * harmonics.WaveNumber[k] * gradient[0] * sides[0];
+    const double uy = 0.5 * harmonics.WaveNumber[k] * gradient[1] * sides[1];
+    const double sine = harmonics.Amplitude[k] * std::sin(phase);
+    plane.Mean += harmonics.Amplitude[k] * std::cos(phase) * j0(ux) * j0(uy);
+    plane.Slope[0] -= 6.0 / sides[0] * sine * j1(ux) * j0(uy);
+    plane.Slope[1] -= 6.0 / sides[1] * sine * j0(ux) * j1(uy);
+  }
+  return plane;
+}
+
 }

@@ -4,6 +4,7 @@
 #define LittoralTurningBands_h
 
 #include "CovarianceModels.h"
+#include "GridSamples.h"
 #include "RandomStream.h"
 
 #include <array>
@@ -86,6 +87,14 @@ public:
 
   /// The field at any position [m], summed harmonic by harmonic: slow, free of tables, needs no TabulateLine.
   double ValueAt(double x, double y) const;
+
+  /**
+   * A line's part in the plane that fits the field best by least squares over a rectangle of the given centre and sides
+   * [m]: the sum over lines is the field's. In closed form from the harmonics: it needs no TabulateLine, and no window
+   * changes it.
+   */
+  PlaneTrend PlaneOfLine(
+    std::size_t line, const std::array<double, 2>& centre, const std::array<double, 2>& sides) const;
 
   /// Harmonics and direction of a line, for tests and for drawing.
   struct Harmonics

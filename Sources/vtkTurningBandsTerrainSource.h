@@ -16,7 +16,10 @@
  * Optional input: a table of fits, as vtkCovarianceFitFilter writes it. Its first row then replaces Model,
  * StandardDeviation, Mean, Range, SecondRange, FractalDimension, AnisotropyRatio, AnisotropyAngle and Slope, column
  * by column where a column is there: measure a real place, grow one like it. The nugget is measurement noise and is
- * not grown.
+ * not grown. Where the columns TrendWidth and TrendHeight [m] are there and positive, the field's own least squares
+ * plane, over a rectangle of these sides or the whole extent where that is longer, about the middle of the extent,
+ * makes room for Mean and Slope: the twin's plane is then the place's, and its variance about it on average the
+ * place's.
  *
  * @sa vtkCovarianceFitFilter
  */
