@@ -370,8 +370,8 @@ TEST_P(LargeLaws, MassFunctionIsTheTransformOfItsGeneratingFunction)
   }
 }
 
-// Even where each count is expected less than once: 300 quadrats, deviations of 45 to 610 points. Rounding each count
-// alone leaves 24 % of the Poisson variance.
+// Even where each count is expected less than once: 300 quadrats, deviations of 45 to 602 points. Rounding each count
+// alone keeps 83 % of the Poisson variance and 2 % of the negative binomial one.
 TEST_P(LargeLaws, QuotaKeepsTheLaw)
 {
   const QuadratLawParameters law = LargeLaw(GetParam());

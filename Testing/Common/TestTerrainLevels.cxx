@@ -291,6 +291,20 @@ TEST(TerrainLevels, ErrorIsTheHeightOfAPeakThatIsLeftOut)
 namespace
 {
 
+/// Waves of several lengths: the error of a level is some three times that of the one before.
+HeightSamples MakeWaves(int width, int height)
+{
+  HeightSamples samples = MakeGround(width, height, Ground::Flat, 0);
+  for (std::size_t sample = 0; sample < samples.Values.size(); ++sample)
+  {
+    const double x = static_cast<double>(sample % width);
+    const double y = static_cast<double>(sample / width);
+    samples.Values[sample] = static_cast<float>(30.0 * std::sin(0.09 * x + 0.04 * y) +
+      8.0 * std::cos(0.21 * y - 0.11 * x) + std::sin(0.7 * x) * std::cos(0.6 * y));
+  }
+  return samples;
+}
+
 /// Height of a mesh's triangle over a sample of the grid, if it is there.
 bool HeightOver(const HeightSamples& samples, const std::array<Vector3, 3>& corners, int x, int y, double& height)
 {
@@ -356,28 +370,28 @@ double MeasuredError(
 
 }
 
-// All samples against the surface of the level above or below, through a camera's matrix, all over the picture. The
-// error of a distance from the eye without the angle off the axis is 1.7 times ScreenError here.
+// All samples against the surface of the level above or below, through a camera's matrix, all over the picture. By the
+// distance from the eye alone, without the angle off the axis, the error is up to 2.26 times ScreenError here.
 TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
 {
-  const TerrainPyramid pyramid(MakeGround(133, 118, Ground::Rough, 9), 16, 5);
-  const Vector3 middle(1132.0, -323.0, 50.0);
+  const TerrainPyramid pyramid(MakeWaves(133, 118), 8, 4);
   std::mt19937 random(31);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
   int seen[2] = { 0, 0 };
   int kept = 0;
   int tooFine = 0;
   for (int n = 0; n < 120; ++n)
   {
-    View view = AnyView(random, 1500.0);
-    view.Point += middle;
-    view.Point.z = std::abs(view.Point.z) + 60.0;
-    view.Direction = middle + Vector3(100.0 * (n % 3), 70.0 * (n % 5), 0.0) - view.Point;
+    View view = AnyView(random, 300.0);
+    view.Point = { 1000.0 + 264.0 * uniform(random), -500.0 + 351.0 * uniform(random), 45.0 + 250.0 * uniform(random) };
+    view.Direction = { uniform(random) - 0.5, uniform(random) - 0.5, -uniform(random) };
+    view.Up = { 0.2 * uniform(random), 0.0, 1.0 };
     const bool rounds = n % 3 == 0;
-    const ViewFrustum frustum(rounds ? Rounded(view, 20.0, 0.02) : view);
+    const ViewFrustum frustum(rounds ? Rounded(view, 4.0, 0.02) : view);
     const PictureOf picture(view);
     TerrainRule rule;
     rule.ByScreenError = true;
-    rule.LargestPixels = 5.0 + n % 40;
+    rule.LargestPixels = 1.0 + n % 12;
     std::vector<int> levels = SelectLevels(pyramid, frustum, rule);
     for (std::size_t tile = 0; tile < levels.size(); ++tile)
     {
@@ -389,8 +403,8 @@ TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
         ASSERT_LE(error, ScreenErrorOf(pyramid.GetTiles()[tile], levels[tile], frustum) * (1.0 + 1e-9));
       }
       seen[view.IsParallel] += own;
-      // Few tiles that are wholly on the picture might have been coarser: 3 %.
-      if (!rounds && own > 17 * 17 && levels[tile] + 1 < pyramid.GetLevels())
+      // Tiles that are wholly on the picture and might have been coarser: 19 %, with the distance alone 63 %.
+      if (!rounds && own > 9 * 9 && levels[tile] + 1 < pyramid.GetLevels())
       {
         ++levels[tile];
         tooFine += MeasuredError(pyramid, levels, tile, picture, own) <= rule.LargestPixels;
@@ -402,7 +416,7 @@ TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
   EXPECT_GT(seen[0], 50000);
   EXPECT_GT(seen[1], 50000);
   ASSERT_GT(kept, 500);
-  EXPECT_LT(tooFine, 0.05 * kept);
+  EXPECT_LT(tooFine, 0.25 * kept);
 }
 
 TEST(TerrainLevels, ByDistanceAreTheSameEverywhereInParallelProjection)
