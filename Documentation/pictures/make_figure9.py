@@ -3,7 +3,7 @@
 """Draw figure9.jpg: polygons a picture in forests, without and with levels of detail and cells.
 
 Lines: a walk that turns back at the edge of the forest, and so looks out of it more often than an eye at any place.
-Crosses: views at random, all places and headings as likely.
+Crosses: views spread evenly over all places and headings.
 
     ./littoral run pvpython Documentation/pictures/make_figure9.py [FOLDER]
 
@@ -27,7 +27,6 @@ from littoral.tables import table_of
 
 SIDE, EYE_HEIGHT = 500.0, 1.7  # [m]
 FRAMES, STEP = 90, 5.0  # 1, [m]
-VIEWS = 360  # at random
 VIEW_ANGLE, ASPECT = 45.0, 4.0 / 3.0  # [degrees], width by height
 TREES = range(100, 1001, 100)
 
@@ -68,9 +67,8 @@ def walk():
 
 
 def anywhere():
-    """Places and directions at random, each as likely as any other."""
-    random = np.random.default_rng(5)
-    for x, y, turn in random.uniform(size=(VIEWS, 3)):
+    """Places and directions spread evenly: multiples of powers of 1 / 1.2207, the root of g^4 = g + 1, but for wholes."""
+    for x, y, turn in np.outer(np.arange(FRAMES) + 0.5, 1.2207440846 ** -np.arange(1.0, 4.0)) % 1.0:
         yield (SIDE * x, SIDE * y, EYE_HEIGHT), (np.cos(2.0 * np.pi * turn), np.sin(2.0 * np.pi * turn), 0.0)
 
 
@@ -119,7 +117,7 @@ def main(folder):
     trees, polygons = prototypes()
     means, others = (np.array([measure(trees, polygons, number, list(views())) for number in TREES])
                      for views in (walk, anywhere))
-    for what, values in (("walk", means), ("at random", others)):
+    for what, values in (("walk", means), ("anywhere", others)):
         print(what, "one in", values[-1, :1] / values[-1])
     table = table_of({"Trees": np.array(TREES, dtype=float)} | {
         name: means[:, k] for k, (name, _, _) in enumerate(CURVES)} | {
@@ -166,7 +164,7 @@ def main(folder):
         part = (np.log10(means[-1, k]) - np.log10(low)) / np.log10(high / low)
         y = 0.128 + part * 0.836
         walked, other = (values[-1, 0] / values[-1, k] for values in (means, others))
-        gain = "" if k == 0 else f": 1 in {walked:.0f}\n(at random: {other:.0f})"
+        gain = "" if k == 0 else f": 1 in {walked:.0f}\n(anywhere: {other:.0f})"
         actor = label(words + gain, (0.795, y + 0.008), 36, colour)
         actor.GetTextProperty().SetJustificationToLeft()
         view.GetRenderer().AddActor(actor)
