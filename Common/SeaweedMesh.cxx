@@ -442,17 +442,14 @@ void AddFacets(const PlantMesh& mesh, double seen, std::vector<Facet>& facets)
     Facet facet;
     facet.Low = facet.High = origin.z;
     facet.Tint = mesh.Colours[mesh.Corners[begin]];
-    Vector3 area(0.0);
     for (int corner = begin; corner < end; ++corner)
     {
       const Vector3& point = mesh.Points[mesh.Corners[corner]];
-      const Vector3& next = mesh.Points[mesh.Corners[corner + 1 < end ? corner + 1 : begin]];
       facet.Middle += point / static_cast<double>(end - begin);
       facet.Low = std::min(facet.Low, point.z);
       facet.High = std::max(facet.High, point.z);
-      area += 0.5 * glm::cross(point - origin, next - origin);
     }
-    facet.Area = seen * glm::length(area);
+    facet.Area = 0.5 * seen * glm::length(AreaVector(mesh, polygon));
     facets.push_back(facet);
   }
 }
@@ -617,6 +614,7 @@ PlantMesh StipesOf(const Seaweed& seaweed)
       AddFloat(mesh, seaweed, node);
     }
   }
+  TurnNormalsToFronts(mesh); // of floats
   return mesh;
 }
 

@@ -335,7 +335,7 @@ int SeaweedForest::TrainsFor(const Plant& plant, const SeaweedLevels& levels) co
   {
     return count;
   }
-  const double distance = glm::distance(plant.Middle, levels.Seen.Point);
+  const double distance = LevelDistance(levels.Seen, plant.Middle);
   const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
   const double top = std::min(0.0, plant.Middle.z + plant.Reach - this->Sea.SeaLevel);
   double left = 0.0;
@@ -358,7 +358,7 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
   double far = 1.0;
   if (view)
   {
-    const double distance = glm::distance(plant.Middle, levels.Seen.Point);
+    const double distance = LevelDistance(levels.Seen, plant.Middle);
     // What reaches far sweeps over more pixels.
     const double band = levels.BlendDistance > 0.0 ? std::max(levels.BlendDistance, plant.Reach) : 0.0;
     near = ShareOf(distance, levels.NearDistance, band);

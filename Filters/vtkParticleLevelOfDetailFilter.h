@@ -81,7 +81,8 @@ public:
   ///@}
 
   ///@{
-  /// Distance from the eye beyond which particles are left out, as fog too [m], not negative; 0: no limit. Default 60.
+  /// Distance from the eye, or from its plane in parallel projection, beyond which particles are left out, as fog too [m],
+  /// not negative; 0: no limit. Default 60.
   vtkSetMacro(Visibility, double);
   vtkGetMacro(Visibility, double);
   ///@}

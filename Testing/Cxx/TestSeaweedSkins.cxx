@@ -366,8 +366,11 @@ private:
     }
     const double far = std::max(glm::length(rest), glm::length(moved));
     shapes.Thickness.Take(after / before, bound - 8.0 * Rounding * far / before);
-    // The outermost vertex of a stipe has a normal along it.
-    shapes.InsideOut += glm::dot(NormalOf(this->Moved, vertex), moved - nearest) > 0.0 ? 0 : 1;
+    // The outermost vertex of a stipe has a normal along it. Those of the flat end at its foot are judged with their
+    // facets.
+    const double out = glm::dot(NormalOf(this->Rest, vertex), rest - this->NearestOf(this->BonesAtRest, vertex, rest));
+    const bool isSide = out > 0.1 * before;
+    shapes.InsideOut += isSide && glm::dot(NormalOf(this->Moved, vertex), moved - nearest) <= 0.0 ? 1 : 0;
   }
 
   void MeasureTriangle(const std::array<vtkIdType, 3>& corners, Shapes& shapes) const
