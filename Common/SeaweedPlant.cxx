@@ -30,16 +30,20 @@ SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& seg
   const Vector3 across = segment.Across - glm::dot(segment.Across, link.Axis) * link.Axis;
   link.Side = glm::length(across) > 1e-3 ? glm::normalize(across) : Perpendicular(link.Axis);
   const bool floats = options.Load == SeaweedLoad::Morison;
-  const double volume = area * link.Length;
-  const double entrained = floats
-    ? options.AddedMassCoefficient * options.WaterDensity * 0.25 * Pi * segment.Width * segment.Width * link.Length
-    : 0.0;
-  link.Mass = SegmentMass(segment, link.Length) + entrained;
-  link.WaterMass = options.WaterDensity * volume + entrained;
-  link.AxialInertia = link.Mass * segment.Width * segment.Width / 8.0;
+  const double w2 = segment.Width * segment.Width;
+  const double t2 = segment.Thickness * segment.Thickness;
+  link.Mass = SegmentMass(segment, link.Length);
+  link.WaterMass = options.WaterDensity * area * link.Length;
+  // Added mass of an ellipse: C rho pi/4 w2 normal to its face, C rho pi/4 t2 along it, C rho pi/128 (w2 - t2)2 in a turn
+  // about its middle; none along the segment.
+  const double water = floats ? options.AddedMassCoefficient * options.WaterDensity * 0.25 * Pi * link.Length : 0.0;
+  link.FaceMass = water * w2;
+  link.EdgeMass = water * t2;
+  link.AxialInertia = link.Mass * (w2 + t2) / 16.0 + water * (w2 - t2) * (w2 - t2) / 32.0;
   link.Buoyancy = floats ? NetBuoyancy(segment, link.Length, options.WaterDensity) : 0.0;
   link.Weight = floats ? SegmentMass(segment, link.Length) * Gravity : 0.0;
   link.Frontage = segment.Width * link.Length;
+  link.EdgeFrontage = segment.Thickness * link.Length;
   link.Surface = Pi * 0.5 * (segment.Width + segment.Thickness) * link.Length;
   return link;
 }
@@ -123,9 +127,10 @@ void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& rati
     SeaweedLink& link = links[i];
     Beyond& sum = sums[i];
     const double l = link.Length;
-    sum.Mass += link.Mass;
-    sum.First += 0.5 * link.Mass * l * link.Axis;
-    sum.Second += link.Mass * l * l / 3.0;
+    const double mass = link.Mass + link.FaceMass;
+    sum.Mass += mass;
+    sum.First += 0.5 * mass * l * link.Axis;
+    sum.Second += mass * l * l / 3.0;
     sum.Lift += link.Buoyancy;
     sum.LiftArm += 0.5 * l * link.Buoyancy;
     link.Damping = 2.0 * ratios[i] * std::sqrt(link.Stiffness * sum.Second);
@@ -149,7 +154,7 @@ double ExplicitLimit(const std::vector<SeaweedLink>& links)
   const bool isChain = links.size() > 1;
   for (const SeaweedLink& link : links)
   {
-    const double inertia = link.Mass * link.Length * link.Length / 3.0;
+    const double inertia = (link.Mass + link.EdgeMass) * link.Length * link.Length / 3.0; // the least
     const double frequency = std::sqrt(link.Stiffness / inertia);
     if (frequency <= 0.0)
     {

@@ -378,7 +378,8 @@ TEST(SeaweedMotion, BranchesPullAtTheirStem)
   EXPECT_EQ(rises.Motion.GetLinks()[2].Parent, 1);
   sinks.Run(30.0, 1.0 / 48.0);
   rises.Run(30.0, 1.0 / 48.0);
-  EXPECT_LT(sinks.Poses[1].Axis.z, 0.0);
+  EXPECT_LT(sinks.Poses[1].Foot.z, -20.0); // on the soft bed
+  EXPECT_NEAR(sinks.Poses[1].Axis.z, 0.0, 0.001);
   EXPECT_GT(rises.Poses[1].Axis.z, 0.1);
 }
 
