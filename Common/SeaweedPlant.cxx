@@ -4,6 +4,7 @@
 
 #include "Constants.h"
 #include "ParameterRange.h"
+#include "SeaweedGrowth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +35,8 @@ SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& seg
   const double t2 = segment.Thickness * segment.Thickness;
   link.Mass = SegmentMass(segment, link.Length);
   link.WaterMass = options.WaterDensity * area * link.Length;
-  // Added mass of an ellipse: C rho pi/4 w2 normal to its face, C rho pi/4 t2 along it, C rho pi/128 (w2 - t2)2 in a turn
-  // about its middle; none along the segment.
+  // Added mass of an ellipse: C rho pi/4 w2 normal to its face, C rho pi/4 t2 along it, C rho pi/128 (w2 - t2)2 in a
+  // turn about its middle; none along the segment.
   const double water = floats ? options.AddedMassCoefficient * options.WaterDensity * 0.25 * Pi * link.Length : 0.0;
   link.FaceMass = water * w2;
   link.EdgeMass = water * t2;
@@ -108,6 +109,37 @@ std::vector<SeaweedLink> LinksOf(
   }
   SetDamping(links, ratios);
   return links;
+}
+
+double ResolvedCauchyNumber(double length, double firstLink)
+{
+  return std::pow(0.52 * length / firstLink, 3);
+}
+
+double UngradedCauchyNumber(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const SkeletonBranch& branch : skeleton.Branches)
+  {
+    const int tip = branch.First + branch.Count - 1;
+    int foot = branch.First;
+    while (foot < tip && segments[foot].Tissue != SeaweedTissue::Blade)
+    {
+      ++foot;
+    }
+    double length = 0.0;
+    double first = 0.0;
+    for (int node = tip - 1; node >= foot; --node)
+    {
+      first = glm::distance(skeleton.Nodes[node].Position, skeleton.Nodes[node + 1].Position);
+      length += first;
+    }
+    if (foot < tip && first > 2.0 * BladeSteps(tip - foot)[1] * length)
+    {
+      least = std::min(least, ResolvedCauchyNumber(length, first));
+    }
+  }
+  return least;
 }
 
 void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& ratios)

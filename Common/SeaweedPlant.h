@@ -68,21 +68,21 @@ struct LinkBody
   Real Theta{ 0.0 };                                                 ///< of the paper, at rest [rad]
   Real Phi{ 0.0 };                                                   ///< of the paper, at rest [rad]
   Real Length{ 1.0 };                                                ///< [m]
-  Real Mass{ 1.0 };           ///< of the tissue [kg]
-  Real FaceMass{ 0.0 };       ///< added mass of the water in motion normal to the face [kg]
-  Real EdgeMass{ 0.0 };       ///< added mass of the water in motion along the width, Side [kg]
-  Real AxialInertia{ 1e-3 };  ///< about its own axis, with that of the water [kg m2]
-  Real WaterMass{ 1.0 };      ///< displaced water [kg]
-  Real Buoyancy{ 0.0 };       ///< in water, less weight [N]
-  Real Weight{ 0.0 };         ///< in air [N]
-  Real Frontage{ 0.01 };      ///< frontal area of the face, width times length [m2]
-  Real EdgeFrontage{ 0.01 };  ///< frontal area of the edge, thickness times length [m2]
-  Real Surface{ 0.03 };       ///< wetted area [m2]
-  Real Stiffness{ 1.0 }; ///< of the joint [N m/rad]
-  Real Damping{ 0.0 };   ///< of the joint [N m s/rad]
+  Real Mass{ 1.0 };                                                  ///< of the tissue [kg]
+  Real FaceMass{ 0.0 };      ///< added mass of the water in motion normal to the face [kg]
+  Real EdgeMass{ 0.0 };      ///< added mass of the water in motion along the width, Side [kg]
+  Real AxialInertia{ 1e-3 }; ///< about its own axis, with that of the water [kg m2]
+  Real WaterMass{ 1.0 };     ///< displaced water [kg]
+  Real Buoyancy{ 0.0 };      ///< in water, less weight [N]
+  Real Weight{ 0.0 };        ///< in air [N]
+  Real Frontage{ 0.01 };     ///< frontal area of the face, width times length [m2]
+  Real EdgeFrontage{ 0.01 }; ///< frontal area of the edge, thickness times length [m2]
+  Real Surface{ 0.03 };      ///< wetted area [m2]
+  Real Stiffness{ 1.0 };     ///< of the joint [N m/rad]
+  Real Damping{ 0.0 };       ///< of the joint [N m s/rad]
   Real StopStiffness{ 0.0 }; ///< of what keeps the joint from folding flat [N m/rad]
   Real StopDamping{ 0.0 };   ///< [N m s/rad]
-  Real Bed{ -1e300 };    ///< height of the ground below the plant [m]
+  Real Bed{ -1e300 };        ///< height of the ground below the plant [m]
 };
 
 /// A stiff segment of a seaweed and where it stands in its plant.
@@ -101,6 +101,17 @@ struct SeaweedLink : LinkBody<double>
  */
 std::vector<SeaweedLink> LinksOf(
   const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, const SeaweedOptions& options);
+
+/**
+ * The Cauchy number Ca = rho C_D b U2 l3 / (2 E I) up to which a blade of a length [m] has its drag in a current within
+ * 5 %, by its first link [m]: (0.52 l / l_1)^3. A limp blade bends within some 0.9 l Ca^(-1/3) of its foot (Luhar and
+ * Nepf 2011), of which a link can be a half.
+ */
+double ResolvedCauchyNumber(double length, double firstLink);
+
+/// The least resolved Cauchy number of the blades of a skeleton whose first link is more than twice as long as
+/// BladeSteps (SeaweedGrowth.h) has it; infinite where there is none.
+double UngradedCauchyNumber(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments);
 
 /// The damping [N m s/rad] of each joint for damping ratios of the links; also finds Restoring.
 void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& ratios);

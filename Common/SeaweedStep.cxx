@@ -21,10 +21,10 @@ using Vector = glm::vec<3, Lanes>;
 using Matrix = glm::mat<3, 3, Lanes>;
 using Turn = glm::qua<Lanes>;
 
-// The articulated-body algorithm (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7) about the feet of the
-// links, in axes of the world, with an implicit midpoint rule around it. Symbols: v, w velocity of the foot and spin of a
-// link; I its inertia, a quadratic form in both; I^A that of the link with all that grows on it (articulated); S the
-// motion subspace of its joint; p^A the bias. Equations are those for a half step g, in impulses.
+// The articulated-body algorithm (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7) about the feet of
+// the links, in axes of the world, with an implicit midpoint rule around it. Symbols: v, w velocity of the foot and
+// spin of a link; I its inertia, a quadratic form in both; I^A that of the link with all that grows on it
+// (articulated); S the motion subspace of its joint; p^A the bias. Equations are those for a half step g, in impulses.
 
 /// The midpoint rule: no joint turns further in a step [rad], whatever drives it; so that what blows up stays finite.
 constexpr double MostTurn = 0.8;
@@ -32,7 +32,7 @@ constexpr double MostTurn = 0.8;
 constexpr double LongestTurn = 0.5;
 /// The midpoint is iterated until no joint is corrected by more [rad of turn in the step]; after MostIterations, or
 /// where corrections exceed the second number, the step is taken in two halves.
-constexpr double SmallCorrection = 2e-3;
+constexpr double SmallCorrection = 5e-3;
 constexpr double LargeCorrection = 0.05;
 constexpr int LeastIterations = 2; // which make it second order
 constexpr int MostIterations = 4;
@@ -130,7 +130,7 @@ LITTORAL_INLINE Vector Swung(const Vector& direction, const Vector& turn)
 /// quadratic form in those of the foot and of the spin is [Linear Mixed; Mixed^T Angular].
 struct LinkDynamics
 {
-  LinkStateOf<Lanes> Start;     // of the sub-step
+  LinkStateOf<Lanes> Start; // of the sub-step
   LinkPoseOf<Lanes> StartPose;
   LinkStateOf<Lanes> End;
   LinkPoseOf<Lanes> EndPose;
@@ -155,11 +155,11 @@ struct LinkDynamics
   Symmetric Angular;
   Vector BiasLinear; // -p^A, as impulses
   Vector BiasAngular;
-  Vector Force;  // of the water on all from here on
+  Vector Force;           // of the water on all from here on
   LinkLoadOf<Lanes> Load; // on the link itself
-  Lanes Tension; // arm times pull: what straightens the link
-  Vector U[2];   // I^A S, linear
-  Vector G[2];   // and angular
+  Lanes Tension;          // arm times pull: what straightens the link
+  Vector U[2];            // I^A S, linear
+  Vector G[2];            // and angular
   Lanes InverseJointInertia[3];
   Lanes JointImpulse[2];
 };
@@ -220,8 +220,7 @@ public:
     const LinkBody<Lanes>* parentBody, const LinkDynamics* parent, LinkDynamics& link) const
   {
     const Lanes g = this->Half;
-    PoseLink<Lanes>(
-      this->Options.Joint, body, link.State, parentBody, parent ? &parent->Pose : nullptr, link.Pose);
+    PoseLink<Lanes>(this->Options.Joint, body, link.State, parentBody, parent ? &parent->Pose : nullptr, link.Pose);
     const LinkPoseOf<Lanes>& pose = link.Pose;
     link.Face = FaceOf<Lanes>(body, pose);
     link.Below = parent ? parent->Pose.Turn : NoTurn<Lanes>();
@@ -241,19 +240,13 @@ public:
         glm::cross(parent->VelocityProductAngular, link.Arm) + g * glm::cross(spin, glm::cross(spin, link.Arm));
     }
 
-    const LinkLoadOf<Lanes>& load = link.Load;
     link.Load = LoadOn<Lanes>(this->Options, body, pose, link.Face, water);
-    link.Force = load.Force;
-    link.Tension = glm::dot(pose.Axis, load.Moment);
+    link.Force = link.Load.Force;
+    link.Tension = glm::dot(pose.Axis, link.Load.Moment);
     // -p = g f - g (v x* I v) - I c
-    const WrenchOf bias = this->VelocityWrench(body, link);
-    link.BiasLinear = g * (load.Force - bias.Force);
-    link.BiasAngular = g * (glm::cross(pose.Axis, load.Moment) - bias.Torque);
-    this->SetInertia(body, LinkLoadOf<Lanes>(), Lanes(0.0), link);
-    link.BiasLinear -= link.Linear * link.VelocityProductLinear + link.Mixed * link.VelocityProductAngular;
-    link.BiasAngular -= Transposed(link.Mixed, link.VelocityProductLinear) + link.Angular * link.VelocityProductAngular;
+    this->SetBias(body, link);
     // Drag falls with the correction of the velocity: I + g df/dv.
-    this->SetInertia(body, load, this->IsImplicit ? g : Lanes(0.0), link);
+    this->SetInertia(body, this->IsImplicit ? g : Lanes(0.0), link);
   }
 
   /// The joint itself: its inertia and what drives it, all that grows on the link being known.
@@ -397,8 +390,7 @@ public:
       link.End.Rate = Transported(rate, link.Start.Shape, link.End.Shape);
       link.End.Rate -= glm::dot(link.End.Rate, link.End.Shape) * link.End.Shape;
     }
-    PoseLink<Lanes>(
-      this->Options.Joint, body, link.End, parentBody, parent ? &parent->EndPose : nullptr, link.EndPose);
+    PoseLink<Lanes>(this->Options.Joint, body, link.End, parentBody, parent ? &parent->EndPose : nullptr, link.EndPose);
   }
 
   /// The work of loads on a link in the sub-step, by the ways of their points [J]; so that dead loads have a potential.
@@ -445,21 +437,10 @@ private:
   const SeaweedOptions& Options;
   bool IsImplicit;
 
-  struct WrenchOf
-  {
-    Vector Force;
-    Vector Torque;
-  };
-
-  LITTORAL_INLINE static Vector Transposed(const Matrix& m, const Vector& v)
-  {
-    return { glm::dot(m[0], v), glm::dot(m[1], v), glm::dot(m[2], v) };
-  }
-
   /// I of the link about its foot, in axes b (width), n (face) and e (axis), with drag times a time.
-  LITTORAL_INLINE void SetInertia(
-    const LinkBody<Lanes>& body, const LinkLoadOf<Lanes>& load, const Lanes& time, LinkDynamics& link) const
+  LITTORAL_INLINE void SetInertia(const LinkBody<Lanes>& body, const Lanes& time, LinkDynamics& link) const
   {
+    const LinkLoadOf<Lanes>& load = link.Load;
     const Vector& b = link.Face.Edge;
     const Vector& n = link.Face.Normal;
     const Lanes half = Lanes(0.5) * body.Length;
@@ -487,28 +468,35 @@ private:
     link.Angular.AddSquare(secondB - body.AxialInertia, n);
   }
 
-  /// v x* I v: what it takes to carry a momentum along with a link that does not accelerate.
-  LITTORAL_INLINE WrenchOf VelocityWrench(const LinkBody<Lanes>& body, const LinkDynamics& link) const
+  /// The impulse of what the link itself feels when joints change as they are known to: loads, less what it takes to
+  /// carry its momentum along, v x* I v, and to change it by the velocity products.
+  LITTORAL_INLINE void SetBias(const LinkBody<Lanes>& body, LinkDynamics& link) const
   {
+    const Lanes g = this->Half;
     const Vector& b = link.Face.Edge;
     const Vector& n = link.Face.Normal;
     const Vector& e = link.Pose.Axis;
+    const auto inAxes = [&](const Vector& x) { return Vector(glm::dot(x, b), glm::dot(x, n), glm::dot(x, e)); };
     const Lanes half = Lanes(0.5) * body.Length;
     const Lanes third = Lanes(1.0 / 3.0) * body.Length * body.Length;
-    const Lanes massB = body.Mass + body.EdgeMass;
-    const Lanes massN = body.Mass + body.FaceMass;
-    const Vector v(glm::dot(link.Pose.Velocity, b), glm::dot(link.Pose.Velocity, n), glm::dot(link.Pose.Velocity, e));
-    const Vector w(glm::dot(link.Pose.Spin, b), glm::dot(link.Pose.Spin, n), glm::dot(link.Pose.Spin, e));
-    // Momentum P = Linear v + Mixed w and its moment about the foot H = Mixed^T v + Angular w, in axes b, n, e.
-    const Vector momentum(massB * (v.x + half * w.y), massN * (v.y - half * w.x), body.Mass * v.z);
-    const Vector angular(
-      massN * (third * w.x - half * v.y), massB * (third * w.y + half * v.x), body.AxialInertia * w.z);
-    // f = w x P - Linear (w x v), t = w x H + v x P - Mixed^T (w x v)
-    const Vector u = glm::cross(w, v);
-    const Vector force = glm::cross(w, momentum) - Vector(massB * u.x, massN * u.y, body.Mass * u.z);
-    const Vector torque = glm::cross(w, angular) + glm::cross(v, momentum) -
-      Vector(-half * massN * u.y, half * massB * u.x, Lanes(0.0));
-    return { force.x * b + force.y * n + force.z * e, torque.x * b + torque.y * n + torque.z * e };
+    const Vector mass(body.Mass + body.EdgeMass, body.Mass + body.FaceMass, body.Mass);
+    // I (v, w) = (P, H) in axes b (width), n (face), e: momentum and its moment about the foot.
+    const auto momentumOf = [&](const Vector& v, const Vector& w) {
+      return Vector(mass.x * (v.x + half * w.y), mass.y * (v.y - half * w.x), mass.z * v.z);
+    };
+    const auto momentOf = [&](const Vector& v, const Vector& w) {
+      return Vector(mass.y * (third * w.x - half * v.y), mass.x * (third * w.y + half * v.x), body.AxialInertia * w.z);
+    };
+    const Vector v = inAxes(link.Pose.Velocity);
+    const Vector w = inAxes(link.Pose.Spin);
+    const Vector momentum = momentumOf(v, w);
+    // dP/dt = I dv/dt + w x P - I (w x v), dH/dt = ... + w x H + v x P
+    const Vector linear = inAxes(link.VelocityProductLinear) - g * glm::cross(w, v);
+    const Vector angular = inAxes(link.VelocityProductAngular);
+    const Vector force = momentumOf(linear, angular) + g * glm::cross(w, momentum);
+    const Vector torque = momentOf(linear, angular) + g * (glm::cross(w, momentOf(v, w)) + glm::cross(v, momentum));
+    link.BiasLinear = g * link.Load.Force - (force.x * b + force.y * n + force.z * e);
+    link.BiasAngular = g * glm::cross(e, link.Load.Moment) - (torque.x * b + torque.y * n + torque.z * e);
   }
 
   /// The state of the middle by its rates.
@@ -548,8 +536,7 @@ private:
       link.B[0] = link.Face.Edge;
       link.B[1] = link.Face.Normal;
       const Vector relative = Rotated(link.Below, state.Rate);
-      const Vector gain =
-        Rotated(link.Below, state.Rate - Transported(link.Start.Rate, link.Start.Shape, state.Shape));
+      const Vector gain = Rotated(link.Below, state.Rate - Transported(link.Start.Rate, link.Start.Shape, state.Shape));
       const Vector a = Rotated(link.Below, body.Axis);
       // S = B - (B.a) / (1 + a.e) e: the shortest arc from a to e twists.
       for (int k = 0; k < 2; ++k)
@@ -617,8 +604,8 @@ LITTORAL_INLINE WaterOf<Lanes> WaterAt(const WaterAtLink* water)
   return all;
 }
 
-/// A bunch, and how far its lanes are in a step. A lane has its own sub-steps and iterations: what it does is a function
-/// of its own state alone.
+/// A bunch, and how far its lanes are in a step. A lane has its own sub-steps and iterations: what it does is a
+/// function of its own state alone.
 class BunchMarch
 {
 public:
@@ -667,9 +654,9 @@ private:
   Lanes Kinetic{ 0.0 };              // the part of it in motion
   Lanes EndKinetic{ 0.0 };
   Lanes EndEnergy{ 0.0 };
-  Lanes Gain{ 0.0 };                 // of energy beyond what loads give
-  Lanes Correction{ 0.0 };           // of the last iteration, the largest of the links [rad]
-  Lanes Turned{ 0.0 };               // in the sub-step, the largest of the links [rad]
+  Lanes Gain{ 0.0 };       // of energy beyond what loads give
+  Lanes Correction{ 0.0 }; // of the last iteration, the largest of the links [rad]
+  Lanes Turned{ 0.0 };     // in the sub-step, the largest of the links [rad]
 
   LITTORAL_INLINE const LinkBody<Lanes>* ParentBody(std::size_t i) const
   {
@@ -716,8 +703,8 @@ private:
     {
       for (std::size_t i = 0; i < this->Count; ++i)
       {
-        this->Rules.InitializeLink(
-          this->Bodies[i], WaterAt(this->Water + LaneCount * i), this->ParentBody(i), this->ParentOf(i), this->Links[i]);
+        this->Rules.InitializeLink(this->Bodies[i], WaterAt(this->Water + LaneCount * i), this->ParentBody(i),
+          this->ParentOf(i), this->Links[i]);
       }
       for (std::size_t i = this->Count; i-- > 0;)
       {
@@ -785,7 +772,8 @@ private:
       const double kinetic = this->EndKinetic.Values[lane];
       const double turned = this->Turned.Values[lane];
       const double correction = this->Correction.Values[lane];
-      const bool isBalanced = turned <= 0.1 * LongestTurn || gain <= EnergyError * (kinetic + this->Kinetic.Values[lane]);
+      const bool isBalanced =
+        turned <= 0.1 * LongestTurn || gain <= EnergyError * (kinetic + this->Kinetic.Values[lane]);
       const bool isGood = turned <= 1.5 * LongestTurn && correction <= LargeCorrection && isBalanced;
       if (this->IsImplicit && !isGood && size > 1)
       {
@@ -798,7 +786,8 @@ private:
       }
       isTaken.Values[lane] = 1.0;
       done += size;
-      const bool isEasy = turned <= 0.4 * LongestTurn && correction <= 0.1 * LargeCorrection && gain <= 0.1 * EnergyError * kinetic;
+      const bool isEasy =
+        turned <= 0.4 * LongestTurn && correction <= 0.1 * LargeCorrection && gain <= 0.1 * EnergyError * kinetic;
       size = isEasy && done % (2 * size) == 0 && done < PartsOfStep ? 2 * size : size;
     }
     for (std::size_t i = 0; i < this->Count; ++i)
