@@ -196,11 +196,21 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
   // Buoyancy is part of the equilibrium.
   const Vector3 lift = options.Load == SeaweedLoad::Morison ? Vector3(0.0, 0.0, link.Buoyancy) : Vector3(0.0);
   rest.Turn = below;
-  const Vector3 force = LoadOn<double>(options, link, rest, FaceOf<double>(link, rest), water).Force - lift;
-  const Vector3 torque = options.LeverArm * link.Length * glm::cross(rest.Axis, force);
-  const double stiffness = std::max(1e-12, link.Stiffness + link.Restoring);
+  // Blades that bend at once, as far as they may, would flap as the flow passes their edge: loads are those of a face
+  // that is always turned to the flow.
+  LinkBody<double> turned = link;
+  turned.EdgeFrontage = link.Frontage;
+  turned.EdgeMass = link.FaceMass;
+  const Vector3 force = LoadOn<double>(options, turned, rest, FaceOf<double>(link, rest), water).Force - lift;
+  // Torques go with the square of the length and turns with its cube, so that graded links would bend where they are
+  // long: a link bends as a part of one of mean length does.
+  const double share = link.MeanLength > 0.0 ? link.Length / link.MeanLength : 1.0;
+  const Vector3 torque = options.LeverArm * link.Length / (share * share) * glm::cross(rest.Axis, force);
+  const double stiffness = std::max(1e-12, share * link.Stiffness + link.Restoring);
   const double most = options.LargestAngle;
-  const auto soft = [&](double angle) { return most > 0.0 ? most * std::tanh(angle / most) : 0.0; };
+  const double less = std::min(1.0, share);
+  const double more = std::max(1.0, share);
+  const auto soft = [&](double angle) { return most > 0.0 ? less * most * std::tanh(more * angle / most) : 0.0; };
   if (options.Joint == SeaweedJoint::Tilting)
   {
     const glm::dquat frame = link.Parent < 0 ? GroundBase<double>() : below * this->Links[link.Parent].Base;

@@ -18,6 +18,23 @@ namespace
 
 constexpr double Gravity = 9.80665;
 
+/// The mean length of the segments of a tissue in a branch [m].
+double MeanLengthOf(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments,
+  const SkeletonBranch& branch, SeaweedTissue tissue)
+{
+  double length = 0.0;
+  int count = 0;
+  for (int node = branch.First; node < branch.First + branch.Count - 1; ++node)
+  {
+    if (segments[node].Tissue == tissue)
+    {
+      length += glm::distance(skeleton.Nodes[node].Position, skeleton.Nodes[node + 1].Position);
+      ++count;
+    }
+  }
+  return length / std::max(1, count);
+}
+
 /// A link from a node to the next, without its joint.
 SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& segment, const SeaweedOptions& options)
 {
@@ -90,6 +107,7 @@ std::vector<SeaweedLink> LinksOf(
       const int parent = skeleton.Nodes[node].Parent;
       link.Parent = parent < 0 ? -1 : linkOfNode[parent];
       link.IsFirst = node == branch.First || link.Parent < 0;
+      link.MeanLength = MeanLengthOf(skeleton, segments, branch, segment.Tissue);
       link.Bed = link.Parent < 0 ? link.Foot.z : links[link.Parent].Bed;
       link.Theta = angles[node].Theta;
       link.Phi = angles[node].Phi;

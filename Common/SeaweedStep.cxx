@@ -157,6 +157,9 @@ struct LinkDynamics
   Vector BiasAngular;
   Vector Force;           // of the water on all from here on
   LinkLoadOf<Lanes> Load; // on the link itself
+  Vector WorkForce;       // those of the last iteration of a lane
+  Vector WorkMoment;
+  Vector Spin;
   Lanes Tension;          // arm times pull: what straightens the link
   Vector U[2];            // I^A S, linear
   Vector G[2];            // and angular
@@ -337,6 +340,9 @@ public:
   /// the correction in the step [rad].
   LITTORAL_INLINE Lanes IntegrateLink(const Lanes& isOpen, const LinkDynamics* parent, LinkDynamics& link) const
   {
+    link.WorkForce = Choice(isOpen, link.Load.Force, link.WorkForce);
+    link.WorkMoment = Choice(isOpen, link.Load.Moment, link.WorkMoment);
+    link.Spin = Choice(isOpen, link.Pose.Spin, link.Spin);
     Vector dv(Lanes(0.0));
     Vector dw(Lanes(0.0));
     if (parent)
@@ -396,8 +402,8 @@ public:
   /// The work of loads on a link in the sub-step, by the ways of their points [J]; so that dead loads have a potential.
   LITTORAL_INLINE Lanes WorkOf(const LinkDynamics& link) const
   {
-    return glm::dot(link.Load.Force, link.EndPose.Foot - link.StartPose.Foot) +
-      glm::dot(link.Load.Moment, link.EndPose.Axis - link.StartPose.Axis);
+    return glm::dot(link.WorkForce, link.EndPose.Foot - link.StartPose.Foot) +
+      glm::dot(link.WorkMoment, link.EndPose.Axis - link.StartPose.Axis);
   }
 
   /// T = 1/2 integral of (m v.v + m_n (v.n)2 + m_b (v.b)2) + J/2 (w.e)2 [J]
@@ -743,7 +749,7 @@ private:
       this->Rules.EndLink(this->Bodies[i], this->ParentBody(i), this->ParentOf(i), link);
       if (this->IsImplicit)
       {
-        this->Turned = Larger(this->Turned, glm::dot(link.Pose.Spin, link.Pose.Spin));
+        this->Turned = Larger(this->Turned, glm::dot(link.Spin, link.Spin));
         this->EndKinetic += this->Rules.KineticEnergy(this->Bodies[i], link.EndPose);
         springs += this->Rules.SpringEnergy(this->Bodies[i], link.End);
         work += this->Rules.WorkOf(link);
