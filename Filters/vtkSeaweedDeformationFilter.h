@@ -244,7 +244,7 @@ private:
   std::vector<double> StateKey(vtkInformationVector** inputs, vtkInformation* output);
   std::string TakeInputs(vtkInformationVector** inputs);
   bool Advance();
-  void WarnOfStep();
+  void WarnOfLimits();
 
   std::unique_ptr<Internals> State;
 };
