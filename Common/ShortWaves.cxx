@@ -21,7 +21,7 @@ namespace
 {
 
 /// Radius of the moving average, in mean spacings.
-constexpr double AverageRadius = 6.0;
+constexpr double AverageRadius = 7.0;
 /// Beyond this distance, in mean spacings, short waves are uncorrelated.
 constexpr double CorrelationRadius = 16.0;
 /// The mean spacing is at most this many times the smaller one [metres in space], which bounds the average's size.

@@ -47,7 +47,7 @@ struct Crossover
  * with the long waves the covariance at the points is the model's.
  *
  * The weights of the average are the inverse transform of the root of the spectrum at the points (Oliver 1995), cut
- * off at six mean spacings. A value depends on seed and indices alone.
+ * off at seven mean spacings. A value depends on seed and indices alone.
  */
 class ShortWaves
 {

@@ -174,7 +174,7 @@ TEST(TurningBands, CovarianceOfLinesAndShortWavesIsTheModels)
           variance = r == 0.0 ? covariance : variance;
           const double truth = Semivariance(parameters.Field, r);
           EXPECT_NEAR(variance, 1.0, 1e-3) << NameOf(parameters);
-          EXPECT_NEAR(variance - covariance, truth, (rings ? 0.06 : 0.02) * truth + 1e-9)
+          EXPECT_NEAR(variance - covariance, truth, (rings ? 0.03 : 0.01) * truth + 1e-9)
             << NameOf(parameters) << ", lag " << lag[0] << ", " << lag[1] << ", spacing " << across;
         }
       }
