@@ -5,10 +5,12 @@
 #include "LittoralPipeline.h"
 #include "TurningBands.h"
 
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -54,8 +56,8 @@ vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
   , Range(1000.0)
   , SecondRange(50.0)
   , FractalDimension(2.15)
-  , NumberOfLines(64)
-  , NumberOfHarmonics(1000)
+  , NumberOfLines(0)
+  , NumberOfHarmonics(300)
   , HarmonicSpacing(Adaptive)
   , ShortestWavelength(0.0)
   , AnisotropyRatio(1.0)
@@ -203,10 +205,14 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
 }
 
 //----------------------------------------------------------------------------
-bool vtkTurningBandsTerrainSource::CheckRecipe(const Recipe& recipe)
+bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 {
   const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
-  std::string reason = littoral::WhyInvalid(recipe.Bands, grid);
+  littoral::TurningBandsParameters& bands = recipe.Bands;
+  const bool automatic = bands.NumberOfLines == 0;
+  bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
+  std::string reason = bands.NumberOfLines < 0 ? "NumberOfLines is negative; it must be positive, or 0 for enough."
+                                               : littoral::WhyInvalid(bands, grid);
   if (reason.empty() && !(std::isfinite(recipe.Mean) && std::isfinite(recipe.Slope[0] + recipe.Slope[1])))
   {
     reason = "Mean and Slope must be finite.";
@@ -220,6 +226,12 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(const Recipe& recipe)
   {
     vtkErrorMacro("Cannot grow " << recipe.Name << ": " << reason);
     return false;
+  }
+  if (automatic)
+  {
+    // By the whole grid, not by the part that is asked for, so that all parts belong to one terrain.
+    const int* whole = this->WholeExtent;
+    bands.NumberOfLines = littoral::EnoughLines(bands, grid, { { whole[0], whole[2] }, { whole[1], whole[3] } });
   }
   return true;
 }
@@ -292,13 +304,15 @@ int vtkTurningBandsTerrainSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
+  littoral::ForgetExtent(info);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
 
   Recipe elevation = this->ElevationRecipe();
+  Recipe reflectance = this->ReflectanceRecipe();
   vtkTable* fits = vtkTable::GetData(inputVector[0]);
   if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
-    (this->Reflectance && !this->CheckRecipe(this->ReflectanceRecipe())))
+    (this->Reflectance && !this->CheckRecipe(reflectance)))
   {
     return 0;
   }
@@ -325,20 +339,26 @@ int vtkTurningBandsTerrainSource::RequestData(
   }
   const vtkIdType count = output->GetNumberOfPoints();
   this->SetProgressText("Growing terrain");
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName("Elevation");
-  heights->SetNumberOfValues(count);
+  const auto grow = [&](const Recipe& recipe, double first, double last) {
+    vtkNew<vtkFloatArray> values;
+    values->SetName(recipe.Name);
+    values->SetNumberOfValues(count);
+    output->GetPointData()->AddArray(values);
+    vtkNew<vtkIntArray> lines;
+    lines->SetName((std::string(recipe.Name) + "Lines").c_str());
+    lines->InsertNextValue(recipe.Bands.NumberOfLines);
+    output->GetFieldData()->AddArray(lines);
+    return this->Grow(recipe, extent, first, last, values->GetPointer(0)) ? values.Get() : nullptr;
+  };
   const double half = this->Reflectance ? 0.5 : 1.0;
-  bool done = this->Grow(elevation, extent, 0.0, half, heights->GetPointer(0));
-  vtkNew<vtkFloatArray> reflectance;
+  bool done = grow(elevation, 0.0, half) != nullptr;
   if (done && this->Reflectance)
   {
-    reflectance->SetName("Reflectance");
-    reflectance->SetNumberOfValues(count);
-    done = this->Grow(this->ReflectanceRecipe(), extent, half, 1.0, reflectance->GetPointer(0));
+    vtkFloatArray* values = grow(reflectance, half, 1.0);
+    done = values != nullptr;
     for (vtkIdType i = 0; done && i < count; ++i)
     {
-      reflectance->SetValue(i, vtkMath::ClampValue(reflectance->GetValue(i), 0.0f, 1.0f));
+      values->SetValue(i, vtkMath::ClampValue(values->GetValue(i), 0.0f, 1.0f));
     }
   }
   if (!done) // aborted
@@ -346,11 +366,7 @@ int vtkTurningBandsTerrainSource::RequestData(
     output->Initialize();
     return 1;
   }
-  output->GetPointData()->SetScalars(heights);
-  if (this->Reflectance)
-  {
-    output->GetPointData()->AddArray(reflectance);
-  }
+  output->GetPointData()->SetActiveScalars(elevation.Name);
   this->UpdateProgress(1.0);
   return 1;
 }
