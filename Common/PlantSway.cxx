@@ -73,23 +73,39 @@ Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double len
   return taper;
 }
 
-/// A branch that grew is thick enough for what it bears: grown skeletons have a few twigs that are not, and would hang
-/// like threads. The radius [m] from which the tip sags by no more than a part of the length, in wood of the usual
-/// modulus.
+/// A twig that grew is thick enough for its leaves: grown skeletons have a few that are not, and would hang like
+/// threads. The radius [m] from which the tip sags by no more than a part of the length, in wood of the usual modulus.
 double LeastRadius(const RoundBeam& beam)
 {
   constexpr double LargestSag = 0.2;
-  constexpr double UsualModulus = 9e9; // [Pa]
+  const double UsualModulus = WoodParameters().YoungModulus;
   const double weight = glm::length(WeightPerLength(beam.MassPerLength));
   const double least = weight * std::pow(beam.Length, 3) / (8.0 * UsualModulus * LargestSag);
   return std::pow(least / SecondMoment(1.0), 0.25);
+}
+
+/// Which branches carry others.
+std::vector<char> Carriers(const Skeleton& skeleton)
+{
+  std::vector<char> carriers(skeleton.Branches.size(), 0);
+  for (std::size_t branch = 1; branch < carriers.size(); ++branch)
+  {
+    carriers[skeleton.Nodes[skeleton.Nodes[skeleton.Branches[branch].First].Parent].Branch] = 1;
+  }
+  return carriers;
+}
+
+/// Drag of an area of leaves as part of that of a bare cylinder's.
+double LeafPart(const SwayOptions& options)
+{
+  return options.Load.DragCoefficient > 0.0 ? options.LeafDrag / options.Load.DragCoefficient : 0.0;
 }
 
 /// Adds leaves to their branches, then branches, from the twigs down, to those that carry them.
 void AddCarried(const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options,
   std::vector<Burden>& burdens)
 {
-  const double leafPart = options.Load.DragCoefficient > 0.0 ? options.LeafDrag / options.Load.DragCoefficient : 0.0;
+  const double leafPart = LeafPart(options);
   for (std::size_t node = 0; node < leafAreas.size(); ++node)
   {
     Burden& burden = burdens[skeleton.Nodes[node].Branch];
@@ -106,6 +122,14 @@ void AddCarried(const Skeleton& skeleton, const std::vector<double>& leafAreas, 
       below.Area += burdens[branch].Area;
     }
   }
+}
+
+/// A mode of a beam: its own, or the uniform cantilever's.
+TrunkMode ModeOf(const BranchBeam& beam, int mode)
+{
+  return beam.Modes.empty()
+    ? TrunkMode{ AngularFrequency(beam.Beam, mode), MeanShape(mode) / beam.Beam.MassPerLength, MeanShape(mode), {} }
+    : beam.Modes[mode - 1];
 }
 
 /// Weights of values at 0, 1, 2 and 3 in the cubic through them.
@@ -138,14 +162,13 @@ std::vector<double> FrequenciesOver(const std::vector<double>& met)
 std::vector<BranchBeam> BeamsOf(
   const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options)
 {
+  const std::vector<double> areas = FedLeafAreas(skeleton, leafAreas, options.LeafAreaRatio);
   std::vector<BranchBeam> beams(skeleton.Branches.size());
   std::vector<Burden> burdens(beams.size());
   for (int branch = 0; branch < static_cast<int>(beams.size()); ++branch)
   {
     BranchBeam& beam = beams[branch];
-    int node = 0;
     beam.Axis = BranchAxis(skeleton, branch);
-    beam.Middle = skeleton.Along(branch, 0.5, node);
     beam.Beam.Length = skeleton.BranchLength(branch);
     const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], beam.Beam.Length);
     beam.Beam.Radius = taper.BendingRadius;
@@ -155,50 +178,44 @@ std::vector<BranchBeam> BeamsOf(
   }
   if (options.Carries)
   {
-    AddCarried(skeleton, leafAreas, options, burdens);
+    AddCarried(skeleton, areas, options, burdens);
   }
-  for (std::size_t branch = 0; branch < beams.size(); ++branch)
+  beams.front() = TrunkBeam(MeasureTrunk(skeleton, areas, options.Carries), 1.0, 0.0, options);
+  const std::vector<char> carriers = Carriers(skeleton);
+  for (int branch = 0; branch < static_cast<int>(beams.size()); ++branch)
   {
-    beams[branch].Beam.MassPerLength = burdens[branch].Mass / beams[branch].Beam.Length;
-    beams[branch].DragDiameter = burdens[branch].Area / beams[branch].Beam.Length;
-    if (options.Carries)
+    BranchBeam& beam = beams[branch];
+    int node = 0;
+    beam.Middle = skeleton.Along(branch, 0.5, node);
+    if (branch > 0)
     {
-      beams[branch].Beam.Radius = std::max(beams[branch].Beam.Radius, LeastRadius(beams[branch].Beam));
+      beam.Beam.MassPerLength = burdens[branch].Mass / beam.Beam.Length;
+      beam.DragDiameter = burdens[branch].Area / beam.Beam.Length; // the outer ones have no lee
+    }
+    if (options.Carries && branch > 0 && !carriers[branch])
+    {
+      beam.Beam.Radius = std::max(beam.Beam.Radius, LeastRadius(beam.Beam));
     }
   }
   return beams;
 }
 
-TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas)
-{
-  TrunkMeasures measures;
-  measures.Length = skeleton.BranchLength(0);
-  measures.Axis = BranchAxis(skeleton, 0);
-  measures.BendingRadius = TaperOf(skeleton, skeleton.Branches[0], measures.Length).BendingRadius;
-  for (int branch = 0; branch < static_cast<int>(skeleton.Branches.size()); ++branch)
-  {
-    const double length = skeleton.BranchLength(branch);
-    const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], length);
-    measures.WoodVolume += Pi * taper.MeanSquare * length;
-    measures.WoodArea += 2.0 * taper.MeanRadius * length;
-  }
-  measures.LeafArea = std::accumulate(leafAreas.begin(), leafAreas.end(), 0.0);
-  return measures;
-}
-
 BranchBeam TrunkBeam(const TrunkMeasures& trunk, double scale, double azimuth, const SwayOptions& options)
 {
-  const double leafPart = options.Load.DragCoefficient > 0.0 ? options.LeafDrag / options.Load.DragCoefficient : 0.0;
+  const double leafPart = LeafPart(options);
   const double c = std::cos(azimuth);
   const double s = std::sin(azimuth);
   BranchBeam beam;
   beam.Axis = { c * trunk.Axis.x - s * trunk.Axis.y, s * trunk.Axis.x + c * trunk.Axis.y, trunk.Axis.z };
   beam.Beam.Length = scale * trunk.Length;
+  beam.Beam.Radius = scale * trunk.BendingRadius;
   beam.Beam.YoungModulus = options.Wood.YoungModulus;
-  const double mass = options.Wood.Density * scale * trunk.WoodVolume + options.LeafMass * trunk.LeafArea;
+  const double mass = options.Wood.Density * scale * trunk.Wood.Amount + options.LeafMass * trunk.Leaves.Amount;
   beam.Beam.MassPerLength = scale * scale * mass / beam.Beam.Length;
-  beam.DragDiameter = scale * scale * (trunk.WoodArea + leafPart * trunk.LeafArea) / beam.Beam.Length;
-  beam.Beam.Radius = std::max(scale * trunk.BendingRadius, LeastRadius(beam.Beam));
+  beam.DragDiameter = scale * scale * (trunk.Wood.Area + leafPart * trunk.Leaves.Area) / beam.Beam.Length;
+  const auto modes = ModesOf(
+    trunk, scale, { options.Wood.YoungModulus, options.Wood.Density, options.LeafMass, leafPart, options.Carries });
+  beam.Modes.assign(modes.begin(), modes.begin() + options.NumberOfModes);
   return beam;
 }
 
@@ -212,7 +229,8 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
   , Beams(options.Response == SwayResponse::Direct ? beams : std::vector<BranchBeam>())
   , Offset(static_cast<std::size_t>(std::abs(std::floor(middle.x + 3.0 * middle.y))) % StretchSamples)
 {
-  // A beam along `axis` in a load per length f: amplitude at rest = mean of the shape x f across / (m w^2).
+  // A beam along `axis` in a load per length f: amplitude at rest = mean of the shape x f across / (m w^2), and a
+  // trunk's by its own modes.
   const double unitDrag = 0.5 * options.Load.AirDensity * options.Load.DragCoefficient;
   const double unitLift = 0.5 * options.Load.AirDensity * options.Load.LiftCoefficient;
   std::vector<double> frequencies;
@@ -220,10 +238,12 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
   {
     for (int mode = 1; mode <= options.NumberOfModes; ++mode)
     {
-      const double frequency = AngularFrequency(beam.Beam, mode);
-      const double give = MeanShape(mode) / (beam.Beam.MassPerLength * frequency * frequency);
-      const Vector3 weight = options.Gravity ? WeightPerLength(beam.Beam.MassPerLength) : Vector3(0.0);
-      this->Motions.push_back({ beam.Axis, give * AcrossBeam(weight, beam.Axis), give, 0.0,
+      const TrunkMode own = ModeOf(beam, mode);
+      const double frequency = own.Frequency;
+      const double squared = frequency * frequency;
+      const double give = own.Load / squared;
+      const Vector3 weight = options.Gravity ? WeightPerLength(own.Weight / squared) : Vector3(0.0);
+      this->Motions.push_back({ beam.Axis, AcrossBeam(weight, beam.Axis), give, 0.0,
         static_cast<int>(frequencies.size()), { 1.0, 0.0, 0.0, 0.0 } });
       frequencies.push_back(std::min(frequency, FastestAngle / times.Step));
       if (options.Response == SwayResponse::Interpolated)

@@ -6,6 +6,7 @@
 #include "BeamModes.h"
 #include "Parallel.h"
 #include "Skeleton.h"
+#include "TrunkModes.h"
 #include "WindLoads.h"
 #include "WoodParameters.h"
 
@@ -30,38 +31,27 @@ struct SwayOptions
   SwayResponse Response = SwayResponse::Interpolated;
   WindLoadParameters Load; ///< eq. 25 goes with the law Projection, whatever is said here
   WoodParameters Wood;
-  bool Gravity = false;   ///< adds weight to plants that stand as if there were none
-  bool Carries = true;    ///< a branch bears mass and drag of all that grows on it, spread along it
-  double LeafDrag = 0.06; ///< drag coefficient of leaves, which fold in the wind, by their area
-  double LeafMass = 0.2;  ///< of an area of leaves [kg/m2]
+  bool Gravity = false;          ///< adds weight to plants that stand as if there were none
+  bool Carries = true;           ///< a branch bears mass and drag of all that grows on it, spread along it
+  double LeafDrag = 0.06;        ///< drag coefficient of leaves, which fold in the wind, by their area
+  double LeafMass = 0.2;         ///< of an area of leaves [kg/m2]
+  double LeafAreaRatio = 2500.0; ///< of the leaves to the trunk's section, which drawn leaves share; 0: as drawn
 };
 
-/// A branch as a uniform beam.
+/// A branch as a uniform beam, or the trunk.
 struct BranchBeam
 {
   RoundBeam Beam;
+  std::vector<TrunkMode> Modes; ///< of a trunk; the uniform beam's where there are none
   Vector3 Axis{ 0.0, 0.0, 1.0 };
   Vector3 Middle{ 0.0, 0.0, 0.0 }; ///< where it meets the wind [m]
   double DragDiameter = 0.1;       ///< of the bare cylinder with the same drag [m]
 };
 
-/// The branches of a valid skeleton as uniform beams that give way at the tip as the tapered ones do. Areas of leaves
-/// [m2] are those on each node; or empty.
+/// The branches of a valid skeleton as uniform beams that give way at the tip as the tapered ones do; the trunk with
+/// its own modes. Areas of leaves [m2] are those on each node; or empty.
 std::vector<BranchBeam> BeamsOf(
   const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options);
-
-/// What the trunk of a plant bears, in numbers that scale with the plant.
-struct TrunkMeasures
-{
-  double Length = 1.0;        ///< [m]
-  double BendingRadius = 0.1; ///< [m]
-  double WoodVolume = 0.0;    ///< of all branches [m3]
-  double WoodArea = 0.0;      ///< of all branches, seen from the side [m2]
-  double LeafArea = 0.0;      ///< [m2]
-  Vector3 Axis{ 0.0, 0.0, 1.0 };
-};
-
-TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas);
 
 /// The first of BeamsOf for a plant that was scaled and turned about the vertical [rad]. Its middle is left at the
 /// origin.

@@ -6,6 +6,8 @@
 #include "SwayForest.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -32,6 +34,18 @@ vtkMTimeType LastChange(vtkDataObject* data)
   return std::max(data->GetMTime(), data->GetUpdateTime());
 }
 
+void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* plants)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Frequency");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(frequencies.size()));
+  std::copy(frequencies.begin(), frequencies.end(), array->GetPointer(0));
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(plants->GetFieldData());
+  fields->AddArray(array);
+  plants->SetFieldData(fields);
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -52,8 +66,8 @@ vtkBeamTreeDeformationFilter::vtkBeamTreeDeformationFilter()
   , DragLaw(0)
   , Gravity(false)
   , WoodFromPlants(true)
-  , YoungModulus(9e9)
-  , WoodDensity(900.0)
+  , YoungModulus(5.1e9)
+  , WoodDensity(950.0)
   , Damping(0.08)
   , LeafFlutter(1.0)
   , NumberOfPictures(8)
@@ -232,6 +246,7 @@ int vtkBeamTreeDeformationFilter::RequestData(
   {
     this->SetProgressText("Moving plants");
     this->Kept->Forest.Move(time, plants, output, this);
+    AttachFrequencies(this->Kept->Forest.GetFrequencies(), output);
     vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Forest.GetPictures());
   }
   this->UpdateProgress(1.0);

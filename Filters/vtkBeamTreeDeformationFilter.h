@@ -17,6 +17,10 @@
  * 4.2); of a scattered forest they do where its prototypes are connected. Low stands still. Times are those of the
  * wind.
  *
+ * Field data `Frequency` [Hz] of output 0: that of the first mode of each plant's trunk with all that it carries, by
+ * the row of the plant in the field data of a scattered forest, one number for a single plant; 0 for plants that stand
+ * still.
+ *
  * Output 1: these pictures (RGBA), one above the other, those of the first species first; texture coordinates of
  * Medium/Crown point to the one of the moment. They also travel as field data `Texture` and `TextureSize` of the
  * crowns.
@@ -99,13 +103,13 @@ public:
   ///@}
 
   ///@{
-  /// Of the living wood along the grain [Pa], 1e5 to 1e12. Default 9e9.
+  /// Of living wood along the grain, for a section with its bark [Pa], 1e5 to 1e12. Default 5.1e9.
   vtkSetMacro(YoungModulus, double);
   vtkGetMacro(YoungModulus, double);
   ///@}
 
   ///@{
-  /// Of the living wood [kg/m3], 1 to 1e5. Default 900.
+  /// Of the living wood [kg/m3], 1 to 1e5. Default 950.
   vtkSetMacro(WoodDensity, double);
   vtkGetMacro(WoodDensity, double);
   ///@}
