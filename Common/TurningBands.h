@@ -78,7 +78,7 @@ struct LineSpectrum
  *
  * The field is a function of position alone. A window of the grid holds the same bytes whether it is computed by
  * itself or as part of a larger one, and a grid of 2, 4, 8... times the spacing holds every 2nd, 4th, 8th... value,
- * provided that ShortestWavelength is the same.
+ * provided that ShortestWavelength is the same, and below eight of the finest spacings.
  *
  * Lines carry the long waves. Where the spectrum is left open at its end, short waves, of less than some four to eight
  * spacings, are a moving average of noise at the points (see ShortWaves). So variance and covariance at the points are

@@ -12,7 +12,8 @@
  * The field is a function of position on the grid: any part of the extent, any number of threads or ranks gives the
  * same bytes.
  * With a ShortestWavelength of its own, a grid of twice, four times... the spacing holds every second, fourth...
- * value of the finer one, so that a coarse preview is a true one.
+ * value of the finer one, so that a coarse preview is a true one: the same bytes if that wavelength is below eight of
+ * the finer spacings, else within 0.006 standard deviations.
  *
  * Optional input: a table of fits, as vtkCovarianceFitFilter writes it. Its first row then replaces Model,
  * StandardDeviation, Mean, Range, SecondRange, FractalDimension, AnisotropyRatio, AnisotropyAngle and Slope, column
