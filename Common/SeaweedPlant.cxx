@@ -19,8 +19,8 @@ namespace
 constexpr double Gravity = 9.80665;
 
 /// The mean length of the segments of a tissue in a branch [m].
-double MeanLengthOf(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments,
-  const SkeletonBranch& branch, SeaweedTissue tissue)
+double MeanLengthOf(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, const SkeletonBranch& branch,
+  SeaweedTissue tissue)
 {
   double length = 0.0;
   int count = 0;

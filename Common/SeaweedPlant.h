@@ -88,11 +88,11 @@ struct LinkBody
 /// A stiff segment of a seaweed and where it stands in its plant.
 struct SeaweedLink : LinkBody<double>
 {
-  int Parent = -1;        ///< link that it grows on, before it; -1: the ground
-  bool IsFirst = true;    ///< of its branch
-  int Node = 0;           ///< of the skeleton, at the foot
+  int Parent = -1;         ///< link that it grows on, before it; -1: the ground
+  bool IsFirst = true;     ///< of its branch
+  int Node = 0;            ///< of the skeleton, at the foot
   double MeanLength = 0.0; ///< of the links of its tissue in its branch [m]; 0: its own
-  double Restoring = 0.0; ///< what buoyancy beyond the joint adds to its stiffness upright [N m/rad]
+  double Restoring = 0.0;  ///< what buoyancy beyond the joint adds to its stiffness upright [N m/rad]
 };
 
 /**

@@ -160,9 +160,9 @@ struct LinkDynamics
   Vector WorkForce;       // those of the last iteration of a lane
   Vector WorkMoment;
   Vector Spin;
-  Lanes Tension;          // arm times pull: what straightens the link
-  Vector U[2];            // I^A S, linear
-  Vector G[2];            // and angular
+  Lanes Tension; // arm times pull: what straightens the link
+  Vector U[2];   // I^A S, linear
+  Vector G[2];   // and angular
   Lanes InverseJointInertia[3];
   Lanes JointImpulse[2];
 };
