@@ -230,6 +230,29 @@ TEST(SeaweedBlade, EqualLinksHaveTheDragUpToTheirCauchyNumber)
   }
 }
 
+TEST(SeaweedBlade, SkeletonsOfEqualSegmentsAreFound)
+{
+  for (const SeaweedPreset preset : { SeaweedPreset::SugarKelp, SeaweedPreset::GiantKelp, SeaweedPreset::Eelgrass })
+  {
+    const Seaweed weed = GrowSeaweed(PresetParameters(preset));
+    EXPECT_TRUE(std::isinf(UngradedCauchyNumber(weed.Wood, weed.Segments)));
+  }
+  // A blade of ten equal segments on a stipe of two: only the blade counts.
+  Skeleton skeleton;
+  skeleton.StartBranch(-1, { 0.0, 0.0, -20.0 }, 0.01);
+  for (int i = 1; i <= 12; ++i)
+  {
+    skeleton.Grow({ 0.0, 0.0, -20.0 + 0.2 * i }, 0.01);
+  }
+  std::vector<SeaweedSegment> segments(skeleton.Nodes.size());
+  EXPECT_TRUE(std::isinf(UngradedCauchyNumber(skeleton, segments)));
+  for (std::size_t node = 2; node < segments.size(); ++node)
+  {
+    segments[node].Tissue = SeaweedTissue::Blade;
+  }
+  EXPECT_NEAR(UngradedCauchyNumber(skeleton, segments), std::pow(5.2, 3), 1e-6);
+}
+
 TEST(SeaweedBlade, WavesAreFeltByTheEffectiveLength)
 {
   // Lei and Nepf (2019): l_e / l = 0.94 (Ca L)^(-1/4), L: length over the excursion of the water; by the root mean
