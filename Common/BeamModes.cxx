@@ -86,6 +86,14 @@ double ModeSlope(int mode, double part)
   return m.Root * (hyperbolic + std::sin(b) + m.Ratio * std::cos(b));
 }
 
+double ModeCurvature(int mode, double part)
+{
+  const Mode& m = ModeOf(mode);
+  const double b = m.Root * part;
+  const double hyperbolic = 0.5 * (m.Rest * std::exp(b) + (1.0 + m.Ratio) * std::exp(-b));
+  return m.Root * m.Root * (hyperbolic + std::cos(b) - m.Ratio * std::sin(b));
+}
+
 double MeanShape(int mode)
 {
   return 2.0 * ModeOf(mode).Ratio / ModeOf(mode).Root;

@@ -34,6 +34,9 @@ double ModeShape(int mode, double part);
 /// The derivative of the shape by the part of the length.
 double ModeSlope(int mode, double part);
 
+/// The second derivative of the shape by the part of the length.
+double ModeCurvature(int mode, double part);
+
 /// The mean of the shape over the beam: the share of a uniform load that drives the mode.
 double MeanShape(int mode);
 

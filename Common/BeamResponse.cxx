@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BeamResponse.h"
 
+#include "Constants.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,6 +59,28 @@ UnitStep SeriesStep(double angle, double damping)
   step.Before = { constant[0] - rising[0], constant[1] - rising[1] };
   step.After = rising;
   return step;
+}
+
+/// The modified Bessel function of order 0, by its series.
+double BesselI0(double x)
+{
+  double term = 1.0;
+  double sum = 1.0;
+  for (int k = 1; k < 24; ++k)
+  {
+    term *= 0.25 * x * x / (static_cast<double>(k) * k);
+    sum += term;
+  }
+  return sum;
+}
+
+/// sin(pi x) / (pi x) under a Kaiser window that ends half of SeriesTaps away.
+double WindowedSinc(double x)
+{
+  constexpr double beta = 6.0;
+  constexpr double reach = 0.5 * SeriesTaps;
+  const double window = BesselI0(beta * std::sqrt(std::max(0.0, 1.0 - x * x / (reach * reach))));
+  return window * (x == 0.0 ? 1.0 : std::sin(Pi * x) / (Pi * x));
 }
 
 /// The table of the specification with a frequency of 1 and a step of `angle`.
@@ -158,6 +182,25 @@ OscillatorState SettledState(const Oscillator& oscillator, double period, const 
   return Correction(free, oscillator.Frequency, fromRest);
 }
 
+std::vector<Vector3> SharpLoad(const std::vector<Vector3>& load)
+{
+  // By s^2, which is minus a quarter of a second difference: 1 + s^2 / 3 + 8 s^4 / 45 + 4 s^6 / 35.
+  constexpr double second = -1.0 / (4.0 * 3.0);
+  constexpr double fourth = 8.0 / (16.0 * 45.0);
+  constexpr double sixth = -4.0 / (64.0 * 35.0);
+  std::vector<Vector3> sharp(load.size() - 2 * LoadMargin);
+  for (std::size_t n = 0; n < sharp.size(); ++n)
+  {
+    const Vector3* at = &load[n + LoadMargin];
+    const Vector3 one = at[-1] + at[1];
+    const Vector3 two = at[-2] + at[2];
+    const Vector3 three = at[-3] + at[3];
+    sharp[n] = at[0] + second * (one - 2.0 * at[0]) + fourth * (two - 4.0 * one + 6.0 * at[0]) +
+      sixth * (three - 6.0 * two + 15.0 * one - 20.0 * at[0]);
+  }
+  return sharp;
+}
+
 SeriesPlace::SeriesPlace(double time, double step, std::size_t count)
 {
   const double n = static_cast<double>(count);
@@ -165,12 +208,18 @@ SeriesPlace::SeriesPlace(double time, double step, std::size_t count)
   const double place = samples - n * std::floor(samples / n);
   const std::size_t at = std::min(count - 1, static_cast<std::size_t>(place));
   const double f = place - static_cast<double>(at);
-  for (std::size_t i = 0; i < 4; ++i)
+  double sum = 0.0;
+  for (std::size_t i = 0; i < SeriesTaps; ++i)
   {
-    this->Samples[i] = (at + count + i - 1) % count;
+    const long long gone = static_cast<long long>(i) - SeriesBefore;
+    this->Samples[i] = (at + count * SeriesTaps + i - SeriesBefore) % count;
+    this->Weights[i] = WindowedSinc(f - static_cast<double>(gone));
+    sum += this->Weights[i];
   }
-  this->Weights = { 0.5 * f * (-1.0 + f * (2.0 - f)), 1.0 + 0.5 * f * f * (-5.0 + 3.0 * f),
-    0.5 * f * (1.0 + f * (4.0 - 3.0 * f)), 0.5 * f * f * (f - 1.0) };
+  for (double& weight : this->Weights) // what does not change stays
+  {
+    weight /= sum;
+  }
 }
 
 }

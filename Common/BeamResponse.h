@@ -81,21 +81,40 @@ inline Vector3 InterpolatedResponse(const OrthogonalResponses& of, const Vector3
   return AcrossBeam(0.5 * (of.X + of.Y + of.Z), beam);
 }
 
+/// Samples that SharpLoad needs before the first and after the last that it gives.
+inline constexpr std::size_t LoadMargin = 3;
+
+/**
+ * A load that is linear between its samples has lost a part of each wave, 1 - sinc^2(f step) at the frequency f. This
+ * gives the samples back what their line through them will lose: 1 / sinc^2 = arcsin^2(s) / s^2 with s = sin(pi f
+ * step), as its series of seven samples. What is left of a wave of four samples is 0.993 in place of 0.811; a load that
+ * does not change stays. The result is shorter by LoadMargin at each end.
+ */
+std::vector<Vector3> SharpLoad(const std::vector<Vector3>& load);
+
+/// Samples that a place between them is read from, and how many of them are before the last one that has gone by.
+inline constexpr std::size_t SeriesTaps = 8;
+inline constexpr long long SeriesBefore = 3;
+
 /// A place between the samples of a periodic series.
 struct SeriesPlace
 {
-  std::array<std::size_t, 4> Samples{};
-  std::array<double, 4> Weights{};
+  std::array<std::size_t, SeriesTaps> Samples{};
+  std::array<double, SeriesTaps> Weights{};
 
-  /// At a time [s], any finite number, of a series of `count` samples a step [s] apart: a cubic through the samples
-  /// with a continuous derivative (Catmull-Rom).
+  /// At a time [s], any finite number, of a series of `count` samples a step [s] apart: band-limited, by a sinc under a
+  /// Kaiser window (beta 6). Waves of four samples and more keep their size to 0.15 %.
   SeriesPlace(double time, double step, std::size_t count);
 
   template <typename Value>
   Value Of(const Value* series) const
   {
-    return this->Weights[0] * series[this->Samples[0]] + this->Weights[1] * series[this->Samples[1]] +
-      this->Weights[2] * series[this->Samples[2]] + this->Weights[3] * series[this->Samples[3]];
+    Value value = this->Weights[0] * series[this->Samples[0]];
+    for (std::size_t tap = 1; tap < SeriesTaps; ++tap)
+    {
+      value += this->Weights[tap] * series[this->Samples[tap]];
+    }
+    return value;
   }
 };
 

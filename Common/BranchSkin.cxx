@@ -57,6 +57,22 @@ void JoinRings(PlantMesh& mesh, int sides)
   }
 }
 
+/// Closes the foot of a branch, whose first ring starts at a vertex, by triangles in its plane with normals of their
+/// own.
+void CloseFoot(PlantMesh& mesh, int ring, int sides, const Vector3& direction)
+{
+  const int first = static_cast<int>(mesh.Points.size());
+  for (int corner = 0; corner < sides; ++corner)
+  {
+    CopyVertex(mesh, ring + corner);
+    mesh.Normals.back() = -direction;
+  }
+  for (int corner = 1; corner + 1 < sides; ++corner)
+  {
+    mesh.AddPolygon(std::array<int, 3>{ first, first + corner + 1, first + corner });
+  }
+}
+
 /// Twigs are darker than the trunk, whatever that is.
 Colour BarkOf(const Colour& trunk, int order)
 {
@@ -75,6 +91,7 @@ void SkinBranch(
 {
   Vector3 side = Perpendicular(DirectionAt(skeleton, branch, 0));
   const Colour bark = BarkOf(options.Bark, branch.Order);
+  const int foot = static_cast<int>(mesh.Points.size());
   double v = 0.0;
   for (int step = 0; step < branch.Count; ++step)
   {
@@ -105,6 +122,7 @@ void SkinBranch(
   {
     mesh.AddPolygon(std::array<int, 3>{ ring + corner, ring + corner + 1, ring + sides + 1 });
   }
+  CloseFoot(mesh, foot, sides, DirectionAt(skeleton, branch, 0));
 }
 
 }
@@ -128,6 +146,7 @@ PlantMesh SkinOf(const Skeleton& skeleton, const BranchSkinOptions& options)
     const int sides = NumberOfSides(skeleton.Nodes[branch.First].Radius, thickest, options.MostSides);
     SkinBranch(mesh, skeleton, branch, sides, options);
   }
+  TurnNormalsToFronts(mesh); // where a thick branch bends sharply
   return mesh;
 }
 

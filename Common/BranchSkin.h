@@ -21,10 +21,11 @@ struct BranchSkinOptions
 int NumberOfSides(double radius, double thickest, int mostSides);
 
 /**
- * Generalised cylinders: a ring of vertices at each node, at right angles to the branch, carried along without twist,
- * and a point at the tip. Triangles; one connected piece a branch. A ring follows the joints of the segments that meet
- * there, half and half; the first ring its own joint, the tip that of the last segment. A joint moves the segment that
- * starts at its node. The skeleton must be valid.
+ * Generalised cylinders: a ring of vertices at each node, at right angles to the branch, carried along without twist, a
+ * point at the tip, and a flat end at the foot. Triangles, a closed surface for each branch: places that have two
+ * texture coordinates, at the seam, or two normals, around the foot, have two vertices. A ring follows the joints of
+ * the segments that meet there, half and half; the first ring its own joint, the tip that of the last segment. A joint
+ * moves the segment that starts at its node. The skeleton must be valid.
  */
 PlantMesh SkinOf(const Skeleton& skeleton, const BranchSkinOptions& options);
 

@@ -4,42 +4,10 @@
 #define LittoralCurrentDrift_h
 
 #include "Vector3.h"
-
-#include <cmath>
-#include <limits>
+#include "WaterLayer.h"
 
 namespace littoral
 {
-
-/// Water between a bed and a surface, either of which may be missing. Both are mirrors: below the bed the flow is that
-/// above it, turned over, and so on.
-struct WaterLayer
-{
-  double Bed = -std::numeric_limits<double>::infinity();    ///< [m]
-  double Surface = std::numeric_limits<double>::infinity(); ///< [m]
-
-  /// The height within the layer that stands for a height of the mirrored water. `upright` tells whether it is seen
-  /// by an even number of mirrors.
-  double Fold(double height, bool& upright) const
-  {
-    upright = true;
-    if (height >= this->Bed && height <= this->Surface)
-    {
-      return height;
-    }
-    if (std::isfinite(this->Bed) && std::isfinite(this->Surface))
-    {
-      const double depth = this->Surface - this->Bed;
-      const double turns = std::floor((height - this->Bed) / depth);
-      const double rest = std::fmin(std::fmax(height - this->Bed - turns * depth, 0.0), depth);
-      upright = std::fmod(turns, 2.0) == 0.0;
-      return upright ? this->Bed + rest : this->Surface - rest;
-    }
-    upright = false;
-    return height < this->Bed ? std::fmax(2.0 * this->Bed - height, this->Bed)
-                              : std::fmin(2.0 * this->Surface - height, this->Surface);
-  }
-};
 
 /**
  * One step of the classical Runge-Kutta method of fourth order along a current: eq. 3 of Coulais et al., in place of
@@ -47,6 +15,9 @@ struct WaterLayer
  * beginning (stage 0), the middle (1) and the end (2) of the step. `ahead` becomes where half a step along the first
  * velocity leads to: where a step is too long, the method can stand still between velocities that cancel, but this way
  * shows what lies ahead.
+ *
+ * No current of FlowField or of a grid leads through the bed or the surface. What a step of finite length still puts
+ * beyond them is mirrored, so that no point leaves the water.
  */
 template <typename Velocity>
 Vector3 DriftStep(

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace littoral
@@ -36,6 +37,69 @@ bool HasEnd(const FlowPrimitive& primitive)
 {
   return primitive.InfluenceRadius > 0.0 || primitive.InfluenceMargin > 0.0;
 }
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Images of an endless source on each side between two walls.
+constexpr int SourceImages = 3;
+/// Images of an endless vortex on each side between two walls, and the depths at which each has ended.
+constexpr int VortexImages = 6;
+/// Core of the vertical vortex that makes up for the far circulation of these [depths].
+constexpr double FarCore = 3.0;
+/// Images of what ends, on each side: a reach beyond this many depths leaves out images that hardly matter.
+constexpr int MostImages = 64;
+
+/// An axis whose slope is less than this is level.
+constexpr double LevelAxis = 1e-9;
+
+}
+
+/// A mirror about a level, or a shift: a height z becomes Sign z + Offset.
+struct FlowField::Reflection
+{
+  double Sign;
+  double Offset;
+
+  bool IsMirror() const { return this->Sign < 0.0; }
+  bool IsNone() const { return this->Sign > 0.0 && this->Offset == 0.0; }
+  Vector3 operator()(const Vector3& place) const { return { place.x, place.y, this->Sign * place.z + this->Offset }; }
+  Box operator()(const Box& box) const
+  {
+    const Vector3 low = (*this)(box.Low);
+    const Vector3 high = (*this)(box.High);
+    return { glm::min(low, high), glm::max(low, high) };
+  }
+};
+
+/// The reflections that the walls make of what is in the water, the water itself first; between two walls as many on
+/// each side.
+std::vector<FlowField::Reflection> FlowField::ReflectionsOf(const WaterLayer& layer, int mostImages)
+{
+  std::vector<Reflection> reflections{ { 1.0, 0.0 } };
+  if (!layer.HasWalls())
+  {
+    return reflections;
+  }
+  if (!(layer.HasBed() && layer.HasSurface()))
+  {
+    reflections.push_back({ -1.0, 2.0 * (layer.HasBed() ? layer.Bed : layer.Surface) });
+    return reflections;
+  }
+  for (int n = 1; n <= mostImages; ++n)
+  {
+    // The layer that is n depths away, below and above.
+    for (const int away : { -n, n })
+    {
+      const double even = away * layer.Depth();
+      const double odd = layer.Bed + layer.Surface + even;
+      reflections.push_back(n % 2 == 0 ? Reflection{ 1.0, even } : Reflection{ -1.0, odd });
+    }
+  }
+  return reflections;
+}
+
+namespace
+{
 
 /// A box outside of which there is no flow: the common part of that about the sphere and that about the influence box.
 Box ReachOf(const FlowPrimitive& primitive)
@@ -94,10 +158,9 @@ std::string WhyInvalid(const FlowPrimitive& primitive)
   return reason.str();
 }
 
-FlowField::FlowField(const std::vector<FlowPrimitive>& primitives)
+FlowField::FlowField(const std::vector<FlowPrimitive>& primitives, const WaterLayer& layer)
   : Count(primitives.size())
 {
-  std::vector<Box> reaches;
   const auto inverseSquare = [](double length) { return length > 0.0 ? 1.0 / (length * length) : 0.0; };
   for (const FlowPrimitive& primitive : primitives)
   {
@@ -110,7 +173,8 @@ FlowField::FlowField(const std::vector<FlowPrimitive>& primitives)
       case FlowType::Uniform:
         if (!HasEnd(primitive))
         {
-          this->Everywhere += primitive.Strength * axis;
+          const Vector3 flow = primitive.Strength * axis;
+          this->Everywhere += layer.HasWalls() ? Vector3(flow.x, flow.y, 0.0) : flow;
           continue;
         }
         break;
@@ -119,23 +183,194 @@ FlowField::FlowField(const std::vector<FlowPrimitive>& primitives)
         break;
       case FlowType::Sink:
         local.Factor /= -4.0 * Pi;
-        this->Sinks.push_back({ primitive.Centre, core });
         break;
       case FlowType::Vortex:
         local.Factor /= TwoPi;
         break;
     }
-    if (HasEnd(primitive))
+    const bool isPoint = primitive.Type == FlowType::Source || primitive.Type == FlowType::Sink;
+    if (isPoint && !layer.Holds(primitive.Centre.z))
     {
-      this->Ending.push_back(local);
-      reaches.push_back(ReachOf(primitive));
+      continue;
+    }
+    if (primitive.Type == FlowType::Sink)
+    {
+      this->Sinks.push_back({ primitive.Centre, core });
+    }
+    if (layer.HasWalls())
+    {
+      this->AddBetweenWalls(local, primitive, layer);
     }
     else
     {
-      this->Around.push_back(local);
+      this->Add(local, primitive);
     }
   }
-  this->Cells = BoxCells(reaches);
+  this->Cells = BoxCells(this->Reaches);
+}
+
+void FlowField::Add(const Local& local, const FlowPrimitive& primitive)
+{
+  if (HasEnd(primitive))
+  {
+    this->Ending.push_back(local);
+    this->Reaches.push_back(ReachOf(primitive));
+  }
+  else
+  {
+    this->Around.push_back(local);
+  }
+}
+
+void FlowField::AddBetweenWalls(const Local& local, const FlowPrimitive& primitive, const WaterLayer& layer)
+{
+  const bool isVortex = primitive.Type == FlowType::Vortex;
+  const bool isUniform = primitive.Type == FlowType::Uniform;
+  const bool isLevel = isVortex ? local.Axis.x == 0.0 && local.Axis.y == 0.0 : isUniform && local.Axis.z == 0.0;
+  if (isLevel)
+  {
+    this->Add(local, primitive);
+    return;
+  }
+  Local own = local;
+  if (isVortex)
+  {
+    // The part of the axis that is in the water.
+    if (std::abs(own.Axis.z) < LevelAxis)
+    {
+      own.Axis = Normalised({ own.Axis.x, own.Axis.y, 0.0 });
+      if (!layer.Holds(own.Centre.z))
+      {
+        return;
+      }
+    }
+    const double low = own.Axis.z != 0.0 ? (layer.Bed - own.Centre.z) / own.Axis.z : -Infinity;
+    const double high = own.Axis.z != 0.0 ? (layer.Surface - own.Centre.z) / own.Axis.z : Infinity;
+    own.First = std::min(low, high);
+    own.Last = std::max(low, high);
+    own.IsPart = std::isfinite(low) || std::isfinite(high);
+  }
+  const bool isEndless = !HasEnd(primitive);
+  const bool hasBoth = layer.HasBed() && layer.HasSurface();
+  if (isEndless && hasBoth && isVortex)
+  {
+    this->AddVortexChain(own, layer);
+    return;
+  }
+  if (isEndless && hasBoth)
+  {
+    this->AddSourceStack(own, layer);
+    return;
+  }
+  const auto reaches = [&](const Box& box) { return box.High.z >= layer.Bed && box.Low.z <= layer.Surface; };
+  if (!isEndless && !reaches(ReachOf(primitive)))
+  {
+    return; // it flows beyond the walls alone
+  }
+  for (const Reflection& reflection : ReflectionsOf(layer, MostImages))
+  {
+    const Local image = Reflected(own, reflection);
+    const Box reach = isEndless ? Box{} : reflection(ReachOf(primitive));
+    if (isEndless)
+    {
+      this->Around.push_back(image);
+    }
+    else if (reaches(reach))
+    {
+      this->Ending.push_back(image);
+      this->Reaches.push_back(reach);
+    }
+  }
+}
+
+void FlowField::AddSourceStack(const Local& local, const WaterLayer& layer)
+{
+  // The sum over all n of f(z - 2 n h) is the integral over dn and, on each side, the difference between the images up
+  // to N and the integral up to N + 1/2, with (f(N + 1) - f(N))/24 for the rest: Euler and Maclaurin.
+  const double depth = layer.Depth();
+  const double end = (2.0 * SourceImages + 1.0) * depth;
+  Column column{ local.Centre.x, local.Centre.y, local.Factor / (2.0 * depth), local.CoreSquared, {}, {} };
+  int sequence = 0;
+  for (const Reflection& first : { Reflection{ 1.0, 0.0 }, Reflection{ -1.0, 2.0 * layer.Bed } })
+  {
+    for (int n = -SourceImages - 1; n <= SourceImages + 1; ++n)
+    {
+      const int beyond = std::abs(n) - SourceImages;
+      const double weight = beyond < 0 ? 1.0 : beyond == 0 ? 23.0 / 24.0 : 1.0 / 24.0;
+      Local image = Reflected(local, { first.Sign, first.Offset + 2.0 * n * depth });
+      image.Factor *= weight;
+      this->Around.push_back(image);
+    }
+    const double middle = first(local.Centre).z;
+    column.Lows[sequence] = middle - end;
+    column.Highs[sequence++] = middle + end;
+  }
+  this->Columns.push_back(column);
+}
+
+void FlowField::AddVortexChain(const Local& local, const WaterLayer& layer)
+{
+  const double depth = layer.Depth();
+  Local part = local;
+  part.IsPart = true;
+  part.InverseFade = 1.0 / (VortexImages * depth * VortexImages * depth);
+  for (const Reflection& reflection : ReflectionsOf(layer, VortexImages))
+  {
+    this->Around.push_back(Reflected(part, reflection));
+  }
+  if (local.Axis.z == 0.0)
+  {
+    return; // images cancel far away
+  }
+  Local far = local;
+  far.IsPart = false;
+  far.Centre += 0.5 * (local.First + local.Last) * local.Axis;
+  const double halfLength = 0.5 * (local.Last - local.First) * std::hypot(local.Axis.x, local.Axis.y);
+  far.CoreSquared = FarCore * FarCore * depth * depth + halfLength * halfLength;
+  far.InverseCore = 1.0 / far.CoreSquared;
+  far.Axis = Vector3(0.0, 0.0, std::copysign(1.0, local.Axis.z));
+  this->Around.push_back(far);
+}
+
+FlowField::Local FlowField::Reflected(const Local& local, const Reflection& reflection)
+{
+  Local image = local;
+  image.Centre = reflection(local.Centre);
+  image.Whole = reflection(local.Whole);
+  if (local.Type == FlowType::Uniform && !reflection.IsNone())
+  {
+    image.Factor = reflection.Sign * local.Factor * local.Axis.z;
+    image.Axis = Vector3(0.0, 0.0, 1.0);
+  }
+  if (local.Type == FlowType::Vortex && reflection.IsMirror())
+  {
+    // Turns the other way about the mirrored axis: the same along that axis turned round.
+    image.Axis = Vector3(-local.Axis.x, -local.Axis.y, local.Axis.z);
+    image.First = -local.Last;
+    image.Last = -local.First;
+  }
+  return image;
+}
+
+inline double FlowField::Local::PartShare(double q2, double s) const
+{
+  double share = 1.0;
+  if (this->InverseFade > 0.0)
+  {
+    const double beyond = std::max(0.0, std::max(this->First - s, s - this->Last));
+    const double inside = 1.0 - (q2 + beyond * beyond) * this->InverseFade;
+    if (inside <= 0.0)
+    {
+      return 0.0;
+    }
+    share = inside * inside;
+  }
+  // Half the difference of the cosines under which the ends are seen from the axis.
+  const double softened = q2 + this->CoreSquared;
+  const auto cosine = [softened](double t) {
+    return std::isfinite(t) ? t / std::sqrt(softened + t * t) : std::copysign(1.0, t);
+  };
+  return 0.5 * share * (cosine(s - this->First) - cosine(s - this->Last));
 }
 
 inline Vector3 FlowField::Local::Flow(const Vector3& arm, double squaredArm, double factor) const
@@ -153,8 +388,10 @@ inline Vector3 FlowField::Local::Flow(const Vector3& arm, double squaredArm, dou
     case FlowType::Vortex:
     {
       const Vector3 around = glm::cross(this->Axis, arm);
-      const double x = glm::dot(around, around) * this->InverseCore;
-      return (factor * this->InverseCore * CoreShare(x)) * around;
+      const double q2 = glm::dot(around, around);
+      const double part = this->IsPart ? this->PartShare(q2, glm::dot(this->Axis, arm)) : 1.0;
+      return part != 0.0 ? (part * factor * this->InverseCore * CoreShare(q2 * this->InverseCore)) * around
+                         : Vector3(0.0);
     }
   }
   return Vector3(0.0);
@@ -177,6 +414,26 @@ inline double FlowField::Local::Share(const Vector3& place, double squaredArm) c
   return share;
 }
 
+inline Vector3 FlowField::Column::Flow(const Vector3& place) const
+{
+  const double x = place.x - this->X;
+  const double y = place.y - this->Y;
+  const double softened = x * x + y * y + this->CoreSquared;
+  double across = 0.0;
+  double up = 0.0;
+  for (int sequence = 0; sequence < 2; ++sequence)
+  {
+    const double overLow = place.z - this->Lows[sequence];
+    const double overHigh = place.z - this->Highs[sequence];
+    const double nearLow = 1.0 / std::sqrt(softened + overLow * overLow);
+    const double nearHigh = 1.0 / std::sqrt(softened + overHigh * overHigh);
+    across += 2.0 - overLow * nearLow + overHigh * nearHigh;
+    up += nearLow - nearHigh;
+  }
+  across *= this->Factor / softened;
+  return { across * x, across * y, this->Factor * up };
+}
+
 Vector3 FlowField::Velocity(const Vector3& place) const
 {
   Vector3 sum = this->Everywhere;
@@ -184,6 +441,10 @@ Vector3 FlowField::Velocity(const Vector3& place) const
   {
     const Vector3 arm = place - local.Centre;
     sum += local.Flow(arm, glm::dot(arm, arm), local.Factor);
+  }
+  for (const Column& column : this->Columns)
+  {
+    sum += column.Flow(place);
   }
   if (this->Ending.empty())
   {

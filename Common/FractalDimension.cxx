@@ -52,6 +52,37 @@ Slope FitSlope(const std::vector<double>& x, const std::vector<double>& y)
   return slope;
 }
 
+constexpr DimensionEstimate NoDimension{ std::numeric_limits<double>::quiet_NaN(),
+  std::numeric_limits<double>::quiet_NaN() };
+
+/// A dimension is told from data whose slope is sure to this standard error at most.
+constexpr double LargestStandardError = 0.12;
+
+/**
+ * D = dimensionAtZero + slope / 2 of points on a line. None where D is not in [2, 3] or unsure, or where the two halves
+ * of the points tell dimensions that differ by more than the bend and twice the standard error of the
+ * difference: then they lie on no line.
+ */
+DimensionEstimate DimensionOfLine(
+  const std::vector<double>& x, const std::vector<double>& y, double dimensionAtZero, double bend)
+{
+  if (x.size() < 6)
+  {
+    return NoDimension;
+  }
+  const Slope slope = FitSlope(x, y);
+  const DimensionEstimate whole{ dimensionAtZero + 0.5 * slope.Value, 0.5 * slope.StandardError };
+  const double middle = 0.5 * (x.front() + x.back());
+  const auto half = std::lower_bound(x.begin(), x.end(), middle) - x.begin();
+  const Slope first = FitSlope({ x.begin(), x.begin() + half }, { y.begin(), y.begin() + half });
+  const Slope second = FitSlope({ x.begin() + half, x.end() }, { y.begin() + half, y.end() });
+  const double difference = 0.5 * std::abs(second.Value - first.Value);
+  const double unsure = 0.5 * std::hypot(first.StandardError, second.StandardError);
+  const bool straight = difference <= bend + 2.0 * unsure; // false where a half has too few points
+  const bool fractal = whole.Dimension >= 2.0 && whole.Dimension <= 3.0;
+  return straight && fractal && whole.StandardError <= LargestStandardError ? whole : NoDimension;
+}
+
 double Hann(int index, int size)
 {
   return 0.5 - 0.5 * std::cos(TwoPi * (index + 0.5) / size);
@@ -59,6 +90,60 @@ double Hann(int index, int size)
 
 /// Rings of the periodogram, even in the logarithm of the wave number.
 constexpr int NumberOfRings = 20;
+/// Dimensions that two halves of a periodogram tell may differ by this much: exponential fields of 10 cells do by 0.3.
+constexpr double PeriodogramBend = 0.4;
+/// A slope that without regard to folding is that of a higher dimension is that of noise: D = 2.9 tells 3.1.
+constexpr double NoisySlope = 3.25;
+/// Sampled at points, a surface of a higher dimension cannot be told from noise.
+constexpr double RoughestDimension = 2.95;
+
+/// Dimensions that two halves of a variogram tell may differ by this much: fractal fields of 256^2 cells do by 0.06.
+constexpr double VariogramBend = 0.12;
+/// A variogram that tells a lower dimension at short lags is a parabola: that of a smooth field.
+constexpr double SmoothDimension = 2.05;
+/// One that tells a higher dimension at short or long lags is level there: such values have nothing in common.
+constexpr double LevelDimension = 2.97;
+
+/**
+ * A surface that is sampled at points folds the spectrum k^-b beyond the grid's own wave numbers back: the power
+ * that is found at k over k^-b, averaged over directions. The sum over the lattice of the grid's sampling wave numbers,
+ * out to a square, and an integral beyond.
+ */
+double FoldedOverOwn(double k, double b, const std::array<double, 2>& spacing)
+{
+  constexpr int reach = 2;
+  constexpr int directions = 8;
+  const double stepX = TwoPi / spacing[0];
+  const double stepY = TwoPi / spacing[1];
+  double sum = 0.0;
+  for (int n = 0; n < directions; ++n)
+  {
+    const double angle = 0.5 * Pi * (n + 0.5) / directions;
+    for (int j = -reach; j <= reach; ++j)
+    {
+      for (int i = -reach; i <= reach; ++i)
+      {
+        sum += std::pow(std::hypot(k * std::cos(angle) + i * stepX, k * std::sin(angle) + j * stepY), -b) / directions;
+      }
+    }
+  }
+  const double side = 2.0 * reach + 1.0;
+  const double radius = side * std::sqrt(stepX * stepY / Pi);
+  const double beyond = TwoPi * std::pow(radius, 2.0 - b) / ((b - 2.0) * stepX * stepY);
+  return (sum + beyond) * std::pow(k, b);
+}
+
+/// Logarithms of the power, less what a surface of dimension D folds back.
+std::vector<double> Unfolded(const std::vector<double>& logWaveNumber, const std::vector<double>& logPower,
+  double dimension, const std::array<double, 2>& spacing)
+{
+  std::vector<double> own = logPower;
+  for (std::size_t n = 0; n < own.size(); ++n)
+  {
+    own[n] -= std::log(FoldedOverOwn(std::exp(logWaveNumber[n]), 8.0 - 2.0 * dimension, spacing));
+  }
+  return own;
+}
 
 }
 
@@ -111,8 +196,21 @@ DimensionEstimate DimensionFromPeriodogram(const GridSamples& samples, const Par
       y.push_back(std::log(power[ring] / count[ring]));
     }
   }
-  const Slope slope = FitSlope(x, y);
-  return { 4.0 + 0.5 * slope.Value, 0.5 * slope.StandardError };
+  if (!(4.0 + 0.5 * FitSlope(x, y).Value < NoisySlope))
+  {
+    return NoDimension;
+  }
+  // The D whose own folding leaves the slope of D: a higher one takes away more, so that halving finds it.
+  double low = 2.0;
+  double high = RoughestDimension;
+  for (int step = 0; step < 30; ++step)
+  {
+    const double middle = 0.5 * (low + high);
+    const double told = 4.0 + 0.5 * FitSlope(x, Unfolded(x, y, middle, samples.Spacing)).Value;
+    (told > middle ? low : high) = middle;
+  }
+  return high < RoughestDimension ? DimensionOfLine(x, Unfolded(x, y, low, samples.Spacing), 4.0, PeriodogramBend)
+                                  : NoDimension;
 }
 
 DimensionEstimate DimensionFromVariogram(const VariogramMap& map)
@@ -125,11 +223,15 @@ DimensionEstimate DimensionFromVariogram(const VariogramMap& map)
     if (bin.Lag > 1.5 * cell && bin.Semivariance > 0.0)
     {
       x.push_back(std::log(bin.Lag));
-      y.push_back(std::log(bin.Semivariance));
+      y.push_back(-std::log(bin.Semivariance));
     }
   }
-  const Slope slope = FitSlope(x, y);
-  return { 3.0 - 0.5 * slope.Value, 0.5 * slope.StandardError };
+  const std::size_t third = x.size() / 3;
+  const double atShort = 3.0 + 0.5 * FitSlope({ x.begin(), x.begin() + third }, { y.begin(), y.begin() + third }).Value;
+  const double atLong = 3.0 + 0.5 * FitSlope({ x.end() - third, x.end() }, { y.end() - third, y.end() }).Value;
+  const bool rises = atShort >= SmoothDimension && atShort <= LevelDimension &&
+    atLong <= LevelDimension; // false where there are too few lags
+  return rises ? DimensionOfLine(x, y, 3.0, VariogramBend) : NoDimension;
 }
 
 }

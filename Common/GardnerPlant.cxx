@@ -218,6 +218,8 @@ public:
         this->AddSection(quadric, section);
       }
     }
+    // Rims of sections in slender quadrics.
+    TurnNormalsToFronts(this->Mesh);
     return std::move(this->Mesh);
   }
 

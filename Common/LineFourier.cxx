@@ -8,7 +8,9 @@
 #include "FftwLines.h"
 #endif
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace littoral
 {
@@ -224,6 +226,32 @@ LITTORAL_SIMD_CLONES void FoldHalves(LinePack& pack, std::size_t half, const flo
     }
   }
 }
+
+/// Parts the transform Z of pairs, given as its conjugate, into the half spectrum of the real line:
+/// 2 X_k = Z_k + conj Z_(half - k) - i exp(-2 pi i k / length) (Z_k - conj Z_(half - k)).
+LITTORAL_SIMD_CLONES void PartHalves(LinePack& pack, std::size_t half, const float* turns)
+{
+  for (std::size_t k = 0; k <= half; ++k)
+  {
+    const std::size_t own = k < half ? k : 0;
+    const std::size_t other = k > 0 ? half - k : 0;
+    const float* re = &pack.Re[own * FourierLanes];
+    const float* im = &pack.Im[own * FourierLanes];
+    const float* otherRe = &pack.Re[other * FourierLanes];
+    const float* otherIm = &pack.Im[other * FourierLanes];
+    float* toRe = &pack.WorkRe[k * FourierLanes];
+    float* toIm = &pack.WorkIm[k * FourierLanes];
+    const float c = k < half ? turns[2 * k] : -1.0f;
+    const float s = k < half ? turns[2 * k + 1] : 0.0f;
+    for (int lane = 0; lane < FourierLanes; ++lane)
+    {
+      const float difRe = re[lane] - otherRe[lane];
+      const float difIm = -im[lane] - otherIm[lane];
+      toRe[lane] = 0.5f * (re[lane] + otherRe[lane] + (c * difIm - s * difRe));
+      toIm[lane] = 0.5f * (otherIm[lane] - im[lane] - (c * difRe + s * difIm));
+    }
+  }
+}
 }
 
 bool HasFftw()
@@ -316,6 +344,16 @@ void RealLineFourier::Backward(LinePack& pack) const
   pack.Re.swap(pack.WorkRe);
   pack.Im.swap(pack.WorkIm);
   this->Half.Backward(pack);
+}
+
+void RealLineFourier::Forward(LinePack& pack) const
+{
+  // The transform with the exponent -i is the conjugate of that of the conjugate.
+  std::transform(pack.Im.begin(), pack.Im.end(), pack.Im.begin(), std::negate<float>());
+  this->Half.Backward(pack);
+  PartHalves(pack, this->Half.GetLength(), this->Turns.data());
+  pack.Re.swap(pack.WorkRe);
+  pack.Im.swap(pack.WorkIm);
 }
 
 }

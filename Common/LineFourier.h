@@ -92,6 +92,9 @@ public:
    */
   void Backward(LinePack& pack) const;
 
+  /// The other way: from the even samples in Re and the odd ones in Im to X_0 ... X_(length / 2), times the length.
+  void Forward(LinePack& pack) const;
+
 private:
   LineFourier Half;
   std::vector<float> Turns; ///< exp(2 pi i k / length): real, imaginary

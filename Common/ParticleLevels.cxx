@@ -51,7 +51,7 @@ public:
 
   bool MayShow(const ParticleGroups::Cell& cell) const
   {
-    if (Distance(cell.Bounds, this->Frustum.GetView().Point) > this->Limit)
+    if (SightDistance(this->Frustum.GetView(), cell.Bounds) > this->Limit)
     {
       return false;
     }
@@ -75,7 +75,12 @@ private:
       this->Frustum.MayShow(centre, this->Table.AmplitudeAt(height) + this->Options.Margin);
   }
 
-  double DistanceOf(int particle) const { return glm::distance(this->Places[particle], this->Frustum.GetView().Point); }
+  double DistanceOf(int particle) const { return LevelDistance(this->Frustum.GetView(), this->Places[particle]); }
+
+  bool IsInSight(int particle) const
+  {
+    return SightDistance(this->Frustum.GetView(), this->Places[particle]) <= this->Limit;
+  }
 
   ShownParticle OnOrbit(int particle, double distance, double weight) const
   {
@@ -97,11 +102,11 @@ private:
   /// A particle with an orbit of its own: masters, and those that follow none. The place of a master in Middle, or -1.
   int TakeMaster(int particle, Part& part) const
   {
-    const double distance = this->DistanceOf(particle);
-    if (distance > this->Limit)
+    if (!this->IsInSight(particle))
     {
       return -1;
     }
+    const double distance = this->DistanceOf(particle);
     LevelWeights weights = WeightsAt(distance, this->Options);
     this->TakeFog(particle, weights.Far, part);
     const double weight = 1.0 - weights.Far;
@@ -117,11 +122,11 @@ private:
 
   void TakeSlave(int particle, int master, int& place, Part& part) const
   {
-    const double distance = this->DistanceOf(particle);
-    if (distance > this->Limit)
+    if (!this->IsInSight(particle))
     {
       return;
     }
+    const double distance = this->DistanceOf(particle);
     const LevelWeights weights = WeightsAt(distance, this->Options);
     this->TakeFog(particle, weights.Far, part);
     const Vector3& centre = this->Places[particle];

@@ -116,14 +116,7 @@ public:
   PlantMesh Run()
   {
     const bool cone = this->Crown.Shape == CrownShape::Cone;
-    if (cone)
-    {
-      this->AddBase();
-    }
-    else
-    {
-      this->AddPole(0.0, -1.0);
-    }
+    this->AddPole(0.0, -1.0);
     for (int ring = 0; ring < RingsOfCrown; ++ring)
     {
       const double part = cone ? static_cast<double>(ring) / RingsOfCrown
@@ -132,6 +125,7 @@ public:
     }
     this->AddPole(1.0, 1.0);
     this->Join();
+    TurnNormalsToFronts(this->Mesh); // of dents
     return std::move(this->Mesh);
   }
 
@@ -157,9 +151,6 @@ private:
     }
   }
 
-  /// The underside of a cone.
-  void AddBase() { this->AddPole(0.0, -1.0); }
-
   void AddRing(double part, double wide, int ring)
   {
     for (int corner = 0; corner <= SidesOfCrown; ++corner)
@@ -174,13 +165,26 @@ private:
     }
   }
 
+  /// The rim of the underside of a cone has normals of its own, after all else; the place of its first vertex.
+  int AddRim()
+  {
+    const int rim = static_cast<int>(this->Mesh.Points.size());
+    for (int corner = 0; corner <= SidesOfCrown; ++corner)
+    {
+      const Vector3 away = this->Mesh.Points[SidesOfCrown + corner] - this->Crown.Foot;
+      this->AddVertex(away, { 0.0, 0.0, -1.0 }, static_cast<double>(corner) / SidesOfCrown, 0.0);
+    }
+    return rim;
+  }
+
   void Join()
   {
     const auto inRing = [](int ring, int corner) { return SidesOfCrown + ring * (SidesOfCrown + 1) + corner; };
     const int top = inRing(RingsOfCrown, 0);
+    const int rim = this->Crown.Shape == CrownShape::Cone ? this->AddRim() : inRing(0, 0);
     for (int side = 0; side < SidesOfCrown; ++side)
     {
-      this->Mesh.AddPolygon(std::array<int, 3>{ side, inRing(0, side + 1), inRing(0, side) });
+      this->Mesh.AddPolygon(std::array<int, 3>{ side, rim + side + 1, rim + side });
       for (int ring = 0; ring + 1 < RingsOfCrown; ++ring)
       {
         this->Mesh.AddPolygon(
@@ -236,6 +240,14 @@ PlantMesh TrunkCone(const Skeleton& wood, const Colour& bark)
   {
     mesh.AddPolygon(std::array<int, 3>{ corner, (corner + 1) % SidesOfTrunk, SidesOfTrunk });
   }
+  // The end at the foot, with normals of its own.
+  std::vector<int> corners;
+  for (int corner = SidesOfTrunk - 1; corner >= 0; --corner)
+  {
+    corners.push_back(CopyVertex(mesh, corner));
+    mesh.Normals.back() = -axis;
+  }
+  mesh.AddPolygon(corners);
   return mesh;
 }
 

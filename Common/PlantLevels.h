@@ -30,7 +30,7 @@ struct PlantOutline
   Colour Bark{ 105, 88, 70 };
 };
 
-/// A cone from the foot of the first branch to its tip.
+/// A closed cone from the foot of the first branch to its tip.
 PlantMesh TrunkCone(const Skeleton& wood, const Colour& bark);
 
 /// A closed mesh inside the bounding volume, with texture coordinates by cylindrical projection: u around the axis from

@@ -36,6 +36,16 @@ struct PlantMesh
   }
 };
 
+/// Adds a copy of a vertex; its index.
+int CopyVertex(PlantMesh& mesh, int vertex);
+
+/// Twice the area of a polygon [m2], along the normal of its winding.
+Vector3 AreaVector(const PlantMesh& mesh, int polygon);
+
+/// Turns normals, each as little as it takes, until they are on the front of all polygons at their vertices. A polygon
+/// gets a vertex of its own where that is not to be had.
+void TurnNormalsToFronts(PlantMesh& mesh);
+
 }
 
 #endif

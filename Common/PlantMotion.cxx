@@ -9,7 +9,7 @@
 namespace littoral
 {
 
-PlantMotion::PlantMotion(const Skeleton& rest, int numberOfModes)
+PlantMotion::PlantMotion(const Skeleton& rest, int numberOfModes, const std::vector<TrunkMode>& trunk)
   : Modes(numberOfModes)
   , Joints(rest.Nodes.size())
   , Rises(rest.Nodes.size() * static_cast<std::size_t>(numberOfModes), 0.0)
@@ -21,6 +21,10 @@ PlantMotion::PlantMotion(const Skeleton& rest, int numberOfModes)
     const Vector3 foot = parent < 0 ? Vector3(0.0) : rest.Nodes[branch.First].Position - rest.Nodes[parent].Position;
     this->Branches.push_back({ branch.First, branch.Count, parent, foot });
     const double length = rest.BranchLength(index);
+    const bool isTrunk = index == 0 && static_cast<int>(trunk.size()) >= numberOfModes;
+    const auto shape = [&](int mode, double part) {
+      return isTrunk ? ShapeOf(trunk[mode - 1].Mixture, part) : ModeShape(mode, part);
+    };
     double below = 0.0;
     for (int node = branch.First; node < rest.Tip(index); ++node)
     {
@@ -29,8 +33,7 @@ PlantMotion::PlantMotion(const Skeleton& rest, int numberOfModes)
       this->Joints[node].Segment = segment;
       for (int mode = 1; mode <= this->Modes; ++mode)
       {
-        this->Rises[static_cast<std::size_t>(node) * this->Modes + mode - 1] =
-          ModeShape(mode, above) - ModeShape(mode, below);
+        this->Rises[static_cast<std::size_t>(node) * this->Modes + mode - 1] = shape(mode, above) - shape(mode, below);
       }
       below = above;
     }

@@ -5,6 +5,7 @@
 
 #include "Skeleton.h"
 #include "Skinning.h"
+#include "TrunkModes.h"
 
 #include <vector>
 
@@ -19,8 +20,9 @@ namespace littoral
 class PlantMotion
 {
 public:
-  /// The skeleton must be valid; modes from 1 to MostModes.
-  PlantMotion(const Skeleton& rest, int numberOfModes);
+  /// The skeleton must be valid; modes from 1 to MostModes. The first branch moves in the trunk's modes where there are
+  /// as many, and all others in those of the uniform cantilever.
+  PlantMotion(const Skeleton& rest, int numberOfModes, const std::vector<TrunkMode>& trunk = {});
 
   int GetNumberOfModes() const { return this->Modes; }
   std::size_t GetNumberOfJoints() const { return this->Joints.size(); }
@@ -28,7 +30,8 @@ public:
 
   /**
    * The poses of all joints for the amplitudes of the modes of all branches [m], those of a branch side by side; as
-   * vectors at a right angle to the branch in the plant at rest. A tip goes by the amplitude times 2 or -2. The joint
+   * vectors at a right angle to the branch in the plant at rest. A tip goes by the amplitude times 2 or -2, that of a
+   * trunk with modes of its own by the amplitude times their value there. The joint
    * of a node moves the segment that starts there; that of a tip the one that ends there.
    */
   void Pose(const Vector3* amplitudes, JointPose* poses) const;

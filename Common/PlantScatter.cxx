@@ -126,7 +126,7 @@ Box BoxOf(const PlantPlace& place, const PlantExtent& extent)
 }
 
 std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
-  const std::vector<char>& cellsShown, const Vector3& eye, const PlantViewOptions& options, long long firstSite,
+  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
   long long endSite)
 {
   std::vector<ShownPlant> shown;
@@ -137,10 +137,9 @@ std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const
     {
       continue;
     }
-    const double distance = glm::length(place.Foot - eye);
-    if (!(options.MaximumDistance > 0.0 && distance > options.MaximumDistance))
+    if (!(options.MaximumDistance > 0.0 && SightDistance(view, place.Foot) > options.MaximumDistance))
     {
-      shown.push_back({ static_cast<int>(index), LevelAt(distance, options) });
+      shown.push_back({ static_cast<int>(index), LevelAt(LevelDistance(view, place.Foot), options) });
     }
   }
   return shown;

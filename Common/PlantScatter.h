@@ -80,9 +80,9 @@ struct PlantViewOptions
 {
   bool UseLevels = true;        ///< else all is High
   bool UseCells = true;         ///< else all is shown
-  double NearDistance = 60.0;   ///< up to which a plant is High [m]
+  double NearDistance = 60.0;   ///< of levels, up to which a plant is High [m]
   double FarDistance = 250.0;   ///< up to which it is Medium [m]
-  double MaximumDistance = 0.0; ///< up to which it is shown [m]; 0: no limit
+  double MaximumDistance = 0.0; ///< of sight, up to which it is shown [m]; 0: no limit
 };
 
 /// A plant that a view shows.
@@ -95,7 +95,7 @@ struct ShownPlant
 /// What a view shows of the plants with Site in [firstSite, endSite), in the order of the places. `cellsShown` are the
 /// marks of the cells for this view.
 std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
-  const std::vector<char>& cellsShown, const Vector3& eye, const PlantViewOptions& options, long long firstSite,
+  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
   long long endSite);
 
 /// Takes vertices from a prototype to a plant.

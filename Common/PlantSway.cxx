@@ -22,7 +22,11 @@ constexpr int MostColumns = 128;
 
 /// Samples that are tabulated at a time, and those that a reader between samples needs besides.
 constexpr long long StretchSamples = 32;
-constexpr std::size_t TableRows = StretchSamples + 3;
+constexpr std::size_t TableRows = StretchSamples + SeriesTaps - 1;
+/// The wind comes at half steps, where its fastest waves have four samples and the reader loses none of them.
+constexpr std::size_t WindRows = 2 * StretchSamples + SeriesTaps;
+/// Its first row is half a step before this one of the table: SeriesBefore half steps before the first to be read.
+constexpr long long WindMargin = SeriesBefore - SeriesBefore / 2;
 
 /// Frequencies above this, times the wind's step, follow the load at once.
 constexpr double FastestAngle = 30.0;
@@ -69,23 +73,39 @@ Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double len
   return taper;
 }
 
-/// A branch that grew is thick enough for what it bears: grown skeletons have a few twigs that are not, and would hang
-/// like threads. The radius [m] from which the tip sags by no more than a part of the length, in wood of the usual
-/// modulus.
+/// A twig that grew is thick enough for its leaves: grown skeletons have a few that are not, and would hang like
+/// threads. The radius [m] from which the tip sags by no more than a part of the length, in wood of the usual modulus.
 double LeastRadius(const RoundBeam& beam)
 {
   constexpr double LargestSag = 0.2;
-  constexpr double UsualModulus = 9e9; // [Pa]
+  const double UsualModulus = WoodParameters().YoungModulus;
   const double weight = glm::length(WeightPerLength(beam.MassPerLength));
   const double least = weight * std::pow(beam.Length, 3) / (8.0 * UsualModulus * LargestSag);
   return std::pow(least / SecondMoment(1.0), 0.25);
+}
+
+/// Which branches carry others.
+std::vector<char> Carriers(const Skeleton& skeleton)
+{
+  std::vector<char> carriers(skeleton.Branches.size(), 0);
+  for (std::size_t branch = 1; branch < carriers.size(); ++branch)
+  {
+    carriers[skeleton.Nodes[skeleton.Nodes[skeleton.Branches[branch].First].Parent].Branch] = 1;
+  }
+  return carriers;
+}
+
+/// Drag of an area of leaves as part of that of a bare cylinder's.
+double LeafPart(const SwayOptions& options)
+{
+  return options.Load.DragCoefficient > 0.0 ? options.LeafDrag / options.Load.DragCoefficient : 0.0;
 }
 
 /// Adds leaves to their branches, then branches, from the twigs down, to those that carry them.
 void AddCarried(const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options,
   std::vector<Burden>& burdens)
 {
-  const double leafPart = options.Load.DragCoefficient > 0.0 ? options.LeafDrag / options.Load.DragCoefficient : 0.0;
+  const double leafPart = LeafPart(options);
   for (std::size_t node = 0; node < leafAreas.size(); ++node)
   {
     Burden& burden = burdens[skeleton.Nodes[node].Branch];
@@ -102,6 +122,14 @@ void AddCarried(const Skeleton& skeleton, const std::vector<double>& leafAreas, 
       below.Area += burdens[branch].Area;
     }
   }
+}
+
+/// A mode of a beam: its own, or the uniform cantilever's.
+TrunkMode ModeOf(const BranchBeam& beam, int mode)
+{
+  return beam.Modes.empty()
+    ? TrunkMode{ AngularFrequency(beam.Beam, mode), MeanShape(mode) / beam.Beam.MassPerLength, MeanShape(mode), {} }
+    : beam.Modes[mode - 1];
 }
 
 /// Weights of values at 0, 1, 2 and 3 in the cubic through them.
@@ -134,14 +162,13 @@ std::vector<double> FrequenciesOver(const std::vector<double>& met)
 std::vector<BranchBeam> BeamsOf(
   const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options)
 {
+  const std::vector<double> areas = FedLeafAreas(skeleton, leafAreas, options.LeafAreaRatio);
   std::vector<BranchBeam> beams(skeleton.Branches.size());
   std::vector<Burden> burdens(beams.size());
   for (int branch = 0; branch < static_cast<int>(beams.size()); ++branch)
   {
     BranchBeam& beam = beams[branch];
-    int node = 0;
     beam.Axis = BranchAxis(skeleton, branch);
-    beam.Middle = skeleton.Along(branch, 0.5, node);
     beam.Beam.Length = skeleton.BranchLength(branch);
     const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], beam.Beam.Length);
     beam.Beam.Radius = taper.BendingRadius;
@@ -151,50 +178,44 @@ std::vector<BranchBeam> BeamsOf(
   }
   if (options.Carries)
   {
-    AddCarried(skeleton, leafAreas, options, burdens);
+    AddCarried(skeleton, areas, options, burdens);
   }
-  for (std::size_t branch = 0; branch < beams.size(); ++branch)
+  beams.front() = TrunkBeam(MeasureTrunk(skeleton, areas, options.Carries), 1.0, 0.0, options);
+  const std::vector<char> carriers = Carriers(skeleton);
+  for (int branch = 0; branch < static_cast<int>(beams.size()); ++branch)
   {
-    beams[branch].Beam.MassPerLength = burdens[branch].Mass / beams[branch].Beam.Length;
-    beams[branch].DragDiameter = burdens[branch].Area / beams[branch].Beam.Length;
-    if (options.Carries)
+    BranchBeam& beam = beams[branch];
+    int node = 0;
+    beam.Middle = skeleton.Along(branch, 0.5, node);
+    if (branch > 0)
     {
-      beams[branch].Beam.Radius = std::max(beams[branch].Beam.Radius, LeastRadius(beams[branch].Beam));
+      beam.Beam.MassPerLength = burdens[branch].Mass / beam.Beam.Length;
+      beam.DragDiameter = burdens[branch].Area / beam.Beam.Length; // the outer ones have no lee
+    }
+    if (options.Carries && branch > 0 && !carriers[branch])
+    {
+      beam.Beam.Radius = std::max(beam.Beam.Radius, LeastRadius(beam.Beam));
     }
   }
   return beams;
 }
 
-TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas)
-{
-  TrunkMeasures measures;
-  measures.Length = skeleton.BranchLength(0);
-  measures.Axis = BranchAxis(skeleton, 0);
-  measures.BendingRadius = TaperOf(skeleton, skeleton.Branches[0], measures.Length).BendingRadius;
-  for (int branch = 0; branch < static_cast<int>(skeleton.Branches.size()); ++branch)
-  {
-    const double length = skeleton.BranchLength(branch);
-    const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], length);
-    measures.WoodVolume += Pi * taper.MeanSquare * length;
-    measures.WoodArea += 2.0 * taper.MeanRadius * length;
-  }
-  measures.LeafArea = std::accumulate(leafAreas.begin(), leafAreas.end(), 0.0);
-  return measures;
-}
-
 BranchBeam TrunkBeam(const TrunkMeasures& trunk, double scale, double azimuth, const SwayOptions& options)
 {
-  const double leafPart = options.Load.DragCoefficient > 0.0 ? options.LeafDrag / options.Load.DragCoefficient : 0.0;
+  const double leafPart = LeafPart(options);
   const double c = std::cos(azimuth);
   const double s = std::sin(azimuth);
   BranchBeam beam;
   beam.Axis = { c * trunk.Axis.x - s * trunk.Axis.y, s * trunk.Axis.x + c * trunk.Axis.y, trunk.Axis.z };
   beam.Beam.Length = scale * trunk.Length;
+  beam.Beam.Radius = scale * trunk.BendingRadius;
   beam.Beam.YoungModulus = options.Wood.YoungModulus;
-  const double mass = options.Wood.Density * scale * trunk.WoodVolume + options.LeafMass * trunk.LeafArea;
+  const double mass = options.Wood.Density * scale * trunk.Wood.Amount + options.LeafMass * trunk.Leaves.Amount;
   beam.Beam.MassPerLength = scale * scale * mass / beam.Beam.Length;
-  beam.DragDiameter = scale * scale * (trunk.WoodArea + leafPart * trunk.LeafArea) / beam.Beam.Length;
-  beam.Beam.Radius = std::max(scale * trunk.BendingRadius, LeastRadius(beam.Beam));
+  beam.DragDiameter = scale * scale * (trunk.Wood.Area + leafPart * trunk.Leaves.Area) / beam.Beam.Length;
+  const auto modes = ModesOf(
+    trunk, scale, { options.Wood.YoungModulus, options.Wood.Density, options.LeafMass, leafPart, options.Carries });
+  beam.Modes.assign(modes.begin(), modes.begin() + options.NumberOfModes);
   return beam;
 }
 
@@ -208,22 +229,27 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
   , Beams(options.Response == SwayResponse::Direct ? beams : std::vector<BranchBeam>())
   , Offset(static_cast<std::size_t>(std::abs(std::floor(middle.x + 3.0 * middle.y))) % StretchSamples)
 {
-  // A beam along `axis` in a load per length f: amplitude at rest = mean of the shape x f across / (m w^2).
+  // A beam along `axis` in a load per length f: amplitude at rest = mean of the shape x f across / (m w^2), and a
+  // trunk's by its own modes.
   const double unitDrag = 0.5 * options.Load.AirDensity * options.Load.DragCoefficient;
+  const double unitLift = 0.5 * options.Load.AirDensity * options.Load.LiftCoefficient;
   std::vector<double> frequencies;
   for (const BranchBeam& beam : beams)
   {
     for (int mode = 1; mode <= options.NumberOfModes; ++mode)
     {
-      const double frequency = AngularFrequency(beam.Beam, mode);
-      const double give = MeanShape(mode) / (beam.Beam.MassPerLength * frequency * frequency);
-      const Vector3 weight = options.Gravity ? WeightPerLength(beam.Beam.MassPerLength) : Vector3(0.0);
-      this->Motions.push_back({ beam.Axis, give * AcrossBeam(weight, beam.Axis), give,
+      const TrunkMode own = ModeOf(beam, mode);
+      const double frequency = own.Frequency;
+      const double squared = frequency * frequency;
+      const double give = own.Load / squared;
+      const Vector3 weight = options.Gravity ? WeightPerLength(own.Weight / squared) : Vector3(0.0);
+      this->Motions.push_back({ beam.Axis, AcrossBeam(weight, beam.Axis), give, 0.0,
         static_cast<int>(frequencies.size()), { 1.0, 0.0, 0.0, 0.0 } });
       frequencies.push_back(std::min(frequency, FastestAngle / times.Step));
       if (options.Response == SwayResponse::Interpolated)
       {
-        this->Motions.back().Gain *= unitDrag * beam.DragDiameter;
+        this->Motions.back().Gain = give * unitDrag * beam.DragDiameter;
+        this->Motions.back().Lift = give * unitLift * beam.DragDiameter;
       }
     }
   }
@@ -273,7 +299,7 @@ double PlantSway::BytesOf(std::size_t branches, const SwayOptions& options)
   const bool direct = options.Response == SwayResponse::Direct;
   const double columns = direct ? motions : std::min<double>(motions, MostColumns);
   return columns * (3.0 * TableRows * sizeof(float) + 4.0 * sizeof(double)) + motions * sizeof(Motion) +
-    (direct ? static_cast<double>(branches) * sizeof(BranchBeam) : 0.0);
+    WindRows * sizeof(Vector3) + (direct ? static_cast<double>(branches) * sizeof(BranchBeam) : 0.0);
 }
 
 void PlantSway::Tabulate(long long first)
@@ -284,9 +310,25 @@ void PlantSway::Tabulate(long long first)
     this->TabulateShared(first);
     return;
   }
+  std::array<Vector3, WindRows / 2> winds;
+  this->WindAt(this->Middle, static_cast<double>(first + WindMargin), winds.size(), winds.data());
+  this->TabulateWind(first, winds.data());
   for (std::size_t branch = 0; branch < this->Beams.size(); ++branch)
   {
     this->TabulateBranch(branch, first);
+  }
+}
+
+/// The wind at half steps; that at whole ones is known, from WindMargin after the first on.
+void PlantSway::TabulateWind(long long first, const Vector3* whole)
+{
+  std::array<Vector3, WindRows / 2> between;
+  this->WindAt(this->Middle, static_cast<double>(first + WindMargin) - 0.5, between.size(), between.data());
+  this->Winds.clear();
+  for (std::size_t row = 0; row < between.size(); ++row)
+  {
+    this->Winds.push_back(between[row]);
+    this->Winds.push_back(whole[row]);
   }
 }
 
@@ -300,12 +342,15 @@ void PlantSway::TabulateShared(long long first)
     leads.push_back(std::min(this->Times.Samples, StepsRemembered({ frequency, this->Damping }, this->Times.Step)));
   }
   const std::size_t longest = leads.front();
-  std::vector<Vector3> load(longest + TableRows);
-  this->WindAt(this->Middle, first - static_cast<long long>(longest), load.size(), load.data());
+  std::vector<Vector3> load(longest + TableRows + 2 * LoadMargin);
+  this->WindAt(
+    this->Middle, static_cast<double>(first) - static_cast<double>(longest + LoadMargin), load.size(), load.data());
+  this->TabulateWind(first, &load[longest + LoadMargin + WindMargin]);
   // Half the sum of the responses of beams along x, y and z is the response to all of the load, since each has two of
   // its three components.
   std::transform(
     load.begin(), load.end(), load.begin(), [](const Vector3& velocity) { return glm::length(velocity) * velocity; });
+  load = SharpLoad(load);
   OscillatorBank bank(this->Frequencies, this->Damping, this->Times.Step);
   std::size_t active = 0;
   for (std::size_t sample = 0; sample < longest; ++sample)
@@ -342,13 +387,15 @@ void PlantSway::TabulateBranch(std::size_t branch, long long first)
   {
     const Oscillator oscillator{ this->Frequencies[column], this->Damping };
     const std::size_t lead = std::min(this->Times.Samples, StepsRemembered(oscillator, this->Times.Step));
-    std::vector<Vector3> load(lead + TableRows);
-    this->WindAt(beam.Middle, first - static_cast<long long>(lead), load.size(), load.data());
+    std::vector<Vector3> load(lead + TableRows + 2 * LoadMargin);
+    this->WindAt(
+      beam.Middle, static_cast<double>(first) - static_cast<double>(lead + LoadMargin), load.size(), load.data());
     for (Vector3& value : load)
     {
       value = DragPerLength(this->Load, beam.Axis, beam.DragDiameter, value) +
         LiftPerLength(this->Load, beam.Axis, beam.DragDiameter, value);
     }
+    load = SharpLoad(load);
     OscillatorBank one({ oscillator.Frequency }, this->Damping, this->Times.Step);
     for (std::size_t sample = 0; sample + 1 < load.size(); ++sample)
     {
@@ -369,22 +416,35 @@ void PlantSway::TabulateBranch(std::size_t branch, long long first)
   }
 }
 
+/// Where a sample lies in the stretch that holds it, which is tabulated unless it is the last one.
+long long PlantSway::Follow(long long sample)
+{
+  const long long at = (sample + static_cast<long long>(this->Offset)) % static_cast<long long>(this->Times.Samples);
+  const long long stretch = at / StretchSamples;
+  if (stretch != this->Stretch)
+  {
+    this->Tabulate(stretch * StretchSamples - static_cast<long long>(this->Offset) - SeriesBefore);
+    this->Stretch = stretch;
+  }
+  return at - stretch * StretchSamples;
+}
+
 void PlantSway::Amplitudes(double time, Vector3* amplitudes)
 {
   const SeriesPlace place(time, this->Times.Step, this->Times.Samples);
-  const std::size_t at = (place.Samples[1] + this->Offset) % this->Times.Samples;
-  const long long stretch = static_cast<long long>(at) / StretchSamples;
-  if (stretch != this->Stretch)
-  {
-    this->Tabulate(stretch * StretchSamples - static_cast<long long>(this->Offset) - 1);
-    this->Stretch = stretch;
-  }
+  const auto at = static_cast<std::size_t>(this->Follow(static_cast<long long>(place.Samples[SeriesBefore])));
   const std::size_t columns = this->Frequencies.size();
-  const float* rows = &this->Table[3 * columns * (at - static_cast<std::size_t>(stretch * StretchSamples))];
+  const float* rows = &this->Table[3 * columns * at];
   for (std::size_t i = 0; i < 3 * columns; ++i)
   {
-    this->Now[i] = place.Weights[0] * rows[i] + place.Weights[1] * rows[3 * columns + i] +
-      place.Weights[2] * rows[6 * columns + i] + place.Weights[3] * rows[9 * columns + i];
+    this->Now[i] = place.Weights[0] * rows[i];
+  }
+  for (std::size_t tap = 1; tap < SeriesTaps; ++tap)
+  {
+    for (std::size_t i = 0; i < 3 * columns; ++i)
+    {
+      this->Now[i] += place.Weights[tap] * rows[3 * columns * tap + i];
+    }
   }
   const double* now = this->Now.data();
   for (std::size_t i = 0; i < this->Motions.size(); ++i)
@@ -397,16 +457,24 @@ void PlantSway::Amplitudes(double time, Vector3* amplitudes)
       response += motion.Weights[tap] * Vector3(value[0], value[columns], value[2 * columns]);
     }
     amplitudes[i] = motion.Rest + motion.Gain * AcrossBeam(response, motion.Axis);
+    if (motion.Lift != 0.0) // linear in the load as well: to the side of wind x axis
+    {
+      amplitudes[i] += motion.Lift * glm::cross(response, motion.Axis);
+    }
   }
 }
 
-Vector3 PlantSway::Wind(double time) const
+Vector3 PlantSway::Wind(double time)
 {
-  const SeriesPlace place(time, this->Times.Step, this->Times.Samples);
-  std::array<Vector3, 4> around;
-  this->WindAt(this->Middle, static_cast<long long>(place.Samples[1]) - 1, 4, around.data());
-  return place.Weights[0] * around[0] + place.Weights[1] * around[1] + place.Weights[2] * around[2] +
-    place.Weights[3] * around[3];
+  const SeriesPlace place(time, 0.5 * this->Times.Step, 2 * this->Times.Samples);
+  const auto sample = static_cast<long long>(place.Samples[SeriesBefore]);
+  const long long row = 2 * this->Follow(sample / 2) + sample % 2;
+  Vector3 wind(0.0);
+  for (std::size_t tap = 0; tap < SeriesTaps; ++tap)
+  {
+    wind += place.Weights[tap] * this->Winds[static_cast<std::size_t>(row) + tap];
+  }
+  return wind;
 }
 
 }

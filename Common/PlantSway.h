@@ -6,6 +6,7 @@
 #include "BeamModes.h"
 #include "Parallel.h"
 #include "Skeleton.h"
+#include "TrunkModes.h"
 #include "WindLoads.h"
 #include "WoodParameters.h"
 
@@ -28,40 +29,29 @@ struct SwayOptions
 {
   int NumberOfModes = 1; ///< 1 to MostModes
   SwayResponse Response = SwayResponse::Interpolated;
-  WindLoadParameters Load; ///< eq. 25 goes with the drag law Projection and without lift, whatever is said here
+  WindLoadParameters Load; ///< eq. 25 goes with the law Projection, whatever is said here
   WoodParameters Wood;
-  bool Gravity = false;   ///< adds weight to plants that stand as if there were none
-  bool Carries = true;    ///< a branch bears mass and drag of all that grows on it, spread along it
-  double LeafDrag = 0.06; ///< drag coefficient of leaves, which fold in the wind, by their area
-  double LeafMass = 0.2;  ///< of an area of leaves [kg/m2]
+  bool Gravity = false;          ///< adds weight to plants that stand as if there were none
+  bool Carries = true;           ///< a branch bears mass and drag of all that grows on it, spread along it
+  double LeafDrag = 0.06;        ///< drag coefficient of leaves, which fold in the wind, by their area
+  double LeafMass = 0.2;         ///< of an area of leaves [kg/m2]
+  double LeafAreaRatio = 2500.0; ///< of the leaves to the trunk's section, which drawn leaves share; 0: as drawn
 };
 
-/// A branch as a uniform beam.
+/// A branch as a uniform beam, or the trunk.
 struct BranchBeam
 {
   RoundBeam Beam;
+  std::vector<TrunkMode> Modes; ///< of a trunk; the uniform beam's where there are none
   Vector3 Axis{ 0.0, 0.0, 1.0 };
   Vector3 Middle{ 0.0, 0.0, 0.0 }; ///< where it meets the wind [m]
   double DragDiameter = 0.1;       ///< of the bare cylinder with the same drag [m]
 };
 
-/// The branches of a valid skeleton as uniform beams that give way at the tip as the tapered ones do. Areas of leaves
-/// [m2] are those on each node; or empty.
+/// The branches of a valid skeleton as uniform beams that give way at the tip as the tapered ones do; the trunk with
+/// its own modes. Areas of leaves [m2] are those on each node; or empty.
 std::vector<BranchBeam> BeamsOf(
   const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options);
-
-/// What the trunk of a plant bears, in numbers that scale with the plant.
-struct TrunkMeasures
-{
-  double Length = 1.0;        ///< [m]
-  double BendingRadius = 0.1; ///< [m]
-  double WoodVolume = 0.0;    ///< of all branches [m3]
-  double WoodArea = 0.0;      ///< of all branches, seen from the side [m2]
-  double LeafArea = 0.0;      ///< [m2]
-  Vector3 Axis{ 0.0, 0.0, 1.0 };
-};
-
-TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas);
 
 /// The first of BeamsOf for a plant that was scaled and turned about the vertical [rad]. Its middle is left at the
 /// origin.
@@ -74,9 +64,9 @@ struct WindTimes
   std::size_t Samples = 4; ///< at least four
 };
 
-/// The wind at a place: `count` velocities, one a step, from the step `first` on, any whole number. Called from many
+/// The wind at a place: `count` velocities, one a step, from the step `first` on, any finite number. Called from many
 /// threads.
-using WindAtPlace = std::function<void(const Vector3& place, long long first, std::size_t count, Vector3* velocities)>;
+using WindAtPlace = std::function<void(const Vector3& place, double first, std::size_t count, Vector3* velocities)>;
 
 /**
  * The modal amplitudes of a plant's branches in a wind that repeats: the periodic steady state. Any time can be asked
@@ -97,8 +87,8 @@ public:
   /// time.
   void Amplitudes(double time, Vector3* amplitudes);
 
-  /// The wind at the plant's middle at a time [s].
-  Vector3 Wind(double time) const;
+  /// The wind at the plant's middle at a time [s]. One thread at a time.
+  Vector3 Wind(double time);
 
 private:
   /// A mode of a branch.
@@ -106,7 +96,8 @@ private:
   {
     Vector3 Axis;
     Vector3 Rest; // amplitude under its weight [m]
-    double Gain;  // amplitude for a unit of the table
+    double Gain;  // amplitude for a unit of the table, across the beam
+    double Lift;  // and across that
     int Column;   // of the table, the first of those that are read
     std::array<double, 4> Weights;
   };
@@ -123,8 +114,11 @@ private:
   std::size_t Offset = 0;          // of the first stretch, so that not all plants begin one at the same time
   long long Stretch = -1;          // which one the table holds
   std::vector<float> Table;        // by sample, axis and column
+  std::vector<Vector3> Winds;      // at the middle, each half a step
   std::vector<double> Now;         // by axis and column
 
+  long long Follow(long long sample);
+  void TabulateWind(long long first, const Vector3* whole);
   void TakeColumns(const std::vector<double>& frequencies);
   void Tabulate(long long first);
   void TabulateShared(long long first);

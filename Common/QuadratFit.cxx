@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace littoral
 {
@@ -17,10 +18,13 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Trials that are looked at beyond the largest count seen.
-constexpr int MostTrials = 400;
-/// Largest binomial cluster that is looked at.
-constexpr int LargestCluster = 12;
+/// Trials that are looked at, for each point of the largest count seen. Beyond, the law is Poisson's for any data.
+constexpr int MostTrialsAPoint = 1000;
+/// Binomial clusters that are looked at one by one, and, where clusters have to be larger, up to how many times the
+/// least and in what steps.
+constexpr int LargestSmallCluster = 12;
+constexpr double LargestCluster = 20.0;
+constexpr double ClusterStep = 1.1;
 
 double LogLikelihood(const QuadratLawParameters& law, const std::vector<long long>& frequencies)
 {
@@ -45,12 +49,12 @@ struct Maximum
 };
 
 template <typename Function>
-Maximum MaximiseOver(double low, double high, const Function& function)
+Maximum MaximiseOver(double low, double high, const Function& function, int bits = 26)
 {
   const double a = std::log(low);
   const double b = std::log(high);
   const auto [x, negative] =
-    boost::math::tools::brent_find_minima([&](double t) { return -function(std::exp(t)); }, a, b, 26);
+    boost::math::tools::brent_find_minima([&](double t) { return -function(std::exp(t)); }, a, b, bits);
   return { std::exp(x), -negative, x > a + 1e-3 * (b - a) && x < b - 1e-3 * (b - a) };
 }
 
@@ -102,25 +106,45 @@ private:
   void FitBinomial(QuadratFit& fit) const
   {
     fit.Parameters = 2;
-    const int largest = static_cast<int>(this->Frequencies.size()) - 1;
+    const int largest = std::max(1, static_cast<int>(this->Frequencies.size()) - 1);
+    const int most = (largest + 1) * MostTrialsAPoint;
     if (this->Excess() < 0.0)
     {
       fit.MomentsExist = true;
-      fit.Moments.Trials = std::max(largest, static_cast<int>(std::lround(this->Moments.Mean / -this->Excess())));
+      const double trials = std::min<double>(most, std::round(this->Moments.Mean / -this->Excess()));
+      fit.Moments.Trials = std::max(largest, static_cast<int>(trials));
     }
-    double best = -std::numeric_limits<double>::infinity();
-    for (int trials = std::max(1, largest); trials <= largest + MostTrials; ++trials)
-    {
+    const auto likelihoodAt = [&](int trials) {
       QuadratLawParameters law = fit.Law;
       law.Trials = trials;
-      const double likelihood = this->Likelihood(law);
-      if (likelihood < best)
+      return this->Likelihood(law);
+    };
+    // The profile has one maximum. Steps double until it falls; then two of three parts are left each time.
+    int low = largest;
+    int middle = largest;
+    int high = largest + 1;
+    double best = likelihoodAt(middle);
+    while (middle < most && !fit.Exists)
+    {
+      const double next = likelihoodAt(high);
+      fit.Exists = next < best; // a maximum inside
+      if (!fit.Exists)
       {
-        fit.Exists = true; // a maximum inside: the profile has one
-        break;
+        best = next;
+        low = std::exchange(middle, high);
+        high = std::min(most, largest + 2 * (high - largest));
       }
-      best = likelihood;
-      fit.Law.Trials = trials;
+    }
+    while (high - low > 2)
+    {
+      const int third = (high - low) / 3;
+      const bool rises = likelihoodAt(low + third) < likelihoodAt(high - third);
+      (rises ? low : high) = rises ? low + third : high - third;
+    }
+    fit.Law.Trials = low;
+    for (int trials = low + 1; trials <= high; ++trials)
+    {
+      fit.Law.Trials = likelihoodAt(trials) > likelihoodAt(fit.Law.Trials) ? trials : fit.Law.Trials;
     }
   }
 
@@ -129,7 +153,7 @@ private:
     fit.Parameters = 2;
     fit.MomentsExist = this->IsClustered();
     fit.Moments.ClusterShape = fit.MomentsExist ? this->Moments.Mean / this->Excess() : NaN;
-    const Maximum best = MaximiseOver(1e-3, 1e4, [&](double shape) {
+    const Maximum best = MaximiseOver(1e-3, std::max(1e4, 1e3 * this->Moments.Mean), [&](double shape) {
       QuadratLawParameters law = fit.Law;
       law.ClusterShape = shape;
       return this->Likelihood(law);
@@ -143,7 +167,7 @@ private:
     fit.Parameters = 2;
     fit.MomentsExist = this->IsClustered();
     fit.Moments.ClusterMean = fit.MomentsExist ? this->Excess() : NaN;
-    const Maximum best = MaximiseOver(1e-3, 1e3, [&](double size) {
+    const Maximum best = MaximiseOver(1e-3, std::max(1e3, 10.0 * this->Excess()), [&](double size) {
       QuadratLawParameters law = fit.Law;
       law.ClusterMean = size;
       return this->Likelihood(law);
@@ -155,16 +179,23 @@ private:
   void FitPoissonBinomial(QuadratFit& fit) const
   {
     fit.Parameters = 3;
-    double best = -std::numeric_limits<double>::infinity();
-    for (int trials = 2; trials <= LargestCluster; ++trials)
+    // Clusters of n points are too small for the variance where n - 1 is below the excess.
+    const int least = std::max(2, static_cast<int>(std::ceil(1.0 + std::max(0.0, this->Excess()))));
+    fit.MomentsExist = this->IsClustered();
+    fit.Moments.Trials = fit.MomentsExist ? least : fit.Moments.Trials;
+    fit.Moments.ClusterSuccess = fit.MomentsExist ? this->Excess() / (least - 1) : fit.Moments.ClusterSuccess;
+    std::vector<int> sizes;
+    for (int trials = 2; trials <= LargestSmallCluster; ++trials)
     {
-      const double success = this->Excess() / (trials - 1);
-      if (!fit.MomentsExist && success > 0.0 && success <= 1.0)
-      {
-        fit.MomentsExist = true;
-        fit.Moments.Trials = trials;
-        fit.Moments.ClusterSuccess = success;
-      }
+      sizes.push_back(trials);
+    }
+    for (double trials = least; trials > LargestSmallCluster && trials < LargestCluster * least; trials *= ClusterStep)
+    {
+      sizes.push_back(static_cast<int>(trials));
+    }
+    double best = -std::numeric_limits<double>::infinity();
+    for (const int trials : sizes)
+    {
       const Maximum inner = MaximiseOver(1e-3, 1.0, [&](double p) {
         QuadratLawParameters law = fit.Law;
         law.Trials = trials;
@@ -195,12 +226,16 @@ private:
     const auto bestSize = [&](double k) {
       QuadratLawParameters law = fit.Law;
       law.ClusterShape = k;
-      return MaximiseOver(1e-2, 1e2, [&](double t) {
+      // Mean sizes of clusters not far from that of the variance, t (1 + 1 / k).
+      const double size = this->IsClustered() ? this->Excess() / (1.0 + 1.0 / k) : 1.0;
+      const auto likelihoodAt = [&](double t) {
         law.ClusterMean = t;
         return this->Likelihood(law);
-      });
+      };
+      return MaximiseOver(1e-2 * size, 10.0 * size, likelihoodAt, 20);
     };
-    fit.Law.ClusterShape = MaximiseOver(0.02, 200.0, [&](double k) { return bestSize(k).Value; }).Argument;
+    const auto likelihoodAt = [&](double k) { return bestSize(k).Value; };
+    fit.Law.ClusterShape = MaximiseOver(0.02, 200.0, likelihoodAt, 14).Argument;
     fit.Law.ClusterMean = bestSize(fit.Law.ClusterShape).Argument;
     fit.Exists = this->IsClustered();
   }
@@ -209,23 +244,31 @@ private:
   const QuadratMoments& Moments;
 };
 
-/// Pearson's test with neighbouring counts pooled until at least 5 quadrats are expected.
+/// Pearson's test with neighbouring counts pooled until at least 5 quadrats are expected; all above the largest seen
+/// are one.
 void TestFit(QuadratFit& fit, const std::vector<long long>& frequencies, double quadrats)
 {
-  const std::vector<double> mass = MassFunction(fit.Law, static_cast<int>(frequencies.size()) - 1);
+  const std::vector<double> mass = MassFunctionUpTo(fit.Law, static_cast<int>(frequencies.size()) - 1);
   std::vector<std::pair<double, double>> cells; // expected, observed
   double expected = 0.0;
   double observed = 0.0;
-  for (std::size_t r = 0; r < mass.size(); ++r)
-  {
-    expected += quadrats * mass[r];
-    observed += r < frequencies.size() ? static_cast<double>(frequencies[r]) : 0.0;
+  double beyond = quadrats;
+  const auto closeCell = [&]() {
     if (expected >= 5.0)
     {
       cells.emplace_back(expected, observed);
       expected = observed = 0.0;
     }
+  };
+  for (std::size_t r = 0; r < mass.size(); ++r)
+  {
+    expected += quadrats * mass[r];
+    observed += static_cast<double>(frequencies[r]);
+    beyond -= quadrats * mass[r];
+    closeCell();
   }
+  expected += std::max(0.0, beyond);
+  closeCell();
   if (!cells.empty())
   {
     cells.back().first += expected;

@@ -47,7 +47,8 @@ struct QuadratLawParameters
   double ClusterSuccess = 0.5;
 };
 
-/// Why these parameters make no law, in words for a user; empty when they do.
+/// Why these parameters make no law, or one of so many points and so large clusters that it takes seconds, in words for
+/// a user; empty when they do.
 std::string WhyInvalid(const QuadratLawParameters& law);
 
 /// Variance of the number of points in a quadrat.
@@ -56,7 +57,8 @@ double CountVariance(const QuadratLawParameters& law);
 /// Probability of 0, 1, 2... last points.
 std::vector<double> MassFunctionUpTo(const QuadratLawParameters& law, int last);
 
-/// Probability of 0, 1, 2... points, as far as more than 1e-15 in all is left, but at least up to the given count.
+/// Probability of 0, 1, 2... points, as far as more than 1e-15 in all is left, but at least up to the given count. The
+/// law must be valid.
 std::vector<double> MassFunction(const QuadratLawParameters& law, int atLeast = 0);
 
 }

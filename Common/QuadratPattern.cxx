@@ -15,31 +15,6 @@ namespace littoral
 namespace
 {
 
-/// Where the frequency of r points falls short of the law.
-double Shortfall(
-  const std::vector<double>& mass, const std::vector<long long>& frequency, std::size_t r, double quadrats)
-{
-  return quadrats * mass[r] - static_cast<double>(frequency[r]);
-}
-
-/// Moves one quadrat from r to r + step points, where the law suffers least.
-void ShiftOne(const std::vector<double>& mass, std::vector<long long>& frequency, int step, double quadrats)
-{
-  double best = -1e300;
-  std::size_t from = 0;
-  for (std::size_t r = step > 0 ? 0 : 1; r + (step > 0 ? 1 : 0) < frequency.size(); ++r)
-  {
-    const double gain = Shortfall(mass, frequency, r + step, quadrats) - Shortfall(mass, frequency, r, quadrats);
-    if (frequency[r] > 0 && gain > best)
-    {
-      best = gain;
-      from = r;
-    }
-  }
-  --frequency[from];
-  ++frequency[from + step];
-}
-
 std::vector<int> SampledCounts(const QuadratLawParameters& law, long long quadrats, int seed)
 {
   std::vector<double> cumulative = MassFunction(law);
@@ -100,39 +75,32 @@ std::string WhyInvalid(const QuadratGrid& grid)
 
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats)
 {
-  const std::vector<double> mass = MassFunction(law);
+  std::vector<double> share = MassFunction(law);
+  std::partial_sum(share.begin(), share.end(), share.begin());
+  // Quadrats with at most r points, rounded down: all points are the sum over r of those with more.
   const double all = static_cast<double>(quadrats);
-  std::vector<long long> frequency(mass.size());
-  long long given = 0;
-  for (std::size_t r = 0; r < mass.size(); ++r)
+  std::vector<long long> below(share.size(), quadrats);
+  std::vector<double> rest(share.size() - 1);
+  long long points = 0;
+  for (std::size_t r = 0; r < rest.size(); ++r)
   {
-    frequency[r] = static_cast<long long>(std::floor(all * mass[r]));
-    given += frequency[r];
+    const double exact = all * std::min(1.0, share[r] / share.back());
+    below[r] = static_cast<long long>(exact);
+    rest[r] = exact - static_cast<double>(below[r]);
+    points += quadrats - below[r];
   }
-  std::vector<std::size_t> order(mass.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return Shortfall(mass, frequency, a, all) > Shortfall(mass, frequency, b, all);
-  });
-  for (std::size_t n = 0; given < quadrats; n = (n + 1) % order.size(), ++given)
+  // As many as make points too many are rounded up: those with the largest remainders, of equal ones the last, so that
+  // they still rise with r.
+  std::vector<std::size_t> order(rest.size());
+  std::iota(order.rbegin(), order.rend(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rest[a] > rest[b]; });
+  const long long excess = points - std::llround(all * law.Mean);
+  for (long long n = 0; n < std::min<long long>(excess, static_cast<long long>(order.size())); ++n)
   {
-    ++frequency[order[n]];
+    ++below[order[static_cast<std::size_t>(n)]];
   }
-  const long long wanted = std::llround(all * law.Mean);
-  long long total = 0;
-  for (std::size_t r = 0; r < frequency.size(); ++r)
-  {
-    total += frequency[r] * static_cast<long long>(r);
-  }
-  for (; total < wanted; ++total)
-  {
-    ShiftOne(mass, frequency, 1, all);
-  }
-  for (; total > wanted; --total)
-  {
-    ShiftOne(mass, frequency, -1, all);
-  }
-  return frequency;
+  std::adjacent_difference(below.begin(), below.end(), below.begin());
+  return below;
 }
 
 std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed)

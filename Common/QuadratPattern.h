@@ -33,8 +33,9 @@ enum class QuadratMode
 };
 
 /**
- * How many quadrats get 0, 1, 2... points: the law's frequencies, rounded by largest remainder, then shifted between
- * neighbouring counts where that is needed to make the total the nearest whole number to quadrats * mean.
+ * How many quadrats get 0, 1, 2... points: numbers of quadrats with at most so many, as the law has them, rounded up
+ * where remainders are largest, so that the total of points is the nearest whole number to quadrats * mean. Cumulated
+ * numbers are off by less than 1, so that tails are kept where each count alone is expected less than once.
  */
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats);
 

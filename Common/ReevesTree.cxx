@@ -20,7 +20,7 @@ constexpr double GoldenAngle = 2.39996322972865332; // of the leaves of many pla
 constexpr int SegmentsOfTrunk = 12;
 constexpr int SegmentsOfBranch[] = { 6, 4, 2, 2 }; // by order; twigs bend little and are many
 constexpr double ShortestBranch = 0.006;           // as part of the height
-constexpr double ThickestBranch = 0.018;           // radius as part of the length
+constexpr double StemForm = 0.65;                  // power of the distance from the top to which a bare stem is thick
 
 /// What a branch starts with.
 struct Bud
@@ -29,7 +29,6 @@ struct Bud
   Vector3 Position;
   Vector3 Direction;
   double Length; // [m]
-  double Radius; // [m]
   int Segments;
 };
 
@@ -52,6 +51,7 @@ public:
     this->Tree.Form = this->P.Form;
     this->GrowTrunk();
     this->GrowBranches(0);
+    this->Thicken();
     this->GrowLeaves();
     return std::move(this->Tree);
   }
@@ -74,7 +74,7 @@ private:
   {
     Skeleton& wood = this->Tree.Wood;
     const double reach = this->P.Height * this->P.TrunkReach;
-    wood.StartBranch(-1, { 0.0, 0.0, 0.0 }, this->P.TrunkRadius);
+    wood.StartBranch(-1, { 0.0, 0.0, 0.0 }, 1.0);
     Vector3 position{ 0.0, 0.0, 0.0 };
     for (int step = 1; step <= SegmentsOfTrunk; ++step)
     {
@@ -83,7 +83,7 @@ private:
       const double amount = 0.03 * this->P.Variation * reach / SegmentsOfTrunk * (1.0 - part) * 5.0;
       position = { position[0] + amount * std::clamp(sway[0], -2.0, 2.0),
         position[1] + amount * std::clamp(sway[1], -2.0, 2.0), reach * part };
-      wood.Grow(position, this->P.TrunkRadius * (1.0 - 0.9 * part));
+      wood.Grow(position, 1.0);
     }
   }
 
@@ -119,7 +119,6 @@ private:
     const double parentLength = wood.BranchLength(parent);
     bud.Length = onTrunk ? this->Reach(bud.Position, bud.Direction) : 0.5 * parentLength;
     bud.Length *= this->Vary(object, 2);
-    bud.Radius = std::min(0.6 * wood.Nodes[bud.Node].Radius, ThickestBranch * bud.Length);
     bud.Segments = SegmentsOfBranch[wood.Branches[parent].Order];
     return bud;
   }
@@ -145,10 +144,10 @@ private:
     {
       return;
     }
-    this->Tree.Wood.StartBranch(bud.Node, bud.Position, bud.Radius);
-    for (std::size_t i = 0; i < path.size(); ++i)
+    this->Tree.Wood.StartBranch(bud.Node, bud.Position, 1.0);
+    for (const Vector3& node : path)
     {
-      this->Tree.Wood.Grow(path[i], bud.Radius * (1.0 - 0.8 * (i + 1.0) / bud.Segments));
+      this->Tree.Wood.Grow(node, 1.0);
     }
   }
 
@@ -167,6 +166,57 @@ private:
       first = last;
       last = static_cast<int>(this->Tree.Wood.Branches.size());
     }
+  }
+
+  /// How much thicker than at the crown's base a bare stem is below it.
+  double StemBelowCrown(double height) const
+  {
+    const double base = std::min(this->P.CrownBase, this->P.Height * this->P.TrunkReach);
+    return std::pow((this->P.Height - std::min(height, base)) / (this->P.Height - base), StemForm);
+  }
+
+  /// The radius of the trunk at a height, by the radii of its nodes.
+  double TrunkRadiusAt(double height) const
+  {
+    const std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
+    int node = 0;
+    while (node + 2 < this->Tree.Wood.Branches[0].Count && nodes[node + 1].Position.z < height)
+    {
+      ++node;
+    }
+    const double part = (height - nodes[node].Position.z) / (nodes[node + 1].Position.z - nodes[node].Position.z);
+    return nodes[node].Radius + part * (nodes[node + 1].Radius - nodes[node].Radius);
+  }
+
+  /// Sections by the pipe model (Shinozaki et al. 1964): a pipe leads from each length of a branch, where leaves are,
+  /// to the ground, so that the sections of branches and trunk add up at every fork, as da Vinci found. Below the
+  /// crown, pipes of branches that fell make the stem thicker.
+  void Thicken()
+  {
+    std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
+    const int trunk = this->Tree.Wood.Branches[0].Count;
+    std::vector<double> pipes(nodes.size(), 0.0);
+    for (int node = static_cast<int>(nodes.size()) - 1; node > 0; --node)
+    {
+      const int parent = nodes[node].Parent;
+      const SkeletonBranch& branch = this->Tree.Wood.Branches[nodes[node].Branch];
+      const bool bearsLeaves = branch.Order >= std::min(2, this->P.Orders);
+      if (node > branch.First && (bearsLeaves || node + 1 == branch.First + branch.Count))
+      {
+        pipes[node] += bearsLeaves ? 1.0 / (branch.Count - 1) : 1.0;
+      }
+      pipes[parent] += pipes[node];
+    }
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      nodes[node].Radius = std::sqrt(pipes[node] / pipes[0]);
+    }
+    for (int node = 0; node < trunk; ++node)
+    {
+      nodes[node].Radius *= this->StemBelowCrown(nodes[node].Position.z);
+    }
+    const double scale = this->P.TrunkRadius / this->TrunkRadiusAt(BreastHeight(this->P.Height));
+    std::for_each(nodes.begin(), nodes.end(), [=](SkeletonNode& node) { node.Radius *= scale; });
   }
 
   /// Branches that bear leaves: all but the trunk and, in a tree of several orders, the main branches.
@@ -264,6 +314,34 @@ ReevesTreeParameters PresetParameters(TreePreset preset)
       break;
   }
   return p;
+}
+
+ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter)
+{
+  const ReevesTreeParameters own = PresetParameters(preset);
+  ReevesTreeParameters p = own;
+  if (!(height > 0.0) && !(diameter > 0.0))
+  {
+    return p;
+  }
+  p.Height = height > 0.0 ? height : own.Height;
+  p.TrunkRadius = diameter > 0.0 ? 0.5 * diameter : own.TrunkRadius;
+  const double wider = p.TrunkRadius / own.TrunkRadius;
+  const double taller = p.Height / own.Height;
+  p.CrownRadius = wider * own.CrownRadius;
+  const double stouter = wider / taller;
+  p.TrunkReach = 1.0 - (1.0 - own.TrunkReach) * std::min(1.0, stouter);
+  const double part = (1.0 - own.CrownBase / own.Height) * std::sqrt(stouter);
+  p.CrownBase = std::max(0.0, 1.0 - std::min(part, 1.0)) * p.Height;
+  p.CrownBase = std::min(p.CrownBase, 0.8 * p.TrunkReach * p.Height);
+  const double length = (p.Height - p.CrownBase) / (own.Height - own.CrownBase);
+  p.LeafSize = own.LeafSize * std::sqrt(wider * length);
+  return p;
+}
+
+double BreastHeight(double height)
+{
+  return std::min(1.3, 0.1 * height);
 }
 
 std::string WhyInvalid(const ReevesTreeParameters& p)

@@ -27,7 +27,7 @@ struct ReevesTreeParameters
   double Height = 12.0;      ///< [m]
   double CrownRadius = 5.4;  ///< largest [m]
   double CrownBase = 2.2;    ///< height of the lowest leaves [m]
-  double TrunkRadius = 0.3;  ///< at the ground [m]
+  double TrunkRadius = 0.3;  ///< at breast height [m]
   double TrunkReach = 0.65;  ///< part of the height that the trunk grows to
   int Orders = 3;            ///< of branches on the trunk, 1 to 4
   int MainBranches = 22;     ///< on the trunk
@@ -46,6 +46,16 @@ struct ReevesTreeParameters
 
 /// The numbers of a preset; those of Custom are the defaults.
 ReevesTreeParameters PresetParameters(TreePreset preset);
+
+/**
+ * A tree of a preset with a height and a diameter at breast height [m]; 0: the preset's own. Crowns are as wide as
+ * stems are thick. A slender tree has grown among others: its crown is the shorter a part of the height, as the root of
+ * the stem's stoutness, and its trunk goes on the higher. Leaves are as large as it takes to cover the crown as before.
+ */
+ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter);
+
+/// Where a trunk is measured, for a tree of a height [m]: at 1.3 m, and below where the tree is lower than 13 m.
+double BreastHeight(double height);
 
 /// Why there is no such tree, with the name of the parameter; empty when there is.
 std::string WhyInvalid(const ReevesTreeParameters& parameters);

@@ -5,7 +5,6 @@
 #include "Constants.h"
 #include "Dispersion.h"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -23,6 +22,17 @@ constexpr double Alpha = 8.1e-3;
 constexpr double Beta = 0.74;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// From here on up panels reach [peaks of the form]; 5/4 of its power -4 is 600.
+constexpr double LowestPanel = 0.213643;
+/// Of panels with their halves; rounding of e^-600 leaves 1e-13.
+constexpr double PanelAgreement = 1e-12;
+/// Part of the energy that may lie above the range of a form.
+constexpr double EnergyAboveRange = 0.01;
+/// From here on the higher peak of a young sea is below 1e-25 of the density [peaks of the form].
+constexpr double EndOfYoungPeak = 2.0;
+/// Relative depth w2 h / g from which on depth takes nothing.
+constexpr double DeepRelativeDepth = 20.0;
 
 bool IsPositive(double value)
 {
@@ -139,8 +149,10 @@ void SeaSpectrum::FitToHeightAndPeriod()
   {
     // The wind gives the deep sea; depth then takes what it takes.
     this->Given.Kind = SpectrumKind::Jonswap;
+    this->MakePanels();
     this->Scale *= variance / this->Energy(0.0, Infinity);
     this->Given.Kind = SpectrumKind::Tma;
+    this->MakePanels();
     this->Peak = this->FindPeak();
     this->Total = this->Energy(0.0, Infinity);
     return;
@@ -155,6 +167,7 @@ void SeaSpectrum::FitToHeightAndPeriod()
       break;
     }
   }
+  this->MakePanels();
   this->Scale *= variance / this->Energy(0.0, Infinity);
   this->Total = variance;
 }
@@ -169,28 +182,26 @@ double SeaSpectrum::FindPeak() const
 
 double SeaSpectrum::Shape(double w) const
 {
-  const double ratio = this->FormPeak / w;
-  const double form = std::exp(-1.25 * std::pow(ratio, 4.0)) * std::pow(w, -5.0);
+  if (this->Given.Kind == SpectrumKind::Table)
+  {
+    return this->TableValue(w);
+  }
+  // w^-5 exp(-5/4 (wp/w)^4)
+  const double square = this->FormPeak / w * (this->FormPeak / w);
+  const double form = std::exp(-1.25 * square * square) / (w * w * w * w * w);
   if (!(form > 0.0) || this->Given.Kind == SpectrumKind::PiersonMoskowitz)
   {
     return form > 0.0 ? form : 0.0;
   }
+  // gamma^exp(-((w/wp - 1)/sigma)^2 / 2)
   const double sigma = w > this->FormPeak ? 0.09 : 0.07;
   const double off = (w / this->FormPeak - 1.0) / sigma;
   const double young = form * std::pow(this->Given.PeakEnhancement, std::exp(-0.5 * off * off));
   return this->Given.Kind == SpectrumKind::Tma ? young * DepthFactor(w, this->Given.Depth) : young;
 }
 
-double SeaSpectrum::Density(double w) const
+double SeaSpectrum::TableValue(double w) const
 {
-  if (!(w > 0.0))
-  {
-    return 0.0;
-  }
-  if (this->Given.Kind != SpectrumKind::Table)
-  {
-    return this->Scale * this->Shape(w);
-  }
   if (w < this->Nodes.front() || w > this->Nodes.back())
   {
     return 0.0;
@@ -201,68 +212,90 @@ double SeaSpectrum::Density(double w) const
   return this->Values[next - 1] + part * (this->Values[next] - this->Values[next - 1]);
 }
 
+double SeaSpectrum::Density(double w) const
+{
+  return w > 0.0 ? this->Scale * this->Shape(w) : 0.0;
+}
+
 double SeaSpectrum::Energy(double low, double high) const
 {
+  low = std::max(low, 0.0);
   if (!(high > low))
   {
     return 0.0;
   }
-  if (this->Given.Kind == SpectrumKind::Table)
-  {
-    return this->TableIntegral(high) - this->TableIntegral(low);
-  }
   if (this->Given.Kind == SpectrumKind::PiersonMoskowitz)
   {
-    const auto below = [this](double w) {
-      return w > 0.0 ? this->Total * std::exp(-1.25 * std::pow(this->FormPeak / w, 4.0)) : 0.0;
-    };
-    return below(high) - below(low);
+    return this->FormEnergy(low, high);
   }
-  // Cut where the form of the peak changes, so that each part is smooth.
-  using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-  const auto density = [this](double w) { return this->Density(w); };
+  const auto shape = [this](double w) { return this->Shape(w); };
+  const double below = this->Scale * this->Panels.Integral(shape, low, high);
+  // Above the panels the form alone is left, of a table nothing.
+  const double top = this->Given.Kind == SpectrumKind::Table ? Infinity : this->HighestPanel();
+  return high > top ? below + this->FormEnergy(std::max(low, top), high) : below;
+}
+
+double SeaSpectrum::FormEnergy(double low, double high) const
+{
+  // A / (5 wp^4) (e^-b - e^-a) with a = 5/4 (wp/low)^4 and b likewise, as e^-b (1 - e^-(a - b)), whose a - b is a
+  // product.
   const double p = this->FormPeak;
-  double sum = 0.0;
-  double from = low;
-  for (const double cut : { 0.5 * p, 0.8 * p, p, 1.25 * p, 2.0 * p, high })
+  const double r = p / low;
+  const double q = p / high;
+  const double b = 1.25 * q * q * q * q;
+  const double gap = std::isfinite(high) && low > 0.0 ? r * q * ((high - low) / p) : r;
+  const double drop = 1.25 * gap * (r + q) * (r * r + q * q);
+  return -this->Scale / (5.0 * p * p * p * p) * std::exp(-b) * std::expm1(-drop);
+}
+
+double SeaSpectrum::HighestPanel() const
+{
+  const double young = EndOfYoungPeak * this->FormPeak;
+  return this->Given.Kind == SpectrumKind::Tma && std::isfinite(this->Given.Depth)
+    ? std::max(young, std::sqrt(DeepRelativeDepth * Gravity / this->Given.Depth))
+    : young;
+}
+
+void SeaSpectrum::MakePanels()
+{
+  const double p = this->FormPeak;
+  const double top = this->HighestPanel();
+  std::vector<double> cuts = { LowestPanel * p, p };
+  while (cuts.back() < top)
   {
-    const double to = std::min(cut, high);
-    if (to > from)
-    {
-      sum += Rule::integrate(density, from, to, 10, 1e-13);
-      from = to;
-    }
+    cuts.push_back(std::min(2.0 * cuts.back(), top));
   }
-  return sum;
+  this->Panels = CompositeQuadrature([this](double w) { return this->Shape(w); }, cuts, PanelAgreement);
+}
+
+std::array<double, 2> SeaSpectrum::Range() const
+{
+  if (this->Given.Kind != SpectrumKind::Table)
+  {
+    double highest = 4.0 * this->Peak;
+    while (this->Energy(highest, Infinity) > EnergyAboveRange * this->Total)
+    {
+      highest += 0.5 * this->Peak;
+    }
+    return { 0.5 * this->Peak, highest };
+  }
+  const auto positive = [](double value) { return value > 0.0; };
+  const auto first = std::find_if(this->Values.begin(), this->Values.end(), positive) - this->Values.begin();
+  const auto after = std::find_if(this->Values.rbegin(), this->Values.rend(), positive) - this->Values.rbegin();
+  return { this->Nodes[std::max<std::ptrdiff_t>(first - 1, 0)],
+    *(this->Nodes.rbegin() + std::max<std::ptrdiff_t>(after - 1, 0)) };
 }
 
 void SeaSpectrum::ReadTable()
 {
-  const std::size_t rows = this->Given.Frequencies.size();
-  for (std::size_t row = 0; row < rows; ++row)
+  for (std::size_t row = 0; row < this->Given.Frequencies.size(); ++row)
   {
     this->Nodes.push_back(TwoPi * this->Given.Frequencies[row]);
     this->Values.push_back(this->Given.Densities[row] / TwoPi);
-    this->Integrals.push_back(row == 0 ? 0.0
-                                       : this->Integrals.back() +
-          0.5 * (this->Values[row] + this->Values[row - 1]) * (this->Nodes[row] - this->Nodes[row - 1]));
   }
-  this->Total = this->Integrals.back();
+  this->Panels = CompositeQuadrature([this](double w) { return this->TableValue(w); }, this->Nodes, PanelAgreement);
+  this->Total = this->Energy(0.0, Infinity);
   this->Peak = this->Nodes[std::max_element(this->Values.begin(), this->Values.end()) - this->Values.begin()];
-}
-
-double SeaSpectrum::TableIntegral(double w) const
-{
-  if (w <= this->Nodes.front())
-  {
-    return 0.0;
-  }
-  if (w >= this->Nodes.back())
-  {
-    return this->Total;
-  }
-  const std::size_t next = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), w) - this->Nodes.begin();
-  return this->Integrals[next - 1] + 0.5 * (this->Values[next - 1] + this->Density(w)) * (w - this->Nodes[next - 1]);
 }
 
 }

@@ -3,6 +3,9 @@
 #ifndef LittoralSeaSpectrum_h
 #define LittoralSeaSpectrum_h
 
+#include "CompositeQuadrature.h"
+
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -36,7 +39,7 @@ struct SpectrumParameters
 std::string WhyInvalid(const SpectrumParameters& parameters);
 
 /**
- * The density S [m2 s/rad] of the elevation's variance over angular frequency, and its exact integrals.
+ * The density S [m2 s/rad] of the elevation's variance over angular frequency, and its integrals.
  *
  * Pierson-Moskowitz: S = A w^-5 exp(-B/w^4), from the wind by A = alpha g2, B = beta (g/U)^4, or from height and period
  * by A = 5/16 Hs2 wp^4, B = 5/4 wp^4. JONSWAP: the same times gamma^exp(-((w/wp - 1)/sigma)^2/2), scaled to the height;
@@ -52,7 +55,10 @@ public:
   /// S at an angular frequency [m2 s/rad].
   double Density(double frequency) const;
 
-  /// The integral of S between two angular frequencies [m2].
+  /**
+   * The integral of S between two angular frequencies [m2]: the closed form of Pierson and Moskowitz, else by panels,
+   * to 1e-12 of itself. Below 0.21 peaks of its form a spectrum counts as nothing; its density there is below e^-600.
+   */
   double Energy(double low, double high) const;
 
   /// The integral of S over all frequencies, the variance of the elevation [m2].
@@ -61,21 +67,28 @@ public:
   /// Where S is largest [rad/s].
   double PeakFrequency() const { return this->Peak; }
 
+  /// Lowest and highest angular frequency that matter [rad/s]: 0.5 peaks, and 4 or half peaks more until at most 1 % of
+  /// the energy lies above; of a table, where it is not 0.
+  std::array<double, 2> Range() const;
+
 private:
   void FitToHeightAndPeriod();
   void ReadTable();
+  void MakePanels();
+  double HighestPanel() const;
   double Shape(double frequency) const;
-  double TableIntegral(double frequency) const;
+  double TableValue(double frequency) const;
+  double FormEnergy(double low, double high) const;
   double FindPeak() const;
 
   SpectrumParameters Given;
-  double Scale = 1.0;    ///< A
+  double Scale = 1.0;    ///< A; of a table 1
   double FormPeak = 1.0; ///< peak of the Pierson-Moskowitz form [rad/s]
   double Peak = 1.0;
   double Total = 0.0;
-  std::vector<double> Nodes;     ///< of the table [rad/s]
-  std::vector<double> Values;    ///< at the nodes [m2 s/rad]
-  std::vector<double> Integrals; ///< up to the nodes [m2]
+  std::vector<double> Nodes;  ///< of the table [rad/s]
+  std::vector<double> Values; ///< at the nodes [m2 s/rad]
+  CompositeQuadrature Panels; ///< of the shape, without the scale
 };
 
 }

@@ -189,16 +189,17 @@ private:
   /// Adds the segments of a blade to a run.
   void AddBladeSegments(SegmentRun& run, int count, double length, double width, const BladeCourse& course) const
   {
+    const std::vector<double> steps = BladeSteps(count);
     for (int step = 0; step < count; ++step)
     {
-      const double part = (step + 0.5) / count;
+      const double part = 0.5 * (steps[step] + steps[step + 1]);
       const double tilt = course.TiltAtFoot + (course.TiltAtTip - course.TiltAtFoot) * std::pow(part, 1.4);
       const double azimuth = course.Azimuth + course.Turn * part;
       const Vector3 along = Direction(tilt, azimuth);
       SeaweedSegment segment =
         this->Material(SeaweedTissue::Blade, width * BladeProfile(this->P.Form, part), this->P.BladeThickness);
       segment.Across = AcrossOf(along, azimuth, course.Roll + course.Twist * part);
-      run.Add(length / count * along, segment);
+      run.Add((steps[step + 1] - steps[step]) * length * along, segment);
     }
   }
 
@@ -452,6 +453,24 @@ std::string WhyInvalid(const SeaweedParameters& p)
       "20000 blades.";
   }
   return {};
+}
+
+std::vector<double> BladeSteps(int count)
+{
+  constexpr double Growth = 1.6;
+  constexpr int MostGraded = 5;
+  const int graded = std::min(count / 2, MostGraded);
+  std::vector<double> steps{ 0.0 };
+  for (int step = 0; step < count; ++step)
+  {
+    steps.push_back(steps.back() + std::pow(Growth, std::min(step, graded)));
+  }
+  const double all = steps.back();
+  for (double& step : steps)
+  {
+    step /= all;
+  }
+  return steps;
 }
 
 double BladeProfile(SeaweedForm form, double part)

@@ -72,7 +72,7 @@ std::string WhyInvalid(const SeaweedParameters& parameters);
 struct SeaweedBlade
 {
   int Branch = 0;
-  int FirstStep = 0;   ///< the node of the branch where it begins
+  int FirstStep = 0;   ///< the node of the branch where it begins; its segments end at BladeSteps
   double Length = 1.0; ///< [m]
   double Width = 0.1;  ///< where it is widest [m]
   double Ruffle = 0.0; ///< height of the waves of its edges [m]
@@ -88,6 +88,12 @@ struct Seaweed
   std::vector<SeaweedSegment> Segments; ///< of each node
   std::vector<SeaweedBlade> Blades;
 };
+
+/**
+ * Where the segments of a blade begin and end, as parts of its length: `count` + 1 numbers from 0 to 1. The first half,
+ * at most five, are each 1.6 times as long as the one before, the rest equal: limp blades bend next to their foot.
+ */
+std::vector<double> BladeSteps(int count);
 
 /// The width of a blade at a part of its length, 0 at its foot and 1 at its tip, as part of the largest.
 double BladeProfile(SeaweedForm form, double part);

@@ -175,36 +175,118 @@ LITTORAL_INLINE void PoseLink(SeaweedJoint joint, const LinkBody<Real>& link, co
   pose.Spin += state.Rate.x * y + state.Rate.y * x;
 }
 
-/// The force on a link [N], at its middle, and how much it falls per m/s of the link [N s/m].
+/// The sides of a link now: along its width, and normal to its face. With its axis they are right-handed.
 template <typename Real>
-LITTORAL_INLINE glm::vec<3, Real> ForceOn(const SeaweedOptions& options, const LinkBody<Real>& link,
-  const LinkPoseOf<Real>& pose, const WaterOf<Real>& water, Real& resistance)
+struct LinkFaceOf
+{
+  using Vector = glm::vec<3, Real>;
+  Vector Edge;
+  Vector Normal;
+};
+
+template <typename Real>
+LITTORAL_INLINE LinkFaceOf<Real> FaceOf(const LinkBody<Real>& link, const LinkPoseOf<Real>& pose)
+{
+  const glm::vec<3, Real> edge = Rotated(pose.Turn, link.Side);
+  return { edge, glm::cross(pose.Axis, edge) };
+}
+
+/// Sums over the points of a link at which drag is found, each times nothing, its distance from the foot, and the
+/// square of it.
+template <typename Real>
+struct MomentsOf
+{
+  Real Sum{ 0.0 };
+  Real First{ 0.0 };
+  Real Second{ 0.0 };
+
+  LITTORAL_INLINE void Add(const Real& value, const Real& distance)
+  {
+    this->Sum += value;
+    this->First += distance * value;
+    this->Second += distance * distance * value;
+  }
+};
+
+/// What the water does to a link, and how much less where the link gives way.
+template <typename Real>
+struct LinkLoadOf
+{
+  using Vector = glm::vec<3, Real>;
+  Vector Force{ Real(0.0) };  ///< [N]
+  Vector Moment{ Real(0.0) }; ///< sum of forces times distances from the foot [N m]; axis x Moment is the torque
+  MomentsOf<Real> FaceDrag;   ///< resistance to motion normal to the face [N s/m], [N s], [N s m]
+  MomentsOf<Real> EdgeDrag;   ///< resistance to motion along the width
+  Real Friction{ 0.0 };       ///< resistance to motion along the axis [N s/m]
+};
+
+/// The load on a link. Direct: the paper's, at the middle. Morison: drag at two Gauss points; inertia and lift at the
+/// middle.
+template <typename Real>
+LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const LinkBody<Real>& link,
+  const LinkPoseOf<Real>& pose, const LinkFaceOf<Real>& face, const WaterOf<Real>& water)
 {
   using Vector = glm::vec<3, Real>;
   const Real none(0.0);
   const Real one(1.0);
-  resistance = none;
+  LinkLoadOf<Real> load;
+  const Vector& e = pose.Axis;
+  const Vector half = Real(0.5) * link.Length * e;
   if (options.Load == SeaweedLoad::Direct)
   {
-    return Real(options.ForceFactor) * link.Length * (water.Acceleration + water.Displacement + water.Velocity);
+    load.Force = Real(options.ForceFactor) * link.Length * (water.Acceleration + water.Displacement + water.Velocity);
+    load.Moment = Real(0.5) * link.Length * load.Force;
+    return load;
   }
-  const Vector half = Real(0.5) * link.Length * pose.Axis;
-  const Vector relative = water.Velocity - pose.Velocity - glm::cross(pose.Spin, half);
-  const Vector along = glm::dot(relative, pose.Axis) * pose.Axis;
-  const Vector across = relative - along;
-  const Real drag = Real(0.5 * options.WaterDensity * options.DragCoefficient) * link.Frontage * LengthOf(across);
-  const Real friction = Real(0.5 * options.WaterDensity * options.FrictionCoefficient) * link.Surface * LengthOf(along);
-  resistance = drag;
-  // A segment that comes out of the water loses its lift.
+  // The part of a segment that is in the water; out of it, it has its weight in place of its lift.
   const Real top = pose.Foot.z + Real(2.0) * half.z;
   const Real low = Smaller(top, pose.Foot.z);
   const Real reach = Larger(Magnitude(Real(2.0) * half.z), Real(0.1) * link.Length);
   const Real wet = Between((Real(options.SeaLevel) - low) / reach, none, one);
+  // Drag F = rho/2 C |r| (A_face (r.n) n + A_edge (r.b) b), r: velocity of the water across the segment, against it.
+  const Vector slip = water.Velocity - pose.Velocity;
+  const Vector turning = glm::cross(pose.Spin, e);
+  const Real slipNormal = glm::dot(slip, face.Normal);
+  const Real slipEdge = glm::dot(slip, face.Edge);
+  const Real turnNormal = glm::dot(turning, face.Normal);
+  const Real turnEdge = glm::dot(turning, face.Edge);
+  const Real density = wet * Real(0.5 * options.WaterDensity);
+  const Real half1 = Real(0.5) * density * Real(options.DragCoefficient); // of the half that a Gauss point stands for
+  Real normal = none;
+  Real edge = none;
+  Real normalFirst = none;
+  Real edgeFirst = none;
+  for (const double part : { 0.21132486540518713, 0.78867513459481287 })
+  {
+    const Real distance = Real(part) * link.Length;
+    const Real n = slipNormal - distance * turnNormal;
+    const Real b = slipEdge - distance * turnEdge;
+    const Real speed = half1 * SquareRoot(n * n + b * b);
+    const Real faceDrag = link.Frontage * speed;
+    const Real edgeDrag = link.EdgeFrontage * speed;
+    load.FaceDrag.Add(faceDrag, distance);
+    load.EdgeDrag.Add(edgeDrag, distance);
+    normal += faceDrag * n;
+    edge += edgeDrag * b;
+    normalFirst += distance * faceDrag * n;
+    edgeFirst += distance * edgeDrag * b;
+  }
+  // Friction F = rho/2 C_f A |r.e| (r.e) e.
+  const Real along = glm::dot(slip, e);
+  load.Friction = density * Real(options.FrictionCoefficient) * link.Surface * Magnitude(along);
+  // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison).
+  const Real aNormal = glm::dot(water.Acceleration, face.Normal);
+  const Real aEdge = glm::dot(water.Acceleration, face.Edge);
+  const Vector inertia = wet *
+    (link.WaterMass * water.Acceleration + (link.FaceMass * aNormal) * face.Normal +
+      (link.EdgeMass * aEdge) * face.Edge);
   const Real lift = wet * link.Buoyancy - (one - wet) * link.Weight;
   const Real depth = link.Bed - pose.Foot.z - half.z;
-  const Real push = link.Mass * Between(Real(BedStiffness) * depth, none, Real(BedPush));
-  return wet * (drag * across + friction * along + link.WaterMass * water.Acceleration) +
-    Vector(none, none, push + lift);
+  const Real push = (link.Mass + link.FaceMass) * Between(Real(BedStiffness) * depth, none, Real(BedPush));
+  const Vector central = inertia + (load.Friction * along) * e + Vector(none, none, push + lift);
+  load.Force = central + normal * face.Normal + edge * face.Edge;
+  load.Moment = Real(0.5) * link.Length * central + edgeFirst * face.Edge + normalFirst * face.Normal;
+  return load;
 }
 
 }

@@ -57,6 +57,7 @@ public:
       this->Nodes.push_back(seaweed.Wood.Nodes[node].Position);
       this->Sides.push_back(seaweed.Segments[node].Across);
     }
+    this->Steps = BladeSteps(this->NumberOfSegments());
     for (std::size_t node = this->Sides.size() - 2; node >= 1; --node)
     {
       this->Sides[node] = Normalised(this->Sides[node] + this->Sides[node - 1]);
@@ -110,12 +111,14 @@ private:
   int FirstOfBranch = 0;
   std::vector<Vector3> Nodes;
   std::vector<Vector3> Sides;
+  std::vector<double> Steps; // where segments begin and end, as parts of the length
 
   int SegmentAt(double part, double& within) const
   {
-    const double place = std::clamp(part, 0.0, 1.0) * this->NumberOfSegments();
-    const int segment = std::min(static_cast<int>(place), this->NumberOfSegments() - 1);
-    within = place - segment;
+    const double place = std::clamp(part, 0.0, 1.0);
+    const auto after = std::upper_bound(this->Steps.begin() + 1, this->Steps.end() - 1, place);
+    const auto segment = static_cast<int>(after - this->Steps.begin()) - 1;
+    within = (place - this->Steps[segment]) / (this->Steps[segment + 1] - this->Steps[segment]);
     return segment;
   }
 };
@@ -442,17 +445,14 @@ void AddFacets(const PlantMesh& mesh, double seen, std::vector<Facet>& facets)
     Facet facet;
     facet.Low = facet.High = origin.z;
     facet.Tint = mesh.Colours[mesh.Corners[begin]];
-    Vector3 area(0.0);
     for (int corner = begin; corner < end; ++corner)
     {
       const Vector3& point = mesh.Points[mesh.Corners[corner]];
-      const Vector3& next = mesh.Points[mesh.Corners[corner + 1 < end ? corner + 1 : begin]];
       facet.Middle += point / static_cast<double>(end - begin);
       facet.Low = std::min(facet.Low, point.z);
       facet.High = std::max(facet.High, point.z);
-      area += 0.5 * glm::cross(point - origin, next - origin);
     }
-    facet.Area = seen * glm::length(area);
+    facet.Area = 0.5 * seen * glm::length(AreaVector(mesh, polygon));
     facets.push_back(facet);
   }
 }
@@ -617,6 +617,7 @@ PlantMesh StipesOf(const Seaweed& seaweed)
       AddFloat(mesh, seaweed, node);
     }
   }
+  TurnNormalsToFronts(mesh); // of floats
   return mesh;
 }
 

@@ -13,6 +13,8 @@ namespace littoral
 namespace
 {
 
+constexpr double StopFrequency = 40.0; // of a link that bears all that grows on it [rad/s]
+
 /// A unit vector turned by a rotation vector at a right angle to it.
 Vector3 Swung(const Vector3& direction, const Vector3& turn)
 {
@@ -36,14 +38,19 @@ LinkBody<Lanes> SideBySide(const std::vector<SeaweedLink>& links, const LaneIndi
   body.Phi = number(&SeaweedLink::Phi);
   body.Length = number(&SeaweedLink::Length);
   body.Mass = number(&SeaweedLink::Mass);
+  body.FaceMass = number(&SeaweedLink::FaceMass);
+  body.EdgeMass = number(&SeaweedLink::EdgeMass);
   body.AxialInertia = number(&SeaweedLink::AxialInertia);
   body.WaterMass = number(&SeaweedLink::WaterMass);
   body.Buoyancy = number(&SeaweedLink::Buoyancy);
   body.Weight = number(&SeaweedLink::Weight);
   body.Frontage = number(&SeaweedLink::Frontage);
+  body.EdgeFrontage = number(&SeaweedLink::EdgeFrontage);
   body.Surface = number(&SeaweedLink::Surface);
   body.Stiffness = number(&SeaweedLink::Stiffness);
   body.Damping = number(&SeaweedLink::Damping);
+  body.StopStiffness = number(&SeaweedLink::StopStiffness);
+  body.StopDamping = number(&SeaweedLink::StopDamping);
   body.Bed = number(&SeaweedLink::Bed);
   return body;
 }
@@ -59,7 +66,20 @@ SeaweedMotion::SeaweedMotion(std::vector<SeaweedLink> links, const SeaweedOption
   {
     const SeaweedLink* parent = link.Parent < 0 ? nullptr : &this->Links[link.Parent];
     link.Arm = parent ? link.Foot - parent->Foot : Vector3(0.0);
+    link.StopStiffness = 0.0;
     link.Base = (parent ? parent->Base : GroundBase<double>()) * BaseTurn(link.Theta, link.Phi);
+  }
+  // What keeps joints from folding flat: strong enough for all that grows on them, on the arm of one link.
+  for (std::size_t i = this->Links.size(); i-- > 0;)
+  {
+    SeaweedLink& link = this->Links[i];
+    link.StopStiffness += link.Mass + link.FaceMass;
+    if (link.Parent >= 0)
+    {
+      this->Links[link.Parent].StopStiffness += link.StopStiffness;
+    }
+    link.StopStiffness *= StopFrequency * StopFrequency * link.Length * link.Length / 3.0;
+    link.StopDamping = 2.0 / StopFrequency * link.StopStiffness;
   }
   this->MakeBunches();
 }
@@ -149,7 +169,7 @@ void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t
 }
 
 //----------------------------------------------------------------------------
-void SeaweedMotion::Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles) const
+void SeaweedMotion::Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles, double ahead) const
 {
   const LinkBody<Lanes>* bodies = &this->Bodies[bunch.Bodies];
   for (std::size_t i = 0; i < bunch.Links; ++i)
@@ -157,7 +177,8 @@ void SeaweedMotion::Middles(const SeaweedBunch& bunch, const LinkPose* poses, Ve
     for (int lane = 0; lane < LaneCount; ++lane)
     {
       const LinkPose& pose = poses[bunch.First[lane] + i];
-      *middles++ = pose.Foot + 0.5 * bodies[i].Length.Values[lane] * pose.Axis;
+      const Vector3 half = 0.5 * bodies[i].Length.Values[lane] * pose.Axis;
+      *middles++ = pose.Foot + half + ahead * (pose.Velocity + glm::cross(pose.Spin, half));
     }
   }
 }
@@ -172,14 +193,24 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
   const glm::dquat below = link.Parent < 0 ? NoTurn<double>() : poses[link.Parent].Turn;
   rest.Foot = link.Foot;
   rest.Axis = Rotated(below, link.Axis);
-  double resistance = 0.0;
   // Buoyancy is part of the equilibrium.
   const Vector3 lift = options.Load == SeaweedLoad::Morison ? Vector3(0.0, 0.0, link.Buoyancy) : Vector3(0.0);
-  const Vector3 force = ForceOn<double>(options, link, rest, water, resistance) - lift;
-  const Vector3 torque = options.LeverArm * link.Length * glm::cross(rest.Axis, force);
-  const double stiffness = std::max(1e-12, link.Stiffness + link.Restoring);
+  rest.Turn = below;
+  // Blades that bend at once, as far as they may, would flap as the flow passes their edge: loads are those of a face
+  // that is always turned to the flow.
+  LinkBody<double> turned = link;
+  turned.EdgeFrontage = link.Frontage;
+  turned.EdgeMass = link.FaceMass;
+  const Vector3 force = LoadOn<double>(options, turned, rest, FaceOf<double>(link, rest), water).Force - lift;
+  // Torques go with the square of the length and turns with its cube, so that graded links would bend where they are
+  // long: a link bends as a part of one of mean length does.
+  const double share = link.MeanLength > 0.0 ? link.Length / link.MeanLength : 1.0;
+  const Vector3 torque = options.LeverArm * link.Length / (share * share) * glm::cross(rest.Axis, force);
+  const double stiffness = std::max(1e-12, share * link.Stiffness + link.Restoring);
   const double most = options.LargestAngle;
-  const auto soft = [&](double angle) { return most > 0.0 ? most * std::tanh(angle / most) : 0.0; };
+  const double less = std::min(1.0, share);
+  const double more = std::max(1.0, share);
+  const auto soft = [&](double angle) { return most > 0.0 ? less * most * std::tanh(more * angle / most) : 0.0; };
   if (options.Joint == SeaweedJoint::Tilting)
   {
     const glm::dquat frame = link.Parent < 0 ? GroundBase<double>() : below * this->Links[link.Parent].Base;

@@ -52,10 +52,12 @@ public:
   /// The pose of one link whose parent's is known.
   void PoseOne(const LinkState& state, std::size_t link, LinkPose* poses) const;
 
-  /// The middles of the links of a bunch [m], a lane after the other of each: where the water is to be known.
-  void Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles) const;
+  /// The middles of the links of a bunch [m], a lane after the other of each, `ahead` [s] of the poses at their
+  /// velocities: where the water is to be known.
+  void Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles, double ahead = 0.0) const;
 
-  /// Takes a bunch one step [s] further, its states and the poses that go with them; `water` is at its middles.
+  /// Takes a bunch one step [s] further, its states and the poses that go with them; `water` is at its middles in the
+  /// middle of the step (ExplicitEuler: at its beginning), and stays the same throughout.
   void Step(double step, const SeaweedBunch& bunch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const;
 
   /// The state of a link by eqs. 5 and 6, from the pose of its parent; without rates.

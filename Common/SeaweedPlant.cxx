@@ -4,6 +4,7 @@
 
 #include "Constants.h"
 #include "ParameterRange.h"
+#include "SeaweedGrowth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,23 @@ namespace
 {
 
 constexpr double Gravity = 9.80665;
+
+/// The mean length of the segments of a tissue in a branch [m].
+double MeanLengthOf(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, const SkeletonBranch& branch,
+  SeaweedTissue tissue)
+{
+  double length = 0.0;
+  int count = 0;
+  for (int node = branch.First; node < branch.First + branch.Count - 1; ++node)
+  {
+    if (segments[node].Tissue == tissue)
+    {
+      length += glm::distance(skeleton.Nodes[node].Position, skeleton.Nodes[node + 1].Position);
+      ++count;
+    }
+  }
+  return length / std::max(1, count);
+}
 
 /// A link from a node to the next, without its joint.
 SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& segment, const SeaweedOptions& options)
@@ -30,16 +48,20 @@ SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& seg
   const Vector3 across = segment.Across - glm::dot(segment.Across, link.Axis) * link.Axis;
   link.Side = glm::length(across) > 1e-3 ? glm::normalize(across) : Perpendicular(link.Axis);
   const bool floats = options.Load == SeaweedLoad::Morison;
-  const double volume = area * link.Length;
-  const double entrained = floats
-    ? options.AddedMassCoefficient * options.WaterDensity * 0.25 * Pi * segment.Width * segment.Width * link.Length
-    : 0.0;
-  link.Mass = SegmentMass(segment, link.Length) + entrained;
-  link.WaterMass = options.WaterDensity * volume + entrained;
-  link.AxialInertia = link.Mass * segment.Width * segment.Width / 8.0;
+  const double w2 = segment.Width * segment.Width;
+  const double t2 = segment.Thickness * segment.Thickness;
+  link.Mass = SegmentMass(segment, link.Length);
+  link.WaterMass = options.WaterDensity * area * link.Length;
+  // Added mass of an ellipse: C rho pi/4 w2 normal to its face, C rho pi/4 t2 along it, C rho pi/128 (w2 - t2)2 in a
+  // turn about its middle; none along the segment.
+  const double water = floats ? options.AddedMassCoefficient * options.WaterDensity * 0.25 * Pi * link.Length : 0.0;
+  link.FaceMass = water * w2;
+  link.EdgeMass = water * t2;
+  link.AxialInertia = link.Mass * (w2 + t2) / 16.0 + water * (w2 - t2) * (w2 - t2) / 32.0;
   link.Buoyancy = floats ? NetBuoyancy(segment, link.Length, options.WaterDensity) : 0.0;
   link.Weight = floats ? SegmentMass(segment, link.Length) * Gravity : 0.0;
   link.Frontage = segment.Width * link.Length;
+  link.EdgeFrontage = segment.Thickness * link.Length;
   link.Surface = Pi * 0.5 * (segment.Width + segment.Thickness) * link.Length;
   return link;
 }
@@ -85,6 +107,7 @@ std::vector<SeaweedLink> LinksOf(
       const int parent = skeleton.Nodes[node].Parent;
       link.Parent = parent < 0 ? -1 : linkOfNode[parent];
       link.IsFirst = node == branch.First || link.Parent < 0;
+      link.MeanLength = MeanLengthOf(skeleton, segments, branch, segment.Tissue);
       link.Bed = link.Parent < 0 ? link.Foot.z : links[link.Parent].Bed;
       link.Theta = angles[node].Theta;
       link.Phi = angles[node].Phi;
@@ -106,6 +129,37 @@ std::vector<SeaweedLink> LinksOf(
   return links;
 }
 
+double ResolvedCauchyNumber(double length, double firstLink)
+{
+  return std::pow(0.52 * length / firstLink, 3);
+}
+
+double UngradedCauchyNumber(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const SkeletonBranch& branch : skeleton.Branches)
+  {
+    const int tip = branch.First + branch.Count - 1;
+    int foot = branch.First;
+    while (foot < tip && segments[foot].Tissue != SeaweedTissue::Blade)
+    {
+      ++foot;
+    }
+    double length = 0.0;
+    double first = 0.0;
+    for (int node = tip - 1; node >= foot; --node)
+    {
+      first = glm::distance(skeleton.Nodes[node].Position, skeleton.Nodes[node + 1].Position);
+      length += first;
+    }
+    if (foot < tip && first > 2.0 * BladeSteps(tip - foot)[1] * length)
+    {
+      least = std::min(least, ResolvedCauchyNumber(length, first));
+    }
+  }
+  return least;
+}
+
 void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& ratios)
 {
   // Mass, first and second moment of all beyond a joint about its foot, and the lift of all beyond.
@@ -123,9 +177,10 @@ void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& rati
     SeaweedLink& link = links[i];
     Beyond& sum = sums[i];
     const double l = link.Length;
-    sum.Mass += link.Mass;
-    sum.First += 0.5 * link.Mass * l * link.Axis;
-    sum.Second += link.Mass * l * l / 3.0;
+    const double mass = link.Mass + link.FaceMass;
+    sum.Mass += mass;
+    sum.First += 0.5 * mass * l * link.Axis;
+    sum.Second += mass * l * l / 3.0;
     sum.Lift += link.Buoyancy;
     sum.LiftArm += 0.5 * l * link.Buoyancy;
     link.Damping = 2.0 * ratios[i] * std::sqrt(link.Stiffness * sum.Second);
@@ -149,7 +204,7 @@ double ExplicitLimit(const std::vector<SeaweedLink>& links)
   const bool isChain = links.size() > 1;
   for (const SeaweedLink& link : links)
   {
-    const double inertia = link.Mass * link.Length * link.Length / 3.0;
+    const double inertia = (link.Mass + link.EdgeMass) * link.Length * link.Length / 3.0; // the least
     const double frequency = std::sqrt(link.Stiffness / inertia);
     if (frequency <= 0.0)
     {

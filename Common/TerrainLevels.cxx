@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace littoral
@@ -22,6 +23,13 @@ std::vector<int> Places(int first, int last, int level)
   }
   places.push_back(last);
   return places;
+}
+
+/// The least single precision number that is not below.
+float RoundedUp(double value)
+{
+  const float near = static_cast<float>(value);
+  return near < value ? std::nextafter(near, std::numeric_limits<float>::infinity()) : near;
 }
 
 /// Height at shares u, v of a cell whose corners are a (0, 0), b (1, 0), c (1, 1), d (0, 1), cut from a to c.
@@ -328,7 +336,7 @@ void TerrainPyramid::MeasureTile(TerrainTile& tile) const
         largest = std::max(largest, ErrorOfCell(this->Samples, xs[i - 1], xs[i], ys[j - 1], ys[j]));
       }
     }
-    tile.Errors[level] = static_cast<float>(largest);
+    tile.Errors[level] = RoundedUp(largest);
   }
 }
 
@@ -364,17 +372,19 @@ int LevelAtDistance(double distance, const TerrainRule& rule, int levels)
 namespace
 {
 
-/// From the view, wherever within its margin it is, to a tile [m].
+/// By which the level of a tile goes [m]: from the eye, wherever within its margin it is.
 double DistanceTo(const TerrainTile& tile, const ViewFrustum& view)
 {
-  return std::max(0.0, Distance(tile.Bounds, view.GetView().Point) - view.GetView().Margin);
+  const View& seen = view.GetView();
+  return seen.IsParallel ? LevelDistance(seen, tile.Bounds.Low)
+                         : std::max(0.0, Distance(tile.Bounds, seen.Point) - seen.Margin);
 }
 
 }
 
 double ScreenErrorOf(const TerrainTile& tile, int level, const ViewFrustum& view)
 {
-  return view.PixelsOf(tile.Errors[level], DistanceTo(tile, view));
+  return view.PixelsOfRise(tile.Errors[level], tile.Bounds);
 }
 
 std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& view, const TerrainRule& rule)

@@ -68,7 +68,7 @@ private:
 struct TerrainRule
 {
   bool ByScreenError = false;
-  double NearDistance = 250.0; ///< level 0 to here [m]
+  double NearDistance = 250.0; ///< level 0 to this level distance [m]
   double FarDistance = 4000.0; ///< the coarsest from here on [m]
   double LargestPixels = 1.0;  ///< the error on the screen that is allowed [pixels]
   bool Cull = true;            ///< leave out what the view cannot show
@@ -82,7 +82,7 @@ int LevelAtDistance(double distance, const TerrainRule& rule, int levels);
 /// A level, or Culled, for each tile.
 std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& view, const TerrainRule& rule);
 
-/// How large the error of a tile at its level is on the screen [pixels].
+/// How far any place of a tile at a level may be on the screen from where the samples have it [pixels].
 double ScreenErrorOf(const TerrainTile& tile, int level, const ViewFrustum& view);
 
 /// Vertices, as samples of the grid, and triangles, three vertices each, counter-clockwise from above.

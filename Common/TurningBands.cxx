@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace littoral
 {
@@ -18,14 +19,16 @@ namespace
 /// Part of the variance that may lie above the highest harmonic; what is cut is given back to the rest.
 constexpr double CutTail = 1e-6;
 
-/// Table nodes per half of the shortest wavelength; two keep the spline's images below 1.3 % at the very end.
-constexpr double NodesPerHalfWavelength = 2.0;
+/// Largest phase step of a harmonic from node to node, four nodes a wavelength; the spline's images hold 1.5e-4
+/// of the power there, and fall with the eighth power of the wave number.
+constexpr double MostPhaseStep = 0.5 * Pi;
 
-/// Highest wave number, in grid Nyquist wave numbers, of a field whose shortest wavelength is left open.
-constexpr double MostFoldings = 64.0;
+/// Most nodes of a table for a step of the grid; on lines that would need more, harmonics end earlier.
+constexpr int MostNodesPerStep = 64;
 
-/// Draw index of the random turn of all lines, far from those of the harmonics.
-constexpr std::uint64_t TurnDraw = 0xffffffffu;
+/// Draw index of the random turn of all lines and of the random shift of each line's nodes, far from those of the
+/// harmonics.
+constexpr std::uint64_t PlaceDraw = 0xffffffffu;
 
 // -------------------------------------------------------------------------------------------------------------------
 // Line tables. A block of nodes lies symmetrically about its centre c: with theta = delta (m + 1/2),
@@ -163,38 +166,55 @@ void AddHarmonics(HarmonicPass& pass, const double* amplitude, const double* pha
 // -------------------------------------------------------------------------------------------------------------------
 // Sums of shifted tables.
 
-/// Where a row (or column) of points meets a line's table.
-struct TableShift
+/// The largest whole number that is not above a position; the standard function would be a call.
+long long Floor(double position)
 {
-  const float* Taps[4];
-  float Weights[4];
-};
+  const long long towardsZero = static_cast<long long>(position);
+  return towardsZero - (static_cast<double>(towardsZero) > position ? 1 : 0);
+}
 
 /// Weights of the uniform cubic B-spline at fraction t of a step.
 void SplineWeights(double t, float* weights)
 {
+  const double sixth = 1.0 / 6.0;
   const double u = 1.0 - t;
-  weights[0] = static_cast<float>(u * u * u / 6.0);
-  weights[1] = static_cast<float>((4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0);
-  weights[2] = static_cast<float>((4.0 - 6.0 * u * u + 3.0 * u * u * u) / 6.0);
-  weights[3] = static_cast<float>(t * t * t / 6.0);
+  weights[0] = static_cast<float>(sixth * (u * u * u));
+  weights[1] = static_cast<float>(sixth * (4.0 - t * t * (6.0 - 3.0 * t)));
+  weights[2] = static_cast<float>(sixth * (4.0 - u * u * (6.0 - 3.0 * u)));
+  weights[3] = static_cast<float>(sixth * (t * t * t));
 }
 
-LITTORAL_SIMD_CLONES void AddShifted(const TableShift& shift, int count, float* __restrict sums)
+/// Lines whose tables are added to a row of points in one pass.
+constexpr int LinesAtOnce = 4;
+
+LITTORAL_WIDE_SIMD_CLONES void AddShifted(
+  const float* const (*taps)[4], const float (*weights)[4], int count, float* __restrict sums)
 {
-  const float* __restrict t0 = shift.Taps[0];
-  const float* __restrict t1 = shift.Taps[1];
-  const float* __restrict t2 = shift.Taps[2];
-  const float* __restrict t3 = shift.Taps[3];
-  const float w0 = shift.Weights[0];
-  const float w1 = shift.Weights[1];
-  const float w2 = shift.Weights[2];
-  const float w3 = shift.Weights[3];
+  const auto* a = taps[0];
+  const auto* b = taps[1];
+  const auto* c = taps[2];
+  const auto* d = taps[3];
+  const auto* u = weights[0];
+  const auto* v = weights[1];
+  const auto* w = weights[2];
+  const auto* x = weights[3];
   for (int i = 0; i < count; ++i)
   {
-    sums[i] += (w0 * t0[i] + w1 * t1[i]) + (w2 * t2[i] + w3 * t3[i]);
+    const float A = (u[0] * a[0][i] + u[1] * a[1][i]) + (u[2] * a[2][i] + u[3] * a[3][i]);
+    const float B = (v[0] * b[0][i] + v[1] * b[1][i]) + (v[2] * b[2][i] + v[3] * b[3][i]);
+    const float C = (w[0] * c[0][i] + w[1] * c[1][i]) + (w[2] * c[2][i] + w[3] * c[3][i]);
+    const float D = (x[0] * d[0][i] + x[1] * d[1][i]) + (x[2] * d[2][i] + x[3] * d[3][i]);
+    sums[i] += (A + B) + (C + D);
   }
 }
+
+/// The rule for the number of lines: distance of rays in widths of a ray, the part of the slopes' variance that they
+/// must hold without gaps, bounds, and bins of the spectrum to find it.
+constexpr double RaySpacing = 2.0;
+constexpr double SlopesThatMatter = 0.95;
+constexpr int FewestLines = 64;
+constexpr int MostLines = 1024;
+constexpr int BinsForLines = 200;
 
 /// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
 /// the cache.
@@ -205,6 +225,144 @@ bool IsPositive(double value)
   return std::isfinite(value) && value > 0.0;
 }
 
+// -------------------------------------------------------------------------------------------------------------------
+// What the lines carry.
+
+/// A vector in the space where the field is isotropic: A x, with A = diag(1, ratio) R(-angle).
+std::array<double, 2> Stretched(const TurningBandsParameters& parameters, double x, double y)
+{
+  const double c = std::cos(parameters.AnisotropyAngle);
+  const double s = std::sin(parameters.AnisotropyAngle);
+  return { c * x + s * y, parameters.AnisotropyRatio * (c * y - s * x) };
+}
+
+PlaneLattice StretchedLattice(const TurningBandsParameters& parameters, const PlaneGrid& grid)
+{
+  return { Stretched(parameters, grid.Spacing[0], 0.0), Stretched(parameters, 0.0, grid.Spacing[1]) };
+}
+
+/// Whether the field has detail of every size at the grid's points; equal widths have no harmonics to spare for it.
+bool IsOpen(const TurningBandsParameters& parameters)
+{
+  return parameters.ShortestWavelength == 0.0 && parameters.Bins == HarmonicBins::Adaptive;
+}
+
+/// The highest wave number of a field whose end is not open [rad/m].
+double CutWaveNumber(const TurningBandsParameters& parameters, const PlaneGrid& grid)
+{
+  const double wavelength = parameters.ShortestWavelength > 0.0 ? parameters.ShortestWavelength
+                                                                : 2.0 * std::max(grid.Spacing[0], grid.Spacing[1]);
+  return TwoPi / wavelength;
+}
+
+/// Where long waves end and short ones begin, if short ones matter.
+std::optional<Crossover> FindCrossover(const TurningBandsParameters& parameters, const PlaneLattice& lattice)
+{
+  const Crossover crossover = Crossover::OfLattice(lattice);
+  const bool matters = IsOpen(parameters) && crossover.LongBelow(parameters.Field, crossover.High) < 1.0 - CutTail;
+  return matters ? std::optional<Crossover>(crossover) : std::nullopt;
+}
+
+/// Edges of bins from 0 to the highest wave number: halves follow the spectrum's mass and its octaves.
+std::vector<double> AdaptiveEdges(const CovarianceParameters& field, double highest, int count)
+{
+  // Invert the mean of the spectrum's mass and of the logarithm from the median up, both scaled to 1. A table even
+  // in w^(1/3) is dense enough, as edges need not be exact.
+  std::vector<double> edges(count + 1);
+  const int samples = 1024;
+  const double median = WaveNumberAtTail(field, 0.5);
+  const double total = SpectrumBelow(field, highest);
+  double w0 = 0.0;
+  double mass0 = 0.0;
+  int k = 0;
+  for (int i = 1; i <= samples; ++i)
+  {
+    const double part = static_cast<double>(i) / samples;
+    const double w1 = highest * part * part * part;
+    const double octave =
+      highest > 2.0 * median ? std::max(0.0, std::log(w1 / median) / std::log(highest / median)) : w1 / highest;
+    const double mass1 = 0.5 * (SpectrumBelow(field, w1) / total + octave);
+    for (; k <= count && k <= mass1 * count; ++k)
+    {
+      edges[k] = w0 + (w1 - w0) * (static_cast<double>(k) / count - mass0) / (mass1 - mass0);
+    }
+    w0 = w1;
+    mass0 = mass1;
+  }
+  for (; k <= count; ++k)
+  {
+    edges[k] = highest;
+  }
+  return edges;
+}
+
+/// Cuts [0, limit] into bins, and finds the power in each.
+LineSpectrum CutSpectrum(
+  const TurningBandsParameters& parameters, const std::optional<Crossover>& crossover, double limit)
+{
+  const CovarianceParameters& field = parameters.Field;
+  const double highest = crossover ? crossover->High : std::min(WaveNumberAtTail(field, CutTail), limit);
+  const int count = parameters.NumberOfHarmonics;
+  const bool fractal = field.Model == CovarianceModel::Fractal;
+  const double lowest = fractal ? std::min(TwoPi / field.Range, 0.5 * highest) : 0.0;
+  LineSpectrum spectrum;
+  if (parameters.Bins == HarmonicBins::Uniform || fractal)
+  {
+    const bool geometric = parameters.Bins == HarmonicBins::Adaptive;
+    spectrum.Edges.resize(count + 1);
+    for (int k = 0; k <= count; ++k)
+    {
+      const double part = static_cast<double>(k) / count;
+      spectrum.Edges[k] = geometric ? lowest * std::pow(highest / lowest, part) : lowest + (highest - lowest) * part;
+    }
+  }
+  else
+  {
+    spectrum.Edges = AdaptiveEdges(field, highest, count);
+  }
+  const auto powerBelow = [&](double w) {
+    return crossover ? crossover->LongBelow(field, w) : SpectrumBelow(field, w); // in parts of the variance
+  };
+  spectrum.Power.resize(count);
+  double below = powerBelow(spectrum.Edges[0]);
+  for (int k = 0; k < count; ++k)
+  {
+    const double next = powerBelow(spectrum.Edges[k + 1]);
+    spectrum.Power[k] = std::max(0.0, next - below);
+    below = next;
+  }
+  spectrum.Total = crossover ? below : 1.0; // without short waves, lines carry all
+  return spectrum;
+}
+
+LineSpectrum CutSpectrum(const TurningBandsParameters& parameters, const PlaneGrid& grid, const PlaneLattice& lattice)
+{
+  const double limit = IsOpen(parameters) ? Crossover::OfLattice(lattice).High : CutWaveNumber(parameters, grid);
+  return CutSpectrum(parameters, FindCrossover(parameters, lattice), limit);
+}
+
+}
+
+int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid, const GridWindow& whole)
+{
+  // The field's size where it is isotropic.
+  const PlaneLattice lattice = StretchedLattice(parameters, grid);
+  const double size = std::max(lattice.Distance(1, 0) * (static_cast<double>(whole.Last[0]) - whole.First[0]),
+    lattice.Distance(0, 1) * (static_cast<double>(whole.Last[1]) - whole.First[1]));
+  // Slopes go as w2 f(w).
+  TurningBandsParameters coarse = parameters;
+  coarse.NumberOfHarmonics = BinsForLines;
+  const LineSpectrum spectrum = CutSpectrum(coarse, grid, lattice);
+  std::vector<double> slopes(1, 0.0);
+  for (std::size_t k = 0; k < spectrum.Power.size(); ++k)
+  {
+    const double w = 0.5 * (spectrum.Edges[k] + spectrum.Edges[k + 1]);
+    slopes.push_back(slopes.back() + w * w * spectrum.Power[k]);
+  }
+  const auto most = std::lower_bound(slopes.begin(), slopes.end(), SlopesThatMatter * slopes.back());
+  const double highest = slopes.back() > 0.0 ? spectrum.Edges[most - slopes.begin()] : 0.0;
+  const double lines = std::ceil(highest * size / (2.0 * RaySpacing));
+  return static_cast<int>(std::clamp<double>(lines, FewestLines, MostLines));
 }
 
 std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid)
@@ -256,37 +414,19 @@ TurningBandsField::TurningBandsField(
   : Parameters(parameters)
   , Grid(grid)
   , Window(window)
+  , Lattice(StretchedLattice(parameters, grid))
+  , Spectrum(CutSpectrum(parameters, grid, Lattice))
 {
-  const double largestSpacing = std::max(grid.Spacing[0], grid.Spacing[1]);
-  this->Wavelength = parameters.ShortestWavelength > 0.0 ? parameters.ShortestWavelength : 2.0 * largestSpacing;
-  // A power of two, so that grids of 2, 4, 8... times the spacing share the nodes.
-  this->StrideBits = 0;
-  while (std::ldexp(this->Wavelength, this->StrideBits) < 2.0 * NodesPerHalfWavelength * largestSpacing)
+  if (const auto crossover = FindCrossover(parameters, this->Lattice))
   {
-    ++this->StrideBits;
+    this->Short.emplace(parameters.Field, this->Lattice, *crossover, parameters.Seed, parameters.Purpose);
   }
-  this->Stride = 1 << this->StrideBits;
-
   const RandomStream random(parameters.Seed, parameters.Purpose);
-  const double spread = Pi / parameters.NumberOfLines;
-  this->FirstDirection = spread * random.UniformPair(0, TurnDraw)[0];
-  this->CutBins();
-
+  this->FirstDirection = Pi / parameters.NumberOfLines * random.UniformPair(0, PlaceDraw)[0];
   this->Lines.resize(parameters.NumberOfLines);
   for (std::size_t i = 0; i < this->Lines.size(); ++i)
   {
-    // The coordinate along a line is u . A x, with A = diag(1, ratio) R(-angle): its gradient is A^T u.
-    const auto u = this->GetDirection(i);
-    const double c = std::cos(parameters.AnisotropyAngle);
-    const double s = std::sin(parameters.AnisotropyAngle);
-    const double across = parameters.AnisotropyRatio * u[1];
-    Line& line = this->Lines[i];
-    line.Gradient = { c * u[0] - s * across, s * u[0] + c * across };
-    const double stepX = line.Gradient[0] * grid.Spacing[0];
-    const double stepY = line.Gradient[1] * grid.Spacing[1];
-    line.AlongX = std::abs(stepX) >= std::abs(stepY);
-    line.Step = (line.AlongX ? stepX : stepY) / this->Stride;
-    this->PlaceTable(line);
+    this->PlaceLine(i);
   }
 }
 
@@ -296,102 +436,62 @@ std::array<double, 2> TurningBandsField::GetDirection(std::size_t line) const
   return { std::cos(angle), std::sin(angle) };
 }
 
-/**
- * Without a shortest wavelength the grid's points sample a field that has detail of every size, as points of a real
- * surface do: wave numbers beyond what the tables resolve fold back in them and stay what they are between distant
- * points, uncorrelated. The limit only keeps the harmonics from being spread over detail that no grid can tell.
- */
-double TurningBandsField::HighestWaveNumber() const
+/// Direction, nodes and highest wave number of a line.
+void TurningBandsField::PlaceLine(std::size_t index)
 {
-  const bool open = this->Parameters.ShortestWavelength == 0.0 && this->Parameters.Bins == HarmonicBins::Adaptive;
-  const double folded = open ? MostFoldings : 1.0; // equal widths have no harmonics to spare
-  return folded * TwoPi / this->Wavelength;
-}
+  Line& line = this->Lines[index];
+  // The coordinate along a line is u . A x: its gradient is A^T u.
+  const auto u = this->GetDirection(index);
+  const std::array<double, 2> steps = { u[0] * this->Lattice.StepX[0] + u[1] * this->Lattice.StepX[1],
+    u[0] * this->Lattice.StepY[0] + u[1] * this->Lattice.StepY[1] };
+  line.Gradient = { steps[0] / this->Grid.Spacing[0], steps[1] / this->Grid.Spacing[1] };
+  line.AlongX = std::abs(steps[0]) >= std::abs(steps[1]);
+  const int along = line.AlongX ? 0 : 1;
 
-/// Cuts [0, highest wave number] into bins, and finds the power in each.
-void TurningBandsField::CutBins()
-{
-  const CovarianceParameters& field = this->Parameters.Field;
-  const double limit = this->HighestWaveNumber();
-  const double highest = std::min(WaveNumberAtTail(field, CutTail), limit);
-  const double median = WaveNumberAtTail(field, 0.5);
-  const int count = this->Parameters.NumberOfHarmonics;
-  this->BinEdges.resize(count + 1);
-  const bool fractal = field.Model == CovarianceModel::Fractal;
-  const double lowest = fractal ? std::min(TwoPi / field.Range, 0.5 * limit) : 0.0;
-
-  if (this->Parameters.Bins == HarmonicBins::Uniform || fractal)
+  // Nodes as close as the shortest wave needs. A given shortest wavelength counts in metres along x or y, which makes
+  // the steps of the nodes the same on grids of 2, 4, 8... times the spacing; along the direction in which the field is
+  // squeezed, it is a lower wave number on the line.
+  const bool open = IsOpen(this->Parameters);
+  const double cut = CutWaveNumber(this->Parameters, this->Grid);
+  const double needed = open ? this->Spectrum.Edges.back() * std::abs(steps[along]) : cut * this->Grid.Spacing[along];
+  line.StrideBits = 0;
+  while (
+    (1 << line.StrideBits) < MostNodesPerStep && std::ldexp(MostPhaseStep, line.StrideBits) < needed * (1.0 - 1e-9))
   {
-    const bool geometric = this->Parameters.Bins == HarmonicBins::Adaptive;
-    for (int k = 0; k <= count; ++k)
-    {
-      const double part = static_cast<double>(k) / count;
-      this->BinEdges[k] = geometric ? lowest * std::pow(highest / lowest, part) : lowest + (highest - lowest) * part;
-    }
+    ++line.StrideBits;
   }
-  else
-  {
-    // Invert the mean of the spectrum's mass and of the logarithm from the median up, both scaled to 1. A table even
-    // in w^(1/3) is dense enough, as edges need not be exact.
-    const int samples = 1024;
-    const double total = SpectrumBelow(field, highest);
-    double w0 = 0.0;
-    double mass0 = 0.0;
-    int k = 0;
-    for (int i = 1; i <= samples; ++i)
-    {
-      const double part = static_cast<double>(i) / samples;
-      const double w1 = highest * part * part * part;
-      const double octave =
-        highest > 2.0 * median ? std::max(0.0, std::log(w1 / median) / std::log(highest / median)) : w1 / highest;
-      const double mass1 = 0.5 * (SpectrumBelow(field, w1) / total + octave);
-      for (; k <= count && k <= mass1 * count; ++k)
-      {
-        this->BinEdges[k] = w0 + (w1 - w0) * (static_cast<double>(k) / count - mass0) / (mass1 - mass0);
-      }
-      w0 = w1;
-      mass0 = mass1;
-    }
-    for (; k <= count; ++k)
-    {
-      this->BinEdges[k] = highest;
-    }
-  }
-
-  this->BinPower.resize(count);
-  double below = SpectrumBelow(field, this->BinEdges[0]);
-  for (int k = 0; k < count; ++k)
-  {
-    const double next = SpectrumBelow(field, this->BinEdges[k + 1]);
-    this->BinPower[k] = std::max(0.0, next - below);
-    below = next;
-  }
+  line.Step = std::ldexp(steps[along], -line.StrideBits);
+  line.Highest = std::min(open ? this->Spectrum.Edges.back() : cut / std::hypot(line.Gradient[0], line.Gradient[1]),
+    MostPhaseStep / std::abs(line.Step));
+  // A random place of the nodes: else all lines would have one at the grid's origin.
+  line.Shift = RandomStream(this->Parameters.Seed, this->Parameters.Purpose).UniformPair(index, PlaceDraw)[1];
+  line.FirstPosition =
+    (line.Gradient[0] * this->Grid.Origin[0] + line.Gradient[1] * this->Grid.Origin[1]) / line.Step + line.Shift;
+  line.Across = steps[1 - along] / line.Step;
+  this->PlaceTable(line);
 }
 
 TurningBandsField::Harmonics TurningBandsField::GetHarmonics(std::size_t index) const
 {
-  const Line& line = this->Lines[index];
-  // Along the direction in which the field is squeezed, the same wavelength [m] is a lower wave number on the line.
-  const double highest = this->HighestWaveNumber() / std::hypot(line.Gradient[0], line.Gradient[1]);
   const RandomStream random(this->Parameters.Seed, this->Parameters.Purpose);
   Harmonics harmonics;
   double power = 0.0;
-  for (std::size_t k = 0; k < this->BinPower.size(); ++k)
+  for (std::size_t k = 0; k < this->Spectrum.Power.size(); ++k)
   {
-    const double low = this->BinEdges[k];
-    if (low >= highest && k > 0)
+    const double low = this->Spectrum.Edges[k];
+    if (low >= this->Lines[index].Highest && k > 0)
     {
       break;
     }
     const auto draw = random.UniformPair(index, k);
-    harmonics.WaveNumber.push_back(low + draw[0] * (this->BinEdges[k + 1] - low));
-    harmonics.Amplitude.push_back(std::sqrt(2.0 * this->BinPower[k]));
+    harmonics.WaveNumber.push_back(low + draw[0] * (this->Spectrum.Edges[k + 1] - low));
+    harmonics.Amplitude.push_back(std::sqrt(2.0 * this->Spectrum.Power[k]));
     harmonics.Phase.push_back(TwoPi * draw[1]);
-    power += this->BinPower[k];
+    power += this->Spectrum.Power[k];
   }
-  // The cut tail's variance goes to the harmonics that are there; the sum over lines is divided by their number.
-  const double scale =
-    power > 0.0 ? std::sqrt(this->Parameters.Field.Variance / (power * this->Parameters.NumberOfLines)) : 0.0;
+  // What was cut goes to the harmonics that are there; the sum over lines is divided by their number.
+  const double variance = this->Parameters.Field.Variance * this->Spectrum.Total / this->Parameters.NumberOfLines;
+  const double scale = power > 0.0 ? std::sqrt(variance / power) : 0.0;
   for (double& amplitude : harmonics.Amplitude)
   {
     amplitude *= scale;
@@ -399,27 +499,17 @@ TurningBandsField::Harmonics TurningBandsField::GetHarmonics(std::size_t index) 
   return harmonics;
 }
 
-/// Position, in nodes, of the points of row j (or column i, for a line along y), less Stride times their index.
-double TurningBandsField::NodePosition(const Line& line, int index) const
-{
-  const int across = line.AlongX ? 1 : 0;
-  const double along = line.Gradient[1 - across] * this->Grid.Origin[1 - across];
-  const double position = this->Grid.Origin[across] + index * this->Grid.Spacing[across];
-  return (along + line.Gradient[across] * position) / line.Step;
-}
-
 void TurningBandsField::PlaceTable(Line& line) const
 {
   const int along = line.AlongX ? 0 : 1;
-  const double a = this->NodePosition(line, this->Window.First[1 - along]);
-  const double b = this->NodePosition(line, this->Window.Last[1 - along]);
-  const long long first = static_cast<long long>(std::floor(std::min(a, b))) - 1 +
-    static_cast<long long>(this->Stride) * this->Window.First[along];
-  const long long last = static_cast<long long>(std::floor(std::max(a, b))) + 2 +
-    static_cast<long long>(this->Stride) * this->Window.Last[along];
-  const long long unit = std::max(2 * Block, this->Stride);
+  const long long stride = 1ll << line.StrideBits;
+  const double a = line.FirstPosition + line.Across * this->Window.First[1 - along];
+  const double b = line.FirstPosition + line.Across * this->Window.Last[1 - along];
+  const long long first = Floor(std::min(a, b)) - 1 + stride * this->Window.First[along];
+  const long long last = Floor(std::max(a, b)) + 2 + stride * this->Window.Last[along];
+  const long long unit = std::max<long long>(2 * Block, stride);
   line.FirstNode = RoundDown(first, unit);
-  line.PhaseLength = static_cast<std::size_t>((RoundDown(last, unit) + unit - line.FirstNode) / this->Stride);
+  line.PhaseLength = static_cast<std::size_t>((RoundDown(last, unit) + unit - line.FirstNode) / stride);
 }
 
 void TurningBandsField::TabulateLine(std::size_t index)
@@ -430,21 +520,61 @@ void TurningBandsField::TabulateLine(std::size_t index)
   for (std::size_t k = 0; k < delta.size(); ++k)
   {
     delta[k] *= line.Step;
-    // The spline of these coefficients then runs through the harmonic's own values at the nodes.
-    harmonics.Amplitude[k] *= 3.0 / (2.0 + std::cos(delta[k]));
+    harmonics.Phase[k] -= delta[k] * line.Shift;
+    // The mean power between nodes of the spline with these coefficients is the harmonic's own: the sum over images of
+    // sinc(delta / 2 pi + n)^8 is the transform of the B-spline of order 7, (2416 + 2382 cos delta + 240 cos 2 delta +
+    // 2 cos 3 delta) / 5040.
+    const double c = std::cos(delta[k]);
+    harmonics.Amplitude[k] /= std::sqrt((((8.0 * c + 480.0) * c + 2376.0) * c + 2176.0) / 5040.0);
   }
-  std::vector<float> nodes(line.PhaseLength * this->Stride, 0.0f);
+  std::vector<float> nodes(line.PhaseLength << line.StrideBits, 0.0f);
   HarmonicPass pass;
   for (std::size_t k = 0; k < delta.size(); k += HarmonicsPerPass)
   {
     pass.Count = static_cast<int>(std::min<std::size_t>(HarmonicsPerPass, delta.size() - k));
     AddHarmonics(pass, &harmonics.Amplitude[k], &harmonics.Phase[k], &delta[k], line.FirstNode, nodes);
   }
-  // Nodes that one row meets lie Stride apart: store them side by side.
+  // Nodes that one row meets lie a stride apart: store them side by side.
   line.Table.resize(nodes.size());
+  const std::size_t phases = std::size_t(1) << line.StrideBits;
   for (std::size_t n = 0; n < nodes.size(); ++n)
   {
-    line.Table[n % this->Stride * line.PhaseLength + n / this->Stride] = nodes[n];
+    line.Table[(n & (phases - 1)) * line.PhaseLength + (n >> line.StrideBits)] = nodes[n];
+  }
+}
+
+/**
+ * Adds lines that are along x to a tile: rows of points from row and column on, each row's sums TileSize after those of
+ * the one before. For lines along y, rows and columns change places.
+ */
+void TurningBandsField::AddLines(
+  const std::vector<const Line*>& lines, int row, int rows, int column, int columns, float* sums) const
+{
+  const float* taps[LinesAtOnce][4];
+  float weights[LinesAtOnce][4];
+  for (std::size_t begin = 0; begin < lines.size(); begin += LinesAtOnce)
+  {
+    for (int j = 0; j < rows; ++j)
+    {
+      for (std::size_t n = 0; n < LinesAtOnce; ++n)
+      {
+        // In the last pass, the last line fills empty places with weights of zero.
+        const bool empty = begin + n >= lines.size();
+        const Line& line = *lines[empty ? lines.size() - 1 : begin + n];
+        const double position = line.FirstPosition + line.Across * (row + j);
+        const long long node = Floor(position);
+        SplineWeights(position - static_cast<double>(node), weights[n]);
+        const long long start = node - 1 - line.FirstNode + (static_cast<long long>(column) << line.StrideBits);
+        const std::size_t phases = (std::size_t(1) << line.StrideBits) - 1;
+        for (int tap = 0; tap < 4; ++tap)
+        {
+          const std::size_t place = static_cast<std::size_t>(start + tap);
+          taps[n][tap] = line.Table.data() + (place & phases) * line.PhaseLength + (place >> line.StrideBits);
+          weights[n][tap] = empty ? 0.0f : weights[n][tap];
+        }
+      }
+      AddShifted(taps, weights, columns, sums + static_cast<std::ptrdiff_t>(j) * TileSize);
+    }
   }
 }
 
@@ -454,22 +584,14 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
   const int height = lastRow - firstRow + 1;
   const float scaleF = static_cast<float>(scale);
   const float offsetF = static_cast<float>(offset);
+  std::vector<const Line*> alongX;
+  std::vector<const Line*> alongY;
+  for (const Line& line : this->Lines)
+  {
+    (line.AlongX ? alongX : alongY).push_back(&line);
+  }
 
-  const auto shiftOf = [this](const Line& line, int index, int firstAlong) {
-    const double position = this->NodePosition(line, index);
-    const double node = std::floor(position);
-    TableShift shift;
-    SplineWeights(position - node, shift.Weights);
-    const long long first =
-      static_cast<long long>(node) - 1 + static_cast<long long>(this->Stride) * firstAlong - line.FirstNode;
-    for (int tap = 0; tap < 4; ++tap)
-    {
-      const std::size_t n = static_cast<std::size_t>(first + tap);
-      shift.Taps[tap] = line.Table.data() + (n & (this->Stride - 1)) * line.PhaseLength + (n >> this->StrideBits);
-    }
-    return shift;
-  };
-
+  std::vector<float> shortWaves;
   std::vector<float> rowSums(TileSize * TileSize);
   std::vector<float> columnSums(TileSize * TileSize);
   for (int tileRow = 0; tileRow < height; tileRow += TileSize)
@@ -482,29 +604,19 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
       const int column = this->Window.First[0] + tileColumn;
       std::fill(rowSums.begin(), rowSums.end(), 0.0f);
       std::fill(columnSums.begin(), columnSums.end(), 0.0f);
-      for (const Line& line : this->Lines)
+      this->AddLines(alongX, row, rows, column, columns, rowSums.data());
+      this->AddLines(alongY, column, columns, row, rows, columnSums.data());
+      if (this->Short)
       {
-        if (line.AlongX)
-        {
-          for (int j = 0; j < rows; ++j)
-          {
-            AddShifted(shiftOf(line, row + j, column), columns, &rowSums[j * TileSize]);
-          }
-        }
-        else
-        {
-          for (int i = 0; i < columns; ++i)
-          {
-            AddShifted(shiftOf(line, column + i, row), rows, &columnSums[i * TileSize]);
-          }
-        }
+        this->Short->Fill(column, row, columns, rows, shortWaves);
       }
       for (int j = 0; j < rows; ++j)
       {
         float* out = values + static_cast<std::size_t>(tileRow + j) * width + tileColumn;
         for (int i = 0; i < columns; ++i)
         {
-          out[i] = offsetF + scaleF * (rowSums[j * TileSize + i] + columnSums[i * TileSize + j]);
+          const float shortWave = this->Short ? shortWaves[static_cast<std::size_t>(j) * columns + i] : 0.0f;
+          out[i] = offsetF + scaleF * (rowSums[j * TileSize + i] + columnSums[i * TileSize + j] + shortWave);
         }
       }
     }
@@ -524,6 +636,33 @@ double TurningBandsField::ValueAt(double x, double y) const
     }
   }
   return sum;
+}
+
+PlaneTrend TurningBandsField::PlaneOfLine(
+  std::size_t index, const std::array<double, 2>& centre, const std::array<double, 2>& sides) const
+{
+  // Means over [-1, 1] of cos(u t) and of t sin(u t): the spherical Bessel functions j0 and j1.
+  const auto j0 = [](double u) { return std::abs(u) > 1e-4 ? std::sin(u) / u : 1.0; };
+  const auto j1 = [](double u) {
+    return std::abs(u) > 1e-2 ? (std::sin(u) / u - std::cos(u)) / u : u / 3.0 * (1.0 - 0.1 * u * u);
+  };
+  const Harmonics harmonics = this->GetHarmonics(index);
+  const std::array<double, 2>& gradient = this->Lines[index].Gradient;
+  const double middle = gradient[0] * centre[0] + gradient[1] * centre[1];
+  PlaneTrend plane;
+  for (std::size_t k = 0; k < harmonics.WaveNumber.size(); ++k)
+  {
+    // A cos(kx x + ky y + p) over sides a, b: mean A cos p j0(ux) j0(uy), slope -6/a A sin p j1(ux) j0(uy), ux = kx
+    // a/2.
+    const double phase = harmonics.WaveNumber[k] * middle + harmonics.Phase[k];
+    const double ux = 0.5 * harmonics.WaveNumber[k] * gradient[0] * sides[0];
+    const double uy = 0.5 * harmonics.WaveNumber[k] * gradient[1] * sides[1];
+    const double sine = harmonics.Amplitude[k] * std::sin(phase);
+    plane.Mean += harmonics.Amplitude[k] * std::cos(phase) * j0(ux) * j0(uy);
+    plane.Slope[0] -= 6.0 / sides[0] * sine * j1(ux) * j0(uy);
+    plane.Slope[1] -= 6.0 / sides[1] * sine * j0(ux) * j1(uy);
+  }
+  return plane;
 }
 
 }

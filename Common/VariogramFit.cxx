@@ -3,6 +3,7 @@
 #include "VariogramFit.h"
 
 #include "Constants.h"
+#include "DetrendedWindow.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 namespace littoral
 {
@@ -38,14 +41,18 @@ public:
 
   int Count() const
   {
-    return 2 + (this->Model == CovarianceModel::Telis) + this->Options.Nugget + 2 * this->Options.Anisotropy;
+    return 1 + this->HasVariance() + (this->Model == CovarianceModel::Telis) + this->Options.Nugget +
+      2 * this->Options.Anisotropy;
   }
 
   Eigen::VectorXd Pack(const VariogramFit& fit) const
   {
     Eigen::VectorXd unknowns(this->Count());
     int n = 0;
-    unknowns[n++] = std::log(fit.Field.Variance);
+    if (this->HasVariance())
+    {
+      unknowns[n++] = std::log(fit.Field.Variance);
+    }
     if (this->Model == CovarianceModel::Fractal)
     {
       unknowns[n++] = std::log((fit.Field.FractalDimension - 2.0) / (3.0 - fit.Field.FractalDimension));
@@ -77,7 +84,7 @@ public:
     VariogramFit fit;
     fit.Field.Model = this->Model;
     int n = 0;
-    fit.Field.Variance = expHeld(unknowns[n++]);
+    fit.Field.Variance = this->HasVariance() ? expHeld(unknowns[n++]) : 1.0;
     if (this->Model == CovarianceModel::Fractal)
     {
       fit.Field.Range = this->Options.FractalRange;
@@ -109,7 +116,25 @@ public:
     return fit;
   }
 
+  /// Whether the fit is held by a bound; of a fit as it was unpacked, with the longest range in hand.
+  bool IsAtBound(const VariogramFit& fit, double shortestLag) const
+  {
+    if (this->Model == CovarianceModel::Fractal)
+    {
+      return std::abs(fit.Field.FractalDimension - 2.5) > 0.49;
+    }
+    const double longest = std::max(1.0, 1.0 / fit.AnisotropyRatio);
+    const double shortest = std::min(1.0, 1.0 / fit.AnisotropyRatio);
+    const auto isHeld = [=](double range) {
+      return range * longest > 0.99 * this->LongestRange() || range * shortest < 0.25 * shortestLag;
+    };
+    return isHeld(fit.Field.Range) || (this->Model == CovarianceModel::Telis && isHeld(fit.Field.SecondRange));
+  }
+
 private:
+  /// The variance of a window that is known follows from the other unknowns.
+  bool HasVariance() const { return this->Options.Window == nullptr; }
+
   /// The spherical model's range is where correlation ends, the others' where it has fallen to about a third.
   double LongestRange() const
   {
@@ -127,6 +152,52 @@ private:
   VariogramFitOptions Options;
 };
 
+/// What a field is expected to show in the lags.
+class Expectation
+{
+public:
+  Expectation(const std::vector<LagBin>& bins, const VariogramFitOptions& options)
+    : Bins(bins)
+    , Options(options)
+  {
+    if (options.Window)
+    {
+      this->Change = options.Window->SemivarianceChange(bins, options.Directions);
+    }
+  }
+
+  /// Semivariances at the lags. Where the window is known, variance and nugget are scaled to the sample's.
+  void Evaluate(VariogramFit& fit, std::vector<double>& semivariances) const
+  {
+    semivariances.clear();
+    for (const LagBin& bin : this->Bins)
+    {
+      semivariances.push_back(Semivariance(fit, bin.Separation[0], bin.Separation[1]));
+    }
+    if (!this->Options.Window)
+    {
+      return;
+    }
+    const DetrendedWindow& window = *this->Options.Window;
+    const std::vector<double> covariances =
+      window.CellCovariances([&](double x, double y) { return Covariance(fit, x, y); });
+    const double variance = fit.Field.Variance + fit.Nugget - window.LostVariance(covariances);
+    const double scale = this->Options.SampleVariance / variance;
+    fit.Field.Variance *= scale;
+    fit.Nugget *= scale;
+    for (std::size_t n = 0; n < semivariances.size(); ++n)
+    {
+      semivariances[n] =
+        scale * std::inner_product(covariances.begin(), covariances.end(), this->Change[n].begin(), semivariances[n]);
+    }
+  }
+
+private:
+  const std::vector<LagBin>& Bins;
+  const VariogramFitOptions& Options;
+  std::vector<std::vector<double>> Change;
+};
+
 /// Residuals in the form that Eigen's least squares wants.
 struct Residuals
 {
@@ -141,6 +212,7 @@ struct Residuals
   };
 
   const Unknowns& Map;
+  const Expectation& Expected;
   const std::vector<LagBin>& Bins;
   const std::vector<double>& RootWeights;
 
@@ -149,13 +221,14 @@ struct Residuals
 
   int operator()(const Eigen::VectorXd& unknowns, Eigen::VectorXd& residuals) const
   {
-    const VariogramFit fit = this->Map.Unpack(unknowns);
+    VariogramFit fit = this->Map.Unpack(unknowns);
+    std::vector<double> model;
+    this->Expected.Evaluate(fit, model);
     for (std::size_t i = 0; i < this->Bins.size(); ++i)
     {
-      const LagBin& bin = this->Bins[i];
-      const double model = Semivariance(fit, bin.Separation[0], bin.Separation[1]);
       const double floor = 1e-300;
-      residuals[static_cast<int>(i)] = this->RootWeights[i] * std::log(bin.Semivariance / std::max(model, floor));
+      residuals[static_cast<int>(i)] =
+        this->RootWeights[i] * std::log(this->Bins[i].Semivariance / std::max(model[i], floor));
     }
     return 0;
   }
@@ -206,12 +279,104 @@ VariogramFit StartingPoint(
   return fit;
 }
 
+VariogramFit FailedFit(CovarianceModel model)
+{
+  VariogramFit fit;
+  fit.Field.Model = model;
+  fit.WeightedSSE = std::numeric_limits<double>::infinity();
+  fit.AICc = std::numeric_limits<double>::infinity();
+  return fit;
+}
+
+/// A nugget is taken for real where it lowers the least AICc of all models by this much a lag. In fields without noise
+/// some other model with a nugget can look like the true one, and lowers it by up to 0.37: lags are not independent.
+constexpr double NuggetGain = 0.4;
+
+/// The lags that have a logarithm.
+std::vector<LagBin> UsedBins(const std::vector<LagBin>& bins)
+{
+  std::vector<LagBin> used;
+  std::copy_if(bins.begin(), bins.end(), std::back_inserter(used),
+    [](const LagBin& bin) { return bin.Semivariance > 0.0 && bin.Lag > 0.0; });
+  return used;
+}
+
+/// Fits one model, with or without nugget as the options say.
+VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
+  const VariogramFitOptions& options)
+{
+  const Unknowns map(model, options);
+  VariogramFit best = FailedFit(model);
+  const int n = static_cast<int>(bins.size());
+  const int parameters = map.Count() + (options.Window ? 1 : 0); // the variance comes from the sample's
+  if (n < parameters + 2)
+  {
+    return best;
+  }
+
+  std::vector<double> rootWeights;
+  double sum = 0.0;
+  double shortestLag = bins.front().Lag;
+  for (const LagBin& bin : bins)
+  {
+    rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
+    sum += rootWeights.back() * rootWeights.back();
+    shortestLag = std::min(shortestLag, bin.Lag);
+  }
+  for (double& weight : rootWeights)
+  {
+    weight *= std::sqrt(n / sum);
+  }
+
+  using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
+  Problem problem(Residuals{ map, expected, bins, rootWeights });
+  Eigen::VectorXd found;
+  for (int start = 0; start < NumberOfStarts; ++start)
+  {
+    Eigen::VectorXd unknowns = map.Pack(StartingPoint(model, bins, options, start));
+    Eigen::LevenbergMarquardt<Problem> solver(problem);
+    solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
+    solver.parameters.ftol = 1e-13;
+    solver.parameters.xtol = 1e-13;
+    solver.parameters.maxfev = 400;
+    const auto status = solver.minimize(unknowns);
+    const double error = solver.fvec.squaredNorm();
+    if (std::isfinite(error) && error < best.WeightedSSE)
+    {
+      found = unknowns;
+      best.WeightedSSE = error;
+      best.Converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation &&
+        status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
+    }
+  }
+  if (found.size() == 0)
+  {
+    return best;
+  }
+  VariogramFit fit = map.Unpack(found);
+  std::vector<double> semivariances;
+  expected.Evaluate(fit, semivariances);
+  fit.AtBound = map.IsAtBound(fit, shortestLag);
+  fit.WeightedSSE = best.WeightedSSE;
+  fit.Converged = best.Converged;
+  Normalise(fit);
+  const double tiny = std::numeric_limits<double>::min();
+  fit.AICc = n * std::log(std::max(fit.WeightedSSE / n, tiny)) + 2.0 * parameters +
+    2.0 * parameters * (parameters + 1.0) / (n - parameters - 1.0);
+  return fit;
+}
+
 }
 
 double Semivariance(const VariogramFit& fit, double x, double y)
 {
   const double r = ReducedDistance(fit.AnisotropyRatio, fit.AnisotropyAngle, x, y);
   return (r > 0.0 ? fit.Nugget : 0.0) + Semivariance(fit.Field, r);
+}
+
+double Covariance(const VariogramFit& fit, double x, double y)
+{
+  return Covariance(fit.Field, ReducedDistance(fit.AnisotropyRatio, fit.AnisotropyAngle, x, y));
 }
 
 double MeanSemivariance(const VariogramFit& fit, double distance)
@@ -226,78 +391,45 @@ double MeanSemivariance(const VariogramFit& fit, double distance)
   return sum / directions;
 }
 
-VariogramFit FitVariogram(CovarianceModel model, const std::vector<LagBin>& allBins, const VariogramFitOptions& options)
+VariogramFit FitVariogram(CovarianceModel model, const std::vector<LagBin>& bins, const VariogramFitOptions& options)
 {
-  std::vector<LagBin> bins;
-  std::copy_if(allBins.begin(), allBins.end(), std::back_inserter(bins),
-    [](const LagBin& bin) { return bin.Semivariance > 0.0 && bin.Lag > 0.0; });
-
-  const Unknowns map(model, options);
-  VariogramFit best;
-  best.Field.Model = model;
-  best.WeightedSSE = std::numeric_limits<double>::infinity();
-  best.AICc = std::numeric_limits<double>::infinity();
-  const int n = static_cast<int>(bins.size());
-  const int parameters = map.Count();
-  if (n < parameters + 2)
-  {
-    return best;
-  }
-
-  std::vector<double> rootWeights;
-  double sum = 0.0;
-  for (const LagBin& bin : bins)
-  {
-    rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
-    sum += rootWeights.back() * rootWeights.back();
-  }
-  for (double& weight : rootWeights)
-  {
-    weight *= std::sqrt(n / sum);
-  }
-
-  using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
-  Problem problem(Residuals{ map, bins, rootWeights });
-  for (int start = 0; start < NumberOfStarts; ++start)
-  {
-    Eigen::VectorXd unknowns = map.Pack(StartingPoint(model, bins, options, start));
-    Eigen::LevenbergMarquardt<Problem> solver(problem);
-    solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
-    solver.parameters.ftol = 1e-13;
-    solver.parameters.xtol = 1e-13;
-    solver.parameters.maxfev = 400;
-    const auto status = solver.minimize(unknowns);
-    const double error = solver.fvec.squaredNorm();
-    if (std::isfinite(error) && error < best.WeightedSSE)
-    {
-      best = map.Unpack(unknowns);
-      best.WeightedSSE = error;
-      best.Converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation &&
-        status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
-    }
-  }
-  Normalise(best);
-  const double tiny = std::numeric_limits<double>::min();
-  best.AICc = n * std::log(std::max(best.WeightedSSE / n, tiny)) + 2.0 * parameters +
-    2.0 * parameters * (parameters + 1.0) / (n - parameters - 1.0);
-  return best;
+  const std::vector<LagBin> used = UsedBins(bins);
+  return FitBins(model, used, Expectation(used, options), options);
 }
 
 std::vector<VariogramFit> FitAllModels(
   const std::vector<LagBin>& bins, const VariogramFitOptions& options, const std::function<bool(double)>& progress)
 {
-  std::vector<VariogramFit> fits;
-  for (int model = 0; model < NumberOfCovarianceModels; ++model)
+  const std::vector<LagBin> used = UsedBins(bins);
+  const Expectation expected(used, options);
+  const int passes = options.Nugget ? 2 : 1;
+  std::vector<VariogramFit> fits[2]; // without and with nugget
+  for (int pass = 0; pass < passes; ++pass)
   {
-    if (progress && !progress(static_cast<double>(model) / NumberOfCovarianceModels))
+    VariogramFitOptions wanted = options;
+    wanted.Nugget = pass == 1;
+    for (int model = 0; model < NumberOfCovarianceModels; ++model)
     {
-      return fits;
+      const double done = pass + static_cast<double>(model) / NumberOfCovarianceModels;
+      if (progress && !progress(done / passes))
+      {
+        return fits[pass];
+      }
+      fits[pass].push_back(FitBins(static_cast<CovarianceModel>(model), used, expected, wanted));
     }
-    fits.push_back(FitVariogram(static_cast<CovarianceModel>(model), bins, options));
   }
+  const auto least = [](const std::vector<VariogramFit>& of) {
+    const auto byCriterion = [](const VariogramFit& a, const VariogramFit& b) { return a.AICc < b.AICc; };
+    return std::min_element(of.begin(), of.end(), byCriterion)->AICc;
+  };
+  const bool noisy = options.Nugget && least(fits[1]) < least(fits[0]) - NuggetGain * used.size();
+  std::vector<VariogramFit>& ranked = fits[noisy ? 1 : 0];
+  // A fit that failed has an infinite criterion and comes last.
+  const auto rank = [](
+                      const VariogramFit& fit) { return std::make_tuple(std::isinf(fit.AICc), fit.AtBound, fit.AICc); };
   std::stable_sort(
-    fits.begin(), fits.end(), [](const VariogramFit& a, const VariogramFit& b) { return a.AICc < b.AICc; });
-  return fits;
+    ranked.begin(), ranked.end(), [&](const VariogramFit& a, const VariogramFit& b) { return rank(a) < rank(b); });
+  return ranked;
 }
 
 }

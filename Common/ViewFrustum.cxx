@@ -31,6 +31,17 @@ Vector3 RoundedTo(const Vector3& a, double step)
   return step > 0.0 ? step * glm::round(a / step) : a;
 }
 
+/// What a rise of 1 m at a place is the arm of: z x place.
+Vector3 Swept(const Vector3& place)
+{
+  return { -place.y, place.x, 0.0 };
+}
+
+Vector3 CornerOf(const Box& box, int index)
+{
+  return { index & 1 ? box.High.x : box.Low.x, index & 2 ? box.High.y : box.Low.y, index & 4 ? box.High.z : box.Low.z };
+}
+
 /// More than this cannot be told apart by rounding the components of a unit vector.
 constexpr double LargestAngleStep = 0.25;
 
@@ -39,7 +50,8 @@ constexpr double LargestAngleStep = 0.25;
 bool AreTheSame(const View& a, const View& b)
 {
   return a.Point == b.Point && a.Direction == b.Direction && a.Up == b.Up && a.Angle == b.Angle &&
-    a.AspectRatio == b.AspectRatio && a.Height == b.Height;
+    a.AspectRatio == b.AspectRatio && a.Height == b.Height && a.IsParallel == b.IsParallel &&
+    (!a.IsParallel || a.ParallelScale == b.ParallelScale);
 }
 
 View Rounded(const View& view, double lengthStep, double angleStep)
@@ -88,12 +100,27 @@ std::string WhyInvalid(const View& view)
   {
     text << "ViewHeight is " << view.Height << "; it must be finite and positive.";
   }
+  else if (view.IsParallel && !(view.ParallelScale > 0.0 && std::isfinite(view.ParallelScale)))
+  {
+    text << "ParallelScale is " << view.ParallelScale << "; it must be finite and positive.";
+  }
   else if (!(view.Near >= 0.0 && view.Far > view.Near))
   {
     text << "The near and far planes are at " << view.Near << " and " << view.Far
          << "; near must not be negative, and far must be beyond it.";
   }
   return text.str();
+}
+
+double LevelDistance(const View& view, const Vector3& place)
+{
+  return view.IsParallel ? view.ParallelScale / std::tan(0.5 * view.Angle) : glm::distance(place, view.Point);
+}
+
+double SightDistance(const View& view, const Vector3& place)
+{
+  return view.IsParallel ? std::max(0.0, glm::dot(glm::normalize(view.Direction), place - view.Point))
+                         : glm::distance(place, view.Point);
 }
 
 double Distance(const Box& box, const Vector3& point)
@@ -106,36 +133,84 @@ double Distance(const Box& box, const Vector3& point)
   return glm::length(away);
 }
 
+double SightDistance(const View& view, const Box& box)
+{
+  if (!view.IsParallel)
+  {
+    return Distance(box, view.Point);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (int index = 0; index < 8; ++index)
+  {
+    least = std::min(least, SightDistance(view, CornerOf(box, index)));
+  }
+  return least;
+}
+
 ViewFrustum::ViewFrustum(const View& view)
   : Seen(view)
+  , Ahead(glm::normalize(view.Direction))
+  , Right(glm::normalize(glm::cross(this->Ahead, glm::normalize(view.Up))))
+  , Up(glm::cross(this->Right, this->Ahead))
 {
-  const Vector3 ahead = glm::normalize(view.Direction);
-  const Vector3 right = glm::normalize(glm::cross(ahead, glm::normalize(view.Up)));
-  const Vector3 up = glm::cross(right, ahead);
-  const double halfHeight = 0.5 * view.Angle;
-  const double halfWidth = std::atan(std::tan(halfHeight) * view.AspectRatio);
-  const auto add = [&](const Vector3& normal, double distance) {
-    this->Planes.push_back({ normal, view.Margin - glm::dot(normal, view.Point) - distance });
-  };
-  // A side turns about an axis of the picture. That moves its far corners less, the more the wider the picture is.
-  const auto addSides = [&](double halfAngle, double otherHalf, const Vector3& across) {
-    const double angle = halfAngle + view.AngleMargin / std::cos(otherHalf);
+  this->Tangents[1] = std::tan(0.5 * view.Angle);
+  this->Tangents[0] = this->Tangents[1] * view.AspectRatio;
+  view.IsParallel ? this->AddParallelSides() : this->AddPerspectiveSides();
+}
+
+void ViewFrustum::AddPlane(const Vector3& normal, double distance)
+{
+  const double margin = this->Seen.Margin;
+  this->Planes.push_back({ normal, margin - glm::dot(normal, this->Seen.Point) - distance });
+}
+
+void ViewFrustum::AddPerspectiveSides()
+{
+  const View& view = this->Seen;
+  const auto addSides = [&](int axis, const Vector3& across) {
+    // A turn by d moves an edge ray at an angle o out of the plane of the axes by as much as one in it by e,
+    // sin e = sin d / cos o, tan o = tan(half the other angle) cos(half angle).
+    const double halfAngle = std::atan(this->Tangents[axis]);
+    const double tangent = this->Tangents[1 - axis] * std::cos(halfAngle);
+    const double sine = std::sin(std::min(view.AngleMargin, 0.5 * Pi)) * std::hypot(1.0, tangent);
+    const double angle = halfAngle + std::asin(std::min(1.0, sine));
     if (angle < 0.5 * Pi)
     {
-      add(std::sin(angle) * ahead + std::cos(angle) * across, 0.0);
-      add(std::sin(angle) * ahead - std::cos(angle) * across, 0.0);
+      this->AddPlane(std::sin(angle) * this->Ahead + std::cos(angle) * across, 0.0);
+      this->AddPlane(std::sin(angle) * this->Ahead - std::cos(angle) * across, 0.0);
     }
   };
-  addSides(halfWidth, halfHeight, right);
-  addSides(halfHeight, halfWidth, up);
+  addSides(0, this->Right);
+  addSides(1, this->Up);
   if (view.AngleMargin > 0.0)
   {
     return;
   }
-  add(ahead, view.Near);
+  this->AddPlane(this->Ahead, view.Near);
   if (std::isfinite(view.Far))
   {
-    add(-ahead, -view.Far);
+    this->AddPlane(-this->Ahead, -view.Far);
+  }
+}
+
+void ViewFrustum::AddParallelSides()
+{
+  // A turn by d moves the foot of a ray, at most half the width and height from the view point, out of its plane by the
+  // sine of d times that, and the ray itself out of a side by d.
+  const View& view = this->Seen;
+  const double turn = std::min(view.AngleMargin, 0.5 * Pi);
+  const double half[2] = { view.AspectRatio * view.ParallelScale, view.ParallelScale };
+  const auto addSides = [&](int axis, const Vector3& across) {
+    const double reach = half[axis] + std::sin(turn) * half[1 - axis];
+    this->AddPlane(std::sin(turn) * this->Ahead + std::cos(turn) * across, -reach);
+    this->AddPlane(std::sin(turn) * this->Ahead - std::cos(turn) * across, -reach);
+  };
+  addSides(0, this->Right);
+  addSides(1, this->Up);
+  this->AddPlane(this->Ahead, std::cos(turn) * view.Near - std::sin(turn) * std::hypot(half[0], half[1]));
+  if (std::isfinite(view.Far) && view.AngleMargin == 0.0)
+  {
+    this->AddPlane(-this->Ahead, -view.Far);
   }
 }
 
@@ -164,7 +239,58 @@ bool ViewFrustum::MayShow(const Vector3& centre, double radius) const
 
 double ViewFrustum::PixelsOf(double length, double distance) const
 {
-  return length == 0.0 ? 0.0 : length * this->Seen.Height / (2.0 * distance * std::tan(0.5 * this->Seen.Angle));
+  if (length == 0.0)
+  {
+    return 0.0;
+  }
+  const double half = this->Seen.IsParallel ? this->Seen.ParallelScale : distance * this->Tangents[1];
+  return length * this->Seen.Height / (2.0 * half);
+}
+
+double ViewFrustum::PixelsOfRise(double rise, const Box& box) const
+{
+  if (rise == 0.0)
+  {
+    return 0.0;
+  }
+  const View& view = this->Seen;
+  const double turn = 2.0 * std::sin(0.5 * std::min(view.AngleMargin, Pi)); // of the end of a unit vector
+  const auto across = [&](const Vector3& place) { return glm::length(glm::cross(this->Ahead, Swept(place))); };
+  if (view.IsParallel)
+  {
+    const double seen = std::min(1.0, std::hypot(this->Ahead.x, this->Ahead.y) + turn);
+    return rise * seen * view.Height / (2.0 * view.ParallelScale);
+  }
+  // |a x (z x p)| / p_d, no more than at a corner of the picture.
+  double slope = 0.0;
+  const double corner = std::hypot(1.0, this->Tangents[0], this->Tangents[1]);
+  for (const double x : { -this->Tangents[0], this->Tangents[0] })
+  {
+    for (const double y : { -this->Tangents[1], this->Tangents[1] })
+    {
+      slope = std::max(slope, across(this->Ahead + x * this->Right + y * this->Up) + turn * corner);
+    }
+  }
+  // p_d, no less than at a corner of the box; |a x (z x p)|, no more.
+  double depth = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (int index = 0; index < 8; ++index)
+  {
+    const Vector3 place = CornerOf(box, index) - view.Point;
+    const double aside = glm::length(glm::cross(this->Ahead, place));
+    const double own = std::cos(view.AngleMargin) * glm::dot(this->Ahead, place) - std::sin(view.AngleMargin) * aside;
+    depth = std::min(depth, own - view.Margin);
+    largest = std::max(largest, across(place) + turn * glm::length(Swept(place)) + view.Margin);
+  }
+  // What is on the picture is no less deep than the distance times the cosine of the angle of a corner.
+  const double shown = std::max(0.0, Distance(box, view.Point) - view.Margin) / corner - rise;
+  depth = std::max(depth, shown);
+  if (!(depth > 0.0))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  slope = std::min(slope, largest / depth);
+  return rise * slope / depth * view.Height / (2.0 * this->Tangents[1]);
 }
 
 }

@@ -12,13 +12,15 @@
 namespace littoral
 {
 
-/// A perspective view of a scene. Direction and Up need no unit length.
+/// A view of a scene, as of a camera: in perspective, or in parallel projection. Direction and Up need no unit length.
 struct View
 {
   Vector3 Point{ 0.0, 0.0, 0.0 };                       ///< [m]
   Vector3 Direction{ 0.0, 1.0, 0.0 };                   ///< towards what is looked at
   Vector3 Up{ 0.0, 0.0, 1.0 };                          ///< not along Direction
   double Angle = 0.5235987755982988;                    ///< vertical, full [rad], 0 to pi, both excluded
+  bool IsParallel = false;                              ///< rays along Direction, from the plane of Point
+  double ParallelScale = 1.0;                           ///< half the height of a parallel picture [m], positive
   double AspectRatio = 1.0;                             ///< width / height of the picture, positive
   double Height = 1080.0;                               ///< of the picture [pixels], positive
   double Near = 0.0;                                    ///< [m], not negative
@@ -41,6 +43,14 @@ View Rounded(const View& view, double lengthStep, double angleStep);
 /// Why this is no view, in words for a user; empty when it is one.
 std::string WhyInvalid(const View& view);
 
+/// The distance by which levels of detail go [m]: that of a place from the eye. In a parallel projection all is as
+/// large as in a perspective of the same angle at one distance, which stands for that of any place.
+double LevelDistance(const View& view, const Vector3& place);
+
+/// How far light comes through the scene from a place [m]: from it to the eye, or to the plane of the eye in a parallel
+/// projection.
+double SightDistance(const View& view, const Vector3& place);
+
 /// A box with its sides along the axes: smallest and largest x, y, z [m].
 struct Box
 {
@@ -51,9 +61,12 @@ struct Box
 /// The smallest distance of a point from a box [m]; 0 inside.
 double Distance(const Box& box, const Vector3& point);
 
+/// The smallest sight distance of a place in a box [m].
+double SightDistance(const View& view, const Box& box);
+
 /**
- * The volume that a valid view shows: four planes through the view point, a near plane, and a far plane if Far is
- * finite.
+ * The volume that a valid view shows: four sides, through the view point or parallel, a near plane, and a far plane if
+ * Far is finite.
  *
  * Tests are conservative: what is touched is never rejected. A box or sphere beyond one of the planes is rejected. One
  * that is beyond none of them, yet outside near an edge of the volume, is kept.
@@ -79,11 +92,30 @@ public:
   bool MayShow(const Box& box) const;
   bool MayShow(const Vector3& centre, double radius) const;
 
-  /// How tall a length [m] across the view appears at a distance [m], in pixels; infinite at distance 0.
+  /// How tall a length [m] across the view appears in the middle of the picture at a distance [m], in pixels; infinite
+  /// at distance 0. In a parallel projection at any distance.
   double PixelsOf(double length, double distance) const;
 
+  /**
+   * How far apart on the screen [pixels] two places of a box may be of which one is straight above the other by at most
+   * a rise [m], if either is on the picture, for any view within the margins; infinite where one may be at the eye.
+   *
+   * In units of the picture's distance, places p and q = p + u z at depths p_d and q_d are |a x (z x p)| u / (p_d q_d)
+   * apart, for a view along a from the origin. What is above u / d off the axis of a perspective, up to 1 / cos^2 of
+   * the angle from it, is in the first factor.
+   */
+  double PixelsOfRise(double rise, const Box& box) const;
+
 private:
+  void AddPlane(const Vector3& normal, double distance);
+  void AddPerspectiveSides();
+  void AddParallelSides();
+
   View Seen;
+  Vector3 Ahead;
+  Vector3 Right;
+  Vector3 Up;
+  double Tangents[2] = { 0.0, 0.0 }; ///< of half the angles across and up
   std::vector<Plane> Planes;
 };
 

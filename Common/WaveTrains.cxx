@@ -5,12 +5,11 @@
 #include "Constants.h"
 #include "Dispersion.h"
 #include "RandomStream.h"
-
-#include <boost/math/special_functions/beta.hpp>
+#include "WaveDirections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace littoral
@@ -25,18 +24,41 @@ constexpr int MostTrains = 100000;
 /// Beyond this exponent the spreading is narrower than anyone can see.
 constexpr double LargestSpreading = 10000.0;
 
-/// A stratum of the spreading for each train, in random order.
-std::vector<int> Strata(int count, const RandomStream& random)
+/// Frequencies that are whole multiples of one: First w0, (First + 1) w0, ...
+struct FrequencyComb
 {
-  std::vector<double> key(count);
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  for (int train = 0; train < count; ++train)
+  double Spacing; ///< w0 [rad/s]
+  double First;
+};
+
+std::array<double, 2> RangeOf(const SeaSpectrum& spectrum, const TrainParameters& parameters)
+{
+  const double peak = spectrum.PeakFrequency();
+  return parameters.Lowest == 0.0 && parameters.Highest == 0.0
+    ? spectrum.Range()
+    : std::array<double, 2>{ parameters.Lowest * peak, parameters.Highest * peak };
+}
+
+/// The comb of so many frequencies that best fills a range and has its middle.
+FrequencyComb CombOf(const std::array<double, 2>& range, int count)
+{
+  const double bins = count / (range[1] - range[0]);
+  const double first = count == 1 ? 1.0 : std::round(range[0] * bins + 0.5);
+  return { 0.5 * (range[0] + range[1]) / (first + 0.5 * (count - 1)), first };
+}
+
+/// Where bins end, one more than there are.
+std::vector<double> EdgesOf(const std::array<double, 2>& range, const TrainParameters& parameters)
+{
+  const FrequencyComb comb = CombOf(range, parameters.Count);
+  const double width = (range[1] - range[0]) / parameters.Count;
+  std::vector<double> edges{ range[0] };
+  for (int bin = 1; bin < parameters.Count; ++bin)
   {
-    key[train] = random.UniformPair(train, 0)[1];
+    edges.push_back(parameters.EqualSpacing ? (comb.First + bin - 0.5) * comb.Spacing : range[0] + bin * width);
   }
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return key[a] != key[b] ? key[a] < key[b] : a < b; });
-  return order;
+  edges.push_back(range[1]);
+  return edges;
 }
 
 }
@@ -92,10 +114,11 @@ std::string WhyInvalid(const TrainParameters& parameters)
   {
     reason << "NumberOfTrains is " << parameters.Count << "; it must be 1 to " << MostTrains << ".";
   }
-  else if (!(parameters.Lowest >= 0.0 && parameters.Highest > parameters.Lowest && parameters.Highest <= 1000.0))
+  else if (!(parameters.Lowest == 0.0 && parameters.Highest == 0.0) &&
+    !(parameters.Lowest >= 0.0 && parameters.Highest > parameters.Lowest && parameters.Highest <= 1000.0))
   {
     reason << "FrequencyRange is " << parameters.Lowest << " to " << parameters.Highest
-           << " peak frequencies; it must be increasing, not negative and at most 1000.";
+           << " peak frequencies; it must be increasing, not negative and at most 1000, or 0 and 0.";
   }
   else if (!std::isfinite(parameters.MeanDirection))
   {
@@ -108,47 +131,61 @@ std::string WhyInvalid(const TrainParameters& parameters)
   return reason.str();
 }
 
-double SpreadingQuantile(double spreading, double part)
-{
-  // With y = (1 + sin(angle/2))/2, cos^2s(angle/2) becomes the beta distribution of s + 1/2 and s + 1/2.
-  const double y = boost::math::ibeta_inv(spreading + 0.5, spreading + 0.5, part);
-  return 2.0 * std::asin(std::clamp(2.0 * y - 1.0, -1.0, 1.0));
-}
-
 std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const TrainParameters& parameters)
 {
   const RandomStream phases(parameters.Seed, RandomPurpose::WavePhases);
   const RandomStream directions(parameters.Seed, RandomPurpose::WaveDirections);
   const int count = parameters.Count;
-  const std::vector<int> stratum = Strata(count, directions);
-  const double peak = spectrum.PeakFrequency();
-  const double width = (parameters.Highest - parameters.Lowest) * peak / count;
+  const std::array<double, 2> range = RangeOf(spectrum, parameters);
+  const std::vector<double> edges = EdgesOf(range, parameters);
+  const FrequencyComb comb = CombOf(range, count);
   std::vector<WaveTrain> trains;
+  std::vector<double> energies;
   for (int bin = 0; bin < count; ++bin)
   {
-    const double low = parameters.Lowest * peak + bin * width;
-    const double energy = spectrum.Energy(low, low + width);
+    const double energy = spectrum.Energy(edges[bin], edges[bin + 1]);
     if (!(energy > 0.0))
     {
       continue;
     }
     const auto random = phases.UniformPair(bin, 0);
+    const double place = edges[bin] + random[1] * (edges[bin + 1] - edges[bin]);
     WaveTrain train;
     train.Amplitude = std::sqrt(2.0 * energy);
-    train.AngularFrequency = low + (parameters.EqualSpacing ? 0.5 : random[1]) * width;
+    train.AngularFrequency = parameters.EqualSpacing ? (comb.First + bin) * comb.Spacing : place;
     train.WaveNumber = WaveNumber(train.AngularFrequency, depth);
     train.Direction = parameters.MeanDirection;
-    if (parameters.Spreading > 0.0)
-    {
-      const double part = (stratum[bin] + directions.UniformPair(bin, 0)[0]) / count;
-      train.Direction += SpreadingQuantile(parameters.Spreading, part);
-    }
     train.Phase = TwoPi * random[0];
     trains.push_back(train);
+    energies.push_back(energy);
+  }
+  if (parameters.Spreading > 0.0)
+  {
+    const std::vector<double> angles = WaveAngles(energies, WaveSpreading(parameters.Spreading), directions);
+    for (std::size_t n = 0; n < trains.size(); ++n)
+    {
+      trains[n].Direction += angles[n];
+    }
   }
   std::stable_sort(
     trains.begin(), trains.end(), [](const WaveTrain& a, const WaveTrain& b) { return a.Amplitude > b.Amplitude; });
   return trains;
+}
+
+double PeriodOf(const SeaSpectrum& spectrum, const TrainParameters& parameters)
+{
+  return parameters.EqualSpacing ? TwoPi / CombOf(RangeOf(spectrum, parameters), parameters.Count).Spacing
+                                 : std::numeric_limits<double>::infinity();
+}
+
+double EnergyOf(const std::vector<WaveTrain>& trains)
+{
+  double sum = 0.0;
+  for (const WaveTrain& train : trains)
+  {
+    sum += 0.5 * train.Amplitude * train.Amplitude;
+  }
+  return sum;
 }
 
 }

@@ -28,6 +28,8 @@ struct SeaState
   std::vector<WaveTrain> Trains;
   double Depth = std::numeric_limits<double>::infinity(); ///< [m]
   double SeaLevel = 0.0;                                  ///< [m]
+  /// After which the sea returns [s]; infinite: never.
+  double Period = std::numeric_limits<double>::infinity();
 };
 
 /// Why this is no sea state, in words for a user; empty when it is one.
@@ -37,26 +39,32 @@ std::string WhyInvalid(const SeaState& sea);
 struct TrainParameters
 {
   int Count = 30;             ///< positive
-  double Lowest = 0.5;        ///< frequency [peak frequencies], not negative
-  double Highest = 4.0;       ///< [peak frequencies], above Lowest
+  double Lowest = 0.0;        ///< frequency [peak frequencies], not negative
+  double Highest = 0.0;       ///< [peak frequencies], above Lowest; both 0: the spectrum's own range
   double MeanDirection = 0.0; ///< [rad]
   double Spreading = 10.0;    ///< s of cos^2s(angle/2); 0: all trains along MeanDirection
-  bool EqualSpacing = false;  ///< frequencies at the centres of their bins, else at random places in them
+  bool EqualSpacing = false;  ///< frequencies are multiples of one, else at random places in their bins
   int Seed = 1;
 };
 
 std::string WhyInvalid(const TrainParameters& parameters);
 
 /**
- * The trains of a spectrum, largest amplitude first. Bins of equal width in frequency; the amplitude of a bin is
- * sqrt(2 E) with its exact energy E, so that trains keep the energy of their range for any number of them. Phases are
- * uniform; directions are drawn by strata of the spreading's distribution, one for each train, for two trains of one
- * frequency would stand still against each other. Bins without energy give no train.
+ * The trains of a spectrum, largest amplitude first. Frequencies are cut into bins of equal width; the amplitude of a
+ * bin is sqrt(2 E) with its energy E, so that trains keep the energy of their range for any number of them. Phases are
+ * uniform; each train has one direction, see WaveAngles, for two trains of one frequency would stand still against each
+ * other. Bins without energy give no train.
+ *
+ * With EqualSpacing frequencies are m w0, m = M to M + Count - 1, with the middle of the range as theirs, and M such
+ * that they fill it best. Bins end half-way between them, the outermost at the range's ends.
  */
 std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const TrainParameters& parameters);
 
-/// The angle from the mean direction [rad] below which a part, 0 to 1, of a spreading cos^2s(angle/2) lies.
-double SpreadingQuantile(double spreading, double part);
+/// After which all trains return [s]: 2 pi / w0 with EqualSpacing; else infinite.
+double PeriodOf(const SeaSpectrum& spectrum, const TrainParameters& parameters);
+
+/// The variance of the elevation of trains [m2], the sum of half the squares of their amplitudes.
+double EnergyOf(const std::vector<WaveTrain>& trains);
 
 }
 

@@ -47,7 +47,7 @@ std::vector<float> CholeskyWind(const WindModel& model, const WindGrid& grid, co
   for (int component = 0; component < WindComponents; ++component)
   {
     std::vector<std::vector<std::complex<double>>> spectra(lines, std::vector<std::complex<double>>(length));
-    for (int frequency = 1; frequency <= length / 2; ++frequency)
+    for (int frequency = 1; frequency <= grid.Waves(); ++frequency)
     {
       std::vector<float> re(lines);
       std::vector<float> im(lines);
@@ -62,11 +62,6 @@ std::vector<float> CholeskyWind(const WindModel& model, const WindGrid& grid, co
       {
         const double height = grid.Height(static_cast<int>(line) / grid.Count[1]);
         const double power = SpectralDensity(model, component, frequency * step, height) * step;
-        if (2 * frequency == length)
-        {
-          spectra[line][frequency] = std::sqrt(power) * amplitudes[line].real();
-          continue;
-        }
         spectra[line][frequency] = std::sqrt(0.5 * power) * amplitudes[line];
         spectra[line][length - frequency] = std::conj(spectra[line][frequency]);
       }

@@ -103,10 +103,10 @@ std::string WhyInvalid(const WindModel& model, const WindGrid& grid)
   }
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   std::ostringstream reason;
-  if (grid.Count[0] < 2 || grid.Count[1] < 1 || grid.Count[2] < 1)
+  if (grid.Count[0] < 4 || grid.Count[1] < 1 || grid.Count[2] < 1)
   {
     reason << "Dimensions are " << grid.Count[0] << ", " << grid.Count[1] << ", " << grid.Count[2]
-           << "; there must be at least 2 samples along the wind and 1 across and up.";
+           << "; there must be at least 4 samples along the wind and 1 across and up.";
   }
   else if (std::max({ grid.Count[0], grid.Count[1], grid.Count[2] }) > 1 << 28)
   {
@@ -206,8 +206,10 @@ WindField::WindField(const WindModel& model, const WindGrid& grid, const WindSyn
     {
       for (int j = 0; j < this->Quarter[0]; ++j)
       {
-        this->Delay[component].push_back(
-          static_cast<float>(CoherenceDelay(model, component, j * grid.LateralSpacing, k * grid.VerticalSpacing)));
+        const WindSeparation separation =
+          SeparationOf(model, component, j * grid.LateralSpacing, k * grid.VerticalSpacing);
+        this->Delay[component].push_back(static_cast<float>(separation.Delay));
+        this->Still[component].push_back(static_cast<float>(separation.Still));
       }
     }
   }
@@ -215,7 +217,7 @@ WindField::WindField(const WindModel& model, const WindGrid& grid, const WindSyn
 
 std::size_t WindField::NumberOfBlocks() const
 {
-  return (static_cast<std::size_t>(this->Grid.Count[0]) / 2 + FrequenciesPerBlock - 1) / FrequenciesPerBlock;
+  return (static_cast<std::size_t>(this->Grid.Waves()) + FrequenciesPerBlock - 1) / FrequenciesPerBlock;
 }
 
 std::size_t WindField::NumberOfPacks() const
@@ -232,7 +234,7 @@ void WindField::MakePlanes(std::size_t block)
 {
   Scratch scratch(*this);
   const int first = 1 + static_cast<int>(block) * FrequenciesPerBlock;
-  const int last = std::min(first + FrequenciesPerBlock - 1, this->Grid.Count[0] / 2);
+  const int last = std::min(first + FrequenciesPerBlock - 1, this->Grid.Waves());
   this->BlockError[block] = 0.0f;
   for (int frequency = first; frequency <= last; ++frequency)
   {
@@ -303,8 +305,13 @@ void WindField::TransformEven(std::vector<float>& quarter, Scratch& scratch) con
 double WindField::WavePower(int component, int frequency, Scratch& scratch) const
 {
   const float hertz = static_cast<float>(frequency / this->Grid.Period());
-  std::transform(this->Delay[component].begin(), this->Delay[component].end(), scratch.Power.begin(),
-    [hertz](float delay) { return std::exp(-hertz * delay); });
+  const std::vector<float>& delay = this->Delay[component];
+  const std::vector<float>& still = this->Still[component];
+  for (std::size_t n = 0; n < delay.size(); ++n)
+  {
+    const float moving = hertz * delay[n];
+    scratch.Power[n] = std::exp(still[n] == 0.0f ? -moving : -std::sqrt(moving * moving + still[n] * still[n]));
+  }
   this->TransformEven(scratch.Power, scratch);
   std::vector<float>& power = scratch.Power;
   for (float& value : power)
@@ -397,7 +404,6 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
 
   // Across: layers side by side, each scaled by its own spectrum; only the columns of the grid are kept.
   const double step = 1.0 / this->Grid.Period();
-  const bool nyquist = 2 * frequency == this->Grid.Count[0];
   const std::size_t plane = static_cast<std::size_t>(frequency) * this->Grid.NumberOfLines();
   for (int first = 0; first < layers; first += FourierLanes)
   {
@@ -407,7 +413,7 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
     {
       const double density =
         SpectralDensity(this->Model, this->Component, frequency * step, this->Grid.Height(first + lane));
-      scale[lane] = static_cast<float>(std::sqrt((nyquist ? 1.0 : 0.5) * density * step));
+      scale[lane] = static_cast<float>(std::sqrt(0.5 * density * step));
     }
     for (int lane = 0; lane < lanes; ++lane)
     {
@@ -426,7 +432,7 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
       for (int lane = 0; lane < lanes; ++lane)
       {
         this->PlaneRe[to + lane] = scale[lane] * scratch.Across.Re[from + lane];
-        this->PlaneIm[to + lane] = nyquist ? 0.0f : scale[lane] * scratch.Across.Im[from + lane];
+        this->PlaneIm[to + lane] = scale[lane] * scratch.Across.Im[from + lane];
       }
     }
   }
@@ -443,26 +449,29 @@ void WindField::FinishPlanes()
     return;
   }
   // The variance of a periodic line is the sum over its Fourier coefficients.
+  const int length = this->Grid.Count[0];
   const int layers = this->Grid.Count[2];
   const std::size_t lines = this->Grid.NumberOfLines();
-  const int nyquist = this->Grid.Count[0] / 2;
   std::vector<double> has(layers, 0.0);
   std::vector<double> wants(layers, 0.0);
-  for (int frequency = 1; frequency <= nyquist; ++frequency)
+  for (int frequency = 1; frequency <= this->Grid.Waves(); ++frequency)
   {
-    const double times = frequency == nyquist ? 1.0 : 2.0;
     const std::size_t plane = static_cast<std::size_t>(frequency) * lines;
     for (std::size_t line = 0; line < lines; ++line)
     {
       const double re = this->PlaneRe[plane + line];
       const double im = this->PlaneIm[plane + line];
-      has[line % layers] += times * (re * re + im * im) / this->Grid.Count[1];
+      has[line % layers] += 2.0 * (re * re + im * im) / this->Grid.Count[1];
     }
+  }
+  // That of the spectrum goes up to half the sampling frequency, where half a band is left.
+  for (int frequency = 1; frequency <= length / 2; ++frequency)
+  {
+    const double band = (2 * frequency == length ? 0.5 : 1.0) / this->Grid.Period();
     for (int layer = 0; layer < layers; ++layer)
     {
-      const double hertz = frequency / this->Grid.Period();
-      wants[layer] += 0.5 * times * SpectralDensity(this->Model, this->Component, hertz, this->Grid.Height(layer)) /
-        this->Grid.Period();
+      wants[layer] +=
+        band * SpectralDensity(this->Model, this->Component, frequency / this->Grid.Period(), this->Grid.Height(layer));
     }
   }
   for (int layer = 0; layer < layers; ++layer)
@@ -479,7 +488,7 @@ void WindField::MakeLines(std::size_t pack, float* velocities) const
   const int length = this->Grid.Count[0];
   const int layers = this->Grid.Count[2];
   LinePack values(static_cast<std::size_t>(length) / 2 + 1);
-  for (int frequency = 1; frequency <= length / 2; ++frequency)
+  for (int frequency = 1; frequency <= this->Grid.Waves(); ++frequency)
   {
     const std::size_t from = static_cast<std::size_t>(frequency) * lines + first;
     const std::size_t to = static_cast<std::size_t>(frequency) * FourierLanes;

@@ -19,12 +19,13 @@ namespace littoral
 /// Where a wind field has samples: along the wind, that is in time, then across, then up.
 struct WindGrid
 {
-  std::array<int, 3> Count{ 600, 64, 24 }; ///< the first even and a product of 2, 3 and 5
+  std::array<int, 3> Count{ 600, 64, 24 }; ///< the first at least 4, even and a product of 2, 3 and 5
   double TimeStep = 0.1;                   ///< between samples along the wind [s], positive
   double LateralSpacing = 4.0;             ///< [m], positive
   double VerticalSpacing = 2.0;            ///< [m], positive
   double BottomHeight = 1.0;               ///< of the lowest layer above the ground [m], above the roughness length
 
+  int Waves() const { return this->Count[0] / 2 - 1; } ///< that a line is the sum of: frequencies 1, 2 ... a period
   double Period() const { return this->Count[0] * this->TimeStep; }
   double Height(int layer) const { return this->BottomHeight + layer * this->VerticalSpacing; }
   std::size_t NumberOfLines() const { return static_cast<std::size_t>(this->Count[1]) * this->Count[2]; }
@@ -65,8 +66,9 @@ void WindFactors(const WindSynthesis& synthesis, int component, int frequency, s
  * For each frequency the root coherence, a function of separations alone on a grid that is padded to twice its size, is
  * transformed to the power of plane waves across and up. Waves with the root of that power and random phases, summed,
  * give a plane of complex amplitudes with that coherence; scaled by the root of the spectrum at each height they are
- * the Fourier coefficients in time. Power that comes out negative is taken as none; how far that moves the coherence is
- * known exactly.
+ * the Fourier coefficients in time, from one wave a period to the last that has more than two samples: two samples
+ * would not tell such a wave's size from its phase, and it would pulse between them. Power that comes out negative is
+ * taken as none; how far that moves the coherence is known exactly.
  *
  * Components are made one after the other: BeginComponent, then all blocks of frequencies, FinishPlanes, then all packs
  * of lines, where blocks and packs can go to any threads.
@@ -115,6 +117,7 @@ private:
   LineFourier Up;
   RealLineFourier Along;
   std::array<std::vector<float>, WindComponents> Delay; ///< of the coherence, in the quarter of separations [s]
+  std::array<std::vector<float>, WindComponents> Still; ///< what it decays by at any frequency
   int Component = 0;
   std::vector<float> PlaneRe; ///< Fourier coefficients in time: frequency, then across, then up (fastest)
   std::vector<float> PlaneIm;

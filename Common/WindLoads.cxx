@@ -44,14 +44,9 @@ Vector3 DragPerLength(const WindLoadParameters& parameters, const Vector3& axis,
 
 Vector3 LiftPerLength(const WindLoadParameters& parameters, const Vector3& axis, double diameter, const Vector3& wind)
 {
-  const Vector3 side = glm::cross(wind, axis);
-  const double length = glm::length(side);
-  if (length == 0.0)
-  {
-    return Vector3(0.0);
-  }
-  const double speed = parameters.Law == DragLaw::CrossFlow ? length : glm::length(wind);
-  return 0.5 * parameters.AirDensity * parameters.LiftCoefficient * diameter * speed * speed / length * side;
+  const Vector3 side = glm::cross(wind, axis); // as long as the wind across the axis
+  const double speed = parameters.Law == DragLaw::CrossFlow ? glm::length(side) : glm::length(wind);
+  return 0.5 * parameters.AirDensity * parameters.LiftCoefficient * diameter * speed * side;
 }
 
 Vector3 WeightPerLength(double massPerLength)

@@ -22,7 +22,7 @@ struct WindLoadParameters
 {
   double AirDensity = 1.2;      ///< [kg/m3], positive
   double DragCoefficient = 1.1; ///< 1.0 to 1.2 for a cylinder; not negative
-  double LiftCoefficient = 0.0; ///< of forces across wind and cylinder; any sign
+  double LiftCoefficient = 0.0; ///< of forces across wind and cylinder; not zero where a cylinder is not round
   DragLaw Law = DragLaw::Projection;
 };
 
@@ -33,8 +33,10 @@ std::string WhyInvalid(const WindLoadParameters& parameters);
 Vector3 DragPerLength(const WindLoadParameters& parameters, const Vector3& axis, double diameter, const Vector3& wind);
 
 /**
- * Lift on a unit of length of a cylinder [N/m] (eq. 16): across the wind and the axis, to the side of wind x axis; none
- * where the wind blows along the axis.
+ * Lift on a unit of length of a cylinder [N/m] (eq. 16): 1/2 rho C_L D U^2 n_L, across the wind U and the axis e, with
+ * n_L = U x e / |U x e|: to the right of the wind on an upright cylinder, up on one that points to the wind's left. As
+ * of drag, U^2 is |U| |U_perp| by the law Projection and |U_perp|^2 by CrossFlow; both are that of eq. 16 where the
+ * wind blows across the axis, and none is left where it blows along.
  */
 Vector3 LiftPerLength(const WindLoadParameters& parameters, const Vector3& axis, double diameter, const Vector3& wind);
 

@@ -40,12 +40,17 @@ double SimiuScanlanDensity(const WindModel& model, int component, double frequen
   }
 }
 
+/// Lambda_1 of IEC 61400-1, the scale of turbulence along the wind at the reference height [m].
+double IecScale(const WindModel& model)
+{
+  return 0.7 * std::min(60.0, model.ReferenceHeight);
+}
+
 double IecKaimalDensity(const WindModel& model, int component, double frequency)
 {
   constexpr double lengths[] = { 8.1, 2.7, 0.66 };
   constexpr double shares[] = { 1.0, 0.8, 0.5 };
-  const double scale = 0.7 * std::min(60.0, model.ReferenceHeight);
-  const double time = lengths[component] * scale / model.ReferenceSpeed;
+  const double time = lengths[component] * IecScale(model) / model.ReferenceSpeed;
   const double deviation = shares[component] * model.TurbulenceIntensity * model.ReferenceSpeed;
   return 4.0 * deviation * deviation * time / std::pow(1.0 + 6.0 * frequency * time, 5.0 / 3.0);
 }
@@ -75,6 +80,10 @@ std::string WhyInvalid(const WindModel& model)
   else if (model.Spectrum != WindSpectrumModel::SimiuScanlan && model.Spectrum != WindSpectrumModel::IecKaimal)
   {
     reason << "Spectrum is " << static_cast<int>(model.Spectrum) << "; it must be 0 or 1.";
+  }
+  else if (model.Coherence != WindCoherenceModel::Exponential && model.Coherence != WindCoherenceModel::Iec)
+  {
+    reason << "Coherence is " << static_cast<int>(model.Coherence) << "; it must be 0 or 1.";
   }
   else if (model.Spectrum == WindSpectrumModel::IecKaimal && !IsPositive(model.TurbulenceIntensity))
   {
@@ -116,15 +125,23 @@ double SpectralDensity(const WindModel& model, int component, double frequency, 
                                                         : SimiuScanlanDensity(model, component, frequency, height);
 }
 
-double CoherenceDelay(const WindModel& model, int component, double lateral, double vertical)
+WindSeparation SeparationOf(const WindModel& model, int component, double lateral, double vertical)
 {
+  if (model.Coherence == WindCoherenceModel::Iec && component == 0)
+  {
+    constexpr double decay = 12.0;
+    constexpr double lengths = 8.1; // Lambda_1 in the scale of coherence, L_c
+    const double distance = std::hypot(lateral, vertical);
+    return { decay * distance / model.ReferenceSpeed, decay * 0.12 * distance / (lengths * IecScale(model)) };
+  }
   const WindDecay& decay = model.Decay[component];
-  return std::hypot(decay.Lateral * lateral, decay.Vertical * vertical) / MeanSpeed(model, CoherenceHeight);
+  return { std::hypot(decay.Lateral * lateral, decay.Vertical * vertical) / MeanSpeed(model, CoherenceHeight), 0.0 };
 }
 
 double RootCoherence(const WindModel& model, int component, double frequency, double lateral, double vertical)
 {
-  return std::exp(-frequency * CoherenceDelay(model, component, lateral, vertical));
+  const WindSeparation separation = SeparationOf(model, component, lateral, vertical);
+  return std::exp(-std::hypot(frequency * separation.Delay, separation.Still));
 }
 
 }

@@ -19,6 +19,13 @@ enum class WindSpectrumModel
   IecKaimal = 1,    ///< of IEC 61400-1: one intensity and one length for all heights
 };
 
+/// Families of root coherence.
+enum class WindCoherenceModel
+{
+  Exponential = 0, ///< of frequency times distance, with a decay for each component (Setas et al., eqs. 11, 12)
+  Iec = 1 ///< along the wind that of IEC 61400-1, ed. 3, which does not grow to 1 at low frequencies; else Exponential
+};
+
 /// How fast coherence decays with the separation across and up; positive.
 struct WindDecay
 {
@@ -37,6 +44,7 @@ struct WindModel
   double RoughnessLength = 0.03; ///< of the ground [m], positive: 0.01 low grass ... 1 forest
   WindSpectrumModel Spectrum = WindSpectrumModel::SimiuScanlan;
   double TurbulenceIntensity = 0.16; ///< IecKaimal: standard deviation along the wind over ReferenceSpeed, positive
+  WindCoherenceModel Coherence = WindCoherenceModel::Exponential;
   std::array<WindDecay, WindComponents> Decay{ { { 10.0, 10.0 }, { 10.0, 10.0 }, { 8.0, 8.0 } } };
 };
 
@@ -55,12 +63,23 @@ double ConvectionSpeed(const WindModel& model);
 /// One-sided power spectral density of a component [m2/s2/Hz] at a frequency [Hz] and a height [m] (eq. 9).
 double SpectralDensity(const WindModel& model, int component, double frequency, double height);
 
-/// Coherence decays over this times the frequency [s]: the distance with its decay coefficients, over the mean at 10 m.
-double CoherenceDelay(const WindModel& model, int component, double lateral, double vertical);
+/**
+ * Two points across and up apart as their root coherence sees them: exp(-sqrt((f Delay)^2 + Still^2)) at the frequency
+ * f. Of eqs. 11 and 12 the delay is the distance with its decay coefficients over the mean at 10 m, and nothing is
+ * still. Of IEC 61400-1 (ed. 3, annex B) they are 12 r / U and 12 x 0.12 r / L_c, with the distance r, the reference
+ * speed U, and L_c = 8.1 Lambda_1, where Lambda_1 is 0.7 of the reference height, at most 42 m.
+ */
+struct WindSeparation
+{
+  double Delay = 0.0; ///< [s]
+  double Still = 0.0;
+};
+
+WindSeparation SeparationOf(const WindModel& model, int component, double lateral, double vertical);
 
 /**
- * |S_ij| / sqrt(S_ii S_jj) of two points a distance across and up apart [m] (eqs. 11, 12): real, positive, 1 for the
- * same point. It is the square root of what signal processing calls coherence.
+ * |S_ij| / sqrt(S_ii S_jj) of two points a distance across and up apart [m]: real, positive, 1 for the same point. It
+ * is the square root of what signal processing calls coherence.
  */
 double RootCoherence(const WindModel& model, int component, double frequency, double lateral, double vertical);
 

@@ -11,9 +11,9 @@ namespace littoral
 /// Living wood as a beam.
 struct WoodParameters
 {
-  double YoungModulus = 9e9;  ///< along the grain [Pa]
-  double Density = 900.0;     ///< with its sap [kg/m3]
-  double DampingRatio = 0.08; ///< of critical, of wood, leaves and air together
+  double YoungModulus = 5.1e9; ///< along the grain, of a section with its bark [Pa]
+  double Density = 950.0;      ///< with its sap [kg/m3]
+  double DampingRatio = 0.08;  ///< of critical, of wood, leaves and air together
 };
 
 /// Kinds of wood with numbers of their own.
@@ -27,10 +27,14 @@ enum class WoodSpecies
 };
 
 /**
- * Moduli and densities of green wood follow the tables of the Wood Handbook (Forest Products Laboratory, 2010, chapters
- * 4 and 5): loblolly pine, white oak, paper birch; a shrub is taken as hardwood of middling stiffness. The damping
- * ratio is a middle value: wood alone has less than 0.05 (Moore and Maguire 2004), trees in leaf from 0.08 upwards
- * (Moore and Maguire 2005), most of it the leaves' drag.
+ * Moduli are those of living wood in the Stuttgart catalogue of strengths (Wessolly and Erb 1998): Pinus
+ * sylvestris 5.8, Quercus robur 6.9, Betula pendula 7.05 GPa, times 0.85 squared, since 15 % of a stem's volume is
+ * bark, which bears next to nothing (volume tables have 10 to 20 %). Densities are those of green wood: specific
+ * gravity times one and the moisture of the Wood Handbook (Forest Products Laboratory 2010, tables 4-1 and 5-3) for
+ * white oak and paper birch, and that of HWIND (Peltola et al. 1999) for Scots pine. A shrub, and what is not known, is
+ * taken as hardwood of the middle. The damping ratio is the lowest that was measured in unpruned Douglas firs, which
+ * reach up to near critical (Moore and Maguire 2004); wood alone has less than 0.05, and most of it is the leaves'
+ * drag.
  */
 WoodParameters ParametersOf(WoodSpecies species);
 

@@ -231,7 +231,7 @@ public:
         }
       }
     }
-    currents.Steady = FlowField(steady);
+    currents.Steady = FlowField(steady, this->Layer);
     return currents;
   }
 

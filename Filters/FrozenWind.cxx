@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrozenWind.h"
 
+#include "LittoralPipeline.h"
+
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 
@@ -50,11 +53,21 @@ std::string FrozenWind::Read(vtkImageData* image)
   {
     return reason;
   }
-  this->Velocity = FloatsOf(velocity);
-  const float* values = this->Velocity->GetPointer(0);
-  const bool finite =
-    std::all_of(values, values + this->Velocity->GetNumberOfValues(), [](float value) { return std::isfinite(value); });
-  return finite ? std::string() : "Velocity of the wind has values that are not finite.";
+  const vtkSmartPointer<vtkFloatArray> floats = FloatsOf(velocity);
+  const float* values = floats->GetPointer(0);
+  if (!std::all_of(values, values + floats->GetNumberOfValues(), [](float value) { return std::isfinite(value); }))
+  {
+    return "Velocity of the wind has values that are not finite.";
+  }
+  const std::array<int, 3> size{ this->Size[0], this->Size[1], this->Size[2] };
+  const double bytes = WindLines::BytesOf(size);
+  if (bytes > AvailableMemory())
+  {
+    return "The waves of the wind need " + std::to_string(static_cast<long long>(bytes / 1e6)) +
+      " MB, more than this machine has free.";
+  }
+  this->Lines = std::make_unique<const WindLines>(values, size, SmpFor);
+  return {};
 }
 
 std::string FrozenWind::ReadTimes()
@@ -108,40 +121,21 @@ Vector3 FrozenWind::Middle(double height) const
   return { bounds[0], 0.5 * (bounds[2] + bounds[3]), height };
 }
 
-void FrozenWind::Sample(const Vector3& place, long long first, std::size_t count, Vector3* velocities) const
+void FrozenWind::Sample(const Vector3& place, double first, std::size_t count, Vector3* velocities) const
 {
   double index[3];
   this->Locate(place, index);
-  const long long n = this->Size[0];
-  const double begin = std::floor(index[0]);
-  const double part = index[0] - begin;
-  // What is at sample i now comes to the place's sample i0 in i0 - i steps.
-  const long long from = (static_cast<long long>(begin) - first) % n;
-  std::fill_n(velocities, count, Vector3(0.0));
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const int j = std::min(static_cast<int>(index[1]) + corner % 2, this->Size[1] - 1);
-    const int k = std::min(static_cast<int>(index[2]) + corner / 2, this->Size[2] - 1);
-    const double fj = index[1] - static_cast<int>(index[1]);
-    const double fk = index[2] - static_cast<int>(index[2]);
-    const double weight = (corner % 2 ? fj : 1.0 - fj) * (corner / 2 ? fk : 1.0 - fk);
-    if (weight == 0.0)
-    {
-      continue;
-    }
-    const float* line = this->Velocity->GetPointer(3 * n * (j + static_cast<vtkIdType>(this->Size[1]) * k));
-    long long i = from < 0 ? from + n : from;
-    for (std::size_t sample = 0; sample < count; ++sample)
-    {
-      const float* a = line + 3 * i;
-      const float* b = i + 1 < n ? a + 3 : line;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        velocities[sample][axis] += weight * ((1.0 - part) * a[axis] + part * b[axis]);
-      }
-      i = i > 0 ? i - 1 : n - 1;
-    }
-  }
+  const double spacing = this->Image->GetSpacing()[2];
+  const double bottom = this->Image->GetOrigin()[2] + this->Image->GetExtent()[4] * spacing;
+  const double layer = LayerPlace(bottom + index[2] * spacing, bottom, spacing);
+  this->Lines->Sample({ index[0], index[1], layer }, first, count, velocities);
+}
+
+double FrozenWind::Arrival(const Vector3& place) const
+{
+  double index[3];
+  this->Locate(place, index);
+  return index[0] * this->Time.Step;
 }
 
 }

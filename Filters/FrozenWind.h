@@ -6,11 +6,12 @@
 // A wind field between VTK and the numerics. Private: never installed, never wrapped.
 
 #include "PlantSway.h"
+#include "WindLines.h"
 
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <string>
 
 namespace littoral
@@ -30,14 +31,17 @@ public:
   bool Reaches(const Vector3& place) const;
 
   /// `count` velocities at a place, one a step, from the step `first` on. Beyond its edges the field goes on as there.
-  void Sample(const Vector3& place, long long first, std::size_t count, Vector3* velocities) const;
+  void Sample(const Vector3& place, double first, std::size_t count, Vector3* velocities) const;
+
+  /// When what is at the beginning of the field now comes to a place, which may be beyond its edges [s].
+  double Arrival(const Vector3& place) const;
 
   /// A place in the middle of the field, at a height.
   Vector3 Middle(double height) const;
 
 private:
   vtkSmartPointer<vtkImageData> Image;
-  vtkSmartPointer<vtkFloatArray> Velocity;
+  std::unique_ptr<const WindLines> Lines;
   int Size[3] = { 1, 1, 1 };
   WindTimes Time;
 

@@ -84,6 +84,7 @@ std::string SeaweedForest::ReadPlants(vtkPolyData* bones)
   }
   const std::vector<SeaweedLink> links = LinksOf(this->Rest, segments, this->Options);
   this->Motion = std::make_unique<SeaweedMotion>(links, this->Options);
+  this->UngradedCauchy = UngradedCauchyNumber(this->Rest, segments);
   this->LinkOfNode.assign(this->Rest.Nodes.size(), -1);
   for (std::size_t link = 0; link < links.size(); ++link)
   {
@@ -280,7 +281,9 @@ void SeaweedForest::WaterAt(const WaveOrbits& orbits, const StepCurrents& curren
 void SeaweedForest::StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
   std::vector<LinkPose>& poses) const
 {
-  // Loads are those of the middle of the step.
+  // Loads are those of the middle of the step, where links come by then; explicit Euler: where they are.
+  const bool isImplicit = this->Options.Integrator == SeaweedIntegrator::Implicit;
+  const double ahead = isImplicit ? 0.5 * step : 0.0;
   const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
   const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
   SmpFor(this->Batches.size(), [&](std::size_t begin, std::size_t end) {
@@ -293,7 +296,8 @@ void SeaweedForest::StepAll(double time, double step, const StepCurrents& curren
       for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
       {
         middles.resize(middles.size() + bunches[bunch].LanedLinks());
-        this->Motion->Middles(bunches[bunch], poses.data(), &middles[middles.size() - bunches[bunch].LanedLinks()]);
+        this->Motion->Middles(
+          bunches[bunch], poses.data(), &middles[middles.size() - bunches[bunch].LanedLinks()], ahead);
       }
       this->WaterAt(orbits, currents, middles, static_cast<int>(this->Sea.Trains.size()), water);
       const WaterAtLink* own = water.data();
@@ -335,7 +339,7 @@ int SeaweedForest::TrainsFor(const Plant& plant, const SeaweedLevels& levels) co
   {
     return count;
   }
-  const double distance = glm::distance(plant.Middle, levels.Seen.Point);
+  const double distance = LevelDistance(levels.Seen, plant.Middle);
   const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
   const double top = std::min(0.0, plant.Middle.z + plant.Reach - this->Sea.SeaLevel);
   double left = 0.0;
@@ -358,7 +362,7 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
   double far = 1.0;
   if (view)
   {
-    const double distance = glm::distance(plant.Middle, levels.Seen.Point);
+    const double distance = LevelDistance(levels.Seen, plant.Middle);
     // What reaches far sweeps over more pixels.
     const double band = levels.BlendDistance > 0.0 ? std::max(levels.BlendDistance, plant.Reach) : 0.0;
     near = ShareOf(distance, levels.NearDistance, band);

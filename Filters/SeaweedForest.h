@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -57,6 +58,8 @@ public:
 
   std::size_t GetNumberOfLinks() const { return this->Motion ? this->Motion->GetLinks().size() : 0; }
   const std::vector<SeaweedLink>& GetLinks() const { return this->Motion->GetLinks(); }
+  /// Of blades whose links are not graded towards their foot: the Cauchy number up to which their drag is right.
+  double GetUngradedCauchyNumber() const { return this->UngradedCauchy; }
   std::size_t GetNumberOfPlants() const { return this->Plants.size(); }
 
   /// All at rest at the step 0.
@@ -114,6 +117,7 @@ private:
   bool IsPhysical = true;
   Skeleton Rest;
   std::unique_ptr<SeaweedMotion> Motion;
+  double UngradedCauchy = std::numeric_limits<double>::infinity();
   std::vector<int> LinkOfNode; ///< that moves it; -1: the ground
   std::vector<std::size_t> PlantOfNode;
   std::vector<int> OrderInBranch; ///< of a link

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SwayForest.h"
 
+#include "Constants.h"
 #include "LittoralPipeline.h"
 #include "LittoralRanges.h"
 #include "TrunkSkin.h"
@@ -47,6 +48,7 @@ std::string SwayForest::Read(vtkMultiBlockDataSet* plants, const std::vector<vtk
     this->Table.Places.assign(1, PlantPlace());
     this->Table.Levels.assign(1, PlantLevel::Medium);
   }
+  this->Frequencies.assign(this->Table.Places.size(), 0.0);
   reason = this->ReadSpecies(plants, prototypes, progress);
   reason = reason.empty() ? this->ReadHigh(plants, progress) : reason;
   reason = reason.empty() ? this->ReadMedium(plants) : reason;
@@ -133,13 +135,14 @@ std::string SwayForest::WhyTooLarge(double bytes) const
 /// Heights in the wind are heights above a plant's foot.
 WindAtPlace SwayForest::WindOver(double ground) const
 {
-  return [wind = this->Wind, ground](const Vector3& place, long long first, std::size_t count, Vector3* velocities) {
+  return [wind = this->Wind, ground](const Vector3& place, double first, std::size_t count, Vector3* velocities) {
     wind->Sample(place - Vector3(0.0, 0.0, ground), first, count, velocities);
   };
 }
 
 //----------------------------------------------------------------------------
-std::string SwayForest::AddPlant(const Skeleton& rest, const std::vector<BranchBeam>& beams, const SwayOptions& options)
+std::string SwayForest::AddPlant(
+  int row, const Skeleton& rest, const std::vector<BranchBeam>& beams, const SwayOptions& options)
 {
   // The middle of the trunk's upper half is about that of the crown.
   const double ground = rest.Nodes.front().Position.z;
@@ -149,10 +152,14 @@ std::string SwayForest::AddPlant(const Skeleton& rest, const std::vector<BranchB
   {
     return "The wind does not reach all plants; its grid must span them across the wind and in height.";
   }
+  if (row >= 0 && row < static_cast<int>(this->Frequencies.size()))
+  {
+    this->Frequencies[row] = beams.front().Modes.front().Frequency / TwoPi;
+  }
   One& one = this->Plants.emplace_back();
   one.FirstJoint = this->Rest.Nodes.size();
   one.Branches = static_cast<int>(rest.Branches.size());
-  one.Motion = std::make_unique<PlantMotion>(rest, options.NumberOfModes);
+  one.Motion = std::make_unique<PlantMotion>(rest, options.NumberOfModes, beams.front().Modes);
   one.Sway = std::make_unique<PlantSway>(beams, options, this->Wind->Times(), middle, this->WindOver(ground));
   this->Rest.Nodes.insert(this->Rest.Nodes.end(), rest.Nodes.begin(), rest.Nodes.end());
   return {};
@@ -241,7 +248,7 @@ std::string SwayForest::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* pro
   });
   for (std::size_t index = 0; index < skeletons.size() && reason.empty() && !IsAborted(progress); ++index)
   {
-    reason = this->AddPlant(skeletons[index], beams[index], options[index]);
+    reason = this->AddPlant(rows[index], skeletons[index], beams[index], options[index]);
   }
   return reason;
 }
@@ -327,7 +334,7 @@ std::string SwayForest::AddTrunk(int row, std::vector<int>& trunkOfRow)
   int node = 0;
   beam.Middle = trunk.Along(0, 0.5, node);
   trunkOfRow[row] = static_cast<int>(this->Plants.size());
-  return this->AddPlant(trunk, { beam }, options);
+  return this->AddPlant(row, trunk, { beam }, options);
 }
 
 //----------------------------------------------------------------------------
@@ -363,9 +370,9 @@ std::string SwayForest::ReadMediumSkin(vtkPolyData* block, const char* name, std
         trunkOfRow[row] < 0 ? nullptr : std::make_unique<TrunkSkin>(Placed(species.TrunkRest, this->Table.Places[row]));
       if (isCrown)
       {
-        // The pictures of plants downwind are those that the wind had before.
-        const double delay = this->Table.Places[row].Foot.x * 0.05 + this->Table.Places[row].Foot.y * 0.03;
-        this->Crowns.push_back({ point, this->Table.Places[row].Species, delay - std::floor(delay) });
+        // Plants downwind show later what the wind carries past.
+        const PlantPlace& place = this->Table.Places[row];
+        this->Crowns.push_back({ point, place.Species, this->Wind->Arrival(place.Foot) });
       }
     }
     if (hold)
@@ -527,7 +534,7 @@ void SwayForest::ShowPictures(double time, vtkPolyData* crowns) const
       const std::size_t last = run + 1 < this->Crowns.size() ? this->Crowns[run + 1].First : points;
       const SwayPrototype& species = this->Species[crown.Species];
       const double swings = std::max(1.0, std::round(this->Wind->Period() * species.SwingFrequency));
-      const double phase = swings * time / this->Wind->Period() - crown.Delay;
+      const double phase = swings * (time - crown.Arrival) / this->Wind->Period();
       const int picture = std::min(pictures - 1, static_cast<int>(pictures * (phase - std::floor(phase))));
       const AtlasArea& area = this->Atlas.Areas[crown.Species * pictures + picture];
       for (std::size_t point = crown.First; point < last; ++point)

@@ -34,6 +34,9 @@ public:
   /// The plants at a time [s]; `output` is a shallow copy of the plants. An abort leaves it unchanged.
   void Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output, vtkAlgorithm* progress);
 
+  /// The frequency of the trunk's first mode [Hz] of each plant that sways, by its row; 0 for those that do not.
+  const std::vector<double>& GetFrequencies() const { return this->Frequencies; }
+
   /// Pictures of the crowns, all of a species one above the other, then the next species.
   vtkImageData* GetPictures() const { return this->PictureImage; }
 
@@ -67,7 +70,7 @@ private:
   {
     std::size_t First = 0;
     int Species = 0;
-    double Delay = 0.0; ///< of its pictures, as part of a swing
+    double Arrival = 0.0; ///< of the wind at its foot [s]
   };
 
   bool Whole = false;
@@ -77,6 +80,7 @@ private:
   bool Scattered = false;
   std::vector<SwayPrototype> Species;
   Skeleton Rest; // of all plants in full, then of the trunks
+  std::vector<double> Frequencies;
   std::vector<One> Plants;
   std::vector<Leaf> Leaves;
   std::vector<Skin> Skins;
@@ -96,7 +100,7 @@ private:
   std::string ReadMedium(vtkMultiBlockDataSet* plants);
   std::string ReadMediumSkin(vtkPolyData* block, const char* name, std::vector<int>& trunkOfRow);
   std::string AddTrunk(int row, std::vector<int>& trunkOfRow);
-  std::string AddPlant(const Skeleton& rest, const std::vector<BranchBeam>& beams, const SwayOptions& options);
+  std::string AddPlant(int row, const Skeleton& rest, const std::vector<BranchBeam>& beams, const SwayOptions& options);
   std::string WhyTooLarge(double bytes) const;
   WindAtPlace WindOver(double ground) const;
   const SwayPrototype* SpeciesOf(int row) const;

@@ -48,10 +48,10 @@ std::string SwayPrototype::Read(vtkMultiBlockDataSet* plant, const SwaySettings&
   {
     this->LeafAreas[leaf.Node] += leaf.Area;
   }
-  this->Trunk = MeasureTrunk(this->Rest, this->LeafAreas);
+  this->Trunk = MeasureTrunk(this->Rest, FedLeafAreas(this->Rest, this->LeafAreas, settings.Options.LeafAreaRatio));
   this->TrunkRest = TrunkAlone(this->Rest);
   const BranchBeam trunk = TrunkBeam(this->Trunk, 1.0, 0.0, settings.With(this->Wood));
-  this->SwingFrequency = AngularFrequency(trunk.Beam, 1) / TwoPi;
+  this->SwingFrequency = trunk.Modes.front().Frequency / TwoPi;
   return {};
 }
 
@@ -76,7 +76,7 @@ void SwayPrototype::ReadCrown(vtkPolyData* crown)
 
 std::vector<float> SwayPrototype::LeavesAt(double time, PlantSway& sway, const SwaySettings& settings) const
 {
-  const PlantMotion motion(this->Rest, settings.Options.NumberOfModes);
+  const PlantMotion motion(this->Rest, settings.Options.NumberOfModes); // the trunk stands
   std::vector<Vector3> amplitudes(motion.GetNumberOfBranches() * static_cast<std::size_t>(motion.GetNumberOfModes()));
   sway.Amplitudes(time, amplitudes.data());
   std::fill_n(amplitudes.begin(), motion.GetNumberOfModes(), Vector3(0.0)); // the eye goes with the trunk
@@ -132,7 +132,7 @@ std::vector<TextureImage> SwayPrototype::Pictures(const FrozenWind& wind, const 
   int node = 0;
   const Vector3 middle = wind.Middle(this->Rest.Along(0, 0.75, node).z);
   PlantSway sway(BeamsOf(this->Rest, this->LeafAreas, options), options, wind.Times(), middle,
-    [&](const Vector3& place, long long first, std::size_t count, Vector3* velocities) {
+    [&](const Vector3& place, double first, std::size_t count, Vector3* velocities) {
       wind.Sample(place, first, count, velocities);
     });
   PlantMesh mesh = ReadMesh(this->Leaves);

@@ -6,6 +6,8 @@
 #include "SwayForest.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -32,6 +34,18 @@ vtkMTimeType LastChange(vtkDataObject* data)
   return std::max(data->GetMTime(), data->GetUpdateTime());
 }
 
+void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* plants)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Frequency");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(frequencies.size()));
+  std::copy(frequencies.begin(), frequencies.end(), array->GetPointer(0));
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(plants->GetFieldData());
+  fields->AddArray(array);
+  plants->SetFieldData(fields);
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -48,11 +62,12 @@ vtkBeamTreeDeformationFilter::vtkBeamTreeDeformationFilter()
   : NumberOfModes(1)
   , Response(0)
   , DragCoefficient(1.1)
+  , LiftCoefficient(0.0)
   , DragLaw(0)
   , Gravity(false)
   , WoodFromPlants(true)
-  , YoungModulus(9e9)
-  , WoodDensity(900.0)
+  , YoungModulus(5.1e9)
+  , WoodDensity(950.0)
   , Damping(0.08)
   , LeafFlutter(1.0)
   , NumberOfPictures(8)
@@ -146,6 +161,7 @@ std::string vtkBeamTreeDeformationFilter::WhyInvalid() const
   check("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
   check("Response", this->Response, 0, 1);
   check("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
+  check("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
   check("DragLaw", this->DragLaw, 0, 1);
   check("LeafFlutter", this->LeafFlutter, 0.0, 2.0);
   check("NumberOfPictures", this->NumberOfPictures, 1, MostPictures);
@@ -163,6 +179,7 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
   settings.Options.NumberOfModes = this->NumberOfModes;
   settings.Options.Response = static_cast<littoral::SwayResponse>(this->Response);
   settings.Options.Load.DragCoefficient = this->DragCoefficient;
+  settings.Options.Load.LiftCoefficient = this->LiftCoefficient;
   settings.Options.Load.Law = static_cast<littoral::DragLaw>(this->DragLaw);
   settings.Options.Gravity = this->Gravity;
   settings.Options.Wood = { this->YoungModulus, this->WoodDensity, this->Damping };
@@ -229,6 +246,7 @@ int vtkBeamTreeDeformationFilter::RequestData(
   {
     this->SetProgressText("Moving plants");
     this->Kept->Forest.Move(time, plants, output, this);
+    AttachFrequencies(this->Kept->Forest.GetFrequencies(), output);
     vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Forest.GetPictures());
   }
   this->UpdateProgress(1.0);
@@ -242,6 +260,7 @@ void vtkBeamTreeDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
   os << indent << "Response: " << this->Response << "\n";
   os << indent << "DragCoefficient: " << this->DragCoefficient << "\n";
+  os << indent << "LiftCoefficient: " << this->LiftCoefficient << "\n";
   os << indent << "DragLaw: " << this->DragLaw << "\n";
   os << indent << "Gravity: " << this->Gravity << "\n";
   os << indent << "WoodFromPlants: " << this->WoodFromPlants << "\n";

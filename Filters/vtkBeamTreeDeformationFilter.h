@@ -17,12 +17,20 @@
  * 4.2); of a scattered forest they do where its prototypes are connected. Low stands still. Times are those of the
  * wind.
  *
+ * Field data `Frequency` [Hz] of output 0: that of the first mode of each plant's trunk with all that it carries, by
+ * the row of the plant in the field data of a scattered forest, one number for a single plant; 0 for plants that stand
+ * still.
+ *
  * Output 1: these pictures (RGBA), one above the other, those of the first species first; texture coordinates of
  * Medium/Crown point to the one of the moment. They also travel as field data `Texture` and `TextureSize` of the
  * crowns.
  *
- * What is kept between frames does not grow with the length of the wind: at most 90 kB for the interpolated responses
- * of a plant, 0.6 kB for each branch and mode of the direct ones.
+ * Between its points the wind is read without loss: along x as the sum of its waves, across and up with the power that
+ * each wave has at the points around.
+ *
+ * What is kept between frames is the waves of the wind, as large as its image, and for each plant an amount that does
+ * not grow with the length of the wind: about 100 kB for the interpolated responses of a plant of 300 branches,
+ * 0.7 kB for each branch and mode of the direct ones.
  */
 #ifndef vtkBeamTreeDeformationFilter_h
 #define vtkBeamTreeDeformationFilter_h
@@ -65,6 +73,14 @@ public:
   ///@}
 
   ///@{
+  /// Of forces across the wind U and a branch e, to the side of U x e: to the right of the wind on an upright branch,
+  /// up on one that points to the wind's left (eq. 16). A branch and what grows on it have as much of it as of drag,
+  /// times LiftCoefficient over DragCoefficient. A round branch has none; -10 to 10. Default 0.
+  vtkSetMacro(LiftCoefficient, double);
+  vtkGetMacro(LiftCoefficient, double);
+  ///@}
+
+  ///@{
   /// 0 Projection, |U| times the wind across the branch; 1 Cross Flow, by the wind across the branch alone (of the
   /// direct response; the interpolated one is linear in the projection). Default 0.
   vtkSetMacro(DragLaw, int);
@@ -87,13 +103,13 @@ public:
   ///@}
 
   ///@{
-  /// Of the living wood along the grain [Pa], 1e5 to 1e12. Default 9e9.
+  /// Of living wood along the grain, for a section with its bark [Pa], 1e5 to 1e12. Default 5.1e9.
   vtkSetMacro(YoungModulus, double);
   vtkGetMacro(YoungModulus, double);
   ///@}
 
   ///@{
-  /// Of the living wood [kg/m3], 1 to 1e5. Default 900.
+  /// Of the living wood [kg/m3], 1 to 1e5. Default 950.
   vtkSetMacro(WoodDensity, double);
   vtkGetMacro(WoodDensity, double);
   ///@}
@@ -148,6 +164,7 @@ protected:
   int NumberOfModes;
   int Response;
   double DragCoefficient;
+  double LiftCoefficient;
   int DragLaw;
   bool Gravity;
   bool WoodFromPlants;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCovarianceFitFilter.h"
 
+#include "DetrendedWindow.h"
 #include "FractalDimension.h"
 #include "GridSamples.h"
 #include "LittoralPipeline.h"
@@ -20,10 +21,12 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,7 +58,16 @@ littoral::GridSamples ReadSamples(vtkImageData* image, vtkDataArray* array, bool
   return samples;
 }
 
-void WriteFits(const std::vector<littoral::VariogramFit>& fits, const littoral::PlaneTrend& trend, vtkTable* table)
+/// The trend that was removed, and the sides of the rectangle [m] over which; 0 for a mean alone.
+struct RemovedTrend
+{
+  littoral::PlaneTrend Plane;
+  double Width;
+  double Height;
+};
+
+void WriteFits(const std::vector<littoral::VariogramFit>& fits, const RemovedTrend& trend,
+  const littoral::DetrendedWindow& window, vtkTable* table)
 {
   using littoral::CovarianceModel;
   using Fit = littoral::VariogramFit;
@@ -71,25 +83,38 @@ void WriteFits(const std::vector<littoral::VariogramFit>& fits, const littoral::
   column("Nugget", [](const Fit& fit) { return fit.Nugget; });
   column("AnisotropyRatio", [](const Fit& fit) { return fit.AnisotropyRatio; });
   column("AnisotropyAngle", [](const Fit& fit) { return fit.AnisotropyAngle; });
-  column("Mean", [&](const Fit&) { return trend.Mean; });
-  column("SlopeX", [&](const Fit&) { return trend.Slope[0]; });
-  column("SlopeY", [&](const Fit&) { return trend.Slope[1]; });
+  column("Mean", [&](const Fit&) { return trend.Plane.Mean; });
+  column("SlopeX", [&](const Fit&) { return trend.Plane.Slope[0]; });
+  column("SlopeY", [&](const Fit&) { return trend.Plane.Slope[1]; });
+  column("TrendWidth", [&](const Fit&) { return trend.Width; });
+  column("TrendHeight", [&](const Fit&) { return trend.Height; });
+  column("VarianceDeviation", [&](const Fit& fit) {
+    return window.VarianceDeviation([&](double x, double y) { return littoral::Covariance(fit, x, y); });
+  });
+  column("AtBound", [](const Fit& fit) { return static_cast<int>(fit.AtBound); });
   column("WeightedSSE", [](const Fit& fit) { return fit.WeightedSSE; });
   column("AICc", [](const Fit& fit) { return fit.AICc; });
 }
 
 void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vector<littoral::LagBin>& sectors,
-  int directions, const std::vector<littoral::VariogramFit>& fits, vtkTable* table)
+  int directions, const std::vector<littoral::VariogramFit>& fits, const littoral::DetrendedWindow& window,
+  vtkTable* table)
 {
   using littoral::LagBin;
   const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, rings, valueOf); };
   column("Lag", [](const LagBin& ring) { return ring.Lag; });
   column("Semivariance", [](const LagBin& ring) { return ring.Semivariance; });
   column("Pairs", [](const LagBin& ring) { return ring.Pairs; });
+  const std::vector<std::vector<double>> change = window.SemivarianceChange(rings, 1);
   for (const littoral::VariogramFit& fit : fits)
   {
-    column(littoral::CovarianceModelName(fit.Field.Model),
-      [&](const LagBin& ring) { return littoral::MeanSemivariance(fit, ring.Lag); });
+    const std::vector<double> covariances =
+      window.CellCovariances([&](double x, double y) { return littoral::Covariance(fit, x, y); });
+    column(littoral::CovarianceModelName(fit.Field.Model), [&](const LagBin& ring) {
+      const std::vector<double>& weights = change[&ring - rings.data()];
+      return std::inner_product(
+        weights.begin(), weights.end(), covariances.begin(), littoral::MeanSemivariance(fit, ring.Lag));
+    });
   }
   std::map<std::pair<int, int>, double> measured; // by direction and ring; a short ring may miss some directions
   for (const LagBin& sector : sectors)
@@ -115,7 +140,7 @@ vtkCovarianceFitFilter::vtkCovarianceFitFilter()
   : MaximumLag(0.0)
   , NumberOfLags(40)
   , RemoveTrend(true)
-  , FitNugget(false)
+  , FitNugget(true)
   , FitAnisotropy(true)
   , NumberOfDirections(12)
   , LongestRange(0.0)
@@ -219,7 +244,15 @@ int vtkCovarianceFitFilter::RequestData(
                           << SmallestSide * SmallestSide << ".");
     return 0;
   }
-  const littoral::PlaneTrend trend = this->RemoveTrend ? littoral::RemovePlane(samples) : littoral::RemoveMean(samples);
+  RemovedTrend trend{ {}, 0.0, 0.0 };
+  if (this->RemoveTrend)
+  {
+    trend = { littoral::RemovePlane(samples), samples.Width * samples.Spacing[0], samples.Height * samples.Spacing[1] };
+  }
+  else
+  {
+    trend.Plane = littoral::RemoveMean(samples);
+  }
   const double variance = littoral::Moments(samples).Variance;
   if (variance <= 1e-20 * (moments.Variance + moments.Mean * moments.Mean))
   {
@@ -246,8 +279,12 @@ int vtkCovarianceFitFilter::RequestData(
   littoral::VariogramFitOptions options;
   options.Nugget = this->FitNugget;
   options.Anisotropy = this->FitAnisotropy;
-  options.LongestRange = this->LongestRange > 0.0 ? this->LongestRange : 0.5 * maximumLag;
+  options.LongestRange = this->LongestRange > 0.0 ? this->LongestRange : maximumLag;
   options.FractalRange = this->FractalWavelength > 0.0 ? this->FractalWavelength : 4.0 * std::max(sideX, sideY);
+  const littoral::DetrendedWindow window(samples, this->RemoveTrend ? littoral::Trend::Plane : littoral::Trend::Mean);
+  options.Window = &window;
+  options.SampleVariance = variance;
+  options.Directions = std::max(1, directions);
   bool aborted = false;
   const std::vector<littoral::VariogramFit> fits =
     littoral::FitAllModels(directions > 0 ? sectors : rings, options, [&](double part) {
@@ -266,8 +303,8 @@ int vtkCovarianceFitFilter::RequestData(
     return 0;
   }
 
-  WriteFits(fits, trend, table);
-  WriteVariogram(rings, sectors, directions, fits, variogram);
+  WriteFits(fits, trend, window, table);
+  WriteVariogram(rings, sectors, directions, fits, window, variogram);
   const littoral::DimensionEstimate periodogram = littoral::DimensionFromPeriodogram(samples, littoral::SmpFor);
   const littoral::DimensionEstimate slope = littoral::DimensionFromVariogram(map);
   littoral::AddField(table, "SampleVariance", { variance });

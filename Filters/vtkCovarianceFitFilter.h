@@ -7,18 +7,24 @@
  * Input: a vtkImageData of one layer with a scalar point array (SetInputArrayToProcess; default the active scalars),
  * typically the elevation [m] of a real place. NaN and, on request, a no-data value are left out.
  *
- * Output 0: a vtkTable, a row a model, best first, as vtkTurningBandsTerrainSource takes it. Columns: `Model` (name),
- * `ModelId`, `Variance` [m^2], `Range` [m], `SecondRange` [m], `FractalDimension` (NaN where a model has none),
- * `Nugget` [m^2], `AnisotropyRatio`, `AnisotropyAngle` [rad], `Mean` [m], `SlopeX`, `SlopeY` (the plane that was
- * removed, with its height at the grid's middle), `WeightedSSE`, `AICc`. Field data: `SampleVariance` [m^2] (of what
- * remains when the plane is removed), `NumberOfValues`, `PeriodogramDimension` and `VariogramDimension` (fractal
- * dimension from the slope of either, with its standard error).
+ * Output 0: a vtkTable, a row a model, best first and those at a bound last, as vtkTurningBandsTerrainSource takes it.
+ * Columns: `Model` (name), `ModelId`, `Variance` [m^2], `Range` [m], `SecondRange` [m], `FractalDimension` (NaN where a
+ * model has none), `Nugget` [m^2], `AnisotropyRatio`, `AnisotropyAngle` [rad], `Mean` [m], `SlopeX`, `SlopeY` (the
+ * plane that was removed, with its height at the grid's middle), `TrendWidth`, `TrendHeight` [m] (the rectangle over
+ * which it was removed; 0 where it was the mean alone), `VarianceDeviation` [m^2] (standard deviation of SampleVariance
+ * from one realisation of the model to the next), `AtBound` (1 where a range stands at LongestRange or below a quarter
+ * of the shortest lag, or the fractal dimension within 0.01 of 2 or 3: a bound decided, not the data), `WeightedSSE`,
+ * `AICc`. Field data: `SampleVariance` [m^2] (of what remains when the plane is removed), `NumberOfValues`,
+ * `PeriodogramDimension` and `VariogramDimension` (fractal dimension from the slope of either, in [2, 3], with its
+ * standard error; NaN where the slope tells none, as of smooth fields and noise).
  *
  * Output 1: a vtkTable, a row a lag: `Lag` [m], `Semivariance` [m^2], `Pairs`, one column a model, and one a direction
  * (`Semivariance_000`, `Semivariance_015`..., degrees from x) where anisotropy is fitted. Ready for a line chart.
  *
  * The variogram is exact, by Fourier transform, with exact pair counts. Models are fitted by Levenberg-Marquardt to
- * logarithms of semivariances, as Setas et al. propose at the end of section 2.1. The criterion AICc treats lags as
+ * logarithms of semivariances, as Setas et al. propose at the end of section 2.1. A plane that is removed takes part of
+ * the field's variance with it: models are fitted to what they are expected to show when their plane is gone, and
+ * Variance is the one at which that leaves SampleVariance in the place, less Nugget. The criterion AICc treats lags as
  * independent, which they are not: take differences as an order, not as a test.
  *
  * @sa vtkTurningBandsTerrainSource
@@ -56,7 +62,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether a jump of the variogram at distance zero (measurement noise) is fitted. Default off.
+  /// Whether a jump of the variogram at distance zero (measurement noise) is looked for. It is kept, in all models,
+  /// where it lowers the least AICc by more than 0.4 for each class of lags; else Nugget is 0. Default on.
   vtkSetMacro(FitNugget, bool);
   vtkGetMacro(FitNugget, bool);
   vtkBooleanMacro(FitNugget, bool);
@@ -78,7 +85,7 @@ public:
   ///@{
   /**
    * No model is given a longer range than this [m], not negative; Spherical, whose range is where correlation ends, no
-   * more than twice this. 0: half of MaximumLag. What is longer than the lags looks like one more trend and cannot be
+   * more than twice this. 0: MaximumLag. What is longer than the lags looks like one more trend and cannot be
    * told. Default 0.
    */
   vtkSetMacro(LongestRange, double);

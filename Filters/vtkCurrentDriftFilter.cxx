@@ -85,6 +85,7 @@ vtkCurrentDriftFilter::vtkCurrentDriftFilter()
   , KeepInWater(true)
   , SeaLevel(0.0)
   , WaterDepth(0.0)
+  , VelocityInterpolation(CubicSpline)
   , VelocityArray(nullptr)
   , GenerateCurrent(false)
   , TimeRange{ 0.0, 60.0 }
@@ -193,6 +194,11 @@ std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
   {
     return "WaterDepth is " + std::to_string(this->WaterDepth) + " m; it must be positive, or 0 for none.";
   }
+  if (this->VelocityInterpolation != Linear && this->VelocityInterpolation != CubicSpline)
+  {
+    return "VelocityInterpolation is " + std::to_string(this->VelocityInterpolation) +
+      "; it must be 0 (linear) or 1 (cubic spline).";
+  }
   if (!(this->TimeRange[0] < this->TimeRange[1]))
   {
     return "TimeRange must be increasing.";
@@ -204,6 +210,12 @@ std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
 std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector)
 {
   Internals& state = *this->State;
+  state.Layer = {};
+  if (this->KeepInWater)
+  {
+    state.Layer.Surface = this->SeaLevel;
+    state.Layer.Bed = this->WaterDepth > 0.0 ? this->SeaLevel - this->WaterDepth : state.Layer.Bed;
+  }
   const std::string name = this->VelocityArray ? this->VelocityArray : "";
   for (std::size_t connection = 0; connection < state.Currents.size(); ++connection)
   {
@@ -214,8 +226,8 @@ std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector
       continue;
     }
     auto snapshot = std::make_shared<littoral::CurrentSnapshot>();
-    const std::string reason =
-      snapshot->Take(vtkDataObject::GetData(inputVector[1], static_cast<int>(connection)), name);
+    const std::string reason = snapshot->Take(vtkDataObject::GetData(inputVector[1], static_cast<int>(connection)),
+      name, state.Layer, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation));
     if (!reason.empty())
     {
       return reason;
@@ -225,12 +237,6 @@ std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector
   if (state.HasStart)
   {
     return "";
-  }
-  state.Layer = {};
-  if (this->KeepInWater)
-  {
-    state.Layer.Surface = this->SeaLevel;
-    state.Layer.Bed = this->WaterDepth > 0.0 ? this->SeaLevel - this->WaterDepth : state.Layer.Bed;
   }
   const std::vector<vtkPointSet*> leaves = LeavesOf(vtkDataObject::GetData(inputVector[0]));
   double count = 0.0;
@@ -340,8 +346,7 @@ int vtkCurrentDriftFilter::RequestData(
   {
     const bool isUniform = std::all_of(state.Currents.begin(), state.Currents.end(),
       [](const littoral::CurrentSeries& current) { return current.IsUniform(); });
-    const bool isBounded = std::isfinite(state.Layer.Bed) || std::isfinite(state.Layer.Surface);
-    state.IsClosed = isUniform && (!isBounded || state.CurrentsOf(0, 0.0).Velocity(Vector3(0.0), 0).z == 0.0);
+    state.IsClosed = isUniform; // and level wherever there is a wall
     if (state.IsClosed && state.NowStep > 0)
     {
       state.NowStep = 0;
@@ -482,6 +487,7 @@ void vtkCurrentDriftFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepInWater: " << this->KeepInWater << "\n";
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
   os << indent << "WaterDepth: " << this->WaterDepth << "\n";
+  os << indent << "VelocityInterpolation: " << this->VelocityInterpolation << "\n";
   os << indent << "VelocityArray: " << (this->VelocityArray ? this->VelocityArray : "(none)") << "\n";
   os << indent << "GenerateCurrent: " << this->GenerateCurrent << "\n";
   os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";

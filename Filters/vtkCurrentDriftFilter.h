@@ -22,8 +22,13 @@
  * TIME_RANGE only, for each half of a TimeStep. What was asked is kept for a while. Before their first and after their
  * last time they stay as they were then.
  *
- * Bed and surface are mirrors: no point leaves the water. Points that are out of the water at StartTime stay where they
- * are. Slaves (point arrays `MasterId` and `Offset`[3], see vtkParticleOrbitFilter) move with their masters.
+ * Nothing flows through bed and surface, so that no point leaves the water, and points that fill it evenly go on doing
+ * so in any current that is free of divergence. Of uniform flows the horizontal part is left. Sources, sinks and
+ * vortices have images beyond the walls; those out of the water have no flow in it. A grid that ends within its last
+ * step of a wall reaches it: its horizontal flow goes on, its vertical one falls to 0. Where a wall is within a grid,
+ * the vertical velocity there is subtracted from the grid's at all heights, between two walls in proportion to the
+ * height. Points that are out of the water at StartTime stay where they are. Slaves (point arrays `MasterId` and
+ * `Offset`[3], see vtkParticleOrbitFilter) move with their masters.
  *
  * Coulais et al., eq. 3.
  *
@@ -61,7 +66,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether bed and surface are mirrors; else points may leave the water. Default on.
+  /// Whether nothing flows through bed and surface; else points may leave the water. Default on.
   vtkSetMacro(KeepInWater, bool);
   vtkGetMacro(KeepInWater, bool);
   vtkBooleanMacro(KeepInWater, bool);
@@ -77,6 +82,21 @@ public:
   /// Depth of the water [m], positive; 0: there is no bed. Of no effect without KeepInWater. Default 0.
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);
+  ///@}
+
+  enum VelocityInterpolations
+  {
+    Linear = 0,
+    CubicSpline = 1,
+  };
+
+  ///@{
+  /// How velocities come about between the points of images and rectilinear grids, a VelocityInterpolations. Linear:
+  /// from the eight around a place, which drives points together slowly, as it has a divergence of its own.
+  /// CubicSpline: by splines through all points, with coefficients that take the memory of the array again. Other data
+  /// sets are always linear. Default CubicSpline.
+  vtkSetMacro(VelocityInterpolation, int);
+  vtkGetMacro(VelocityInterpolation, int);
   ///@}
 
   ///@{
@@ -117,6 +137,7 @@ protected:
   bool KeepInWater;
   double SeaLevel;
   double WaterDepth;
+  int VelocityInterpolation;
   char* VelocityArray;
   bool GenerateCurrent;
   double TimeRange[2];

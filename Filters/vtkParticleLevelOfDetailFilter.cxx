@@ -206,7 +206,7 @@ vtkParticleLevelOfDetailFilter::vtkParticleLevelOfDetailFilter()
   , OffsetRange{ 0.0, 0.5 }
   , SlavePlacement(OwnPlace)
   , Seed(1)
-  , TrainSelection(PerTrain)
+  , TrainSelection(TailSum)
   , ScreenError(1.0)
   , UseCulling(true)
   , ParticlesPerCell(64)

@@ -81,7 +81,8 @@ public:
   ///@}
 
   ///@{
-  /// Distance from the eye beyond which particles are left out, as fog too [m], not negative; 0: no limit. Default 60.
+  /// Distance from the eye, or from its plane in parallel projection, beyond which particles are left out, as fog too [m],
+  /// not negative; 0: no limit. Default 60.
   vtkSetMacro(Visibility, double);
   vtkGetMacro(Visibility, double);
   ///@}
@@ -113,15 +114,15 @@ public:
   ///@}
 
   ///@{
-  /// Which trains are left out. PerTrain, the paper's: each that moves the particle by less than ScreenError. TailSum:
-  /// the last ones, as long as together they move it by less, anywhere in the picture. AllTrains: none. Default
-  /// PerTrain.
+  /// Which trains are left out. TailSum: the last ones, as long as together they move the particle by less than
+  /// ScreenError, anywhere in a picture of ViewHeight. PerTrain, the paper's: each that moves it by less, whose sum may
+  /// be some times as much. AllTrains: none. Default TailSum.
   vtkSetMacro(TrainSelection, int);
   vtkGetMacro(TrainSelection, int);
   ///@}
 
   ///@{
-  /// Of what is left out [pixels], positive; of no effect with AllTrains. Default 1.
+  /// Of what is left out, see TrainSelection [pixels], positive; of no effect with AllTrains. Default 1.
   vtkSetMacro(ScreenError, double);
   vtkGetMacro(ScreenError, double);
   ///@}

@@ -712,7 +712,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   request.EndSite = sites * (piece + 1) / pieces;
   request.CellsShown = kept.Cells->Show(littoral::ViewFrustum(view));
   request.Shown = littoral::ShownPlants(
-    kept.Places, *kept.Cells, request.CellsShown, view.Point, options, request.FirstSite, request.EndSite);
+    kept.Places, *kept.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
   if (!this->Merge(request, outputs))
   {
     return 0;

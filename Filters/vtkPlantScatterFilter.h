@@ -107,7 +107,8 @@ public:
   ///@}
 
   ///@{
-  /// Distance from the eye beyond which no plant is shown [m], not negative. Default 0: no limit.
+  /// Distance from the eye, or from its plane in parallel projection, beyond which no plant is shown [m], not negative.
+  /// Default 0: no limit.
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
   ///@}

@@ -30,7 +30,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Fewer points say nothing about a pattern.
 constexpr long long FewestPoints = 5;
 /// Laws of clusters cost the square of the largest count.
-constexpr std::size_t LargestCount = 500;
+constexpr std::size_t LargestCount = 20000;
 constexpr double SignificanceLevel = 0.05;
 
 using Fit = littoral::QuadratFit;
@@ -106,7 +106,7 @@ void WriteFrequencies(
   AddColumn(table, "Observed", counts, [&](int r) { return static_cast<double>(frequencies[r]); });
   for (const Fit& fit : fits)
   {
-    const std::vector<double> mass = MassFunction(fit.Law, static_cast<int>(frequencies.size()));
+    const std::vector<double> mass = MassFunctionUpTo(fit.Law, static_cast<int>(frequencies.size()) - 1);
     AddColumn(table, QuadratLawName(fit.Law.Law), counts, [&](int r) { return quadrats * mass[r]; });
   }
 }

@@ -347,13 +347,20 @@ std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** input
   state.PlantsTime = plantsTime;
   state.IsRead = true;
   state.Clock.NowStep = state.IsPhysical ? 0 : state.Clock.Step;
-  this->WarnOfStep();
+  this->WarnOfLimits();
   return {};
 }
 
 //----------------------------------------------------------------------------
-void vtkSeaweedDeformationFilter::WarnOfStep()
+void vtkSeaweedDeformationFilter::WarnOfLimits()
 {
+  const double cauchy = this->State->Forest.GetUngradedCauchyNumber();
+  if (this->Method == 1 && this->Load == 0 && cauchy < 1e4)
+  {
+    vtkWarningMacro("Segments of blades do not get shorter towards their foot: drag is right up to a Cauchy number of "
+      << cauchy << " (density of the water, coefficient of drag, width, speed squared and length cubed, over twice the "
+      << "bending stiffness). Beyond, limp blades bend too much. vtkSeaweedSource grows graded ones.");
+  }
   if (this->Method != 1 || this->Integrator != 1 || this->State->Forest.GetNumberOfLinks() == 0)
   {
     return;

@@ -12,7 +12,8 @@
  * section 4.1.1. Point arrays: `Elevation` (float) [m], `Normals` (of the full resolution, at any level), `TCoords`
  * (0 to 1 over the terrain), `RGB` (see GroundColors), and the other numeric point arrays of the input. Cell array:
  * `Level`, for a seam that of the coarser side. Field data: `TilesShown`, `TilesInAll`, `PolygonsShown`,
- * `PolygonsAtFullDetail`, `LargestScreenError` [pixels].
+ * `PolygonsAtFullDetail`, `LargestScreenError` [pixels] (a bound of what is shown, for the farthest that any place is
+ * on the screen from where the samples have it; infinite where a coarse tile reaches to the eye).
  *
  * What does not depend on the view is kept until the input changes. Piece 0 holds all, other pieces are empty.
  *
@@ -51,7 +52,8 @@ public:
   ///@}
 
   ///@{
-  /// How far a level may be from the samples, seen on the screen [pixels], positive. Default 1.
+  /// How far a level may be from the samples, anywhere on the screen [pixels], positive; of effect with ScreenErrorRule.
+  /// Default 1.
   vtkSetMacro(ScreenError, double);
   vtkGetMacro(ScreenError, double);
   ///@}

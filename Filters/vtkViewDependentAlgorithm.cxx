@@ -3,6 +3,7 @@
 #include "vtkViewDependentAlgorithm.h"
 
 #include "Constants.h"
+#include "LittoralCamera.h"
 #include "ViewFrustum.h"
 
 #include "vtkCamera.h"
@@ -28,6 +29,11 @@ void Copy(double x, double y, double z, double to[3])
   to[1] = y;
   to[2] = z;
 }
+
+void Copy(const littoral::Vector3& a, double to[3])
+{
+  Copy(a.x, a.y, a.z, to);
+}
 }
 
 //----------------------------------------------------------------------------
@@ -36,6 +42,8 @@ vtkViewDependentAlgorithm::vtkViewDependentAlgorithm()
   , ViewDirection{ 0.0, 1.0, 0.0 }
   , ViewUp{ 0.0, 0.0, 1.0 }
   , ViewAngle(30.0)
+  , ParallelProjection(false)
+  , ParallelScale(100.0)
   , AspectRatio(16.0 / 9.0)
   , ViewHeight(1080.0)
   , NearDistance(60.0)
@@ -59,6 +67,8 @@ littoral::View vtkViewDependentAlgorithm::UnroundedView() const
   view.Direction = VectorOf(this->ViewDirection);
   view.Up = VectorOf(this->ViewUp);
   view.Angle = this->ViewAngle * Degree;
+  view.IsParallel = this->ParallelProjection;
+  view.ParallelScale = this->ParallelScale;
   view.AspectRatio = this->AspectRatio;
   view.Height = this->ViewHeight;
   return view;
@@ -140,6 +150,18 @@ void vtkViewDependentAlgorithm::SetViewAngle(double angle)
 }
 
 //----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetParallelProjection(bool parallel)
+{
+  this->ChangeView([&]() { this->ParallelProjection = parallel; });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetParallelScale(double scale)
+{
+  this->ChangeView([&]() { this->ParallelScale = scale; });
+}
+
+//----------------------------------------------------------------------------
 void vtkViewDependentAlgorithm::SetAspectRatio(double ratio)
 {
   this->ChangeView([&]() { this->AspectRatio = ratio; });
@@ -158,23 +180,14 @@ void vtkViewDependentAlgorithm::SetCamera(vtkCamera* camera)
   {
     return;
   }
+  const littoral::View seen = littoral::ViewOfCamera(camera, this->UnroundedView());
   this->ChangeView([&]() {
-    camera->GetPosition(this->ViewPoint);
-    camera->GetDirectionOfProjection(this->ViewDirection);
-    camera->GetViewUp(this->ViewUp);
-    this->ViewAngle = camera->GetViewAngle();
-    if (camera->GetParallelProjection())
-    {
-      const double distance = camera->GetParallelScale() / std::tan(0.5 * this->ViewAngle * Degree);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->ViewPoint[axis] = camera->GetFocalPoint()[axis] - distance * this->ViewDirection[axis];
-      }
-    }
-    else if (camera->GetUseHorizontalViewAngle())
-    {
-      this->ViewAngle = 2.0 * std::atan(std::tan(0.5 * this->ViewAngle * Degree) / this->AspectRatio) / Degree;
-    }
+    Copy(seen.Point, this->ViewPoint);
+    Copy(seen.Direction, this->ViewDirection);
+    Copy(seen.Up, this->ViewUp);
+    this->ViewAngle = seen.Angle / Degree;
+    this->ParallelProjection = seen.IsParallel;
+    this->ParallelScale = seen.ParallelScale;
   });
 }
 
@@ -215,6 +228,8 @@ void vtkViewDependentAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   print("ViewDirection", this->ViewDirection);
   print("ViewUp", this->ViewUp);
   os << indent << "ViewAngle: " << this->ViewAngle << "\n";
+  os << indent << "ParallelProjection: " << (this->ParallelProjection ? "on" : "off") << "\n";
+  os << indent << "ParallelScale: " << this->ParallelScale << "\n";
   os << indent << "AspectRatio: " << this->AspectRatio << "\n";
   os << indent << "ViewHeight: " << this->ViewHeight << "\n";
   os << indent << "NearDistance: " << this->NearDistance << "\n";

@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Where the eye is [m]. Default 0 -100 20.
+  /// Where the eye is [m]; in a parallel projection a place on the plane from which rays go. Default 0 -100 20.
   void SetViewPoint(double x, double y, double z);
   void SetViewPoint(const double point[3]) { this->SetViewPoint(point[0], point[1], point[2]); }
   vtkGetVector3Macro(ViewPoint, double);
@@ -58,9 +58,25 @@ public:
   ///@}
 
   ///@{
-  /// From the lower to the upper edge of the picture [degrees], above 0 and below 180. Default 30.
+  /// From the lower to the upper edge of the picture [degrees], above 0 and below 180. In a parallel projection of
+  /// effect on levels of detail alone, see ParallelScale. Default 30.
   void SetViewAngle(double angle);
   vtkGetMacro(ViewAngle, double);
+  ///@}
+
+  ///@{
+  /// Whether rays are parallel, and not from the eye. Default off.
+  void SetParallelProjection(bool parallel);
+  vtkGetMacro(ParallelProjection, bool);
+  vtkBooleanMacro(ParallelProjection, bool);
+  ///@}
+
+  ///@{
+  /// Half the height of what a parallel projection shows [m], positive. Levels of detail go by it, and not by
+  /// distances: all places have the level of the distance at which a perspective of ViewAngle shows as much,
+  /// ParallelScale / tan (ViewAngle / 2). Default 100.
+  void SetParallelScale(double scale);
+  vtkGetMacro(ParallelScale, double);
   ///@}
 
   ///@{
@@ -75,16 +91,16 @@ public:
   vtkGetMacro(ViewHeight, double);
   ///@}
 
-  /// Takes ViewPoint, ViewDirection, ViewUp and ViewAngle from a camera. A parallel projection is taken as a
-  /// perspective one that shows as much at the focal point.
+  /// Takes ViewPoint, ViewDirection, ViewUp, ViewAngle, ParallelProjection and ParallelScale from a camera, for a
+  /// picture of AspectRatio. Off-axis projections, shears and a window whose centre is elsewhere are not taken.
   void SetCamera(vtkCamera* camera);
 
   /// Takes camera, aspect ratio and height of a renderer before each of its pictures; null ends that.
   void Follow(vtkRenderer* renderer);
 
   ///@{
-  /// Distances [m] from the eye to which the first and the second level of detail are shown; beyond is the third. Not
-  /// negative, the second not below the first. Defaults: those of the subclass.
+  /// Distances [m] from the eye (see ParallelScale for none) to which the first and the second level of detail are
+  /// shown; beyond is the third. Not negative, the second not below the first. Defaults: those of the subclass.
   vtkSetMacro(NearDistance, double);
   vtkGetMacro(NearDistance, double);
   vtkSetMacro(FarDistance, double);
@@ -114,6 +130,8 @@ protected:
   double ViewDirection[3];
   double ViewUp[3];
   double ViewAngle;
+  bool ParallelProjection;
+  double ParallelScale;
   double AspectRatio;
   double ViewHeight;
   double NearDistance;

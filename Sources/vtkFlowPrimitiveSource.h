@@ -14,7 +14,8 @@
  *
  * With R from the centre and e the core, a source of discharge Q flows with Q R / (4 pi (R^2 + e^2)^(3/2)) away from
  * the centre; a vortex of circulation G with G / (2 pi q) (1 - exp(-q^2/e^2)) around its axis at the distance q from
- * it. Both are at rest at the centre: velocities are finite everywhere.
+ * it. Both are at rest at the centre: velocities are finite everywhere. vtkCurrentDriftFilter adds images of them where
+ * there is a bed or a surface, through which nothing flows.
  *
  * Coulais et al., section 3.2.2 and figure 2.
  *

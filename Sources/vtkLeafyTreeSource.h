@@ -36,7 +36,7 @@ public:
   ///@}
 
   ///@{
-  /// Radius of the trunk at the ground [m], 0.001 to 10.
+  /// Radius of the trunk [m], 0.001 to 10: at the ground, or where the subclass says.
   vtkSetMacro(TrunkRadius, double);
   vtkGetMacro(TrunkRadius, double);
   ///@}

@@ -15,6 +15,8 @@ vtkStandardNewMacro(vtkReevesTreeSource);
 vtkReevesTreeSource::vtkReevesTreeSource()
   : vtkLeafyTreeSource(0.2, 0.3, 10000, 0.32, 0.7)
   , Preset(Oak)
+  , SpeciesHeight(0.0)
+  , SpeciesDiameter(0.0)
   , CrownShape(Ellipsoid)
   , Height(12.0)
   , CrownRadius(5.4)
@@ -39,7 +41,18 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 4.");
     return false;
   }
-  littoral::ReevesTreeParameters p = littoral::PresetParameters(static_cast<littoral::TreePreset>(this->Preset));
+  if (!(this->SpeciesHeight >= 0.0 && this->SpeciesHeight <= 150.0))
+  {
+    vtkErrorMacro("SpeciesHeight is " << this->SpeciesHeight << "; it must be from 0.05 to 150, or 0.");
+    return false;
+  }
+  if (!(this->SpeciesDiameter >= 0.0 && this->SpeciesDiameter <= 20.0))
+  {
+    vtkErrorMacro("SpeciesDiameter is " << this->SpeciesDiameter << "; it must be from 0.002 to 20, or 0.");
+    return false;
+  }
+  littoral::ReevesTreeParameters p = littoral::SizedParameters(
+    static_cast<littoral::TreePreset>(this->Preset), this->SpeciesHeight, this->SpeciesDiameter);
   if (this->Preset == Custom)
   {
     p.Shape = static_cast<littoral::CrownShape>(this->CrownShape);
@@ -80,6 +93,8 @@ void vtkReevesTreeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "SpeciesHeight: " << this->SpeciesHeight << "\n";
+  os << indent << "SpeciesDiameter: " << this->SpeciesDiameter << "\n";
   os << indent << "CrownShape: " << this->CrownShape << "\n";
   os << indent << "Height: " << this->Height << "\n";
   os << indent << "CrownRadius: " << this->CrownRadius << "\n";

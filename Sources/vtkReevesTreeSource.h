@@ -8,6 +8,10 @@
  * ellipsoid, and leaves as particles on the twigs, darker within the crown than on its surface (Setas et al., section
  * 4.1). Outputs as in vtkPlantSource. Preset takes the numbers of a species; with Custom all of them can be set.
  *
+ * Sections of branches add up to that of the trunk at every fork (da Vinci's rule; the pipe model of Shinozaki et al.
+ * 1964), and the trunk's is given: TrunkRadius is its radius at breast height, 1.3 m, or a tenth of the height where
+ * that is lower.
+ *
  * Defaults of what the base has: Variation 0.2, TrunkRadius 0.3, NumberOfLeaves 10000, LeafSize 0.32, LeafWidth 0.7.
  */
 #ifndef vtkReevesTreeSource_h
@@ -39,9 +43,25 @@ public:
   };
 
   ///@{
-  /// A species, a PresetType. All numbers of the tree are then of no effect, except for Custom. Default Oak.
+  /// A species, a PresetType. All numbers of the tree but Seed, SpeciesHeight and SpeciesDiameter are then of no
+  /// effect, except for Custom. Default Oak.
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  ///@}
+
+  ///@{
+  /// Height of a tree of a species [m], 0.05 to 150; 0: the preset's. Of no effect with Custom. Default 0.
+  vtkSetMacro(SpeciesHeight, double);
+  vtkGetMacro(SpeciesHeight, double);
+  ///@}
+
+  ///@{
+  /// Diameter at breast height of a tree of a species [m], 0.002 to 20; 0: the preset's. The trunk is measured at 1.3
+  /// m, and at a tenth of the height where that is lower. Crowns are as wide as stems are thick, and slender trees have
+  /// short crowns on long trunks. With the height, it decides how fast the tree sways. Of no effect with Custom.
+  /// Default 0.
+  vtkSetMacro(SpeciesDiameter, double);
+  vtkGetMacro(SpeciesDiameter, double);
   ///@}
 
   ///@{
@@ -111,6 +131,8 @@ protected:
   bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) override;
 
   int Preset;
+  double SpeciesHeight;
+  double SpeciesDiameter;
   int CrownShape;
   double Height;
   double CrownRadius;

@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -21,6 +22,9 @@ vtkStandardNewMacro(vtkSeaStateSource);
 
 namespace
 {
+
+/// Part of a spectrum's energy that may be left out without a word.
+constexpr double EnergyLeftOutInSilence = 0.02;
 
 /// A column of numbers; empty if there is none of that name.
 std::vector<double> ColumnOf(vtkTable* table, const char* name)
@@ -47,7 +51,7 @@ vtkSeaStateSource::vtkSeaStateSource()
   , WaterDepth(0.0)
   , SeaLevel(0.0)
   , NumberOfTrains(30)
-  , FrequencyRange{ 0.5, 4.0 }
+  , FrequencyRange{ 0.0, 0.0 }
   , MeanDirection(0.0)
   , Spreading(10.0)
   , EqualSpacing(false)
@@ -117,14 +121,16 @@ int vtkSeaStateSource::RequestData(
     reason = WhyInvalid(cut);
   }
   SeaState state;
-  double height = 0.0;
-  double period = 0.0;
+  double peakPeriod = 0.0;
+  double energy = 0.0;
+  double leftOut = 0.0;
   if (reason.empty())
   {
     const SeaSpectrum density(spectrum);
-    state = { TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel };
-    height = 4.0 * std::sqrt(density.TotalEnergy());
-    period = TwoPi / density.PeakFrequency();
+    state = { TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut) };
+    peakPeriod = TwoPi / density.PeakFrequency();
+    energy = EnergyOf(state.Trains);
+    leftOut = std::max(0.0, 1.0 - energy / density.TotalEnergy());
     reason = state.Trains.empty() ? "FrequencyRange holds no energy of the spectrum." : WhyInvalid(state);
   }
   if (!reason.empty())
@@ -134,8 +140,13 @@ int vtkSeaStateSource::RequestData(
   }
   vtkTable* output = vtkTable::GetData(outputVector);
   WriteSeaState(state, output);
-  AddField(output, sea::SignificantWaveHeight, { height });
-  AddField(output, sea::PeakPeriod, { period });
+  AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
+  AddField(output, sea::PeakPeriod, { peakPeriod });
+  AddField(output, sea::EnergyLeftOut, { leftOut });
+  if (leftOut > EnergyLeftOutInSilence)
+  {
+    vtkWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
+  }
   return 1;
 }
 

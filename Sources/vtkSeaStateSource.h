@@ -6,12 +6,14 @@
  *
  * Output: a vtkTable, a row a train, largest amplitude first. Columns: `Amplitude` [m], `AngularFrequency` [rad/s],
  * `WaveNumber` [rad/m], `Direction` towards which it travels, from x towards y [rad], `Phase` [rad]. Field data:
- * `WaterDepth` [m] (infinite: deep), `SeaLevel` [m], and of the whole spectrum `SignificantWaveHeight` [m] and
- * `PeakPeriod` [s].
+ * `WaterDepth` [m] (infinite: deep), `SeaLevel` [m], `Period` after which the sea returns [s] (infinite without
+ * EqualSpacing); of the trains `SignificantWaveHeight` [m], four times the standard deviation of the elevation; of the
+ * spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the part of its energy that FrequencyRange leaves out, with a warning
+ * where it is above 0.02.
  *
- * The spectrum is cut into bins of equal width. A train has the exact energy of its bin, so that the energy of the sea
- * does not depend on the number of trains. With the default FrequencyRange, 99.5 % of the energy of a
- * Pierson-Moskowitz sea is in the trains.
+ * The spectrum is cut into bins. A train has the energy of its bin, to 1e-12 of it, so that the energy of the sea does
+ * not depend on the number of trains. With the default FrequencyRange, 99.5 % of the energy of a Pierson-Moskowitz sea
+ * is in the trains.
  *
  * Optional input, for a Spectrum of Table only: a vtkTable with the columns `Frequency` [Hz], increasing, and `Density`
  * [m2/Hz], as wave buoys measure them.
@@ -112,20 +114,25 @@ public:
   ///@}
 
   ///@{
-  /// Lowest and highest angular frequency [peak frequencies], increasing, not negative, at most 1000. Default 0.5 4.
+  /**
+   * Lowest and highest angular frequency [peak frequencies], increasing, not negative, at most 1000. 0 0 stands for the
+   * range of the spectrum: all of a Table; else 0.5 to 4, and on by halves until at most 1 % of the energy lies above,
+   * which TMA needs in shallow water. Default 0 0.
+   */
   vtkSetVector2Macro(FrequencyRange, double);
   vtkGetVector2Macro(FrequencyRange, double);
   ///@}
 
   ///@{
-  /// Towards which the waves travel, from x towards y [degrees]. Default 0.
+  /// Towards which the waves travel by their energy, from x towards y [degrees]; trains meet it. Default 0.
   vtkSetMacro(MeanDirection, double);
   vtkGetMacro(MeanDirection, double);
   ///@}
 
   ///@{
   /**
-   * Exponent s of the spreading cos^2s(angle/2) of directions, 0 to 10000: small for a wind sea, above 50 for swell. 0
+   * Exponent s of the spreading cos^2s(angle/2) of directions, 0 to 10000: small for a wind sea, above 50 for swell.
+   * Trains meet the length of its mean vector, s / (s + 1), unless they are few or one of them has nearly all energy. 0
    * stands for no spreading: all trains along MeanDirection, with crests without an end. Default 10.
    */
   vtkSetMacro(Spreading, double);
@@ -133,8 +140,13 @@ public:
   ///@}
 
   ///@{
-  /// On: frequencies at the centres of their bins, so that the sea returns after two turns of a bin's width. Off: at
-  /// random places in their bins, and it hardly ever does. Default off.
+  /**
+   * On: frequencies are whole multiples of one, with the middle of FrequencyRange as theirs, so that the sea returns
+   * after `Period` of the field data, at its default about NumberOfTrains / 3.5 peak periods. So do points whose centres
+   * stay, unless vtkParticleOrbitFilter's StokesDrift or DopplerShift are on; with DopplerShift and a Current, the
+   * distance returns of a point from its centre, if that is carried by the Current. Off: frequencies lie at random places
+   * in their bins, and the sea hardly ever returns. Default off.
+   */
   vtkSetMacro(EqualSpacing, bool);
   vtkGetMacro(EqualSpacing, bool);
   vtkBooleanMacro(EqualSpacing, bool);

@@ -57,8 +57,8 @@ public:
   ///@}
 
   ///@{
-  /// Segments of a frond or stipe, of any preset, 2 to 64. The blades of a Canopy have a quarter of them, at least 2.
-  /// Default 10.
+  /// Segments of a frond or stipe, of any preset, 2 to 64; those of blades get shorter towards the foot. The blades of
+  /// a Canopy have a quarter of them, at least 2. Default 10.
   vtkSetMacro(SegmentsPerBranch, int);
   vtkGetMacro(SegmentsPerBranch, int);
   ///@}

@@ -5,10 +5,12 @@
 #include "LittoralPipeline.h"
 #include "TurningBands.h"
 
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -17,8 +19,11 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkTurningBandsTerrainSource);
 
@@ -35,6 +40,7 @@ public:
   littoral::TurningBandsParameters Bands;
   double Mean = 0.0;
   double Slope[2] = { 0.0, 0.0 };
+  double TrendSides[2] = { 0.0, 0.0 }; ///< [m], of the rectangle over which mean and slope are all the trend there is
   const char* Name = "";
 };
 
@@ -50,8 +56,8 @@ vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
   , Range(1000.0)
   , SecondRange(50.0)
   , FractalDimension(2.15)
-  , NumberOfLines(64)
-  , NumberOfHarmonics(1000)
+  , NumberOfLines(0)
+  , NumberOfHarmonics(300)
   , HarmonicSpacing(Adaptive)
   , ShortestWavelength(0.0)
   , AnisotropyRatio(1.0)
@@ -193,22 +199,39 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
   take("Mean", recipe.Mean);
   take("SlopeX", recipe.Slope[0]);
   take("SlopeY", recipe.Slope[1]);
+  take("TrendWidth", recipe.TrendSides[0]);
+  take("TrendHeight", recipe.TrendSides[1]);
   return true;
 }
 
 //----------------------------------------------------------------------------
-bool vtkTurningBandsTerrainSource::CheckRecipe(const Recipe& recipe)
+bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 {
   const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
-  std::string reason = littoral::WhyInvalid(recipe.Bands, grid);
+  littoral::TurningBandsParameters& bands = recipe.Bands;
+  const bool automatic = bands.NumberOfLines == 0;
+  bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
+  std::string reason = bands.NumberOfLines < 0 ? "NumberOfLines is negative; it must be positive, or 0 for enough."
+                                               : littoral::WhyInvalid(bands, grid);
   if (reason.empty() && !(std::isfinite(recipe.Mean) && std::isfinite(recipe.Slope[0] + recipe.Slope[1])))
   {
     reason = "Mean and Slope must be finite.";
+  }
+  const auto isSide = [](double side) { return std::isfinite(side) && side >= 0.0; };
+  if (reason.empty() && !(isSide(recipe.TrendSides[0]) && isSide(recipe.TrendSides[1])))
+  {
+    reason = "TrendWidth and TrendHeight must be finite and not negative.";
   }
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot grow " << recipe.Name << ": " << reason);
     return false;
+  }
+  if (automatic)
+  {
+    // By the whole grid, not by the part that is asked for, so that all parts belong to one terrain.
+    const int* whole = this->WholeExtent;
+    bands.NumberOfLines = littoral::EnoughLines(bands, grid, { { whole[0], whole[2] }, { whole[1], whole[3] } });
   }
   return true;
 }
@@ -220,30 +243,57 @@ bool vtkTurningBandsTerrainSource::Grow(
   const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
   const littoral::GridWindow window{ { extent[0], extent[2] }, { extent[1], extent[3] } };
   littoral::TurningBandsField field(recipe.Bands, grid, window);
+  const double centreX = 0.5 * (this->WholeExtent[0] + static_cast<double>(this->WholeExtent[1]));
+  const double centreY = 0.5 * (this->WholeExtent[2] + static_cast<double>(this->WholeExtent[3]));
+  const std::array<double, 2> centre{ grid.Origin[0] + centreX * grid.Spacing[0],
+    grid.Origin[1] + centreY * grid.Spacing[1] };
+  std::array<double, 2> sides{ 0.0, 0.0 };
+  const bool levelled = recipe.TrendSides[0] > 0.0 && recipe.TrendSides[1] > 0.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double points = this->WholeExtent[2 * axis + 1] - static_cast<double>(this->WholeExtent[2 * axis]) + 1.0;
+    sides[axis] = std::max(recipe.TrendSides[axis], points * grid.Spacing[axis]);
+  }
+
+  std::vector<littoral::PlaneTrend> planes(levelled ? field.GetNumberOfLines() : 0);
   const double middle = 0.5 * (first + last);
-  if (!littoral::RunWithProgress(
-        this, field.GetNumberOfLines(), first, middle, [&](std::size_t line) { field.TabulateLine(line); }))
+  const bool tabulated =
+    littoral::RunWithProgress(this, field.GetNumberOfLines(), first, middle, [&](std::size_t line) {
+      field.TabulateLine(line);
+      if (levelled)
+      {
+        planes[line] = field.PlaneOfLine(line, centre, sides);
+      }
+    });
+  if (!tabulated)
   {
     return false;
+  }
+  // The field's own plane makes room for the measured one.
+  double mean = recipe.Mean;
+  double slope[2] = { recipe.Slope[0], recipe.Slope[1] };
+  for (const littoral::PlaneTrend& plane : planes)
+  {
+    mean -= plane.Mean;
+    slope[0] -= plane.Slope[0];
+    slope[1] -= plane.Slope[1];
   }
 
   const std::size_t width = static_cast<std::size_t>(extent[1]) - extent[0] + 1;
   const std::size_t height = static_cast<std::size_t>(extent[3]) - extent[2] + 1;
-  const double centreX = 0.5 * (this->WholeExtent[0] + static_cast<double>(this->WholeExtent[1]));
-  const double centreY = 0.5 * (this->WholeExtent[2] + static_cast<double>(this->WholeExtent[3]));
-  const bool tilted = recipe.Slope[0] != 0.0 || recipe.Slope[1] != 0.0;
+  const bool tilted = slope[0] != 0.0 || slope[1] != 0.0;
   return littoral::RunWithProgress(this, (height + RowsAtOnce - 1) / RowsAtOnce, middle, last, [&](std::size_t piece) {
     const std::size_t begin = piece * RowsAtOnce;
     const std::size_t end = std::min<std::size_t>(begin + RowsAtOnce, height);
-    field.FillRows(extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, recipe.Mean,
-      values + begin * width);
+    field.FillRows(
+      extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, mean, values + begin * width);
     for (std::size_t j = begin; tilted && j < end; ++j)
     {
-      const double rise = recipe.Slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centreY);
+      const double rise = slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centreY);
       for (std::size_t i = 0; i < width; ++i)
       {
         const double x = this->Spacing[0] * (extent[0] + static_cast<double>(i) - centreX);
-        values[j * width + i] += static_cast<float>(recipe.Slope[0] * x + rise);
+        values[j * width + i] += static_cast<float>(slope[0] * x + rise);
       }
     }
   });
@@ -254,13 +304,15 @@ int vtkTurningBandsTerrainSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
+  littoral::ForgetExtent(info);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
 
   Recipe elevation = this->ElevationRecipe();
+  Recipe reflectance = this->ReflectanceRecipe();
   vtkTable* fits = vtkTable::GetData(inputVector[0]);
   if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
-    (this->Reflectance && !this->CheckRecipe(this->ReflectanceRecipe())))
+    (this->Reflectance && !this->CheckRecipe(reflectance)))
   {
     return 0;
   }
@@ -287,20 +339,26 @@ int vtkTurningBandsTerrainSource::RequestData(
   }
   const vtkIdType count = output->GetNumberOfPoints();
   this->SetProgressText("Growing terrain");
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName("Elevation");
-  heights->SetNumberOfValues(count);
+  const auto grow = [&](const Recipe& recipe, double first, double last) {
+    vtkNew<vtkFloatArray> values;
+    values->SetName(recipe.Name);
+    values->SetNumberOfValues(count);
+    output->GetPointData()->AddArray(values);
+    vtkNew<vtkIntArray> lines;
+    lines->SetName((std::string(recipe.Name) + "Lines").c_str());
+    lines->InsertNextValue(recipe.Bands.NumberOfLines);
+    output->GetFieldData()->AddArray(lines);
+    return this->Grow(recipe, extent, first, last, values->GetPointer(0)) ? values.Get() : nullptr;
+  };
   const double half = this->Reflectance ? 0.5 : 1.0;
-  bool done = this->Grow(elevation, extent, 0.0, half, heights->GetPointer(0));
-  vtkNew<vtkFloatArray> reflectance;
+  bool done = grow(elevation, 0.0, half) != nullptr;
   if (done && this->Reflectance)
   {
-    reflectance->SetName("Reflectance");
-    reflectance->SetNumberOfValues(count);
-    done = this->Grow(this->ReflectanceRecipe(), extent, half, 1.0, reflectance->GetPointer(0));
+    vtkFloatArray* values = grow(reflectance, half, 1.0);
+    done = values != nullptr;
     for (vtkIdType i = 0; done && i < count; ++i)
     {
-      reflectance->SetValue(i, vtkMath::ClampValue(reflectance->GetValue(i), 0.0f, 1.0f));
+      values->SetValue(i, vtkMath::ClampValue(values->GetValue(i), 0.0f, 1.0f));
     }
   }
   if (!done) // aborted
@@ -308,11 +366,7 @@ int vtkTurningBandsTerrainSource::RequestData(
     output->Initialize();
     return 1;
   }
-  output->GetPointData()->SetScalars(heights);
-  if (this->Reflectance)
-  {
-    output->GetPointData()->AddArray(reflectance);
-  }
+  output->GetPointData()->SetActiveScalars(elevation.Name);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -5,18 +5,23 @@
  * @brief   grows a terrain of given statistics by the turning bands method
  *
  * Output: a vtkImageData of one layer with the float point array `Elevation` [m] and, on request, `Reflectance`
- * [0..1]. The elevation is a Gaussian random field with one of seven covariance models (Setas et al., section 2.1,
- * algorithm 1 and eqs. 1-5; spectra and covariances in Documentation/design.md), stretched along one direction on
- * request, on top of a mean and a tilt.
+ * [0..1], and the number of lines as field data (see NumberOfLines). The elevation is a Gaussian random field with one
+ * of seven covariance models (Setas et al., section 2.1, algorithm 1 and eqs. 1-5; spectra and covariances in
+ * Documentation/design.md), stretched along one direction on request, on top of a mean and a tilt.
  *
- * The field is a function of position: any part of the extent, any number of threads or ranks gives the same bytes.
+ * The field is a function of position on the grid: any part of the extent, any number of threads or ranks gives the
+ * same bytes.
  * With a ShortestWavelength of its own, a grid of twice, four times... the spacing holds every second, fourth...
- * value of the finer one, so that a coarse preview is a true one.
+ * value of the finer one, so that a coarse preview is a true one: the same bytes if that wavelength is below eight of
+ * the finer spacings, else within 0.006 standard deviations.
  *
  * Optional input: a table of fits, as vtkCovarianceFitFilter writes it. Its first row then replaces Model,
  * StandardDeviation, Mean, Range, SecondRange, FractalDimension, AnisotropyRatio, AnisotropyAngle and Slope, column
  * by column where a column is there: measure a real place, grow one like it. The nugget is measurement noise and is
- * not grown.
+ * not grown. Where the columns TrendWidth and TrendHeight [m] are there and positive, the field's own least squares
+ * plane, over a rectangle of these sides or the whole extent where that is longer, about the middle of the extent,
+ * makes room for Mean and Slope: the twin's plane is then the place's, and its variance about it on average the
+ * place's.
  *
  * @sa vtkCovarianceFitFilter
  */
@@ -128,13 +133,18 @@ public:
   ///@}
 
   ///@{
-  /// Number L of lines (eq. 1), positive. Fewer than 16 show as streaks. Default 64.
+  /**
+   * Number L of lines (eq. 1). 0: as many as the spectrum needs on the whole grid, 64 to 1024, such that no gaps
+   * between their rays in it show as streaks (Documentation/design.md). The number is the integer in the output's field
+   * data `ElevationLines` (and `ReflectanceLines`). Time grows with lines times points. Default 0.
+   */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);
   ///@}
 
   ///@{
-  /// Number M of harmonics on a line (eq. 3), positive. Default 1000.
+  /// Number M of harmonics on a line (eq. 3), positive. With HarmonicSpacing Uniform, at least twice as many
+  /// as the grid's diagonal holds of the shortest wavelengths are needed. Default 300.
   vtkSetMacro(NumberOfHarmonics, int);
   vtkGetMacro(NumberOfHarmonics, int);
   ///@}
@@ -151,7 +161,8 @@ public:
   ///@{
   /**
    * Finest detail [m], not negative: shorter wavelengths are left out, which makes a band-limited field. 0 leaves it
-   * open: the points then sample a surface with detail of every size. Default 0.
+   * open: the points then sample a surface with detail of every size, and waves shorter than some six spacings are a
+   * moving average of noise at the points in place of lines. Default 0.
    */
   vtkSetMacro(ShortestWavelength, double);
   vtkGetMacro(ShortestWavelength, double);
@@ -247,7 +258,7 @@ private:
   Recipe ElevationRecipe() const;
   Recipe ReflectanceRecipe() const;
   bool TakeFit(vtkTable* fits, Recipe& recipe);
-  bool CheckRecipe(const Recipe& recipe);
+  bool CheckRecipe(Recipe& recipe);
   bool Grow(const Recipe& recipe, const int extent[6], double first, double last, float* values);
 };
 

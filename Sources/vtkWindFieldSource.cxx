@@ -5,6 +5,7 @@
 #include "LittoralArrays.h"
 #include "LittoralPipeline.h"
 #include "WindField.h"
+#include "WindLines.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -43,7 +44,7 @@ void AddNumber(vtkFieldData* fields, const char* name, double number)
 struct Shift
 {
   int Samples;
-  float Part;
+  double Part;
 };
 
 Shift ShiftAt(double time, const littoral::WindGrid& grid)
@@ -52,7 +53,7 @@ Shift ShiftAt(double time, const littoral::WindGrid& grid)
   double gone = std::fmod(std::round(PartsOfStep * (time / grid.TimeStep)), parts);
   gone = gone < 0.0 ? gone + parts : gone;
   const double samples = std::floor(gone / PartsOfStep);
-  return { static_cast<int>(samples), static_cast<float>(gone / PartsOfStep - samples) };
+  return { static_cast<int>(samples), gone / PartsOfStep - samples };
 }
 
 /// A turn about the vertical.
@@ -62,21 +63,14 @@ struct Turn
   double Sine;
 };
 
-/// Copies samples first ... last of a line that has been carried along, turned into world axes.
-void CopyLine(const float* line, int length, int first, int last, const Shift& shift, const Turn& turn, float* to)
+/// Copies samples first ... last of a line that has been carried along by whole samples, turned into world axes.
+void CopyLine(const float* line, int length, int first, int last, int shift, const Turn& turn, float* to)
 {
   const float cosine = static_cast<float>(turn.Cosine);
   const float sine = static_cast<float>(turn.Sine);
   for (int i = first; i <= last; ++i, to += 3)
   {
-    const int here = (i - shift.Samples + length) % length;
-    const float* a = line + 3 * static_cast<std::size_t>(here);
-    const float* b = line + 3 * static_cast<std::size_t>(here == 0 ? length - 1 : here - 1);
-    float velocity[3];
-    for (int component = 0; component < 3; ++component)
-    {
-      velocity[component] = a[component] + shift.Part * (b[component] - a[component]);
-    }
+    const float* velocity = line + 3 * static_cast<std::size_t>((i - shift + length) % length);
     to[0] = cosine * velocity[0] - sine * velocity[1];
     to[1] = sine * velocity[0] + cosine * velocity[1];
     to[2] = velocity[2];
@@ -114,6 +108,7 @@ vtkWindFieldSource::vtkWindFieldSource()
   , ReferenceHeight(10.0)
   , RoughnessLength(0.03)
   , WindDirection(0.0)
+  , Coherence(Exponential)
   , LongitudinalDecay{ 10.0, 10.0 }
   , LateralDecay{ 10.0, 10.0 }
   , VerticalDecay{ 8.0, 8.0 }
@@ -139,6 +134,7 @@ vtkWindFieldSource::Recipe vtkWindFieldSource::MakeRecipe() const
   model.RoughnessLength = this->RoughnessLength;
   model.Spectrum = static_cast<littoral::WindSpectrumModel>(this->Spectrum);
   model.TurbulenceIntensity = this->TurbulenceIntensity;
+  model.Coherence = static_cast<littoral::WindCoherenceModel>(this->Coherence);
   model.Decay = { { { this->LongitudinalDecay[0], this->LongitudinalDecay[1] },
     { this->LateralDecay[0], this->LateralDecay[1] }, { this->VerticalDecay[0], this->VerticalDecay[1] } } };
   littoral::WindGrid& grid = recipe.Grid;
@@ -289,12 +285,29 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   const std::size_t across = static_cast<std::size_t>(extent[3]) - extent[2] + 1;
   const std::size_t up = static_cast<std::size_t>(extent[5]) - extent[4] + 1;
   const std::size_t values = 3 * (static_cast<std::size_t>(extent[1]) - extent[0] + 1);
-  littoral::SmpFor(across * up, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t line = begin; line < end; ++line)
+  const std::size_t whole = 3 * static_cast<std::size_t>(grid.Count[0]);
+  const littoral::WindCarrier carrier(grid.Count[0]);
+  // Lines side by side in the wind are so in the output; a pack ends with the layer.
+  const std::size_t packs = (across + littoral::FourierLanes - 1) / littoral::FourierLanes;
+  littoral::SmpFor(packs * up, [&](std::size_t begin, std::size_t end) {
+    littoral::WindCarrier::Room room(shift.Part > 0.0 ? grid.Count[0] : 0);
+    for (std::size_t pack = begin; pack < end; ++pack)
     {
-      const std::size_t from = (extent[4] + line / across) * grid.Count[1] + extent[2] + line % across;
-      CopyLine(this->Kept->Velocities.data() + 3 * from * grid.Count[0], grid.Count[0], extent[0], extent[1], shift,
-        turn, velocity->GetPointer(0) + line * values);
+      const std::size_t line = pack % packs * littoral::FourierLanes;
+      const int lanes = static_cast<int>(std::min<std::size_t>(littoral::FourierLanes, across - line));
+      const std::size_t layer = pack / packs;
+      const float* from =
+        this->Kept->Velocities.data() + whole * ((extent[4] + layer) * grid.Count[1] + extent[2] + line);
+      if (shift.Part > 0.0)
+      {
+        carrier.Carry(from, lanes, shift.Part, room);
+        from = room.Velocities.data();
+      }
+      for (int lane = 0; lane < lanes; ++lane)
+      {
+        CopyLine(from + lane * whole, grid.Count[0], extent[0], extent[1], shift.Samples, turn,
+          velocity->GetPointer(0) + (layer * across + line + lane) * values);
+      }
     }
   });
   output->GetPointData()->SetVectors(velocity);
@@ -322,6 +335,7 @@ void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
   os << indent << "RoughnessLength: " << this->RoughnessLength << "\n";
   os << indent << "WindDirection: " << this->WindDirection << "\n";
+  os << indent << "Coherence: " << this->Coherence << "\n";
   os << indent << "LongitudinalDecay: " << this->LongitudinalDecay[0] << " " << this->LongitudinalDecay[1] << "\n";
   os << indent << "LateralDecay: " << this->LateralDecay[0] << " " << this->LateralDecay[1] << "\n";
   os << indent << "VerticalDecay: " << this->VerticalDecay[0] << " " << this->VerticalDecay[1] << "\n";

@@ -8,8 +8,12 @@
  * across to the left, z up. The field is frozen and carried along with one speed (Taylor's hypothesis), so that its x
  * axis is time: spacing ReferenceSpeed x TimeStep, length ReferenceSpeed x period. It is periodic along x and in time
  * with the period Dimensions[0] x TimeStep; the image at time t and at t plus a period are the same to the bit. Times
- * are rounded to 1/1024 of a step; between steps the field is interpolated linearly along x, which takes some of the
- * highest frequencies away.
+ * are rounded to 1/1024 of a step; between steps each wave along x is turned by its phase, so that spectrum and
+ * variance are the same at any time. An image at a step is a copy, one between steps two transforms of each line that
+ * is asked for. Linear probes between points lose variance; see the user guide for how much.
+ *
+ * The components know nothing of each other: the mean of u'w' is 0 and not -u*^2, and the field is not free of
+ * divergence.
  *
  * Field data: `CoherenceError` (largest difference of root coherence from the model), `FrictionVelocity` [m/s],
  * `ConvectionSpeed` [m/s], `Period` [s].
@@ -40,6 +44,12 @@ public:
     IecKaimal = 1,
   };
 
+  enum CoherenceType
+  {
+    Exponential = 0,
+    Iec = 1,
+  };
+
   enum PhasesType
   {
     Uniform = 0,
@@ -47,8 +57,8 @@ public:
   };
 
   ///@{
-  /// Number of samples along the wind (in time), across and up. The first must be even and a product of 2, 3 and 5.
-  /// Default 600 64 24.
+  /// Number of samples along the wind (in time), across and up. The first must be at least 4, even and a product of 2,
+  /// 3 and 5. Default 600 64 24.
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
@@ -110,7 +120,18 @@ public:
   ///@}
 
   ///@{
-  /// Decay of the coherence of the component along the wind with distance across and up, positive. Default 10 10.
+  /// Root coherence of two points at a frequency, a CoherenceType. Exponential falls with the product of frequency and
+  /// distance, by the three decays below (eqs. 11, 12). Iec is that of IEC 61400-1 (ed. 3, annex B) for the component
+  /// along the wind, exp(-12 sqrt((f r / U)^2 + (0.12 r / L_c)^2)) with the distance r, U = ReferenceSpeed,
+  /// L_c = 8.1 Lambda_1 and Lambda_1 = 0.7 ReferenceHeight, at most 42 m: slow gusts, too, differ from place to place.
+  /// The standard says nothing of the other two components, which keep their decays. Default Exponential.
+  vtkSetMacro(Coherence, int);
+  vtkGetMacro(Coherence, int);
+  ///@}
+
+  ///@{
+  /// Decay of the coherence of the component along the wind with distance across and up, positive; without effect where
+  /// Coherence is Iec. Default 10 10.
   vtkSetVector2Macro(LongitudinalDecay, double);
   vtkGetVector2Macro(LongitudinalDecay, double);
   ///@}
@@ -177,6 +198,7 @@ protected:
   double ReferenceHeight;
   double RoughnessLength;
   double WindDirection;
+  int Coherence;
   double LongitudinalDecay[2];
   double LateralDecay[2];
   double VerticalDecay[2];

@@ -113,6 +113,16 @@ inline void RequestAll(vtkInformation* input)
   }
 }
 
+/**
+ * Keeps an image's request from being joined to the next one if this one is refused: VTK asks for the box around both,
+ * which may lie beyond what there is by then. For the beginning of RequestData.
+ */
+inline void ForgetExtent(vtkInformation* output)
+{
+  int none[6] = { 0, -1, 0, -1, 0, -1 };
+  output->Set(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT(), none, 6);
+}
+
 /// Memory that can be taken without driving others out [bytes].
 inline double AvailableMemory()
 {

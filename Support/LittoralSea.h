@@ -28,6 +28,8 @@ constexpr const char* WaterDepth = "WaterDepth";
 constexpr const char* SeaLevel = "SeaLevel";
 constexpr const char* SignificantWaveHeight = "SignificantWaveHeight";
 constexpr const char* PeakPeriod = "PeakPeriod";
+constexpr const char* Period = "Period";               ///< after which the sea returns [s]
+constexpr const char* EnergyLeftOut = "EnergyLeftOut"; ///< part of the spectrum's
 // Particles.
 constexpr const char* ParticleId = "ParticleId";
 constexpr const char* ParticleType = "ParticleType";
@@ -63,7 +65,7 @@ constexpr const char* TrainOrder = "TrainOrder";
 constexpr const char* Extinction = "Extinction";
 }
 
-/// Writes the trains as rows; depth and level as field data.
+/// Writes the trains as rows; depth, level and period as field data.
 inline void WriteSeaState(const SeaState& state, vtkTable* table)
 {
   const auto column = [&](const char* name, double WaveTrain::*member) {
@@ -76,6 +78,7 @@ inline void WriteSeaState(const SeaState& state, vtkTable* table)
   column(sea::Phase, &WaveTrain::Phase);
   AddField(table, sea::WaterDepth, { state.Depth });
   AddField(table, sea::SeaLevel, { state.SeaLevel });
+  AddField(table, sea::Period, { state.Period });
 }
 
 /// Reads what WriteSeaState wrote. Why it cannot be read, in words for a user; empty when it was.
@@ -114,6 +117,7 @@ inline std::string ReadSeaState(vtkTable* table, SeaState& state)
   };
   field(sea::WaterDepth, state.Depth);
   field(sea::SeaLevel, state.SeaLevel);
+  field(sea::Period, state.Period);
   return WhyInvalid(state);
 }
 

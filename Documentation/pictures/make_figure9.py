@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw figure9.jpg: polygons a picture on a walk through forests, without and with levels of detail and cells.
+"""Draw figure9.jpg: polygons a picture in forests, without and with levels of detail and cells.
+
+Lines: a walk that turns back at the edge of the forest, and so looks out of it more often than an eye at any place.
+Crosses: views spread evenly over all places and headings.
 
     ./littoral run pvpython Documentation/pictures/make_figure9.py [FOLDER]
 
@@ -64,7 +67,13 @@ def walk():
         yield (*place, EYE_HEIGHT), (*ahead, 0.0)
 
 
-def measure(trees, polygons, number):
+def anywhere():
+    """Places and directions spread evenly: multiples of powers of 1 / 1.2207, the root of g^4 = g + 1, but for wholes."""
+    for x, y, turn in np.outer(np.arange(FRAMES) + 0.5, 1.2207440846 ** -np.arange(1.0, 4.0)) % 1.0:
+        yield (SIDE * x, SIDE * y, EYE_HEIGHT), (np.cos(2.0 * np.pi * turn), np.sin(2.0 * np.pi * turn), 0.0)
+
+
+def measure(trees, polygons, number, views):
     """Mean polygons a picture, in the order of CURVES."""
     sites = vtkQuadratPointSource()
     sites.SetQuadrats(10, number // 10)
@@ -76,7 +85,7 @@ def measure(trees, polygons, number):
     forest.SetViewAngle(VIEW_ANGLE)
     forest.SetAspectRatio(ASPECT)
     sums = np.zeros(4)
-    for point, direction in walk():
+    for point, direction in views:
         forest.SetViewPoint(*point)
         forest.SetViewDirection(*direction)
         for cells in (False, True):
@@ -86,7 +95,7 @@ def measure(trees, polygons, number):
             # All of the shown trees in full are what there would be without levels of detail.
             sums[2 if cells else 0] += polygons[vtk_to_numpy(fields.GetArray("Species"))].sum()
             sums[3 if cells else 1] += fields.GetArray("PolygonsShown").GetValue(0)
-    return sums / FRAMES
+    return sums / len(views)
 
 
 def style(axis, title, values, font):
@@ -107,9 +116,13 @@ def style(axis, title, values, font):
 def main(folder):
     """Measure, and draw the chart into a folder."""
     trees, polygons = prototypes()
-    means = np.array([measure(trees, polygons, number) for number in TREES])
+    means, others = (np.array([measure(trees, polygons, number, list(views())) for number in TREES])
+                     for views in (walk, anywhere))
+    for what, values in (("walk", means), ("anywhere", others)):
+        print(what, "one in", values[-1, :1] / values[-1])
     table = table_of({"Trees": np.array(TREES, dtype=float)} | {
-        name: means[:, k] for k, (name, _, _) in enumerate(CURVES)})
+        name: means[:, k] for k, (name, _, _) in enumerate(CURVES)} | {
+        "Other" + name: others[:, k] for k, (name, _, _) in enumerate(CURVES)})
     chart = vtkChartXY()
     for name, _, colour in CURVES:
         for kind in (vtkChart.LINE, vtkChart.POINTS):
@@ -120,12 +133,19 @@ def main(folder):
             if kind == vtkChart.POINTS:
                 plot.SetMarkerStyle(vtkPlotPoints.CIRCLE)
                 plot.SetMarkerSize(18.0)
+        plot = chart.AddPlot(vtkChart.POINTS)
+        plot.SetInputData(table, "Trees", "Other" + name)
+        plot.SetColor(*colour)
+        plot.SetMarkerStyle(vtkPlotPoints.CROSS)
+        plot.SetMarkerSize(26.0)
+        plot.SetWidth(4.0)
     left, bottom = chart.GetAxis(vtkAxis.LEFT), chart.GetAxis(vtkAxis.BOTTOM)
     style(bottom, "Trees in the scene", (0.0, 1050.0), 38)
     marks = np.arange(0.0, 1001.0, 200.0)
     bottom.SetCustomTickPositions(numpy_to_vtk(marks, deep=True))
-    style(left, "Polygons a picture, mean over the walk", (1e3, 1e8), 38)
-    low, high = 10.0 ** np.floor(np.log10(means.min())), 10.0 ** np.ceil(np.log10(means.max()))
+    style(left, "Polygons a picture, mean", (1e3, 1e8), 38)
+    low, high = (10.0 ** turn(np.log10(values)) for turn, values in
+                 ((np.floor, min(means.min(), others.min())), (np.ceil, means.max())))
     left.SetLogScale(True)
     left.SetUnscaledRange(low, high)
     exponents = np.arange(np.log10(low), np.log10(high) + 0.5)
@@ -144,7 +164,8 @@ def main(folder):
     for k, (_, words, colour) in enumerate(CURVES):
         part = (np.log10(means[-1, k]) - np.log10(low)) / np.log10(high / low)
         y = 0.128 + part * 0.836
-        gain = "" if k == 0 else f": 1 in {means[-1, 0] / means[-1, k]:.0f}"
+        walked, other = (values[-1, 0] / values[-1, k] for values in (means, others))
+        gain = "" if k == 0 else f": 1 in {walked:.0f}\n(anywhere: {other:.0f})"
         actor = label(words + gain, (0.795, y + 0.008), 36, colour)
         actor.GetTextProperty().SetJustificationToLeft()
         view.GetRenderer().AddActor(actor)

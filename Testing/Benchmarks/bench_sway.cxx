@@ -54,10 +54,11 @@ const std::vector<Vector3>& GustTable()
   return table;
 }
 
-void Gusts(const Vector3&, long long first, std::size_t count, Vector3* velocities)
+void Gusts(const Vector3&, double first, std::size_t count, Vector3* velocities)
 {
   const std::vector<Vector3>& table = GustTable();
-  std::size_t at = static_cast<std::size_t>((first % static_cast<long long>(Samples) + Samples) % Samples);
+  std::size_t at =
+    static_cast<std::size_t>((std::llround(first) % static_cast<long long>(Samples) + Samples) % Samples);
   for (std::size_t k = 0; k < count; ++k, at = at + 1 < Samples ? at + 1 : 0)
   {
     velocities[k] = table[at];

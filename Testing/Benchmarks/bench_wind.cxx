@@ -3,6 +3,7 @@
 // Speed and memory of a wind field on one thread, beside the transforms that it cannot do without.
 #include "LineFourier.h"
 #include "WindField.h"
+#include "WindLines.h"
 
 #include <benchmark/benchmark.h>
 
@@ -75,5 +76,39 @@ void LargeField(benchmark::State& state)
   state.counters["peak_MB"] = PeakMemory();
 }
 BENCHMARK(LargeField)->Unit(benchmark::kMillisecond)->Iterations(3);
+
+/// All lines of the default field at a time between its steps.
+void BetweenSteps(benchmark::State& state)
+{
+  const WindGrid grid;
+  const std::vector<float> field = WindField({}, grid, {}).Make();
+  const WindCarrier carrier(grid.Count[0]);
+  WindCarrier::Room room(grid.Count[0]);
+  for (auto _ : state)
+  {
+    for (std::size_t line = 0; line < grid.NumberOfLines(); line += FourierLanes)
+    {
+      carrier.Carry(&field[3 * line * grid.Count[0]], FourierLanes, 0.3, room);
+      benchmark::DoNotOptimize(room.Velocities.data());
+    }
+  }
+}
+BENCHMARK(BetweenSteps)->Unit(benchmark::kMillisecond);
+
+/// What a plant asks for: the wind at a place between lines, of some samples a period.
+void AtAPlace(benchmark::State& state)
+{
+  WindGrid grid;
+  grid.Count = { static_cast<int>(state.range(0)), 4, 4 };
+  const std::vector<float> field = WindField({}, grid, {}).Make();
+  const WindLines lines(field.data(), grid.Count);
+  std::vector<Vector3> velocities(500);
+  for (auto _ : state)
+  {
+    lines.Sample({ 17.3, 1.6, 0.4 }, 100.0, velocities.size(), velocities.data());
+    benchmark::DoNotOptimize(velocities.data());
+  }
+}
+BENCHMARK(AtAPlace)->Arg(600)->Arg(12000)->Unit(benchmark::kMicrosecond);
 
 }

@@ -57,7 +57,8 @@ void TakeSteps(benchmark::State& state, vtkCurrentDriftFilter* drift)
   state.SetItemsProcessed(state.iterations() * Count);
 }
 
-/// A source, a vortex, a uniform flow and a weak sink, of which each step asks four times.
+/// A source, a tilted vortex, a uniform flow and a weak sink, of which each step asks four times: without walls, under
+/// a surface, and between a bed and a surface, with their images.
 void StepInPrimitives(benchmark::State& state)
 {
   vtkNew<vtkCurrentDriftFilter> drift;
@@ -66,9 +67,11 @@ void StepInPrimitives(benchmark::State& state)
   AddFlow(drift, vtkFlowPrimitiveSource::Vortex, 1.0, 2.0);
   AddFlow(drift, vtkFlowPrimitiveSource::Source, 1.0, -4.0);
   AddFlow(drift, vtkFlowPrimitiveSource::Sink, 1e-3, 5.0);
+  drift->SetKeepInWater(state.range(0) > 0);
+  drift->SetWaterDepth(state.range(0) > 1 ? 10.0 : 0.0);
   TakeSteps(state, drift);
 }
-BENCHMARK(StepInPrimitives)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(StepInPrimitives)->ArgName("walls")->Arg(0)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// Sources of the size of kelp, each in a box with a margin, on the bed below the particles and among them.
 void StepInWakes(benchmark::State& state)
@@ -110,7 +113,7 @@ void StepInWakes(benchmark::State& state)
 }
 BENCHMARK(StepInWakes)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// An ocean model's output.
+/// An ocean model's output, by straight lines or by splines.
 void StepInImage(benchmark::State& state)
 {
   vtkNew<vtkCurrentDriftFilter> drift;
@@ -129,9 +132,15 @@ void StepInImage(benchmark::State& state)
   }
   image->GetPointData()->AddArray(velocity);
   drift->SetInputData(1, image);
+  drift->SetVelocityInterpolation(static_cast<int>(state.range(0)));
   TakeSteps(state, drift);
 }
-BENCHMARK(StepInImage)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(StepInImage)
+  ->ArgName("spline")
+  ->Arg(vtkCurrentDriftFilter::Linear)
+  ->Arg(vtkCurrentDriftFilter::CubicSpline)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 
 /// The bound: the same number of roots, divisions and exponentials as StepInPrimitives, on two threads.
 void FunctionsAlone(benchmark::State& state)

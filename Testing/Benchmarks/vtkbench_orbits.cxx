@@ -118,6 +118,21 @@ void OrbitFilterFrame(benchmark::State& state)
 }
 BENCHMARK(OrbitFilterFrame)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// A sea of many trains: the spectrum, the number of trains.
+void SeaOfManyTrains(benchmark::State& state)
+{
+  vtkNew<vtkSeaStateSource> sea;
+  sea->SetSpectrum(static_cast<int>(state.range(0)));
+  sea->SetNumberOfTrains(static_cast<int>(state.range(1)));
+  sea->SetWaterDepth(10.0);
+  for (auto _ : state)
+  {
+    sea->Modified();
+    sea->Update();
+  }
+}
+BENCHMARK(SeaOfManyTrains)->ArgsProduct({ { 0, 1, 2 }, { 30, 1000, 100000 } })->Unit(benchmark::kMillisecond);
+
 }
 
 BENCHMARK_MAIN();

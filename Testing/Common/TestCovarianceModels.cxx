@@ -3,6 +3,7 @@
 #include "CovarianceModels.h"
 
 #include "Constants.h"
+#include "ShortWaves.h"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,23 @@ TEST_P(AllModels, TailIsWhereItIsSaidToBe)
   for (double part : { 0.5, 0.01, 0.001 })
   {
     EXPECT_NEAR(1.0 - SpectrumBelow(field, WaveNumberAtTail(field, part)), part, 1e-6 * part + 1e-12);
+  }
+}
+
+// The part of the variance in long waves, by parts in the code, as the integral that it is.
+TEST_P(AllModels, LongWavesHoldTheIntegralOfTheirShare)
+{
+  const Crossover crossover = { 0.6, 1.7 };
+  EXPECT_EQ(crossover.LongPart(0.6), 1.0);
+  EXPECT_EQ(crossover.LongPart(1.7), 0.0);
+  EXPECT_NEAR(crossover.LongPart(1.15), 0.5, 1e-12);
+  double sum = SpectrumBelow(field, crossover.Low);
+  double low = crossover.Low;
+  for (double high : { 0.9, 1.3, 1.7, 2.5 })
+  {
+    sum += Integrate([&](double w) { return RadialSpectrum(field, w) * crossover.LongPart(w); }, low, high);
+    EXPECT_NEAR(crossover.LongBelow(field, high), sum, 1e-7) << "up to " << high;
+    low = high;
   }
 }
 

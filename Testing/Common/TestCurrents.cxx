@@ -450,7 +450,7 @@ TEST(Drift, IsMirrored)
     ASSERT_TRUE(place.z >= -10.0 && place.z <= 2.0);
     height = place.z;
   }
-  EXPECT_NEAR(height, 2.0, 0.1); // it rose to the surface and stays there
+  EXPECT_NEAR(height, 2.0, 0.1); // even in a flow that goes through the surface, as none of a field in a layer does
 }
 
 TEST(Drift, IsCapturedBySinks)

@@ -6,6 +6,7 @@
 #include "MasterSlave.h"
 #include "ParticleFog.h"
 #include "ParticleLevels.h"
+#include "PictureOf.h"
 #include "RandomStream.h"
 #include "TrainSelection.h"
 #include "WaveOrbits.h"
@@ -366,14 +367,17 @@ TEST(ParticleLevels, NothingVisibleIsLost)
   const SeaState sea = Sea(30.0);
   const std::vector<Vector3> places = Places(6000, { { -20.0, -20.0, -12.0 }, { 20.0, 20.0, 0.0 } });
   const ParticleGroups groups(places, {}, 64);
-  long long visible = 0;
+  long long visible[2] = { 0, 0 };
   long long culled = 0;
   for (int frame = 0; frame < 25; ++frame)
   {
-    const View view = FrameView(8 * frame);
-    const ViewFrustum frustum(view);
+    View view = FrameView(8 * frame);
+    view.IsParallel = frame % 2 == 1;
+    view.ParallelScale = frame % 4 == 1 ? 1.5 : 7.0;
+    const PictureOf picture(view);
     ParticleLevelOptions options;
     options.Margin = 0.0;
+    options.MiddleDistance = view.IsParallel ? 6.0 : options.MiddleDistance;
     const ParticleSelection selection = Select(sea, places, groups, view, options, TrainRule::All);
     std::vector<double> weight(places.size(), 0.0);
     for (const auto* level : { &selection.Near, &selection.Middle, &selection.Far })
@@ -392,19 +396,22 @@ TEST(ParticleLevels, NothingVisibleIsLost)
       {
         const int master = groups.MasterOf(static_cast<int>(n));
         const Vector3 kept = moved[master] + groups.OffsetOf(static_cast<int>(n));
-        const LevelWeights levels = WeightsAt(glm::distance(places[n], view.Point), options);
-        const bool isNear = levels.Near > 0.0 && frustum.Contains(moved[n]);
-        const bool isMiddle = levels.Middle > 0.0 && frustum.Contains(master == static_cast<int>(n) ? moved[n] : kept);
-        const bool isFar = levels.Far > 0.0 && frustum.Contains(places[n]);
+        const double distance =
+          view.IsParallel ? view.ParallelScale / std::tan(0.5 * view.Angle) : glm::distance(places[n], view.Point);
+        const LevelWeights levels = WeightsAt(distance, options);
+        const bool isNear = levels.Near > 0.0 && picture.Shows(moved[n]);
+        const bool isMiddle = levels.Middle > 0.0 && picture.Shows(master == static_cast<int>(n) ? moved[n] : kept);
+        const bool isFar = levels.Far > 0.0 && picture.Shows(places[n]);
         if (isNear || isMiddle || isFar)
         {
-          ++visible;
+          ++visible[view.IsParallel];
           EXPECT_GT(weight[n], 0.0) << "particle " << n << " in frame " << frame;
         }
       }
     }
   }
-  EXPECT_GT(visible, 20000);
+  EXPECT_GT(visible[0], 10000);
+  EXPECT_GT(visible[1], 10000);
   EXPECT_GT(culled, 25 * 3000);
 }
 

@@ -263,7 +263,8 @@ TEST(PlantMotion, SkinLiesAroundTheMovedJoints)
     changes.data(), 0, points.size(), &points[0].x, &normals[0].x);
   const int ring = 13;
   double worst = 0.0;
-  for (std::size_t vertex = 0; vertex + 1 < points.size(); ++vertex)
+  const std::size_t rings = ring * rest.Nodes.size(); // then come the tip, and the end at the foot
+  for (std::size_t vertex = 0; vertex < rings; ++vertex)
   {
     const Vector3& joint = moved.Nodes[vertex / ring].Position;
     worst = std::max(worst, std::abs(glm::distance(points[vertex], joint) / 0.1 - 1.0));

@@ -112,7 +112,7 @@ Work Walk(const Forest& forest, const SceneCells& cells, const std::vector<View>
   Work work;
   for (const View& view : path)
   {
-    const auto shown = ShownPlants(forest.Places, cells, cells.Show(ViewFrustum(view)), view.Point, options, 0,
+    const auto shown = ShownPlants(forest.Places, cells, cells.Show(ViewFrustum(view)), view, options, 0,
       static_cast<long long>(forest.Places.size()));
     work.Plants += static_cast<double>(shown.size());
     for (const ShownPlant& plant : shown)
@@ -219,7 +219,7 @@ TEST(PlantScatter, ShowsEachPlantOnceAtTheLevelOfItsDistance)
   const std::vector<char> marks = cells.Show(ViewFrustum(view));
   PlantViewOptions options;
   options.MaximumDistance = 380.0;
-  const auto shown = ShownPlants(forest.Places, cells, marks, view.Point, options, 0, 2000);
+  const auto shown = ShownPlants(forest.Places, cells, marks, view, options, 0, 2000);
   std::vector<int> times(2000, 0);
   std::array<int, 3> levels{ 0, 0, 0 };
   for (const ShownPlant& plant : shown)
@@ -246,7 +246,7 @@ TEST(PlantScatter, PartsOfTheSitesMakeTheWhole)
   const std::vector<char> marks = cells.Show(ViewFrustum(view));
   const auto placesOf = [&](long long first, long long end) {
     std::vector<int> places;
-    for (const ShownPlant& plant : ShownPlants(forest.Places, cells, marks, view.Point, {}, first, end))
+    for (const ShownPlant& plant : ShownPlants(forest.Places, cells, marks, view, {}, first, end))
     {
       places.push_back(plant.Place);
     }

@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/negative_binomial.hpp>
+#include <boost/math/distributions/poisson.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -302,4 +305,161 @@ TEST(QuadratFit, RandomDataAreCalledRandom)
     random += MomentsOfCounts(Sampled(Law(0), 400, seed)).DispersionPValue > 0.05;
   }
   EXPECT_GE(random, 180);
+}
+
+namespace
+{
+
+/// A law of thousands of points a quadrat.
+QuadratLawParameters LargeLaw(int id)
+{
+  QuadratLawParameters law;
+  law.Law = static_cast<QuadratLaw>(id);
+  law.Mean = 3000.0;
+  law.Trials = law.Law == QuadratLaw::Binomial ? 9000 : 50;
+  law.ClusterShape = law.Law == QuadratLaw::NegativeBinomial ? 25.0 : 1.5;
+  law.ClusterMean = 40.0;
+  law.ClusterSuccess = 0.7;
+  return law;
+}
+
+class LargeLaws : public testing::TestWithParam<int>
+{
+};
+
+/// Against a law of Boost, where it has more than 1e-30.
+template <typename Distribution>
+void ExpectIs(const QuadratLawParameters& law, const Distribution& exact)
+{
+  ASSERT_EQ(WhyInvalid(law), "");
+  const std::vector<double> mass = MassFunction(law);
+  double total = 0.0;
+  for (std::size_t r = 0; r < mass.size(); ++r)
+  {
+    total += mass[r];
+    const bool looks = r % 37 == 0 && r <= boost::math::support(exact).second;
+    const double wanted = looks ? boost::math::pdf(exact, static_cast<double>(r)) : 0.0;
+    if (wanted > 1e-30)
+    {
+      ASSERT_NEAR(mass[r] / wanted, 1.0, 1e-9) << r;
+    }
+  }
+  EXPECT_NEAR(total, 1.0, 1e-10);
+}
+
+}
+
+TEST_P(LargeLaws, MassFunctionIsTheTransformOfItsGeneratingFunction)
+{
+  const QuadratLawParameters law = LargeLaw(GetParam());
+  const int n = 8192;
+  const std::vector<double> mass = MassFunction(law, n);
+  std::vector<Complex> values(n);
+  for (int j = 0; j < n; ++j)
+  {
+    values[j] = GeneratingFunction(law, std::polar(1.0, TwoPi * j / n));
+  }
+  for (int r = 1500; r < 5000; r += 83)
+  {
+    Complex sum = 0.0;
+    for (int j = 0; j < n; ++j)
+    {
+      sum += values[j] * std::polar(1.0 / n, -TwoPi * ((static_cast<long long>(j) * r) % n) / n);
+    }
+    EXPECT_NEAR(mass[r], sum.real(), 1e-12) << r;
+  }
+}
+
+// Even where each count is expected less than once: 300 quadrats, deviations of 45 to 602 points. Rounding each count
+// alone keeps 83 % of the Poisson variance and 2 % of the negative binomial one.
+TEST_P(LargeLaws, QuotaKeepsTheLaw)
+{
+  const QuadratLawParameters law = LargeLaw(GetParam());
+  const QuadratMoments moments = MomentsOfCounts(QuotaFrequencies(law, 300));
+  EXPECT_EQ(moments.Quadrats, 300);
+  EXPECT_EQ(moments.Points, 900000);
+  EXPECT_NEAR(moments.Variance / CountVariance(law), 1.0, 0.03);
+}
+
+// Means and variances of 2000 samples, and the law itself by the distance of Kolmogorov and Smirnov, chance 0.001.
+TEST_P(LargeLaws, SamplingFollowsTheLaw)
+{
+  const QuadratLawParameters law = LargeLaw(GetParam());
+  const int quadrats = 2000;
+  const std::vector<long long> frequencies = Sampled(law, quadrats, 5);
+  const std::vector<double> mass = MassFunction(law, static_cast<int>(frequencies.size()));
+  double distance = 0.0;
+  double exact = 0.0;
+  double seen = 0.0;
+  for (std::size_t r = 0; r < frequencies.size(); ++r)
+  {
+    exact += mass[r];
+    seen += static_cast<double>(frequencies[r]) / quadrats;
+    distance = std::max(distance, std::abs(exact - seen));
+  }
+  EXPECT_LT(distance * std::sqrt(quadrats), 1.95);
+  const QuadratMoments moments = MomentsOfCounts(frequencies);
+  EXPECT_NEAR(moments.Mean, law.Mean, 4.0 * std::sqrt(CountVariance(law) / quadrats));
+  EXPECT_NEAR(moments.Variance / CountVariance(law), 1.0, 4.0 * std::sqrt(2.5 / quadrats));
+}
+
+// The likelihood of the fit is that of the truth or better, and the fitted law has its variance.
+TEST_P(LargeLaws, FitsFindTheLaw)
+{
+  const QuadratLawParameters law = LargeLaw(GetParam());
+  const std::vector<long long> frequencies = Sampled(law, 400, 7);
+  const QuadratFit fit = FitQuadratLaw(law.Law, frequencies);
+  EXPECT_TRUE(fit.Exists);
+  EXPECT_TRUE(fit.MomentsExist || law.Law == QuadratLaw::PoissonNegativeBinomial); // which has to match a third moment
+  const std::vector<double> mass = MassFunctionUpTo(law, static_cast<int>(frequencies.size()) - 1);
+  double truth = 0.0;
+  for (std::size_t r = 0; r < frequencies.size(); ++r)
+  {
+    truth += frequencies[r] > 0 ? static_cast<double>(frequencies[r]) * std::log(mass[r]) : 0.0;
+  }
+  EXPECT_GE(fit.LogLikelihood, truth - 1e-6);
+  EXPECT_LT(fit.LogLikelihood, truth + 8.0);
+  const double spread = 5.0 * std::sqrt(2.0 / 400.0);
+  EXPECT_NEAR(CountVariance(fit.Law) / CountVariance(law), 1.0, spread);
+  if (fit.MomentsExist)
+  {
+    EXPECT_NEAR(CountVariance(fit.Moments) / MomentsOfCounts(frequencies).Variance, 1.0,
+      law.Law == QuadratLaw::Poisson ? spread : 0.01);
+  }
+  EXPECT_GT(fit.PValue, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(QuadratLaws, LargeLaws, testing::Range(0, NumberOfQuadratLaws),
+  [](const auto& info) { return QuadratLawName(static_cast<QuadratLaw>(info.param)); });
+
+TEST(QuadratLaws, AreThoseOfBoostUpToThousandsOfPoints)
+{
+  for (const double mean : { 0.7, 480.0, 3000.0, 20000.0 })
+  {
+    QuadratLawParameters law;
+    law.Mean = mean;
+    ExpectIs(law, boost::math::poisson(mean));
+    law.Law = QuadratLaw::Binomial;
+    law.Trials = static_cast<int>(1.5 * mean) + 3;
+    ExpectIs(law, boost::math::binomial(law.Trials, mean / law.Trials));
+    law.Law = QuadratLaw::NegativeBinomial;
+    for (const double shape : { 0.5, 4.0, 1000.0 })
+    {
+      law.ClusterShape = shape;
+      ExpectIs(law, boost::math::negative_binomial(shape, shape / (shape + mean)));
+    }
+  }
+}
+
+TEST(QuadratLaws, LawsThatAreTooLongAreRefused)
+{
+  QuadratLawParameters law;
+  law.Mean = 9e4;
+  EXPECT_EQ(WhyInvalid(law), "");
+  law.Law = QuadratLaw::NegativeBinomial;
+  law.ClusterShape = 1e-3;
+  EXPECT_NE(WhyInvalid(law).find("too much to compute"), std::string::npos);
+  law.Law = QuadratLaw::PoissonPoisson;
+  law.ClusterMean = 5e4;
+  EXPECT_NE(WhyInvalid(law).find("in clusters"), std::string::npos);
 }

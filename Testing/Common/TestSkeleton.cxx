@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -120,6 +122,12 @@ TEST(BranchSkin, IsOnePieceABranch)
   const PlantMesh mesh = SkinOf(plant, {});
   std::vector<int> group(mesh.Points.size());
   std::iota(group.begin(), group.end(), 0);
+  std::map<std::array<double, 3>, int> places; // vertices that are apart in normals or texture alone
+  for (int vertex = 0; vertex < static_cast<int>(group.size()); ++vertex)
+  {
+    const Vector3& point = mesh.Points[vertex];
+    group[vertex] = places.insert({ { point.x, point.y, point.z }, vertex }).first->second;
+  }
   for (int polygon = 0; polygon < mesh.NumberOfPolygons(); ++polygon)
   {
     for (int i = mesh.Offsets[polygon]; i + 1 < mesh.Offsets[polygon + 1]; ++i)

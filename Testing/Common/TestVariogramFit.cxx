@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constants.h"
-#include "FractalDimension.h"
 #include "TurningBands.h"
 #include "VariogramFit.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace littoral;
 
@@ -138,7 +139,8 @@ TEST_P(EveryModel, ExactVariogramPicksItsModel)
   EXPECT_EQ(static_cast<int>(fits[0].Field.Model), GetParam());
   for (std::size_t i = 1; i < fits.size(); ++i)
   {
-    EXPECT_LE(fits[i - 1].AICc, fits[i].AICc);
+    EXPECT_LE(fits[i - 1].AtBound, fits[i].AtBound);
+    EXPECT_TRUE(fits[i - 1].AICc <= fits[i].AICc || fits[i].AtBound > fits[i - 1].AtBound);
   }
 }
 
@@ -179,36 +181,67 @@ TEST(VariogramFit, GrownEllipseIsFound)
   }
 }
 
+TEST(VariogramFit, BoundsAreMarkedAndRankedLast)
+{
+  // An exponential variogram of 10 m against bounds on both sides of it; a sharp parabola has no dimension but 2.
+  const VariogramFit truth = Truth(1);
+  VariogramFitOptions options = Options();
+  EXPECT_FALSE(FitVariogram(truth.Field.Model, ExactBins(truth, 1), options).AtBound);
+  options.LongestRange = 8.0;
+  const std::vector<VariogramFit> fits = FitAllModels(ExactBins(truth, 1), options);
+  const auto isTruth = [&](const VariogramFit& fit) { return fit.Field.Model == truth.Field.Model; };
+  const auto held = std::find_if(fits.begin(), fits.end(), isTruth);
+  ASSERT_NE(held, fits.end());
+  EXPECT_TRUE(held->AtBound);
+  EXPECT_FALSE(fits.front().AtBound);
+  EXPECT_LT(held->AICc, fits.front().AICc) << "the best is the one that the bound makes wrong";
+  EXPECT_TRUE(std::is_sorted(
+    fits.begin(), fits.end(), [](const VariogramFit& a, const VariogramFit& b) { return a.AtBound < b.AtBound; }));
+
+  VariogramFit smooth = Truth(2);
+  smooth.Field.Range = 5000.0;
+  const VariogramFit fractal = FitVariogram(CovarianceModel::Fractal, ExactBins(smooth, 1), Options());
+  EXPECT_TRUE(fractal.AtBound);
+  EXPECT_GE(fractal.Field.FractalDimension, 2.0);
+  VariogramFit noise = Truth(1);
+  noise.Field.Range = 0.005; // the shortest lag is 0.1
+  EXPECT_TRUE(FitVariogram(CovarianceModel::SimpleExponential, ExactBins(noise, 1), Options()).AtBound);
+  EXPECT_TRUE(FitVariogram(CovarianceModel::Fractal, ExactBins(noise, 1), Options()).AtBound);
+}
+
+TEST(VariogramFit, NuggetIsThereWhereNoiseIs)
+{
+  // White noise of 5 % of the variance, drawn by the standard library, on grown fields; and none.
+  VariogramFitOptions options;
+  options.Nugget = true;
+  options.LongestRange = 128.0;
+  options.FractalRange = 1024.0;
+  for (const double noise : { 0.0, 0.05 })
+  {
+    for (int seed = 1; seed <= 3; ++seed)
+    {
+      TurningBandsParameters parameters;
+      parameters.Field.Model = CovarianceModel::DoubleExponential;
+      parameters.Field.Range = 12.0;
+      parameters.Seed = seed;
+      GridSamples samples = Grow(parameters, 256);
+      std::mt19937_64 engine(seed);
+      std::normal_distribution<double> normal;
+      for (double& value : samples.Values)
+      {
+        value += std::sqrt(noise) * normal(engine);
+      }
+      const std::vector<LagBin> bins = BinVariogram(ComputeVariogramMap(samples, 128.0), 128.0, 40, 1);
+      const VariogramFit best = FitAllModels(bins, options).front();
+      EXPECT_EQ(best.Field.Model, CovarianceModel::DoubleExponential) << "noise " << noise << " seed " << seed;
+      EXPECT_NEAR(best.Nugget, noise, 0.003);
+      EXPECT_EQ(best.Nugget > 0.0, noise > 0.0);
+    }
+  }
+}
+
 TEST(VariogramFit, TooFewLagsFitNothing)
 {
   const std::vector<LagBin> bins(3, LagBin{ 1.0, { 1.0, 0.0 }, 1.0, 10.0, 0, 0 });
   EXPECT_TRUE(std::isinf(FitVariogram(CovarianceModel::Bessel1, bins).AICc));
-}
-
-TEST(FractalDimension, IsRecoveredByThePeriodogram)
-{
-  for (double dimension : { 2.15, 2.5, 2.8 })
-  {
-    double mean = 0.0;
-    const int seeds = 4;
-    for (int seed = 1; seed <= seeds; ++seed)
-    {
-      TurningBandsParameters parameters;
-      parameters.Field.Model = CovarianceModel::Fractal;
-      parameters.Field.Range = 2048.0;
-      parameters.Field.FractalDimension = dimension;
-      parameters.Seed = seed;
-      mean += DimensionFromPeriodogram(Grow(parameters, 512)).Dimension / seeds;
-    }
-    EXPECT_NEAR(mean, dimension, 0.05);
-  }
-}
-
-TEST(FractalDimension, IsNearByTheVariogram)
-{
-  TurningBandsParameters parameters;
-  parameters.Field.Model = CovarianceModel::Fractal;
-  parameters.Field.Range = 2048.0;
-  parameters.Field.FractalDimension = 2.5;
-  EXPECT_NEAR(DimensionFromVariogram(ComputeVariogramMap(Grow(parameters, 512), 20.0)).Dimension, 2.5, 0.1);
 }

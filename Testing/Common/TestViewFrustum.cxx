@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constants.h"
+#include "PictureOf.h"
 #include "ViewFrustum.h"
 
 #include <gtest/gtest.h>
@@ -137,6 +138,136 @@ TEST(ViewFrustum, ARoundedViewHoldsWhatTheViewShows)
   EXPECT_GT(shown, 1000);
 }
 
+// Views of all kinds by other matrices: what is on the picture is in the volume, and nothing else.
+TEST(ViewFrustum, HoldsThePictureInPerspectiveAndInParallel)
+{
+  std::mt19937 random(21);
+  int shown[2] = { 0, 0 };
+  for (int n = 0; n < 600; ++n)
+  {
+    View view = AnyView(random, 50.0);
+    view.Near = n % 3 == 0 ? 0.02 * (n % 100) : 0.0;
+    view.Far = n % 5 == 0 ? 60.0 : std::numeric_limits<double>::infinity();
+    const ViewFrustum frustum(view);
+    const PictureOf picture(view);
+    for (int k = 0; k < 200; ++k)
+    {
+      const Vector3 place = RandomVector(random, 60.0);
+      ASSERT_EQ(frustum.Contains(place), picture.Shows(place)) << n;
+      shown[view.IsParallel] += picture.Shows(place);
+    }
+  }
+  EXPECT_GT(shown[0], 5000);
+  EXPECT_GT(shown[1], 5000);
+}
+
+// Rounded to coarse steps, with places near the corners of the picture, where a turn moves most.
+TEST(ViewFrustum, ARoundedViewHoldsThePictureOfAnyView)
+{
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int shown[2] = { 0, 0 };
+  int rejected = 0;
+  for (int n = 0; n < 1500; ++n)
+  {
+    const View view = AnyView(random, 50.0);
+    const ViewFrustum rounded(Rounded(view, 3.0 * uniform(random), 0.25 * std::pow(uniform(random), 2)));
+    const PictureOf picture(view);
+    const Vector3 ahead = glm::normalize(view.Direction);
+    const Vector3 right = glm::normalize(glm::cross(ahead, view.Up));
+    const Vector3 up = glm::cross(right, ahead);
+    for (int k = 0; k < 200; ++k)
+    {
+      const double depth = 200.0 * std::pow(uniform(random), 3);
+      const double half = view.IsParallel ? view.ParallelScale : depth * std::tan(0.5 * view.Angle);
+      const double x = (k & 1 ? 1.0 : -1.0) * std::pow(uniform(random), 0.1) * half * view.AspectRatio;
+      const double y = (k & 2 ? 1.0 : -1.0) * std::pow(uniform(random), 0.1) * half;
+      const Vector3 place = view.Point + depth * ahead + x * right + y * up;
+      if (picture.Shows(place))
+      {
+        ++shown[view.IsParallel];
+        ASSERT_TRUE(rounded.Contains(place)) << n << " " << view.IsParallel;
+      }
+      rejected += !rounded.Contains(RandomVector(random, 60.0));
+    }
+  }
+  EXPECT_GT(shown[0], 100000);
+  EXPECT_GT(shown[1], 100000);
+  EXPECT_GT(rejected, 100000);
+}
+
+// Whatever view of those that round to one, wherever on its picture. Small boxes on the picture get 1 % more on
+// average.
+TEST(ViewFrustum, ARiseIsNowhereTallerOnThePicture)
+{
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int shown[2] = { 0, 0 };
+  int finite = 0;
+  double waste = 0.0;
+  int wasteSum = 0;
+  for (int n = 0; n < 6000; ++n)
+  {
+    const View view = AnyView(random, 50.0);
+    const bool rounds = n % 2 == 0;
+    const View kept = rounds ? Rounded(view, 2.0 * uniform(random), 0.1 * uniform(random)) : view;
+    const ViewFrustum frustum(kept);
+    const PictureOf picture(view);
+    Box box;
+    box.Low = RandomVector(random, 60.0);
+    const double size = 20.0 * std::pow(uniform(random), 4);
+    box.High = box.Low + Vector3(size * uniform(random), size * uniform(random), size * uniform(random));
+    const double rise = uniform(random) * (box.High.z - box.Low.z);
+    const double bound = frustum.PixelsOfRise(rise, box);
+    double tallest = 0.0;
+    bool all = true;
+    for (int k = 0; k < 60; ++k)
+    {
+      Vector3 low;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = box.Low[axis] + (box.High[axis] - box.Low[axis]) * (k < 8 ? (k >> axis & 1) : uniform(random));
+      }
+      low.z = std::min(low.z, box.High.z - rise);
+      const Vector3 high = low + Vector3(0.0, 0.0, rise);
+      all = all && picture.Shows(low) && picture.Shows(high);
+      if (picture.Shows(low) || picture.Shows(high))
+      {
+        ++shown[view.IsParallel];
+        tallest = std::max(tallest, picture.PixelsBetween(low, high));
+        ASSERT_LE(tallest, bound * (1.0 + 1e-9) + 1e-6) << n << " " << view.IsParallel << " " << rounds;
+      }
+    }
+    finite += std::isfinite(bound) && tallest > 0.0;
+    if (all && !rounds && 20.0 * size < SightDistance(view, box) && !view.IsParallel)
+    {
+      waste += bound / tallest - 1.0;
+      ++wasteSum;
+    }
+  }
+  EXPECT_GT(shown[0], 20000);
+  EXPECT_GT(shown[1], 20000);
+  EXPECT_GT(finite, 1000);
+  ASSERT_GT(wasteSum, 200);
+  EXPECT_LT(waste / wasteSum, 0.02);
+}
+
+TEST(ViewFrustum, DistancesInParallelProjection)
+{
+  View view;
+  view.Point = { 3.0, -10.0, 2.0 };
+  view.Angle = Pi / 2.0;
+  view.ParallelScale = 25.0;
+  const Vector3 place{ 3.0, -7.0, 6.0 };
+  EXPECT_DOUBLE_EQ(LevelDistance(view, place), 5.0);
+  EXPECT_DOUBLE_EQ(SightDistance(view, place), 5.0);
+  view.IsParallel = true;
+  EXPECT_DOUBLE_EQ(LevelDistance(view, place), 25.0); // 50 m fill a perspective of 90 degrees at 25 m
+  EXPECT_DOUBLE_EQ(SightDistance(view, place), 3.0);
+  EXPECT_DOUBLE_EQ(SightDistance(view, Box{ { -9.0, -8.5, 0.0 }, place }), 1.5);
+  EXPECT_DOUBLE_EQ(ViewFrustum(view).PixelsOf(50.0, 7.0), view.Height);
+}
+
 TEST(ViewFrustum, NearbyViewsRoundToTheSame)
 {
   View view;
@@ -212,6 +343,15 @@ TEST(ViewFrustum, BadViewsAreNamed)
   {
     EXPECT_TRUE(names(reason([=](View& v) { v.AspectRatio = bad; }), "AspectRatio"));
     EXPECT_TRUE(names(reason([=](View& v) { v.Height = bad; }), "ViewHeight"));
+  }
+  for (double bad : { 0.0, -1.0, inf, nan })
+  {
+    EXPECT_TRUE(names(reason([=](View& v) {
+      v.IsParallel = true;
+      v.ParallelScale = bad;
+    }),
+      "ParallelScale"));
+    EXPECT_EQ(reason([=](View& v) { v.ParallelScale = bad; }), "");
   }
   EXPECT_TRUE(names(reason([](View& v) { v.Near = -1.0; }), "near"));
   EXPECT_TRUE(names(reason([](View& v) { v.Near = v.Far = 3.0; }), "far"));

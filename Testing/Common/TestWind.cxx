@@ -3,6 +3,7 @@
 // The spectral wind against its own model: spectra, coherence, profile, the reference method, bytes, bad input, loads.
 #include "WindCholesky.h"
 #include "WindField.h"
+#include "WindLines.h"
 #include "WindLoads.h"
 
 #include <gtest/gtest.h>
@@ -289,6 +290,71 @@ TEST(LineFourier, AgreesWithDoublePrecision)
   AgreesWithDoublePrecision(FourierEngine::Own);
 }
 
+TEST(LineFourier, ForwardUndoesBackward)
+{
+  for (int length : { 4, 6, 30, 600, 6000 })
+  {
+    const RealLineFourier fourier(length);
+    LinePack pack(length / 2 + 1);
+    std::vector<double> samples(length);
+    for (int n = 0; n < length; ++n)
+    {
+      samples[n] = std::sin(1.0 + 0.1 * n * n);
+      for (int lane = 0; lane < FourierLanes; ++lane)
+      {
+        std::vector<float>& part = n % 2 == 0 ? pack.Re : pack.Im;
+        part[n / 2 * FourierLanes + lane] = static_cast<float>((lane + 1) * samples[n]);
+      }
+    }
+    const LinePack start = pack;
+    fourier.Forward(pack);
+    // By definition, at some frequencies: the first, the second, one in the middle, the last.
+    for (int k : { 0, 1, length / 3, length / 2 })
+    {
+      std::complex<double> wants(0.0);
+      for (int n = 0; n < length; ++n)
+      {
+        wants += samples[n] * std::polar(1.0, -2.0 * std::acos(-1.0) * k * n / length);
+      }
+      const std::complex<double> has{ pack.Re[k * FourierLanes + 1], pack.Im[k * FourierLanes + 1] };
+      EXPECT_LT(std::abs(has - 2.0 * wants) / std::sqrt(length), 4e-6) << length << ", " << k;
+    }
+    fourier.Backward(pack);
+    for (std::size_t n = 0; n < static_cast<std::size_t>(length / 2 * FourierLanes); ++n)
+    {
+      ASSERT_NEAR(pack.Re[n] / length, start.Re[n], 8e-6);
+      ASSERT_NEAR(pack.Im[n] / length, start.Im[n], 8e-6);
+    }
+  }
+}
+
+TEST(PeriodFourier, AnyLengthByDefinition)
+{
+  for (int length : { 1, 2, 7, 30, 97, 202, 601 })
+  {
+    PeriodFourier::Line line(length);
+    for (int n = 0; n < length; ++n)
+    {
+      line[n] = { std::sin(1.0 + n * n), std::cos(3.0 * n) };
+    }
+    const PeriodFourier fourier(length);
+    const PeriodFourier::Line spectrum = fourier.Forward(line);
+    const PeriodFourier::Line back = fourier.Backward(spectrum);
+    double worst = 0.0;
+    for (int k = 0; k < length; ++k)
+    {
+      std::complex<double> wants(0.0);
+      for (int n = 0; n < length; ++n)
+      {
+        wants += line[n] * std::polar(1.0, -2.0 * std::acos(-1.0) * (static_cast<long long>(k) * n % length) / length);
+      }
+      worst =
+        std::max({ worst, std::abs(spectrum[k] - wants), std::abs(back[k] / static_cast<double>(length) - line[k]) });
+    }
+    EXPECT_LT(worst, 1e-11 * length) << length;
+  }
+}
+
 TEST(LineFourier, FftwAgreesWithDoublePrecisionAndWithOurs)
 {
   if (!HasFftw())
@@ -539,6 +605,304 @@ TEST(WindField, NormalizedVarianceIsTheSumOfTheSpectrum)
   }
 }
 
+namespace
+{
+
+/// A component of a line at a place between its samples, by the definition of its Fourier series.
+double SumOfWaves(const float* line, int length, int component, double place)
+{
+  const double unit = 2.0 * std::acos(-1.0) / length;
+  double sum = 0.0;
+  for (int k = 0; 2 * k <= length; ++k)
+  {
+    std::complex<double> wave(0.0);
+    for (int n = 0; n < length; ++n)
+    {
+      wave += static_cast<double>(line[3 * n + component]) * std::polar(1.0 / length, -unit * (k * n % length));
+    }
+    sum += (k == 0 || 2 * k == length ? 1.0 : 2.0) * (wave * std::polar(1.0, unit * k * place)).real();
+  }
+  return sum;
+}
+
+/// Variance over a period of a component of a line.
+double Variance(const float* line, int length, int component)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int n = 0; n < length; ++n)
+  {
+    sum += line[3 * n + component];
+    squares += std::pow(line[3 * n + component], 2.0);
+  }
+  return squares / length - std::pow(sum / length, 2.0);
+}
+
+/// What the waves of a grid carry by the spectrum at a height.
+double VarianceOfWaves(const WindGrid& grid, int component, double height)
+{
+  double sum = 0.0;
+  for (int frequency = 1; frequency < grid.Count[0] / 2; ++frequency)
+  {
+    sum += SpectralDensity({}, component, frequency / grid.Period(), height) / grid.Period();
+  }
+  return sum;
+}
+
+}
+
+TEST(WindField, DoesNotPulseBetweenItsTimes)
+{
+  // A straight line between samples has 0.54 to 0.97 of the variance half-way, and 0.5 or 0 of the fastest waves.
+  for (const int length : { 4, 60, 600 })
+  {
+    for (const double step : { 0.025, 0.1, 1.0 })
+    {
+      WindGrid grid;
+      grid.Count = { length, 11, 2 }; // a whole pack of lines and a part of one
+      grid.TimeStep = step;
+      const std::vector<float> field = Wind(grid);
+      const WindCarrier carrier(length);
+      WindCarrier::Room room(length);
+      double worst = 0.0;
+      double off = 0.0;
+      for (int part = 1; part < 16; ++part)
+      {
+        for (int first : { 0, FourierLanes })
+        {
+          const int lines = std::min(FourierLanes, 11 - first);
+          carrier.Carry(&field[std::size_t(3) * length * first], lines, part / 16.0, room);
+          for (int line = 0; line < lines; ++line)
+          {
+            const float* was = &field[std::size_t(3) * length * (first + line)];
+            const float* is = &room.Velocities[std::size_t(3) * length * line];
+            for (int component = 0; component < 3; ++component)
+            {
+              worst =
+                std::max(worst, std::abs(Variance(is, length, component) / Variance(was, length, component) - 1.0));
+            }
+            for (int n = 0; n < length && part % 5 == 3 && line % 5 == 2; n += length / 4)
+            {
+              off = std::max(off, std::abs(is[3 * n + 1] - SumOfWaves(was, length, 1, n - part / 16.0)));
+            }
+          }
+        }
+      }
+      std::cout << length << " samples of " << step << " s: at 15 times between steps the variance is within " << worst
+                << " of that at them, the wind within " << off << " m/s of its Fourier series\n";
+      EXPECT_LT(worst, 1e-4); // single precision, with the mean wind in it
+      EXPECT_LT(off, 2e-5);
+    }
+  }
+}
+
+TEST(WindLines, AlongTheWindTheSumOfWaves)
+{
+  // Of lengths that are and are not a product of 2, 3 and 5.
+  for (const int length : { 60, 61, 62 })
+  {
+    std::vector<float> field(std::size_t(3) * length * 6);
+    for (std::size_t n = 0; n < field.size(); ++n)
+    {
+      field[n] = static_cast<float>(std::sin(0.7 * static_cast<double>(n * n % 1009)));
+    }
+    const WindLines lines(field.data(), { length, 2, 3 });
+    std::vector<Vector3> velocities(2 * length);
+    for (const double first : { 0.0, -7.0, 100.5, 1e6 + 0.125 })
+    {
+      lines.Sample({ 13.3, 1.0, 2.0 }, first, velocities.size(), velocities.data());
+      const float* line = &field[std::size_t(3) * length * 5];
+      for (int n = 0; n < 2 * length; n += 7)
+      {
+        const double place = std::fmod(13.3 - first - n, length);
+        for (int component = 0; component < 3; ++component)
+        {
+          ASSERT_NEAR(velocities[n][component], SumOfWaves(line, length, component, place), 2e-6) << length;
+        }
+      }
+    }
+    // At a sample the sample, beyond the edges those of the edge.
+    lines.Sample({ 5.0, -1.0, 7.0 }, 0.0, 2, velocities.data());
+    EXPECT_NEAR(velocities[0].x, field[3 * (5 + length * 4)], 1e-6);
+    EXPECT_NEAR(velocities[1].z, field[3 * (4 + length * 4) + 2], 1e-6);
+  }
+}
+
+TEST(WindLines, VarianceAndSpectrumBetweenLines)
+{
+  // Half-way between four lines a bilinear mean has 0.3 to 0.9 of the variance, and a quarter of that of short waves.
+  // One run is brought to its spectrum's variance layer by layer; of places that repeat with the lines only the edges
+  // of the plane do not cancel, hence 1 %.
+  for (const double spacing : { 1.0, 4.0, 16.0 })
+  {
+    WindGrid grid;
+    grid.Count = { 600, 65, 4 };
+    grid.LateralSpacing = spacing;
+    grid.VerticalSpacing = 0.5 * spacing;
+    grid.BottomHeight = 4.0;
+    WindSynthesis synthesis;
+    synthesis.NormalizeVariance = true;
+    const std::vector<float> field = Wind(grid, synthesis);
+    const WindLines lines(field.data(), grid.Count);
+    std::vector<Vector3> series(600);
+    std::array<double, 3> low{ 2.0, 2.0, 2.0 };
+    std::array<double, 3> high{};
+    std::array<double, 3> fast{}; // of waves of 1 to 5 Hz, half-way
+    for (int part = 0; part < 16; ++part)
+    {
+      const double up = 1.0 + 0.0625 * (7 * part % 16);
+      std::array<double, 3> has{};
+      for (int column = 0; column < 64; ++column)
+      {
+        lines.Sample({ 0.37 * column, column + part / 16.0, up }, 0.5, 600, series.data());
+        std::vector<float> values(1800);
+        for (int n = 0; n < 1800; ++n)
+        {
+          values[n] = static_cast<float>(series[n / 3][n % 3]);
+        }
+        for (int component = 0; component < 3; ++component)
+        {
+          has[component] += Variance(values.data(), 600, component) / 64.0;
+        }
+        if (part == 8)
+        {
+          for (int component = 0; component < 3; ++component)
+          {
+            const auto waves = Spectra(values, GridOf(600, 1, 1), component).front();
+            for (int k = 60; k < 300; ++k)
+            {
+              fast[component] += 2.0 * std::norm(waves[k] / 600.0) / 64.0;
+            }
+          }
+        }
+      }
+      for (int component = 0; component < 3; ++component)
+      {
+        const double wants = VarianceOfWaves(grid, component, grid.BottomHeight + up * grid.VerticalSpacing);
+        low[component] = std::min(low[component], has[component] / wants);
+        high[component] = std::max(high[component], has[component] / wants);
+      }
+    }
+    // The same of the lines of both layers, brought from their heights to the place's.
+    for (int component = 0; component < 3; ++component)
+    {
+      const auto spectra = Spectra(field, grid, component);
+      const auto density = [&](int k, double layer) {
+        return SpectralDensity({}, component, k / 60.0, grid.BottomHeight + layer * grid.VerticalSpacing);
+      };
+      double lines = 0.0;
+      for (int k = 60; k < 300; ++k)
+      {
+        for (int line = 0; line < 130; ++line)
+        {
+          const int layer = 1 + line / 65;
+          lines += 2.0 * std::norm(spectra[65 + line][k] / 600.0) / 130.0 * density(k, 1.5) / density(k, layer);
+        }
+      }
+      fast[component] /= lines;
+    }
+    for (int component = 0; component < 3; ++component)
+    {
+      std::cout << "lines " << spacing << " m apart, component " << component << ": at 16 places between them "
+                << low[component] << " to " << high[component] << " of the spectrum's variance, half-way "
+                << fast[component] << " of the lines' from 1 to 5 Hz\n";
+      EXPECT_GT(low[component], 0.99);
+      EXPECT_LT(high[component], 1.01);
+      // The mean of the densities of layers 8 m apart is 2 % above that half-way, as it falls with the height.
+      EXPECT_NEAR(fast[component], 1.0, 0.03);
+    }
+  }
+}
+
+TEST(WindLines, MeanAndVarianceBetweenTheLowestLayers)
+{
+  // The layers of the default grid at 1 and 3 m. By the height itself, half-way, the mean is 3.6 % and the variance up
+  // to 3.3 % too small.
+  WindGrid grid;
+  grid.Count = { 600, 65, 2 };
+  WindSynthesis synthesis;
+  synthesis.NormalizeVariance = true;
+  const std::vector<float> field = Wind(grid, synthesis);
+  const WindLines lines(field.data(), grid.Count);
+  std::vector<Vector3> series(600);
+  double worst = 0.0;
+  for (int part = 0; part < 16; ++part)
+  {
+    const double height = 1.0 + part / 8.0;
+    std::array<double, 3> has{};
+    for (int column = 0; column < 65; ++column)
+    {
+      lines.Sample({ 0.0, 1.0 * column, LayerPlace(height, 1.0, 2.0) }, 0.5, 600, series.data());
+      Vector3 mean(0.0);
+      Vector3 square(0.0);
+      for (const Vector3& velocity : series)
+      {
+        mean += velocity / 600.0;
+        square += velocity * velocity / 600.0;
+      }
+      EXPECT_NEAR(mean.x / MeanSpeed({}, height), 1.0, 1e-6);
+      for (int component = 0; component < 3; ++component)
+      {
+        has[component] += (square[component] - mean[component] * mean[component]) / 65.0;
+      }
+    }
+    for (int component = 0; component < 3; ++component)
+    {
+      worst = std::max(worst, std::abs(has[component] / VarianceOfWaves(grid, component, height) - 1.0));
+    }
+  }
+  std::cout << "at 16 heights from 1 to 3 m the variance is within " << worst << " of the spectrum's\n";
+  EXPECT_LT(worst, 0.01);
+  // Below the ground there is no logarithm; beyond the layers the place is beyond.
+  EXPECT_DOUBLE_EQ(LayerPlace(1.0, 0.0, 2.0), 0.5);
+  EXPECT_LT(LayerPlace(0.5, 1.0, 2.0), 0.0);
+  EXPECT_GT(LayerPlace(9.0, 1.0, 2.0), 4.0 - 1e-12);
+}
+
+TEST(WindSpectrum, IecCoherenceByHand)
+{
+  WindModel model;
+  model.ReferenceSpeed = 12.0;
+  model.Coherence = WindCoherenceModel::Iec;
+  // IEC 61400-1 ed. 3, eq. B.16: hub at 90 m, Lambda_1 = 42 m and L_c = 340.2 m; at 40 m 28 m and 226.8 m.
+  model.ReferenceHeight = 90.0;
+  EXPECT_NEAR(RootCoherence(model, 0, 0.05, 12.0, 16.0), std::exp(-12.0 * std::hypot(1.0 / 12.0, 2.4 / 340.2)), 1e-12);
+  EXPECT_NEAR(RootCoherence(model, 0, 0.0, 30.0, 0.0), std::exp(-12.0 * 3.6 / 340.2), 1e-12);
+  model.ReferenceHeight = 40.0;
+  EXPECT_NEAR(RootCoherence(model, 0, 0.2, 0.0, 10.0), std::exp(-12.0 * std::hypot(2.0 / 12.0, 1.2 / 226.8)), 1e-12);
+  EXPECT_EQ(RootCoherence(model, 0, 1.0, 0.0, 0.0), 1.0);
+  // The standard is silent about the others: their own decays, over the mean at 10 m.
+  EXPECT_NEAR(RootCoherence(model, 2, 0.1, 3.0, 4.0), std::exp(-8.0 * 0.1 * 5.0 / MeanSpeed(model, 10.0)), 1e-12);
+}
+
+TEST(WindField, IecCoherenceOfTheField)
+{
+  WindModel model;
+  model.Spectrum = WindSpectrumModel::IecKaimal;
+  model.Coherence = WindCoherenceModel::Iec;
+  const WindGrid grid = GridOf(1200, 16, 16);
+  WindField field(model, grid, {});
+  field.Make();
+  double worst = 0.0;
+  for (int frequency = 1; frequency < 600; ++frequency)
+  {
+    const std::vector<float> implied = field.ImpliedCoherence(0, frequency);
+    for (int k = 0; k < 16; ++k)
+    {
+      for (int j = 0; j < 16; ++j)
+      {
+        const double distance = 2.0 * std::hypot(j, k);
+        const double wants = std::exp(-12.0 * std::hypot(frequency / 60.0 * distance / 10.0, 0.12 * distance / 56.7));
+        worst = std::max(worst, std::abs(implied[k * 16 + j] - wants));
+      }
+    }
+  }
+  std::cout << "IEC root coherence of the field within " << worst << " (reported " << field.GetCoherenceError()
+            << " for all components)\n";
+  EXPECT_LT(worst, field.GetCoherenceError() + 1e-4);
+  EXPECT_LT(worst, 0.03);
+}
+
 TEST(WindField, GaussianAmplitudesHaveUnitPower)
 {
   WindSynthesis synthesis;
@@ -610,6 +974,9 @@ TEST(WindField, SaysWhatIsWrong)
     model.RoughnessLength = bad;
     says("RoughnessLength", model, {});
     model = {};
+    model.Coherence = static_cast<WindCoherenceModel>(2);
+    says("Coherence", model, {});
+    model = {};
     model.Decay[1].Vertical = bad;
     says("LateralDecay", model, {});
   }
@@ -635,6 +1002,27 @@ TEST(WindLoads, FollowBothLaws)
   EXPECT_EQ(glm::length(LiftPerLength(air, up, 0.1, up)), 0.0);
   EXPECT_EQ(glm::length(DragPerLength(air, up, 0.1, Vector3(0.0))), 0.0);
   EXPECT_NEAR(WeightPerLength(2.0).z, -19.6133, 1e-12);
+}
+
+TEST(WindLoads, LiftIsAcrossWindAndAxis)
+{
+  WindLoadParameters air;
+  air.LiftCoefficient = 0.8;
+  // Eq. 16 with U across the axis: 1/2 1.2 0.8 0.25 100 = 12 N/m. To the right of the wind on an upright cylinder, up
+  // on one that points to the left.
+  EXPECT_NEAR(glm::distance(LiftPerLength(air, { 0, 0, 1 }, 0.25, { 10, 0, 0 }), Vector3(0, -12, 0)), 0.0, 1e-12);
+  EXPECT_NEAR(glm::distance(LiftPerLength(air, { 0, 1, 0 }, 0.25, { 10, 0, 0 }), Vector3(0, 0, 12)), 0.0, 1e-12);
+  EXPECT_NEAR(glm::distance(LiftPerLength(air, { 0, 0, 1 }, 0.25, { 0, -10, 0 }), Vector3(-12, 0, 0)), 0.0, 1e-12);
+  // At 30 degrees to the axis half of the wind is across.
+  const Vector3 axis(std::sqrt(0.75), 0.0, 0.5);
+  for (const DragLaw law : { DragLaw::Projection, DragLaw::CrossFlow })
+  {
+    air.Law = law;
+    const Vector3 lift = LiftPerLength(air, axis, 0.25, { 10, 0, 0 });
+    EXPECT_NEAR(lift.y, law == DragLaw::Projection ? -6.0 : -3.0, 1e-12);
+    EXPECT_NEAR(std::abs(lift.x) + std::abs(lift.z), 0.0, 1e-12);
+    EXPECT_NEAR(glm::dot(lift, DragPerLength(air, axis, 0.25, { 10, 0, 0 })), 0.0, 1e-12);
+  }
 }
 
 TEST(WindLoads, ProjectionAddsUp)

@@ -22,10 +22,14 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <iostream>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace
@@ -332,24 +336,181 @@ bool CheckBadInput()
   return good;
 }
 
-bool CheckMeasuredSpectrum()
+double Field(Sea* sea, const char* name)
 {
-  vtkNew<Sea> sea;
-  sea->SetSpectrum(Sea::Table);
-  sea->SetInputData(Spectrum({ 0.05, 0.1, 0.2, 0.5 }, { 0.0, 4.0, 1.0, 0.0 }));
-  sea->SetFrequencyRange(0.5, 5.0);
-  sea->Update();
+  return sea->GetOutput()->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+/// The sum of half the squares of amplitudes.
+double Energy(Sea* sea)
+{
   vtkDataArray* amplitude = vtkDataArray::SafeDownCast(sea->GetOutput()->GetColumnByName("Amplitude"));
   double energy = 0.0;
   for (vtkIdType row = 0; row < amplitude->GetNumberOfTuples(); ++row)
   {
     energy += 0.5 * amplitude->GetTuple1(row) * amplitude->GetTuple1(row);
   }
-  vtkFieldData* fields = sea->GetOutput()->GetFieldData();
-  return Check(std::abs(energy - 0.5) < 1e-12, "another energy than the table's") &
-    Check(std::abs(fields->GetArray("SignificantWaveHeight")->GetTuple1(0) - 4.0 * std::sqrt(0.5)) < 1e-12,
-      "another height") &
-    Check(std::abs(fields->GetArray("PeakPeriod")->GetTuple1(0) - 10.0) < 1e-12, "another period");
+  return energy;
+}
+
+bool CheckMeasuredSpectrum()
+{
+  vtkNew<Sea> sea;
+  sea->SetSpectrum(Sea::Table);
+  sea->SetInputData(Spectrum({ 0.05, 0.1, 0.2, 0.5 }, { 0.0, 4.0, 1.0, 0.0 }));
+  vtkNew<ErrorCounter> messages;
+  messages->Watch(sea);
+  messages->WatchWarnings();
+  bool good = true;
+  for (const bool all : { true, false })
+  {
+    sea->SetFrequencyRange(all ? 0.0 : 0.5, all ? 0.0 : 5.0);
+    sea->Update();
+    good &= Check(std::abs(Energy(sea) - 0.5) < 1e-12, "another energy than the table's");
+    good &= Check(std::abs(Field(sea, "SignificantWaveHeight") - 4.0 * std::sqrt(0.5)) < 1e-12, "another height");
+    good &= Check(std::abs(Field(sea, "PeakPeriod") - 10.0) < 1e-12, "another period");
+    good &= Check(Field(sea, "EnergyLeftOut") < 1e-12, "energy of the table is left out");
+  }
+  good &= Check(messages->Warnings == 0 && messages->Count == 0, "a table is warned of");
+  // From 0.1 to 0.2 Hz there are 0.25 of 0.5 m2.
+  sea->SetFrequencyRange(1.0, 2.0);
+  sea->Update();
+  good &= Check(std::abs(Field(sea, "EnergyLeftOut") - 0.5) < 1e-12, "another part is left out");
+  good &= Check(std::abs(Field(sea, "SignificantWaveHeight") - 2.0) < 1e-12, "the height is not that of the trains");
+  return good &
+    Check(messages->Warnings == 1 && messages->LastWarning.find("FrequencyRange") != std::string::npos,
+      "half of the energy is left out in silence");
+}
+
+/// The closed form of Pierson and Moskowitz says what is left out; more than 2 % is said once.
+bool CheckEnergyLeftOut()
+{
+  bool good = true;
+  for (const auto& range : { std::array<double, 2>{ 0.5, 4.0 }, { 0.5, 2.9 }, { 0.5, 2.7 }, { 0.8, 1.2 } })
+  {
+    vtkNew<Sea> sea;
+    sea->SetFrequencyRange(range[0], range[1]);
+    vtkNew<ErrorCounter> messages;
+    messages->Watch(sea);
+    messages->WatchWarnings();
+    sea->Update();
+    const double left = 1.0 - std::exp(-1.25 / std::pow(range[1], 4.0)) + std::exp(-1.25 / std::pow(range[0], 4.0));
+    // 4 U2 / g sqrt(alpha / (4 beta)), of a wind of 10 m/s
+    const double height = 400.0 / 9.81 * std::sqrt(8.1e-3 / (4.0 * 0.74) * (1.0 - left));
+    good &= Check(std::abs(Field(sea, "EnergyLeftOut") - left) < 1e-12, "another part is left out");
+    good &= Check(std::abs(Field(sea, "SignificantWaveHeight") - height) < 1e-9, "another height of the trains");
+    good &= Check(messages->Warnings == (left > 0.02 ? 1 : 0), "a warning too many or too few");
+  }
+  // Storms over a shallow bed too are no reason for a warning at the default range.
+  for (const int spectrum : { Sea::PiersonMoskowitz, Sea::JONSWAP, Sea::TMA })
+  {
+    for (const double depth : { 0.0, 0.5, 5.0, 50.0 })
+    {
+      vtkNew<Sea> sea;
+      sea->SetSpectrum(spectrum);
+      sea->SetWindSpeed(20.0);
+      sea->SetWaterDepth(depth);
+      vtkNew<ErrorCounter> messages;
+      messages->Watch(sea);
+      messages->WatchWarnings();
+      sea->Update();
+      good &=
+        Check(messages->Warnings == 0 && Field(sea, "EnergyLeftOut") < 0.011, "the default range leaves out much");
+      good &= Check(std::isinf(Field(sea, "Period")), "a sea at random frequencies has a period");
+    }
+  }
+  return good;
+}
+
+/// How far points are from where they were at a time, at most.
+double FarthestMove(Orbits* orbits, double from, double to)
+{
+  const auto places = [orbits](double time) {
+    orbits->UpdateTimeStep(time);
+    vtkDataArray* points = vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0))->GetPoints()->GetData();
+    std::vector<double> values;
+    for (vtkIdType n = 0; n < 3 * points->GetNumberOfTuples(); ++n)
+    {
+      values.push_back(points->GetComponent(n / 3, static_cast<int>(n % 3)));
+    }
+    return values;
+  };
+  const std::vector<double> before = places(from);
+  const std::vector<double> after = places(to);
+  double farthest = 0.0;
+  for (std::size_t n = 0; n < before.size(); ++n)
+  {
+    farthest = std::max(farthest, std::abs(after[n] - before[n]));
+  }
+  return farthest;
+}
+
+/// With equal spacing the surface and orbits below are the same after a period, and not after a half or a third of one.
+bool CheckReturn()
+{
+  bool good = true;
+  double worst = 0.0;
+  double worstSingle = 0.0;
+  double least = 1e9;
+  for (const int spectrum : { Sea::PiersonMoskowitz, Sea::JONSWAP, Sea::TMA, Sea::Table })
+  {
+    for (const auto& range : { std::array<double, 2>{ 0.0, 0.0 }, { 0.5, 4.0 }, { 0.0, 3.3 }, { 0.77, 2.31 } })
+    {
+      for (const int count : { 1, 30, 157 })
+      {
+        for (const double depth : { 0.0, 2.5 })
+        {
+          vtkObject::GlobalWarningDisplayOff();
+          vtkNew<Sea> sea;
+          sea->SetInputData(Spectrum({ 0.05, 0.1, 0.2, 0.5 }, { 0.0, 4.0, 1.0, 0.0 }));
+          sea->SetSpectrum(spectrum);
+          sea->SetFrequencyRange(range.data());
+          sea->SetNumberOfTrains(count);
+          sea->SetWaterDepth(depth);
+          sea->EqualSpacingOn();
+          sea->Update();
+          vtkObject::GlobalWarningDisplayOn();
+          const double period = Field(sea, "Period");
+          for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+          {
+            vtkNew<Orbits> orbits;
+            orbits->SetInputData(0, Particles(40, type));
+            orbits->SetInputConnection(1, sea->GetOutputPort());
+            double& kept = type == VTK_FLOAT ? worstSingle : worst;
+            kept = std::max(kept, FarthestMove(orbits, 1.7, 1.7 + period));
+            kept = std::max(kept, FarthestMove(orbits, 0.0, 3.0 * period));
+            if (count > 1)
+            {
+              least = std::min(least, FarthestMove(orbits, 0.0, period / 2.0));
+              least = std::min(least, FarthestMove(orbits, 0.0, period / 3.0));
+            }
+          }
+        }
+      }
+    }
+  }
+  std::cout << "after a period within " << worst << " m, in single precision " << worstSingle
+            << " m; after a part of it " << least << " m and more" << std::endl;
+  good &= Check(worst < 1e-9 && worstSingle < 5e-5, "the sea does not return");
+  good &= Check(least > 0.1, "the sea returns too early");
+
+  // The defaults, with a Current: at a fixed centre the phase of a train runs by k.U more; carried centres return.
+  vtkNew<Sea> sea;
+  sea->EqualSpacingOn();
+  sea->Update();
+  const double period = Field(sea, "Period");
+  good &= Check(std::abs(period - 63.3) < 0.1, "another period at the defaults");
+  vtkNew<Orbits> orbits;
+  orbits->SetInputData(0, Particles(40));
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetCurrent(0.5, 0.0);
+  good &= Check(FarthestMove(orbits, 0.0, period) < 1e-10, "Current without DopplerShift has an effect");
+  orbits->DopplerShiftOn();
+  good &= Check(FarthestMove(orbits, 0.0, period) > 0.1, "waves on a current return at a fixed place");
+  orbits->DopplerShiftOff();
+  orbits->StokesDriftOn();
+  good &= Check(FarthestMove(orbits, 0.0, period) > 0.1, "drifting centres return");
+  return good;
 }
 
 }
@@ -360,6 +521,8 @@ int TestParticleOrbits(int, char*[])
   good &= CheckSurface();
   good &= CheckCountsAndSlaves();
   good &= CheckMeasuredSpectrum();
+  good &= CheckEnergyLeftOut();
+  good &= CheckReturn();
   good &= CheckBadInput();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

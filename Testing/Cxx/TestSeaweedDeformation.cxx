@@ -105,7 +105,8 @@ long long Counter(vtkAlgorithm* filter, const char* name)
 }
 
 /// Simple plants: stems of some segments at places, with one side branch each, as a scattered forest has them.
-vtkNew<vtkMultiBlockDataSet> Stems(const std::vector<Vector3>& places, int segments, double height = 1.0)
+vtkNew<vtkMultiBlockDataSet> Stems(const std::vector<Vector3>& places, int segments, double height = 1.0,
+  littoral::SeaweedTissue kind = littoral::SeaweedTissue::Stipe)
 {
   littoral::Skeleton skeleton;
   std::vector<int> plants;
@@ -119,6 +120,7 @@ vtkNew<vtkMultiBlockDataSet> Stems(const std::vector<Vector3>& places, int segme
     plants.resize(skeleton.Nodes.size(), static_cast<int>(&place - places.data()));
   }
   littoral::SeaweedSegment segment;
+  segment.Tissue = kind;
   segment.Width = 0.02;
   segment.Thickness = 0.02;
   segment.YoungModulus = 1e7;
@@ -615,6 +617,15 @@ bool TestWarning()
   good = Check(warnings(1, 1, 0.99 * limit, 0.002) == 0, "a warning just below the limit") && good;
   good = Check(warnings(1, 0, 0.02, 0.1) == 0, "the implicit integrator warns") && good;
   good = Check(warnings(0, 1, 0.02, 0.1) == 0, "procedural plants warn") && good;
+  // Blades of ten equal segments: (0.52 / 0.1)^3.
+  vtkNew<vtkMultiBlockDataSet> blades = Stems({ { 0.0, 0.0, 0.0 } }, 10, 1.0, littoral::SeaweedTissue::Blade);
+  scene.Move->SetInputData(blades);
+  good = Check(warnings(1, 0, 0.02, 0.1) == 1, "no warning, or more than one, of equal segments") && good;
+  good = Check(messages->LastWarning.find("Cauchy number of 140.6") != std::string::npos,
+           "the warning is: " + messages->LastWarning) &&
+    good;
+  good = Check(warnings(1, 0, 0.02, 0.2) == 0, "the next frame warns again of equal segments") && good;
+  good = Check(warnings(0, 0, 0.02, 0.1) == 0, "procedural blades warn") && good;
   return Check(messages->Count == 0, "a warning is an error") && good;
 }
 

@@ -4,14 +4,18 @@
 #include "ErrorCounter.h"
 #include "vtkTurningBandsTerrainSource.h"
 
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTable.h"
 
 #include <climits>
 #include <functional>
+#include <iostream>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -32,6 +36,42 @@ bool Fails(const char* word, const std::function<void(Source*)>& spoil)
     good = false;
   }
   return good;
+}
+
+/// After a refusal the next valid request gives what a fresh object gives, also where sizes and lines change.
+bool RefusedThenGrownAsFresh()
+{
+  vtkNew<Source> used;
+  used->SetWholeExtent(0, 99, 0, 99, 0, 0);
+  used->Update();
+  {
+    vtkNew<ErrorCounter> errors;
+    used->SetNumberOfLines(-1);
+    errors->Watch(used);
+    errors->ExpectOneNaming("NumberOfLines");
+  }
+  vtkNew<Source> fresh;
+  for (Source* source : { used.Get(), fresh.Get() })
+  {
+    source->SetNumberOfLines(0);
+    source->SetWholeExtent(0, 9, 0, 9, 0, 0);
+    source->Update();
+  }
+  const auto values = [](Source* source) {
+    vtkDataArray* array = source->GetOutput()->GetPointData()->GetScalars();
+    std::vector<double> copy;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      copy.push_back(array->GetComponent(i, 0));
+    }
+    return copy;
+  };
+  if (values(used).size() != 100 || values(used) != values(fresh))
+  {
+    std::cerr << "after a refusal the terrain is not that of a fresh source" << std::endl;
+    return false;
+  }
+  return true;
 }
 
 }
@@ -60,9 +100,14 @@ int TestTerrainBadInput(int, char*[])
   }
   for (int bad : { 0, -1, INT_MIN })
   {
-    good &= Fails("NumberOfLines", [=](Source* s) { s->SetNumberOfLines(bad); });
     good &= Fails("NumberOfHarmonics", [=](Source* s) { s->SetNumberOfHarmonics(bad); });
   }
+  for (int bad : { -1, INT_MIN }) // 0 asks for as many as are needed
+  {
+    good &= Fails("NumberOfLines", [=](Source* s) { s->SetNumberOfLines(bad); });
+    good &= Fails("Range", [=](Source* s) { s->SetRange(bad); }); // found before lines are counted
+  }
+  good &= RefusedThenGrownAsFresh();
   good &= Fails("Model", [](Source* s) { s->SetModel(7); });
   good &= Fails("Model", [](Source* s) { s->SetModel(-1); });
   good &= Fails("Variance", [=](Source* s) { s->SetStandardDeviation(nan); });
@@ -91,9 +136,14 @@ int TestTerrainBadInput(int, char*[])
   column->SetValue(0, nan);
   good &= Fails("ModelId", [&](Source* s) { s->SetInputData(other); });
 
-  // A part of an extent that as a whole would not fit is no trouble.
+  // A part of an extent that as a whole would not fit is no trouble, also once the whole was refused.
   vtkNew<Source> huge;
-  huge->SetWholeExtent(0, 99999, 0, 99999, 0, 0);
+  huge->SetWholeExtent(0, 3200000, 0, 3200000, 0, 0);
+  {
+    vtkNew<ErrorCounter> errors;
+    errors->Watch(huge);
+    good &= errors->ExpectOneNaming("GiB");
+  }
   const int part[6] = { 50000, 50031, 70000, 70031, 0, 0 };
   huge->UpdateExtent(part);
   if (huge->GetOutput()->GetNumberOfPoints() != 32 * 32)

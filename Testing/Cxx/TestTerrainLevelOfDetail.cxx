@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Terrain in levels of detail: arrays, counters, same bytes on any threads, what is kept, bad input, a picture.
+#include "CameraPicture.h"
 #include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkTerrainLevelOfDetailFilter.h"
@@ -24,14 +25,18 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
+#include "vtkTriangle.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <random>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -248,8 +253,113 @@ bool BadInput()
   good &= Fails("ScreenError", [=](Filter* f) { f->SetScreenError(nan); });
   good &= Fails("Selection", [](Filter* f) { f->SetSelection(2); });
   good &= Fails("ViewAngle", [](Filter* f) { f->SetViewAngle(180.0); });
+  good &= Fails("ParallelScale", [](Filter* f) {
+    f->ParallelProjectionOn();
+    f->SetParallelScale(-1.0);
+  });
   good &= Fails("FarDistance", [](Filter* f) { f->SetFarDistance(1.0); });
   return good;
+}
+
+/// The farthest that any sample on the picture is from the surface that is shown, and how many are on it at all but
+/// have none.
+void MeasureError(Filter* filter, vtkImageData* image, const CameraPicture& picture, double& largest, int& holes)
+{
+  vtkDataArray* heights = image->GetPointData()->GetArray("Elevation");
+  std::vector<char> isCovered(static_cast<std::size_t>(image->GetNumberOfPoints()), 0);
+  largest = 0.0;
+  for (unsigned int block = 0; block < 5; ++block)
+  {
+    vtkPolyData* data = BlockOf(filter, block);
+    for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+    {
+      double bounds[6];
+      double corners[3][3];
+      data->GetCellBounds(cell, bounds);
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      data->GetCellPoints(cell, count, ids);
+      for (int k = 0; k < 3; ++k)
+      {
+        data->GetPoint(ids[k], corners[k]);
+      }
+      const auto gridAt = [](double place, double origin) {
+        return static_cast<int>(std::lround((place - origin) / 10.0));
+      };
+      for (int y = gridAt(bounds[2], -200.0); y <= gridAt(bounds[3], -200.0); ++y)
+      {
+        for (int x = gridAt(bounds[0], 500.0); x <= gridAt(bounds[1], 500.0); ++x)
+        {
+          const vtkIdType sample = static_cast<vtkIdType>(y) * Width + x;
+          const double full[3] = { 500.0 + 10.0 * x, -200.0 + 10.0 * y, heights->GetTuple1(sample) };
+          double shares[3];
+          double flat[3][2];
+          for (int k = 0; k < 3; ++k)
+          {
+            std::copy_n(corners[k], 2, flat[k]);
+          }
+          vtkTriangle::BarycentricCoords(full, flat[0], flat[1], flat[2], shares);
+          if (*std::min_element(shares, shares + 3) < -1e-9)
+          {
+            continue;
+          }
+          isCovered[sample] = 1;
+          const double height = shares[0] * corners[0][2] + shares[1] * corners[1][2] + shares[2] * corners[2][2];
+          const double shown[3] = { full[0], full[1], height };
+          if (picture.Shows(full) || picture.Shows(shown))
+          {
+            largest = std::max(largest, picture.PixelsBetween(full, shown));
+          }
+        }
+      }
+    }
+  }
+  holes = 0;
+  for (vtkIdType sample = 0; sample < image->GetNumberOfPoints(); ++sample)
+  {
+    double place[3];
+    image->GetPoint(sample, place);
+    place[2] = heights->GetTuple1(sample);
+    holes += isCovered[sample] == 0 && picture.Shows(place) ? 1 : 0;
+  }
+}
+
+/// ScreenError holds through the matrices of any camera, all over the picture, and nothing on it is culled.
+bool ScreenErrorHolds()
+{
+  const auto image = Hills();
+  vtkNew<Filter> filter;
+  filter->SetInputData(image);
+  filter->SetSelection(Filter::ScreenErrorRule);
+  filter->SetTileSize(16);
+  vtkNew<vtkCamera> camera;
+  const double middle[3] = { 1500.0, 550.0, 0.0 };
+  std::mt19937 random(5);
+  bool good = true;
+  double worst = 0.0;
+  int coarse = 0;
+  for (int round = 0; round < 40; ++round)
+  {
+    LookFromAnywhere(camera, random, middle, 1500.0);
+    const int size[2] = { 300 + 150 * (round % 7), 900 - 120 * (round % 5) };
+    filter->SetAspectRatio(static_cast<double>(size[0]) / size[1]);
+    filter->SetViewHeight(size[1]);
+    filter->SetScreenError(2.0 + round % 5);
+    filter->SetMoveTolerance(round % 3 == 0 ? 15.0 : 0.0);
+    filter->SetTurnTolerance(round % 3 == 0 ? 1.0 : 0.0);
+    filter->SetCamera(camera);
+    filter->Update();
+    double largest = 0.0;
+    int holes = 0;
+    MeasureError(filter, image, CameraPicture(camera, size[0], size[1]), largest, holes);
+    worst = std::max(worst, largest / filter->GetScreenError());
+    coarse += CountOf(filter, "PolygonsShown") < 0.5 * CountOf(filter, "PolygonsAtFullDetail") ? 1 : 0;
+    good &= Check(largest <= filter->GetScreenError(),
+      "off by " + std::to_string(largest) + " pixels, ScreenError " + std::to_string(filter->GetScreenError()) +
+        (camera->GetParallelProjection() ? ", parallel" : ", perspective"));
+    good &= Check(holes == 0, std::to_string(holes) + " samples on the picture are culled");
+  }
+  return good & Check(worst > 0.8 && coarse > 10, "the test sees no coarse level: " + std::to_string(worst));
 }
 
 void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double, 3>& colour)
@@ -267,7 +377,7 @@ void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double
 
 int TestTerrainLevelOfDetail(int argc, char* argv[])
 {
-  if (!Data() || !Reproducible() || !Pieces() || !BadInput())
+  if (!Data() || !Reproducible() || !Pieces() || !BadInput() || !ScreenErrorHolds())
   {
     return EXIT_FAILURE;
   }

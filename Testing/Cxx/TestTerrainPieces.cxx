@@ -3,12 +3,15 @@
 // The same bytes for any part of the extent and any number of threads.
 #include "vtkTurningBandsTerrainSource.h"
 
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 
+#include <cmath>
 #include <cstring>
 #include <iostream>
 
@@ -68,6 +71,24 @@ int TestTerrainPieces(int, char*[])
       good &= a[n] >= 0.0f && a[n] <= 1.0f;
     }
   }
+  // Lines are counted by the whole grid, for a part as well; and more of them on a larger grid.
+  const auto linesOf = [](vtkTurningBandsTerrainSource* source) {
+    return source->GetOutput()->GetFieldData()->GetArray("ElevationLines")->GetComponent(0, 0);
+  };
+  auto half = Source();
+  half->SetWholeExtent(-100, 411, 200, 711, 0, 0);
+  half->UpdateExtent(extent);
+  if (linesOf(part) != linesOf(whole) || std::abs(linesOf(whole) / linesOf(half) - 2.0) > 0.02)
+  {
+    std::cerr << linesOf(whole) << " lines, in a part " << linesOf(part) << ", on half the grid " << linesOf(half)
+              << std::endl;
+    good = false;
+  }
+  // What is asked for is what is taken.
+  half->SetNumberOfLines(20);
+  half->UpdateExtent(extent);
+  good &= linesOf(half) == 20;
+
   auto other = Source();
   other->SetSeed(2);
   other->UpdateExtent(extent);

@@ -57,6 +57,11 @@ middle = [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])]
 low = bounds[4] + 1.0
 particles.Bounds = [middle[0] - 5, middle[0] + 5, middle[1] - 5, middle[1] + 5, low, low + 5.0]
 model = simple.CurrentDrift(Input=particles, Currents=[wind, across], VelocityArray="Velocity", KeepInWater=0)
+assert model.VelocityInterpolation == "Cubic Spline"
+model.VelocityInterpolation = "Linear"
+straight = places(model, 3.3)
+model.VelocityInterpolation = "Cubic Spline"
+assert (places(model, 3.3) != straight).any(), "splines are straight"
 rest = places(particles, 0.0)
 direct = places(model, 3.3)
 assert np.abs(direct - rest).max() > 1.0, "the wind does not carry"

@@ -9,6 +9,7 @@ import subprocess
 from paraview import simple
 
 PORT = 21511
+NUMBER = 400  # of plants
 
 
 def counts(forest):
@@ -49,6 +50,31 @@ def check_follows(forest, view, where):
     assert counts(forest) == near, f"{where}: the way back gives other levels"
 
 
+def check_parallel(forest, view, where):
+    """In parallel projection no plant on the picture is lost, and levels go by the scale, not by the distance."""
+    def look(scale, height):
+        view.CameraParallelProjection = 1
+        view.CameraPosition = [200.0, -300.0, height]
+        view.CameraFocalPoint = [200.0, 200.0, height]
+        view.CameraViewUp = [0.0, 0.0, 1.0]
+        view.CameraParallelScale = scale
+        simple.Render(view)
+        return counts(forest)
+
+    # Half of a picture of 4 by 3 is 4 / 3 of the scale: all of the 400 m, which a perspective that shows as much at the
+    # focal point does not near by.
+    whole = look(170.0, 0.0)
+    assert sum(whole) == NUMBER, f"{where}: of {NUMBER} plants in parallel projection {sum(whole)} are kept"
+    assert whole[2] == NUMBER, f"{where}: not all are at one level: {whole}"
+    near = look(10.0, 0.0)
+    assert near[0] > 0 and near[1] == near[2] == 0, f"{where}: not all are at the highest level: {near}"
+    assert near[0] < NUMBER / 4, f"{where}: {near[0]} of {NUMBER} plants are kept in a tenth of the forest"
+    assert sum(look(10.0, 200.0)) == 0, f"{where}: plants far below the picture are kept"
+    view.CameraParallelProjection = 0
+    stand(view, 20.0)
+    assert counts(forest)[1] > 0, f"{where}: it does not come back to perspective"
+
+
 def check_here(where):
     """Ticked, not ticked, and after a state file."""
     view = simple.GetActiveViewOrCreate("RenderView")
@@ -56,6 +82,7 @@ def check_here(where):
     forest = forest_in(view)
     simple.Render(view)  # the first picture of a view resets its camera
     check_follows(forest, view, where)
+    check_parallel(forest, view, where)
 
     forest.FollowCamera = 0
     stand(view, 20.0)

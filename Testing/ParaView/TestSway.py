@@ -45,3 +45,13 @@ assert skeleton(sway) == first
 assert len(first) == len(skeleton(tree)) > 100
 assert first != second and first != skeleton(tree)
 print("moves", sorted(abs(a[0] - b[0]) for a, b in zip(first, second))[-1], "m between two times")
+
+# The wind blows along x: lift takes the trunk to the right, by as much as drag along where both coefficients are alike.
+rest = skeleton(tree)
+assert sway.LiftCoefficient == 0.0
+sway.LiftCoefficient = 1.1
+sway.UpdatePipeline(3.0)
+lifted = skeleton(sway)
+along, right = lifted[12][0] - rest[12][0], rest[12][1] - lifted[12][1]
+assert along > 0.0 and abs(right / along - 1.0) < 0.1, (along, right)
+print("lift: a joint of the trunk goes", along, "m along the wind,", right, "m to the right")

@@ -3,6 +3,7 @@
 #include "vtkSMFollowCameraProxy.h"
 
 #include "Constants.h"
+#include "LittoralCamera.h"
 #include "ViewFrustum.h"
 
 #include "vtkCamera.h"
@@ -14,7 +15,6 @@
 #include "vtkSMSessionProxyManager.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkSMFollowCameraProxy);
 
@@ -22,16 +22,11 @@ namespace
 {
 constexpr double Degree = littoral::Pi / 180.0;
 
-littoral::Vector3 VectorOf(const double a[3])
-{
-  return { a[0], a[1], a[2] };
-}
-
 littoral::Vector3 GetVector(vtkSMProxy* proxy, const char* name)
 {
   double a[3] = { 0.0, 0.0, 0.0 };
   vtkSMPropertyHelper(proxy, name).Get(a, 3);
-  return VectorOf(a);
+  return { a[0], a[1], a[2] };
 }
 
 void SetVector(vtkSMProxy* proxy, const char* name, const littoral::Vector3& a)
@@ -47,6 +42,8 @@ littoral::View ViewOf(vtkSMProxy* filter)
   view.Direction = GetVector(filter, "ViewDirection");
   view.Up = GetVector(filter, "ViewUp");
   view.Angle = vtkSMPropertyHelper(filter, "ViewAngle").GetAsDouble() * Degree;
+  view.IsParallel = vtkSMPropertyHelper(filter, "ParallelProjection").GetAsInt() != 0;
+  view.ParallelScale = vtkSMPropertyHelper(filter, "ParallelScale").GetAsDouble();
   view.AspectRatio = vtkSMPropertyHelper(filter, "AspectRatio").GetAsDouble();
   view.Height = vtkSMPropertyHelper(filter, "ViewHeight").GetAsDouble();
   return view;
@@ -61,18 +58,7 @@ littoral::View ViewOf(vtkSMRenderViewProxy* shown, littoral::View view)
     view.AspectRatio = static_cast<double>(size.GetAsInt(0)) / size.GetAsInt(1);
     view.Height = size.GetAsInt(1);
   }
-  vtkCamera* camera = shown->GetActiveCamera();
-  view.Point = VectorOf(camera->GetPosition());
-  view.Direction = VectorOf(camera->GetDirectionOfProjection());
-  view.Up = VectorOf(camera->GetViewUp());
-  view.Angle = camera->GetViewAngle() * Degree;
-  if (camera->GetParallelProjection())
-  {
-    // A perspective that shows as much at the focal point.
-    const double distance = camera->GetParallelScale() / std::tan(0.5 * view.Angle);
-    view.Point = VectorOf(camera->GetFocalPoint()) - distance * view.Direction;
-  }
-  return view;
+  return littoral::ViewOfCamera(shown->GetActiveCamera(), view);
 }
 }
 
@@ -186,6 +172,8 @@ void vtkSMFollowCameraProxy::Take(const littoral::View& view)
   SetVector(this, "ViewDirection", view.Direction);
   SetVector(this, "ViewUp", view.Up);
   vtkSMPropertyHelper(this, "ViewAngle").Set(view.Angle / Degree);
+  vtkSMPropertyHelper(this, "ParallelProjection").Set(view.IsParallel ? 1 : 0);
+  vtkSMPropertyHelper(this, "ParallelScale").Set(view.ParallelScale);
   vtkSMPropertyHelper(this, "AspectRatio").Set(view.AspectRatio);
   vtkSMPropertyHelper(this, "ViewHeight").Set(view.Height);
   this->UpdateVTKObjects();

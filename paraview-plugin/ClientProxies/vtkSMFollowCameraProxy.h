@@ -5,9 +5,10 @@
  * @brief   a filter that follows the camera of the active view
  *
  * While the property FollowCamera of the proxy is on, the properties ViewPoint, ViewDirection, ViewUp, ViewAngle,
- * AspectRatio and ViewHeight take the values of the active render view before each of its pictures, if these differ by
- * more than MoveTolerance and TurnTolerance: else nothing downstream would change, yet be drawn anew. It lives in the
- * client, with or without a window: in ParaView, in pvpython, and in front of a server; a state file keeps it.
+ * ParallelProjection, ParallelScale, AspectRatio and ViewHeight take the values of the active render view before each
+ * of its pictures, if these differ by more than MoveTolerance and TurnTolerance: else nothing downstream would change,
+ * yet be drawn anew. It lives in the client, with or without a window: in ParaView, in pvpython, and in front of a
+ * server; a state file keeps it.
  */
 #ifndef vtkSMFollowCameraProxy_h
 #define vtkSMFollowCameraProxy_h

@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constants.h"
+#include "PlantSway.h"
+#include "ReevesTree.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace littoral;
+
+namespace
+{
+
+constexpr double Gravity = 9.80665; // [m/s2]
+
+/// A mass on a rigid arm along a mast [kg], from the mast's foot and above its own [m].
+struct Lump
+{
+  double Mass;
+  double Place;
+  double Rise;
+};
+
+/// A mast by beam elements with cubic shapes: no part of it is in the library.
+class Elements
+{
+public:
+  template <typename RadiusAt>
+  Elements(double length, int count, double modulus, double density, const RadiusAt& radiusAt)
+    : Size(length / count)
+    , Stiffness(Eigen::MatrixXd::Zero(2 * count + 2, 2 * count + 2))
+    , Mass(this->Stiffness)
+    , Weight(this->Stiffness)
+    , Lumps(count + 1, 0.0)
+  {
+    for (int element = 0; element < count; ++element)
+    {
+      const double radius = radiusAt((element + 0.5) / count);
+      const double section = Pi * radius * radius;
+      const double h = this->Size;
+      Eigen::Matrix4d k;
+      k << 12, 6 * h, -12, 6 * h, 6 * h, 4 * h * h, -6 * h, 2 * h * h, -12, -6 * h, 12, -6 * h, 6 * h, 2 * h * h,
+        -6 * h, 4 * h * h;
+      Eigen::Matrix4d m;
+      m << 156, 22 * h, 54, -13 * h, 22 * h, 4 * h * h, 13 * h, -3 * h * h, 54, 13 * h, 156, -22 * h, -13 * h,
+        -3 * h * h, -22 * h, 4 * h * h;
+      this->Stiffness.block<4, 4>(2 * element, 2 * element) +=
+        modulus * 0.25 * Pi * std::pow(radius, 4) / (h * h * h) * k;
+      this->Mass.block<4, 4>(2 * element, 2 * element) += density * section * h / 420.0 * m;
+      this->Masses.push_back(density * section * h);
+    }
+  }
+
+  void Add(const Lump& lump)
+  {
+    const auto node = static_cast<int>(std::lround(lump.Place / this->Size));
+    Eigen::Matrix2d m;
+    m << lump.Mass, lump.Mass * lump.Rise, lump.Mass * lump.Rise, lump.Mass * lump.Rise * lump.Rise;
+    this->Mass.block<2, 2>(2 * node, 2 * node) += m;
+    this->Weight(2 * node + 1, 2 * node + 1) += Gravity * lump.Mass * lump.Rise;
+    this->Lumps[node] += lump.Mass;
+  }
+
+  /// Frequencies [Hz], slowest first, of the mast clamped at its foot.
+  Eigen::VectorXd Frequencies(bool weighs)
+  {
+    const auto count = static_cast<int>(this->Masses.size());
+    double above = 0.0;
+    for (int element = count - 1; element >= 0; --element)
+    {
+      const double h = this->Size;
+      above += this->Lumps[element + 1];
+      const double force = Gravity * (above + 0.5 * this->Masses[element]);
+      Eigen::Matrix4d g;
+      g << 36, 3 * h, -36, 3 * h, 3 * h, 4 * h * h, -3 * h, -h * h, -36, -3 * h, 36, -3 * h, 3 * h, -h * h, -3 * h,
+        4 * h * h;
+      this->Weight.block<4, 4>(2 * element, 2 * element) += force / (30.0 * h) * g;
+      above += this->Masses[element];
+    }
+    const int free = 2 * count;
+    const Eigen::MatrixXd k = this->Stiffness - (weighs ? 1.0 : 0.0) * this->Weight;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      k.bottomRightCorner(free, free), this->Mass.bottomRightCorner(free, free));
+    return solver.eigenvalues().cwiseSqrt() / TwoPi;
+  }
+
+private:
+  double Size;
+  Eigen::MatrixXd Stiffness;
+  Eigen::MatrixXd Mass;
+  Eigen::MatrixXd Weight;
+  std::vector<double> Masses; // of elements
+  std::vector<double> Lumps;  // on nodes
+};
+
+double First(const TrunkMeasures& trunk, const TrunkStuff& stuff)
+{
+  return ModesOf(trunk, 1.0, stuff)[0].Frequency / TwoPi;
+}
+
+/// A mast whose radius goes from R to r R.
+Skeleton Mast(double length, double radius, double ratio, int segments)
+{
+  Skeleton mast;
+  mast.StartBranch(-1, { 0.0, 0.0, 0.0 }, radius);
+  for (int i = 1; i <= segments; ++i)
+  {
+    const double part = static_cast<double>(i) / segments;
+    mast.Grow({ 0.0, 0.0, length * part }, radius * (1.0 + (ratio - 1.0) * part));
+  }
+  return mast;
+}
+
+/// A tree of a preset with the wood of its kind, in leaf: the frequency of its first mode [Hz].
+double TreeFrequency(const ReevesTreeParameters& parameters, WoodSpecies species)
+{
+  const Plant tree = GrowReevesTree(parameters);
+  std::vector<double> areas(tree.Wood.Nodes.size(), 0.0);
+  for (const LeafParticle& leaf : tree.Leaves)
+  {
+    areas[leaf.Node] += 0.5 * leaf.Size * leaf.Size * leaf.Width;
+  }
+  SwayOptions options;
+  options.Wood = ParametersOf(species);
+  return BeamsOf(tree.Wood, areas, options)[0].Modes[0].Frequency / TwoPi;
+}
+
+double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+}
+
+TEST(TrunkModes, TaperedMastsAgainstElementsAndBooks)
+{
+  const TrunkStuff light{ 9e9, 900.0, 0.2, 0.05, false };
+  for (const double ratio : { 1.0, 0.5, 0.2, 0.05 })
+  {
+    const double radius = 0.1;
+    const auto modes = ModesOf(MeasureTrunk(Mast(10.0, radius, ratio, 12), {}), 1.0, light);
+    Elements elements(10.0, 120, 9e9, 900.0, [=](double part) { return radius * (1.0 + (ratio - 1.0) * part); });
+    const Eigen::VectorXd exact = elements.Frequencies(false);
+    std::printf("mast from R to %.2f R: %.4f Hz; of 120 elements' modes 1, 2 and 3: %.5f, %.5f, %.5f\n", ratio,
+      modes[0].Frequency / TwoPi, modes[0].Frequency / TwoPi / exact[0], modes[1].Frequency / TwoPi / exact[1],
+      modes[2].Frequency / TwoPi / exact[2]);
+    EXPECT_NEAR(modes[0].Frequency / TwoPi / exact[0], 1.0, 0.001);
+    EXPECT_NEAR(modes[1].Frequency / TwoPi / exact[1], 1.0, 0.005);
+  }
+  // A cone: 8.719 sqrt(E I / (rho A)) / L^2 with the foot's section (Conway and Dubil 1965).
+  const double cone = 8.719 * 0.05 * std::sqrt(1e7) / 100.0 / TwoPi;
+  EXPECT_NEAR(First(MeasureTrunk(Mast(10.0, 0.1, 1e-3, 40), {}), light) / cone, 1.0, 0.02);
+}
+
+TEST(TrunkModes, CarriedMassAndWeightAgainstElements)
+{
+  // Leaves at three places of the trunk, and on an upright branch beside it, stiff and light.
+  const double radius = 0.1;
+  const double ratio = 0.3;
+  Skeleton mast = Mast(12.0, radius, ratio, 12);
+  mast.StartBranch(6, { 0.0, 0.0, 6.0 }, 1e-3);
+  mast.Grow({ 0.0, 0.0, 8.0 }, 1e-3);
+  std::vector<double> areas(mast.Nodes.size(), 0.0);
+  areas[4] = 200.0;
+  areas[9] = 300.0;
+  areas[11] = 100.0;
+  areas[13] = 150.0;
+  TrunkStuff stuff{ 9e9, 900.0, 0.2, 0.05, false };
+  TrunkMeasures trunk = MeasureTrunk(mast, areas);
+  for (ShapeProducts& products : trunk.Give)
+  {
+    products.fill(0.0); // a rigid branch
+  }
+  for (const bool weighs : { false, true })
+  {
+    stuff.Weighs = weighs;
+    Elements elements(12.0, 120, 9e9, 900.0, [=](double part) { return radius * (1.0 + (ratio - 1.0) * part); });
+    for (const Lump& lump : { Lump{ 40.0, 4.0, 0.0 }, { 60.0, 9.0, 0.0 }, { 20.0, 11.0, 0.0 }, { 30.0, 6.0, 1.0 } })
+    {
+      elements.Add(lump);
+    }
+    const double exact = elements.Frequencies(weighs)[0];
+    std::printf("mast with a crown, %s: %.5f Hz, %.5f of 120 elements'\n", weighs ? "that weighs" : "without weight",
+      First(trunk, stuff), First(trunk, stuff) / exact);
+    EXPECT_NEAR(First(trunk, stuff) / exact, 1.0, 0.001);
+  }
+  // What would buckle stands, and swings half as fast as without its weight.
+  stuff.YoungModulus = 1e8;
+  const double buckled = First(trunk, stuff);
+  stuff.Weighs = false;
+  EXPECT_GT(buckled, 0.4 * First(trunk, stuff));
+}
+
+TEST(TrunkModes, LimbsGiveWay)
+{
+  // A mast whose upper part is a branch is still the mast, whose first frequency a book has.
+  const TrunkStuff light{ 9e9, 900.0, 0.2, 0.05, false };
+  const double whole = 3.5160 * 0.5 * 0.05 * std::sqrt(1e7) / 16.0 / TwoPi;
+  for (const double cut : { 0.7, 1.2, 2.0 })
+  {
+    Skeleton mast;
+    mast.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.05);
+    mast.Grow({ 0.0, 0.0, cut }, 0.05);
+    mast.StartBranch(1, { 0.0, 0.0, cut }, 0.05);
+    for (int i = 1; i <= 8; ++i)
+    {
+      mast.Grow({ 0.0, 0.0, cut + (4.0 - cut) * i / 8.0 }, 0.05);
+    }
+    TrunkMeasures trunk = MeasureTrunk(mast, {});
+    const double bending = First(trunk, light);
+    for (ShapeProducts& products : trunk.Give)
+    {
+      products.fill(0.0);
+    }
+    const double rigid = First(trunk, light);
+    std::printf("mast cut at %.1f of 4 m: %.3f of the whole's frequency, %.3f with a rigid upper part\n", cut,
+      bending / whole, rigid / whole);
+    EXPECT_NEAR(bending / whole, 1.0, 0.15);
+    EXPECT_LT((bending - whole) / (rigid - whole), 0.5) << "most of what rigid limbs are too fast is taken away";
+  }
+}
+
+TEST(TrunkModes, RestAndModesAreThoseOfTheTaperedMast)
+{
+  // The place of the tip under drag at rest, by the integral of the moment over E I, from five modes.
+  SwayOptions options;
+  options.Carries = false;
+  options.NumberOfModes = 10;
+  const double ratio = 0.4;
+  const auto beam = BeamsOf(Mast(5.0, 0.05, ratio, 10), {}, options)[0];
+  double tip = 0.0;
+  for (const TrunkMode& mode : beam.Modes)
+  {
+    tip += mode.Load / (mode.Frequency * mode.Frequency) * beam.DragDiameter * ShapeOf(mode.Mixture, 1.0);
+  }
+  double exact = 0.0;
+  const int steps = 2000;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double s = (i + 0.5) / steps;
+    double moment = 0.0;
+    for (int j = i; j < steps; ++j)
+    {
+      const double t = (j + 0.5) / steps;
+      moment += 2.0 * 0.05 * (1.0 + (ratio - 1.0) * t) * (t - s) * 25.0 / steps;
+    }
+    const double radius = 0.05 * (1.0 + (ratio - 1.0) * s);
+    exact += moment * (1.0 - s) * 25.0 / steps / (options.Wood.YoungModulus * SecondMoment(radius));
+  }
+  std::printf("tip of a tapered mast at rest: %.5f of the integral\n", tip / exact);
+  EXPECT_NEAR(tip / exact, 1.0, 0.001);
+}
+
+TEST(TrunkModes, MeasuredBroadleaves)
+{
+  // Jackson et al. 2019: trees in the field, and lines over x = DBH [cm] / H^2 [m]. The ash is taken as a birch.
+  struct Tree
+  {
+    TreePreset Preset;
+    WoodSpecies Wood;
+    double Diameter, Height, Frequency; // [cm], [m], [Hz]
+  };
+  std::vector<double> ratios;
+  std::vector<double> scanned;
+  for (const Tree& tree : { Tree{ TreePreset::Oak, WoodSpecies::Oak, 65.6, 18.1, 0.242 },
+         { TreePreset::Birch, WoodSpecies::Birch, 15.9, 16.5, 0.191 },
+         { TreePreset::Birch, WoodSpecies::Birch, 27.9, 16.1, 0.242 },
+         { TreePreset::Birch, WoodSpecies::Birch, 24.5, 19.9, 0.260 },
+         { TreePreset::Birch, WoodSpecies::Birch, 33.6, 23.7, 0.180 } })
+  {
+    const double f = TreeFrequency(SizedParameters(tree.Preset, tree.Height, 0.01 * tree.Diameter), tree.Wood);
+    const double x = tree.Diameter / (tree.Height * tree.Height);
+    ratios.push_back(f / tree.Frequency);
+    scanned.push_back(f / (0.05 + 2.42 * x));
+    std::printf("%.1f cm, %.1f m: %.3f Hz; of the measured one %.2f, of 58 in the field %.2f, of 506 scanned %.2f\n",
+      tree.Diameter, tree.Height, f, ratios.back(), f / (0.148 + 0.453 * x), scanned.back());
+  }
+  EXPECT_NEAR(Median(ratios), 1.05, 0.35);
+  EXPECT_NEAR(Median(scanned), 1.05, 0.35);
+}
+
+TEST(TrunkModes, MeasuredConifers)
+{
+  // 602 trees (Moore and Maguire 2004): f = 0.0766 + 3.1219 x.
+  std::vector<double> ratios;
+  for (const double height : { 12.0, 20.0, 28.0 })
+  {
+    double before = 0.0;
+    for (const double slenderness : { 110.0, 95.0, 80.0, 65.0 })
+    {
+      const double diameter = height / slenderness;
+      const double f = TreeFrequency(SizedParameters(TreePreset::Pine, height, diameter), WoodSpecies::Pine);
+      const double line = 0.0766 + 3.1219 * 100.0 * diameter / (height * height);
+      ratios.push_back(f / line);
+      std::printf("pine of %.0f m and %.0f cm: %.3f Hz, %.2f of the line\n", height, 100.0 * diameter, f, f / line);
+      EXPECT_GT(f, 1.05 * before) << "a thicker stem is faster";
+      before = f;
+    }
+  }
+  std::printf("median %.2f\n", Median(ratios));
+  EXPECT_NEAR(Median(ratios), 1.0, 0.3);
+}
+
+TEST(TrunkModes, PineOfHwind)
+{
+  // Peltola et al. 1999: 20 m, 20 cm, a crown of 19.8 m2, 13 m/s at the top: 7.56 kN m at the foot, the top moves 1.31
+  // m. The crown is a cone 11 m long; the tree stands at the edge of a stand, in a wind that follows the logarithm over
+  // a roughness of 0.1 m.
+  ReevesTreeParameters pine = PresetParameters(TreePreset::Pine);
+  pine.Height = 20.0;
+  pine.TrunkRadius = 0.1;
+  pine.CrownBase = 9.0;
+  pine.CrownRadius = 1.8;
+  const Plant tree = GrowReevesTree(pine);
+  std::vector<double> areas(tree.Wood.Nodes.size(), 0.0);
+  for (const LeafParticle& leaf : tree.Leaves)
+  {
+    areas[leaf.Node] += 0.5 * leaf.Size * leaf.Size * leaf.Width;
+  }
+  const SwayOptions options;
+  areas = FedLeafAreas(tree.Wood, areas, options.LeafAreaRatio);
+  double moment = 0.0;
+  for (std::size_t node = 0; node < areas.size(); ++node)
+  {
+    const SkeletonNode& here = tree.Wood.Nodes[node];
+    const double part = here.Branch > 0 ? CrownShelter : 1.0;
+    double area = part * options.LeafDrag * areas[node];
+    if (here.Parent >= 0 && tree.Wood.Nodes[here.Parent].Branch == here.Branch)
+    {
+      const SkeletonNode& below = tree.Wood.Nodes[here.Parent];
+      area += part * options.Load.DragCoefficient * (here.Radius + below.Radius) *
+        glm::distance(here.Position, below.Position);
+    }
+    const double speed = 13.0 * std::log(std::max(0.1, here.Position.z) / 0.1) / std::log(20.0 / 0.1);
+    moment += 0.5 * options.Load.AirDensity * area * speed * speed * here.Position.z;
+  }
+  SwayOptions sway;
+  sway.Wood = ParametersOf(WoodSpecies::Pine);
+  const BranchBeam trunk = BeamsOf(tree.Wood, areas, sway)[0];
+  const double middle = 13.0 * std::log(15.0 / 0.1) / std::log(20.0 / 0.1);
+  const double load = 0.5 * sway.Load.AirDensity * sway.Load.DragCoefficient * trunk.DragDiameter * middle * middle;
+  const TrunkMode& mode = trunk.Modes[0];
+  const double top = load * mode.Load / (mode.Frequency * mode.Frequency) * ShapeOf(mode.Mixture, 1.0);
+  std::printf("pine of HWIND in a steady wind: %.2f kN m at the foot, 7.56 wanted; top %.2f m, 1.31 wanted; %.3f Hz\n",
+    1e-3 * moment, top, mode.Frequency / TwoPi);
+  EXPECT_GT(1e-3 * moment, 0.5 * 7.56);
+  EXPECT_LT(1e-3 * moment, 2.0 * 7.56);
+  EXPECT_GT(top, 0.5 * 1.31);
+}
+
+TEST(TrunkModes, LeavesAreThoseThatTheTrunkFeeds)
+{
+  const Skeleton mast = Mast(10.0, 0.1, 1.0, 5);
+  const auto fed = FedLeafAreas(mast, { 0.0, 1.0, 3.0, 0.0, 0.0, 0.0 }, 2500.0);
+  EXPECT_NEAR(fed[1] + fed[2], 2500.0 * Pi * 0.01, 1e-9);
+  EXPECT_NEAR(fed[2] / fed[1], 3.0, 1e-12);
+  EXPECT_EQ(FedLeafAreas(mast, std::vector<double>(6, 0.0), 2500.0), std::vector<double>(6, 0.0));
+  EXPECT_TRUE(FedLeafAreas(mast, {}, 2500.0).empty());
+}
