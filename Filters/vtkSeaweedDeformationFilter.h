@@ -18,7 +18,8 @@
  * With UseLevels: within NearDistance all segments of a branch move; from there to FarDistance the half next to its
  * foot; beyond, the first. What does not move keeps its angles of rest. Beyond NearDistance skins are
  * rigid: a vertex follows one segment. Levels change over BlendDistance and BlendTime. Plants out of the view stay at
- * rest; procedural ones leave out wave trains whose sum is less than PixelError. None of it touches the state.
+ * rest; procedural ones leave out what is below PixelError of the smallest wave trains, which fade with the distance.
+ * None of it touches the state.
  *
  * Field data of the output: `PlantsInAll`, `PlantsShown`, `SegmentsInAll`, `SegmentsMoved` (in this picture),
  * `TrainEvaluations` (segments times wave trains, of procedural motion in this picture).
@@ -146,7 +147,7 @@ public:
 
   ///@{
   /// Length over which a level changes into the next, beyond NearDistance and FarDistance [m], not negative; for plants
-  /// that reach further, their reach. 0: levels change at once. Default 10.
+  /// that reach further, their reach. 0: levels change at once. Default 12.
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
   ///@}
