@@ -167,8 +167,9 @@ public:
   ///@}
 
   ///@{
-  /// What waves that are left out may move the water at the top of a plant by, all together [pixels], not negative. Of
-  /// procedural plants; limp ones may swing by half as much again. Default 0.5.
+  /// What is left out of waves may move the water at the top of a plant by, all together [pixels], not negative. Of
+  /// procedural plants; a limp one may be off by several times as much (up to 6 pixels of the presets at the default).
+  /// Default 0.5.
   vtkSetMacro(PixelError, double);
   vtkGetMacro(PixelError, double);
   ///@}
