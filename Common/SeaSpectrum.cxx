@@ -82,9 +82,9 @@ std::string WhyInvalid(const SpectrumParameters& parameters)
 {
   std::ostringstream reason;
   const int kind = static_cast<int>(parameters.Kind);
-  if (kind < 0 || kind > 3)
+  if (kind < 0 || kind > 4)
   {
-    reason << "Spectrum is " << kind << "; it must be 0 to 3.";
+    reason << "Spectrum is " << kind << "; it must be 0 to 4.";
   }
   else if (!(parameters.Depth > 0.0))
   {
@@ -106,7 +106,7 @@ std::string WhyInvalid(const SpectrumParameters& parameters)
   {
     reason << "PeakPeriod is " << parameters.PeakPeriod << " s; it must be 0.01 to 10000.";
   }
-  else if (parameters.Kind != SpectrumKind::PiersonMoskowitz &&
+  else if ((parameters.Kind == SpectrumKind::Jonswap || parameters.Kind == SpectrumKind::Tma) &&
     !(parameters.PeakEnhancement >= 1.0 && parameters.PeakEnhancement <= 20.0))
   {
     reason << "PeakEnhancement is " << parameters.PeakEnhancement << "; it must be 1 to 20.";
@@ -140,9 +140,9 @@ void SeaSpectrum::FitToHeightAndPeriod()
   this->FormPeak = wanted;
   this->Peak = wanted;
   this->Scale = 5.0 * variance * std::pow(wanted, 4.0);
-  if (this->Given.Kind == SpectrumKind::PiersonMoskowitz)
+  if (this->Given.Kind == SpectrumKind::PiersonMoskowitz || this->IsRegular())
   {
-    this->Total = variance;
+    this->Total = this->IsRegular() ? 2.0 * variance : variance; // (H/2)^2 / 2
     return;
   }
   if (this->Given.Kind == SpectrumKind::Tma && this->Given.FromWind)
@@ -214,7 +214,7 @@ double SeaSpectrum::TableValue(double w) const
 
 double SeaSpectrum::Density(double w) const
 {
-  return w > 0.0 ? this->Scale * this->Shape(w) : 0.0;
+  return w > 0.0 && !this->IsRegular() ? this->Scale * this->Shape(w) : 0.0;
 }
 
 double SeaSpectrum::Energy(double low, double high) const
@@ -223,6 +223,10 @@ double SeaSpectrum::Energy(double low, double high) const
   if (!(high > low))
   {
     return 0.0;
+  }
+  if (this->IsRegular())
+  {
+    return low <= this->Peak && this->Peak < high ? this->Total : 0.0;
   }
   if (this->Given.Kind == SpectrumKind::PiersonMoskowitz)
   {

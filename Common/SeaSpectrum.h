@@ -19,6 +19,7 @@ enum class SpectrumKind
   Jonswap = 1,          ///< a young sea with a higher peak
   Tma = 2,              ///< the same on water of a finite depth
   Table = 3,            ///< measured
+  Regular = 4,          ///< one wave
 };
 
 /// How the energy of a sea is spread over frequencies, by few numbers or by a table.
@@ -27,7 +28,7 @@ struct SpectrumParameters
   SpectrumKind Kind = SpectrumKind::PiersonMoskowitz;
   bool FromWind = true;                                   ///< else from height and period
   double WindSpeed = 10.0;                                ///< 19.5 m above the sea [m/s], positive
-  double SignificantHeight = 2.0;                         ///< [m], positive
+  double SignificantHeight = 2.0;                         ///< of one wave from trough to crest [m], positive
   double PeakPeriod = 7.0;                                ///< [s], positive
   double PeakEnhancement = 3.3;                           ///< gamma of JONSWAP and TMA, 1 to 20
   double Depth = std::numeric_limits<double>::infinity(); ///< of the water [m], for TMA
@@ -45,12 +46,17 @@ std::string WhyInvalid(const SpectrumParameters& parameters);
  * by A = 5/16 Hs2 wp^4, B = 5/4 wp^4. JONSWAP: the same times gamma^exp(-((w/wp - 1)/sigma)^2/2), scaled to the height;
  * from a wind, to the height and the period of Pierson and Moskowitz. TMA: times tanh2(kh)/(1 + 2kh/sinh 2kh), which
  * takes energy from the waves; height and period, where they are given, are those of the sea with this factor.
+ *
+ * Regular: all energy, H2/8 of a wave H high, at one frequency, where the density is infinite; Density is 0 elsewhere.
  */
 class SeaSpectrum
 {
 public:
   /// The parameters must be valid.
   explicit SeaSpectrum(const SpectrumParameters& parameters);
+
+  /// Whether all energy is in one wave.
+  bool IsRegular() const { return this->Given.Kind == SpectrumKind::Regular; }
 
   /// S at an angular frequency [m2 s/rad].
   double Density(double frequency) const;

@@ -27,9 +27,9 @@ struct SeaweedBunch
 
 /**
  * Seaweeds as trees of stiff segments on springs (Coulais et al., section 4, with its equations put right). The full
- * equations of motion of the tree are solved in one pass down and one pass up (joint forces, reactions of children and
- * centrifugal terms included), as a linearly implicit trapezoidal rule: springs, tension and drag are taken at the
- * middle of the step, so that a step may be long against the stiffest joint.
+ * equations of motion of the tree are solved by the articulated-body algorithm (joint forces, reactions of children,
+ * gyroscopic and centrifugal terms included), with the implicit midpoint rule around it: second order in the step. A
+ * step is taken in parts where links turn far or energy would be gained.
  *
  * Trees share nothing with others: those of the same shape are moved side by side, each as it would move alone.
  */

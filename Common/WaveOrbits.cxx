@@ -240,15 +240,16 @@ WaveOrbits::WaveOrbits(const SeaState& sea, const WaveOrbitOptions& options, dou
   }
 }
 
-std::array<double, 2> WaveOrbits::StokesVelocity(double height, std::size_t trains) const
+std::array<double, 2> WaveOrbits::StokesVelocity(double height, std::size_t trains, const float* shares) const
 {
   std::array<double, 2> drift{ 0.0, 0.0 };
   for (std::size_t n = 0; n < std::min(trains, this->Trains.size()); ++n)
   {
     const OrbitAxes axes = AxesAt(this->Sea.Trains[n], height, this->Sea.Depth);
     // a2 + b2 = r2 cosh 2k(z+h) / sinh2 kh.
-    const double half =
-      0.5 * this->Trains[n].Frequency * (axes.Horizontal * axes.Horizontal + axes.Vertical * axes.Vertical);
+    const double share = shares ? shares[n] : 1.0;
+    const double half = 0.5 * share * share * this->Trains[n].Frequency *
+      (axes.Horizontal * axes.Horizontal + axes.Vertical * axes.Vertical);
     drift[0] += half * this->Trains[n].X;
     drift[1] += half * this->Trains[n].Y;
   }
@@ -270,7 +271,7 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     std::array<double, 2> drift{ 0.0, 0.0 };
     if (this->Options.StokesDrift)
     {
-      drift = this->StokesVelocity(z, trains);
+      drift = this->StokesVelocity(z, trains, request.Shares);
     }
     const double x = centre[0] + drift[0] * this->Time;
     const double y = centre[1] + drift[1] * this->Time;
@@ -282,8 +283,9 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     {
       const Train& train = this->Trains[n];
       const OrbitAxes axes = AxesAt(this->Sea.Trains[n], z, this->Sea.Depth);
-      const double a = chop * axes.Horizontal;
-      const double b = axes.Vertical;
+      const double share = request.Shares ? request.Shares[n] : 1.0;
+      const double a = share * chop * axes.Horizontal;
+      const double b = share * axes.Vertical;
       const double phi = train.X * x + train.Y * y + train.Phase;
       const double s = std::sin(phi);
       const double c = std::cos(phi);
@@ -344,8 +346,8 @@ void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::siz
   std::memset(block.Slope, 0, sizeof block.Slope);
   for (int i = 0; this->Options.StokesDrift && i < count; ++i)
   {
-    const auto drift =
-      this->StokesVelocity(block.Z[i], counts ? static_cast<std::size_t>(std::max(0, counts[i])) : this->Trains.size());
+    const std::size_t own = counts ? static_cast<std::size_t>(std::max(0, counts[i])) : this->Trains.size();
+    const auto drift = this->StokesVelocity(block.Z[i], own, request.Shares);
     block.X[i] += drift[0] * this->Time;
     block.Y[i] += drift[1] * this->Time;
     for (int axis = 0; axis < 2; ++axis)
@@ -357,19 +359,25 @@ void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::siz
   for (int n = 0; n < trains; ++n)
   {
     const Train& train = this->Trains[n];
+    const float share = request.Shares ? request.Shares[n] : 1.0f;
+    if (share == 0.0f)
+    {
+      continue;
+    }
+    const float scale = share * train.Scale;
     constexpr double turn = 1.0 / TwoPi;
     ReducePhases(block.X, block.Y, turn * train.X, turn * train.Y, turn * train.Phase, count, block.Turns);
     SinesAndCosines(block.Turns, count, block.Sine, block.Cosine);
     switch (train.Kind)
     {
       case Form::Deep:
-        DeepAxes(block.Z, train.Octaves, train.Scale, count, block.A, block.B);
+        DeepAxes(block.Z, train.Octaves, scale, count, block.A, block.B);
         break;
       case Form::Finite:
-        FiniteAxes(block.Z, train.Octaves, train.Scale, train.Mirror, count, block.A, block.B);
+        FiniteAxes(block.Z, train.Octaves, scale, train.Mirror, count, block.A, block.B);
         break;
       case Form::Shallow:
-        ShallowAxes(block.OverBed, train.Depths, train.Scale, count, block.A, block.B);
+        ShallowAxes(block.OverBed, train.Depths, scale, count, block.A, block.B);
         break;
     }
     if (counts)

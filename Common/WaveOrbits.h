@@ -46,6 +46,7 @@ struct OrbitRequest
   Real* Acceleration = nullptr;     ///< [m/s2]
   /// Five a point: dX/dx - 1, dX/dy = dY/dx, dY/dy - 1, dZ/dx, dZ/dy of places by their centres.
   Real* Gradient = nullptr;
+  const float* Shares = nullptr; ///< one a train: the part of its amplitude that acts; null: all of it
 };
 
 /// The unit normal of a surface that was level, from the five numbers of OrbitRequest::Gradient.
@@ -72,7 +73,7 @@ public:
   void Evaluate(const OrbitRequest<float>& request, std::size_t begin, std::size_t end) const;
 
   /// What a particle at a height over sea level [m] drifts in a second, second order in the amplitudes [m/s].
-  std::array<double, 2> StokesVelocity(double height, std::size_t trains) const;
+  std::array<double, 2> StokesVelocity(double height, std::size_t trains, const float* shares = nullptr) const;
 
 private:
   enum class Form

@@ -61,6 +61,13 @@ std::vector<double> EdgesOf(const std::array<double, 2>& range, const TrainParam
   return edges;
 }
 
+/// A wave of a spectrum's whole energy, with a crest at the origin at time 0.
+WaveTrain RegularWave(const SeaSpectrum& spectrum, double depth, double direction)
+{
+  const double frequency = spectrum.PeakFrequency();
+  return { std::sqrt(2.0 * spectrum.TotalEnergy()), frequency, WaveNumber(frequency, depth), direction, Pi };
+}
+
 }
 
 std::string WhyInvalid(const SeaState& sea)
@@ -133,6 +140,10 @@ std::string WhyInvalid(const TrainParameters& parameters)
 
 std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const TrainParameters& parameters)
 {
+  if (spectrum.IsRegular())
+  {
+    return { RegularWave(spectrum, depth, parameters.MeanDirection) };
+  }
   const RandomStream phases(parameters.Seed, RandomPurpose::WavePhases);
   const RandomStream directions(parameters.Seed, RandomPurpose::WaveDirections);
   const int count = parameters.Count;
@@ -174,6 +185,10 @@ std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const
 
 double PeriodOf(const SeaSpectrum& spectrum, const TrainParameters& parameters)
 {
+  if (spectrum.IsRegular())
+  {
+    return TwoPi / spectrum.PeakFrequency();
+  }
   return parameters.EqualSpacing ? TwoPi / CombOf(RangeOf(spectrum, parameters), parameters.Count).Spacing
                                  : std::numeric_limits<double>::infinity();
 }

@@ -55,12 +55,14 @@ std::string WhyInvalid(const TrainParameters& parameters);
  * uniform; each train has one direction, see WaveAngles, for two trains of one frequency would stand still against each
  * other. Bins without energy give no train.
  *
+ * A regular sea is one train along MeanDirection, whatever else is asked for, with a crest at the origin at time 0.
+ *
  * With EqualSpacing frequencies are m w0, m = M to M + Count - 1, with the middle of the range as theirs, and M such
  * that they fill it best. Bins end half-way between them, the outermost at the range's ends.
  */
 std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const TrainParameters& parameters);
 
-/// After which all trains return [s]: 2 pi / w0 with EqualSpacing; else infinite.
+/// After which all trains return [s]: 2 pi / w0 with EqualSpacing; of a regular sea that of its wave; else infinite.
 double PeriodOf(const SeaSpectrum& spectrum, const TrainParameters& parameters);
 
 /// The variance of the elevation of trains [m2], the sum of half the squares of their amplitudes.

@@ -234,9 +234,9 @@ void SeaweedForest::Resume(long long step)
 }
 
 //----------------------------------------------------------------------------
-/// The water at places.
+/// The water at places. Shares of the trains; none: all of all.
 void SeaweedForest::WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
-  int trains, std::vector<WaterAtLink>& water) const
+  const std::vector<float>& shares, std::vector<WaterAtLink>& water) const
 {
   const std::size_t count = middles.size();
   water.assign(count, WaterAtLink());
@@ -257,12 +257,7 @@ void SeaweedForest::WaterAt(const WaveOrbits& orbits, const StepCurrents& curren
   }
   OrbitRequest<float> request;
   const bool isDirect = this->Options.Load == SeaweedLoad::Direct;
-  std::vector<int> counts;
-  if (trains < static_cast<int>(this->Sea.Trains.size()))
-  {
-    counts.assign(count, trains);
-    request.TrainCounts = counts.data();
-  }
+  request.Shares = shares.empty() ? nullptr : shares.data();
   request.Centres = places.data();
   request.Velocity = isDirect ? nullptr : first.data();
   request.Acceleration = isDirect && !this->IsPhysical ? nullptr : second.data();
@@ -299,7 +294,7 @@ void SeaweedForest::StepAll(double time, double step, const StepCurrents& curren
         this->Motion->Middles(
           bunches[bunch], poses.data(), &middles[middles.size() - bunches[bunch].LanedLinks()], ahead);
       }
-      this->WaterAt(orbits, currents, middles, static_cast<int>(this->Sea.Trains.size()), water);
+      this->WaterAt(orbits, currents, middles, {}, water);
       const WaterAtLink* own = water.data();
       for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
       {
@@ -331,27 +326,58 @@ void SeaweedForest::Advance(double time, double step, const StepCurrents& curren
 }
 
 //----------------------------------------------------------------------------
-/// As many trains as leave out less than a part of a pixel of the motion of the water at the plant's top, all together.
-int SeaweedForest::TrainsFor(const Plant& plant, const SeaweedLevels& levels) const
+/// What parts of trains leave out at most a part of a pixel of the motion of the water at the plant's top, all
+/// together.
+///
+/// Let r_n be the sum of the amplitudes of a train and all after it, by what may be left out. A train fades from r_n
+/// 3/2 to 1/2: sum (1 - share_n) a_n is at most the integral of 1 - share over r, which is 1. A train that were there
+/// or not would move the plant at once by what its joints make of the train, which is a multiple of its amplitude.
+std::vector<float> SeaweedForest::TrainSharesFor(const Plant& plant, const SeaweedLevels& levels) const
 {
-  int count = static_cast<int>(this->Sea.Trains.size());
-  if (!levels.UseLevels || this->IsPhysical)
-  {
-    return count;
-  }
+  std::vector<float> shares(this->Sea.Trains.size(), 1.0f);
   const double distance = LevelDistance(levels.Seen, plant.Middle);
   const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
-  const double top = std::min(0.0, plant.Middle.z + plant.Reach - this->Sea.SeaLevel);
-  double left = 0.0;
-  for (; count > 0; --count)
+  const double most = levels.PixelError * pixel;
+  if (!levels.UseLevels || this->IsPhysical || !(most > 0.0))
   {
-    left += AxesAt(this->Sea.Trains[static_cast<std::size_t>(count - 1)], top, this->Sea.Depth).Horizontal;
-    if (left > levels.PixelError * pixel)
+    return shares;
+  }
+  const double top = std::min(0.0, plant.Middle.z + plant.Reach - this->Sea.SeaLevel);
+  double rest = 0.0;
+  for (std::size_t n = shares.size(); n-- > 0 && rest <= 1.5 * most;)
+  {
+    rest += AxesAt(this->Sea.Trains[n], top, this->Sea.Depth).Horizontal;
+    shares[n] = static_cast<float>(SmoothStep(rest / most - 0.5));
+  }
+  return shares;
+}
+
+//----------------------------------------------------------------------------
+/// In which a link moves, of 0 near, 1 middle, 2 far.
+int SeaweedForest::LastLevelOf(std::size_t link) const
+{
+  const int order = this->OrderInBranch[link];
+  return order == 0 ? 2 : (order < (this->LinksOfBranch[link] + 1) / 2 ? 1 : 0);
+}
+
+//----------------------------------------------------------------------------
+/// A procedural link between its states in the levels. Each level has loads of its own, by how its own segments lean:
+/// limp blades turn over where what they grow on turns by little, and would do so within a step of the camera.
+LinkState SeaweedForest::ProceduralState(std::size_t link, const WaterAtLink& water, double near, double far)
+{
+  const std::array<bool, 3> isUsed{ near > 0.0, near < 1.0 && far > 0.0, near < 1.0 && far < 1.0 };
+  const int last = this->LastLevelOf(link);
+  std::array<LinkState, 3> states;
+  for (int level = 0; level < 3; ++level)
+  {
+    if (isUsed[level])
     {
-      break;
+      LinkPose* poses = this->LevelPoses[level].data();
+      states[level] = level <= last ? this->Motion->Procedural(water, link, poses) : this->Motion->RestOf(link);
+      this->Motion->PoseOne(states[level], link, poses);
     }
   }
-  return count;
+  return this->Motion->Mixed(this->Motion->Mixed(states[2], states[1], far), states[0], near);
 }
 
 //----------------------------------------------------------------------------
@@ -372,9 +398,8 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
   plant.Rigid = static_cast<float>(1.0 - near);
   counters.Shown += isSeen ? 1 : 0;
   const auto shareOf = [&](std::size_t link) {
-    const int order = this->OrderInBranch[link];
-    const double share = order == 0 ? 1.0 : (order < (this->LinksOfBranch[link] + 1) / 2 ? far : near);
-    return isSeen ? share : 0.0;
+    const std::array<double, 3> shares{ near, far, 1.0 };
+    return isSeen ? shares[this->LastLevelOf(link)] : 0.0;
   };
   // Procedural loads are those at the places of rest.
   std::vector<Vector3> middles;
@@ -387,29 +412,24 @@ void SeaweedForest::ShowPlant(Plant& plant, const WaveOrbits& orbits, const Step
       middles.push_back(one.Foot + 0.5 * one.Length * one.Axis);
     }
   }
-  const int trains = this->TrainsFor(plant, levels);
-  this->WaterAt(orbits, currents, middles, trains, water);
+  const std::vector<float> shares = this->TrainSharesFor(plant, levels);
+  this->WaterAt(orbits, currents, middles, shares, water);
+  const auto trains = std::count_if(shares.begin(), shares.end(), [](float share) { return share > 0.0f; });
   counters.TrainEvaluations += static_cast<std::int64_t>(middles.size()) * trains;
   auto nextWater = water.begin();
   for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
   {
     LinkState state = this->Motion->RestOf(link);
     const double share = shareOf(link);
-    if (share > 0.0)
+    if (this->IsPhysical)
     {
-      LinkState own = states[link];
-      if (!this->IsPhysical)
-      {
-        // Loads go by how the segments below would lean near by, not by how they are shown: a change of levels would
-        // go up the whole branch.
-        LinkPose* chain = this->OrderInBranch[link] == 0 ? this->Shown.data() : this->Full.data();
-        own = this->Motion->Procedural(*nextWater++, link, chain);
-        this->Motion->PoseOne(own, link, chain);
-        this->Full[link] = chain[link];
-      }
-      state = this->Motion->Mixed(state, own, share);
-      ++counters.Segments;
+      state = this->Motion->Mixed(state, states[link], share);
     }
+    else if (isSeen)
+    {
+      state = this->ProceduralState(link, share > 0.0 ? *nextWater++ : WaterAtLink(), near, far);
+    }
+    counters.Segments += share > 0.0 ? 1 : 0;
     this->Motion->PoseOne(state, link, this->Shown.data());
   }
 }
@@ -420,7 +440,10 @@ SeaweedCounters SeaweedForest::Show(double time, double rest, const StepCurrents
   this->Velocities.clear();
   this->Accelerations.clear();
   this->Shown.resize(this->Motion->GetLinks().size());
-  this->Full.resize(this->IsPhysical ? 0 : this->Shown.size());
+  for (std::vector<LinkPose>& poses : this->LevelPoses)
+  {
+    poses.resize(this->IsPhysical ? 0 : this->Shown.size());
+  }
   std::vector<LinkState> partly;
   if (this->IsPhysical && rest > 0.0)
   {

@@ -30,8 +30,8 @@ struct SeaweedLevels
   bool UseLevels = false;
   double NearDistance = 5.0;   ///< [m]
   double FarDistance = 20.0;   ///< [m]
-  double BlendDistance = 10.0; ///< beyond either, over which levels of small plants change [m]
-  double PixelError = 0.5;     ///< of the water, by waves that are left out [pixels]
+  double BlendDistance = 12.0; ///< beyond either, over which levels of small plants change [m]
+  double PixelError = 0.5;     ///< of the water, by what is left out of waves [pixels]
   View Seen;
 };
 
@@ -133,18 +133,21 @@ private:
   long long Stride = 1;
 
   std::vector<LinkPose> Shown;
-  std::vector<LinkPose> Full;         ///< procedural, as near by, but for what a branch grows on
+  /// Procedural plants as they are near by, in the middle and far away, whatever is shown.
+  std::array<std::vector<LinkPose>, 3> LevelPoses;
   std::vector<Vector3> Velocities;    ///< of nodes
   std::vector<Vector3> Accelerations; ///< of nodes
 
   std::string ReadPlants(vtkPolyData* bones);
   std::string ReadSkins(vtkMultiBlockDataSet* plants);
   void MakeBatches();
-  void WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles, int trains,
-    std::vector<WaterAtLink>& water) const;
+  void WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
+    const std::vector<float>& shares, std::vector<WaterAtLink>& water) const;
   void StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
     std::vector<LinkPose>& poses) const;
-  int TrainsFor(const Plant& plant, const SeaweedLevels& levels) const;
+  std::vector<float> TrainSharesFor(const Plant& plant, const SeaweedLevels& levels) const;
+  int LastLevelOf(std::size_t link) const;
+  LinkState ProceduralState(std::size_t link, const WaterAtLink& water, double near, double far);
   void ShowPlant(Plant& plant, const WaveOrbits& orbits, const StepCurrents& currents, const SeaweedLevels& levels,
     const ViewFrustum* view, const std::vector<LinkState>& states, SeaweedCounters& counters);
   std::vector<Vector3> NodesAt(const std::vector<LinkPose>& poses, bool velocities) const;

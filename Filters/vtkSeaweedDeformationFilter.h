@@ -18,7 +18,8 @@
  * With UseLevels: within NearDistance all segments of a branch move; from there to FarDistance the half next to its
  * foot; beyond, the first. What does not move keeps its angles of rest. Beyond NearDistance skins are
  * rigid: a vertex follows one segment. Levels change over BlendDistance and BlendTime. Plants out of the view stay at
- * rest; procedural ones leave out wave trains whose sum is less than PixelError. None of it touches the state.
+ * rest; procedural ones leave out what is below PixelError of the smallest wave trains, which fade with the distance.
+ * None of it touches the state.
  *
  * Segments of blades should get shorter towards their foot, as those of vtkSeaweedSource do: ten of them have the drag
  * of the blade within 5 % up to a Cauchy number of 1e4. Where they do not, a warning says up to which number drag is
@@ -152,7 +153,7 @@ public:
 
   ///@{
   /// Length over which a level changes into the next, beyond NearDistance and FarDistance [m], not negative; for plants
-  /// that reach further, their reach. 0: levels change at once. Default 10.
+  /// that reach further, their reach. 0: levels change at once. Default 12.
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
   ///@}
@@ -172,8 +173,9 @@ public:
   ///@}
 
   ///@{
-  /// What waves that are left out may move the water at the top of a plant by, all together [pixels], not negative. Of
-  /// procedural plants; limp ones may swing by half as much again. Default 0.5.
+  /// What is left out of waves may move the water at the top of a plant by, all together [pixels], not negative. Of
+  /// procedural plants; a limp one may be off by several times as much (up to 6 pixels of the presets at the default).
+  /// Default 0.5.
   vtkSetMacro(PixelError, double);
   vtkGetMacro(PixelError, double);
   ///@}

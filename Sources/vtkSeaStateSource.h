@@ -7,9 +7,9 @@
  * Output: a vtkTable, a row a train, largest amplitude first. Columns: `Amplitude` [m], `AngularFrequency` [rad/s],
  * `WaveNumber` [rad/m], `Direction` towards which it travels, from x towards y [rad], `Phase` [rad]. Field data:
  * `WaterDepth` [m] (infinite: deep), `SeaLevel` [m], `Period` after which the sea returns [s] (infinite without
- * EqualSpacing); of the trains `SignificantWaveHeight` [m], four times the standard deviation of the elevation; of the
- * spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the part of its energy that FrequencyRange leaves out, with a warning
- * where it is above 0.02.
+ * EqualSpacing; that of a Regular wave); of the trains `SignificantWaveHeight` [m], four times the standard deviation
+ * of the elevation; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the part of its energy that FrequencyRange
+ * leaves out, with a warning where it is above 0.02.
  *
  * The spectrum is cut into bins. A train has the energy of its bin, to 1e-12 of it, so that the energy of the sea does
  * not depend on the number of trains. With the default FrequencyRange, 99.5 % of the energy of a Pierson-Moskowitz sea
@@ -41,6 +41,7 @@ public:
     JONSWAP = 1,
     TMA = 2,
     Table = 3,
+    Regular = 4,
   };
 
   enum SeaByType
@@ -52,7 +53,9 @@ public:
   ///@{
   /**
    * A SpectrumType. PiersonMoskowitz: a fully developed sea on deep water. JONSWAP: a young sea, with a higher peak.
-   * TMA: the same where the bed is felt. Table: from the input. Default PiersonMoskowitz.
+   * TMA: the same where the bed is felt. Table: from the input. Regular: one wave of PeakPeriod along MeanDirection,
+   * SignificantWaveHeight high from trough to crest, with a crest at the origin at time 0; NumberOfTrains,
+   * FrequencyRange, Spreading, EqualSpacing and Seed have no effect on it. Default PiersonMoskowitz.
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
@@ -60,9 +63,9 @@ public:
 
   ///@{
   /**
-   * What tells how high the sea is, a SeaByType: WindSpeed, or SignificantWaveHeight and PeakPeriod. JONSWAP takes
-   * height and period of the fully developed sea of the wind, TMA the deep sea of JONSWAP less what the depth takes. Of
-   * no effect with a Table. Default Wind.
+   * What tells how high the sea is, a SeaByType: WindSpeed, or SignificantWaveHeight and PeakPeriod. JONSWAP
+   * and Regular take height and period of the fully developed sea of the wind, TMA the deep sea of JONSWAP less what
+   * the depth takes. Of no effect with a Table. Default Wind.
    */
   vtkSetMacro(SeaBy, int);
   vtkGetMacro(SeaBy, int);
@@ -76,8 +79,9 @@ public:
   ///@}
 
   ///@{
-  /// Four times the standard deviation of the elevation [m], positive. Of no effect unless SeaBy is HeightAndPeriod,
-  /// and with a Table. Default 2.
+  /// Four times the standard deviation of the elevation [m], positive. Of a Regular sea the height of its wave from
+  /// trough to crest, which is sqrt(8) standard deviations, so that the field data have 1.414 times as much. Of no
+  /// effect unless SeaBy is HeightAndPeriod, and with a Table. Default 2.
   vtkSetMacro(SignificantWaveHeight, double);
   vtkGetMacro(SignificantWaveHeight, double);
   ///@}
@@ -142,10 +146,10 @@ public:
   ///@{
   /**
    * On: frequencies are whole multiples of one, with the middle of FrequencyRange as theirs, so that the sea returns
-   * after `Period` of the field data, at its default about NumberOfTrains / 3.5 peak periods. So do points whose centres
-   * stay, unless vtkParticleOrbitFilter's StokesDrift or DopplerShift are on; with DopplerShift and a Current, the
-   * distance returns of a point from its centre, if that is carried by the Current. Off: frequencies lie at random places
-   * in their bins, and the sea hardly ever returns. Default off.
+   * after `Period` of the field data, at its default about NumberOfTrains / 3.5 peak periods. So do points whose
+   * centres stay, unless vtkParticleOrbitFilter's StokesDrift or DopplerShift are on; with DopplerShift and a Current,
+   * the distance returns of a point from its centre, if that is carried by the Current. Off: frequencies lie at random
+   * places in their bins, and the sea hardly ever returns. Default off.
    */
   vtkSetMacro(EqualSpacing, bool);
   vtkGetMacro(EqualSpacing, bool);

@@ -19,6 +19,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY, vtkPlotPoints
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkRectf
+from vtkmodules.vtkRenderingContext2D import vtkPen
 from vtkmodules.vtkViewsContext2D import vtkContextView
 
 from littoral import vtkPlantScatterFilter, vtkQuadratPointSource, vtkReevesTreeSource
@@ -133,11 +134,10 @@ def main(folder):
             if kind == vtkChart.POINTS:
                 plot.SetMarkerStyle(vtkPlotPoints.CIRCLE)
                 plot.SetMarkerSize(18.0)
-        plot = chart.AddPlot(vtkChart.POINTS)
+        plot = chart.AddPlot(vtkChart.LINE)
         plot.SetInputData(table, "Trees", "Other" + name)
         plot.SetColor(*colour)
-        plot.SetMarkerStyle(vtkPlotPoints.CROSS)
-        plot.SetMarkerSize(26.0)
+        plot.GetPen().SetLineType(vtkPen.DASH_LINE)
         plot.SetWidth(4.0)
     left, bottom = chart.GetAxis(vtkAxis.LEFT), chart.GetAxis(vtkAxis.BOTTOM)
     style(bottom, "Trees in the scene", (0.0, 1050.0), 38)
@@ -165,7 +165,7 @@ def main(folder):
         part = (np.log10(means[-1, k]) - np.log10(low)) / np.log10(high / low)
         y = 0.128 + part * 0.836
         walked, other = (values[-1, 0] / values[-1, k] for values in (means, others))
-        gain = "" if k == 0 else f": 1 in {walked:.0f}\n(anywhere: {other:.0f})"
+        gain = "" if k == 0 else f": 1 in {walked:.0f} ({other:.0f})"
         actor = label(words + gain, (0.795, y + 0.008), 36, colour)
         actor.GetTextProperty().SetJustificationToLeft()
         view.GetRenderer().AddActor(actor)

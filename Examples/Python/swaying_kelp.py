@@ -73,12 +73,10 @@ def make_kelp(sand):
 def make_swell():
     """A regular swell towards the right."""
     sea = vtkSeaStateSource()
+    sea.SetSpectrum(vtkSeaStateSource.Regular)
     sea.SetSeaBy(vtkSeaStateSource.HeightAndPeriod)
-    sea.SetSignificantWaveHeight(0.9)
+    sea.SetSignificantWaveHeight(0.5)  # from trough to crest
     sea.SetPeakPeriod(4.5)
-    sea.SetNumberOfTrains(1)
-    sea.SetFrequencyRange(0.8, 1.3)
-    sea.SetSpreading(0.0)
     sea.SetWaterDepth(DEPTH)
     sea.SetSeaLevel(DEPTH)
     return sea

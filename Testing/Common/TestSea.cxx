@@ -8,9 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <random>
 
 using namespace littoral;
 
@@ -355,6 +357,59 @@ TEST(Orbits, DopplerShiftKeepsThePeriodInACurrent)
   EXPECT_LT(glm::length(start.Place - later.Place), 1e-12);
   const Motion unshifted = MotionAt(sea, { 2.0 + 1.2 * period, 0.0, -1.0 }, 3.0 + period);
   EXPECT_GT(glm::length(MotionAt(sea, { 2.0, 0.0, -1.0 }, 3.0).Place - unshifted.Place), 0.05);
+}
+
+TEST(Orbits, SharesOfTrainsAreThoseOfASmallerSea)
+{
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  for (const double depth : { Infinity, 30.0, 0.3 })
+  {
+    const SeaState sea = Sea(depth);
+    SeaState smaller = sea;
+    std::vector<float> shares;
+    for (WaveTrain& train : smaller.Trains)
+    {
+      shares.push_back(shares.size() % 4 == 0 ? 1.0f : (shares.size() % 4 == 1 ? 0.0f : uniform(engine)));
+      train.Amplitude *= shares.back();
+    }
+    WaveOrbitOptions options;
+    options.StokesDrift = true;
+    constexpr std::size_t Count = 40;
+    std::vector<double> places;
+    for (std::size_t i = 0; i < 3 * Count; ++i)
+    {
+      places.push_back((i % 3 == 2 ? -3.0 : 50.0) * uniform(engine));
+    }
+    const auto evaluated = [&](const SeaState& state, const float* parts, auto real) {
+      using Real = decltype(real);
+      const std::vector<Real> centres(places.begin(), places.end());
+      std::vector<Real> numbers(14 * Count);
+      OrbitRequest<Real> request;
+      request.Centres = centres.data();
+      request.Shares = parts;
+      request.Displacement = &numbers[0];
+      request.Velocity = &numbers[3 * Count];
+      request.Acceleration = &numbers[6 * Count];
+      request.Gradient = &numbers[9 * Count];
+      WaveOrbits(state, options, 11.0).Evaluate(request, 0, Count);
+      return numbers;
+    };
+    const auto worst = [&](auto real) {
+      const auto wanted = evaluated(smaller, nullptr, real);
+      const auto got = evaluated(sea, shares.data(), real);
+      double error = 0.0;
+      double size = 0.0;
+      for (std::size_t i = 0; i < got.size(); ++i)
+      {
+        error = std::max(error, std::abs(static_cast<double>(got[i]) - wanted[i]));
+        size = std::max(size, std::abs(static_cast<double>(wanted[i])));
+      }
+      return error / size;
+    };
+    EXPECT_LT(worst(0.0), 1e-13) << depth;
+    EXPECT_LT(worst(0.0f), 1e-6) << depth;
+  }
 }
 
 TEST(Spectrum, PiersonMoskowitzHasItsMoments)

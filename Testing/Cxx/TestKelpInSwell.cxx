@@ -86,13 +86,10 @@ Way MeasureKelp()
   vtkNew<vtkSeaweedSource> weed;
   weed->SetPreset(vtkSeaweedSource::GiantKelp);
   vtkNew<vtkSeaStateSource> sea;
+  sea->SetSpectrum(vtkSeaStateSource::Regular);
   sea->SetSeaBy(vtkSeaStateSource::HeightAndPeriod);
-  sea->SetSignificantWaveHeight(0.9);
+  sea->SetSignificantWaveHeight(0.5);
   sea->SetPeakPeriod(Period);
-  sea->SetNumberOfTrains(1);
-  sea->SetFrequencyRange(0.7, 1.3); // whose middle is the period
-  sea->EqualSpacingOn();
-  sea->SetSpreading(0.0);
   sea->SetWaterDepth(Depth);
   sea->SetSeaLevel(Depth);
   vtkNew<vtkFlowPrimitiveSource> current;

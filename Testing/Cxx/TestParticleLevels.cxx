@@ -374,7 +374,7 @@ bool CheckPixelPromise()
           camera->SetParallelScale(6.0);
           camera->SetClippingRange(0.01, 400.0);
           const std::vector<double> distances = isParallel
-            ? std::vector<double>{ 5.0, 15.0, 30.0, 39.0 }
+            ? std::vector<double>{ 5.0, 15.0, 30.0, 39.0, 80.0, 150.0 }
             : std::vector<double>{ 0.7, 1.5, 4.0, 9.0, 20.0, 60.0, 150.0 };
           vtkNew<vtkPolyData> particles = ParticlesOfPicture(camera, aspect, distances);
           for (const bool useLevels : { true, false })

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -158,12 +159,10 @@ struct Swell
     double bounds[6];
     Part(this->Rest, "Skeleton")->GetBounds(bounds);
     const double depth = std::max(8.0, std::ceil(bounds[5] + 0.5));
-    this->Sea->SetSeaBy(1);
-    this->Sea->SetSignificantWaveHeight(weather.Height * std::sqrt(2.0)); // of one train
+    this->Sea->SetSpectrum(vtkSeaStateSource::Regular);
+    this->Sea->SetSeaBy(vtkSeaStateSource::HeightAndPeriod);
+    this->Sea->SetSignificantWaveHeight(weather.Height);
     this->Sea->SetPeakPeriod(6.0);
-    this->Sea->SetNumberOfTrains(1);
-    this->Sea->SetFrequencyRange(0.95, 1.05);
-    this->Sea->SetSpreading(0.0);
     this->Sea->SetSeaLevel(depth);
     this->Sea->SetWaterDepth(depth);
     this->Current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
@@ -547,8 +546,53 @@ double LargestJump(vtkPolyData* before, vtkPolyData* after, const Vector3& eye)
   return most;
 }
 
-/// A camera that goes through the bands of the levels of detail, in steps of a centimetre, while time stands still.
-bool TestBands(int preset, int method)
+/// Blades and stipes.
+using Parts = std::array<vtkSmartPointer<vtkPolyData>, 2>;
+
+/// A plant in levels of detail, seen from a distance along y while time stands still.
+struct Watched
+{
+  vtkNew<Filter> Move;
+  double Height = 0.0; ///< of the eye [m]
+
+  Parts At(double distance)
+  {
+    this->Move->SetViewPoint(0.0, -distance, this->Height);
+    this->Move->UpdateTimeStep(2.5);
+    return { Part(this->Move->GetOutputDataObject(0), "Leaves"), Part(this->Move->GetOutputDataObject(0), "Skin") };
+  }
+};
+
+/// The largest jump in steps of a centimetre between two distances, and where. A stretch that moves less in all is not
+/// cut up: a jump in it would have to be taken back within it.
+struct Jumps
+{
+  static constexpr double Enough = 0.8; // [pixels]
+  static constexpr double Step = 0.01;  // [m]
+
+  Watched& Scene;
+  double Worst = 0.0;
+  double Where = 0.0;
+
+  void Find(double near, const Parts& before, double far, const Parts& after)
+  {
+    const Vector3 eye(0.0, -far, this->Scene.Height);
+    const double jump = std::max(LargestJump(before[0], after[0], eye), LargestJump(before[1], after[1], eye));
+    if (jump > Enough && far - near > 1.5 * Step)
+    {
+      const double middle = near + Step * std::round(0.5 * (far - near) / Step);
+      const auto between = this->Scene.At(middle);
+      this->Find(near, before, middle, between);
+      this->Find(middle, between, far, after);
+      return;
+    }
+    this->Where = jump > this->Worst ? far : this->Where;
+    this->Worst = std::max(this->Worst, jump);
+  }
+};
+
+/// A camera that goes through the bands of the levels of detail moves no point of a plant by a pixel with a centimetre.
+bool TestBands(int preset, int method, int seed)
 {
   vtkNew<vtkSeaweedSource> weed;
   weed->SetPreset(preset);
@@ -567,42 +611,37 @@ bool TestBands(int preset, int method)
   rest->GetBounds(bounds);
   vtkNew<vtkSeaStateSource> sea;
   sea->SetSeaLevel(std::max(12.0, bounds[5] + 1.0));
-  // Not so in all seas: of six seeds, four let the giant kelp of Method 0 jump by 2.3 to 15.6 pixels, most at 40.5 m.
-  sea->SetSeed(4);
+  sea->SetSeed(seed);
   vtkNew<vtkFlowPrimitiveSource> current;
   current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
   current->SetStrength(0.15);
-  vtkNew<Filter> move;
+  Watched scene;
+  Filter* move = scene.Move;
   move->SetInputConnection(meadow->GetOutputPort());
   move->SetInputConnection(1, sea->GetOutputPort());
   move->AddInputConnection(2, current->GetOutputPort());
   move->SetMethod(method);
   move->SetUseLevels(true);
   move->SetViewDirection(0.0, 1.0, 0.0);
-  const double height = 0.5 * (bounds[4] + bounds[5]);
+  scene.Height = 0.5 * (bounds[4] + bounds[5]);
   // Bands are as long as the plant reaches, which is not beyond twice its height.
-  const double band = std::max(10.0, 2.0 * (bounds[5] - bounds[4]));
-  double worst = 0.0;
-  double where = 0.0;
-  vtkNew<vtkPolyData> last[2];
-  for (double distance = 4.5; distance < 20.5 + band; distance += 0.01)
+  const double band = std::max(12.0, 2.0 * (bounds[5] - bounds[4]));
+  Jumps jumps{ scene };
+  double near = 4.5;
+  auto before = scene.At(near);
+  while (near < 20.5 + band)
   {
-    const Vector3 eye(0.0, -distance, height);
-    move->SetViewPoint(eye.x, eye.y, eye.z);
-    move->UpdateTimeStep(2.5);
-    for (int part = 0; part < 2; ++part)
-    {
-      vtkPolyData* now = Part(move->GetOutputDataObject(0), part == 0 ? "Leaves" : "Skin");
-      const double jump = last[part]->GetNumberOfPoints() > 0 ? LargestJump(last[part], now, eye) : 0.0;
-      where = jump > worst ? distance : where;
-      worst = std::max(worst, jump);
-      last[part]->ShallowCopy(now);
-    }
+    const double far = near + 0.16;
+    auto after = scene.At(far);
+    jumps.Find(near, before, far, after);
+    near = far;
+    before = std::move(after);
   }
-  const std::string who = std::string(NameOf(preset)) + ", Method " + std::to_string(method);
-  std::cout << who << ": a step of 1 cm moves the plant by at most " << worst << " pixels, at " << where << " m"
-            << std::endl;
-  return Check(worst > 0.0 && worst < 1.0, who + ": levels jump by " + std::to_string(worst) + " pixels");
+  const std::string who =
+    std::string(NameOf(preset)) + ", Method " + std::to_string(method) + ", Seed " + std::to_string(seed);
+  std::cout << who << ": a step of 1 cm moves the plant by at most " << jumps.Worst << " pixels, at " << jumps.Where
+            << " m" << std::endl;
+  return Check(jumps.Worst > 0.0 && jumps.Worst < 1.0, who + ": levels jump by " + std::to_string(jumps.Worst));
 }
 
 }
@@ -628,10 +667,10 @@ int TestSeaweedSkins(int, char*[])
   good = TestShapes(SugarKelp, 0, 1, Fair, false) && good;
   for (int preset : { SugarKelp, GiantKelp, Eelgrass })
   {
-    for (int method : { 0, 1 })
-    {
-      good = TestBands(preset, method) && good;
-    }
+    good = TestBands(preset, 1, 1) && good;
+    good = TestBands(preset, 0, 1) && good;
   }
+  // Of eight seas, those that showed loads which follow what is shown: by 1.4 and 3.8 pixels.
+  good = TestBands(GiantKelp, 0, 7) && TestBands(GiantKelp, 0, 8) && good;
   return good ? 0 : 1;
 }

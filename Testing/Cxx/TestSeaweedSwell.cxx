@@ -14,12 +14,10 @@ int TestSeaweedSwell(int argc, char* argv[])
   vtkNew<vtkSeaweedSource> weed;
   weed->SetPreset(vtkSeaweedSource::Eelgrass);
   vtkNew<vtkSeaStateSource> sea;
-  sea->SetSeaBy(1);
-  sea->SetSignificantWaveHeight(1.2);
+  sea->SetSpectrum(vtkSeaStateSource::Regular);
+  sea->SetSeaBy(vtkSeaStateSource::HeightAndPeriod);
+  sea->SetSignificantWaveHeight(0.45);
   sea->SetPeakPeriod(4.0);
-  sea->SetNumberOfTrains(1);
-  sea->SetFrequencyRange(0.95, 1.05);
-  sea->SetSpreading(0.0);
   sea->SetSeaLevel(3.0);
   sea->SetWaterDepth(3.0);
   vtkNew<vtkSeaweedDeformationFilter> move;

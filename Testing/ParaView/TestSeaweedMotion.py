@@ -13,6 +13,10 @@ def skeleton(plants, time):
 
 
 weed = simple.Seaweed(Preset="Eelgrass")
+swell = simple.SeaState(Spectrum="Regular", SeaBy="Height And Period", SignificantWaveHeight=1.6, PeakPeriod=8.0)
+wave = servermanager.Fetch(swell)
+assert wave.GetNumberOfRows() == 1 and abs(wave.GetColumnByName("Amplitude").GetValue(0) - 0.8) < 1e-12
+assert abs(wave.GetColumnByName("AngularFrequency").GetValue(0) - np.pi / 4.0) < 1e-12
 sea = simple.SeaState(SeaLevel=6.0)
 tide = simple.FlowPrimitive(Strength=0.1)
 motion = simple.SeaweedDeformation(Input=weed, SeaState=sea, Currents=[tide], FollowCamera=0)
