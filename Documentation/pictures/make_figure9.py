@@ -136,7 +136,7 @@ def main(folder):
                 plot.SetMarkerSize(18.0)
         plot = chart.AddPlot(vtkChart.LINE)
         plot.SetInputData(table, "Trees", "Other" + name)
-        plot.SetColor(*colour)
+        set_plot_colour(plot, colour)
         plot.GetPen().SetLineType(vtkPen.DASH_LINE)
         plot.SetWidth(4.0)
     left, bottom = chart.GetAxis(vtkAxis.LEFT), chart.GetAxis(vtkAxis.BOTTOM)
