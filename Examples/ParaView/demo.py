@@ -44,20 +44,47 @@ PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
 FOREST = os.path.join(HERE, "forest.py")
 UNDERWATER = os.path.join(HERE, "underwater.py")
 FILM_SIZE = 768, 432
-STEPS = 10
 EXAGGERATION = 3.0
-START = time.time()
+
+#: Processor time of each step [s], and of a frame of the last two, as measured where pictures are drawn in software:
+#: these give the shares of the whole.
+STEP_TIMES = 0.1, 2.2, 0.1, 2.2, 0.7, 6.2, 5.8, 0.4, 21.0, 27.0
+FRAME_TIMES = 7.3, 4.7
 
 
-def say(step, text):
-    """A line of progress: share done, seconds gone, what comes now."""
-    print(f"[{100 * step // STEPS:3d} %, {time.time() - START:4.1f} s] {text}", flush=True)
+class Progress:
+    """Lines of progress: the share of the time that is over, the time gone, the time left, and what comes now."""
 
+    def __init__(self, frames):
+        self.start = time.time()
+        self.frames = frames
+        self.step = -1
 
-def tell_frames(frame, frames):
-    """Progress of the film."""
-    if frame % 6 == 0:
-        print(f"    frame {frame} of {frames}, {time.time() - START:4.1f} s", flush=True)
+    def share(self, frame=0):
+        """The share that is over before a frame of this step."""
+        times = list(STEP_TIMES)
+        for film in range(-len(FRAME_TIMES), 0):
+            times[film] += self.frames * FRAME_TIMES[film]
+        done = sum(times[:self.step])
+        if frame > 0:
+            done += STEP_TIMES[self.step] + frame * FRAME_TIMES[self.step - len(times)]
+        return done / sum(times)
+
+    def line(self, frame=0):
+        """What stands before each line."""
+        share, gone = self.share(frame), time.time() - self.start
+        left = f", about {gone * (1.0 - share) / share:.0f} s left" if 0.02 < share < 1.0 else ""
+        return f"[{100.0 * share:3.0f} %, {gone:.0f} s{left}]"
+
+    def begin(self, text):
+        """The next step."""
+        self.step += 1
+        print(self.line(), text, flush=True)
+
+    def film(self, frame, frames):
+        """Now and then a frame of this step's film."""
+        if frame % 2 == 0 and frame > 0:
+            print(self.line(frame), f"frame {frame} of {frames}", flush=True)
 
 
 def measure(image):
@@ -116,37 +143,38 @@ def clear():
 def main(folder, frames=48):
     """Do all of it, into a folder; films have so many frames."""
     os.makedirs(folder, exist_ok=True)
+    progress = Progress(frames)
 
     def file(name):
         return os.path.join(folder, name)
 
-    say(0, "reading the elevation model of the Jacksboro fault")
+    progress.begin("reading the elevation model of the Jacksboro fault")
     place = read_elevation()
     bounds = np.array(place.GetBounds()) / 1e3
     size = f"{bounds[1]:.0f} \u00d7 {bounds[3]:.0f} km, heights \u00d7 {EXAGGERATION:.0f}"
 
-    say(1, "measuring its covariance")
+    progress.begin("measuring its covariance")
     fits, variogram = measure(place)
     models = model_names(fits)
     print_fits(fits)
     write_csv(fits, file("fits.csv"))
 
-    say(2, f"growing its twin: {models[0]}")
+    progress.begin(f"growing its twin: {models[0]}")
     twin = grow(place, fits, seed=1)
     write_vti(twin, file("twin.vti"))
 
-    say(3, "measuring the twin")
+    progress.begin("measuring the twin")
     print_fits(measure(twin)[0])
 
-    say(4, "drawing variogram.png")
+    progress.begin("drawing variogram.png")
     save_variogram_chart(file("variogram.png"), variogram, models)
 
-    say(5, "drawing twin-terrain.png")
+    progress.begin("drawing twin-terrain.png")
     save_pair(
         file("twin-terrain.png"), (place, twin), ("Jacksboro fault, Tennessee", "Its twin"),
         (f"measured \u00b7 {size}", f"grown by Littoral \u00b7 {size}"), EXAGGERATION)
 
-    say(6, "drawing figure2.png")
+    progress.begin("drawing figure2.png")
     dimension = 2.15  # the paper's: this place tells none, since its periodogram bends
     save_pair(
         file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
@@ -154,16 +182,16 @@ def main(folder, frames=48):
         ("Jacksboro fault", f"fractal field, D = {dimension:.2f} as in the paper"),
         EXAGGERATION, height_colour)
 
-    say(7, "drawing patterns.png")
+    progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
 
-    say(8, "drawing forest.png and filming walk.ogv: the longest part")
-    runpy.run_path(FOREST, run_name="forest")["main"](folder, FILM_SIZE, frames, tell_frames)
+    progress.begin("drawing forest.png and filming walk.ogv: the longest part")
+    runpy.run_path(FOREST, run_name="forest")["main"](folder, FILM_SIZE, frames, progress.film)
     clear()
 
-    say(9, "drawing underwater.png and filming underwater.ogv")
-    runpy.run_path(UNDERWATER, run_name="underwater")["main"](folder, FILM_SIZE, frames, tell_frames)
-    say(STEPS, f"all written into {folder}")
+    progress.begin("drawing underwater.png and filming underwater.ogv")
+    runpy.run_path(UNDERWATER, run_name="underwater")["main"](folder, FILM_SIZE, frames, progress.film)
+    progress.begin(f"all written into {folder}")
 
 
 if __name__ == "__main__":

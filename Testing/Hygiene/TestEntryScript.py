@@ -1,0 +1,172 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The entry script: the list of packages that each release takes, and its line of progress on a terminal.
+
+It runs in a folder of its own, where apt-get, dpkg-query, cmake and ninja are stand-ins that note how they were called.
+"""
+
+import os
+import pty
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SOURCE = os.path.join(HERE, "..", "..")
+
+RELEASES = {  # name: ID, ID_LIKE, code name, list, whether it was tried
+    "Debian 12": ("debian", "", "bookworm", "debian-12", True),
+    "Debian 13": ("debian", "", "trixie", "debian-13", True),
+    "Debian forky": ("debian", "", "forky", "debian-forky", True),
+    "Ubuntu 22.04": ("ubuntu", "debian", "jammy", "debian-12", False),
+    "Ubuntu 24.04": ("ubuntu", "debian", "noble", "debian-12", False),
+    "Ubuntu 26.04": ("ubuntu", "debian", "resolute", "debian-13", False),
+    "Linux Mint": ("linuxmint", "ubuntu debian", "zara", "debian-13", False),
+    "Fedora": ("fedora", "", "", None, False),
+}
+
+STAND_INS = {
+    "apt-get": 'echo "$*" >>"$NOTES"\n'
+               'if [ "$1" = install ]; then\n'
+               '  for done in 20 40 60 80; do echo "dlstatus:1:$done:file" >&3; sleep "${PACE:-0}"; done\n'
+               'fi',
+    "dpkg-query": "true",
+    "sudo": 'while [ $# -gt 0 ] && [ "${1#-}" != "$1" ]; do shift; done; exec "$@"',
+    "ninja": 'for k in 1 2 3 4; do echo "[$k/4] Building CXX object Common/$k.o"; done',
+    "cmake": 'for k in 1 2 3; do echo "[$k/4] Building CXX object Common/$k.o"; sleep "${PACE:-0}"; done',
+}
+
+
+def words(name):
+    """The names in a list of packages by its sections."""
+    sections, section = {}, None
+    with open(os.path.join(SOURCE, "CMake", "packages", name + ".txt"), encoding="utf-8") as file:
+        for line in file:
+            line = line.strip()
+            if line.startswith("["):
+                section = sections.setdefault(line.strip("[]"), set())
+            elif line and not line.startswith("#"):
+                section.add(line)
+    return sections
+
+
+class EntryScript(unittest.TestCase):
+    """The script, copied beside its lists of packages."""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="littoral-entry-")
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.script = shutil.copy(os.path.join(SOURCE, "littoral"), self.folder)
+        shutil.copytree(os.path.join(SOURCE, "CMake", "packages"), self.path("CMake", "packages"))
+        os.mkdir(self.path("bin"))
+        for name, text in STAND_INS.items():
+            with open(self.path("bin", name), "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\n" + text + "\n")
+            os.chmod(self.path("bin", name), 0o755)
+        self.environment = dict(
+            os.environ, PATH=self.path("bin") + ":" + os.environ["PATH"], NOTES=self.path("notes"),
+            LITTORAL_OS_RELEASE=self.path("os-release"))
+
+    def path(self, *parts):
+        return os.path.join(self.folder, *parts)
+
+    def release(self, name):
+        """Make the script believe that it runs there."""
+        kind, like, codename = RELEASES[name][:3]
+        with open(self.path("os-release"), "w", encoding="utf-8") as file:
+            file.write(f'ID={kind}\nID_LIKE="{like}"\nVERSION_CODENAME={codename}\nPRETTY_NAME="{name}"\n')
+
+    def run_script(self, *arguments):
+        return subprocess.run(
+            ["bash", self.script, *arguments], env=self.environment, capture_output=True, text=True, check=False)
+
+    def run_on_terminal(self, *arguments):
+        """The lines that a terminal shows, one for each time that the cursor goes back."""
+        leader, follower = pty.openpty()
+        with subprocess.Popen(["bash", self.script, *arguments], env=dict(self.environment, COLUMNS="200"),
+                              stdin=subprocess.DEVNULL, stdout=follower, stderr=follower):
+            os.close(follower)
+            text = b""
+            try:
+                while True:
+                    text += os.read(leader, 4096)
+            except OSError:  # the other end was closed
+                os.close(leader)
+        return text.decode().replace("\x1b[K", "").split("\r")
+
+    def test_each_release_takes_its_list(self):
+        for name, (_, _, _, wanted, _) in RELEASES.items():
+            with self.subTest(release=name):
+                self.release(name)
+                for use in ("run", "build", "run-vtk", "build-vtk", "test", "documentation"):
+                    printed = self.run_script("packages", use)
+                    self.assertEqual(printed.returncode, 0, printed.stderr)
+                    # Elsewhere the names of Debian 13 serve as a description.
+                    self.assertEqual(set(printed.stdout.split()), words(wanted or "debian-13")[use])
+
+    def test_a_release_that_was_not_tried_is_told(self):
+        for name, (_, _, _, wanted, tried) in RELEASES.items():
+            if wanted is None:
+                continue
+            with self.subTest(release=name):
+                self.release(name)
+                lines = self.run_script("setup", "test").stdout
+                self.assertEqual("was not tried" in lines, not tried, lines)
+                self.assertIn(name if not tried else "done", lines)
+
+    def test_only_what_is_asked_for_is_installed(self):
+        self.release("Debian 13")
+        self.assertEqual(self.run_script("setup", "run", "build").returncode, 0)
+        with open(self.path("notes"), encoding="utf-8") as file:
+            update, install = file.read().splitlines()
+        self.assertEqual(update, "update")
+        asked = {word for word in install.split()[1:] if re.match("[a-z0-9]", word)} - {"APT::Status-Fd=3"}
+        lists = words("debian-13")
+        self.assertEqual(asked, lists["run"] | lists["build"])
+        self.assertFalse(asked & {"libgtest-dev", "libbenchmark-dev"})
+
+    def test_elsewhere_nothing_is_installed(self):
+        self.release("Fedora")
+        printed = self.run_script("setup", "run")
+        self.assertEqual(printed.returncode, 0, printed.stderr)
+        self.assertIn("Fedora is not of Debian's kind", printed.stdout)
+        self.assertFalse(os.path.exists(self.path("notes")))
+
+    def test_an_unknown_list_is_refused(self):
+        self.release("Debian 12")
+        printed = self.run_script("setup", "runs")
+        self.assertEqual(printed.returncode, 1)
+        self.assertRegex(printed.stderr, "^.littoral. setup: there is no list 'runs' in .*debian-12.txt\n$")
+
+    def test_setup_tells_the_time_left(self):
+        self.release("Debian 12")
+        self.environment["PACE"] = "1"
+        lines = [line for line in self.run_on_terminal("setup", "test") if line.startswith("setup: ")]
+        gone = [int(re.match(r"setup: (\d+) s", line)[1]) for line in lines]
+        self.assertGreaterEqual(len(gone), 3)  # it takes four seconds
+        self.assertEqual(gone, list(range(1, len(gone) + 1)))
+        self.assertTrue(all("s left" in line for line in lines[1:]), lines)
+
+    def test_build_tells_the_time_left(self):
+        self.release("Debian 12")
+        self.environment["PACE"] = "1.2"
+        os.makedirs(self.path("build"))
+        with open(self.path("build", "build.ninja"), "w", encoding="utf-8"):
+            pass
+        # All packages are there.
+        with open(self.path("bin", "dpkg-query"), "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\n" + "".join(
+                f"echo ii  {name}\n" for part in ("run", "build") for name in words("debian-12")[part]))
+        lines = [line for line in self.run_on_terminal("build") if line.startswith("build: ")]
+        self.assertGreaterEqual(len(lines), 3)
+        for line in lines:  # a quarter of the work each 1.2 seconds
+            gone, left = map(int, re.search(r": (\d+) s, about (\d+) s left", line).groups())
+            self.assertAlmostEqual(gone + left, 4.8, delta=2.0, msg=line)
+        self.assertIn("[3/4]", lines[-1])
+        self.assertFalse(os.path.exists(self.path("build", "plan.ninja")))
+
+
+if __name__ == "__main__":
+    unittest.main()
