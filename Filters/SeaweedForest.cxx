@@ -6,8 +6,10 @@
 #include "LittoralRanges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numeric>
 
 namespace littoral
@@ -608,7 +610,7 @@ void SeaweedForest::MoveSkins(vtkMultiBlockDataSet* blocks) const
     RestSkin<float> Rest;
     vtkSmartPointer<vtkFloatArray> Points;
     vtkSmartPointer<vtkFloatArray> Normals;
-    vtkSMPThreadLocal<std::array<TupleRanges, 2>> Parts; // ranges of both, found while the numbers are at hand
+    std::array<TupleRanges, 2> Ranges; // of both, found while the numbers are at hand
   };
   std::vector<Moved> moved(this->Skins.size());
   for (std::size_t skin = 0; skin < moved.size(); ++skin)
@@ -625,7 +627,9 @@ void SeaweedForest::MoveSkins(vtkMultiBlockDataSet* blocks) const
   }
   const std::vector<glm::dquat> turns = this->TurnsOfSkins();
   std::vector<JointChange> changes(this->Rest.Nodes.size());
+  std::mutex adding;
   SmpFor(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<std::array<TupleRanges, 2>> parts(moved.size());
     for (std::size_t plant = begin; plant < end; ++plant)
     {
       this->FindChanges(this->Plants[plant], turns, changes);
@@ -634,30 +638,29 @@ void SeaweedForest::MoveSkins(vtkMultiBlockDataSet* blocks) const
         const Skin& own = this->Skins[skin];
         float* p = moved[skin].Points->GetPointer(0);
         float* n = moved[skin].Normals->GetPointer(0);
-        std::array<TupleRanges, 2>& part = moved[skin].Parts.Local();
         for (std::size_t run = own.FirstRun[plant]; run < own.FirstRun[plant + 1]; ++run)
         {
           const vtkIdType first = 3 * own.Runs[run].First;
           const vtkIdType last = 3 * own.Runs[run].End;
           this->MoveRun(own.Runs[run], moved[skin].Rest, changes, p, n);
-          part[0].AddTuples(p + first, p + last, 3);
-          part[1].AddTuples(n + first, n + last, 3);
+          parts[skin][0].AddTuples(p + first, p + last, 3);
+          parts[skin][1].AddTuples(n + first, n + last, 3);
         }
       }
+    }
+    const std::lock_guard<std::mutex> lock(adding);
+    for (std::size_t skin = 0; skin < moved.size(); ++skin)
+    {
+      moved[skin].Ranges[0].Add(parts[skin][0]);
+      moved[skin].Ranges[1].Add(parts[skin][1]);
     }
   });
   for (std::size_t skin = 0; skin < moved.size(); ++skin)
   {
     vtkNew<vtkPoints> places;
     places->SetData(moved[skin].Points);
-    std::array<TupleRanges, 2> ranges;
-    for (const std::array<TupleRanges, 2>& part : moved[skin].Parts)
-    {
-      ranges[0].Add(part[0]);
-      ranges[1].Add(part[1]);
-    }
-    KeepRanges(moved[skin].Points.Get(), ranges[0]);
-    KeepRanges(moved[skin].Normals.Get(), ranges[1]);
+    KeepRanges(moved[skin].Points.Get(), moved[skin].Ranges[0]);
+    KeepRanges(moved[skin].Normals.Get(), moved[skin].Ranges[1]);
     vtkNew<vtkPolyData> block;
     block->ShallowCopy(this->Skins[skin].Rest);
     block->SetPoints(places);

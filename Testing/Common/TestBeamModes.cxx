@@ -4,7 +4,7 @@
 #include "Constants.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_dec_float.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using namespace littoral;
 namespace
 {
 
-using Exact = boost::multiprecision::cpp_bin_float_50;
+using Exact = boost::multiprecision::cpp_dec_float_50;
 
 /// The root by bisection in 50 digits.
 Exact ExactRoot(int mode)

@@ -24,7 +24,7 @@ int TestSeaweedSwell(int argc, char* argv[])
   move->SetInputConnection(weed->GetOutputPort());
   move->SetInputConnection(1, sea->GetOutputPort());
   PlantScene scene;
-  scene.Window->SetSize(400, 140);
+  scene.Window->SetSize(1000, 260); // leaves of more than a pixel, which are drawn alike by all versions of VTK
   for (int phase = 0; phase < 4; ++phase)
   {
     move->UpdateTimeStep(10.0 + phase);
@@ -33,6 +33,6 @@ int TestSeaweedSwell(int argc, char* argv[])
     scene.Add(plant, 1.1 * phase);
   }
   const double eye[3] = { 1.75, -12.0, 0.9 };
-  const double focus[3] = { 1.75, 0.0, 0.5 };
-  return scene.Compare(argc, argv, eye, focus, 7.2);
+  const double focus[3] = { 1.75, 0.0, 0.47 };
+  return scene.Compare(argc, argv, eye, focus, 5.4);
 }
