@@ -7,7 +7,21 @@ Every VTK class of Littoral can be imported from this package:
     from littoral import vtkTurningBandsTerrainSource
 """
 
-from ._version import __version__
+from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
+
+from ._version import __version__, _vtk_version
+
+
+def _release(version):
+    """What has to agree of a version of VTK: of releases major and minor, of ParaView's copies the date as well."""
+    major, minor, patch = version.split(".")[:3]
+    return (major, minor, patch if len(patch) == 8 else "")
+
+
+if _release(_vtkVersion.GetVTKVersion()) != _release(_vtk_version):
+    raise ImportError(
+        f"Littoral {__version__} was built for VTK {_vtk_version}, and this Python has VTK {_vtkVersion.GetVTKVersion()}")
+
 from .LittoralSources import *
 from .LittoralFilters import *
 
