@@ -71,5 +71,6 @@ if (LITTORAL_WITH_PARAVIEW)
     AUTOLOAD ${littoral_autoload}
     LIBRARY_SUBDIRECTORY "${LITTORAL_PLUGIN_SUBDIR}"
     PLUGINS_COMPONENT runtime
+    TARGET_COMPONENT runtime
     PLUGINS_FILE_NAME Littoral.plugins.xml)
 endif ()

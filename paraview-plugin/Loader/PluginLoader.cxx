@@ -12,42 +12,51 @@
 
 namespace
 {
-struct LoadedSymbol
+struct LoadedLibrary
 {
-  const char* library; // part of the library's file name
-  const char* symbol;
-  void* address;
+  const char* part; // of its file name
+  std::string path;
 };
 
-// Looks in one loaded library; programs that load ParaView as a Python module keep its symbols to themselves.
 int VisitLibrary(dl_phdr_info* info, size_t, void* data)
 {
-  auto* wanted = static_cast<LoadedSymbol*>(data);
-  if (std::string(info->dlpi_name).find(wanted->library) == std::string::npos)
+  auto* wanted = static_cast<LoadedLibrary*>(data);
+  const std::string path = info->dlpi_name;
+  if (path.find(wanted->part) == std::string::npos)
   {
     return 0;
   }
-  if (void* library = dlopen(info->dlpi_name, RTLD_LAZY | RTLD_NOLOAD))
-  {
-    wanted->address = dlsym(library, wanted->symbol);
-    dlclose(library);
-  }
-  return wanted->address ? 1 : 0;
+  wanted->path = path;
+  return 1;
 }
 
-template <typename Function>
-Function FindLoaded(const char* library, const char* symbol)
+// The path of a library that this process has loaded; empty if it has not.
+std::string FindLibrary(const char* part)
 {
-  LoadedSymbol wanted{ library, symbol, nullptr };
+  LoadedLibrary wanted{ part, {} };
   dl_iterate_phdr(VisitLibrary, &wanted);
-  return reinterpret_cast<Function>(wanted.address);
+  return wanted.path;
+}
+
+// By library, since programs that load ParaView as a Python module keep its symbols to themselves.
+template <typename Function>
+Function FindFunction(const char* part, const char* symbol)
+{
+  const std::string path = FindLibrary(part);
+  void* library = path.empty() ? nullptr : dlopen(path.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+  void* address = library ? dlsym(library, symbol) : nullptr;
+  if (library)
+  {
+    dlclose(library); // what had it loaded keeps it
+  }
+  return reinterpret_cast<Function>(address);
 }
 
 // vtkSMProxyManager::GetParaViewSourceVersion() says "paraview version 5.11.0"; empty if it is not there.
 std::string RunningVersion()
 {
-  const auto version =
-    FindLoaded<const char* (*)()>("libvtkRemotingServerManager", "_ZN17vtkSMProxyManager24GetParaViewSourceVersionEv");
+  const auto version = FindFunction<const char* (*)()>(
+    "libvtkRemotingServerManager", "_ZN17vtkSMProxyManager24GetParaViewSourceVersionEv");
   const std::string text = version ? version() : "";
   const auto digit = text.find_first_of("0123456789");
   return digit == std::string::npos ? std::string() : text.substr(digit);
@@ -61,17 +70,20 @@ bool SameMinorVersion(const std::string& version)
 }
 
 // To ParaView's messages by vtkOutputWindowDisplayErrorText(const char*), else to the terminal.
-void Say(const std::string& message)
+void* Refuse(const std::string& reason)
 {
-  const auto display = FindLoaded<void (*)(const char*)>("libvtkCommonCore", "_Z31vtkOutputWindowDisplayErrorTextPKc");
+  const std::string message = "Littoral " LITTORAL_VERSION " was not loaded: " + reason + "\n";
+  const auto display =
+    FindFunction<void (*)(const char*)>("libvtkCommonCore", "_Z31vtkOutputWindowDisplayErrorTextPKc");
   if (display)
   {
-    display((message + "\n").c_str());
+    display(message.c_str());
   }
   else
   {
-    std::fprintf(stderr, "%s\n", message.c_str());
+    std::fputs(message.c_str(), stderr);
   }
+  return nullptr;
 }
 
 std::string OwnPath()
@@ -85,23 +97,30 @@ void* LoadPlugin()
   const std::string running = RunningVersion();
   if (!running.empty() && !SameMinorVersion(running))
   {
-    Say("Littoral " LITTORAL_VERSION " was built for ParaView " LITTORAL_PARAVIEW_VERSION ", and this is ParaView " +
-      running + ". The plugin was not loaded; it takes one that was built for this version.");
-    return nullptr;
+    return Refuse("it was built for ParaView " LITTORAL_PARAVIEW_VERSION ", and this is ParaView " + running + ".");
+  }
+  const std::string other = FindLibrary("/Littoral.so.pv");
+  if (!other.empty())
+  {
+    return Refuse("there is another one, " + other + ".");
   }
   void* plugin = dlopen((OwnPath() + LITTORAL_PLUGIN_SUFFIX).c_str(), RTLD_LAZY);
   if (!plugin)
   {
-    Say(std::string("Littoral " LITTORAL_VERSION " was not loaded: ") + dlerror());
-    return nullptr;
+    return Refuse(dlerror());
   }
   const auto instance = reinterpret_cast<void* (*)()>(dlsym(plugin, "pv_plugin_instance_Littoral"));
-  return instance ? instance() : nullptr;
+  return instance ? instance() : Refuse("its library is not whole.");
 }
 }
 
+// ParaView asks again where it is told to load the plugin again; a refusal is said each time.
 extern "C" __attribute__((visibility("default"))) void* pv_plugin_instance()
 {
-  static void* instance = LoadPlugin();
+  static void* instance = nullptr;
+  if (!instance)
+  {
+    instance = LoadPlugin();
+  }
   return instance;
 }

@@ -25,17 +25,19 @@ if _release(_vtkVersion.GetVTKVersion()) != _release(_vtk_version):
 from .LittoralSources import *
 from .LittoralFilters import *
 
-#: What is not in this build, by the name under which it is asked for.
+#: What is not there, by the name under which it is asked for, and why.
 _absent = {}
 try:
     from .LittoralIO import *
 except ModuleNotFoundError:
-    _absent["vtkVDBVolumeWriter"] = "OpenVDB"
+    _absent["vtkVDBVolumeWriter"] = "this Littoral was built without OpenVDB"
+except ImportError as error:
+    _absent["vtkVDBVolumeWriter"] = f"OpenVDB cannot be loaded: {error}"
 
 
 def __getattr__(name):
     if name in _absent:
-        raise ImportError(f"This Littoral was built without {_absent[name]}, which {name} needs")
+        raise ImportError(f"There is no {name}: {_absent[name]}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
