@@ -117,6 +117,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblittoral-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 littoral_describe(DEVELOPMENT "VTK - development files" "the headers and the CMake files")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "littoral (= ${PROJECT_VERSION}), python3, python3-numpy, python-matplotlib-data")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  "${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst" "${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm")
 # A system without a display draws on a virtual one.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "xvfb, xauth")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "littoral (= ${PROJECT_VERSION}), libglm-dev")

@@ -35,11 +35,12 @@ fi
 echo "--- the plugin in pvpython, pvbatch and a server with its client"
 pvpython "$here/check_plugin.py"
 xvfb-run -a pvbatch "$here/check_plugin.py"
-pvserver --server-port=22221 >server.log 2>&1 &
+port=$((20000 + $$ % 10000))
+pvserver --server-port=$port >server.log 2>&1 &
 server=$!
 trap 'kill $server 2>/dev/null' EXIT
 sleep 5
-pvpython "$here/check_plugin.py" 22221
+pvpython "$here/check_plugin.py" $port
 wait $server || true
 
 echo "--- the Python package"

@@ -8,7 +8,7 @@ from paraview import servermanager, simple
 
 remote = len(sys.argv) > 1
 if remote:
-    simple.Connect("localhost", int(sys.argv[1]))
+    simple.Connect("127.0.0.1", int(sys.argv[1]))
 manager = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
 session = servermanager.ActiveConnection.Session
 information = [manager.GetLocalInformation()]
@@ -22,6 +22,6 @@ terrain = simple.TurningBandsTerrain()
 terrain.UpdatePipeline()
 low, high = terrain.PointData["Elevation"].GetRange()
 assert high - low > 50.0, (low, high)
-print("ParaView", servermanager.vtkSMProxyManager.GetVersion(), "remote" if remote else "local", low, high)
+print("ParaView", simple.GetParaViewVersion(), "remote" if remote else "local", low, high)
 if remote:
     simple.Disconnect()

@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# ParaView's window with the menu Sources open, into window.png of the current folder: someone has to look at it.
+# ParaView's window with the menu Sources > Littoral open, into window.png of the current folder: someone has to look at it.
 set -eu
 export XDG_RUNTIME_DIR=$PWD/runtime
-mkdir -p -m 0700 "$XDG_RUNTIME_DIR" home
+mkdir -p "$XDG_RUNTIME_DIR" home
+chmod 0700 "$XDG_RUNTIME_DIR"
 HOME=$PWD/home paraview --dr >window.log 2>&1 &
 paraview=$!
 trap 'kill $paraview' EXIT
@@ -19,5 +20,7 @@ xdotool key Escape
 xdotool mousemove 700 600 click 1
 sleep 1
 xdotool key alt+s
+sleep 2
+xdotool key l
 sleep 2
 import -window root window.png
