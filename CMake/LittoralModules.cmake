@@ -70,5 +70,7 @@ if (LITTORAL_WITH_PARAVIEW)
     PLUGINS ${littoral_plugins}
     AUTOLOAD ${littoral_autoload}
     LIBRARY_SUBDIRECTORY "${LITTORAL_PLUGIN_SUBDIR}"
+    PLUGINS_COMPONENT runtime
+    TARGET_COMPONENT runtime
     PLUGINS_FILE_NAME Littoral.plugins.xml)
 endif ()

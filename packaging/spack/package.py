@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A recipe for Spack. Untried: no Spack was at hand; names of variants and packages are those of its index as of 2026."""
+"""A recipe for Spack. Untried: no Spack was at hand. It builds a tree of yours: `spack dev-build littoral@main`.
+
+Spack's index had no kissfft when this was written. It is headers alone: a recipe of your own, or -Dkissfft__header_INCLUDE_DIR.
+"""
 
 from spack.package import *
 
@@ -9,7 +12,7 @@ class Littoral(CMakePackage):
     """Living landscapes and seas for VTK and ParaView."""
 
     license("BSD-3-Clause")
-    version("main", branch="main")
+    version("main")
 
     variant("paraview", default=True, description="Build the ParaView plugin, against ParaView's VTK")
     variant("openvdb", default=True, description="Build the writer of OpenVDB volumes")
@@ -24,8 +27,8 @@ class Littoral(CMakePackage):
     depends_on("glm")
     depends_on("kissfft")
     depends_on("random123")
-    depends_on("paraview@5.11: +python", when="+paraview +python")
-    depends_on("paraview@5.11:", when="+paraview")
+    depends_on("paraview@5.11: +python +development_files", when="+paraview +python")
+    depends_on("paraview@5.11: +development_files", when="+paraview")
     depends_on("vtk@9.1: +python", when="~paraview +python")
     depends_on("vtk@9.1:", when="~paraview")
     depends_on("openvdb", when="+openvdb")

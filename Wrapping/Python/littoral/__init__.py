@@ -7,21 +7,37 @@ Every VTK class of Littoral can be imported from this package:
     from littoral import vtkTurningBandsTerrainSource
 """
 
-from ._version import __version__
+from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
+
+from ._version import __version__, _vtk_version
+
+
+def _release(version):
+    """What has to agree of a version of VTK: of releases major and minor, of ParaView's copies the date as well."""
+    major, minor, patch = version.split(".")[:3]
+    return (major, minor, patch if len(patch) == 8 else "")
+
+
+if _release(_vtkVersion.GetVTKVersion()) != _release(_vtk_version):
+    raise ImportError(
+        f"Littoral {__version__} was built for VTK {_vtk_version}, and this Python has VTK {_vtkVersion.GetVTKVersion()}")
+
 from .LittoralSources import *
 from .LittoralFilters import *
 
-#: What is not in this build, by the name under which it is asked for.
+#: What is not there, by the name under which it is asked for, and why.
 _absent = {}
 try:
     from .LittoralIO import *
 except ModuleNotFoundError:
-    _absent["vtkVDBVolumeWriter"] = "OpenVDB"
+    _absent["vtkVDBVolumeWriter"] = "this Littoral was built without OpenVDB"
+except ImportError as error:
+    _absent["vtkVDBVolumeWriter"] = f"OpenVDB cannot be loaded: {error}"
 
 
 def __getattr__(name):
     if name in _absent:
-        raise ImportError(f"This Littoral was built without {_absent[name]}, which {name} needs")
+        raise ImportError(f"There is no {name}: {_absent[name]}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
