@@ -23,3 +23,8 @@ endforeach ()
 unset(littoral_lists)
 unset(littoral_lines)
 unset(littoral_target)
+
+# VTK 9.6 with CMake from 3.31: its functions that build modules pass empty keywords and set no policy for them.
+if (PROJECT_NAME STREQUAL "Littoral")
+  set(CMAKE_POLICY_DEFAULT_CMP0174 NEW)
+endif ()

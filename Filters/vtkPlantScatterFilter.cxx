@@ -4,6 +4,7 @@
 
 #include "Constants.h"
 #include "HeightGrid.h"
+#include "LittoralBlocks.h"
 #include "LittoralPipeline.h"
 #include "LittoralPlants.h"
 #include "LittoralRanges.h"
@@ -13,6 +14,7 @@
 #include "SceneCells.h"
 #include "TextureAtlas.h"
 
+#include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -78,11 +80,11 @@ using Stamp = std::pair<const void*, vtkMTimeType>;
 vtkMTimeType LastChange(vtkDataObject* data)
 {
   vtkMTimeType last = data->GetMTime();
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
   {
-    for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
+    for (unsigned int index = 0; index < blocks->GetNumberOfChildren(); ++index)
     {
-      last = std::max(last, blocks->GetBlock(index) ? LastChange(blocks->GetBlock(index)) : 0);
+      last = std::max(last, blocks->GetChild(index) ? LastChange(blocks->GetChild(index)) : 0);
     }
   }
   else
@@ -470,6 +472,7 @@ int vtkPlantScatterFilter::FillInputPortInformation(int port, vtkInformation* in
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port == PrototypesPort)
   {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   }
   if (port != SitesPort)
@@ -501,7 +504,8 @@ int vtkPlantScatterFilter::RequestInformation(vtkInformation*, vtkInformationVec
   {
     int port = 0;
     this->GetInputAlgorithm(PrototypesPort, index, port)->Update(port);
-    auto* prototype = vtkMultiBlockDataSet::SafeDownCast(this->GetInputDataObject(PrototypesPort, index));
+    std::string reason; // said when data are asked for
+    const auto prototype = littoral::BlocksOf(this->GetInputDataObject(PrototypesPort, index), reason);
     crowns.push_back(TextureSizeOf(PartOf(prototype, PartKinds[CrownPart])));
     leaves.push_back(TextureSizeOf(PartOf(prototype, PartKinds[LeavesPart])));
   }
@@ -561,10 +565,13 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
 {
   std::vector<Stamp> stamp;
   std::vector<Blocks> prototypes;
+  std::vector<std::string> reasons;
   for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
-    auto* prototype = vtkMultiBlockDataSet::GetData(inputs, index);
-    stamp.push_back(StampOf(prototype));
+    vtkDataObject* input = vtkDataObject::GetData(inputs, index);
+    stamp.push_back(StampOf(input));
+    reasons.emplace_back();
+    const auto prototype = littoral::BlocksOf(input, reasons.back());
     prototypes.emplace_back();
     std::transform(std::begin(PartKinds), std::end(PartKinds), prototypes.back().begin(),
       [&](const littoral::PartKind& kind) { return PartOf(prototype, kind); });
@@ -583,7 +590,7 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
   std::vector<littoral::TextureImage> leaves;
   for (std::size_t index = 0; index < prototypes.size(); ++index)
   {
-    const std::string reason = WhyInvalid(prototypes[index]);
+    const std::string reason = reasons[index].empty() ? WhyInvalid(prototypes[index]) : reasons[index];
     if (!reason.empty())
     {
       vtkErrorMacro("Prototype " << index << " cannot be scattered: " << reason << ".");

@@ -7,9 +7,12 @@ Every VTK class of Littoral can be imported from this package:
     from littoral import vtkTurningBandsTerrainSource
 """
 
+from . import versions
 from ._version import __version__
 from .LittoralSources import *
 from .LittoralFilters import *
+
+versions.mend_calls((vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))
 
 #: What is not in this build, by the name under which it is asked for.
 _absent = {}

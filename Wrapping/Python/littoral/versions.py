@@ -6,6 +6,7 @@ Each function says which versions need it, so that it can go when they do.
 """
 
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 
 def set_plot_colour(plot, colour):
@@ -36,3 +37,34 @@ def block_name(data, index):
     names = data.GetMetaData(index) if data.HasMetaData(index) else None
     name = names.Get(vtkCompositeDataSet.NAME()) if names else None
     return name.removeprefix(f"Block {index}_") if name else name
+
+
+def mend_calls(sources):
+    """Let `(source >> filter)()`, and `source()` of these classes, leave inputs as they are.
+
+    VTK 9.3 to 9.6 connect nothing to port 0 where a pipeline is called without an input, even if what is there is
+    optional or connected, and refuse such a call of a source.
+    """
+    try:
+        from vtkmodules.util import execution_model
+    except ImportError:  # VTK before 9.3, which has no such calls
+        return
+    of_vtk = execution_model._call
+
+    def call(first, last, inp=None, port=0):
+        # A producer has no port to which VTK could connect nothing.
+        return of_vtk(vtkTrivialProducer() if inp is None else first, last, inp, port)
+
+    def callable_class(source):
+        class Callable(source):
+            __doc__ = source.__doc__
+
+            def __call__(self, *inputs):
+                return super().__call__(*inputs) if inputs else call(self, self)
+
+        Callable.__name__ = Callable.__qualname__ = source.__name__
+        return Callable
+
+    execution_model._call = call
+    for source in sources:
+        source.override(callable_class(source))
