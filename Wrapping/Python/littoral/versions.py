@@ -5,6 +5,8 @@
 Each function says which versions need it, so that it can go when they do.
 """
 
+import re
+
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
@@ -32,11 +34,22 @@ def create_texture(file):
 def block_name(data, index):
     """The name of a block of a multiblock; None if it has none.
 
-    What ParaView 6 fetches has a number in front of the names of the first level: Block 0_High.
+    What ParaView 6 fetches has the number of the rank in front of the names of the first level: Block 0_High.
     """
     names = data.GetMetaData(index) if data.HasMetaData(index) else None
     name = names.Get(vtkCompositeDataSet.NAME()) if names else None
-    return name.removeprefix(f"Block {index}_") if name else name
+    return re.sub(r"^Block \d+_", "", name) if name else name
+
+
+def series_suffix():
+    """What SaveData puts between name and extension of a series: a number of four digits.
+
+    ParaView 6.1 warns of the form of those before.
+    """
+    from paraview.servermanager import vtkSMProxyManager
+
+    version = vtkSMProxyManager.GetVersionMajor(), vtkSMProxyManager.GetVersionMinor()
+    return "_{:04d}" if version >= (6, 1) else "_%.4d"
 
 
 def mend_calls(sources):
