@@ -14,7 +14,7 @@
 #include "SceneCells.h"
 #include "TextureAtlas.h"
 
-#include "vtkDataObjectTree.h"
+#include "vtkDataAssembly.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -22,6 +22,8 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -80,11 +82,27 @@ using Stamp = std::pair<const void*, vtkMTimeType>;
 vtkMTimeType LastChange(vtkDataObject* data)
 {
   vtkMTimeType last = data->GetMTime();
-  if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
+  const auto add = [&](vtkDataObject* part) { last = std::max(last, part ? LastChange(part) : 0); };
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
   {
-    for (unsigned int index = 0; index < blocks->GetNumberOfChildren(); ++index)
+    for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
     {
-      last = std::max(last, blocks->GetChild(index) ? LastChange(blocks->GetChild(index)) : 0);
+      add(blocks->GetBlock(index));
+    }
+  }
+  else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+  {
+    last = std::max(last, collection->GetDataAssembly() ? collection->GetDataAssembly()->GetMTime() : 0);
+    for (unsigned int index = 0; index < collection->GetNumberOfPartitionedDataSets(); ++index)
+    {
+      add(collection->GetPartitionedDataSet(index));
+    }
+  }
+  else if (auto* parts = vtkPartitionedDataSet::SafeDownCast(data))
+  {
+    for (unsigned int index = 0; index < parts->GetNumberOfPartitions(); ++index)
+    {
+      add(parts->GetPartitionAsDataObject(index));
     }
   }
   else
