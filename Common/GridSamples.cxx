@@ -71,7 +71,9 @@ PlaneTrend RemovePlane(GridSamples& samples)
     normal += row * row.transpose();
     right += row * value;
   });
-  const Eigen::Vector3d plane = normal.completeOrthogonalDecomposition().solve(right);
+  // Of any size: in a decomposition of fixed size GCC 16 takes Eigen 5's loads of two values for reads past the end.
+  const Eigen::MatrixXd system = normal;
+  const Eigen::VectorXd plane = system.completeOrthogonalDecomposition().solve(Eigen::VectorXd(right));
   trend.Mean += plane[0];
   trend.Slope = { plane[1] / scaleX, plane[2] / scaleY };
   ForEachValue(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBeamTreeDeformationFilter.h"
 
+#include "LittoralBlocks.h"
 #include "LittoralPipeline.h"
 #include "SwayForest.h"
 
@@ -85,6 +86,10 @@ vtkBeamTreeDeformationFilter::~vtkBeamTreeDeformationFilter() = default;
 int vtkBeamTreeDeformationFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == WindPort ? "vtkImageData" : "vtkMultiBlockDataSet");
+  if (port != WindPort)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
+  }
   if (port == PrototypesPort)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -194,11 +199,12 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
 
 //----------------------------------------------------------------------------
 /// Reads the inputs, unless they are those of the last time. The reason why they are bad, or nothing.
-std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector)
+std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
 {
   auto memory = std::make_unique<Memory>();
   memory->Properties = this->GetMTime();
-  std::vector<vtkMultiBlockDataSet*> prototypes;
+  std::string reason;
+  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   for (int port : { PlantsPort, WindPort, PrototypesPort })
   {
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
@@ -207,7 +213,7 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
       memory->Inputs.emplace_back(data, LastChange(data));
       if (port == PrototypesPort)
       {
-        prototypes.push_back(vtkMultiBlockDataSet::SafeDownCast(data));
+        prototypes.push_back(littoral::BlocksOf(data, reason));
       }
     }
   }
@@ -216,9 +222,13 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
   {
     return {};
   }
+  if (!reason.empty())
+  {
+    return "Of Prototypes: " + reason;
+  }
   this->Kept = std::move(memory);
   this->SetProgressText("Reading plants");
-  return this->Kept->Forest.Read(vtkMultiBlockDataSet::GetData(inputVector[PlantsPort]), prototypes,
+  return this->Kept->Forest.Read(plants, { prototypes.begin(), prototypes.end() },
     vtkImageData::GetData(inputVector[WindPort]), this->MakeSettings(), this);
 }
 
@@ -228,18 +238,18 @@ int vtkBeamTreeDeformationFilter::RequestData(
 {
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   std::string reason = this->WhyInvalid();
+  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
   if (reason.empty() && !(std::abs(time) <= 1e12))
   {
     reason = "The requested time is " + std::to_string(time) + " s; it must be from -1e12 to 1e12.";
   }
-  reason = reason.empty() ? this->Remember(inputVector) : reason;
+  reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
   if (!reason.empty())
   {
     this->Kept.reset();
     vtkErrorMacro(<< reason);
     return 0;
   }
-  auto* plants = vtkMultiBlockDataSet::GetData(inputVector[PlantsPort]);
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);
   if (this->Kept->Forest.IsWhole())

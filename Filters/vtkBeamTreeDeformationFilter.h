@@ -9,6 +9,8 @@
  * data `ConvectionSpeed` [m/s]; where there is field data `Period` [s] it has to be the length of the image over that
  * speed). The field is carried along x and repeats; it is asked for once, at its time 0, and not at each frame. Heights
  * in the wind are heights above a plant's foot. Port 2, optional: the prototypes of a scattered forest, in their order.
+ * Plants may also be a vtkPartitionedDataSetCollection whose assembly has these blocks, each part in one partition, and
+ * whose field data are those of the plants; the output has blocks.
  *
  * Output 0: the plants at the requested time (section 3.2 of Setas et al.): branches are cantilevers in their parents,
  * with modes, a periodic steady state and segments that keep their lengths; skins follow the joints, and leaves turn to
@@ -185,7 +187,7 @@ private:
 
   std::string WhyInvalid() const;
   littoral::SwaySettings MakeSettings() const;
-  std::string Remember(vtkInformationVector** inputs);
+  std::string Remember(vtkInformationVector** inputs, vtkMultiBlockDataSet* plants);
 };
 
 #endif

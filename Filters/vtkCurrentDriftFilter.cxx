@@ -11,13 +11,13 @@
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -56,7 +56,7 @@ std::vector<vtkPointSet*> LeavesOf(vtkDataObject* data)
       leaves.push_back(points);
     }
   };
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
   {
     auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
@@ -114,6 +114,7 @@ int vtkCurrentDriftFilter::FillInputPortInformation(int port, vtkInformation* in
   }
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
   return 1;
 }
 
@@ -388,14 +389,14 @@ int vtkCurrentDriftFilter::RequestData(
 //----------------------------------------------------------------------------
 bool vtkCurrentDriftFilter::WriteAll(vtkDataObject* input, vtkDataObject* output)
 {
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
+  auto* blocks = vtkDataObjectTree::SafeDownCast(input);
   std::size_t first = 0;
   if (!blocks)
   {
     output->ShallowCopy(input);
     return this->WriteLeaf(vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output), first);
   }
-  auto* moved = vtkMultiBlockDataSet::SafeDownCast(output);
+  auto* moved = vtkDataObjectTree::SafeDownCast(output);
   moved->CopyStructure(blocks);
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())

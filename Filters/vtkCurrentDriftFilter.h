@@ -4,11 +4,12 @@
  * @class   vtkCurrentDriftFilter
  * @brief   carries points along with currents
  *
- * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet of them: particles where they are at StartTime. Input 1,
- * optional, repeatable: currents, which add up. A current is a data set of flow primitives, as vtkFlowPrimitiveSource
- * makes them, or any data set with a point array of velocities [m/s]: the output of an ocean model, a wind, a wake; or
- * composite data of such. Outside of a data set its current is 0; an image or rectilinear grid of one layer holds for
- * all heights. Velocities that are no numbers count as rest, as ocean models have them on land.
+ * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection of them: particles where they
+ * are at StartTime. Input 1, optional, repeatable: currents, which add up. A current is a data set of flow primitives,
+ * as vtkFlowPrimitiveSource makes them, or any data set with a point array of velocities [m/s]: the output of an ocean
+ * model, a wind, a wake; or composite data of such. Outside of a data set its current is 0; an image or rectilinear
+ * grid of one layer holds for all heights. Velocities that are no numbers count as rest, as ocean models have them on
+ * land.
  *
  * Output: the points at the requested time, in the precision of the input, with the point array `Captured` (1: the core
  * of a sink holds it). Connect it to vtkParticleOrbitFilter, for which these are the centres of orbits. Without

@@ -10,6 +10,7 @@
 #include "ParticleFog.h"
 
 #include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -45,13 +46,14 @@ constexpr double MostSamplesAlong = 1e6;
 std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* input)
 {
   std::vector<vtkPointSet*> sets;
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input);
-  vtkDataObject* far = littoral::FindBlock(blocks, littoral::sea::Far);
-  if (far || !blocks)
+  vtkDataObject* far = littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(input), littoral::sea::Far);
+  if (!far)
   {
-    sets.push_back(vtkPointSet::SafeDownCast(far ? far : input));
+    far = littoral::FindDataSet(vtkPartitionedDataSetCollection::SafeDownCast(input), littoral::sea::Far);
   }
-  else
+  vtkDataObject* counts = far ? far : input;
+  sets.push_back(vtkPointSet::SafeDownCast(counts));
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(counts))
   {
     auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
@@ -141,6 +143,7 @@ int vtkParticleFogFilter::FillInputPortInformation(int, vtkInformation* info)
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
   return 1;
 }
 

@@ -4,9 +4,10 @@
  * @class   vtkParticleFogFilter
  * @brief   the fog that far particles are
  *
- * Input: a vtkPointSet, or a vtkMultiBlockDataSet, of which the block `Far` counts if there is one, else all point
- * sets. Optional point arrays: `Radius` of a particle [m], else ParticleRadius; `Alpha`, how much of it
- * is fog, as vtkParticleLevelOfDetailFilter tells, so that the fog fades in as particles fade out; else 1.
+ * Input: a vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection, of which the block `Far` counts
+ * if there is one, else all point sets. Optional point arrays: `Radius` of a particle [m], else ParticleRadius;
+ * `Alpha`, how much of it is fog, as vtkParticleLevelOfDetailFilter tells, so that the fog fades in as particles fade
+ * out; else 1.
  *
  * Output: a vtkImageData with the point array `Extinction` (float) [1/m]: light that has gone a way through it is
  * dimmed by e to the power of minus its integral. A particle takes the area of its disc from the light, times

@@ -14,12 +14,12 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -148,6 +148,7 @@ int vtkParticleOrbitFilter::FillInputPortInformation(int port, vtkInformation* i
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
   return 1;
 }
 
@@ -206,9 +207,9 @@ int vtkParticleOrbitFilter::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   bool good = true;
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(input))
+  if (auto* blocks = vtkDataObjectTree::SafeDownCast(input))
   {
-    auto* moved = vtkMultiBlockDataSet::SafeDownCast(output);
+    auto* moved = vtkDataObjectTree::SafeDownCast(output);
     moved->CopyStructure(blocks);
     auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
     for (iterator->InitTraversal(); good && !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())

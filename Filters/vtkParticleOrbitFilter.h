@@ -4,9 +4,10 @@
  * @class   vtkParticleOrbitFilter
  * @brief   moves points on their orbits in waves
  *
- * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet of them: particles, a mesh, or a plane at sea level, which
- * becomes the surface of the water. Its points are the centres of the orbits; those above the sea move as its surface
- * does, those below the bed as the water at the bed. Input 1: a sea state, as vtkSeaStateSource makes it.
+ * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection of them: particles, a mesh, or
+ * a plane at sea level, which becomes the surface of the water. Its points are the centres of the orbits; those above
+ * the sea move as its surface does, those below the bed as the water at the bed. Input 1: a sea state, as
+ * vtkSeaStateSource makes it.
  *
  * Output: the same at the requested time, in the precision of the input, with the point array `Centre`[3] of its type.
  * On request `Velocity` [m/s] and `Acceleration` [m/s2]; the velocity is that of the orbit, and of the Stokes drift

@@ -4,6 +4,7 @@
 
 #include "Constants.h"
 #include "HeightGrid.h"
+#include "LittoralBlocks.h"
 #include "LittoralPipeline.h"
 #include "LittoralPlants.h"
 #include "LittoralRanges.h"
@@ -13,6 +14,7 @@
 #include "SceneCells.h"
 #include "TextureAtlas.h"
 
+#include "vtkDataAssembly.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -20,6 +22,8 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -78,11 +82,27 @@ using Stamp = std::pair<const void*, vtkMTimeType>;
 vtkMTimeType LastChange(vtkDataObject* data)
 {
   vtkMTimeType last = data->GetMTime();
+  const auto add = [&](vtkDataObject* part) { last = std::max(last, part ? LastChange(part) : 0); };
   if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
   {
     for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
     {
-      last = std::max(last, blocks->GetBlock(index) ? LastChange(blocks->GetBlock(index)) : 0);
+      add(blocks->GetBlock(index));
+    }
+  }
+  else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+  {
+    last = std::max(last, collection->GetDataAssembly() ? collection->GetDataAssembly()->GetMTime() : 0);
+    for (unsigned int index = 0; index < collection->GetNumberOfPartitionedDataSets(); ++index)
+    {
+      add(collection->GetPartitionedDataSet(index));
+    }
+  }
+  else if (auto* parts = vtkPartitionedDataSet::SafeDownCast(data))
+  {
+    for (unsigned int index = 0; index < parts->GetNumberOfPartitions(); ++index)
+    {
+      add(parts->GetPartitionAsDataObject(index));
     }
   }
   else
@@ -470,6 +490,7 @@ int vtkPlantScatterFilter::FillInputPortInformation(int port, vtkInformation* in
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port == PrototypesPort)
   {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   }
   if (port != SitesPort)
@@ -501,7 +522,8 @@ int vtkPlantScatterFilter::RequestInformation(vtkInformation*, vtkInformationVec
   {
     int port = 0;
     this->GetInputAlgorithm(PrototypesPort, index, port)->Update(port);
-    auto* prototype = vtkMultiBlockDataSet::SafeDownCast(this->GetInputDataObject(PrototypesPort, index));
+    std::string reason; // said when data are asked for
+    const auto prototype = littoral::BlocksOf(this->GetInputDataObject(PrototypesPort, index), reason);
     crowns.push_back(TextureSizeOf(PartOf(prototype, PartKinds[CrownPart])));
     leaves.push_back(TextureSizeOf(PartOf(prototype, PartKinds[LeavesPart])));
   }
@@ -561,10 +583,13 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
 {
   std::vector<Stamp> stamp;
   std::vector<Blocks> prototypes;
+  std::vector<std::string> reasons;
   for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
-    auto* prototype = vtkMultiBlockDataSet::GetData(inputs, index);
-    stamp.push_back(StampOf(prototype));
+    vtkDataObject* input = vtkDataObject::GetData(inputs, index);
+    stamp.push_back(StampOf(input));
+    reasons.emplace_back();
+    const auto prototype = littoral::BlocksOf(input, reasons.back());
     prototypes.emplace_back();
     std::transform(std::begin(PartKinds), std::end(PartKinds), prototypes.back().begin(),
       [&](const littoral::PartKind& kind) { return PartOf(prototype, kind); });
@@ -583,7 +608,7 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
   std::vector<littoral::TextureImage> leaves;
   for (std::size_t index = 0; index < prototypes.size(); ++index)
   {
-    const std::string reason = WhyInvalid(prototypes[index]);
+    const std::string reason = reasons[index].empty() ? WhyInvalid(prototypes[index]) : reasons[index];
     if (!reason.empty())
     {
       vtkErrorMacro("Prototype " << index << " cannot be scattered: " << reason << ".");

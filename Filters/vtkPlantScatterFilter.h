@@ -5,8 +5,9 @@
  * @brief   plants at sites, near ones in full, far ones in few polygons, none outside of the view
  *
  * Inputs: port 0, the sites (vtkPointSet; z counts where there is no terrain); port 1, a prototype for each species, as
- * the plant sources make them (vtkMultiBlockDataSet, any number of connections); port 2, optional, the terrain
- * (vtkImageData of one layer, point array `Elevation` or else the active scalars).
+ * the plant sources make them (vtkMultiBlockDataSet, or vtkPartitionedDataSetCollection whose assembly has the same
+ * blocks, each part in one partition; any number of connections); port 2, optional, the terrain (vtkImageData of one
+ * layer, point array `Elevation` or else the active scalars).
  *
  * Optional point arrays of the sites: `SiteId` (identity, to which random numbers belong; else the index of the site),
  * `Species` (index of the prototype), `Scale`, `Azimuth` [radians]. What is not given is drawn from the seed and the

@@ -3,6 +3,7 @@
 #include "vtkPlantWakeFilter.h"
 
 #include "Constants.h"
+#include "LittoralBlocks.h"
 #include "LittoralCurrents.h"
 #include "LittoralPipeline.h"
 #include "ParameterRange.h"
@@ -87,6 +88,7 @@ vtkPlantWakeFilter::~vtkPlantWakeFilter() = default;
 int vtkPlantWakeFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
   return 1;
 }
 
@@ -109,8 +111,8 @@ int vtkPlantWakeFilter::RequestData(
   options.CoreShare = this->CoreShare;
   std::string reason = littoral::OutOfRange("Primitive", this->Primitive, 0, 1);
   reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
-  vtkPolyData* bones = littoral::PlantPartOf(
-    vtkMultiBlockDataSet::GetData(inputVector[0]), littoral::plant::High, littoral::plant::Skeleton);
+  const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), reason);
+  vtkPolyData* bones = littoral::PlantPartOf(blocks, littoral::plant::High, littoral::plant::Skeleton);
   if (reason.empty() && !bones)
   {
     reason = "the plants have no block High/Skeleton.";

@@ -3,6 +3,7 @@
 #include "vtkSeaweedDeformationFilter.h"
 
 #include "Constants.h"
+#include "LittoralBlocks.h"
 #include "LittoralPipeline.h"
 #include "LittoralSea.h"
 #include "ParameterRange.h"
@@ -144,6 +145,7 @@ int vtkSeaweedDeformationFilter::FillInputPortInformation(int port, vtkInformati
   if (port == PlantsPort)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
     return 1;
   }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -293,7 +295,7 @@ littoral::SeaweedOptions vtkSeaweedDeformationFilter::MakeOptions() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector)
+std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector, vtkMultiBlockDataSet* blocks)
 {
   Internals& state = *this->State;
   const std::string name = this->VelocityArray ? this->VelocityArray : "";
@@ -314,7 +316,7 @@ std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** input
     }
     current.Keep(current.Asked, snapshot);
   }
-  auto* plants = vtkMultiBlockDataSet::GetData(inputVector[PlantsPort]);
+  vtkDataObject* plants = vtkDataObject::GetData(inputVector[PlantsPort]);
   const vtkMTimeType plantsTime = std::max(plants->GetMTime(), plants->GetUpdateTime());
   if (state.IsRead && state.Plants == plants && state.PlantsTime == plantsTime)
   {
@@ -337,7 +339,7 @@ std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** input
   littoral::SeaweedOptions options = this->MakeOptions();
   options.SeaLevel = sea.SeaLevel;
   state.Forest = littoral::SeaweedForest();
-  const std::string reason = state.Forest.Read(plants, options);
+  const std::string reason = state.Forest.Read(blocks, options);
   if (!reason.empty())
   {
     return reason;
@@ -399,7 +401,8 @@ int vtkSeaweedDeformationFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals& state = *this->State;
-  auto* plants = vtkMultiBlockDataSet::GetData(inputVector[PlantsPort]);
+  std::string reason;
+  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   const auto stop = [&](bool good) {
@@ -418,8 +421,8 @@ int vtkSeaweedDeformationFilter::RequestData(
   {
     return stop(false);
   }
-  std::string reason = this->WhyInvalid(time);
-  reason = reason.empty() ? this->TakeInputs(inputVector) : reason;
+  reason = reason.empty() ? this->WhyInvalid(time) : reason;
+  reason = reason.empty() ? this->TakeInputs(inputVector, plants) : reason;
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot move seaweeds: " << reason);

@@ -7,6 +7,8 @@
  * Inputs: port 0, one seaweed or a scattered forest of them, as vtkSeaweedSource makes them (vtkMultiBlockDataSet with
  * High {Skeleton, Skin, Leaves}; the skeleton has the arrays of that source); port 1, a sea state, as vtkSeaStateSource
  * makes it; port 2, repeatable, currents, as vtkCurrentDriftFilter takes them. One of sea state and currents is enough.
+ * Plants may also be a vtkPartitionedDataSetCollection whose assembly has these blocks, each part in one partition, and
+ * whose field data are those of the plants; the output has blocks.
  *
  * Output: the plants at the requested time, with skins that follow their skeletons. The holdfast never moves; without
  * motion of the water, limp plants rise by their buoyancy. The levels Medium and Low stand still.
@@ -250,7 +252,7 @@ private:
   std::string WhyInvalid(double time) const;
   littoral::SeaweedOptions MakeOptions() const;
   std::vector<double> StateKey(vtkInformationVector** inputs, vtkInformation* output);
-  std::string TakeInputs(vtkInformationVector** inputs);
+  std::string TakeInputs(vtkInformationVector** inputs, vtkMultiBlockDataSet* blocks);
   bool Advance();
   void WarnOfLimits();
 

@@ -34,7 +34,7 @@ Forest MakeForest(int trees, double size, double hills)
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-0.5 * size, 0.5 * size);
   ScatterOptions options;
-  options.Weights = { 1.0 };
+  options.Weights = std::vector<double>{ 1.0 };
   const PlantDraws draws(options);
   Forest forest;
   for (int site = 0; site < trees; ++site)
@@ -281,7 +281,7 @@ TEST(PlantScatter, GainOfLevelsAndCellsOnARandomPath)
 TEST(PlantScatter, DrawsBelongToTheSiteAlone)
 {
   ScatterOptions options;
-  options.Weights = { 1.0, 2.0, 0.0, 5.0 };
+  options.Weights = std::vector<double>{ 1.0, 2.0, 0.0, 5.0 };
   const PlantDraws draws(options);
   const PlantDraws again(options);
   options.Seed = 2;
@@ -318,7 +318,7 @@ TEST(PlantScatter, DrawsBelongToTheSiteAlone)
 TEST(PlantScatter, NamesBadOptions)
 {
   ScatterOptions good;
-  good.Weights = { 1.0, 0.0 };
+  good.Weights = std::vector<double>{ 1.0, 0.0 };
   EXPECT_EQ(WhyInvalid(good), "");
   const auto names = [&](const char* word, auto spoil) {
     ScatterOptions bad = good;

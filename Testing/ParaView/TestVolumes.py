@@ -8,6 +8,8 @@ from glob import glob
 
 from paraview import servermanager, simple
 
+from littoral.versions import series_suffix
+
 if not hasattr(servermanager.writers, "VDBVolumeWriter"):
     print("built without OpenVDB")
     sys.exit(125)
@@ -50,7 +52,7 @@ assert b"RTData" in compare_with_one_rank("blocks", blocks)
 for old in glob("series_*.vdb"):
     os.remove(old)
 wind.Dimensions = [10, 4, 3]
-simple.SaveData("series.vdb", proxy=wind, Writetimestepsasfileseries=1, Filenamesuffix="_%.4d")
+simple.SaveData("series.vdb", proxy=wind, Writetimestepsasfileseries=1, Filenamesuffix=series_suffix())
 files = sorted(glob("series_*.vdb"))
 assert files == [f"series_{step:04d}.vdb" for step in range(10)], files
 assert len({content(file) for file in files}) == 10, "the wind stands still"

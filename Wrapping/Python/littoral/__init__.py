@@ -9,6 +9,7 @@ Every VTK class of Littoral can be imported from this package:
 
 from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
 
+from . import versions
 from ._version import __version__, _vtk_version
 
 
@@ -24,6 +25,8 @@ if _release(_vtkVersion.GetVTKVersion()) != _release(_vtk_version):
 
 from .LittoralSources import *
 from .LittoralFilters import *
+
+versions.mend_calls((vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))
 
 #: What is not there, by the name under which it is asked for, and why.
 _absent = {}

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plants in PyVista: their colours, their own normals, and the pictures that they carry.
+
+    plotter = pyvista.Plotter()
+    add_plants(plotter, vtkReevesTreeSource().update().output)
+"""
+
+import pyvista
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .plants import block, cut_out
+
+PARTS = {"High": ("Skin", "Leaves"), "Medium": ("Trunk", "Crown"), "Low": ("",)}
+
+
+def add_plants(plotter, plants, levels=("High",), **look):
+    """Show levels of a plant, of a scattered forest or of plants that move; gives the actors.
+
+    plants: blocks from a plant source, vtkPlantScatterFilter, vtkBeamTreeDeformationFilter or
+    vtkSeaweedDeformationFilter; of a forest take all three levels. look: further arguments of `add_mesh`.
+    Leaves whose picture is transparent where there is no leaf, and crowns, are cut out along it.
+    """
+    actors = []
+    for level in levels:
+        for name in PARTS[level]:
+            part = block(plants, level, *filter(None, [name]))
+            if part is None or not part.GetNumberOfCells():
+                continue
+            picture = _picture(part)
+            colours = {} if name == "Crown" else {"scalars": "RGB", "rgb": True}  # a crown's are in its picture
+            actor = plotter.add_mesh(part, texture=picture, **{"ambient": 0.25, **colours, **look})
+            # PyVista's smooth_shading would replace the normals, which for leaves are those of the crown.
+            actor.GetProperty().SetInterpolationToPhong()
+            actors.append(actor if picture is None else cut_out(actor))
+    return actors
+
+
+def _picture(part):
+    """The picture of a part as a texture; None if it has none, or one that covers all of it."""
+    data = part.GetFieldData()
+    if not data.HasArray("Texture"):
+        return None
+    columns, rows = vtk_to_numpy(data.GetArray("TextureSize"))
+    texels = vtk_to_numpy(data.GetArray("Texture")).reshape(rows, columns, 4)
+    if texels[..., 3].min() > 127:
+        return None
+    texture = pyvista.Texture(texels[::-1])  # PyVista counts rows from above
+    texture.interpolate = texture.mipmap = True
+    return texture
