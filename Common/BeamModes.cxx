@@ -4,7 +4,6 @@
 
 #include "Constants.h"
 
-#include <array>
 #include <cmath>
 
 namespace littoral
@@ -52,6 +51,16 @@ const Mode& ModeOf(int mode)
   return Modes[mode - 1];
 }
 
+ShapeMixture AllModes(double (*value)(int mode, double part), double part)
+{
+  ShapeMixture values;
+  for (int mode = 1; mode <= MostModes; ++mode)
+  {
+    values[mode - 1] = value(mode, part);
+  }
+  return values;
+}
+
 }
 
 double SecondMoment(double radius)
@@ -92,6 +101,21 @@ double ModeCurvature(int mode, double part)
   const double b = m.Root * part;
   const double hyperbolic = 0.5 * (m.Rest * std::exp(b) + (1.0 + m.Ratio) * std::exp(-b));
   return m.Root * m.Root * (hyperbolic + std::cos(b) - m.Ratio * std::sin(b));
+}
+
+ShapeMixture ShapesAt(double part)
+{
+  return AllModes(ModeShape, part);
+}
+
+ShapeMixture SlopesAt(double part)
+{
+  return AllModes(ModeSlope, part);
+}
+
+ShapeMixture CurvaturesAt(double part)
+{
+  return AllModes(ModeCurvature, part);
 }
 
 double MeanShape(int mode)

@@ -3,6 +3,8 @@
 #ifndef LittoralBeamModes_h
 #define LittoralBeamModes_h
 
+#include <array>
+
 namespace littoral
 {
 
@@ -36,6 +38,14 @@ double ModeSlope(int mode, double part);
 
 /// The second derivative of the shape by the part of the length.
 double ModeCurvature(int mode, double part);
+
+/// Amounts of the shapes 1 to MostModes of a uniform cantilever, or their values.
+using ShapeMixture = std::array<double, MostModes>;
+
+/// All shapes at a part of the length, their derivatives by it, and their second derivatives.
+ShapeMixture ShapesAt(double part);
+ShapeMixture SlopesAt(double part);
+ShapeMixture CurvaturesAt(double part);
 
 /// The mean of the shape over the beam: the share of a uniform load that drives the mode.
 double MeanShape(int mode);

@@ -74,11 +74,12 @@ Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double len
 }
 
 /// A twig that grew is thick enough for its leaves: grown skeletons have a few that are not, and would hang like
-/// threads. The radius [m] from which the tip sags by no more than a part of the length, in wood of the usual modulus.
+/// threads. The radius [m] from which the tip sags by no more than a part of the length, in branches of the usual
+/// modulus.
 double LeastRadius(const RoundBeam& beam)
 {
   constexpr double LargestSag = 0.2;
-  const double UsualModulus = WoodParameters().YoungModulus;
+  const double UsualModulus = BranchModulus * WoodParameters().YoungModulus;
   const double weight = glm::length(WeightPerLength(beam.MassPerLength));
   const double least = weight * std::pow(beam.Length, 3) / (8.0 * UsualModulus * LargestSag);
   return std::pow(least / SecondMoment(1.0), 0.25);
@@ -172,7 +173,7 @@ std::vector<BranchBeam> BeamsOf(
     beam.Beam.Length = skeleton.BranchLength(branch);
     const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], beam.Beam.Length);
     beam.Beam.Radius = taper.BendingRadius;
-    beam.Beam.YoungModulus = options.Wood.YoungModulus;
+    beam.Beam.YoungModulus = BranchModulus * options.Wood.YoungModulus;
     burdens[branch].Mass = options.Wood.Density * Pi * taper.MeanSquare * beam.Beam.Length;
     burdens[branch].Area = 2.0 * taper.MeanRadius * beam.Beam.Length;
   }

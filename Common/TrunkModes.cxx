@@ -4,7 +4,9 @@
 
 #include "Constants.h"
 #include "PlantMotion.h"
+#include "WholeTreeMode.h"
 #include "WindLoads.h"
+#include "WoodParameters.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -24,37 +26,6 @@ constexpr std::array<double, 4> GaussPlaces{ 0.0694318442029737, 0.3300094782075
   0.9305681557970263 };
 constexpr std::array<double, 4> GaussWeights{ 0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
   0.1739274225687269 };
-
-/// The shapes at a part of the length.
-ShapeMixture ShapesAt(double part)
-{
-  ShapeMixture shapes;
-  for (int mode = 1; mode <= MostModes; ++mode)
-  {
-    shapes[mode - 1] = ModeShape(mode, part);
-  }
-  return shapes;
-}
-
-ShapeMixture SlopesAt(double part)
-{
-  ShapeMixture slopes;
-  for (int mode = 1; mode <= MostModes; ++mode)
-  {
-    slopes[mode - 1] = ModeSlope(mode, part);
-  }
-  return slopes;
-}
-
-ShapeMixture CurvaturesAt(double part)
-{
-  ShapeMixture curvatures;
-  for (int mode = 1; mode <= MostModes; ++mode)
-  {
-    curvatures[mode - 1] = ModeCurvature(mode, part);
-  }
-  return curvatures;
-}
 
 void AddProducts(double amount, const ShapeMixture& a, const ShapeMixture& b, ShapeProducts& products)
 {
@@ -108,7 +79,6 @@ struct Limb
   Vector3 Foot{ 0.0, 0.0, 0.0 };
   Load Wood;
   Load Leaves;
-  std::array<double, 3> Give{}; // of all its branches: products of what they carry over their stiffness
 };
 
 class Measurer
@@ -124,6 +94,7 @@ public:
     if (carries)
     {
       this->TakeLimbs();
+      this->Trunk.Limbs = MeasureLimbs(skeleton, leafAreas);
     }
   }
 
@@ -132,15 +103,6 @@ public:
     this->AddTrunk();
     for (const Limb& limb : this->Limbs)
     {
-      // The middle of a limb's mass goes by psi + z psi' / L.
-      ShapeMixture shapes = ShapesAt(limb.Part);
-      const double amount = limb.Wood.Amount;
-      const double rise = amount > 0.0 ? limb.Wood.Rise / amount : 0.0;
-      AddShapes(rise / this->Trunk.Length, SlopesAt(limb.Part), shapes);
-      for (std::size_t i = 0; i < limb.Give.size(); ++i)
-      {
-        AddProducts(limb.Give[i], shapes, shapes, this->Trunk.Give[i]);
-      }
       this->AddLimb(limb, limb.Wood, this->Trunk.Wood);
       this->AddLimb(limb, limb.Leaves, this->Trunk.Leaves);
     }
@@ -195,76 +157,13 @@ private:
         limbOf[branch] = static_cast<int>(this->Limbs.size());
         const double away = glm::distance(first.Position, this->Plant.Nodes[first.Parent].Position);
         this->Limbs.push_back(
-          { std::min(1.0, parts[first.Parent] + away / this->Trunk.Length), first.Position, {}, {}, {} });
+          { std::min(1.0, parts[first.Parent] + away / this->Trunk.Length), first.Position, {}, {} });
       }
     }
     for (std::size_t node = 0; node < this->Plant.Nodes.size(); ++node)
     {
       this->AddSegment(static_cast<int>(node), limbOf, parts);
     }
-    this->TakeGive(limbOf);
-  }
-
-  /// Branches give way to an acceleration of the trunk across its axis: twice their strain energy by the modulus, int
-  /// (m x)^2 / I ds with the moment m x of all that is beyond, as a mean over directions.
-  void TakeGive(const std::vector<int>& limbOf)
-  {
-    struct Beyond
-    {
-      std::array<double, 2> Amount{};                              // of wood and of leaves
-      std::array<Vector3, 2> Moment{ Vector3(0.0), Vector3(0.0) }; // about the origin
-    };
-    std::vector<Beyond> beyond(this->Plant.Nodes.size());
-    for (int index = static_cast<int>(beyond.size()) - 1; index > 0; --index)
-    {
-      const SkeletonNode& node = this->Plant.Nodes[index];
-      if (node.Branch == 0)
-      {
-        continue;
-      }
-      Beyond& own = beyond[index];
-      const double leaves = this->LeafAreas.empty() ? 0.0 : this->LeafAreas[index];
-      const bool isTip = index == this->Plant.Tip(node.Branch);
-      const SkeletonNode& next = this->Plant.Nodes[isTip ? index : index + 1];
-      const Vector3 middle = 0.5 * (node.Position + next.Position);
-      const double length = glm::distance(node.Position, next.Position);
-      const double squares = node.Radius * node.Radius + node.Radius * next.Radius + next.Radius * next.Radius;
-      const std::array<double, 2> amounts{ Pi / 3.0 * squares * length, leaves };
-      for (int stuff = 0; stuff < 2; ++stuff)
-      {
-        own.Amount[stuff] += amounts[stuff] + (isTip ? 0.0 : beyond[index + 1].Amount[stuff]);
-        own.Moment[stuff] += amounts[stuff] * middle + (isTip ? Vector3(0.0) : beyond[index + 1].Moment[stuff]);
-      }
-      this->AddGive(own.Amount, own.Moment, node, 0.5 * length, this->Limbs[limbOf[node.Branch]]);
-      if (!isTip)
-      {
-        const Beyond& above = beyond[index + 1];
-        this->AddGive(above.Amount, above.Moment, next, 0.5 * length, this->Limbs[limbOf[node.Branch]]);
-      }
-      if (index == this->Plant.Branches[node.Branch].First)
-      {
-        for (int stuff = 0; stuff < 2; ++stuff)
-        {
-          beyond[node.Parent].Amount[stuff] += own.Amount[stuff];
-          beyond[node.Parent].Moment[stuff] += own.Moment[stuff];
-        }
-      }
-    }
-  }
-
-  void AddGive(const std::array<double, 2>& amounts, const std::array<Vector3, 2>& moments, const SkeletonNode& node,
-    double length, Limb& limb) const
-  {
-    const Vector3 wood = moments[0] - amounts[0] * node.Position;
-    const Vector3 leaves = moments[1] - amounts[1] * node.Position;
-    // |r x a|^2 of accelerations of any direction across the axis: half of r . r and of its part along the axis.
-    const auto product = [&](const Vector3& a, const Vector3& b) {
-      return 0.5 * (glm::dot(a, b) + glm::dot(a, this->Trunk.Axis) * glm::dot(b, this->Trunk.Axis));
-    };
-    const double give = length / SecondMoment(node.Radius);
-    limb.Give[0] += give * product(wood, wood);
-    limb.Give[1] += give * 2.0 * product(wood, leaves);
-    limb.Give[2] += give * product(leaves, leaves);
   }
 
   /// The wood from a node to the next of its branch, and the leaves there.
@@ -278,7 +177,7 @@ private:
     {
       if (leaves > 0.0)
       {
-        this->Limbs.push_back({ parts[index], node.Position, {}, { leaves, 0.0, 0.0, leaves, 0.0 }, {} });
+        this->Limbs.push_back({ parts[index], node.Position, {}, { leaves, 0.0, 0.0, leaves, 0.0 } });
       }
       return;
     }
@@ -423,28 +322,26 @@ std::array<TrunkMode, MostModes> ModesOf(const TrunkMeasures& trunk, double scal
   const Vector load = wood * VectorOf(trunk.Wood.Load) + leaves * VectorOf(trunk.Leaves.Load);
   const Vector drag = VectorOf(trunk.Wood.Drag) + stuff.LeafDrag * VectorOf(trunk.Leaves.Drag);
   const double diameter = (trunk.Wood.Area + stuff.LeafDrag * trunk.Leaves.Area) / trunk.Length;
-  // m^2 / k of branches, k as the scale
-  const Matrix give = (wood * wood * MatrixOf(trunk.Give[0]) + wood * leaves * MatrixOf(trunk.Give[1]) +
-                        leaves * leaves * MatrixOf(trunk.Give[2])) /
-    (stuff.YoungModulus * scale);
   std::array<TrunkMode, MostModes> modes;
   for (int mode = 0; mode < MostModes; ++mode)
   {
     Vector mixture = solver.eigenvectors().col(mode).normalized();
     mixture *= mixture[mode] < 0.0 ? -1.0 : 1.0;
+    Eigen::Map<Vector>(modes[mode].Mixture.data()) = mixture;
     double modalMass = mixture.dot(mass * mixture);
     double squared = solver.eigenvalues()[mode];
     if (mode == 0)
     {
-      // Dunkerley: 1 / w^2 = 1 / w_trunk^2 + 1 / w_branches^2; at rest all is as before, so that mass seems more.
-      const double slower = 1.0 + squared * mixture.dot(give * mixture) / modalMass;
-      squared /= slower;
-      modalMass *= slower;
+      // Limbs give way. At rest all is as before, so that mass seems more.
+      const RigidTreeMode rigid{ modes[0].Mixture, trunk.Length, std::sqrt(squared), modalMass, mixture.dot(load) };
+      const double whole =
+        WholeTreeFrequency(rigid, trunk.Limbs, { wood, leaves, BranchModulus * stuff.YoungModulus * scale });
+      modalMass *= squared / (whole * whole);
+      squared = whole * whole;
     }
     modes[mode].Frequency = std::sqrt(squared);
     modes[mode].Load = scale * mixture.dot(drag) / diameter / modalMass;
     modes[mode].Weight = mixture.dot(load) / modalMass;
-    Eigen::Map<Vector>(modes[mode].Mixture.data()) = mixture;
   }
   return modes;
 }

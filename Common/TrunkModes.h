@@ -4,6 +4,7 @@
 #define LittoralTrunkModes_h
 
 #include "BeamModes.h"
+#include "LimbModes.h"
 #include "Skeleton.h"
 
 #include <array>
@@ -14,9 +15,6 @@ namespace littoral
 
 /// Drag of branches and leaves in a crown as part of what they have in the open: they stand in each other's lee.
 inline constexpr double CrownShelter = 1.0 / 3.0;
-
-/// Amounts of the shapes 1 to MostModes of a uniform cantilever.
-using ShapeMixture = std::array<double, MostModes>;
 
 /// The value of a mixture at a part of the length.
 double ShapeOf(const ShapeMixture& mixture, double part);
@@ -44,9 +42,7 @@ struct TrunkMeasures
   ShapeProducts Stiffness{}; ///< of the curvatures over the second moment of area [m]
   TrunkBurden Wood;
   TrunkBurden Leaves;
-  /// Of the shapes over what branches give way to an acceleration: products of what they carry, wood and wood, wood and
-  /// leaves twice, leaves and leaves, over their stiffness by the modulus [m5, m4, m3].
-  std::array<ShapeProducts, 3> Give{};
+  std::vector<LimbMeasures> Limbs; ///< without them, limbs are rigid
 };
 
 /**
@@ -58,8 +54,8 @@ std::vector<double> FedLeafAreas(const Skeleton& skeleton, const std::vector<dou
 
 /**
  * Measures the first branch of a valid skeleton as a tapered cantilever. What grows on it moves with the place it grows
- * from, and turns with it: rigid branches. Areas of leaves [m2] are those on each node; or empty. Without what it
- * carries, a trunk is measured alone.
+ * from, and turns with it; how its limbs give way is measured besides. Areas of leaves [m2] are those on each node; or
+ * empty. Without what it carries, a trunk is measured alone.
  */
 TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas, bool carries = true);
 
@@ -68,7 +64,7 @@ struct TrunkStuff
 {
   double YoungModulus = 9e9; ///< [Pa]
   double Density = 900.0;    ///< of wood [kg/m3]
-  double LeafMass = 0.2;     ///< [kg/m2]
+  double LeafMass = 0.35;    ///< with twigs [kg/m2]
   double LeafDrag = 0.05;    ///< drag of an area of leaves as part of that of a bare cylinder's
   bool Weighs = true;        ///< whether its weight makes it softer
 };
@@ -86,7 +82,8 @@ struct TrunkMode
  * The modes of a trunk that was scaled, slowest first, by Ritz's method with the shapes of the uniform cantilever
  * (eq. 18 of Setas et al.): kinetic energy of trunk, branches and leaves; strain energy of the tapered trunk, less what
  * their weight gives when it leans. Weight takes 3/4 of the stiffness at most, so that a trunk which would buckle
- * stands.
+ * stands. The first mode is that of the whole tree, whose limbs give way (WholeTreeFrequency); in others they are
+ * rigid.
  */
 std::array<TrunkMode, MostModes> ModesOf(const TrunkMeasures& trunk, double scale, const TrunkStuff& stuff);
 

@@ -388,7 +388,8 @@ TEST(PlantSway, NoTwigHangsLikeAThread)
   options.LeafAreaRatio = 0.0;
   const auto beams = BeamsOf(plant, { 0.0, 0.0, 0.0, 0.0, 0.0, 1.0 }, options);
   const RoundBeam& twig = beams[2].Beam;
-  const double sag = 9.80665 * twig.MassPerLength / (8.0 * WoodParameters().YoungModulus * SecondMoment(twig.Radius));
+  const double sag = 9.80665 * twig.MassPerLength / (8.0 * twig.YoungModulus * SecondMoment(twig.Radius));
+  EXPECT_EQ(twig.YoungModulus, BranchModulus * WoodParameters().YoungModulus);
   EXPECT_NEAR(sag, 0.2, 1e-9);
   // What carries others, and the trunk above all, is as thick as it is.
   EXPECT_NEAR(beams[1].Beam.Radius, 0.001, 1e-12);

@@ -173,10 +173,7 @@ TEST(TrunkModes, CarriedMassAndWeightAgainstElements)
   areas[13] = 150.0;
   TrunkStuff stuff{ 9e9, 900.0, 0.2, 0.05, false };
   TrunkMeasures trunk = MeasureTrunk(mast, areas);
-  for (ShapeProducts& products : trunk.Give)
-  {
-    products.fill(0.0); // a rigid branch
-  }
+  trunk.Limbs.clear(); // a rigid branch
   for (const bool weighs : { false, true })
   {
     stuff.Weighs = weighs;
@@ -199,30 +196,44 @@ TEST(TrunkModes, CarriedMassAndWeightAgainstElements)
 
 TEST(TrunkModes, LimbsGiveWay)
 {
-  // A mast whose upper part is a branch is still the mast, whose first frequency a book has.
+  // A mast whose upper part is a branch, as stiff as below, is still the mast, whose first frequency a book has. Its
+  // own part being so large, it is found by Ritz's shape of that part alone and not exactly.
   const TrunkStuff light{ 9e9, 900.0, 0.2, 0.05, false };
   const double whole = 3.5160 * 0.5 * 0.05 * std::sqrt(1e7) / 16.0 / TwoPi;
+  const double thicker = std::pow(BranchModulus, -0.25);
   for (const double cut : { 0.7, 1.2, 2.0 })
   {
     Skeleton mast;
     mast.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.05);
     mast.Grow({ 0.0, 0.0, cut }, 0.05);
-    mast.StartBranch(1, { 0.0, 0.0, cut }, 0.05);
+    mast.StartBranch(1, { 0.0, 0.0, cut }, 0.05 * thicker);
     for (int i = 1; i <= 8; ++i)
     {
-      mast.Grow({ 0.0, 0.0, cut + (4.0 - cut) * i / 8.0 }, 0.05);
+      mast.Grow({ 0.0, 0.0, cut + (4.0 - cut) * i / 8.0 }, 0.05 * thicker);
     }
+    // E I as below, and by elements the mass of the thicker part.
+    const double section = thicker * thicker;
+    Elements elements(4.0, 80, 9e9, 900.0, [](double) { return 0.05; });
+    for (int i = 0; i < 80; ++i)
+    {
+      const double place = 0.05 * (i + 0.5);
+      if (place > cut)
+      {
+        for (const double end : { place - 0.025, place + 0.025 })
+        {
+          elements.Add({ 0.5 * 900.0 * Pi * 0.0025 * 0.05 * (section - 1.0), end, 0.0 });
+        }
+      }
+    }
+    const double exact = elements.Frequencies(false)[0];
+    EXPECT_LT(exact, whole);
     TrunkMeasures trunk = MeasureTrunk(mast, {});
     const double bending = First(trunk, light);
-    for (ShapeProducts& products : trunk.Give)
-    {
-      products.fill(0.0);
-    }
+    trunk.Limbs.clear();
     const double rigid = First(trunk, light);
-    std::printf("mast cut at %.1f of 4 m: %.3f of the whole's frequency, %.3f with a rigid upper part\n", cut,
-      bending / whole, rigid / whole);
-    EXPECT_NEAR(bending / whole, 1.0, 0.15);
-    EXPECT_LT((bending - whole) / (rigid - whole), 0.5) << "most of what rigid limbs are too fast is taken away";
+    std::printf("mast cut at %.1f of 4 m: %.4f of the whole's frequency, %.3f with a rigid upper part\n", cut,
+      bending / exact, rigid / exact);
+    EXPECT_NEAR(bending / exact, 1.0, 0.02);
   }
 }
 
@@ -267,6 +278,7 @@ TEST(TrunkModes, MeasuredBroadleaves)
     double Diameter, Height, Frequency; // [cm], [m], [Hz]
   };
   std::vector<double> ratios;
+  std::vector<double> field;
   std::vector<double> scanned;
   for (const Tree& tree : { Tree{ TreePreset::Oak, WoodSpecies::Oak, 65.6, 18.1, 0.242 },
          { TreePreset::Birch, WoodSpecies::Birch, 15.9, 16.5, 0.191 },
@@ -277,12 +289,43 @@ TEST(TrunkModes, MeasuredBroadleaves)
     const double f = TreeFrequency(SizedParameters(tree.Preset, tree.Height, 0.01 * tree.Diameter), tree.Wood);
     const double x = tree.Diameter / (tree.Height * tree.Height);
     ratios.push_back(f / tree.Frequency);
+    field.push_back(f / (0.148 + 0.453 * x));
     scanned.push_back(f / (0.05 + 2.42 * x));
     std::printf("%.1f cm, %.1f m: %.3f Hz; of the measured one %.2f, of 58 in the field %.2f, of 506 scanned %.2f\n",
-      tree.Diameter, tree.Height, f, ratios.back(), f / (0.148 + 0.453 * x), scanned.back());
+      tree.Diameter, tree.Height, f, ratios.back(), field.back(), scanned.back());
   }
   EXPECT_NEAR(Median(ratios), 1.05, 0.35);
+  EXPECT_NEAR(Median(field), 1.05, 0.35);
   EXPECT_NEAR(Median(scanned), 1.05, 0.35);
+}
+
+TEST(TrunkModes, BroadleavesOfAllSizes)
+{
+  // The line of 506 scanned trees, which reaches from slender to stout ones.
+  struct Kind
+  {
+    TreePreset Preset;
+    WoodSpecies Wood;
+  };
+  for (const Kind& kind : { Kind{ TreePreset::Oak, WoodSpecies::Oak }, { TreePreset::Birch, WoodSpecies::Birch } })
+  {
+    std::vector<double> ratios;
+    for (const double height : { 12.0, 18.0, 25.0 })
+    {
+      for (const double slenderness : { 100.0, 70.0, 50.0, 35.0 })
+      {
+        const double diameter = height / slenderness;
+        const double f = TreeFrequency(SizedParameters(kind.Preset, height, diameter), kind.Wood);
+        ratios.push_back(f / (0.05 + 2.42 * 100.0 * diameter / (height * height)));
+      }
+    }
+    const auto ends = std::minmax_element(ratios.begin(), ratios.end());
+    std::printf("preset %d of 12 to 25 m, 100 to 35 times as high as thick: %.2f to %.2f of 506 scanned, median %.2f\n",
+      static_cast<int>(kind.Preset), *ends.first, *ends.second, Median(ratios));
+    EXPECT_GT(*ends.first, 0.7);
+    EXPECT_LT(*ends.second, 1.5);
+    EXPECT_NEAR(Median(ratios), 1.05, 0.35);
+  }
 }
 
 TEST(TrunkModes, MeasuredConifers)
@@ -299,6 +342,7 @@ TEST(TrunkModes, MeasuredConifers)
       const double line = 0.0766 + 3.1219 * 100.0 * diameter / (height * height);
       ratios.push_back(f / line);
       std::printf("pine of %.0f m and %.0f cm: %.3f Hz, %.2f of the line\n", height, 100.0 * diameter, f, f / line);
+      EXPECT_NEAR(f / line, 1.0, 0.3);
       EXPECT_GT(f, 1.05 * before) << "a thicker stem is faster";
       before = f;
     }
@@ -309,14 +353,19 @@ TEST(TrunkModes, MeasuredConifers)
 
 TEST(TrunkModes, PineOfHwind)
 {
-  // Peltola et al. 1999: 20 m, 20 cm, a crown of 19.8 m2, 13 m/s at the top: 7.56 kN m at the foot, the top moves 1.31
-  // m. The crown is a cone 11 m long; the tree stands at the edge of a stand, in a wind that follows the logarithm over
-  // a roughness of 0.1 m.
+  // Peltola et al. 1999, and the sample output of their program: 20 m, 20 cm, a crown of 8 m by 4.96 m and 19.84 m2, 13
+  // m/s at the top of a logarithmic wind. Its moment at the foot is 7.56 kN m and the top moves 1.31 m. That is a mean
+  // moment: 3.55 times it is the 26.7 kN m that uproot the tree. The 1.31 m are those of a uniform stem of 20 cm and 7
+  // GPa that weight does not make softer, under 6253 N m of wind at the middle of the crown.
+  const double compliance = 1.31 / 6253.0;
+  const double arm = 16.0;
+  const double stem = 7e9 * SecondMoment(0.1);
+  EXPECT_NEAR((arm * arm / 3.0 + 0.5 * arm * 4.0) / stem / compliance, 1.0, 0.03);
   ReevesTreeParameters pine = PresetParameters(TreePreset::Pine);
   pine.Height = 20.0;
   pine.TrunkRadius = 0.1;
-  pine.CrownBase = 9.0;
-  pine.CrownRadius = 1.8;
+  pine.CrownBase = 12.0;
+  pine.CrownRadius = 2.48;
   const Plant tree = GrowReevesTree(pine);
   std::vector<double> areas(tree.Wood.Nodes.size(), 0.0);
   for (const LeafParticle& leaf : tree.Leaves)
@@ -325,6 +374,8 @@ TEST(TrunkModes, PineOfHwind)
   }
   const SwayOptions options;
   areas = FedLeafAreas(tree.Wood, areas, options.LeafAreaRatio);
+  const auto speed = [](double height) { return 13.0 * std::log(std::max(0.1, height) / 0.1) / std::log(20.0 / 0.1); };
+  double force = 0.0;
   double moment = 0.0;
   for (std::size_t node = 0; node < areas.size(); ++node)
   {
@@ -337,26 +388,27 @@ TEST(TrunkModes, PineOfHwind)
       area += part * options.Load.DragCoefficient * (here.Radius + below.Radius) *
         glm::distance(here.Position, below.Position);
     }
-    const double speed = 13.0 * std::log(std::max(0.1, here.Position.z) / 0.1) / std::log(20.0 / 0.1);
-    moment += 0.5 * options.Load.AirDensity * area * speed * speed * here.Position.z;
+    const double own = 0.5 * options.Load.AirDensity * area * std::pow(speed(here.Position.z), 2.0);
+    force += own;
+    moment += own * here.Position.z;
   }
-  SwayOptions sway;
-  sway.Wood = ParametersOf(WoodSpecies::Pine);
-  const BranchBeam trunk = BeamsOf(tree.Wood, areas, sway)[0];
-  const double middle = 13.0 * std::log(15.0 / 0.1) / std::log(20.0 / 0.1);
-  const double load = 0.5 * sway.Load.AirDensity * sway.Load.DragCoefficient * trunk.DragDiameter * middle * middle;
-  const TrunkMode& mode = trunk.Modes[0];
-  const double top = load * mode.Load / (mode.Frequency * mode.Frequency) * ShapeOf(mode.Mixture, 1.0);
-  std::printf("pine of HWIND in a steady wind: %.2f kN m at the foot, 7.56 wanted; top %.2f m, 1.31 wanted; %.3f Hz\n",
-    1e-3 * moment, top, mode.Frequency / TwoPi);
+  const auto top = [&](double modulus, bool weighs) {
+    const TrunkMeasures trunk = MeasureTrunk(tree.Wood, areas);
+    const double leafPart = options.LeafDrag / options.Load.DragCoefficient;
+    const TrunkMode mode = ModesOf(trunk, 1.0, { modulus, 850.0, options.LeafMass, leafPart, weighs })[0];
+    const double diameter = (trunk.Wood.Area + leafPart * trunk.Leaves.Area) / trunk.Length;
+    const double load =
+      0.5 * options.Load.AirDensity * options.Load.DragCoefficient * diameter * std::pow(speed(moment / force), 2.0);
+    return load * mode.Load / (mode.Frequency * mode.Frequency) * ShapeOf(mode.Mixture, 1.0);
+  };
+  const double own = ParametersOf(WoodSpecies::Pine).YoungModulus;
+  std::printf("pine of HWIND in a steady wind: %.2f kN m at the foot, 7.56 wanted; top as HWIND has it, 7 GPa without "
+              "weight, %.2f m, 1.31 wanted; with weight %.2f; in our wood %.2f and %.2f\n",
+    1e-3 * moment, top(7e9, false), top(7e9, true), top(own, false), top(own, true));
   EXPECT_GT(1e-3 * moment, 0.5 * 7.56);
   EXPECT_LT(1e-3 * moment, 2.0 * 7.56);
-  EXPECT_GT(top, 0.5 * 1.31);
-  // The gust factor of 3.55 is a factor of the moment; the top is bent by the mean wind. What a moment bends is then
-  // 1.31 m by 7.56 / 3.55 kN m.
-  const double compliance = top / moment / (1.31 / (7560.0 / 3.55));
-  EXPECT_GT(compliance, 0.5);
-  EXPECT_LT(compliance, 2.0);
+  EXPECT_GT(top(7e9, false), 0.5 * 1.31);
+  EXPECT_LT(top(7e9, false), 2.0 * 1.31);
 }
 
 TEST(TrunkModes, LeavesAreThoseThatTheTrunkFeeds)
