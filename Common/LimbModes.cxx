@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int PiecesOfSegment = 2;
+
 /// In the inertia that shapes the deflections leaves weigh as much as a layer of wood of this part of the trunk's
 /// length: 0.35 kg/m2 on a trunk of 12 m. So the shapes of a scaled plant are the same.
 constexpr double UsualLeafDepth = 3e-5;
