@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int PiecesOfSegment = 2;
+
 /// In the inertia that shapes the deflections leaves weigh as much as a layer of wood of this part of the trunk's
 /// length: 0.35 kg/m2 on a trunk of 12 m. So the shapes of a scaled plant are the same.
 constexpr double UsualLeafDepth = 3e-5;
@@ -36,11 +37,28 @@ struct Piece
 struct Foot
 {
   Vector3 Place;
-  double Part; // of the trunk's length
+  double Part;  // of the trunk's length
+  double Shift; // of a uniform trunk there in its first mode
+  double Turn;  // [1/m]
 };
 
 /// Displacements of all pieces, or forces on them; for the two directions across the axis.
 using Field = std::array<std::vector<Vector3>, 2>;
+
+/// Adds a mass in one of the two directions, of which the mean is taken.
+void AddBurden(const std::array<Vector3, LimbShapes>& places, const Vector3& shifted, const Vector3& turned,
+  double amount, LimbBurden& burden)
+{
+  for (int i = 0; i < LimbShapes; ++i)
+  {
+    for (int j = 0; j < LimbShapes; ++j)
+    {
+      burden.Mass[i * LimbShapes + j] += 0.5 * amount * glm::dot(places[i], places[j]);
+    }
+    burden.Shift[i] += 0.5 * amount * glm::dot(places[i], shifted);
+    burden.Turn[i] += 0.5 * amount * glm::dot(places[i], turned);
+  }
+}
 
 class LimbMeasurer
 {
@@ -64,27 +82,17 @@ public:
       limbs[limb].Part = this->Feet[limb].Part;
     }
     const std::array<Field, LimbShapes> shapes = this->Shapes();
-    const Field shift = this->Carried(1.0, 0.0);
-    const Field turn = this->Carried(0.0, 1.0);
-    for (int i = 0; i < LimbShapes; ++i)
+    for (int direction = 0; direction < 2; ++direction)
     {
-      for (const bool isWood : { true, false })
+      for (std::size_t i = 0; i < this->Pieces.size(); ++i)
       {
-        LimbBurden LimbMeasures::*burden = isWood ? &LimbMeasures::Wood : &LimbMeasures::Leaves;
-        const Field force = this->Inertia(shapes[i], isWood ? 1.0 : 0.0, isWood ? 0.0 : 1.0);
-        const auto take = [&](const Field& field, auto&& to) {
-          const std::vector<double> products = this->Products(force, field);
-          for (std::size_t limb = 0; limb < limbs.size(); ++limb)
-          {
-            to(limbs[limb].*burden) = products[limb];
-          }
-        };
-        for (int j = 0; j < LimbShapes; ++j)
-        {
-          take(shapes[j], [=](LimbBurden& own) -> double& { return own.Mass[i * LimbShapes + j]; });
-        }
-        take(shift, [=](LimbBurden& own) -> double& { return own.Shift[i]; });
-        take(turn, [=](LimbBurden& own) -> double& { return own.Turn[i]; });
+        const Piece& piece = this->Pieces[i];
+        std::array<Vector3, LimbShapes> places;
+        std::transform(
+          shapes.begin(), shapes.end(), places.begin(), [=](const Field& shape) { return shape[direction][i]; });
+        const Vector3 turned = this->Turned(piece, direction);
+        AddBurden(places, this->Across[direction], turned, piece.Wood, limbs[piece.Limb].Wood);
+        AddBurden(places, this->Across[direction], turned, piece.Leaves, limbs[piece.Limb].Leaves);
       }
     }
     return limbs;
@@ -138,7 +146,7 @@ private:
       {
         limbOf[branch] = static_cast<int>(this->Feet.size());
         const double part = std::min(1.0, (places[first.Parent] + away) / this->Length);
-        this->Feet.push_back({ first.Position, part });
+        this->Feet.push_back({ first.Position, part, ModeShape(1, part), ModeSlope(1, part) / this->Length });
       }
       int below = this->Carrier(first.Parent, away, firstOf);
       for (int node = run.First; node < run.First + run.Count - 1; ++node)
@@ -172,31 +180,21 @@ private:
     return below;
   }
 
-  /// All pieces carried along by a shift of the feet across the axis, and a turn that takes what is above that way.
-  Field Carried(double shift, double turn) const
+  /// Where a piece goes when its limb's foot turns by 1, so that what is above goes along the direction.
+  Vector3 Turned(const Piece& piece, int direction) const
   {
-    Field field;
-    for (int direction = 0; direction < 2; ++direction)
-    {
-      const Vector3 angle = turn * glm::cross(this->Axis, this->Across[direction]);
-      for (const Piece& piece : this->Pieces)
-      {
-        field[direction].push_back(
-          shift * this->Across[direction] + glm::cross(angle, piece.Middle - this->Feet[piece.Limb].Place));
-      }
-    }
-    return field;
+    return glm::cross(glm::cross(this->Axis, this->Across[direction]), piece.Middle - this->Feet[piece.Limb].Place);
   }
 
-  Field Inertia(const Field& field, double density, double leafMass) const
+  /// The inertia of all pieces when a uniform trunk carries them in its first mode.
+  std::vector<Vector3> Inertia(int direction) const
   {
-    Field forces = field;
-    for (std::vector<Vector3>& force : forces)
+    std::vector<Vector3> forces;
+    for (const Piece& piece : this->Pieces)
     {
-      for (std::size_t i = 0; i < force.size(); ++i)
-      {
-        force[i] *= density * this->Pieces[i].Wood + leafMass * this->Pieces[i].Leaves;
-      }
+      const Foot& foot = this->Feet[piece.Limb];
+      const Vector3 place = foot.Shift * this->Across[direction] + foot.Turn * this->Turned(piece, direction);
+      forces.push_back((piece.Wood + UsualLeafDepth * this->Length * piece.Leaves) * place);
     }
     return forces;
   }
@@ -243,10 +241,9 @@ private:
   {
     std::array<Field, LimbShapes> shapes;
     std::vector<std::array<double, LimbShapes>> energies(this->Feet.size());
-    Field forces = this->Inertia(this->CarriedByTrunk(), 1.0, UsualLeafDepth * this->Length);
     for (int direction = 0; direction < 2; ++direction)
     {
-      std::vector<Vector3> turns = this->Moments(forces[direction]);
+      std::vector<Vector3> turns = this->Moments(this->Inertia(direction));
       for (std::size_t i = 0; i < turns.size(); ++i)
       {
         // kappa = m_bend / (E I) + m_twist / (G J)
@@ -273,36 +270,6 @@ private:
       }
     }
     return shapes;
-  }
-
-  Field CarriedByTrunk() const
-  {
-    Field field = this->Carried(1.0, 0.0);
-    const Field turn = this->Carried(0.0, 1.0);
-    for (int direction = 0; direction < 2; ++direction)
-    {
-      for (std::size_t i = 0; i < this->Pieces.size(); ++i)
-      {
-        const double part = this->Feet[this->Pieces[i].Limb].Part;
-        field[direction][i] =
-          ModeShape(1, part) * field[direction][i] + ModeSlope(1, part) / this->Length * turn[direction][i];
-      }
-    }
-    return field;
-  }
-
-  /// By limb, as a mean over the directions.
-  std::vector<double> Products(const Field& a, const Field& b) const
-  {
-    std::vector<double> sums(this->Feet.size(), 0.0);
-    for (int direction = 0; direction < 2; ++direction)
-    {
-      for (std::size_t i = 0; i < this->Pieces.size(); ++i)
-      {
-        sums[this->Pieces[i].Limb] += 0.5 * glm::dot(a[direction][i], b[direction][i]);
-      }
-    }
-    return sums;
   }
 };
 

@@ -20,7 +20,7 @@ constexpr double Damping = 0.05;
 
 /// Frequencies that are tried, from a tenth of the rigid tree's, in equal ratios.
 constexpr double LeastPart = 0.1;
-constexpr int Trials = 120;
+constexpr int Trials = 80;
 
 /// Riders that are so much faster than the rigid tree follow it.
 constexpr double FastRatio = 4.0;
@@ -32,6 +32,7 @@ using LimbVector = Eigen::Matrix<double, LimbShapes, 1>;
 struct Rider
 {
   double Squared; // of its angular frequency [rad2/s2]
+  double Losses;  // 2 xi w_i [rad/s]
   double Mass;    // that the trunk feels when it follows [kg]
   double Load;    // that it hands on to the trunk at rest [kg]
 };
@@ -89,7 +90,9 @@ void AddRiders(const LimbMeasures& limb, const RigidTreeMode& rigid, const LimbS
     {
       const LimbVector mode = solver.eigenvectors().col(i);
       const double carried = mode.dot(coupling);
-      riders.Add({ stuff.Stiffness / own, carried * carried / own, carried * mode.dot(push) / own },
+      const double frequency = std::sqrt(stuff.Stiffness / own);
+      riders.Add(
+        { stuff.Stiffness / own, 2.0 * Damping * frequency, carried * carried / own, carried * mode.dot(push) / own },
         FastRatio * FastRatio * rigid.Frequency * rigid.Frequency);
     }
   }
@@ -100,17 +103,24 @@ double Answer(const RigidTreeMode& rigid, const Riders& riders, double frequency
 {
   // w^2 / (w_i^2 - w^2 + 2 i xi w_i w), and (w / w_i)^2 + (w / w_i)^4 of the fast ones
   const double squared = frequency * frequency;
-  std::complex<double> mass = squared * (riders.FastMass[0] + squared * riders.FastMass[1]);
-  std::complex<double> load = squared * (riders.FastLoad[0] + squared * riders.FastLoad[1]);
+  double mass = riders.FastMass[0] + squared * riders.FastMass[1];
+  double load = riders.FastLoad[0] + squared * riders.FastLoad[1];
+  double massLost = 0.0;
+  double loadLost = 0.0;
   for (const Rider& rider : riders.Slow)
   {
-    const std::complex<double> follows =
-      squared / std::complex<double>(rider.Squared - squared, 2.0 * Damping * std::sqrt(rider.Squared) * frequency);
-    mass += rider.Mass * follows;
-    load += rider.Load * follows;
+    const double ahead = rider.Squared - squared;
+    const double follows = 1.0 / (ahead * ahead + rider.Losses * rider.Losses * squared);
+    mass += rider.Mass * ahead * follows;
+    load += rider.Load * ahead * follows;
+    massLost += rider.Mass * rider.Losses * follows;
+    loadLost += rider.Load * rider.Losses * follows;
   }
-  const std::complex<double> springs(rigid.Frequency * rigid.Frequency, 2.0 * Damping * rigid.Frequency * frequency);
-  return std::norm((rigid.Load + load) / (rigid.Mass * (springs - squared) - squared * mass));
+  const std::complex<double> push(rigid.Load + squared * load, -squared * frequency * loadLost);
+  const double springs = rigid.Frequency * rigid.Frequency - squared;
+  const std::complex<double> resists(rigid.Mass * springs - squared * squared * mass,
+    rigid.Mass * 2.0 * Damping * rigid.Frequency * frequency + squared * squared * frequency * massLost);
+  return std::norm(push) / std::norm(resists);
 }
 
 }
@@ -141,9 +151,9 @@ double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeas
       most = value;
     }
   }
-  // The top of the parabola through three answers, twice.
+  // The top of the parabola through three answers, narrower and narrower.
   double at = best;
-  for (const double width : { 0.5, 0.1 })
+  for (const double width : { 0.5, 0.2, 0.1 })
   {
     const double before = answer(at - width);
     const double middle = answer(at);

@@ -11,14 +11,13 @@ namespace littoral
 /// Living wood as a beam.
 struct WoodParameters
 {
-  double YoungModulus = 5.1e9; ///< along the grain, of a section with its bark [Pa]
+  double YoungModulus = 5.1e9; ///< along the grain, of a trunk's section with its bark [Pa]
   double Density = 950.0;      ///< with its sap [kg/m3]
   double DampingRatio = 0.08;  ///< of critical, of wood, leaves and air together
 };
 
 /// Young's modulus of branches as part of the trunk's: with their bark, trunks had 2.4 to 7.5 GPa and branches 0.7 to
-/// 4.6 GPa (spruce, pine, larch and birch; Cannell and Morgan 1987); half of it is the middle of one by that of the
-/// other.
+/// 4.6 GPa (spruce, pine, larch and birch; Cannell and Morgan 1987); by the middles of these, half.
 inline constexpr double BranchModulus = 0.5;
 
 /// Kinds of wood with numbers of their own.

@@ -105,7 +105,8 @@ public:
   ///@}
 
   ///@{
-  /// Of living wood along the grain, for a section with its bark [Pa], 1e5 to 1e12. Default 5.1e9.
+  /// Of living wood along the grain, for a section of a trunk with its bark [Pa], 1e5 to 1e12; branches have half of
+  /// it. Default 5.1e9.
   vtkSetMacro(YoungModulus, double);
   vtkGetMacro(YoungModulus, double);
   ///@}

@@ -351,6 +351,46 @@ TEST(TrunkModes, MeasuredConifers)
   EXPECT_NEAR(Median(ratios), 1.0, 0.3);
 }
 
+TEST(TrunkModes, CrownsWeighAsInTables)
+{
+  // Living branches with leaves [kg], green: of birches after Smith et al. (2014) with 1.85 times the dry mass of wood
+  // and 2.75 times that of leaves, of pines after Marklund (1988, function T13) with 2.2 times.
+  const auto crown = [](TreePreset preset, double diameter, double height, double density) {
+    const Plant tree = GrowReevesTree(SizedParameters(preset, height, 0.01 * diameter));
+    std::vector<double> areas(tree.Wood.Nodes.size(), 0.0);
+    for (const LeafParticle& leaf : tree.Leaves)
+    {
+      areas[leaf.Node] += 0.5 * leaf.Size * leaf.Size * leaf.Width;
+    }
+    areas = FedLeafAreas(tree.Wood, areas, SwayOptions().LeafAreaRatio);
+    const TrunkMeasures whole = MeasureTrunk(tree.Wood, areas);
+    return density * (whole.Wood.Amount - MeasureTrunk(tree.Wood, areas, false).Wood.Amount) +
+      SwayOptions().LeafMass * whole.Leaves.Amount;
+  };
+  for (const auto& [d, h] : { std::array<double, 2>{ 15.9, 16.5 }, { 27.9, 16.1 }, { 24.5, 19.9 }, { 33.6, 23.7 } })
+  {
+    const double wood = 0.0276 * std::pow(d, 3.0047) * std::pow(h, -0.7731);
+    const double table = 1.85 * wood + 2.75 * 0.0078 * std::pow(d, 2.1953);
+    const double own = crown(TreePreset::Birch, d, h, ParametersOf(WoodSpecies::Birch).Density);
+    std::printf("birch of %.1f cm and %.1f m: crown of %.0f kg, %.0f in the table\n", d, h, own, table);
+    EXPECT_NEAR(own / table, 1.0, 0.15);
+  }
+  double logarithms = 0.0;
+  for (const double h : { 12.0, 20.0, 28.0 })
+  {
+    for (const double slenderness : { 110.0, 80.0, 65.0 })
+    {
+      const double d = 100.0 * h / slenderness;
+      const double table = 2.2 * std::exp(-2.5413 + 13.3955 * d / (d + 10.0) - 1.1955 * std::log(h));
+      const double own = crown(TreePreset::Pine, d, h, ParametersOf(WoodSpecies::Pine).Density);
+      std::printf("pine of %.0f cm and %.0f m: crown of %.0f kg, %.0f in the table\n", d, h, own, table);
+      EXPECT_NEAR(std::log(own / table), 0.0, 0.5);
+      logarithms += std::log(own / table) / 9.0;
+    }
+  }
+  EXPECT_NEAR(logarithms, 0.0, 0.1);
+}
+
 TEST(TrunkModes, PineOfHwind)
 {
   // Peltola et al. 1999, and the sample output of their program: 20 m, 20 cm, a crown of 8 m by 4.96 m and 19.84 m2, 13
