@@ -6,8 +6,7 @@
 set(LITTORAL_MAINTAINER "Littoral contributors <littoral@users.noreply.github.com>" CACHE STRING
   "Maintainer, as packages name it")
 
-# What Debian's policy asks of each package: copyright and changelog, a page for a program, and the scripts that tell
-# ParaView of the plugin.
+# What Debian's policy asks of each package: copyright and changelog, and a page for a program.
 function (littoral_debian_documents)
   set(folder "${CMAKE_BINARY_DIR}/packaging")
   string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -29,9 +28,29 @@ function (littoral_debian_documents)
       DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/${name}" COMPONENT ${component})
   endforeach ()
   install(FILES "${folder}/littoral-demo.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT python)
-  foreach (script postinst prerm)
-    littoral_configure_program("packaging/debian/${script}.in" "packaging/${script}")
-  endforeach ()
+endfunction ()
+
+# ParaView's list of plugins. Debian's from 5.13 on reads a file of others, which is free for one package; 5.11 reads what
+# is beside its programs, where scripts add a line.
+function (littoral_tell_paraview)
+  if (NOT LITTORAL_WITH_PARAVIEW)
+    return ()
+  endif ()
+  get_filename_component(folder "${LITTORAL_PLUGIN_SUBDIR}" DIRECTORY)
+  set(list "/usr/${CMAKE_INSTALL_LIBDIR}/${folder}/paraview.conf")
+  if (EXISTS "${list}")
+    file(STRINGS "${list}" slot REGEX "^/usr/share/paraview/plugins$")
+  endif ()
+  if (slot)
+    install(FILES "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${LITTORAL_PLUGIN_SUBDIR}/Littoral.plugins.xml"
+      DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/paraview" RENAME plugins COMPONENT runtime)
+  else ()
+    foreach (script postinst prerm)
+      littoral_configure_program("packaging/debian/${script}.in" "packaging/${script}")
+      list(APPEND scripts "${CMAKE_BINARY_DIR}/packaging/${script}")
+    endforeach ()
+    set(LITTORAL_DEBIAN_SCRIPTS "${scripts}" PARENT_SCOPE)
+  endif ()
 endfunction ()
 
 function (littoral_configure_program from to)
@@ -74,6 +93,7 @@ endif ()
 # --- The three packages.
 if (LITTORAL_FOR_DEBIAN)
   littoral_debian_documents()
+  littoral_tell_paraview() # LITTORAL_DEBIAN_SCRIPTS
 endif ()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
@@ -106,8 +126,7 @@ set(CPACK_DEBIAN_LITTORAL_PACKAGE_NAME littoral)
 littoral_describe(LITTORAL "ParaView" "the plugin and the libraries")
 set(CPACK_DEBIAN_LITTORAL_PACKAGE_RECOMMENDS "python3-littoral")
 set(CPACK_DEBIAN_LITTORAL_PACKAGE_CONTROL_EXTRA
-  "${CMAKE_BINARY_DIR}/packaging/postinst" "${CMAKE_BINARY_DIR}/packaging/prerm"
-  "${PROJECT_SOURCE_DIR}/packaging/debian/triggers")
+  ${LITTORAL_DEBIAN_SCRIPTS} "${PROJECT_SOURCE_DIR}/packaging/debian/triggers")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-littoral)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)

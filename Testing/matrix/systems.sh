@@ -22,6 +22,12 @@ inside() { # SYSTEM COMMAND: in the system's folder, without this machine's envi
     DEBIAN_FRONTEND=noninteractive sh -c "$2" </dev/null
 }
 
+# The same without a network but to itself, and hence without the displays of other systems.
+alone() { # SYSTEM COMMAND
+  unshare --net sh -c 'ip link set lo up && exec chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+    LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive sh -c "$2"' sh "$matrix/$1" "$2" </dev/null
+}
+
 leave() { # SYSTEM
   umount "$matrix/$1/proc" "$matrix/$1/dev/shm" "$matrix/$1/dev" 2>/dev/null
   return 0

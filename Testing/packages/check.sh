@@ -34,11 +34,11 @@ fi
 
 echo "--- the plugin in pvpython, pvbatch and a server with its client"
 pvpython "$here/check_plugin.py"
-xvfb-run -a pvbatch "$here/check_plugin.py"
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch "$here/check_plugin.py"
 port=$((20000 + $$ % 10000))
 pvserver --server-port=$port >server.log 2>&1 &
 server=$!
-trap 'kill $server 2>/dev/null' EXIT
+trap 'kill $server 2>/dev/null || true' EXIT
 sleep 5
 pvpython "$here/check_plugin.py" $port
 wait $server || true

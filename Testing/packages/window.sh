@@ -9,7 +9,7 @@ mkdir -p "$XDG_RUNTIME_DIR" home
 chmod 0700 "$XDG_RUNTIME_DIR"
 HOME=$PWD/home paraview --dr >window.log 2>&1 &
 paraview=$!
-trap 'kill $paraview' EXIT
+trap 'kill $paraview || true' EXIT
 for ((k = 0; k < 60; k++)); do
   xdotool search --onlyvisible --name 'ParaView' >/dev/null 2>&1 && break
   sleep 1
