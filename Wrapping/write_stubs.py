@@ -74,6 +74,8 @@ def main(folder, modules):
                      for node in tree.body]
         with open(file, "w", encoding="utf-8") as stub:
             stub.write(ast.unparse(ast.fix_missing_locations(tree)) + "\n")
+    with open(os.path.join(folder, "py.typed"), "w", encoding="utf-8"):  # before VTK 9.3 the generator makes none
+        pass
 
 
 if __name__ == "__main__":
