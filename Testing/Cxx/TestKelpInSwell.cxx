@@ -44,7 +44,7 @@ std::vector<vtkIdType> LongestBranch(vtkPolyData* bones)
     Vector3 tip;
     bones->GetPoint(nodes[0], &foot.x);
     bones->GetPoint(nodes[count - 1], &tip.x);
-    Vector3 ends[2];
+    Vector3 ends[2] = { Vector3(0.0), Vector3(0.0) };
     if (!longest.empty())
     {
       bones->GetPoint(longest.front(), &ends[0].x);
