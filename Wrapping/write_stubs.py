@@ -55,7 +55,7 @@ def with_documentation(node, owner):
 
 
 def properties(owner):
-    """Properties of a class, which VTK has from 9.3 on, with the names that their methods have."""
+    """Properties of a class, which VTK has from 9.4 on, with the names that their methods have."""
     methods = {name[3:] for name in vars(owner) if name.startswith(("Get", "Set"))}
     snakes = {re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower(): name for name in methods}
     return {name: snakes.get(name, "") for name, item in vars(owner).items()
@@ -74,6 +74,8 @@ def main(folder, modules):
                      for node in tree.body]
         with open(file, "w", encoding="utf-8") as stub:
             stub.write(ast.unparse(ast.fix_missing_locations(tree)) + "\n")
+    with open(os.path.join(folder, "py.typed"), "w", encoding="utf-8"):  # before VTK 9.3 the generator makes none
+        pass
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 
     python3 pyvista_coast.py [FOLDER]     writes pyvista_coast.png into FOLDER
 
-Needs PyVista and VTK 9.3 or later, whose short forms it uses: keywords of constructors, and calls.
+Needs PyVista and VTK 9.4 or later, whose short forms it uses: keywords of constructors, and calls.
 """
 
 import os

@@ -46,6 +46,13 @@ assert len(first) == len(skeleton(tree)) > 100
 assert first != second and first != skeleton(tree)
 print("moves", sorted(abs(a[0] - b[0]) for a, b in zip(first, second))[-1], "m between two times")
 
+# A partitioned data set collection is taken as well; ParaView's conversion loses what wood a plant is of.
+parts = simple.ConvertToPartitionedDataSetCollection(Input=tree)
+swaying = [simple.BeamTreeDeformation(Input=one, Wind=wind, WoodFromPlants=0) for one in (tree, parts)]
+for one in swaying:
+    one.UpdatePipeline(3.0)
+assert skeleton(swaying[0]) == skeleton(swaying[1]) != skeleton(tree)
+
 # The wind blows along x: lift takes the trunk to the right, by as much as drag along where both coefficients are alike.
 rest = skeleton(tree)
 assert sway.LiftCoefficient == 0.0

@@ -8,17 +8,17 @@ import sys
 
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkElevationFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 import littoral
 
-if vtkVersion().GetVTKMajorVersion() * 100 + vtkVersion().GetVTKMinorVersion() < 903:
-    print("skipped: VTK has these forms from 9.3 on, this is", vtkVersion.GetVTKVersion())
+if not hasattr(vtkAlgorithm, "__rshift__"):
+    print("skipped: VTK has these forms from 9.4 on, ParaView from 5.13; this is VTK", vtkVersion.GetVTKVersion())
     sys.exit(125)
 
 from vtkmodules.util.execution_model import select_ports  # noqa: E402, not there before
-from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer  # noqa: E402
-from vtkmodules.vtkFiltersCore import vtkElevationFilter  # noqa: E402
-from vtkmodules.vtkFiltersSources import vtkPlaneSource  # noqa: E402
 
 #: Methods with another argument: the position in a list.
 NO_PROPERTIES = {"Weight"}

@@ -42,7 +42,7 @@ wind = methods(listed["vtkSeaStateSource"].body)
 assert ast.unparse(wind["GetWindSpeed"].returns) == "float"
 for accessor in ("SetWindSpeed", "GetWindSpeed"):
     assert "[m/s], 0.1 to 200" in ast.get_docstring(wind[accessor]), accessor
-if hasattr(littoral.vtkSeaStateSource, "wind_speed"):  # VTK from 9.3 on
+if hasattr(littoral.vtkSeaStateSource, "wind_speed"):  # VTK from 9.4 on
     body = listed["vtkSeaStateSource"].body
     place = next(k for k, node in enumerate(body)
                  if isinstance(node, ast.AnnAssign) and node.target.id == "wind_speed")

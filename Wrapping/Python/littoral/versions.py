@@ -55,12 +55,12 @@ def series_suffix():
 def mend_calls(sources):
     """Let `(source >> filter)()`, and `source()` of these classes, leave inputs as they are.
 
-    VTK 9.3 to 9.6 connect nothing to port 0 where a pipeline is called without an input, even if what is there is
-    optional or connected, and refuse such a call of a source.
+    VTK 9.4 to 9.6, and that of ParaView 5.13, connect nothing to port 0 where a pipeline is called without an input,
+    even if what is there is optional or connected, and refuse such a call of a source.
     """
     try:
         from vtkmodules.util import execution_model
-    except ImportError:  # VTK before 9.3, which has no such calls
+    except ImportError:  # VTK before 9.4, which has no such calls
         return
     of_vtk = execution_model._call
 
