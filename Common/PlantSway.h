@@ -35,7 +35,7 @@ struct SwayOptions
   bool Carries = true;           ///< a branch bears mass and drag of all that grows on it, spread along it
   double LeafDrag = 0.06;        ///< drag coefficient of leaves, which fold in the wind, by their area
   double LeafMass = 0.35;        ///< of an area of leaves with the twigs that bear them [kg/m2]
-  double LeafAreaRatio = 2500.0; ///< of the leaves to the trunk's section, which drawn leaves share; 0: as drawn
+  double LeafAreaRatio = 3500.0; ///< of leaves to the trunk's section at the crown's base; 0: leaves as drawn
 };
 
 /// A branch as a uniform beam, or the trunk.

@@ -279,18 +279,28 @@ double ShapeOf(const ShapeMixture& mixture, double part)
   return std::inner_product(mixture.begin(), mixture.end(), shapes.begin(), 0.0);
 }
 
+/// The lowest node of the trunk that bears a branch; the foot where there is none.
+int CrownBase(const Skeleton& skeleton)
+{
+  int base = skeleton.Branches[0].Count;
+  for (const SkeletonBranch& branch : skeleton.Branches)
+  {
+    const int parent = skeleton.Nodes[branch.First].Parent;
+    if (parent >= 0 && skeleton.Nodes[parent].Branch == 0)
+    {
+      base = std::min(base, parent);
+    }
+  }
+  return base < skeleton.Branches[0].Count ? base : 0;
+}
+
 std::vector<double> FedLeafAreas(const Skeleton& skeleton, const std::vector<double>& leafAreas, double ratio)
 {
   std::vector<double> fed = leafAreas;
   const double drawn = std::accumulate(fed.begin(), fed.end(), 0.0);
   if (ratio > 0.0 && drawn > 0.0)
   {
-    int node = 0;
-    const Vector3 place = skeleton.Along(0, 0.1, node);
-    const SkeletonNode& below = skeleton.Nodes[node];
-    const SkeletonNode& above = skeleton.Nodes[node + 1];
-    const double part = glm::distance(place, below.Position) / glm::distance(above.Position, below.Position);
-    const double radius = below.Radius + part * (above.Radius - below.Radius);
+    const double radius = skeleton.Nodes[CrownBase(skeleton)].Radius;
     std::for_each(fed.begin(), fed.end(), [=](double& area) { area *= ratio * Pi * radius * radius / drawn; });
   }
   return fed;

@@ -47,8 +47,8 @@ struct TrunkMeasures
 
 /**
  * The areas of leaves [m2] by nodes that a tree can feed: as those that are drawn, times what makes their sum the
- * trunk's section, a tenth of its length above the ground, times the ratio (the pipe model: as many leaves as pipes).
- * As drawn where the ratio is 0, or there are none.
+ * trunk's section at the crown's base, where its lowest branch grows, times the ratio (the pipe model, Shinozaki et al.
+ * 1964: as many leaves as pipes). As drawn where the ratio is 0, or there are none.
  */
 std::vector<double> FedLeafAreas(const Skeleton& skeleton, const std::vector<double>& leafAreas, double ratio);
 
