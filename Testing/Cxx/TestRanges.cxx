@@ -4,11 +4,17 @@
 // Ranges that are kept with arrays are those that VTK finds, and are dropped when an array changes.
 
 #include "LittoralRanges.h"
+#include "vtkSeaStateSource.h"
+#include "vtkSeaweedDeformationFilter.h"
+#include "vtkSeaweedSource.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -68,10 +74,39 @@ void CheckRanges(vtkDataArray* array)
   }
 }
 
+/// Skins whose ranges are found plant by plant while they are bent: of blades, stipes and floats, each its own.
+void CheckBentSkins()
+{
+  vtkNew<vtkSeaweedSource> weed;
+  weed->SetPreset(vtkSeaweedSource::GiantKelp);
+  vtkNew<vtkSeaStateSource> sea;
+  sea->SetSeaLevel(17.0);
+  sea->SetWaterDepth(17.0);
+  vtkNew<vtkSeaweedDeformationFilter> move;
+  move->SetInputConnection(weed->GetOutputPort());
+  move->SetInputConnection(1, sea->GetOutputPort());
+  move->UpdateTimeStep(3.0);
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(move->GetOutputDataObject(0));
+  int skins = 0;
+  auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+  {
+    auto* block = vtkPolyData::SafeDownCast(each->GetCurrentDataObject());
+    if (block && block->GetNumberOfPolys() > 0 && block->GetPointData()->GetArray("JointIds"))
+    {
+      CheckRanges(block->GetPoints()->GetData());
+      CheckRanges(block->GetPointData()->GetNormals());
+      ++skins;
+    }
+  }
+  Check(skins > 1, "there are several skins");
+}
+
 }
 
 int TestRanges(int, char*[])
 {
+  CheckBentSkins();
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkDoubleArray> doubles;
   vtkNew<vtkIntArray> ints;
