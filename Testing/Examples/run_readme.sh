@@ -4,7 +4,7 @@
 #
 # Runs the commands of README.md word for word, in a folder that looks like the source tree and without make:
 #   run_readme.sh SOURCE_DIR BUILD_DIR WORK_DIR
-# The heavy ones, which are named below, are left to Testing/matrix/run and Testing/packages/run.
+# The heavy ones, which are named below, are left to Testing/matrix/run.
 set -euo pipefail
 source_dir=$1 build_dir=$2 work=$3
 heavy='^\./littoral (demo|test)$|apt-get '
