@@ -29,7 +29,8 @@ alone() { # SYSTEM COMMAND
 }
 
 leave() { # SYSTEM
-  umount "$matrix/$1/proc" "$matrix/$1/dev/shm" "$matrix/$1/dev" 2>/dev/null
+  local folder="$matrix/$1"
+  umount "$folder/proc" "$folder/sys" "$folder/dev/shm" "$folder/dev/pts" "$folder/dev" 2>/dev/null
   return 0
 }
 
@@ -50,12 +51,13 @@ bare_archive() { # SYSTEM
   echo "$archive"
 }
 
-make_system() { # SYSTEM: a bare one, with /proc and /dev
+make_system() { # SYSTEM: a bare one, with /proc, /sys and /dev
   local folder="$matrix/$1" archive
   leave "$1"
   rm -rf --one-file-system "$folder"
   mkdir -p "$folder" && archive=$(bare_archive "$1") && tar -C "$folder" -xpf "$archive" || return
   # An archive that stands still for some days is no reason to stop.
   echo 'Acquire::Check-Valid-Until "false";' >"$folder/etc/apt/apt.conf.d/90littoral"
-  mount -t proc proc "$folder/proc" && mount --bind /dev "$folder/dev" && mount -t tmpfs tmpfs "$folder/dev/shm"
+  mount -t proc proc "$folder/proc" && mount --bind /sys "$folder/sys" && mount --bind /dev "$folder/dev" &&
+    mount --bind /dev/pts "$folder/dev/pts" && mount -t tmpfs tmpfs "$folder/dev/shm"
 }
