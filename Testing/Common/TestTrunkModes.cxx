@@ -351,6 +351,57 @@ TEST(TrunkModes, MeasuredConifers)
   EXPECT_NEAR(Median(ratios), 1.0, 0.3);
 }
 
+TEST(TrunkModes, StemsTaperAsMeasured)
+{
+  // Diameters along stems relative to that at a fifth of the height, by polynomials of x = 1 - z/H (Laasasenaho 1982).
+  constexpr std::array<double, 8> powers{ 1, 2, 3, 5, 8, 13, 21, 34 };
+  struct Kind
+  {
+    TreePreset Preset;
+    double Lower; ///< bound of the error below the middle, parts of the diameter at breast height
+    double Upper; ///< above, to 0.85 of the height
+    std::array<double, 8> Coefficients;
+  };
+  for (const Kind& kind :
+    { Kind{ TreePreset::Pine, 0.08, 0.06, { 2.1288, -0.63157, -1.6082, 2.4886, -2.4147, 2.3619, -1.7539, 1.0817 } },
+      Kind{ TreePreset::Birch, 0.08, 0.16, { 0.93838, 4.1060, -7.8517, 7.8993, -7.5018, 6.3863, -4.3918, 2.1604 } } })
+  {
+    const auto relative = [&](double x) {
+      double sum = 0.0;
+      for (std::size_t term = 0; term < powers.size(); ++term)
+      {
+        sum += kind.Coefficients[term] * std::pow(x, powers[term]);
+      }
+      return sum;
+    };
+    ASSERT_NEAR(relative(0.8), 1.0, 1e-3) << "the polynomial is one at a fifth of the height";
+    double below = 0.0;
+    double above = 0.0;
+    for (const double height : { 12.0, 20.0, 28.0 })
+    {
+      for (const double slenderness : { 110.0, 80.0, 65.0 })
+      {
+        const double diameter = height / slenderness;
+        const Plant tree = GrowReevesTree(SizedParameters(kind.Preset, height, diameter));
+        for (int node = 0; node < tree.Wood.Branches[0].Count; ++node)
+        {
+          const double z = tree.Wood.Nodes[node].Position.z;
+          if (z > 1.3 && z < 0.85 * height)
+          {
+            double& worst = z < 0.5 * height ? below : above;
+            const double table = relative(1.0 - z / height) / relative(1.0 - 1.3 / height);
+            worst = std::max(worst, std::abs(2.0 * tree.Wood.Nodes[node].Radius / diameter - table));
+          }
+        }
+      }
+    }
+    std::printf("preset %d: stem within %.3f of the measured form below the middle, %.3f above\n",
+      static_cast<int>(kind.Preset), below, above);
+    EXPECT_LT(below, kind.Lower);
+    EXPECT_LT(above, kind.Upper);
+  }
+}
+
 TEST(TrunkModes, CrownsWeighAsInTables)
 {
   // Living branches with leaves [kg], green: of birches after Smith et al. (2014) with 1.85 times the dry mass of wood
