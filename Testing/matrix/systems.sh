@@ -43,7 +43,7 @@ bare_archive() { # SYSTEM
     # A release that this debootstrap does not know yet is made as sid is.
     script=/usr/share/debootstrap/scripts/$suite
     [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid
-    folder=$(mktemp -d "$matrix/bare.XXXXXX") &&
+    folder=$(mktemp -d "$matrix/bare.XXXXXX") && chmod 755 "$folder" &&
       debootstrap --variant=minbase "$suite" "$folder" "$mirror" "$script" >&2 &&
       tar -C "$folder" --one-file-system -cf "$archive.new" . && rm -rf --one-file-system "$folder" &&
       mv "$archive.new" "$archive" || return
