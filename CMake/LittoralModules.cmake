@@ -23,6 +23,8 @@ if (LITTORAL_WITH_OPENVDB)
   set(littoral_io_module Littoral::LittoralIO)
 endif ()
 
+add_subdirectory(Support)
+
 vtk_module_scan(
   MODULE_FILES
     "${PROJECT_SOURCE_DIR}/Sources/vtk.module"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBeamTreeDeformationFilter.h"
 
-#include "LittoralBlocks.h"
-#include "LittoralPipeline.h"
-#include "SwayForest.h"
+#include "Data/Blocks.h"
+#include "Data/SwayForest.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

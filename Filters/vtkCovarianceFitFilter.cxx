@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCovarianceFitFilter.h"
 
-#include "DetrendedWindow.h"
-#include "FractalDimension.h"
-#include "GridSamples.h"
-#include "LittoralPipeline.h"
-#include "LittoralTables.h"
-#include "Variogram.h"
-#include "VariogramFit.h"
+#include "Data/Tables.h"
+#include "Pipeline/Pipeline.h"
+#include "Terrain/DetrendedWindow.h"
+#include "Terrain/FractalDimension.h"
+#include "Terrain/GridSamples.h"
+#include "Terrain/Variogram.h"
+#include "Terrain/VariogramFit.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCurrentDriftFilter.h"
 
-#include "DriftHistory.h"
-#include "LittoralArrays.h"
-#include "LittoralPipeline.h"
-#include "LittoralRanges.h"
-#include "LittoralSea.h"
-#include "LittoralSlaves.h"
+#include "Data/Arrays.h"
+#include "Data/DriftHistory.h"
+#include "Data/Followers.h"
+#include "Data/SeaStateTable.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"

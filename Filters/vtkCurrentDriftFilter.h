@@ -12,7 +12,7 @@
  * land.
  *
  * Output: the points at the requested time, in the precision of the input, with the point array `Captured` (1: the core
- * of a sink holds it). Connect it to vtkParticleOrbitFilter, for which these are the centres of orbits. Without
+ * of a sink holds it). Connect it to vtkParticleOrbitFilter, for which these are the centers of orbits. Without
  * currents the input is passed on. Before StartTime points are where they start.
  *
  * Points are carried by the Runge-Kutta method of fourth order in steps of TimeStep, counted from StartTime, and by

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleFogFilter.h"
 
-#include "Constants.h"
-#include "LittoralBlocks.h"
-#include "LittoralPipeline.h"
-#include "LittoralSea.h"
-#include "LittoralTables.h"
-#include "ParticleFog.h"
+#include "Data/Blocks.h"
+#include "Data/SeaStateTable.h"
+#include "Data/Tables.h"
+#include "Numerics/Constants.h"
+#include "Particles/ParticleFog.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

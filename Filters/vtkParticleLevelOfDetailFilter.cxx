@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleLevelOfDetailFilter.h"
 
-#include "LittoralBlocks.h"
-#include "LittoralArrays.h"
-#include "LittoralPipeline.h"
-#include "LittoralRanges.h"
-#include "LittoralSea.h"
-#include "LittoralTables.h"
-#include "MasterSlave.h"
-#include "ParticleLevels.h"
-#include "TrainSelection.h"
-#include "ViewFrustum.h"
+#include "Data/Arrays.h"
+#include "Data/Blocks.h"
+#include "Data/SeaStateTable.h"
+#include "Data/Tables.h"
+#include "Geometry/ViewFrustum.h"
+#include "Particles/MasterSlave.h"
+#include "Particles/ParticleLevels.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
+#include "Sea/TrainSelection.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -45,7 +45,7 @@ struct vtkParticleLevelOfDetailFilter::Memory
 {
   std::vector<littoral::Vector3> Places;
   std::unique_ptr<littoral::ParticleGroups> Groups;
-  double Lowest = 0.0; ///< that a particle may be centred, as a slave too [m]
+  double Lowest = 0.0; ///< that a particle may be centered, as a slave too [m]
   double Highest = 0.0;
   double MeanHeight = 0.0;
   vtkDataArray* Points = nullptr; ///< compared, never used

@@ -4,7 +4,7 @@
  * @class   vtkParticleLevelOfDetailFilter
  * @brief   particles near the eye with their own orbits, farther ones behind masters, far ones as fog
  *
- * Input 0: a vtkPointSet, the centres of the orbits. Input 1: a sea state, as vtkSeaStateSource makes it. Give the
+ * Input 0: a vtkPointSet, the centers of the orbits. Input 1: a sea state, as vtkSeaStateSource makes it. Give the
  * output and the same sea to vtkParticleOrbitFilter, and the block Far to vtkParticleFogFilter.
  *
  * Output: a vtkMultiBlockDataSet of vtkPolyData with vertices, points and arrays as in the input: `Near`, particles
@@ -22,7 +22,7 @@
  * `CellsShown`, `Orbits` that are to be computed, `TrainSums`, the trains of all orbits together, `TrainSumsInAll`, the
  * same for all particles with all trains, and `LargestSlaveError` [m].
  *
- * The view decides on what is shown, never on where a particle is: centres, groups and orders are functions of the
+ * The view decides on what is shown, never on where a particle is: centers, groups and orders are functions of the
  * input. They are kept until it changes. Each piece has its part of the groups, of the whole input.
  *
  * Coulais et al., section 3.3; see Documentation/design.md.
@@ -81,8 +81,8 @@ public:
   ///@}
 
   ///@{
-  /// Distance from the eye, or from its plane in parallel projection, beyond which particles are left out, as fog too [m],
-  /// not negative; 0: no limit. Default 60.
+  /// Distance from the eye, or from its plane in parallel projection, beyond which particles are left out, as fog too
+  /// [m], not negative; 0: no limit. Default 60.
   vtkSetMacro(Visibility, double);
   vtkGetMacro(Visibility, double);
   ///@}

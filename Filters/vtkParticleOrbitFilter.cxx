@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleOrbitFilter.h"
 
-#include "Dispersion.h"
-#include "LittoralArrays.h"
-#include "LittoralPipeline.h"
-#include "LittoralRanges.h"
-#include "LittoralSea.h"
-#include "LittoralSlaves.h"
-#include "TrainSelection.h"
-#include "WaveOrbits.h"
+#include "Data/Arrays.h"
+#include "Data/Followers.h"
+#include "Data/SeaStateTable.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
+#include "Sea/Dispersion.h"
+#include "Sea/TrainSelection.h"
+#include "Sea/WaveOrbits.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"
@@ -300,21 +300,21 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   }
 
   const bool surface = this->GenerateSurface && IsAtSeaLevel(input->GetPoints(), sea.State.SeaLevel);
-  auto centre = vtkSmartPointer<Array>::New();
+  auto center = vtkSmartPointer<Array>::New();
   if (Array* own = Array::SafeDownCast(input->GetPoints()->GetData()))
   {
-    centre->ShallowCopy(own);
+    center->ShallowCopy(own);
   }
   else
   {
-    centre->DeepCopy(input->GetPoints()->GetData());
+    center->DeepCopy(input->GetPoints()->GetData());
   }
-  centre->SetName("Centre");
+  center->SetName("Center");
   vtkSmartPointer<Array> place = littoral::NewArray<Array>("Points", 3, count);
   vtkPointData* arrays = output->GetPointData();
-  arrays->AddArray(centre);
+  arrays->AddArray(center);
   littoral::OrbitRequest<Real> request;
-  request.Centres = centre->GetPointer(0);
+  request.Centers = center->GetPointer(0);
   request.TrainCounts = trainCounts.empty() ? nullptr : trainCounts.data();
   request.Displacement = place->GetPointer(0);
   std::vector<Real*> vectors{ request.Displacement };
@@ -356,7 +356,7 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   const auto shift = [&](std::size_t begin, std::size_t end) {
     for (std::size_t value = 3 * begin; value < 3 * end; ++value)
     {
-      const double moved = static_cast<double>(request.Displacement[value]) + request.Centres[value];
+      const double moved = static_cast<double>(request.Displacement[value]) + request.Centers[value];
       request.Displacement[value] = static_cast<Real>(moved);
     }
   };

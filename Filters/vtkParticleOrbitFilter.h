@@ -5,11 +5,11 @@
  * @brief   moves points on their orbits in waves
  *
  * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection of them: particles, a mesh, or
- * a plane at sea level, which becomes the surface of the water. Its points are the centres of the orbits; those above
+ * a plane at sea level, which becomes the surface of the water. Its points are the centers of the orbits; those above
  * the sea move as its surface does, those below the bed as the water at the bed. Input 1: a sea state, as
  * vtkSeaStateSource makes it.
  *
- * Output: the same at the requested time, in the precision of the input, with the point array `Centre`[3] of its type.
+ * Output: the same at the requested time, in the precision of the input, with the point array `Center`[3] of its type.
  * On request `Velocity` [m/s] and `Acceleration` [m/s2]; the velocity is that of the orbit, and of the Stokes drift
  * where that is on. Points that all lie at sea level get `Normals` and `Jacobian` (1 at rest; at 0 or below the surface
  * folds over itself: there is foam). Field data: `DepthRegime`, how the highest train feels the bed (deep,
@@ -41,7 +41,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Whether centres drift with the waves, by the second order in their amplitudes. The paper's do not. Default off.
+  /// Whether centers drift with the waves, by the second order in their amplitudes. The paper's do not. Default off.
   vtkSetMacro(StokesDrift, bool);
   vtkGetMacro(StokesDrift, bool);
   vtkBooleanMacro(StokesDrift, bool);
@@ -58,7 +58,7 @@ public:
   ///@}
 
   ///@{
-  /// Along x and y [m/s], with which the centres come carried to this filter; it does not move them itself. Of no
+  /// Along x and y [m/s], with which the centers come carried to this filter; it does not move them itself. Of no
   /// effect without DopplerShift. Default 0 0.
   vtkSetVector2Macro(Current, double);
   vtkGetVector2Macro(Current, double);

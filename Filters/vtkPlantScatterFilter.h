@@ -50,7 +50,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Any whole number; another seed gives other species, sizes, azimuths and colours. Default 1.
+  /// Any whole number; another seed gives other species, sizes, azimuths and colors. Default 1.
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPlantWakeFilter.h"
 
-#include "Constants.h"
-#include "LittoralBlocks.h"
-#include "LittoralCurrents.h"
-#include "LittoralPipeline.h"
-#include "ParameterRange.h"
-#include "PlantReading.h"
-#include "PlantWake.h"
+#include "Data/Blocks.h"
+#include "Data/FlowPrimitiveData.h"
+#include "Data/PlantReading.h"
+#include "Numerics/Constants.h"
+#include "Numerics/ParameterRange.h"
+#include "Pipeline/Pipeline.h"
+#include "Seaweed/PlantWake.h"
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"

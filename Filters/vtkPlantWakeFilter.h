@@ -7,7 +7,7 @@
  * Input: seaweeds that move, as vtkSeaweedDeformationFilter makes them with GenerateMotion (High/Skeleton with
  * `Velocity`, `Acceleration`, `Radius`, `Length` and `Density`), or a vtkPartitionedDataSetCollection whose assembly
  * has that block. Output: flow primitives, as vtkFlowPrimitiveSource makes them, with `PlantId`; a current for
- * vtkCurrentDriftFilter. Each plant makes a source at its centre of gravity, by its acceleration along its way, or a
+ * vtkCurrentDriftFilter. Each plant makes a source at its center of gravity, by its acceleration along its way, or a
  * doublet by its velocity. Either is whole within the bounding box of the plant's skeleton and ends, with no jump,
  * within Margin about it (`InfluenceBox`, `InfluenceMargin`).
  *

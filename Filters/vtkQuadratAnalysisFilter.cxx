@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQuadratAnalysisFilter.h"
 
-#include "LittoralPipeline.h"
-#include "LittoralTables.h"
-#include "QuadratFit.h"
-#include "QuadratPattern.h"
+#include "Data/Tables.h"
+#include "Patterns/QuadratFit.h"
+#include "Patterns/QuadratPattern.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

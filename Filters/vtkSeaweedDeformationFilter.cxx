@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSeaweedDeformationFilter.h"
 
-#include "Constants.h"
-#include "LittoralBlocks.h"
-#include "LittoralPipeline.h"
-#include "LittoralSea.h"
-#include "ParameterRange.h"
-#include "SeaweedForest.h"
+#include "Data/Blocks.h"
+#include "Data/SeaStateTable.h"
+#include "Data/SeaweedForest.h"
+#include "Numerics/Constants.h"
+#include "Numerics/ParameterRange.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainLevelOfDetailFilter.h"
 
-#include "GroundColour.h"
-#include "LittoralArrays.h"
-#include "LittoralPipeline.h"
-#include "LittoralRanges.h"
-#include "LittoralTables.h"
-#include "TerrainLevels.h"
+#include "Data/Arrays.h"
+#include "Data/Tables.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
+#include "Terrain/GroundColor.h"
+#include "Terrain/TerrainLevels.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -105,7 +105,7 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
   return carried;
 }
 
-/// Colours of the ground, or nothing where the image has its own or none are wanted.
+/// Colors of the ground, or nothing where the image has its own or none are wanted.
 class GroundPainter
 {
 public:
@@ -122,7 +122,7 @@ public:
 
   explicit operator bool() const { return this->Paints; }
 
-  littoral::Colour operator()(std::size_t sample) const
+  littoral::Color operator()(std::size_t sample) const
   {
     littoral::GroundPlace place;
     place.Slope = std::acos(std::min(1.0, static_cast<double>(this->Pyramid.GetNormal(sample)[2])));
@@ -131,7 +131,7 @@ public:
     {
       place.Reflectance = this->Reflectance->GetComponent(static_cast<vtkIdType>(sample), 0);
     }
-    return littoral::GroundColour(place);
+    return littoral::GroundColor(place);
   }
 
 private:
@@ -153,7 +153,7 @@ vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::Ter
   const auto levels = littoral::NewArray<vtkIntArray>("Level", 1, layout.Triangles);
   const auto offsets = littoral::NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1);
   const auto connectivity = littoral::NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles);
-  const auto colours = littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0);
+  const auto colors = littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0);
   const CarriedArrays carried = NewCarriedArrays(image, heights, layout.Points);
   const littoral::HeightSamples& samples = pyramid.GetSamples();
 
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::Ter
     coordinate[1] = static_cast<float>(static_cast<double>(sample / samples.Width) / (samples.Height - 1));
     if (painter)
     {
-      std::copy_n(painter(sample).data(), 3, colours->GetPointer(3 * point));
+      std::copy_n(painter(sample).data(), 3, colors->GetPointer(3 * point));
     }
     for (const auto& pair : carried)
     {
@@ -213,7 +213,7 @@ vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::Ter
   block->GetPointData()->SetScalars(elevation);
   if (painter)
   {
-    block->GetPointData()->AddArray(colours);
+    block->GetPointData()->AddArray(colors);
   }
   if (block->GetPointData()->HasArray("RGB"))
   {

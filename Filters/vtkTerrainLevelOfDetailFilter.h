@@ -52,8 +52,8 @@ public:
   ///@}
 
   ///@{
-  /// How far a level may be from the samples, anywhere on the screen [pixels], positive; of effect with ScreenErrorRule.
-  /// Default 1.
+  /// How far a level may be from the samples, anywhere on the screen [pixels], positive; of effect with
+  /// ScreenErrorRule. Default 1.
   vtkSetMacro(ScreenError, double);
   vtkGetMacro(ScreenError, double);
   ///@}
@@ -78,7 +78,7 @@ public:
   ///@}
 
   ///@{
-  /// Adds the point array `RGB`, the colours of a temperate country: meadow, dry grass where the array `Reflectance` of
+  /// Adds the point array `RGB`, the colors of a temperate country: meadow, dry grass where the array `Reflectance` of
   /// the input is high, rock where it is steep. An array `RGB` of the input goes before. Default on.
   vtkSetMacro(GroundColors, bool);
   vtkGetMacro(GroundColors, bool);

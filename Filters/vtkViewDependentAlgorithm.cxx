@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkViewDependentAlgorithm.h"
 
-#include "Constants.h"
-#include "LittoralCamera.h"
-#include "ViewFrustum.h"
+#include "Geometry/ViewFrustum.h"
+#include "Numerics/Constants.h"
+#include "Pipeline/CameraView.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"

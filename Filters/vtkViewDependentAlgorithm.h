@@ -92,7 +92,7 @@ public:
   ///@}
 
   /// Takes ViewPoint, ViewDirection, ViewUp, ViewAngle, ParallelProjection and ParallelScale from a camera, for a
-  /// picture of AspectRatio. Off-axis projections, shears and a window whose centre is elsewhere are not taken.
+  /// picture of AspectRatio. Off-axis projections, shears and a window whose center is elsewhere are not taken.
   void SetCamera(vtkCamera* camera);
 
   /// Takes camera, aspect ratio and height of a renderer before each of its pictures; null ends that.

@@ -30,7 +30,7 @@ enum class VolumeVectors
 {
   Relative, ///< as velocities and displacements do
   Normal,
-  Invariant ///< colours, and other triples
+  Invariant ///< colors, and other triples
 };
 
 using VolumeRemark = std::variant<std::string, double, std::array<double, 3>>;

@@ -3,7 +3,7 @@
 #ifndef LittoralVolumeFile_h
 #define LittoralVolumeFile_h
 
-#include "Parallel.h"
+#include "Numerics/Parallel.h"
 #include "Volume.h"
 
 #include <functional>

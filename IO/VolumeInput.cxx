@@ -176,7 +176,7 @@ SampleSet PointsOf(vtkImageData* image, const Choice& choice)
   return set;
 }
 
-/// Cells are sampled at their centres, which lie half a step further where the image has cells along the axis.
+/// Cells are sampled at their centers, which lie half a step further where the image has cells along the axis.
 SampleSet CellsOf(vtkImageData* image, const Choice& choice)
 {
   SampleSet set{ LatticeOf(image), {}, image->GetCellData(), choice.Cells };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBVolumeWriter.h"
 
-#include "LittoralPipeline.h"
+#include "Pipeline/Pipeline.h"
 #include "VolumeFile.h"
 #include "VolumeGather.h"
 #include "VolumeInput.h"

@@ -7,11 +7,11 @@
  * The input is a vtkImageData or a composite of images. Each point array and cell array becomes a grid of the array's
  * name; where several blocks carry an array of that name, the block's name and an underscore come before it. Point
  * (i, j, k) of an image becomes voxel (i, j, k), and the grid's transform puts that to the point's place in the world;
- * spacing, origin and direction may be any. Values of cells sit at the cells' centres.
+ * spacing, origin and direction may be any. Values of cells sit at the cells' centers.
  *
  * - One component: a float grid of the class fog volume.
  * - Three components: a vec3s grid. Its vectors are contravariant and relative, as velocities are; normals are
- * covariant, colours (unsigned char) and texture coordinates invariant.
+ * covariant, colors (unsigned char) and texture coordinates invariant.
  * - Any other number: one float grid a component, the component's name or number behind the array's.
  *
  * Values are written in single or half precision. Each grid has these remarks (OpenVDB calls them metadata): `unit`,

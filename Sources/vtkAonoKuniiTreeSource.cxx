@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAonoKuniiTreeSource.h"
 
-#include "AonoKuniiTree.h"
-#include "PlantLevels.h"
+#include "Plants/AonoKuniiTree.h"
+#include "Plants/PlantLevels.h"
 
 #include "vtkObjectFactory.h"
 

@@ -7,7 +7,7 @@
  * Aono and Kunii (1984): a segment, a fork into two or three branches, and again from each of them (Setas et al.,
  * section 4.1). Branches are shorter and thinner than their parents by constant ratios, and at constant angles to them.
  * Preset takes the numbers of one of twelve trees published in The Algorithmic Beauty of Plants (Prusinkiewicz and
- * Lindenmayer 1990, figures 2.6, 2.7 and 2.8, a to d) and gives it a size in metres, leaves and colours; with Custom
+ * Lindenmayer 1990, figures 2.6, 2.7 and 2.8, a to d) and gives it a size in metres, leaves and colors; with Custom
  * all numbers can be set. Outputs as in vtkPlantSource.
  *
  * With Variation 0 the tree is the published one, and seeds differ by their leaves alone. Leaves are on the segments of

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlowPrimitiveSource.h"
 
-#include "LittoralCurrents.h"
-#include "LittoralPipeline.h"
+#include "Data/FlowPrimitiveData.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -44,7 +44,7 @@ int vtkFlowPrimitiveSource::RequestData(vtkInformation*, vtkInformationVector**,
   littoral::FlowPrimitive primitive;
   primitive.Type = static_cast<littoral::FlowType>(this->FlowType);
   primitive.Strength = this->Strength;
-  primitive.Centre = { this->Center[0], this->Center[1], this->Center[2] };
+  primitive.Center = { this->Center[0], this->Center[1], this->Center[2] };
   primitive.Axis = { this->Axis[0], this->Axis[1], this->Axis[2] };
   primitive.CoreRadius = this->CoreRadius;
   primitive.InfluenceRadius = this->InfluenceRadius;

@@ -12,9 +12,9 @@
  * and `InfluenceMargin` [m], the flow is whole in the box and is multiplied by (1 - d^2/M^2)^2 at the distance d from
  * it, 0 from M on. A margin of 0 is no box, and this source writes that.
  *
- * With R from the centre and e the core, a source of discharge Q flows with Q R / (4 pi (R^2 + e^2)^(3/2)) away from
- * the centre; a vortex of circulation G with G / (2 pi q) (1 - exp(-q^2/e^2)) around its axis at the distance q from
- * it. Both are at rest at the centre: velocities are finite everywhere. vtkCurrentDriftFilter adds images of them where
+ * With R from the center and e the core, a source of discharge Q flows with Q R / (4 pi (R^2 + e^2)^(3/2)) away from
+ * the center; a vortex of circulation G with G / (2 pi q) (1 - exp(-q^2/e^2)) around its axis at the distance q from
+ * it. Both are at rest at the center: velocities are finite everywhere. vtkCurrentDriftFilter adds images of them where
  * there is a bed or a surface, through which nothing flows.
  *
  * Coulais et al., section 3.2.2 and figure 2.
@@ -59,7 +59,7 @@ public:
   ///@}
 
   ///@{
-  /// Centre [m]. Of no effect in a uniform flow without InfluenceRadius. Default 0 0 0.
+  /// Center [m]. Of no effect in a uniform flow without InfluenceRadius. Default 0 0 0.
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGardnerPlantSource.h"
 
-#include "GardnerPlant.h"
-#include "LittoralPlants.h"
+#include "Data/PlantBlocks.h"
+#include "Plants/GardnerPlant.h"
 
 #include "vtkObjectFactory.h"
 
@@ -23,7 +23,7 @@ vtkGardnerPlantSource::vtkGardnerPlantSource()
   , Terms(6)
   , Frequency(6)
   , Offset(1.0)
-  , CentreThreshold(0.08)
+  , CenterThreshold(0.08)
   , SilhouetteThreshold(0.4)
   , Variation(0.2)
   , LeafColor{ 0.54, 0.66, 0.33 }
@@ -60,10 +60,10 @@ bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, lit
     p.Texture.Terms = this->Terms;
     p.Texture.Frequency = this->Frequency;
     p.Texture.Offset = this->Offset;
-    p.Texture.CentreThreshold = this->CentreThreshold;
+    p.Texture.CenterThreshold = this->CenterThreshold;
     p.Texture.SilhouetteThreshold = this->SilhouetteThreshold;
     p.Variation = this->Variation;
-    if (!littoral::TakeColour(this->LeafColor, p.Leaf) || !littoral::TakeColour(this->BarkColor, p.Bark))
+    if (!littoral::TakeColor(this->LeafColor, p.Leaf) || !littoral::TakeColor(this->BarkColor, p.Bark))
     {
       vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
       return false;
@@ -94,7 +94,7 @@ void vtkGardnerPlantSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Terms: " << this->Terms << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "Offset: " << this->Offset << "\n";
-  os << indent << "CentreThreshold: " << this->CentreThreshold << "\n";
+  os << indent << "CenterThreshold: " << this->CenterThreshold << "\n";
   os << indent << "SilhouetteThreshold: " << this->SilhouetteThreshold << "\n";
   os << indent << "Variation: " << this->Variation << "\n";
   os << indent << "LeafColor: " << this->LeafColor[0] << " " << this->LeafColor[1] << " " << this->LeafColor[2] << "\n";

@@ -100,8 +100,8 @@ public:
   ///@{
   /// T1, from 0 to SilhouetteThreshold: in the middle of an ellipsoid, leaves are where T is larger. The higher, the
   /// more holes. Default 0.08.
-  vtkSetMacro(CentreThreshold, double);
-  vtkGetMacro(CentreThreshold, double);
+  vtkSetMacro(CenterThreshold, double);
+  vtkGetMacro(CenterThreshold, double);
   ///@}
 
   ///@{
@@ -111,19 +111,19 @@ public:
   ///@}
 
   ///@{
-  /// Standard deviation of sizes, places and colours as part of their means, 0 to 0.5. Default 0.2.
+  /// Standard deviation of sizes, places and colors as part of their means, 0 to 0.5. Default 0.2.
   vtkSetMacro(Variation, double);
   vtkGetMacro(Variation, double);
   ///@}
 
   ///@{
-  /// Colour of leaves in the light: red, green, blue, each 0 to 1. Default 0.54 0.66 0.33.
+  /// Color of leaves in the light: red, green, blue, each 0 to 1. Default 0.54 0.66 0.33.
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}
 
   ///@{
-  /// Colour of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
+  /// Color of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
   vtkSetVector3Macro(BarkColor, double);
   vtkGetVector3Macro(BarkColor, double);
   ///@}
@@ -145,7 +145,7 @@ protected:
   int Terms;
   int Frequency;
   double Offset;
-  double CentreThreshold;
+  double CenterThreshold;
   double SilhouetteThreshold;
   double Variation;
   double LeafColor[3];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLeafyTreeSource.h"
 
-#include "LittoralPlants.h"
+#include "Data/PlantBlocks.h"
 
 //----------------------------------------------------------------------------
 vtkLeafyTreeSource::vtkLeafyTreeSource(
@@ -24,7 +24,7 @@ vtkLeafyTreeSource::~vtkLeafyTreeSource() = default;
 //----------------------------------------------------------------------------
 bool vtkLeafyTreeSource::TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark)
 {
-  const bool good = littoral::TakeColour(this->LeafColor, leaf) && littoral::TakeColour(this->BarkColor, bark);
+  const bool good = littoral::TakeColor(this->LeafColor, leaf) && littoral::TakeColor(this->BarkColor, bark);
   if (!good)
   {
     vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");

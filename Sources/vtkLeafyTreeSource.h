@@ -15,7 +15,7 @@
 #include "LittoralSourcesModule.h" // for export macro
 #include "vtkPlantSource.h"
 
-#include <array> // for a colour
+#include <array> // for a color
 
 class LITTORALSOURCES_EXPORT vtkLeafyTreeSource : public vtkPlantSource
 {
@@ -42,7 +42,7 @@ public:
   ///@}
 
   ///@{
-  /// Colour of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
+  /// Color of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
   vtkSetVector3Macro(BarkColor, double);
   vtkGetVector3Macro(BarkColor, double);
   ///@}
@@ -72,7 +72,7 @@ public:
   ///@}
 
   ///@{
-  /// Colour of a leaf in the light: red, green, blue, each 0 to 1. Default 0.44 0.57 0.24.
+  /// Color of a leaf in the light: red, green, blue, each 0 to 1. Default 0.44 0.57 0.24.
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}
@@ -81,7 +81,7 @@ protected:
   vtkLeafyTreeSource(double variation, double trunkRadius, int leaves, double leafSize, double leafWidth);
   ~vtkLeafyTreeSource() override;
 
-  /// The colours as bytes. False, with an error message, if they are none.
+  /// The colors as bytes. False, with an error message, if they are none.
   bool TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark);
 
   double Variation;

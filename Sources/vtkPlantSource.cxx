@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPlantSource.h"
 
-#include "LeafCards.h"
-#include "LittoralPlants.h"
-#include "LittoralRanges.h"
-#include "PlantLevels.h"
+#include "Data/PlantBlocks.h"
+#include "Pipeline/Ranges.h"
+#include "Plants/LeafCards.h"
+#include "Plants/PlantLevels.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"

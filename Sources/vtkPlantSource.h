@@ -16,7 +16,7 @@
  * Skin and Leaves have `JointIds`[4] (nodes of Skeleton) and `JointWeights`[4].
  *
  * Output 1: the picture of the crown, RGBA, as seen by an eye that circles around it (Setas et al., section 4.1.2);
- * it is transparent where there is no leaf. Output 2: the picture on a leaf, to be multiplied with its colour. Both can
+ * it is transparent where there is no leaf. Output 2: the picture on a leaf, to be multiplied with its color. Both can
  * be connected to a vtkTexture. They also travel as field data `Texture` and `TextureSize` of Crown and Leaves.
  *
  * A plant has no pieces: the first piece holds all of it.

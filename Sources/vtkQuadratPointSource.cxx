@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQuadratPointSource.h"
 
-#include "LittoralPipeline.h"
-#include "QuadratPattern.h"
+#include "Patterns/QuadratPattern.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReevesTreeSource.h"
 
-#include "PlantLevels.h"
-#include "ReevesTree.h"
+#include "Plants/PlantLevels.h"
+#include "Plants/ReevesTree.h"
 
 #include "vtkObjectFactory.h"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSeaStateSource.h"
 
-#include "Constants.h"
-#include "LittoralPipeline.h"
-#include "LittoralSea.h"
+#include "Data/SeaStateTable.h"
+#include "Numerics/Constants.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"

@@ -147,8 +147,8 @@ public:
   /**
    * On: frequencies are whole multiples of one, with the middle of FrequencyRange as theirs, so that the sea returns
    * after `Period` of the field data, at its default about NumberOfTrains / 3.5 peak periods. So do points whose
-   * centres stay, unless vtkParticleOrbitFilter's StokesDrift or DopplerShift are on; with DopplerShift and a Current,
-   * the distance returns of a point from its centre, if that is carried by the Current. Off: frequencies lie at random
+   * centers stay, unless vtkParticleOrbitFilter's StokesDrift or DopplerShift are on; with DopplerShift and a Current,
+   * the distance returns of a point from its center, if that is carried by the Current. Off: frequencies lie at random
    * places in their bins, and the sea hardly ever returns. Default off.
    */
   vtkSetMacro(EqualSpacing, bool);

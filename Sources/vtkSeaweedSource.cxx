@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSeaweedSource.h"
 
-#include "LittoralPlants.h"
-#include "SeaweedMesh.h"
+#include "Data/PlantBlocks.h"
+#include "Seaweed/SeaweedMesh.h"
 
 #include "vtkObjectFactory.h"
 
@@ -72,7 +72,7 @@ bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral
     p.BladeDensity = this->BladeDensity;
     p.FloatDensity = this->FloatDensity;
     p.Variation = this->Variation;
-    if (!littoral::TakeColour(this->BladeColor, p.Blade) || !littoral::TakeColour(this->StipeColor, p.Stipe))
+    if (!littoral::TakeColor(this->BladeColor, p.Blade) || !littoral::TakeColor(this->StipeColor, p.Stipe))
     {
       vtkErrorMacro("BladeColor and StipeColor must be from 0 to 1.");
       return false;

@@ -11,7 +11,7 @@
  *
  * Outputs as in vtkPlantSource, for vtkPlantScatterFilter. `High/Skin` is what is round, `High/Leaves` are the blades.
  * `Medium` has the same stipes with fewer corners (`Trunk`) and blades without waves (`Crown`); `Low` has four upright
- * polygons. Output 1 is a blade in colour, for `Crown`, of TextureSize; output 2 is the relief of a blade in grey, for
+ * polygons. Output 1 is a blade in color, for `Crown`, of TextureSize; output 2 is the relief of a blade in grey, for
  * `Leaves`. CrownJitter has no effect.
  *
  * `High/Skeleton` has one root, the holdfast. Beside those of vtkPlantSource it has the point arrays `Tissue` (0 stipe,
@@ -179,13 +179,13 @@ public:
   ///@}
 
   ///@{
-  /// Colour of the blades: red, green, blue, each 0 to 1. Default 0.745 0.533 0.188.
+  /// Color of the blades: red, green, blue, each 0 to 1. Default 0.745 0.533 0.188.
   vtkSetVector3Macro(BladeColor, double);
   vtkGetVector3Macro(BladeColor, double);
   ///@}
 
   ///@{
-  /// Colour of stipes and holdfast: red, green, blue, each 0 to 1. Default 0.502 0.353 0.157.
+  /// Color of stipes and holdfast: red, green, blue, each 0 to 1. Default 0.502 0.353 0.157.
   vtkSetVector3Macro(StipeColor, double);
   vtkGetVector3Macro(StipeColor, double);
   ///@}

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSuspendedParticleSource.h"
 
-#include "LittoralArrays.h"
-#include "LittoralPipeline.h"
-#include "LittoralPlants.h"
-#include "LittoralSea.h"
-#include "SuspendedParticles.h"
-#include "TextureAtlas.h"
+#include "Data/Arrays.h"
+#include "Data/PlantBlocks.h"
+#include "Data/SeaStateTable.h"
+#include "Geometry/TextureAtlas.h"
+#include "Particles/SuspendedParticles.h"
+#include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -129,7 +129,7 @@ void vtkSuspendedParticleSource::AddBox(const double box[12])
   added.Kind = static_cast<littoral::ParticleKind>(isKind ? static_cast<int>(box[6]) : -1);
   added.Diameter = box[7];
   added.Amount = box[8];
-  std::copy(box + 9, box + 12, added.Colour);
+  std::copy(box + 9, box + 12, added.Color);
   this->Boxes->Boxes.push_back(added);
   this->Modified();
 }
@@ -334,7 +334,7 @@ bool vtkSuspendedParticleSource::Scatter(const Recipe& recipe, long long first, 
   auto boxId = littoral::NewArray<vtkIntArray>(littoral::sea::BoxId, 1, points);
   auto type = littoral::NewArray<vtkIntArray>(littoral::sea::ParticleType, 1, points);
   auto radius = littoral::NewArray<vtkFloatArray>(littoral::sea::Radius, 1, points);
-  auto colour = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::RGB, 3, points);
+  auto color = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::RGB, 3, points);
   const vtkIdType corners = quads ? points : 0;
   auto master = littoral::NewArray<vtkIdTypeArray>(littoral::sea::MasterId, 1, corners);
   auto offset = littoral::NewArray<vtkFloatArray>(littoral::sea::Offset, 3, corners);
@@ -346,7 +346,7 @@ bool vtkSuspendedParticleSource::Scatter(const Recipe& recipe, long long first, 
     boxId->SetValue(point, box);
     type->SetValue(point, static_cast<int>(recipe.Boxes[box].Kind));
     radius->SetValue(point, static_cast<float>(particle.Radius));
-    colour->SetTypedTuple(point, particle.Colour.data());
+    color->SetTypedTuple(point, particle.Color.data());
   };
   const auto setPlace = [&](vtkIdType point, const littoral::Vector3& at) {
     const Real tuple[3] = { static_cast<Real>(at.x), static_cast<Real>(at.y), static_cast<Real>(at.z) };
@@ -414,7 +414,7 @@ bool vtkSuspendedParticleSource::Scatter(const Recipe& recipe, long long first, 
   arrays->AddArray(boxId);
   arrays->AddArray(type);
   arrays->AddArray(radius);
-  arrays->SetScalars(colour);
+  arrays->SetScalars(color);
   if (quads)
   {
     arrays->AddArray(master);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTurningBandsTerrainSource.h"
 
-#include "LittoralPipeline.h"
-#include "TurningBands.h"
+#include "Pipeline/Pipeline.h"
+#include "Terrain/TurningBands.h"
 
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -243,10 +243,10 @@ bool vtkTurningBandsTerrainSource::Grow(
   const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
   const littoral::GridWindow window{ { extent[0], extent[2] }, { extent[1], extent[3] } };
   littoral::TurningBandsField field(recipe.Bands, grid, window);
-  const double centreX = 0.5 * (this->WholeExtent[0] + static_cast<double>(this->WholeExtent[1]));
-  const double centreY = 0.5 * (this->WholeExtent[2] + static_cast<double>(this->WholeExtent[3]));
-  const std::array<double, 2> centre{ grid.Origin[0] + centreX * grid.Spacing[0],
-    grid.Origin[1] + centreY * grid.Spacing[1] };
+  const double centerX = 0.5 * (this->WholeExtent[0] + static_cast<double>(this->WholeExtent[1]));
+  const double centerY = 0.5 * (this->WholeExtent[2] + static_cast<double>(this->WholeExtent[3]));
+  const std::array<double, 2> center{ grid.Origin[0] + centerX * grid.Spacing[0],
+    grid.Origin[1] + centerY * grid.Spacing[1] };
   std::array<double, 2> sides{ 0.0, 0.0 };
   const bool levelled = recipe.TrendSides[0] > 0.0 && recipe.TrendSides[1] > 0.0;
   for (int axis = 0; axis < 2; ++axis)
@@ -262,7 +262,7 @@ bool vtkTurningBandsTerrainSource::Grow(
       field.TabulateLine(line);
       if (levelled)
       {
-        planes[line] = field.PlaneOfLine(line, centre, sides);
+        planes[line] = field.PlaneOfLine(line, center, sides);
       }
     });
   if (!tabulated)
@@ -289,10 +289,10 @@ bool vtkTurningBandsTerrainSource::Grow(
       extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, mean, values + begin * width);
     for (std::size_t j = begin; tilted && j < end; ++j)
     {
-      const double rise = slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centreY);
+      const double rise = slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centerY);
       for (std::size_t i = 0; i < width; ++i)
       {
-        const double x = this->Spacing[0] * (extent[0] + static_cast<double>(i) - centreX);
+        const double x = this->Spacing[0] * (extent[0] + static_cast<double>(i) - centerX);
         values[j * width + i] += static_cast<float>(slope[0] * x + rise);
       }
     }

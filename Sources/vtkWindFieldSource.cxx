@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindFieldSource.h"
 
-#include "LittoralArrays.h"
-#include "LittoralPipeline.h"
-#include "WindField.h"
-#include "WindLines.h"
+#include "Data/Arrays.h"
+#include "Pipeline/Pipeline.h"
+#include "Wind/WindField.h"
+#include "Wind/WindLines.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

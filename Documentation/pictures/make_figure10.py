@@ -84,9 +84,9 @@ def tree_sites(country):
 
 def houses(country):
     """Walls and gable roofs, lit by hand: they have no normals of their own."""
-    points, triangles, colours = [], [], []
+    points, triangles, colors = [], [], []
 
-    def face(corners, colour):
+    def face(corners, color):
         corners = np.asarray(corners)
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         normal = -normal if normal[2] < 0.0 else normal  # a roof's outside is above
@@ -94,7 +94,7 @@ def houses(country):
         first = len(points)
         points.extend(corners)
         triangles.extend((first, first + k, first + k + 1) for k in range(1, len(corners) - 1))
-        colours.extend([np.array(colour) * (0.5 + 0.5 * shine)] * len(corners))
+        colors.extend([np.array(color) * (0.5 + 0.5 * shine)] * len(corners))
 
     for x, y, turn in HOUSES:
         c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
@@ -116,7 +116,7 @@ def houses(country):
                   at(sign * -over, 0.0, ridge + 0.1)) if sign < 0 else
                  (at(over, v, low), at(-over, v, low), at(-over, 0.0, ridge + 0.1), at(over, 0.0, ridge + 0.1)), ROOF)
     return landscape.polygons_with(
-        np.array(points), np.array(triangles), np.clip(np.array(colours), 0.0, 255.0).astype(np.uint8))
+        np.array(points), np.array(triangles), np.clip(np.array(colors), 0.0, 255.0).astype(np.uint8))
 
 
 def reader(kind, folder, name, data):

@@ -33,7 +33,7 @@ from littoral.tables import table_of
 SIZE = (1400, 700)
 LENGTH, RADIUS, NODES = 2.0, 0.0055, 25  # of a beam [m], [m], 1
 BEAM = np.array((0.48, 0.50, 0.72))  # the direction of the fourth
-#: Name, direction, colour.
+#: Name, direction, color.
 BEAMS = (("along x", (1.0, 0.0, 0.0), (0.80, 0.30, 0.13)), ("along y", (0.0, 1.0, 0.0), (0.20, 0.45, 0.68)),
          ("along z", (0.0, 0.0, 1.0), (0.30, 0.54, 0.25)), ("any beam", BEAM / np.linalg.norm(BEAM), (0.35, 0.20, 0.42)))
 SHOWN, SPAN, STEP = 18.15, 20.0, 0.05  # of the picture on the left, of the curves [s]
@@ -117,20 +117,20 @@ def curves(sways):
     return times, tips
 
 
-def actor_of(source, colour, opacity=1.0):
-    """A surface in one colour."""
+def actor_of(source, color, opacity=1.0):
+    """A surface in one color."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputConnection(source.GetOutputPort())
     mapper.ScalarVisibilityOff()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
-    look.SetColor(*colour)
+    look.SetColor(*color)
     look.SetOpacity(opacity)
     look.SetAmbient(0.35)
     return actor
 
 
-def tube(places, colour, radius, opacity=1.0):
+def tube(places, color, radius, opacity=1.0):
     """A beam as a tube."""
     data, points, lines, round_ = vtkPolyData(), vtkPoints(), vtkCellArray(), vtkTubeFilter()
     points.SetData(numpy_to_vtk(places, deep=True))
@@ -141,10 +141,10 @@ def tube(places, colour, radius, opacity=1.0):
     round_.SetRadius(radius)
     round_.SetNumberOfSides(24)
     round_.CappingOn()
-    return actor_of(round_, colour, opacity)
+    return actor_of(round_, color, opacity)
 
 
-def arrow(start, vector, colour):
+def arrow(start, vector, color):
     """An arrow from a point."""
     length = np.linalg.norm(vector)
     source = vtkArrowSource()
@@ -153,7 +153,7 @@ def arrow(start, vector, colour):
     source.SetShaftRadius(min(0.06, 0.012 / length))
     source.SetTipRadius(min(0.16, 0.035 / length))
     source.SetTipLength(min(0.4, 0.12 / length))
-    actor = actor_of(source, colour)
+    actor = actor_of(source, color)
     axis = np.asarray(vector) / length
     actor.SetScale(length)
     turn = np.degrees(np.arccos(np.clip(axis[0], -1.0, 1.0)))
@@ -175,18 +175,18 @@ def beams_view(sways):
     plate = actor_of(floor, (0.93, 0.92, 0.89))
     plate.GetProperty().LightingOff()
     renderer.AddActor(plate)
-    for sway, (_, direction, colour) in zip(sways, BEAMS):
+    for sway, (_, direction, color) in zip(sways, BEAMS):
         rest = np.array((0.0, 0.0, 4.0)) + np.outer(np.linspace(0.0, LENGTH, NODES), direction)
         bent = nodes_at(sway, SHOWN)
         renderer.AddActor(tube(rest, (0.72, 0.72, 0.72), 0.012, 0.6))
-        renderer.AddActor(tube(bent, colour, 0.032))
+        renderer.AddActor(tube(bent, color, 0.032))
         shadow = bent.copy()
         shadow[:, 2] = 3.61
         dark = tube(shadow, (0.80, 0.79, 0.76), 0.02)
         dark.GetProperty().LightingOff()
         renderer.AddActor(dark)
         if np.linalg.norm(bent[-1] - rest[-1]) > 0.05:
-            renderer.AddActor(arrow(rest[-1], bent[-1] - rest[-1], colour))
+            renderer.AddActor(arrow(rest[-1], bent[-1] - rest[-1], color))
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(0.95, 0.65, 4.75)
     camera.SetPosition(4.6, -7.2, 7.6)
@@ -205,12 +205,12 @@ def chart(times, tips, made, axis, name, place):
         columns[words] = tips[beam, :, axis]
     columns["eq. 25"] = made[:, axis]
     table = table_of(columns)
-    for column, (_, _, colour) in enumerate(BEAMS):
+    for column, (_, _, color) in enumerate(BEAMS):
         if np.ptp(tips[column, :, axis]) < 1e-4:
             continue  # a beam along the axis does not go that way
         plot = picture.AddPlot(vtkChart.LINE)
         plot.SetInputData(table, 0, 1 + column)
-        plot.SetColorF(*colour)
+        plot.SetColorF(*color)
         plot.SetWidth(3.0 if column < 3 else 7.0)
     plot = picture.AddPlot(vtkChart.LINE)
     plot.SetInputData(table, 0, 5)
@@ -251,8 +251,8 @@ def main(folder):
         back.AddActor(actor)
     back.AddActor(label("Three beams and any other in the same wind", (0.23, 0.985), 52, INK))
     back.AddActor(label("Where their tips go, along x, y and z", (0.74, 0.985), 52, INK))
-    for index, (words, _, colour) in enumerate(BEAMS):
-        back.AddActor(label(words, (0.07 + 0.11 * index, 0.055), 40, colour))
+    for index, (words, _, color) in enumerate(BEAMS):
+        back.AddActor(label(words, (0.07 + 0.11 * index, 0.055), 40, color))
     back.AddActor(label("dashed: half the sum of the three, across the fourth", (0.74, 0.055), 40, FAINT))
     window.AddRenderer(back)
     window.AddRenderer(beams_view(sways))

@@ -86,8 +86,8 @@ def place(points):
     return np.asarray(points)[..., :2] * (MAP / SIDE) + (LEFT, BOTTOM)
 
 
-def drawn(outlines, colours, depth, as_lines=False, width=1.0):
-    """Actor of polygons or lines [pixels] with a colour (red, green, blue, opacity) each."""
+def drawn(outlines, colors, depth, as_lines=False, width=1.0):
+    """Actor of polygons or lines [pixels] with a color (red, green, blue, opacity) each."""
     points, cells = vtkPoints(), vtkCellArray()
     rows = np.concatenate([np.column_stack((o, np.full(len(o), depth))) for o in outlines])
     points.SetData(numpy_to_vtk(rows, deep=True))
@@ -98,7 +98,7 @@ def drawn(outlines, colours, depth, as_lines=False, width=1.0):
     data = vtkPolyData()
     data.SetPoints(points)
     (data.SetLines if as_lines else data.SetPolys)(cells)
-    rgba = np.round(255.0 * np.asarray(colours)).astype(np.uint8)
+    rgba = np.round(255.0 * np.asarray(colors)).astype(np.uint8)
     data.GetCellData().SetScalars(numpy_to_vtk(rgba, deep=True))
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
@@ -108,12 +108,12 @@ def drawn(outlines, colours, depth, as_lines=False, width=1.0):
     return actor
 
 
-def blob(centre, radius, random):
+def blob(center, radius, random):
     """The outline of a crown from above."""
     angle = np.linspace(0.0, 2.0 * np.pi, 40, endpoint=False)
     lobes = 1.0 + sum(
         0.22 / waves * np.sin(waves * angle + random.uniform(0.0, 7.0)) for waves in range(4, 10))
-    return centre + radius * lobes[:, None] * np.column_stack((np.cos(angle), np.sin(angle)))
+    return center + radius * lobes[:, None] * np.column_stack((np.cos(angle), np.sin(angle)))
 
 
 def arc(radius, half):
@@ -154,14 +154,14 @@ def map_actors(forest, sites, crowns):
     yield drawn([wedge], [(*VOLUME, 0.10)], 3.0)
     random = np.random.default_rng(1)
     radius = crowns * MAP / SIDE
-    colours = np.array((*LEVELS, CULLED))[level]
-    centres = place(sites)
-    yield drawn([blob(c + (2.0, -2.5), r, random) for c, r in zip(centres, radius)],
+    colors = np.array((*LEVELS, CULLED))[level]
+    centers = place(sites)
+    yield drawn([blob(c + (2.0, -2.5), r, random) for c, r in zip(centers, radius)],
                 [(0.2, 0.2, 0.15, 0.20 if k < 3 else 0.07) for k in level], 4.0)
-    yield drawn([blob(c, r, random) for c, r in zip(centres, radius)],
-                [(*c, 1.0) for c in colours], 5.0)
-    light = 1.0 - 0.66 * (1.0 - colours)
-    yield drawn([blob(c + (-0.22 * r, 0.25 * r), 0.52 * r, random) for c, r in zip(centres, radius)],
+    yield drawn([blob(c, r, random) for c, r in zip(centers, radius)],
+                [(*c, 1.0) for c in colors], 5.0)
+    light = 1.0 - 0.66 * (1.0 - colors)
+    yield drawn([blob(c + (-0.22 * r, 0.25 * r), 0.52 * r, random) for c, r in zip(centers, radius)],
                 [(*c, 0.8) for c in light], 6.0)
     for distance in (NEAR, FAR):
         ring = arc(distance, half)
@@ -173,21 +173,21 @@ def map_actors(forest, sites, crowns):
         x, y = place(EYE[:2] + (distance + 12.0) * np.array((np.cos(HEADING + half + 0.02), np.sin(HEADING + half + 0.02))))
         yield written(f"{distance:.0f} m", x - 52, y + 4, 16, VOLUME)
     eye = place(EYE)
-    for size, colour, depth in ((13.0, (1.0, 1.0, 1.0, 1.0), 8.0), (9.0, (*VOLUME, 1.0), 9.0)):
+    for size, color, depth in ((13.0, (1.0, 1.0, 1.0, 1.0), 8.0), (9.0, (*VOLUME, 1.0), 9.0)):
         angle = np.linspace(0.0, 2.0 * np.pi, 48, endpoint=False)
-        yield drawn([eye + size * np.column_stack((np.cos(angle), np.sin(angle)))], [colour], depth)
+        yield drawn([eye + size * np.column_stack((np.cos(angle), np.sin(angle)))], [color], depth)
 
 
-def written(text, x, y, size, colour, left=True):
-    """Text that starts, or is centred, at x; y: of its upper edge."""
-    actor = label(text, (x / PICTURE[0], y / PICTURE[1]), 2 * size, colour)
+def written(text, x, y, size, color, left=True):
+    """Text that starts, or is centered, at x; y: of its upper edge."""
+    actor = label(text, (x / PICTURE[0], y / PICTURE[1]), 2 * size, color)
     if left:
         actor.GetTextProperty().SetJustificationToLeft()
     return actor
 
 
 def legend(forest):
-    """What the colours are, with numbers."""
+    """What the colors are, with numbers."""
     random = np.random.default_rng(2)
     shown = [int(field(forest, f"Plants{name}")[0]) for name in ("High", "Medium", "Low")]
     trees = int(field(forest, "PlantsInAll")[0])
@@ -198,9 +198,9 @@ def legend(forest):
         f"Low: {shown[2]} trees, beyond, four polygons each",
         f"Culled: {trees - sum(shown)} trees, not processed")
     left = VIEW[0] + 16
-    for line, (text, colour) in enumerate(zip(texts, (*LEVELS, CULLED))):
+    for line, (text, color) in enumerate(zip(texts, (*LEVELS, CULLED))):
         y = 368 - 46 * line
-        yield drawn([blob(np.array((left, y)), 13.0, random)], [(*colour, 1.0)], 5.0)
+        yield drawn([blob(np.array((left, y)), 13.0, random)], [(*color, 1.0)], 5.0)
         yield written(text, left + 34, y + 12, 19, INK)
     square = np.array(((-13, -13), (13, -13), (13, 13), (-13, 13)))
     y = 368 - 46 * 4

@@ -25,7 +25,7 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 from littoral import vtkPlantScatterFilter, vtkQuadratPointSource, vtkReevesTreeSource
 from littoral.picture import INK, label, write_jpg
 from littoral.tables import table_of
-from littoral.versions import set_plot_colour
+from littoral.versions import set_plot_color
 
 SIDE, EYE_HEIGHT = 500.0, 1.7  # [m]
 FRAMES, STEP = 90, 5.0  # 1, [m]
@@ -33,7 +33,7 @@ VIEW_ANGLE, ASPECT = 45.0, 4.0 / 3.0  # [degrees], width by height
 TREES = range(100, 1001, 100)
 
 PICTURE = (1200, 760)
-#: Column, words, colour.
+#: Column, words, color.
 CURVES = (
     ("None", "neither", (0.35, 0.36, 0.39)),
     ("Levels", "levels of detail", (0.80, 0.55, 0.15)),
@@ -125,18 +125,18 @@ def main(folder):
         name: means[:, k] for k, (name, _, _) in enumerate(CURVES)} | {
         "Other" + name: others[:, k] for k, (name, _, _) in enumerate(CURVES)})
     chart = vtkChartXY()
-    for name, _, colour in CURVES:
+    for name, _, color in CURVES:
         for kind in (vtkChart.LINE, vtkChart.POINTS):
             plot = chart.AddPlot(kind)
             plot.SetInputData(table, "Trees", name)
-            set_plot_colour(plot, colour)
+            set_plot_color(plot, color)
             plot.SetWidth(6.0 if kind == vtkChart.LINE else 1.0)
             if kind == vtkChart.POINTS:
                 plot.SetMarkerStyle(vtkPlotPoints.CIRCLE)
                 plot.SetMarkerSize(18.0)
         plot = chart.AddPlot(vtkChart.LINE)
         plot.SetInputData(table, "Trees", "Other" + name)
-        set_plot_colour(plot, colour)
+        set_plot_color(plot, color)
         plot.GetPen().SetLineType(vtkPen.DASH_LINE)
         plot.SetWidth(4.0)
     left, bottom = chart.GetAxis(vtkAxis.LEFT), chart.GetAxis(vtkAxis.BOTTOM)
@@ -161,12 +161,12 @@ def main(folder):
     view.GetScene().AddItem(chart)
     view.GetRenderer().SetBackground(1.0, 1.0, 1.0)
     window = view.GetRenderWindow()
-    for k, (_, words, colour) in enumerate(CURVES):
+    for k, (_, words, color) in enumerate(CURVES):
         part = (np.log10(means[-1, k]) - np.log10(low)) / np.log10(high / low)
         y = 0.128 + part * 0.836
         walked, other = (values[-1, 0] / values[-1, k] for values in (means, others))
         gain = "" if k == 0 else f": 1 in {walked:.0f} ({other:.0f})"
-        actor = label(words + gain, (0.795, y + 0.008), 36, colour)
+        actor = label(words + gain, (0.795, y + 0.008), 36, color)
         actor.GetTextProperty().SetJustificationToLeft()
         view.GetRenderer().AddActor(actor)
     write_jpg(window, os.path.join(folder, "figure9.jpg"), PICTURE, quality=92)

@@ -102,8 +102,8 @@ def trails(places, speeds):
     half = 0.020 * share ** 0.8 * (length > 1e-7)
     edges = np.stack([places - half * side, places + half * side], 2)  # frame, particle, side, axis
     bright = np.clip(speeds / 1.5, 0.0, 1.0)[..., None] ** 0.6
-    colour = DEEP + share ** 1.4 * (0.25 + 0.75 * bright) * (LIGHT - DEEP)
-    colours = np.repeat(colour[:, :, None, :], 2, 2)
+    color = DEEP + share ** 1.4 * (0.25 + 0.75 * bright) * (LIGHT - DEEP)
+    colors = np.repeat(color[:, :, None, :], 2, 2)
     index = np.arange(frames * count * 2).reshape(frames, count, 2)
     quads = np.stack([index[:-1, :, 0], index[1:, :, 0], index[1:, :, 1], index[:-1, :, 1]], -1).reshape(-1)
     data = vtkPolyData()
@@ -112,7 +112,7 @@ def trails(places, speeds):
     cells.SetData(4, numpy_to_vtk(quads, deep=True, array_type=vtkIdTypeArray().GetDataType()))
     data.SetPolys(cells)
     data.GetPointData().SetScalars(numpy_to_vtk(
-        colours.reshape(-1, 3).astype(np.uint8), deep=True, array_type=vtkUnsignedCharArray().GetDataType()))
+        colors.reshape(-1, 3).astype(np.uint8), deep=True, array_type=vtkUnsignedCharArray().GetDataType()))
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
@@ -120,10 +120,10 @@ def trails(places, speeds):
     return actor
 
 
-def disc(centre, radius, colour, layer, sides=40):
+def disc(center, radius, color, layer, sides=40):
     """A filled circle."""
     angles = 2.0 * math.pi * np.arange(sides) / sides
-    places = np.column_stack([centre[0] + radius * np.cos(angles), centre[1] + radius * np.sin(angles),
+    places = np.column_stack([center[0] + radius * np.cos(angles), center[1] + radius * np.sin(angles),
                               np.full(sides, layer)])
     data = vtkPolyData()
     data.SetPoints(points_of(places))
@@ -134,7 +134,7 @@ def disc(centre, radius, colour, layer, sides=40):
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
-    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetColor(*color)
     return actor
 
 
@@ -159,10 +159,10 @@ def panel(index, title, note, flows, seconds):
         renderer.AddActor(actor)
     for kind, properties in flows:
         if kind != "Uniform":
-            centre = properties.get("Center", (0.0, 0.0, 0.0))
-            colour = {"Source": (0.98, 0.93, 0.72), "Sink": (0.03, 0.12, 0.18), "Vortex": (0.75, 0.93, 0.90)}[kind]
-            renderer.AddActor(disc(centre, 0.16, PALE, 0.05))
-            renderer.AddActor(disc(centre, 0.125, colour, 0.06))
+            center = properties.get("Center", (0.0, 0.0, 0.0))
+            color = {"Source": (0.98, 0.93, 0.72), "Sink": (0.03, 0.12, 0.18), "Vortex": (0.75, 0.93, 0.90)}[kind]
+            renderer.AddActor(disc(center, 0.16, PALE, 0.05))
+            renderer.AddActor(disc(center, 0.125, color, 0.06))
     aspect = SIZE[1] / (SIZE[0] * width)
     renderer.AddActor(label(title, (0.5, 0.965), 52, PALE))
     renderer.AddActor(label(note, (0.5, 0.855), 30, DIM))

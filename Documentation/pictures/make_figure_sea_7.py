@@ -37,18 +37,18 @@ def turned(base, theta, phi):
             np.cos(phi) * level - np.sin(phi) * y)
 
 
-def actor_of(data, colour, opacity=1.0):
-    """Actor of a data set in one colour."""
+def actor_of(data, color, opacity=1.0):
+    """Actor of a data set in one color."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetColor(*color)
     actor.GetProperty().SetOpacity(opacity)
     actor.GetProperty().SetAmbient(0.35)
     return actor
 
 
-def tube(places, radius, colour):
+def tube(places, radius, color):
     """A tube along places."""
     places = np.array(places, dtype=float)
     points, lines, data, tubes = vtkPoints(), vtkCellArray(), vtkPolyData(), vtkTubeFilter()
@@ -63,13 +63,13 @@ def tube(places, radius, colour):
     tubes.SetNumberOfSides(16)
     tubes.CappingOn()
     tubes.Update()
-    return actor_of(tubes.GetOutput(), colour)
+    return actor_of(tubes.GetOutput(), color)
 
 
-def arrow(renderer, foot, along, length, colour, text):
+def arrow(renderer, foot, along, length, color, text):
     """An axis with its name."""
     tip = foot + length * along
-    renderer.AddActor(tube([foot, tip], 0.014, colour))
+    renderer.AddActor(tube([foot, tip], 0.014, color))
     cone = vtkConeSource()
     cone.SetResolution(24)
     cone.SetHeight(0.13)
@@ -77,11 +77,11 @@ def arrow(renderer, foot, along, length, colour, text):
     cone.SetDirection(*along)
     cone.SetCenter(*(tip + 0.05 * along))
     cone.Update()
-    renderer.AddActor(actor_of(cone.GetOutput(), colour))
-    name(renderer, tip + 0.2 * along, text, colour)
+    renderer.AddActor(actor_of(cone.GetOutput(), color))
+    name(renderer, tip + 0.2 * along, text, color)
 
 
-def name(renderer, place, text, colour):
+def name(renderer, place, text, color):
     """A word at a place, facing the viewer."""
     words = vtkBillboardTextActor3D()
     words.SetInput(text)
@@ -89,20 +89,20 @@ def name(renderer, place, text, colour):
     style = words.GetTextProperty()
     style.SetFontFamilyToArial()
     style.SetFontSize(36)
-    style.SetColor(*colour)
+    style.SetColor(*color)
     style.SetJustificationToCentered()
     style.SetVerticalJustificationToCentered()
     renderer.AddActor(words)
 
 
-def arc(renderer, middle, start, end, radius, colour, text):
+def arc(renderer, middle, start, end, radius, color, text):
     """The angle between two unit vectors."""
     whole = np.arccos(np.clip(start @ end, -1.0, 1.0))
     side = (end - (start @ end) * start) / np.sin(whole)
     steps = np.linspace(0.0, whole, 40)[:, None]
-    renderer.AddActor(tube(middle + radius * (np.cos(steps) * start + np.sin(steps) * side), 0.011, colour))
+    renderer.AddActor(tube(middle + radius * (np.cos(steps) * start + np.sin(steps) * side), 0.011, color))
     half = np.cos(0.5 * whole) * start + np.sin(0.5 * whole) * side
-    name(renderer, middle + (radius + 0.2) * half, text, colour)
+    name(renderer, middle + (radius + 0.2) * half, text, color)
 
 
 def main(folder):

@@ -42,8 +42,8 @@ def meadow(samples=400, reach=400.0, seed=1):
     noise = np.random.default_rng(seed).standard_normal(len(places))
     green = np.array((0.47, 0.55, 0.25)) * (1.0 + 0.10 * noise[:, None])
     far = np.clip(places[:, 1:2] / reach, 0.0, 1.0) ** 0.5
-    colours = green * (1.0 - far) + np.array(SKY[0]) * far
-    rgb = numpy_to_vtk((255.0 * np.clip(colours, 0.0, 1.0)).astype(np.uint8), deep=True)
+    colors = green * (1.0 - far) + np.array(SKY[0]) * far
+    rgb = numpy_to_vtk((255.0 * np.clip(colors, 0.0, 1.0)).astype(np.uint8), deep=True)
     rgb.SetName("RGB")
     ground.GetPointData().SetScalars(rgb)
     actor = plant_actor(ground)

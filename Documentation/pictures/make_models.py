@@ -36,7 +36,7 @@ MODELS = (
     ("Telis", "ranges 300 m and 30 m", dict(Range=300.0, SecondRange=30.0)),
     ("Spherical", "range 300 m", dict(Range=300.0)))
 
-#: Colours of heights from -2.5 to 2.5 standard deviations, linear.
+#: Colors of heights from -2.5 to 2.5 standard deviations, linear.
 TINTS = np.array((
     (0.050, 0.130, 0.150), (0.085, 0.205, 0.170), (0.200, 0.310, 0.170), (0.440, 0.430, 0.230),
     (0.610, 0.470, 0.270), (0.640, 0.430, 0.310), (0.680, 0.560, 0.480), (0.740, 0.700, 0.660)))
@@ -61,7 +61,7 @@ def grow(model, properties):
 
 
 def tint(height):
-    """Colour of heights [standard deviations]."""
+    """Color of heights [standard deviations]."""
     places = np.linspace(-2.5, 2.5, len(TINTS))
     return np.stack([np.interp(height, places, channel) for channel in TINTS.T], axis=-1)
 
@@ -98,9 +98,9 @@ def placed(rgb, left, top, width, height):
     return shown
 
 
-def written(text, x, top, size, colour):
-    """Text centred on x."""
-    return label(text, (x / PICTURE[0], 1.0 - top / PICTURE[1]), 2 * size, colour)
+def written(text, x, top, size, color):
+    """Text centered on x."""
+    return label(text, (x / PICTURE[0], 1.0 - top / PICTURE[1]), 2 * size, color)
 
 
 def cell(k):

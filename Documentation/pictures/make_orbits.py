@@ -57,7 +57,7 @@ def at_rest(places):
 
 
 def moved(places, table, time):
-    """Where particles with these centres are at a time [s], as x, z."""
+    """Where particles with these centers are at a time [s], as x, z."""
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputData(0, at_rest(places))
     orbits.SetInputData(1, table)
@@ -66,7 +66,7 @@ def moved(places, table, time):
     return [points.GetPoint(i)[::2] for i in range(points.GetNumberOfPoints())]
 
 
-def drawing(places, kind, colour, width=1.0, layer=0.0):
+def drawing(places, kind, color, width=1.0, layer=0.0):
     """A line, polygon or dots through places."""
     data = at_rest(places)
     cells = vtkCellArray()
@@ -83,14 +83,14 @@ def drawing(places, kind, colour, width=1.0, layer=0.0):
     actor.SetPosition(0.0, -layer, 0.0)
     look = actor.GetProperty()
     look.LightingOff()
-    look.SetColor(*colour)
+    look.SetColor(*color)
     look.SetLineWidth(width)
     look.SetPointSize(width)
     look.RenderPointsAsSpheresOn()
     return actor
 
 
-def band(upper, lower, colour, layer):
+def band(upper, lower, color, layer):
     """Quadrilaterals between two lines."""
     data = at_rest(upper + lower)
     cells, n = vtkCellArray(), len(upper)
@@ -102,7 +102,7 @@ def band(upper, lower, colour, layer):
     actor.SetMapper(mapper)
     actor.SetPosition(0.0, -layer, 0.0)
     actor.GetProperty().LightingOff()
-    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetColor(*color)
     return actor
 
 
@@ -125,8 +125,8 @@ def panel(index, title, share, note):
         for part in (step / steps, (step + 1) / steps):
             shades.append([(x, z + part * (bottom - z)) for x, z in surface])
         fade = step / (steps - 1) * min(1.0, -bottom / 4.2)
-        colour = [a + fade * (b - a) for a, b in zip((0.62, 0.82, 0.86), (0.16, 0.42, 0.54))]
-        renderer.AddActor(band(shades[0], shades[1], colour, 0.0))
+        color = [a + fade * (b - a) for a, b in zip((0.62, 0.82, 0.86), (0.16, 0.42, 0.54))]
+        renderer.AddActor(band(shades[0], shades[1], color, 0.0))
     renderer.AddActor(drawing(surface, "line", (0.10, 0.35, 0.45), 5.0, 0.1))
     if depth < 4.2:
         bed = [(x, bottom) for x in (xs[0], xs[-1])]
@@ -135,12 +135,12 @@ def panel(index, title, share, note):
     columns = (-1.35, 0.0, 1.35) if share > 0.1 else (-1.1, 1.1)
     rows = (0.0, 0.25, 0.5, 0.75, 1.0) if share > 0.1 else (0.0, 0.5, 1.0)
     reach = -bottom if depth < 4.2 else 3.3
-    centres = [(x, -part * reach) for x in columns for part in rows]
-    paths = [moved(centres, table, period * i / TIMES) for i in range(TIMES + 1)]
-    for particle in range(len(centres)):
+    centers = [(x, -part * reach) for x in columns for part in rows]
+    paths = [moved(centers, table, period * i / TIMES) for i in range(TIMES + 1)]
+    for particle in range(len(centers)):
         path = [places[particle] for places in paths]
         renderer.AddActor(drawing(path, "line", (0.04, 0.17, 0.24), 3.5, 0.4))
-    renderer.AddActor(drawing(moved(centres, table, moment), "dots", (0.93, 0.45, 0.16), 20.0, 0.6))
+    renderer.AddActor(drawing(moved(centers, table, moment), "dots", (0.93, 0.45, 0.16), 20.0, 0.6))
     renderer.AddActor(label(title, (0.5, 0.975), 62, INK))
     renderer.AddActor(label(note, (0.5, 0.885), 34, FAINT))
     camera = renderer.GetActiveCamera()

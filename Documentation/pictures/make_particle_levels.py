@@ -38,7 +38,7 @@ class Sheet:
         self.renderer.SetBackground(*PAPER)
         self.layer = 0.0
 
-    def _draw(self, outlines, colours, as_lines, width=1.0):
+    def _draw(self, outlines, colors, as_lines, width=1.0):
         self.layer += 1.0
         points, cells, first = vtkPoints(), vtkCellArray(), 0
         rows = [np.column_stack((outline, np.full(len(outline), self.layer))) for outline in outlines]
@@ -49,7 +49,7 @@ class Sheet:
         data = vtkPolyData()
         data.SetPoints(points)
         (data.SetLines if as_lines else data.SetPolys)(cells)
-        rgba = np.array([(*colour, 1.0)[:4] for colour in colours])
+        rgba = np.array([(*color, 1.0)[:4] for color in colors])
         data.GetCellData().SetScalars(numpy_to_vtk(np.round(255.0 * rgba).astype(np.uint8), deep=True))
         mapper, actor = vtkPolyDataMapper(), vtkActor()
         mapper.SetInputData(data)
@@ -58,24 +58,24 @@ class Sheet:
         actor.GetProperty().SetLineWidth(2.0 * width)
         self.renderer.AddActor(actor)
 
-    def areas(self, outlines, colours):
-        """Polygons with a colour (red, green, blue and, optionally, opacity) each, or one for all."""
+    def areas(self, outlines, colors):
+        """Polygons with a color (red, green, blue and, optionally, opacity) each, or one for all."""
         if len(outlines):
-            self._draw(outlines, _each(colours, outlines), False)
+            self._draw(outlines, _each(colors, outlines), False)
 
-    def lines(self, outlines, colours, width=1.0):
+    def lines(self, outlines, colors, width=1.0):
         """Lines; width in pixels."""
         if len(outlines):
-            self._draw(outlines, _each(colours, outlines), True, width)
+            self._draw(outlines, _each(colors, outlines), True, width)
 
-    def discs(self, centres, radii, colours):
+    def discs(self, centers, radii, colors):
         """Filled circles."""
-        radii = np.broadcast_to(radii, len(centres))
-        self.areas([circle(c, r) for c, r in zip(centres, radii)], colours)
+        radii = np.broadcast_to(radii, len(centers))
+        self.areas([circle(c, r) for c, r in zip(centers, radii)], colors)
 
-    def text(self, words, x, y, height, colour=INK, justified="left"):
+    def text(self, words, x, y, height, color=INK, justified="left"):
         """Text whose upper edge is at y."""
-        actor = label(words, (x / self.size[0], y / self.size[1]), 2 * height, colour)
+        actor = label(words, (x / self.size[0], y / self.size[1]), 2 * height, color)
         if justified == "left":
             actor.GetTextProperty().SetJustificationToLeft()
         self.renderer.AddActor(actor)
@@ -93,14 +93,14 @@ class Sheet:
         write_jpg(window, os.path.join(folder, f"{name}.jpg"), self.size, quality)
 
 
-def _each(colours, outlines):
-    return [colours] * len(outlines) if np.ndim(colours[0]) == 0 else colours
+def _each(colors, outlines):
+    return [colors] * len(outlines) if np.ndim(colors[0]) == 0 else colors
 
 
-def circle(centre, radius, parts=40):
+def circle(center, radius, parts=40):
     """An outline."""
     angle = np.linspace(0.0, 2.0 * np.pi, parts, endpoint=False)
-    return np.asarray(centre) + radius * np.column_stack((np.cos(angle), np.sin(angle)))
+    return np.asarray(center) + radius * np.column_stack((np.cos(angle), np.sin(angle)))
 
 
 def closed(outline):
@@ -226,24 +226,24 @@ def figure_4(folder):
     sides = [np.array((eye[[0, 2]], eye[[0, 2]] + (length - eye[0]) * np.array((1.0, np.tan(a)))))
              for a in (-half, half)]
     tested = np.zeros(len(places), bool)
-    boxes, colours = [], []
+    boxes, colors = [], []
     for members in cells:
         corner = places[members].min(axis=0)[[0, 2]], places[members].max(axis=0)[[0, 2]]
         wide = box(corner[0] - (ball := amplitude(sea, places[members, 2].max())[0] + 0.01), corner[1] + ball)
         slope = np.tan(half) * (wide[:, 0] - eye[0])
         tested[members] = (wide[:, 1] - eye[2] <= slope).any() and (wide[:, 1] - eye[2] >= -slope).any()
         boxes.append(at(box(corner[0] - 0.05, corner[1] + 0.05)))
-        colours.append((1.0, 0.93, 0.70, 0.75) if tested[members[0]] else (1.0, 1.0, 1.0, 0.22))
+        colors.append((1.0, 0.93, 0.70, 0.75) if tested[members[0]] else (1.0, 1.0, 1.0, 0.22))
     seen = levels.GetOutputDataObject(0).GetFieldData().GetArray("CellsShown").GetTuple1(0)
     assert sum(tested[members[0]] for members in cells) == seen, "the cells are not those of the filter"
     assert not (kept & ~tested).any(), "a particle is kept in a cell that is not"
-    sheet.areas(boxes, colours)
+    sheet.areas(boxes, colors)
     sheet.lines([closed(outline) for outline in boxes], (0.45, 0.55, 0.58, 0.55), 1.0)
     sheet.areas([np.vstack((at(sides[0]), at(sides[1][1:])))], (*VOLUME, 0.13))
     sheet.lines([at(side) for side in sides], VOLUME, 2.0)
     inside = kept & (np.abs(np.arctan2(places[:, 2] - eye[2], places[:, 0] - eye[0])) > half)
-    for chosen, colour in ((inside, NEAR), (tested & ~kept, FAR)):
-        sheet.lines([closed(circle(c, r * scale)) for c, r in zip(at(places[chosen]), reach[chosen])], (*colour, 0.60), 1.2)
+    for chosen, color in ((inside, NEAR), (tested & ~kept, FAR)):
+        sheet.lines([closed(circle(c, r * scale)) for c, r in zip(at(places[chosen]), reach[chosen])], (*color, 0.60), 1.2)
     tracks = paths(data_of(places[kept]), sea, np.linspace(0.0, 3.2, 60))
     sheet.lines([at(tracks[:, n]) for n in range(tracks.shape[1])], (*NEAR, 0.85), 1.4)
     sheet.discs(at(places[~tested]), 3.6, GREY)
@@ -252,12 +252,12 @@ def figure_4(folder):
     sheet.discs([at(eye)], 12.0, (1.0, 1.0, 1.0))
     sheet.discs([at(eye)], 8.5, VOLUME)
     y = 58
-    for x, colour, words in ((40, NEAR, f"{kept.sum()} kept: their orbits reach the view"),
+    for x, color, words in ((40, NEAR, f"{kept.sum()} kept: their orbits reach the view"),
                              (560, FAR, f"{(tested & ~kept).sum()} tested, orbits outside"),
                              (1000, GREY, f"{(~tested).sum()} not looked at: their cell is outside")):
-        sheet.discs([(x, y - 14)], 9.0, colour)
+        sheet.discs([(x, y - 14)], 9.0, color)
         sheet.text(words, x + 20, y, 23)
-    sheet.text("Orbits are circles whose radius shrinks with depth; the balls about centres are what is tested", 40, 682, 22, FAINT)
+    sheet.text("Orbits are circles whose radius shrinks with depth; the balls about centers are what is tested", 40, 682, 22, FAINT)
     sheet.write(folder, "figure-sea-4")
 
 
@@ -271,7 +271,7 @@ def figure_5(folder):
     places += 0.08 * random.standard_normal(places.shape) * (1.0, 0.0, 1.0)
     times = np.linspace(0.0, 4.4, 120)
     for panel, (placement, title) in enumerate(((1, "Scattered, as in the paper"), (0, "Own Place"))):
-        centre = np.array((375.0 + 750.0 * panel, 375.0))
+        center = np.array((375.0 + 750.0 * panel, 375.0))
         levels = vtkParticleLevelOfDetailFilter()
         levels.SetInputData(0, data_of(places))
         levels.SetInputConnection(1, sea.GetOutputPort())
@@ -288,15 +288,15 @@ def figure_5(folder):
         middle = places[ids[0]]
 
         def at(points):
-            return (np.asarray(points)[..., (0, 2)] - middle[[0, 2]]) * scale + centre
+            return (np.asarray(points)[..., (0, 2)] - middle[[0, 2]]) * scale + center
 
-        sheet.areas([box((centre[0] - 362, 20), (centre[0] + 362, 700))], (0.90, 0.945, 0.95))
-        sheet.discs([centre], 0.95 * scale, (0.80, 0.90, 0.92))
-        sheet.discs([centre], 0.35 * scale, (0.90, 0.945, 0.95))
+        sheet.areas([box((center[0] - 362, 20), (center[0] + 362, 700))], (0.90, 0.945, 0.95))
+        sheet.discs([center], 0.95 * scale, (0.80, 0.90, 0.92))
+        sheet.discs([center], 0.35 * scale, (0.90, 0.945, 0.95))
         for radius, words in ((0.35, "least offset"), (0.95, "largest offset")):
-            ring = circle(centre, radius * scale, 160)
+            ring = circle(center, radius * scale, 160)
             sheet.lines(dashes(closed(ring), 2, 4), (*FAINT, 0.8), 1.5)
-            sheet.text(words, centre[0], centre[1] + radius * scale + 26, 19, FAINT, "centre")
+            sheet.text(words, center[0], center[1] + radius * scale + 26, 19, FAINT, "center")
         own = paths(data_of(rest), sea, times)
         for n in range(1, 4):
             sheet.lines(dashes(at(own[:, n]), 2, 4), (*FAINT, 0.9), 1.6)
@@ -306,8 +306,8 @@ def figure_5(folder):
         sheet.discs(at(tracks[70, 1:]), 9.0, MIDDLE)
         sheet.discs(at(tracks[70, :1]), 12.0, NEAR)
         worst = np.linalg.norm(tracks - own, axis=2).max()
-        sheet.text(title, centre[0] - 362, 750, 32)
-        sheet.text(f"farthest from an orbit of its own {worst:.2f} m, bound {bound.max():.2f} m", centre[0], 55, 21, FAINT, "centre")
+        sheet.text(title, center[0] - 362, 750, 32)
+        sheet.text(f"farthest from an orbit of its own {worst:.2f} m, bound {bound.max():.2f} m", center[0], 55, 21, FAINT, "center")
     sheet.discs([(490, 726)], 11.0, NEAR)
     sheet.text("master", 508, 740, 24)
     sheet.discs([(620, 726)], 9.0, MIDDLE)
@@ -358,21 +358,21 @@ def figure_6(folder):
         return part * part * (3.0 - 2.0 * part)
 
     weights = (1.0 - step(d - middle), step(d - middle) - step(d - far), step(d - far))
-    for weight, colour in zip(weights, (NEAR, MIDDLE, FAR)):
+    for weight, color in zip(weights, (NEAR, MIDDLE, FAR)):
         quads = [across(((d[k], 0.0), (d[k + 1], 0.0), (d[k + 1], weight[k + 1]), (d[k], weight[k])), base, height)
                  for k in range(399) if weight[k] + weight[k + 1] > 0.0]
-        sheet.areas(quads, (*colour, 0.16))
+        sheet.areas(quads, (*color, 0.16))
         first, last = np.flatnonzero(weight > 0.0)[[0, -1]]
         part = slice(max(first - 1, 0), last + 2)
-        sheet.lines([across(np.column_stack((d, weight))[part], base, height)], colour, 3.0)
+        sheet.lines([across(np.column_stack((d, weight))[part], base, height)], color, 3.0)
     sheet.lines([across(((0.0, 0.0), (reach, 0.0)), base, height)], INK, 1.5)
     for value in range(0, 17, 2):
         sheet.lines([across(((value, 0.0), (value, -0.03)), base, height)], INK, 1.5)
-        sheet.text(f"{value}", left + value * scale, base - 12, 20, FAINT, "centre")
+        sheet.text(f"{value}", left + value * scale, base - 12, 20, FAINT, "center")
     sheet.text("m", left + 16.45 * scale, base - 12, 20, FAINT)
-    for place, words, colour in ((1.0, "Near: orbits of their own", NEAR), (7.0, "MasterSlave: one orbit for four", MIDDLE),
+    for place, words, color in ((1.0, "Near: orbits of their own", NEAR), (7.0, "MasterSlave: one orbit for four", MIDDLE),
                                  (14.5, "Far: fog", FAR)):
-        sheet.text(words, left + place * scale + (40 if place < 2 else 0), 770, 26, colour, "centre")
+        sheet.text(words, left + place * scale + (40 if place < 2 else 0), 770, 26, color, "center")
     sheet.text("1", 60, base + height + 12, 22, FAINT)
     sheet.text("0", 60, base + 10, 22, FAINT)
     for place, words in ((middle, "D_m"), (far, "D_M")):
@@ -390,19 +390,19 @@ def figure_6(folder):
         values = np.delete(0.5 * (fine + ahead), -1, axis=axis)
     rows, columns = values.shape
     size = np.array((reach / columns, 4.0 / rows))
-    quads, colours = [], []
+    quads, colors = [], []
     for i in range(columns):
         for j in range(rows):
             share = min(1.0, values[j, i] / top)
             if share > 0.0:
                 low = np.array((i, j)) * size - (0.0, 2.0)
                 quads.append(across(box(low, low + size), base, height))
-                colours.append((0.50, 0.69, 0.86, 0.75 * share))
-    sheet.areas(quads, colours)
-    for index, colour in ((0, (1.0, 0.68, 0.38)), (1, (0.55, 0.92, 0.76))):
+                colors.append((0.50, 0.69, 0.86, 0.75 * share))
+    sheet.areas(quads, colors)
+    for index, color in ((0, (1.0, 0.68, 0.38)), (1, (0.55, 0.92, 0.76))):
         shown, alpha = block_of(levels, index, "Alpha")
         size = 3.0 + 1.2 * random.random(len(shown))
-        sheet.discs(across(shown[:, :2], base, height), size, [(*colour, a) for a in alpha])
+        sheet.discs(across(shown[:, :2], base, height), size, [(*color, a) for a in alpha])
     sheet.text("particles and the fog from above, the eye at the left", left, 50, 22, FAINT)
     sheet.write(folder, "figure-sea-6", 68)
 

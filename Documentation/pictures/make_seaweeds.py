@@ -35,7 +35,7 @@ PANELS = (  # kind, title, height of what is seen [m], places and seeds, camera
          clear=4.2, bed=(0.62, 0.56, 0.44), rocks=0, tilt=0.05, plants=None))
 DISTANCE = 2.9  # of the eye, in heights of what is seen
 
-#: Light on its way through the water takes on the colour that the water has there.
+#: Light on its way through the water takes on the color that the water has there.
 WATER = """//VTK::Light::Impl
   float haze = 1.0 - exp(-max(0.0, length(vertexVC.xyz) - %(near)f) / %(clear)f);
   vec3 deep = mix(vec3(%(low)s), vec3(%(high)s), gl_FragCoord.y / %(rows)f);
@@ -62,9 +62,9 @@ def caustics(x, y):
     return (1.0 - net) ** 7
 
 
-def coloured(data, colours):
-    """The polygons with these colours, rows of 0 to 1."""
-    rgb = numpy_to_vtk((255.0 * np.clip(colours, 0.0, 1.0)).astype(np.uint8), deep=True)
+def colored(data, colors):
+    """The polygons with these colors, rows of 0 to 1."""
+    rgb = numpy_to_vtk((255.0 * np.clip(colors, 0.0, 1.0)).astype(np.uint8), deep=True)
     rgb.SetName("RGB")
     data.GetPointData().SetScalars(rgb)
     normals = vtkPolyDataNormals()
@@ -93,7 +93,7 @@ def bed(panel, random):
     noise = random.standard_normal(len(points))
     shade = 1.0 + 0.07 * noise + 0.05 * ripples + 0.1 * bumps
     light = 0.75 + 0.65 * caustics(6.0 * x, 6.0 * y)
-    return under_water(plant_actor(coloured(data, np.array(panel["bed"]) * (shade * light)[:, None])), panel)
+    return under_water(plant_actor(colored(data, np.array(panel["bed"]) * (shade * light)[:, None])), panel)
 
 
 def rock(panel, place, radius, random):
@@ -114,7 +114,7 @@ def rock(panel, place, radius, random):
     light = 0.65 + 0.5 * caustics(*(6.0 * points[:, :2].T / panel["seen"])) * np.clip(unit[:, 2], 0.0, 1.0)
     tint = np.array(random.choice([(0.36, 0.35, 0.33), (0.40, 0.34, 0.33), (0.33, 0.36, 0.32)]))
     shade = light * (1.0 + 0.08 * random.standard_normal(len(unit)))
-    return under_water(plant_actor(coloured(data, tint * shade[:, None])), panel)
+    return under_water(plant_actor(colored(data, tint * shade[:, None])), panel)
 
 
 def plants_of(panel, random):
@@ -130,13 +130,13 @@ def plants_of(panel, random):
 def add_light(renderer):
     """Daylight from above, and what comes back from the water around."""
     renderer.AutomaticLightCreationOff()
-    for towards, colour, intensity in (((0.25, -0.35, 1.0), (1.0, 1.0, 0.90), 0.9),
+    for towards, color, intensity in (((0.25, -0.35, 1.0), (1.0, 1.0, 0.90), 0.9),
                                        ((-0.6, -1.0, 0.25), (0.75, 0.95, 1.0), 0.5),
                                        ((0.5, 1.0, 0.5), (1.0, 1.0, 0.75), 0.35)):
         light = vtkLight()
         light.SetPosition(*(1e4 * c for c in towards))
         light.SetFocalPoint(0.0, 0.0, 0.0)
-        light.SetColor(*colour)
+        light.SetColor(*color)
         light.SetIntensity(intensity)
         renderer.AddLight(light)
 

@@ -34,27 +34,27 @@ def terrain():
     return image_from_array(EXAGGERATION * (heights - heights.min()), spacing[:2])
 
 
-def surface(data, colour, edges=True):
+def surface(data, color, edges=True):
     """Actor of a block, lit, with its mesh."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
     actor.SetMapper(mapper)
     style = actor.GetProperty()
-    style.SetColor(*colour)
+    style.SetColor(*color)
     style.SetAmbient(0.25)
     style.SetDiffuse(0.85)
     style.SetSpecular(0.0)
     style.SetEdgeVisibility(edges)
-    style.SetEdgeColor(*(0.72 * np.array(colour)))
+    style.SetEdgeColor(*(0.72 * np.array(color)))
     style.SetLineWidth(1.0)
     return actor
 
 
-def swatch(place, colour):
-    """A patch of colour with its upper edge at a place."""
-    actor = label("\u00a0\u00a0\u00a0\u00a0", place, 24, colour)
-    actor.GetTextProperty().SetBackgroundColor(*colour)
+def swatch(place, color):
+    """A patch of color with its upper edge at a place."""
+    actor = label("\u00a0\u00a0\u00a0\u00a0", place, 24, color)
+    actor.GetTextProperty().SetBackgroundColor(*color)
     actor.GetTextProperty().SetBackgroundOpacity(1.0)
     return actor
 
@@ -102,10 +102,10 @@ def main(folder):
     renderer.AddActor(label("Terrain in levels of detail", (0.5, 0.972), 44, INK))
     renderer.AddActor(label(
         f"{shown:,.0f} triangles in place of {full:,.0f}", (0.5, 0.915), 30, FAINT))
-    for level, colour in enumerate(COLOURS + (SEAM,)):
+    for level, color in enumerate(COLOURS + (SEAM,)):
         text = f"level {level}" if level < LEVELS else "seams"
         place = 0.14 + 0.145 * level
-        renderer.AddActor(swatch((place - 0.052, 0.058), colour))
+        renderer.AddActor(swatch((place - 0.052, 0.058), color))
         renderer.AddActor(label(text, (place + 0.005, 0.06), 30, INK))
     window = vtkRenderWindow()
     window.AddRenderer(renderer)

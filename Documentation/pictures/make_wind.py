@@ -25,7 +25,7 @@ from littoral.picture import FAINT, INK, label, write_jpg
 SIZE = (1400, 860)
 LENGTH = 300.0  # of the sections [m]
 SPEEDS = ((3.0, 0.08, 0.16, 0.36), (6.0, 0.13, 0.38, 0.56), (9.0, 0.28, 0.62, 0.62),
-          (12.0, 0.66, 0.82, 0.58), (15.0, 0.98, 0.92, 0.62))  # [m/s] and colour
+          (12.0, 0.66, 0.82, 0.58), (15.0, 0.98, 0.92, 0.62))  # [m/s] and color
 
 
 def make_wind():
@@ -43,8 +43,8 @@ def make_wind():
     return velocity.reshape(size[2], size[1], size[0], 3), image.GetSpacing(), image.GetOrigin()[2]
 
 
-def colours():
-    """Colours of speeds."""
+def colors():
+    """Colors of speeds."""
     function = vtkColorTransferFunction()
     for speed in SPEEDS:
         function.AddRGBPoint(*speed)
@@ -61,7 +61,7 @@ def section(speed, origin, spacing):
     surface, mapper, actor = vtkImageDataGeometryFilter(), vtkPolyDataMapper(), vtkActor()
     surface.SetInputData(image)
     mapper.SetInputConnection(surface.GetOutputPort())
-    mapper.SetLookupTable(colours())
+    mapper.SetLookupTable(colors())
     mapper.InterpolateScalarsBeforeMappingOn()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
@@ -116,7 +116,7 @@ def panel(actors, viewport, middle, height):
 def legend():
     """The bar of speeds."""
     bar = vtkScalarBarActor()
-    bar.SetLookupTable(colours())
+    bar.SetLookupTable(colors())
     bar.SetTitle("m/s")
     bar.SetNumberOfLabels(5)
     bar.SetLabelFormat("%.0f")
@@ -147,7 +147,7 @@ def main(folder):
                         (0.46, 0.985), 50, INK))
     back.AddActor(label(f"and level, {bottom + layer * spacing[2]:.0f} m above the ground, "
                         "100 m wide", (0.46, 0.60), 50, INK))
-    back.AddActor(label("Arrows: the wind in the plane of the section. Colours: its speed. "
+    back.AddActor(label("Arrows: the wind in the plane of the section. Colors: its speed. "
                         "The whole pattern moves to the right with 10 m/s.",
                         (0.46, 0.05), 38, FAINT))
     back.AddActor(legend())

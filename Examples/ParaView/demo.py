@@ -35,7 +35,7 @@ from littoral import vtkCovarianceFitFilter, vtkTurningBandsTerrainSource
 from littoral.chart import save_variogram_chart
 from littoral.elevation import read_elevation, write_vti
 from littoral.picture import save_pair
-from littoral.scene import height_colour
+from littoral.scene import height_color
 from littoral.tables import column, model_names, write_csv
 
 #: The examples that regrow point patterns, walk through a forest and dive.
@@ -180,7 +180,7 @@ def main(folder, frames=48):
         file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
         ("(a) Real terrain", "(b) Turning bands"),
         ("Jacksboro fault", f"fractal field, D = {dimension:.2f} as in the paper"),
-        EXAGGERATION, height_colour)
+        EXAGGERATION, height_color)
 
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)

@@ -83,7 +83,7 @@ def near_trees(country):
     return FIRST + distance[:, None] * ahead + aside[:, None] * right, species.astype(int)
 
 
-def wind_centre():
+def wind_center():
     """The middle of the trees that sway: those that are not far ahead."""
     ahead = np.array(TARGET) - FIRST
     return FIRST + 350.0 * ahead / np.hypot(*ahead)
@@ -125,7 +125,7 @@ def build(folder, view):
         NearDistance=260.0, FarDistance=700.0, **STEADY)
     wind = simple.WindField(
         registrationName="Wind", Dimensions=[600, 128, 10], LateralSpacing=12.5,
-        ReferenceSpeed=WIND_SPEED, RoughnessLength=0.1, Center=list(wind_centre()))
+        ReferenceSpeed=WIND_SPEED, RoughnessLength=0.1, Center=list(wind_center()))
     sway = simple.BeamTreeDeformation(
         registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees)
 

@@ -16,7 +16,7 @@ import tempfile
 from paraview import servermanager, simple
 
 from littoral.elevation import read_elevation, write_vti
-from littoral.scene import prepare_view, row_centres, show_lit, width_of
+from littoral.scene import prepare_view, row_centers, show_lit, width_of
 from littoral.tables import model_names
 
 EXAGGERATION = 3.0
@@ -27,7 +27,7 @@ COLOURS = ("0.2 0.2 0.25", "0.8 0.27 0.12", "0.15 0.45 0.7", "0.3 0.6 0.35", "0.
 RELIEF = """
 from littoral.scene import relief_block
 image = self.GetInputDataObject(0, 0)
-block = relief_block(image, exaggeration={exaggeration}, centre={centre})
+block = relief_block(image, exaggeration={exaggeration}, center={center})
 self.GetPolyDataOutput().ShallowCopy(block)
 """
 
@@ -45,9 +45,9 @@ def polydata_filter(name, inputs, script):
         registrationName=name, Input=inputs, OutputDataSetType="vtkPolyData", Script=script)
 
 
-def relief(name, terrain, centre):
+def relief(name, terrain, center):
     """A terrain as a block with light and shadows."""
-    script = RELIEF.format(exaggeration=EXAGGERATION, centre=tuple(float(c) for c in centre[:2]))
+    script = RELIEF.format(exaggeration=EXAGGERATION, center=tuple(float(c) for c in center[:2]))
     return polydata_filter(name, terrain, script)
 
 
@@ -70,9 +70,9 @@ def show_variogram(fit, view):
     shown.SeriesMarkerSize = ["Semivariance", "7"]
     shown.SeriesLineStyle = ["Semivariance", "0"]
     shown.SeriesLineThickness = [models[0], "4"]
-    colours = dict(zip(["Semivariance"] + models, COLOURS))
+    colors = dict(zip(["Semivariance"] + models, COLOURS))
     shown.SeriesColor = [
-        word for name, colour in colours.items() for word in (name, *colour.split())]
+        word for name, color in colors.items() for word in (name, *color.split())]
     view.LeftAxisLogScale = view.BottomAxisLogScale = 1
     view.BottomAxisTitle = "Lag (m)"
     view.LeftAxisTitle = "Semivariance (m\u00b2)"
@@ -97,10 +97,10 @@ def build(folder):
     view.ViewSize = [1600, 760]
     layout = simple.GetLayout(view)
     width = width_of(place)
-    centres = row_centres(width, 2)
+    centers = row_centers(width, 2)
     blocks = [
-        relief("Relief of the place", reader, centres[0]),
-        relief("Relief of the twin", twin, centres[1])]
+        relief("Relief of the place", reader, centers[0]),
+        relief("Relief of the twin", twin, centers[1])]
     for block in blocks:
         show_lit(block, view)
     show_lit(polydata_filter("Floor", blocks, FLOOR), view)

@@ -28,12 +28,12 @@ EYE = (0.0, -5.0, -5.0)
 HORIZON = 0.4  # height in the picture
 
 
-def flow(kind, strength, centre, axis=(0.0, 0.0, 1.0)):
+def flow(kind, strength, center, axis=(0.0, 0.0, 1.0)):
     """A flow primitive; strength in m/s, m3/s or m2/s."""
     source = vtkFlowPrimitiveSource()
     source.SetFlowType(kind)
     source.SetStrength(strength)
-    source.SetCenter(*centre)
+    source.SetCenter(*center)
     source.SetAxis(*axis)
     return source
 
@@ -62,18 +62,18 @@ def scene():
     return particles, drift, orbits, sea
 
 
-def faded(data, colours, sight):
-    """Colours of points (0 to 1), which turn into that of the water with the distance from the eye [m]."""
+def faded(data, colors, sight):
+    """Colors of points (0 to 1), which turn into that of the water with the distance from the eye [m]."""
     places = vtk_to_numpy(data.GetPoints().GetData())
     share = np.exp(-np.linalg.norm(places - EYE, axis=1) / sight)[:, None]
-    colours = 255.0 * (share * colours + (1.0 - share) * np.array(WATER))
-    array = numpy_to_vtk(np.clip(colours, 0, 255).astype(np.uint8), deep=True,
+    colors = 255.0 * (share * colors + (1.0 - share) * np.array(WATER))
+    array = numpy_to_vtk(np.clip(colors, 0, 255).astype(np.uint8), deep=True,
                          array_type=vtkUnsignedCharArray().GetDataType())
     data.GetPointData().SetScalars(array)
 
 
 def unlit(data):
-    """An actor that shows colours as they are."""
+    """An actor that shows colors as they are."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
@@ -108,9 +108,9 @@ def surface_actor(sea, time):
     orbits.UpdateTimeStep(time)
     data = orbits.GetOutput()
     jacobian = vtk_to_numpy(data.GetPointData().GetArray("Jacobian"))
-    colours = np.column_stack([np.interp(jacobian, (0.75, 1.0, 1.25), shades) for shades in (
+    colors = np.column_stack([np.interp(jacobian, (0.75, 1.0, 1.25), shades) for shades in (
         (0.80, 0.20, 0.08), (0.98, 0.58, 0.38), (0.94, 0.64, 0.46))])
-    faded(data, colours, 18.0)
+    faded(data, colors, 18.0)
     return unlit(data)
 
 

@@ -44,7 +44,7 @@ def make_island(cells=480):
     return image_from_array(z.astype(np.float32), (step, step, 1.0), (-0.5 * SIZE, -0.5 * SIZE))
 
 
-def ground_colours(image):
+def ground_colors(image):
     """Sand, grass and rock in the light of sun and sky, as bytes."""
     z, spacing = array_from_image(image).astype(float), image.GetSpacing()
     slope = np.degrees(np.arccos(normals(z, spacing)[..., 2]))
@@ -56,12 +56,12 @@ def ground_colours(image):
     def mix(one, other, value, low, high):
         return one + (other - one) * np.clip((value - low) / (high - low), 0.0, 1.0)[..., None]
 
-    colour = mix(wet, sand, z, 0.2, 0.7)
-    colour = mix(colour, mix(grass, dry, patches, -0.6, 1.4), z + 0.3 * patches, 1.1, 1.9)
-    colour = mix(colour, rock, slope + 5.0 * patches, 32.0, 44.0) * (1.0 + 0.05 * grain)[..., None]
+    color = mix(wet, sand, z, 0.2, 0.7)
+    color = mix(color, mix(grass, dry, patches, -0.6, 1.4), z + 0.3 * patches, 1.1, 1.9)
+    color = mix(color, rock, slope + 5.0 * patches, 32.0, 44.0) * (1.0 + 0.05 * grain)[..., None]
     light = np.maximum(normals(z, spacing) @ direction(*SUN), 0.0) * sunlight(z, spacing, *SUN)
     light = 1.15 * light[..., None] * (1.0, 0.94, 0.82) + 0.5 * openness(z, spacing)[..., None] * (0.75, 0.86, 1.0)
-    return np.clip(255.0 * colour * light, 0.0, 255.0)
+    return np.clip(255.0 * color * light, 0.0, 255.0)
 
 
 def make_forest(island):
@@ -80,20 +80,20 @@ def make_forest(island):
     return forest.GetOutputDataObject(0)
 
 
-def shade_ground(colours, island, forest):
+def shade_ground(colors, island, forest):
     """Darken the ground where trees keep the sun from it."""
     z, (step, _, _), origin = array_from_image(island), island.GetSpacing(), island.GetOrigin()
     y, x = (origin[k] + step * np.arange(z.shape[1 - k]) for k in (1, 0))
     away = -direction(SUN[0], 0.0) / np.tan(np.radians(SUN[1]))
     fields = pv.wrap(forest).field_data
     for foot, scale in zip(np.asarray(fields["Position"]).reshape(-1, 3), fields["Scale"]):
-        centre, radius = foot[:2] + away[:2] * 4.5 * scale, 3.4 * scale
-        share = np.exp(-((x - centre[0]) ** 2 + (y[:, None] - centre[1]) ** 2) / radius ** 2)
-        colours *= (1.0 - 0.5 * share)[..., None]
+        center, radius = foot[:2] + away[:2] * 4.5 * scale, 3.4 * scale
+        share = np.exp(-((x - center[0]) ** 2 + (y[:, None] - center[1]) ** 2) / radius ** 2)
+        colors *= (1.0 - 0.5 * share)[..., None]
 
 
 def make_sea(time=4.0):
-    """The water around the eye, finer where it is near, with colours of sky, depth and foam."""
+    """The water around the eye, finer where it is near, with colors of sky, depth and foam."""
     radius, angle = np.geomspace(3.0, 4000.0, 1100)[:, None], np.linspace(-0.6, 0.6, 900)
     plane = pv.StructuredGrid(
         (EYE[0] + radius * np.sin(angle))[..., None], (EYE[1] + radius * np.cos(angle))[..., None],
@@ -108,7 +108,7 @@ def make_sea(time=4.0):
     return pv.wrap(orbits.GetOutput())
 
 
-def water_colours(water):
+def water_colors(water):
     """What the water sends to the eye: the sky that it mirrors, what is below, the sun, and foam."""
     up = water["Normals"] / np.linalg.norm(water["Normals"], axis=1)[:, None]
     way = EYE - water.points
@@ -121,23 +121,23 @@ def water_colours(water):
     sky = SKY_LOW + (SKY_HIGH - SKY_LOW) * height
     below = np.array((0.015, 0.16, 0.19)) + np.clip(0.05 * (1.0 + water.points[:, 2:]), 0.0, 0.1) * (0.5, 1.0, 0.9)
     glitter = np.clip(mirrored @ direction(*SUN), 0.0, 1.0)[:, None] ** 400 * (1.0, 0.95, 0.8)
-    colour = below + (0.85 * sky - below) * share + glitter
+    color = below + (0.85 * sky - below) * share + glitter
     foam = np.clip((0.45 - water["Jacobian"]) / 0.35, 0.0, 1.0)[:, None]
-    colour += (0.93 - colour) * 0.8 * foam
+    color += (0.93 - color) * 0.8 * foam
     haze = (1.0 - np.exp(-distance / 1800.0))[:, None]
-    return np.clip(255.0 * (colour + (SKY_LOW - colour) * haze), 0.0, 255.0)
+    return np.clip(255.0 * (color + (SKY_LOW - color) * haze), 0.0, 255.0)
 
 
 def main(folder):
     """Draw the island."""
     island = make_island()
     forest = make_forest(island)
-    colours = ground_colours(island)
-    shade_ground(colours, island, forest)
+    colors = ground_colors(island)
+    shade_ground(colors, island, forest)
     ground = pv.wrap(island).warp_by_scalar("Elevation")
-    ground["Light"] = colours.reshape(-1, 3).astype(np.uint8)
+    ground["Light"] = colors.reshape(-1, 3).astype(np.uint8)
     water = make_sea()
-    water["Light"] = water_colours(water).astype(np.uint8)
+    water["Light"] = water_colors(water).astype(np.uint8)
     print(f"{len(pv.wrap(forest).field_data['Scale'])} trees, land up to {ground.bounds[5]:.0f} m, "
           f"waves from {water.bounds[4]:.2f} to {water.bounds[5]:.2f} m")
 

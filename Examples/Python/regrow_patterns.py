@@ -21,11 +21,11 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 from littoral import vtkQuadratAnalysisFilter, vtkQuadratPointSource
 from littoral.picture import write_png
 from littoral.tables import table_of
-from littoral.versions import set_plot_colour
+from littoral.versions import set_plot_color
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "patterns")
 
-#: Name, title, lower left corner of the unit square, colour.
+#: Name, title, lower left corner of the unit square, color.
 PATTERNS = (
     ("japanesepines", "Japanese black pines", (0, 0), (0.20, 0.45, 0.30)),
     ("redwood", "Redwood seedlings", (0, -1), (0.72, 0.32, 0.18)),
@@ -65,7 +65,7 @@ def regrow(fits, seed):
     return source.GetOutput()
 
 
-def panel(points, origin, title, colour, place, scale):
+def panel(points, origin, title, color, place, scale):
     """A square chart with the points of a pattern, at a place [pixels]."""
     xyz = vtk_to_numpy(points.GetPoints().GetData())
     chart = vtkChartXY()
@@ -75,7 +75,7 @@ def panel(points, origin, title, colour, place, scale):
     plot.SetInputData(table_of({"x": xyz[:, 0], "y": xyz[:, 1]}), "x", "y")
     plot.SetMarkerStyle(vtkPlotPoints.CIRCLE)
     plot.SetMarkerSize(8.0 * scale)
-    set_plot_colour(plot, colour)
+    set_plot_color(plot, color)
     chart.SetTitle(title)
     chart.GetTitleProperties().SetFontSize(15 * scale)
     for axis_id, start in ((vtkAxis.BOTTOM, origin[0]), (vtkAxis.LEFT, origin[1])):
@@ -95,7 +95,7 @@ def main(folder):
     view = vtkContextView()
     view.GetRenderer().SetBackground(1.0, 1.0, 1.0)
     known = {"japanesepines": "random", "redwood": "clustered", "cells": "regular"}
-    for k, (name, title, origin, colour) in enumerate(PATTERNS):
+    for k, (name, title, origin, color) in enumerate(PATTERNS):
         measured = read_points(name)
         fits = analyse(measured, origin)
         fields = fits.GetFieldData()
@@ -108,8 +108,8 @@ def main(folder):
         x = GAP + k * (CELL + GAP)
         upper, lower = GAP + CELL + TITLE, GAP
         scene = view.GetScene()
-        scene.AddItem(panel(measured, origin, f"{title}: {pattern}", colour, (x, upper), scale))
-        scene.AddItem(panel(twin, origin, f"regrown: {law}", colour, (x, lower), scale))
+        scene.AddItem(panel(measured, origin, f"{title}: {pattern}", color, (x, upper), scale))
+        scene.AddItem(panel(twin, origin, f"regrown: {law}", color, (x, lower), scale))
     os.makedirs(folder, exist_ok=True)
     size = (GAP + 3 * (CELL + GAP), 2 * (CELL + TITLE))
     write_png(view.GetRenderWindow(), os.path.join(folder, "patterns.png"), size, scale)

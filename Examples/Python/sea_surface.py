@@ -42,15 +42,15 @@ def sea_surface(time):
 
 def water_actor(surface):
     """Water: dark where it is stretched, pale and white where it is pressed together."""
-    colours = vtkColorTransferFunction()
-    for jacobian, colour in ((0.15, (0.93, 0.96, 0.96)), (0.35, (0.45, 0.66, 0.68)),
+    colors = vtkColorTransferFunction()
+    for jacobian, color in ((0.15, (0.93, 0.96, 0.96)), (0.35, (0.45, 0.66, 0.68)),
                              (0.75, (0.10, 0.36, 0.42)), (1.5, (0.02, 0.19, 0.27))):
-        colours.AddRGBPoint(jacobian, *colour)
+        colors.AddRGBPoint(jacobian, *color)
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(surface)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray("Jacobian")
-    mapper.SetLookupTable(colours)
+    mapper.SetLookupTable(colors)
     actor.SetMapper(mapper)
     look = actor.GetProperty()
     look.SetAmbient(0.55)

@@ -195,12 +195,12 @@ def measure_wakes(scene, time):
     return np.linalg.norm(ways[0] - ways[1], axis=1), near
 
 
-def faded(data, colours):
-    """Colours of points (0 to 1), which turn into that of the water with the distance from the eye."""
+def faded(data, colors):
+    """Colors of points (0 to 1), which turn into that of the water with the distance from the eye."""
     share = np.exp(-np.linalg.norm(places(data) - EYE, axis=1) / SIGHT)[:, None]
-    colours = 255.0 * (share * colours + (1.0 - share) * WATER)
+    colors = 255.0 * (share * colors + (1.0 - share) * WATER)
     data.GetPointData().SetScalars(numpy_to_vtk(
-        np.clip(colours, 0, 255).astype(np.uint8), deep=True, array_type=vtkUnsignedCharArray().GetDataType()))
+        np.clip(colors, 0, 255).astype(np.uint8), deep=True, array_type=vtkUnsignedCharArray().GetDataType()))
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
@@ -208,11 +208,11 @@ def faded(data, colours):
     return actor
 
 
-def lit(data, colours):
+def lit(data, colors):
     """An actor in the light from above, which also shines through blades."""
     normals = vtk_to_numpy(data.GetPointData().GetNormals())
     light = 0.40 + 0.75 * abs(normals @ np.array((0.25, -0.35, 0.90)))
-    return faded(data, np.array(colours) * light[:, None] * (0.75, 1.0, 0.95))
+    return faded(data, np.array(colors) * light[:, None] * (0.75, 1.0, 0.95))
 
 
 def bed_actor(sand):

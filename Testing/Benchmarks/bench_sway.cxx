@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A frame of a forest in the wind: 1000 trees of 300 branches, the deformation alone, and the skinning of one tree,
 // each against a bound measured in the same run.
-#include "BranchSkin.h"
-#include "Constants.h"
-#include "PlantMotion.h"
-#include "PlantSway.h"
-#include "ReevesTree.h"
+#include "Numerics/Constants.h"
+#include "Plants/BranchSkin.h"
+#include "Plants/ReevesTree.h"
+#include "Sway/PlantMotion.h"
+#include "Sway/PlantSway.h"
 
 #include <benchmark/benchmark.h>
 

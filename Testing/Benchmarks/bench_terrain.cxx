@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Speed of growing and of measuring a terrain, each against a bound measured in the same run.
-#include "TurningBands.h"
-#include "Variogram.h"
-#include "VariogramFit.h"
+#include "Terrain/TurningBands.h"
+#include "Terrain/Variogram.h"
+#include "Terrain/VariogramFit.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Speed and memory of a wind field on one thread, beside the transforms that it cannot do without.
-#include "LineFourier.h"
-#include "WindField.h"
-#include "WindLines.h"
+#include "Numerics/LineFourier.h"
+#include "Wind/WindField.h"
+#include "Wind/WindLines.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Speed of a frame of a million particles in 30 trains, and of what the functions alone take.
-#include "WaveOrbits.h"
+#include "Sea/WaveOrbits.h"
 #include "vtkParticleOrbitFilter.h"
 #include "vtkSeaStateSource.h"
 
@@ -26,16 +26,16 @@ namespace
 constexpr int Count = 1000000;
 
 template <typename Real>
-std::vector<Real> Centres()
+std::vector<Real> Centers()
 {
-  std::vector<Real> centres(3 * Count);
+  std::vector<Real> centers(3 * Count);
   for (int n = 0; n < Count; ++n)
   {
-    centres[3 * n] = static_cast<Real>(std::fmod(0.731 * n, 1000.0));
-    centres[3 * n + 1] = static_cast<Real>(std::fmod(1.137 * n, 1000.0));
-    centres[3 * n + 2] = static_cast<Real>(-20.0 * n / Count);
+    centers[3 * n] = static_cast<Real>(std::fmod(0.731 * n, 1000.0));
+    centers[3 * n + 1] = static_cast<Real>(std::fmod(1.137 * n, 1000.0));
+    centers[3 * n + 2] = static_cast<Real>(-20.0 * n / Count);
   }
-  return centres;
+  return centers;
 }
 
 SeaState Sea(double depth)
@@ -49,10 +49,10 @@ void MoveMillion(benchmark::State& state)
 {
   const double depth = state.range(0) == 0 ? std::numeric_limits<double>::infinity() : state.range(0);
   const SeaState sea = Sea(depth);
-  const std::vector<Real> centres = Centres<Real>();
+  const std::vector<Real> centers = Centers<Real>();
   std::vector<Real> moved(3 * Count);
   OrbitRequest<Real> request;
-  request.Centres = centres.data();
+  request.Centers = centers.data();
   request.Displacement = moved.data();
   double time = 0.0;
   for (auto _ : state)
@@ -96,11 +96,11 @@ BENCHMARK(FunctionsAlone)->Unit(benchmark::kMillisecond)->UseRealTime();
 /// The whole filter, with its arrays.
 void OrbitFilterFrame(benchmark::State& state)
 {
-  const std::vector<float> centres = Centres<float>();
+  const std::vector<float> centers = Centers<float>();
   vtkNew<vtkFloatArray> array;
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(Count);
-  std::copy(centres.begin(), centres.end(), array->GetPointer(0));
+  std::copy(centers.begin(), centers.end(), array->GetPointer(0));
   vtkNew<vtkPoints> points;
   points->SetData(array);
   vtkNew<vtkPolyData> particles;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Speed of seaweeds that move: a step of 10 000 physical plants of ten segments, and pictures of 300 plants with skins.
-#include "LittoralPlants.h"
-#include "SeaweedMotion.h"
+#include "Data/PlantBlocks.h"
+#include "Seaweed/SeaweedMotion.h"
 #include "vtkPlantScatterFilter.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"

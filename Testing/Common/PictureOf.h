@@ -4,7 +4,7 @@
 #define PictureOf_h
 
 // Where places are in the picture of a view, by GLM's matrices of cameras, which the numerics do not use.
-#include "ViewFrustum.h"
+#include "Geometry/ViewFrustum.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>

@@ -6,8 +6,8 @@
 // What holds for every plant source.
 
 #include "Check.h"
+#include "Data/PlantBlocks.h"
 #include "ErrorCounter.h"
-#include "LittoralPlants.h"
 #include "PlantScene.h"
 
 #include "vtkDataArray.h"

@@ -43,7 +43,7 @@ public:
     this->Interactor->SetRenderWindow(this->Window);
   }
 
-  /// Adds all polygons below a data object, moved by x; a texture goes on all of them and replaces their colours where
+  /// Adds all polygons below a data object, moved by x; a texture goes on all of them and replaces their colors where
   /// it is asked to; or the polygons are cut out where it is transparent.
   void Add(vtkDataObject* data, double x, vtkImageData* texture = nullptr, bool replaces = false, bool cutsOut = false)
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Twelve published trees at their three levels of detail: arrays, the crown's volume, sound polygons, same bytes,
 // pieces, bad input, a picture.
-#include "AonoKuniiTree.h"
 #include "PlantChecks.h"
+#include "Plants/AonoKuniiTree.h"
 #include "vtkAonoKuniiTreeSource.h"
 
 #include "vtkCellData.h"

@@ -460,8 +460,8 @@ bool CheckChangingCurrent()
   orbits->SetInputConnection(0, drift->GetOutputPort());
   orbits->SetInputConnection(1, sea->GetOutputPort());
   orbits->UpdateTimeStep(1.3);
-  const double* centre = OutputOf(orbits)->GetPointData()->GetArray("Centre")->GetTuple3(0);
-  return good & Check(std::abs(centre[0] - 1.3 * Tide::Along) < 1e-12, "orbits have other centres");
+  const double* center = OutputOf(orbits)->GetPointData()->GetArray("Center")->GetTuple3(0);
+  return good & Check(std::abs(center[0] - 1.3 * Tide::Along) < 1e-12, "orbits have other centers");
 }
 
 bool CheckGrids()

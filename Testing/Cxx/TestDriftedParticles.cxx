@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Particles in a uniform flow, a vortex, a source and a sink, early and late, coloured by their box: a picture against
+// Particles in a uniform flow, a vortex, a source and a sink, early and late, colored by their box: a picture against
 // its baseline.
 #include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"

@@ -105,7 +105,7 @@ bool BadInput()
     Fails<Source>("Terms", [](Source* s) { s->SetTerms(3); }) &
     Fails<Source>("Frequency", [](Source* s) { s->SetFrequency(5); }) &
     Fails<Source>("Offset", [=](Source* s) { s->SetOffset(nan); }) &
-    Fails<Source>("CentreThreshold", [](Source* s) { s->SetCentreThreshold(0.9); }) &
+    Fails<Source>("CenterThreshold", [](Source* s) { s->SetCenterThreshold(0.9); }) &
     Fails<Source>("SilhouetteThreshold", [](Source* s) { s->SetSilhouetteThreshold(1.1); }) &
     Fails<Source>("Variation", [](Source* s) { s->SetVariation(-0.1); }) &
     Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); }) &

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kelp moves as kelp does in a regular swell: out of phase along its length, slower than the water, never like a stick.
 #include "Check.h"
-#include "Constants.h"
+#include "Numerics/Constants.h"
 #include "PlantChecks.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkParticleOrbitFilter.h"

@@ -500,8 +500,8 @@ bool CheckFog()
     "no image of extinction");
   good &= Check(std::abs(Counter(fog, "CrossSection") / section - 1.0) < 1e-5, "cross sections are lost");
   const double volume = 16.0 * 22.0 * 9.0;
-  const double centre = extinction->GetTuple1(image->vtkDataSet::FindPoint(0.0, 9.0, -4.5));
-  good &= Check(centre > 0.2 * section / volume && centre < 3.0 * section / volume, "another extinction");
+  const double center = extinction->GetTuple1(image->vtkDataSet::FindPoint(0.0, 9.0, -4.5));
+  good &= Check(center > 0.2 * section / volume && center < 3.0 * section / volume, "another extinction");
 
   // Near, slaves and fog hide as much in all as all particles do as fog.
   vtkNew<Levels> levels;
@@ -533,7 +533,8 @@ bool CheckFog()
   good &= Check(std::abs((alone + Counter(far, "CrossSection")) / section - 1.0) < 1e-5 && faded > 0.1 * section,
     "particles and fog do not make one whole");
   vtkDataArray* field = far->GetOutput()->GetPointData()->GetScalars();
-  good &= Check(field->GetTuple1(far->GetOutput()->vtkDataSet::FindPoint(0.0, 5.0, -4.0)) == 0.0, "fog about near particles");
+  good &=
+    Check(field->GetTuple1(far->GetOutput()->vtkDataSet::FindPoint(0.0, 5.0, -4.0)) == 0.0, "fog about near particles");
 
   const double clearest = field->GetRange()[0];
 
@@ -683,7 +684,7 @@ bool CheckBadInput()
   return good & errors->ExpectOneNaming("TrainOrder");
 }
 
-/// The levels from above, each in its colour, fading into each other, and the fog as shades below them.
+/// The levels from above, each in its color, fading into each other, and the fog as shades below them.
 int Picture(int argc, char* argv[])
 {
   vtkNew<Sea> sea;
@@ -700,7 +701,7 @@ int Picture(int argc, char* argv[])
   orbits->UpdateTimeStep(2.0);
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.02, 0.10, 0.16);
-  const double colours[3][3] = { { 1.0, 0.75, 0.3 }, { 0.5, 0.9, 0.7 }, { 0.45, 0.6, 1.0 } };
+  const double colors[3][3] = { { 1.0, 0.75, 0.3 }, { 0.5, 0.9, 0.7 }, { 0.45, 0.6, 1.0 } };
   for (int index = 0; index < 3; ++index)
   {
     vtkPolyData* block = BlockOf(orbits, index);
@@ -710,7 +711,7 @@ int Picture(int argc, char* argv[])
     {
       const double alpha = block->GetPointData()->GetArray("Alpha")->GetTuple1(n);
       rgba->InsertNextTuple4(
-        255.0 * colours[index][0], 255.0 * colours[index][1], 255.0 * colours[index][2], 255.0 * alpha);
+        255.0 * colors[index][0], 255.0 * colors[index][1], 255.0 * colors[index][2], 255.0 * alpha);
     }
     vtkNew<vtkPolyData> shown;
     shown->ShallowCopy(block);

@@ -121,7 +121,7 @@ bool CheckSurface()
   auto* output = vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0));
   vtkPointData* arrays = output->GetPointData();
   bool good = Check(arrays->GetNormals() && arrays->GetArray("Jacobian") && arrays->GetArray("Velocity") &&
-      arrays->GetArray("Acceleration") && arrays->GetArray("Centre")->GetComponent(0, 2) == 450.0,
+      arrays->GetArray("Acceleration") && arrays->GetArray("Center")->GetComponent(0, 2) == 450.0,
     "an array is missing");
   const double* bounds = output->GetBounds();
   good &= Check(bounds[4] > 449.0 && bounds[4] < 449.95 && bounds[5] > 450.05 && bounds[5] < 451.0, "no sea");
@@ -442,10 +442,10 @@ bool CheckRegularWave()
         points->InsertNextPoint(7.0, -11.0, 5.0);
         points->InsertNextPoint(-3.0, 2.0, 4.2);
         points->InsertNextPoint(900.0, 40.0, 2.5);
-        vtkNew<vtkPolyData> centres;
-        centres->SetPoints(points);
+        vtkNew<vtkPolyData> centers;
+        centers->SetPoints(points);
         vtkNew<Orbits> orbits;
-        orbits->SetInputData(0, centres);
+        orbits->SetInputData(0, centers);
         orbits->SetInputConnection(1, sea->GetOutputPort());
         for (const double time : { 0.0, 0.3 * period, 40.1 })
         {
@@ -595,7 +595,7 @@ bool CheckReturn()
   good &= Check(worst < 1e-9 && worstSingle < 5e-5, "the sea does not return");
   good &= Check(least > 0.1, "the sea returns too early");
 
-  // The defaults, with a Current: at a fixed centre the phase of a train runs by k.U more; carried centres return.
+  // The defaults, with a Current: at a fixed center the phase of a train runs by k.U more; carried centers return.
   vtkNew<Sea> sea;
   sea->EqualSpacingOn();
   sea->Update();
@@ -610,7 +610,7 @@ bool CheckReturn()
   good &= Check(FarthestMove(orbits, 0.0, period) > 0.1, "waves on a current return at a fixed place");
   orbits->DopplerShiftOff();
   orbits->StokesDriftOn();
-  good &= Check(FarthestMove(orbits, 0.0, period) > 0.1, "drifting centres return");
+  good &= Check(FarthestMove(orbits, 0.0, period) > 0.1, "drifting centers return");
   return good;
 }
 

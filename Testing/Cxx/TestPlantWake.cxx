@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wakes of seaweeds that move, through the pipeline: particles beside a plant go and come back, far ones do not move at
 // all; wakes end without a jump, each around its own plant; plants do not feel them; and every bad input.
-#include "Constants.h"
-#include "Dispersion.h"
+#include "Data/PlantBlocks.h"
+#include "Data/SeaStateTable.h"
+#include "Data/SeaweedBlocks.h"
 #include "ErrorCounter.h"
-#include "LittoralPlants.h"
-#include "LittoralSea.h"
-#include "LittoralSeaweeds.h"
+#include "Geometry/ViewFrustum.h"
+#include "Numerics/Constants.h"
 #include "PlantChecks.h"
-#include "ViewFrustum.h"
+#include "Sea/Dispersion.h"
 #include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkPlantWakeFilter.h"
@@ -90,7 +90,7 @@ vtkNew<vtkMultiBlockDataSet> Stems(const std::vector<Vector3>& feet)
   segment.Thickness = 0.01;
   segment.YoungModulus = 1e7;
   segment.Density = 900.0;
-  auto bones = littoral::PolyDataOf(skeleton, littoral::Colour{ 90, 90, 40 });
+  auto bones = littoral::PolyDataOf(skeleton, littoral::Color{ 90, 90, 40 });
   littoral::AddSegments(skeleton, std::vector<littoral::SeaweedSegment>(skeleton.Nodes.size(), segment), bones);
   vtkNew<vtkIntArray> ids;
   ids->SetName(littoral::plant::PlantId);
@@ -149,11 +149,11 @@ struct Scene
 };
 
 /// The box of the only plant and the middle of its wake at a time.
-littoral::Box BoxAt(Scene& scene, double time, Vector3& centre)
+littoral::Box BoxAt(Scene& scene, double time, Vector3& center)
 {
   scene.Wake->UpdateTimeStep(time);
   vtkPolyData* wake = scene.Wake->GetOutput();
-  wake->GetPoint(0, &centre.x);
+  wake->GetPoint(0, &center.x);
   double box[6];
   wake->GetPointData()->GetArray("InfluenceBox")->GetTuple(0, box);
   return { { box[0], box[2], box[4] }, { box[1], box[3], box[5] } };
@@ -181,13 +181,13 @@ bool TestGoAndComeBack()
       {
         scene.Move->SetInputData(Stems({ Vector3(0.0) }));
       }
-      Vector3 centre;
-      const littoral::Box box = BoxAt(scene, 0.0, centre);
+      Vector3 center;
+      const littoral::Box box = BoxAt(scene, 0.0, center);
       const int count = static_cast<int>(scene.Wake->GetOutput()->GetNumberOfPoints());
       good &= Check(count == primitive + 1, "a plant makes other primitives");
-      const Vector3 beyond(box.High.x + 0.2, centre.y, centre.z); // out of the box, within its margin
-      const Vector3 far(box.High.x + 12.0, centre.y, centre.z);
-      const std::vector<Vector3> starts{ beyond, centre + Vector3(0.0, 0.2, 0.1), far };
+      const Vector3 beyond(box.High.x + 0.2, center.y, center.z); // out of the box, within its margin
+      const Vector3 far(box.High.x + 12.0, center.y, center.z);
+      const std::vector<Vector3> starts{ beyond, center + Vector3(0.0, 0.2, 0.1), far };
       scene.Drift->SetInputData(ParticlesAt(starts));
       std::vector<double> way;
       for (int frame = 0; frame <= 16; ++frame)
@@ -221,16 +221,16 @@ bool TestEnd()
   {
     Scene scene;
     MakeStrong(scene.Wake, primitive);
-    Vector3 centre;
+    Vector3 center;
     const double time = 5.3;
-    const littoral::Box box = BoxAt(scene, time, centre);
+    const littoral::Box box = BoxAt(scene, time, center);
     const double margin = scene.Wake->GetMargin();
     const double step = 1e-4;
     std::vector<Vector3> line;
     while (line.empty() || line.back().x < box.High.x + margin + 0.2)
     {
       // Not from the core: there a doublet changes by itself within its distance.
-      line.push_back({ box.High.x - 0.1 + step * static_cast<double>(line.size()), centre.y, centre.z });
+      line.push_back({ box.High.x - 0.1 + step * static_cast<double>(line.size()), center.y, center.z });
     }
     scene.Drift->SetInputData(ParticlesAt(line));
     scene.Drift->SetStartTime(time);
@@ -272,12 +272,12 @@ bool TestPlantsDoNotFeelIt()
     Scene scene;
     scene.Wake->SetPrimitive(primitive);
     scene.Wake->SetStrength(100.0);
-    Vector3 centre;
-    BoxAt(scene, 0.0, centre);
-    scene.Drift->SetInputData(ParticlesAt({ centre + Vector3(0.3, 0.0, 0.0) }));
+    Vector3 center;
+    BoxAt(scene, 0.0, center);
+    scene.Drift->SetInputData(ParticlesAt({ center + Vector3(0.3, 0.0, 0.0) }));
     for (double time : { 1.3, 4.0, 2.2 })
     {
-      good &= Check(scene.At(time)[0] != centre + Vector3(0.3, 0.0, 0.0), "the wake moves nothing");
+      good &= Check(scene.At(time)[0] != center + Vector3(0.3, 0.0, 0.0), "the wake moves nothing");
       good &= Check(scene.PlantsAt(time) == alone.PlantsAt(time), "a plant feels its own wake");
     }
   }

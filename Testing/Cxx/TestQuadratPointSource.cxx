@@ -17,7 +17,7 @@ int TestQuadratPointSource(int argc, char* argv[])
 {
   const int laws[3] = { vtkQuadratPointSource::Binomial, vtkQuadratPointSource::Poisson,
     vtkQuadratPointSource::PoissonPoisson };
-  const double colours[3][3] = { { 0.2, 0.4, 0.7 }, { 0.3, 0.5, 0.25 }, { 0.75, 0.35, 0.15 } };
+  const double colors[3][3] = { { 0.2, 0.4, 0.7 }, { 0.3, 0.5, 0.25 }, { 0.75, 0.35, 0.15 } };
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.96, 0.96, 0.94);
   for (int i = 0; i < 3; ++i)
@@ -31,7 +31,7 @@ int TestQuadratPointSource(int argc, char* argv[])
     mapper->ScalarVisibilityOff();
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(colours[i][0], colours[i][1], colours[i][2]);
+    actor->GetProperty()->SetColor(colors[i][0], colors[i][1], colors[i][2]);
     actor->GetProperty()->SetPointSize(2.0);
     actor->GetProperty()->LightingOff();
     renderer->AddActor(actor);

@@ -3,7 +3,7 @@
 
 // Ranges that are kept with arrays are those that VTK finds, and are dropped when an array changes.
 
-#include "LittoralRanges.h"
+#include "Pipeline/Ranges.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"

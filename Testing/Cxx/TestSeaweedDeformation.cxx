@@ -3,10 +3,10 @@
 // Seaweeds that move, through the pipeline: rest, time in any order, threads, frame rates, skins against VTK's own
 // filter, levels of detail and their counters, and every bad input.
 #include "Check.h"
+#include "Data/PlantBlocks.h"
 #include "ErrorCounter.h"
-#include "LittoralPlants.h"
 #include "PlantChecks.h"
-#include "Skinning.h"
+#include "Plants/Skinning.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkSeaStateSource.h"
 #include "vtkSeaweedDeformationFilter.h"
@@ -126,7 +126,7 @@ vtkNew<vtkMultiBlockDataSet> Stems(const std::vector<Vector3>& places, int segme
   segment.YoungModulus = 1e7;
   segment.Density = 900.0;
   const std::vector<littoral::SeaweedSegment> tissue(skeleton.Nodes.size(), segment);
-  auto bones = littoral::PolyDataOf(skeleton, littoral::Colour{ 90, 90, 40 });
+  auto bones = littoral::PolyDataOf(skeleton, littoral::Color{ 90, 90, 40 });
   littoral::AddSegments(skeleton, tissue, bones);
   vtkNew<vtkIntArray> ids;
   ids->SetName("PlantId");
@@ -311,7 +311,7 @@ bool TestSkin()
     const double z = i / 60.0;
     mesh.Points.push_back({ 0.05 * std::cos(i), 0.05 * std::sin(i), z });
     mesh.Normals.push_back({ std::cos(i), std::sin(i), 0.0 });
-    mesh.Colours.push_back({ 90, 90, 40 });
+    mesh.Colors.push_back({ 90, 90, 40 });
     const int node = std::min(5, static_cast<int>(6 * z));
     mesh.JointIds.push_back({ node, std::max(0, node - 1), 0, 0 });
     mesh.JointWeights.push_back({ 0.75, 0.25, 0.0, 0.0 });

@@ -3,9 +3,9 @@
 // Skins of the preset seaweeds in a swell with a strong current: against VTK's own skinning, and how far what is round
 // gets thin, blades get narrow and facets get small, against what the angles of the joints allow.
 #include "Check.h"
-#include "LittoralPlants.h"
+#include "Data/PlantBlocks.h"
 #include "PlantChecks.h"
-#include "SeaweedSegment.h"
+#include "Plants/SeaweedSegment.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkPlantScatterFilter.h"
 #include "vtkSeaStateSource.h"

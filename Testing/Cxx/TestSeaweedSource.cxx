@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Three kinds of seaweeds at their levels of detail: arrays, same bytes, pieces, bad input, a bed of them, a picture.
-#include "LittoralPlants.h"
+#include "Data/PlantBlocks.h"
 #include "PlantChecks.h"
 #include "PlantScene.h"
 #include "vtkPlantScatterFilter.h"

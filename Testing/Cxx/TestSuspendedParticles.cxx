@@ -159,8 +159,8 @@ bool CheckSquares()
   vtkDataArray* type = output->GetPointData()->GetArray("ParticleType");
   for (vtkIdType id = 0; id < count; ++id)
   {
-    const std::vector<double> centre(output->GetPoint(5 * id), output->GetPoint(5 * id) + 3);
-    good &= std::memcmp(centre.data(), points->GetOutput()->GetPoint(id), 3 * sizeof(double)) == 0;
+    const std::vector<double> center(output->GetPoint(5 * id), output->GetPoint(5 * id) + 3);
+    good &= std::memcmp(center.data(), points->GetOutput()->GetPoint(id), 3 * sizeof(double)) == 0;
     for (int corner = 1; corner < 5; ++corner)
     {
       // Its picture is the part of the atlas for its kind, from the foot.
@@ -217,7 +217,7 @@ bool CheckBadInput()
   good &= BoxFails("kind", 6, nan);
   good &= BoxFails("diameter", 7, -0.01);
   good &= BoxFails("amount", 8, -1.0);
-  good &= BoxFails("colour", 10, 2.0);
+  good &= BoxFails("color", 10, 2.0);
   return good;
 }
 
@@ -240,12 +240,11 @@ int TestSuspendedParticles(int argc, char* argv[])
   source->SetAmountIs(Source::Count);
   source->SetMode(Source::Quads);
   source->SetSizeSpread(0.15);
-  const double colours[4][3] = { { 0.62, 0.78, 0.36 }, { 0.92, 0.92, 0.86 }, { 0.85, 0.68, 0.45 },
-    { 1.0, 0.72, 0.52 } };
+  const double colors[4][3] = { { 0.62, 0.78, 0.36 }, { 0.92, 0.92, 0.86 }, { 0.85, 0.68, 0.45 }, { 1.0, 0.72, 0.52 } };
   for (int kind = 0; kind < 4; ++kind)
   {
     const double box[12] = { 3.0 * kind - 6.0, 3.0 * kind - 3.2, -1.5, 1.5, -4.0, 4.0, 1.0 * kind, 1.1, 14.0,
-      colours[kind][0], colours[kind][1], colours[kind][2] };
+      colors[kind][0], colors[kind][1], colors[kind][2] };
     source->AddBox(box);
   }
   vtkNew<vtkPolyDataMapper> mapper;

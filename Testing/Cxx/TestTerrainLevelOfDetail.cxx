@@ -54,18 +54,18 @@ vtkSmartPointer<vtkImageData> Hills(int width = Width, int height = Height, int 
   image->SetOrigin(500.0, -200.0, 0.0);
   vtkNew<vtkFloatArray> heights;
   heights->SetName("Elevation");
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("RGB");
-  colours->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("RGB");
+  colors->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
     const double x = static_cast<double>(i % width);
     const double y = static_cast<double>(i / width % height);
     heights->InsertNextValue(static_cast<float>(
       120.0 * std::sin(0.05 * x) * std::cos(0.07 * y) + 15.0 * std::sin(0.6 * x + 0.2 * y) * std::sin(0.5 * y)));
-    colours->InsertNextTuple3(i % 251, i % 7, 100);
+    colors->InsertNextTuple3(i % 251, i % 7, 100);
   }
-  image->GetPointData()->AddArray(colours);
+  image->GetPointData()->AddArray(colors);
   image->GetPointData()->SetScalars(heights);
   return image;
 }
@@ -92,7 +92,7 @@ double CountOf(Filter* filter, const char* name)
 bool PointsAreThoseOfTheImage(vtkPolyData* block, vtkImageData* image)
 {
   vtkDataArray* heights = image->GetPointData()->GetArray("Elevation");
-  vtkDataArray* colours = image->GetPointData()->GetArray("RGB");
+  vtkDataArray* colors = image->GetPointData()->GetArray("RGB");
   vtkPointData* arrays = block->GetPointData();
   bool good = true;
   for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
@@ -104,7 +104,7 @@ bool PointsAreThoseOfTheImage(vtkPolyData* block, vtkImageData* image)
     const vtkIdType sample = y * Width + x;
     const double* tcoords = arrays->GetTCoords()->GetTuple2(i);
     good &= point[2] == heights->GetTuple1(sample) && arrays->GetArray("Elevation")->GetTuple1(i) == point[2];
-    good &= arrays->GetArray("RGB")->GetComponent(i, 0) == colours->GetComponent(sample, 0);
+    good &= arrays->GetArray("RGB")->GetComponent(i, 0) == colors->GetComponent(sample, 0);
     good &= std::abs(tcoords[0] - x / (Width - 1.0)) < 1e-6 && std::abs(tcoords[1] - y / (Height - 1.0)) < 1e-6;
     const double* normal = arrays->GetNormals()->GetTuple3(i);
     good &= normal[2] > 0.0 && std::abs(std::hypot(std::hypot(normal[0], normal[1]), normal[2]) - 1.0) < 1e-6;
@@ -362,14 +362,14 @@ bool ScreenErrorHolds()
   return good & Check(worst > 0.8 && coarse > 10, "the test sees no coarse level: " + std::to_string(worst));
 }
 
-void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double, 3>& colour)
+void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double, 3>& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(block);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   renderer->AddActor(actor);
 }
 
@@ -388,11 +388,11 @@ int TestTerrainLevelOfDetail(int argc, char* argv[])
   filter->Update();
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.9, 0.93, 0.97);
-  const std::array<std::array<double, 3>, 6> colours{ { { 0.2, 0.5, 0.2 }, { 0.5, 0.6, 0.2 }, { 0.8, 0.7, 0.3 },
+  const std::array<std::array<double, 3>, 6> colors{ { { 0.2, 0.5, 0.2 }, { 0.5, 0.6, 0.2 }, { 0.8, 0.7, 0.3 },
     { 0.8, 0.5, 0.3 }, { 0.7, 0.4, 0.5 }, { 1.0, 0.0, 0.0 } } };
   for (unsigned int block = 0; block < 6; ++block)
   {
-    AddBlock(renderer, BlockOf(filter, block), colours[block]);
+    AddBlock(renderer, BlockOf(filter, block), colors[block]);
   }
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(1500.0, -1500.0, 1500.0);

@@ -107,7 +107,7 @@ Image TurnedImage()
   image->GetPointData()->SetNormals(Numbers("normals", image->GetNumberOfPoints(), 3));
   image->GetPointData()->AddArray(Numbers<vtkDoubleArray>("heat", image->GetNumberOfPoints(), 1));
   image->GetPointData()->AddArray(Numbers("pair", image->GetNumberOfPoints(), 2));
-  image->GetPointData()->AddArray(Numbers<vtkUnsignedCharArray>("colour", image->GetNumberOfPoints(), 3));
+  image->GetPointData()->AddArray(Numbers<vtkUnsignedCharArray>("color", image->GetNumberOfPoints(), 3));
   image->GetCellData()->AddArray(Numbers("perCell", image->GetNumberOfCells(), 1));
   vtkNew<vtkStringArray> unit;
   unit->SetName("heatUnit");
@@ -236,7 +236,7 @@ bool CheckValuesAndPlaces()
       good &=
         Check(grid->activeVoxelCount() == static_cast<openvdb::Index64>(array->GetNumberOfTuples()), "Active voxels");
     }
-    for (const char* name : { "velocity", "normals", "colour" })
+    for (const char* name : { "velocity", "normals", "color" })
     {
       const auto grid = read.Get<openvdb::Vec3SGrid>(name);
       if (!Check(grid != nullptr, std::string("There is no vec3s grid ") + name))
@@ -254,7 +254,7 @@ bool CheckValuesAndPlaces()
     }
     good &= Check(read.Find("velocity")->getVectorType() == openvdb::VEC_CONTRAVARIANT_RELATIVE, "velocity's type");
     good &= Check(read.Find("normals")->getVectorType() == openvdb::VEC_COVARIANT_NORMALIZE, "normals' type");
-    good &= Check(read.Find("colour")->getVectorType() == openvdb::VEC_INVARIANT, "colour's type");
+    good &= Check(read.Find("color")->getVectorType() == openvdb::VEC_INVARIANT, "color's type");
     good &= Check(read.Find("density")->metaValue<std::string>("unit") == "kg/m^3", "unit of the array");
     good &= Check(read.Find("heat")->metaValue<std::string>("unit") == "K", "unit of the field data");
     good &= Check(!(*read.Find("velocity"))["unit"], "a unit from nowhere");
@@ -370,9 +370,9 @@ bool CheckTolerance()
   // Blanked points are left out, and their values do not matter.
   auto ghosts = Numbers<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), side * side * side, 1);
   ghosts->Fill(0);
-  const vtkIdType centre = 20 + side * (20 + side * 20);
-  ghosts->SetValue(centre, vtkDataSetAttributes::HIDDENPOINT);
-  values->SetValue(centre, std::numeric_limits<float>::quiet_NaN());
+  const vtkIdType center = 20 + side * (20 + side * 20);
+  ghosts->SetValue(center, vtkDataSetAttributes::HIDDENPOINT);
+  values->SetValue(center, std::numeric_limits<float>::quiet_NaN());
   image->GetPointData()->AddArray(ghosts);
   good &= Write(writer, image, "blank.vdb");
   const Read blank = ReadFile("blank.vdb");
@@ -438,7 +438,7 @@ bool CheckSelection()
 {
   const Image image = TurnedImage();
   vtkNew<Writer> writer;
-  for (const char* name : { "density", "velocity", "normals", "colour", "pair" })
+  for (const char* name : { "density", "velocity", "normals", "color", "pair" })
   {
     writer->GetPointDataArraySelection()->DisableArray(name);
   }

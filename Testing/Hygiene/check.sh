@@ -15,6 +15,11 @@ fail_if_found() { # MESSAGE, with the offending lines on standard input
   fi
 }
 
+# Headers of Common that are installed, by their paths below it.
+installed_headers() {
+  sed -n '/^set(headers/,/)$/ s/^  \([A-Za-z0-9]*\/[A-Za-z0-9]*\.h\))\{0,1\}$/\1/p' Common/CMakeLists.txt
+}
+
 folders=(CMake Common Support Sources Filters IO paraview-plugin Wrapping Examples Testing)
 
 case "${1:-}" in
@@ -24,8 +29,47 @@ case "${1:-}" in
     ;;
   common-headers-only-std)
     # <name> is the standard library, <name.h> or <folder/name> is not; GLM alone is allowed beside it.
-    grep -nE '#[[:space:]]*include[[:space:]]*<[^>]*[./]' Common/*.h | grep -v '<glm/' |
+    installed_headers | sed 's|^|Common/|' | xargs grep -nE '#[[:space:]]*include[[:space:]]*<[^>]*[./]' | grep -v '<glm/' |
       fail_if_found "Installed headers of Common must do with the standard library and GLM:"
+    ;;
+  common-headers-complete)
+    # Each installed header compiles alone, and includes no header that is not installed.
+    compiler=${CXX:-c++}
+    command -v "$compiler" >/dev/null || { echo "there is no C++ compiler"; exit 1; }
+    installed_headers | xargs -P "$(nproc)" -I{} sh -c '
+      printf "#include \"%s\"\n" "{}" | "$1" -std=c++17 -fsyntax-only -ICommon -x c++ - >/dev/null 2>&1 || echo "{}"
+      ' sh "$compiler" | fail_if_found "Installed headers of Common that do not compile alone:"
+    for header in $(installed_headers); do
+      sed -nE 's|^#include "([^"]*)".*|\1|p' "Common/$header" | while read -r included; do
+        installed_headers | grep -qxF "$included" || echo "$header: $included"
+      done
+    done | fail_if_found "Installed headers of Common that include one that is not installed:"
+    ;;
+  rooms)
+    # What the rooms of Common may include beside themselves, Numerics and Geometry.
+    for room in Common/*/; do
+      room=$(basename "$room")
+      case "$room" in
+        Numerics) lower= ;;
+        Geometry) lower=Numerics ;;
+        Terrain | Patterns | Plants | Wind | Sea) lower='Numerics|Geometry' ;;
+        Sway) lower='Numerics|Geometry|Plants|Wind' ;;
+        Currents) lower='Numerics|Geometry' ;;
+        Particles) lower='Numerics|Geometry|Sea' ;;
+        Seaweed) lower='Numerics|Geometry|Plants|Sea|Currents' ;;
+        *) echo "Common/$room: no room of this name is known here"; continue ;;
+      esac
+      grep -rnE '^#include "' "Common/$room" | grep -vE "#include \"($room${lower:+|$lower})/" |
+        sed 's/$/   (not from a lower floor)/'
+    done | fail_if_found "Rooms of Common include themselves, Numerics, Geometry and lower floors only:"
+    # Numerics know no VTK, and nothing private of the VTK classes.
+    find Common -maxdepth 1 -name '*.[hc]*' | fail_if_found "Files of Common that are in no room:"
+    ;;
+  stray-files)
+    git ls-files 2>/dev/null | grep -E '\.(orig|rej|bak|swp|log|tmp)$|~$|(^|/)\.DS_Store$|(^|/)core$' |
+      fail_if_found "Files that do not belong into the tree:"
+    find "${folders[@]}" Documentation packaging -name '*.orig' -o -name '*.rej' -o -name '*.bak' -o -name '*~' |
+      fail_if_found "Files that do not belong into the tree:"
     ;;
   headers-without-using)
     grep -rnE '^[[:space:]]*using[[:space:]]+namespace' --include='*.h' "${folders[@]}" |
@@ -60,7 +104,7 @@ case "${1:-}" in
     fi
     ;;
   *)
-    echo "usage: check.sh common-without-vtk|common-headers-only-std|headers-without-using|text-files|versions|recipes"
+    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|stray-files|headers-without-using|text-files|versions|recipes"
     exit 2
     ;;
 esac

@@ -34,9 +34,9 @@ names = servermanager.Fetch(particles).GetFieldData().GetAbstractArray("BoxNames
 assert names.GetValue(1) == "Sand"
 rest = places(particles, 0.0)
 
-# Particles show their own colours.
+# Particles show their own colors.
 shown = simple.Show(particles)
-assert shown.Representation == "Point Gaussian" and shown.MapScalars == 0, "colours are mapped"
+assert shown.Representation == "Point Gaussian" and shown.MapScalars == 0, "colors are mapped"
 
 # Currents: none, one, two.
 drift = simple.CurrentDrift(Input=particles)

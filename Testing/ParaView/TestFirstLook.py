@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user sees first: natural colours and a view from the side, but only in an empty view."""
+"""What a user sees first: natural colors and a view from the side, but only in an empty view."""
 
 from paraview import simple
 
@@ -11,7 +11,7 @@ simple.SetActiveView(view)
 forest = simple.Forest()
 for port in range(2):
     shown = simple.Show(simple.OutputPort(forest, port), view)
-    assert shown.ColorArrayName[1] == "RGB" and shown.MapScalars == 0, "no natural colours"
+    assert shown.ColorArrayName[1] == "RGB" and shown.MapScalars == 0, "no natural colors"
     if port == 0:
         assert "/Root/High/Skin" in shown.BlockSelectors
         assert not any("Skeleton" in block for block in shown.BlockSelectors)
@@ -43,7 +43,7 @@ wood.UpdatePipeline()
 branches = (3 ** 3 - 1) // 2
 assert wood.GetDataInformation().GetNumberOfCells() == branches, wood.GetDataInformation().GetNumberOfCells()
 
-# Terrain has the colours of the ground unless it has its own or none are wanted.
+# Terrain has the colors of the ground unless it has its own or none are wanted.
 terrain = simple.TerrainLevelOfDetail(
     Input=simple.TurningBandsTerrain(WholeExtent=[0, 64, 0, 64, 0, 0]), Cull=0)
 simple.UpdatePipeline(proxy=terrain)

@@ -26,7 +26,7 @@ def forest_in(view):
     tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1)
     forest = simple.PlantScatter(registrationName="Forest", Sites=sites, Prototypes=[tree])
     shown = simple.Show(forest, view)
-    assert shown.MapScalars == 0, "colours go through a colour map"
+    assert shown.MapScalars == 0, "colors go through a color map"
     return forest
 
 

@@ -51,7 +51,7 @@ bush = simple.GardnerPlant(Preset="Bush")
 assert polygons(bush)[0] > 5000 and polygons(bush)[1] == 4
 custom = simple.GardnerPlant(
     Preset="Custom", Height=5.0, CrownRadius=1.5, CrownBase=1.0, TrunkRadius=0.1, NumberOfQuadrics=3,
-    Shells=2, Terms=5, Frequency="4", Offset=0.8, CentreThreshold=0.05, SilhouetteThreshold=0.3,
+    Shells=2, Terms=5, Frequency="4", Offset=0.8, CenterThreshold=0.05, SilhouetteThreshold=0.3,
     Variation=0.1, Seed=4)
 assert 300 < polygons(custom)[0] < polygons(bush)[0]
 

@@ -11,7 +11,7 @@ sites = simple.QuadratPoints()
 oak, pine = simple.ReevesTree(Preset="Oak"), simple.ReevesTree(Preset="Pine")
 forest = simple.PlantScatter(Sites=sites, Prototypes=[oak, pine])
 shown = simple.Show(forest, view)
-assert shown.MapScalars == 0, "plants are not in their own colours"
+assert shown.MapScalars == 0, "plants are not in their own colors"
 
 
 def counter(name):

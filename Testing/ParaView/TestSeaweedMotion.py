@@ -76,7 +76,7 @@ print("plants sway by", np.abs(first - second).max(), "m; a particle beside them
 view = simple.CreateView("RenderView")
 shown = simple.Show(motion, view)
 assert list(shown.BlockSelectors) == ["/Root/High/Skin", "/Root/High/Leaves"], list(shown.BlockSelectors)
-assert not shown.MapScalars, "not in natural colours"
+assert not shown.MapScalars, "not in natural colors"
 sites = simple.PointSource(NumberOfPoints=5, Radius=3.0)
 bed = simple.PlantScatter(Sites=sites, Prototypes=[weed], FollowCamera=0, UseLevels=0, UseCells=0)
 swaying = simple.SeaweedDeformation(Input=bed, SeaState=sea, FollowCamera=0)

@@ -59,10 +59,10 @@ assert np.all(seen[:10] > 0.99) and np.all(seen[35:] > 0.99)
 assert np.all(openness(np.zeros((8, 8)), (1.0, 1.0)) == 1.0)
 assert openness(wall, (1.0, 1.0))[2, 10] < 0.9
 
-# A block stands on z = 0 round its centre; flat, tiny and holed terrains have one as well.
+# A block stands on z = 0 round its center; flat, tiny and holed terrains have one as well.
 holed = np.where(x + y > 40.0, np.nan, plane)
 for terrain in (plane, np.full((4, 5), 7.0), plane[:2, :2], holed):
-    block = relief_block(image_from_array(terrain, (10.0, 10.0)), centre=(100.0, 0.0))
+    block = relief_block(image_from_array(terrain, (10.0, 10.0)), center=(100.0, 0.0))
     low, high = np.array(block.GetBounds()).reshape(3, 2).T
     assert low[2] == 0.0 and abs(low[0] + high[0] - 200.0) < 1e-3 and np.isfinite(high).all()
     rgb = vtk_to_numpy(block.GetPointData().GetArray("RGB"))

@@ -88,7 +88,7 @@ def check_plants():
 
 
 def check_without_picture():
-    """A plant without leaves to cut out is shown in its colours."""
+    """A plant without leaves to cut out is shown in its colors."""
     plant = vtkGardnerPlantSource()
     plant.Update()
     plotter = pv.Plotter(off_screen=True)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NaturalDisplay.h"
 
-#include "Constants.h"
+#include "Numerics/Constants.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -105,13 +105,13 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   const vtkSMPropertyHelper input(representation, "Input");
   if (input.GetAsProxy() == this->Owner)
   {
-    this->TakeColours(representation, input.GetOutputPort());
+    this->TakeColors(representation, input.GetOutputPort());
     this->WaitForCamera();
   }
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, int port)
 {
   this->Owner->UpdatePipeline();
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
@@ -150,7 +150,7 @@ void NaturalDisplay::TakeColours(vtkSMProxy* representation, int port)
 }
 
 //----------------------------------------------------------------------------
-/// Inputs that are missing at first leave nothing to take colours from.
+/// Inputs that are missing at first leave nothing to take colors from.
 void NaturalDisplay::WaitForData(vtkSMProxy* representation, int port)
 {
   this->Empty = representation;
@@ -181,7 +181,7 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
   {
     ColorHelper::SetScalarColoring(representation, "RGB", vtkDataObject::POINT);
   }
-  this->TakeColours(representation, this->EmptyPort);
+  this->TakeColors(representation, this->EmptyPort);
 }
 
 //----------------------------------------------------------------------------
@@ -195,7 +195,7 @@ vtkSMRenderViewProxy* NaturalDisplay::ActiveView()
 void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 {
   this->StopWaitingForLegend();
-  this->Coloured = representation;
+  this->Colored = representation;
   this->LegendView = this->ActiveView();
   if (this->LegendView)
   {
@@ -207,9 +207,9 @@ void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 //----------------------------------------------------------------------------
 void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
 {
-  if (this->Coloured)
+  if (this->Colored)
   {
-    ColorHelper::SetScalarBarVisibility(this->Coloured, this->LegendView, false);
+    ColorHelper::SetScalarBarVisibility(this->Colored, this->LegendView, false);
   }
   this->StopWaitingForLegend();
 }

@@ -15,10 +15,10 @@ namespace littoral
 {
 
 /**
- * How a source is first shown in ParaView: in its own colours, and from the side where that is the better view.
+ * How a source is first shown in ParaView: in its own colors, and from the side where that is the better view.
  *
- * ParaView colours by a colour map, with a legend, and looks down along z unless it is told otherwise. This tells each
- * new representation of a source to take the point array RGB, if there is one, as it is, or to colour by the array that
+ * ParaView colors by a color map, with a legend, and looks down along z unless it is told otherwise. This tells each
+ * new representation of a source to take the point array RGB, if there is one, as it is, or to color by the array that
  * color="..." names. Where the hint
  *
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" />
@@ -47,7 +47,7 @@ public:
 private:
   const char* Hint(const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
-  void TakeColours(vtkSMProxy* representation, int port);
+  void TakeColors(vtkSMProxy* representation, int port);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();
@@ -65,7 +65,7 @@ private:
   vtkWeakPointer<vtkSMProxy> Empty; ///< what was shown without data
   int EmptyPort = 0;
   unsigned long DataObserver = 0;
-  vtkWeakPointer<vtkSMProxy> Coloured; ///< whose legend would mean nothing
+  vtkWeakPointer<vtkSMProxy> Colored; ///< whose legend would mean nothing
   vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
   unsigned long LegendObserver = 0;
   vtkWeakPointer<vtkSMRenderViewProxy> View; ///< whose camera is waited for

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMLandscapeProxy
- * @brief   a small pipeline behind one menu entry that is first shown in its own colours
+ * @brief   a small pipeline behind one menu entry that is first shown in its own colors
  *
  * See littoral::NaturalDisplay for how, and for the hint that says more.
  */

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMNaturalDisplayProxy
- * @brief   a source that is first shown in its own colours
+ * @brief   a source that is first shown in its own colors
  *
  * See littoral::NaturalDisplay for how, and for the hint that says more.
  */

@@ -16,7 +16,7 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 
 from .picture import write_png
 from .tables import column, table_of
-from .versions import set_plot_colour
+from .versions import set_plot_color
 
 FONT = 19  # [pixels]
 INK = (0.20, 0.22, 0.26)
@@ -54,18 +54,18 @@ def save_spectrum_chart(filename, spectra, components, size=(1200, 750), oversam
     column of the same name with ` model` behind it.
     """
     chart = vtkChartXY()
-    for name, colour in zip(components, (BEST, *OTHERS)):
+    for name, color in zip(components, (BEST, *OTHERS)):
         line = chart.AddPlot(vtkChart.LINE)
         line.SetInputData(spectra, "Frequency", f"{name} model")
         line.SetLabel(f" {name}: model")
-        set_plot_colour(line, colour)
+        set_plot_color(line, color)
         line.SetWidth(2.5 * oversampling)
         points = chart.AddPlot(vtkChart.POINTS)
         points.SetInputData(spectra, "Frequency", name)
         points.SetLabel(f" {name}: field")
         points.SetMarkerStyle(vtkPlotPoints.CIRCLE)
         points.SetMarkerSize(8.0 * oversampling)
-        set_plot_colour(points, colour)
+        set_plot_color(points, color)
     values = np.concatenate([column(spectra, name) for name in components])
     _style_axis(
         chart.GetAxis(vtkAxis.BOTTOM), "Frequency (Hz)", oversampling,
@@ -91,7 +91,7 @@ def _add_line(chart, table, model, rank, oversampling):
     line.SetInputData(table, "Lag", model)
     words = re.sub(r"(?<=[a-z])(?=[A-Z0-9])", " ", model)
     line.SetLabel(f" {words}" if rank else f" {words} (best)")
-    set_plot_colour(line, OTHERS[(rank - 1) % len(OTHERS)] if rank else BEST)
+    set_plot_color(line, OTHERS[(rank - 1) % len(OTHERS)] if rank else BEST)
     line.SetWidth((1.6 if rank else 4.0) * oversampling)
 
 
@@ -101,7 +101,7 @@ def _add_points(chart, table, oversampling):
     points.SetLabel(" measured")
     points.SetMarkerStyle(vtkPlotPoints.CIRCLE)
     points.SetMarkerSize(7.0 * oversampling)
-    set_plot_colour(points, INK)
+    set_plot_color(points, INK)
 
 
 def _style_axis(axis, title, oversampling, values):

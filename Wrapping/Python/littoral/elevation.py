@@ -91,7 +91,7 @@ def read_dem(filename):
 def read_raster(filename):
     """Read a GeoTIFF or another raster through GDAL, in a projection that counts in metres.
 
-    The centres of the pixels become the points; pixels without data become NaN.
+    The centers of the pixels become the points; pixels without data become NaN.
     """
     from vtkmodules.vtkIOGDAL import vtkGDALRasterReader
 
@@ -110,8 +110,8 @@ def read_raster(filename):
         heights[vtk_to_numpy(ghosts) != 0] = np.nan
     columns, rows, _ = raster.GetDimensions()
     spacing, origin = raster.GetSpacing(), raster.GetOrigin()
-    centre = origin[0] + 0.5 * spacing[0], origin[1] + 0.5 * spacing[1]
-    return image_from_array(heights.reshape(rows - 1, columns - 1), spacing, centre)
+    center = origin[0] + 0.5 * spacing[0], origin[1] + 0.5 * spacing[1]
+    return image_from_array(heights.reshape(rows - 1, columns - 1), spacing, center)
 
 
 def write_vti(image, filename):

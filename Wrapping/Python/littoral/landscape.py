@@ -24,7 +24,7 @@ from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 
 #: Azimuth and elevation of the sun [degrees].
 SUN = (120.0, 34.0)
-#: Colour of the air far away, and how far one sees [m].
+#: Color of the air far away, and how far one sees [m].
 HAZE, SIGHT = (0.70, 0.79, 0.88), 9000.0
 #: Radius of the sky [m]. It is drawn behind all else, however far that is: a dome beyond the land
 #: would push the near plane of the view away from the eye.
@@ -70,14 +70,14 @@ GRAIN = """
   gl_FragData[0].rgb *= mix(vec3(0.50, 0.56, 0.46), vec3(0.96, 0.95, 0.88), 0.6 * grain);
 """
 
-#: The picture of a crown replaces its colours; where it is transparent there is no crown.
+#: The picture of a crown replaces its colors; where it is transparent there is no crown.
 CROWN = """
   vec4 leaves = texture(actortexture, tcoordVCVSOutput);
   if (leaves.a < 0.5) discard;
   gl_FragData[0].rgb *= leaves.rgb / max(diffuseColor, vec3(0.02));
 """
 
-#: The picture of leaves dims their colours; where it is transparent there is no leaf.
+#: The picture of leaves dims their colors; where it is transparent there is no leaf.
 LEAVES = """
   vec4 leaf = texture(actortexture, tcoordVCVSOutput);
   if (leaf.a < 0.5) discard;
@@ -89,7 +89,7 @@ LEAVES = """
 
 
 class Country:
-    """A part of an elevation model, refined, with small relief grown on it, lit colours and woods.
+    """A part of an elevation model, refined, with small relief grown on it, lit colors and woods.
 
     image: the terrain, with the point arrays Elevation [m] and RGB; wood: share of the ground that
     trees cover, by row and column.
@@ -126,12 +126,12 @@ class Country:
         return _sampled(self.z, self.spacing, x, y)
 
     def _paint(self, reflectance):
-        """Lit colours as the array RGB."""
+        """Lit colors as the array RGB."""
         seen = (scene.sunlight(self.z, self.spacing, *SUN), scene.openness(self.z, self.spacing))
-        colour = scene.natural_colour(self.z, self.spacing, reflectance)
-        colour = colour * (1.0 - 0.35 * self.wood[..., None])  # little light comes through trees
+        color = scene.natural_color(self.z, self.spacing, reflectance)
+        color = color * (1.0 - 0.35 * self.wood[..., None])  # little light comes through trees
         normals = scene.normals(self.z, self.spacing)
-        light = scene._lit(colour, normals, scene.direction(*SUN), *seen)
+        light = scene._lit(color, normals, scene.direction(*SUN), *seen)
         rgb = numpy_to_vtk(scene._to_bytes(light).reshape(-1, 3), deep=True)
         rgb.SetName("RGB")
         self.image.GetPointData().AddArray(rgb)
@@ -218,8 +218,8 @@ def shadows(country, places, radius, height, sun=SUN):
     along = -towards[:2] / np.hypot(*towards[:2])
     across = np.array((-along[1], along[0]))
     offset = ring[:, :1] * along * (0.5 + 0.5 / steep) + ring[:, 1:] * across
-    centre = places[:, None, :2] + (along / steep) * height[:, None, None]
-    ground = centre + radius[:, None, None] * offset
+    center = places[:, None, :2] + (along / steep) * height[:, None, None]
+    ground = center + radius[:, None, None] * offset
     z = country.height(ground[..., 0], ground[..., 1]) + 0.12
     points = np.concatenate((ground, z[..., None]), axis=-1).reshape(-1, 3)
     k, after = np.arange(12), (np.arange(12) + 1) % 12
@@ -234,14 +234,14 @@ def shadows(country, places, radius, height, sun=SUN):
     return polygons_with(points, triangles.reshape(-1, 3), np.tile(rgba, (len(places), 1)))
 
 
-def polygons_with(points, triangles, colours):
-    """Triangles between points [n, 3] with the colours `RGB`."""
+def polygons_with(points, triangles, colors):
+    """Triangles between points [n, 3] with the colors `RGB`."""
     data, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
     places.SetData(numpy_to_vtk(points.astype(np.float32), deep=True))
     cells.SetData(3, numpy_to_vtkIdTypeArray(triangles.astype(np.int64).ravel(), deep=True))
     data.SetPoints(places)
     data.SetPolys(cells)
-    rgb = numpy_to_vtk(colours, deep=True)
+    rgb = numpy_to_vtk(colors, deep=True)
     rgb.SetName("RGB")
     data.GetPointData().SetScalars(rgb)
     return data
@@ -279,8 +279,8 @@ def write_sky(filename, columns=6144, rows=1024, seed=4):
     low = np.exp(-3.4 * np.sin(elevation)) * np.ones_like(azimuth)
     blue = scene._mix(np.array((0.26, 0.46, 0.76)), np.array((0.76, 0.85, 0.92)), low)
     shade = 1.0 - 0.22 * np.clip((density - 1.2) / 1.6, 0.0, 1.0)
-    colour = scene._mix(blue, np.array((1.0, 0.99, 0.97)) * shade[..., None], cover)
-    _write_png(filename, np.round(255.0 * np.clip(colour, 0.0, 1.0)).astype(np.uint8))
+    color = scene._mix(blue, np.array((1.0, 0.99, 0.97)) * shade[..., None], cover)
+    _write_png(filename, np.round(255.0 * np.clip(color, 0.0, 1.0)).astype(np.uint8))
 
 
 def _cloud_field(cells, seed):
@@ -293,14 +293,14 @@ def _cloud_field(cells, seed):
     return field / field.std()
 
 
-def sky_dome(centre):
+def sky_dome(center):
     """The inside of a sphere around a place, with texture coordinates for `write_sky`."""
     elevation = np.linspace(-0.05, 0.5 * np.pi, 40)[:, None]
     azimuth = np.linspace(0.0, 2.0 * np.pi, 121)[None]
     away = np.stack(np.broadcast_arrays(
         np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth),
         np.sin(elevation)), axis=-1)
-    dome = scene._surface([(SKY * away + np.asarray(centre), np.zeros(away.shape, np.uint8))])
+    dome = scene._surface([(SKY * away + np.asarray(center), np.zeros(away.shape, np.uint8))])
     upwards = 0.998 * np.clip(elevation / (0.5 * np.pi), 0.001, 1.0)
     places = np.stack(np.broadcast_arrays(azimuth / (2.0 * np.pi), upwards), axis=-1)
     array = numpy_to_vtk(places.reshape(-1, 2).astype(np.float32), deep=True)
@@ -333,7 +333,7 @@ def prepare_view(view):
     view.UseFXAA = 1
     view.UseLight = 0
     view.AdditionalLights = []
-    for towards, colour, intensity in (
+    for towards, color, intensity in (
             (scene.direction(*SUN), (1.0, 0.93, 0.80), 1.15),
             ((0.0, 0.0, 1.0), (0.62, 0.76, 1.0), 0.5),
             (scene.direction(SUN[0] - 110.0, 10.0), (0.85, 0.88, 0.85), 0.4)):
@@ -342,7 +342,7 @@ def prepare_view(view):
         light.Type = "Directional"
         light.Position = [1e5 * c for c in towards]
         light.FocalPoint = [0.0, 0.0, 0.0]
-        light.DiffuseColor = list(colour)
+        light.DiffuseColor = list(color)
         light.Intensity = intensity
 
 
@@ -355,8 +355,8 @@ def look(view, eye, focus, angle):
 
 
 def show_ground(source, view):
-    """Show a terrain with lit colours, grain and haze."""
-    shown = _show_coloured(source, view)
+    """Show a terrain with lit colors, grain and haze."""
+    shown = _show_colored(source, view)
     _bake(shown)
     _shade(shown, PLACE, GRAIN + AIR)
     return shown
@@ -370,7 +370,7 @@ PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/R
 def show_plants(source, view, parts=PLANT_PARTS):
     """Show parts of scattered plants."""
     parts = simple.ExtractBlock(Input=source, Selectors=list(parts))
-    shown = _show_coloured(parts, view)
+    shown = _show_colored(parts, view)
     shown.Ambient = 0.35
     shown.Specular = 0.0
     _shade(shown, BOTH_SIDES, AIR)
@@ -380,7 +380,7 @@ def show_plants(source, view, parts=PLANT_PARTS):
 def show_crowns(source, view, picture):
     """Show the crowns of the middle level with their picture, a PNG file."""
     crowns = simple.ExtractBlock(Input=source, Selectors=["/Root/Medium/Crown"])
-    shown = _show_coloured(crowns, view)
+    shown = _show_colored(crowns, view)
     shown.Ambient = 0.45
     shown.Texture = create_texture(picture)
     shown.SelectTCoordArray = "TCoords"
@@ -392,7 +392,7 @@ def show_crowns(source, view, picture):
 def show_leaves(source, view, picture):
     """Show the leaves of the nearest level with their picture, a PNG file. Quadrics need it."""
     leaves = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Leaves"])
-    shown = _show_coloured(leaves, view)
+    shown = _show_colored(leaves, view)
     shown.Ambient = 0.35
     shown.Texture = create_texture(picture)
     shown.SelectTCoordArray = "TCoords"
@@ -403,7 +403,7 @@ def show_leaves(source, view, picture):
 
 def show_shadows(source, view):
     """Show shadows on the ground."""
-    shown = _show_coloured(source, view)
+    shown = _show_colored(source, view)
     _bake(shown)
     return shown
 
@@ -422,7 +422,7 @@ def show_sky(source, view, picture):
     return shown
 
 
-def _show_coloured(source, view):
+def _show_colored(source, view):
     shown = simple.Show(source, view)
     shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
@@ -430,7 +430,7 @@ def _show_coloured(source, view):
 
 
 def _bake(shown):
-    """The colours are the light."""
+    """The colors are the light."""
     shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
 
 

@@ -22,16 +22,16 @@ FAINT = (0.40, 0.43, 0.48)
 
 def save_block(filename, image, exaggeration=1.0, size=(1200, 800)):
     """Draw one terrain as a block on a pale floor."""
-    _save_blocks(filename, [image], exaggeration, scene.natural_colour, [], size)
+    _save_blocks(filename, [image], exaggeration, scene.natural_color, [], size)
 
 
 def save_pair(filename, images, titles, notes, exaggeration=1.0,
-              colouring=scene.natural_colour, size=(1600, 760)):
+              coloring=scene.natural_color, size=(1600, 760)):
     """Draw two terrains of the same size as blocks, side by side on a pale floor.
 
     titles, notes: a large and a small line of text under each.
     """
-    _save_blocks(filename, images, exaggeration, colouring, list(zip(titles, notes)), size)
+    _save_blocks(filename, images, exaggeration, coloring, list(zip(titles, notes)), size)
 
 
 def save_picture(filename, surfaces, eye, focus, view_angle, labels=(), size=(1600, 760),
@@ -47,8 +47,8 @@ def save_picture(filename, surfaces, eye, focus, view_angle, labels=(), size=(16
     renderer.UseFXAAOn()
     for surface in surfaces:
         renderer.AddActor(lit_actor(surface))
-    for text, place, height, colour in labels:
-        renderer.AddActor(label(text, place, height * oversampling, colour))
+    for text, place, height, color in labels:
+        renderer.AddActor(label(text, place, height * oversampling, color))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
     camera.SetFocalPoint(*focus)
@@ -69,8 +69,8 @@ def lit_actor(data):
     return actor
 
 
-def label(text, place, height, colour=INK):
-    """Text whose upper edge is centred at a place; height in pixels."""
+def label(text, place, height, color=INK):
+    """Text whose upper edge is centered at a place; height in pixels."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -78,7 +78,7 @@ def label(text, place, height, colour=INK):
     style = actor.GetTextProperty()
     style.SetFontFamilyToArial()
     style.SetFontSize(height)
-    style.SetColor(*colour)
+    style.SetColor(*color)
     style.SetJustificationToCentered()
     style.SetVerticalJustificationToTop()
     return actor
@@ -112,14 +112,14 @@ def _write(writer, window, filename, size, oversampling):
     writer.Write()
 
 
-def _save_blocks(filename, images, exaggeration, colouring, texts, size):
+def _save_blocks(filename, images, exaggeration, coloring, texts, size):
     """Blocks in a row across the picture, in haze, with texts below them."""
     width = scene.width_of(images[0])
     eye, focus, angle = scene.row_camera(width, len(images), size[0] / size[1])
     distance = np.linalg.norm(eye - focus)
     blocks, labels = [], []
-    for image, centre in zip(images, scene.row_centres(width, len(images))):
-        block = scene.relief_block(image, exaggeration, colouring=colouring, centre=centre)
+    for image, center in zip(images, scene.row_centers(width, len(images))):
+        block = scene.relief_block(image, exaggeration, coloring=coloring, center=center)
         blocks.append(scene.add_haze(block, eye, distance - 0.5 * width, distance + 0.9 * width))
     floor = scene.floor_shadow([block.GetBounds() for block in blocks])
     for k, (title, note) in enumerate(texts):

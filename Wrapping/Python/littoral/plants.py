@@ -33,9 +33,9 @@ BOTH_SIDES = """//VTK::Normal::Impl
 
 
 def plant_actor(part, picture=None, tinted=False):
-    """Actor of a part of a plant in its own colours, or with a picture instead of them.
+    """Actor of a part of a plant in its own colors, or with a picture instead of them.
 
-    tinted: the picture is multiplied with the colours.
+    tinted: the picture is multiplied with the colors.
     """
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(part)
@@ -84,10 +84,10 @@ def add_daylight(renderer, sun=(215.0, 40.0)):
     lamps = (
         (scene.direction(*sun), (1.0, 0.94, 0.82), 1.1), ((0.0, 0.0, 1.0), (0.65, 0.78, 1.0), 0.45),
         (scene.direction(sun[0] - 120.0, 5.0), (0.85, 0.88, 0.85), 0.35))
-    for towards, colour, intensity in lamps:
+    for towards, color, intensity in lamps:
         light = vtkLight()
         light.SetPosition(*(1e5 * c for c in towards))
         light.SetFocalPoint(0.0, 0.0, 0.0)
-        light.SetColor(*colour)
+        light.SetColor(*color)
         light.SetIntensity(intensity)
         renderer.AddLight(light)

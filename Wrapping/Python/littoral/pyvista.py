@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plants in PyVista: their colours, their own normals, and the pictures that they carry.
+"""Plants in PyVista: their colors, their own normals, and the pictures that they carry.
 
     plotter = pyvista.Plotter()
     add_plants(plotter, vtkReevesTreeSource().update().output)
@@ -28,8 +28,8 @@ def add_plants(plotter, plants, levels=("High",), **look):
             if part is None or not part.GetNumberOfCells():
                 continue
             picture = _picture(part)
-            colours = {} if name == "Crown" else {"scalars": "RGB", "rgb": True}  # a crown's are in its picture
-            actor = plotter.add_mesh(part, texture=picture, **{"ambient": 0.25, **colours, **look})
+            colors = {} if name == "Crown" else {"scalars": "RGB", "rgb": True}  # a crown's are in its picture
+            actor = plotter.add_mesh(part, texture=picture, **{"ambient": 0.25, **colors, **look})
             # PyVista's smooth_shading would replace the normals, which for leaves are those of the crown.
             actor.GetProperty().SetInterpolationToPhong()
             actors.append(actor if picture is None else cut_out(actor))

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relief models: a terrain as a block with natural colours, sunlight, cast shadows and haze.
+"""Relief models: a terrain as a block with natural colors, sunlight, cast shadows and haze.
 
 The light is computed here and baked into the point array `RGB` of a `vtkPolyData`, so a picture
 needs no lamp, no texture and no ray tracing, and looks the same in VTK and in ParaView.
 
-Lengths are in metres, angles in degrees, colours linear until `_to_bytes` encodes them. x is east,
+Lengths are in metres, angles in degrees, colors linear until `_to_bytes` encodes them. x is east,
 y north, z up; an azimuth counts from north to the east. Height fields are arrays z[row, column],
 rows from south to north, with a spacing (dx, dy).
 """
@@ -127,11 +127,11 @@ def _shifted(z, rows, columns):
     return z[y][:, x]
 
 
-# Colours ------------------------------------------------------------------------------------------
+# Colors ------------------------------------------------------------------------------------------
 
 
-def natural_colour(z, spacing, reflectance=None):
-    """Colour of a temperate country: meadows in the hollows, woods on the slopes, rock where steep.
+def natural_color(z, spacing, reflectance=None):
+    """Color of a temperate country: meadows in the hollows, woods on the slopes, rock where steep.
 
     `reflectance` [0..1], where given, decides between wood and meadow as chance does otherwise.
     """
@@ -140,12 +140,12 @@ def natural_colour(z, spacing, reflectance=None):
     high = _step(height + 0.4 * patches, 0.2, 2.2)
     steep = slope + 4.0 * np.maximum(height - 1.0, 0.0) + 2.0 * patches + grain
     wood = _mix(FOREST, UPLAND, high) * (1.0 + 0.14 * grain[..., None])
-    colour = _mix(_mix(MEADOW, PASTURE, dry), wood, wood_share(z, spacing, reflectance))
-    return _mix(colour, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * _step(steep, 24.0, 36.0))
+    color = _mix(_mix(MEADOW, PASTURE, dry), wood, wood_share(z, spacing, reflectance))
+    return _mix(color, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * _step(steep, 24.0, 36.0))
 
 
 def wood_share(z, spacing, reflectance=None):
-    """Share [0..1] of the ground that trees cover, where `natural_colour` paints woods."""
+    """Share [0..1] of the ground that trees cover, where `natural_color` paints woods."""
     slope, height, hollow, patches, grain = _relief(z, spacing, reflectance)
     wooded = 0.10 * (slope - 7.0) + 0.45 * hollow + 0.35 * height - 0.6 * patches + 0.25 * grain
     return _step(wooded, -0.9, 0.7)
@@ -159,15 +159,15 @@ def _relief(z, spacing, reflectance):
     return slope, _standard(z), _standard(z - blur(z, 28)), patches, _noise(z.shape, 0, seed=2)
 
 
-def height_colour(z, spacing, reflectance=None):
-    """Colour by height alone, as in an atlas, so that the shape speaks."""
+def height_color(z, spacing, reflectance=None):
+    """Color by height alone, as in an atlas, so that the shape speaks."""
     share = np.clip(0.5 + 0.22 * _standard(z), 0.0, 1.0)
     steps = np.linspace(0.0, 1.0, len(ATLAS))
     return np.stack([np.interp(share, steps, channel) for channel in ATLAS.T], axis=-1)
 
 
-def section_colour(along, height, depth, thickness):
-    """Colour of soil and rock beds in a cut.
+def section_color(along, height, depth, thickness):
+    """Color of soil and rock beds in a cut.
 
     All in metres: place along the cut, height above the base, depth below the ground, and thickness
     of the block.
@@ -201,14 +201,14 @@ def _step(value, low, high):
     return t * t * (3.0 - 2.0 * t)
 
 
-def _lit(colour, normal, towards_sun, sun, sky):
+def _lit(color, normal, towards_sun, sun, sky):
     """Light that a surface sends out, from the shares of sun and sky that it sees."""
     facing = np.maximum(normal @ towards_sun, 0.0) * sun
     above = (0.5 + 0.5 * normal[..., 2]) * sky
     below = 1.0 - 0.6 * sky
     light = [share[..., None] * lamp for share, lamp in
              ((facing, SUN_LIGHT), (above, SKY_LIGHT), (below, GROUND_LIGHT))]
-    return colour * sum(light)
+    return color * sum(light)
 
 
 def _to_bytes(light):
@@ -222,11 +222,11 @@ def _to_bytes(light):
 # Surfaces -----------------------------------------------------------------------------------------
 
 
-def relief_block(image, exaggeration=1.0, sun=SUN, colouring=natural_colour, centre=(0.0, 0.0)):
-    """The terrain of an image as a block with cut sides that stands on z = 0, lit colours in `RGB`.
+def relief_block(image, exaggeration=1.0, sun=SUN, coloring=natural_color, center=(0.0, 0.0)):
+    """The terrain of an image as a block with cut sides that stands on z = 0, lit colors in `RGB`.
 
-    exaggeration: of the heights; sun: azimuth and elevation; centre: where its middle comes to lie.
-    An array `Reflectance`, if there is one, guides the colours. Missing heights become the lowest.
+    exaggeration: of the heights; sun: azimuth and elevation; center: where its middle comes to lie.
+    An array `Reflectance`, if there is one, guides the colors. Missing heights become the lowest.
     """
     ground = array_from_image(image)
     if ground is None:
@@ -237,13 +237,13 @@ def relief_block(image, exaggeration=1.0, sun=SUN, colouring=natural_colour, cen
         reflectance, _ = refined(reflectance, image.GetSpacing())
     ground, spacing = refined(ground, image.GetSpacing())
     rows, columns = ground.shape
-    x = (np.arange(columns) - 0.5 * (columns - 1)) * spacing[0] + centre[0]
-    y = (np.arange(rows) - 0.5 * (rows - 1)) * spacing[1] + centre[1]
+    x = (np.arange(columns) - 0.5 * (columns - 1)) * spacing[0] + center[0]
+    y = (np.arange(rows) - 0.5 * (rows - 1)) * spacing[1] + center[1]
     thickness = 0.07 * np.ptp(x)
     z = thickness + (ground - ground.min()) * exaggeration
     seen = sunlight(z, spacing, *sun), openness(z, spacing)
-    colour = colouring(ground, spacing, reflectance)
-    light = _lit(colour, normals(z, spacing), direction(*sun), *seen)
+    color = coloring(ground, spacing, reflectance)
+    light = _lit(color, normals(z, spacing), direction(*sun), *seen)
     top = np.stack(np.broadcast_arrays(x, y[:, None], z), axis=-1)
     sides = (
         (top[0], (0.0, -1.0, 0.0)), (top[:, -1], (1.0, 0.0, 0.0)),
@@ -278,12 +278,12 @@ def floor_shadow(bounds, sun=SUN, cells=400):
     return _surface([(points, rgba)])
 
 
-def add_haze(data, eye, near, far, strength=0.3, colour=(0.70, 0.78, 0.86)):
+def add_haze(data, eye, near, far, strength=0.3, color=(0.70, 0.78, 0.86)):
     """Blend `RGB` into haze with the distance [m] from the eye: none at near, `strength` at far."""
     rgb = vtk_to_numpy(data.GetPointData().GetArray("RGB"))
     away = np.linalg.norm(vtk_to_numpy(data.GetPoints().GetData()) - eye, axis=1)
     share = strength * np.clip((away - near) / (far - near), 0.0, 1.0)
-    rgb[:] = np.round(_mix(rgb, 255.0 * np.array(colour), share))
+    rgb[:] = np.round(_mix(rgb, 255.0 * np.array(color), share))
     return data
 
 
@@ -293,25 +293,25 @@ def _wall(edge, normal, towards_sun, thickness):
     points[..., 2] *= np.linspace(1.0, 0.0, 120)[:, None]
     height = points[..., 2]
     along = np.hypot(*(points - edge[0])[..., :2].transpose(2, 0, 1))
-    colour = section_colour(along, height, edge[:, 2] - height, thickness)
+    color = section_color(along, height, edge[:, 2] - height, thickness)
     facing = np.broadcast_to(normal, points.shape)
     sky = 0.5 + 0.5 * np.minimum(height / thickness, 1.0)
-    return points, _to_bytes(_lit(colour, facing, towards_sun, np.ones_like(sky), sky))
+    return points, _to_bytes(_lit(color, facing, towards_sun, np.ones_like(sky), sky))
 
 
 def _surface(grids):
-    """One polydata of grids, each the points [row, column, 3] and their colours as bytes."""
+    """One polydata of grids, each the points [row, column, 3] and their colors as bytes."""
     quads, first = [], 0
     for points, _ in grids:
         k = first + np.arange(points[..., 0].size).reshape(points.shape[:2])
         quads.append(np.stack((k[:-1, :-1], k[:-1, 1:], k[1:, 1:], k[1:, :-1]), -1).ravel())
         first += k.size
     places = np.concatenate([p.reshape(-1, 3) for p, _ in grids]).astype(np.float32)
-    colours = np.concatenate([c.reshape(-1, c.shape[-1]) for _, c in grids])
+    colors = np.concatenate([c.reshape(-1, c.shape[-1]) for _, c in grids])
     points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
     points.SetData(numpy_to_vtk(places, deep=True))
     cells.SetData(4, numpy_to_vtkIdTypeArray(np.concatenate(quads).astype(np.int64), deep=True))
-    rgb = numpy_to_vtk(colours, deep=True)
+    rgb = numpy_to_vtk(colors, deep=True)
     rgb.SetName("RGB")
     data.SetPoints(points)
     data.SetPolys(cells)
@@ -328,8 +328,8 @@ def width_of(image):
     return max(bounds[1] - bounds[0], bounds[3] - bounds[2])
 
 
-def row_centres(width, count):
-    """Centres [m] of so many blocks of a width [m], side by side as `row_camera` sees them."""
+def row_centers(width, count):
+    """Centers [m] of so many blocks of a width [m], side by side as `row_camera` sees them."""
     places = 1.44 * width * (np.arange(count) - 0.5 * (count - 1))
     return places[:, None] * direction(90.0 - TURN, 0.0)
 

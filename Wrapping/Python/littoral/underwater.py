@@ -3,7 +3,7 @@
 """Underwater scenes in ParaView: the surface from below, the bed with its caustics, shafts of light, haze, particles.
 
 All of it works with the rasterizer that every ParaView has; no ray tracing. Lengths are in metres, x is east, y north,
-z up, the sea level at 0. The shaders work in a linear measure of light, which they turn into colours at the end.
+z up, the sea level at 0. The shaders work in a linear measure of light, which they turn into colors at the end.
 
 Ripples too short for the wave trains of a scene are a sum of a few waves in the shaders. The same waves refract the sun:
 where their curvature focuses it at a depth there are caustics, and between the eye and a place there are shafts.
@@ -159,7 +159,7 @@ SURFACE = """
   gl_FragData[0] = vec4(toned(through(light)), 1.0);
 """
 
-#: Sand and stones under moving light. Vertex colours are their reflectance.
+#: Sand and stones under moving light. Vertex colors are their reflectance.
 BED = """
   vec3 normal = normalize(normalAtPlace);
   float depth = -placeMC.z;
@@ -175,7 +175,7 @@ BED = """
   gl_FragData[0] = vec4(toned(through(albedo * falling)), 1.0);
 """
 
-#: Blades and stipes. Light goes through blades; vertex colours are what it takes on.
+#: Blades and stipes. Light goes through blades; vertex colors are what it takes on.
 SEAWEED = """
   vec3 normal = normalize(normalAtPlace);
   vec3 towards = normalize(placeMC - eyeMC);
@@ -240,7 +240,7 @@ def fan(reach=160.0, nearest=0.3, rings=260, spokes=420, angle=130.0, height=0.0
     return points
 
 
-def mesh(points, normals=None, colours=None):
+def mesh(points, normals=None, colors=None):
     """Quadrilaterals between rows of points [row, column, 3]."""
     rows, columns = points.shape[:2]
     corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
@@ -254,8 +254,8 @@ def mesh(points, normals=None, colours=None):
         array = numpy_to_vtk(normals.reshape(-1, 3).astype(np.float32), deep=True)
         array.SetName("Normals")
         data.GetPointData().SetNormals(array)
-    if colours is not None:
-        array = numpy_to_vtk(np.round(255.0 * np.clip(colours, 0.0, 1.0)).astype(np.uint8).reshape(-1, 3), deep=True)
+    if colors is not None:
+        array = numpy_to_vtk(np.round(255.0 * np.clip(colors, 0.0, 1.0)).astype(np.uint8).reshape(-1, 3), deep=True)
         array.SetName("RGB")
         data.GetPointData().AddArray(array)
     return data
@@ -280,14 +280,14 @@ def bed(depth, eye, size=120.0, samples=900, seed=5):
     stone = np.array((0.22, 0.23, 0.19)) * (1.0 + 0.30 * bumps[..., None])
     crust = np.array((0.40, 0.26, 0.27))  # coralline algae
     stone = stone + (crust - stone) * np.clip(0.7 * stones - 0.75 + 0.4 * bumps, 0.0, 0.8)[..., None]
-    colour = sand + (stone - sand) * rock[..., None]
+    color = sand + (stone - sand) * rock[..., None]
 
     def height(at_x, at_y):
         column = np.clip(np.rint((np.asarray(at_x) - x[0, 0]) / step).astype(int), 0, samples - 1)
         row = np.clip(np.rint((np.asarray(at_y) - y[0, 0]) / step).astype(int), 0, samples - 1)
         return z[row, column]
 
-    return mesh(np.stack((x, y, z), axis=-1), normals, colour), height
+    return mesh(np.stack((x, y, z), axis=-1), normals, color), height
 
 
 def _field(size, samples, reach, smoothness, seed):
@@ -323,7 +323,7 @@ def kelp_sites(height, count=130, seed=4, top=-0.8):
     return points_with(places, Species=np.array(species, dtype=np.int32), Scale=scale)
 
 
-def particles(box, count, radius, colour, seed=1, clumps=0.0, plants=None, share=0.03):
+def particles(box, count, radius, color, seed=1, clumps=0.0, plants=None, share=0.03):
     """Particles in a box (smallest, then largest x, y, z) with the arrays Radius [m] and RGB.
 
     radius: median [m]; clumps: 0 uniform to 1 gathered in clouds; plants: sites that a share of all gathers about.
@@ -332,9 +332,9 @@ def particles(box, count, radius, colour, seed=1, clumps=0.0, plants=None, share
     low, high = np.reshape(box, (2, 3))
     places = low + random.random((count, 3)) * (high - low)
     if clumps > 0.0:
-        centres = low + (0.12, 0.35, 0.12) * (high - low) + random.random((max(1, count // 30000), 3)) * (
+        centers = low + (0.12, 0.35, 0.12) * (high - low) + random.random((max(1, count // 30000), 3)) * (
             0.76, 0.55, 0.6) * (high - low)
-        near = centres[random.integers(len(centres), size=count)] + random.normal(0.0, 1.7, (count, 3)) * (1.5, 1.5, 0.6)
+        near = centers[random.integers(len(centers), size=count)] + random.normal(0.0, 1.7, (count, 3)) * (1.5, 1.5, 0.6)
         inside = ((near > low) & (near < high)).all(axis=1, keepdims=True)
         places = np.where((random.random((count, 1)) < clumps) & inside, near, places)
     if plants is not None:
@@ -344,7 +344,7 @@ def particles(box, count, radius, colour, seed=1, clumps=0.0, plants=None, share
         gathered[:, 2] += 2.2 * random.random(len(gathered))
         places[:len(gathered)] = np.clip(gathered, low, high)
     sizes = radius * np.exp(np.clip(0.5 * random.standard_normal(count), -1.5, 1.0))
-    shade = np.clip(np.array(colour) * random.uniform(0.75, 1.1, (count, 1)), 0.0, 1.0)
+    shade = np.clip(np.array(color) * random.uniform(0.75, 1.1, (count, 1)), 0.0, 1.0)
     return points_with(places, Radius=sizes.astype(np.float32), RGB=np.round(255.0 * shade).astype(np.uint8))
 
 
@@ -424,14 +424,14 @@ def show_particles(source, view, eye):
     return shown
 
 
-def show_fog(source, view, colour=(0.50, 0.78, 0.76)):
-    """Show the image of Particle Fog as a volume of a colour."""
+def show_fog(source, view, color=(0.50, 0.78, 0.76)):
+    """Show the image of Particle Fog as a volume of a color."""
     extinctions = (0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.2, 2.5, 5.0)
     shown = simple.Show(source, view, "UniformGridRepresentation")
     shown.SetRepresentationType("Volume")
     shown.ColorArrayName = ["POINTS", "Extinction"]
     shown.LookupTable = simple.CreateLookupTable(
-        ColorSpace="RGB", RGBPoints=[0.0, *colour, extinctions[-1], *colour], AutomaticRescaleRangeMode="Never")
+        ColorSpace="RGB", RGBPoints=[0.0, *color, extinctions[-1], *color], AutomaticRescaleRangeMode="Never")
     shown.ScalarOpacityFunction = simple.CreatePiecewiseFunction(
         Points=[number for each in extinctions for number in (each, 1.0 - math.exp(-each), 0.5, 0.0)])
     shown.ScalarOpacityUnitDistance = 1.0

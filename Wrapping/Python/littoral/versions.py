@@ -11,12 +11,12 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 
-def set_plot_colour(plot, colour):
-    """Set the colour of a vtkPlot, components from 0 to 1.
+def set_plot_color(plot, color):
+    """Set the color of a vtkPlot, components from 0 to 1.
 
     VTK 9.6 has no SetColor of three numbers any more, VTK 9.1 no SetColorF yet.
     """
-    plot.SetColor(*(round(255.0 * c) for c in colour), 255)
+    plot.SetColor(*(round(255.0 * c) for c in color), 255)
 
 
 def create_texture(file):

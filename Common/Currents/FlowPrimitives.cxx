@@ -1,0 +1,485 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Currents/FlowPrimitives.h"
+
+#include "Numerics/Constants.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// (1 - exp(-x))/x, 1 at 0. Beyond 40 the exponential is less than the last digit of 1.
+double CoreShare(double x)
+{
+  if (x > 40.0)
+  {
+    return 1.0 / x;
+  }
+  return x > 1e-8 ? -std::expm1(-x) / x : 1.0 - 0.5 * x;
+}
+
+bool IsBox(const Box& box)
+{
+  return IsFinite(box.Low) && IsFinite(box.High) && box.Low.x <= box.High.x && box.Low.y <= box.High.y &&
+    box.Low.z <= box.High.z;
+}
+
+bool HasEnd(const FlowPrimitive& primitive)
+{
+  return primitive.InfluenceRadius > 0.0 || primitive.InfluenceMargin > 0.0;
+}
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Images of an endless source on each side between two walls.
+constexpr int SourceImages = 3;
+/// Images of an endless vortex on each side between two walls, and the depths at which each has ended.
+constexpr int VortexImages = 6;
+/// Core of the vertical vortex that makes up for the far circulation of these [depths].
+constexpr double FarCore = 3.0;
+/// Images of what ends, on each side: a reach beyond this many depths leaves out images that hardly matter.
+constexpr int MostImages = 64;
+
+/// An axis whose slope is less than this is level.
+constexpr double LevelAxis = 1e-9;
+
+}
+
+/// A mirror about a level, or a shift: a height z becomes Sign z + Offset.
+struct FlowField::Reflection
+{
+  double Sign;
+  double Offset;
+
+  bool IsMirror() const { return this->Sign < 0.0; }
+  bool IsNone() const { return this->Sign > 0.0 && this->Offset == 0.0; }
+  Vector3 operator()(const Vector3& place) const { return { place.x, place.y, this->Sign * place.z + this->Offset }; }
+  Box operator()(const Box& box) const
+  {
+    const Vector3 low = (*this)(box.Low);
+    const Vector3 high = (*this)(box.High);
+    return { glm::min(low, high), glm::max(low, high) };
+  }
+};
+
+/// The reflections that the walls make of what is in the water, the water itself first; between two walls as many on
+/// each side.
+std::vector<FlowField::Reflection> FlowField::ReflectionsOf(const WaterLayer& layer, int mostImages)
+{
+  std::vector<Reflection> reflections{ { 1.0, 0.0 } };
+  if (!layer.HasWalls())
+  {
+    return reflections;
+  }
+  if (!(layer.HasBed() && layer.HasSurface()))
+  {
+    reflections.push_back({ -1.0, 2.0 * (layer.HasBed() ? layer.Bed : layer.Surface) });
+    return reflections;
+  }
+  for (int n = 1; n <= mostImages; ++n)
+  {
+    // The layer that is n depths away, below and above.
+    for (const int away : { -n, n })
+    {
+      const double even = away * layer.Depth();
+      const double odd = layer.Bed + layer.Surface + even;
+      reflections.push_back(n % 2 == 0 ? Reflection{ 1.0, even } : Reflection{ -1.0, odd });
+    }
+  }
+  return reflections;
+}
+
+namespace
+{
+
+/// A box outside of which there is no flow: the common part of that about the sphere and that about the influence box.
+Box ReachOf(const FlowPrimitive& primitive)
+{
+  const double margin = primitive.InfluenceMargin;
+  const double radius = primitive.InfluenceRadius;
+  const Box box{ primitive.InfluenceBox.Low - margin, primitive.InfluenceBox.High + margin };
+  const Box ball{ primitive.Center - radius, primitive.Center + radius };
+  if (radius == 0.0 || margin == 0.0)
+  {
+    return margin == 0.0 ? ball : box;
+  }
+  const Vector3 low = glm::max(box.Low, ball.Low);
+  return { low, glm::max(low, glm::min(box.High, ball.High)) }; // a point of no flow if they do not meet
+}
+
+}
+
+std::string WhyInvalid(const FlowPrimitive& primitive)
+{
+  std::ostringstream reason;
+  const bool hasCore = primitive.Type != FlowType::Uniform;
+  const bool hasAxis = primitive.Type == FlowType::Uniform || primitive.Type == FlowType::Vortex;
+  if (primitive.Type < FlowType::Uniform || primitive.Type > FlowType::Vortex)
+  {
+    reason << "FlowType is " << static_cast<int>(primitive.Type) << "; it must be 0 to 3.";
+  }
+  else if (!std::isfinite(primitive.Strength))
+  {
+    reason << "Strength must be finite.";
+  }
+  else if (!IsFinite(primitive.Center))
+  {
+    reason << "Center must be finite.";
+  }
+  else if (hasAxis && !(IsFinite(primitive.Axis) && glm::length(primitive.Axis) > 0.0))
+  {
+    reason << "Axis must be finite and not of length 0.";
+  }
+  else if (hasCore && !(primitive.CoreRadius > 0.0 && std::isfinite(primitive.CoreRadius)))
+  {
+    reason << "CoreRadius is " << primitive.CoreRadius << " m; it must be positive.";
+  }
+  else if (!(primitive.InfluenceRadius >= 0.0 && std::isfinite(primitive.InfluenceRadius)))
+  {
+    reason << "InfluenceRadius is " << primitive.InfluenceRadius << " m; it must be positive, or 0 for none.";
+  }
+  else if (!(primitive.InfluenceMargin >= 0.0 && std::isfinite(primitive.InfluenceMargin)))
+  {
+    reason << "InfluenceMargin is " << primitive.InfluenceMargin << " m; it must be positive, or 0 for none.";
+  }
+  else if (primitive.InfluenceMargin > 0.0 && !IsBox(primitive.InfluenceBox))
+  {
+    reason << "InfluenceBox must be finite, with lower ends that are not above the upper ones.";
+  }
+  return reason.str();
+}
+
+FlowField::FlowField(const std::vector<FlowPrimitive>& primitives, const WaterLayer& layer)
+  : Count(primitives.size())
+{
+  const auto inverseSquare = [](double length) { return length > 0.0 ? 1.0 / (length * length) : 0.0; };
+  for (const FlowPrimitive& primitive : primitives)
+  {
+    const Vector3 axis = Normalised(primitive.Axis);
+    const double core = primitive.CoreRadius * primitive.CoreRadius;
+    Local local{ primitive.Type, primitive.Center, axis, primitive.Strength, core, 1.0 / core,
+      inverseSquare(primitive.InfluenceRadius), primitive.InfluenceBox, inverseSquare(primitive.InfluenceMargin) };
+    switch (primitive.Type)
+    {
+      case FlowType::Uniform:
+        if (!HasEnd(primitive))
+        {
+          const Vector3 flow = primitive.Strength * axis;
+          this->Everywhere += layer.HasWalls() ? Vector3(flow.x, flow.y, 0.0) : flow;
+          continue;
+        }
+        break;
+      case FlowType::Source:
+        local.Factor /= 4.0 * Pi;
+        break;
+      case FlowType::Sink:
+        local.Factor /= -4.0 * Pi;
+        break;
+      case FlowType::Vortex:
+        local.Factor /= TwoPi;
+        break;
+    }
+    const bool isPoint = primitive.Type == FlowType::Source || primitive.Type == FlowType::Sink;
+    if (isPoint && !layer.Holds(primitive.Center.z))
+    {
+      continue;
+    }
+    if (primitive.Type == FlowType::Sink)
+    {
+      this->Sinks.push_back({ primitive.Center, core });
+    }
+    if (layer.HasWalls())
+    {
+      this->AddBetweenWalls(local, primitive, layer);
+    }
+    else
+    {
+      this->Add(local, primitive);
+    }
+  }
+  this->Cells = BoxCells(this->Reaches);
+}
+
+void FlowField::Add(const Local& local, const FlowPrimitive& primitive)
+{
+  if (HasEnd(primitive))
+  {
+    this->Ending.push_back(local);
+    this->Reaches.push_back(ReachOf(primitive));
+  }
+  else
+  {
+    this->Around.push_back(local);
+  }
+}
+
+void FlowField::AddBetweenWalls(const Local& local, const FlowPrimitive& primitive, const WaterLayer& layer)
+{
+  const bool isVortex = primitive.Type == FlowType::Vortex;
+  const bool isUniform = primitive.Type == FlowType::Uniform;
+  const bool isLevel = isVortex ? local.Axis.x == 0.0 && local.Axis.y == 0.0 : isUniform && local.Axis.z == 0.0;
+  if (isLevel)
+  {
+    this->Add(local, primitive);
+    return;
+  }
+  Local own = local;
+  if (isVortex)
+  {
+    // The part of the axis that is in the water.
+    if (std::abs(own.Axis.z) < LevelAxis)
+    {
+      own.Axis = Normalised({ own.Axis.x, own.Axis.y, 0.0 });
+      if (!layer.Holds(own.Center.z))
+      {
+        return;
+      }
+    }
+    const double low = own.Axis.z != 0.0 ? (layer.Bed - own.Center.z) / own.Axis.z : -Infinity;
+    const double high = own.Axis.z != 0.0 ? (layer.Surface - own.Center.z) / own.Axis.z : Infinity;
+    own.First = std::min(low, high);
+    own.Last = std::max(low, high);
+    own.IsPart = std::isfinite(low) || std::isfinite(high);
+  }
+  const bool isEndless = !HasEnd(primitive);
+  const bool hasBoth = layer.HasBed() && layer.HasSurface();
+  if (isEndless && hasBoth && isVortex)
+  {
+    this->AddVortexChain(own, layer);
+    return;
+  }
+  if (isEndless && hasBoth)
+  {
+    this->AddSourceStack(own, layer);
+    return;
+  }
+  const auto reaches = [&](const Box& box) { return box.High.z >= layer.Bed && box.Low.z <= layer.Surface; };
+  if (!isEndless && !reaches(ReachOf(primitive)))
+  {
+    return; // it flows beyond the walls alone
+  }
+  for (const Reflection& reflection : ReflectionsOf(layer, MostImages))
+  {
+    const Local image = Reflected(own, reflection);
+    const Box reach = isEndless ? Box{} : reflection(ReachOf(primitive));
+    if (isEndless)
+    {
+      this->Around.push_back(image);
+    }
+    else if (reaches(reach))
+    {
+      this->Ending.push_back(image);
+      this->Reaches.push_back(reach);
+    }
+  }
+}
+
+void FlowField::AddSourceStack(const Local& local, const WaterLayer& layer)
+{
+  // The sum over all n of f(z - 2 n h) is the integral over dn and, on each side, the difference between the images up
+  // to N and the integral up to N + 1/2, with (f(N + 1) - f(N))/24 for the rest: Euler and Maclaurin.
+  const double depth = layer.Depth();
+  const double end = (2.0 * SourceImages + 1.0) * depth;
+  Column column{ local.Center.x, local.Center.y, local.Factor / (2.0 * depth), local.CoreSquared, {}, {} };
+  int sequence = 0;
+  for (const Reflection& first : { Reflection{ 1.0, 0.0 }, Reflection{ -1.0, 2.0 * layer.Bed } })
+  {
+    for (int n = -SourceImages - 1; n <= SourceImages + 1; ++n)
+    {
+      const int beyond = std::abs(n) - SourceImages;
+      const double weight = beyond < 0 ? 1.0 : beyond == 0 ? 23.0 / 24.0 : 1.0 / 24.0;
+      Local image = Reflected(local, { first.Sign, first.Offset + 2.0 * n * depth });
+      image.Factor *= weight;
+      this->Around.push_back(image);
+    }
+    const double middle = first(local.Center).z;
+    column.Lows[sequence] = middle - end;
+    column.Highs[sequence++] = middle + end;
+  }
+  this->Columns.push_back(column);
+}
+
+void FlowField::AddVortexChain(const Local& local, const WaterLayer& layer)
+{
+  const double depth = layer.Depth();
+  Local part = local;
+  part.IsPart = true;
+  part.InverseFade = 1.0 / (VortexImages * depth * VortexImages * depth);
+  for (const Reflection& reflection : ReflectionsOf(layer, VortexImages))
+  {
+    this->Around.push_back(Reflected(part, reflection));
+  }
+  if (local.Axis.z == 0.0)
+  {
+    return; // images cancel far away
+  }
+  Local far = local;
+  far.IsPart = false;
+  far.Center += 0.5 * (local.First + local.Last) * local.Axis;
+  const double halfLength = 0.5 * (local.Last - local.First) * std::hypot(local.Axis.x, local.Axis.y);
+  far.CoreSquared = FarCore * FarCore * depth * depth + halfLength * halfLength;
+  far.InverseCore = 1.0 / far.CoreSquared;
+  far.Axis = Vector3(0.0, 0.0, std::copysign(1.0, local.Axis.z));
+  this->Around.push_back(far);
+}
+
+FlowField::Local FlowField::Reflected(const Local& local, const Reflection& reflection)
+{
+  Local image = local;
+  image.Center = reflection(local.Center);
+  image.Whole = reflection(local.Whole);
+  if (local.Type == FlowType::Uniform && !reflection.IsNone())
+  {
+    image.Factor = reflection.Sign * local.Factor * local.Axis.z;
+    image.Axis = Vector3(0.0, 0.0, 1.0);
+  }
+  if (local.Type == FlowType::Vortex && reflection.IsMirror())
+  {
+    // Turns the other way about the mirrored axis: the same along that axis turned round.
+    image.Axis = Vector3(-local.Axis.x, -local.Axis.y, local.Axis.z);
+    image.First = -local.Last;
+    image.Last = -local.First;
+  }
+  return image;
+}
+
+inline double FlowField::Local::PartShare(double q2, double s) const
+{
+  double share = 1.0;
+  if (this->InverseFade > 0.0)
+  {
+    const double beyond = std::max(0.0, std::max(this->First - s, s - this->Last));
+    const double inside = 1.0 - (q2 + beyond * beyond) * this->InverseFade;
+    if (inside <= 0.0)
+    {
+      return 0.0;
+    }
+    share = inside * inside;
+  }
+  // Half the difference of the cosines under which the ends are seen from the axis.
+  const double softened = q2 + this->CoreSquared;
+  const auto cosine = [softened](double t) {
+    return std::isfinite(t) ? t / std::sqrt(softened + t * t) : std::copysign(1.0, t);
+  };
+  return 0.5 * share * (cosine(s - this->First) - cosine(s - this->Last));
+}
+
+inline Vector3 FlowField::Local::Flow(const Vector3& arm, double squaredArm, double factor) const
+{
+  switch (this->Type)
+  {
+    case FlowType::Uniform:
+      return factor * this->Axis;
+    case FlowType::Source:
+    case FlowType::Sink:
+    {
+      const double softened = squaredArm + this->CoreSquared;
+      return (factor / (softened * std::sqrt(softened))) * arm;
+    }
+    case FlowType::Vortex:
+    {
+      const Vector3 around = glm::cross(this->Axis, arm);
+      const double q2 = glm::dot(around, around);
+      const double part = this->IsPart ? this->PartShare(q2, glm::dot(this->Axis, arm)) : 1.0;
+      return part != 0.0 ? (part * factor * this->InverseCore * CoreShare(q2 * this->InverseCore)) * around
+                         : Vector3(0.0);
+    }
+  }
+  return Vector3(0.0);
+}
+
+inline double FlowField::Local::Share(const Vector3& place, double squaredArm) const
+{
+  double share = 1.0;
+  if (this->InverseMargin > 0.0)
+  {
+    const Vector3 away = glm::max(glm::max(this->Whole.Low - place, place - this->Whole.High), 0.0);
+    const double inside = std::max(0.0, 1.0 - glm::dot(away, away) * this->InverseMargin);
+    share = inside * inside;
+  }
+  if (this->InverseInfluence > 0.0)
+  {
+    const double inside = std::max(0.0, 1.0 - squaredArm * this->InverseInfluence);
+    share *= inside * inside;
+  }
+  return share;
+}
+
+inline Vector3 FlowField::Column::Flow(const Vector3& place) const
+{
+  const double x = place.x - this->X;
+  const double y = place.y - this->Y;
+  const double softened = x * x + y * y + this->CoreSquared;
+  double across = 0.0;
+  double up = 0.0;
+  for (int sequence = 0; sequence < 2; ++sequence)
+  {
+    const double overLow = place.z - this->Lows[sequence];
+    const double overHigh = place.z - this->Highs[sequence];
+    const double nearLow = 1.0 / std::sqrt(softened + overLow * overLow);
+    const double nearHigh = 1.0 / std::sqrt(softened + overHigh * overHigh);
+    across += 2.0 - overLow * nearLow + overHigh * nearHigh;
+    up += nearLow - nearHigh;
+  }
+  across *= this->Factor / softened;
+  return { across * x, across * y, this->Factor * up };
+}
+
+Vector3 FlowField::Velocity(const Vector3& place) const
+{
+  Vector3 sum = this->Everywhere;
+  for (const Local& local : this->Around)
+  {
+    const Vector3 arm = place - local.Center;
+    sum += local.Flow(arm, glm::dot(arm, arm), local.Factor);
+  }
+  for (const Column& column : this->Columns)
+  {
+    sum += column.Flow(place);
+  }
+  if (this->Ending.empty())
+  {
+    return sum;
+  }
+  for (const int near : this->Cells.Near(place))
+  {
+    const Local& local = this->Ending[near];
+    const Vector3 arm = place - local.Center;
+    const double squaredArm = glm::dot(arm, arm);
+    const double share = local.Share(place, squaredArm);
+    if (share > 0.0)
+    {
+      sum += local.Flow(arm, squaredArm, share * local.Factor);
+    }
+  }
+  return sum;
+}
+
+bool FlowField::Capture(const Vector3& from, Vector3& to) const
+{
+  for (const Ball& sink : this->Sinks)
+  {
+    const Vector3 way = to - from;
+    const double length = glm::dot(way, way);
+    const double part = length > 0.0 ? std::clamp(glm::dot(sink.Center - from, way) / length, 0.0, 1.0) : 0.0;
+    const Vector3 nearest = from + part * way;
+    const Vector3 arm = nearest - sink.Center;
+    if (glm::dot(arm, arm) <= sink.RadiusSquared)
+    {
+      to = nearest;
+      return true;
+    }
+  }
+  return false;
+}
+
+}

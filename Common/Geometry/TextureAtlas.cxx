@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/TextureAtlas.h"
+
+#include <algorithm>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Texels of the border on each side.
+constexpr int Border = 2;
+/// Side of what stands for no texture.
+constexpr int WhiteSide = 4;
+
+std::array<int, 2> FilledSize(const std::array<int, 2>& size)
+{
+  return size[0] > 0 && size[1] > 0 ? size : std::array<int, 2>{ WhiteSide, WhiteSide };
+}
+
+void CopyWithBorder(const TextureImage& from, int columns, int rows, int firstRow, TextureImage& to)
+{
+  for (int row = -Border; row < rows + Border; ++row)
+  {
+    for (int column = -Border; column < to.Columns - Border; ++column)
+    {
+      to.At(column + Border, firstRow + row) = from.Texels.empty()
+        ? Texel{ 255, 255, 255, 255 }
+        : from.At(std::clamp(column, 0, columns - 1), std::clamp(row, 0, rows - 1));
+    }
+  }
+}
+
+}
+
+std::array<double, 2> AtlasArea::Map(double u, double v) const
+{
+  return { this->Corner[0] + this->Size[0] * std::clamp(u, 0.0, 1.0),
+    this->Corner[1] + this->Size[1] * std::clamp(v, 0.0, 1.0) };
+}
+
+std::array<long long, 2> AtlasSize(const std::vector<std::array<int, 2>>& sizes)
+{
+  std::array<long long, 2> all{ 0, 0 };
+  for (const std::array<int, 2>& size : sizes)
+  {
+    const std::array<int, 2> filled = FilledSize(size);
+    all[0] = std::max<long long>(all[0], filled[0] + 2 * Border);
+    all[1] += filled[1] + 2 * Border;
+  }
+  return all;
+}
+
+TextureAtlas StackTextures(const std::vector<TextureImage>& textures)
+{
+  std::vector<std::array<int, 2>> sizes;
+  for (const TextureImage& texture : textures)
+  {
+    sizes.push_back(FilledSize({ texture.Columns, texture.Rows }));
+  }
+  const std::array<long long, 2> all = AtlasSize(sizes);
+  TextureAtlas atlas;
+  atlas.Image = TextureImage(static_cast<int>(all[0]), static_cast<int>(all[1]));
+  int firstRow = Border;
+  for (std::size_t i = 0; i < textures.size(); ++i)
+  {
+    const auto [columns, rows] = sizes[i];
+    CopyWithBorder(textures[i], columns, rows, firstRow, atlas.Image);
+    AtlasArea area;
+    area.Corner[0] = static_cast<double>(Border) / all[0];
+    area.Corner[1] = static_cast<double>(firstRow) / all[1];
+    area.Size[0] = static_cast<double>(columns) / all[0];
+    area.Size[1] = static_cast<double>(rows) / all[1];
+    atlas.Areas.push_back(area);
+    firstRow += rows + 2 * Border;
+  }
+  return atlas;
+}
+
+}

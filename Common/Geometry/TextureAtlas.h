@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralTextureAtlas_h
+#define LittoralTextureAtlas_h
+
+#include "Geometry/TextureImage.h"
+
+#include <array>
+#include <vector>
+
+namespace littoral
+{
+
+/// Where a texture lies in an atlas, in texture coordinates of the atlas.
+struct AtlasArea
+{
+  double Corner[2] = { 0.0, 0.0 };
+  double Size[2] = { 1.0, 1.0 };
+
+  /// Coordinates in the texture, drawn to its edge where they are outside, as coordinates in the atlas.
+  std::array<double, 2> Map(double u, double v) const;
+};
+
+/// Textures one above the other, the first at the foot, so that one picture serves all. Each has a border that repeats
+/// its edge, so that interpolation does not mix neighbours.
+struct TextureAtlas
+{
+  TextureImage Image;
+  std::vector<AtlasArea> Areas;
+};
+
+/// Columns and rows of the atlas of textures with these columns and rows.
+std::array<long long, 2> AtlasSize(const std::vector<std::array<int, 2>>& sizes);
+
+/// An empty texture counts as a white, opaque one.
+TextureAtlas StackTextures(const std::vector<TextureImage>& textures);
+
+}
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/VectorRange.h"
+
+#include "Numerics/Lanes.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace littoral
+{
+
+namespace
+{
+
+LITTORAL_INLINE Singles Load(const float* from)
+{
+  Singles four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
+
+LITTORAL_INLINE Lanes Doubles(const Singles& four)
+{
+  return Lanes(__builtin_convertvector(four, Lanes::Register));
+}
+
+void AddOne(const float* vector, VectorRange& range, double& check)
+{
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    range.Low[axis] = std::min(range.Low[axis], vector[axis]);
+    range.High[axis] = std::max(range.High[axis], vector[axis]);
+    square += static_cast<double>(vector[axis]) * vector[axis];
+  }
+  range.LeastSquare = std::min(range.LeastSquare, square);
+  range.MostSquare = std::max(range.MostSquare, square);
+  check += square - square;
+}
+
+}
+
+LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count)
+{
+  VectorRange range;
+  constexpr float largest = VectorRange::Largest;
+  const Singles most{ largest, largest, largest, largest };
+  Singles low[3] = { most, most, most };
+  Singles high[3] = { -most, -most, -most };
+  Lanes least(range.LeastSquare);
+  Lanes greatest(range.MostSquare);
+  Lanes checks(0.0); // no number as soon as one of them is not finite
+  std::size_t next = 0;
+  for (; next + 4 <= count; next += 4)
+  {
+    // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3
+    const Singles part[3] = { Load(vectors + 3 * next), Load(vectors + 3 * next + 4), Load(vectors + 3 * next + 8) };
+    for (int k = 0; k < 3; ++k)
+    {
+      low[k] = part[k] < low[k] ? part[k] : low[k];
+      high[k] = high[k] < part[k] ? part[k] : high[k];
+    }
+    const Singles xs = __builtin_shufflevector(part[0], part[1], 0, 3, 6, 6);
+    const Singles ys = __builtin_shufflevector(part[0], part[1], 1, 4, 7, 7);
+    const Singles zs = __builtin_shufflevector(part[0], part[1], 2, 5, 5, 5);
+    const Lanes x = Doubles(__builtin_shufflevector(xs, part[2], 0, 1, 2, 5));
+    const Lanes y = Doubles(__builtin_shufflevector(ys, part[2], 0, 1, 2, 6));
+    const Lanes z = Doubles(__builtin_shufflevector(zs, part[2], 0, 1, 4, 7));
+    const Lanes squares = x * x + y * y + z * z;
+    least = Smaller(least, squares);
+    greatest = Larger(greatest, squares);
+    checks += squares - squares;
+  }
+  for (int i = 0; i < 12; ++i)
+  {
+    range.Low[i % 3] = std::min(range.Low[i % 3], low[i / 4][i % 4]);
+    range.High[i % 3] = std::max(range.High[i % 3], high[i / 4][i % 4]);
+  }
+  double check = 0.0;
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    range.LeastSquare = std::min(range.LeastSquare, least.Values[lane]);
+    range.MostSquare = std::max(range.MostSquare, greatest.Values[lane]);
+    check += checks.Values[lane];
+  }
+  for (; next < count; ++next)
+  {
+    AddOne(vectors + 3 * next, range, check);
+  }
+  range.IsFinite = check == 0.0;
+  return range;
+}
+
+}

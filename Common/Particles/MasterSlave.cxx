@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Particles/MasterSlave.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/RandomStream.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr int MostSlaves = 1000;
+
+int LongestSide(const Box& box)
+{
+  const Vector3 size = box.High - box.Low;
+  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
+
+/// Where to cut a row of particles, so that all groups but the last one of it are full.
+std::size_t HalfOf(std::size_t count, std::size_t group)
+{
+  const std::size_t groups = (count + group - 1) / group;
+  return groups / 2 * group;
+}
+
+/// A place in the shell between two radii, uniform in its volume.
+Vector3 PlaceInShell(const RandomStream& random, int particle, double inner, double outer)
+{
+  const auto direction = random.UniformPair(particle, 0);
+  const double part = random.UniformPair(particle, 1)[0];
+  const double cubes = inner * inner * inner + part * (outer * outer * outer - inner * inner * inner);
+  const double z = 2.0 * direction[0] - 1.0;
+  const double across = std::sqrt(std::max(0.0, 1.0 - z * z));
+  const double angle = TwoPi * direction[1];
+  return std::cbrt(cubes) * Vector3(across * std::cos(angle), across * std::sin(angle), z);
+}
+
+}
+
+std::string WhyInvalid(const GroupOptions& options)
+{
+  std::ostringstream reason;
+  if (options.Slaves < 0 || options.Slaves > MostSlaves)
+  {
+    reason << "SlavesPerMaster is " << options.Slaves << "; it must be 0 to " << MostSlaves << ".";
+  }
+  else if (!(options.NearestOffset >= 0.0 && options.LargestOffset >= options.NearestOffset &&
+             std::isfinite(options.LargestOffset)))
+  {
+    reason << "OffsetRange is " << options.NearestOffset << " to " << options.LargestOffset
+           << " m; it must be finite, not negative, and its first not above its second.";
+  }
+  return reason.str();
+}
+
+struct ParticleGroups::Item
+{
+  Vector3 Place;
+  int Particle;
+};
+
+ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options,
+  std::size_t particlesPerCell, const ParallelFor& parallelFor)
+  : GroupSize(static_cast<std::size_t>(options.Slaves) + 1)
+  , Order(places.size())
+  , Masters(places.size())
+  , Offsets(places.size(), Vector3(0.0))
+{
+  if (places.empty())
+  {
+    return;
+  }
+  std::vector<Item> items(places.size());
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    items[n] = { places[n], static_cast<int>(n) };
+  }
+  const std::size_t group = this->GroupSize;
+  const std::size_t cell = std::max(group, particlesPerCell);
+  // A few large parts one after the other, each of them by a thread.
+  std::vector<Cell> parts;
+  Split(items, 0, items.size(), group, std::max(cell, items.size() / 32), parts);
+  std::vector<std::vector<Cell>> cells(parts.size());
+  parallelFor(parts.size(), [&](std::size_t first, std::size_t last) {
+    std::vector<Cell> groups;
+    for (std::size_t part = first; part < last; ++part)
+    {
+      Split(items, parts[part].Begin, parts[part].End, group, cell, cells[part]);
+      for (Cell& each : cells[part])
+      {
+        groups.clear();
+        Split(items, each.Begin, each.End, group, group, groups);
+        for (const Cell& one : groups)
+        {
+          this->Arrange(items, options, one.Begin, one.End);
+        }
+        const double scatter = options.Scatter && options.Slaves > 0 ? options.LargestOffset : 0.0;
+        each.Bounds.Low -= scatter;
+        each.Bounds.High += scatter;
+      }
+    }
+  });
+  for (const std::vector<Cell>& some : cells)
+  {
+    this->Cells.insert(this->Cells.end(), some.begin(), some.end());
+  }
+}
+
+void ParticleGroups::Split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::size_t group,
+  std::size_t cell, std::vector<Cell>& cells)
+{
+  Box bounds{ items[begin].Place, items[begin].Place };
+  for (std::size_t n = begin + 1; n < end; ++n)
+  {
+    bounds.Low = glm::min(bounds.Low, items[n].Place);
+    bounds.High = glm::max(bounds.High, items[n].Place);
+  }
+  if (end - begin <= cell)
+  {
+    cells.push_back({ begin, end, bounds });
+    return;
+  }
+  const int axis = LongestSide(bounds);
+  const std::size_t middle = begin + HalfOf(end - begin, group);
+  const auto at = [&items](std::size_t n) { return items.begin() + static_cast<std::ptrdiff_t>(n); };
+  // Ties go by number, so that each half has the same particles whatever their order was.
+  std::nth_element(at(begin), at(middle), at(end), [axis](const Item& a, const Item& b) {
+    return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Particle < b.Particle;
+  });
+  Split(items, begin, middle, group, cell, cells);
+  Split(items, middle, end, group, cell, cells);
+}
+
+void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end)
+{
+  const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = items.begin() + static_cast<std::ptrdiff_t>(end);
+  std::sort(first, last, [](const Item& a, const Item& b) { return a.Particle < b.Particle; });
+  Vector3 sum(0.0);
+  std::for_each(first, last, [&](const Item& item) { sum += item.Place; });
+  const Vector3 middle = sum / static_cast<double>(end - begin);
+  const auto away = [&](const Item& item) { return glm::distance(item.Place, middle); };
+  const auto central = std::min_element(first, last, [&](const Item& a, const Item& b) { return away(a) < away(b); });
+  std::rotate(first, central, central + 1);
+  const RandomStream random(options.Seed, RandomPurpose::SlaveOffsets);
+  const Item& master = *first;
+  for (auto item = first; item != last; ++item)
+  {
+    Vector3 offset = item->Place - master.Place;
+    if (options.Scatter)
+    {
+      offset = PlaceInShell(random, item->Particle, options.NearestOffset, options.LargestOffset);
+    }
+    const double length = glm::length(offset);
+    const bool follows =
+      item != first && (options.Scatter || (length >= options.NearestOffset && length <= options.LargestOffset));
+    this->Order[begin + static_cast<std::size_t>(item - first)] = item->Particle;
+    this->Masters[item->Particle] = follows ? master.Particle : item->Particle;
+    this->Offsets[item->Particle] = follows ? offset : Vector3(0.0);
+  }
+}
+
+}

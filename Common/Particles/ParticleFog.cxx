@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Particles/ParticleFog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// The cell of a place, and where in it, 0 to 1 along each axis.
+struct Location
+{
+  std::array<int, 3> Cell;
+  Vector3 Part;
+};
+
+/// False for places outside of the grid.
+bool Locate(const FogGrid& grid, const Vector3& place, Location& location)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double x = (place[axis] - grid.Origin[axis]) / grid.Spacing[axis];
+    const int last = grid.Count[axis] - 1;
+    // The faces belong to the grid, with the rounding of the places on them.
+    constexpr double tolerance = 1e-9;
+    if (!(x >= -tolerance && x <= last + tolerance))
+    {
+      return false;
+    }
+    location.Cell[axis] = std::clamp(static_cast<int>(x), 0, last - 1);
+    location.Part[axis] = std::clamp(x - location.Cell[axis], 0.0, 1.0);
+  }
+  return true;
+}
+
+/// The volume that a sample stands for: less on the faces of the grid.
+double VolumeOf(const FogGrid& grid, int i, int j, int k)
+{
+  const int index[3] = { i, j, k };
+  double volume = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool onFace = index[axis] == 0 || index[axis] == grid.Count[axis] - 1;
+    volume *= grid.Spacing[axis] * (onFace ? 0.5 : 1.0);
+  }
+  return volume;
+}
+
+std::size_t SampleOf(const FogGrid& grid, int i, int j, int k)
+{
+  return (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0] + i;
+}
+
+/// A particle and its location.
+struct Located
+{
+  Location Where;
+  double CrossSection;
+};
+
+/// Adds to the samples of a layer what the particles of the cells above (side 0) or below (side 1) give to it.
+void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int side, std::vector<double>& layer)
+{
+  for (const Located& particle : particles)
+  {
+    const Vector3& part = particle.Where.Part;
+    const double up = side == 0 ? 1.0 - part.z : part.z;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const int i = corner & 1;
+      const int j = corner >> 1;
+      const double weight = (i == 0 ? 1.0 - part.x : part.x) * (j == 0 ? 1.0 - part.y : part.y) * up;
+      const std::size_t sample =
+        static_cast<std::size_t>(particle.Where.Cell[1] + j) * grid.Count[0] + particle.Where.Cell[0] + i;
+      layer[sample] += weight * particle.CrossSection;
+    }
+  }
+}
+
+}
+
+ParticleFog::ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
+  : Extinction(grid.NumberOfSamples(), 0.0f)
+{
+  // Layers of cells keep the order of the particles; a layer of samples adds the cells below, then those above. So the
+  // order of sums is that of the particles, on any threads.
+  std::vector<std::vector<Located>> layers(grid.Count[2] - 1);
+  for (const FogParticle& particle : particles)
+  {
+    Location where;
+    if (Locate(grid, particle.Place, where))
+    {
+      layers[where.Cell[2]].push_back({ where, particle.CrossSection });
+    }
+    else
+    {
+      ++this->Outside;
+    }
+  }
+  parallelFor(static_cast<std::size_t>(grid.Count[2]), [&](std::size_t begin, std::size_t end) {
+    std::vector<double> layer(static_cast<std::size_t>(grid.Count[0]) * grid.Count[1]);
+    for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+    {
+      std::fill(layer.begin(), layer.end(), 0.0);
+      if (k > 0)
+      {
+        AddLayer(grid, layers[k - 1], 1, layer);
+      }
+      if (k < grid.Count[2] - 1)
+      {
+        AddLayer(grid, layers[k], 0, layer);
+      }
+      for (int j = 0; j < grid.Count[1]; ++j)
+      {
+        for (int i = 0; i < grid.Count[0]; ++i)
+        {
+          const double section = layer[static_cast<std::size_t>(j) * grid.Count[0] + i];
+          this->Extinction[SampleOf(grid, i, j, k)] = static_cast<float>(section / VolumeOf(grid, i, j, k));
+        }
+      }
+    }
+  });
+}
+
+double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction)
+{
+  double total = 0.0;
+  for (int k = 0; k < grid.Count[2]; ++k)
+  {
+    for (int j = 0; j < grid.Count[1]; ++j)
+    {
+      for (int i = 0; i < grid.Count[0]; ++i)
+      {
+        total += VolumeOf(grid, i, j, k) * extinction[SampleOf(grid, i, j, k)];
+      }
+    }
+  }
+  return total;
+}
+
+double ExtinctionAt(const FogGrid& grid, const std::vector<float>& extinction, const Vector3& place)
+{
+  Location where;
+  if (!Locate(grid, place, where))
+  {
+    return 0.0;
+  }
+  double value = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int step[3] = { corner & 1, corner >> 1 & 1, corner >> 2 };
+    double weight = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      weight *= step[axis] ? where.Part[axis] : 1.0 - where.Part[axis];
+    }
+    value +=
+      weight * extinction[SampleOf(grid, where.Cell[0] + step[0], where.Cell[1] + step[1], where.Cell[2] + step[2])];
+  }
+  return value;
+}
+
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralParticleFog_h
+#define LittoralParticleFog_h
+
+#include "Numerics/Parallel.h"
+#include "Numerics/Vector3.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// Samples of a fog on a grid, its faces included.
+struct FogGrid
+{
+  Vector3 Origin{ 0.0, 0.0, 0.0 };
+  Vector3 Spacing{ 1.0, 1.0, 1.0 };    ///< [m], positive
+  std::array<int, 3> Count{ 2, 2, 2 }; ///< samples along x, y, z, 2 or more
+
+  std::size_t NumberOfSamples() const
+  {
+    return static_cast<std::size_t>(this->Count[0]) * this->Count[1] * this->Count[2];
+  }
+};
+
+/// What a particle hides, and where.
+struct FogParticle
+{
+  Vector3 Place;
+  double CrossSection; ///< [m2]
+};
+
+/**
+ * The extinction [1/m] of particles that cannot be told apart: cross sections by volume (Coulais et al., 3.3.3 draw a
+ * texture instead). Each particle is shared out among the eight samples about it, by distance along each axis, so that
+ * the integral of the field, linear between samples, is the sum of the cross sections. Particles outside of the grid
+ * are left out and counted.
+ */
+class ParticleFog
+{
+public:
+  ParticleFog(
+    const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor = SerialFor);
+
+  /// x fastest [1/m].
+  const std::vector<float>& GetExtinction() const { return this->Extinction; }
+
+  long long GetOutside() const { return this->Outside; }
+
+private:
+  std::vector<float> Extinction;
+  long long Outside = 0;
+};
+
+/// Integral of the extinction, linear between samples, over the grid [m2].
+double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction);
+
+/// The extinction at a place [1/m]; 0 outside.
+double ExtinctionAt(const FogGrid& grid, const std::vector<float>& extinction, const Vector3& place);
+
+}
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plants/PlantScatter.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/RandomStream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Normal deviates are cut here, so that no plant is a dwarf or a giant.
+constexpr double LargestDeviate = 2.0;
+/// Keeps the smallest plant above a tenth of its prototype.
+constexpr double LargestVariation = 0.45;
+/// The shift of a color from blue to red, as part of that of its brightness.
+constexpr double WarmthPart = 0.6;
+
+std::array<double, 2> CutNormalPair(int seed, RandomPurpose purpose, long long site)
+{
+  std::array<double, 2> pair = RandomStream(seed, purpose).NormalPair(static_cast<std::uint64_t>(site), 0);
+  for (double& deviate : pair)
+  {
+    deviate = std::clamp(deviate, -LargestDeviate, LargestDeviate);
+  }
+  return pair;
+}
+
+double Uniform(int seed, RandomPurpose purpose, long long site)
+{
+  return RandomStream(seed, purpose).UniformPair(static_cast<std::uint64_t>(site), 0)[0];
+}
+
+PlantLevel LevelAt(double distance, const PlantViewOptions& options)
+{
+  if (!options.UseLevels || distance <= options.NearDistance)
+  {
+    return PlantLevel::High;
+  }
+  return distance <= options.FarDistance ? PlantLevel::Medium : PlantLevel::Low;
+}
+
+}
+
+std::string WhyInvalid(const ScatterOptions& options)
+{
+  std::ostringstream text;
+  for (std::size_t species = 0; species < options.Weights.size(); ++species)
+  {
+    if (!(options.Weights[species] >= 0.0 && std::isfinite(options.Weights[species])))
+    {
+      text << "Weight " << species << " is " << options.Weights[species] << "; it must be finite and not negative.";
+      return text.str();
+    }
+  }
+  const auto check = [&](const char* name, double value) {
+    if (text.str().empty() && !(value >= 0.0 && value <= LargestVariation))
+    {
+      text << name << " is " << value << "; it must be from 0 to " << LargestVariation << ".";
+    }
+  };
+  if (!(std::accumulate(options.Weights.begin(), options.Weights.end(), 0.0) > 0.0))
+  {
+    text << "The Weights of all prototypes are 0; at least one must be positive.";
+  }
+  check("ScaleVariation", options.ScaleVariation);
+  check("TintVariation", options.TintVariation);
+  return text.str();
+}
+
+PlantDraws::PlantDraws(const ScatterOptions& options)
+  : Options(options)
+  , Shares(options.Weights.size())
+{
+  // Divided by the largest first, so that no sum is infinite.
+  const double largest = *std::max_element(options.Weights.begin(), options.Weights.end());
+  double sum = 0.0;
+  for (std::size_t species = 0; species < this->Shares.size(); ++species)
+  {
+    sum += options.Weights[species] / largest;
+    this->Shares[species] = sum;
+  }
+  for (double& share : this->Shares)
+  {
+    share /= sum;
+  }
+}
+
+int PlantDraws::Species(long long site) const
+{
+  const double drawn = Uniform(this->Options.Seed, RandomPurpose::PlantSpecies, site);
+  return static_cast<int>(std::upper_bound(this->Shares.begin(), this->Shares.end(), drawn) - this->Shares.begin());
+}
+
+double PlantDraws::Scale(long long site) const
+{
+  return 1.0 + this->Options.ScaleVariation * CutNormalPair(this->Options.Seed, RandomPurpose::PlantScale, site)[0];
+}
+
+double PlantDraws::Azimuth(long long site) const
+{
+  return 2.0 * Pi * Uniform(this->Options.Seed, RandomPurpose::PlantAzimuth, site);
+}
+
+std::array<float, 3> PlantDraws::Tint(long long site) const
+{
+  const auto [light, warmth] = CutNormalPair(this->Options.Seed, RandomPurpose::PlantTint, site);
+  const double brightness = 1.0 + this->Options.TintVariation * light;
+  const double shift = WarmthPart * this->Options.TintVariation * warmth;
+  return { static_cast<float>(brightness * (1.0 + shift)), static_cast<float>(brightness),
+    static_cast<float>(brightness * (1.0 - shift)) };
+}
+
+Box BoxOf(const PlantPlace& place, const PlantExtent& extent)
+{
+  const double radius = place.Scale * extent.Radius;
+  return { place.Foot + Vector3(-radius, -radius, place.Scale * extent.Low),
+    place.Foot + Vector3(radius, radius, place.Scale * extent.High) };
+}
+
+std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
+  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
+  long long endSite)
+{
+  std::vector<ShownPlant> shown;
+  for (std::size_t index = 0; index < places.size(); ++index)
+  {
+    const PlantPlace& place = places[index];
+    if (place.Site < firstSite || place.Site >= endSite || (options.UseCells && !cellsShown[cells.CellOf(index)]))
+    {
+      continue;
+    }
+    if (!(options.MaximumDistance > 0.0 && SightDistance(view, place.Foot) > options.MaximumDistance))
+    {
+      shown.push_back({ static_cast<int>(index), LevelAt(LevelDistance(view, place.Foot), options) });
+    }
+  }
+  return shown;
+}
+
+PlantPlacement::PlantPlacement(const PlantPlace& place)
+  : Place(place)
+  , Cosine(std::cos(place.Azimuth))
+  , Sine(std::sin(place.Azimuth))
+{
+}
+
+void PlantPlacement::Points(const float* from, std::size_t count, float* to) const
+{
+  const double c = this->Place.Scale * this->Cosine;
+  const double s = this->Place.Scale * this->Sine;
+  for (std::size_t i = 0; i < 3 * count; i += 3)
+  {
+    to[i] = static_cast<float>(this->Place.Foot.x + c * from[i] - s * from[i + 1]);
+    to[i + 1] = static_cast<float>(this->Place.Foot.y + s * from[i] + c * from[i + 1]);
+    to[i + 2] = static_cast<float>(this->Place.Foot.z + this->Place.Scale * from[i + 2]);
+  }
+}
+
+void PlantPlacement::Directions(const float* from, std::size_t count, float* to) const
+{
+  const float c = static_cast<float>(this->Cosine);
+  const float s = static_cast<float>(this->Sine);
+  for (std::size_t i = 0; i < 3 * count; i += 3)
+  {
+    const float x = from[i];
+    const float y = from[i + 1];
+    to[i] = c * x - s * y;
+    to[i + 1] = s * x + c * y;
+    to[i + 2] = from[i + 2];
+  }
+}
+
+void PlantPlacement::Lengths(const float* from, std::size_t count, float* to) const
+{
+  std::transform(
+    from, from + count, to, [this](float length) { return static_cast<float>(this->Place.Scale * length); });
+}
+
+void PlantPlacement::Colors(const unsigned char* from, std::size_t count, unsigned char* to) const
+{
+  const auto& tint = this->Place.Tint;
+  for (std::size_t i = 0; i < 3 * count; i += 3)
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      to[i + channel] = static_cast<unsigned char>(std::min(255.0f, tint[channel] * from[i + channel] + 0.5f));
+    }
+  }
+}
+
+}

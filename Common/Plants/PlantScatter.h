@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralPlantScatter_h
+#define LittoralPlantScatter_h
+
+#include "Geometry/SceneCells.h"
+#include "Geometry/ViewFrustum.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// How plants of several species differ from site to site.
+struct ScatterOptions
+{
+  int Seed = 1;
+  std::vector<double> Weights;  ///< of the species, not negative, not all zero
+  double ScaleVariation = 0.15; ///< standard deviation of the size, 0 to 0.45
+  double TintVariation = 0.08;  ///< standard deviation of the brightness of a plant's colors, 0 to 0.45
+};
+
+/// Why plants cannot be drawn so, with the name of the property; empty when they can.
+std::string WhyInvalid(const ScatterOptions& options);
+
+/// Species, size, azimuth and colors of the plant at a site, as functions of the seed and of the site's identity
+/// alone. The options must be valid.
+class PlantDraws
+{
+public:
+  explicit PlantDraws(const ScatterOptions& options);
+
+  int Species(long long site) const;
+  double Scale(long long site) const;
+  double Azimuth(long long site) const; ///< [radians], 0 to 2 pi
+  /// Factors of red, green and blue: a brightness, and a shift from blue to red.
+  std::array<float, 3> Tint(long long site) const;
+
+private:
+  ScatterOptions Options;
+  std::vector<double> Shares; ///< cumulative, the last is 1
+};
+
+/// A plant at its site.
+struct PlantPlace
+{
+  int Site = 0;         ///< index of the site
+  long long SiteId = 0; ///< the site's identity
+  int Species = 0;
+  double Scale = 1.0;
+  double Azimuth = 0.0;          ///< turn about the vertical [radians]
+  Vector3 Foot{ 0.0, 0.0, 0.0 }; ///< [m]
+  std::array<float, 3> Tint{ 1.0f, 1.0f, 1.0f };
+};
+
+/// The upright cylinder about the axis of a species' prototype that holds all of it [m].
+struct PlantExtent
+{
+  double Radius = 0.0;
+  double Low = 0.0;
+  double High = 0.0;
+};
+
+/// The box that holds a plant, however it is turned.
+Box BoxOf(const PlantPlace& place, const PlantExtent& extent);
+
+/// The levels of detail of a plant.
+enum class PlantLevel
+{
+  High = 0,
+  Medium = 1,
+  Low = 2,
+};
+
+/// What of a scene is shown, and how.
+struct PlantViewOptions
+{
+  bool UseLevels = true;        ///< else all is High
+  bool UseCells = true;         ///< else all is shown
+  double NearDistance = 60.0;   ///< of levels, up to which a plant is High [m]
+  double FarDistance = 250.0;   ///< up to which it is Medium [m]
+  double MaximumDistance = 0.0; ///< of sight, up to which it is shown [m]; 0: no limit
+};
+
+/// A plant that a view shows.
+struct ShownPlant
+{
+  int Place = 0; ///< index into the places
+  PlantLevel Level = PlantLevel::High;
+};
+
+/// What a view shows of the plants with Site in [firstSite, endSite), in the order of the places. `cellsShown` are the
+/// marks of the cells for this view.
+std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
+  const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
+  long long endSite);
+
+/// Takes vertices from a prototype to a plant.
+class PlantPlacement
+{
+public:
+  explicit PlantPlacement(const PlantPlace& place);
+
+  void Points(const float* from, std::size_t count, float* to) const;
+  void Directions(const float* from, std::size_t count, float* to) const;
+  void Lengths(const float* from, std::size_t count, float* to) const;
+  void Colors(const unsigned char* from, std::size_t count, unsigned char* to) const;
+
+private:
+  const PlantPlace& Place;
+  double Cosine;
+  double Sine;
+};
+
+}
+
+#endif

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plants/ReevesTree.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/ParameterRange.h"
+#include "Numerics/RandomStream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr double GoldenAngle = 2.39996322972865332; // of the leaves of many plants [rad]
+constexpr int SegmentsOfTrunk = 12;
+constexpr int SegmentsOfBranch[] = { 6, 4, 2, 2 }; // by order; twigs bend little and are many
+constexpr double ShortestBranch = 0.006;           // as part of the height
+constexpr double StemForm = 0.65;                  // power of the distance from the top to which a bare stem is thick
+
+/// What a branch starts with.
+struct Bud
+{
+  int Node;
+  Vector3 Position;
+  Vector3 Direction;
+  double Length; // [m]
+  int Segments;
+};
+
+class Grower
+{
+public:
+  explicit Grower(const ReevesTreeParameters& parameters)
+    : P(parameters)
+    , Crown(CrownOf(parameters))
+    , Branching(parameters.Seed, RandomPurpose::TreeBranches)
+    , Leafing(parameters.Seed, RandomPurpose::TreeLeaves)
+  {
+  }
+
+  Plant Run()
+  {
+    this->Tree.Crown = this->Crown;
+    this->Tree.Leaf = this->P.Leaf;
+    this->Tree.Bark = this->P.Bark;
+    this->Tree.Form = this->P.Form;
+    this->GrowTrunk();
+    this->GrowBranches(0);
+    this->Thicken();
+    this->GrowLeaves();
+    return std::move(this->Tree);
+  }
+
+private:
+  const ReevesTreeParameters& P;
+  CrownVolume Crown;
+  RandomStream Branching;
+  RandomStream Leafing;
+  Plant Tree;
+
+  /// A factor of mean 1, never far from it.
+  double Vary(std::uint64_t object, std::uint64_t draw) const
+  {
+    const double deviate = std::clamp(this->Branching.NormalPair(object, draw)[0], -2.0, 2.0);
+    return std::max(0.2, 1.0 + this->P.Variation * deviate);
+  }
+
+  void GrowTrunk()
+  {
+    Skeleton& wood = this->Tree.Wood;
+    const double reach = this->P.Height * this->P.TrunkReach;
+    wood.StartBranch(-1, { 0.0, 0.0, 0.0 }, 1.0);
+    Vector3 position{ 0.0, 0.0, 0.0 };
+    for (int step = 1; step <= SegmentsOfTrunk; ++step)
+    {
+      const double part = static_cast<double>(step) / SegmentsOfTrunk;
+      const auto sway = this->Branching.NormalPair(0, 100 + step);
+      const double amount = 0.03 * this->P.Variation * reach / SegmentsOfTrunk * (1.0 - part) * 5.0;
+      position = { position[0] + amount * std::clamp(sway[0], -2.0, 2.0),
+        position[1] + amount * std::clamp(sway[1], -2.0, 2.0), reach * part };
+      wood.Grow(position, 1.0);
+    }
+  }
+
+  /// How far it is to the surface of the crown [m].
+  double Reach(const Vector3& position, const Vector3& direction) const
+  {
+    const double step = (this->P.Height + this->P.CrownRadius) / 200.0;
+    double reach = 0.0;
+    while (reach < 2.0 * this->P.Height + 2.0 * this->P.CrownRadius &&
+      Depth(this->Crown, position + (reach + step) * direction) > 0.0)
+    {
+      reach += step;
+    }
+    return reach;
+  }
+
+  Bud MakeBud(int parent, int index, int count) const
+  {
+    const Skeleton& wood = this->Tree.Wood;
+    const bool onTrunk = parent == 0;
+    const std::uint64_t object = static_cast<std::uint64_t>(parent) * 4096 + static_cast<std::uint64_t>(index) + 1;
+    const auto place = this->Branching.UniformPair(object, 0);
+    const double reach = this->P.Height * this->P.TrunkReach;
+    const double low = onTrunk ? std::min(0.95, this->P.CrownBase / reach) : 0.2;
+    Bud bud{};
+    bud.Position = wood.Along(parent, low + (0.98 - low) * (index + place[0]) / count, bud.Node);
+    const Vector3 axis = Normalised(wood.Nodes[bud.Node + 1].Position - wood.Nodes[bud.Node].Position);
+    const Vector3 side = Perpendicular(axis);
+    const double turn = index * GoldenAngle + place[1];
+    const Vector3 around = std::cos(turn) * side + std::sin(turn) * glm::cross(axis, side);
+    const double angle = std::min(2.6, this->P.BranchAngle * Pi / 180.0 * this->Vary(object, 1));
+    bud.Direction = Normalised(std::cos(angle) * axis + std::sin(angle) * around);
+    const double parentLength = wood.BranchLength(parent);
+    bud.Length = onTrunk ? this->Reach(bud.Position, bud.Direction) : 0.5 * parentLength;
+    bud.Length *= this->Vary(object, 2);
+    bud.Segments = SegmentsOfBranch[wood.Branches[parent].Order];
+    return bud;
+  }
+
+  /// Grows one branch until its length is reached or the crown's surface.
+  void GrowBranch(const Bud& bud)
+  {
+    std::vector<Vector3> path;
+    Vector3 position = bud.Position;
+    Vector3 direction = bud.Direction;
+    const double step = bud.Length / bud.Segments;
+    for (int segment = 0; segment < bud.Segments; ++segment)
+    {
+      direction = Normalised(direction + Vector3(0.0, 0.0, this->P.Lift));
+      position = position + step * direction;
+      if (Depth(this->Crown, position) <= 0.0)
+      {
+        break;
+      }
+      path.push_back(position);
+    }
+    if (path.empty() || glm::distance(path.back(), bud.Position) < ShortestBranch * this->P.Height)
+    {
+      return;
+    }
+    this->Tree.Wood.StartBranch(bud.Node, bud.Position, 1.0);
+    for (const Vector3& node : path)
+    {
+      this->Tree.Wood.Grow(node, 1.0);
+    }
+  }
+
+  void GrowBranches(int parent)
+  {
+    for (int order = 1, first = parent, last = 1; order <= this->P.Orders; ++order)
+    {
+      for (int branch = first; branch < last; ++branch)
+      {
+        const int count = order == 1 ? this->P.MainBranches : this->P.SideBranches;
+        for (int index = 0; index < count; ++index)
+        {
+          this->GrowBranch(this->MakeBud(branch, index, count));
+        }
+      }
+      first = last;
+      last = static_cast<int>(this->Tree.Wood.Branches.size());
+    }
+  }
+
+  /// How much thicker than at the crown's base a bare stem is below it.
+  double StemBelowCrown(double height) const
+  {
+    const double base = std::min(this->P.CrownBase, this->P.Height * this->P.TrunkReach);
+    return std::pow((this->P.Height - std::min(height, base)) / (this->P.Height - base), StemForm);
+  }
+
+  /// The radius of the trunk at a height, by the radii of its nodes.
+  double TrunkRadiusAt(double height) const
+  {
+    const std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
+    int node = 0;
+    while (node + 2 < this->Tree.Wood.Branches[0].Count && nodes[node + 1].Position.z < height)
+    {
+      ++node;
+    }
+    const double part = (height - nodes[node].Position.z) / (nodes[node + 1].Position.z - nodes[node].Position.z);
+    return nodes[node].Radius + part * (nodes[node + 1].Radius - nodes[node].Radius);
+  }
+
+  /// Sections by the pipe model (Shinozaki et al. 1964): a pipe leads from each length of a branch, where leaves are,
+  /// to the ground, so that the sections of branches and trunk add up at every fork, as da Vinci found. Below the
+  /// crown, pipes of branches that fell make the stem thicker.
+  void Thicken()
+  {
+    std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
+    const int trunk = this->Tree.Wood.Branches[0].Count;
+    std::vector<double> pipes(nodes.size(), 0.0);
+    for (int node = static_cast<int>(nodes.size()) - 1; node > 0; --node)
+    {
+      const int parent = nodes[node].Parent;
+      const SkeletonBranch& branch = this->Tree.Wood.Branches[nodes[node].Branch];
+      const bool bearsLeaves = branch.Order >= std::min(2, this->P.Orders);
+      if (node > branch.First && (bearsLeaves || node + 1 == branch.First + branch.Count))
+      {
+        pipes[node] += bearsLeaves ? 1.0 / (branch.Count - 1) : 1.0;
+      }
+      pipes[parent] += pipes[node];
+    }
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      nodes[node].Radius = std::sqrt(pipes[node] / pipes[0]);
+    }
+    for (int node = 0; node < trunk; ++node)
+    {
+      nodes[node].Radius *= this->StemBelowCrown(nodes[node].Position.z);
+    }
+    const double scale = this->P.TrunkRadius / this->TrunkRadiusAt(BreastHeight(this->P.Height));
+    std::for_each(nodes.begin(), nodes.end(), [=](SkeletonNode& node) { node.Radius *= scale; });
+  }
+
+  /// Branches that bear leaves: all but the trunk and, in a tree of several orders, the main branches.
+  std::vector<int> Twigs() const
+  {
+    const std::vector<SkeletonBranch>& branches = this->Tree.Wood.Branches;
+    std::vector<int> twigs;
+    for (int wanted = std::min(2, this->P.Orders); twigs.empty() && wanted >= 0; --wanted)
+    {
+      for (int branch = 0; branch < static_cast<int>(branches.size()); ++branch)
+      {
+        if (branches[branch].Order >= wanted)
+        {
+          twigs.push_back(branch);
+        }
+      }
+    }
+    return twigs;
+  }
+
+  Color Tint(const LeafParticle& leaf, int twig, std::uint64_t index) const
+  {
+    const auto own = this->Leafing.NormalPair(index, 3);
+    const auto ofTwig = this->Leafing.NormalPair(static_cast<std::uint64_t>(twig), 4);
+    return TintOf(this->P.Leaf, this->Crown, leaf.Position, { { own[0], own[1] }, { ofTwig[0], ofTwig[1] } });
+  }
+
+  /// Leaves point along their twig and out of the crown, face outwards, and none as the other.
+  void Orient(LeafParticle& leaf, std::uint64_t index) const
+  {
+    const std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
+    const Vector3 along = Normalised(nodes[leaf.Node + 1].Position - nodes[leaf.Node].Position);
+    const auto first = this->Leafing.NormalPair(index, 5);
+    const auto second = this->Leafing.NormalPair(index, 6);
+    const auto third = this->Leafing.NormalPair(index, 7);
+    const Vector3 scatter{ first[0], first[1], second[0] };
+    const Vector3 outward = Outward(this->Crown, leaf.Position);
+    leaf.Axis = Normalised(along + 0.5 * outward + 0.5 * scatter);
+    const Vector3 towards = outward + 0.5 * Vector3(second[1], third[0], third[1]);
+    const Vector3 flat = towards - glm::dot(towards, leaf.Axis) * leaf.Axis;
+    leaf.Facing = glm::length(flat) > 1e-6 ? glm::normalize(flat) : Perpendicular(leaf.Axis);
+    leaf.Normal = LitNormal(this->Crown, leaf.Position, leaf.Facing);
+  }
+
+  void GrowLeaves()
+  {
+    const std::vector<int> twigs = this->Twigs();
+    this->Tree.Leaves.reserve(static_cast<std::size_t>(this->P.NumberOfLeaves));
+    for (int leaf = 0; leaf < this->P.NumberOfLeaves; ++leaf)
+    {
+      const std::uint64_t index = static_cast<std::uint64_t>(leaf);
+      const int twig = twigs[index % twigs.size()];
+      const auto place = this->Leafing.UniformPair(index, 0);
+      const auto across = this->Leafing.NormalPair(index, 1);
+      const auto up = this->Leafing.NormalPair(index, 2);
+      LeafParticle particle;
+      const Vector3 onTwig = this->Tree.Wood.Along(twig, 0.25 + 0.75 * place[0], particle.Node);
+      const double spread = 0.4 * this->P.LeafSize;
+      const Vector3 offset{ spread * across[0], spread * across[1], spread * up[0] };
+      particle.Position = onTwig + offset;
+      if (Depth(this->Crown, particle.Position) < 0.0)
+      {
+        particle.Position = onTwig;
+      }
+      this->Orient(particle, index);
+      particle.Size = this->P.LeafSize * std::clamp(1.0 + this->P.Variation * up[1], 0.4, 1.6);
+      particle.Width = this->P.LeafWidth;
+      particle.Tint = this->Tint(particle, twig, index);
+      this->Tree.Leaves.push_back(particle);
+    }
+  }
+};
+
+}
+
+ReevesTreeParameters PresetParameters(TreePreset preset)
+{
+  ReevesTreeParameters p;
+  switch (preset)
+  {
+    case TreePreset::Pine:
+      p = { CrownShape::Cone, 15.0, 3.0, 1.0, 0.2, 0.985, 2, 90, 8, 92.0, -0.05, 0.12, 11000, 0.36, 0.34,
+        { 76, 114, 74 }, { 92, 70, 56 }, LeafForm::Needle, 1 };
+      break;
+    case TreePreset::Birch:
+      p = { CrownShape::Ellipsoid, 13.0, 2.7, 2.6, 0.13, 0.95, 3, 36, 5, 48.0, -0.05, 0.2, 9000, 0.2, 0.75,
+        { 162, 184, 78 }, { 222, 218, 208 }, LeafForm::Blade, 1 };
+      break;
+    case TreePreset::Shrub:
+      p = { CrownShape::Ellipsoid, 2.0, 1.4, 0.05, 0.04, 0.4, 3, 18, 6, 58.0, 0.06, 0.25, 5000, 0.11, 0.6,
+        { 120, 154, 80 }, { 96, 82, 66 }, LeafForm::Blade, 1 };
+      break;
+    case TreePreset::Custom:
+    case TreePreset::Oak:
+      break;
+  }
+  return p;
+}
+
+ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter)
+{
+  const ReevesTreeParameters own = PresetParameters(preset);
+  ReevesTreeParameters p = own;
+  if (!(height > 0.0) && !(diameter > 0.0))
+  {
+    return p;
+  }
+  p.Height = height > 0.0 ? height : own.Height;
+  p.TrunkRadius = diameter > 0.0 ? 0.5 * diameter : own.TrunkRadius;
+  const double wider = p.TrunkRadius / own.TrunkRadius;
+  const double taller = p.Height / own.Height;
+  p.CrownRadius = wider * own.CrownRadius;
+  const double stouter = wider / taller;
+  p.TrunkReach = 1.0 - (1.0 - own.TrunkReach) * std::min(1.0, stouter);
+  const double part = (1.0 - own.CrownBase / own.Height) * std::sqrt(stouter);
+  p.CrownBase = std::max(0.0, 1.0 - std::min(part, 1.0)) * p.Height;
+  p.CrownBase = std::min(p.CrownBase, 0.8 * p.TrunkReach * p.Height);
+  const double length = (p.Height - p.CrownBase) / (own.Height - own.CrownBase);
+  p.LeafSize = own.LeafSize * std::sqrt(wider * length);
+  return p;
+}
+
+double BreastHeight(double height)
+{
+  return std::min(1.3, 0.1 * height);
+}
+
+std::string WhyInvalid(const ReevesTreeParameters& p)
+{
+  const auto number = [](auto value) { return static_cast<double>(value); };
+  for (const std::string& reason : { OutOfRange("CrownShape", number(static_cast<int>(p.Shape)), 0, 1),
+         OutOfRange("Height", p.Height, 0.05, 150.0), OutOfRange("CrownRadius", p.CrownRadius, 0.01, 100.0),
+         OutOfRange("TrunkRadius", p.TrunkRadius, 0.001, 10.0), OutOfRange("TrunkReach", p.TrunkReach, 0.1, 1.0),
+         OutOfRange("CrownBase", p.CrownBase, 0.0, 0.9 * p.TrunkReach * p.Height), OutOfRange("Orders", p.Orders, 1, 4),
+         OutOfRange("MainBranches", p.MainBranches, 1, 500), OutOfRange("SideBranches", p.SideBranches, 1, 20),
+         OutOfRange("BranchAngle", p.BranchAngle, 0.0, 150.0), OutOfRange("Lift", p.Lift, -0.9, 0.9),
+         OutOfRange("Variation", p.Variation, 0.0, 0.5), OutOfRange("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000),
+         OutOfRange("LeafForm", number(static_cast<int>(p.Form)), 0, 1), OutOfRange("LeafSize", p.LeafSize, 0.001, 5.0),
+         OutOfRange("LeafWidth", p.LeafWidth, 0.01, 2.0) })
+  {
+    if (!reason.empty())
+    {
+      return reason;
+    }
+  }
+  return {};
+}
+
+CrownVolume CrownOf(const ReevesTreeParameters& p)
+{
+  return { p.Shape, { 0.0, 0.0, p.CrownBase }, p.Height - p.CrownBase, p.CrownRadius };
+}
+
+Plant GrowReevesTree(const ReevesTreeParameters& parameters)
+{
+  return Grower(parameters).Run();
+}
+
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSkinning_h
+#define LittoralSkinning_h
+
+#include "Numerics/Rotation.h"
+
+#include <array>
+#include <cstddef>
+
+namespace littoral
+{
+
+/// Where a joint went from its place at rest. At rest all of it is exactly zero or one.
+struct JointPose
+{
+  glm::dquat Rotation{ 1.0, 0.0, 0.0, 0.0 };
+  Vector3 Shift{ 0.0, 0.0, 0.0 }; ///< [m]
+};
+
+/// What a joint adds to all that follows it: a rotation less the identity, and a shift.
+struct JointChange
+{
+  /// Three columns of the matrix and the shift [m], of three numbers each; the fourth is 0. Aligned for vector units.
+  alignas(32) std::array<std::array<double, 4>, 4> Columns{};
+
+  /// By how much a place moves.
+  Vector3 Of(const Vector3& place) const;
+};
+
+/// The change of a joint that lies at a position at rest.
+JointChange ChangeOf(const JointPose& pose, const Vector3& rest);
+
+/// A skin over joints at rest; tuples of 3, 4 and 4 numbers, one a vertex. Weights sum to 1.
+template <typename Real>
+struct RestSkin
+{
+  const Real* Points = nullptr;
+  const Real* Normals = nullptr; ///< may be null
+  const int* JointIds = nullptr;
+  const Real* JointWeights = nullptr;
+};
+
+/// Linear blend skinning of the vertices [begin, end): where joints are at rest, vertices stay to the last bit. Normals
+/// keep their lengths.
+void MoveSkin(const RestSkin<float>& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points,
+  float* normals);
+void MoveSkin(const RestSkin<double>& rest, const JointChange* joints, std::size_t begin, std::size_t end,
+  double* points, double* normals);
+
+}
+
+#endif

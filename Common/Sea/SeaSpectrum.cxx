@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sea/SeaSpectrum.h"
+
+#include "Numerics/Constants.h"
+#include "Sea/Dispersion.h"
+
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Of Pierson and Moskowitz.
+constexpr double Alpha = 8.1e-3;
+constexpr double Beta = 0.74;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// From here on up panels reach [peaks of the form]; 5/4 of its power -4 is 600.
+constexpr double LowestPanel = 0.213643;
+/// Of panels with their halves; rounding of e^-600 leaves 1e-13.
+constexpr double PanelAgreement = 1e-12;
+/// Part of the energy that may lie above the range of a form.
+constexpr double EnergyAboveRange = 0.01;
+/// From here on the higher peak of a young sea is below 1e-25 of the density [peaks of the form].
+constexpr double EndOfYoungPeak = 2.0;
+/// Relative depth w2 h / g from which on depth takes nothing.
+constexpr double DeepRelativeDepth = 20.0;
+
+bool IsPositive(double value)
+{
+  return value > 0.0 && std::isfinite(value);
+}
+
+/// What finite depth leaves of a wave's energy, after Kitaigorodskii.
+double DepthFactor(double frequency, double depth)
+{
+  const double x = WaveNumber(frequency, depth) * depth;
+  if (!(x < 20.0))
+  {
+    return 1.0;
+  }
+  const double t = std::tanh(x);
+  return x > 0.0 ? t * t / (1.0 + 2.0 * x / std::sinh(2.0 * x)) : 0.0;
+}
+
+std::string WhyInvalidTable(const SpectrumParameters& parameters)
+{
+  const std::vector<double>& hertz = parameters.Frequencies;
+  const std::vector<double>& density = parameters.Densities;
+  if (hertz.size() < 2 || hertz.size() != density.size())
+  {
+    return "the table of the spectrum needs two rows or more of Frequency and Density.";
+  }
+  for (std::size_t row = 0; row < hertz.size(); ++row)
+  {
+    if (!std::isfinite(hertz[row]) || hertz[row] < 0.0 || (row > 0 && hertz[row] <= hertz[row - 1]))
+    {
+      return "Frequency in row " + std::to_string(row) + " of the spectrum must be above that in the row before.";
+    }
+    if (!std::isfinite(density[row]) || density[row] < 0.0)
+    {
+      return "Density in row " + std::to_string(row) + " of the spectrum is negative or no number.";
+    }
+  }
+  const auto highest = std::max_element(density.begin(), density.end());
+  return *highest > 0.0 && hertz[highest - density.begin()] > 0.0
+    ? ""
+    : "Density of the spectrum has no peak above frequency 0.";
+}
+
+}
+
+std::string WhyInvalid(const SpectrumParameters& parameters)
+{
+  std::ostringstream reason;
+  const int kind = static_cast<int>(parameters.Kind);
+  if (kind < 0 || kind > 4)
+  {
+    reason << "Spectrum is " << kind << "; it must be 0 to 4.";
+  }
+  else if (!(parameters.Depth > 0.0))
+  {
+    reason << "WaterDepth is " << parameters.Depth << " m; it must be 0 (deep) or positive.";
+  }
+  else if (parameters.Kind == SpectrumKind::Table)
+  {
+    return WhyInvalidTable(parameters);
+  }
+  else if (parameters.FromWind && !(parameters.WindSpeed >= 0.1 && parameters.WindSpeed <= 200.0))
+  {
+    reason << "WindSpeed is " << parameters.WindSpeed << " m/s; it must be 0.1 to 200.";
+  }
+  else if (!parameters.FromWind && !IsPositive(parameters.SignificantHeight))
+  {
+    reason << "SignificantWaveHeight is " << parameters.SignificantHeight << " m; it must be positive.";
+  }
+  else if (!parameters.FromWind && !(parameters.PeakPeriod >= 0.01 && parameters.PeakPeriod <= 10000.0))
+  {
+    reason << "PeakPeriod is " << parameters.PeakPeriod << " s; it must be 0.01 to 10000.";
+  }
+  else if ((parameters.Kind == SpectrumKind::Jonswap || parameters.Kind == SpectrumKind::Tma) &&
+    !(parameters.PeakEnhancement >= 1.0 && parameters.PeakEnhancement <= 20.0))
+  {
+    reason << "PeakEnhancement is " << parameters.PeakEnhancement << "; it must be 1 to 20.";
+  }
+  return reason.str();
+}
+
+SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)
+  : Given(parameters)
+{
+  if (parameters.Kind == SpectrumKind::Table)
+  {
+    this->ReadTable();
+    return;
+  }
+  const double g = Gravity;
+  if (parameters.FromWind)
+  {
+    const double u = parameters.WindSpeed;
+    this->FormPeak = std::pow(0.8 * Beta, 0.25) * g / u;
+    this->Given.PeakPeriod = TwoPi / this->FormPeak;
+    this->Given.SignificantHeight = 4.0 * u * u / g * std::sqrt(0.25 * Alpha / Beta);
+  }
+  this->FitToHeightAndPeriod();
+}
+
+void SeaSpectrum::FitToHeightAndPeriod()
+{
+  const double wanted = TwoPi / this->Given.PeakPeriod;
+  const double variance = this->Given.SignificantHeight * this->Given.SignificantHeight / 16.0;
+  this->FormPeak = wanted;
+  this->Peak = wanted;
+  this->Scale = 5.0 * variance * std::pow(wanted, 4.0);
+  if (this->Given.Kind == SpectrumKind::PiersonMoskowitz || this->IsRegular())
+  {
+    this->Total = this->IsRegular() ? 2.0 * variance : variance; // (H/2)^2 / 2
+    return;
+  }
+  if (this->Given.Kind == SpectrumKind::Tma && this->Given.FromWind)
+  {
+    // The wind gives the deep sea; depth then takes what it takes.
+    this->Given.Kind = SpectrumKind::Jonswap;
+    this->MakePanels();
+    this->Scale *= variance / this->Energy(0.0, Infinity);
+    this->Given.Kind = SpectrumKind::Tma;
+    this->MakePanels();
+    this->Peak = this->FindPeak();
+    this->Total = this->Energy(0.0, Infinity);
+    return;
+  }
+  // Depth shifts the peak a little: shift the form until the peak lies where it is wanted.
+  for (int step = 0; this->Given.Kind == SpectrumKind::Tma && step < 60; ++step)
+  {
+    const double ratio = wanted / this->FindPeak();
+    this->FormPeak *= ratio;
+    if (std::abs(ratio - 1.0) < 1e-9)
+    {
+      break;
+    }
+  }
+  this->MakePanels();
+  this->Scale *= variance / this->Energy(0.0, Infinity);
+  this->Total = variance;
+}
+
+double SeaSpectrum::FindPeak() const
+{
+  // The factor of depth grows by less than w^5, and S beyond the form's peak falls from there on.
+  const auto negative = [this](double w) { return -this->Shape(w); };
+  const double p = this->FormPeak;
+  return boost::math::tools::brent_find_minima(negative, p, 2.0 * p, 40).first;
+}
+
+double SeaSpectrum::Shape(double w) const
+{
+  if (this->Given.Kind == SpectrumKind::Table)
+  {
+    return this->TableValue(w);
+  }
+  // w^-5 exp(-5/4 (wp/w)^4)
+  const double square = this->FormPeak / w * (this->FormPeak / w);
+  const double form = std::exp(-1.25 * square * square) / (w * w * w * w * w);
+  if (!(form > 0.0) || this->Given.Kind == SpectrumKind::PiersonMoskowitz)
+  {
+    return form > 0.0 ? form : 0.0;
+  }
+  // gamma^exp(-((w/wp - 1)/sigma)^2 / 2)
+  const double sigma = w > this->FormPeak ? 0.09 : 0.07;
+  const double off = (w / this->FormPeak - 1.0) / sigma;
+  const double young = form * std::pow(this->Given.PeakEnhancement, std::exp(-0.5 * off * off));
+  return this->Given.Kind == SpectrumKind::Tma ? young * DepthFactor(w, this->Given.Depth) : young;
+}
+
+double SeaSpectrum::TableValue(double w) const
+{
+  if (w < this->Nodes.front() || w > this->Nodes.back())
+  {
+    return 0.0;
+  }
+  const std::size_t next = std::min<std::size_t>(
+    std::upper_bound(this->Nodes.begin(), this->Nodes.end(), w) - this->Nodes.begin(), this->Nodes.size() - 1);
+  const double part = (w - this->Nodes[next - 1]) / (this->Nodes[next] - this->Nodes[next - 1]);
+  return this->Values[next - 1] + part * (this->Values[next] - this->Values[next - 1]);
+}
+
+double SeaSpectrum::Density(double w) const
+{
+  return w > 0.0 && !this->IsRegular() ? this->Scale * this->Shape(w) : 0.0;
+}
+
+double SeaSpectrum::Energy(double low, double high) const
+{
+  low = std::max(low, 0.0);
+  if (!(high > low))
+  {
+    return 0.0;
+  }
+  if (this->IsRegular())
+  {
+    return low <= this->Peak && this->Peak < high ? this->Total : 0.0;
+  }
+  if (this->Given.Kind == SpectrumKind::PiersonMoskowitz)
+  {
+    return this->FormEnergy(low, high);
+  }
+  const auto shape = [this](double w) { return this->Shape(w); };
+  const double below = this->Scale * this->Panels.Integral(shape, low, high);
+  // Above the panels the form alone is left, of a table nothing.
+  const double top = this->Given.Kind == SpectrumKind::Table ? Infinity : this->HighestPanel();
+  return high > top ? below + this->FormEnergy(std::max(low, top), high) : below;
+}
+
+double SeaSpectrum::FormEnergy(double low, double high) const
+{
+  // A / (5 wp^4) (e^-b - e^-a) with a = 5/4 (wp/low)^4 and b likewise, as e^-b (1 - e^-(a - b)), whose a - b is a
+  // product.
+  const double p = this->FormPeak;
+  const double r = p / low;
+  const double q = p / high;
+  const double b = 1.25 * q * q * q * q;
+  const double gap = std::isfinite(high) && low > 0.0 ? r * q * ((high - low) / p) : r;
+  const double drop = 1.25 * gap * (r + q) * (r * r + q * q);
+  return -this->Scale / (5.0 * p * p * p * p) * std::exp(-b) * std::expm1(-drop);
+}
+
+double SeaSpectrum::HighestPanel() const
+{
+  const double young = EndOfYoungPeak * this->FormPeak;
+  return this->Given.Kind == SpectrumKind::Tma && std::isfinite(this->Given.Depth)
+    ? std::max(young, std::sqrt(DeepRelativeDepth * Gravity / this->Given.Depth))
+    : young;
+}
+
+void SeaSpectrum::MakePanels()
+{
+  const double p = this->FormPeak;
+  const double top = this->HighestPanel();
+  std::vector<double> cuts = { LowestPanel * p, p };
+  while (cuts.back() < top)
+  {
+    cuts.push_back(std::min(2.0 * cuts.back(), top));
+  }
+  this->Panels = CompositeQuadrature([this](double w) { return this->Shape(w); }, cuts, PanelAgreement);
+}
+
+std::array<double, 2> SeaSpectrum::Range() const
+{
+  if (this->Given.Kind != SpectrumKind::Table)
+  {
+    double highest = 4.0 * this->Peak;
+    while (this->Energy(highest, Infinity) > EnergyAboveRange * this->Total)
+    {
+      highest += 0.5 * this->Peak;
+    }
+    return { 0.5 * this->Peak, highest };
+  }
+  const auto positive = [](double value) { return value > 0.0; };
+  const auto first = std::find_if(this->Values.begin(), this->Values.end(), positive) - this->Values.begin();
+  const auto after = std::find_if(this->Values.rbegin(), this->Values.rend(), positive) - this->Values.rbegin();
+  return { this->Nodes[std::max<std::ptrdiff_t>(first - 1, 0)],
+    *(this->Nodes.rbegin() + std::max<std::ptrdiff_t>(after - 1, 0)) };
+}
+
+void SeaSpectrum::ReadTable()
+{
+  for (std::size_t row = 0; row < this->Given.Frequencies.size(); ++row)
+  {
+    this->Nodes.push_back(TwoPi * this->Given.Frequencies[row]);
+    this->Values.push_back(this->Given.Densities[row] / TwoPi);
+  }
+  this->Panels = CompositeQuadrature([this](double w) { return this->TableValue(w); }, this->Nodes, PanelAgreement);
+  this->Total = this->Energy(0.0, Infinity);
+  this->Peak = this->Nodes[std::max_element(this->Values.begin(), this->Values.end()) - this->Values.begin()];
+}
+
+}

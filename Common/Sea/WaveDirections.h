@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralWaveDirections_h
+#define LittoralWaveDirections_h
+
+#include "Numerics/CompositeQuadrature.h"
+#include "Numerics/RandomStream.h"
+
+#include <vector>
+
+namespace littoral
+{
+
+/// How the energy of waves is spread over directions: with the density cos^2s(angle/2) about their mean direction.
+class WaveSpreading
+{
+public:
+  /// From an exponent s, positive.
+  explicit WaveSpreading(double exponent);
+
+  /// The angle [rad] below which a part, 0 to 1, of the energy lies.
+  double Quantile(double part) const;
+
+  /// The mean cosine of the angle, s / (s + 1).
+  double MeanCosine() const { return this->Exponent / (this->Exponent + 1.0); }
+
+private:
+  double Exponent;
+  CompositeQuadrature Half; ///< over pi less the angle, 0 to pi, so that small densities keep their digits
+};
+
+/**
+ * Angles from the mean direction [rad] of wave trains with these energies, in the order of their frequencies.
+ *
+ * The distribution is cut into strata with the energies of the trains; each train lies at random in its own. Strata are
+ * dealt by van der Corput's sequence in a random order of Owen: of each 2^m trains next to each other in frequency, one
+ * comes from each 2^m-th of the order, so that no side of the sea has the long waves. A few trains still miss the
+ * moments of the distribution; angles are therefore stretched and turned until the mean direction by energy is 0 and
+ * the length of the mean vector is the distribution's. One train lies at 0; where trains are too few or too unequal for
+ * that length, angles are turned alone.
+ */
+std::vector<double> WaveAngles(
+  const std::vector<double>& energies, const WaveSpreading& spreading, const RandomStream& random);
+
+}
+
+#endif

@@ -1,0 +1,434 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sea/WaveOrbits.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/SimdClones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Points that a pass of the single precision kernel holds in the first-level cache.
+constexpr int BlockSize = 256;
+/// k h from which the bed is not felt in single precision.
+constexpr double DeepInSingle = 20.0;
+/// k h below which b = r sinh k(z+h) / sinh kh would lose digits as a difference of exponentials.
+constexpr double ShallowInSingle = 1.0;
+
+/// Adding and subtracting it rounds to whole numbers.
+constexpr double RoundDouble = 6755399441055744.0;
+constexpr float RoundSingle = 12582912.0f;
+
+/// 2^x for -60 <= x <= 0, to 1.2e-7; smaller x count as -60.
+LITTORAL_INLINE float Power2(float x)
+{
+  x = x < -60.0f ? -60.0f : x;
+  const float rounded = x + RoundSingle;
+  const float f = x - (rounded - RoundSingle);
+  const float p = 1.0f +
+    f * (0.6931472f + f * (0.2402265f + f * (0.05550327f + f * (0.009618057f + f * (0.001340043f + f * 0.00015461f)))));
+  std::int32_t bits;
+  std::int32_t whole;
+  std::memcpy(&bits, &p, sizeof bits);
+  std::memcpy(&whole, &rounded, sizeof whole);
+  bits += static_cast<std::int32_t>(static_cast<std::uint32_t>(whole) << 23);
+  float power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
+/// Phases of a train at points, in turns from -1/2 to 1/2.
+LITTORAL_WIDE_SIMD_CLONES void ReducePhases(const double* __restrict x, const double* __restrict y, double kx,
+  double ky, double phase, int count, float* __restrict turns)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const double turn = kx * x[i] + ky * y[i] + phase;
+    turns[i] = static_cast<float>(turn - ((turn + RoundDouble) - RoundDouble));
+  }
+}
+
+/// Sines and cosines of angles in turns from -1/2 to 1/2, to 3e-7.
+LITTORAL_WIDE_SIMD_CLONES void SinesAndCosines(
+  const float* __restrict turns, int count, float* __restrict sine, float* __restrict cosine)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const float half = (2.0f * turns[i] + RoundSingle) - RoundSingle; // -1, 0 or 1
+    const float sign = 1.0f - 2.0f * half * half;
+    const float u = turns[i] - 0.5f * half; // at most a quarter turn
+    const float q = u * u;
+    sine[i] =
+      sign * u * (6.28318528f + q * (-41.34168061f + q * (81.60247637f + q * (-76.58117264f + q * 39.75982708f))));
+    cosine[i] = sign *
+      (0.9999999998f +
+        q * (-19.73920855f + q * (64.93934648f + q * (-85.45356476f + q * (60.14388955f + q * -24.98143439f)))));
+  }
+}
+
+LITTORAL_WIDE_SIMD_CLONES void DeepAxes(
+  const float* __restrict z, float octaves, float scale, int count, float* __restrict a, float* __restrict b)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    a[i] = scale * Power2(octaves * z[i]);
+    b[i] = a[i];
+  }
+}
+
+LITTORAL_WIDE_SIMD_CLONES void FiniteAxes(const float* __restrict z, float octaves, float scale, float mirror,
+  int count, float* __restrict a, float* __restrict b)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const float e = Power2(octaves * z[i]);
+    const float reflected = mirror / e;
+    a[i] = scale * (e + reflected);
+    b[i] = scale * (e - reflected);
+  }
+}
+
+LITTORAL_WIDE_SIMD_CLONES void ShallowAxes(
+  const float* __restrict overBed, float waveNumber, float scale, int count, float* __restrict a, float* __restrict b)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = waveNumber * overBed[i]; // 0 to 1
+    const float q = x * x;
+    a[i] = scale * (1.0f + q * (1 / 2.0f + q * (1 / 24.0f + q * (1 / 720.0f + q * (1 / 40320.0f)))));
+    b[i] = scale * x * (1.0f + q * (1 / 6.0f + q * (1 / 120.0f + q * (1 / 5040.0f + q * (1 / 362880.0f)))));
+  }
+}
+
+/// Takes the train from the points that have fewer trains.
+LITTORAL_WIDE_SIMD_CLONES void Mask(
+  const int* __restrict counts, int train, int count, float* __restrict a, float* __restrict b)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    a[i] = counts[i] > train ? a[i] : 0.0f;
+    b[i] = counts[i] > train ? b[i] : 0.0f;
+  }
+}
+
+/// Adds f a p along the train, f b q upwards.
+LITTORAL_WIDE_SIMD_CLONES void AddMotion(const float* __restrict a, const float* __restrict p,
+  const float* __restrict b, const float* __restrict q, float fx, float fy, float fz, int count, float* __restrict x,
+  float* __restrict y, float* __restrict z)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const float along = a[i] * p[i];
+    x[i] += fx * along;
+    y[i] += fy * along;
+    z[i] += fz * (b[i] * q[i]);
+  }
+}
+
+LITTORAL_WIDE_SIMD_CLONES void AddGradient(const float* __restrict a, const float* __restrict cosine,
+  const float* __restrict b, const float* __restrict sine, const float* factor, int count, float* __restrict xx,
+  float* __restrict xy, float* __restrict yy, float* __restrict zx, float* __restrict zy)
+{
+  const float fxx = factor[0];
+  const float fxy = factor[1];
+  const float fyy = factor[2];
+  const float fzx = factor[3];
+  const float fzy = factor[4];
+  for (int i = 0; i < count; ++i)
+  {
+    const float along = a[i] * cosine[i];
+    const float up = b[i] * sine[i];
+    xx[i] += fxx * along;
+    xy[i] += fxy * along;
+    yy[i] += fyy * along;
+    zx[i] += fzx * up;
+    zy[i] += fzy * up;
+  }
+}
+
+template <int Components>
+void Store(const float (*sums)[BlockSize], int count, float* to)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < Components; ++c)
+    {
+      to[Components * i + c] = sums[c][i];
+    }
+  }
+}
+
+}
+
+/// Points of a block, an array a coordinate, and what is summed over trains.
+struct alignas(64) WaveOrbits::Block
+{
+  double X[BlockSize];
+  double Y[BlockSize];
+  float Z[BlockSize]; ///< from sea level, at most 0
+  float OverBed[BlockSize];
+  float DriftX[BlockSize]; ///< of Stokes [m/s]
+  float DriftY[BlockSize];
+  float Sine[BlockSize];
+  float Cosine[BlockSize];
+  float Turns[BlockSize];
+  float A[BlockSize];
+  float B[BlockSize];
+  float Place[3][BlockSize];
+  float Speed[3][BlockSize];
+  float Push[3][BlockSize];
+  float Slope[5][BlockSize];
+};
+
+OrbitAxes AxesAt(const WaveTrain& train, double height, double depth)
+{
+  const double z = std::min(0.0, std::max(height, -depth));
+  const double k = train.WaveNumber;
+  const double d = train.Amplitude * std::exp(k * z) / -std::expm1(-2.0 * k * depth);
+  const double twice = -2.0 * k * (z + depth);
+  return { d * (1.0 + std::exp(twice)), d * -std::expm1(twice) };
+}
+
+Vector3 SurfaceNormal(const double g[5])
+{
+  const Vector3 alongX(1.0 + g[0], g[1], g[3]);
+  const Vector3 alongY(g[1], 1.0 + g[2], g[4]);
+  return Normalised(glm::cross(alongX, alongY));
+}
+
+double SurfaceJacobian(const double g[5])
+{
+  return (1.0 + g[0]) * (1.0 + g[2]) - g[1] * g[1];
+}
+
+WaveOrbits::WaveOrbits(const SeaState& sea, const WaveOrbitOptions& options, double time)
+  : Sea(sea)
+  , Options(options)
+  , Time(time)
+{
+  for (const WaveTrain& wave : sea.Trains)
+  {
+    Train train;
+    const double k = wave.WaveNumber;
+    train.DirectionX = std::cos(wave.Direction);
+    train.DirectionY = std::sin(wave.Direction);
+    train.X = k * train.DirectionX;
+    train.Y = k * train.DirectionY;
+    train.Frequency = wave.AngularFrequency;
+    double seen = wave.AngularFrequency;
+    if (options.DopplerShift)
+    {
+      seen += train.X * options.Current[0] + train.Y * options.Current[1];
+    }
+    train.Phase = std::remainder(wave.Phase - std::remainder(seen * time, TwoPi), TwoPi);
+    const double relative = k * sea.Depth;
+    train.Kind = relative > DeepInSingle ? Form::Deep : relative > ShallowInSingle ? Form::Finite : Form::Shallow;
+    train.Octaves = static_cast<float>(k / std::log(2.0));
+    train.Depths = static_cast<float>(k);
+    const double part = train.Kind == Form::Shallow ? std::sinh(relative) : -std::expm1(-2.0 * relative);
+    train.Scale = static_cast<float>(wave.Amplitude / part);
+    train.Mirror = static_cast<float>(std::exp(-2.0 * relative));
+    this->Trains.push_back(train);
+  }
+}
+
+std::array<double, 2> WaveOrbits::StokesVelocity(double height, std::size_t trains, const float* shares) const
+{
+  std::array<double, 2> drift{ 0.0, 0.0 };
+  for (std::size_t n = 0; n < std::min(trains, this->Trains.size()); ++n)
+  {
+    const OrbitAxes axes = AxesAt(this->Sea.Trains[n], height, this->Sea.Depth);
+    // a2 + b2 = r2 cosh 2k(z+h) / sinh2 kh.
+    const double share = shares ? shares[n] : 1.0;
+    const double half = 0.5 * share * share * this->Trains[n].Frequency *
+      (axes.Horizontal * axes.Horizontal + axes.Vertical * axes.Vertical);
+    drift[0] += half * this->Trains[n].X;
+    drift[1] += half * this->Trains[n].Y;
+  }
+  return drift;
+}
+
+void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin, std::size_t end) const
+{
+  const double chop = this->Options.Choppiness;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const double* center = request.Centers + 3 * i;
+    const double z = center[2] - this->Sea.SeaLevel;
+    std::size_t trains = this->Trains.size();
+    if (request.TrainCounts)
+    {
+      trains = std::min<std::size_t>(trains, std::max(0, request.TrainCounts[i]));
+    }
+    std::array<double, 2> drift{ 0.0, 0.0 };
+    if (this->Options.StokesDrift)
+    {
+      drift = this->StokesVelocity(z, trains, request.Shares);
+    }
+    const double x = center[0] + drift[0] * this->Time;
+    const double y = center[1] + drift[1] * this->Time;
+    Vector3 place(drift[0] * this->Time, drift[1] * this->Time, 0.0);
+    Vector3 speed(drift[0], drift[1], 0.0);
+    Vector3 push(0.0);
+    double slope[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+    for (std::size_t n = 0; n < trains; ++n)
+    {
+      const Train& train = this->Trains[n];
+      const OrbitAxes axes = AxesAt(this->Sea.Trains[n], z, this->Sea.Depth);
+      const double share = request.Shares ? request.Shares[n] : 1.0;
+      const double a = share * chop * axes.Horizontal;
+      const double b = share * axes.Vertical;
+      const double phi = train.X * x + train.Y * y + train.Phase;
+      const double s = std::sin(phi);
+      const double c = std::cos(phi);
+      const Vector3 moved(a * s * train.DirectionX, a * s * train.DirectionY, -b * c);
+      place += moved;
+      const double w = train.Frequency;
+      speed += w * Vector3(-a * c * train.DirectionX, -a * c * train.DirectionY, -b * s);
+      push -= w * w * moved;
+      slope[0] += a * c * train.X * train.DirectionX;
+      slope[1] += a * c * train.X * train.DirectionY;
+      slope[2] += a * c * train.Y * train.DirectionY;
+      slope[3] += b * s * train.X;
+      slope[4] += b * s * train.Y;
+    }
+    const auto store = [i](double* to, const double* from, int count) {
+      if (to)
+      {
+        std::copy(from, from + count, to + count * i);
+      }
+    };
+    store(request.Displacement, &place[0], 3);
+    store(request.Velocity, &speed[0], 3);
+    store(request.Acceleration, &push[0], 3);
+    store(request.Gradient, slope, 5);
+  }
+}
+
+void WaveOrbits::Evaluate(const OrbitRequest<float>& request, std::size_t begin, std::size_t end) const
+{
+  Block block;
+  for (std::size_t first = begin; first < end; first += BlockSize)
+  {
+    this->Move(block, request, first, static_cast<int>(std::min<std::size_t>(BlockSize, end - first)));
+  }
+}
+
+void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
+{
+  const float* centers = request.Centers + 3 * begin;
+  const int* counts = request.TrainCounts ? request.TrainCounts + begin : nullptr;
+  const double depth = this->Sea.Depth;
+  for (int i = 0; i < count; ++i)
+  {
+    block.X[i] = centers[3 * i];
+    block.Y[i] = centers[3 * i + 1];
+    const double z = std::min(0.0, std::max(centers[3 * i + 2] - this->Sea.SeaLevel, -depth));
+    block.Z[i] = static_cast<float>(z);
+    block.OverBed[i] = static_cast<float>(z + depth);
+  }
+  int trains = static_cast<int>(this->Trains.size());
+  if (counts)
+  {
+    trains = std::clamp(*std::max_element(counts, counts + count), 0, trains);
+  }
+  std::memset(block.Place, 0, sizeof block.Place);
+  std::memset(block.Speed, 0, sizeof block.Speed);
+  std::memset(block.Push, 0, sizeof block.Push);
+  std::memset(block.Slope, 0, sizeof block.Slope);
+  for (int i = 0; this->Options.StokesDrift && i < count; ++i)
+  {
+    const std::size_t own = counts ? static_cast<std::size_t>(std::max(0, counts[i])) : this->Trains.size();
+    const auto drift = this->StokesVelocity(block.Z[i], own, request.Shares);
+    block.X[i] += drift[0] * this->Time;
+    block.Y[i] += drift[1] * this->Time;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      block.Place[axis][i] = static_cast<float>(drift[axis] * this->Time);
+      block.Speed[axis][i] = static_cast<float>(drift[axis]);
+    }
+  }
+  for (int n = 0; n < trains; ++n)
+  {
+    const Train& train = this->Trains[n];
+    const float share = request.Shares ? request.Shares[n] : 1.0f;
+    if (share == 0.0f)
+    {
+      continue;
+    }
+    const float scale = share * train.Scale;
+    constexpr double turn = 1.0 / TwoPi;
+    ReducePhases(block.X, block.Y, turn * train.X, turn * train.Y, turn * train.Phase, count, block.Turns);
+    SinesAndCosines(block.Turns, count, block.Sine, block.Cosine);
+    switch (train.Kind)
+    {
+      case Form::Deep:
+        DeepAxes(block.Z, train.Octaves, scale, count, block.A, block.B);
+        break;
+      case Form::Finite:
+        FiniteAxes(block.Z, train.Octaves, scale, train.Mirror, count, block.A, block.B);
+        break;
+      case Form::Shallow:
+        ShallowAxes(block.OverBed, train.Depths, scale, count, block.A, block.B);
+        break;
+    }
+    if (counts)
+    {
+      Mask(counts, n, count, block.A, block.B);
+    }
+    const float chop = static_cast<float>(this->Options.Choppiness);
+    const float dx = chop * static_cast<float>(train.DirectionX);
+    const float dy = chop * static_cast<float>(train.DirectionY);
+    const float w = static_cast<float>(train.Frequency);
+    const auto add = [&](const float* p, const float* q, float along, float up, float(*sums)[BlockSize]) {
+      AddMotion(block.A, p, block.B, q, along * dx, along * dy, up, count, sums[0], sums[1], sums[2]);
+    };
+    if (request.Displacement)
+    {
+      add(block.Sine, block.Cosine, 1.0f, -1.0f, block.Place);
+    }
+    if (request.Velocity)
+    {
+      add(block.Cosine, block.Sine, -w, -w, block.Speed);
+    }
+    if (request.Acceleration)
+    {
+      add(block.Sine, block.Cosine, -w * w, w * w, block.Push);
+    }
+    if (request.Gradient)
+    {
+      const float kx = static_cast<float>(train.X);
+      const float ky = static_cast<float>(train.Y);
+      const float factor[5] = { kx * dx, kx * dy, ky * dy, kx, ky };
+      AddGradient(block.A, block.Cosine, block.B, block.Sine, factor, count, block.Slope[0], block.Slope[1],
+        block.Slope[2], block.Slope[3], block.Slope[4]);
+    }
+  }
+  const auto to = [begin](float* array, int components) { return array ? array + components * begin : nullptr; };
+  if (request.Displacement)
+  {
+    Store<3>(block.Place, count, to(request.Displacement, 3));
+  }
+  if (request.Velocity)
+  {
+    Store<3>(block.Speed, count, to(request.Velocity, 3));
+  }
+  if (request.Acceleration)
+  {
+    Store<3>(block.Push, count, to(request.Acceleration, 3));
+  }
+  if (request.Gradient)
+  {
+    Store<5>(block.Slope, count, to(request.Gradient, 5));
+  }
+}
+
+}

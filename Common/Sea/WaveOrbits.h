@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralWaveOrbits_h
+#define LittoralWaveOrbits_h
+
+#include "Numerics/Vector3.h"
+#include "Sea/WaveTrains.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace littoral
+{
+
+/// Semi-axes of the orbit of a particle in one train.
+struct OrbitAxes
+{
+  double Horizontal; ///< a [m]
+  double Vertical;   ///< b [m]
+};
+
+/**
+ * Semi-axes at a height z [m] below or at the mean sea level (0 there, negative below) on water of a depth [m]:
+ * a = r cosh k(z+h) / sinh kh, b = r sinh k(z+h) / sinh kh, written with decaying exponentials alone, so that nothing
+ * overflows and deep water needs no case of its own. Heights outside of the water count as the surface and the bed.
+ */
+OrbitAxes AxesAt(const WaveTrain& train, double height, double depth);
+
+struct WaveOrbitOptions
+{
+  bool StokesDrift = false;         ///< orbit centers drift with the waves
+  bool DopplerShift = false;        ///< orbits keep their periods in a current
+  double Current[2] = { 0.0, 0.0 }; ///< that carries the centers [m/s]; used with DopplerShift only
+  double Choppiness = 1.0;          ///< factor of the horizontal motion, 0 to 1
+};
+
+/// Points and what is asked of them; three numbers a point, null where it is not wanted.
+template <typename Real>
+struct OrbitRequest
+{
+  const Real* Centers = nullptr;
+  const int* TrainCounts = nullptr; ///< one a point: only the first trains act on it; null: all
+  Real* Displacement = nullptr;     ///< from the center [m]
+  Real* Velocity = nullptr;         ///< [m/s]
+  Real* Acceleration = nullptr;     ///< [m/s2]
+  /// Five a point: dX/dx - 1, dX/dy = dY/dx, dY/dy - 1, dZ/dx, dZ/dy of places by their centers.
+  Real* Gradient = nullptr;
+  const float* Shares = nullptr; ///< one a train: the part of its amplitude that acts; null: all of it
+};
+
+/// The unit normal of a surface that was level, from the five numbers of OrbitRequest::Gradient.
+Vector3 SurfaceNormal(const double gradient[5]);
+
+/// By how much the surface is stretched, 1 at rest; where it is 0 or less, it folds over itself and foams.
+double SurfaceJacobian(const double gradient[5]);
+
+/**
+ * A sea at a moment. A particle whose orbit is centered at x0, z0 is at x0 + sum a sin(phi) d, z0 - sum b cos(phi) with
+ * phi = k d . x0 - w t + phase.
+ *
+ * Points in double precision go through the standard library's functions. Points in single precision go through
+ * polynomials over whole blocks of points, with phases formed and reduced in double precision; their displacements are
+ * good to some 1e-6 of the sum of amplitudes, wherever the scene lies. Each point is computed for itself: results do
+ * not depend on ranges.
+ */
+class WaveOrbits
+{
+public:
+  WaveOrbits(const SeaState& sea, const WaveOrbitOptions& options, double time);
+
+  void Evaluate(const OrbitRequest<double>& request, std::size_t begin, std::size_t end) const;
+  void Evaluate(const OrbitRequest<float>& request, std::size_t begin, std::size_t end) const;
+
+  /// What a particle at a height over sea level [m] drifts in a second, second order in the amplitudes [m/s].
+  std::array<double, 2> StokesVelocity(double height, std::size_t trains, const float* shares = nullptr) const;
+
+private:
+  enum class Form
+  {
+    Deep,    ///< a = b = r E
+    Finite,  ///< from E and 1/E
+    Shallow, ///< from polynomials of k (z + h)
+  };
+
+  /// A train at the moment.
+  struct Train
+  {
+    double X; ///< k d
+    double Y;
+    double Phase; ///< -w t + phase, reduced
+    double DirectionX;
+    double DirectionY;
+    double Frequency;
+    Form Kind;
+    float Octaves; ///< k / ln 2
+    float Depths;  ///< k
+    float Scale;   ///< r / (1 - e^-2kh), or r / sinh kh
+    float Mirror;  ///< e^-2kh
+  };
+
+  struct Block;
+  void Move(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
+
+  SeaState Sea;
+  WaveOrbitOptions Options;
+  double Time;
+  std::vector<Train> Trains;
+};
+
+}
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSeaweedMotion_h
+#define LittoralSeaweedMotion_h
+
+#include "Plants/Skinning.h"
+#include "Seaweed/LinkState.h"
+#include "Seaweed/SeaweedPlant.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace littoral
+{
+
+/// Trees of the same shape that are moved side by side. Where there are fewer than lanes, the first stands in for them.
+struct SeaweedBunch
+{
+  static constexpr std::size_t Lanes = 4;
+  std::array<std::size_t, Lanes> First; ///< links of the trees
+  std::size_t Links = 0;                ///< of each
+  int Trees = 0;                        ///< 1 to Lanes
+  std::size_t Bodies = 0;               ///< where its own begin
+
+  /// The links of all its lanes.
+  std::size_t LanedLinks() const { return Lanes * this->Links; }
+};
+
+/**
+ * Seaweeds as trees of stiff segments on springs (Coulais et al., section 4, with its equations put right). The full
+ * equations of motion of the tree are solved by the articulated-body algorithm (joint forces, reactions of children,
+ * gyroscopic and centrifugal terms included), with the implicit midpoint rule around it: second order in the step. A
+ * step is taken in parts where links turn far or energy would be gained.
+ *
+ * Trees share nothing with others: those of the same shape are moved side by side, each as it would move alone.
+ */
+class SeaweedMotion
+{
+public:
+  /// Links must come after their parents.
+  SeaweedMotion(std::vector<SeaweedLink> links, const SeaweedOptions& options);
+
+  const std::vector<SeaweedLink>& GetLinks() const { return this->Links; }
+
+  const std::vector<SeaweedBunch>& GetBunches() const { return this->Bunches; }
+
+  /// All at rest.
+  std::vector<LinkState> AtRest() const;
+
+  /// Poses of the links [begin, end), whole trees. `poses` and `states` are of all links.
+  void Pose(const LinkState* states, std::size_t begin, std::size_t end, LinkPose* poses) const;
+
+  /// The pose of one link whose parent's is known.
+  void PoseOne(const LinkState& state, std::size_t link, LinkPose* poses) const;
+
+  /// The middles of the links of a bunch [m], a lane after the other of each, `ahead` [s] of the poses at their
+  /// velocities: where the water is to be known.
+  void Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles, double ahead = 0.0) const;
+
+  /// Takes a bunch one step [s] further, its states and the poses that go with them; `water` is at its middles in the
+  /// middle of the step (ExplicitEuler: at its beginning), and stays the same throughout.
+  void Step(double step, const SeaweedBunch& bunch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const;
+
+  /// The state of a link by eqs. 5 and 6, from the pose of its parent; without rates.
+  LinkState Procedural(const WaterAtLink& water, std::size_t link, const LinkPose* poses) const;
+
+  /// Between two states, share 0 to 1; without rates.
+  LinkState Mixed(const LinkState& first, const LinkState& second, double share) const;
+
+  /// The state of a link that keeps its rest angles.
+  LinkState RestOf(std::size_t link) const;
+
+private:
+  SeaweedOptions Options;
+  std::vector<SeaweedLink> Links;
+  std::vector<SeaweedBunch> Bunches;
+  struct LinkBodies;
+  std::shared_ptr<const LinkBodies> Bodies; // of the bunches
+
+  void MakeBunches();
+};
+
+/// What a pose of a link does to all that follows it.
+inline JointChange ChangeOf(const SeaweedLink& link, const LinkPose& pose)
+{
+  return ChangeOf({ pose.Turn, pose.Foot - link.Foot }, link.Foot);
+}
+
+}
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Terrain/GridSamples.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+/// Calls visit(x, y, value) for each value that is there; x, y [m] from the grid's center.
+template <typename Samples, typename Visit>
+void ForEachValue(Samples& samples, Visit visit)
+{
+  for (int j = 0; j < samples.Height; ++j)
+  {
+    const double y = (j - 0.5 * (samples.Height - 1)) * samples.Spacing[1];
+    for (int i = 0; i < samples.Width; ++i)
+    {
+      auto& value = samples.Values[static_cast<std::size_t>(j) * samples.Width + i];
+      if (!std::isnan(value))
+      {
+        visit((i - 0.5 * (samples.Width - 1)) * samples.Spacing[0], y, value);
+      }
+    }
+  }
+}
+}
+
+SampleMoments Moments(const GridSamples& samples)
+{
+  SampleMoments moments;
+  double sum = 0.0;
+  ForEachValue(samples, [&](double, double, double value) {
+    ++moments.Count;
+    sum += value;
+  });
+  if (moments.Count == 0)
+  {
+    return moments;
+  }
+  moments.Mean = sum / moments.Count;
+  double squares = 0.0;
+  ForEachValue(
+    samples, [&](double, double, double value) { squares += (value - moments.Mean) * (value - moments.Mean); });
+  moments.Variance = squares / moments.Count;
+  return moments;
+}
+
+PlaneTrend RemoveMean(GridSamples& samples)
+{
+  PlaneTrend trend;
+  trend.Mean = Moments(samples).Mean;
+  ForEachValue(samples, [&](double, double, double& value) { value -= trend.Mean; });
+  return trend;
+}
+
+PlaneTrend RemovePlane(GridSamples& samples)
+{
+  // Positions in units of the grid's size, so that the normal equations are well scaled.
+  const double scaleX = samples.Width * samples.Spacing[0];
+  const double scaleY = samples.Height * samples.Spacing[1];
+  PlaneTrend trend = RemoveMean(samples);
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  ForEachValue(samples, [&](double x, double y, double value) {
+    const Eigen::Vector3d row(1.0, x / scaleX, y / scaleY);
+    normal += row * row.transpose();
+    right += row * value;
+  });
+  // Of any size: in a decomposition of fixed size GCC 16 takes Eigen 5's loads of two values for reads past the end.
+  const Eigen::MatrixXd system = normal;
+  const Eigen::VectorXd plane = system.completeOrthogonalDecomposition().solve(Eigen::VectorXd(right));
+  trend.Mean += plane[0];
+  trend.Slope = { plane[1] / scaleX, plane[2] / scaleY };
+  ForEachValue(
+    samples, [&](double x, double y, double& value) { value -= plane[0] + trend.Slope[0] * x + trend.Slope[1] * y; });
+  return trend;
+}
+
+}

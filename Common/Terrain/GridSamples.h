@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralGridSamples_h
+#define LittoralGridSamples_h
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace littoral
+{
+
+/// Values measured on a regular grid of the plane, x fastest. NaN marks a missing value.
+struct GridSamples
+{
+  int Width = 0;
+  int Height = 0;
+  std::array<double, 2> Spacing{ 1.0, 1.0 }; ///< [m]
+  std::vector<double> Values;
+
+  double& At(int i, int j) { return this->Values[static_cast<std::size_t>(j) * this->Width + i]; }
+  double At(int i, int j) const { return this->Values[static_cast<std::size_t>(j) * this->Width + i]; }
+};
+
+/// Count, mean and variance of the values that are not missing.
+struct SampleMoments
+{
+  std::size_t Count = 0;
+  double Mean = 0.0;
+  double Variance = 0.0;
+};
+SampleMoments Moments(const GridSamples& samples);
+
+/// A plane through the middle of the grid.
+struct PlaneTrend
+{
+  double Mean = 0.0;                       ///< height at the grid's center
+  std::array<double, 2> Slope{ 0.0, 0.0 }; ///< change per metre along x and y
+};
+
+/// Fits a plane by least squares to the values that are there, and subtracts it. A direction along which fewer than
+/// two distinct positions have values gets no slope.
+PlaneTrend RemovePlane(GridSamples& samples);
+
+/// Subtracts the mean alone.
+PlaneTrend RemoveMean(GridSamples& samples);
+
+}
+
+#endif

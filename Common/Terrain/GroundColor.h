@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralGroundColor_h
+#define LittoralGroundColor_h
+
+#include "Geometry/TextureImage.h"
+
+namespace littoral
+{
+
+/// What the color of a place on the ground depends on.
+struct GroundPlace
+{
+  double Slope = 0.0;       ///< from level ground [rad]
+  double Height = 0.0;      ///< share of the way from the lowest to the highest place
+  double Reflectance = 0.5; ///< 0 to 1: meadow where low, dry grass where high
+};
+
+/// The color of a temperate country: meadows below, dry grass above, rock where it is steep.
+Color GroundColor(const GroundPlace& place);
+
+}
+
+#endif

@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Terrain/ShortWaves.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/FourierGrid.h"
+#include "Numerics/SimdClones.h"
+
+#include <boost/math/interpolators/cardinal_quintic_b_spline.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/bessel.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Radius of the moving average, in mean spacings.
+constexpr double AverageRadius = 7.0;
+/// Beyond this distance, in mean spacings, short waves are uncorrelated.
+constexpr double CorrelationRadius = 16.0;
+/// The mean spacing is at most this many times the smaller one [metres in space], which bounds the average's size.
+constexpr double MostStretch = 10.0;
+
+double Length(const std::array<double, 2>& a)
+{
+  return std::hypot(a[0], a[1]);
+}
+
+/// Root of the area that belongs to a point [m].
+double MeanSpacing(const PlaneLattice& lattice)
+{
+  const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
+  const double shorter = std::min(Length(lattice.StepX), Length(lattice.StepY));
+  return std::min(std::sqrt(area), MostStretch * shorter);
+}
+
+using Gauss = boost::math::quadrature::gauss<double, 15>;
+
+/// Places and weights of a quadrature over [low, high], panel by panel.
+struct Quadrature
+{
+  std::vector<double> Place;
+  std::vector<double> Weight;
+
+  void AddPanel(double low, double high)
+  {
+    const double middle = 0.5 * (low + high);
+    const double half = 0.5 * (high - low);
+    for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n)
+    {
+      for (double side : { -1.0, 1.0 })
+      {
+        if (Gauss::abscissa()[n] > 0.0 || side > 0.0)
+        {
+          this->Place.push_back(middle + side * half * Gauss::abscissa()[n]);
+          this->Weight.push_back(half * Gauss::weights()[n]);
+        }
+      }
+    }
+  }
+};
+
+/// The covariance of the long waves at distance 0 less that at r, in parts of the variance.
+class LongDecay
+{
+public:
+  LongDecay(const CovarianceParameters& field, const Crossover& crossover)
+  {
+    const double lowest = field.Model == CovarianceModel::Fractal ? TwoPi / field.Range : 1e-4 * crossover.Low;
+    for (double w = lowest; w < crossover.Low; w *= 2.0)
+    {
+      this->Waves.AddPanel(w, std::min(2.0 * w, crossover.Low));
+    }
+    const double first = std::max(lowest, crossover.Low);
+    for (int panel = 0; panel < 4 && first < crossover.High; ++panel)
+    {
+      const double width = 0.25 * (crossover.High - first);
+      this->Waves.AddPanel(first + panel * width, first + (panel + 1) * width);
+    }
+    for (std::size_t n = 0; n < this->Waves.Place.size(); ++n)
+    {
+      const double w = this->Waves.Place[n];
+      this->Waves.Weight[n] *= RadialSpectrum(field, w) * crossover.LongPart(w);
+    }
+  }
+
+  double At(double r) const
+  {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < this->Waves.Place.size(); ++n)
+    {
+      sum += this->Waves.Weight[n] * (1.0 - boost::math::cyl_bessel_j(0, this->Waves.Place[n] * r));
+    }
+    return sum;
+  }
+
+private:
+  Quadrature Waves;
+};
+
+// -------------------------------------------------------------------------------------------------------------------
+// White noise. Four columns share a counter of Philox, the row is its object, beyond the numbers of all lines.
+
+constexpr int PackSize = 8;
+using FloatPack = float __attribute__((vector_size(PackSize * sizeof(float))));
+using IntegerPack = std::int32_t __attribute__((vector_size(PackSize * sizeof(std::int32_t))));
+constexpr int Align = PackSize;
+
+LITTORAL_INLINE FloatPack SquareRoot(const FloatPack& x)
+{
+  FloatPack root;
+  for (int n = 0; n < PackSize; ++n)
+  {
+    root[n] = std::sqrt(x[n]);
+  }
+  return root;
+}
+
+/**
+ * Standard normal numbers from 32 random bits each, in place: the inverse of the normal distribution by Abramowitz and
+ * Stegun's rational approximation 26.2.23, whose error is below 4.5e-4, with their logarithm ln m = 2 artanh((m - 1) /
+ * (m + 1)). Plain arithmetic, so that every processor gives the same bytes.
+ */
+LITTORAL_SIMD_CLONES void MakeNormal(float* numbers, std::size_t count)
+{
+  for (std::size_t n = 0; n < count; n += PackSize)
+  {
+    IntegerPack word;
+    std::memcpy(&word, numbers + n, sizeof(word));
+    // The upper bit is the sign, the others the probability p of the tail, in (0, 1/2).
+    const IntegerPack tail = word & 0x7fffffff;
+    const FloatPack p = (__builtin_convertvector(tail, FloatPack) + 0.5f) * 0x1p-32f;
+    // ln p = exponent ln 2 + ln m, with m in [1, 2)
+    IntegerPack bits;
+    std::memcpy(&bits, &p, sizeof(bits));
+    const FloatPack exponent = __builtin_convertvector((bits >> 23) - 127, FloatPack);
+    bits = (bits & 0x007fffff) | 0x3f800000;
+    FloatPack m;
+    std::memcpy(&m, &bits, sizeof(m));
+    const FloatPack s = (m - 1.0f) / (m + 1.0f);
+    const FloatPack s2 = s * s;
+    const FloatPack series = 2.0f / 11.0f * s2 + 2.0f / 9.0f;
+    const FloatPack logarithm =
+      s * (((series * s2 + 2.0f / 7.0f) * s2 + 2.0f / 5.0f) * s2 * s2 + (2.0f / 3.0f * s2 + 2.0f)) +
+      exponent * 0.693147181f;
+    // t = sqrt(-2 ln p), z = t - (c0 + c1 t + c2 t2) / (1 + d1 t + d2 t2 + d3 t3)
+    const FloatPack t = SquareRoot(-2.0f * logarithm);
+    const FloatPack top = (0.010328f * t + 0.802853f) * t + 2.515517f;
+    const FloatPack bottom = ((0.001308f * t + 0.189269f) * t + 1.432788f) * t + 1.0f;
+    const FloatPack z = t - top / bottom;
+    std::memcpy(&bits, &z, sizeof(bits));
+    bits ^= word & static_cast<std::int32_t>(0x80000000u);
+    std::memcpy(numbers + n, &bits, sizeof(bits));
+  }
+}
+
+/// Columns whose sums stay in registers.
+constexpr int Packs = 4;
+constexpr int Run = Packs * PackSize;
+
+/// One tap of a row of sums: both of a pair of opposite points.
+struct TapRows
+{
+  const float* One;
+  const float* Other;
+  float Weight;
+};
+
+/// sum = middle weight * noise + sum over taps of weight * (noise there + noise opposite), for Run columns.
+LITTORAL_SIMD_CLONES void AverageRun(
+  const TapRows* taps, std::size_t count, std::size_t column, const float* middle, float middleWeight, float* sums)
+{
+  FloatPack sum[Packs];
+  for (int p = 0; p < Packs; ++p)
+  {
+    FloatPack a;
+    std::memcpy(&a, middle + column + p * PackSize, sizeof(a));
+    sum[p] = middleWeight * a;
+  }
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    for (int p = 0; p < Packs; ++p)
+    {
+      FloatPack a;
+      FloatPack b;
+      std::memcpy(&a, taps[n].One + column + p * PackSize, sizeof(a));
+      std::memcpy(&b, taps[n].Other + column + p * PackSize, sizeof(b));
+      sum[p] += taps[n].Weight * (a + b);
+    }
+  }
+  std::memcpy(sums, sum, sizeof(sum));
+}
+
+int RoundUp(int value, int unit)
+{
+  return (value + unit - 1) / unit * unit;
+}
+
+}
+
+double PlaneLattice::Distance(int i, int j) const
+{
+  return std::hypot(i * this->StepX[0] + j * this->StepY[0], i * this->StepX[1] + j * this->StepY[1]);
+}
+
+Crossover Crossover::OfLattice(const PlaneLattice& lattice)
+{
+  const double spacing = MeanSpacing(lattice);
+  return { 0.25 * Pi / spacing, 0.5 * Pi / spacing };
+}
+
+double Crossover::LongPart(double w) const
+{
+  const double t = std::clamp((w - this->Low) / (this->High - this->Low), 0.0, 1.0);
+  return 1.0 - t * t * t * (10.0 - t * (15.0 - 6.0 * t));
+}
+
+/// Integral of f W up to w, by parts: F W + integral of F |W'|, since F has no steps.
+double Crossover::LongBelow(const CovarianceParameters& field, double w) const
+{
+  if (w <= this->Low)
+  {
+    return SpectrumBelow(field, w);
+  }
+  const double width = this->High - this->Low;
+  const double end = std::min(w, this->High);
+  const auto integrand = [&](double v) {
+    const double t = (v - this->Low) / width;
+    return SpectrumBelow(field, v) * 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
+  };
+  return SpectrumBelow(field, end) * this->LongPart(end) + Gauss::integrate(integrand, this->Low, end);
+}
+
+ShortWaves::ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover,
+  int seed, RandomPurpose purpose)
+  : Random(seed, purpose)
+{
+  this->FindWeights(field, lattice, crossover);
+}
+
+void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover)
+{
+  const double spacing = MeanSpacing(lattice);
+  const double radius = AverageRadius * spacing;
+  // The box of a circle in the grid's indices: with unit vectors across the other step, |i| <= radius / height.
+  const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
+  this->Reach = { static_cast<int>(radius * Length(lattice.StepY) / area),
+    static_cast<int>(radius * Length(lattice.StepX) / area) };
+
+  // Covariance of the short waves at the points: the model's less that of the long waves.
+  CovarianceParameters unit = field;
+  unit.Variance = 1.0;
+  const double end = CorrelationRadius * spacing;
+  const int samples = 65;
+  const double step = end / (samples - 1);
+  const LongDecay decay(unit, crossover);
+  std::vector<double> decays(samples);
+  for (int n = 0; n < samples; ++n)
+  {
+    decays[n] = decay.At(n * step);
+  }
+  const boost::math::interpolators::cardinal_quintic_b_spline<double> decayAt(decays, 0.0, step, { 0.0, 0.0 });
+  const double shortVariance = 1.0 - crossover.LongBelow(unit, crossover.High);
+
+  // Its transform is the spectrum with all that folds back; the weights are those of the root.
+  FourierGrid grid(NextFastLength(5 * this->Reach[0] + 2), NextFastLength(5 * this->Reach[1] + 2));
+  const int width = grid.GetWidth();
+  const int height = grid.GetHeight();
+  const auto signedIndex = [](int index, int length) { return index > length / 2 ? index - length : index; };
+  for (int j = 0; j < height; ++j)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      const double r = lattice.Distance(signedIndex(i, width), signedIndex(j, height));
+      grid.At(i, j) = r < end ? decayAt(r) - Semivariance(unit, r) + shortVariance : 0.0;
+    }
+  }
+  grid.Forward();
+  for (int j = 0; j < height; ++j)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      grid.At(i, j) = std::sqrt(std::max(0.0, grid.At(i, j).real()));
+    }
+  }
+  grid.Backward();
+
+  double squares = 0.0;
+  const auto within = [&](int i, int j) { return lattice.Distance(i, j) <= radius; };
+  const auto weight = [&](int i, int j) { return grid.At((i + width) % width, (j + height) % height).real(); };
+  for (int j = -this->Reach[1]; j <= this->Reach[1]; ++j)
+  {
+    for (int i = -this->Reach[0]; i <= this->Reach[0]; ++i)
+    {
+      squares += within(i, j) ? weight(i, j) * weight(i, j) : 0.0;
+    }
+  }
+  const double scale = squares > 0.0 ? std::sqrt(field.Variance * std::max(0.0, shortVariance) / squares) : 0.0;
+  for (int j = -this->Reach[1]; j <= this->Reach[1]; ++j)
+  {
+    for (int i = -this->Reach[0]; i <= this->Reach[0]; ++i)
+    {
+      const float value = within(i, j) ? static_cast<float>(scale * weight(i, j)) : 0.0f;
+      this->Weights.push_back(value);
+    }
+  }
+  this->Taps.push_back({ 0, 0, this->Weight(0, 0) });
+  for (int j = 0; j <= this->Reach[1]; ++j)
+  {
+    for (int i = j == 0 ? 1 : -this->Reach[0]; i <= this->Reach[0]; ++i)
+    {
+      if (this->Weight(i, j) != 0.0f)
+      {
+        this->Taps.push_back({ i, j, this->Weight(i, j) });
+      }
+    }
+  }
+}
+
+float ShortWaves::Weight(int i, int j) const
+{
+  const bool inside = std::abs(i) <= this->Reach[0] && std::abs(j) <= this->Reach[1];
+  return inside ? this->Weights[(j + this->Reach[1]) * (2 * this->Reach[0] + 1) + i + this->Reach[0]] : 0.0f;
+}
+
+double ShortWaves::Covariance(int i, int j) const
+{
+  double sum = 0.0;
+  for (int row = -this->Reach[1]; row <= this->Reach[1]; ++row)
+  {
+    for (int column = -this->Reach[0]; column <= this->Reach[0]; ++column)
+    {
+      sum += this->Weight(column, row) * static_cast<double>(this->Weight(column + i, row + j));
+    }
+  }
+  return sum;
+}
+
+void ShortWaves::Fill(int firstColumn, int firstRow, int width, int height, std::vector<float>& values) const
+{
+  // Noise at the points and around them, from a multiple of four columns on.
+  const long long left = firstColumn - static_cast<long long>(this->Reach[0]);
+  const long long firstCounter = left >> 2;
+  const int margin = static_cast<int>(firstColumn - 4 * firstCounter);
+  const int counters = (margin + RoundUp(width, Run) + this->Reach[0] + 3) / 4;
+  const int pitch = RoundUp(4 * counters, Align);
+  const int rows = height + 2 * this->Reach[1];
+  std::vector<float> noise(static_cast<std::size_t>(pitch) * rows);
+  for (int j = 0; j < rows; ++j)
+  {
+    const long long row = static_cast<long long>(firstRow) - this->Reach[1] + j;
+    const std::uint64_t object = 1ull << 32 | static_cast<std::uint32_t>(row);
+    for (int c = 0; c < counters; ++c)
+    {
+      const auto words = this->Random.Words(object, static_cast<std::uint64_t>(firstCounter + c));
+      std::memcpy(&noise[static_cast<std::size_t>(j) * pitch + 4 * c], words.data(), sizeof(words));
+    }
+  }
+  MakeNormal(noise.data(), noise.size());
+
+  values.resize(static_cast<std::size_t>(width) * height);
+  std::vector<TapRows> taps(this->Taps.size() - 1);
+  alignas(64) float sums[Run];
+  for (int j = 0; j < height; ++j)
+  {
+    const float* middle = &noise[static_cast<std::size_t>(j + this->Reach[1]) * pitch + margin];
+    for (std::size_t n = 0; n < taps.size(); ++n)
+    {
+      const Tap& tap = this->Taps[n + 1];
+      const std::ptrdiff_t apart = static_cast<std::ptrdiff_t>(tap.Row) * pitch + tap.Column;
+      taps[n] = { middle + apart, middle - apart, tap.Weight };
+    }
+    for (int i = 0; i < width; i += Run)
+    {
+      AverageRun(taps.data(), taps.size(), i, middle, this->Taps[0].Weight, sums);
+      std::copy_n(sums, std::min(Run, width - i), &values[static_cast<std::size_t>(j) * width + i]);
+    }
+  }
+}
+
+}

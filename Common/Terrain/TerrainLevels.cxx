@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Terrain/TerrainLevels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// The samples of a level along a side of a tile: every 2^level-th, and the last.
+std::vector<int> Places(int first, int last, int level)
+{
+  std::vector<int> places;
+  for (int place = first; place < last; place += 1 << level)
+  {
+    places.push_back(place);
+  }
+  places.push_back(last);
+  return places;
+}
+
+/// The least single precision number that is not below.
+float RoundedUp(double value)
+{
+  const float near = static_cast<float>(value);
+  return near < value ? std::nextafter(near, std::numeric_limits<float>::infinity()) : near;
+}
+
+/// Height at shares u, v of a cell whose corners are a (0, 0), b (1, 0), c (1, 1), d (0, 1), cut from a to c.
+double HeightIn(double a, double b, double c, double d, double u, double v)
+{
+  return u >= v ? a + u * (b - a) + v * (c - b) : a + v * (d - a) + u * (c - d);
+}
+
+/// Largest distance of the samples of a cell from its two triangles.
+double ErrorOfCell(const HeightSamples& samples, int x0, int x1, int y0, int y1)
+{
+  const auto at = [&](int x, int y) { return static_cast<double>(samples.Values[samples.Index(x, y)]); };
+  const double a = at(x0, y0);
+  const double b = at(x1, y0);
+  const double c = at(x1, y1);
+  const double d = at(x0, y1);
+  double largest = 0.0;
+  for (int y = y0; y <= y1; ++y)
+  {
+    const double v = static_cast<double>(y - y0) / (y1 - y0);
+    for (int x = x0; x <= x1; ++x)
+    {
+      const double u = static_cast<double>(x - x0) / (x1 - x0);
+      largest = std::max(largest, std::abs(at(x, y) - HeightIn(a, b, c, d, u, v)));
+    }
+  }
+  return largest;
+}
+
+/// Samples in a row, with their places along it.
+struct Chain
+{
+  std::vector<std::size_t> Samples;
+  std::vector<int> Places;
+  std::vector<double> Heights;
+
+  std::size_t Size() const { return this->Samples.size(); }
+
+  bool InLine(std::size_t a, std::size_t b, std::size_t c) const
+  {
+    return (this->Heights[b] - this->Heights[a]) * (this->Places[c] - this->Places[a]) ==
+      (this->Heights[c] - this->Heights[a]) * (this->Places[b] - this->Places[a]);
+  }
+
+  bool IsStraight(std::size_t first, std::size_t last) const
+  {
+    for (std::size_t i = first + 1; i < last; ++i)
+    {
+      if (!this->InLine(first, i, last))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+/// The third vertex of the triangle on the chord from first to last. The vertices between are not all in line with it.
+std::size_t Apex(const Chain& chain, std::size_t first, std::size_t last)
+{
+  const auto isGood = [&](std::size_t k) {
+    const bool leftIsFlat = k > first + 1 && chain.IsStraight(first, k);
+    const bool rightIsFlat = last > k + 1 && chain.IsStraight(k, last);
+    return !chain.InLine(first, k, last) && !leftIsFlat && !rightIsFlat;
+  };
+  std::size_t k = first + 1;
+  // One always is: the vertex after the first, the one before the last, or, if both are in line, any that is not.
+  while (!isGood(k))
+  {
+    ++k;
+  }
+  return k;
+}
+
+/// Fills the polygon of a chain and its chord with triangles, none of which has three vertices in line.
+void FillChain(const Chain& chain, std::size_t first, std::size_t last, int start, std::vector<int>& triangles)
+{
+  if (last < first + 2)
+  {
+    return;
+  }
+  const std::size_t apex = Apex(chain, first, last);
+  FillChain(chain, first, apex, start, triangles);
+  for (const std::size_t vertex : { first, apex, last })
+  {
+    triangles.push_back(start + static_cast<int>(vertex));
+  }
+  FillChain(chain, apex, last, start, triangles);
+}
+
+/// Builds the mesh of one tile.
+class PatchBuilder
+{
+public:
+  PatchBuilder(const TerrainPyramid& pyramid, const std::vector<int>& levels, std::size_t tile)
+    : Samples(pyramid.GetSamples())
+    , Tile(pyramid.GetTiles()[tile])
+    , Level(levels[tile])
+    , Xs(Places(this->Tile.First[0], this->Tile.Last[0], this->Level))
+    , Ys(Places(this->Tile.First[1], this->Tile.Last[1], this->Level))
+  {
+    const int along = pyramid.GetTilesAlong(0);
+    const int x = static_cast<int>(tile) % along;
+    const int y = static_cast<int>(tile) / along;
+    const auto levelAt = [&](int i, int j) {
+      const bool isTile = i >= 0 && j >= 0 && i < along && j < pyramid.GetTilesAlong(1);
+      const int level = isTile ? levels[static_cast<std::size_t>(j) * along + i] : Culled;
+      return level == Culled ? this->Level : std::min(level, this->Level); // no gap to a coarser one from here
+    };
+    this->Neighbours = { levelAt(x, y - 1), levelAt(x + 1, y), levelAt(x, y + 1), levelAt(x - 1, y) };
+  }
+
+  TerrainPatch Build()
+  {
+    const int columns = static_cast<int>(this->Xs.size());
+    for (const int y : this->Ys)
+    {
+      for (const int x : this->Xs)
+      {
+        this->Patch.Surface.Samples.push_back(this->Samples.Index(x, y));
+      }
+    }
+    const int lastX = columns - 2;
+    const int lastY = static_cast<int>(this->Ys.size()) - 2;
+    for (int j = 0; j <= lastY; ++j)
+    {
+      for (int i = 0; i <= lastX; ++i)
+      {
+        const int a = j * columns + i;
+        const int b = a + 1;
+        const int c = b + columns;
+        const int d = a + columns;
+        // Counter-clockwise along the rim, so that no two triangles run along an edge the same way.
+        this->AddTriangle(a, this->Edge(j == 0, Bottom, i), b, this->Edge(i == lastX, Right, j), c);
+        this->AddTriangle(c, this->Edge(j == lastY, Top, i), d, this->Edge(i == 0, Left, j), a);
+      }
+    }
+    return std::move(this->Patch);
+  }
+
+private:
+  enum Side
+  {
+    Bottom,
+    Right,
+    Top,
+    Left
+  };
+
+  /// What a triangle takes in along an edge of a cell: nothing inside the tile or over a seam, which is added here.
+  std::vector<int> Edge(bool isOnRim, Side side, int cell)
+  {
+    if (!isOnRim || this->Neighbours[side] >= this->Level)
+    {
+      return {};
+    }
+    const Chain chain = this->ChainAlong(side, cell);
+    if (chain.Size() == 2)
+    {
+      return {};
+    }
+    if (!chain.IsStraight(0, chain.Size() - 1))
+    {
+      TerrainMesh& seams = this->Patch.Seams;
+      const int start = static_cast<int>(seams.Samples.size());
+      seams.Samples.insert(seams.Samples.end(), chain.Samples.begin(), chain.Samples.end());
+      FillChain(chain, 0, chain.Size() - 1, start, seams.Triangles);
+      return {};
+    }
+    std::vector<int> vertices;
+    for (std::size_t i = 1; i + 1 < chain.Size(); ++i)
+    {
+      vertices.push_back(static_cast<int>(this->Patch.Surface.Samples.size()));
+      this->Patch.Surface.Samples.push_back(chain.Samples[i]);
+    }
+    return vertices;
+  }
+
+  /// The finer samples along an edge of a cell, from its first corner to its second, counter-clockwise.
+  Chain ChainAlong(Side side, int cell) const
+  {
+    const bool alongX = side == Bottom || side == Top;
+    const std::vector<int>& places = alongX ? this->Xs : this->Ys;
+    Chain chain;
+    chain.Places = Places(places[cell], places[cell + 1], this->Neighbours[side]);
+    if (side == Top || side == Left)
+    {
+      std::reverse(chain.Places.begin(), chain.Places.end());
+    }
+    for (const int place : chain.Places)
+    {
+      const int across = side == Bottom || side == Left ? this->Tile.First[alongX] : this->Tile.Last[alongX];
+      chain.Samples.push_back(alongX ? this->Samples.Index(place, across) : this->Samples.Index(across, place));
+      chain.Heights.push_back(this->Samples.Values[chain.Samples.back()]);
+    }
+    return chain;
+  }
+
+  /// A triangle a b c with vertices on its edges a b and b c, cut into a fan about c and one about the last before b.
+  void AddTriangle(int a, const std::vector<int>& onAB, int b, const std::vector<int>& onBC, int c)
+  {
+    std::vector<int>& triangles = this->Patch.Surface.Triangles;
+    int last = a;
+    for (const int vertex : onAB)
+    {
+      triangles.insert(triangles.end(), { last, vertex, c });
+      last = vertex;
+    }
+    int before = b;
+    for (const int vertex : onBC)
+    {
+      triangles.insert(triangles.end(), { last, before, vertex });
+      before = vertex;
+    }
+    triangles.insert(triangles.end(), { last, before, c });
+  }
+
+  const HeightSamples& Samples;
+  const TerrainTile& Tile;
+  int Level;
+  std::vector<int> Xs;
+  std::vector<int> Ys;
+  std::array<int, 4> Neighbours{};
+  TerrainPatch Patch;
+};
+
+}
+
+Vector3 HeightSamples::Position(std::size_t index) const
+{
+  return { this->Origin[0] + static_cast<double>(index % this->Width) * this->Spacing[0],
+    this->Origin[1] + static_cast<double>(index / this->Width) * this->Spacing[1], this->Values[index] };
+}
+
+TerrainPyramid::TerrainPyramid(HeightSamples samples, int tileSize, int levels, const ParallelFor& parallelFor)
+  : Samples(std::move(samples))
+{
+  while (this->Levels < levels && (1 << this->Levels) <= tileSize)
+  {
+    ++this->Levels;
+  }
+  const std::array<int, 2> cells{ this->Samples.Width - 1, this->Samples.Height - 1 };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    this->TilesAlong[axis] = (cells[axis] + tileSize - 1) / tileSize;
+  }
+  for (int y = 0; y < this->TilesAlong[1]; ++y)
+  {
+    for (int x = 0; x < this->TilesAlong[0]; ++x)
+    {
+      TerrainTile tile;
+      tile.First = { x * tileSize, y * tileSize };
+      tile.Last = { std::min(cells[0], tile.First[0] + tileSize), std::min(cells[1], tile.First[1] + tileSize) };
+      this->Tiles.push_back(tile);
+    }
+  }
+  parallelFor(this->Tiles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t tile = begin; tile < end; ++tile)
+    {
+      this->MeasureTile(this->Tiles[tile]);
+    }
+  });
+  this->Normals.resize(this->Samples.Values.size());
+  parallelFor(static_cast<std::size_t>(this->Samples.Height), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+    {
+      for (int x = 0; x < this->Samples.Width; ++x)
+      {
+        this->Normals[this->Samples.Index(x, static_cast<int>(y))] = this->NormalAt(x, static_cast<int>(y));
+      }
+    }
+  });
+}
+
+void TerrainPyramid::MeasureTile(TerrainTile& tile) const
+{
+  const Vector3 first = this->Samples.Position(this->Samples.Index(tile.First[0], tile.First[1]));
+  const Vector3 last = this->Samples.Position(this->Samples.Index(tile.Last[0], tile.Last[1]));
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    tile.Bounds.Low[axis] = std::min(first[axis], last[axis]);
+    tile.Bounds.High[axis] = std::max(first[axis], last[axis]);
+  }
+  float low = this->Samples.Values[this->Samples.Index(tile.First[0], tile.First[1])];
+  float high = low;
+  for (int y = tile.First[1]; y <= tile.Last[1]; ++y)
+  {
+    const auto row = this->Samples.Values.begin() + static_cast<std::ptrdiff_t>(this->Samples.Index(0, y));
+    const auto range = std::minmax_element(row + tile.First[0], row + tile.Last[0] + 1);
+    low = std::min(low, *range.first);
+    high = std::max(high, *range.second);
+  }
+  tile.Bounds.Low.z = low;
+  tile.Bounds.High.z = high;
+  for (int level = 1; level < this->Levels; ++level)
+  {
+    const std::vector<int> xs = Places(tile.First[0], tile.Last[0], level);
+    const std::vector<int> ys = Places(tile.First[1], tile.Last[1], level);
+    double largest = 0.0;
+    for (std::size_t j = 1; j < ys.size(); ++j)
+    {
+      for (std::size_t i = 1; i < xs.size(); ++i)
+      {
+        largest = std::max(largest, ErrorOfCell(this->Samples, xs[i - 1], xs[i], ys[j - 1], ys[j]));
+      }
+    }
+    tile.Errors[level] = RoundedUp(largest);
+  }
+}
+
+std::array<float, 3> TerrainPyramid::NormalAt(int x, int y) const
+{
+  const int x0 = std::max(0, x - 1);
+  const int x1 = std::min(this->Samples.Width - 1, x + 1);
+  const int y0 = std::max(0, y - 1);
+  const int y1 = std::min(this->Samples.Height - 1, y + 1);
+  const auto at = [&](int i, int j) { return static_cast<double>(this->Samples.Values[this->Samples.Index(i, j)]); };
+  const double slopeX = (at(x1, y) - at(x0, y)) / ((x1 - x0) * this->Samples.Spacing[0]);
+  const double slopeY = (at(x, y1) - at(x, y0)) / ((y1 - y0) * this->Samples.Spacing[1]);
+  const Vector3 normal = glm::normalize(Vector3(-slopeX, -slopeY, 1.0));
+  return { static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z) };
+}
+
+int LevelAtDistance(double distance, const TerrainRule& rule, int levels)
+{
+  if (distance <= rule.NearDistance || levels == 1)
+  {
+    return 0;
+  }
+  if (distance >= rule.FarDistance)
+  {
+    return levels - 1;
+  }
+  const double share = rule.NearDistance > 0.0
+    ? std::log(distance / rule.NearDistance) / std::log(rule.FarDistance / rule.NearDistance)
+    : distance / rule.FarDistance;
+  return std::min(levels - 1, 1 + static_cast<int>(share * (levels - 2)));
+}
+
+namespace
+{
+
+/// By which the level of a tile goes [m]: from the eye, wherever within its margin it is.
+double DistanceTo(const TerrainTile& tile, const ViewFrustum& view)
+{
+  const View& seen = view.GetView();
+  return seen.IsParallel ? LevelDistance(seen, tile.Bounds.Low)
+                         : std::max(0.0, Distance(tile.Bounds, seen.Point) - seen.Margin);
+}
+
+}
+
+double ScreenErrorOf(const TerrainTile& tile, int level, const ViewFrustum& view)
+{
+  return view.PixelsOfRise(tile.Errors[level], tile.Bounds);
+}
+
+std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& view, const TerrainRule& rule)
+{
+  std::vector<int> levels;
+  levels.reserve(pyramid.GetTiles().size());
+  for (const TerrainTile& tile : pyramid.GetTiles())
+  {
+    int level = Culled;
+    if (!rule.Cull || view.MayShow(tile.Bounds))
+    {
+      level = rule.ByScreenError ? pyramid.GetLevels() - 1
+                                 : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());
+      while (rule.ByScreenError && level > 0 && ScreenErrorOf(tile, level, view) > rule.LargestPixels)
+      {
+        --level;
+      }
+    }
+    levels.push_back(level);
+  }
+  return levels;
+}
+
+TerrainPatch MakePatch(const TerrainPyramid& pyramid, const std::vector<int>& levels, std::size_t tile)
+{
+  return PatchBuilder(pyramid, levels, tile).Build();
+}
+
+}

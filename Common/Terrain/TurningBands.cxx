@@ -1,0 +1,668 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Terrain/TurningBands.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/SimdClones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Part of the variance that may lie above the highest harmonic; what is cut is given back to the rest.
+constexpr double CutTail = 1e-6;
+
+/// Largest phase step of a harmonic from node to node, four nodes a wavelength; the spline's images hold 1.5e-4
+/// of the power there, and fall with the eighth power of the wave number.
+constexpr double MostPhaseStep = 0.5 * Pi;
+
+/// Most nodes of a table for a step of the grid; on lines that would need more, harmonics end earlier.
+constexpr int MostNodesPerStep = 64;
+
+/// Draw index of the random turn of all lines and of the random shift of each line's nodes, far from those of the
+/// harmonics.
+constexpr std::uint64_t PlaceDraw = 0xffffffffu;
+
+// -------------------------------------------------------------------------------------------------------------------
+// Line tables. A block of nodes lies symmetrically about its center c: with theta = delta (m + 1/2),
+// cos(a +- theta) = cos a cos theta -+ sin a sin theta gives two nodes for the products of one.
+// The phase a is exact at the first block of each anchor and turned on by a rotation within it.
+
+constexpr int HalfBlock = 16;
+constexpr int Block = 2 * HalfBlock;
+constexpr int BlocksPerAnchor = 32;
+/// Harmonics whose sines and cosines are kept in the first-level cache together.
+constexpr int HarmonicsPerPass = 64;
+
+/// The smallest multiple of unit that is not above value, also for negative values.
+long long RoundDown(long long value, long long unit)
+{
+  const long long quotient = value / unit;
+  return (quotient * unit > value ? quotient - 1 : quotient) * unit;
+}
+
+/// Eight floats that the compiler keeps in one or two registers.
+constexpr int PackSize = 8;
+using FloatPack = float __attribute__((vector_size(PackSize * sizeof(float))));
+
+/// One pass of harmonics: their state at the center of the present block, and the sines within a block.
+struct HarmonicPass
+{
+  int Count;
+  alignas(64) double Cosine[HarmonicsPerPass]; ///< amplitude times cosine of the phase at the block's center
+  alignas(64) double Sine[HarmonicsPerPass];
+  alignas(64) double TurnCosine[HarmonicsPerPass]; ///< rotation from block to block
+  alignas(64) double TurnSine[HarmonicsPerPass];
+  FloatPack NodeCosine[HarmonicsPerPass][HalfBlock / PackSize];
+  FloatPack NodeSine[HarmonicsPerPass][HalfBlock / PackSize];
+};
+
+/// Sines and cosines of (m + 1/2) delta, by rotation in double precision.
+void FillNodeAngles(HarmonicPass& pass, const double* delta)
+{
+  for (int k = 0; k < pass.Count; ++k)
+  {
+    double c = std::cos(0.5 * delta[k]);
+    double s = std::sin(0.5 * delta[k]);
+    const double turnCosine = c * c - s * s;
+    const double turnSine = 2.0 * c * s;
+    for (int m = 0; m < HalfBlock; ++m)
+    {
+      pass.NodeCosine[k][m / PackSize][m % PackSize] = static_cast<float>(c);
+      pass.NodeSine[k][m / PackSize][m % PackSize] = static_cast<float>(s);
+      const double next = c * turnCosine - s * turnSine;
+      s = s * turnCosine + c * turnSine;
+      c = next;
+    }
+    pass.TurnCosine[k] = std::cos(Block * delta[k]);
+    pass.TurnSine[k] = std::sin(Block * delta[k]);
+  }
+}
+
+LITTORAL_SIMD_CLONES void TurnToNextBlock(HarmonicPass& pass, float* cosine, float* sine)
+{
+  for (int k = 0; k < HarmonicsPerPass; ++k)
+  {
+    const double c = pass.Cosine[k];
+    const double s = pass.Sine[k];
+    cosine[k] = static_cast<float>(c);
+    sine[k] = static_cast<float>(s);
+    pass.Cosine[k] = c * pass.TurnCosine[k] - s * pass.TurnSine[k];
+    pass.Sine[k] = s * pass.TurnCosine[k] + c * pass.TurnSine[k];
+  }
+}
+
+/// Adds the pass's harmonics to two blocks of nodes, whose states are given: a small matrix product.
+LITTORAL_SIMD_CLONES void AddTwoBlocks(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
+  const float (*sine)[HarmonicsPerPass], float* nodes)
+{
+  FloatPack even[2][HalfBlock / PackSize] = {};
+  FloatPack odd[2][HalfBlock / PackSize] = {};
+  for (int k = 0; k < pass.Count; ++k)
+  {
+    for (int p = 0; p < HalfBlock / PackSize; ++p)
+    {
+      const FloatPack c = pass.NodeCosine[k][p];
+      const FloatPack s = pass.NodeSine[k][p];
+      for (int b = 0; b < 2; ++b)
+      {
+        even[b][p] += cosine[b][k] * c;
+        odd[b][p] += sine[b][k] * s;
+      }
+    }
+  }
+  for (int b = 0; b < 2; ++b)
+  {
+    float* block = nodes + b * Block;
+    for (int m = 0; m < HalfBlock; ++m)
+    {
+      const float e = even[b][m / PackSize][m % PackSize];
+      const float o = odd[b][m / PackSize][m % PackSize];
+      block[HalfBlock + m] += e - o;
+      block[HalfBlock - 1 - m] += e + o;
+    }
+  }
+}
+
+/// Adds harmonics, given by amplitude, phase at node 0 and phase step from node to node, to nodes first, first + 1...
+void AddHarmonics(HarmonicPass& pass, const double* amplitude, const double* phase, const double* delta,
+  long long first, std::vector<float>& nodes)
+{
+  std::fill(std::begin(pass.Cosine), std::end(pass.Cosine), 0.0);
+  std::fill(std::begin(pass.Sine), std::end(pass.Sine), 0.0);
+  FillNodeAngles(pass, delta);
+  const long long firstBlock = first / Block;
+  const long long lastBlock = firstBlock + static_cast<long long>(nodes.size()) / Block;
+  alignas(64) float cosine[2][HarmonicsPerPass];
+  alignas(64) float sine[2][HarmonicsPerPass];
+  for (long long block = RoundDown(firstBlock, BlocksPerAnchor); block < lastBlock; block += 2)
+  {
+    if (block == RoundDown(block, BlocksPerAnchor))
+    {
+      const double center = static_cast<double>(block * Block) + HalfBlock - 0.5;
+      for (int k = 0; k < pass.Count; ++k)
+      {
+        const double angle = delta[k] * center + phase[k];
+        pass.Cosine[k] = amplitude[k] * std::cos(angle);
+        pass.Sine[k] = amplitude[k] * std::sin(angle);
+      }
+    }
+    TurnToNextBlock(pass, cosine[0], sine[0]);
+    TurnToNextBlock(pass, cosine[1], sine[1]);
+    if (block >= firstBlock)
+    {
+      AddTwoBlocks(pass, cosine, sine, nodes.data() + (block - firstBlock) * Block);
+    }
+  }
+}
+
+// -------------------------------------------------------------------------------------------------------------------
+// Sums of shifted tables.
+
+/// The largest whole number that is not above a position; the standard function would be a call.
+long long Floor(double position)
+{
+  const long long towardsZero = static_cast<long long>(position);
+  return towardsZero - (static_cast<double>(towardsZero) > position ? 1 : 0);
+}
+
+/// Weights of the uniform cubic B-spline at fraction t of a step.
+void SplineWeights(double t, float* weights)
+{
+  const double sixth = 1.0 / 6.0;
+  const double u = 1.0 - t;
+  weights[0] = static_cast<float>(sixth * (u * u * u));
+  weights[1] = static_cast<float>(sixth * (4.0 - t * t * (6.0 - 3.0 * t)));
+  weights[2] = static_cast<float>(sixth * (4.0 - u * u * (6.0 - 3.0 * u)));
+  weights[3] = static_cast<float>(sixth * (t * t * t));
+}
+
+/// Lines whose tables are added to a row of points in one pass.
+constexpr int LinesAtOnce = 4;
+
+LITTORAL_WIDE_SIMD_CLONES void AddShifted(
+  const float* const (*taps)[4], const float (*weights)[4], int count, float* __restrict sums)
+{
+  const auto* a = taps[0];
+  const auto* b = taps[1];
+  const auto* c = taps[2];
+  const auto* d = taps[3];
+  const auto* u = weights[0];
+  const auto* v = weights[1];
+  const auto* w = weights[2];
+  const auto* x = weights[3];
+  for (int i = 0; i < count; ++i)
+  {
+    const float A = (u[0] * a[0][i] + u[1] * a[1][i]) + (u[2] * a[2][i] + u[3] * a[3][i]);
+    const float B = (v[0] * b[0][i] + v[1] * b[1][i]) + (v[2] * b[2][i] + v[3] * b[3][i]);
+    const float C = (w[0] * c[0][i] + w[1] * c[1][i]) + (w[2] * c[2][i] + w[3] * c[3][i]);
+    const float D = (x[0] * d[0][i] + x[1] * d[1][i]) + (x[2] * d[2][i] + x[3] * d[3][i]);
+    sums[i] += (A + B) + (C + D);
+  }
+}
+
+/// The rule for the number of lines: distance of rays in widths of a ray, the part of the slopes' variance that they
+/// must hold without gaps, bounds, and bins of the spectrum to find it.
+constexpr double RaySpacing = 2.0;
+constexpr double SlopesThatMatter = 0.95;
+constexpr int FewestLines = 64;
+constexpr int MostLines = 1024;
+constexpr int BinsForLines = 200;
+
+/// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
+/// the cache.
+constexpr int TileSize = 256;
+
+bool IsPositive(double value)
+{
+  return std::isfinite(value) && value > 0.0;
+}
+
+// -------------------------------------------------------------------------------------------------------------------
+// What the lines carry.
+
+/// A vector in the space where the field is isotropic: A x, with A = diag(1, ratio) R(-angle).
+std::array<double, 2> Stretched(const TurningBandsParameters& parameters, double x, double y)
+{
+  const double c = std::cos(parameters.AnisotropyAngle);
+  const double s = std::sin(parameters.AnisotropyAngle);
+  return { c * x + s * y, parameters.AnisotropyRatio * (c * y - s * x) };
+}
+
+PlaneLattice StretchedLattice(const TurningBandsParameters& parameters, const PlaneGrid& grid)
+{
+  return { Stretched(parameters, grid.Spacing[0], 0.0), Stretched(parameters, 0.0, grid.Spacing[1]) };
+}
+
+/// Whether the field has detail of every size at the grid's points; equal widths have no harmonics to spare for it.
+bool IsOpen(const TurningBandsParameters& parameters)
+{
+  return parameters.ShortestWavelength == 0.0 && parameters.Bins == HarmonicBins::Adaptive;
+}
+
+/// The highest wave number of a field whose end is not open [rad/m].
+double CutWaveNumber(const TurningBandsParameters& parameters, const PlaneGrid& grid)
+{
+  const double wavelength = parameters.ShortestWavelength > 0.0 ? parameters.ShortestWavelength
+                                                                : 2.0 * std::max(grid.Spacing[0], grid.Spacing[1]);
+  return TwoPi / wavelength;
+}
+
+/// Where long waves end and short ones begin, if short ones matter.
+std::optional<Crossover> FindCrossover(const TurningBandsParameters& parameters, const PlaneLattice& lattice)
+{
+  const Crossover crossover = Crossover::OfLattice(lattice);
+  const bool matters = IsOpen(parameters) && crossover.LongBelow(parameters.Field, crossover.High) < 1.0 - CutTail;
+  return matters ? std::optional<Crossover>(crossover) : std::nullopt;
+}
+
+/// Edges of bins from 0 to the highest wave number: halves follow the spectrum's mass and its octaves.
+std::vector<double> AdaptiveEdges(const CovarianceParameters& field, double highest, int count)
+{
+  // Invert the mean of the spectrum's mass and of the logarithm from the median up, both scaled to 1. A table even
+  // in w^(1/3) is dense enough, as edges need not be exact.
+  std::vector<double> edges(count + 1);
+  const int samples = 1024;
+  const double median = WaveNumberAtTail(field, 0.5);
+  const double total = SpectrumBelow(field, highest);
+  double w0 = 0.0;
+  double mass0 = 0.0;
+  int k = 0;
+  for (int i = 1; i <= samples; ++i)
+  {
+    const double part = static_cast<double>(i) / samples;
+    const double w1 = highest * part * part * part;
+    const double octave =
+      highest > 2.0 * median ? std::max(0.0, std::log(w1 / median) / std::log(highest / median)) : w1 / highest;
+    const double mass1 = 0.5 * (SpectrumBelow(field, w1) / total + octave);
+    for (; k <= count && k <= mass1 * count; ++k)
+    {
+      edges[k] = w0 + (w1 - w0) * (static_cast<double>(k) / count - mass0) / (mass1 - mass0);
+    }
+    w0 = w1;
+    mass0 = mass1;
+  }
+  for (; k <= count; ++k)
+  {
+    edges[k] = highest;
+  }
+  return edges;
+}
+
+/// Cuts [0, limit] into bins, and finds the power in each.
+LineSpectrum CutSpectrum(
+  const TurningBandsParameters& parameters, const std::optional<Crossover>& crossover, double limit)
+{
+  const CovarianceParameters& field = parameters.Field;
+  const double highest = crossover ? crossover->High : std::min(WaveNumberAtTail(field, CutTail), limit);
+  const int count = parameters.NumberOfHarmonics;
+  const bool fractal = field.Model == CovarianceModel::Fractal;
+  const double lowest = fractal ? std::min(TwoPi / field.Range, 0.5 * highest) : 0.0;
+  LineSpectrum spectrum;
+  if (parameters.Bins == HarmonicBins::Uniform || fractal)
+  {
+    const bool geometric = parameters.Bins == HarmonicBins::Adaptive;
+    spectrum.Edges.resize(count + 1);
+    for (int k = 0; k <= count; ++k)
+    {
+      const double part = static_cast<double>(k) / count;
+      spectrum.Edges[k] = geometric ? lowest * std::pow(highest / lowest, part) : lowest + (highest - lowest) * part;
+    }
+  }
+  else
+  {
+    spectrum.Edges = AdaptiveEdges(field, highest, count);
+  }
+  const auto powerBelow = [&](double w) {
+    return crossover ? crossover->LongBelow(field, w) : SpectrumBelow(field, w); // in parts of the variance
+  };
+  spectrum.Power.resize(count);
+  double below = powerBelow(spectrum.Edges[0]);
+  for (int k = 0; k < count; ++k)
+  {
+    const double next = powerBelow(spectrum.Edges[k + 1]);
+    spectrum.Power[k] = std::max(0.0, next - below);
+    below = next;
+  }
+  spectrum.Total = crossover ? below : 1.0; // without short waves, lines carry all
+  return spectrum;
+}
+
+LineSpectrum CutSpectrum(const TurningBandsParameters& parameters, const PlaneGrid& grid, const PlaneLattice& lattice)
+{
+  const double limit = IsOpen(parameters) ? Crossover::OfLattice(lattice).High : CutWaveNumber(parameters, grid);
+  return CutSpectrum(parameters, FindCrossover(parameters, lattice), limit);
+}
+
+}
+
+int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid, const GridWindow& whole)
+{
+  // The field's size where it is isotropic.
+  const PlaneLattice lattice = StretchedLattice(parameters, grid);
+  const double size = std::max(lattice.Distance(1, 0) * (static_cast<double>(whole.Last[0]) - whole.First[0]),
+    lattice.Distance(0, 1) * (static_cast<double>(whole.Last[1]) - whole.First[1]));
+  // Slopes go as w2 f(w).
+  TurningBandsParameters coarse = parameters;
+  coarse.NumberOfHarmonics = BinsForLines;
+  const LineSpectrum spectrum = CutSpectrum(coarse, grid, lattice);
+  std::vector<double> slopes(1, 0.0);
+  for (std::size_t k = 0; k < spectrum.Power.size(); ++k)
+  {
+    const double w = 0.5 * (spectrum.Edges[k] + spectrum.Edges[k + 1]);
+    slopes.push_back(slopes.back() + w * w * spectrum.Power[k]);
+  }
+  const auto most = std::lower_bound(slopes.begin(), slopes.end(), SlopesThatMatter * slopes.back());
+  const double highest = slopes.back() > 0.0 ? spectrum.Edges[most - slopes.begin()] : 0.0;
+  const double lines = std::ceil(highest * size / (2.0 * RaySpacing));
+  return static_cast<int>(std::clamp<double>(lines, FewestLines, MostLines));
+}
+
+std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid)
+{
+  std::ostringstream text;
+  if (std::string reason = WhyInvalid(parameters.Field); !reason.empty())
+  {
+    return reason;
+  }
+  if (parameters.NumberOfLines < 1)
+  {
+    text << "NumberOfLines is " << parameters.NumberOfLines << "; it must be positive.";
+  }
+  else if (parameters.NumberOfHarmonics < 1)
+  {
+    text << "NumberOfHarmonics is " << parameters.NumberOfHarmonics << "; it must be positive.";
+  }
+  else if (!std::isfinite(parameters.AnisotropyRatio) || parameters.AnisotropyRatio < 1.0)
+  {
+    text << "AnisotropyRatio is " << parameters.AnisotropyRatio << "; it must be finite and at least 1.";
+  }
+  else if (!std::isfinite(parameters.AnisotropyAngle))
+  {
+    text << "AnisotropyAngle must be finite.";
+  }
+  else if (!std::isfinite(parameters.ShortestWavelength) || parameters.ShortestWavelength < 0.0)
+  {
+    text << "ShortestWavelength is " << parameters.ShortestWavelength << "; it must be finite and not negative.";
+  }
+  else if (parameters.Field.Model == CovarianceModel::Fractal &&
+    parameters.Field.Range <= parameters.ShortestWavelength)
+  {
+    text << "Range is " << parameters.Field.Range << "; the largest wavelength of a fractal field must exceed its "
+         << "shortest, " << parameters.ShortestWavelength << ".";
+  }
+  else if (!IsPositive(grid.Spacing[0]) || !IsPositive(grid.Spacing[1]))
+  {
+    text << "Spacing is " << grid.Spacing[0] << ", " << grid.Spacing[1] << "; it must be finite and positive.";
+  }
+  else if (!std::isfinite(grid.Origin[0]) || !std::isfinite(grid.Origin[1]))
+  {
+    text << "Origin must be finite.";
+  }
+  return text.str();
+}
+
+TurningBandsField::TurningBandsField(
+  const TurningBandsParameters& parameters, const PlaneGrid& grid, const GridWindow& window)
+  : Parameters(parameters)
+  , Grid(grid)
+  , Window(window)
+  , Lattice(StretchedLattice(parameters, grid))
+  , Spectrum(CutSpectrum(parameters, grid, Lattice))
+{
+  if (const auto crossover = FindCrossover(parameters, this->Lattice))
+  {
+    this->Short.emplace(parameters.Field, this->Lattice, *crossover, parameters.Seed, parameters.Purpose);
+  }
+  const RandomStream random(parameters.Seed, parameters.Purpose);
+  this->FirstDirection = Pi / parameters.NumberOfLines * random.UniformPair(0, PlaceDraw)[0];
+  this->Lines.resize(parameters.NumberOfLines);
+  for (std::size_t i = 0; i < this->Lines.size(); ++i)
+  {
+    this->PlaceLine(i);
+  }
+}
+
+std::array<double, 2> TurningBandsField::GetDirection(std::size_t line) const
+{
+  const double angle = this->FirstDirection + Pi * static_cast<double>(line) / this->Parameters.NumberOfLines;
+  return { std::cos(angle), std::sin(angle) };
+}
+
+/// Direction, nodes and highest wave number of a line.
+void TurningBandsField::PlaceLine(std::size_t index)
+{
+  Line& line = this->Lines[index];
+  // The coordinate along a line is u . A x: its gradient is A^T u.
+  const auto u = this->GetDirection(index);
+  const std::array<double, 2> steps = { u[0] * this->Lattice.StepX[0] + u[1] * this->Lattice.StepX[1],
+    u[0] * this->Lattice.StepY[0] + u[1] * this->Lattice.StepY[1] };
+  line.Gradient = { steps[0] / this->Grid.Spacing[0], steps[1] / this->Grid.Spacing[1] };
+  line.AlongX = std::abs(steps[0]) >= std::abs(steps[1]);
+  const int along = line.AlongX ? 0 : 1;
+
+  // Nodes as close as the shortest wave needs. A given shortest wavelength counts in metres along x or y, which makes
+  // the steps of the nodes the same on grids of 2, 4, 8... times the spacing; along the direction in which the field is
+  // squeezed, it is a lower wave number on the line.
+  const bool open = IsOpen(this->Parameters);
+  const double cut = CutWaveNumber(this->Parameters, this->Grid);
+  const double needed = open ? this->Spectrum.Edges.back() * std::abs(steps[along]) : cut * this->Grid.Spacing[along];
+  line.StrideBits = 0;
+  while (
+    (1 << line.StrideBits) < MostNodesPerStep && std::ldexp(MostPhaseStep, line.StrideBits) < needed * (1.0 - 1e-9))
+  {
+    ++line.StrideBits;
+  }
+  line.Step = std::ldexp(steps[along], -line.StrideBits);
+  line.Highest = std::min(open ? this->Spectrum.Edges.back() : cut / std::hypot(line.Gradient[0], line.Gradient[1]),
+    MostPhaseStep / std::abs(line.Step));
+  // A random place of the nodes: else all lines would have one at the grid's origin.
+  line.Shift = RandomStream(this->Parameters.Seed, this->Parameters.Purpose).UniformPair(index, PlaceDraw)[1];
+  line.FirstPosition =
+    (line.Gradient[0] * this->Grid.Origin[0] + line.Gradient[1] * this->Grid.Origin[1]) / line.Step + line.Shift;
+  line.Across = steps[1 - along] / line.Step;
+  this->PlaceTable(line);
+}
+
+TurningBandsField::Harmonics TurningBandsField::GetHarmonics(std::size_t index) const
+{
+  const RandomStream random(this->Parameters.Seed, this->Parameters.Purpose);
+  Harmonics harmonics;
+  double power = 0.0;
+  for (std::size_t k = 0; k < this->Spectrum.Power.size(); ++k)
+  {
+    const double low = this->Spectrum.Edges[k];
+    if (low >= this->Lines[index].Highest && k > 0)
+    {
+      break;
+    }
+    const auto draw = random.UniformPair(index, k);
+    harmonics.WaveNumber.push_back(low + draw[0] * (this->Spectrum.Edges[k + 1] - low));
+    harmonics.Amplitude.push_back(std::sqrt(2.0 * this->Spectrum.Power[k]));
+    harmonics.Phase.push_back(TwoPi * draw[1]);
+    power += this->Spectrum.Power[k];
+  }
+  // What was cut goes to the harmonics that are there; the sum over lines is divided by their number.
+  const double variance = this->Parameters.Field.Variance * this->Spectrum.Total / this->Parameters.NumberOfLines;
+  const double scale = power > 0.0 ? std::sqrt(variance / power) : 0.0;
+  for (double& amplitude : harmonics.Amplitude)
+  {
+    amplitude *= scale;
+  }
+  return harmonics;
+}
+
+void TurningBandsField::PlaceTable(Line& line) const
+{
+  const int along = line.AlongX ? 0 : 1;
+  const long long stride = 1ll << line.StrideBits;
+  const double a = line.FirstPosition + line.Across * this->Window.First[1 - along];
+  const double b = line.FirstPosition + line.Across * this->Window.Last[1 - along];
+  const long long first = Floor(std::min(a, b)) - 1 + stride * this->Window.First[along];
+  const long long last = Floor(std::max(a, b)) + 2 + stride * this->Window.Last[along];
+  const long long unit = std::max<long long>(2 * Block, stride);
+  line.FirstNode = RoundDown(first, unit);
+  line.PhaseLength = static_cast<std::size_t>((RoundDown(last, unit) + unit - line.FirstNode) / stride);
+}
+
+void TurningBandsField::TabulateLine(std::size_t index)
+{
+  Line& line = this->Lines[index];
+  Harmonics harmonics = this->GetHarmonics(index);
+  std::vector<double>& delta = harmonics.WaveNumber;
+  for (std::size_t k = 0; k < delta.size(); ++k)
+  {
+    delta[k] *= line.Step;
+    harmonics.Phase[k] -= delta[k] * line.Shift;
+    // The mean power between nodes of the spline with these coefficients is the harmonic's own: the sum over images of
+    // sinc(delta / 2 pi + n)^8 is the transform of the B-spline of order 7, (2416 + 2382 cos delta + 240 cos 2 delta +
+    // 2 cos 3 delta) / 5040.
+    const double c = std::cos(delta[k]);
+    harmonics.Amplitude[k] /= std::sqrt((((8.0 * c + 480.0) * c + 2376.0) * c + 2176.0) / 5040.0);
+  }
+  std::vector<float> nodes(line.PhaseLength << line.StrideBits, 0.0f);
+  HarmonicPass pass;
+  for (std::size_t k = 0; k < delta.size(); k += HarmonicsPerPass)
+  {
+    pass.Count = static_cast<int>(std::min<std::size_t>(HarmonicsPerPass, delta.size() - k));
+    AddHarmonics(pass, &harmonics.Amplitude[k], &harmonics.Phase[k], &delta[k], line.FirstNode, nodes);
+  }
+  // Nodes that one row meets lie a stride apart: store them side by side.
+  line.Table.resize(nodes.size());
+  const std::size_t phases = std::size_t(1) << line.StrideBits;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    line.Table[(n & (phases - 1)) * line.PhaseLength + (n >> line.StrideBits)] = nodes[n];
+  }
+}
+
+/**
+ * Adds lines that are along x to a tile: rows of points from row and column on, each row's sums TileSize after those of
+ * the one before. For lines along y, rows and columns change places.
+ */
+void TurningBandsField::AddLines(
+  const std::vector<const Line*>& lines, int row, int rows, int column, int columns, float* sums) const
+{
+  const float* taps[LinesAtOnce][4];
+  float weights[LinesAtOnce][4];
+  for (std::size_t begin = 0; begin < lines.size(); begin += LinesAtOnce)
+  {
+    for (int j = 0; j < rows; ++j)
+    {
+      for (std::size_t n = 0; n < LinesAtOnce; ++n)
+      {
+        // In the last pass, the last line fills empty places with weights of zero.
+        const bool empty = begin + n >= lines.size();
+        const Line& line = *lines[empty ? lines.size() - 1 : begin + n];
+        const double position = line.FirstPosition + line.Across * (row + j);
+        const long long node = Floor(position);
+        SplineWeights(position - static_cast<double>(node), weights[n]);
+        const long long start = node - 1 - line.FirstNode + (static_cast<long long>(column) << line.StrideBits);
+        const std::size_t phases = (std::size_t(1) << line.StrideBits) - 1;
+        for (int tap = 0; tap < 4; ++tap)
+        {
+          const std::size_t place = static_cast<std::size_t>(start + tap);
+          taps[n][tap] = line.Table.data() + (place & phases) * line.PhaseLength + (place >> line.StrideBits);
+          weights[n][tap] = empty ? 0.0f : weights[n][tap];
+        }
+      }
+      AddShifted(taps, weights, columns, sums + static_cast<std::ptrdiff_t>(j) * TileSize);
+    }
+  }
+}
+
+void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double offset, float* values) const
+{
+  const int width = this->Window.Last[0] - this->Window.First[0] + 1;
+  const int height = lastRow - firstRow + 1;
+  const float scaleF = static_cast<float>(scale);
+  const float offsetF = static_cast<float>(offset);
+  std::vector<const Line*> alongX;
+  std::vector<const Line*> alongY;
+  for (const Line& line : this->Lines)
+  {
+    (line.AlongX ? alongX : alongY).push_back(&line);
+  }
+
+  std::vector<float> shortWaves;
+  std::vector<float> rowSums(TileSize * TileSize);
+  std::vector<float> columnSums(TileSize * TileSize);
+  for (int tileRow = 0; tileRow < height; tileRow += TileSize)
+  {
+    const int rows = std::min(TileSize, height - tileRow);
+    for (int tileColumn = 0; tileColumn < width; tileColumn += TileSize)
+    {
+      const int columns = std::min(TileSize, width - tileColumn);
+      const int row = firstRow + tileRow;
+      const int column = this->Window.First[0] + tileColumn;
+      std::fill(rowSums.begin(), rowSums.end(), 0.0f);
+      std::fill(columnSums.begin(), columnSums.end(), 0.0f);
+      this->AddLines(alongX, row, rows, column, columns, rowSums.data());
+      this->AddLines(alongY, column, columns, row, rows, columnSums.data());
+      if (this->Short)
+      {
+        this->Short->Fill(column, row, columns, rows, shortWaves);
+      }
+      for (int j = 0; j < rows; ++j)
+      {
+        float* out = values + static_cast<std::size_t>(tileRow + j) * width + tileColumn;
+        for (int i = 0; i < columns; ++i)
+        {
+          const float shortWave = this->Short ? shortWaves[static_cast<std::size_t>(j) * columns + i] : 0.0f;
+          out[i] = offsetF + scaleF * (rowSums[j * TileSize + i] + columnSums[i * TileSize + j] + shortWave);
+        }
+      }
+    }
+  }
+}
+
+double TurningBandsField::ValueAt(double x, double y) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < this->Lines.size(); ++i)
+  {
+    const Harmonics harmonics = this->GetHarmonics(i);
+    const double position = this->Lines[i].Gradient[0] * x + this->Lines[i].Gradient[1] * y;
+    for (std::size_t k = 0; k < harmonics.WaveNumber.size(); ++k)
+    {
+      sum += harmonics.Amplitude[k] * std::cos(harmonics.WaveNumber[k] * position + harmonics.Phase[k]);
+    }
+  }
+  return sum;
+}
+
+PlaneTrend TurningBandsField::PlaneOfLine(
+  std::size_t index, const std::array<double, 2>& center, const std::array<double, 2>& sides) const
+{
+  // Means over [-1, 1] of cos(u t) and of t sin(u t): the spherical Bessel functions j0 and j1.
+  const auto j0 = [](double u) { return std::abs(u) > 1e-4 ? std::sin(u) / u : 1.0; };
+  const auto j1 = [](double u) {
+    return std::abs(u) > 1e-2 ? (std::sin(u) / u - std::cos(u)) / u : u / 3.0 * (1.0 - 0.1 * u * u);
+  };
+  const Harmonics harmonics = this->GetHarmonics(index);
+  const std::array<double, 2>& gradient = this->Lines[index].Gradient;
+  const double middle = gradient[0] * center[0] + gradient[1] * center[1];
+  PlaneTrend plane;
+  for (std::size_t k = 0; k < harmonics.WaveNumber.size(); ++k)
+  {
+    // A cos(kx x + ky y + p) over sides a, b: mean A cos p j0(ux) j0(uy), slope -6/a A sin p j1(ux) j0(uy), ux = kx
+    // a/2.
+    const double phase = harmonics.WaveNumber[k] * middle + harmonics.Phase[k];
+    const double ux = 0.5 * harmonics.WaveNumber[k] * gradient[0] * sides[0];
+    const double uy = 0.5 * harmonics.WaveNumber[k] * gradient[1] * sides[1];
+    const double sine = harmonics.Amplitude[k] * std::sin(phase);
+    plane.Mean += harmonics.Amplitude[k] * std::cos(phase) * j0(ux) * j0(uy);
+    plane.Slope[0] -= 6.0 / sides[0] * sine * j1(ux) * j0(uy);
+    plane.Slope[1] -= 6.0 / sides[1] * sine * j0(ux) * j1(uy);
+  }
+  return plane;
+}
+
+}

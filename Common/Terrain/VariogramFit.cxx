@@ -1,0 +1,435 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Terrain/VariogramFit.h"
+
+#include "Numerics/Constants.h"
+#include "Terrain/DetrendedWindow.h"
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Distance in the space where an anisotropic field is isotropic.
+double ReducedDistance(double ratio, double angle, double x, double y)
+{
+  const double along = std::cos(angle) * x + std::sin(angle) * y;
+  const double across = -std::sin(angle) * x + std::cos(angle) * y;
+  return std::hypot(along, ratio * across);
+}
+
+/// The unknowns of a fit, each mapped to the whole real line so that no bound can be violated.
+class Unknowns
+{
+public:
+  Unknowns(CovarianceModel model, const VariogramFitOptions& options)
+    : Model(model)
+    , Options(options)
+  {
+  }
+
+  int Count() const
+  {
+    return 1 + this->HasVariance() + (this->Model == CovarianceModel::Telis) + this->Options.Nugget +
+      2 * this->Options.Anisotropy;
+  }
+
+  Eigen::VectorXd Pack(const VariogramFit& fit) const
+  {
+    Eigen::VectorXd unknowns(this->Count());
+    int n = 0;
+    if (this->HasVariance())
+    {
+      unknowns[n++] = std::log(fit.Field.Variance);
+    }
+    if (this->Model == CovarianceModel::Fractal)
+    {
+      unknowns[n++] = std::log((fit.Field.FractalDimension - 2.0) / (3.0 - fit.Field.FractalDimension));
+    }
+    else
+    {
+      unknowns[n++] = this->RangeToUnknown(fit.Field.Range);
+    }
+    if (this->Model == CovarianceModel::Telis)
+    {
+      unknowns[n++] = this->RangeToUnknown(fit.Field.SecondRange);
+    }
+    if (this->Options.Nugget)
+    {
+      unknowns[n++] = std::sqrt(fit.Nugget / fit.Field.Variance);
+    }
+    if (this->Options.Anisotropy)
+    {
+      unknowns[n++] = std::log(fit.AnisotropyRatio);
+      unknowns[n++] = fit.AnisotropyAngle;
+    }
+    return unknowns;
+  }
+
+  VariogramFit Unpack(const Eigen::VectorXd& unknowns) const
+  {
+    // Far beyond any data the exponential is held, so that no step overflows.
+    const auto expHeld = [](double x) { return std::exp(std::clamp(x, -300.0, 300.0)); };
+    VariogramFit fit;
+    fit.Field.Model = this->Model;
+    int n = 0;
+    fit.Field.Variance = this->HasVariance() ? expHeld(unknowns[n++]) : 1.0;
+    if (this->Model == CovarianceModel::Fractal)
+    {
+      fit.Field.Range = this->Options.FractalRange;
+      const double dimension = 2.0 + 1.0 / (1.0 + expHeld(-unknowns[n++]));
+      fit.Field.FractalDimension = std::clamp(dimension, 2.0001, 2.9999);
+    }
+    else
+    {
+      fit.Field.Range = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
+    }
+    if (this->Model == CovarianceModel::Telis)
+    {
+      fit.Field.SecondRange = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
+    }
+    if (this->Options.Nugget)
+    {
+      fit.Nugget = fit.Field.Variance * unknowns[n] * unknowns[n];
+      ++n;
+    }
+    if (this->Options.Anisotropy)
+    {
+      fit.AnisotropyRatio = expHeld(unknowns[n++]);
+      fit.AnisotropyAngle = unknowns[n++];
+      // The range in hand is the longest, also where that lies across the angle: so the bound holds for both.
+      const double across = std::min(1.0, fit.AnisotropyRatio);
+      fit.Field.Range *= across;
+      fit.Field.SecondRange *= across;
+    }
+    return fit;
+  }
+
+  /// Whether the fit is held by a bound; of a fit as it was unpacked, with the longest range in hand.
+  bool IsAtBound(const VariogramFit& fit, double shortestLag) const
+  {
+    if (this->Model == CovarianceModel::Fractal)
+    {
+      return std::abs(fit.Field.FractalDimension - 2.5) > 0.49;
+    }
+    const double longest = std::max(1.0, 1.0 / fit.AnisotropyRatio);
+    const double shortest = std::min(1.0, 1.0 / fit.AnisotropyRatio);
+    const auto isHeld = [=](double range) {
+      return range * longest > 0.99 * this->LongestRange() || range * shortest < 0.25 * shortestLag;
+    };
+    return isHeld(fit.Field.Range) || (this->Model == CovarianceModel::Telis && isHeld(fit.Field.SecondRange));
+  }
+
+private:
+  /// The variance of a window that is known follows from the other unknowns.
+  bool HasVariance() const { return this->Options.Window == nullptr; }
+
+  /// The spherical model's range is where correlation ends, the others' where it has fallen to about a third.
+  double LongestRange() const
+  {
+    return (this->Model == CovarianceModel::Spherical ? 2.0 : 1.0) * this->Options.LongestRange;
+  }
+
+  /// Ranges lie between 0 and the longest.
+  double RangeToUnknown(double range) const
+  {
+    const double part = std::clamp(range / this->LongestRange(), 1e-12, 1.0 - 1e-12);
+    return std::log(part / (1.0 - part));
+  }
+
+  CovarianceModel Model;
+  VariogramFitOptions Options;
+};
+
+/// What a field is expected to show in the lags.
+class Expectation
+{
+public:
+  Expectation(const std::vector<LagBin>& bins, const VariogramFitOptions& options)
+    : Bins(bins)
+    , Options(options)
+  {
+    if (options.Window)
+    {
+      this->Change = options.Window->SemivarianceChange(bins, options.Directions);
+    }
+  }
+
+  /// Semivariances at the lags. Where the window is known, variance and nugget are scaled to the sample's.
+  void Evaluate(VariogramFit& fit, std::vector<double>& semivariances) const
+  {
+    semivariances.clear();
+    for (const LagBin& bin : this->Bins)
+    {
+      semivariances.push_back(Semivariance(fit, bin.Separation[0], bin.Separation[1]));
+    }
+    if (!this->Options.Window)
+    {
+      return;
+    }
+    const DetrendedWindow& window = *this->Options.Window;
+    const std::vector<double> covariances =
+      window.CellCovariances([&](double x, double y) { return Covariance(fit, x, y); });
+    const double variance = fit.Field.Variance + fit.Nugget - window.LostVariance(covariances);
+    const double scale = this->Options.SampleVariance / variance;
+    fit.Field.Variance *= scale;
+    fit.Nugget *= scale;
+    for (std::size_t n = 0; n < semivariances.size(); ++n)
+    {
+      semivariances[n] =
+        scale * std::inner_product(covariances.begin(), covariances.end(), this->Change[n].begin(), semivariances[n]);
+    }
+  }
+
+private:
+  const std::vector<LagBin>& Bins;
+  const VariogramFitOptions& Options;
+  std::vector<std::vector<double>> Change;
+};
+
+/// Residuals in the form that Eigen's least squares wants.
+struct Residuals
+{
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum
+  {
+    InputsAtCompileTime = Eigen::Dynamic,
+    ValuesAtCompileTime = Eigen::Dynamic
+  };
+
+  const Unknowns& Map;
+  const Expectation& Expected;
+  const std::vector<LagBin>& Bins;
+  const std::vector<double>& RootWeights;
+
+  int inputs() const { return this->Map.Count(); }
+  int values() const { return static_cast<int>(this->Bins.size()); }
+
+  int operator()(const Eigen::VectorXd& unknowns, Eigen::VectorXd& residuals) const
+  {
+    VariogramFit fit = this->Map.Unpack(unknowns);
+    std::vector<double> model;
+    this->Expected.Evaluate(fit, model);
+    for (std::size_t i = 0; i < this->Bins.size(); ++i)
+    {
+      const double floor = 1e-300;
+      residuals[static_cast<int>(i)] =
+        this->RootWeights[i] * std::log(this->Bins[i].Semivariance / std::max(model[i], floor));
+    }
+    return 0;
+  }
+};
+
+/// Longest range first, angle in [0, pi), the longer scale of Telis first.
+void Normalise(VariogramFit& fit)
+{
+  if (fit.AnisotropyRatio < 1.0)
+  {
+    fit.Field.Range /= fit.AnisotropyRatio;
+    fit.Field.SecondRange /= fit.AnisotropyRatio;
+    fit.AnisotropyRatio = 1.0 / fit.AnisotropyRatio;
+    fit.AnisotropyAngle += 0.5 * Pi;
+  }
+  fit.AnisotropyAngle -= Pi * std::floor(fit.AnisotropyAngle / Pi);
+  if (fit.Field.Model == CovarianceModel::Telis && fit.Field.SecondRange > fit.Field.Range)
+  {
+    std::swap(fit.Field.Range, fit.Field.SecondRange);
+  }
+}
+
+/// Ranges tried as a start, geometric over all lags; for Fractal, dimensions.
+constexpr int NumberOfStarts = 6;
+
+VariogramFit StartingPoint(
+  CovarianceModel model, const std::vector<LagBin>& bins, const VariogramFitOptions& options, int start)
+{
+  const auto byLag = [](const LagBin& a, const LagBin& b) { return a.Lag < b.Lag; };
+  const auto bySemivariance = [](const LagBin& a, const LagBin& b) { return a.Semivariance < b.Semivariance; };
+  const double shortest = std::min_element(bins.begin(), bins.end(), byLag)->Lag;
+  const double longest = std::max_element(bins.begin(), bins.end(), byLag)->Lag;
+  const double part = (start + 0.5) / NumberOfStarts;
+  VariogramFit fit;
+  fit.Field.Model = model;
+  fit.Field.Variance = std::max_element(bins.begin(), bins.end(), bySemivariance)->Semivariance;
+  fit.Field.Range = shortest * std::pow(longest / shortest, part);
+  fit.Field.SecondRange = 0.1 * fit.Field.Range;
+  fit.Field.FractalDimension = 2.0 + part;
+  fit.Nugget = 0.05 * fit.Field.Variance;
+  fit.AnisotropyRatio = options.Anisotropy ? 1.5 : 1.0;
+  fit.AnisotropyAngle = Pi * start / NumberOfStarts;
+  if (model == CovarianceModel::Fractal)
+  {
+    fit.Field.Range = options.FractalRange;
+    fit.Field.Variance *= fit.Field.Variance / std::max(Semivariance(fit, longest, 0.0), 1e-300);
+  }
+  return fit;
+}
+
+VariogramFit FailedFit(CovarianceModel model)
+{
+  VariogramFit fit;
+  fit.Field.Model = model;
+  fit.WeightedSSE = std::numeric_limits<double>::infinity();
+  fit.AICc = std::numeric_limits<double>::infinity();
+  return fit;
+}
+
+/// A nugget is taken for real where it lowers the least AICc of all models by this much a lag. In fields without noise
+/// some other model with a nugget can look like the true one, and lowers it by up to 0.37: lags are not independent.
+constexpr double NuggetGain = 0.4;
+
+/// The lags that have a logarithm.
+std::vector<LagBin> UsedBins(const std::vector<LagBin>& bins)
+{
+  std::vector<LagBin> used;
+  std::copy_if(bins.begin(), bins.end(), std::back_inserter(used),
+    [](const LagBin& bin) { return bin.Semivariance > 0.0 && bin.Lag > 0.0; });
+  return used;
+}
+
+/// Fits one model, with or without nugget as the options say.
+VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
+  const VariogramFitOptions& options)
+{
+  const Unknowns map(model, options);
+  VariogramFit best = FailedFit(model);
+  const int n = static_cast<int>(bins.size());
+  const int parameters = map.Count() + (options.Window ? 1 : 0); // the variance comes from the sample's
+  if (n < parameters + 2)
+  {
+    return best;
+  }
+
+  std::vector<double> rootWeights;
+  double sum = 0.0;
+  double shortestLag = bins.front().Lag;
+  for (const LagBin& bin : bins)
+  {
+    rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
+    sum += rootWeights.back() * rootWeights.back();
+    shortestLag = std::min(shortestLag, bin.Lag);
+  }
+  for (double& weight : rootWeights)
+  {
+    weight *= std::sqrt(n / sum);
+  }
+
+  using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
+  Problem problem(Residuals{ map, expected, bins, rootWeights });
+  Eigen::VectorXd found;
+  for (int start = 0; start < NumberOfStarts; ++start)
+  {
+    Eigen::VectorXd unknowns = map.Pack(StartingPoint(model, bins, options, start));
+    Eigen::LevenbergMarquardt<Problem> solver(problem);
+    solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
+    solver.parameters.ftol = 1e-13;
+    solver.parameters.xtol = 1e-13;
+    solver.parameters.maxfev = 400;
+    const auto status = solver.minimize(unknowns);
+    const double error = solver.fvec.squaredNorm();
+    if (std::isfinite(error) && error < best.WeightedSSE)
+    {
+      found = unknowns;
+      best.WeightedSSE = error;
+      best.Converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation &&
+        status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
+    }
+  }
+  if (found.size() == 0)
+  {
+    return best;
+  }
+  VariogramFit fit = map.Unpack(found);
+  std::vector<double> semivariances;
+  expected.Evaluate(fit, semivariances);
+  fit.AtBound = map.IsAtBound(fit, shortestLag);
+  fit.WeightedSSE = best.WeightedSSE;
+  fit.Converged = best.Converged;
+  Normalise(fit);
+  const double tiny = std::numeric_limits<double>::min();
+  fit.AICc = n * std::log(std::max(fit.WeightedSSE / n, tiny)) + 2.0 * parameters +
+    2.0 * parameters * (parameters + 1.0) / (n - parameters - 1.0);
+  return fit;
+}
+
+}
+
+double Semivariance(const VariogramFit& fit, double x, double y)
+{
+  const double r = ReducedDistance(fit.AnisotropyRatio, fit.AnisotropyAngle, x, y);
+  return (r > 0.0 ? fit.Nugget : 0.0) + Semivariance(fit.Field, r);
+}
+
+double Covariance(const VariogramFit& fit, double x, double y)
+{
+  return Covariance(fit.Field, ReducedDistance(fit.AnisotropyRatio, fit.AnisotropyAngle, x, y));
+}
+
+double MeanSemivariance(const VariogramFit& fit, double distance)
+{
+  const int directions = fit.AnisotropyRatio > 1.0 ? 36 : 1;
+  double sum = 0.0;
+  for (int i = 0; i < directions; ++i)
+  {
+    const double angle = Pi * i / directions;
+    sum += Semivariance(fit, distance * std::cos(angle), distance * std::sin(angle));
+  }
+  return sum / directions;
+}
+
+VariogramFit FitVariogram(CovarianceModel model, const std::vector<LagBin>& bins, const VariogramFitOptions& options)
+{
+  const std::vector<LagBin> used = UsedBins(bins);
+  return FitBins(model, used, Expectation(used, options), options);
+}
+
+std::vector<VariogramFit> FitAllModels(
+  const std::vector<LagBin>& bins, const VariogramFitOptions& options, const std::function<bool(double)>& progress)
+{
+  const std::vector<LagBin> used = UsedBins(bins);
+  const Expectation expected(used, options);
+  const int passes = options.Nugget ? 2 : 1;
+  std::vector<VariogramFit> fits[2]; // without and with nugget
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    VariogramFitOptions wanted = options;
+    wanted.Nugget = pass == 1;
+    for (int model = 0; model < NumberOfCovarianceModels; ++model)
+    {
+      const double done = pass + static_cast<double>(model) / NumberOfCovarianceModels;
+      if (progress && !progress(done / passes))
+      {
+        return fits[pass];
+      }
+      fits[pass].push_back(FitBins(static_cast<CovarianceModel>(model), used, expected, wanted));
+    }
+  }
+  const auto least = [](const std::vector<VariogramFit>& of) {
+    const auto byCriterion = [](const VariogramFit& a, const VariogramFit& b) { return a.AICc < b.AICc; };
+    return std::min_element(of.begin(), of.end(), byCriterion)->AICc;
+  };
+  const bool noisy = options.Nugget && least(fits[1]) < least(fits[0]) - NuggetGain * used.size();
+  std::vector<VariogramFit>& ranked = fits[noisy ? 1 : 0];
+  // A fit that failed has an infinite criterion and comes last.
+  const auto rank = [](
+                      const VariogramFit& fit) { return std::make_tuple(std::isinf(fit.AICc), fit.AtBound, fit.AICc); };
+  std::stable_sort(
+    ranked.begin(), ranked.end(), [&](const VariogramFit& a, const VariogramFit& b) { return rank(a) < rank(b); });
+  return ranked;
+}
+
+}

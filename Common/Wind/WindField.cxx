@@ -1,0 +1,544 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Wind/WindField.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/FourierGrid.h"
+#include "Numerics/RandomStream.h"
+#include "Numerics/SimdClones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+/// Frequencies that one thread makes at a time.
+constexpr int FrequenciesPerBlock = 32;
+/// Clipped power below this is the rounding of single precision, not of the method.
+constexpr double RoundingShare = 1e-5;
+
+/// Cells on an axis that keep opposite borders apart on the circle that a discrete transform works on.
+int PaddedLength(int count)
+{
+  return count == 1 ? 1 : 2 * NextFastLength(count);
+}
+
+std::size_t PacksOf(std::size_t lines)
+{
+  return (lines + FourierLanes - 1) / FourierLanes;
+}
+
+/// cos and sin of 2 pi words / 2^32, to single precision.
+LITTORAL_SIMD_CLONES void UnitCircle(const std::uint32_t* words, std::size_t count, float* cosines, float* sines)
+{
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const std::uint32_t quadrant = (words[n] + 0x20000000u) >> 30;
+    const float x = static_cast<float>(static_cast<std::int32_t>(words[n] - (quadrant << 30))) * 1.46291808e-9f;
+    const float xx = x * x;
+    const float s = x * (1.0f + xx * (-0.166666667f + xx * (8.3333333e-3f + xx * (-1.98412698e-4f + xx * 2.7557e-6f))));
+    const float c = 1.0f + xx * (-0.5f + xx * (4.16666667e-2f + xx * (-1.38888889e-3f + xx * 2.4801587e-5f)));
+    const bool swap = (quadrant & 1u) != 0;
+    const float first = swap ? s : c;
+    const float second = swap ? c : s;
+    cosines[n] = ((quadrant + 1u) & 2u) != 0 ? -first : first;
+    sines[n] = (quadrant & 2u) != 0 ? -second : second;
+  }
+}
+
+RandomStream StreamOf(int seed, int component)
+{
+  constexpr RandomPurpose purposes[] = { RandomPurpose::WindAlong, RandomPurpose::WindAcross, RandomPurpose::WindUp };
+  return { seed, purposes[component] };
+}
+
+/// Calls use(cell, word) for cells first ... first + count - 1 of a frequency; amplitudes have words of their own.
+template <typename Use>
+void ForWords(const RandomStream& stream, std::uint64_t object, std::uint64_t first, std::size_t count, const Use& use)
+{
+  std::size_t n = 0;
+  while (n < count)
+  {
+    const auto words = stream.Words(object, (first + n) / 4);
+    for (std::size_t w = (first + n) % 4; w < 4 && n < count; ++w, ++n)
+    {
+      use(n, words[w]);
+    }
+  }
+}
+
+/// Sum of the powers of a quarter of wave numbers, each as often as it occurs on the whole grid.
+double WholeSum(const std::vector<float>& quarter, const std::array<int, 2>& size, const std::array<int, 2>& padded)
+{
+  double sum = 0.0;
+  for (int k = 0; k < size[1]; ++k)
+  {
+    const int timesUp = k == 0 || 2 * k == padded[1] ? 1 : 2;
+    for (int j = 0; j < size[0]; ++j)
+    {
+      const int timesAcross = j == 0 || 2 * j == padded[0] ? 1 : 2;
+      sum += static_cast<double>(timesUp * timesAcross) * quarter[static_cast<std::size_t>(k) * size[0] + j];
+    }
+  }
+  return sum;
+}
+}
+
+int NextWindLength(int size)
+{
+  return 2 * NextFastLength((size + 1) / 2);
+}
+
+std::string WhyInvalid(const WindModel& model, const WindGrid& grid)
+{
+  std::string why = WhyInvalid(model);
+  if (!why.empty())
+  {
+    return why;
+  }
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  std::ostringstream reason;
+  if (grid.Count[0] < 4 || grid.Count[1] < 1 || grid.Count[2] < 1)
+  {
+    reason << "Dimensions are " << grid.Count[0] << ", " << grid.Count[1] << ", " << grid.Count[2]
+           << "; there must be at least 4 samples along the wind and 1 across and up.";
+  }
+  else if (std::max({ grid.Count[0], grid.Count[1], grid.Count[2] }) > 1 << 28)
+  {
+    reason << "Dimensions are " << grid.Count[0] << ", " << grid.Count[1] << ", " << grid.Count[2]
+           << "; that is more than any memory holds.";
+  }
+  else if (NextWindLength(grid.Count[0]) != grid.Count[0])
+  {
+    reason << "Dimensions[0] is " << grid.Count[0]
+           << "; it must be even and a product of 2, 3 and 5. The next good one is " << NextWindLength(grid.Count[0])
+           << ".";
+  }
+  else if (!positive(grid.TimeStep))
+  {
+    reason << "TimeStep is " << grid.TimeStep << " s; it must be positive.";
+  }
+  else if (!positive(grid.LateralSpacing))
+  {
+    reason << "LateralSpacing is " << grid.LateralSpacing << " m; it must be positive.";
+  }
+  else if (!positive(grid.VerticalSpacing))
+  {
+    reason << "VerticalSpacing is " << grid.VerticalSpacing << " m; it must be positive.";
+  }
+  else if (!(grid.BottomHeight > model.RoughnessLength) || !std::isfinite(grid.BottomHeight))
+  {
+    reason << "BottomHeight is " << grid.BottomHeight << " m; it must be above the RoughnessLength of "
+           << model.RoughnessLength << " m, below which there is no wind.";
+  }
+  return reason.str();
+}
+
+double WindFieldBytes(const WindGrid& grid)
+{
+  const double samples = static_cast<double>(grid.Count[0]) * grid.Count[1] * grid.Count[2];
+  const double padded = 4.0 * grid.Count[1] * grid.Count[2];
+  // Velocities, the half spectrum of one component, and room for each thread.
+  return samples * sizeof(float) * (WindComponents + 1.0) +
+    64.0 * (16.0 * padded + 32.0 * FourierLanes * grid.Count[0]);
+}
+
+void WindFactors(const WindSynthesis& synthesis, int component, int frequency, std::uint64_t first, std::size_t count,
+  float* re, float* im)
+{
+  const RandomStream stream = StreamOf(synthesis.Seed, component);
+  std::vector<std::uint32_t> words(count);
+  ForWords(stream, static_cast<std::uint64_t>(frequency), first, count,
+    [&](std::size_t n, std::uint32_t word) { words[n] = word; });
+  UnitCircle(words.data(), count, re, im);
+  if (synthesis.Phases == WindPhases::GaussianAmplitudes)
+  {
+    constexpr std::uint64_t amplitudes = std::uint64_t{ 1 } << 32;
+    ForWords(stream, amplitudes + frequency, first, count, [&](std::size_t n, std::uint32_t word) {
+      const float amplitude = static_cast<float>(std::sqrt(-std::log((word + 0.5) * 0x1p-32)));
+      re[n] *= amplitude;
+      im[n] *= amplitude;
+    });
+  }
+}
+
+/// What one thread needs for a plane.
+struct WindField::Scratch
+{
+  explicit Scratch(const WindField& field)
+    : Power(static_cast<std::size_t>(field.Quarter[0]) * field.Quarter[1])
+    , Re(static_cast<std::size_t>(field.Padded[0]) * field.Padded[1])
+    , Im(Re.size())
+    , Across(field.Padded[0])
+    , Up(field.Padded[1])
+  {
+  }
+
+  std::vector<float> Power;
+  std::vector<float> Re;
+  std::vector<float> Im;
+  LinePack Across;
+  LinePack Up;
+};
+
+WindField::WindField(const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis)
+  : Model(model)
+  , Grid(grid)
+  , Synthesis(synthesis)
+  , Padded{ PaddedLength(grid.Count[1]), PaddedLength(grid.Count[2]) }
+  , Quarter{ Padded[0] / 2 + 1, Padded[1] / 2 + 1 }
+  , Across(Padded[0])
+  , Up(Padded[1])
+  , Along(grid.Count[0])
+  , PlaneRe((static_cast<std::size_t>(grid.Count[0]) / 2 + 1) * grid.NumberOfLines())
+  , PlaneIm(PlaneRe.size())
+  , LayerFactor(grid.Count[2], 1.0f)
+  , BlockError(this->NumberOfBlocks())
+{
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    for (int k = 0; k < this->Quarter[1]; ++k)
+    {
+      for (int j = 0; j < this->Quarter[0]; ++j)
+      {
+        const WindSeparation separation =
+          SeparationOf(model, component, j * grid.LateralSpacing, k * grid.VerticalSpacing);
+        this->Delay[component].push_back(static_cast<float>(separation.Delay));
+        this->Still[component].push_back(static_cast<float>(separation.Still));
+      }
+    }
+  }
+}
+
+std::size_t WindField::NumberOfBlocks() const
+{
+  return (static_cast<std::size_t>(this->Grid.Waves()) + FrequenciesPerBlock - 1) / FrequenciesPerBlock;
+}
+
+std::size_t WindField::NumberOfPacks() const
+{
+  return PacksOf(this->Grid.NumberOfLines());
+}
+
+void WindField::BeginComponent(int component)
+{
+  this->Component = component;
+}
+
+void WindField::MakePlanes(std::size_t block)
+{
+  Scratch scratch(*this);
+  const int first = 1 + static_cast<int>(block) * FrequenciesPerBlock;
+  const int last = std::min(first + FrequenciesPerBlock - 1, this->Grid.Waves());
+  this->BlockError[block] = 0.0f;
+  for (int frequency = first; frequency <= last; ++frequency)
+  {
+    if (this->WavePower(this->Component, frequency, scratch) > RoundingShare)
+    {
+      const std::vector<float> power = scratch.Power;
+      this->BlockError[block] = std::max(
+        this->BlockError[block], static_cast<float>(this->CoherenceErrorOf(this->Component, frequency, scratch)));
+      scratch.Power = power;
+    }
+    this->SumWaves(frequency, scratch);
+  }
+}
+
+void WindField::TransformEven(std::vector<float>& quarter, Scratch& scratch) const
+{
+  // The transform of an even real line is real: two lines go as the real and the imaginary part of one.
+  const int width = this->Quarter[0];
+  const auto transform = [&](const LineFourier& fourier, LinePack& pack, int lines, int lineStep, int step) {
+    const int length = fourier.GetLength();
+    const int half = length / 2 + 1;
+    for (int first = 0; first < lines; first += 2 * FourierLanes)
+    {
+      const int inRe = std::min(FourierLanes, lines - first);
+      const int inIm = std::clamp(lines - first - FourierLanes, 0, FourierLanes);
+      for (int k = 0; k < half; ++k)
+      {
+        const float* from = &quarter[static_cast<std::size_t>(first) * lineStep + static_cast<std::size_t>(k) * step];
+        float* re = &pack.Re[static_cast<std::size_t>(k) * FourierLanes];
+        float* im = &pack.Im[static_cast<std::size_t>(k) * FourierLanes];
+        for (int lane = 0; lane < inRe; ++lane)
+        {
+          re[lane] = from[static_cast<std::ptrdiff_t>(lane) * lineStep];
+        }
+        std::fill(re + inRe, re + FourierLanes, 0.0f);
+        for (int lane = 0; lane < inIm; ++lane)
+        {
+          im[lane] = from[static_cast<std::ptrdiff_t>(FourierLanes + lane) * lineStep];
+        }
+        std::fill(im + inIm, im + FourierLanes, 0.0f);
+        if (k > 0 && 2 * k != length)
+        {
+          const std::size_t opposite = static_cast<std::size_t>(length - k) * FourierLanes;
+          std::copy(re, re + FourierLanes, &pack.Re[opposite]);
+          std::copy(im, im + FourierLanes, &pack.Im[opposite]);
+        }
+      }
+      fourier.Backward(pack);
+      for (int k = 0; k < half; ++k)
+      {
+        float* to = &quarter[static_cast<std::size_t>(first) * lineStep + static_cast<std::size_t>(k) * step];
+        const std::size_t at = static_cast<std::size_t>(k) * FourierLanes;
+        for (int lane = 0; lane < inRe; ++lane)
+        {
+          to[static_cast<std::ptrdiff_t>(lane) * lineStep] = pack.Re[at + lane];
+        }
+        for (int lane = 0; lane < inIm; ++lane)
+        {
+          to[static_cast<std::ptrdiff_t>(FourierLanes + lane) * lineStep] = pack.Im[at + lane];
+        }
+      }
+    }
+  };
+  transform(this->Up, scratch.Up, width, 1, width);
+  transform(this->Across, scratch.Across, this->Quarter[1], width, 1);
+}
+
+double WindField::WavePower(int component, int frequency, Scratch& scratch) const
+{
+  const float hertz = static_cast<float>(frequency / this->Grid.Period());
+  const std::vector<float>& delay = this->Delay[component];
+  const std::vector<float>& still = this->Still[component];
+  for (std::size_t n = 0; n < delay.size(); ++n)
+  {
+    const float moving = hertz * delay[n];
+    scratch.Power[n] = std::exp(still[n] == 0.0f ? -moving : -std::sqrt(moving * moving + still[n] * still[n]));
+  }
+  this->TransformEven(scratch.Power, scratch);
+  std::vector<float>& power = scratch.Power;
+  for (float& value : power)
+  {
+    value = std::max(value, 0.0f);
+  }
+  // Coherence 1 at separation 0 means that the powers sum to the number of cells.
+  const double cells = static_cast<double>(this->Padded[0]) * this->Padded[1];
+  const double sum = WholeSum(power, this->Quarter, this->Padded);
+  const float factor = static_cast<float>(cells / sum);
+  for (float& value : power)
+  {
+    value *= factor;
+  }
+  return sum / cells - 1.0;
+}
+
+double WindField::CoherenceErrorOf(int component, int frequency, Scratch& scratch) const
+{
+  const double hertz = frequency / this->Grid.Period();
+  const double cells = static_cast<double>(this->Padded[0]) * this->Padded[1];
+  this->TransformEven(scratch.Power, scratch);
+  double worst = 0.0;
+  for (int k = 0; k < this->Grid.Count[2]; ++k)
+  {
+    for (int j = 0; j < this->Grid.Count[1]; ++j)
+    {
+      const double wanted =
+        RootCoherence(this->Model, component, hertz, j * this->Grid.LateralSpacing, k * this->Grid.VerticalSpacing);
+      const double got = scratch.Power[static_cast<std::size_t>(k) * this->Quarter[0] + j] / cells;
+      worst = std::max(worst, std::abs(got - wanted));
+    }
+  }
+  return worst;
+}
+
+std::vector<float> WindField::ImpliedCoherence(int component, int frequency) const
+{
+  Scratch scratch(*this);
+  this->WavePower(component, frequency, scratch);
+  this->TransformEven(scratch.Power, scratch);
+  const float cells = static_cast<float>(this->Padded[0]) * static_cast<float>(this->Padded[1]);
+  std::vector<float> coherence;
+  for (int k = 0; k < this->Grid.Count[2]; ++k)
+  {
+    for (int j = 0; j < this->Grid.Count[1]; ++j)
+    {
+      coherence.push_back(scratch.Power[static_cast<std::size_t>(k) * this->Quarter[0] + j] / cells);
+    }
+  }
+  return coherence;
+}
+
+void WindField::SumWaves(int frequency, Scratch& scratch)
+{
+  const int width = this->Padded[0];
+  const int height = this->Padded[1];
+  const std::size_t cells = static_cast<std::size_t>(width) * height;
+  WindFactors(this->Synthesis, this->Component, frequency, 0, cells, scratch.Re.data(), scratch.Im.data());
+  for (float& power : scratch.Power)
+  {
+    power = std::sqrt(power / static_cast<float>(cells));
+  }
+
+  // Up: columns side by side; only the layers of the grid are kept.
+  const int layers = this->Grid.Count[2];
+  for (int first = 0; first < width; first += FourierLanes)
+  {
+    const int lanes = std::min(FourierLanes, width - first);
+    for (int k = 0; k < height; ++k)
+    {
+      const float* amplitude = &scratch.Power[static_cast<std::size_t>(std::min(k, height - k)) * this->Quarter[0]];
+      const std::size_t from = static_cast<std::size_t>(k) * width + first;
+      const std::size_t to = static_cast<std::size_t>(k) * FourierLanes;
+      for (int lane = 0; lane < lanes; ++lane)
+      {
+        const float factor = amplitude[std::min(first + lane, width - first - lane)];
+        scratch.Up.Re[to + lane] = factor * scratch.Re[from + lane];
+        scratch.Up.Im[to + lane] = factor * scratch.Im[from + lane];
+      }
+    }
+    this->Up.Backward(scratch.Up);
+    for (int k = 0; k < layers; ++k)
+    {
+      const std::size_t from = static_cast<std::size_t>(k) * FourierLanes;
+      std::copy_n(&scratch.Up.Re[from], lanes, &scratch.Re[static_cast<std::size_t>(k) * width + first]);
+      std::copy_n(&scratch.Up.Im[from], lanes, &scratch.Im[static_cast<std::size_t>(k) * width + first]);
+    }
+  }
+
+  // Across: layers side by side, each scaled by its own spectrum; only the columns of the grid are kept.
+  const double step = 1.0 / this->Grid.Period();
+  const std::size_t plane = static_cast<std::size_t>(frequency) * this->Grid.NumberOfLines();
+  for (int first = 0; first < layers; first += FourierLanes)
+  {
+    const int lanes = std::min(FourierLanes, layers - first);
+    float scale[FourierLanes] = {};
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+      const double density =
+        SpectralDensity(this->Model, this->Component, frequency * step, this->Grid.Height(first + lane));
+      scale[lane] = static_cast<float>(std::sqrt(0.5 * density * step));
+    }
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+      const std::size_t row = static_cast<std::size_t>(first + lane) * width;
+      for (int j = 0; j < width; ++j)
+      {
+        scratch.Across.Re[static_cast<std::size_t>(j) * FourierLanes + lane] = scratch.Re[row + j];
+        scratch.Across.Im[static_cast<std::size_t>(j) * FourierLanes + lane] = scratch.Im[row + j];
+      }
+    }
+    this->Across.Backward(scratch.Across);
+    for (int j = 0; j < this->Grid.Count[1]; ++j)
+    {
+      const std::size_t from = static_cast<std::size_t>(j) * FourierLanes;
+      const std::size_t to = plane + static_cast<std::size_t>(j) * layers + first;
+      for (int lane = 0; lane < lanes; ++lane)
+      {
+        this->PlaneRe[to + lane] = scale[lane] * scratch.Across.Re[from + lane];
+        this->PlaneIm[to + lane] = scale[lane] * scratch.Across.Im[from + lane];
+      }
+    }
+  }
+}
+
+void WindField::FinishPlanes()
+{
+  for (float error : this->BlockError)
+  {
+    this->CoherenceError = std::max(this->CoherenceError, static_cast<double>(error));
+  }
+  if (!this->Synthesis.NormalizeVariance)
+  {
+    return;
+  }
+  // The variance of a periodic line is the sum over its Fourier coefficients.
+  const int length = this->Grid.Count[0];
+  const int layers = this->Grid.Count[2];
+  const std::size_t lines = this->Grid.NumberOfLines();
+  std::vector<double> has(layers, 0.0);
+  std::vector<double> wants(layers, 0.0);
+  for (int frequency = 1; frequency <= this->Grid.Waves(); ++frequency)
+  {
+    const std::size_t plane = static_cast<std::size_t>(frequency) * lines;
+    for (std::size_t line = 0; line < lines; ++line)
+    {
+      const double re = this->PlaneRe[plane + line];
+      const double im = this->PlaneIm[plane + line];
+      has[line % layers] += 2.0 * (re * re + im * im) / this->Grid.Count[1];
+    }
+  }
+  // That of the spectrum goes up to half the sampling frequency, where half a band is left.
+  for (int frequency = 1; frequency <= length / 2; ++frequency)
+  {
+    const double band = (2 * frequency == length ? 0.5 : 1.0) / this->Grid.Period();
+    for (int layer = 0; layer < layers; ++layer)
+    {
+      wants[layer] +=
+        band * SpectralDensity(this->Model, this->Component, frequency / this->Grid.Period(), this->Grid.Height(layer));
+    }
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    this->LayerFactor[layer] = has[layer] > 0.0 ? static_cast<float>(std::sqrt(wants[layer] / has[layer])) : 1.0f;
+  }
+}
+
+void WindField::MakeLines(std::size_t pack, float* velocities) const
+{
+  const std::size_t lines = this->Grid.NumberOfLines();
+  const std::size_t first = pack * FourierLanes;
+  const int lanes = static_cast<int>(std::min<std::size_t>(FourierLanes, lines - first));
+  const int length = this->Grid.Count[0];
+  const int layers = this->Grid.Count[2];
+  LinePack values(static_cast<std::size_t>(length) / 2 + 1);
+  for (int frequency = 1; frequency <= this->Grid.Waves(); ++frequency)
+  {
+    const std::size_t from = static_cast<std::size_t>(frequency) * lines + first;
+    const std::size_t to = static_cast<std::size_t>(frequency) * FourierLanes;
+    std::copy_n(&this->PlaneRe[from], lanes, &values.Re[to]);
+    std::copy_n(&this->PlaneIm[from], lanes, &values.Im[to]);
+  }
+  this->Along.Backward(values);
+  for (int lane = 0; lane < lanes; ++lane)
+  {
+    const std::size_t across = (first + lane) / layers;
+    const int layer = static_cast<int>((first + lane) % layers);
+    const float mean =
+      this->Component == 0 ? static_cast<float>(MeanSpeed(this->Model, this->Grid.Height(layer))) : 0.0f;
+    const float factor = this->LayerFactor[layer];
+    float* line =
+      velocities + (static_cast<std::size_t>(layer) * this->Grid.Count[1] + across) * length * WindComponents;
+    // What arrives later is farther upwind: the line runs against time.
+    const auto put = [&](int time, float value) {
+      const int index = time == 0 ? 0 : length - time;
+      line[static_cast<std::size_t>(index) * WindComponents + this->Component] = mean + factor * value;
+    };
+    for (int pair = 0; pair < length / 2; ++pair)
+    {
+      put(2 * pair, values.Re[static_cast<std::size_t>(pair) * FourierLanes + lane]);
+      put(2 * pair + 1, values.Im[static_cast<std::size_t>(pair) * FourierLanes + lane]);
+    }
+  }
+}
+
+std::vector<float> WindField::Make(const ParallelFor& parallel)
+{
+  std::vector<float> velocities(this->Grid.NumberOfLines() * this->Grid.Count[0] * WindComponents);
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    this->BeginComponent(component);
+    parallel(this->NumberOfBlocks(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin; block < end; ++block)
+      {
+        this->MakePlanes(block);
+      }
+    });
+    this->FinishPlanes();
+    parallel(this->NumberOfPacks(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t pack = begin; pack < end; ++pack)
+      {
+        this->MakeLines(pack, velocities.data());
+      }
+    });
+  }
+  return velocities;
+}
+
+}

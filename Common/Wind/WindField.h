@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralWindField_h
+#define LittoralWindField_h
+
+#include "Numerics/LineFourier.h"
+#include "Numerics/Parallel.h"
+#include "Wind/WindSpectrum.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// Where a wind field has samples: along the wind, that is in time, then across, then up.
+struct WindGrid
+{
+  std::array<int, 3> Count{ 600, 64, 24 }; ///< the first at least 4, even and a product of 2, 3 and 5
+  double TimeStep = 0.1;                   ///< between samples along the wind [s], positive
+  double LateralSpacing = 4.0;             ///< [m], positive
+  double VerticalSpacing = 2.0;            ///< [m], positive
+  double BottomHeight = 1.0;               ///< of the lowest layer above the ground [m], above the roughness length
+
+  int Waves() const { return this->Count[0] / 2 - 1; } ///< that a line is the sum of: frequencies 1, 2 ... a period
+  double Period() const { return this->Count[0] * this->TimeStep; }
+  double Height(int layer) const { return this->BottomHeight + layer * this->VerticalSpacing; }
+  std::size_t NumberOfLines() const { return static_cast<std::size_t>(this->Count[1]) * this->Count[2]; }
+};
+
+/// What is random in a spectral wind.
+enum class WindPhases
+{
+  Uniform = 0,           ///< phases alone: each wave has the energy that the spectrum says (the paper's way)
+  GaussianAmplitudes = 1 ///< amplitudes too: a Gaussian process, with its scatter from run to run
+};
+
+/// How a wind field is made of a model.
+struct WindSynthesis
+{
+  WindPhases Phases = WindPhases::Uniform;
+  bool NormalizeVariance = false; ///< give each component and layer exactly the variance of its spectrum
+  int Seed = 1;
+};
+
+/// The smallest even product of 2, 3 and 5 that is not below the given size: lengths along the wind.
+int NextWindLength(int size);
+
+/// Why there is no such field, in words for a user; empty when there is one.
+std::string WhyInvalid(const WindModel& model, const WindGrid& grid);
+
+/// Bytes that the synthesis takes in all, the velocities included.
+double WindFieldBytes(const WindGrid& grid);
+
+/// Random factors of one frequency: for cells first ... first + count - 1, of mean square 1.
+void WindFactors(const WindSynthesis& synthesis, int component, int frequency, std::uint64_t first, std::size_t count,
+  float* re, float* im);
+
+/**
+ * A frozen, periodic field of turbulence over a mean wind, by Fourier synthesis (Setas et al., algorithm 3, put right:
+ * see Documentation/errata.md).
+ *
+ * For each frequency the root coherence, a function of separations alone on a grid that is padded to twice its size, is
+ * transformed to the power of plane waves across and up. Waves with the root of that power and random phases, summed,
+ * give a plane of complex amplitudes with that coherence; scaled by the root of the spectrum at each height they are
+ * the Fourier coefficients in time, from one wave a period to the last that has more than two samples: two samples
+ * would not tell such a wave's size from its phase, and it would pulse between them. Power that comes out negative is
+ * taken as none; how far that moves the coherence is known exactly.
+ *
+ * Components are made one after the other: BeginComponent, then all blocks of frequencies, FinishPlanes, then all packs
+ * of lines, where blocks and packs can go to any threads.
+ */
+class WindField
+{
+public:
+  /// Model and grid must be valid.
+  WindField(const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis);
+
+  std::size_t NumberOfBlocks() const;
+  std::size_t NumberOfPacks() const;
+
+  void BeginComponent(int component);
+  void MakePlanes(std::size_t block);
+  void FinishPlanes();
+  /// Writes into velocities: (along, across, up) of each sample, the first index (x, downwind) fastest.
+  void MakeLines(std::size_t pack, float* velocities) const;
+
+  /// All of it: (along, across, up) of each sample at time 0.
+  std::vector<float> Make(const ParallelFor& parallel = SerialFor);
+
+  /// The largest difference between the coherence of the components made so far and the model's, within the grid.
+  double GetCoherenceError() const { return this->CoherenceError; }
+
+  /// The root coherence that the field has at a frequency index, exactly, over separations across (fastest) and up.
+  std::vector<float> ImpliedCoherence(int component, int frequency) const;
+
+private:
+  struct Scratch;
+
+  void MakePlane(int frequency, Scratch& scratch);
+  /// Power of the waves of one frequency, in the quarter of wave numbers up to the middle; what was clipped of it.
+  double WavePower(int component, int frequency, Scratch& scratch) const;
+  /// Transforms an even function, given in the quarter of indices up to the middle, along both axes.
+  void TransformEven(std::vector<float>& quarter, Scratch& scratch) const;
+  double CoherenceErrorOf(int component, int frequency, Scratch& scratch) const;
+  void SumWaves(int frequency, Scratch& scratch);
+
+  WindModel Model;
+  WindGrid Grid;
+  WindSynthesis Synthesis;
+  std::array<int, 2> Padded;  ///< cells across and up
+  std::array<int, 2> Quarter; ///< wave numbers up to the middle
+  LineFourier Across;
+  LineFourier Up;
+  RealLineFourier Along;
+  std::array<std::vector<float>, WindComponents> Delay; ///< of the coherence, in the quarter of separations [s]
+  std::array<std::vector<float>, WindComponents> Still; ///< what it decays by at any frequency
+  int Component = 0;
+  std::vector<float> PlaneRe; ///< Fourier coefficients in time: frequency, then across, then up (fastest)
+  std::vector<float> PlaneIm;
+  std::vector<float> LayerFactor;
+  std::vector<float> BlockError;
+  double CoherenceError = 0.0;
+};
+
+}
+
+#endif

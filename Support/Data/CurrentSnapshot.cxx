@@ -1,0 +1,670 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/CurrentSnapshot.h"
+
+#include "Currents/VelocitySpline.h"
+#include "Data/FlowPrimitiveData.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSmartPointer.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Velocities as numbers in memory; the array is kept alive.
+class Velocities
+{
+public:
+  explicit Velocities(vtkDataArray* array)
+    : Array(array)
+  {
+    if (auto* single = vtkFloatArray::SafeDownCast(array))
+    {
+      this->Single = single->GetPointer(0);
+    }
+    else if (auto* twice = vtkDoubleArray::SafeDownCast(array))
+    {
+      this->Double = twice->GetPointer(0);
+    }
+    else
+    {
+      vtkNew<vtkDoubleArray> copy;
+      copy->DeepCopy(array);
+      this->Array = copy.Get();
+      this->Double = copy->GetPointer(0);
+    }
+  }
+
+  bool IsSingle() const { return this->Single != nullptr; }
+
+  /// Velocity of a point; none where it is no number.
+  Vector3 At(vtkIdType id) const
+  {
+    const Vector3 value = this->Single
+      ? Vector3(this->Single[3 * id], this->Single[3 * id + 1], this->Single[3 * id + 2])
+      : Vector3(this->Double[3 * id], this->Double[3 * id + 1], this->Double[3 * id + 2]);
+    return IsFinite(value) ? value : Vector3(0.0);
+  }
+
+private:
+  vtkSmartPointer<vtkDataArray> Array;
+  const float* Single = nullptr;
+  const double* Double = nullptr;
+};
+
+/// A place among the samples of one axis: the sample before it and the share of the next.
+struct AxisPlace
+{
+  int Index = 0;
+  double Share = 0.0;
+};
+
+/// Linear interpolation between the eight samples around a place. One layer of samples holds all along its axis.
+Vector3 Trilinear(const Velocities& values, const std::array<int, 3>& samples, const AxisPlace place[3])
+{
+  Vector3 sum(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double weight = 1.0;
+    vtkIdType id = 0;
+    vtkIdType stride = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int side = (corner >> axis) & 1;
+      weight *= side ? place[axis].Share : 1.0 - place[axis].Share;
+      id += stride * std::min(place[axis].Index + side, samples[axis] - 1);
+      stride *= samples[axis];
+    }
+    if (weight != 0.0)
+    {
+      sum += weight * values.At(id);
+    }
+  }
+  return sum;
+}
+
+/// False where the position [samples] is outside.
+bool PlaceAt(double position, int samples, AxisPlace& place)
+{
+  if (samples == 1)
+  {
+    place = { 0, 0.0 };
+    return true;
+  }
+  if (!(position >= 0.0 && position <= samples - 1))
+  {
+    return false;
+  }
+  place.Index = std::min(static_cast<int>(position), samples - 2);
+  place.Share = position - place.Index;
+  return true;
+}
+
+/// Whether no sample of the layers around a height has a vertical velocity there.
+bool IsLevel(const Velocities& values, const std::array<int, 3>& samples, const AxisPlace& height)
+{
+  for (int j = 0; j < samples[1]; ++j)
+  {
+    for (int i = 0; i < samples[0]; ++i)
+    {
+      const AxisPlace at[3] = { { i, 0.0 }, { j, 0.0 }, height };
+      if (Trilinear(values, samples, at).z != 0.0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Samples along three axes.
+class SampledVelocity : public VelocityGrid
+{
+public:
+  /// Where the samples of an axis are.
+  virtual std::vector<double> Nodes(int axis) const = 0;
+
+  /// A place along the axes.
+  virtual Vector3 PositionOf(const Vector3& place) const = 0;
+
+  virtual Vector3 Sample(std::size_t id) const = 0;
+
+  virtual bool IsSingle() const = 0;
+};
+
+class ImageVelocity : public SampledVelocity
+{
+public:
+  ImageVelocity(vtkImageData* image, vtkDataArray* array)
+    : Values(array)
+  {
+    int extent[6];
+    image->GetExtent(extent);
+    const vtkMatrix4x4* matrix = image->GetPhysicalToIndexMatrix();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Samples[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+      for (int column = 0; column < 3; ++column)
+      {
+        this->Turn[axis][column] = matrix->GetElement(axis, column);
+      }
+    }
+    image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], &this->Corner[0]);
+    image->GetBounds(this->Bounds);
+    this->IsUpright = this->Turn[0].z == 0.0 && this->Turn[1].z == 0.0 && this->Turn[2].x == 0.0 &&
+      this->Turn[2].y == 0.0 && this->Turn[2].z != 0.0;
+  }
+
+  std::vector<double> Nodes(int axis) const override
+  {
+    std::vector<double> nodes(static_cast<std::size_t>(this->Samples[axis]));
+    std::iota(nodes.begin(), nodes.end(), 0.0);
+    return nodes;
+  }
+
+  Vector3 PositionOf(const Vector3& place) const override
+  {
+    const Vector3 arm = place - this->Corner;
+    return { glm::dot(this->Turn[0], arm), glm::dot(this->Turn[1], arm), glm::dot(this->Turn[2], arm) };
+  }
+
+  Vector3 Sample(std::size_t id) const override { return this->Values.At(static_cast<vtkIdType>(id)); }
+
+  bool IsSingle() const override { return this->Values.IsSingle(); }
+
+  GridHeights Heights() const override
+  {
+    if (this->IsUpright && this->Samples[2] == 1)
+    {
+      return {};
+    }
+    const double step = this->IsUpright ? 1.0 / std::abs(this->Turn[2].z) : 0.0;
+    return { this->Bounds[4], this->Bounds[5], step, step };
+  }
+
+  bool IsLevelAt(double height) const override
+  {
+    AxisPlace at;
+    return this->IsUpright && PlaceAt(this->Turn[2].z * (height - this->Corner.z), this->Samples[2], at) &&
+      IsLevel(this->Values, this->Samples, at);
+  }
+
+  Vector3 Velocity(const Vector3& place) const override
+  {
+    const Vector3 position = this->PositionOf(place);
+    AxisPlace at[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!PlaceAt(position[axis], this->Samples[axis], at[axis]))
+      {
+        return Vector3(0.0);
+      }
+    }
+    return Trilinear(this->Values, this->Samples, at);
+  }
+
+private:
+  Velocities Values;
+  std::array<int, 3> Samples;
+  Vector3 Turn[3];
+  Vector3 Corner;
+  double Bounds[6];
+  bool IsUpright; ///< whether its third axis is vertical, and the others level
+};
+
+class RectilinearVelocity : public SampledVelocity
+{
+public:
+  RectilinearVelocity(vtkRectilinearGrid* grid, vtkDataArray* array)
+    : Values(array)
+  {
+    vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates() };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (vtkIdType id = 0; id < axes[axis]->GetNumberOfTuples(); ++id)
+      {
+        this->Coordinates[axis].push_back(axes[axis]->GetTuple1(id));
+      }
+      this->Samples[axis] = static_cast<int>(this->Coordinates[axis].size());
+    }
+  }
+
+  std::vector<double> Nodes(int axis) const override { return this->Coordinates[axis]; }
+
+  Vector3 PositionOf(const Vector3& place) const override { return place; }
+
+  Vector3 Sample(std::size_t id) const override { return this->Values.At(static_cast<vtkIdType>(id)); }
+
+  bool IsSingle() const override { return this->Values.IsSingle(); }
+
+  GridHeights Heights() const override
+  {
+    const std::vector<double>& z = this->Coordinates[2];
+    const std::size_t count = z.size();
+    if (count == 1)
+    {
+      return {};
+    }
+    const double firstStep = std::abs(z[1] - z[0]);
+    const double lastStep = std::abs(z[count - 1] - z[count - 2]);
+    return z.front() < z.back() ? GridHeights{ z.front(), z.back(), firstStep, lastStep }
+                                : GridHeights{ z.back(), z.front(), lastStep, firstStep };
+  }
+
+  bool IsLevelAt(double height) const override
+  {
+    AxisPlace at;
+    return this->Find(2, height, at) && IsLevel(this->Values, this->Samples, at);
+  }
+
+  Vector3 Velocity(const Vector3& place) const override
+  {
+    AxisPlace at[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!this->Find(axis, place[axis], at[axis]))
+      {
+        return Vector3(0.0);
+      }
+    }
+    return Trilinear(this->Values, this->Samples, at);
+  }
+
+private:
+  /// False where the position is outside.
+  bool Find(int axis, double position, AxisPlace& at) const
+  {
+    const std::vector<double>& values = this->Coordinates[axis];
+    if (values.size() == 1)
+    {
+      at = {};
+      return true;
+    }
+    const bool rising = values.front() < values.back();
+    if (!(position >= std::min(values.front(), values.back()) && position <= std::max(values.front(), values.back())))
+    {
+      return false;
+    }
+    const auto after = rising ? std::upper_bound(values.begin(), values.end(), position)
+                              : std::upper_bound(values.begin(), values.end(), position, std::greater<double>());
+    const int next = std::clamp(static_cast<int>(after - values.begin()), 1, this->Samples[axis] - 1);
+    const double width = values[next] - values[next - 1];
+    at = { next - 1, width != 0.0 ? (position - values[next - 1]) / width : 0.0 };
+    return true;
+  }
+
+  Velocities Values;
+  std::array<int, 3> Samples;
+  std::vector<double> Coordinates[3];
+};
+
+/// The same samples in splines.
+class SplineVelocity : public VelocityGrid
+{
+public:
+  explicit SplineVelocity(std::shared_ptr<const SampledVelocity> samples)
+    : Samples(std::move(samples))
+    , Spline(
+        { SplineAxis(this->Samples->Nodes(0)), SplineAxis(this->Samples->Nodes(1)),
+          SplineAxis(this->Samples->Nodes(2)) },
+        [this](std::size_t id) { return this->Samples->Sample(id); }, this->Samples->IsSingle(), SmpFor)
+    , IsLevelAnywhere(AreLevel(*this->Samples))
+  {
+  }
+
+  static bool CanBe(const SampledVelocity& samples)
+  {
+    return SplineAxis::IsMonotone(samples.Nodes(0)) && SplineAxis::IsMonotone(samples.Nodes(1)) &&
+      SplineAxis::IsMonotone(samples.Nodes(2));
+  }
+
+  GridHeights Heights() const override { return this->Samples->Heights(); }
+
+  bool IsLevelAt(double height) const override
+  {
+    // Between two level layers of samples splines need not be level, unless all layers are.
+    if (this->IsLevelAnywhere)
+    {
+      return true;
+    }
+    const double position = this->Samples->PositionOf({ 0.0, 0.0, height }).z;
+    const std::vector<double> nodes = this->Samples->Nodes(2);
+    const bool isNode = nodes.size() == 1 || std::any_of(nodes.begin(), nodes.end(), [position](double node) {
+      return std::abs(position - node) <= 1e-9 * (1.0 + std::abs(node));
+    });
+    return isNode && this->Samples->IsLevelAt(height);
+  }
+
+  Vector3 Velocity(const Vector3& place) const override { return this->Spline.At(this->Samples->PositionOf(place)); }
+
+private:
+  static bool AreLevel(const SampledVelocity& samples)
+  {
+    const std::size_t count = samples.Nodes(0).size() * samples.Nodes(1).size() * samples.Nodes(2).size();
+    std::size_t id = 0;
+    while (id < count && samples.Sample(id).z == 0.0)
+    {
+      ++id;
+    }
+    return id == count;
+  }
+
+  std::shared_ptr<const SampledVelocity> Samples;
+  VelocitySpline Spline;
+  bool IsLevelAnywhere; ///< as in data of horizontal velocities alone
+};
+
+/// Any cells: the one around a place is found, and its own interpolation taken.
+class CellVelocity : public VelocityGrid
+{
+public:
+  CellVelocity(vtkDataSet* data, vtkDataArray* array)
+    : Data(vtkSmartPointer<vtkDataSet>::Take(data->NewInstance()))
+    , Values(array)
+  {
+    this->Data->ShallowCopy(data);
+    this->Locator->SetDataSet(this->Data);
+    this->Locator->BuildLocator();
+    this->CellSize = std::max(1, this->Data->GetMaxCellSize());
+    this->Scratch.Local().Cell->SetCellTypeToEmptyCell();
+    this->Data->GetCell(0, this->Scratch.Local().Cell); // after this, data sets may be read from many threads
+    this->Data->GetBounds(this->Bounds);
+  }
+
+  /// Ends count as at a wall if they are but for the rounding of points in single precision.
+  GridHeights Heights() const override
+  {
+    const double step = 1e-5 * (this->Bounds[5] - this->Bounds[4]);
+    return { this->Bounds[4], this->Bounds[5], step, step };
+  }
+
+  bool IsLevelAt(double height) const override
+  {
+    if (height != this->Bounds[4] && height != this->Bounds[5])
+    {
+      return false; // velocities there come from points above and below
+    }
+    for (vtkIdType id = 0; id < this->Data->GetNumberOfPoints(); ++id)
+    {
+      if (this->Data->GetPoint(id)[2] == height && this->Values.At(id).z != 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Vector3 Velocity(const Vector3& place) const override
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!(place[axis] >= this->Bounds[2 * axis] && place[axis] <= this->Bounds[2 * axis + 1]))
+      {
+        return Vector3(0.0);
+      }
+    }
+    Tools& tools = this->Scratch.Local();
+    tools.Weights.resize(static_cast<std::size_t>(this->CellSize));
+    double x[3] = { place.x, place.y, place.z };
+    double coordinates[3];
+    const vtkIdType cell = this->Locator->FindCell(x, 0.0, tools.Cell, coordinates, tools.Weights.data());
+    Vector3 sum(0.0);
+    for (vtkIdType corner = 0; cell >= 0 && corner < tools.Cell->GetNumberOfPoints(); ++corner)
+    {
+      sum += tools.Weights[corner] * this->Values.At(tools.Cell->GetPointId(static_cast<int>(corner)));
+    }
+    return sum;
+  }
+
+private:
+  /// What a thread needs of its own; a copy has its own too.
+  struct Tools
+  {
+    vtkNew<vtkGenericCell> Cell;
+    std::vector<double> Weights;
+
+    Tools() = default;
+    Tools(const Tools&) {}
+    Tools& operator=(const Tools&) { return *this; }
+  };
+
+  vtkSmartPointer<vtkDataSet> Data;
+  Velocities Values;
+  vtkNew<vtkStaticCellLocator> Locator;
+  int CellSize;
+  double Bounds[6];
+  mutable vtkSMPThreadLocal<Tools> Scratch;
+};
+
+/// A grid between walls: see CurrentSnapshot.
+class WalledVelocity : public VelocityGrid
+{
+public:
+  WalledVelocity(std::shared_ptr<const VelocityGrid> grid, const WaterLayer& layer)
+    : Grid(std::move(grid))
+    , Layer(layer)
+    , Range(this->Grid->Heights())
+  {
+    this->ReachesBed = layer.HasBed() && this->Range.Low - layer.Bed <= this->Range.LowStep;
+    this->ReachesSurface = layer.HasSurface() && layer.Surface - this->Range.High <= this->Range.HighStep;
+    const auto crosses = [&](double wall) {
+      return wall >= this->Range.Low && wall <= this->Range.High && !this->Grid->IsLevelAt(wall);
+    };
+    this->CrossesBed = layer.HasBed() && crosses(layer.Bed);
+    this->CrossesSurface = layer.HasSurface() && crosses(layer.Surface);
+  }
+
+  GridHeights Heights() const override { return this->Range; }
+
+  bool IsLevelAt(double height) const override { return this->Grid->IsLevelAt(height); }
+
+  Vector3 Velocity(const Vector3& place) const override
+  {
+    Vector3 at = place;
+    double left = 1.0; // of the vertical velocity between the end of the grid and a wall
+    if (this->ReachesSurface && place.z > this->Range.High)
+    {
+      at.z = this->Range.High;
+      left = std::max(0.0, (this->Layer.Surface - place.z) / (this->Layer.Surface - this->Range.High));
+    }
+    else if (this->ReachesBed && place.z < this->Range.Low)
+    {
+      at.z = this->Range.Low;
+      left = std::max(0.0, (place.z - this->Layer.Bed) / (this->Range.Low - this->Layer.Bed));
+    }
+    Vector3 flow = this->Grid->Velocity(at);
+    flow.z = left * flow.z - this->ThroughWalls(place);
+    return flow;
+  }
+
+private:
+  /// What the vertical velocities at the walls make of that at a place.
+  double ThroughWalls(const Vector3& place) const
+  {
+    if (!this->CrossesBed && !this->CrossesSurface)
+    {
+      return 0.0;
+    }
+    if ((place.z < this->Range.Low && !this->ReachesBed) || (place.z > this->Range.High && !this->ReachesSurface))
+    {
+      return 0.0; // the grid has no flow there
+    }
+    const auto at = [&](bool crosses, double wall) {
+      return crosses ? this->Grid->Velocity({ place.x, place.y, wall }).z : 0.0;
+    };
+    const double bed = at(this->CrossesBed, this->Layer.Bed);
+    const double surface = at(this->CrossesSurface, this->Layer.Surface);
+    if (!this->ReachesBed || !this->ReachesSurface)
+    {
+      return bed + surface; // of which one is 0
+    }
+    const double part = std::clamp((place.z - this->Layer.Bed) / this->Layer.Depth(), 0.0, 1.0);
+    return (1.0 - part) * bed + part * surface;
+  }
+
+  std::shared_ptr<const VelocityGrid> Grid;
+  WaterLayer Layer;
+  GridHeights Range;
+  bool ReachesBed;
+  bool ReachesSurface;
+  bool CrossesBed;
+  bool CrossesSurface;
+};
+
+/// Whether velocities can be interpolated: some cell is more than points and lines.
+bool HasCells(vtkDataSet* data)
+{
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    const int kind = data->GetCellType(cell);
+    if (kind != VTK_EMPTY_CELL && kind != VTK_VERTEX && kind != VTK_POLY_VERTEX && kind != VTK_LINE &&
+      kind != VTK_POLY_LINE)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The array of velocities; null with a reason if there is none.
+vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name, std::string& reason)
+{
+  vtkPointData* arrays = data->GetPointData();
+  vtkDataArray* found = arrays->GetArray(name.empty() ? "Velocity" : name.c_str());
+  if (!found && name.empty())
+  {
+    int vectors = 0;
+    for (int index = 0; index < arrays->GetNumberOfArrays(); ++index)
+    {
+      vtkDataArray* array = arrays->GetArray(index);
+      if (array && array->GetNumberOfComponents() == 3)
+      {
+        found = array;
+        ++vectors;
+      }
+    }
+    if (vectors > 1)
+    {
+      reason = "a current has more than one point array of three components; name one in VelocityArray.";
+      return nullptr;
+    }
+  }
+  const std::string wanted = name.empty() ? "of velocities" : "'" + name + "'";
+  if (!found)
+  {
+    const bool onCells = !name.empty() && data->GetCellData()->GetArray(name.c_str());
+    reason = "a current has no point array " + wanted +
+      (onCells ? "; it is on cells: bring it to the points first." : " (VelocityArray), and is no flow primitive.");
+  }
+  else if (found->GetNumberOfComponents() != 3)
+  {
+    reason = "the point array " + wanted + " (VelocityArray) has " + std::to_string(found->GetNumberOfComponents()) +
+      " components; a velocity has three.";
+    found = nullptr;
+  }
+  else if (found->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    reason = "the point array " + wanted + " (VelocityArray) has " + std::to_string(found->GetNumberOfTuples()) +
+      " values for " + std::to_string(data->GetNumberOfPoints()) + " points.";
+    found = nullptr;
+  }
+  return found;
+}
+
+std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolation interpolation,
+  std::vector<FlowPrimitive>& primitives, std::vector<std::shared_ptr<const VelocityGrid>>& grids)
+{
+  const auto add = [&](const std::shared_ptr<const SampledVelocity>& samples) {
+    const bool isSpline = interpolation == VelocityInterpolation::CubicSpline && SplineVelocity::CanBe(*samples);
+    grids.push_back(
+      isSpline ? std::make_shared<SplineVelocity>(samples) : std::static_pointer_cast<const VelocityGrid>(samples));
+  };
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return "";
+  }
+  if (HoldsFlowPrimitives(data))
+  {
+    return ReadFlowPrimitives(data, primitives);
+  }
+  std::string reason;
+  vtkDataArray* velocities = FindVelocities(data, name, reason);
+  if (!velocities)
+  {
+    return reason;
+  }
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    add(std::make_shared<ImageVelocity>(image, velocities));
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    add(std::make_shared<RectilinearVelocity>(rectilinear, velocities));
+  }
+  else if (HasCells(data))
+  {
+    grids.push_back(std::make_shared<CellVelocity>(data, velocities));
+  }
+  else
+  {
+    return "a current with velocities has no cells between whose points they could be interpolated.";
+  }
+  return "";
+}
+
+}
+
+std::string CurrentSnapshot::Take(
+  vtkDataObject* data, const std::string& array, const WaterLayer& layer, VelocityInterpolation interpolation)
+{
+  std::string reason;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); reason.empty() && !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        reason = TakeDataSet(leaf, array, interpolation, this->Primitives, this->Grids);
+      }
+    }
+  }
+  else if (auto* single = vtkDataSet::SafeDownCast(data))
+  {
+    reason = TakeDataSet(single, array, interpolation, this->Primitives, this->Grids);
+  }
+  this->Flow = FlowField(this->Primitives, layer);
+  for (std::shared_ptr<const VelocityGrid>& grid : this->Grids)
+  {
+    if (layer.HasWalls())
+    {
+      grid = std::make_shared<WalledVelocity>(grid, layer);
+    }
+  }
+  return reason;
+}
+
+}

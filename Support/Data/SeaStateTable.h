@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportSeaStateTable_h
+#define LittoralSupportSeaStateTable_h
+
+// Sea states between the numerics and VTK: the one place that knows names and types of their columns. Private: never
+// installed, never wrapped.
+
+#include "Data/Tables.h"
+#include "Sea/WaveTrains.h"
+
+#include "vtkDataArray.h"
+
+#include <string>
+
+namespace littoral
+{
+
+/// Names of columns and arrays.
+namespace sea
+{
+constexpr const char* Amplitude = "Amplitude";
+constexpr const char* AngularFrequency = "AngularFrequency";
+constexpr const char* WaveNumber = "WaveNumber";
+constexpr const char* Direction = "Direction";
+constexpr const char* Phase = "Phase";
+constexpr const char* WaterDepth = "WaterDepth";
+constexpr const char* SeaLevel = "SeaLevel";
+constexpr const char* SignificantWaveHeight = "SignificantWaveHeight";
+constexpr const char* PeakPeriod = "PeakPeriod";
+constexpr const char* Period = "Period";               ///< after which the sea returns [s]
+constexpr const char* EnergyLeftOut = "EnergyLeftOut"; ///< part of the spectrum's
+// Particles.
+constexpr const char* ParticleId = "ParticleId";
+constexpr const char* ParticleType = "ParticleType";
+constexpr const char* BoxId = "BoxId";
+constexpr const char* Radius = "Radius"; ///< [m]
+constexpr const char* RGB = "RGB";
+constexpr const char* MasterId = "MasterId";
+constexpr const char* Offset = "Offset"; ///< of a slave from its master [m]
+constexpr const char* Captured = "Captured";
+constexpr const char* Current = "Current"; ///< [m/s]
+// Field data of particles: a word for each value of ParticleType and BoxId.
+constexpr const char* ParticleTypes = "ParticleTypes";
+constexpr const char* BoxNames = "BoxNames";
+// Flow primitives.
+constexpr const char* FlowType = "FlowType";
+constexpr const char* Strength = "Strength";
+constexpr const char* Axis = "Axis";
+constexpr const char* CoreRadius = "CoreRadius";
+constexpr const char* InfluenceRadius = "InfluenceRadius";
+constexpr const char* InfluenceBox = "InfluenceBox"; ///< smallest and largest x, y, z [m]
+constexpr const char* InfluenceMargin = "InfluenceMargin";
+
+// Levels of detail of particles: blocks, their point arrays, and a field array.
+constexpr const char* Near = "Near";
+constexpr const char* MasterSlave = "MasterSlave";
+constexpr const char* Far = "Far";
+constexpr const char* Alpha = "Alpha";
+constexpr const char* TrainCount = "TrainCount";
+constexpr const char* ErrorBound = "ErrorBound";
+constexpr const char* TrainOrder = "TrainOrder";
+
+// Fog.
+constexpr const char* Extinction = "Extinction";
+}
+
+/// Writes the trains as rows; depth, level and period as field data.
+inline void WriteSeaState(const SeaState& state, vtkTable* table)
+{
+  const auto column = [&](const char* name, double WaveTrain::*member) {
+    AddColumn(table, name, state.Trains, [member](const WaveTrain& train) { return train.*member; });
+  };
+  column(sea::Amplitude, &WaveTrain::Amplitude);
+  column(sea::AngularFrequency, &WaveTrain::AngularFrequency);
+  column(sea::WaveNumber, &WaveTrain::WaveNumber);
+  column(sea::Direction, &WaveTrain::Direction);
+  column(sea::Phase, &WaveTrain::Phase);
+  AddField(table, sea::WaterDepth, { state.Depth });
+  AddField(table, sea::SeaLevel, { state.SeaLevel });
+  AddField(table, sea::Period, { state.Period });
+}
+
+/// Reads what WriteSeaState wrote. Why it cannot be read, in words for a user; empty when it was.
+inline std::string ReadSeaState(vtkTable* table, SeaState& state)
+{
+  if (!table || table->GetNumberOfRows() == 0)
+  {
+    return "the sea state has no wave trains.";
+  }
+  state.Trains.assign(static_cast<std::size_t>(table->GetNumberOfRows()), WaveTrain{});
+  const struct
+  {
+    const char* Name;
+    double WaveTrain::*Member;
+  } columns[] = { { sea::Amplitude, &WaveTrain::Amplitude }, { sea::AngularFrequency, &WaveTrain::AngularFrequency },
+    { sea::WaveNumber, &WaveTrain::WaveNumber }, { sea::Direction, &WaveTrain::Direction },
+    { sea::Phase, &WaveTrain::Phase } };
+  for (const auto& column : columns)
+  {
+    vtkDataArray* array = vtkDataArray::SafeDownCast(table->GetColumnByName(column.Name));
+    if (!array || array->GetNumberOfComponents() != 1)
+    {
+      return std::string("the sea state has no column of numbers ") + column.Name + ".";
+    }
+    for (std::size_t row = 0; row < state.Trains.size(); ++row)
+    {
+      state.Trains[row].*column.Member = array->GetTuple1(static_cast<vtkIdType>(row));
+    }
+  }
+  const auto field = [table](const char* name, double& value) {
+    vtkDataArray* array = table->GetFieldData()->GetArray(name);
+    if (array && array->GetNumberOfValues() == 1)
+    {
+      value = array->GetTuple1(0);
+    }
+  };
+  field(sea::WaterDepth, state.Depth);
+  field(sea::SeaLevel, state.SeaLevel);
+  field(sea::Period, state.Period);
+  return WhyInvalid(state);
+}
+
+}
+
+#endif

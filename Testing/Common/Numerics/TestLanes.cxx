@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/Lanes.h"
+#include "Seaweed/SeaweedMotion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+using namespace littoral;
+
+TEST(Lanes, AnglesAreThoseOfTheStandardLibrary)
+{
+  for (int i = -1000; i <= 1000; ++i)
+  {
+    const double angle = Pi * (0.5 + 0.4995 * i / 1000.0);
+    for (const double length : { 1e-9, 0.3, 1.0, 1e7 })
+    {
+      const double sine = length * std::sin(angle);
+      const double cosine = length * std::cos(angle);
+      EXPECT_NEAR(AngleOf(sine, cosine), std::atan2(sine, cosine), 5e-16);
+    }
+  }
+  EXPECT_EQ(AngleOf(0.0, 1.0), 0.0);
+  EXPECT_EQ(AngleOf(0.0, -1.0), Pi);
+  EXPECT_EQ(AngleOf(0.0, 0.0), 0.0);
+}
+
+TEST(Lanes, SmallAnglesAreThoseOfTheStandardLibrary)
+{
+  for (int i = 1; i <= 800; ++i)
+  {
+    const double angle = 0.001 * i;
+    EXPECT_NEAR(CosineOfSmall(angle * angle), std::cos(angle), 3e-16);
+    EXPECT_NEAR(SineRatioOfSmall(angle * angle), std::sin(angle) / angle, 3e-16);
+  }
+  EXPECT_EQ(SineRatioOfSmall(0.0), 1.0);
+}
+
+TEST(Lanes, AreNumbersSideBySide)
+{
+  const double sine[4] = { 0.1, 2.0, 0.0, 0.7 };
+  const double cosine[4] = { -1.0, 0.5, 1.0, 0.7 };
+  const Lanes angles =
+    AngleOf(Lanes(sine[0], sine[1], sine[2], sine[3]), Lanes(cosine[0], cosine[1], cosine[2], cosine[3]));
+  const Lanes roots = SquareRoot(Lanes(sine[0], sine[1], sine[2], sine[3]));
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    EXPECT_EQ(angles.Values[lane], AngleOf(sine[lane], cosine[lane]));
+    EXPECT_EQ(roots.Values[lane], std::sqrt(sine[lane]));
+  }
+}
+
+namespace
+{
+
+/// Where five different plants of the same shape are after some steps; those from `first` to `last` alone.
+std::vector<LinkPose> MovedPlants(int first, int last)
+{
+  SeaweedOptions options;
+  Skeleton skeleton;
+  std::vector<SeaweedSegment> segments;
+  for (int plant = first; plant < last; ++plant)
+  {
+    const Vector3 foot(plant, 0.0, -10.0);
+    skeleton.StartBranch(-1, foot, 0.01);
+    for (int i = 1; i <= 5; ++i)
+    {
+      skeleton.Grow(foot + Vector3(0.02 * plant * i, 0.0, (0.2 + 0.03 * plant) * i), 0.01);
+    }
+    SeaweedSegment segment;
+    segment.YoungModulus = 1e4 * (plant + 1);
+    segments.resize(skeleton.Nodes.size(), segment);
+  }
+  const SeaweedMotion motion(LinksOf(skeleton, segments, options), options);
+  std::vector<LinkState> states = motion.AtRest();
+  std::vector<LinkPose> poses(states.size());
+  motion.Pose(states.data(), 0, states.size(), poses.data());
+  std::vector<Vector3> middles;
+  std::vector<WaterAtLink> water;
+  for (int step = 0; step < 200; ++step)
+  {
+    for (const SeaweedBunch& bunch : motion.GetBunches())
+    {
+      middles.resize(bunch.LanedLinks());
+      water.resize(bunch.LanedLinks());
+      motion.Middles(bunch, poses.data(), middles.data());
+      for (std::size_t i = 0; i < middles.size(); ++i)
+      {
+        // Fast enough for some plants that they take sub-steps and iterations of their own.
+        const double fast = 1.0 + std::max(0.0, middles[i].x);
+        water[i].Velocity = { fast * std::sin(middles[i].x + 0.05 * step), 0.3 * middles[i].z / 10.0, 0.0 };
+      }
+      motion.Step(1.0 / 48.0, bunch, water.data(), states.data(), poses.data());
+    }
+  }
+  return poses;
+}
+
+}
+
+TEST(Lanes, APlantMovesAsItWouldAlone)
+{
+  const std::vector<LinkPose> all = MovedPlants(0, 5);
+  ASSERT_EQ(all.size(), 25u);
+  for (int plant = 0; plant < 5; ++plant)
+  {
+    const std::vector<LinkPose> alone = MovedPlants(plant, plant + 1);
+    EXPECT_EQ(std::memcmp(alone.data(), &all[5 * plant], 5 * sizeof(LinkPose)), 0) << plant;
+    EXPECT_GT(glm::distance(alone[4].Foot, Vector3(plant, 0.0, -10.0)), 0.1);
+  }
+}

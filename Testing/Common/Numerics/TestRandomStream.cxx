@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/RandomStream.h"
+
+#include <gtest/gtest.h>
+
+#include <Random123/philox.h>
+
+#include <cmath>
+
+using littoral::RandomPurpose;
+using littoral::RandomStream;
+
+// Known answer of Philox 4x32-10 for an all-zero key and counter, from the method's publication.
+TEST(RandomStream, GeneratorGivesItsKnownAnswer)
+{
+  const r123::Philox4x32::ctr_type counter = { { 0, 0, 0, 0 } };
+  const r123::Philox4x32::key_type key = { { 0, 0 } };
+  const auto words = r123::Philox4x32()(counter, key);
+  EXPECT_EQ(words[0], 0x6627e8d5u);
+  EXPECT_EQ(words[1], 0xe169c58du);
+  EXPECT_EQ(words[2], 0xbc57ac4cu);
+  EXPECT_EQ(words[3], 0x9b00dbd8u);
+}
+
+// The mapping of seed, purpose, object and draw is part of every result: it may never change.
+TEST(RandomStream, WordsArePinned)
+{
+  const RandomStream stream(7, RandomPurpose::ElevationLines);
+  const r123::Philox4x32::ctr_type counter = { { 5, 1, 9, 0 } };
+  const r123::Philox4x32::key_type key = { { 7, 1 } };
+  const auto expected = r123::Philox4x32()(counter, key);
+  const auto words = stream.Words((1ull << 32) + 5, 9);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(words[i], expected[i]);
+  }
+}
+
+TEST(RandomStream, PurposesSeedsObjectsAndDrawsDiffer)
+{
+  const RandomStream a(1, RandomPurpose::ElevationLines);
+  EXPECT_NE(a.Words(0, 0), RandomStream(1, RandomPurpose::ReflectanceLines).Words(0, 0));
+  EXPECT_NE(a.Words(0, 0), RandomStream(2, RandomPurpose::ElevationLines).Words(0, 0));
+  EXPECT_NE(a.Words(0, 0), a.Words(1, 0));
+  EXPECT_NE(a.Words(0, 0), a.Words(0, 1));
+}
+
+TEST(RandomStream, UniformAndNormalMomentsAreRight)
+{
+  const RandomStream stream(3, RandomPurpose::ElevationLines);
+  const int n = 200000;
+  double uniform = 0.0;
+  double square = 0.0;
+  double normal = 0.0;
+  double variance = 0.0;
+  double fourth = 0.0;
+  double crossed = 0.0;
+  for (int i = 0; i < n; ++i)
+  {
+    const auto u = stream.UniformPair(i, 0);
+    ASSERT_GT(u[0], 0.0);
+    ASSERT_LT(u[0], 1.0);
+    uniform += u[0] / n;
+    square += u[0] * u[0] / n;
+    const auto g = stream.NormalPair(i, 1);
+    normal += (g[0] + g[1]) / (2 * n);
+    variance += (g[0] * g[0] + g[1] * g[1]) / (2 * n);
+    fourth += std::pow(g[0], 4) / n;
+    crossed += g[0] * g[1] / n;
+  }
+  EXPECT_NEAR(uniform, 0.5, 0.003);
+  EXPECT_NEAR(square - uniform * uniform, 1.0 / 12.0, 0.001);
+  EXPECT_NEAR(normal, 0.0, 0.01);
+  EXPECT_NEAR(variance, 1.0, 0.01);
+  EXPECT_NEAR(fourth, 3.0, 0.1);
+  EXPECT_NEAR(crossed, 0.0, 0.01);
+}

@@ -1,0 +1,643 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Particles in levels of detail: errors within their bounds, nothing visible lost, the work of the paper's table 1, and
+// fog that hides as much as its particles do.
+#include "../PictureOf.h"
+#include "Numerics/Constants.h"
+#include "Numerics/RandomStream.h"
+#include "Particles/MasterSlave.h"
+#include "Particles/ParticleFog.h"
+#include "Particles/ParticleLevels.h"
+#include "Sea/TrainSelection.h"
+#include "Sea/WaveOrbits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+SeaState Sea(double depth, double wind = 10.0)
+{
+  SpectrumParameters parameters;
+  parameters.WindSpeed = wind;
+  return { TrainsOf(SeaSpectrum(parameters), depth, TrainParameters{}), depth, 0.0 };
+}
+
+std::vector<Vector3> Places(int count, const Box& box, unsigned int seed = 1)
+{
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Vector3> places(count);
+  for (Vector3& place : places)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place[axis] = box.Low[axis] + unit(engine) * (box.High[axis] - box.Low[axis]);
+    }
+  }
+  return places;
+}
+
+/// Moved by their first trains; counts empty: by all.
+std::vector<Vector3> Moved(
+  const SeaState& sea, double time, const std::vector<Vector3>& places, std::vector<int> counts)
+{
+  if (counts.empty())
+  {
+    counts.assign(places.size(), static_cast<int>(sea.Trains.size()));
+  }
+  std::vector<double> centers(3 * places.size());
+  std::vector<double> shift(3 * places.size());
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    std::copy_n(&places[n].x, 3, &centers[3 * n]);
+  }
+  OrbitRequest<double> request;
+  request.Centers = centers.data();
+  request.TrainCounts = counts.data();
+  request.Displacement = shift.data();
+  WaveOrbits(sea, {}, time).Evaluate(request, 0, places.size());
+  std::vector<Vector3> moved(places.size());
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    moved[n] = places[n] + Vector3(shift[3 * n], shift[3 * n + 1], shift[3 * n + 2]);
+  }
+  return moved;
+}
+
+View Look(const Vector3& eye, const Vector3& direction, double angle = 45.0, double aspect = 4.0 / 3.0)
+{
+  View view;
+  view.Point = eye;
+  view.Direction = direction;
+  view.Angle = angle * Pi / 180.0;
+  view.AspectRatio = aspect;
+  view.Height = 480.0;
+  return view;
+}
+
+/// Pixels of a point from the center of the picture; false if the picture does not show it.
+bool Project(const View& view, const Vector3& point, std::array<double, 2>& pixel)
+{
+  const Vector3 ahead = glm::normalize(view.Direction);
+  const Vector3 right = glm::normalize(glm::cross(ahead, view.Up));
+  const Vector3 up = glm::cross(right, ahead);
+  const Vector3 seen = point - view.Point;
+  const double depth = glm::dot(seen, ahead);
+  const double scale = view.Height / (2.0 * std::tan(0.5 * view.Angle)) / depth;
+  pixel = { scale * glm::dot(seen, right), scale * glm::dot(seen, up) };
+  return depth > 0.0 && std::abs(pixel[0]) <= 0.5 * view.Height * view.AspectRatio &&
+    std::abs(pixel[1]) <= 0.5 * view.Height;
+}
+
+TrainTable Table(
+  const SeaState& sea, const ParticleGroups& groups, const View& view, TrainRule rule, double error = 1.0)
+{
+  double low = groups.GetCells().front().Bounds.Low.z;
+  double high = groups.GetCells().front().Bounds.High.z;
+  for (const ParticleGroups::Cell& cell : groups.GetCells())
+  {
+    low = std::min(low, cell.Bounds.Low.z);
+    high = std::max(high, cell.Bounds.High.z);
+  }
+  return TrainTable(sea, low, high, view, rule, error);
+}
+
+ParticleSelection Select(const SeaState& sea, const std::vector<Vector3>& places, const ParticleGroups& groups,
+  const View& view, const ParticleLevelOptions& options, TrainRule rule)
+{
+  return SelectParticles(
+    places, groups, Table(sea, groups, view, rule), ViewFrustum(view), options, 0, groups.GetCells().size());
+}
+
+/// A view of frame n on a way through the water, looking about.
+View FrameView(int frame)
+{
+  const double t = 0.05 * frame;
+  return Look({ 12.0 * std::cos(t), 9.0 * std::sin(1.3 * t), -6.0 + 5.0 * std::sin(0.7 * t) },
+    { std::cos(2.1 * t), std::sin(2.1 * t), 0.5 * std::sin(3.0 * t) });
+}
+
+}
+
+TEST(TrainSelection, TailSumBoundsTheErrorOnTheScreen)
+{
+  for (const double depth : { 1e9, 25.0 })
+  {
+    const SeaState sea = Sea(depth);
+    const std::vector<Vector3> places = Places(10000, { { -40.0, -40.0, -20.0 }, { 40.0, 40.0, 0.0 } });
+    double largest = 0.0;
+    long long compared = 0;
+    long long used = 0;
+    for (int frame = 0; frame < 200; ++frame)
+    {
+      const View view = FrameView(frame);
+      const TrainTable table(sea, -20.0, 0.0, view, TrainRule::TailSum, 1.0);
+      const ViewFrustum frustum(view);
+      std::vector<Vector3> near;
+      std::vector<int> counts;
+      for (const Vector3& place : places)
+      {
+        if (frustum.MayShow(place, table.AmplitudeAt(place.z)))
+        {
+          near.push_back(place);
+          counts.push_back(table.CountAt(glm::distance(place, view.Point), place.z));
+        }
+      }
+      const std::vector<Vector3> all = Moved(sea, 0.37 * frame, near, {});
+      const std::vector<Vector3> some = Moved(sea, 0.37 * frame, near, counts);
+      for (std::size_t n = 0; n < near.size(); ++n)
+      {
+        std::array<double, 2> a;
+        std::array<double, 2> b;
+        if (Project(view, all[n], a) && Project(view, some[n], b))
+        {
+          largest = std::max(largest, std::hypot(a[0] - b[0], a[1] - b[1]));
+          ++compared;
+          used += counts[n];
+        }
+      }
+    }
+    EXPECT_GT(compared, 100000);
+    EXPECT_LE(largest, 1.0);
+    EXPECT_GT(largest, 0.3) << "the bound is of no use";
+    const double mean = static_cast<double>(used) / static_cast<double>(compared);
+    EXPECT_LT(mean, 0.9 * static_cast<double>(sea.Trains.size())) << "hardly a train is left out";
+    std::printf("depth %g m: largest error %.3f pixels, %.1f of %zu trains\n", depth, largest, mean, sea.Trains.size());
+  }
+}
+
+TEST(TrainSelection, FewerFarAndDeep)
+{
+  const SeaState sea = Sea(1e9);
+  const View view = Look({ 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+  for (const TrainRule rule : { TrainRule::PerTrain, TrainRule::TailSum })
+  {
+    const TrainTable table(sea, -60.0, 0.0, view, rule, 1.0);
+    const TrainTable finer(sea, -60.0, 0.0, view, rule, 0.25);
+    for (double z = -60.0; z <= 0.0; z += 0.7)
+    {
+      for (double d = 0.01; d < 1000.0; d *= 1.3)
+      {
+        const int count = table.CountAt(d, z);
+        EXPECT_LE(table.CountAt(1.3 * d, z), count);
+        EXPECT_LE(table.CountAt(d, z - 0.7), count);
+        EXPECT_GE(finer.CountAt(d, z), count);
+      }
+    }
+    EXPECT_EQ(table.CountAt(0.0, 0.0), table.NumberOfTrains());
+    EXPECT_LT(table.CountAt(60.0, -20.0), table.NumberOfTrains() / 2);
+  }
+  const TrainTable all(sea, -60.0, 0.0, view, TrainRule::All, 1.0);
+  EXPECT_EQ(all.CountAt(1e6, -60.0), all.NumberOfTrains());
+}
+
+TEST(TrainSelection, OrderAtADepth)
+{
+  const SeaState sea = Sea(40.0);
+  const std::vector<int> order = OrderAt(sea, -12.0);
+  EXPECT_TRUE(IsPermutation(order));
+  EXPECT_FALSE(IsPermutation({ 0, 2 }));
+  EXPECT_FALSE(IsPermutation({ 1, 1 }));
+  EXPECT_FALSE(IsPermutation({ -1, 0 }));
+  const SeaState ordered = Ordered(sea, order);
+  for (std::size_t n = 1; n < ordered.Trains.size(); ++n)
+  {
+    EXPECT_GE(AxesAt(ordered.Trains[n - 1], -12.0, 40.0).Horizontal, AxesAt(ordered.Trains[n], -12.0, 40.0).Horizontal);
+  }
+  EXPECT_NE(ordered.Trains[2].WaveNumber, sea.Trains[2].WaveNumber) << "depth has no effect on the order";
+  // It takes fewer trains there, and all of them move a particle as before.
+  const View view = Look({ 0.0, 0.0, -12.0 }, { 0.0, 1.0, 0.0 });
+  const TrainTable plain(sea, -13.0, -12.0, view, TrainRule::PerTrain, 1.0);
+  const TrainTable better(ordered, -13.0, -12.0, view, TrainRule::PerTrain, 1.0);
+  EXPECT_LT(better.CountAt(15.0, -12.5), plain.CountAt(15.0, -12.5));
+  const std::vector<Vector3> places = Places(10, { { 0.0, 0.0, -13.0 }, { 5.0, 5.0, -12.0 } });
+  const std::vector<Vector3> a = Moved(sea, 3.0, places, {});
+  const std::vector<Vector3> b = Moved(ordered, 3.0, places, {});
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    EXPECT_LT(glm::distance(a[n], b[n]), 1e-12);
+  }
+}
+
+TEST(MasterSlave, GroupsAreCompleteAndOffsetsInRange)
+{
+  const std::vector<Vector3> places = Places(4001, { { 0.0, 0.0, -8.5 }, { 10.0, 10.0, -7.5 } });
+  GroupOptions options;
+  options.NearestOffset = 0.05;
+  options.LargestOffset = 0.4;
+  for (const bool scatter : { false, true })
+  {
+    options.Scatter = scatter;
+    const ParticleGroups groups(places, options, 64);
+    std::vector<int> seen(places.size(), 0);
+    std::size_t end = 0;
+    int slaves = 0;
+    for (const ParticleGroups::Cell& cell : groups.GetCells())
+    {
+      EXPECT_EQ(cell.Begin, end);
+      end = cell.End;
+      EXPECT_LE(cell.End - cell.Begin, 64u);
+      for (std::size_t n = cell.Begin; n < cell.End; ++n)
+      {
+        const int particle = groups.GetOrder()[n];
+        ++seen[particle];
+        const int master = groups.MasterOf(particle);
+        EXPECT_EQ(groups.MasterOf(master), master) << "a master that is a slave";
+        const Vector3 kept = places[master] + groups.OffsetOf(particle);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_GE(kept[axis], cell.Bounds.Low[axis] - 1e-12);
+          EXPECT_LE(kept[axis], cell.Bounds.High[axis] + 1e-12);
+        }
+        if (master != particle)
+        {
+          ++slaves;
+          const double length = glm::length(groups.OffsetOf(particle));
+          EXPECT_GE(length, options.NearestOffset - 1e-12);
+          EXPECT_LE(length, options.LargestOffset + 1e-12);
+          EXPECT_TRUE(scatter || glm::distance(kept, places[particle]) < 1e-12) << "a slave leaves its place";
+        }
+      }
+    }
+    EXPECT_EQ(end, places.size());
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(places.size()));
+    EXPECT_GT(slaves, scatter ? 2999 : 2500);
+
+    const ParallelFor two = [](std::size_t count, const RangeTask& task) {
+      std::thread other([&] { task(count / 2, count); });
+      task(0, count / 2);
+      other.join();
+    };
+    const ParticleGroups again(places, options, 64, two);
+    EXPECT_EQ(again.GetOrder(), groups.GetOrder());
+  }
+}
+
+TEST(MasterSlave, OddSets)
+{
+  const GroupOptions options;
+  EXPECT_TRUE(ParticleGroups({}, options, 64).GetCells().empty());
+  for (const int count : { 1, 2, 3, 4, 5, 63, 64, 65, 257 })
+  {
+    const ParticleGroups alike(std::vector<Vector3>(count, Vector3(1.0, 2.0, -3.0)), options, 64);
+    EXPECT_EQ(alike.GetOrder().size(), static_cast<std::size_t>(count));
+    EXPECT_EQ(alike.GetCells().back().End, static_cast<std::size_t>(count));
+  }
+  GroupOptions alone;
+  alone.Slaves = 0;
+  const ParticleGroups each(Places(100, { { 0.0, 0.0, -1.0 }, { 1.0, 1.0, 0.0 } }), alone, 1);
+  EXPECT_EQ(each.GetCells().size(), 100u);
+  GroupOptions bad;
+  bad.Slaves = -1;
+  EXPECT_NE(WhyInvalid(bad).find("SlavesPerMaster"), std::string::npos);
+  bad = {};
+  bad.NearestOffset = 2.0;
+  EXPECT_NE(WhyInvalid(bad).find("OffsetRange"), std::string::npos);
+}
+
+TEST(ParticleLevels, SlavesStayWithinTheirBound)
+{
+  for (const double depth : { 1e9, 12.0 })
+  {
+    const SeaState sea = Sea(depth);
+    const std::vector<Vector3> places = Places(3000, { { -9.0, 0.0, -9.0 }, { 9.0, 14.0, 0.0 } });
+    for (const bool scatter : { false, true })
+    {
+      GroupOptions grouping;
+      grouping.LargestOffset = 1.5;
+      grouping.Scatter = scatter;
+      const ParticleGroups groups(places, grouping, 64);
+      const View view = Look({ 0.0, -2.0, -4.0 }, { 0.0, 1.0, 0.0 }, 70.0);
+      const ParticleSelection selection = Select(sea, places, groups, view, {}, TrainRule::TailSum);
+      double closest = 0.0;
+      int slaves = 0;
+      for (int frame = 0; frame < 60; ++frame)
+      {
+        std::vector<Vector3> masters;
+        std::vector<int> counts;
+        std::vector<Vector3> own;
+        std::vector<const ShownParticle*> shown;
+        for (const ShownParticle& particle : selection.Middle)
+        {
+          if (particle.Master >= 0)
+          {
+            const ShownParticle& master = selection.Middle[particle.Master];
+            EXPECT_LT(master.Master, 0);
+            EXPECT_EQ(master.Particle, groups.MasterOf(particle.Particle));
+            masters.push_back(places[master.Particle]);
+            counts.push_back(master.Trains);
+            own.push_back(places[master.Particle] + groups.OffsetOf(particle.Particle));
+            shown.push_back(&particle);
+          }
+        }
+        const std::vector<Vector3> moved = Moved(sea, 0.83 * frame, masters, counts);
+        const std::vector<Vector3> wanted = Moved(sea, 0.83 * frame, own, {});
+        for (std::size_t n = 0; n < own.size(); ++n)
+        {
+          const Vector3 place = moved[n] + groups.OffsetOf(shown[n]->Particle);
+          const double error = glm::distance(place, wanted[n]);
+          EXPECT_LE(error, shown[n]->Error);
+          closest = std::max(closest, error / shown[n]->Error);
+        }
+        slaves = static_cast<int>(own.size());
+      }
+      EXPECT_GT(slaves, 500);
+      EXPECT_GT(closest, 0.2) << "the bound is of no use";
+      std::printf("depth %g m: %d slaves, errors up to %.2f of their bounds, largest bound %.3f m\n", depth, slaves,
+        closest, selection.LargestSlave);
+    }
+  }
+}
+
+TEST(ParticleLevels, NothingVisibleIsLost)
+{
+  const SeaState sea = Sea(30.0);
+  const std::vector<Vector3> places = Places(6000, { { -20.0, -20.0, -12.0 }, { 20.0, 20.0, 0.0 } });
+  const ParticleGroups groups(places, {}, 64);
+  long long visible[2] = { 0, 0 };
+  long long culled = 0;
+  for (int frame = 0; frame < 25; ++frame)
+  {
+    View view = FrameView(8 * frame);
+    view.IsParallel = frame % 2 == 1;
+    view.ParallelScale = frame % 4 == 1 ? 1.5 : 7.0;
+    const PictureOf picture(view);
+    ParticleLevelOptions options;
+    options.Margin = 0.0;
+    options.MiddleDistance = view.IsParallel ? 6.0 : options.MiddleDistance;
+    const ParticleSelection selection = Select(sea, places, groups, view, options, TrainRule::All);
+    std::vector<double> weight(places.size(), 0.0);
+    for (const auto* level : { &selection.Near, &selection.Middle, &selection.Far })
+    {
+      for (const ShownParticle& particle : *level)
+      {
+        weight[particle.Particle] += particle.Weight;
+      }
+    }
+    culled += std::count(weight.begin(), weight.end(), 0.0);
+    for (int moment = 0; moment < 8; ++moment)
+    {
+      // At its own place and at the one it keeps from its master.
+      const std::vector<Vector3> moved = Moved(sea, 1.1 * moment, places, {});
+      for (std::size_t n = 0; n < places.size(); ++n)
+      {
+        const int master = groups.MasterOf(static_cast<int>(n));
+        const Vector3 kept = moved[master] + groups.OffsetOf(static_cast<int>(n));
+        const double distance =
+          view.IsParallel ? view.ParallelScale / std::tan(0.5 * view.Angle) : glm::distance(places[n], view.Point);
+        const LevelWeights levels = WeightsAt(distance, options);
+        const bool isNear = levels.Near > 0.0 && picture.Shows(moved[n]);
+        const bool isMiddle = levels.Middle > 0.0 && picture.Shows(master == static_cast<int>(n) ? moved[n] : kept);
+        const bool isFar = levels.Far > 0.0 && picture.Shows(places[n]);
+        if (isNear || isMiddle || isFar)
+        {
+          ++visible[view.IsParallel];
+          EXPECT_GT(weight[n], 0.0) << "particle " << n << " in frame " << frame;
+        }
+      }
+    }
+  }
+  EXPECT_GT(visible[0], 10000);
+  EXPECT_GT(visible[1], 10000);
+  EXPECT_GT(culled, 25 * 3000);
+}
+
+TEST(ParticleLevels, WeightsOfLevelsSumToOne)
+{
+  const SeaState sea = Sea(1e9);
+  const std::vector<Vector3> places = Places(4000, { { -10.0, 0.0, -12.0 }, { 10.0, 25.0, -3.0 } });
+  const ParticleGroups groups(places, {}, 64);
+  ParticleLevelOptions options;
+  options.UseCulling = false;
+  options.BlendDistance = 1.0;
+  const View view = Look({ 0.0, 0.0, -6.0 }, { 0.0, 1.0, 0.0 });
+  const ParticleSelection selection = Select(sea, places, groups, view, options, TrainRule::PerTrain);
+  std::vector<double> sum(places.size(), 0.0);
+  int blended = 0;
+  for (const auto* level : { &selection.Near, &selection.Middle, &selection.Far })
+  {
+    for (const ShownParticle& particle : *level)
+    {
+      sum[particle.Particle] += particle.Weight;
+      blended += particle.Weight > 0.0f && particle.Weight < 1.0f;
+    }
+  }
+  for (const double one : sum)
+  {
+    EXPECT_NEAR(one, 1.0, 1e-6);
+  }
+  EXPECT_GT(blended, 200);
+  for (double d = 0.0; d < 20.0; d += 0.01)
+  {
+    const LevelWeights w = WeightsAt(d, options);
+    EXPECT_NEAR(w.Near + w.Middle + w.Far, 1.0, 1e-15);
+    EXPECT_TRUE(w.Near >= 0.0 && w.Middle >= 0.0 && w.Far >= 0.0);
+  }
+}
+
+TEST(ParticleLevels, WorkOfTheTableOfThePaper)
+{
+  // Section 3.4: 4000 particles in 10 m x 1 m x 10 m, 30 trains, 3 slaves a master, levels at 2 m and 12 m, 30 m of
+  // visibility. Wind, depth, lens and picture are not in the paper.
+  const SeaState asMade = Sea(std::numeric_limits<double>::infinity());
+  const SeaState sea = Ordered(asMade, OrderAt(asMade, -8.0));
+  ASSERT_EQ(sea.Trains.size(), 30u);
+  const std::vector<Vector3> places = Places(4000, { { -5.0, 0.0, -8.5 }, { 5.0, 10.0, -7.5 } });
+  const ParticleGroups groups(places, {}, 64);
+  const double published[3][5] = { { 1.82, 2.09, 2.64, 4.09, 8.82 }, { 1.18, 1.45, 1.91, 2.55, 2.73 },
+    { 2.00, 2.55, 3.45, 5.64, 11.09 } };
+  const char* names[3] = { "levels of detail", "selection of trains", "both" };
+  const double everything = 30.0 * 4000.0;
+  double ratio[3][5];
+  for (int variant = 0; variant < 3; ++variant)
+  {
+    for (int step = 0; step < 5; ++step)
+    {
+      const View view = Look({ 0.0, -3.0 * step, -8.0 }, { 0.0, 1.0, 0.0 });
+      ParticleLevelOptions options;
+      options.UseLevels = variant != 1;
+      options.UseCulling = variant != 1;
+      options.VisibleDistance = 30.0;
+      const TrainRule rule = variant == 0 ? TrainRule::All : TrainRule::PerTrain;
+      const ParticleSelection selection = Select(sea, places, groups, view, options, rule);
+      ratio[variant][step] = everything / static_cast<double>(selection.TrainSum);
+    }
+    for (const double* row : std::array<const double*, 2>{ published[variant], ratio[variant] })
+    {
+      std::printf("%-20s %s", names[variant], row == published[variant] ? "published" : "here     ");
+      for (int step = 0; step < 5; ++step)
+      {
+        std::printf(" %8.2f", row[step]);
+      }
+      std::printf("\n");
+    }
+    for (int step = 0; step < 5; ++step)
+    {
+      if (step < 4)
+      {
+        EXPECT_GE(ratio[variant][step], published[variant][step]) << names[variant] << " at " << 3 * step << " m";
+      }
+      if (step > 0)
+      {
+        EXPECT_GT(ratio[variant][step], ratio[variant][step - 1]) << names[variant] << " at " << 3 * step << " m";
+      }
+    }
+  }
+  for (int step = 0; step < 5; ++step)
+  {
+    EXPECT_GE(ratio[2][step], std::max(ratio[0][step], ratio[1][step]));
+  }
+}
+
+TEST(ParticleLevels, BadOptions)
+{
+  ParticleLevelOptions options;
+  options.MiddleDistance = 13.0;
+  EXPECT_NE(WhyInvalid(options).find("MiddleDistance"), std::string::npos);
+  options = {};
+  options.BlendDistance = std::nan("");
+  EXPECT_NE(WhyInvalid(options).find("BlendDistance"), std::string::npos);
+  EXPECT_EQ(WhyInvalid(ParticleLevelOptions{}), "");
+}
+
+TEST(ParticleFog, KeepsTheSumOfCrossSections)
+{
+  const FogGrid grid{ { -1.0, 2.0, -3.0 }, { 0.5, 0.25, 1.0 }, { 7, 9, 4 } };
+  const std::vector<Vector3> places = Places(5000, { { -1.0, 2.0, -3.0 }, { 2.0, 4.0, 0.0 } });
+  std::vector<FogParticle> particles;
+  double sum = 0.0;
+  for (const Vector3& place : places)
+  {
+    particles.push_back({ place, 1e-4 * (1.0 + place.x * place.x) });
+    sum += particles.back().CrossSection;
+  }
+  const ParticleFog fog(grid, particles);
+  EXPECT_EQ(fog.GetOutside(), 0);
+  EXPECT_NEAR(TotalCrossSection(grid, fog.GetExtinction()) / sum, 1.0, 1e-6);
+
+  // One particle: the integral of the field about it, and its first moment.
+  const FogParticle one{ { 0.13, 3.04, -1.3 }, 2e-3 };
+  const ParticleFog alone(grid, { one });
+  Vector3 moment(0.0);
+  for (int k = 0; k < grid.Count[2]; ++k)
+  {
+    for (int j = 0; j < grid.Count[1]; ++j)
+    {
+      for (int i = 0; i < grid.Count[0]; ++i)
+      {
+        const double e = alone.GetExtinction()[(static_cast<std::size_t>(k) * 9 + j) * 7 + i];
+        moment += 0.125 * e * (grid.Origin + Vector3(0.5 * i, 0.25 * j, 1.0 * k));
+      }
+    }
+  }
+  EXPECT_LT(glm::distance(moment / one.CrossSection, one.Place), 1e-6);
+
+  particles.push_back({ { 2.01, 3.0, -1.0 }, 1.0 });
+  const ParallelFor two = [](std::size_t count, const RangeTask& task) {
+    std::thread other([&] { task(count / 2, count); });
+    task(0, count / 2);
+    other.join();
+  };
+  const ParticleFog again(grid, particles, two);
+  EXPECT_EQ(again.GetOutside(), 1);
+  EXPECT_EQ(again.GetExtinction(), fog.GetExtinction());
+}
+
+TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)
+{
+  // Light along y through a box of particles: the part of rays that meet none, against the fog. Some particles are
+  // drawn in part, as where levels change: drawn and fog together must hide as much.
+  const Box box{ { 0.0, 0.0, 0.0 }, { 4.0, 10.0, 4.0 } };
+  const double diameter = 0.04;
+  const double section = 0.25 * Pi * diameter * diameter;
+  const std::vector<Vector3> places = Places(9000, box, 5);
+  const FogGrid grid{ box.Low, { 0.2, 0.2, 0.2 }, { 21, 51, 21 } };
+  ParticleLevelOptions options;
+  options.FarDistance = 5.0;
+  options.BlendDistance = 2.0;
+  std::vector<FogParticle> particles;
+  for (const Vector3& place : places)
+  {
+    particles.push_back({ place, section * WeightsAt(place.y, options).Far });
+  }
+  std::vector<FogParticle> all = particles;
+  for (FogParticle& particle : all)
+  {
+    particle.CrossSection = section;
+  }
+  const std::vector<float> blended = ParticleFog(grid, particles).GetExtinction();
+  const std::vector<float> whole = ParticleFog(grid, all).GetExtinction();
+
+  constexpr int Rays = 160; // a side
+  double drawn = 0.0;
+  double fog = 0.0;
+  double both = 0.0;
+  // Particles by columns of the grid of rays.
+  const double from = 0.2;
+  const double step = 3.6 / Rays;
+  std::vector<std::vector<int>> columns(Rays * Rays);
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    const double r = 0.5 * diameter;
+    for (int i = 0; i < Rays; ++i)
+    {
+      const double x = from + (i + 0.5) * step;
+      if (std::abs(places[n].x - x) > r)
+      {
+        continue;
+      }
+      for (int j = 0; j < Rays; ++j)
+      {
+        const double z = from + (j + 0.5) * step;
+        if (std::hypot(places[n].x - x, places[n].z - z) <= r)
+        {
+          columns[i * Rays + j].push_back(static_cast<int>(n));
+        }
+      }
+    }
+  }
+  for (int i = 0; i < Rays; ++i)
+  {
+    for (int j = 0; j < Rays; ++j)
+    {
+      const double x = from + (i + 0.5) * step;
+      const double z = from + (j + 0.5) * step;
+      double depth = 0.0;
+      double depthBlended = 0.0;
+      for (double y = 0.05; y < 10.0; y += 0.1)
+      {
+        depth += 0.1 * ExtinctionAt(grid, whole, { x, y, z });
+        depthBlended += 0.1 * ExtinctionAt(grid, blended, { x, y, z });
+      }
+      double through = 1.0;
+      for (const int particle : columns[i * Rays + j])
+      {
+        through *= 1.0 - (1.0 - WeightsAt(places[particle].y, options).Far);
+      }
+      drawn += columns[i * Rays + j].empty();
+      fog += std::exp(-depth);
+      both += through * std::exp(-depthBlended);
+    }
+  }
+  drawn /= Rays * Rays;
+  fog /= Rays * Rays;
+  both /= Rays * Rays;
+  std::printf("transmittance: particles %.4f, fog %.4f, half and half %.4f, uniform %.4f\n", drawn, fog, both,
+    std::exp(-9000.0 / 160.0 * section * 10.0));
+  EXPECT_LT(drawn, 0.7);
+  EXPECT_NEAR(fog / drawn, 1.0, 0.05);
+  EXPECT_NEAR(both / drawn, 1.0, 0.05);
+}

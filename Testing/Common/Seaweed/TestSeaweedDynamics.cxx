@@ -1,0 +1,511 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Chains in three dimensions against Lagrange's equations: the kinetic energy of the rods as a function of coordinates
+// and rates, by complex-step derivatives of positions and frames, and its derivatives by differences, taken through
+// time by Runge and Kutta's rule. Nothing is shared with the recursion under test but the description of the links.
+#include "Numerics/Constants.h"
+#include "Seaweed/SeaweedMotion.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+using Complex = std::complex<double>;
+using Vector = Eigen::Matrix<Complex, 3, 1>;
+using Matrix = Eigen::Matrix<Complex, 3, 3>;
+using Coordinates = Eigen::VectorXd;
+
+Eigen::Vector3d ToEigen(const Vector3& v)
+{
+  return { v.x, v.y, v.z };
+}
+
+Complex DotOf(const Vector& a, const Vector& b) // without conjugates, so that derivatives pass through
+{
+  return a(0) * b(0) + a(1) * b(1) + a(2) * b(2);
+}
+
+/// Rodrigues' formula: a turn by an angle about a unit axis.
+Matrix TurnAbout(const Vector& axis, Complex cosine, Complex sine)
+{
+  Matrix cross;
+  cross << 0.0, -axis(2), axis(1), axis(2), 0.0, -axis(0), -axis(1), axis(0), 0.0;
+  return Matrix::Identity() + sine * cross + (1.0 - cosine) * cross * cross;
+}
+
+/// Links as a system of Lagrange: two coordinates a joint. Bending: the logarithm of the direction about the axis of
+/// rest; Tilting: theta and phi.
+class Lagrangian
+{
+public:
+  Lagrangian(const std::vector<SeaweedLink>& links, const SeaweedOptions& options)
+    : Links(links)
+    , Joint(options.Joint)
+  {
+  }
+
+  int Size() const { return 2 * static_cast<int>(this->Links.size()); }
+
+  struct Rod
+  {
+    Vector Foot;
+    Matrix Frame; // from rest
+  };
+
+  std::vector<Rod> RodsAt(const Eigen::VectorXcd& q) const
+  {
+    std::vector<Rod> rods;
+    for (std::size_t i = 0; i < this->Links.size(); ++i)
+    {
+      const SeaweedLink& link = this->Links[i];
+      Rod rod;
+      Matrix below = Matrix::Identity();
+      rod.Foot = ToEigen(link.Foot).cast<Complex>();
+      if (link.Parent >= 0)
+      {
+        below = rods[link.Parent].Frame;
+        rod.Foot = rods[link.Parent].Foot + below * ToEigen(link.Foot - this->Links[link.Parent].Foot).cast<Complex>();
+      }
+      rod.Frame = below * this->JointAt(i, q(2 * i), q(2 * i + 1));
+      rods.push_back(rod);
+    }
+    return rods;
+  }
+
+  /// The direction of a link in the frame of its parent, at rest on the axis of rest.
+  Vector DirectionAt(std::size_t i, Complex a, Complex b) const
+  {
+    const Eigen::Vector3d axis = ToEigen(this->Links[i].Axis);
+    const Eigen::Vector3d x = axis.unitOrthogonal();
+    const Eigen::Vector3d y = axis.cross(x);
+    const Complex angle = std::sqrt(a * a + b * b + 1e-24);
+    return std::cos(angle) * axis.cast<Complex>() +
+      std::sin(angle) / angle * (a * x.cast<Complex>() + b * y.cast<Complex>());
+  }
+
+  double KineticEnergy(const Coordinates& q, const Coordinates& rates) const
+  {
+    constexpr double tiny = 1e-30;
+    Eigen::VectorXcd moved(q.size());
+    for (int k = 0; k < q.size(); ++k)
+    {
+      moved(k) = Complex(q(k), tiny * rates(k));
+    }
+    const std::vector<Rod> rods = this->RodsAt(moved);
+    double energy = 0.0;
+    for (std::size_t i = 0; i < rods.size(); ++i)
+    {
+      const SeaweedLink& link = this->Links[i];
+      const Eigen::Matrix3d frame = rods[i].Frame.real();
+      const Eigen::Vector3d edge = frame * ToEigen(link.Side);
+      const Eigen::Vector3d axis = frame * ToEigen(link.Axis);
+      const Eigen::Vector3d normal = axis.cross(edge);
+      // Gauss's two points are exact for the square of a velocity that is linear along the rod.
+      for (const double part : { 0.5 - std::sqrt(1.0 / 12.0), 0.5 + std::sqrt(1.0 / 12.0) })
+      {
+        const Vector place = rods[i].Foot + rods[i].Frame * (part * link.Length * ToEigen(link.Axis)).cast<Complex>();
+        const Eigen::Vector3d v = place.imag() / tiny;
+        energy += 0.25 *
+          (link.Mass * v.squaredNorm() + link.FaceMass * std::pow(v.dot(normal), 2) +
+            link.EdgeMass * std::pow(v.dot(edge), 2));
+      }
+      const Eigen::Matrix3d spin = rods[i].Frame.imag() / tiny * frame.transpose();
+      const Eigen::Vector3d w(spin(2, 1), spin(0, 2), spin(1, 0));
+      energy += 0.5 * link.AxialInertia * std::pow(w.dot(axis), 2);
+    }
+    return energy;
+  }
+
+  double Potential(const Coordinates& q) const
+  {
+    const std::vector<Rod> rods = this->RodsAt(q.cast<Complex>());
+    double energy = 0.0;
+    for (std::size_t i = 0; i < rods.size(); ++i)
+    {
+      const SeaweedLink& link = this->Links[i];
+      const Eigen::Vector3d axis = rods[i].Frame.real() * ToEigen(link.Axis);
+      energy -= link.Buoyancy * (rods[i].Foot.real() + 0.5 * link.Length * axis).z();
+      const double a = q(2 * i) - (this->Joint == SeaweedJoint::Tilting ? link.Theta : 0.0);
+      const double b = q(2 * i + 1) - (this->Joint == SeaweedJoint::Tilting ? link.Phi : 0.0);
+      energy += 0.5 * link.Stiffness * (a * a + b * b);
+    }
+    return energy;
+  }
+
+  Eigen::MatrixXd MassAt(const Coordinates& q) const
+  {
+    const int n = this->Size();
+    Eigen::MatrixXd mass(n, n);
+    std::vector<double> single;
+    for (int k = 0; k < n; ++k)
+    {
+      single.push_back(this->KineticEnergy(q, Coordinates::Unit(n, k)));
+      mass(k, k) = 2.0 * single[k];
+      for (int j = 0; j < k; ++j)
+      {
+        const double both = this->KineticEnergy(q, Coordinates::Unit(n, k) + Coordinates::Unit(n, j));
+        mass(k, j) = mass(j, k) = both - single[k] - single[j];
+      }
+    }
+    return mass;
+  }
+
+  /// M q'' = d(T - V)/dq - dM/dt q'.
+  Coordinates Acceleration(const Coordinates& q, const Coordinates& rates) const
+  {
+    constexpr double step = 1e-5;
+    Coordinates force(this->Size());
+    for (int k = 0; k < this->Size(); ++k)
+    {
+      const Coordinates off = step * Coordinates::Unit(this->Size(), k);
+      const double ahead = this->KineticEnergy(q + off, rates) - this->Potential(q + off);
+      const double behind = this->KineticEnergy(q - off, rates) - this->Potential(q - off);
+      force(k) = (ahead - behind) / (2.0 * step);
+    }
+    const Coordinates change = (this->MassAt(q + step * rates) - this->MassAt(q - step * rates)) * rates / (2.0 * step);
+    return this->MassAt(q).ldlt().solve(force - change);
+  }
+
+  void Integrate(Coordinates& q, Coordinates& rates, double time, int steps) const
+  {
+    const double h = time / steps;
+    for (int n = 0; n < steps; ++n)
+    {
+      const Coordinates a1 = this->Acceleration(q, rates);
+      const Coordinates v2 = rates + 0.5 * h * a1;
+      const Coordinates a2 = this->Acceleration(q + 0.5 * h * rates, v2);
+      const Coordinates v3 = rates + 0.5 * h * a2;
+      const Coordinates a3 = this->Acceleration(q + 0.5 * h * v2, v3);
+      const Coordinates v4 = rates + h * a3;
+      const Coordinates a4 = this->Acceleration(q + h * v3, v4);
+      q += h / 6.0 * (rates + 2.0 * v2 + 2.0 * v3 + v4);
+      rates += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    }
+  }
+
+  /// The state of a link in the terms of the chain under test.
+  LinkState StateAt(std::size_t i, const Coordinates& q, const Coordinates& rates) const
+  {
+    if (this->Joint == SeaweedJoint::Tilting)
+    {
+      return { { q(2 * i), q(2 * i + 1), 0.0 }, { rates(2 * i), rates(2 * i + 1), 0.0 } };
+    }
+    constexpr double tiny = 1e-30;
+    const Vector direction =
+      this->DirectionAt(i, { q(2 * i), tiny * rates(2 * i) }, { q(2 * i + 1), tiny * rates(2 * i + 1) });
+    const Eigen::Vector3d e = direction.real();
+    const Eigen::Vector3d rate = e.cross(Eigen::Vector3d(direction.imag() / tiny));
+    return { { e(0), e(1), e(2) }, { rate(0), rate(1), rate(2) } };
+  }
+
+  Vector3 TipAt(const Coordinates& q) const
+  {
+    const Rod last = this->RodsAt(q.cast<Complex>()).back();
+    const Eigen::Vector3d tip =
+      last.Foot.real() + last.Frame.real() * (this->Links.back().Length * ToEigen(this->Links.back().Axis));
+    return { tip(0), tip(1), tip(2) };
+  }
+
+private:
+  const std::vector<SeaweedLink>& Links;
+  SeaweedJoint Joint;
+
+  /// The frame of a link against that of its parent, both from rest.
+  Matrix JointAt(std::size_t i, Complex a, Complex b) const
+  {
+    const SeaweedLink& link = this->Links[i];
+    if (this->Joint == SeaweedJoint::Bending)
+    {
+      // The shortest arc: the turn by the angle between axis and direction, about what is normal to both.
+      const Vector axis = ToEigen(link.Axis).cast<Complex>();
+      const Vector to = this->DirectionAt(i, a, b);
+      Vector normal(
+        axis(1) * to(2) - axis(2) * to(1), axis(2) * to(0) - axis(0) * to(2), axis(0) * to(1) - axis(1) * to(0));
+      const Complex sine = std::sqrt(DotOf(normal, normal) + 1e-28);
+      return TurnAbout(normal / sine, DotOf(axis, to), sine);
+    }
+    // theta about the parent's Y, phi about the new X (figure 7), against the same at rest.
+    const auto turned = [](Complex theta, Complex phi) {
+      const Matrix azimuth = TurnAbout(Vector(0.0, 1.0, 0.0), std::cos(theta), std::sin(theta));
+      const Matrix tilt = TurnAbout(Vector(1.0, 0.0, 0.0), std::cos(phi), std::sin(phi));
+      return Matrix(azimuth * tilt);
+    };
+    Matrix base;
+    base << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0; // X = x, Y = up, Z = -y
+    std::vector<std::size_t> below;
+    for (int parent = link.Parent; parent >= 0; parent = this->Links[parent].Parent)
+    {
+      below.insert(below.begin(), static_cast<std::size_t>(parent));
+    }
+    for (const std::size_t parent : below)
+    {
+      base = base * turned(this->Links[parent].Theta, this->Links[parent].Phi);
+    }
+    return base * turned(a, b) * (base * turned(link.Theta, link.Phi)).transpose();
+  }
+};
+
+struct Chain
+{
+  std::vector<SeaweedLink> Links;
+  Coordinates Q;
+  Coordinates Rates;
+};
+
+/// Rods of unequal lengths and masses that bend out of the plane, each with inertia about its axis and a face, bent and
+/// spinning. `branch`: the last grows on the middle.
+Chain MakeChain(int rods, double stiffness, double buoyancy, bool hasWater, bool isBranched = false)
+{
+  Chain chain;
+  Vector3 foot(0.0, 0.0, -20.0);
+  for (int i = 0; i < rods; ++i)
+  {
+    SeaweedLink link;
+    link.Parent = isBranched && i == rods - 1 ? rods / 2 - 1 : i - 1;
+    link.Axis = glm::normalize(Vector3(0.25 * std::sin(2.0 * i), 0.3 * std::cos(1.3 * i), 1.0));
+    link.Side = glm::normalize(glm::cross(link.Axis, Vector3(0.3, 1.0, 0.1 * i)));
+    link.Length = (1.0 + 0.2 * std::sin(5.0 * i)) / rods;
+    if (link.Parent >= 0)
+    {
+      const SeaweedLink& parent = chain.Links[link.Parent];
+      link.Foot = parent.Foot + parent.Length * parent.Axis;
+    }
+    else
+    {
+      link.Foot = foot;
+    }
+    link.Mass = (1.0 + 0.3 * std::cos(3.0 * i)) / rods;
+    link.AxialInertia = 0.05 * link.Mass * link.Length * link.Length;
+    link.FaceMass = hasWater ? 3.0 * link.Mass : 0.0;
+    link.EdgeMass = hasWater ? 0.2 * link.Mass : 0.0;
+    link.WaterMass = 0.0;
+    link.Stiffness = stiffness;
+    link.Damping = 0.0;
+    link.Buoyancy = buoyancy / rods;
+    link.Weight = 0.0;
+    chain.Links.push_back(link);
+  }
+  chain.Q = Coordinates(2 * rods);
+  chain.Rates = Coordinates(2 * rods);
+  for (int i = 0; i < rods; ++i)
+  {
+    chain.Q(2 * i) = 0.35 * std::sin(1.0 + 2.0 * i);
+    chain.Q(2 * i + 1) = 0.3 * std::cos(2.5 * i);
+    chain.Rates(2 * i) = 1.6 * std::cos(1.7 * i);
+    chain.Rates(2 * i + 1) = 1.4 * std::sin(0.5 + i);
+  }
+  return chain;
+}
+
+SeaweedOptions Still(SeaweedJoint joint = SeaweedJoint::Bending)
+{
+  SeaweedOptions options;
+  options.Joint = joint;
+  options.DragCoefficient = 0.0;
+  options.FrictionCoefficient = 0.0;
+  return options;
+}
+
+struct Mover
+{
+  SeaweedMotion Motion;
+  std::vector<LinkState> States;
+  std::vector<LinkPose> Poses;
+
+  Mover(const Chain& chain, const SeaweedOptions& options)
+    : Motion(chain.Links, options)
+    , Poses(chain.Links.size())
+  {
+    const Lagrangian system(chain.Links, options);
+    for (std::size_t i = 0; i < chain.Links.size(); ++i)
+    {
+      this->States.push_back(system.StateAt(i, chain.Q, chain.Rates));
+    }
+    this->Motion.Pose(this->States.data(), 0, this->Poses.size(), this->Poses.data());
+  }
+  void Run(int steps, double step)
+  {
+    const SeaweedBunch& bunch = this->Motion.GetBunches().front();
+    const std::vector<WaterAtLink> still(bunch.LanedLinks());
+    for (int n = 0; n < steps; ++n)
+    {
+      this->Motion.Step(step, bunch, still.data(), this->States.data(), this->Poses.data());
+    }
+  }
+  Vector3 Tip() const
+  {
+    return this->Poses.back().Foot + this->Motion.GetLinks().back().Length * this->Poses.back().Axis;
+  }
+  /// Kinetic energy and that of springs and buoyancy, by the poses.
+  double Energy() const
+  {
+    double energy = 0.0;
+    for (std::size_t i = 0; i < this->Poses.size(); ++i)
+    {
+      const SeaweedLink& link = this->Motion.GetLinks()[i];
+      const LinkPose& pose = this->Poses[i];
+      const Vector3 edge = pose.Turn * link.Side;
+      const Vector3 normal = glm::cross(pose.Axis, edge);
+      for (const double part : { 0.5 - std::sqrt(1.0 / 12.0), 0.5 + std::sqrt(1.0 / 12.0) })
+      {
+        const Vector3 v = pose.Velocity + glm::cross(pose.Spin, part * link.Length * pose.Axis);
+        energy += 0.25 *
+          (link.Mass * glm::dot(v, v) + link.FaceMass * std::pow(glm::dot(v, normal), 2) +
+            link.EdgeMass * std::pow(glm::dot(v, edge), 2));
+      }
+      energy += 0.5 * link.AxialInertia * std::pow(glm::dot(pose.Spin, pose.Axis), 2);
+      energy -= link.Buoyancy * (pose.Foot + 0.5 * link.Length * pose.Axis).z;
+      const double bend = std::acos(std::clamp(glm::dot(link.Axis, this->States[i].Shape), -1.0, 1.0));
+      energy += 0.5 * link.Stiffness * bend * bend;
+    }
+    return energy;
+  }
+};
+
+/// Axes, sides and feet of rest that go with theta and phi.
+void AlignWithAngles(std::vector<SeaweedLink>& links)
+{
+  glm::dquat base = GroundBase<double>();
+  for (std::size_t i = 0; i < links.size(); ++i)
+  {
+    SeaweedLink& link = links[i];
+    base = base * glm::angleAxis(link.Theta, Vector3(0.0, 1.0, 0.0)) * glm::angleAxis(link.Phi, Vector3(1.0, 0.0, 0.0));
+    link.Axis = base * Vector3(0.0, 1.0, 0.0);
+    link.Side = base * Vector3(1.0, 0.0, 0.0);
+    link.Foot = i == 0 ? link.Foot : links[i - 1].Foot + links[i - 1].Length * links[i - 1].Axis;
+  }
+}
+
+/// How far the tip is from that of Lagrange's equations after a time, with steps of a length each.
+std::vector<double> Errors(const Chain& chain, const SeaweedOptions& options, double time, int exactSteps,
+  const std::vector<int>& steps, double& bend)
+{
+  const Lagrangian system(chain.Links, options);
+  Coordinates q = chain.Q;
+  Coordinates rates = chain.Rates;
+  bend = 0.0;
+  for (int part = 0; part < 10; ++part)
+  {
+    system.Integrate(q, rates, time / 10.0, exactSteps / 10);
+    for (int i = 0; i < q.size(); i += 2)
+    {
+      bend = std::max(bend, std::hypot(q(i), q(i + 1)));
+    }
+  }
+  std::vector<double> errors;
+  for (const int count : steps)
+  {
+    Mover mover(chain, options);
+    mover.Run(count, time / count);
+    errors.push_back(glm::distance(mover.Tip(), system.TipAt(q)));
+  }
+  return errors;
+}
+
+}
+
+TEST(SeaweedDynamics, RodsInSpaceMoveAsLagrangesEquationsSay)
+{
+  struct Case
+  {
+    int Rods;
+    double Stiffness;
+    double Buoyancy;
+    bool HasWater;
+    bool IsBranched;
+  };
+  for (const Case& one :
+    { Case{ 1, 0.0, 0.0, false, false }, Case{ 2, 0.0, 0.0, false, false }, Case{ 2, 0.3, 5.0, true, false },
+      Case{ 3, 0.2, 3.0, false, false }, Case{ 3, 0.2, 3.0, true, true }, Case{ 6, 0.3, 2.0, true, false } })
+  {
+    const Chain chain = MakeChain(one.Rods, one.Stiffness, one.Buoyancy, one.HasWater, one.IsBranched);
+    double bend = 0.0;
+    // Steps that resolve the turns of thin rods about themselves.
+    const int coarse = one.Rods > 3 ? 300 : 75;
+    const std::vector<double> errors = Errors(chain, Still(), 0.6, 150, { coarse, 2 * coarse, 4 * coarse }, bend);
+    SCOPED_TRACE(std::to_string(one.Rods) + " rods");
+    EXPECT_GT(bend, 0.6);
+    EXPECT_LT(bend, 1.7); // where no stop acts
+    EXPECT_LT(errors[0], 1e-3);
+    EXPECT_LT(errors[1], 0.3 * errors[0]);
+    EXPECT_LT(errors[2], one.Rods > 3 ? 1e-4 : 0.3 * errors[1]); // six rods: as far as the reference goes
+  }
+}
+
+TEST(SeaweedDynamics, ATiltingJointMovesAsLagrangesEquationsSay)
+{
+  for (const int rods : { 1, 3 })
+  {
+    Chain chain = MakeChain(rods, 0.5, 3.0, true);
+    for (int i = 0; i < rods; ++i)
+    {
+      SeaweedLink& link = chain.Links[i];
+      link.Theta = i == 0 ? 0.4 : 0.3;
+      link.Phi = i == 0 ? 0.5 : 0.35;
+      chain.Q(2 * i) += link.Theta;
+      chain.Q(2 * i + 1) += link.Phi;
+    }
+    AlignWithAngles(chain.Links);
+    double bend = 0.0;
+    const SeaweedOptions options = Still(SeaweedJoint::Tilting);
+    const std::vector<double> errors = Errors(chain, options, 0.5, 120, { 40, 80, 160, 320 }, bend);
+    EXPECT_LT(errors[2], 1e-3);
+    EXPECT_LT(errors[3], 0.35 * errors[2]);
+  }
+}
+
+TEST(SeaweedDynamics, ClosedChainsNeverGainEnergy)
+{
+  for (const bool hasWater : { false, true })
+  {
+    for (const int rods : { 2, 3, 6, 16, 32 })
+    {
+      for (const double stiffness : { 0.0, 0.3, 300.0 })
+      {
+        const Chain chain = MakeChain(rods, stiffness, 2.0, hasWater);
+        Mover mover(chain, Still());
+        const double start = mover.Energy(); // no stop is bent then; later it can hold some of it
+        for (int step = 0; step < 240; ++step)
+        {
+          mover.Run(1, 1.0 / 48.0);
+          ASSERT_LT(mover.Energy() - start, 1e-7 * std::abs(start)) << rods << " rods of " << stiffness << " N m/rad";
+        }
+      }
+    }
+  }
+}
+
+TEST(SeaweedDynamics, ABuoyantPairKeepsItsEnergyForMinutes)
+{
+  // Two links that float upright, pushed out of the plane: a double pendulum upside down.
+  Chain chain = MakeChain(2, 0.0, 6.0, true);
+  chain.Rates *= 0.5;
+  Mover mover(chain, Still());
+  const double start = mover.Energy();
+  Mover still(chain, Still());
+  still.States = still.Motion.AtRest();
+  for (LinkState& state : still.States)
+  {
+    state.Shape = { 0.0, 0.0, 1.0 };
+  }
+  still.Motion.Pose(still.States.data(), 0, 2, still.Poses.data());
+  const double least = still.Energy();
+  double most = start;
+  for (int second = 0; second < 300; ++second)
+  {
+    mover.Run(48, 1.0 / 48.0);
+    most = std::max(most, mover.Energy());
+  }
+  EXPECT_LT(most - start, 1e-6 * (start - least));
+  EXPECT_GT(mover.Energy() - least, 0.85 * (start - least));
+}

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Terrain/CovarianceModels.h"
+
+#include "Numerics/Constants.h"
+#include "Terrain/ShortWaves.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/bessel.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+CovarianceParameters Field(CovarianceModel model)
+{
+  CovarianceParameters field;
+  field.Model = model;
+  field.Variance = 2.5;
+  field.Range = model == CovarianceModel::Fractal ? 50.0 : 3.0;
+  field.SecondRange = 0.7;
+  field.FractalDimension = 2.4;
+  return field;
+}
+
+template <typename Function>
+double Integrate(Function f, double from, double to)
+{
+  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, to, 12, 1e-12);
+}
+
+/// The lower end of the spectrum: below it there is no power.
+double Lowest(const CovarianceParameters& field)
+{
+  return field.Model == CovarianceModel::Fractal ? TwoPi / field.Range : 0.0;
+}
+
+class AllModels : public testing::TestWithParam<int>
+{
+protected:
+  CovarianceParameters field = Field(static_cast<CovarianceModel>(GetParam()));
+};
+
+}
+
+TEST_P(AllModels, SpectrumIntegratesToItsCumulativeForm)
+{
+  // Over octaves, so that each piece is smooth.
+  double low = Lowest(field);
+  double sum = 0.0;
+  for (double high = std::max(0.02, 2.0 * low); high < 3000.0; high *= 2.0)
+  {
+    sum += Integrate([&](double w) { return RadialSpectrum(field, w); }, low, high);
+    EXPECT_NEAR(sum, SpectrumBelow(field, high), 1e-6) << "up to " << high;
+    low = high;
+  }
+}
+
+TEST_P(AllModels, SpectrumIntegratesToOne)
+{
+  EXPECT_EQ(SpectrumBelow(field, 0.0), 0.0);
+  // The slowest tails fall as 1 / w (and w^-1.2 for this fractal, 1 / log for none).
+  EXPECT_NEAR(SpectrumBelow(field, 1e9), 1.0, 1e-6);
+}
+
+// C(r) = s2 * integral of f(w) J0(w r). Integrating by parts, s2 * integral of F(w) r J1(w r), with 1 - F decaying,
+// C(r) = s2 * (1 - ...) ; here the plain integral is taken between the zeros of J0 and its alternating sum averaged.
+TEST_P(AllModels, HankelTransformOfTheSpectrumIsTheCovariance)
+{
+  for (double r : { 0.3, 1.0, 2.0, 4.0, 7.0 })
+  {
+    double low = Lowest(field);
+    double sum = 0.0;
+    // Up to the first zero beyond the spectrum's start, over octaves to resolve its peak.
+    int zero = 1;
+    while (boost::math::cyl_bessel_j_zero(0.0, zero) / r <= low + 1e-12)
+    {
+      ++zero;
+    }
+    // Partial sums over zeros; repeated averaging removes the alternation (Euler).
+    std::vector<double> partial;
+    for (int k = 0; k < 900; ++k)
+    {
+      const double high = boost::math::cyl_bessel_j_zero(0.0, zero + k) / r;
+      const auto integrand = [&](double w) { return RadialSpectrum(field, w) * boost::math::cyl_bessel_j(0, w * r); };
+      const int pieces = k == 0 ? 64 : 1;
+      for (int p = 0; p < pieces; ++p)
+      {
+        sum += Integrate(integrand, low + (high - low) * p / pieces, low + (high - low) * (p + 1) / pieces);
+      }
+      low = high;
+      if (k >= 870)
+      {
+        partial.push_back(sum);
+      }
+    }
+    while (partial.size() > 1)
+    {
+      for (std::size_t i = 0; i + 1 < partial.size(); ++i)
+      {
+        partial[i] = 0.5 * (partial[i] + partial[i + 1]);
+      }
+      partial.pop_back();
+    }
+    EXPECT_NEAR(field.Variance * partial[0], Covariance(field, r), 1e-6 * field.Variance) << "at " << r;
+  }
+}
+
+TEST_P(AllModels, SemivarianceAndCovarianceAddUpToTheVariance)
+{
+  for (double r : { 0.0, 0.01, 0.5, 3.0, 20.0, 170.0, 180.0, 2000.0 })
+  {
+    EXPECT_NEAR(Semivariance(field, r) + Covariance(field, r), field.Variance, 1e-12) << "at " << r;
+  }
+  EXPECT_EQ(Semivariance(field, 0.0), 0.0);
+}
+
+TEST_P(AllModels, TailIsWhereItIsSaidToBe)
+{
+  for (double part : { 0.5, 0.01, 0.001 })
+  {
+    EXPECT_NEAR(1.0 - SpectrumBelow(field, WaveNumberAtTail(field, part)), part, 1e-6 * part + 1e-12);
+  }
+}
+
+// The part of the variance in long waves, by parts in the code, as the integral that it is.
+TEST_P(AllModels, LongWavesHoldTheIntegralOfTheirShare)
+{
+  const Crossover crossover = { 0.6, 1.7 };
+  EXPECT_EQ(crossover.LongPart(0.6), 1.0);
+  EXPECT_EQ(crossover.LongPart(1.7), 0.0);
+  EXPECT_NEAR(crossover.LongPart(1.15), 0.5, 1e-12);
+  double sum = SpectrumBelow(field, crossover.Low);
+  double low = crossover.Low;
+  for (double high : { 0.9, 1.3, 1.7, 2.5 })
+  {
+    sum += Integrate([&](double w) { return RadialSpectrum(field, w) * crossover.LongPart(w); }, low, high);
+    EXPECT_NEAR(crossover.LongBelow(field, high), sum, 1e-7) << "up to " << high;
+    low = high;
+  }
+}
+
+TEST_P(AllModels, BadParametersAreNamed)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(WhyInvalid(field), "");
+  for (double bad : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
+  {
+    CovarianceParameters broken = field;
+    broken.Range = bad;
+    EXPECT_NE(WhyInvalid(broken).find("Range"), std::string::npos);
+  }
+  CovarianceParameters broken = field;
+  broken.Variance = nan;
+  EXPECT_NE(WhyInvalid(broken), "");
+  broken.Variance = -1.0;
+  EXPECT_NE(WhyInvalid(broken), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Covariance, AllModels, testing::Range(0, NumberOfCovarianceModels),
+  [](const auto& info) { return CovarianceModelName(static_cast<CovarianceModel>(info.param)); });
+
+TEST(Covariance, FractalDimensionOutsideTwoToThreeIsNamed)
+{
+  CovarianceParameters field = Field(CovarianceModel::Fractal);
+  for (double bad : { 2.0, 3.0, 1.5, 3.5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    field.FractalDimension = bad;
+    EXPECT_NE(WhyInvalid(field).find("FractalDimension"), std::string::npos) << bad;
+  }
+}
+
+TEST(Covariance, TelisWithEqualScalesIsBessel1)
+{
+  CovarianceParameters telis = Field(CovarianceModel::Telis);
+  CovarianceParameters whittle = Field(CovarianceModel::Bessel1);
+  for (double nearly : { 1.0, 1.0 + 1e-4 })
+  {
+    telis.SecondRange = telis.Range * nearly;
+    for (double x : { 0.1, 1.0, 5.0 })
+    {
+      EXPECT_NEAR(Covariance(telis, x), Covariance(whittle, x), 1e-3);
+      EXPECT_NEAR(RadialSpectrum(telis, x), RadialSpectrum(whittle, x), 1e-3);
+    }
+  }
+}
+
+TEST(Covariance, FractalVariogramIsThePowerLawAtShortDistances)
+{
+  CovarianceParameters field = Field(CovarianceModel::Fractal);
+  const double H = 3.0 - field.FractalDimension;
+  const double x = TwoPi * 0.001 / field.Range;
+  const double power = field.Variance * std::pow(0.5 * x, 2.0 * H) * std::tgamma(1.0 - H) / std::tgamma(1.0 + H);
+  EXPECT_NEAR(Semivariance(field, 0.001) / power, 1.0, 1e-3);
+  // Smooth where the series hands over to the asymptotic form, at 2 pi r / Range = 22.
+  const double r = 22.0 * field.Range / TwoPi;
+  EXPECT_NEAR(Semivariance(field, r * (1 - 1e-9)), Semivariance(field, r * (1 + 1e-9)), 1e-7);
+}

@@ -1,0 +1,839 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The spectral wind against its own model: spectra, coherence, profile, the reference method, bytes, bad input.
+#include "Wind/WindCholesky.h"
+#include "Wind/WindField.h"
+#include "Wind/WindLines.h"
+
+#include <gtest/gtest.h>
+
+#include <kissfft/kissfft.hh>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <thread>
+
+using namespace littoral;
+
+namespace
+{
+
+const double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+WindGrid GridOf(int along, int across, int up, double spacing = 2.0)
+{
+  WindGrid grid;
+  grid.Count = { along, across, up };
+  grid.TimeStep = 0.05;
+  grid.LateralSpacing = grid.VerticalSpacing = spacing;
+  return grid;
+}
+
+std::vector<float> Wind(const WindGrid& grid, const WindSynthesis& synthesis = {}, const WindModel& model = {})
+{
+  return WindField(model, grid, synthesis).Make();
+}
+
+/// One-sided Fourier amplitudes in time of one component, line after line, across fastest.
+std::vector<std::vector<std::complex<double>>> Spectra(
+  const std::vector<float>& field, const WindGrid& grid, int component)
+{
+  const int length = grid.Count[0];
+  kissfft<double> forward(length, false);
+  std::vector<std::complex<double>> series(length);
+  std::vector<std::complex<double>> spectrum(length);
+  std::vector<std::vector<std::complex<double>>> spectra;
+  for (std::size_t line = 0; line < grid.NumberOfLines(); ++line)
+  {
+    for (int time = 0; time < length; ++time)
+    {
+      const std::size_t index = line * length + (length - time) % length; // lines run against time
+      series[time] = field[index * WindComponents + component];
+    }
+    forward.transform(series.data(), spectrum.data());
+    spectra.emplace_back(spectrum.begin(), spectrum.begin() + length / 2 + 1);
+  }
+  return spectra;
+}
+
+/// Mean over the plane of the one-sided density that a field has, and of what the model says, frequency by frequency.
+struct PlaneSpectrum
+{
+  std::vector<double> Has;
+  std::vector<double> Wants;
+};
+
+PlaneSpectrum PlaneMean(
+  const std::vector<float>& field, const WindGrid& grid, int component, const WindModel& model = {})
+{
+  const auto spectra = Spectra(field, grid, component);
+  const double factor = 2.0 * grid.Period() / std::pow(grid.Count[0], 2.0) / grid.NumberOfLines();
+  PlaneSpectrum mean{ std::vector<double>(spectra[0].size(), 0.0), std::vector<double>(spectra[0].size(), 0.0) };
+  for (std::size_t k = 1; k < spectra[0].size(); ++k)
+  {
+    for (std::size_t line = 0; line < spectra.size(); ++line)
+    {
+      const double height = grid.Height(static_cast<int>(line) / grid.Count[1]);
+      mean.Has[k] += factor * std::norm(spectra[line][k]);
+      mean.Wants[k] += SpectralDensity(model, component, k / grid.Period(), height) / grid.NumberOfLines();
+    }
+  }
+  return mean;
+}
+
+/// The largest difference of the means over third-octave bands from low to high [Hz], in decibels.
+double WorstBand(const PlaneSpectrum& spectrum, const WindGrid& grid, double low, double high)
+{
+  double worst = 0.0;
+  for (double begin = low; begin < high; begin *= std::pow(2.0, 1.0 / 3.0))
+  {
+    const double end = std::min(high, begin * std::pow(2.0, 1.0 / 3.0));
+    double has = 0.0;
+    double wants = 0.0;
+    for (std::size_t k = 1; k < spectrum.Has.size(); ++k)
+    {
+      const double hertz = k / grid.Period();
+      if (hertz >= begin && hertz < end)
+      {
+        has += spectrum.Has[k];
+        wants += spectrum.Wants[k];
+      }
+    }
+    if (wants > 0.0)
+    {
+      worst = std::max(worst, std::abs(10.0 * std::log10(has / wants)));
+    }
+  }
+  return worst;
+}
+
+/// Slope of a density over frequency, both logarithmic, by least squares.
+double Slope(const std::vector<double>& density, const WindGrid& grid, double low, double high)
+{
+  double n = 0.0;
+  double x1 = 0.0;
+  double y1 = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (std::size_t k = 1; k < density.size(); ++k)
+  {
+    const double hertz = k / grid.Period();
+    if (hertz >= low && hertz <= high)
+    {
+      const double x = std::log(hertz);
+      const double y = std::log(density[k]);
+      n += 1.0;
+      x1 += x;
+      y1 += y;
+      xx += x * x;
+      xy += x * y;
+    }
+  }
+  return (n * xy - x1 * y1) / (n * xx - x1 * x1);
+}
+
+/// Root coherence of pairs of lines a number of columns and layers apart, in bands of an octave.
+struct CoherenceBands
+{
+  static constexpr int Bands = 10;
+  static constexpr double Lowest = 0.01; // [Hz]
+  std::array<double, Bands> Cross{};
+  std::array<double, Bands> Auto{};
+  std::array<double, Bands> Wants{};
+  std::array<double, Bands> Count{};
+
+  /// The spectra must be scaled to mean squares of 1.
+  void Add(const std::vector<std::vector<std::complex<double>>>& spectra, const WindGrid& grid, int component,
+    int across, int up)
+  {
+    const int columns = grid.Count[1] - across;
+    const int layers = grid.Count[2] - up;
+    for (std::size_t k = 1; k + 1 < spectra[0].size(); ++k)
+    {
+      const double hertz = k / grid.Period();
+      const int band = static_cast<int>(std::floor(std::log2(hertz / Lowest)));
+      if (band < 0 || band >= Bands)
+      {
+        continue;
+      }
+      for (int pair = 0; pair < columns * layers; ++pair)
+      {
+        const int line = pair / columns * grid.Count[1] + pair % columns;
+        const auto a = spectra[line][k];
+        const auto b = spectra[line + up * grid.Count[1] + across][k];
+        this->Cross[band] += a.real() * b.real() + a.imag() * b.imag();
+        this->Auto[band] += 0.5 * (std::norm(a) + std::norm(b));
+      }
+      this->Wants[band] +=
+        columns * layers * RootCoherence({}, component, hertz, across * grid.LateralSpacing, up * grid.VerticalSpacing);
+      this->Count[band] += columns * layers;
+    }
+  }
+
+  /// Largest difference from the model over the bands from a frequency [Hz] on.
+  double Worst(double low) const
+  {
+    double worst = 0.0;
+    for (int band = 0; band < Bands; ++band)
+    {
+      if (Lowest * std::pow(2.0, band) >= low && this->Count[band] > 0.0)
+      {
+        worst = std::max(worst, std::abs(this->Has(band) - this->Wants[band] / this->Count[band]));
+      }
+    }
+    return worst;
+  }
+
+  double Has(int band) const { return this->Cross[band] / this->Auto[band]; }
+};
+
+/// The spectra of all lines, each divided by the root of what the model says at its height.
+std::vector<std::vector<std::complex<double>>> ScaledSpectra(
+  const std::vector<float>& field, const WindGrid& grid, int component)
+{
+  auto spectra = Spectra(field, grid, component);
+  const double unit = std::sqrt(2.0 * grid.Period()) / grid.Count[0];
+  for (int layer = 0; layer < grid.Count[2]; ++layer)
+  {
+    for (std::size_t k = 1; k < spectra[0].size(); ++k)
+    {
+      const double scale = unit / std::sqrt(SpectralDensity({}, component, k / grid.Period(), grid.Height(layer)));
+      for (int column = 0; column < grid.Count[1]; ++column)
+      {
+        spectra[layer * grid.Count[1] + column][k] *= scale;
+      }
+    }
+  }
+  return spectra;
+}
+
+/// Runs in as many parts as asked, each on a thread of its own.
+ParallelFor OnThreads(int threads)
+{
+  return [threads](std::size_t count, const RangeTask& task) {
+    std::vector<std::thread> others;
+    for (int t = 0; t < threads; ++t)
+    {
+      others.emplace_back([&, t] { task(count * t / threads, count * (t + 1) / threads); });
+    }
+    for (std::thread& other : others)
+    {
+      other.join();
+    }
+  };
+}
+
+double Integral(int component)
+{
+  // Substitution f = exp(x): the integrand falls off exponentially at both ends.
+  const WindModel model;
+  double sum = 0.0;
+  const double step = 0.01;
+  for (double x = -40.0; x < 60.0; x += step)
+  {
+    sum += step * std::exp(x) * SpectralDensity(model, component, std::exp(x), 20.0);
+  }
+  return sum / std::pow(FrictionVelocity(model), 2.0);
+}
+
+}
+
+TEST(WindSpectrum, VariancesAreTheClosedForms)
+{
+  const double pi = std::acos(-1.0);
+  const double wants[] = { 200.0 / 50.0 * 1.5, 15.0 / 9.5 * 1.5,
+    3.36 * std::pow(10.0, -0.6) * 0.6 * pi / std::sin(0.6 * pi) };
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const double has = Integral(component);
+    std::cout << "variance / u*^2 of component " << component << ": " << has << ", closed form " << wants[component]
+              << "\n";
+    EXPECT_NEAR(has, wants[component], 1e-5);
+  }
+}
+
+TEST(WindSpectrum, KaimalHasTheVarianceAskedFor)
+{
+  WindModel model;
+  model.Spectrum = WindSpectrumModel::IecKaimal;
+  double sum = 0.0;
+  for (double x = -40.0; x < 60.0; x += 0.01)
+  {
+    sum += 0.01 * std::exp(x) * SpectralDensity(model, 0, std::exp(x), 20.0);
+  }
+  EXPECT_NEAR(std::sqrt(sum), model.TurbulenceIntensity * model.ReferenceSpeed, 1e-4);
+}
+
+TEST(WindField, SpectraOfOneRun)
+{
+  const WindGrid grid = GridOf(12000, 32, 32);
+  const std::vector<float> field = Wind(grid);
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const PlaneSpectrum spectrum = PlaneMean(field, grid, component);
+    const double worst = WorstBand(spectrum, grid, 0.2, 9.0);
+    const double has = Slope(spectrum.Has, grid, 1.0, 8.0);
+    const double wants = Slope(spectrum.Wants, grid, 1.0, 8.0);
+    std::cout << "component " << component << ": third-octave bands 0.2-9 Hz within " << worst
+              << " dB; slope at 1-8 Hz " << has << ", of the model " << wants << "\n";
+    EXPECT_LT(worst, 0.15);
+    EXPECT_NEAR(has, wants, 0.01);
+  }
+}
+
+TEST(WindField, MeanIsTheLogarithmicLaw)
+{
+  const WindGrid grid = GridOf(8192, 8, 16);
+  const std::vector<float> field = Wind(grid);
+  double worst = 0.0;
+  for (int layer = 0; layer < grid.Count[2]; ++layer)
+  {
+    const std::size_t count = static_cast<std::size_t>(grid.Count[0]) * grid.Count[1];
+    double sum[3] = { 0.0, 0.0, 0.0 };
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      for (int component = 0; component < 3; ++component)
+      {
+        sum[component] += field[(layer * count + n) * 3 + component] / count;
+      }
+    }
+    const double law = MeanSpeed({}, grid.Height(layer));
+    worst = std::max({ worst, std::abs(sum[0] / law - 1.0), std::abs(sum[1]) / law, std::abs(sum[2]) / law });
+  }
+  std::cout << "mean off the logarithmic law by " << worst << " at most\n";
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(WindField, CoherenceOfSixRuns)
+{
+  const WindGrid grid = GridOf(12000, 32, 32);
+  std::array<std::array<CoherenceBands, 8>, 3> bands;
+  const int steps[] = { 1, 2, 4, 8 };
+  CoherenceBands wrap;
+  for (int seed = 1; seed <= 6; ++seed)
+  {
+    WindSynthesis synthesis;
+    synthesis.Seed = seed;
+    const std::vector<float> field = Wind(grid, synthesis);
+    for (int component = 0; component < 3; ++component)
+    {
+      const auto spectra = ScaledSpectra(field, grid, component);
+      for (int n = 0; n < 4; ++n)
+      {
+        bands[component][n].Add(spectra, grid, component, steps[n], 0);
+        bands[component][4 + n].Add(spectra, grid, component, 0, steps[n]);
+      }
+      wrap.Add(spectra, grid, component, 0, grid.Count[2] - 1);
+    }
+  }
+  double worst = 0.0;
+  double fast = 0.0;
+  for (const auto& component : bands)
+  {
+    for (const CoherenceBands& one : component)
+    {
+      worst = std::max(worst, one.Worst(0.0));
+      fast = std::max(fast, one.Worst(0.2));
+    }
+  }
+  std::cout << "root coherence over 6 runs, 2 to 16 m apart, octaves from 0.01 Hz: within " << worst
+            << "; above 0.2 Hz within " << fast << "\n";
+  EXPECT_LT(worst, 0.06);
+  EXPECT_LT(fast, 0.01);
+
+  // On a circle without padding, top and bottom would be one spacing apart: a coherence of 0.55 at 0.3 Hz.
+  const double leak = wrap.Worst(0.2);
+  std::cout << "top and bottom layer, above 0.2 Hz: root coherence " << leak << " off the model\n";
+  EXPECT_LT(leak, 0.01);
+}
+
+TEST(WindField, ImpliedCoherenceIsTheModelWithinTheReportedError)
+{
+  const WindGrid grid = GridOf(2000, 16, 16);
+  WindField field({}, grid, {});
+  field.Make();
+  double worst = 0.0;
+  double fast = 0.0;
+  double topBottom = 0.0;
+  for (int component = 0; component < 3; ++component)
+  {
+    for (int frequency = 1; frequency <= 1000; ++frequency)
+    {
+      const double hertz = frequency / grid.Period();
+      const std::vector<float> implied = field.ImpliedCoherence(component, frequency);
+      for (int k = 0; k < grid.Count[2]; ++k)
+      {
+        for (int j = 0; j < grid.Count[1]; ++j)
+        {
+          const double error = std::abs(implied[k * grid.Count[1] + j] -
+            RootCoherence({}, component, hertz, j * grid.LateralSpacing, k * grid.VerticalSpacing));
+          worst = std::max(worst, error);
+          if (hertz > 0.2)
+          {
+            fast = std::max(fast, error);
+            topBottom = k == grid.Count[2] - 1 ? std::max(topBottom, error) : topBottom;
+          }
+        }
+      }
+    }
+  }
+  std::cout << "implied root coherence within " << worst << " (reported " << field.GetCoherenceError()
+            << "), above 0.2 Hz within " << fast << ", of top and bottom there within " << topBottom << "\n";
+  EXPECT_NEAR(worst, field.GetCoherenceError(), 1e-4);
+  EXPECT_LT(worst, 0.03);
+  EXPECT_LT(fast, 1e-4);
+}
+
+TEST(WindField, AgreesWithCholesky)
+{
+  const WindGrid grid = GridOf(2000, 8, 8);
+  for (int component = 0; component < 3; ++component)
+  {
+    PlaneSpectrum both{ std::vector<double>(1001, 0.0), std::vector<double>(1001, 0.0) };
+    std::array<std::array<CoherenceBands, 2>, 2> bands; // by method, then across and up
+    for (int seed = 1; seed <= 12; ++seed)
+    {
+      WindSynthesis synthesis;
+      synthesis.Seed = seed;
+      const std::vector<float> fields[] = { Wind(grid, synthesis), CholeskyWind({}, grid, synthesis) };
+      for (int method = 0; method < 2; ++method)
+      {
+        const PlaneSpectrum spectrum = PlaneMean(fields[method], grid, component);
+        std::vector<double>& sum = method == 0 ? both.Has : both.Wants;
+        std::transform(sum.begin(), sum.end(), spectrum.Has.begin(), sum.begin(), std::plus<double>());
+        const auto spectra = ScaledSpectra(fields[method], grid, component);
+        bands[method][0].Add(spectra, grid, component, 2, 0);
+        bands[method][1].Add(spectra, grid, component, 0, 2);
+      }
+    }
+    const double decibels = WorstBand(both, grid, 1.0, 9.0);
+    double apart = 0.0;
+    for (int band = 5; band < CoherenceBands::Bands - 1; ++band) // from 0.32 Hz
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        apart = std::max(apart, std::abs(bands[0][axis].Has(band) - bands[1][axis].Has(band)));
+      }
+    }
+    std::cout << "component " << component << ", 8 x 8, 12 runs: spectra of the two methods at 1-9 Hz within "
+              << decibels << " dB, root coherence from 0.32 Hz within " << apart << "\n";
+    EXPECT_LT(decibels, 0.15);
+    EXPECT_LT(apart, 0.02);
+  }
+}
+
+TEST(WindField, NormalizedVarianceIsTheSumOfTheSpectrum)
+{
+  const WindGrid grid = GridOf(1000, 8, 4);
+  WindSynthesis synthesis;
+  synthesis.NormalizeVariance = true;
+  for (WindPhases phases : { WindPhases::Uniform, WindPhases::GaussianAmplitudes })
+  {
+    synthesis.Phases = phases;
+    const std::vector<float> field = Wind(grid, synthesis);
+    for (int layer = 0; layer < 4; ++layer)
+    {
+      for (int component = 0; component < 3; ++component)
+      {
+        double wants = 0.0;
+        for (int frequency = 1; frequency <= 500; ++frequency)
+        {
+          wants += (frequency == 500 ? 0.5 : 1.0) / grid.Period() *
+            SpectralDensity({}, component, frequency / grid.Period(), grid.Height(layer));
+        }
+        const double mean = component == 0 ? MeanSpeed({}, grid.Height(layer)) : 0.0;
+        double has = 0.0;
+        for (std::size_t n = 0; n < 8000; ++n)
+        {
+          has += std::pow(field[(layer * std::size_t{ 8000 } + n) * 3 + component] - mean, 2.0) / 8000.0;
+        }
+        EXPECT_NEAR(has / wants, 1.0, 1e-5);
+      }
+    }
+  }
+}
+
+namespace
+{
+
+/// A component of a line at a place between its samples, by the definition of its Fourier series.
+double SumOfWaves(const float* line, int length, int component, double place)
+{
+  const double unit = 2.0 * std::acos(-1.0) / length;
+  double sum = 0.0;
+  for (int k = 0; 2 * k <= length; ++k)
+  {
+    std::complex<double> wave(0.0);
+    for (int n = 0; n < length; ++n)
+    {
+      wave += static_cast<double>(line[3 * n + component]) * std::polar(1.0 / length, -unit * (k * n % length));
+    }
+    sum += (k == 0 || 2 * k == length ? 1.0 : 2.0) * (wave * std::polar(1.0, unit * k * place)).real();
+  }
+  return sum;
+}
+
+/// Variance over a period of a component of a line.
+double Variance(const float* line, int length, int component)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int n = 0; n < length; ++n)
+  {
+    sum += line[3 * n + component];
+    squares += std::pow(line[3 * n + component], 2.0);
+  }
+  return squares / length - std::pow(sum / length, 2.0);
+}
+
+/// What the waves of a grid carry by the spectrum at a height.
+double VarianceOfWaves(const WindGrid& grid, int component, double height)
+{
+  double sum = 0.0;
+  for (int frequency = 1; frequency < grid.Count[0] / 2; ++frequency)
+  {
+    sum += SpectralDensity({}, component, frequency / grid.Period(), height) / grid.Period();
+  }
+  return sum;
+}
+
+}
+
+TEST(WindField, DoesNotPulseBetweenItsTimes)
+{
+  // A straight line between samples has 0.54 to 0.97 of the variance half-way, and 0.5 or 0 of the fastest waves.
+  for (const int length : { 4, 60, 600 })
+  {
+    for (const double step : { 0.025, 0.1, 1.0 })
+    {
+      WindGrid grid;
+      grid.Count = { length, 11, 2 }; // a whole pack of lines and a part of one
+      grid.TimeStep = step;
+      const std::vector<float> field = Wind(grid);
+      const WindCarrier carrier(length);
+      WindCarrier::Room room(length);
+      double worst = 0.0;
+      double off = 0.0;
+      for (int part = 1; part < 16; ++part)
+      {
+        for (int first : { 0, FourierLanes })
+        {
+          const int lines = std::min(FourierLanes, 11 - first);
+          carrier.Carry(&field[std::size_t(3) * length * first], lines, part / 16.0, room);
+          for (int line = 0; line < lines; ++line)
+          {
+            const float* was = &field[std::size_t(3) * length * (first + line)];
+            const float* is = &room.Velocities[std::size_t(3) * length * line];
+            for (int component = 0; component < 3; ++component)
+            {
+              worst =
+                std::max(worst, std::abs(Variance(is, length, component) / Variance(was, length, component) - 1.0));
+            }
+            for (int n = 0; n < length && part % 5 == 3 && line % 5 == 2; n += length / 4)
+            {
+              off = std::max(off, std::abs(is[3 * n + 1] - SumOfWaves(was, length, 1, n - part / 16.0)));
+            }
+          }
+        }
+      }
+      std::cout << length << " samples of " << step << " s: at 15 times between steps the variance is within " << worst
+                << " of that at them, the wind within " << off << " m/s of its Fourier series\n";
+      EXPECT_LT(worst, 1e-4); // single precision, with the mean wind in it
+      EXPECT_LT(off, 2e-5);
+    }
+  }
+}
+
+TEST(WindLines, AlongTheWindTheSumOfWaves)
+{
+  // Of lengths that are and are not a product of 2, 3 and 5.
+  for (const int length : { 60, 61, 62 })
+  {
+    std::vector<float> field(std::size_t(3) * length * 6);
+    for (std::size_t n = 0; n < field.size(); ++n)
+    {
+      field[n] = static_cast<float>(std::sin(0.7 * static_cast<double>(n * n % 1009)));
+    }
+    const WindLines lines(field.data(), { length, 2, 3 });
+    std::vector<Vector3> velocities(2 * length);
+    for (const double first : { 0.0, -7.0, 100.5, 1e6 + 0.125 })
+    {
+      lines.Sample({ 13.3, 1.0, 2.0 }, first, velocities.size(), velocities.data());
+      const float* line = &field[std::size_t(3) * length * 5];
+      for (int n = 0; n < 2 * length; n += 7)
+      {
+        const double place = std::fmod(13.3 - first - n, length);
+        for (int component = 0; component < 3; ++component)
+        {
+          ASSERT_NEAR(velocities[n][component], SumOfWaves(line, length, component, place), 2e-6) << length;
+        }
+      }
+    }
+    // At a sample the sample, beyond the edges those of the edge.
+    lines.Sample({ 5.0, -1.0, 7.0 }, 0.0, 2, velocities.data());
+    EXPECT_NEAR(velocities[0].x, field[3 * (5 + length * 4)], 1e-6);
+    EXPECT_NEAR(velocities[1].z, field[3 * (4 + length * 4) + 2], 1e-6);
+  }
+}
+
+TEST(WindLines, VarianceAndSpectrumBetweenLines)
+{
+  // Half-way between four lines a bilinear mean has 0.3 to 0.9 of the variance, and a quarter of that of short waves.
+  // One run is brought to its spectrum's variance layer by layer; of places that repeat with the lines only the edges
+  // of the plane do not cancel, hence 1 %.
+  for (const double spacing : { 1.0, 4.0, 16.0 })
+  {
+    WindGrid grid;
+    grid.Count = { 600, 65, 4 };
+    grid.LateralSpacing = spacing;
+    grid.VerticalSpacing = 0.5 * spacing;
+    grid.BottomHeight = 4.0;
+    WindSynthesis synthesis;
+    synthesis.NormalizeVariance = true;
+    const std::vector<float> field = Wind(grid, synthesis);
+    const WindLines lines(field.data(), grid.Count);
+    std::vector<Vector3> series(600);
+    std::array<double, 3> low{ 2.0, 2.0, 2.0 };
+    std::array<double, 3> high{};
+    std::array<double, 3> fast{}; // of waves of 1 to 5 Hz, half-way
+    for (int part = 0; part < 16; ++part)
+    {
+      const double up = 1.0 + 0.0625 * (7 * part % 16);
+      std::array<double, 3> has{};
+      for (int column = 0; column < 64; ++column)
+      {
+        lines.Sample({ 0.37 * column, column + part / 16.0, up }, 0.5, 600, series.data());
+        std::vector<float> values(1800);
+        for (int n = 0; n < 1800; ++n)
+        {
+          values[n] = static_cast<float>(series[n / 3][n % 3]);
+        }
+        for (int component = 0; component < 3; ++component)
+        {
+          has[component] += Variance(values.data(), 600, component) / 64.0;
+        }
+        if (part == 8)
+        {
+          for (int component = 0; component < 3; ++component)
+          {
+            const auto waves = Spectra(values, GridOf(600, 1, 1), component).front();
+            for (int k = 60; k < 300; ++k)
+            {
+              fast[component] += 2.0 * std::norm(waves[k] / 600.0) / 64.0;
+            }
+          }
+        }
+      }
+      for (int component = 0; component < 3; ++component)
+      {
+        const double wants = VarianceOfWaves(grid, component, grid.BottomHeight + up * grid.VerticalSpacing);
+        low[component] = std::min(low[component], has[component] / wants);
+        high[component] = std::max(high[component], has[component] / wants);
+      }
+    }
+    // The same of the lines of both layers, brought from their heights to the place's.
+    for (int component = 0; component < 3; ++component)
+    {
+      const auto spectra = Spectra(field, grid, component);
+      const auto density = [&](int k, double layer) {
+        return SpectralDensity({}, component, k / 60.0, grid.BottomHeight + layer * grid.VerticalSpacing);
+      };
+      double lines = 0.0;
+      for (int k = 60; k < 300; ++k)
+      {
+        for (int line = 0; line < 130; ++line)
+        {
+          const int layer = 1 + line / 65;
+          lines += 2.0 * std::norm(spectra[65 + line][k] / 600.0) / 130.0 * density(k, 1.5) / density(k, layer);
+        }
+      }
+      fast[component] /= lines;
+    }
+    for (int component = 0; component < 3; ++component)
+    {
+      std::cout << "lines " << spacing << " m apart, component " << component << ": at 16 places between them "
+                << low[component] << " to " << high[component] << " of the spectrum's variance, half-way "
+                << fast[component] << " of the lines' from 1 to 5 Hz\n";
+      EXPECT_GT(low[component], 0.99);
+      EXPECT_LT(high[component], 1.01);
+      // The mean of the densities of layers 8 m apart is 2 % above that half-way, as it falls with the height.
+      EXPECT_NEAR(fast[component], 1.0, 0.03);
+    }
+  }
+}
+
+TEST(WindLines, MeanAndVarianceBetweenTheLowestLayers)
+{
+  // The layers of the default grid at 1 and 3 m. By the height itself, half-way, the mean is 3.6 % and the variance up
+  // to 3.3 % too small.
+  WindGrid grid;
+  grid.Count = { 600, 65, 2 };
+  WindSynthesis synthesis;
+  synthesis.NormalizeVariance = true;
+  const std::vector<float> field = Wind(grid, synthesis);
+  const WindLines lines(field.data(), grid.Count);
+  std::vector<Vector3> series(600);
+  double worst = 0.0;
+  for (int part = 0; part < 16; ++part)
+  {
+    const double height = 1.0 + part / 8.0;
+    std::array<double, 3> has{};
+    for (int column = 0; column < 65; ++column)
+    {
+      lines.Sample({ 0.0, 1.0 * column, LayerPlace(height, 1.0, 2.0) }, 0.5, 600, series.data());
+      Vector3 mean(0.0);
+      Vector3 square(0.0);
+      for (const Vector3& velocity : series)
+      {
+        mean += velocity / 600.0;
+        square += velocity * velocity / 600.0;
+      }
+      EXPECT_NEAR(mean.x / MeanSpeed({}, height), 1.0, 1e-6);
+      for (int component = 0; component < 3; ++component)
+      {
+        has[component] += (square[component] - mean[component] * mean[component]) / 65.0;
+      }
+    }
+    for (int component = 0; component < 3; ++component)
+    {
+      worst = std::max(worst, std::abs(has[component] / VarianceOfWaves(grid, component, height) - 1.0));
+    }
+  }
+  std::cout << "at 16 heights from 1 to 3 m the variance is within " << worst << " of the spectrum's\n";
+  EXPECT_LT(worst, 0.01);
+  // Below the ground there is no logarithm; beyond the layers the place is beyond.
+  EXPECT_DOUBLE_EQ(LayerPlace(1.0, 0.0, 2.0), 0.5);
+  EXPECT_LT(LayerPlace(0.5, 1.0, 2.0), 0.0);
+  EXPECT_GT(LayerPlace(9.0, 1.0, 2.0), 4.0 - 1e-12);
+}
+
+TEST(WindSpectrum, IecCoherenceByHand)
+{
+  WindModel model;
+  model.ReferenceSpeed = 12.0;
+  model.Coherence = WindCoherenceModel::Iec;
+  // IEC 61400-1 ed. 3, eq. B.16: hub at 90 m, Lambda_1 = 42 m and L_c = 340.2 m; at 40 m 28 m and 226.8 m.
+  model.ReferenceHeight = 90.0;
+  EXPECT_NEAR(RootCoherence(model, 0, 0.05, 12.0, 16.0), std::exp(-12.0 * std::hypot(1.0 / 12.0, 2.4 / 340.2)), 1e-12);
+  EXPECT_NEAR(RootCoherence(model, 0, 0.0, 30.0, 0.0), std::exp(-12.0 * 3.6 / 340.2), 1e-12);
+  model.ReferenceHeight = 40.0;
+  EXPECT_NEAR(RootCoherence(model, 0, 0.2, 0.0, 10.0), std::exp(-12.0 * std::hypot(2.0 / 12.0, 1.2 / 226.8)), 1e-12);
+  EXPECT_EQ(RootCoherence(model, 0, 1.0, 0.0, 0.0), 1.0);
+  // The standard is silent about the others: their own decays, over the mean at 10 m.
+  EXPECT_NEAR(RootCoherence(model, 2, 0.1, 3.0, 4.0), std::exp(-8.0 * 0.1 * 5.0 / MeanSpeed(model, 10.0)), 1e-12);
+}
+
+TEST(WindField, IecCoherenceOfTheField)
+{
+  WindModel model;
+  model.Spectrum = WindSpectrumModel::IecKaimal;
+  model.Coherence = WindCoherenceModel::Iec;
+  const WindGrid grid = GridOf(1200, 16, 16);
+  WindField field(model, grid, {});
+  field.Make();
+  double worst = 0.0;
+  for (int frequency = 1; frequency < 600; ++frequency)
+  {
+    const std::vector<float> implied = field.ImpliedCoherence(0, frequency);
+    for (int k = 0; k < 16; ++k)
+    {
+      for (int j = 0; j < 16; ++j)
+      {
+        const double distance = 2.0 * std::hypot(j, k);
+        const double wants = std::exp(-12.0 * std::hypot(frequency / 60.0 * distance / 10.0, 0.12 * distance / 56.7));
+        worst = std::max(worst, std::abs(implied[k * 16 + j] - wants));
+      }
+    }
+  }
+  std::cout << "IEC root coherence of the field within " << worst << " (reported " << field.GetCoherenceError()
+            << " for all components)\n";
+  EXPECT_LT(worst, field.GetCoherenceError() + 1e-4);
+  EXPECT_LT(worst, 0.03);
+}
+
+TEST(WindField, GaussianAmplitudesHaveUnitPower)
+{
+  WindSynthesis synthesis;
+  synthesis.Phases = WindPhases::GaussianAmplitudes;
+  std::vector<float> re(100000);
+  std::vector<float> im(re.size());
+  WindFactors(synthesis, 1, 7, 0, re.size(), re.data(), im.data());
+  double power = 0.0;
+  double fourth = 0.0;
+  for (std::size_t n = 0; n < re.size(); ++n)
+  {
+    const double square = static_cast<double>(re[n]) * re[n] + static_cast<double>(im[n]) * im[n];
+    power += square / re.size();
+    fourth += square * square / re.size();
+  }
+  EXPECT_NEAR(power, 1.0, 0.02);
+  EXPECT_NEAR(fourth, 2.0, 0.1);
+}
+
+TEST(WindField, SameBytesForAnyThreads)
+{
+  const WindGrid grid = GridOf(600, 10, 6);
+  WindField one({}, grid, {});
+  WindField two({}, grid, {});
+  WindField five({}, grid, {});
+  const std::vector<float> field = one.Make();
+  EXPECT_EQ(field, two.Make(OnThreads(2)));
+  EXPECT_EQ(field, five.Make(OnThreads(5)));
+  WindSynthesis other;
+  other.Seed = 2;
+  EXPECT_NE(field, Wind(grid, other));
+}
+
+TEST(WindField, SaysWhatIsWrong)
+{
+  const auto says = [](const char* word, const WindModel& model, const WindGrid& grid) {
+    const std::string reason = WhyInvalid(model, grid);
+    EXPECT_NE(reason.find(word), std::string::npos) << word << ": " << reason;
+  };
+  EXPECT_EQ(WhyInvalid({}, {}), "");
+  WindGrid grid;
+  grid.Count[0] = 601;
+  says("640", {}, grid);
+  grid.Count[0] = 14;
+  says("16", {}, grid);
+  grid.Count[0] = 0;
+  says("Dimensions", {}, grid);
+  for (double bad : { 0.0, -1.0, NotANumber, std::numeric_limits<double>::infinity() })
+  {
+    grid = {};
+    grid.TimeStep = bad;
+    says("TimeStep", {}, grid);
+    grid = {};
+    grid.LateralSpacing = bad;
+    says("LateralSpacing", {}, grid);
+    grid = {};
+    grid.VerticalSpacing = bad;
+    says("VerticalSpacing", {}, grid);
+    grid = {};
+    grid.BottomHeight = bad;
+    says("BottomHeight", {}, grid);
+    WindModel model;
+    model.ReferenceSpeed = bad;
+    says("ReferenceSpeed", model, {});
+    model = {};
+    model.ReferenceHeight = bad;
+    says("ReferenceHeight", model, {});
+    model = {};
+    model.RoughnessLength = bad;
+    says("RoughnessLength", model, {});
+    model = {};
+    model.Coherence = static_cast<WindCoherenceModel>(2);
+    says("Coherence", model, {});
+    model = {};
+    model.Decay[1].Vertical = bad;
+    says("LateralDecay", model, {});
+  }
+  WindModel rough;
+  rough.RoughnessLength = 1.5;
+  says("RoughnessLength of 1.5", rough, {});
+}
