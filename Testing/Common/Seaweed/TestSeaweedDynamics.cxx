@@ -4,6 +4,7 @@
 // and rates, by complex-step derivatives of positions and frames, and its derivatives by differences, taken through
 // time by Runge and Kutta's rule. Nothing is shared with the recursion under test but the description of the links.
 #include "Numerics/Constants.h"
+#include "Seaweed/SeaweedJoint.h"
 #include "Seaweed/SeaweedMotion.h"
 
 #include <Eigen/Dense>
