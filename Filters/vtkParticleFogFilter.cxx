@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleFogFilter.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Data/Blocks.h"
 #include "Data/SeaStateTable.h"
@@ -150,39 +151,23 @@ int vtkParticleFogFilter::FillInputPortInformation(int, vtkInformation* info)
 //----------------------------------------------------------------------------
 std::string vtkParticleFogFilter::WhyBadProperties() const
 {
-  std::ostringstream reason;
-  const auto isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
-  const auto isNotNegative = [](double value) { return value >= 0.0 && std::isfinite(value); };
   const bool bySpacing = this->GridBy == BySpacing;
-  if (!bySpacing && this->GridBy != ByDimensions)
+  littoral::ParameterCheck check;
+  check.Choice("GridBy", this->GridBy, 2);
+  for (int axis = 0; axis < 3 && !bySpacing; ++axis)
   {
-    reason << "GridBy is " << this->GridBy << "; it must be 0 (dimensions) or 1 (spacing).";
+    check.Count("Dimensions[" + std::to_string(axis) + "]", this->Dimensions[axis], 2, VTK_INT_MAX);
   }
-  else if (!bySpacing && *std::min_element(this->Dimensions, this->Dimensions + 3) < 2)
+  if (bySpacing)
   {
-    reason << "Dimensions are " << this->Dimensions[0] << " " << this->Dimensions[1] << " " << this->Dimensions[2]
-           << "; each must be 2 or more.";
+    check.Positive("Spacing", this->Spacing, "m");
+    check.Require(this->UseBounds, "GridBy spacing needs UseBounds: the size of the image must be known beforehand.");
   }
-  else if (bySpacing && !isPositive(this->Spacing))
-  {
-    reason << "Spacing is " << this->Spacing << " m; it must be finite and positive.";
-  }
-  else if (bySpacing && !this->UseBounds)
-  {
-    reason << "GridBy spacing needs UseBounds: the size of the image must be known beforehand.";
-  }
-  else if (!isPositive(this->ParticleRadius))
-  {
-    reason << "ParticleRadius is " << this->ParticleRadius << " m; it must be finite and positive.";
-  }
-  else if (!isNotNegative(this->ExtinctionEfficiency))
-  {
-    reason << "ExtinctionEfficiency is " << this->ExtinctionEfficiency << "; it must be finite and not negative.";
-  }
-  else if (!isNotNegative(this->WaterExtinction))
-  {
-    reason << "WaterExtinction is " << this->WaterExtinction << " 1/m; it must be finite and not negative.";
-  }
+  check.Positive("ParticleRadius", this->ParticleRadius, "m");
+  check.NotNegative("ExtinctionEfficiency", this->ExtinctionEfficiency);
+  check.NotNegative("WaterExtinction", this->WaterExtinction, "1/m");
+  std::ostringstream reason;
+  reason << check.Reason();
   for (int axis = 0; axis < 3 && this->UseBounds && reason.str().empty(); ++axis)
   {
     const double low = this->Bounds[2 * axis];

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSeaStateSource.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Data/SeaStateTable.h"
 #include "Numerics/Constants.h"
@@ -107,19 +108,12 @@ int vtkSeaStateSource::RequestData(
   cut.EqualSpacing = this->EqualSpacing;
   cut.Seed = this->Seed;
 
-  std::string reason = WhyInvalid(spectrum);
-  if (reason.empty() && this->SeaBy != Wind && this->SeaBy != HeightAndPeriod)
-  {
-    reason = "SeaBy is " + std::to_string(this->SeaBy) + "; it must be 0 or 1.";
-  }
-  if (reason.empty() && !std::isfinite(this->SeaLevel))
-  {
-    reason = "SeaLevel must be finite.";
-  }
-  if (reason.empty())
-  {
-    reason = WhyInvalid(cut);
-  }
+  ParameterCheck check;
+  check.Require(WhyInvalid(spectrum));
+  check.Choice("SeaBy", this->SeaBy, 2);
+  check.Finite("SeaLevel", this->SeaLevel, "m");
+  check.Require(WhyInvalid(cut));
+  const std::string reason = check.Reason();
   SeaState state;
   double peakPeriod = 0.0;
   double energy = 0.0;

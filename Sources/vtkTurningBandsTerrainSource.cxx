@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTurningBandsTerrainSource.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Pipeline/Pipeline.h"
 #include "Terrain/TurningBands.h"
@@ -100,10 +101,12 @@ int vtkTurningBandsTerrainSource::RequestInformation(
                                      << " layers in z: a terrain has exactly one.");
     return 0;
   }
-  if (!(this->Spacing[0] > 0.0) || !(this->Spacing[1] > 0.0) || !std::isfinite(this->Spacing[0]) ||
-    !std::isfinite(this->Spacing[1]))
+  littoral::ParameterCheck check;
+  check.Positive("Spacing[0]", this->Spacing[0]);
+  check.Positive("Spacing[1]", this->Spacing[1]);
+  if (!check.IsGood())
   {
-    vtkErrorMacro("Spacing is " << this->Spacing[0] << ", " << this->Spacing[1] << "; it must be finite and positive.");
+    vtkErrorMacro(<< check.Reason());
     return 0;
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
@@ -211,20 +214,17 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   littoral::TurningBandsParameters& bands = recipe.Bands;
   const bool automatic = bands.NumberOfLines == 0;
   bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
-  std::string reason = bands.NumberOfLines < 0 ? "NumberOfLines is negative; it must be positive, or 0 for enough."
-                                               : littoral::WhyInvalid(bands, grid);
-  if (reason.empty() && !(std::isfinite(recipe.Mean) && std::isfinite(recipe.Slope[0] + recipe.Slope[1])))
+  littoral::ParameterCheck check;
+  check.Require(bands.NumberOfLines > 0, "NumberOfLines is negative; it must be positive, or 0 for enough.");
+  check.Require(littoral::WhyInvalid(bands, grid));
+  check.Finite("Mean", recipe.Mean);
+  check.Finite("Slope[0]", recipe.Slope[0]);
+  check.Finite("Slope[1]", recipe.Slope[1]);
+  check.NotNegative("TrendWidth", recipe.TrendSides[0]);
+  check.NotNegative("TrendHeight", recipe.TrendSides[1]);
+  if (!check.IsGood())
   {
-    reason = "Mean and Slope must be finite.";
-  }
-  const auto isSide = [](double side) { return std::isfinite(side) && side >= 0.0; };
-  if (reason.empty() && !(isSide(recipe.TrendSides[0]) && isSide(recipe.TrendSides[1])))
-  {
-    reason = "TrendWidth and TrendHeight must be finite and not negative.";
-  }
-  if (!reason.empty())
-  {
-    vtkErrorMacro("Cannot grow " << recipe.Name << ": " << reason);
+    vtkErrorMacro("Cannot grow " << recipe.Name << ": " << check.Reason());
     return false;
   }
   if (automatic)

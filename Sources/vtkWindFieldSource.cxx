@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindFieldSource.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Data/Arrays.h"
 #include "Pipeline/Pipeline.h"
@@ -152,22 +153,15 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
 {
   const Recipe recipe = this->MakeRecipe();
   const littoral::WindGrid& grid = recipe.Grid;
-  std::string reason = littoral::WhyInvalid(recipe.Model, grid);
-  if (reason.empty() && this->Phases != Uniform && this->Phases != GaussianAmplitudes)
+  littoral::ParameterCheck check;
+  check.Require(littoral::WhyInvalid(recipe.Model, grid));
+  check.Choice("Phases", this->Phases, 2);
+  check.Finite("WindDirection", this->WindDirection, "degrees");
+  check.Finite("Center[0]", this->Center[0], "m");
+  check.Finite("Center[1]", this->Center[1], "m");
+  if (!check.IsGood())
   {
-    reason = "Phases is " + std::to_string(this->Phases) + "; it must be 0 or 1.";
-  }
-  if (reason.empty() && !std::isfinite(this->WindDirection))
-  {
-    reason = "WindDirection must be finite.";
-  }
-  if (reason.empty() && !std::isfinite(this->Center[0] + this->Center[1]))
-  {
-    reason = "Center must be finite.";
-  }
-  if (!reason.empty())
-  {
-    vtkErrorMacro("Cannot make a wind: " << reason);
+    vtkErrorMacro("Cannot make a wind: " << check.Reason());
     vtkImageData::GetData(outputVector)->Initialize();
     return 0;
   }

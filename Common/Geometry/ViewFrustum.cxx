@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/ViewFrustum.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace littoral
 {
@@ -71,45 +71,25 @@ View Rounded(const View& view, double lengthStep, double angleStep)
 
 std::string WhyInvalid(const View& view)
 {
-  std::ostringstream text;
-  if (!IsFinite(view.Point))
+  ParameterCheck check;
+  check.Require(IsFinite(view.Point), "ViewPoint must be finite.");
+  check.Require(IsDirection(view.Direction), "ViewDirection must be finite and not zero.");
+  check.Require(IsDirection(view.Up), "ViewUp must be finite and not zero.");
+  check.Require(
+    !check.IsGood() || glm::length(glm::cross(glm::normalize(view.Direction), glm::normalize(view.Up))) >= SmallestSine,
+    "ViewUp lies along ViewDirection.");
+  check.Require(view.Angle > 0.0 && view.Angle < Pi,
+    "ViewAngle is " + TextOf(view.Angle * 180.0 / Pi) + " degrees; it must be above 0 and below 180.");
+  check.Positive("AspectRatio", view.AspectRatio);
+  check.Positive("ViewHeight", view.Height, "pixels");
+  if (view.IsParallel)
   {
-    return "ViewPoint must be finite.";
+    check.Positive("ParallelScale", view.ParallelScale);
   }
-  if (!IsDirection(view.Direction))
-  {
-    return "ViewDirection must be finite and not zero.";
-  }
-  if (!IsDirection(view.Up))
-  {
-    return "ViewUp must be finite and not zero.";
-  }
-  if (glm::length(glm::cross(glm::normalize(view.Direction), glm::normalize(view.Up))) < SmallestSine)
-  {
-    return "ViewUp lies along ViewDirection.";
-  }
-  if (!(view.Angle > 0.0 && view.Angle < Pi))
-  {
-    text << "ViewAngle is " << view.Angle * 180.0 / Pi << " degrees; it must be above 0 and below 180.";
-  }
-  else if (!(view.AspectRatio > 0.0 && std::isfinite(view.AspectRatio)))
-  {
-    text << "AspectRatio is " << view.AspectRatio << "; it must be finite and positive.";
-  }
-  else if (!(view.Height > 0.0 && std::isfinite(view.Height)))
-  {
-    text << "ViewHeight is " << view.Height << "; it must be finite and positive.";
-  }
-  else if (view.IsParallel && !(view.ParallelScale > 0.0 && std::isfinite(view.ParallelScale)))
-  {
-    text << "ParallelScale is " << view.ParallelScale << "; it must be finite and positive.";
-  }
-  else if (!(view.Near >= 0.0 && view.Far > view.Near))
-  {
-    text << "The near and far planes are at " << view.Near << " and " << view.Far
-         << "; near must not be negative, and far must be beyond it.";
-  }
-  return text.str();
+  check.Require(view.Near >= 0.0 && view.Far > view.Near,
+    "The near and far planes are at " + TextOf(view.Near) + " and " + TextOf(view.Far) +
+      "; near must not be negative, and far must be beyond it.");
+  return check.Reason();
 }
 
 double LevelDistance(const View& view, const Vector3& place)

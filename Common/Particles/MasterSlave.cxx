@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/MasterSlave.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace littoral
 {
@@ -48,18 +48,13 @@ Vector3 PlaceInShell(const RandomStream& random, int particle, double inner, dou
 
 std::string WhyInvalid(const GroupOptions& options)
 {
-  std::ostringstream reason;
-  if (options.Slaves < 0 || options.Slaves > MostSlaves)
-  {
-    reason << "SlavesPerMaster is " << options.Slaves << "; it must be 0 to " << MostSlaves << ".";
-  }
-  else if (!(options.NearestOffset >= 0.0 && options.LargestOffset >= options.NearestOffset &&
-             std::isfinite(options.LargestOffset)))
-  {
-    reason << "OffsetRange is " << options.NearestOffset << " to " << options.LargestOffset
-           << " m; it must be finite, not negative, and its first not above its second.";
-  }
-  return reason.str();
+  ParameterCheck check;
+  check.Count("SlavesPerMaster", options.Slaves, 0, MostSlaves);
+  check.Require(options.NearestOffset >= 0.0 && options.LargestOffset >= options.NearestOffset &&
+      std::isfinite(options.LargestOffset),
+    "OffsetRange is " + TextOf(options.NearestOffset) + " to " + TextOf(options.LargestOffset) +
+      " m; it must be finite, not negative, and its first not above its second.");
+  return check.Reason();
 }
 
 struct ParticleGroups::Item

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/ParticleLevels.h"
 
+#include "Numerics/ParameterCheck.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace littoral
@@ -210,29 +211,17 @@ void Count(const std::vector<ShownParticle>& level, ParticleSelection& selection
 
 std::string WhyInvalid(const ParticleLevelOptions& options)
 {
-  std::ostringstream reason;
-  const auto isLength = [](double length) { return length >= 0.0 && std::isfinite(length); };
-  const struct
-  {
-    const char* Name;
-    double Value;
-  } lengths[] = { { "MiddleDistance", options.MiddleDistance }, { "FarDistance", options.FarDistance },
-    { "BlendDistance", options.BlendDistance }, { "Visibility", options.VisibleDistance }, { "Margin", options.Margin },
-    { "FogMargin", options.FogMargin } };
-  for (const auto& length : lengths)
-  {
-    if (!isLength(length.Value))
-    {
-      reason << length.Name << " is " << length.Value << " m; it must be finite and not negative.";
-      return reason.str();
-    }
-  }
-  if (options.MiddleDistance > options.FarDistance)
-  {
-    reason << "MiddleDistance is " << options.MiddleDistance << " m and FarDistance " << options.FarDistance
-           << " m; far must not be nearer than middle.";
-  }
-  return reason.str();
+  ParameterCheck check;
+  check.NotNegative("MiddleDistance", options.MiddleDistance, "m");
+  check.NotNegative("FarDistance", options.FarDistance, "m");
+  check.NotNegative("BlendDistance", options.BlendDistance, "m");
+  check.NotNegative("Visibility", options.VisibleDistance, "m");
+  check.NotNegative("Margin", options.Margin, "m");
+  check.NotNegative("FogMargin", options.FogMargin, "m");
+  check.Require(options.MiddleDistance <= options.FarDistance,
+    "MiddleDistance is " + TextOf(options.MiddleDistance) + " m and FarDistance " + TextOf(options.FarDistance) +
+      " m; far must not be nearer than middle.");
+  return check.Reason();
 }
 
 double SmoothStep(double x, double width)

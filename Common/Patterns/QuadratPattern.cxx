@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/QuadratPattern.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
-#include <sstream>
 
 namespace littoral
 {
@@ -52,25 +53,15 @@ std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats
 
 std::string WhyInvalid(const QuadratGrid& grid)
 {
-  std::ostringstream text;
+  ParameterCheck check;
   for (int axis = 0; axis < 2; ++axis)
   {
-    if (!std::isfinite(grid.Origin[axis]))
-    {
-      return "Origin must be finite.";
-    }
-    if (!std::isfinite(grid.Size[axis]) || grid.Size[axis] <= 0.0)
-    {
-      text << "Size is " << grid.Size[0] << ", " << grid.Size[1] << "; it must be finite and positive.";
-      return text.str();
-    }
-    if (grid.Count[axis] < 1)
-    {
-      text << "Quadrats is " << grid.Count[0] << ", " << grid.Count[1] << "; it must be positive.";
-      return text.str();
-    }
+    const std::string component = "[" + std::to_string(axis) + "]";
+    check.Finite("Origin" + component, grid.Origin[axis]);
+    check.Positive("Size" + component, grid.Size[axis]);
+    check.Count("Quadrats" + component, grid.Count[axis], 1, std::numeric_limits<int>::max());
   }
-  return {};
+  return check.Reason();
 }
 
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/PlantLevels.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
@@ -202,19 +203,11 @@ private:
 
 std::string WhyInvalid(const PlantLevelOptions& options)
 {
-  for (const int size : { options.TextureColumns, options.TextureRows })
-  {
-    if (size < 4 || size > 4096)
-    {
-      return "TextureSize is " + std::to_string(options.TextureColumns) + " by " + std::to_string(options.TextureRows) +
-        "; both must be from 4 to 4096.";
-    }
-  }
-  if (!(options.CrownJitter >= 0.0 && options.CrownJitter <= 0.9))
-  {
-    return "CrownJitter is " + std::to_string(options.CrownJitter) + "; it must be from 0 to 0.9.";
-  }
-  return {};
+  ParameterCheck check;
+  check.Count("TextureSize[0]", options.TextureColumns, 4, 4096);
+  check.Count("TextureSize[1]", options.TextureRows, 4, 4096);
+  check.Range("CrownJitter", options.CrownJitter, 0.0, 0.9);
+  return check.Reason();
 }
 
 PlantMesh TrunkCone(const Skeleton& wood, const Color& bark)

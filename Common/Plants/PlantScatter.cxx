@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/PlantScatter.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 namespace littoral
 {
@@ -51,28 +51,16 @@ PlantLevel LevelAt(double distance, const PlantViewOptions& options)
 
 std::string WhyInvalid(const ScatterOptions& options)
 {
-  std::ostringstream text;
+  ParameterCheck check;
   for (std::size_t species = 0; species < options.Weights.size(); ++species)
   {
-    if (!(options.Weights[species] >= 0.0 && std::isfinite(options.Weights[species])))
-    {
-      text << "Weight " << species << " is " << options.Weights[species] << "; it must be finite and not negative.";
-      return text.str();
-    }
+    check.NotNegative("Weight " + std::to_string(species), options.Weights[species]);
   }
-  const auto check = [&](const char* name, double value) {
-    if (text.str().empty() && !(value >= 0.0 && value <= LargestVariation))
-    {
-      text << name << " is " << value << "; it must be from 0 to " << LargestVariation << ".";
-    }
-  };
-  if (!(std::accumulate(options.Weights.begin(), options.Weights.end(), 0.0) > 0.0))
-  {
-    text << "The Weights of all prototypes are 0; at least one must be positive.";
-  }
-  check("ScaleVariation", options.ScaleVariation);
-  check("TintVariation", options.TintVariation);
-  return text.str();
+  check.Require(std::accumulate(options.Weights.begin(), options.Weights.end(), 0.0) > 0.0,
+    "The Weights of all prototypes are 0; at least one must be positive.");
+  check.Range("ScaleVariation", options.ScaleVariation, 0.0, LargestVariation);
+  check.Range("TintVariation", options.TintVariation, 0.0, LargestVariation);
+  return check.Reason();
 }
 
 PlantDraws::PlantDraws(const ScatterOptions& options)

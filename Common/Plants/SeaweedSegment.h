@@ -65,7 +65,7 @@ inline double JointStiffness(const SeaweedSegment& segment, double length)
 /// Force of buoyancy less weight, upward where positive [N].
 inline double NetBuoyancy(const SeaweedSegment& segment, double length, double waterDensity)
 {
-  return (waterDensity - segment.Density) * 9.80665 * SectionArea(segment) * length;
+  return (waterDensity - segment.Density) * Gravity * SectionArea(segment) * length;
 }
 
 /// The radius of the circle of the section's area, which a skeleton keeps [m].

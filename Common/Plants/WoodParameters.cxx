@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/WoodParameters.h"
 
-#include <sstream>
+#include "Numerics/ParameterCheck.h"
 
 namespace littoral
 {
@@ -35,17 +35,11 @@ WoodParameters ParametersOf(WoodSpecies species)
 
 std::string WhyInvalid(const WoodParameters& wood)
 {
-  std::ostringstream reason;
-  const auto check = [&](const char* name, double value, double low, double high) {
-    if (reason.str().empty() && !(value >= low && value <= high))
-    {
-      reason << name << " is " << value << "; it must be from " << low << " to " << high << ".";
-    }
-  };
-  check("YoungModulus", wood.YoungModulus, 1e5, 1e12);
-  check("WoodDensity", wood.Density, 1.0, 1e5);
-  check("Damping", wood.DampingRatio, 0.001, 0.95);
-  return reason.str();
+  ParameterCheck check;
+  check.Range("YoungModulus", wood.YoungModulus, 1e5, 1e12, "Pa");
+  check.Range("WoodDensity", wood.Density, 1.0, 1e5, "kg/m3");
+  check.Range("Damping", wood.DampingRatio, 0.001, 0.95);
+  return check.Reason();
 }
 
 }

@@ -6,9 +6,6 @@
 namespace littoral
 {
 
-/// Of the Earth [m/s2].
-inline constexpr double Gravity = 9.81;
-
 /**
  * The wave number k [rad/m] of a wave of angular frequency w [rad/s] on water of a depth h [m], the root of
  * w2 = g k tanh(k h). An infinite depth is deep water; a frequency that is not positive has the wave number 0.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sea/SeaSpectrum.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Sea/Dispersion.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace littoral
 {
@@ -33,11 +33,6 @@ constexpr double EnergyAboveRange = 0.01;
 constexpr double EndOfYoungPeak = 2.0;
 /// Relative depth w2 h / g from which on depth takes nothing.
 constexpr double DeepRelativeDepth = 20.0;
-
-bool IsPositive(double value)
-{
-  return value > 0.0 && std::isfinite(value);
-}
 
 /// What finite depth leaves of a wave's energy, after Kitaigorodskii.
 double DepthFactor(double frequency, double depth)
@@ -80,38 +75,30 @@ std::string WhyInvalidTable(const SpectrumParameters& parameters)
 
 std::string WhyInvalid(const SpectrumParameters& parameters)
 {
-  std::ostringstream reason;
-  const int kind = static_cast<int>(parameters.Kind);
-  if (kind < 0 || kind > 4)
-  {
-    reason << "Spectrum is " << kind << "; it must be 0 to 4.";
-  }
-  else if (!(parameters.Depth > 0.0))
-  {
-    reason << "WaterDepth is " << parameters.Depth << " m; it must be 0 (deep) or positive.";
-  }
-  else if (parameters.Kind == SpectrumKind::Table)
+  const bool isTable = parameters.Kind == SpectrumKind::Table;
+  const bool hasPeakEnhancement = parameters.Kind == SpectrumKind::Jonswap || parameters.Kind == SpectrumKind::Tma;
+  ParameterCheck check;
+  check.Choice("Spectrum", static_cast<int>(parameters.Kind), 5);
+  check.Require(
+    parameters.Depth > 0.0, "WaterDepth is " + TextOf(parameters.Depth) + " m; it must be 0 (deep) or positive.");
+  if (isTable && check.IsGood())
   {
     return WhyInvalidTable(parameters);
   }
-  else if (parameters.FromWind && !(parameters.WindSpeed >= 0.1 && parameters.WindSpeed <= 200.0))
+  if (parameters.FromWind)
   {
-    reason << "WindSpeed is " << parameters.WindSpeed << " m/s; it must be 0.1 to 200.";
+    check.Range("WindSpeed", parameters.WindSpeed, 0.1, 200.0, "m/s");
   }
-  else if (!parameters.FromWind && !IsPositive(parameters.SignificantHeight))
+  else
   {
-    reason << "SignificantWaveHeight is " << parameters.SignificantHeight << " m; it must be positive.";
+    check.Positive("SignificantWaveHeight", parameters.SignificantHeight, "m");
+    check.Range("PeakPeriod", parameters.PeakPeriod, 0.01, 10000.0, "s");
   }
-  else if (!parameters.FromWind && !(parameters.PeakPeriod >= 0.01 && parameters.PeakPeriod <= 10000.0))
+  if (hasPeakEnhancement)
   {
-    reason << "PeakPeriod is " << parameters.PeakPeriod << " s; it must be 0.01 to 10000.";
+    check.Range("PeakEnhancement", parameters.PeakEnhancement, 1.0, 20.0);
   }
-  else if ((parameters.Kind == SpectrumKind::Jonswap || parameters.Kind == SpectrumKind::Tma) &&
-    !(parameters.PeakEnhancement >= 1.0 && parameters.PeakEnhancement <= 20.0))
-  {
-    reason << "PeakEnhancement is " << parameters.PeakEnhancement << "; it must be 1 to 20.";
-  }
-  return reason.str();
+  return check.Reason();
 }
 
 SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sea/WaveTrains.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 namespace littoral
 {
@@ -18,8 +18,9 @@ namespace littoral
 namespace
 {
 
-/// Relative mismatch of w2 and g k tanh kh that rounding of a table may leave; more is another depth.
-constexpr double DispersionTolerance = 1e-5;
+/// Relative mismatch of w and sqrt(g k tanh kh) that rounding of a table, and of its gravity to 9.8 or 9.81 m/s2, may
+/// leave; more is another depth.
+constexpr double DispersionTolerance = 5e-4;
 constexpr int MostTrains = 100000;
 /// Beyond this exponent the spreading is narrower than anyone can see.
 constexpr double LargestSpreading = 10000.0;
@@ -72,70 +73,38 @@ WaveTrain RegularWave(const SeaSpectrum& spectrum, double depth, double directio
 
 std::string WhyInvalid(const SeaState& sea)
 {
-  std::ostringstream reason;
-  if (sea.Trains.empty())
-  {
-    return "the sea state has no wave trains.";
-  }
-  if (!(sea.Depth > 0.0))
-  {
-    reason << "WaterDepth is " << sea.Depth << " m; it must be positive.";
-  }
-  else if (!std::isfinite(sea.SeaLevel))
-  {
-    reason << "SeaLevel is " << sea.SeaLevel << "; it must be finite.";
-  }
-  for (std::size_t n = 0; n < sea.Trains.size() && reason.str().empty(); ++n)
+  ParameterCheck check;
+  check.Require(!sea.Trains.empty(), "the sea state has no wave trains.");
+  check.Require(sea.Depth > 0.0, "WaterDepth is " + TextOf(sea.Depth) + " m; it must be positive."); // or infinite
+  check.Finite("SeaLevel", sea.SeaLevel, "m");
+  for (std::size_t n = 0; n < sea.Trains.size() && check.IsGood(); ++n)
   {
     const WaveTrain& train = sea.Trains[n];
-    const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+    const std::string ofTrain = " of train " + std::to_string(n);
+    check.NotNegative("Amplitude" + ofTrain, train.Amplitude, "m");
+    check.Positive("AngularFrequency" + ofTrain, train.AngularFrequency, "rad/s");
+    check.Positive("WaveNumber" + ofTrain, train.WaveNumber, "rad/m");
+    check.Finite("Direction" + ofTrain, train.Direction, "rad");
+    check.Finite("Phase" + ofTrain, train.Phase, "rad");
     const double frequency = WaveFrequency(train.WaveNumber, sea.Depth);
-    if (!(train.Amplitude >= 0.0 && std::isfinite(train.Amplitude)))
-    {
-      reason << "Amplitude of train " << n << " is " << train.Amplitude << " m; it must not be negative.";
-    }
-    else if (!positive(train.AngularFrequency))
-    {
-      reason << "AngularFrequency of train " << n << " is " << train.AngularFrequency << "; it must be positive.";
-    }
-    else if (!positive(train.WaveNumber))
-    {
-      reason << "WaveNumber of train " << n << " is " << train.WaveNumber << "; it must be positive.";
-    }
-    else if (!std::isfinite(train.Direction) || !std::isfinite(train.Phase))
-    {
-      reason << "Direction or Phase of train " << n << " is no number.";
-    }
-    else if (std::abs(frequency / train.AngularFrequency - 1.0) > DispersionTolerance)
-    {
-      reason << "WaveNumber of train " << n << " belongs to another depth than WaterDepth, " << sea.Depth << " m.";
-    }
+    check.Require(!(std::abs(frequency / train.AngularFrequency - 1.0) > DispersionTolerance),
+      "WaveNumber" + ofTrain + " belongs to another depth than WaterDepth, " + TextOf(sea.Depth) + " m.");
   }
-  return reason.str();
+  return check.Reason();
 }
 
 std::string WhyInvalid(const TrainParameters& parameters)
 {
-  std::ostringstream reason;
-  if (parameters.Count < 1 || parameters.Count > MostTrains)
-  {
-    reason << "NumberOfTrains is " << parameters.Count << "; it must be 1 to " << MostTrains << ".";
-  }
-  else if (!(parameters.Lowest == 0.0 && parameters.Highest == 0.0) &&
-    !(parameters.Lowest >= 0.0 && parameters.Highest > parameters.Lowest && parameters.Highest <= 1000.0))
-  {
-    reason << "FrequencyRange is " << parameters.Lowest << " to " << parameters.Highest
-           << " peak frequencies; it must be increasing, not negative and at most 1000, or 0 and 0.";
-  }
-  else if (!std::isfinite(parameters.MeanDirection))
-  {
-    reason << "MeanDirection is " << parameters.MeanDirection << "; it must be finite.";
-  }
-  else if (!(parameters.Spreading >= 0.0 && parameters.Spreading <= LargestSpreading))
-  {
-    reason << "Spreading is " << parameters.Spreading << "; it must be 0 to " << LargestSpreading << ".";
-  }
-  return reason.str();
+  const bool isAll = parameters.Lowest == 0.0 && parameters.Highest == 0.0;
+  ParameterCheck check;
+  check.Count("NumberOfTrains", parameters.Count, 1, MostTrains);
+  check.Require(
+    isAll || (parameters.Lowest >= 0.0 && parameters.Highest > parameters.Lowest && parameters.Highest <= 1000.0),
+    "FrequencyRange is " + TextOf(parameters.Lowest) + " to " + TextOf(parameters.Highest) +
+      " peak frequencies; it must be increasing, not negative and at most 1000, or 0 and 0.");
+  check.Finite("MeanDirection", parameters.MeanDirection);
+  check.Range("Spreading", parameters.Spreading, 0.0, LargestSpreading);
+  return check.Reason();
 }
 
 std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const TrainParameters& parameters)

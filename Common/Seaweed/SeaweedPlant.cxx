@@ -17,8 +17,6 @@ namespace littoral
 namespace
 {
 
-constexpr double Gravity = 9.80665;
-
 /// The mean length of the segments of a tissue in a branch [m].
 double MeanLengthOf(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, const SkeletonBranch& branch,
   SeaweedTissue tissue)

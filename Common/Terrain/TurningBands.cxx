@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Terrain/TurningBands.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Numerics/SimdClones.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <limits>
 #include <utility>
 
 namespace littoral
@@ -220,11 +221,6 @@ constexpr int BinsForLines = 200;
 /// the cache.
 constexpr int TileSize = 256;
 
-bool IsPositive(double value)
-{
-  return std::isfinite(value) && value > 0.0;
-}
-
 // -------------------------------------------------------------------------------------------------------------------
 // What the lines carry.
 
@@ -367,46 +363,28 @@ int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid,
 
 std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid)
 {
-  std::ostringstream text;
-  if (std::string reason = WhyInvalid(parameters.Field); !reason.empty())
+  const std::string reason = WhyInvalid(parameters.Field);
+  if (!reason.empty())
   {
     return reason;
   }
-  if (parameters.NumberOfLines < 1)
-  {
-    text << "NumberOfLines is " << parameters.NumberOfLines << "; it must be positive.";
-  }
-  else if (parameters.NumberOfHarmonics < 1)
-  {
-    text << "NumberOfHarmonics is " << parameters.NumberOfHarmonics << "; it must be positive.";
-  }
-  else if (!std::isfinite(parameters.AnisotropyRatio) || parameters.AnisotropyRatio < 1.0)
-  {
-    text << "AnisotropyRatio is " << parameters.AnisotropyRatio << "; it must be finite and at least 1.";
-  }
-  else if (!std::isfinite(parameters.AnisotropyAngle))
-  {
-    text << "AnisotropyAngle must be finite.";
-  }
-  else if (!std::isfinite(parameters.ShortestWavelength) || parameters.ShortestWavelength < 0.0)
-  {
-    text << "ShortestWavelength is " << parameters.ShortestWavelength << "; it must be finite and not negative.";
-  }
-  else if (parameters.Field.Model == CovarianceModel::Fractal &&
-    parameters.Field.Range <= parameters.ShortestWavelength)
-  {
-    text << "Range is " << parameters.Field.Range << "; the largest wavelength of a fractal field must exceed its "
-         << "shortest, " << parameters.ShortestWavelength << ".";
-  }
-  else if (!IsPositive(grid.Spacing[0]) || !IsPositive(grid.Spacing[1]))
-  {
-    text << "Spacing is " << grid.Spacing[0] << ", " << grid.Spacing[1] << "; it must be finite and positive.";
-  }
-  else if (!std::isfinite(grid.Origin[0]) || !std::isfinite(grid.Origin[1]))
-  {
-    text << "Origin must be finite.";
-  }
-  return text.str();
+  const bool isFractal = parameters.Field.Model == CovarianceModel::Fractal;
+  ParameterCheck check;
+  check.Count("NumberOfLines", parameters.NumberOfLines, 1, std::numeric_limits<int>::max());
+  check.Count("NumberOfHarmonics", parameters.NumberOfHarmonics, 1, std::numeric_limits<int>::max());
+  check.Require(std::isfinite(parameters.AnisotropyRatio) && parameters.AnisotropyRatio >= 1.0,
+    "AnisotropyRatio is " + TextOf(parameters.AnisotropyRatio) + "; it must be finite and at least 1.");
+  check.Finite("AnisotropyAngle", parameters.AnisotropyAngle);
+  check.NotNegative("ShortestWavelength", parameters.ShortestWavelength);
+  check.Require(!isFractal || parameters.Field.Range > parameters.ShortestWavelength,
+    "Range is " + TextOf(parameters.Field.Range) +
+      "; the largest wavelength of a fractal field must exceed its shortest, " + TextOf(parameters.ShortestWavelength) +
+      ".");
+  check.Positive("Spacing[0]", grid.Spacing[0]);
+  check.Positive("Spacing[1]", grid.Spacing[1]);
+  check.Finite("Origin[0]", grid.Origin[0]);
+  check.Finite("Origin[1]", grid.Origin[1]);
+  return check.Reason();
 }
 
 TurningBandsField::TurningBandsField(

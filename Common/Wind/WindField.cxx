@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wind/WindField.h"
+#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Numerics/FourierGrid.h"
@@ -96,47 +97,32 @@ int NextWindLength(int size)
 
 std::string WhyInvalid(const WindModel& model, const WindGrid& grid)
 {
-  std::string why = WhyInvalid(model);
+  const std::string why = WhyInvalid(model);
   if (!why.empty())
   {
     return why;
   }
-  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-  std::ostringstream reason;
-  if (grid.Count[0] < 4 || grid.Count[1] < 1 || grid.Count[2] < 1)
+  std::ostringstream dimensions;
+  dimensions << "Dimensions are " << grid.Count[0] << ", " << grid.Count[1] << ", " << grid.Count[2];
+  ParameterCheck check;
+  check.Require(grid.Count[0] >= 4 && grid.Count[1] >= 1 && grid.Count[2] >= 1,
+    dimensions.str() + "; there must be at least 4 samples along the wind and 1 across and up.");
+  check.Require(std::max({ grid.Count[0], grid.Count[1], grid.Count[2] }) <= 1 << 28,
+    dimensions.str() + "; that is more than any memory holds.");
+  if (check.IsGood())
   {
-    reason << "Dimensions are " << grid.Count[0] << ", " << grid.Count[1] << ", " << grid.Count[2]
-           << "; there must be at least 4 samples along the wind and 1 across and up.";
+    const int next = NextWindLength(grid.Count[0]);
+    check.Require(next == grid.Count[0],
+      "Dimensions[0] is " + std::to_string(grid.Count[0]) +
+        "; it must be even and a product of 2, 3 and 5. The next good one is " + std::to_string(next) + ".");
   }
-  else if (std::max({ grid.Count[0], grid.Count[1], grid.Count[2] }) > 1 << 28)
-  {
-    reason << "Dimensions are " << grid.Count[0] << ", " << grid.Count[1] << ", " << grid.Count[2]
-           << "; that is more than any memory holds.";
-  }
-  else if (NextWindLength(grid.Count[0]) != grid.Count[0])
-  {
-    reason << "Dimensions[0] is " << grid.Count[0]
-           << "; it must be even and a product of 2, 3 and 5. The next good one is " << NextWindLength(grid.Count[0])
-           << ".";
-  }
-  else if (!positive(grid.TimeStep))
-  {
-    reason << "TimeStep is " << grid.TimeStep << " s; it must be positive.";
-  }
-  else if (!positive(grid.LateralSpacing))
-  {
-    reason << "LateralSpacing is " << grid.LateralSpacing << " m; it must be positive.";
-  }
-  else if (!positive(grid.VerticalSpacing))
-  {
-    reason << "VerticalSpacing is " << grid.VerticalSpacing << " m; it must be positive.";
-  }
-  else if (!(grid.BottomHeight > model.RoughnessLength) || !std::isfinite(grid.BottomHeight))
-  {
-    reason << "BottomHeight is " << grid.BottomHeight << " m; it must be above the RoughnessLength of "
-           << model.RoughnessLength << " m, below which there is no wind.";
-  }
-  return reason.str();
+  check.Positive("TimeStep", grid.TimeStep, "s");
+  check.Positive("LateralSpacing", grid.LateralSpacing, "m");
+  check.Positive("VerticalSpacing", grid.VerticalSpacing, "m");
+  check.Require(grid.BottomHeight > model.RoughnessLength && std::isfinite(grid.BottomHeight),
+    "BottomHeight is " + TextOf(grid.BottomHeight) + " m; it must be above the RoughnessLength of " +
+      TextOf(model.RoughnessLength) + " m, below which there is no wind.");
+  return check.Reason();
 }
 
 double WindFieldBytes(const WindGrid& grid)

@@ -2,37 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wind/WindLoads.h"
 
+#include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
+
 #include <cmath>
-#include <sstream>
 
 namespace littoral
 {
 
-namespace
-{
-constexpr double Gravity = 9.80665; // [m/s2]
-}
-
 std::string WhyInvalid(const WindLoadParameters& parameters)
 {
-  std::ostringstream reason;
-  if (!(parameters.AirDensity > 0.0) || !std::isfinite(parameters.AirDensity))
-  {
-    reason << "AirDensity is " << parameters.AirDensity << " kg/m3; it must be positive.";
-  }
-  else if (!(parameters.DragCoefficient >= 0.0) || !std::isfinite(parameters.DragCoefficient))
-  {
-    reason << "DragCoefficient is " << parameters.DragCoefficient << "; it must not be negative.";
-  }
-  else if (!std::isfinite(parameters.LiftCoefficient))
-  {
-    reason << "LiftCoefficient is " << parameters.LiftCoefficient << "; it must be finite.";
-  }
-  else if (parameters.Law != DragLaw::Projection && parameters.Law != DragLaw::CrossFlow)
-  {
-    reason << "DragLaw is " << static_cast<int>(parameters.Law) << "; it must be 0 or 1.";
-  }
-  return reason.str();
+  ParameterCheck check;
+  check.Positive("AirDensity", parameters.AirDensity, "kg/m3");
+  check.NotNegative("DragCoefficient", parameters.DragCoefficient);
+  check.Finite("LiftCoefficient", parameters.LiftCoefficient);
+  check.Choice("DragLaw", static_cast<int>(parameters.Law), 2);
+  return check.Reason();
 }
 
 Vector3 DragPerLength(const WindLoadParameters& parameters, const Vector3& axis, double diameter, const Vector3& wind)

@@ -38,7 +38,7 @@ def train(depth, amplitude):
     sea.SetNumberOfTrains(1)
     sea.Update()
     table = sea.GetOutput()
-    frequency = math.sqrt(9.81 * k * math.tanh(k * depth))
+    frequency = math.sqrt(9.80665 * k * math.tanh(k * depth))
     for name, value in (("Amplitude", amplitude), ("AngularFrequency", frequency),
                         ("WaveNumber", k), ("Direction", 0.0), ("Phase", 0.0)):
         table.GetColumnByName(name).SetValue(0, value)

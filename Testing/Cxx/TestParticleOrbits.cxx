@@ -429,11 +429,11 @@ bool CheckRegularWave()
 
         const double w = 2.0 * pi / period;
         double low = 0.0;
-        double high = w * w / 9.81 + w / std::sqrt(9.81 * (depth > 0.0 ? depth : 1e9));
+        double high = w * w / 9.80665 + w / std::sqrt(9.80665 * (depth > 0.0 ? depth : 1e9));
         for (int halving = 0; halving < 200; ++halving)
         {
           const double k = 0.5 * (low + high);
-          (9.81 * k * (depth > 0.0 ? std::tanh(k * depth) : 1.0) < w * w ? low : high) = k;
+          (9.80665 * k * (depth > 0.0 ? std::tanh(k * depth) : 1.0) < w * w ? low : high) = k;
         }
         const double k = 0.5 * (low + high);
         vtkNew<vtkPoints> points;
@@ -476,7 +476,7 @@ bool CheckRegularWave()
   vtkNew<Sea> sea;
   sea->SetSpectrum(Sea::Regular);
   sea->Update();
-  const double height = 400.0 / 9.81 * std::sqrt(8.1e-3 / (4.0 * 0.74));
+  const double height = 400.0 / 9.80665 * std::sqrt(8.1e-3 / (4.0 * 0.74));
   good &= Check(std::abs(sea->GetOutput()->GetValueByName(0, "Amplitude").ToDouble() - 0.5 * height) < 1e-9 &&
       std::abs(Field(sea, "PeakPeriod") - 7.30) < 5e-3,
     "another regular wave by the wind");
@@ -497,7 +497,7 @@ bool CheckEnergyLeftOut()
     sea->Update();
     const double left = 1.0 - std::exp(-1.25 / std::pow(range[1], 4.0)) + std::exp(-1.25 / std::pow(range[0], 4.0));
     // 4 U2 / g sqrt(alpha / (4 beta)), of a wind of 10 m/s
-    const double height = 400.0 / 9.81 * std::sqrt(8.1e-3 / (4.0 * 0.74) * (1.0 - left));
+    const double height = 400.0 / 9.80665 * std::sqrt(8.1e-3 / (4.0 * 0.74) * (1.0 - left));
     good &= Check(std::abs(Field(sea, "EnergyLeftOut") - left) < 1e-12, "another part is left out");
     good &= Check(std::abs(Field(sea, "SignificantWaveHeight") - height) < 1e-9, "another height of the trains");
     good &= Check(messages->Warnings == (left > 0.02 ? 1 : 0), "a warning too many or too few");

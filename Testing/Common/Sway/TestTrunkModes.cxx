@@ -16,8 +16,6 @@ using namespace littoral;
 namespace
 {
 
-constexpr double Gravity = 9.80665; // [m/s2]
-
 /// A mass on a rigid arm along a mast [kg], from the mast's foot and above its own [m].
 struct Lump
 {

@@ -200,7 +200,7 @@ def ripples(time, count=14, seed=3):
     length = 4.6 * 0.82 ** np.arange(count)
     k = 2.0 * np.pi / length
     angle = random.normal(0.5, 0.95, count)
-    phase = random.uniform(0.0, 2.0 * np.pi, count) - np.sqrt(9.81 * k) * time
+    phase = random.uniform(0.0, 2.0 * np.pi, count) - np.sqrt(9.80665 * k) * time
     return np.column_stack((k * np.cos(angle), k * np.sin(angle), 0.0105 * length ** 1.1, phase))
 
 

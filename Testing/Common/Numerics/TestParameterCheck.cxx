@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/ParameterCheck.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace littoral;
+
+namespace
+{
+
+template <typename Check>
+std::string Reason(const Check& run)
+{
+  ParameterCheck check;
+  run(check);
+  EXPECT_EQ(check.IsGood(), check.Reason().empty());
+  return check.Reason();
+}
+
+}
+
+TEST(ParameterCheck, HasOneWording)
+{
+  EXPECT_EQ(Reason([](auto& c) { c.Choice("Method", 3, 2); }), "Method is 3; it must be 0 or 1.");
+  EXPECT_EQ(Reason([](auto& c) { c.Choice("Law", -1, 6); }), "Law is -1; it must be from 0 to 5.");
+  EXPECT_EQ(Reason([](auto& c) { c.Range("TimeStep", 2.0, 1e-5, 1.0, "s"); }),
+    "TimeStep is 2 s; it must be from 1e-05 to 1 s.");
+  EXPECT_EQ(Reason([](auto& c) { c.Count("Lags", 5, 6, 10000); }), "Lags is 5; it must be from 6 to 10000.");
+  EXPECT_EQ(Reason([](auto& c) { c.Positive("Depth", 0.0, "m"); }), "Depth is 0 m; it must be positive and finite.");
+  EXPECT_EQ(Reason([](auto& c) { c.Positive("Speed", 300.0, "m/s", 200.0); }),
+    "Speed is 300 m/s; it must be positive and at most 200 m/s.");
+  EXPECT_EQ(
+    Reason([](auto& c) { c.NotNegative("Error", -0.5); }), "Error is -0.5; it must be finite and not negative.");
+  EXPECT_EQ(Reason([](auto& c) { c.NotNegative("Part", 2.0, "", 1.0); }), "Part is 2; it must be from 0 to 1.");
+  EXPECT_EQ(Reason([](auto& c) { c.Finite("SeaLevel", std::nan("")); }), "SeaLevel is nan; it must be finite.");
+}
+
+TEST(ParameterCheck, EndsAreWithin)
+{
+  EXPECT_EQ(Reason([](auto& c) {
+    c.Range("a", 0.0, 0.0, 1.0);
+    c.Range("a", 1.0, 0.0, 1.0);
+    c.Positive("a", 5e-324);
+    c.Positive("a", 2.0, "", 2.0);
+    c.NotNegative("a", 0.0);
+    c.Choice("a", 0, 2);
+    c.Choice("a", 1, 2);
+    c.Count("a", 6, 6, 7);
+    c.Count("a", 7, 6, 7);
+  }),
+    "");
+}
+
+TEST(ParameterCheck, WhatIsNotFiniteIsBad)
+{
+  for (const double bad :
+    { std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  {
+    EXPECT_NE(Reason([=](auto& c) { c.Range("a", bad, -1e300, 1e300); }), "");
+    EXPECT_NE(Reason([=](auto& c) { c.Positive("a", bad); }), "");
+    EXPECT_NE(Reason([=](auto& c) { c.NotNegative("a", bad); }), "");
+    EXPECT_NE(Reason([=](auto& c) { c.Finite("a", bad); }), "");
+  }
+}
+
+TEST(ParameterCheck, TheFirstCounts)
+{
+  EXPECT_EQ(Reason([](auto& c) {
+    c.Range("Good", 0.5, 0.0, 1.0);
+    c.Require(false, "First must be something.");
+    c.Range("Second", 2.0, 0.0, 1.0);
+  }),
+    "First must be something.");
+}
+
+TEST(ParameterCheck, NumbersReadAsTheyAre)
+{
+  EXPECT_EQ(TextOf(0.1), "0.1");
+  EXPECT_EQ(TextOf(20.0), "20");
+  EXPECT_EQ(TextOf(1.0 / 3.0), "0.3333333333333333");
+  EXPECT_EQ(TextOf(1e9), "1e+09");
+  EXPECT_EQ(TextOf(2147483647.0), "2147483647");
+}
