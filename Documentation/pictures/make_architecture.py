@@ -44,9 +44,9 @@ COLORS = {
     "room": "#8a6d1f",
 }
 
-WIDTH, HEIGHT, LEFT, PITCH, BOX = 1120, 812, 34, 117, 104
-FLOOR_Y = {3: 398, 2: 482, 1: 566}
-ROOM_HEIGHT = 70
+WIDTH, HEIGHT, LEFT, PITCH, BOX = 1120, 812, 28, 119, 110
+FLOOR_Y = {3: 390, 2: 476, 1: 562}
+ROOM_HEIGHT = 78
 
 
 # --- the tree -------------------------------------------------------------------------------------
@@ -97,14 +97,14 @@ class Drawing:
     def __init__(self):
         self.arrows, self.boxes = [], []
 
-    def box(self, x, y, width, height, title, lines=(), fill="#fff", stroke="#c9c2b2", title_size=15):
+    def box(self, x, y, width, height, title, lines=(), fill="#fff", stroke="#c9c2b2", title_size=17):
         middle = x + width / 2
         self.boxes.append(
             f'<rect x="{x}" y="{y}" width="{width}" height="{height}" rx="7" fill="{fill}" stroke="{stroke}"/>')
-        baseline = y + height / 2 - 7 * len(lines) + (8 if len(lines) > 1 else 5)
+        baseline = y + height / 2 - 7 * len(lines) + (7 if len(lines) > 1 else 4)
         self.text(middle, baseline, title, title_size, "#22262e", "600")
         for k, line in enumerate(lines):
-            self.text(middle, baseline + 15 + 13 * k, line, 11, "#5a6070")
+            self.text(middle, baseline + 17 + 15 * k, line, 12.5, "#4d5363")
 
     def text(self, x, y, words, size, color, weight="400", anchor="middle"):
         self.boxes.append(
@@ -159,9 +159,9 @@ def left_of(room):
 def draw_common(drawing, arrows):
     for room, (_, floor, lines) in ROOMS.items():
         x, y = left_of(room), FLOOR_Y[floor]
-        drawing.box(x, y, BOX, ROOM_HEIGHT, room, lines, title_size=14)
+        drawing.box(x, y, BOX, ROOM_HEIGHT, room, lines, title_size=16)
         marks = "".join(name[0] for name in GROUND if (room, name) in arrows)
-        drawing.text(x + BOX - 7, y + 13, marks, 9, "#9a8f70", "600", "end")
+        drawing.text(x + BOX - 7, y + 14, marks, 10.5, "#9a8f70", "600", "end")
     for k, (room, words) in enumerate(GROUND.items()):
         drawing.box(LEFT, 664 + 58 * k, WIDTH - 2 * LEFT, 46, room, (words,), "#fffaf0")
     if ("Geometry", "Numerics") in arrows:
@@ -193,9 +193,9 @@ def draw_bus(drawing, arrows, name, trunk, start, bus, offset):
 
 def draw(drawing):
     arrows, links = read_arrows(), read_links()
-    drawing.text(30, 136, "VTK classes", 12, "#5a6070", "600", "start")
-    drawing.text(30, 240, "Support", 12, "#5a6070", "600", "start")
-    drawing.text(30, 786, "Common, no VTK", 12, "#5a6070", "600", "start")
+    drawing.text(30, 136, "VTK classes", 14, "#4d5363", "600", "start")
+    drawing.text(30, 240, "Support", 14, "#4d5363", "600", "start")
+    drawing.text(30, 786, "Common, no VTK", 14, "#4d5363", "600", "start")
     boxes = {  # x, y, width, height
         "plugin": (410, 22, 300, 62), "Sources": (150, 130, 240, 54), "Filters": (440, 130, 240, 54),
         "IO": (730, 130, 240, 54), "Data": (210, 234, 330, 54), "Pipeline": (600, 234, 330, 54)}
@@ -241,7 +241,7 @@ def draw(drawing):
     draw_bus(drawing, arrows, "IO", 950, foot("IO"), 354, -30)
     draw_common(drawing, arrows)
     for k, line in enumerate(("arrow: includes", "dashed arrow: links", "N, G: includes Numerics, Geometry")):
-        drawing.text(30, 38 + 18 * k, line, 12, "#5a6070", anchor="start")
+        drawing.text(30, 40 + 20 * k, line, 14, "#4d5363", anchor="start")
 
 
 def main():

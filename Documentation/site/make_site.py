@@ -62,22 +62,23 @@ ROOMS = {
     "Seaweed": ("seaweed", "Growth, meshes, equations of motion, wakes."),
 }
 
-# Pictures of the examples, in Documentation/pictures; an example that is not here gets a page without one.
-PICTURES = {
-    "Examples/ParaView/demo.py": "twin-terrain.jpg",
-    "Examples/ParaView/forest.py": "forest.jpg",
-    "Examples/ParaView/scene.py": "paraview-window.jpg",
-    "Examples/ParaView/underwater.py": "underwater.jpg",
-    "Examples/Python/drifting_particles.py": "drifting-particles.jpg",
-    "Examples/Python/fit_and_grow.py": "variogram.png",
-    "Examples/Python/grow_terrain.py": "terrain.jpg",
-    "Examples/Python/pyvista_coast.py": "pyvista-coast.jpg",
-    "Examples/Python/regrow_patterns.py": "patterns.png",
-    "Examples/Python/sea_surface.py": "sea-surface.jpg",
-    "Examples/Python/swaying_kelp.py": "swaying-kelp.jpg",
-    "Examples/Python/swaying_trees.py": "swaying-trees.jpg",
-    "Examples/Python/wind_spectrum.py": "wind-spectrum.png",
-    "Examples/Cxx/GrowTerrain.cxx": "terrain.jpg",
+# Examples in the order of the gallery: title, and picture in Documentation/pictures. One that is not here comes last, with
+# the title that it gives itself and without a picture.
+EXAMPLES = {
+    "Examples/ParaView/demo.py": ("Demo", "twin-terrain.jpg"),
+    "Examples/ParaView/scene.py": ("Place and twin", "paraview-window.jpg"),
+    "Examples/ParaView/forest.py": ("Walk in a forest", "forest.jpg"),
+    "Examples/ParaView/underwater.py": ("Under the waves", "underwater.jpg"),
+    "Examples/Python/grow_terrain.py": ("Terrain", "terrain.jpg"),
+    "Examples/Cxx/GrowTerrain.cxx": ("Terrain in C++", "terrain.jpg"),
+    "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
+    "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
+    "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),
+    "Examples/Python/swaying_trees.py": ("Swaying trees", "swaying-trees.jpg"),
+    "Examples/Python/sea_surface.py": ("Sea surface", "sea-surface.jpg"),
+    "Examples/Python/drifting_particles.py": ("Drifting particles", "drifting-particles.jpg"),
+    "Examples/Python/swaying_kelp.py": ("Swaying kelp", "swaying-kelp.jpg"),
+    "Examples/Python/pyvista_coast.py": ("Coast in PyVista", "pyvista-coast.jpg"),
 }
 
 CARDS = (
@@ -143,7 +144,9 @@ def mend(text, origin, page, known):
     for k in range(0, len(blocks), 2):
         block = re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", lambda match: mend_link(match, Path(origin), page), blocks[k])
         blocks[k] = "\n".join(line if line.startswith("#") else link_names(line, page, known) for line in block.split("\n"))
-    return "".join(blocks)
+    # The list of contents: not shown where there is room for that of the theme.
+    return re.sub(r"(?<=\n\n)((?: *- \[[^\]]*\]\(#[^)]*\)\n)+)", r":::{container} page-contents\n\1:::\n", "".join(blocks),
+                  count=1)
 
 
 def contents(*pages, depth=1, caption=""):
@@ -151,6 +154,11 @@ def contents(*pages, depth=1, caption=""):
     lines = ["```{toctree}", ":hidden:", f":maxdepth: {depth}", *([f":caption: {caption}"] if caption else []), "",
              *pages, "```", ""]
     return "\n".join(lines)
+
+
+def breakable(name):
+    """A name that may break where a word begins."""
+    return re.sub(r"(?<=[a-z])(?=(Source|Filter|LevelOfDetail|Deformation|Algorithm|Writer)$|LevelOf)", "\u200b", name)
 
 
 # --- the parts ------------------------------------------------------------------------------------
@@ -162,9 +170,11 @@ class Site:
     def __init__(self, folder):
         self.source, self.xml, self.html = (folder / name for name in ("source", "xml", "html"))
         self.classes = [name for _, _, _, names in FIELDS for name in names]
-        self.examples = sorted(
+        there = sorted(
             file.relative_to(TOP).as_posix() for pattern in ("Python/*.py", "ParaView/*.py", "Cxx/*.cxx")
             for file in (TOP / "Examples").glob(pattern))
+        self.examples = [name for name in EXAMPLES if name in there] + [name for name in there if name not in EXAMPLES]
+        self.briefs = {}
         self.known = {name: f"api/{name}.md" for name in self.classes}
         self.known.update({name: site_path(Path(name)) for name in self.examples})
         self.known.update({Path(name).name: site_path(Path(name)) for name in self.examples})
@@ -216,22 +226,20 @@ class Site:
         if there != set(self.classes):
             sys.exit(f"Classes and the fields of make_site.py differ: {sorted(there ^ set(self.classes))}")
         table = self.readme_section("Classes", "api/index.md").replace("## Classes", "## Input, output, arrays")
-        briefs = {name: self.brief(name) for name in self.classes}
+        self.briefs = {name: words_of(self.class_xml(name).find("briefdescription")) for name in self.classes}
         page = ["# Classes", "", "All classes of the modules Sources, Filters and IO, in C++ and in Python (`from littoral "
                 "import ...`). From VTK 9.4 on a property has its Python name too: `SetTimeStep(0.1)` is "
                 "`time_step = 0.1`.", ""]
         for title, guide, design, names in FIELDS:
             page += [f"## {title}", "", f"[Guide](../guide/{guide}.md), [design](../design/{design}.md)", ""]
-            page += [f"- [{name}]({name}.md): {briefs[name]}" for name in names] + [""]
+            page += [f"- [{name}]({name}.md): {self.briefs[name]}" for name in names] + [""]
             for name in names:
                 self.write(f"api/{name}.md", self.class_page(name, title, guide, design))
-        self.write("api/index.md", "\n".join(page) + "\n" + table + "\n" + contents(*self.classes))
+                self.plain_class_xml(name)
+        self.write("api/index.md", "\n".join(page) + "\n" + table + "\n" + contents(*(f"{breakable(name)} <{name}>" for name in self.classes)))
 
     def class_xml(self, name):
         return ElementTree.parse(self.xml / f"class{name}.xml").getroot().find("compounddef")
-
-    def brief(self, name):
-        return words_of(self.class_xml(name).find("briefdescription"))
 
     def class_page(self, name, field, guide, design):
         root = self.class_xml(name)
@@ -247,13 +255,33 @@ class Site:
             if text and not any(row.startswith(f"| `{match[1]}`") for row in rows):
                 kind = types[0] if len(set(types)) == 1 and len(types) == 1 else f"{types[0]} × {len(types)}" if types else ""
                 rows.append(f"| `{match[1]}` | {kind} | {text.replace('|', '/')} |")
-        text = [f"# {name}", "", f"{self.brief(name)[:1].upper()}{self.brief(name)[1:]}.", "",
+        text = [f"# {name}", "", f"{self.briefs[name][:1].upper()}{self.briefs[name][1:]}.", "",
                 f"{field}: [guide](../guide/{guide}.md), [design](../design/{design}.md). Header `{header}`, "
-                f"based on {', '.join(self.link(base) for base in bases)}.", ""]
+                f"based on {', '.join(self.link(base) for base in bases)}.", "",
+                link_names(markdown_of(root.find("detaileddescription")), f"api/{name}.md", self.known), ""]
         if rows:
             text += ["## Properties", "", "| property | type | meaning |", "|---|---|---|", *rows, ""]
-        text += ["## Class", "", "```{doxygenclass} " + name, ":members:", ":undoc-members:", "```", ""]
+        text += ["## Members", "", "```{doxygenclass} " + name, ":members:", ":undoc-members:", "```", ""]
         return "\n".join(text)
+
+    def plain_class_xml(self, name):
+        """Doxygen's XML without what the page says above its members, and with groups of setter and getter dissolved."""
+        path = self.xml / f"class{name}.xml"
+        tree = ElementTree.parse(path)
+        root = tree.getroot().find("compounddef")
+        for part in ("briefdescription", "detaileddescription"):
+            root.find(part).clear()
+        target = root.find("sectiondef[@kind='public-func']")
+        members = list(target) if target is not None else []
+        for section in root.findall("sectiondef[@kind='user-defined']"):
+            members += [member for member in section if member.get("prot") == "public"]
+            root.remove(section)
+        if target is None:
+            target = ElementTree.SubElement(root, "sectiondef", kind="public-func")
+        for member in list(target):
+            target.remove(member)
+        target.extend(sorted(members, key=lambda member: int(member.find("location").get("line"))))
+        tree.write(path, encoding="utf-8", xml_declaration=True)
 
     def link(self, name):
         return f"[{name}]({name}.md)" if name in self.known else f"`{name}`"
@@ -283,21 +311,21 @@ class Site:
     def gallery(self):
         entries = []
         for name in self.examples:
-            title, description, usage = describe(TOP / name)
-            picture = PICTURES.get(name)
+            sentence, description, usage = describe(TOP / name)
+            title, picture = EXAMPLES.get(name, (sentence, None))
             if picture and not (DOCUMENTS / "pictures" / picture).is_file():
                 picture = None
             page = site_path(Path(name))
             language = "python" if name.endswith(".py") else "cpp"
-            text = [f"# {title}", "", f"`{name}`", ""]
+            text = [f"# {title}", "", f"{sentence}.", ""]
             if picture:
                 text += [f"![{title}](../pictures/{picture})", ""]
             text += [description, ""] if description else []
-            text += ["```none", usage, "```", "", "## Script" if language == "python" else "## Program", "",
+            text += ["```none", usage, "```", "", f"## {name}", "",
                      f"```{{literalinclude}} {os.path.relpath(TOP / name, (self.source / page).parent)}",
                      f":language: {language}", "```", ""]
             self.write(page, "\n".join(text))
-            entries.append((Path(page).name, title, picture, Path(name).name))
+            entries.append((Path(page).name, title, picture, sentence))
         head = ("# Gallery\n\nEvery example of the folder `Examples`. `./littoral run python3 Examples/Python/NAME.py FOLDER` "
                 "runs one in Python, `./littoral run pvbatch Examples/ParaView/NAME.py FOLDER` one in ParaView.\n\n")
         self.write("gallery/index.md",
@@ -339,6 +367,49 @@ def words_of(element):
         return ""
     text = " ".join("".join(element.itertext()).split())
     return html.escape(text, quote=False).replace("*", r"\*").replace("_", r"\_").rstrip(".")
+
+
+def markdown_of(element, indent=""):
+    """A piece of Doxygen's XML as Markdown: paragraphs, lists, code, references."""
+    parts = []
+    for child in element if element is not None else ():
+        if child.tag == "para":
+            inline = escape(child.text)
+            for piece in child:
+                if piece.tag in ("itemizedlist", "orderedlist", "simplesect", "programlisting", "verbatim", "preformatted"):
+                    parts += [indent + inline.strip()] if inline.strip() else []
+                    parts.append(block_of(piece, indent))
+                    inline = ""
+                else:
+                    inline += inline_of(piece)
+                inline += escape(piece.tail)
+            parts += [indent + " ".join(inline.split())] if inline.strip() else []
+    return "\n\n".join(part for part in parts if part)
+
+
+def block_of(piece, indent):
+    if piece.tag in ("itemizedlist", "orderedlist"):
+        mark = "- " if piece.tag == "itemizedlist" else "1. "
+        items = [markdown_of(item, indent + " " * len(mark)) for item in piece.findall("listitem")]
+        return "\n".join(indent + mark + item.lstrip() for item in items)
+    if piece.tag == "simplesect":
+        words = markdown_of(piece, indent).strip()
+        if piece.get("kind") == "see":
+            return indent + "See also " + ", ".join(f"`{word}`" for word in re.findall(r"\w+", words)) + "."
+        return indent + words
+    text = "\n".join("".join(line.itertext()) for line in piece.iter("codeline")) or "".join(piece.itertext())
+    return "```none\n" + text.strip("\n") + "\n```"
+
+
+def inline_of(piece):
+    text = "".join(piece.itertext())
+    if piece.tag == "computeroutput":
+        return f"`{text}`"
+    return {"emphasis": "*{}*", "bold": "**{}**"}.get(piece.tag, "{}").format(escape(text))
+
+
+def escape(text):
+    return re.sub(r"([*_\[\]<|])", r"\\\1", text or "")
 
 
 def installed_headers():
