@@ -299,12 +299,22 @@ class Site:
             page.append(f"| [{room}]({room}.md) | {words} | {len(own)} |")
             text = [f"# {room}", "", f"{words} [Design](../design/{design}.md).", ""]
             for header in own:
-                text += [f"## {header}", "", "```{doxygenfile} Common/" + header,
-                         ":sections: briefdescription detaileddescription innerclass enum func var typedef define "
-                         "user-defined public-attrib public-func public-static-func public-type public-static-attrib",
-                         "```", ""]
+                group = re.sub(r"[/.]", "_", header)
+                text += [f"## {header}", "", "```{doxygengroup} " + group, ":content-only:", ":members:",
+                         ":undoc-members:", "```", ""]
+                self.leave_namespace_out(group)
             self.write(f"common/{room}.md", "\n".join(text))
         self.write("common/index.md", "\n".join(page) + "\n\n" + contents(*ROOMS))
+
+    def leave_namespace_out(self, group):
+        """Each header is in the same namespace, which would be declared on each page."""
+        for path in self.xml.glob("group__*.xml"):
+            tree = ElementTree.parse(path)
+            root = tree.getroot().find("compounddef")
+            if root.findtext("compoundname") == group:
+                for inner in root.findall("innernamespace"):
+                    root.remove(inner)
+                tree.write(path, encoding="utf-8", xml_declaration=True)
 
     # The gallery.
 
@@ -320,8 +330,7 @@ class Site:
             text = [f"# {title}", "", f"{sentence}.", ""]
             if picture:
                 text += [f"![{title}](../pictures/{picture})", ""]
-            text += [description, ""] if description else []
-            text += ["```none", usage, "```", "", f"## {name}", "",
+            text += ["```none", usage, "```", "", *([description, ""] if description else []), f"## {name}", "",
                      f"```{{literalinclude}} {os.path.relpath(TOP / name, (self.source / page).parent)}",
                      f":language: {language}", "```", ""]
             self.write(page, "\n".join(text))
@@ -428,7 +437,7 @@ def run_doxygen(site):
     headers += sorted(path.relative_to(TOP).as_posix() for folder in ("Sources", "Filters", "IO")
                       for path in (TOP / folder).glob("vtk*.h"))
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
-    settings += f'\nOUTPUT_DIRECTORY = "{site.xml.parent}"\nXML_OUTPUT = xml\nSTRIP_FROM_PATH = "{TOP}"\nINPUT = {" ".join(headers)}\n'
+    settings += f'\nOUTPUT_DIRECTORY = "{site.xml.parent}"\nXML_OUTPUT = xml\nSTRIP_FROM_PATH = "{TOP}"\nINPUT_FILTER = "awk -f {HERE}/group.awk"\nINPUT = {" ".join(headers)}\n'
     subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=TOP, check=True)
 
 
