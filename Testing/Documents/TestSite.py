@@ -70,13 +70,13 @@ class Site(unittest.TestCase):
             text = (HTML / "api" / f"{header.stem}.html").read_text(encoding="utf-8")
             public = re.split(r"^protected:", header.read_text(encoding="utf-8"), flags=re.M)[0]
             for name in re.findall(r"^  vtkSet\w*Macro\((\w+)", public, re.M):
-                self.assertIn(f"Set{name}", text, header.stem)
-            self.assertNotIn("Unnamed Group", text, header.stem)
+                self.assertTrue(f">Set{name}<" in text, f"{header.stem} without Set{name}")
+            self.assertFalse("Unnamed Group" in text, header.stem)
 
     def test_room_pages_have_all_functions(self):
         text = (HTML / "common" / "Sea.html").read_text(encoding="utf-8")
         for name in ("WaveNumber", "WaveFrequency", "DepthRegime", "RegimeName"):
-            self.assertRegex(text, rf'class="n">{name}</span>')
+            self.assertTrue(f">{name}<" in text, name)
 
 
 if __name__ == "__main__":
