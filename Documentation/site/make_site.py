@@ -258,7 +258,8 @@ class Site:
         text = [f"# {name}", "", f"{self.briefs[name][:1].upper()}{self.briefs[name][1:]}.", "",
                 f"{field}: [guide](../guide/{guide}.md), [design](../design/{design}.md). Header `{header}`, "
                 f"based on {', '.join(self.link(base) for base in bases)}.", "",
-                link_names(markdown_of(root.find("detaileddescription")), f"api/{name}.md", self.known), ""]
+                re.sub(r"\bDocumentation/([\w/-]+\.md)", r"[`Documentation/\1`](../\1)", link_names(
+                    markdown_of(root.find("detaileddescription")), f"api/{name}.md", self.known)), ""]
         if rows:
             text += ["## Properties", "", "| property | type | meaning |", "|---|---|---|", *rows, ""]
         text += ["## Members", "", "```{doxygenclass} " + name, ":members:", ":undoc-members:", "```", ""]
