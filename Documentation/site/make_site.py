@@ -174,7 +174,7 @@ class Site:
             file.relative_to(TOP).as_posix() for pattern in ("Python/*.py", "ParaView/*.py", "Cxx/*.cxx")
             for file in (TOP / "Examples").glob(pattern))
         self.examples = [name for name in EXAMPLES if name in there] + [name for name in there if name not in EXAMPLES]
-        self.briefs = {}
+        self.briefs, self.ports = {}, {}
         self.known = {name: f"api/{name}.md" for name in self.classes}
         self.known.update({name: site_path(Path(name)) for name in self.examples})
         self.known.update({Path(name).name: site_path(Path(name)) for name in self.examples})
@@ -225,7 +225,7 @@ class Site:
         there = {path.stem for folder in ("Sources", "Filters", "IO") for path in (TOP / folder).glob("vtk*.h")}
         if there != set(self.classes):
             sys.exit(f"Classes and the fields of make_site.py differ: {sorted(there ^ set(self.classes))}")
-        table = self.readme_section("Classes", "api/index.md").replace("## Classes", "## Input, output, arrays")
+        self.ports = self.readme_ports()
         self.briefs = {name: words_of(self.class_xml(name).find("briefdescription")) for name in self.classes}
         page = ["# Classes", "", "All classes of the modules Sources, Filters and IO, in C++ and in Python (`from littoral "
                 "import ...`). From VTK 9.4 on a property has its Python name too: `SetTimeStep(0.1)` is "
@@ -236,7 +236,21 @@ class Site:
             for name in names:
                 self.write(f"api/{name}.md", self.class_page(name, title, guide, design))
                 self.plain_class_xml(name)
-        self.write("api/index.md", "\n".join(page) + "\n" + table + "\n" + contents(*(f"{breakable(name)} <{name}>" for name in self.classes)))
+        self.write("api/index.md", "\n".join(page) + "\n" + contents(*(f"{breakable(name)} <{name}>" for name in self.classes)))
+
+    def readme_ports(self):
+        """What the README's table of classes says of each: lines of Markdown by class."""
+        ports, name = {}, None
+        for line in self.readme_section("Classes", "api/index.md").split("\n"):
+            cells = [cell.strip() for cell in line.strip("|").split("|")]
+            found = re.match(r"\[`(\w+)`\]", cells[0])
+            if found:
+                name = found[1]
+                ports[name] = [f"- In ParaView: {cells[1]}", f"- Input: {cells[2]}"]
+            if len(cells) == 5 and name and (found or not cells[0]):
+                number = "" if re.match(r"\d", cells[3]) else ": "
+                ports[name].append(f"- Output{number or ' '}{cells[3]}; arrays and columns: {cells[4]}")
+        return ports
 
     def class_xml(self, name):
         return ElementTree.parse(self.xml / f"class{name}.xml").getroot().find("compounddef")
@@ -260,6 +274,8 @@ class Site:
                 f"based on {', '.join(self.link(base) for base in bases)}.", "",
                 re.sub(r"\bDocumentation/([\w/-]+\.md)", r"[`Documentation/\1`](../\1)", link_names(
                     markdown_of(root.find("detaileddescription")), f"api/{name}.md", self.known)), ""]
+        if name in self.ports:
+            text += ["## Ports", "", *self.ports[name], ""]
         if rows:
             text += ["## Properties", "", "| property | type | meaning |", "|---|---|---|", *rows, ""]
         text += ["## Members", "", "```{doxygenclass} " + name, ":members:", ":undoc-members:", "```", ""]
