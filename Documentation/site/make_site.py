@@ -5,8 +5,9 @@
 
 Usage: make_site.py FOLDER
 
-FOLDER gets `source` (the collected pages), `xml` (Doxygen's) and `html`, whose index.html is the first page. Any warning
-of Doxygen or Sphinx is an error. Needs Doxygen, Sphinx, MyST, Breathe and the theme Furo.
+FOLDER gets `source` (the collected pages), `xml` (Doxygen's) and `html`, whose index.html is the first
+page. Any warning of Doxygen or Sphinx is an error. Needs Doxygen, Sphinx, MyST, Breathe and the theme
+Furo.
 """
 
 import ast
@@ -62,8 +63,8 @@ ROOMS = {
     "Seaweed": ("seaweed", "Growth, meshes, equations of motion, wakes."),
 }
 
-# Examples in the order of the gallery: title, and picture in Documentation/pictures. One that is not here comes last, with
-# the title that it gives itself and without a picture.
+# Examples in the order of the gallery: title, and picture in Documentation/pictures. One that is not here
+# comes last, with the title that it gives itself and without a picture.
 EXAMPLES = {
     "Examples/ParaView/demo.py": ("Demo", "twin-terrain.jpg"),
     "Examples/ParaView/scene.py": ("Place and twin", "paraview-window.jpg"),
@@ -82,7 +83,8 @@ EXAMPLES = {
 }
 
 CARDS = (
-    ("guide/index.md", "User guide", "figure7.jpg", "Installing, your own data, the choice of parameters, a page a field."),
+    ("guide/index.md", "User guide", "figure7.jpg",
+     "Installing, your own data, the choice of parameters, a page a field."),
     ("gallery/index.md", "Gallery", "pyvista-coast.jpg", "Every example with its picture and its script."),
     ("api/index.md", "Classes", "figure8.jpg", "Sources, filters and the writer: properties, units, ranges, defaults."),
     ("common/index.md", "Numerics without VTK", "variogram.png", "The C++17 library Common, a page a room."),
@@ -98,8 +100,8 @@ def site_path(target):
     """Where a file of the tree is on the site, relative to its source; None if it is not there."""
     name = target.as_posix()
     fixed = {"README.md": "index.md", "CHANGELOG.md": "changes.md", "CONTRIBUTING.md": "contributing.md",
-             "Examples": "gallery/index.md", "Examples/Python": "gallery/index.md", "Examples/Cxx": "gallery/GrowTerrain.md",
-             "Examples/ParaView": "gallery/index.md"}
+             "Examples": "gallery/index.md", "Examples/Python": "gallery/index.md",
+             "Examples/Cxx": "gallery/GrowTerrain.md", "Examples/ParaView": "gallery/index.md"}
     if name in fixed:
         return fixed[name]
     if name.startswith("Examples/") and target.suffix in (".py", ".cxx"):
@@ -142,11 +144,13 @@ def mend(text, origin, page, known):
     """A page of the tree, ORIGIN below the top folder, as PAGE of the site."""
     blocks = re.split(r"(^ *```.*?^ *```$)", text, flags=re.M | re.S)
     for k in range(0, len(blocks), 2):
-        block = re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", lambda match: mend_link(match, Path(origin), page), blocks[k])
-        blocks[k] = "\n".join(line if line.startswith("#") else link_names(line, page, known) for line in block.split("\n"))
+        block = re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)",
+                       lambda match: mend_link(match, Path(origin), page), blocks[k])
+        blocks[k] = "\n".join(
+            line if line.startswith("#") else link_names(line, page, known) for line in block.split("\n"))
     # The list of contents: not shown where there is room for that of the theme.
-    return re.sub(r"(?<=\n\n)((?: *- \[[^\]]*\]\(#[^)]*\)\n)+)", r":::{container} page-contents\n\1:::\n", "".join(blocks),
-                  count=1)
+    return re.sub(r"(?<=\n\n)((?: *- \[[^\]]*\]\(#[^)]*\)\n)+)", r":::{container} page-contents\n\1:::\n",
+                  "".join(blocks), count=1)
 
 
 def contents(*pages, depth=1, caption=""):
@@ -173,7 +177,8 @@ class Site:
         there = sorted(
             file.relative_to(TOP).as_posix() for pattern in ("Python/*.py", "ParaView/*.py", "Cxx/*.cxx")
             for file in (TOP / "Examples").glob(pattern))
-        self.examples = [name for name in EXAMPLES if name in there] + [name for name in there if name not in EXAMPLES]
+        self.examples = [name for name in EXAMPLES if name in there]
+        self.examples += [name for name in there if name not in EXAMPLES]
         self.briefs, self.ports = {}, {}
         self.known = {name: f"api/{name}.md" for name in self.classes}
         self.known.update({name: site_path(Path(name)) for name in self.examples})
@@ -227,8 +232,9 @@ class Site:
             sys.exit(f"Classes and the fields of make_site.py differ: {sorted(there ^ set(self.classes))}")
         self.ports = self.readme_ports()
         self.briefs = {name: words_of(self.class_xml(name).find("briefdescription")) for name in self.classes}
-        page = ["# Classes", "", "All classes of the modules Sources, Filters and IO, in C++ and in Python (`from littoral "
-                "import ...`). From VTK 9.4 on a property has its Python name too: `SetTimeStep(0.1)` is "
+        page = ["# Classes", "", "All classes of the modules Sources, Filters and IO, in C++ and in Python "
+                "(`from littoral import ...`). From VTK 9.4 on a property has its Python name too: "
+                "`SetTimeStep(0.1)` is "
                 "`time_step = 0.1`.", ""]
         for title, guide, design, names in FIELDS:
             page += [f"## {title}", "", f"[Guide](../guide/{guide}.md), [design](../design/{design}.md)", ""]
@@ -236,7 +242,8 @@ class Site:
             for name in names:
                 self.write(f"api/{name}.md", self.class_page(name, title, guide, design))
                 self.plain_class_xml(name)
-        self.write("api/index.md", "\n".join(page) + "\n" + contents(*(f"{breakable(name)} <{name}>" for name in self.classes)))
+        entries = (f"{breakable(name)} <{name}>" for name in self.classes)
+        self.write("api/index.md", "\n".join(page) + "\n" + contents(*entries))
 
     def readme_ports(self):
         """What the README's table of classes says of each: lines of Markdown by class."""
@@ -267,7 +274,7 @@ class Site:
             types = [words_of(param.find("type")) for param in member.findall("param")]
             text = words_of(member.find("briefdescription")) or words_of(member.find("detaileddescription"))
             if text and not any(row.startswith(f"| `{match[1]}`") for row in rows):
-                kind = types[0] if len(set(types)) == 1 and len(types) == 1 else f"{types[0]} × {len(types)}" if types else ""
+                kind = f"{types[0]} × {len(types)}" if len(types) > 1 else "".join(types)
                 rows.append(f"| `{match[1]}` | {kind} | {text.replace('|', '/')} |")
         text = [f"# {name}", "", f"{self.briefs[name][:1].upper()}{self.briefs[name][1:]}.", "",
                 f"{field}: [guide](../guide/{guide}.md), [design](../design/{design}.md). Header `{header}`, "
@@ -282,7 +289,7 @@ class Site:
         return "\n".join(text)
 
     def plain_class_xml(self, name):
-        """Doxygen's XML without what the page says above its members, and with groups of setter and getter dissolved."""
+        """Doxygen's XML without what the page says above its members, and without groups of setter and getter."""
         path = self.xml / f"class{name}.xml"
         tree = ElementTree.parse(path)
         root = tree.getroot().find("compounddef")
@@ -308,8 +315,9 @@ class Site:
         rooms = {header.split("/")[0] for header in headers}
         if rooms != set(ROOMS):
             sys.exit(f"Rooms of Common and of make_site.py differ: {sorted(rooms ^ set(ROOMS))}")
-        page = ["# Common", "", "The numerics in plain C++17, namespace `littoral`, without VTK: a room a field. Link with "
-                "`Littoral::Common` and include headers by their paths, as in `#include \"Terrain/TurningBands.h\"`.", "",
+        page = ["# Common", "", "The numerics in plain C++17, namespace `littoral`, without VTK: a room a field. Link "
+                "with `Littoral::Common` and include headers by their paths, as in "
+                "`#include \"Terrain/TurningBands.h\"`.", "",
                 "| room | content | headers |", "|---|---|---|"]
         for room, (design, words) in ROOMS.items():
             own = [header for header in headers if header.startswith(room + "/")]
@@ -352,8 +360,9 @@ class Site:
                      f":language: {language}", "```", ""]
             self.write(page, "\n".join(text))
             entries.append((Path(page).name, title, picture, sentence))
-        head = ("# Gallery\n\nEvery example of the folder `Examples`. `./littoral run python3 Examples/Python/NAME.py FOLDER` "
-                "runs one in Python, `./littoral run pvbatch Examples/ParaView/NAME.py FOLDER` one in ParaView.\n\n")
+        head = ("# Gallery\n\nEvery example of the folder `Examples`. "
+                "`./littoral run python3 Examples/Python/NAME.py FOLDER` runs one in Python, "
+                "`./littoral run pvbatch Examples/ParaView/NAME.py FOLDER` one in ParaView.\n\n")
         self.write("gallery/index.md",
                    head + cards("../", entries) + "\n\n" + contents(*(Path(page).stem for page, *_ in entries)))
 
@@ -382,8 +391,8 @@ def describe(path):
              if re.match(r" +(python3|pvbatch|GrowTerrain|\./)", line)]
     prose = "\n".join(line for line in rest.split("\n") if line.strip() not in usage)
     # Lists that are set in columns stay as they are.
-    prose = re.sub(r"((?:^ {4,}\S.*\n?)+)", lambda match: "```none\n" + match[1].rstrip("\n") + "\n```\n", prose + "\n",
-                   flags=re.M)
+    prose = re.sub(r"((?:^ {4,}\S.*\n?)+)",
+                   lambda match: "```none\n" + match[1].rstrip("\n") + "\n```\n", prose + "\n", flags=re.M)
     return title, prose.strip(), "\n".join(usage) or f"./littoral run python3 {path.relative_to(TOP)}"
 
 
@@ -395,6 +404,9 @@ def words_of(element):
     return html.escape(text, quote=False).replace("*", r"\*").replace("_", r"\_").rstrip(".")
 
 
+BLOCKS = ("itemizedlist", "orderedlist", "simplesect", "programlisting", "verbatim", "preformatted")
+
+
 def markdown_of(element, indent=""):
     """A piece of Doxygen's XML as Markdown: paragraphs, lists, code, references."""
     parts = []
@@ -402,7 +414,7 @@ def markdown_of(element, indent=""):
         if child.tag == "para":
             inline = escape(child.text)
             for piece in child:
-                if piece.tag in ("itemizedlist", "orderedlist", "simplesect", "programlisting", "verbatim", "preformatted"):
+                if piece.tag in BLOCKS:
                     parts += [indent + inline.strip()] if inline.strip() else []
                     parts.append(block_of(piece, indent))
                     inline = ""
@@ -454,7 +466,8 @@ def run_doxygen(site):
     headers += sorted(path.relative_to(TOP).as_posix() for folder in ("Sources", "Filters", "IO")
                       for path in (TOP / folder).glob("vtk*.h"))
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
-    settings += f'\nOUTPUT_DIRECTORY = "{site.xml.parent}"\nXML_OUTPUT = xml\nSTRIP_FROM_PATH = "{TOP}"\nINPUT_FILTER = "awk -f {HERE}/group.awk"\nINPUT = {" ".join(headers)}\n'
+    settings += (f'\nOUTPUT_DIRECTORY = "{site.xml.parent}"\nXML_OUTPUT = xml\nSTRIP_FROM_PATH = "{TOP}"\n'
+                 f'INPUT_FILTER = "awk -f {HERE}/group.awk"\nINPUT = {" ".join(headers)}\n')
     subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=TOP, check=True)
 
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Markdown pages: links, anchors, lists of contents, named files, the architecture picture, the tables of the site."""
+"""The Markdown pages: links, anchors, lists of contents, named files, the architecture picture, the
+tables of the site."""
 
 import os
 import re
@@ -16,7 +17,8 @@ sys.path.insert(0, str(TOP / "Documentation" / "site"))
 
 import make_site  # noqa: E402
 
-NAMED = re.compile(r"\b(?:Documentation|Examples|Testing|Common|Support|CMake|packaging|paraview-plugin|Wrapping)/[\w./-]+")
+NAMED = re.compile(r"\b(?:Documentation|Examples|Testing|Common|Support|CMake|packaging|paraview-plugin|Wrapping)"
+                   r"/[\w./-]+")
 
 
 def pages(top=TOP):
@@ -70,12 +72,14 @@ class Documents(unittest.TestCase):
 
     def test_broken_links_are_found(self):
         with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "a.md").write_text("# A\n\n## B c?\n\n[x](#b-c) [x](#b) [x](b.md) [x](a.md#a) [x](a.md#d)\n", encoding="utf-8")
+            (Path(folder) / "a.md").write_text(
+                "# A\n\n## B c?\n\n[x](#b-c) [x](#b) [x](b.md) [x](a.md#a) [x](a.md#d)\n", encoding="utf-8")
             self.assertEqual(broken_links(Path(folder)), [
                 "a.md: the page has no heading #b", "a.md: there is no b.md", "a.md: a.md has no heading #d"])
 
     def test_lists_of_contents(self):
-        for page in sorted([*(TOP / "Documentation").glob("guide/*.md"), *(TOP / "Documentation").glob("design/*.md")]):
+        folder = TOP / "Documentation"
+        for page in sorted([*folder.glob("guide/*.md"), *folder.glob("design/*.md")]):
             sections = [entry for entry in headings(page)[1:] if entry[0] <= 3]
             if len(sections) < 2 or page == TOP / "Documentation" / "guide" / "index.md":
                 continue
@@ -125,10 +129,12 @@ class SiteTables(unittest.TestCase):
         classes = [name for _, _, _, names in make_site.FIELDS for name in names]
         there = [path.stem for folder in ("Sources", "Filters", "IO") for path in (TOP / folder).glob("vtk*.h")]
         self.assertEqual(sorted(classes), sorted(there))
-        self.assertEqual(sorted(make_site.ROOMS), sorted(path.name for path in (TOP / "Common").iterdir() if path.is_dir()))
+        rooms = [path.name for path in (TOP / "Common").iterdir() if path.is_dir()]
+        self.assertEqual(sorted(make_site.ROOMS), sorted(rooms))
 
     def test_each_example_has_title_and_picture(self):
-        there = [path.relative_to(TOP).as_posix() for kind in ("py", "cxx") for path in (TOP / "Examples").rglob("*." + kind)]
+        there = [path.relative_to(TOP).as_posix() for kind in ("py", "cxx")
+                 for path in (TOP / "Examples").rglob("*." + kind)]
         self.assertEqual(sorted(make_site.EXAMPLES), sorted(there))
         for name, (title, picture) in make_site.EXAMPLES.items():
             self.assertTrue(title)
