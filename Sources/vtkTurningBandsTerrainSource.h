@@ -135,8 +135,8 @@ public:
   ///@{
   /**
    * Number L of lines (eq. 1). 0: as many as the spectrum needs on the whole grid, 64 to 1024, such that no gaps
-   * between their rays in it show as streaks (Documentation/design/terrain.md). The number is the integer in the output's
-   * field data `ElevationLines` (and `ReflectanceLines`). Time grows with lines times points. Default 0.
+   * between their rays in it show as streaks (Documentation/design/terrain.md). The number is the integer in the
+   * output's field data `ElevationLines` (and `ReflectanceLines`). Time grows with lines times points. Default 0.
    */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);
