@@ -25,7 +25,7 @@
  * The view decides on what is shown, never on where a particle is: centers, groups and orders are functions of the
  * input. They are kept until it changes. Each piece has its part of the groups, of the whole input.
  *
- * Coulais et al., section 3.3; see Documentation/design.md.
+ * Coulais et al., section 3.3; see Documentation/design/particles.md.
  *
  * @sa vtkParticleOrbitFilter vtkParticleFogFilter vtkViewDependentAlgorithm
  */

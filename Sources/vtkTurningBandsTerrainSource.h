@@ -7,7 +7,7 @@
  * Output: a vtkImageData of one layer with the float point array `Elevation` [m] and, on request, `Reflectance`
  * [0..1], and the number of lines as field data (see NumberOfLines). The elevation is a Gaussian random field with one
  * of seven covariance models (Setas et al., section 2.1, algorithm 1 and eqs. 1-5; spectra and covariances in
- * Documentation/design.md), stretched along one direction on request, on top of a mean and a tilt.
+ * Documentation/design/terrain.md), stretched along one direction on request, on top of a mean and a tilt.
  *
  * The field is a function of position on the grid: any part of the extent, any number of threads or ranks gives the
  * same bytes.
@@ -135,8 +135,8 @@ public:
   ///@{
   /**
    * Number L of lines (eq. 1). 0: as many as the spectrum needs on the whole grid, 64 to 1024, such that no gaps
-   * between their rays in it show as streaks (Documentation/design.md). The number is the integer in the output's field
-   * data `ElevationLines` (and `ReflectanceLines`). Time grows with lines times points. Default 0.
+   * between their rays in it show as streaks (Documentation/design/terrain.md). The number is the integer in the
+   * output's field data `ElevationLines` (and `ReflectanceLines`). Time grows with lines times points. Default 0.
    */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);

@@ -56,8 +56,9 @@ struct GridWindow
 /**
  * The number of lines whose rays leave no gaps in the spectrum of a field on a grid, at least 64 and at most 1024. A
  * line's ray is as wide as the grid tells wave numbers apart, 2 pi / D for a grid of size D; at wave number w the rays
- * of L lines are pi w / L apart. Rays two widths apart are not told from an even spectrum (design.md): L = w D / 4, at
- * the wave number w below which lies 95 % of the slopes' variance that lines carry.
+ * of L lines are pi w / L apart. Rays two widths apart are not told from an even spectrum
+ * (Documentation/design/terrain.md): L = w D / 4, at the wave number w below which lies 95 % of the slopes' variance
+ * that lines carry.
  */
 int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid, const GridWindow& whole);
 

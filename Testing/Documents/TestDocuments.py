@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Markdown pages: links, anchors, lists of contents, named files, the architecture picture, the
+tables of the site."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+TOP = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "Documentation" / "site"))
+
+import make_site  # noqa: E402
+
+NAMED = re.compile(r"\b(?:Documentation|Examples|Testing|Common|Support|CMake|packaging|paraview-plugin|Wrapping)"
+                   r"/[\w./-]+")
+
+
+def pages(top=TOP):
+    """All Markdown pages of the tree, but for templates of the site."""
+    roots = [top, *(top / name for name in ("Documentation", "Examples", "packaging") if (top / name).is_dir())]
+    found = list(roots[0].glob("*.md")) + [path for root in roots[1:] for path in root.rglob("*.md")]
+    return sorted(path for path in found if path.parent.name != "site")
+
+
+def prose(path):
+    """The text without blocks of code."""
+    return re.sub(r"^ *```.*?^ *```$", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
+
+
+def headings(path):
+    return [(len(marks), words.strip()) for marks, words in re.findall(r"^(#+) (.+)$", prose(path), re.M)]
+
+
+def anchors(path):
+    """Of the headings, as forges and MyST form them; the second of a name gets -1, and so on."""
+    found, count = set(), {}
+    for _, words in headings(path):
+        words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", words)
+        name = re.sub(r"[^\w\- ]", "", words.lower()).replace(" ", "-")
+        found.add(name if name not in count else f"{name}-{count[name]}")
+        count[name] = count.get(name, 0) + 1
+    return found
+
+
+def broken_links(top=TOP):
+    broken = []
+    for page in pages(top):
+        for address in re.findall(r"\]\(([^)\s]+)\)", prose(page)):
+            if re.match(r"[a-z]+:", address):
+                continue
+            name, _, anchor = address.partition("#")
+            target = Path(os.path.normpath(page.parent / name)) if name else page
+            if not target.exists():
+                broken.append(f"{page.relative_to(top)}: there is no {address}")
+            elif anchor and (target.suffix != ".md" or anchor not in anchors(target)):
+                broken.append(f"{page.relative_to(top)}: {name or 'the page'} has no heading #{anchor}")
+    return broken
+
+
+class Documents(unittest.TestCase):
+    """Pages of the tree, without Sphinx."""
+
+    def test_links_and_anchors(self):
+        self.assertGreater(len(pages()), 30)
+        self.assertEqual(broken_links(), [])
+
+    def test_broken_links_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "a.md").write_text(
+                "# A\n\n## B c?\n\n[x](#b-c) [x](#b) [x](b.md) [x](a.md#a) [x](a.md#d)\n", encoding="utf-8")
+            self.assertEqual(broken_links(Path(folder)), [
+                "a.md: the page has no heading #b", "a.md: there is no b.md", "a.md: a.md has no heading #d"])
+
+    def test_lists_of_contents(self):
+        folder = TOP / "Documentation"
+        for page in sorted([*folder.glob("guide/*.md"), *folder.glob("design/*.md")]):
+            sections = [entry for entry in headings(page)[1:] if entry[0] <= 3]
+            if len(sections) < 2 or page == TOP / "Documentation" / "guide" / "index.md":
+                continue
+            with self.subTest(page=str(page.relative_to(TOP))):
+                listed = re.findall(r"^( *)- \[(.*)\]\(#", page.read_text(encoding="utf-8"), re.M)
+                self.assertEqual([(2 + len(space) // 2, words) for space, words in listed], sections)
+
+    def test_each_page_is_in_its_index(self):
+        for name in ("guide", "design"):
+            folder = TOP / "Documentation" / name
+            text = (folder / "index.md").read_text(encoding="utf-8")
+            for page in folder.glob("*.md"):
+                if page.name != "index.md":
+                    self.assertIn(f"]({page.name})", text, page)
+
+    def test_named_files_are_there(self):
+        missing = []
+        for page in pages():
+            for code in re.findall(r"`([^`\n]+)`", page.read_text(encoding="utf-8")):
+                missing += [f"{page.relative_to(TOP)}: {name}" for name in NAMED.findall(code)
+                            if not (TOP / name.rstrip("./")).exists() and not re.search(r"\.\.\.|<|NAME", code)]
+        for header in [path for name in ("Common", "Sources", "Filters", "IO") for path in (TOP / name).rglob("*.h")]:
+            missing += [f"{header.relative_to(TOP)}: {name}" for name in
+                        re.findall(r"\bDocumentation/[\w./-]+\.md", header.read_text(encoding="utf-8"))
+                        if not (TOP / name).exists()]
+        self.assertEqual(missing, [])
+
+    def test_architecture_picture(self):
+        pictures = TOP / "Documentation" / "pictures"
+        with tempfile.TemporaryDirectory() as folder:
+            fresh = Path(folder) / "architecture.svg"
+            subprocess.run([sys.executable, "-B", str(pictures / "make_architecture.py"), str(fresh)], check=True)
+            self.assertEqual(fresh.read_text(encoding="utf-8"),
+                             (pictures / "architecture.svg").read_text(encoding="utf-8"),
+                             "call Documentation/pictures/make_architecture.py")
+
+
+class SiteTables(unittest.TestCase):
+    """What make_site.py lists is what the tree has."""
+
+    def test_pages(self):
+        for name, listed in (("guide", make_site.GUIDE), ("design", make_site.DESIGN)):
+            there = {path.stem for path in (TOP / "Documentation" / name).glob("*.md")} - {"index"}
+            self.assertEqual(sorted(listed), sorted(there))
+
+    def test_classes_and_rooms(self):
+        classes = [name for _, _, _, names in make_site.FIELDS for name in names]
+        there = [path.stem for folder in ("Sources", "Filters", "IO") for path in (TOP / folder).glob("vtk*.h")]
+        self.assertEqual(sorted(classes), sorted(there))
+        rooms = [path.name for path in (TOP / "Common").iterdir() if path.is_dir()]
+        self.assertEqual(sorted(make_site.ROOMS), sorted(rooms))
+
+    def test_each_example_has_title_and_picture(self):
+        there = [path.relative_to(TOP).as_posix() for kind in ("py", "cxx")
+                 for path in (TOP / "Examples").rglob("*." + kind)]
+        self.assertEqual(sorted(make_site.EXAMPLES), sorted(there))
+        for name, (title, picture) in make_site.EXAMPLES.items():
+            self.assertTrue(title)
+            self.assertTrue((TOP / "Documentation" / "pictures" / picture).is_file(), name)
+            sentence, _, usage = make_site.describe(TOP / name)
+            self.assertGreater(len(sentence), 10, name)
+            self.assertTrue(usage, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
