@@ -62,9 +62,9 @@ public:
   ///@}
 
   ///@{
-  /// Response of the branches to the wind: 0 Interpolated, from the responses of three orthogonal beams in the wind at
-  /// the center of the plant (eq. 25); 1 Direct, a separate response of each branch to the wind at its position, slower
-  /// and with more memory; default 0.
+  /// Response of the branches to the wind, 0 Interpolated or 1 Direct; default 0. Interpolated: from the responses of
+  /// three orthogonal beams in the wind at the center of the plant (eq. 25). Direct: a separate response of each branch
+  /// to the wind at its position, slower and with more memory.
   vtkSetMacro(Response, int);
   vtkGetMacro(Response, int);
   ///@}
@@ -87,8 +87,9 @@ public:
   ///@}
 
   ///@{
-  /// Drag law: 0 Projection, |U| times the wind component normal to the branch; 1 Cross Flow, quadratic in the normal
-  /// component alone; default 0. Used by the Direct response; the Interpolated one is linear in the projection.
+  /// Drag law, 0 Projection or 1 Cross Flow; default 0. Projection: |U| times the wind component normal to the branch.
+  /// Cross Flow: quadratic in the normal component alone. Used by the Direct response; the Interpolated one is linear
+  /// in the projection.
   vtkSetMacro(DragLaw, int);
   vtkGetMacro(DragLaw, int);
   ///@}

@@ -34,8 +34,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Flow primitive of a plant: 0 Source, by the acceleration of the plant, as in the paper; 1 Doublet, by its
-  /// velocity; default 0.
+  /// Flow primitive of a plant, 0 Source or 1 Doublet; default 0. Source: by the acceleration of the plant, as in the
+  /// paper. Doublet: by its velocity.
   vtkSetMacro(Primitive, int);
   vtkGetMacro(Primitive, int);
   ///@}

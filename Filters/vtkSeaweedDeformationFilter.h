@@ -60,31 +60,31 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Method of motion: 0 Procedural, springs in equilibrium with the instantaneous load (eqs. 5, 6); 1 Physical, the
-  /// equations of motion (eqs. 7 to 10); default 1.
+  /// Method of motion, 0 Procedural or 1 Physical; default 1. Procedural: springs in equilibrium with the instantaneous
+  /// load (eqs. 5, 6). Physical: the equations of motion (eqs. 7 to 10).
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /// Joint model: 0 Bending, about two axes; 1 Tilting, the azimuth about the parent segment and the tilt of the paper,
-  /// which cannot bend a straight plant in all directions; default 0.
+  /// Joint model, 0 Bending or 1 Tilting; default 0. Bending: about two axes. Tilting: the azimuth about the parent
+  /// segment and the tilt of the paper, which cannot bend a straight plant in all directions.
   vtkSetMacro(Joint, int);
   vtkGetMacro(Joint, int);
   ///@}
 
   ///@{
-  /// Load model: 0 Morison, drag by the relative velocity, inertia and buoyancy; 1 Direct, that of the paper,
-  /// ForceFactor times the current and the acceleration of the water (its displacement for procedural plants); default
-  /// 0.
+  /// Load model, 0 Morison or 1 Direct; default 0. Morison: drag by the relative velocity, inertia and buoyancy.
+  /// Direct, that of the paper: ForceFactor times the current and the acceleration of the water (its displacement for
+  /// procedural plants).
   vtkSetMacro(Load, int);
   vtkGetMacro(Load, int);
   ///@}
 
   ///@{
-  /// Time integration of physical plants: 0 Implicit, the second-order midpoint rule with sub-steps where the motion
-  /// needs them, in which plants gain energy from the water only; 1 Explicit Euler, that of the paper, with a warning
-  /// where TimeStep exceeds its stability limit; default 0.
+  /// Time integration of physical plants, 0 Implicit or 1 Explicit Euler; default 0. Implicit: the second-order
+  /// midpoint rule, with sub-steps where the motion needs them; plants gain energy from the water only. Explicit Euler,
+  /// that of the paper: with a warning where TimeStep exceeds its stability limit.
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
   ///@}

@@ -70,7 +70,7 @@ public:
 
   ///@{
   /// Maximum magnitude of values that count as 0 and are not stored, in the unit of the array, at least 0; default 0,
-  /// which is lossless. For vectors it holds for each component.
+  /// lossless. For vectors it holds for each component.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
