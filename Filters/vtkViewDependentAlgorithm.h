@@ -127,7 +127,7 @@ protected:
   vtkViewDependentAlgorithm();
   ~vtkViewDependentAlgorithm() override;
 
-  /// The view in full, rounded by the tolerances. False, with an error message, if a number of it is bad.
+  /// View of the request, rounded by the tolerances. False, with an error message, if a property of it is out of range.
   bool GetView(littoral::View& view);
 
   double ViewPoint[3];

@@ -82,7 +82,7 @@ protected:
   vtkLeafyTreeSource(double variation, double trunkRadius, int leaves, double leafSize, double leafWidth);
   ~vtkLeafyTreeSource() override;
 
-  /// The colors as bytes. False, with an error message, if they are none.
+  /// Converts LeafColor and BarkColor to bytes. False, with an error message, if a component is out of range.
   bool TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark);
 
   double Variation;

@@ -71,10 +71,10 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Grows the plant at all levels. False, with an error message, if a parameter is bad.
+  /// Generates the plant at all levels of detail. False, with an error message, if a parameter is out of range.
   virtual bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) = 0;
 
-  /// Columns and rows of the picture on a leaf [texels].
+  /// Columns and rows of the leaf texture [texels].
   virtual std::array<int, 2> LeafTextureSize() const;
 
   int Seed;

@@ -79,8 +79,8 @@ public:
   ///@}
 
   ///@{
-  /// Number of trials per quadrat of the Binomial law, hence its maximum count, not below MeanPerQuadrat, or maximum
-  /// cluster size of PoissonBinomial; positive; default 3. Not used by other laws.
+  /// Number of trials, positive; default 3. Binomial: trials per quadrat, hence the maximum count, not below
+  /// MeanPerQuadrat. PoissonBinomial: trials per cluster, hence the maximum cluster size. Not used by other laws.
   vtkSetMacro(Trials, int);
   vtkGetMacro(Trials, int);
   ///@}

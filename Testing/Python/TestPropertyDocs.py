@@ -1,12 +1,16 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each Set method in the headers of the VTK classes has a doc that begins with a noun and names the true default."""
+"""Each Set method in the headers of the VTK classes has a doc that begins with a noun and names the true default.
+
+So have the properties of ParaView's panels, which show defaults and other names than those of the classes.
+"""
 
 import glob
 import math
 import os
 import re
 import sys
+import xml.etree.ElementTree
 
 import littoral
 
@@ -56,7 +60,7 @@ def setters(text):
             doc = []
 
 
-def complaint(method, doc):
+def complaint(doc):
     """What is wrong with the words of a doc, or nothing."""
     if not doc:
         return "has no doc"
@@ -65,6 +69,11 @@ def complaint(method, doc):
         return f"begins with '{first}'"
     if not doc.endswith((".", ")")):
         return "does not end as a sentence"
+    return ""
+
+
+def no_default(method, doc):
+    """Whether a doc wants a default, in words."""
     if method not in WITHOUT_DEFAULT and not method.endswith("Connection") and not re.search(r"\bdefault", doc, re.I):
         return "names no default"
     return ""
@@ -146,16 +155,29 @@ for path in sorted(path for folder in FOLDERS for path in glob.glob(os.path.join
             continue  # SetModelToFractal() stands with SetModel()
         key = f"{name}::{method}"
         checked += 1
-        reason = complaint(key, doc)
+        reason = complaint(doc) or no_default(key, doc)
         if not reason and made and key not in WITHOUT_DEFAULT | IN_WORDS and not method.endswith("Connection"):
             compared += 1
             reason = wrong_default(method, doc, made)
         if reason:
             problems.append(f"{key} {reason}: {doc}")
 
-print(checked, "Set methods,", compared, "defaults compared")
+panels = 0
+for path in sorted(glob.glob(os.path.join(TOP, "paraview-plugin", "*.xml"))):
+    for proxy in xml.etree.ElementTree.parse(path).getroot().iter():
+        for item in proxy if proxy.tag.endswith("Proxy") else ():
+            if not item.tag.endswith("Property") or item.tag == "Property":  # the latter only sets a value
+                continue
+            panels += 1
+            doc = " ".join(item.findtext("Documentation", "").split())
+            reason = complaint(doc) or ("names a class" if re.search(r"\bvtk[A-Z]", doc) else "")
+            if reason:
+                problems.append(f"{proxy.get('name')}.{item.get('name')} {reason}: {doc}")
+
+print(checked, "Set methods,", compared, "defaults compared,", panels, "properties of panels")
 for problem in problems:
     print(problem)
 assert checked > 250, "the headers are not read any more"
+assert panels > 200, "the panels are not read any more"
 assert compared > 200, "the classes are not there to compare defaults with"
 sys.exit(1 if problems else 0)
