@@ -91,8 +91,8 @@ public:
   ///@}
 
   ///@{
-  /// Suffix of the file name in a time series, with one %d, %Nd or %0Nd for the index of the step; default _%04d, as in
-  /// wind_0007.vdb. %0Nd pads the index with zeros to N digits.
+  /// Suffix of the file name in a time series, with one `%d`, `%Nd` or `%0Nd` for the index of the step; default
+  /// `_%04d`, as in wind_0007.vdb. `%0Nd` pads the index with zeros to N digits.
   vtkSetMacro(FileNameSuffix, std::string);
   vtkGetMacro(FileNameSuffix, std::string);
   ///@}

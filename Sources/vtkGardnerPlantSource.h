@@ -12,8 +12,8 @@
  *
  * Each ellipsoid is a set of nested triangulated shells, each with its own g, and is attached to a limb of the trunk,
  * whose motion it follows. The texture is output 2 (also field data of `Leaves`) and carries the transparency: without
- * it the ellipsoids are bare. Preset selects the parameters of a kind of plant; with Custom all of them can be set.
- * Outputs and errors as in vtkPlantSource.
+ * it the ellipsoids are plain and opaque. Preset selects the parameters of a kind of plant; with Custom all of them can
+ * be set. Outputs and errors as in vtkPlantSource.
  */
 #ifndef vtkGardnerPlantSource_h
 #define vtkGardnerPlantSource_h

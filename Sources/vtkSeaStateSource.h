@@ -73,7 +73,7 @@ public:
 
   ///@{
   /// Wind speed 19.5 m above the sea [m/s], 0.1 to 200; default 10. It is about 1.026 times the wind speed at 10 m.
-  /// Used only if SeaBy is Wind, and not if Spectrum is Table.
+  /// Used if SeaBy is Wind and Spectrum is not Table.
   vtkSetMacro(WindSpeed, double);
   vtkGetMacro(WindSpeed, double);
   ///@}
@@ -81,14 +81,14 @@ public:
   ///@{
   /// Significant wave height, four times the standard deviation of the surface elevation [m], positive; default 2. For
   /// a Regular wave it is the height from trough to crest, sqrt(8) standard deviations, so that the field data have
-  /// 1.414 times as much. Used only if SeaBy is HeightAndPeriod, and not if Spectrum is Table.
+  /// 1.414 times as much. Used if SeaBy is HeightAndPeriod and Spectrum is not Table.
   vtkSetMacro(SignificantWaveHeight, double);
   vtkGetMacro(SignificantWaveHeight, double);
   ///@}
 
   ///@{
-  /// Peak period, the period of the waves with the most energy [s], 0.01 to 10000; default 7. Used only if SeaBy is
-  /// HeightAndPeriod, and not if Spectrum is Table.
+  /// Peak period, the period of the waves with the most energy [s], 0.01 to 10000; default 7. Used if SeaBy is
+  /// HeightAndPeriod and Spectrum is not Table.
   vtkSetMacro(PeakPeriod, double);
   vtkGetMacro(PeakPeriod, double);
   ///@}
