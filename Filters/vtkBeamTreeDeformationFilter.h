@@ -56,21 +56,27 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Number of bending modes per branch, 1 to 10; default 1, as in the paper.
+  /**
+   * Number of bending modes per branch, 1 to 10; default 1, as in the paper.
+   */
   vtkSetMacro(NumberOfModes, int);
   vtkGetMacro(NumberOfModes, int);
   ///@}
 
   ///@{
-  /// Response of the branches to the wind, 0 Interpolated or 1 Direct; default 0. Interpolated: from the responses of
-  /// three orthogonal beams in the wind at the center of the plant (eq. 25). Direct: a separate response of each branch
-  /// to the wind at its position, slower and with more memory.
+  /**
+   * Response of the branches to the wind, 0 Interpolated or 1 Direct; default 0. Interpolated: from the responses of
+   * three orthogonal beams in the wind at the center of the plant (eq. 25). Direct: a separate response of each branch
+   * to the wind at its position, slower and with more memory.
+   */
   vtkSetMacro(Response, int);
   vtkGetMacro(Response, int);
   ///@}
 
   ///@{
-  /// Drag coefficient of a bare cylinder, 0 to 10; default 1.1.
+  /**
+   * Drag coefficient of a bare cylinder, 0 to 10; default 1.1.
+   */
   vtkSetMacro(DragCoefficient, double);
   vtkGetMacro(DragCoefficient, double);
   ///@}
@@ -87,68 +93,88 @@ public:
   ///@}
 
   ///@{
-  /// Drag law, 0 Projection or 1 Cross Flow; default 0. Projection: |U| times the wind component normal to the branch.
-  /// Cross Flow: quadratic in the normal component alone. Used by the Direct response; the Interpolated one is linear
-  /// in the projection.
+  /**
+   * Drag law, 0 Projection or 1 Cross Flow; default 0. Projection: |U| times the wind component normal to the branch.
+   * Cross Flow: quadratic in the normal component alone. Used by the Direct response; the Interpolated one is linear in
+   * the projection.
+   */
   vtkSetMacro(DragLaw, int);
   vtkGetMacro(DragLaw, int);
   ///@}
 
   ///@{
-  /// Deflection by the weight of the plants, whose input shape is taken as unloaded; default off.
+  /**
+   * Deflection by the weight of the plants, whose input shape is taken as unloaded; default off.
+   */
   vtkSetMacro(Gravity, bool);
   vtkGetMacro(Gravity, bool);
   vtkBooleanMacro(Gravity, bool);
   ///@}
 
   ///@{
-  /// Wood properties from the plants; default on. Plants with the field data `Wood`, as the presets of the tree sources
-  /// write them, have those properties. If off, and for other plants, YoungModulus, WoodDensity and Damping are used.
+  /**
+   * Wood properties from the plants; default on. Plants with the field data `Wood`, as the presets of the tree sources
+   * write them, have those properties. If off, and for other plants, YoungModulus, WoodDensity and Damping are used.
+   */
   vtkSetMacro(WoodFromPlants, bool);
   vtkGetMacro(WoodFromPlants, bool);
   vtkBooleanMacro(WoodFromPlants, bool);
   ///@}
 
   ///@{
-  /// Young's modulus of green wood along the grain, for a cross section of a trunk with its bark [Pa], 1e5 to 1e12;
-  /// default 5.1e9. Branches have half of it. Oak has 5.0e9, pine 4.2e9, birch 5.1e9.
+  /**
+   * Young's modulus of green wood along the grain, for a cross section of a trunk with its bark [Pa], 1e5 to 1e12;
+   * default 5.1e9. Branches have half of it. Oak has 5.0e9, pine 4.2e9, birch 5.1e9.
+   */
   vtkSetMacro(YoungModulus, double);
   vtkGetMacro(YoungModulus, double);
   ///@}
 
   ///@{
-  /// Density of green wood [kg/m3], 1 to 1e5; default 950. Oak has 1020, pine 850, birch 870.
+  /**
+   * Density of green wood [kg/m3], 1 to 1e5; default 950. Oak has 1020, pine 850, birch 870.
+   */
   vtkSetMacro(WoodDensity, double);
   vtkGetMacro(WoodDensity, double);
   ///@}
 
   ///@{
-  /// Damping ratio of all modes, 0.001 to 0.95; default 0.08. Wood alone has less than 0.05, trees in leaf more.
+  /**
+   * Damping ratio of all modes, 0.001 to 0.95; default 0.08. Wood alone has less than 0.05, trees in leaf more.
+   */
   vtkSetMacro(Damping, double);
   vtkGetMacro(Damping, double);
   ///@}
 
   ///@{
-  /// Amplitude of the leaf motion relative to that in strong wind, 0 to 2; default 1.
+  /**
+   * Amplitude of the leaf motion relative to that in strong wind, 0 to 2; default 1.
+   */
   vtkSetMacro(LeafFlutter, double);
   vtkGetMacro(LeafFlutter, double);
   ///@}
 
   ///@{
-  /// Number of textures per crown of the level Medium, at equal time intervals of one period of its trunk, 1 to 16;
-  /// default 8. With 1 the texture is constant.
+  /**
+   * Number of textures per crown of the level Medium, at equal time intervals of one period of its trunk, 1 to 16;
+   * default 8. With 1 the texture is constant.
+   */
   vtkSetMacro(NumberOfPictures, int);
   vtkGetMacro(NumberOfPictures, int);
   ///@}
 
   ///@{
-  /// Columns and rows of a crown texture [texels], each 4 to 4096; default 256 128.
+  /**
+   * Columns and rows of a crown texture [texels], each 4 to 4096; default 256 128.
+   */
   vtkSetVector2Macro(PictureSize, int);
   vtkGetVector2Macro(PictureSize, int);
   ///@}
 
   ///@{
-  /// Seed of the random numbers of the leaf flutter, any integer; default 1.
+  /**
+   * Seed of the random numbers of the leaf flutter, any integer; default 1.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

@@ -46,68 +46,88 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Maximum lag distance [m], not negative; default 0, half the shorter side of the image.
+  /**
+   * Maximum lag distance [m], not negative; default 0, half the shorter side of the image.
+   */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);
   ///@}
 
   ///@{
-  /// Number of lag classes up to MaximumLag, 6 to 10000; default 40.
+  /**
+   * Number of lag classes up to MaximumLag, 6 to 10000; default 40.
+   */
   vtkSetMacro(NumberOfLags, int);
   vtkGetMacro(NumberOfLags, int);
   ///@}
 
   ///@{
-  /// Removal of a least-squares plane before the variogram is computed; default on. If off, the mean alone is removed.
+  /**
+   * Removal of a least-squares plane before the variogram is computed; default on. If off, the mean alone is removed.
+   */
   vtkSetMacro(RemoveTrend, bool);
   vtkGetMacro(RemoveTrend, bool);
   vtkBooleanMacro(RemoveTrend, bool);
   ///@}
 
   ///@{
-  /// Estimation of a nugget, the discontinuity of the variogram at lag 0 due to measurement noise; default on. It is
-  /// kept, in all models, if it lowers the minimum AICc by more than 0.4 per lag class; otherwise Nugget is 0.
+  /**
+   * Estimation of a nugget, the discontinuity of the variogram at lag 0 due to measurement noise; default on. It is
+   * kept, in all models, if it lowers the minimum AICc by more than 0.4 per lag class; otherwise Nugget is 0.
+   */
   vtkSetMacro(FitNugget, bool);
   vtkGetMacro(FitNugget, bool);
   vtkBooleanMacro(FitNugget, bool);
   ///@}
 
   ///@{
-  /// Estimation of geometric anisotropy, an ellipse of ranges fitted to the directional variograms; default on.
+  /**
+   * Estimation of geometric anisotropy, an ellipse of ranges fitted to the directional variograms; default on.
+   */
   vtkSetMacro(FitAnisotropy, bool);
   vtkGetMacro(FitAnisotropy, bool);
   vtkBooleanMacro(FitAnisotropy, bool);
   ///@}
 
   ///@{
-  /// Number of directional variograms over half a turn, 4 to 90; default 12. Used only with FitAnisotropy.
+  /**
+   * Number of directional variograms over half a turn, 4 to 90; default 12. Used only with FitAnisotropy.
+   */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
   ///@{
-  /// Upper bound of the range of a model [m], not negative; default 0, MaximumLag. The bound of Spherical, whose range
-  /// ends the correlation, is twice this. A range beyond the lags cannot be distinguished from a trend.
+  /**
+   * Upper bound of the range of a model [m], not negative; default 0, MaximumLag. The bound of Spherical, whose range
+   * ends the correlation, is twice this. A range beyond the lags cannot be distinguished from a trend.
+   */
   vtkSetMacro(LongestRange, double);
   vtkGetMacro(LongestRange, double);
   ///@}
 
   ///@{
-  /// Longest wavelength of the Fractal model [m], not negative; default 0, four times the longer side of the image. No
-  /// variogram determines it.
+  /**
+   * Longest wavelength of the Fractal model [m], not negative; default 0, four times the longer side of the image. No
+   * variogram determines it.
+   */
   vtkSetMacro(FractalWavelength, double);
   vtkGetMacro(FractalWavelength, double);
   ///@}
 
   ///@{
-  /// Exclusion of values equal to NoDataValue; default off. NaN is always excluded.
+  /**
+   * Exclusion of values equal to NoDataValue; default off. NaN is always excluded.
+   */
   vtkSetMacro(UseNoDataValue, bool);
   vtkGetMacro(UseNoDataValue, bool);
   vtkBooleanMacro(UseNoDataValue, bool);
   ///@}
 
   ///@{
-  /// Value that marks missing data; default -9999. Used only with UseNoDataValue.
+  /**
+   * Value that marks missing data; default -9999. Used only with UseNoDataValue.
+   */
   vtkSetMacro(NoDataValue, double);
   vtkGetMacro(NoDataValue, double);
   ///@}

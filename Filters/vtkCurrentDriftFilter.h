@@ -55,33 +55,43 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Time of the input positions [s]; default 0.
+  /**
+   * Time of the input positions [s]; default 0.
+   */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
 
   ///@{
-  /// Time step of the integration [s], positive; default 0.1. A vortex should not rotate by more than 0.1 rad per step:
-  /// 2 pi core^2 / circulation / 10.
+  /**
+   * Time step of the integration [s], positive; default 0.1. A vortex should not rotate by more than 0.1 rad per step:
+   * 2 pi core^2 / circulation / 10.
+   */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /// Impermeable bed and surface, which keep the points in the water; default on.
+  /**
+   * Impermeable bed and surface, which keep the points in the water; default on.
+   */
   vtkSetMacro(KeepInWater, bool);
   vtkGetMacro(KeepInWater, bool);
   vtkBooleanMacro(KeepInWater, bool);
   ///@}
 
   ///@{
-  /// Mean sea level, the z of the surface [m]; default 0. Used only with KeepInWater.
+  /**
+   * Mean sea level, the z of the surface [m]; default 0. Used only with KeepInWater.
+   */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
   ///@}
 
   ///@{
-  /// Water depth [m], positive, or 0 for no bed; default 0. Used only with KeepInWater.
+  /**
+   * Water depth [m], positive, or 0 for no bed; default 0. Used only with KeepInWater.
+   */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);
   ///@}
@@ -93,30 +103,38 @@ public:
   };
 
   ///@{
-  /// Interpolation of velocities in images and rectilinear grids, a VelocityInterpolations; default CubicSpline.
-  /// Linear: trilinear in a cell, whose divergence slowly concentrates the points. CubicSpline: splines through all
-  /// points, whose coefficients take as much memory as the array. Other data sets are always interpolated linearly.
+  /**
+   * Interpolation of velocities in images and rectilinear grids, a VelocityInterpolations; default CubicSpline. Linear:
+   * trilinear in a cell, whose divergence slowly concentrates the points. CubicSpline: splines through all points,
+   * whose coefficients take as much memory as the array. Other data sets are always interpolated linearly.
+   */
   vtkSetMacro(VelocityInterpolation, int);
   vtkGetMacro(VelocityInterpolation, int);
   ///@}
 
   ///@{
-  /// Name of the point array of velocities in data sets that are no flow primitives; default null. If empty or null, it
-  /// is `Velocity`, else the only array of three components.
+  /**
+   * Name of the point array of velocities in data sets that are no flow primitives; default null. If empty or null, it
+   * is `Velocity`, else the only array of three components.
+   */
   vtkSetStringMacro(VelocityArray);
   vtkGetStringMacro(VelocityArray);
   ///@}
 
   ///@{
-  /// Addition of the point array `Current`[3], the velocity of the current at the output points [m/s]; default off.
+  /**
+   * Addition of the point array `Current`[3], the velocity of the current at the output points [m/s]; default off.
+   */
   vtkSetMacro(GenerateCurrent, bool);
   vtkGetMacro(GenerateCurrent, bool);
   vtkBooleanMacro(GenerateCurrent, bool);
   ///@}
 
   ///@{
-  /// First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
-  /// requested.
+  /**
+   * First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
+   * requested.
+   */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
   ///@}

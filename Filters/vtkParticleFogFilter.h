@@ -47,54 +47,70 @@ public:
   };
 
   ///@{
-  /// Definition of the sampling grid, a GridRules; default ByDimensions. ByDimensions: a fixed number of samples over
-  /// the box. BySpacing: cubic cells of the side Spacing over Bounds, which needs UseBounds.
+  /**
+   * Definition of the sampling grid, a GridRules; default ByDimensions. ByDimensions: a fixed number of samples over
+   * the box. BySpacing: cubic cells of the side Spacing over Bounds, which needs UseBounds.
+   */
   vtkSetMacro(GridBy, int);
   vtkGetMacro(GridBy, int);
   ///@}
 
   ///@{
-  /// Number of samples along x, y and z, each at least 2; default 64 64 64. Used only if GridBy is ByDimensions.
+  /**
+   * Number of samples along x, y and z, each at least 2; default 64 64 64. Used only if GridBy is ByDimensions.
+   */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
   ///@{
-  /// Side of the cubic cells [m], positive; default 0.5. Used only if GridBy is BySpacing.
+  /**
+   * Side of the cubic cells [m], positive; default 0.5. Used only if GridBy is BySpacing.
+   */
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Image over Bounds instead of the bounding box of the particles; default off.
+  /**
+   * Image over Bounds instead of the bounding box of the particles; default off.
+   */
   vtkSetMacro(UseBounds, bool);
   vtkGetMacro(UseBounds, bool);
   vtkBooleanMacro(UseBounds, bool);
   ///@}
 
   ///@{
-  /// Bounds of the image, as minimum and maximum x, y and z [m], increasing; default -10 10 -10 10 -10 0. If GridBy is
-  /// BySpacing they are rounded up to whole cells. Used only with UseBounds.
+  /**
+   * Bounds of the image, as minimum and maximum x, y and z [m], increasing; default -10 10 -10 10 -10 0. If GridBy is
+   * BySpacing they are rounded up to whole cells. Used only with UseBounds.
+   */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
   ///@{
-  /// Radius of particles without the point array `Radius` [m], positive; default 0.005.
+  /**
+   * Radius of particles without the point array `Radius` [m], positive; default 0.005.
+   */
   vtkSetMacro(ParticleRadius, double);
   vtkGetMacro(ParticleRadius, double);
   ///@}
 
   ///@{
-  /// Extinction efficiency, the ratio of the extinction cross section to the area of the disk of a particle, not
-  /// negative; default 1, an opaque disk. Large particles have 2 including diffraction.
+  /**
+   * Extinction efficiency, the ratio of the extinction cross section to the area of the disk of a particle, not
+   * negative; default 1, an opaque disk. Large particles have 2 including diffraction.
+   */
   vtkSetMacro(ExtinctionEfficiency, double);
   vtkGetMacro(ExtinctionEfficiency, double);
   ///@}
 
   ///@{
-  /// Extinction coefficient of the water [1/m], not negative, added everywhere; default 0. 0.065 leaves 2 % of the
-  /// contrast after 60 m.
+  /**
+   * Extinction coefficient of the water [1/m], not negative, added everywhere; default 0. 0.065 leaves 2 % of the
+   * contrast after 60 m.
+   */
   vtkSetMacro(WaterExtinction, double);
   vtkGetMacro(WaterExtinction, double);
   ///@}

@@ -62,95 +62,123 @@ public:
   };
 
   ///@{
-  /// Levels of detail: slaves and fog depending on the distance; default on. If off, each particle has its own orbit.
+  /**
+   * Levels of detail: slaves and fog depending on the distance; default on. If off, each particle has its own orbit.
+   */
   vtkSetMacro(UseLevels, bool);
   vtkGetMacro(UseLevels, bool);
   vtkBooleanMacro(UseLevels, bool);
   ///@}
 
   ///@{
-  /// Distance from the camera beyond which particles follow masters, D_m of the paper [m], not negative, not above
-  /// FarDistance; default 2. It is the same property as NearDistance.
+  /**
+   * Distance from the camera beyond which particles follow masters, D_m of the paper [m], not negative, not above
+   * FarDistance; default 2. It is the same property as NearDistance.
+   */
   void SetMiddleDistance(double distance) { this->SetNearDistance(distance); }
   double GetMiddleDistance() { return this->GetNearDistance(); }
   ///@}
 
   ///@{
-  /// Half width of the bands about MiddleDistance and FarDistance in which levels blend [m], not negative; default 0.5.
+  /**
+   * Half width of the bands about MiddleDistance and FarDistance in which levels blend [m], not negative; default 0.5.
+   */
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
   ///@}
 
   ///@{
-  /// Distance from the camera, or from its plane in parallel projection, beyond which neither particles nor fog are
-  /// shown [m], not negative; default 60. 0 means no limit.
+  /**
+   * Distance from the camera, or from its plane in parallel projection, beyond which neither particles nor fog are
+   * shown [m], not negative; default 60. 0 means no limit.
+   */
   vtkSetMacro(Visibility, double);
   vtkGetMacro(Visibility, double);
   ///@}
 
   ///@{
-  /// Number of slaves per master, 0 to 1000; default 3.
+  /**
+   * Number of slaves per master, 0 to 1000; default 3.
+   */
   vtkSetMacro(SlavesPerMaster, int);
   vtkGetMacro(SlavesPerMaster, int);
   ///@}
 
   ///@{
-  /// Minimum and maximum distance of a slave from its master [m], not negative, not decreasing; default 0 0.5.
-  /// Particles outside this range have individual orbits.
+  /**
+   * Minimum and maximum distance of a slave from its master [m], not negative, not decreasing; default 0 0.5. Particles
+   * outside this range have individual orbits.
+   */
   vtkSetVector2Macro(OffsetRange, double);
   vtkGetVector2Macro(OffsetRange, double);
   ///@}
 
   ///@{
-  /// Position of a slave relative to its master, a SlavePlacements; default OwnPlace. OwnPlace: the offset of the
-  /// particle in the input. Scattered: a random offset within OffsetRange, as in the paper.
+  /**
+   * Position of a slave relative to its master, a SlavePlacements; default OwnPlace. OwnPlace: the offset of the
+   * particle in the input. Scattered: a random offset within OffsetRange, as in the paper.
+   */
   vtkSetMacro(SlavePlacement, int);
   vtkGetMacro(SlavePlacement, int);
   ///@}
 
   ///@{
-  /// Seed of the random offsets of scattered slaves, any integer; default 1. Used only if SlavePlacement is Scattered.
+  /**
+   * Seed of the random offsets of scattered slaves, any integer; default 1. Used only if SlavePlacement is Scattered.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// Criterion for leaving out wave trains, a TrainSelections; default TailSum. TailSum: the last trains, as long as
-  /// their total displacement is below ScreenError anywhere in a viewport of ViewHeight. PerTrain: each train whose own
-  /// displacement is, as in the paper; their sum may be several times as much. AllTrains: none.
+  /**
+   * Criterion for leaving out wave trains, a TrainSelections; default TailSum. TailSum: the last trains, as long as
+   * their total displacement is below ScreenError anywhere in a viewport of ViewHeight. PerTrain: each train whose own
+   * displacement is, as in the paper; their sum may be several times as much. AllTrains: none.
+   */
   vtkSetMacro(TrainSelection, int);
   vtkGetMacro(TrainSelection, int);
   ///@}
 
   ///@{
-  /// Maximum screen-space error by omitted wave trains, see TrainSelection [pixels], positive; default 1. Not used if
-  /// TrainSelection is AllTrains.
+  /**
+   * Maximum screen-space error by omitted wave trains, see TrainSelection [pixels], positive; default 1. Not used if
+   * TrainSelection is AllTrains.
+   */
   vtkSetMacro(ScreenError, double);
   vtkGetMacro(ScreenError, double);
   ///@}
 
   ///@{
-  /// Culling of particles whose orbits lie outside the view frustum; default on.
+  /**
+   * Culling of particles whose orbits lie outside the view frustum; default on.
+   */
   vtkSetMacro(UseCulling, bool);
   vtkGetMacro(UseCulling, bool);
   vtkBooleanMacro(UseCulling, bool);
   ///@}
 
   ///@{
-  /// Mean number of particles per culling cell, positive; default 64.
+  /**
+   * Mean number of particles per culling cell, positive; default 64.
+   */
   vtkSetMacro(ParticlesPerCell, int);
   vtkGetMacro(ParticlesPerCell, int);
   ///@}
 
   ///@{
-  /// Margin of the view frustum for the size of the particles [m], not negative; default 0.01.
+  /**
+   * Margin of the view frustum for the size of the particles [m], not negative; default 0.01.
+   */
   vtkSetMacro(Margin, double);
   vtkGetMacro(Margin, double);
   ///@}
 
   ///@{
-  /// Margin of the view frustum for particles shown as fog [m], not negative; default 1. It should be at least the
-  /// spacing of the fog image.
+  /**
+   * Margin of the view frustum for particles shown as fog [m], not negative; default 1. It should be at least the
+   * spacing of the fog image.
+   */
   vtkSetMacro(FogMargin, double);
   vtkGetMacro(FogMargin, double);
   ///@}

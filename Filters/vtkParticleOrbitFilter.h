@@ -41,58 +41,74 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Stokes drift of the centers, to second order in the wave amplitudes; default off. The model of the paper has none.
+  /**
+   * Stokes drift of the centers, to second order in the wave amplitudes; default off. The model of the paper has none.
+   */
   vtkSetMacro(StokesDrift, bool);
   vtkGetMacro(StokesDrift, bool);
   vtkBooleanMacro(StokesDrift, bool);
   ///@}
 
   ///@{
-  /// Doppler shift of the waves seen by particles that Current carries, so that they keep their orbital periods;
-  /// default off. Off, as in the paper, they move through waves that do not travel with the current.
+  /**
+   * Doppler shift of the waves seen by particles that Current carries, so that they keep their orbital periods; default
+   * off. Off, as in the paper, they move through waves that do not travel with the current.
+   */
   vtkSetMacro(DopplerShift, bool);
   vtkGetMacro(DopplerShift, bool);
   vtkBooleanMacro(DopplerShift, bool);
   ///@}
 
   ///@{
-  /// Velocity of the current that carries the centers, along x and y [m/s]; default 0 0. This filter does not apply it
-  /// to the centers. Used only with DopplerShift.
+  /**
+   * Velocity of the current that carries the centers, along x and y [m/s]; default 0 0. This filter does not apply it
+   * to the centers. Used only with DopplerShift.
+   */
   vtkSetVector2Macro(Current, double);
   vtkGetVector2Macro(Current, double);
   ///@}
 
   ///@{
-  /// Factor of the horizontal displacement, 0 to 1; default 1, that of water, with sharp crests. A smaller factor keeps
-  /// steep seas from folding over themselves.
+  /**
+   * Factor of the horizontal displacement, 0 to 1; default 1, that of water, with sharp crests. A smaller factor keeps
+   * steep seas from folding over themselves.
+   */
   vtkSetMacro(Choppiness, double);
   vtkGetMacro(Choppiness, double);
   ///@}
 
   ///@{
-  /// Addition of the point array `Velocity`[3] [m/s]; default off.
+  /**
+   * Addition of the point array `Velocity`[3] [m/s]; default off.
+   */
   vtkSetMacro(GenerateVelocity, bool);
   vtkGetMacro(GenerateVelocity, bool);
   vtkBooleanMacro(GenerateVelocity, bool);
   ///@}
 
   ///@{
-  /// Addition of the point array `Acceleration`[3] [m/s2]; default off.
+  /**
+   * Addition of the point array `Acceleration`[3] [m/s2]; default off.
+   */
   vtkSetMacro(GenerateAcceleration, bool);
   vtkGetMacro(GenerateAcceleration, bool);
   vtkBooleanMacro(GenerateAcceleration, bool);
   ///@}
 
   ///@{
-  /// Addition of the point arrays `Normals` and `Jacobian` if all points lie at sea level; default on.
+  /**
+   * Addition of the point arrays `Normals` and `Jacobian` if all points lie at sea level; default on.
+   */
   vtkSetMacro(GenerateSurface, bool);
   vtkGetMacro(GenerateSurface, bool);
   vtkBooleanMacro(GenerateSurface, bool);
   ///@}
 
   ///@{
-  /// First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
-  /// requested.
+  /**
+   * First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
+   * requested.
+   */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
   ///@}

@@ -51,67 +51,87 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Seed of the random numbers, any integer; default 1. Another seed gives other species, sizes, azimuths and colors.
+  /**
+   * Seed of the random numbers, any integer; default 1. Another seed gives other species, sizes, azimuths and colors.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// Relative frequency of a prototype, not negative; default 1 for each. At least one must be positive.
+  /**
+   * Relative frequency of a prototype, not negative; default 1 for each. At least one must be positive.
+   */
   void SetWeight(int prototype, double weight);
   double GetWeight(int prototype);
   void ClearWeights();
   ///@}
 
   ///@{
-  /// Standard deviation of the plant size relative to the prototype, 0 to 0.45; default 0.15. Deviations are truncated
-  /// at two standard deviations.
+  /**
+   * Standard deviation of the plant size relative to the prototype, 0 to 0.45; default 0.15. Deviations are truncated
+   * at two standard deviations.
+   */
   vtkSetMacro(ScaleVariation, double);
   vtkGetMacro(ScaleVariation, double);
   ///@}
 
   ///@{
-  /// Standard deviation of the brightness of leaves and crown between plants, 0 to 0.45; default 0.08. The color
-  /// temperature varies too.
+  /**
+   * Standard deviation of the brightness of leaves and crown between plants, 0 to 0.45; default 0.08. The color
+   * temperature varies too.
+   */
   vtkSetMacro(TintVariation, double);
   vtkGetMacro(TintVariation, double);
   ///@}
 
   ///@{
-  /// Maximum slope of the ground at a plant [degrees], 0 to 90; default 90, no limit. Used only with a terrain.
+  /**
+   * Maximum slope of the ground at a plant [degrees], 0 to 90; default 90, no limit. Used only with a terrain.
+   */
   vtkSetMacro(SlopeLimit, double);
   vtkGetMacro(SlopeLimit, double);
   ///@}
 
   ///@{
-  /// Minimum and maximum elevation of the ground at a plant [m], not decreasing; default -1e30 1e30, no limits.
+  /**
+   * Minimum and maximum elevation of the ground at a plant [m], not decreasing; default -1e30 1e30, no limits.
+   */
   vtkSetVector2Macro(HeightRange, double);
   vtkGetVector2Macro(HeightRange, double);
   ///@}
 
   ///@{
-  /// Levels of detail depending on the distance from the camera; default on. If off, all plants are High.
+  /**
+   * Levels of detail depending on the distance from the camera; default on. If off, all plants are High.
+   */
   vtkSetMacro(UseLevels, bool);
   vtkGetMacro(UseLevels, bool);
   vtkBooleanMacro(UseLevels, bool);
   ///@}
 
   ///@{
-  /// Culling of cells outside the view frustum; default on.
+  /**
+   * Culling of cells outside the view frustum; default on.
+   */
   vtkSetMacro(UseCells, bool);
   vtkGetMacro(UseCells, bool);
   vtkBooleanMacro(UseCells, bool);
   ///@}
 
   ///@{
-  /// Mean number of plants per culling cell, positive; default 1.
+  /**
+   * Mean number of plants per culling cell, positive; default 1.
+   */
   vtkSetMacro(PlantsPerCell, double);
   vtkGetMacro(PlantsPerCell, double);
   ///@}
 
   ///@{
-  /// Distance from the camera, or from its plane in parallel projection, beyond which no plant is shown [m], not
-  /// negative; default 0, no limit.
+  /**
+   * Distance from the camera, or from its plane in parallel projection, beyond which no plant is shown [m], not
+   * negative; default 0, no limit.
+   */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
   ///@}

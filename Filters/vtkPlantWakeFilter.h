@@ -34,28 +34,36 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Flow primitive of a plant, 0 Source or 1 Doublet; default 0. Source: by the acceleration of the plant, as in the
-  /// paper. Doublet: by its velocity.
+  /**
+   * Flow primitive of a plant, 0 Source or 1 Doublet; default 0. Source: by the acceleration of the plant, as in the
+   * paper. Doublet: by its velocity.
+   */
   vtkSetMacro(Primitive, int);
   vtkGetMacro(Primitive, int);
   ///@}
 
   ///@{
-  /// Strength of the wake, 0 to 1e6; default 0.5. Source: discharge per acceleration [m2 s]. Doublet: factor of the
-  /// doublet of a rigid body of the plant's volume.
+  /**
+   * Strength of the wake, 0 to 1e6; default 0.5. Source: discharge per acceleration [m2 s]. Doublet: factor of the
+   * doublet of a rigid body of the plant's volume.
+   */
   vtkSetMacro(Strength, double);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
-  /// Distance from the bounding box of the plant at which the wake is 0 [m], 0.001 to 1000; default 0.5.
+  /**
+   * Distance from the bounding box of the plant at which the wake is 0 [m], 0.001 to 1000; default 0.5.
+   */
   vtkSetMacro(Margin, double);
   vtkGetMacro(Margin, double);
   ///@}
 
   ///@{
-  /// Core radius of the primitives relative to half the diagonal of the bounding box, 0.001 to 1; default 0.2. The
-  /// radius is at least 1 cm.
+  /**
+   * Core radius of the primitives relative to half the diagonal of the bounding box, 0.001 to 1; default 0.2. The
+   * radius is at least 1 cm.
+   */
   vtkSetMacro(CoreShare, double);
   vtkGetMacro(CoreShare, double);
   ///@}

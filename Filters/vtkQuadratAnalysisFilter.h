@@ -37,20 +37,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Lower left corner of the study area [m]; default 0 0. Used only if Size is not 0 0.
+  /**
+   * Lower left corner of the study area [m]; default 0 0. Used only if Size is not 0 0.
+   */
   vtkSetVector2Macro(Origin, double);
   vtkGetVector2Macro(Origin, double);
   ///@}
 
   ///@{
-  /// Width and height of the study area [m], not negative; default 0 0, the bounding box of the points. Points outside
-  /// are left out. The bounding box is a little smaller than the area in which the points were mapped.
+  /**
+   * Width and height of the study area [m], not negative; default 0 0, the bounding box of the points. Points outside
+   * are left out. The bounding box is a little smaller than the area in which the points were mapped.
+   */
   vtkSetVector2Macro(Size, double);
   vtkGetVector2Macro(Size, double);
   ///@}
 
   ///@{
-  /// Number of quadrats along x and y, not negative; default 0 0, about as many nearly square quadrats as points.
+  /**
+   * Number of quadrats along x and y, not negative; default 0 0, about as many nearly square quadrats as points.
+   */
   vtkSetVector2Macro(Quadrats, int);
   vtkGetVector2Macro(Quadrats, int);
   ///@}

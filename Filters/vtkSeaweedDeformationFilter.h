@@ -60,154 +60,198 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Method of motion, 0 Procedural or 1 Physical; default 1. Procedural: springs in equilibrium with the instantaneous
-  /// load (eqs. 5, 6). Physical: the equations of motion (eqs. 7 to 10).
+  /**
+   * Method of motion, 0 Procedural or 1 Physical; default 1. Procedural: springs in equilibrium with the instantaneous
+   * load (eqs. 5, 6). Physical: the equations of motion (eqs. 7 to 10).
+   */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /// Joint model, 0 Bending or 1 Tilting; default 0. Bending: about two axes. Tilting: the azimuth about the parent
-  /// segment and the tilt of the paper, which cannot bend a straight plant in all directions.
+  /**
+   * Joint model, 0 Bending or 1 Tilting; default 0. Bending: about two axes. Tilting: the azimuth about the parent
+   * segment and the tilt of the paper, which cannot bend a straight plant in all directions.
+   */
   vtkSetMacro(Joint, int);
   vtkGetMacro(Joint, int);
   ///@}
 
   ///@{
-  /// Load model, 0 Morison or 1 Direct; default 0. Morison: drag by the relative velocity, inertia and buoyancy.
-  /// Direct, that of the paper: ForceFactor times the current and the acceleration of the water (its displacement for
-  /// procedural plants).
+  /**
+   * Load model, 0 Morison or 1 Direct; default 0. Morison: drag by the relative velocity, inertia and buoyancy. Direct,
+   * that of the paper: ForceFactor times the current and the acceleration of the water (its displacement for procedural
+   * plants).
+   */
   vtkSetMacro(Load, int);
   vtkGetMacro(Load, int);
   ///@}
 
   ///@{
-  /// Time integration of physical plants, 0 Implicit or 1 Explicit Euler; default 0. Implicit: the second-order
-  /// midpoint rule, with sub-steps where the motion needs them; plants gain energy from the water only. Explicit Euler,
-  /// that of the paper: with a warning where TimeStep exceeds its stability limit.
+  /**
+   * Time integration of physical plants, 0 Implicit or 1 Explicit Euler; default 0. Implicit: the second-order midpoint
+   * rule, with sub-steps where the motion needs them; plants gain energy from the water only. Explicit Euler, that of
+   * the paper: with a warning where TimeStep exceeds its stability limit.
+   */
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
   ///@}
 
   ///@{
-  /// Time at which physical plants are at rest [s], -1e9 to 1e9; default -5. Some seconds before the first frame let
-  /// them lean into the current.
+  /**
+   * Time at which physical plants are at rest [s], -1e9 to 1e9; default -5. Some seconds before the first frame let
+   * them lean into the current.
+   */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
 
   ///@{
-  /// Time step of physical plants [s], 1e-5 to 1; default 1/48.
+  /**
+   * Time step of physical plants [s], 1e-5 to 1; default 1/48.
+   */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /// Density of the water [kg/m3], 1 to 1e5; default 1025.
+  /**
+   * Density of the water [kg/m3], 1 to 1e5; default 1025.
+   */
   vtkSetMacro(WaterDensity, double);
   vtkGetMacro(WaterDensity, double);
   ///@}
 
   ///@{
-  /// Drag coefficient of the flow normal to a segment, 0 to 100; default 1. The reference area is that of the face, and
-  /// of the edge for flow along the width.
+  /**
+   * Drag coefficient of the flow normal to a segment, 0 to 100; default 1. The reference area is that of the face, and
+   * of the edge for flow along the width.
+   */
   vtkSetMacro(DragCoefficient, double);
   vtkGetMacro(DragCoefficient, double);
   ///@}
 
   ///@{
-  /// Skin friction coefficient of the flow along a segment, 0 to 100; default 0.02. The reference area is the wetted
-  /// surface.
+  /**
+   * Skin friction coefficient of the flow along a segment, 0 to 100; default 0.02. The reference area is the wetted
+   * surface.
+   */
   vtkSetMacro(FrictionCoefficient, double);
   vtkGetMacro(FrictionCoefficient, double);
   ///@}
 
   ///@{
-  /// Added mass coefficient, 0 to 100; default 1. The reference mass is that of a water cylinder with the width as
-  /// diameter for acceleration normal to the face, and with the thickness as diameter for acceleration along the width;
-  /// acceleration along the segment has none.
+  /**
+   * Added mass coefficient, 0 to 100; default 1. The reference mass is that of a water cylinder with the width as
+   * diameter for acceleration normal to the face, and with the thickness as diameter for acceleration along the width;
+   * acceleration along the segment has none.
+   */
   vtkSetMacro(AddedMassCoefficient, double);
   vtkGetMacro(AddedMassCoefficient, double);
   ///@}
 
   ///@{
-  /// Factor of the damping ratios of the plants, 0 to 1000; default 1.
+  /**
+   * Factor of the damping ratios of the plants, 0 to 1000; default 1.
+   */
   vtkSetMacro(DampingFactor, double);
   vtkGetMacro(DampingFactor, double);
   ///@}
 
   ///@{
-  /// Force per length of the load Direct [N/m] for 1 m/s2, 1 m or 1 m/s, 0 to 1e6; default 1.
+  /**
+   * Force per length of the load Direct [N/m] for 1 m/s2, 1 m or 1 m/s, 0 to 1e6; default 1.
+   */
   vtkSetMacro(ForceFactor, double);
   vtkGetMacro(ForceFactor, double);
   ///@}
 
   ///@{
-  /// Point of action of the load on a segment of a procedural plant, as a fraction of its length, 0 to 1; default 0.5.
-  /// The paper has 1.
+  /**
+   * Point of action of the load on a segment of a procedural plant, as a fraction of its length, 0 to 1; default 0.5.
+   * The paper has 1.
+   */
   vtkSetMacro(LeverArm, double);
   vtkGetMacro(LeverArm, double);
   ///@}
 
   ///@{
-  /// Maximum joint angle of procedural plants [degrees], 0 to 180; default 60.
+  /**
+   * Maximum joint angle of procedural plants [degrees], 0 to 180; default 60.
+   */
   vtkSetMacro(LargestAngle, double);
   vtkGetMacro(LargestAngle, double);
   ///@}
 
   ///@{
-  /// Levels of detail of the motion depending on the distance from the camera, and none outside the view; default off.
+  /**
+   * Levels of detail of the motion depending on the distance from the camera, and none outside the view; default off.
+   */
   vtkSetMacro(UseLevels, bool);
   vtkGetMacro(UseLevels, bool);
   vtkBooleanMacro(UseLevels, bool);
   ///@}
 
   ///@{
-  /// Length over which a level blends into the next, beyond NearDistance and FarDistance [m], 0 to 1e9; default 12. It
-  /// is at least the reach of the plant. 0 means an immediate change.
+  /**
+   * Length over which a level blends into the next, beyond NearDistance and FarDistance [m], 0 to 1e9; default 12. It
+   * is at least the reach of the plant. 0 means an immediate change.
+   */
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
   ///@}
 
   ///@{
-  /// Minimum duration of a change of levels for a camera moving at ViewSpeed [s], 0 to 1e9; default 0. BlendDistance is
-  /// increased by the distance covered in that time, so that the output still does not depend on earlier frames.
+  /**
+   * Minimum duration of a change of levels for a camera moving at ViewSpeed [s], 0 to 1e9; default 0. BlendDistance is
+   * increased by the distance covered in that time, so that the output still does not depend on earlier frames.
+   */
   vtkSetMacro(BlendTime, double);
   vtkGetMacro(BlendTime, double);
   ///@}
 
   ///@{
-  /// Speed of the camera for BlendTime [m/s], 0 to 1e9; default 1, that of a diver.
+  /**
+   * Speed of the camera for BlendTime [m/s], 0 to 1e9; default 1, that of a diver.
+   */
   vtkSetMacro(ViewSpeed, double);
   vtkGetMacro(ViewSpeed, double);
   ///@}
 
   ///@{
-  /// Maximum screen-space displacement of the water at the top of a procedural plant by all omitted wave trains
-  /// [pixels], 0 to 1e9; default 0.5. The error of a flexible plant may be several times larger, up to 6 pixels for the
-  /// presets with the default.
+  /**
+   * Maximum screen-space displacement of the water at the top of a procedural plant by all omitted wave trains
+   * [pixels], 0 to 1e9; default 0.5. The error of a flexible plant may be several times larger, up to 6 pixels for the
+   * presets with the default.
+   */
   vtkSetMacro(PixelError, double);
   vtkGetMacro(PixelError, double);
   ///@}
 
   ///@{
-  /// Addition of the point arrays `Velocity`[3] [m/s] and `Acceleration`[3] [m/s2] to High/Skeleton, for all segments
-  /// in any view; default off. Needed by vtkPlantWakeFilter.
+  /**
+   * Addition of the point arrays `Velocity`[3] [m/s] and `Acceleration`[3] [m/s2] to High/Skeleton, for all segments in
+   * any view; default off. Needed by vtkPlantWakeFilter.
+   */
   vtkSetMacro(GenerateMotion, bool);
   vtkGetMacro(GenerateMotion, bool);
   vtkBooleanMacro(GenerateMotion, bool);
   ///@}
 
   ///@{
-  /// Name of the point array of velocities in currents that are no flow primitives; default null. If empty or null, it
-  /// is `Velocity`, else the only array of three components.
+  /**
+   * Name of the point array of velocities in currents that are no flow primitives; default null. If empty or null, it
+   * is `Velocity`, else the only array of three components.
+   */
   vtkSetStringMacro(VelocityArray);
   vtkGetStringMacro(VelocityArray);
   ///@}
 
   ///@{
-  /// First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
-  /// requested.
+  /**
+   * First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
+   * requested.
+   */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
   ///@}

@@ -46,43 +46,55 @@ public:
   };
 
   ///@{
-  /// Criterion for the level of a tile, a SelectionRules; default Distance. Distance: level 0 up to NearDistance, the
-  /// coarsest level from FarDistance, and transitions at equal ratios of distance between. ScreenErrorRule: the
-  /// coarsest level whose screen-space error is at most ScreenError.
+  /**
+   * Criterion for the level of a tile, a SelectionRules; default Distance. Distance: level 0 up to NearDistance, the
+   * coarsest level from FarDistance, and transitions at equal ratios of distance between. ScreenErrorRule: the coarsest
+   * level whose screen-space error is at most ScreenError.
+   */
   vtkSetMacro(Selection, int);
   vtkGetMacro(Selection, int);
   ///@}
 
   ///@{
-  /// Maximum screen-space error of a tile [pixels], positive; default 1. Used only if Selection is ScreenErrorRule.
+  /**
+   * Maximum screen-space error of a tile [pixels], positive; default 1. Used only if Selection is ScreenErrorRule.
+   */
   vtkSetMacro(ScreenError, double);
   vtkGetMacro(ScreenError, double);
   ///@}
 
   ///@{
-  /// Number of resolution levels, 1 to 8; default 5. Each level has half the samples per side of the previous one;
-  /// levels with cells larger than a tile are not used.
+  /**
+   * Number of resolution levels, 1 to 8; default 5. Each level has half the samples per side of the previous one;
+   * levels with cells larger than a tile are not used.
+   */
   vtkSetMacro(NumberOfLevels, int);
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
   ///@{
-  /// Number of cells along the side of a tile, a power of two, 1 to 4096; default 32.
+  /**
+   * Number of cells along the side of a tile, a power of two, 1 to 4096; default 32.
+   */
   vtkSetMacro(TileSize, int);
   vtkGetMacro(TileSize, int);
   ///@}
 
   ///@{
-  /// Culling of tiles outside the view frustum; default on.
+  /**
+   * Culling of tiles outside the view frustum; default on.
+   */
   vtkSetMacro(Cull, bool);
   vtkGetMacro(Cull, bool);
   vtkBooleanMacro(Cull, bool);
   ///@}
 
   ///@{
-  /// Addition of the point array `RGB`, the ground colors of a temperate landscape; default on. Meadows are green,
-  /// ground where the input array `Reflectance` is high has dry grass, steep ground is rock. An array `RGB` of the
-  /// input has priority.
+  /**
+   * Addition of the point array `RGB`, the ground colors of a temperate landscape; default on. Meadows are green,
+   * ground where the input array `Reflectance` is high has dry grass, steep ground is rock. An array `RGB` of the input
+   * has priority.
+   */
   vtkSetMacro(GroundColors, bool);
   vtkGetMacro(GroundColors, bool);
   vtkBooleanMacro(GroundColors, bool);

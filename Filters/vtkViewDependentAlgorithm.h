@@ -38,58 +38,74 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Position of the camera [m]; default 0 -100 20. In a parallel projection, any point of the plane from which the
-  /// rays start.
+  /**
+   * Position of the camera [m]; default 0 -100 20. In a parallel projection, any point of the plane from which the rays
+   * start.
+   */
   void SetViewPoint(double x, double y, double z);
   void SetViewPoint(const double point[3]) { this->SetViewPoint(point[0], point[1], point[2]); }
   vtkGetVector3Macro(ViewPoint, double);
   ///@}
 
   ///@{
-  /// Direction of projection, of any length but 0; default 0 1 0.
+  /**
+   * Direction of projection, of any length but 0; default 0 1 0.
+   */
   void SetViewDirection(double x, double y, double z);
   void SetViewDirection(const double d[3]) { this->SetViewDirection(d[0], d[1], d[2]); }
   vtkGetVector3Macro(ViewDirection, double);
   ///@}
 
   ///@{
-  /// View-up vector, of any length but 0, not along ViewDirection; default 0 0 1.
+  /**
+   * View-up vector, of any length but 0, not along ViewDirection; default 0 0 1.
+   */
   void SetViewUp(double x, double y, double z);
   void SetViewUp(const double up[3]) { this->SetViewUp(up[0], up[1], up[2]); }
   vtkGetVector3Macro(ViewUp, double);
   ///@}
 
   ///@{
-  /// Vertical view angle of the camera [degrees], above 0 and below 180; default 30. In a parallel projection it
-  /// affects the levels of detail only, see ParallelScale.
+  /**
+   * Vertical view angle of the camera [degrees], above 0 and below 180; default 30. In a parallel projection it affects
+   * the levels of detail only, see ParallelScale.
+   */
   void SetViewAngle(double angle);
   vtkGetMacro(ViewAngle, double);
   ///@}
 
   ///@{
-  /// Parallel projection instead of perspective; default off.
+  /**
+   * Parallel projection instead of perspective; default off.
+   */
   void SetParallelProjection(bool parallel);
   vtkGetMacro(ParallelProjection, bool);
   vtkBooleanMacro(ParallelProjection, bool);
   ///@}
 
   ///@{
-  /// Half the height of the viewport of a parallel projection [m], positive; default 100. The level of detail is then
-  /// the same everywhere: that of the distance at which a perspective of ViewAngle shows the same height, ParallelScale
-  /// / tan(ViewAngle / 2).
+  /**
+   * Half the height of the viewport of a parallel projection [m], positive; default 100. The level of detail is then
+   * the same everywhere: that of the distance at which a perspective of ViewAngle shows the same height, ParallelScale
+   * / tan(ViewAngle / 2).
+   */
   void SetParallelScale(double scale);
   vtkGetMacro(ParallelScale, double);
   ///@}
 
   ///@{
-  /// Width of the viewport relative to its height, positive; default 16 / 9.
+  /**
+   * Width of the viewport relative to its height, positive; default 16 / 9.
+   */
   void SetAspectRatio(double ratio);
   vtkGetMacro(AspectRatio, double);
   ///@}
 
   ///@{
-  /// Height of the viewport [pixels], positive; default 1080. Used where a screen-space error selects the level of
-  /// detail.
+  /**
+   * Height of the viewport [pixels], positive; default 1080. Used where a screen-space error selects the level of
+   * detail.
+   */
   void SetViewHeight(double height);
   vtkGetMacro(ViewHeight, double);
   ///@}
@@ -102,9 +118,11 @@ public:
   void Follow(vtkRenderer* renderer);
 
   ///@{
-  /// Distances from the camera up to which the first and the second level of detail are shown [m], not negative and not
-  /// decreasing; defaults 60 and 250 unless the subclass has its own. The third level is shown beyond. See
-  /// ParallelScale for the distance in a parallel projection.
+  /**
+   * Distances from the camera up to which the first and the second level of detail are shown [m], not negative and not
+   * decreasing; defaults 60 and 250 unless the subclass has its own. The third level is shown beyond. See ParallelScale
+   * for the distance in a parallel projection.
+   */
   vtkSetMacro(NearDistance, double);
   vtkGetMacro(NearDistance, double);
   vtkSetMacro(FarDistance, double);
@@ -112,13 +130,17 @@ public:
   ///@}
 
   ///@{
-  /// Displacement of the camera that triggers a new execution [m], not negative; default 0, any displacement.
+  /**
+   * Displacement of the camera that triggers a new execution [m], not negative; default 0, any displacement.
+   */
   vtkSetMacro(MoveTolerance, double);
   vtkGetMacro(MoveTolerance, double);
   ///@}
 
   ///@{
-  /// Rotation of the camera that triggers a new execution [degrees], 0 to 10; default 0, any rotation.
+  /**
+   * Rotation of the camera that triggers a new execution [degrees], 0 to 10; default 0, any rotation.
+   */
   vtkSetMacro(TurnTolerance, double);
   vtkGetMacro(TurnTolerance, double);
   ///@}

@@ -55,56 +55,72 @@ public:
   };
 
   ///@{
-  /// Name of the output file; default null, which is an error.
+  /**
+   * Name of the output file; default null, which is an error.
+   */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   ///@{
-  /// Half precision of the values: 16 bits, 11 of them significant, at most 65504; default off. A larger value is an
-  /// error.
+  /**
+   * Half precision of the values: 16 bits, 11 of them significant, at most 65504; default off. A larger value is an
+   * error.
+   */
   vtkSetMacro(HalfFloat, bool);
   vtkGetMacro(HalfFloat, bool);
   vtkBooleanMacro(HalfFloat, bool);
   ///@}
 
   ///@{
-  /// Maximum magnitude of values that count as 0 and are not stored, in the unit of the array, at least 0; default 0,
-  /// lossless. For vectors it holds for each component.
+  /**
+   * Maximum magnitude of values that count as 0 and are not stored, in the unit of the array, at least 0; default 0,
+   * lossless. For vectors it holds for each component.
+   */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /// Compression of the file, a CompressionType; default Blosc. NoCompression; Zip: small and slow; Blosc: fast,
-  /// replaced by Zip where OpenVDB was built without it. Values that are not stored take no space in any case.
+  /**
+   * Compression of the file, a CompressionType; default Blosc. NoCompression; Zip: small and slow; Blosc: fast,
+   * replaced by Zip where OpenVDB was built without it. Values that are not stored take no space in any case.
+   */
   vtkSetClampMacro(Compression, int, NoCompression, Blosc);
   vtkGetMacro(Compression, int);
   ///@}
 
   ///@{
-  /// One file per time step of the input, with FileNameSuffix and the index of the step in its name; default off. An
-  /// input without time steps gives one file named FileName. (Save Data of ParaView has its own option.)
+  /**
+   * One file per time step of the input, with FileNameSuffix and the index of the step in its name; default off. An
+   * input without time steps gives one file named FileName. (Save Data of ParaView has its own option.)
+   */
   vtkSetMacro(WriteAllTimeSteps, bool);
   vtkGetMacro(WriteAllTimeSteps, bool);
   vtkBooleanMacro(WriteAllTimeSteps, bool);
   ///@}
 
   ///@{
-  /// Suffix of the file name in a time series, with one `%d`, `%Nd` or `%0Nd` for the index of the step; default
-  /// `_%04d`, as in wind_0007.vdb. `%0Nd` pads the index with zeros to N digits.
+  /**
+   * Suffix of the file name in a time series, with one `%d`, `%Nd` or `%0Nd` for the index of the step; default
+   * `_%04d`, as in wind_0007.vdb. `%0Nd` pads the index with zeros to N digits.
+   */
   vtkSetMacro(FileNameSuffix, std::string);
   vtkGetMacro(FileNameSuffix, std::string);
   ///@}
 
   ///@{
-  /// Selection of the arrays to write: those that are enabled or not in the selection; default empty, all arrays.
+  /**
+   * Selection of the arrays to write: those that are enabled or not in the selection; default empty, all arrays.
+   */
   vtkDataArraySelection* GetPointDataArraySelection();
   vtkDataArraySelection* GetCellDataArraySelection();
   ///@}
 
   ///@{
-  /// Controller of the ranks that write together; default the global controller. With null each rank writes by itself.
+  /**
+   * Controller of the ranks that write together; default the global controller. With null each rank writes by itself.
+   */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}

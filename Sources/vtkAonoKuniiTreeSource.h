@@ -52,99 +52,126 @@ public:
   };
 
   ///@{
-  /// Published tree, a PresetType; default MonopodialA. All parameters of the tree but Seed and Variation are ignored
-  /// unless it is Custom.
+  /**
+   * Published tree, a PresetType; default MonopodialA. All parameters of the tree but Seed and Variation are ignored
+   * unless it is Custom.
+   */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// Type of branching, a BranchingType; default Monopodial. Monopodial: a straight axis with side branches. Sympodial:
-  /// two unequal branches at each fork. Ternary: three equal branches at each fork.
+  /**
+   * Type of branching, a BranchingType; default Monopodial. Monopodial: a straight axis with side branches. Sympodial:
+   * two unequal branches at each fork. Ternary: three equal branches at each fork.
+   */
   vtkSetMacro(Branching, int);
   vtkGetMacro(Branching, int);
   ///@}
 
   ///@{
-  /// Number of growth iterations, 1 to 15, or 1 to 10 if Branching is Ternary; default 10. Each iteration doubles or
-  /// triples the number of segments.
+  /**
+   * Number of growth iterations, 1 to 15, or 1 to 10 if Branching is Ternary; default 10. Each iteration doubles or
+   * triples the number of segments.
+   */
   vtkSetMacro(Iterations, int);
   vtkGetMacro(Iterations, int);
   ///@}
 
   ///@{
-  /// Length of the stronger branch of a fork relative to its parent, 0.3 to 1.2; default 0.9. Not used if Branching is
-  /// Ternary.
+  /**
+   * Length of the stronger branch of a fork relative to its parent, 0.3 to 1.2; default 0.9. Not used if Branching is
+   * Ternary.
+   */
   vtkSetMacro(LengthRatio1, double);
   vtkGetMacro(LengthRatio1, double);
   ///@}
 
   ///@{
-  /// Length of the weaker branch of a fork relative to its parent, 0.3 to 1.2; default 0.6. Not used if Branching is
-  /// Ternary.
+  /**
+   * Length of the weaker branch of a fork relative to its parent, 0.3 to 1.2; default 0.6. Not used if Branching is
+   * Ternary.
+   */
   vtkSetMacro(LengthRatio2, double);
   vtkGetMacro(LengthRatio2, double);
   ///@}
 
   ///@{
-  /// Branching angle to the parent [degrees], -90 to 90; default 45. It holds for the side branches of the trunk
-  /// (Monopodial), the stronger branch (Sympodial) or all three branches (Ternary).
+  /**
+   * Branching angle to the parent [degrees], -90 to 90; default 45. It holds for the side branches of the trunk
+   * (Monopodial), the stronger branch (Sympodial) or all three branches (Ternary).
+   */
   vtkSetMacro(Angle1, double);
   vtkGetMacro(Angle1, double);
   ///@}
 
   ///@{
-  /// Branching angle of the weaker branch to its parent [degrees], -90 to 90; default 45. It holds for the side
-  /// branches of branches (Monopodial) or the weaker branch of a fork (Sympodial) and is not used if Branching is
-  /// Ternary.
+  /**
+   * Branching angle of the weaker branch to its parent [degrees], -90 to 90; default 45. It holds for the side branches
+   * of branches (Monopodial) or the weaker branch of a fork (Sympodial) and is not used if Branching is Ternary.
+   */
   vtkSetMacro(Angle2, double);
   vtkGetMacro(Angle2, double);
   ///@}
 
   ///@{
-  /// Divergence angle about the trunk [degrees], -360 to 360; default 137.5. It is measured between successive side
-  /// branches (Monopodial), between the two branches of the trunk, 180 in the published trees (Sympodial), or from the
-  /// first branch of a fork to the second (Ternary).
+  /**
+   * Divergence angle about the trunk [degrees], -360 to 360; default 137.5. It is measured between successive side
+   * branches (Monopodial), between the two branches of the trunk, 180 in the published trees (Sympodial), or from the
+   * first branch of a fork to the second (Ternary).
+   */
   vtkSetMacro(DivergenceAngle, double);
   vtkGetMacro(DivergenceAngle, double);
   ///@}
 
   ///@{
-  /// Divergence angle about the parent from the second branch of a fork to the third [degrees], -360 to 360; default
-  /// 132.63. Used only if Branching is Ternary.
+  /**
+   * Divergence angle about the parent from the second branch of a fork to the third [degrees], -360 to 360; default
+   * 132.63. Used only if Branching is Ternary.
+   */
   vtkSetMacro(DivergenceAngle2, double);
   vtkGetMacro(DivergenceAngle2, double);
   ///@}
 
   ///@{
-  /// Radius of a branch relative to its parent, 0.3 to 1; default 0.707. Cross sections are preserved at a fork of n
-  /// branches if it is sqrt(1/n): 0.707 for two, 0.577 for three.
+  /**
+   * Radius of a branch relative to its parent, 0.3 to 1; default 0.707. Cross sections are preserved at a fork of n
+   * branches if it is sqrt(1/n): 0.707 for two, 0.577 for three.
+   */
   vtkSetMacro(WidthRatio, double);
   vtkGetMacro(WidthRatio, double);
   ///@}
 
   ///@{
-  /// Elongation factor of all existing segments per iteration, 0.8 to 3; default 1.109. Used only if Branching is
-  /// Ternary.
+  /**
+   * Elongation factor of all existing segments per iteration, 0.8 to 3; default 1.109. Used only if Branching is
+   * Ternary.
+   */
   vtkSetMacro(Elongation, double);
   vtkGetMacro(Elongation, double);
   ///@}
 
   ///@{
-  /// Tropism vector, the direction that branches bend to, of any length; default 0 0 -1.
+  /**
+   * Tropism vector, the direction that branches bend to, of any length; default 0 0 -1.
+   */
   vtkSetVector3Macro(Tropism, double);
   vtkGetVector3Macro(Tropism, double);
   ///@}
 
   ///@{
-  /// Susceptibility to bending [rad], 0 to 1; default 0. Each segment bends towards Tropism by this value times the
-  /// sine of the angle between them.
+  /**
+   * Susceptibility to bending [rad], 0 to 1; default 0. Each segment bends towards Tropism by this value times the sine
+   * of the angle between them.
+   */
   vtkSetMacro(Susceptibility, double);
   vtkGetMacro(Susceptibility, double);
   ///@}
 
   ///@{
-  /// Length of the first segment of the trunk [m], 0.01 to 50; default 1.75. All other lengths scale with it.
+  /**
+   * Length of the first segment of the trunk [m], 0.01 to 50; default 1.75. All other lengths scale with it.
+   */
   vtkSetMacro(TrunkLength, double);
   vtkGetMacro(TrunkLength, double);
   ///@}

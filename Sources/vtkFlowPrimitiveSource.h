@@ -43,42 +43,54 @@ public:
   };
 
   ///@{
-  /// Type of flow, a FlowTypeValue; default Uniform. Uniform: parallel flow along Axis. Source: radial flow away from
-  /// Center. Sink: radial flow towards Center, which captures particles in its core. Vortex: right-handed rotation
-  /// about Axis through Center.
+  /**
+   * Type of flow, a FlowTypeValue; default Uniform. Uniform: parallel flow along Axis. Source: radial flow away from
+   * Center. Sink: radial flow towards Center, which captures particles in its core. Vortex: right-handed rotation about
+   * Axis through Center.
+   */
   vtkSetMacro(FlowType, int);
   vtkGetMacro(FlowType, int);
   ///@}
 
   ///@{
-  /// Speed of a Uniform flow [m/s], discharge of a Source or Sink [m3/s], or circulation of a Vortex [m2/s]; default
-  /// 0.2. A negative value reverses the flow.
+  /**
+   * Speed of a Uniform flow [m/s], discharge of a Source or Sink [m3/s], or circulation of a Vortex [m2/s]; default
+   * 0.2. A negative value reverses the flow.
+   */
   vtkSetMacro(Strength, double);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
-  /// Center of the flow [m]; default 0 0 0. Not used by a Uniform flow without InfluenceRadius.
+  /**
+   * Center of the flow [m]; default 0 0 0. Not used by a Uniform flow without InfluenceRadius.
+   */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
 
   ///@{
-  /// Direction of a Uniform flow or axis of a Vortex, of any length but 0; default 1 0 0. Not used by a Source or Sink.
+  /**
+   * Direction of a Uniform flow or axis of a Vortex, of any length but 0; default 1 0 0. Not used by a Source or Sink.
+   */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
   ///@}
 
   ///@{
-  /// Core radius, within which the velocity decreases to 0 and a Sink captures particles [m], positive; default 0.5.
-  /// Not used by a Uniform flow.
+  /**
+   * Core radius, within which the velocity decreases to 0 and a Sink captures particles [m], positive; default 0.5. Not
+   * used by a Uniform flow.
+   */
   vtkSetMacro(CoreRadius, double);
   vtkGetMacro(CoreRadius, double);
   ///@}
 
   ///@{
-  /// Cutoff distance I from Center [m], positive, or 0 for none; default 0. The velocity at the distance R is
-  /// multiplied by (1 - R^2/I^2)^2.
+  /**
+   * Cutoff distance I from Center [m], positive, or 0 for none; default 0. The velocity at the distance R is multiplied
+   * by (1 - R^2/I^2)^2.
+   */
   vtkSetMacro(InfluenceRadius, double);
   vtkGetMacro(InfluenceRadius, double);
   ///@}

@@ -38,94 +38,124 @@ public:
   };
 
   ///@{
-  /// Kind of plant, a PresetType; default Tree. The parameters below are ignored unless it is Custom.
+  /**
+   * Kind of plant, a PresetType; default Tree. The parameters below are ignored unless it is Custom.
+   */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// Height of the plant [m], 0.05 to 150; default 11.
+  /**
+   * Height of the plant [m], 0.05 to 150; default 11.
+   */
   vtkSetMacro(Height, double);
   vtkGetMacro(Height, double);
   ///@}
 
   ///@{
-  /// Maximum radius of the crown [m], 0.01 to 100; default 4.6.
+  /**
+   * Maximum radius of the crown [m], 0.01 to 100; default 4.6.
+   */
   vtkSetMacro(CrownRadius, double);
   vtkGetMacro(CrownRadius, double);
   ///@}
 
   ///@{
-  /// Height of the lowest leaves [m], 0 to 0.9 times Height; default 2.
+  /**
+   * Height of the lowest leaves [m], 0 to 0.9 times Height; default 2.
+   */
   vtkSetMacro(CrownBase, double);
   vtkGetMacro(CrownBase, double);
   ///@}
 
   ///@{
-  /// Radius of the trunk at the ground [m], 0.001 to 10; default 0.3.
+  /**
+   * Radius of the trunk at the ground [m], 0.001 to 10; default 0.3.
+   */
   vtkSetMacro(TrunkRadius, double);
   vtkGetMacro(TrunkRadius, double);
   ///@}
 
   ///@{
-  /// Number of ellipsoids in the crown, 1 to 500; default 24.
+  /**
+   * Number of ellipsoids in the crown, 1 to 500; default 24.
+   */
   vtkSetMacro(NumberOfQuadrics, int);
   vtkGetMacro(NumberOfQuadrics, int);
   ///@}
 
   ///@{
-  /// Number of nested shells per ellipsoid, 2 to 8; default 3. More shells look softer and need more polygons.
+  /**
+   * Number of nested shells per ellipsoid, 2 to 8; default 3. More shells look softer and need more polygons.
+   */
   vtkSetMacro(Shells, int);
   vtkGetMacro(Shells, int);
   ///@}
 
   ///@{
-  /// Number n of terms of each sum of the texture, 4 to 7; default 6. More terms give finer leaves.
+  /**
+   * Number n of terms of each sum of the texture, 4 to 7; default 6. More terms give finer leaves.
+   */
   vtkSetMacro(Terms, int);
   vtkGetMacro(Terms, int);
   ///@}
 
   ///@{
-  /// Number FX_1 of periods of the first term around an ellipsoid, even, 2 to 16; default 6. A larger number gives
-  /// smaller tufts.
+  /**
+   * Number FX_1 of periods of the first term around an ellipsoid, even, 2 to 16; default 6. A larger number gives
+   * smaller tufts.
+   */
   vtkSetMacro(Frequency, int);
   vtkGetMacro(Frequency, int);
   ///@}
 
   ///@{
-  /// Offset T0 added to each sine of the texture, 0 to 3; default 1. A smaller offset gives more contrast.
+  /**
+   * Offset T0 added to each sine of the texture, 0 to 3; default 1. A smaller offset gives more contrast.
+   */
   vtkSetMacro(Offset, double);
   vtkGetMacro(Offset, double);
   ///@}
 
   ///@{
-  /// Threshold T1 of the opaque texture at the center of an ellipsoid's outline, 0 to SilhouetteThreshold; default
-  /// 0.08. A larger threshold gives more holes.
+  /**
+   * Threshold T1 of the opaque texture at the center of an ellipsoid's outline, 0 to SilhouetteThreshold; default 0.08.
+   * A larger threshold gives more holes.
+   */
   vtkSetMacro(CenterThreshold, double);
   vtkGetMacro(CenterThreshold, double);
   ///@}
 
   ///@{
-  /// Threshold T2 of the opaque texture at the silhouette of an ellipsoid, 0 to 1; default 0.4. A larger threshold
-  /// gives a more ragged and slender outline.
+  /**
+   * Threshold T2 of the opaque texture at the silhouette of an ellipsoid, 0 to 1; default 0.4. A larger threshold gives
+   * a more ragged and slender outline.
+   */
   vtkSetMacro(SilhouetteThreshold, double);
   vtkGetMacro(SilhouetteThreshold, double);
   ///@}
 
   ///@{
-  /// Standard deviation of sizes, positions and colors relative to their means, 0 to 0.5; default 0.2.
+  /**
+   * Standard deviation of sizes, positions and colors relative to their means, 0 to 0.5; default 0.2.
+   */
   vtkSetMacro(Variation, double);
   vtkGetMacro(Variation, double);
   ///@}
 
   ///@{
-  /// Color of fully lit leaves as red, green, blue, each 0 to 1; default 0.54 0.66 0.33.
+  /**
+   * Color of fully lit leaves as red, green, blue, each 0 to 1; default 0.54 0.66 0.33.
+   */
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}
 
   ///@{
-  /// Color of the bark as red, green, blue, each 0 to 1; default 0.41 0.35 0.27.
+  /**
+   * Color of the bark as red, green, blue, each 0 to 1; default 0.41 0.35 0.27.
+   */
   vtkSetVector3Macro(BarkColor, double);
   vtkGetVector3Macro(BarkColor, double);
   ///@}

@@ -30,50 +30,66 @@ public:
   };
 
   ///@{
-  /// Standard deviation of lengths and angles relative to their means, 0 to 0.5; the default is that of the subclass.
+  /**
+   * Standard deviation of lengths and angles relative to their means, 0 to 0.5; the default is that of the subclass.
+   */
   vtkSetMacro(Variation, double);
   vtkGetMacro(Variation, double);
   ///@}
 
   ///@{
-  /// Radius of the trunk [m], 0.001 to 10; the default is that of the subclass. It holds at the ground, or at the
-  /// height that the subclass names.
+  /**
+   * Radius of the trunk [m], 0.001 to 10; the default is that of the subclass. It holds at the ground, or at the height
+   * that the subclass names.
+   */
   vtkSetMacro(TrunkRadius, double);
   vtkGetMacro(TrunkRadius, double);
   ///@}
 
   ///@{
-  /// Color of the bark as red, green, blue, each 0 to 1; default 0.41 0.35 0.27.
+  /**
+   * Color of the bark as red, green, blue, each 0 to 1; default 0.41 0.35 0.27.
+   */
   vtkSetVector3Macro(BarkColor, double);
   vtkGetVector3Macro(BarkColor, double);
   ///@}
 
   ///@{
-  /// Number of leaves, 0 to 1000000; the default is that of the subclass.
+  /**
+   * Number of leaves, 0 to 1000000; the default is that of the subclass.
+   */
   vtkSetMacro(NumberOfLeaves, int);
   vtkGetMacro(NumberOfLeaves, int);
   ///@}
 
   ///@{
-  /// Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5; the default is that of the subclass.
+  /**
+   * Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5; the default is that of the subclass.
+   */
   vtkSetMacro(LeafSize, double);
   vtkGetMacro(LeafSize, double);
   ///@}
 
   ///@{
-  /// Width of a leaf relative to its length, 0.01 to 2; the default is that of the subclass.
+  /**
+   * Width of a leaf relative to its length, 0.01 to 2; the default is that of the subclass.
+   */
   vtkSetMacro(LeafWidth, double);
   vtkGetMacro(LeafWidth, double);
   ///@}
 
   ///@{
-  /// Outline of a leaf, a LeafFormType; default Blade.
+  /**
+   * Outline of a leaf, a LeafFormType; default Blade.
+   */
   vtkSetMacro(LeafForm, int);
   vtkGetMacro(LeafForm, int);
   ///@}
 
   ///@{
-  /// Color of a fully lit leaf as red, green, blue, each 0 to 1; default 0.44 0.57 0.24.
+  /**
+   * Color of a fully lit leaf as red, green, blue, each 0 to 1; default 0.44 0.57 0.24.
+   */
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}

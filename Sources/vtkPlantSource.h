@@ -45,20 +45,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Seed of the random numbers, any integer; default 1. Another seed gives another individual of the same kind.
+  /**
+   * Seed of the random numbers, any integer; default 1. Another seed gives another individual of the same kind.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// Columns and rows of the crown texture, around the plant and upwards [texels], each 4 to 4096; default 256 128.
+  /**
+   * Columns and rows of the crown texture, around the plant and upwards [texels], each 4 to 4096; default 256 128.
+   */
   vtkSetVector2Macro(TextureSize, int);
   vtkGetVector2Macro(TextureSize, int);
   ///@}
 
   ///@{
-  /// Maximum inward displacement of the vertices of the Medium crown, as a fraction of their radius, 0 to 0.9; default
-  /// 0. Values above 0 give a rougher outline where High is never shown.
+  /**
+   * Maximum inward displacement of the vertices of the Medium crown, as a fraction of their radius, 0 to 0.9; default
+   * 0. Values above 0 give a rougher outline where High is never shown.
+   */
   vtkSetMacro(CrownJitter, double);
   vtkGetMacro(CrownJitter, double);
   ///@}

@@ -48,73 +48,95 @@ public:
   };
 
   ///@{
-  /// Lower left corner of the rectangle [m]; default 0 0.
+  /**
+   * Lower left corner of the rectangle [m]; default 0 0.
+   */
   vtkSetVector2Macro(Origin, double);
   vtkGetVector2Macro(Origin, double);
   ///@}
 
   ///@{
-  /// Width and height of the rectangle [m], positive; default 1000 1000.
+  /**
+   * Width and height of the rectangle [m], positive; default 1000 1000.
+   */
   vtkSetVector2Macro(Size, double);
   vtkGetVector2Macro(Size, double);
   ///@}
 
   ///@{
-  /// Number of quadrats along x and y, positive; default 20 20. A suitable total is about the number of points.
+  /**
+   * Number of quadrats along x and y, positive; default 20 20. A suitable total is about the number of points.
+   */
   vtkSetVector2Macro(Quadrats, int);
   vtkGetVector2Macro(Quadrats, int);
   ///@}
 
   ///@{
-  /// Probability law of the counts, a LawType; default Poisson. Poisson is a random pattern, Binomial a regular one,
-  /// and the other four are clustered.
+  /**
+   * Probability law of the counts, a LawType; default Poisson. Poisson is a random pattern, Binomial a regular one, and
+   * the other four are clustered.
+   */
   vtkSetMacro(Law, int);
   vtkGetMacro(Law, int);
   ///@}
 
   ///@{
-  /// Mean number of points per quadrat (N / Q), positive, at most 1e5; default 1.
+  /**
+   * Mean number of points per quadrat (N / Q), positive, at most 1e5; default 1.
+   */
   vtkSetMacro(MeanPerQuadrat, double);
   vtkGetMacro(MeanPerQuadrat, double);
   ///@}
 
   ///@{
-  /// Number of trials, positive; default 3. Binomial: trials per quadrat, hence the maximum count, not below
-  /// MeanPerQuadrat. PoissonBinomial: trials per cluster, hence the maximum cluster size. Not used by other laws.
+  /**
+   * Number of trials, positive; default 3. Binomial: trials per quadrat, hence the maximum count, not below
+   * MeanPerQuadrat. PoissonBinomial: trials per cluster, hence the maximum cluster size. Not used by other laws.
+   */
   vtkSetMacro(Trials, int);
   vtkGetMacro(Trials, int);
   ///@}
 
   ///@{
-  /// Aggregation index k of NegativeBinomial, or of the cluster sizes of PoissonNegativeBinomial, positive; default
-  /// 0.5. A smaller index means stronger clustering. Not used by other laws.
+  /**
+   * Aggregation index k of NegativeBinomial, or of the cluster sizes of PoissonNegativeBinomial, positive; default 0.5.
+   * A smaller index means stronger clustering. Not used by other laws.
+   */
   vtkSetMacro(ClusterShape, double);
   vtkGetMacro(ClusterShape, double);
   ///@}
 
   ///@{
-  /// Mean number of points per cluster of PoissonPoisson (Neyman type A) and PoissonNegativeBinomial, positive; default
-  /// 4. Not used by other laws.
+  /**
+   * Mean number of points per cluster of PoissonPoisson (Neyman type A) and PoissonNegativeBinomial, positive; default
+   * 4. Not used by other laws.
+   */
   vtkSetMacro(ClusterMean, double);
   vtkGetMacro(ClusterMean, double);
   ///@}
 
   ///@{
-  /// Success probability of the trials in a cluster of PoissonBinomial, above 0 and at most 1; default 0.5. Not used by
-  /// other laws.
+  /**
+   * Success probability of the trials in a cluster of PoissonBinomial, above 0 and at most 1; default 0.5. Not used by
+   * other laws.
+   */
   vtkSetMacro(ClusterSuccess, double);
   vtkGetMacro(ClusterSuccess, double);
   ///@}
 
   ///@{
-  /// Method of assigning counts, a ModeType; default Quota. Quota: the expected frequencies of the law with an exact
-  /// total, as in the paper. Sampling: an independent random count per quadrat.
+  /**
+   * Method of assigning counts, a ModeType; default Quota. Quota: the expected frequencies of the law with an exact
+   * total, as in the paper. Sampling: an independent random count per quadrat.
+   */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}
 
   ///@{
-  /// Seed of the random numbers, any integer; default 1. The same seed gives the same points.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same points.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

@@ -43,15 +43,19 @@ public:
   };
 
   ///@{
-  /// Species, a PresetType; default Oak. All parameters of the tree but Seed, SpeciesHeight and SpeciesDiameter are
-  /// ignored unless it is Custom.
+  /**
+   * Species, a PresetType; default Oak. All parameters of the tree but Seed, SpeciesHeight and SpeciesDiameter are
+   * ignored unless it is Custom.
+   */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// Height of a tree of a preset species [m], 0.05 to 150, or 0 for the height of the preset; default 0. Not used if
-  /// Preset is Custom.
+  /**
+   * Height of a tree of a preset species [m], 0.05 to 150, or 0 for the height of the preset; default 0. Not used if
+   * Preset is Custom.
+   */
   vtkSetMacro(SpeciesHeight, double);
   vtkGetMacro(SpeciesHeight, double);
   ///@}
@@ -68,62 +72,82 @@ public:
   ///@}
 
   ///@{
-  /// Bounding volume of the crown, a CrownShapeType; default Ellipsoid.
+  /**
+   * Bounding volume of the crown, a CrownShapeType; default Ellipsoid.
+   */
   vtkSetMacro(CrownShape, int);
   vtkGetMacro(CrownShape, int);
   ///@}
 
   ///@{
-  /// Height of the tree [m], 0.05 to 150; default 12.
+  /**
+   * Height of the tree [m], 0.05 to 150; default 12.
+   */
   vtkSetMacro(Height, double);
   vtkGetMacro(Height, double);
   ///@}
 
   ///@{
-  /// Maximum radius of the crown [m], 0.01 to 100; default 5.4.
+  /**
+   * Maximum radius of the crown [m], 0.01 to 100; default 5.4.
+   */
   vtkSetMacro(CrownRadius, double);
   vtkGetMacro(CrownRadius, double);
   ///@}
 
   ///@{
-  /// Height of the lowest leaves [m], 0 to 0.9 times TrunkReach times Height; default 2.2.
+  /**
+   * Height of the lowest leaves [m], 0 to 0.9 times TrunkReach times Height; default 2.2.
+   */
   vtkSetMacro(CrownBase, double);
   vtkGetMacro(CrownBase, double);
   ///@}
 
   ///@{
-  /// Height of the top of the trunk relative to Height, 0.1 to 1; default 0.65.
+  /**
+   * Height of the top of the trunk relative to Height, 0.1 to 1; default 0.65.
+   */
   vtkSetMacro(TrunkReach, double);
   vtkGetMacro(TrunkReach, double);
   ///@}
 
   ///@{
-  /// Number of branching orders above the trunk, 1 to 4; default 3.
+  /**
+   * Number of branching orders above the trunk, 1 to 4; default 3.
+   */
   vtkSetMacro(Orders, int);
   vtkGetMacro(Orders, int);
   ///@}
 
   ///@{
-  /// Number of branches on the trunk, 1 to 500; default 22.
+  /**
+   * Number of branches on the trunk, 1 to 500; default 22.
+   */
   vtkSetMacro(MainBranches, int);
   vtkGetMacro(MainBranches, int);
   ///@}
 
   ///@{
-  /// Number of side branches per branch, 1 to 20; default 6.
+  /**
+   * Number of side branches per branch, 1 to 20; default 6.
+   */
   vtkSetMacro(SideBranches, int);
   vtkGetMacro(SideBranches, int);
   ///@}
 
   ///@{
-  /// Mean branching angle between a branch and its parent [degrees], 0 to 150; default 62.
+  /**
+   * Mean branching angle between a branch and its parent [degrees], 0 to 150; default 62.
+   */
   vtkSetMacro(BranchAngle, double);
   vtkGetMacro(BranchAngle, double);
   ///@}
 
   ///@{
-  /// Vertical bend of a branch per segment, upward if positive and downward if negative, -0.9 to 0.9; default 0.08. It
-  /// is added to the z component of the unit direction.
+  /**
+   * Vertical bend of a branch per segment, upward if positive and downward if negative, -0.9 to 0.9; default 0.08. It
+   * is added to the z component of the unit direction.
+   */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
   ///@}

@@ -64,80 +64,102 @@ public:
   ///@}
 
   ///@{
-  /// Quantities that define the height of the sea, a SeaByType; default Wind. Wind: WindSpeed. HeightAndPeriod:
-  /// SignificantWaveHeight and PeakPeriod. JONSWAP and Regular take height and period of the fully developed sea of the
-  /// wind, TMA the deep-water sea of JONSWAP reduced by its depth factor. Not used if Spectrum is Table.
+  /**
+   * Quantities that define the height of the sea, a SeaByType; default Wind. Wind: WindSpeed. HeightAndPeriod:
+   * SignificantWaveHeight and PeakPeriod. JONSWAP and Regular take height and period of the fully developed sea of the
+   * wind, TMA the deep-water sea of JONSWAP reduced by its depth factor. Not used if Spectrum is Table.
+   */
   vtkSetMacro(SeaBy, int);
   vtkGetMacro(SeaBy, int);
   ///@}
 
   ///@{
-  /// Wind speed 19.5 m above the sea [m/s], 0.1 to 200; default 10. It is about 1.026 times the wind speed at 10 m.
-  /// Used if SeaBy is Wind and Spectrum is not Table.
+  /**
+   * Wind speed 19.5 m above the sea [m/s], 0.1 to 200; default 10. It is about 1.026 times the wind speed at 10 m. Used
+   * if SeaBy is Wind and Spectrum is not Table.
+   */
   vtkSetMacro(WindSpeed, double);
   vtkGetMacro(WindSpeed, double);
   ///@}
 
   ///@{
-  /// Significant wave height, four times the standard deviation of the surface elevation [m], positive; default 2. For
-  /// a Regular wave it is the height from trough to crest, sqrt(8) standard deviations, so that the field data have
-  /// 1.414 times as much. Used if SeaBy is HeightAndPeriod and Spectrum is not Table.
+  /**
+   * Significant wave height, four times the standard deviation of the surface elevation [m], positive; default 2. For a
+   * Regular wave it is the height from trough to crest, sqrt(8) standard deviations, so that the field data have 1.414
+   * times as much. Used if SeaBy is HeightAndPeriod and Spectrum is not Table.
+   */
   vtkSetMacro(SignificantWaveHeight, double);
   vtkGetMacro(SignificantWaveHeight, double);
   ///@}
 
   ///@{
-  /// Peak period, the period of the waves with the most energy [s], 0.01 to 10000; default 7. Used if SeaBy is
-  /// HeightAndPeriod and Spectrum is not Table.
+  /**
+   * Peak period, the period of the waves with the most energy [s], 0.01 to 10000; default 7. Used if SeaBy is
+   * HeightAndPeriod and Spectrum is not Table.
+   */
   vtkSetMacro(PeakPeriod, double);
   vtkGetMacro(PeakPeriod, double);
   ///@}
 
   ///@{
-  /// Peak enhancement factor gamma of JONSWAP and TMA, 1 (fully developed) to 20; default 3.3. Not used by other
-  /// spectra.
+  /**
+   * Peak enhancement factor gamma of JONSWAP and TMA, 1 (fully developed) to 20; default 3.3. Not used by other
+   * spectra.
+   */
   vtkSetMacro(PeakEnhancement, double);
   vtkGetMacro(PeakEnhancement, double);
   ///@}
 
   ///@{
-  /// Water depth [m], positive, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and the
-  /// energy of TMA.
+  /**
+   * Water depth [m], positive, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and the
+   * energy of TMA.
+   */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);
   ///@}
 
   ///@{
-  /// Mean sea level, the z of the surface at rest [m]; default 0.
+  /**
+   * Mean sea level, the z of the surface at rest [m]; default 0.
+   */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
   ///@}
 
   ///@{
-  /// Number of frequency bins, hence of wave trains, 1 to 100000; default 30. Bins without energy give no train.
+  /**
+   * Number of frequency bins, hence of wave trains, 1 to 100000; default 30. Bins without energy give no train.
+   */
   vtkSetMacro(NumberOfTrains, int);
   vtkGetMacro(NumberOfTrains, int);
   ///@}
 
   ///@{
-  /// Minimum and maximum angular frequency relative to the peak frequency, increasing, 0 to 1000; default 0 0, the
-  /// range of the spectrum. That range is the whole Table; for other spectra it is 0.5 to 4, extended in steps of 0.5
-  /// until at most 1 % of the energy lies above, as TMA needs in shallow water.
+  /**
+   * Minimum and maximum angular frequency relative to the peak frequency, increasing, 0 to 1000; default 0 0, the range
+   * of the spectrum. That range is the whole Table; for other spectra it is 0.5 to 4, extended in steps of 0.5 until at
+   * most 1 % of the energy lies above, as TMA needs in shallow water.
+   */
   vtkSetVector2Macro(FrequencyRange, double);
   vtkGetVector2Macro(FrequencyRange, double);
   ///@}
 
   ///@{
-  /// Energy-weighted mean direction of propagation, from x towards y [degrees]; default 0. The trains have exactly this
-  /// mean.
+  /**
+   * Energy-weighted mean direction of propagation, from x towards y [degrees]; default 0. The trains have exactly this
+   * mean.
+   */
   vtkSetMacro(MeanDirection, double);
   vtkGetMacro(MeanDirection, double);
   ///@}
 
   ///@{
-  /// Exponent s of the directional spreading function cos^2s(angle / 2), 0 to 10000; default 10. It is small for a wind
-  /// sea and above 50 for swell; 0 means no spreading, all trains along MeanDirection and long-crested. The length of
-  /// the mean direction vector of the trains is s / (s + 1), unless they are few or one of them has nearly all energy.
+  /**
+   * Exponent s of the directional spreading function cos^2s(angle / 2), 0 to 10000; default 10. It is small for a wind
+   * sea and above 50 for swell; 0 means no spreading, all trains along MeanDirection and long-crested. The length of
+   * the mean direction vector of the trains is s / (s + 1), unless they are few or one of them has nearly all energy.
+   */
   vtkSetMacro(Spreading, double);
   vtkGetMacro(Spreading, double);
   ///@}
@@ -157,7 +179,9 @@ public:
   ///@}
 
   ///@{
-  /// Seed of the random numbers, any integer; default 1. The same seed gives the same sea.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same sea.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

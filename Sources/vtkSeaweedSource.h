@@ -50,143 +50,189 @@ public:
   };
 
   ///@{
-  /// Species, a PresetType; default SugarKelp. The parameters below but SegmentsPerBranch are ignored unless it is
-  /// Custom.
+  /**
+   * Species, a PresetType; default SugarKelp. The parameters below but SegmentsPerBranch are ignored unless it is
+   * Custom.
+   */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// Number of segments per frond or stipe, with any preset, 2 to 64; default 10. Segments of blades are shorter
-  /// towards the base; the blades of a Canopy have a quarter of the number, at least 2.
+  /**
+   * Number of segments per frond or stipe, with any preset, 2 to 64; default 10. Segments of blades are shorter towards
+   * the base; the blades of a Canopy have a quarter of the number, at least 2.
+   */
   vtkSetMacro(SegmentsPerBranch, int);
   vtkGetMacro(SegmentsPerBranch, int);
   ///@}
 
   ///@{
-  /// Growth form, a FormType; default Tuft. Tuft: fronds that consist of a stipe and an undivided blade. Canopy: long
-  /// stipes with blades at regular intervals, each on a float. Meadow: shoots of narrow leaves on a rhizome.
+  /**
+   * Growth form, a FormType; default Tuft. Tuft: fronds that consist of a stipe and an undivided blade. Canopy: long
+   * stipes with blades at regular intervals, each on a float. Meadow: shoots of narrow leaves on a rhizome.
+   */
   vtkSetMacro(Form, int);
   vtkGetMacro(Form, int);
   ///@}
 
   ///@{
-  /// Number of fronds (Tuft), stipes (Canopy) or leaves (Meadow), 1 to 500; default 7.
+  /**
+   * Number of fronds (Tuft), stipes (Canopy) or leaves (Meadow), 1 to 500; default 7.
+   */
   vtkSetMacro(NumberOfFronds, int);
   vtkGetMacro(NumberOfFronds, int);
   ///@}
 
   ///@{
-  /// Radius of the holdfast, or of the patch of a Meadow [m], 0.001 to 5; default 0.07.
+  /**
+   * Radius of the holdfast, or of the patch of a Meadow [m], 0.001 to 5; default 0.07.
+   */
   vtkSetMacro(HoldfastRadius, double);
   vtkGetMacro(HoldfastRadius, double);
   ///@}
 
   ///@{
-  /// Mean tilt of the fronds from the vertical at their base [degrees], 0 to 60; default 22.
+  /**
+   * Mean tilt of the fronds from the vertical at their base [degrees], 0 to 60; default 22.
+   */
   vtkSetMacro(SpreadAngle, double);
   vtkGetMacro(SpreadAngle, double);
   ///@}
 
   ///@{
-  /// Length of a stipe [m], 0 to 100; default 0.3. A Meadow has no stipes.
+  /**
+   * Length of a stipe [m], 0 to 100; default 0.3. A Meadow has no stipes.
+   */
   vtkSetMacro(StipeLength, double);
   vtkGetMacro(StipeLength, double);
   ///@}
 
   ///@{
-  /// Radius of a stipe at its base, or of the rhizome of a Meadow [m], 0.0001 to 0.5; default 0.006.
+  /**
+   * Radius of a stipe at its base, or of the rhizome of a Meadow [m], 0.0001 to 0.5; default 0.006.
+   */
   vtkSetMacro(StipeRadius, double);
   vtkGetMacro(StipeRadius, double);
   ///@}
 
   ///@{
-  /// Mean length of a blade [m], 0.01 to 20; default 1.7.
+  /**
+   * Mean length of a blade [m], 0.01 to 20; default 1.7.
+   */
   vtkSetMacro(BladeLength, double);
   vtkGetMacro(BladeLength, double);
   ///@}
 
   ///@{
-  /// Mean maximum width of a blade [m], 0.0005 to 3; default 0.2.
+  /**
+   * Mean maximum width of a blade [m], 0.0005 to 3; default 0.2.
+   */
   vtkSetMacro(BladeWidth, double);
   vtkGetMacro(BladeWidth, double);
   ///@}
 
   ///@{
-  /// Thickness of a blade [m], 0.00001 to 0.1; default 0.002.
+  /**
+   * Thickness of a blade [m], 0.00001 to 0.1; default 0.002.
+   */
   vtkSetMacro(BladeThickness, double);
   vtkGetMacro(BladeThickness, double);
   ///@}
 
   ///@{
-  /// Amplitude of the undulating blade margins relative to half the blade width, 0 to 1; default 0.3.
+  /**
+   * Amplitude of the undulating blade margins relative to half the blade width, 0 to 1; default 0.3.
+   */
   vtkSetMacro(Ruffle, double);
   vtkGetMacro(Ruffle, double);
   ///@}
 
   ///@{
-  /// Distance between blades along a stipe [m], 0.01 to 20; default 0.35. Used only by a Canopy.
+  /**
+   * Distance between blades along a stipe [m], 0.01 to 20; default 0.35. Used only by a Canopy.
+   */
   vtkSetMacro(BladeSpacing, double);
   vtkGetMacro(BladeSpacing, double);
   ///@}
 
   ///@{
-  /// Radius of the float at the base of a blade [m], 0 (no float) to 0.2; default 0.018. Used only by a Canopy.
+  /**
+   * Radius of the float at the base of a blade [m], 0 (no float) to 0.2; default 0.018. Used only by a Canopy.
+   */
   vtkSetMacro(FloatRadius, double);
   vtkGetMacro(FloatRadius, double);
   ///@}
 
   ///@{
-  /// Young's modulus E of stipes and floats [Pa], 1e3 to 1e12; default 3e7. The joint at the base of a segment of
-  /// length L has the rotational stiffness E I / L.
+  /**
+   * Young's modulus E of stipes and floats [Pa], 1e3 to 1e12; default 3e7. The joint at the base of a segment of length
+   * L has the rotational stiffness E I / L.
+   */
   vtkSetMacro(StipeModulus, double);
   vtkGetMacro(StipeModulus, double);
   ///@}
 
   ///@{
-  /// Young's modulus of blades [Pa], 1e3 to 1e12; default 4e6.
+  /**
+   * Young's modulus of blades [Pa], 1e3 to 1e12; default 4e6.
+   */
   vtkSetMacro(BladeModulus, double);
   vtkGetMacro(BladeModulus, double);
   ///@}
 
   ///@{
-  /// Structural damping ratio of the tissue, 0 to 10; default 0.05. The hydrodynamic damping is not part of it.
+  /**
+   * Structural damping ratio of the tissue, 0 to 10; default 0.05. The hydrodynamic damping is not part of it.
+   */
   vtkSetMacro(DampingRatio, double);
   vtkGetMacro(DampingRatio, double);
   ///@}
 
   ///@{
-  /// Density of stipes [kg/m3], 50 to 3000; default 1020. Sea water has about 1025.
+  /**
+   * Density of stipes [kg/m3], 50 to 3000; default 1020. Sea water has about 1025.
+   */
   vtkSetMacro(StipeDensity, double);
   vtkGetMacro(StipeDensity, double);
   ///@}
 
   ///@{
-  /// Density of blades including their gas [kg/m3], 50 to 3000; default 1005.
+  /**
+   * Density of blades including their gas [kg/m3], 50 to 3000; default 1005.
+   */
   vtkSetMacro(BladeDensity, double);
   vtkGetMacro(BladeDensity, double);
   ///@}
 
   ///@{
-  /// Density of floats including their gas [kg/m3], 50 to 3000; default 300. Used only by a Canopy.
+  /**
+   * Density of floats including their gas [kg/m3], 50 to 3000; default 300. Used only by a Canopy.
+   */
   vtkSetMacro(FloatDensity, double);
   vtkGetMacro(FloatDensity, double);
   ///@}
 
   ///@{
-  /// Standard deviation of sizes and angles relative to their means, 0 to 0.5; default 0.18.
+  /**
+   * Standard deviation of sizes and angles relative to their means, 0 to 0.5; default 0.18.
+   */
   vtkSetMacro(Variation, double);
   vtkGetMacro(Variation, double);
   ///@}
 
   ///@{
-  /// Color of the blades as red, green, blue, each 0 to 1; default 0.745 0.533 0.188.
+  /**
+   * Color of the blades as red, green, blue, each 0 to 1; default 0.745 0.533 0.188.
+   */
   vtkSetVector3Macro(BladeColor, double);
   vtkGetVector3Macro(BladeColor, double);
   ///@}
 
   ///@{
-  /// Color of stipes and holdfast as red, green, blue, each 0 to 1; default 0.502 0.353 0.157.
+  /**
+   * Color of stipes and holdfast as red, green, blue, each 0 to 1; default 0.502 0.353 0.157.
+   */
   vtkSetVector3Macro(StipeColor, double);
   vtkGetVector3Macro(StipeColor, double);
   ///@}

@@ -62,22 +62,28 @@ public:
   };
 
   ///@{
-  /// Composition of the particles, a PresetType; default CoastalSea. CoastalSea: algae in the upper part, animals in
-  /// the middle, marine snow everywhere, minerals near the bed. OpenOcean: clear water. PlanktonBloom: many algae near
-  /// the surface. StormyBed: resuspended sand and silt. Custom: the boxes of AddBox.
+  /**
+   * Composition of the particles, a PresetType; default CoastalSea. CoastalSea: algae in the upper part, animals in the
+   * middle, marine snow everywhere, minerals near the bed. OpenOcean: clear water. PlanktonBloom: many algae near the
+   * surface. StormyBed: resuspended sand and silt. Custom: the boxes of AddBox.
+   */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// Volume filled by a preset, as minimum and maximum x, minimum and maximum y, bed and surface [m], increasing;
-  /// default -10 10 -10 10 -10 0. Not used if Preset is Custom.
+  /**
+   * Volume filled by a preset, as minimum and maximum x, minimum and maximum y, bed and surface [m], increasing;
+   * default -10 10 -10 10 -10 0. Not used if Preset is Custom.
+   */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
   ///@{
-  /// Factor of the amounts of all boxes, not negative; default 1.
+  /**
+   * Factor of the amounts of all boxes, not negative; default 1.
+   */
   vtkSetMacro(Density, double);
   vtkGetMacro(Density, double);
   ///@}
@@ -100,34 +106,44 @@ public:
   int GetNumberOfBoxes();
 
   ///@{
-  /// Meaning of the amount of a box, an AmountType; default Concentration. Concentration: particles per cubic meter.
-  /// Count: particles in the box. Presets have concentrations.
+  /**
+   * Meaning of the amount of a box, an AmountType; default Concentration. Concentration: particles per cubic meter.
+   * Count: particles in the box. Presets have concentrations.
+   */
   vtkSetMacro(AmountIs, int);
   vtkGetMacro(AmountIs, int);
   ///@}
 
   ///@{
-  /// Standard deviation of the natural logarithm of the diameters, 0 to 2; default 0.3.
+  /**
+   * Standard deviation of the natural logarithm of the diameters, 0 to 2; default 0.3.
+   */
   vtkSetMacro(SizeSpread, double);
   vtkGetMacro(SizeSpread, double);
   ///@}
 
   ///@{
-  /// Representation of a particle, a ModeType; default Points. Points: a vertex, to be drawn as a sprite. Quads: a
-  /// textured square.
+  /**
+   * Representation of a particle, a ModeType; default Points. Points: a vertex, to be drawn as a sprite. Quads: a
+   * textured square.
+   */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}
 
   ///@{
-  /// Precision of the points, vtkAlgorithm::SINGLE_PRECISION or DOUBLE_PRECISION; default SINGLE_PRECISION. Single
-  /// precision is faster in vtkParticleOrbitFilter; double precision is needed far from the origin.
+  /**
+   * Precision of the points, vtkAlgorithm::SINGLE_PRECISION or DOUBLE_PRECISION; default SINGLE_PRECISION. Single
+   * precision is faster in vtkParticleOrbitFilter; double precision is needed far from the origin.
+   */
   vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   ///@{
-  /// Seed of the random numbers, any integer; default 1. The same seed gives the same particles.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same particles.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

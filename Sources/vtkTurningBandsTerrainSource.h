@@ -59,26 +59,34 @@ public:
   };
 
   ///@{
-  /// First and last index of the grid along x, y and z, with a single layer along z; default 0 500 0 500 0 0. With the
-  /// default spacing it is a square of 1 km.
+  /**
+   * First and last index of the grid along x, y and z, with a single layer along z; default 0 500 0 500 0 0. With the
+   * default spacing it is a square of 1 km.
+   */
   vtkSetVector6Macro(WholeExtent, int);
   vtkGetVector6Macro(WholeExtent, int);
   ///@}
 
   ///@{
-  /// Position of index (0, 0, 0) [m]; default 0 0 0.
+  /**
+   * Position of index (0, 0, 0) [m]; default 0 0 0.
+   */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
   ///@}
 
   ///@{
-  /// Distance between neighboring points along x, y and z [m], positive along x and y; default 2 2 1.
+  /**
+   * Distance between neighboring points along x, y and z [m], positive along x and y; default 2 2 1.
+   */
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
   ///@}
 
   ///@{
-  /// Covariance model, a ModelType; default Fractal.
+  /**
+   * Covariance model, a ModelType; default Fractal.
+   */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
   void SetModelToFractal() { this->SetModel(Fractal); }
@@ -91,121 +99,157 @@ public:
   ///@}
 
   ///@{
-  /// Standard deviation of the elevation [m], not negative; default 40.
+  /**
+   * Standard deviation of the elevation [m], not negative; default 40.
+   */
   vtkSetMacro(StandardDeviation, double);
   vtkGetMacro(StandardDeviation, double);
   ///@}
 
   ///@{
-  /// Mean elevation at the center of the extent [m]; default 200.
+  /**
+   * Mean elevation at the center of the extent [m]; default 200.
+   */
   vtkSetMacro(Mean, double);
   vtkGetMacro(Mean, double);
   ///@}
 
   ///@{
-  /// Gradient of the linear trend along x and y [m/m]; default 0 0.
+  /**
+   * Gradient of the linear trend along x and y [m/m]; default 0 0.
+   */
   vtkSetVector2Macro(Slope, double);
   vtkGetVector2Macro(Slope, double);
   ///@}
 
   ///@{
-  /// Range parameter of the covariance model [m], positive; default 1000. It is 1/b of the exponential and Bessel
-  /// models, one of the two scales of Telis, the distance beyond which Spherical has no correlation, or the longest
-  /// wavelength of Fractal. With anisotropy it holds along AnisotropyAngle.
+  /**
+   * Range parameter of the covariance model [m], positive; default 1000. It is 1/b of the exponential and Bessel
+   * models, one of the two scales of Telis, the distance beyond which Spherical has no correlation, or the longest
+   * wavelength of Fractal. With anisotropy it holds along AnisotropyAngle.
+   */
   vtkSetMacro(Range, double);
   vtkGetMacro(Range, double);
   ///@}
 
   ///@{
-  /// Second range parameter of the Telis model [m], positive; default 50. Not used by other models.
+  /**
+   * Second range parameter of the Telis model [m], positive; default 50. Not used by other models.
+   */
   vtkSetMacro(SecondRange, double);
   vtkGetMacro(SecondRange, double);
   ///@}
 
   ///@{
-  /// Fractal dimension D of the surface (eq. 5), between 2 (smooth) and 3, both excluded; default 2.15. Used only by
-  /// the Fractal model.
+  /**
+   * Fractal dimension D of the surface (eq. 5), between 2 (smooth) and 3, both excluded; default 2.15. Used only by the
+   * Fractal model.
+   */
   vtkSetMacro(FractalDimension, double);
   vtkGetMacro(FractalDimension, double);
   ///@}
 
   ///@{
-  /// Number L of lines (eq. 1), not negative; default 0, as many as the spectrum needs on the whole grid, 64 to 1024,
-  /// so that the gaps between lines show no streaks (Documentation/design.md). The number in use is the field data
-  /// `ElevationLines` (and `ReflectanceLines`). The computation time is proportional to lines times points.
+  /**
+   * Number L of lines (eq. 1), not negative; default 0, as many as the spectrum needs on the whole grid, 64 to 1024, so
+   * that the gaps between lines show no streaks (Documentation/design.md). The number in use is the field data
+   * `ElevationLines` (and `ReflectanceLines`). The computation time is proportional to lines times points.
+   */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);
   ///@}
 
   ///@{
-  /// Number M of harmonics per line (eq. 3), positive; default 300. If HarmonicSpacing is Uniform, it should be at
-  /// least twice the number of shortest wavelengths along the diagonal of the grid.
+  /**
+   * Number M of harmonics per line (eq. 3), positive; default 300. If HarmonicSpacing is Uniform, it should be at least
+   * twice the number of shortest wavelengths along the diagonal of the grid.
+   */
   vtkSetMacro(NumberOfHarmonics, int);
   vtkGetMacro(NumberOfHarmonics, int);
   ///@}
 
   ///@{
-  /// Distribution of the harmonics over the wave numbers, a HarmonicSpacingType; default Adaptive. Adaptive: half of
-  /// them by variance and half evenly over the octaves (Fractal: all over the octaves). Uniform: the equal spacing of
-  /// the paper.
+  /**
+   * Distribution of the harmonics over the wave numbers, a HarmonicSpacingType; default Adaptive. Adaptive: half of
+   * them by variance and half evenly over the octaves (Fractal: all over the octaves). Uniform: the equal spacing of
+   * the paper.
+   */
   vtkSetMacro(HarmonicSpacing, int);
   vtkGetMacro(HarmonicSpacing, int);
   ///@}
 
   ///@{
-  /// Shortest wavelength of a band-limited field [m], not negative; default 0, no limit. Without a limit the points
-  /// sample a surface with detail at all scales, and waves shorter than about six spacings are simulated as a moving
-  /// average of noise at the points instead of lines.
+  /**
+   * Shortest wavelength of a band-limited field [m], not negative; default 0, no limit. Without a limit the points
+   * sample a surface with detail at all scales, and waves shorter than about six spacings are simulated as a moving
+   * average of noise at the points instead of lines.
+   */
   vtkSetMacro(ShortestWavelength, double);
   vtkGetMacro(ShortestWavelength, double);
   ///@}
 
   ///@{
-  /// Ratio of the longest to the shortest range, at least 1; default 1.
+  /**
+   * Ratio of the longest to the shortest range, at least 1; default 1.
+   */
   vtkSetMacro(AnisotropyRatio, double);
   vtkGetMacro(AnisotropyRatio, double);
   ///@}
 
   ///@{
-  /// Direction of the longest range, counterclockwise from x [degrees]; default 0.
+  /**
+   * Direction of the longest range, counterclockwise from x [degrees]; default 0.
+   */
   vtkSetMacro(AnisotropyAngle, double);
   vtkGetMacro(AnisotropyAngle, double);
   ///@}
 
   ///@{
-  /// Seed of the random numbers, any integer; default 1. The same seed gives the same terrain.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same terrain.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// Addition of the point array `Reflectance`, an independent random field with its own model; default off.
+  /**
+   * Addition of the point array `Reflectance`, an independent random field with its own model; default off.
+   */
   vtkSetMacro(Reflectance, bool);
   vtkGetMacro(Reflectance, bool);
   vtkBooleanMacro(Reflectance, bool);
   ///@}
 
   ///@{
-  /// Covariance model of the reflectance, a ModelType; default SimpleExponential. The second range of Telis is a tenth
-  /// of ReflectanceRange, and the fractal dimension is that of the elevation.
+  /**
+   * Covariance model of the reflectance, a ModelType; default SimpleExponential. The second range of Telis is a tenth
+   * of ReflectanceRange, and the fractal dimension is that of the elevation.
+   */
   vtkSetMacro(ReflectanceModel, int);
   vtkGetMacro(ReflectanceModel, int);
   ///@}
 
   ///@{
-  /// Range parameter of the reflectance [m], positive; default 100.
+  /**
+   * Range parameter of the reflectance [m], positive; default 100.
+   */
   vtkSetMacro(ReflectanceRange, double);
   vtkGetMacro(ReflectanceRange, double);
   ///@}
 
   ///@{
-  /// Mean reflectance, a finite number, typically 0 to 1; default 0.5.
+  /**
+   * Mean reflectance, a finite number, typically 0 to 1; default 0.5.
+   */
   vtkSetMacro(ReflectanceMean, double);
   vtkGetMacro(ReflectanceMean, double);
   ///@}
 
   ///@{
-  /// Standard deviation of the reflectance, not negative; default 0.15. Values below 0 and above 1 are clamped.
+  /**
+   * Standard deviation of the reflectance, not negative; default 0.15. Values below 0 and above 1 are clamped.
+   */
   vtkSetMacro(ReflectanceStandardDeviation, double);
   vtkGetMacro(ReflectanceStandardDeviation, double);
   ///@}

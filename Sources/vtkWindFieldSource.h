@@ -57,65 +57,85 @@ public:
   };
 
   ///@{
-  /// Number of samples along the wind (in time), across and up; default 600 64 24. The first must be even, at least 4
-  /// and a product of 2, 3 and 5; the others are positive.
+  /**
+   * Number of samples along the wind (in time), across and up; default 600 64 24. The first must be even, at least 4
+   * and a product of 2, 3 and 5; the others are positive.
+   */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
   ///@{
-  /// Time between samples along the wind [s], positive; default 0.1.
+  /**
+   * Time between samples along the wind [s], positive; default 0.1.
+   */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /// Distance between samples across the wind [m], positive; default 4.
+  /**
+   * Distance between samples across the wind [m], positive; default 4.
+   */
   vtkSetMacro(LateralSpacing, double);
   vtkGetMacro(LateralSpacing, double);
   ///@}
 
   ///@{
-  /// Distance between horizontal layers [m], positive; default 2.
+  /**
+   * Distance between horizontal layers [m], positive; default 2.
+   */
   vtkSetMacro(VerticalSpacing, double);
   vtkGetMacro(VerticalSpacing, double);
   ///@}
 
   ///@{
-  /// Height of the lowest layer above the ground [m], above RoughnessLength; default 1.
+  /**
+   * Height of the lowest layer above the ground [m], above RoughnessLength; default 1.
+   */
   vtkSetMacro(BottomHeight, double);
   vtkGetMacro(BottomHeight, double);
   ///@}
 
   ///@{
-  /// Center of the box in the horizontal plane, the pivot of WindDirection [m]; default 0 0.
+  /**
+   * Center of the box in the horizontal plane, the pivot of WindDirection [m]; default 0 0.
+   */
   vtkSetVector2Macro(Center, double);
   vtkGetVector2Macro(Center, double);
   ///@}
 
   ///@{
-  /// Mean wind speed at ReferenceHeight [m/s], positive, at most 1000; default 10. It is also the convection speed of
-  /// the turbulence.
+  /**
+   * Mean wind speed at ReferenceHeight [m/s], positive, at most 1000; default 10. It is also the convection speed of
+   * the turbulence.
+   */
   vtkSetMacro(ReferenceSpeed, double);
   vtkGetMacro(ReferenceSpeed, double);
   ///@}
 
   ///@{
-  /// Height of ReferenceSpeed above the ground [m], above RoughnessLength; default 10.
+  /**
+   * Height of ReferenceSpeed above the ground [m], above RoughnessLength; default 10.
+   */
   vtkSetMacro(ReferenceHeight, double);
   vtkGetMacro(ReferenceHeight, double);
   ///@}
 
   ///@{
-  /// Aerodynamic roughness length of the ground [m], positive and below 10; default 0.03. Typical values: 0.01 short
-  /// grass, 0.03 meadow, 0.3 bushes, 1 forest.
+  /**
+   * Aerodynamic roughness length of the ground [m], positive and below 10; default 0.03. Typical values: 0.01 short
+   * grass, 0.03 meadow, 0.3 bushes, 1 forest.
+   */
   vtkSetMacro(RoughnessLength, double);
   vtkGetMacro(RoughnessLength, double);
   ///@}
 
   ///@{
-  /// Direction towards which the wind blows, counterclockwise from x [degrees]; default 0. With another direction the
-  /// image has a direction matrix.
+  /**
+   * Direction towards which the wind blows, counterclockwise from x [degrees]; default 0. With another direction the
+   * image has a direction matrix.
+   */
   vtkSetMacro(WindDirection, double);
   vtkGetMacro(WindDirection, double);
   ///@}
@@ -134,57 +154,72 @@ public:
   ///@}
 
   ///@{
-  /// Decay coefficients of the root coherence of the longitudinal velocity for lateral and vertical distances,
-  /// positive; default 10 10. Not used if Coherence is Iec.
+  /**
+   * Decay coefficients of the root coherence of the longitudinal velocity for lateral and vertical distances, positive;
+   * default 10 10. Not used if Coherence is Iec.
+   */
   vtkSetVector2Macro(LongitudinalDecay, double);
   vtkGetVector2Macro(LongitudinalDecay, double);
   ///@}
 
   ///@{
-  /// Decay coefficients of the root coherence of the lateral velocity for lateral and vertical distances, positive;
-  /// default 10 10.
+  /**
+   * Decay coefficients of the root coherence of the lateral velocity for lateral and vertical distances, positive;
+   * default 10 10.
+   */
   vtkSetVector2Macro(LateralDecay, double);
   vtkGetVector2Macro(LateralDecay, double);
   ///@}
 
   ///@{
-  /// Decay coefficients of the root coherence of the vertical velocity for lateral and vertical distances, positive;
-  /// default 8 8.
+  /**
+   * Decay coefficients of the root coherence of the vertical velocity for lateral and vertical distances, positive;
+   * default 8 8.
+   */
   vtkSetVector2Macro(VerticalDecay, double);
   vtkGetVector2Macro(VerticalDecay, double);
   ///@}
 
   ///@{
-  /// Model of the velocity spectra, a SpectrumType; default SimiuScanlan. SimiuScanlan: the neutral surface layer,
-  /// whose turbulence follows from the mean wind. IecKaimal: the Kaimal spectra of IEC 61400-1, with
-  /// TurbulenceIntensity.
+  /**
+   * Model of the velocity spectra, a SpectrumType; default SimiuScanlan. SimiuScanlan: the neutral surface layer, whose
+   * turbulence follows from the mean wind. IecKaimal: the Kaimal spectra of IEC 61400-1, with TurbulenceIntensity.
+   */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
   ///@}
 
   ///@{
-  /// Turbulence intensity, the longitudinal standard deviation relative to ReferenceSpeed, positive; default 0.16. Used
-  /// only if Spectrum is IecKaimal.
+  /**
+   * Turbulence intensity, the longitudinal standard deviation relative to ReferenceSpeed, positive; default 0.16. Used
+   * only if Spectrum is IecKaimal.
+   */
   vtkSetMacro(TurbulenceIntensity, double);
   vtkGetMacro(TurbulenceIntensity, double);
   ///@}
 
   ///@{
-  /// Random part of the Fourier coefficients, a PhasesType; default Uniform. Uniform: random phases alone, so that each
-  /// realization has the energy of the spectrum. GaussianAmplitudes: random amplitudes too, a Gaussian process.
+  /**
+   * Random part of the Fourier coefficients, a PhasesType; default Uniform. Uniform: random phases alone, so that each
+   * realization has the energy of the spectrum. GaussianAmplitudes: random amplitudes too, a Gaussian process.
+   */
   vtkSetMacro(Phases, int);
   vtkGetMacro(Phases, int);
   ///@}
 
   ///@{
-  /// Scaling of each component and layer to exactly the variance of its spectrum; default off.
+  /**
+   * Scaling of each component and layer to exactly the variance of its spectrum; default off.
+   */
   vtkSetMacro(NormalizeVariance, bool);
   vtkGetMacro(NormalizeVariance, bool);
   vtkBooleanMacro(NormalizeVariance, bool);
   ///@}
 
   ///@{
-  /// Seed of the random numbers, any integer; default 1. The same seed gives the same wind.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same wind.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
