@@ -2,37 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBeamTreeDeformationFilter
- * @brief   plants that sway in the wind
+ * @brief   deform trees and shrubs by wind
  *
- * Inputs: port 0, one plant or several, as the plant sources make them (vtkMultiBlockDataSet with High {Skeleton, Skin,
+ * Inputs: port 0, one plant or several from the plant sources (vtkMultiBlockDataSet with High {Skeleton, Skin,
  * Leaves}); port 1, the wind as a frozen field (vtkImageData, x along the wind, point array `Velocity`[3] [m/s], field
- * data `ConvectionSpeed` [m/s]; where there is field data `Period` [s] it has to be the length of the image over that
- * speed). The field is carried along x and repeats; it is asked for once, at its time 0, and not at each frame. Heights
- * in the wind are heights above a plant's foot. Port 2, optional: the prototypes of a scattered forest, in their order.
- * Plants may also be a vtkPartitionedDataSetCollection whose assembly has these blocks, each part in one partition, and
- * whose field data are those of the plants; the output has blocks.
+ * data `ConvectionSpeed` [m/s]; the optional field data `Period` [s] must be the length of the image divided by that
+ * speed); port 2, optional, the prototypes of a scattered forest, in their order. The wind is convected along x and
+ * periodic; it is requested once, at its time 0, and not for each frame. Heights in the wind are heights above the foot
+ * of a plant. Plants may also be a vtkPartitionedDataSetCollection whose assembly has these blocks, each part in one
+ * partition, and whose field data are those of the plants; the output has blocks.
  *
- * Output 0: the plants at the requested time (section 3.2 of Setas et al.): branches are cantilevers in their parents,
- * with modes, a periodic steady state and segments that keep their lengths; skins follow the joints, and leaves turn to
- * the wind and flutter (eq. 26). Any time can be asked for; without wind all points stay where they are, to the bit.
- * In the level Medium, envelopes sway as the trunk in full does, and show pictures of the moving crown in turn (section
- * 4.2); of a scattered forest they do where its prototypes are connected. Low stands still. Times are those of the
- * wind.
+ * Output 0: the plants at the requested time (Setas et al., section 3.2): branches are cantilever beams clamped in
+ * their parents, with modal vibrations, a periodic steady state and segments of constant length; skins follow the
+ * joints, and leaves align with the wind and flutter (eq. 26). Any time can be requested; without wind all points keep
+ * their positions, to the bit. In the level Medium, the crowns follow the motion of the trunk at full detail and show
+ * textures of the moving crown in turn (section 4.2), in a scattered forest only if its prototypes are connected. Low
+ * does not move. Times are those of the wind.
  *
- * Field data `Frequency` [Hz] of output 0: that of the first mode of each plant's trunk with all that it carries, by
- * the row of the plant in the field data of a scattered forest, one number for a single plant; 0 for plants that stand
- * still.
+ * Field data `Frequency` [Hz] of output 0: the natural frequency of the first mode of each trunk with all that it
+ * carries, by the row of the plant in the field data of a scattered forest, one number for a single plant; 0 for plants
+ * that do not move.
  *
- * Output 1: these pictures (RGBA), one above the other, those of the first species first; texture coordinates of
- * Medium/Crown point to the one of the moment. They also travel as field data `Texture` and `TextureSize` of the
- * crowns.
+ * Output 1: the textures (RGBA), one above the other, those of the first species first; texture coordinates of
+ * Medium/Crown refer to the current one. They are also field data `Texture` and `TextureSize` of the crowns.
  *
- * Between its points the wind is read without loss: along x as the sum of its waves, across and up with the power that
- * each wave has at the points around.
+ * Between its points the wind is interpolated without loss of variance: along x as the sum of its Fourier components,
+ * across and up with the power of each component at the surrounding points.
  *
- * What is kept between frames is the waves of the wind, as large as its image, and for each plant an amount that does
- * not grow with the length of the wind: about 100 kB for the interpolated responses of a plant of 300 branches,
- * 0.7 kB for each branch and mode of the direct ones.
+ * Memory between frames: the Fourier components of the wind, as large as its image, and for each plant an amount that
+ * does not grow with the length of the wind: about 100 kB for the interpolated responses of a plant of 300 branches,
+ * 0.7 kB per branch and mode of the direct ones. A property out of range or an input without these arrays is reported
+ * as one error.
  */
 #ifndef vtkBeamTreeDeformationFilter_h
 #define vtkBeamTreeDeformationFilter_h
@@ -56,102 +56,133 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Modes of each branch, 1 to 10. Default 1, as in the paper.
+  /**
+   * Number of bending modes per branch, 1 to 10; default 1, as in the paper.
+   */
   vtkSetMacro(NumberOfModes, int);
   vtkGetMacro(NumberOfModes, int);
   ///@}
 
   ///@{
-  /// 0 Interpolated, from three orthogonal beams in the wind at the plant's middle (eq. 25); 1 Direct, each branch in
-  /// the wind where it is, with a response of its own. Default 0.
+  /**
+   * Response of the branches to the wind, 0 Interpolated or 1 Direct; default 0. Interpolated: from the responses of
+   * three orthogonal beams in the wind at the center of the plant (eq. 25). Direct: a separate response of each branch
+   * to the wind at its position, slower and with more memory.
+   */
   vtkSetMacro(Response, int);
   vtkGetMacro(Response, int);
   ///@}
 
   ///@{
-  /// Of a bare cylinder, 0 to 10. Default 1.1.
+  /**
+   * Drag coefficient of a bare cylinder, 0 to 10; default 1.1.
+   */
   vtkSetMacro(DragCoefficient, double);
   vtkGetMacro(DragCoefficient, double);
   ///@}
 
   ///@{
-  /// Of forces across the wind U and a branch e, to the side of U x e: to the right of the wind on an upright branch,
-  /// up on one that points to the wind's left (eq. 16). A branch and what grows on it have as much of it as of drag,
-  /// times LiftCoefficient over DragCoefficient. A round branch has none; -10 to 10. Default 0.
+  /**
+   * Lift coefficient of the force normal to wind U and branch axis e, along U x e, -10 to 10; default 0, that of a
+   * circular branch. The force points to the right of the wind on an upright branch and up on a branch that points to
+   * the left of the wind (eq. 16). The lift of a branch and of what grows on it is its drag times LiftCoefficient /
+   * DragCoefficient.
+   */
   vtkSetMacro(LiftCoefficient, double);
   vtkGetMacro(LiftCoefficient, double);
   ///@}
 
   ///@{
-  /// 0 Projection, |U| times the wind across the branch; 1 Cross Flow, by the wind across the branch alone (of the
-  /// direct response; the interpolated one is linear in the projection). Default 0.
+  /**
+   * Drag law, 0 Projection or 1 Cross Flow; default 0. Projection: |U| times the wind component normal to the branch.
+   * Cross Flow: quadratic in the normal component alone. Used by the Direct response; the Interpolated one is linear in
+   * the projection.
+   */
   vtkSetMacro(DragLaw, int);
   vtkGetMacro(DragLaw, int);
   ///@}
 
   ///@{
-  /// Adds weight to plants that stand as if there were none. Default off.
+  /**
+   * Deflection by the weight of the plants, whose input shape is taken as unloaded; default off.
+   */
   vtkSetMacro(Gravity, bool);
   vtkGetMacro(Gravity, bool);
   vtkBooleanMacro(Gravity, bool);
   ///@}
 
   ///@{
-  /// Whether plants that say of which wood they are (field data `Wood`, as the presets of the tree sources do) sway as
-  /// that. Else, and where they say nothing, the next three properties hold. Default on.
+  /**
+   * Wood properties from the plants; default on. Plants with the field data `Wood`, as the presets of the tree sources
+   * write them, have those properties. If off, and for other plants, YoungModulus, WoodDensity and Damping are used.
+   */
   vtkSetMacro(WoodFromPlants, bool);
   vtkGetMacro(WoodFromPlants, bool);
   vtkBooleanMacro(WoodFromPlants, bool);
   ///@}
 
   ///@{
-  /// Of living wood along the grain, for a section of a trunk with its bark [Pa], 1e5 to 1e12; branches have half of
-  /// it. Default 5.1e9.
+  /**
+   * Young's modulus of green wood along the grain, for a cross section of a trunk with its bark [Pa], 1e5 to 1e12;
+   * default 5.1e9. Branches have half of it. Oak has 5.0e9, pine 4.2e9, birch 5.1e9.
+   */
   vtkSetMacro(YoungModulus, double);
   vtkGetMacro(YoungModulus, double);
   ///@}
 
   ///@{
-  /// Of the living wood [kg/m3], 1 to 1e5. Default 950.
+  /**
+   * Density of green wood [kg/m3], 1 to 1e5; default 950. Oak has 1020, pine 850, birch 870.
+   */
   vtkSetMacro(WoodDensity, double);
   vtkGetMacro(WoodDensity, double);
   ///@}
 
   ///@{
-  /// Damping ratio of all modes, 0.001 to 0.95. Default 0.08.
+  /**
+   * Damping ratio of all modes, 0.001 to 0.95; default 0.08. Wood alone has less than 0.05, trees in leaf more.
+   */
   vtkSetMacro(Damping, double);
   vtkGetMacro(Damping, double);
   ///@}
 
   ///@{
-  /// How much leaves move, as part of the full motion in strong wind, 0 to 2. Default 1.
+  /**
+   * Amplitude of the leaf motion relative to that in strong wind, 0 to 2; default 1.
+   */
   vtkSetMacro(LeafFlutter, double);
   vtkGetMacro(LeafFlutter, double);
   ///@}
 
   ///@{
-  /// Pictures of a crown of the level Medium, made at equal times of a swing of its trunk, 1 to 16; 1: a still one.
-  /// Default 8.
+  /**
+   * Number of textures per crown of the level Medium, at equal time intervals of one period of its trunk, 1 to 16;
+   * default 8. With 1 the texture is constant.
+   */
   vtkSetMacro(NumberOfPictures, int);
   vtkGetMacro(NumberOfPictures, int);
   ///@}
 
   ///@{
-  /// Columns and rows of such a picture [texels], each from 4 to 4096. Default 256 128.
+  /**
+   * Columns and rows of a crown texture [texels], each 4 to 4096; default 256 128.
+   */
   vtkSetVector2Macro(PictureSize, int);
   vtkGetVector2Macro(PictureSize, int);
   ///@}
 
   ///@{
-  /// Of the flutter of leaves. Any whole number. Default 1.
+  /**
+   * Seed of the random numbers of the leaf flutter, any integer; default 1.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
-  /// The wind, on port 1.
+  /// Connects the wind, port 1.
   void SetWindConnection(vtkAlgorithmOutput* wind) { this->SetInputConnection(1, wind); }
 
-  /// Disconnects all prototypes.
+  /// Removes all connections of port 2, the prototypes.
   void RemoveAllPrototypes() { this->RemoveAllInputConnections(2); }
 
 protected:

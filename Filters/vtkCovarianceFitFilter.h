@@ -2,30 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCovarianceFitFilter
- * @brief   measures the variogram of an image and fits seven covariance models to it
+ * @brief   compute the variogram of an image and fit seven covariance models to it
  *
  * Input: a vtkImageData of one layer with a scalar point array (SetInputArrayToProcess; default the active scalars),
- * typically the elevation [m] of a real place. NaN and, on request, a no-data value are left out.
+ * typically the elevation [m] of a real terrain. NaN and, on request, a no-data value are left out.
  *
- * Output 0: a vtkTable, a row a model, best first and those at a bound last, as vtkTurningBandsTerrainSource takes it.
- * Columns: `Model` (name), `ModelId`, `Variance` [m^2], `Range` [m], `SecondRange` [m], `FractalDimension` (NaN where a
- * model has none), `Nugget` [m^2], `AnisotropyRatio`, `AnisotropyAngle` [rad], `Mean` [m], `SlopeX`, `SlopeY` (the
- * plane that was removed, with its height at the grid's middle), `TrendWidth`, `TrendHeight` [m] (the rectangle over
- * which it was removed; 0 where it was the mean alone), `VarianceDeviation` [m^2] (standard deviation of SampleVariance
- * from one realisation of the model to the next), `AtBound` (1 where a range stands at LongestRange or below a quarter
- * of the shortest lag, or the fractal dimension within 0.01 of 2 or 3: a bound decided, not the data), `WeightedSSE`,
- * `AICc`. Field data: `SampleVariance` [m^2] (of what remains when the plane is removed), `NumberOfValues`,
- * `PeriodogramDimension` and `VariogramDimension` (fractal dimension from the slope of either, in [2, 3], with its
- * standard error; NaN where the slope tells none, as of smooth fields and noise).
+ * Output 0: a vtkTable with a row per model, the best first and those at a bound last, as vtkTurningBandsTerrainSource
+ * reads it. Columns: `Model` (name), `ModelId`, `Variance` [m^2], `Range` [m], `SecondRange` [m], `FractalDimension`
+ * (NaN where a model has none), `Nugget` [m^2], `AnisotropyRatio`, `AnisotropyAngle` [rad], `Mean` [m], `SlopeX`,
+ * `SlopeY` (the plane that was removed, with its height at the center of the grid), `TrendWidth`, `TrendHeight` [m]
+ * (the rectangle over which it was removed; 0 where only the mean was), `VarianceDeviation` [m^2] (standard deviation
+ * of SampleVariance between realizations of the model), `AtBound` (1 where a range is at LongestRange or below a
+ * quarter of the shortest lag, or the fractal dimension within 0.01 of 2 or 3: determined by a bound, not by the data),
+ * `WeightedSSE`, `AICc`. Field data: `SampleVariance` [m^2] (of the residuals when the plane is removed),
+ * `NumberOfValues`, `PeriodogramDimension` and `VariogramDimension` (fractal dimension from the slope of either, in [2,
+ * 3], with its standard error; NaN where the slope determines none, as for smooth fields and noise).
  *
- * Output 1: a vtkTable, a row a lag: `Lag` [m], `Semivariance` [m^2], `Pairs`, one column a model, and one a direction
- * (`Semivariance_000`, `Semivariance_015`..., degrees from x) where anisotropy is fitted. Ready for a line chart.
+ * Output 1: a vtkTable with a row per lag, ready for a line chart: `Lag` [m], `Semivariance` [m^2], `Pairs`, a column
+ * per model, and a column per direction (`Semivariance_000`, `Semivariance_015`..., degrees from x) where anisotropy is
+ * fitted.
  *
- * The variogram is exact, by Fourier transform, with exact pair counts. Models are fitted by Levenberg-Marquardt to
- * logarithms of semivariances, as Setas et al. propose at the end of section 2.1. A plane that is removed takes part of
- * the field's variance with it: models are fitted to what they are expected to show when their plane is gone, and
- * Variance is the one at which that leaves SampleVariance in the place, less Nugget. The criterion AICc treats lags as
- * independent, which they are not: take differences as an order, not as a test.
+ * The variogram is exact, by Fourier transform, with exact numbers of pairs. Models are fitted by the
+ * Levenberg-Marquardt method to logarithms of semivariances, as Setas et al. propose at the end of section 2.1.
+ * Removing a plane also removes part of the variance of the field: the models are fitted to the variogram that is
+ * expected after detrending, and Variance is the one for which the expected variance of the residuals is SampleVariance
+ * less Nugget. AICc treats lags as independent, which they are not: use its differences for ranking, not as a test.
+ *
+ * An image of several layers, a property out of range or too few values are reported as one error.
  *
  * @sa vtkTurningBandsTerrainSource
  */
@@ -43,71 +46,88 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Longest distance of pairs [m], not negative; 0: half the shorter side. Default 0.
+  /**
+   * Maximum lag distance [m], not negative; default 0, half the shorter side of the image.
+   */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);
   ///@}
 
   ///@{
-  /// Number of distance classes up to MaximumLag, 6 to 10000. Default 40.
+  /**
+   * Number of lag classes up to MaximumLag, 6 to 10000; default 40.
+   */
   vtkSetMacro(NumberOfLags, int);
   vtkGetMacro(NumberOfLags, int);
   ///@}
 
   ///@{
-  /// Whether a plane is fitted and removed first; else the mean alone. Default on.
+  /**
+   * Removal of a least-squares plane before the variogram is computed; default on. If off, the mean alone is removed.
+   */
   vtkSetMacro(RemoveTrend, bool);
   vtkGetMacro(RemoveTrend, bool);
   vtkBooleanMacro(RemoveTrend, bool);
   ///@}
 
   ///@{
-  /// Whether a jump of the variogram at distance zero (measurement noise) is looked for. It is kept, in all models,
-  /// where it lowers the least AICc by more than 0.4 for each class of lags; else Nugget is 0. Default on.
+  /**
+   * Estimation of a nugget, the discontinuity of the variogram at lag 0 due to measurement noise; default on. It is
+   * kept, in all models, if it lowers the minimum AICc by more than 0.4 per lag class; otherwise Nugget is 0.
+   */
   vtkSetMacro(FitNugget, bool);
   vtkGetMacro(FitNugget, bool);
   vtkBooleanMacro(FitNugget, bool);
   ///@}
 
   ///@{
-  /// Whether an ellipse of ranges is fitted to the variograms of NumberOfDirections directions. Default on.
+  /**
+   * Estimation of geometric anisotropy, an ellipse of ranges fitted to the directional variograms; default on.
+   */
   vtkSetMacro(FitAnisotropy, bool);
   vtkGetMacro(FitAnisotropy, bool);
   vtkBooleanMacro(FitAnisotropy, bool);
   ///@}
 
   ///@{
-  /// Number of directions over half a turn, 4 to 90. Default 12.
+  /**
+   * Number of directional variograms over half a turn, 4 to 90; default 12. Used only with FitAnisotropy.
+   */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
   ///@{
   /**
-   * No model is given a longer range than this [m], not negative; Spherical, whose range is where correlation ends, no
-   * more than twice this. 0: MaximumLag. What is longer than the lags looks like one more trend and cannot be
-   * told. Default 0.
+   * Upper bound of the range of a model [m], not negative; default 0, MaximumLag. The bound of Spherical, whose range
+   * ends the correlation, is twice this. A range beyond the lags cannot be distinguished from a trend.
    */
   vtkSetMacro(LongestRange, double);
   vtkGetMacro(LongestRange, double);
   ///@}
 
   ///@{
-  /// Largest wavelength of the Fractal model [m], not negative, which no variogram tells; 0: four times the longer
-  /// side. Default 0.
+  /**
+   * Longest wavelength of the Fractal model [m], not negative; default 0, four times the longer side of the image. No
+   * variogram determines it.
+   */
   vtkSetMacro(FractalWavelength, double);
   vtkGetMacro(FractalWavelength, double);
   ///@}
 
   ///@{
-  /// Whether values equal to NoDataValue are missing ones. Default off.
+  /**
+   * Exclusion of values equal to NoDataValue; default off. NaN is always excluded.
+   */
   vtkSetMacro(UseNoDataValue, bool);
   vtkGetMacro(UseNoDataValue, bool);
   vtkBooleanMacro(UseNoDataValue, bool);
   ///@}
 
   ///@{
-  /// The value that marks a missing one. Default -9999.
+  /**
+   * Value that marks missing data; default -9999. Used only with UseNoDataValue.
+   */
   vtkSetMacro(NoDataValue, double);
   vtkGetMacro(NoDataValue, double);
   ///@}

@@ -2,36 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCurrentDriftFilter
- * @brief   carries points along with currents
+ * @brief   advect points by currents
  *
- * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection of them: particles where they
- * are at StartTime. Input 1, optional, repeatable: currents, which add up. A current is a data set of flow primitives,
- * as vtkFlowPrimitiveSource makes them, or any data set with a point array of velocities [m/s]: the output of an ocean
- * model, a wind, a wake; or composite data of such. Outside of a data set its current is 0; an image or rectilinear
- * grid of one layer holds for all heights. Velocities that are no numbers count as rest, as ocean models have them on
- * land.
+ * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection of them: the positions at
+ * StartTime. Input 1, optional and repeatable: currents, which are superposed. A current is a data set of flow
+ * primitives from vtkFlowPrimitiveSource, or any data set with a point array of velocities [m/s], such as the output of
+ * an ocean model, a wind or a wake, or composite data of these. The velocity outside of a data set is 0; an image or
+ * rectilinear grid of one layer is valid at all heights. Velocities that are not finite count as 0, as ocean models
+ * have them on land.
  *
- * Output: the points at the requested time, in the precision of the input, with the point array `Captured` (1: the core
- * of a sink holds it). Connect it to vtkParticleOrbitFilter, for which these are the centers of orbits. Without
- * currents the input is passed on. Before StartTime points are where they start.
+ * Output: the points at the requested time, in the precision of the input, with the point array `Captured` (1 in the
+ * core of a sink). Connect it to vtkParticleOrbitFilter, for which these are the centers of orbits. Without currents
+ * the input is passed through. Before StartTime the points are at their initial positions.
  *
- * Points are carried by the Runge-Kutta method of fourth order in steps of TimeStep, counted from StartTime, and by
- * a shorter last one. The state at a time is a function of that time alone, whatever was asked before; some states are
- * kept to begin from. Where all currents are the same everywhere, no steps are taken.
+ * Points are integrated by the fourth-order Runge-Kutta method in steps of TimeStep from StartTime, and a shorter last
+ * step. The state at a time is a function of that time alone, whatever was requested before; some states are kept as
+ * starting points. A current that is uniform in space and time is applied without steps.
  *
- * Currents that change are asked for their own TIME_STEPS, between which they are interpolated; if they have a
- * TIME_RANGE only, for each half of a TimeStep. What was asked is kept for a while. Before their first and after their
- * last time they stay as they were then.
+ * Currents that vary in time are requested at their TIME_STEPS and interpolated between these, or at every half
+ * TimeStep if they have a TIME_RANGE only. Recent time steps are kept. Before the first and after the last time they
+ * are constant.
  *
- * Nothing flows through bed and surface, so that no point leaves the water, and points that fill it evenly go on doing
- * so in any current that is free of divergence. Of uniform flows the horizontal part is left. Sources, sinks and
- * vortices have images beyond the walls; those out of the water have no flow in it. A grid that ends within its last
- * step of a wall reaches it: its horizontal flow goes on, its vertical one falls to 0. Where a wall is within a grid,
- * the vertical velocity there is subtracted from the grid's at all heights, between two walls in proportion to the
- * height. Points that are out of the water at StartTime stay where they are. Slaves (point arrays `MasterId` and
- * `Offset`[3], see vtkParticleOrbitFilter) move with their masters.
+ * There is no flow through bed and surface, so that no point leaves the water, and points that fill it evenly go on
+ * doing so in any current free of divergence. Of uniform flows only the horizontal component is used. Sources, sinks
+ * and vortices have mirror images beyond the walls; those out of the water have no effect. A grid that ends within one
+ * cell of a wall is extended to it: its horizontal velocity is constant, its vertical one decreases to 0. Where a wall
+ * lies within a grid, the vertical velocity at the wall is subtracted from that of the grid at all heights, between two
+ * walls in proportion to the height. Points out of the water at StartTime do not move. Slaves (point arrays `MasterId`
+ * and `Offset`[3], see vtkParticleOrbitFilter) move with their masters.
  *
- * Coulais et al., eq. 3.
+ * A property out of range, a current without velocities or a time more than 1e7 steps after StartTime is reported as
+ * one error. Coulais et al., eq. 3.
  *
  * @sa vtkFlowPrimitiveSource vtkSuspendedParticleSource vtkParticleOrbitFilter
  */
@@ -54,33 +55,43 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Time at which points are where the input has them [s]. Default 0.
+  /**
+   * Time of the input positions [s]; default 0.
+   */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
 
   ///@{
-  /// Step of the integration [s], positive. A vortex should not turn by more than 0.1 radian in it: 2 pi core^2 /
-  /// circulation / 10. Default 0.1.
+  /**
+   * Time step of the integration [s], positive; default 0.1. A vortex should not rotate by more than 0.1 rad per step:
+   * 2 pi core^2 / circulation / 10.
+   */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /// Whether nothing flows through bed and surface; else points may leave the water. Default on.
+  /**
+   * Impermeable bed and surface, which keep the points in the water; default on.
+   */
   vtkSetMacro(KeepInWater, bool);
   vtkGetMacro(KeepInWater, bool);
   vtkBooleanMacro(KeepInWater, bool);
   ///@}
 
   ///@{
-  /// Height of the surface [m]. Of no effect without KeepInWater. Default 0.
+  /**
+   * Mean sea level, the z of the surface [m]; default 0. Used only with KeepInWater.
+   */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
   ///@}
 
   ///@{
-  /// Depth of the water [m], positive; 0: there is no bed. Of no effect without KeepInWater. Default 0.
+  /**
+   * Water depth [m], positive, or 0 for no bed; default 0. Used only with KeepInWater.
+   */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);
   ///@}
@@ -92,36 +103,43 @@ public:
   };
 
   ///@{
-  /// How velocities come about between the points of images and rectilinear grids, a VelocityInterpolations. Linear:
-  /// from the eight around a place, which drives points together slowly, as it has a divergence of its own.
-  /// CubicSpline: by splines through all points, with coefficients that take the memory of the array again. Other data
-  /// sets are always linear. Default CubicSpline.
+  /**
+   * Interpolation of velocities in images and rectilinear grids, a VelocityInterpolations; default CubicSpline. Linear:
+   * trilinear in a cell, whose divergence slowly concentrates the points. CubicSpline: splines through all points,
+   * whose coefficients take as much memory as the array. Other data sets are always interpolated linearly.
+   */
   vtkSetMacro(VelocityInterpolation, int);
   vtkGetMacro(VelocityInterpolation, int);
   ///@}
 
   ///@{
-  /// Name of the point array of velocities in data sets that are no flow primitives. Empty or null: `Velocity`, else
-  /// the only array of three components. Default null.
+  /**
+   * Name of the point array of velocities in data sets that are no flow primitives; default null. If empty or null, it
+   * is `Velocity`, else the only array of three components.
+   */
   vtkSetStringMacro(VelocityArray);
   vtkGetStringMacro(VelocityArray);
   ///@}
 
   ///@{
-  /// Whether to add the point array `Current`[3], the velocity of the current at the output's points [m/s]. Default
-  /// off.
+  /**
+   * Addition of the point array `Current`[3], the velocity of the current at the output points [m/s]; default off.
+   */
   vtkSetMacro(GenerateCurrent, bool);
   vtkGetMacro(GenerateCurrent, bool);
   vtkBooleanMacro(GenerateCurrent, bool);
   ///@}
 
   ///@{
-  /// First and last time that players are told of [s], increasing. Any time can be asked for. Default 0 60.
+  /**
+   * First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
+   * requested.
+   */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
   ///@}
 
-  /// Disconnects all currents.
+  /// Removes all connections of port 1, the currents.
   void RemoveAllCurrents() { this->RemoveAllInputConnections(1); }
 
 protected:

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkParticleFogFilter
- * @brief   the fog that far particles are
+ * @brief   convert particles to an extinction coefficient field
  *
- * Input: a vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection, of which the block `Far` counts
- * if there is one, else all point sets. Optional point arrays: `Radius` of a particle [m], else ParticleRadius;
- * `Alpha`, how much of it is fog, as vtkParticleLevelOfDetailFilter tells, so that the fog fades in as particles fade
- * out; else 1.
+ * Input: a vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection, of which only the block `Far` is
+ * used if there is one, else all point sets. Optional point arrays: `Radius` of a particle [m], else ParticleRadius;
+ * `Alpha`, the fraction of the particle that is fog, as written by vtkParticleLevelOfDetailFilter, so that the fog
+ * fades in as particles fade out; else 1.
  *
- * Output: a vtkImageData with the point array `Extinction` (float) [1/m]: light that has gone a way through it is
- * dimmed by e to the power of minus its integral. A particle takes the area of its disc from the light, times
- * ExtinctionEfficiency. It is shared out among the eight samples about it; the integral over the image of the field,
- * linear between samples, is the sum of these areas. Field data: `ParticlesInFog`, `ParticlesOutside` of the image, and
- * `CrossSection` [m2], that sum.
+ * Output: a vtkImageData with the point array `Extinction` (float) [1/m]: the transmittance of a ray is exp(-integral
+ * of Extinction). The extinction cross section of a particle is the area of its disk times ExtinctionEfficiency. It is
+ * distributed over the eight neighboring samples; the volume integral of the field, trilinear between samples, is the
+ * sum of the cross sections. Field data: `ParticlesInFog`, `ParticlesOutside` of the image, and `CrossSection` [m2],
+ * that sum.
  *
- * No particles, as before a near view, give an image of WaterExtinction. Each piece of the image is made of the whole
- * input.
+ * An input without particles, as before a near view, gives an image of WaterExtinction. Each piece of the image is
+ * computed from the whole input. A property out of range or an array value out of range is reported as one error.
  *
  * @sa vtkParticleLevelOfDetailFilter
  */
@@ -47,54 +47,70 @@ public:
   };
 
   ///@{
-  /// ByDimensions: so many samples over the box. BySpacing: cubes of a side over Bounds, which UseBounds must switch
-  /// on. Default ByDimensions.
+  /**
+   * Definition of the sampling grid, a GridRules; default ByDimensions. ByDimensions: a fixed number of samples over
+   * the box. BySpacing: cubic cells of the side Spacing over Bounds, which needs UseBounds.
+   */
   vtkSetMacro(GridBy, int);
   vtkGetMacro(GridBy, int);
   ///@}
 
   ///@{
-  /// Samples along x, y, z, each 2 or more; of no effect by spacing. Default 64 64 64.
+  /**
+   * Number of samples along x, y and z, each at least 2; default 64 64 64. Used only if GridBy is ByDimensions.
+   */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
   ///@{
-  /// Side of the cubes [m], positive; of no effect by dimensions. Default 0.5.
+  /**
+   * Side of the cubic cells [m], positive; default 0.5. Used only if GridBy is BySpacing.
+   */
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
 
   ///@{
-  /// Whether Bounds tell the box of the image; else it is that of the particles. Default off.
+  /**
+   * Image over Bounds instead of the bounding box of the particles; default off.
+   */
   vtkSetMacro(UseBounds, bool);
   vtkGetMacro(UseBounds, bool);
   vtkBooleanMacro(UseBounds, bool);
   ///@}
 
   ///@{
-  /// Smallest and largest x, y, z of the image [m]; by spacing, rounded up to whole cubes. Of no effect without
-  /// UseBounds. Default -10 10 -10 10 -10 0.
+  /**
+   * Bounds of the image, as minimum and maximum x, y and z [m], increasing; default -10 10 -10 10 -10 0. If GridBy is
+   * BySpacing they are rounded up to whole cells. Used only with UseBounds.
+   */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
   ///@{
-  /// Of particles without an array Radius [m], positive. Default 0.005.
+  /**
+   * Radius of particles without the point array `Radius` [m], positive; default 0.005.
+   */
   vtkSetMacro(ParticleRadius, double);
   vtkGetMacro(ParticleRadius, double);
   ///@}
 
   ///@{
-  /// Light that a particle takes, by what its disc would, not negative. 1: what a drawn particle hides. 2: with what
-  /// large particles diffract out of the way. Default 1.
+  /**
+   * Extinction efficiency, the ratio of the extinction cross section to the area of the disk of a particle, not
+   * negative; default 1, an opaque disk. Large particles have 2 including diffraction.
+   */
   vtkSetMacro(ExtinctionEfficiency, double);
   vtkGetMacro(ExtinctionEfficiency, double);
   ///@}
 
   ///@{
-  /// Of the water itself [1/m], not negative, added everywhere. Water in which 2 % of the contrast is left after 60 m
-  /// has 0.065. Default 0.
+  /**
+   * Extinction coefficient of the water [1/m], not negative, added everywhere; default 0. 0.065 leaves 2 % of the
+   * contrast after 60 m.
+   */
   vtkSetMacro(WaterExtinction, double);
   vtkGetMacro(WaterExtinction, double);
   ///@}

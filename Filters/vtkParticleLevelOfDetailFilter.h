@@ -2,28 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkParticleLevelOfDetailFilter
- * @brief   particles near the eye with their own orbits, farther ones behind masters, far ones as fog
+ * @brief   show near particles with individual orbits, farther ones in groups and far ones as fog
  *
- * Input 0: a vtkPointSet, the centers of the orbits. Input 1: a sea state, as vtkSeaStateSource makes it. Give the
- * output and the same sea to vtkParticleOrbitFilter, and the block Far to vtkParticleFogFilter.
+ * Input 0: a vtkPointSet, the centers of the orbits. Input 1: a sea state from vtkSeaStateSource. Connect the output
+ * and the same sea state to vtkParticleOrbitFilter, and the block Far to vtkParticleFogFilter.
  *
- * Output: a vtkMultiBlockDataSet of vtkPolyData with vertices, points and arrays as in the input: `Near`, particles
- * with orbits of their own; `MasterSlave`, first the masters, which have orbits, then the slaves, which keep their
- * offsets from them; `Far`, particles that are fog. Point arrays, besides those of the input: `ParticleId`, the index
- * in the input unless it has such an array; `Alpha`, how much of the particle the level shows: levels change over bands
- * in which the particle is in both, and its alphas sum to 1. In Near and MasterSlave also `TrainCount`, and
- * `ErrorBound` [m], how far the particle may be, at any time, from where all trains would have it, without the drift of
- * Stokes. In MasterSlave also `MasterId`, an index in the block, and `Offset`. In Far, `TrainCount` is 0.
+ * Output: a vtkMultiBlockDataSet of vtkPolyData with vertices, and points and arrays as in the input: `Near`, particles
+ * with individual orbits; `MasterSlave`, first the masters, which have orbits, then the slaves, which keep their
+ * offsets from their masters; `Far`, particles shown as fog. Additional point arrays: `ParticleId`, the index in the
+ * input unless it has such an array; `Alpha`, the opacity of the particle in this level: levels blend over bands in
+ * which a particle is in both, and its alphas sum to 1. Near and MasterSlave also have `TrainCount`, and `ErrorBound`
+ * [m], an upper bound of the distance to the position by all trains at any time, without Stokes drift. MasterSlave also
+ * has `MasterId`, an index in the block, and `Offset`[3] [m]. In Far, `TrainCount` is 0.
  *
- * The field array `TrainOrder` of each block tells in which order vtkParticleOrbitFilter takes the trains: by what they
- * do at the mean height of the particles. Counts are fewer that way.
+ * The field array `TrainOrder` of each block is the order in which vtkParticleOrbitFilter takes the trains, by their
+ * displacement at the mean height of the particles, which makes the counts smaller.
  *
- * Field data: `ParticlesInAll`, `ParticlesShown` (one by one), `ParticlesFar`, `Masters`, `Slaves`, `CellsInAll`,
- * `CellsShown`, `Orbits` that are to be computed, `TrainSums`, the trains of all orbits together, `TrainSumsInAll`, the
- * same for all particles with all trains, and `LargestSlaveError` [m].
+ * Field data: `ParticlesInAll`, `ParticlesShown` (individually), `ParticlesFar`, `Masters`, `Slaves`, `CellsInAll`,
+ * `CellsShown`, `Orbits` to be computed, `TrainSums`, the number of trains of all orbits, `TrainSumsInAll`, the same
+ * for all particles with all trains, and `LargestSlaveError` [m].
  *
- * The view decides on what is shown, never on where a particle is: centers, groups and orders are functions of the
- * input. They are kept until it changes. Each piece has its part of the groups, of the whole input.
+ * The view determines what is shown, never the position of a particle: centers, groups and orders are functions of the
+ * input and are kept until it changes. Each piece holds its share of the groups of the whole input. Defaults of
+ * inherited properties: NearDistance 2 m, FarDistance 12 m. A property out of range or a table that is no sea state is
+ * reported as one error.
  *
  * Coulais et al., section 3.3; see Documentation/design/particles.md.
  *
@@ -60,95 +62,123 @@ public:
   };
 
   ///@{
-  /// Whether particles become slaves and fog with distance; else each has its orbit. Default on.
+  /**
+   * Levels of detail: slaves and fog depending on the distance; default on. If off, each particle has its own orbit.
+   */
   vtkSetMacro(UseLevels, bool);
   vtkGetMacro(UseLevels, bool);
   vtkBooleanMacro(UseLevels, bool);
   ///@}
 
   ///@{
-  /// Distance from the eye from which particles follow masters [m], not negative, not above FarDistance. Another name
-  /// of NearDistance. Default 2, the paper's D_m.
+  /**
+   * Distance from the camera beyond which particles follow masters, D_m of the paper [m], not negative, not above
+   * FarDistance; default 2. It is the same property as NearDistance.
+   */
   void SetMiddleDistance(double distance) { this->SetNearDistance(distance); }
   double GetMiddleDistance() { return this->GetNearDistance(); }
   ///@}
 
   ///@{
-  /// Half the width of the bands about MiddleDistance and FarDistance in which levels change [m], not negative. Default
-  /// 0.5.
+  /**
+   * Half width of the bands about MiddleDistance and FarDistance in which levels blend [m], not negative; default 0.5.
+   */
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
   ///@}
 
   ///@{
-  /// Distance from the eye, or from its plane in parallel projection, beyond which particles are left out, as fog too
-  /// [m], not negative; 0: no limit. Default 60.
+  /**
+   * Distance from the camera, or from its plane in parallel projection, beyond which neither particles nor fog are
+   * shown [m], not negative; default 60. 0 means no limit.
+   */
   vtkSetMacro(Visibility, double);
   vtkGetMacro(Visibility, double);
   ///@}
 
   ///@{
-  /// Slaves that follow a master, 0 to 1000. Default 3.
+  /**
+   * Number of slaves per master, 0 to 1000; default 3.
+   */
   vtkSetMacro(SlavesPerMaster, int);
   vtkGetMacro(SlavesPerMaster, int);
   ///@}
 
   ///@{
-  /// Least and largest distance of a slave from its master [m], not negative and increasing. Particles nearer or
-  /// farther move by themselves. Default 0 to 0.5.
+  /**
+   * Minimum and maximum distance of a slave from its master [m], not negative, not decreasing; default 0 0.5. Particles
+   * outside this range have individual orbits.
+   */
   vtkSetVector2Macro(OffsetRange, double);
   vtkGetVector2Macro(OffsetRange, double);
   ///@}
 
   ///@{
-  /// Where slaves keep. OwnPlace: at their own distance from their master. Scattered, the paper's: at a random one
-  /// within OffsetRange. Default OwnPlace.
+  /**
+   * Position of a slave relative to its master, a SlavePlacements; default OwnPlace. OwnPlace: the offset of the
+   * particle in the input. Scattered: a random offset within OffsetRange, as in the paper.
+   */
   vtkSetMacro(SlavePlacement, int);
   vtkGetMacro(SlavePlacement, int);
   ///@}
 
   ///@{
-  /// Of the places of scattered slaves; of no effect without them. Any number. Default 1.
+  /**
+   * Seed of the random offsets of scattered slaves, any integer; default 1. Used only if SlavePlacement is Scattered.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// Which trains are left out. TailSum: the last ones, as long as together they move the particle by less than
-  /// ScreenError, anywhere in a picture of ViewHeight. PerTrain, the paper's: each that moves it by less, whose sum may
-  /// be some times as much. AllTrains: none. Default TailSum.
+  /**
+   * Criterion for leaving out wave trains, a TrainSelections; default TailSum. TailSum: the last trains, as long as
+   * their total displacement is below ScreenError anywhere in a viewport of ViewHeight. PerTrain: each train whose own
+   * displacement is, as in the paper; their sum may be several times as much. AllTrains: none.
+   */
   vtkSetMacro(TrainSelection, int);
   vtkGetMacro(TrainSelection, int);
   ///@}
 
   ///@{
-  /// Of what is left out, see TrainSelection [pixels], positive; of no effect with AllTrains. Default 1.
+  /**
+   * Maximum screen-space error by omitted wave trains, see TrainSelection [pixels], positive; default 1. Not used if
+   * TrainSelection is AllTrains.
+   */
   vtkSetMacro(ScreenError, double);
   vtkGetMacro(ScreenError, double);
   ///@}
 
   ///@{
-  /// Whether particles whose orbits the view cannot show are left out. Default on.
+  /**
+   * Culling of particles whose orbits lie outside the view frustum; default on.
+   */
   vtkSetMacro(UseCulling, bool);
   vtkGetMacro(UseCulling, bool);
   vtkBooleanMacro(UseCulling, bool);
   ///@}
 
   ///@{
-  /// About how many particles a cell holds, positive. Default 64.
+  /**
+   * Mean number of particles per culling cell, positive; default 64.
+   */
   vtkSetMacro(ParticlesPerCell, int);
   vtkGetMacro(ParticlesPerCell, int);
   ///@}
 
   ///@{
-  /// By which the view is widened for the size of the particles [m], not negative. Default 0.01.
+  /**
+   * Margin of the view frustum for the size of the particles [m], not negative; default 0.01.
+   */
   vtkSetMacro(Margin, double);
   vtkGetMacro(Margin, double);
   ///@}
 
   ///@{
-  /// By which the view is widened for particles that are fog [m], not negative: at least the spacing of the fog's grid.
-  /// Default 1.
+  /**
+   * Margin of the view frustum for particles shown as fog [m], not negative; default 1. It should be at least the
+   * spacing of the fog image.
+   */
   vtkSetMacro(FogMargin, double);
   vtkGetMacro(FogMargin, double);
   ///@}

@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkParticleOrbitFilter
- * @brief   moves points on their orbits in waves
+ * @brief   move points on their orbits in waves
  *
  * Input 0: any vtkPointSet, or a vtkMultiBlockDataSet or vtkPartitionedDataSetCollection of them: particles, a mesh, or
- * a plane at sea level, which becomes the surface of the water. Its points are the centers of the orbits; those above
- * the sea move as its surface does, those below the bed as the water at the bed. Input 1: a sea state, as
- * vtkSeaStateSource makes it.
+ * a plane at sea level, which becomes the free surface. Its points are the centers of the orbits; those above the sea
+ * move like the surface, those below the bed like the water at the bed. Input 1: a sea state from vtkSeaStateSource.
  *
- * Output: the same at the requested time, in the precision of the input, with the point array `Center`[3] of its type.
- * On request `Velocity` [m/s] and `Acceleration` [m/s2]; the velocity is that of the orbit, and of the Stokes drift
- * where that is on. Points that all lie at sea level get `Normals` and `Jacobian` (1 at rest; at 0 or below the surface
- * folds over itself: there is foam). Field data: `DepthRegime`, how the highest train feels the bed (deep,
- * intermediate or shallow), and `RegimeTrains`, the numbers of trains that are deep, intermediate and shallow.
+ * Output: the same data at the requested time, in the precision of the input, with the point array `Center`[3] [m] of
+ * the type of the points. Optional point arrays are `Velocity`[3] [m/s] and `Acceleration`[3] [m/s2]; the velocity is
+ * that of the orbit, and of the Stokes drift where that is on. Points that all lie at sea level get `Normals` and
+ * `Jacobian` (1 at rest; 0 or less where the surface folds over itself, which indicates foam). Field data:
+ * `DepthRegime` of the highest train (deep, intermediate or shallow), and `RegimeTrains`, the numbers of deep,
+ * intermediate and shallow trains.
  *
- * Optional arrays of the input are honoured, as vtkParticleLevelOfDetailFilter makes them. Point array `TrainCount`:
- * only that many trains, from the first, move the point; the field array `TrainOrder` tells which train is the first.
- * Point arrays `MasterId` with `Offset`[3]: the point is a slave and lies at that offset from where its master is, a
- * point of the same data set by its index; a negative index, or the point's own, makes it no slave, and a master may
- * not be a slave.
+ * Optional arrays of the input, as written by vtkParticleLevelOfDetailFilter: the point array `TrainCount` is the
+ * number of trains that move a point, counted in the order of the field array `TrainOrder`. The point arrays `MasterId`
+ * and `Offset`[3] [m] make a point a slave, which keeps that offset from its master, the point of this index in the
+ * same data set; a point with a negative index, or its own, is no slave, and a master must not be a slave.
  *
- * Coulais et al., eq. 2 with the misprints put right, and the axes of water of any depth; see Documentation/errata.md.
+ * A property out of range, a table that is no sea state or arrays that contradict each other are reported as one error.
+ * Coulais et al., eq. 2 with corrected misprints, and orbital axes for any water depth; see Documentation/errata.md.
  *
  * @sa vtkSeaStateSource vtkParticleLevelOfDetailFilter
  */
@@ -41,7 +41,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Whether centers drift with the waves, by the second order in their amplitudes. The paper's do not. Default off.
+  /**
+   * Stokes drift of the centers, to second order in the wave amplitudes; default off. The model of the paper has none.
+   */
   vtkSetMacro(StokesDrift, bool);
   vtkGetMacro(StokesDrift, bool);
   vtkBooleanMacro(StokesDrift, bool);
@@ -49,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Whether particles that Current carries keep the period of their orbits, as waves that ride on the current do. Off,
-   * as in the paper, they run through waves that know nothing of the current. Default off.
+   * Doppler shift of the waves seen by particles that Current carries, so that they keep their orbital periods; default
+   * off. Off, as in the paper, they move through waves that do not travel with the current.
    */
   vtkSetMacro(DopplerShift, bool);
   vtkGetMacro(DopplerShift, bool);
@@ -58,42 +60,55 @@ public:
   ///@}
 
   ///@{
-  /// Along x and y [m/s], with which the centers come carried to this filter; it does not move them itself. Of no
-  /// effect without DopplerShift. Default 0 0.
+  /**
+   * Velocity of the current that carries the centers, along x and y [m/s]; default 0 0. This filter does not apply it
+   * to the centers. Used only with DopplerShift.
+   */
   vtkSetVector2Macro(Current, double);
   vtkGetVector2Macro(Current, double);
   ///@}
 
   ///@{
-  /// Factor of the horizontal motion, 0 to 1. 1 is that of water, with sharp crests; less keeps steep seas from folding
-  /// over themselves. Default 1.
+  /**
+   * Factor of the horizontal displacement, 0 to 1; default 1, that of water, with sharp crests. A smaller factor keeps
+   * steep seas from folding over themselves.
+   */
   vtkSetMacro(Choppiness, double);
   vtkGetMacro(Choppiness, double);
   ///@}
 
   ///@{
-  /// Whether to add the array Velocity. Default off.
+  /**
+   * Addition of the point array `Velocity`[3] [m/s]; default off.
+   */
   vtkSetMacro(GenerateVelocity, bool);
   vtkGetMacro(GenerateVelocity, bool);
   vtkBooleanMacro(GenerateVelocity, bool);
   ///@}
 
   ///@{
-  /// Whether to add the array Acceleration. Default off.
+  /**
+   * Addition of the point array `Acceleration`[3] [m/s2]; default off.
+   */
   vtkSetMacro(GenerateAcceleration, bool);
   vtkGetMacro(GenerateAcceleration, bool);
   vtkBooleanMacro(GenerateAcceleration, bool);
   ///@}
 
   ///@{
-  /// Whether to add Normals and Jacobian to points that all lie at sea level; of no effect on others. Default on.
+  /**
+   * Addition of the point arrays `Normals` and `Jacobian` if all points lie at sea level; default on.
+   */
   vtkSetMacro(GenerateSurface, bool);
   vtkGetMacro(GenerateSurface, bool);
   vtkBooleanMacro(GenerateSurface, bool);
   ///@}
 
   ///@{
-  /// First and last time that players are told of [s], increasing. Any time can be asked for. Default 0 60.
+  /**
+   * First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
+   * requested.
+   */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
   ///@}

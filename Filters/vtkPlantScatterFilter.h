@@ -2,36 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPlantScatterFilter
- * @brief   plants at sites, near ones in full, far ones in few polygons, none outside of the view
+ * @brief   place plants on sites with levels of detail and culling
  *
- * Inputs: port 0, the sites (vtkPointSet; z counts where there is no terrain); port 1, a prototype for each species, as
- * the plant sources make them (vtkMultiBlockDataSet, or vtkPartitionedDataSetCollection whose assembly has the same
- * blocks, each part in one partition; any number of connections); port 2, optional, the terrain (vtkImageData of one
- * layer, point array `Elevation` or else the active scalars).
+ * Inputs: port 0, the sites (vtkPointSet; z is used where there is no terrain); port 1, a prototype per species from
+ * the plant sources (vtkMultiBlockDataSet, or vtkPartitionedDataSetCollection whose assembly has the same blocks, each
+ * part in one partition; any number of connections); port 2, optional, the terrain (vtkImageData of one layer, point
+ * array `Elevation` [m] or else the active scalars).
  *
- * Optional point arrays of the sites: `SiteId` (identity, to which random numbers belong; else the index of the site),
- * `Species` (index of the prototype), `Scale`, `Azimuth` [radians]. What is not given is drawn from the seed and the
- * site's identity alone, so a plant is the same whatever else is in the sites.
+ * Optional point arrays of the sites: `SiteId` (identity, which determines the random numbers; else the index of the
+ * site), `Species` (index of the prototype), `Scale`, `Azimuth` [rad]. Missing values are random functions of the seed
+ * and the identity of the site alone, so a plant does not depend on the other sites.
  *
  * Output 0: vtkMultiBlockDataSet with the blocks `High` {`Skeleton`, `Skin`, `Leaves`}, `Medium` {`Trunk`, `Crown`} and
  * `Low`, always all of them, each one vtkPolyData for all plants of its level, in single precision. Point arrays are
- * those that all prototypes have in the block, and `PlantId` (index of the site; on Skeleton as a cell array too).
- * `JointIds` and `ParentId` count the nodes of the merged Skeleton. Each plant is in exactly one level.
+ * those that all prototypes have in the block, and `PlantId` (index of the site; also a cell array of Skeleton).
+ * `JointIds` and `ParentId` refer to the nodes of the merged Skeleton. Each plant is in exactly one level.
  *
- * Field data of output 0: the shown plants, arrays of one length `PlantId`, `SiteId`, `Species`, `Scale`, `Azimuth`,
- * `Position` [m] and `Level` (0 High, 1 Medium, 2 Low); and the counters `PlantsInAll`, `PlantsShown`, `PlantsHigh`,
- * `PlantsMedium`, `PlantsLow`, `CellsInAll`, `CellsShown` (cells that hold a plant), `PolygonsShown`, `PolygonsInAll`
- * (of all plants in full) and `OutputBytes`.
+ * Field data of output 0: arrays with a value per shown plant: `PlantId`, `SiteId`, `Species`, `Scale`, `Azimuth`
+ * [rad], `Position` [m] and `Level` (0 High, 1 Medium, 2 Low); and the counters `PlantsInAll`, `PlantsShown`,
+ * `PlantsHigh`, `PlantsMedium`, `PlantsLow`, `CellsInAll`, `CellsShown` (cells that hold a plant), `PolygonsShown`,
+ * `PolygonsInAll` (of all plants in full) and `OutputBytes`.
  *
- * Outputs 1 and 2: the pictures of the crowns and of the leaves of all species, one above the other (RGBA); texture
- * coordinates of Crown and Leaves point into them. They also travel as field data `Texture` and `TextureSize` of the
- * blocks. A species without a picture has a white area.
+ * Outputs 1 and 2: vtkImageData, the textures of the crowns and of the leaves of all species, one above the other
+ * (RGBA); texture coordinates of Crown and Leaves refer to them. They are also field data `Texture` and `TextureSize`
+ * of the blocks. A species without a texture has a white area.
  *
- * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose box the view does
- * not meet are left out, and all plants in the others are kept. The grid, and what stands where, is kept between
- * executions until sites, prototypes, terrain or a property that matters change.
+ * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is
+ * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are
+ * kept between executions until sites, prototypes, terrain or a relevant property change.
  *
- * A piece reads all sites and makes the plants whose index is in its share.
+ * A piece reads all sites and holds its share of the plants. A property or a site value out of range, or a site beyond
+ * the terrain, is reported as one error.
  */
 #ifndef vtkPlantScatterFilter_h
 #define vtkPlantScatterFilter_h
@@ -50,71 +51,92 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Any whole number; another seed gives other species, sizes, azimuths and colors. Default 1.
+  /**
+   * Seed of the random numbers, any integer; default 1. Another seed gives other species, sizes, azimuths and colors.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// How common a prototype is among the others, not negative; not all may be 0. Default 1 for each.
+  /**
+   * Relative frequency of a prototype, not negative; default 1 for each. At least one must be positive.
+   */
   void SetWeight(int prototype, double weight);
   double GetWeight(int prototype);
   void ClearWeights();
   ///@}
 
   ///@{
-  /// Standard deviation of the size as part of the prototype's, 0 to 0.45; deviations end at twice that. Default 0.15.
+  /**
+   * Standard deviation of the plant size relative to the prototype, 0 to 0.45; default 0.15. Deviations are truncated
+   * at two standard deviations.
+   */
   vtkSetMacro(ScaleVariation, double);
   vtkGetMacro(ScaleVariation, double);
   ///@}
 
   ///@{
-  /// Standard deviation of the brightness of a plant's leaves and crown, 0 to 0.45; their warmth varies too. Default
-  /// 0.08.
+  /**
+   * Standard deviation of the brightness of leaves and crown between plants, 0 to 0.45; default 0.08. The color
+   * temperature varies too.
+   */
   vtkSetMacro(TintVariation, double);
   vtkGetMacro(TintVariation, double);
   ///@}
 
   ///@{
-  /// Steepest ground on which a plant stands [degrees], 0 to 90, if there is a terrain. Default 90: any.
+  /**
+   * Maximum slope of the ground at a plant [degrees], 0 to 90; default 90, no limit. Used only with a terrain.
+   */
   vtkSetMacro(SlopeLimit, double);
   vtkGetMacro(SlopeLimit, double);
   ///@}
 
   ///@{
-  /// Lowest and highest ground on which a plant stands [m]. Default -1e30 1e30: any.
+  /**
+   * Minimum and maximum elevation of the ground at a plant [m], not decreasing; default -1e30 1e30, no limits.
+   */
   vtkSetVector2Macro(HeightRange, double);
   vtkGetVector2Macro(HeightRange, double);
   ///@}
 
   ///@{
-  /// Whether far plants are shown in less detail; else all are High. Default on.
+  /**
+   * Levels of detail depending on the distance from the camera; default on. If off, all plants are High.
+   */
   vtkSetMacro(UseLevels, bool);
   vtkGetMacro(UseLevels, bool);
   vtkBooleanMacro(UseLevels, bool);
   ///@}
 
   ///@{
-  /// Whether cells outside of the view are left out. Default on.
+  /**
+   * Culling of cells outside the view frustum; default on.
+   */
   vtkSetMacro(UseCells, bool);
   vtkGetMacro(UseCells, bool);
   vtkBooleanMacro(UseCells, bool);
   ///@}
 
   ///@{
-  /// About how many plants a cell holds, positive. Default 1.
+  /**
+   * Mean number of plants per culling cell, positive; default 1.
+   */
   vtkSetMacro(PlantsPerCell, double);
   vtkGetMacro(PlantsPerCell, double);
   ///@}
 
   ///@{
-  /// Distance from the eye, or from its plane in parallel projection, beyond which no plant is shown [m], not negative.
-  /// Default 0: no limit.
+  /**
+   * Distance from the camera, or from its plane in parallel projection, beyond which no plant is shown [m], not
+   * negative; default 0, no limit.
+   */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
-  /// Disconnects all prototypes.
+  /// Removes all connections of port 1, the prototypes.
   void RemoveAllPrototypes() { this->RemoveAllInputConnections(1); }
 
 protected:

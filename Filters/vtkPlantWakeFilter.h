@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPlantWakeFilter
- * @brief   what moving seaweeds do to the water around them
+ * @brief   compute the wakes of moving seaweeds as flow primitives
  *
- * Input: seaweeds that move, as vtkSeaweedDeformationFilter makes them with GenerateMotion (High/Skeleton with
- * `Velocity`, `Acceleration`, `Radius`, `Length` and `Density`), or a vtkPartitionedDataSetCollection whose assembly
- * has that block. Output: flow primitives, as vtkFlowPrimitiveSource makes them, with `PlantId`; a current for
- * vtkCurrentDriftFilter. Each plant makes a source at its center of gravity, by its acceleration along its way, or a
- * doublet by its velocity. Either is whole within the bounding box of the plant's skeleton and ends, with no jump,
- * within Margin about it (`InfluenceBox`, `InfluenceMargin`).
+ * Input: moving seaweeds from vtkSeaweedDeformationFilter with GenerateMotion (High/Skeleton with `Velocity`,
+ * `Acceleration`, `Radius`, `Length` and `Density`), or a vtkPartitionedDataSetCollection whose assembly has that
+ * block. Output: a vtkPolyData of flow primitives, as vtkFlowPrimitiveSource writes them, with `PlantId`; a current for
+ * vtkCurrentDriftFilter. Each plant has a source at its center of gravity, proportional to its tangential acceleration,
+ * or a doublet, proportional to its velocity. The flow is unchanged within the bounding box of the skeleton of the
+ * plant and decreases smoothly to 0 within Margin about it (`InfluenceBox`, `InfluenceMargin`).
  *
- * A plant is not stirred by its own wake nor by those of others: nothing leads back to it.
+ * The plants are not moved by the wakes: there is no feedback.
  *
- * Give it plants that do not depend on a view: from a vtkPlantScatterFilter and a vtkSeaweedDeformationFilter without
- * UseLevels and UseCells. With them the bounding boxes, and what drifts in the wakes, would follow the camera.
+ * The input should not depend on a view: from a vtkPlantScatterFilter and a vtkSeaweedDeformationFilter without
+ * UseLevels and UseCells. With them the bounding boxes, and the particles in the wakes, would follow the camera.
  *
- * Coulais et al., section 4.3.4.
+ * A property out of range or an input without these arrays is reported as one error. Coulais et al., section 4.3.4.
  *
  * @sa vtkSeaweedDeformationFilter vtkCurrentDriftFilter
  */
@@ -34,26 +34,36 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// 0 Source, the paper's; 1 Doublet. Default 0.
+  /**
+   * Flow primitive of a plant, 0 Source or 1 Doublet; default 0. Source: by the acceleration of the plant, as in the
+   * paper. Doublet: by its velocity.
+   */
   vtkSetMacro(Primitive, int);
   vtkGetMacro(Primitive, int);
   ///@}
 
   ///@{
-  /// Source: discharge for an acceleration [m2 s]; Doublet: part of that of a solid body of the plant's volume. 0 to
-  /// 1e6. Default 0.5.
+  /**
+   * Strength of the wake, 0 to 1e6; default 0.5. Source: discharge per acceleration [m2 s]. Doublet: factor of the
+   * doublet of a rigid body of the plant's volume.
+   */
   vtkSetMacro(Strength, double);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
-  /// Distance from the plant's bounding box at which the wake has ended [m], 0.001 to 1000. Default 0.5.
+  /**
+   * Distance from the bounding box of the plant at which the wake is 0 [m], 0.001 to 1000; default 0.5.
+   */
   vtkSetMacro(Margin, double);
   vtkGetMacro(Margin, double);
   ///@}
 
   ///@{
-  /// Core of the primitives, as part of half the diagonal of the bounding box, 0.001 to 1; at least 1 cm. Default 0.2.
+  /**
+   * Core radius of the primitives relative to half the diagonal of the bounding box, 0.001 to 1; default 0.2. The
+   * radius is at least 1 cm.
+   */
   vtkSetMacro(CoreShare, double);
   vtkGetMacro(CoreShare, double);
   ///@}

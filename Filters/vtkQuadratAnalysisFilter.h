@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkQuadratAnalysisFilter
- * @brief   counts points in quadrats and fits six laws to the counts
+ * @brief   count points in quadrats and fit six probability laws to the counts
  *
- * Input: any vtkPointSet; x and y count, z does not.
+ * Input: any vtkPointSet; only x and y are used.
  *
- * Output 0: a vtkTable, a row a law, best (smallest AIC) first, as vtkQuadratPointSource takes it. Columns: `Law`
- * (name), `LawId`, the parameters by maximum likelihood `MeanPerQuadrat`, `Trials`, `ClusterShape`, `ClusterMean`,
- * `ClusterSuccess` (NaN where a law has none) and by the method of moments (`Moments...`), `LogLikelihood`, `AIC`,
- * `ChiSquare`, `DegreesOfFreedom`, `PValue` (Pearson's test, counts pooled to an expectation of 5; NaN without a
- * degree of freedom) and `Verdict`: `best`; `not distinguishable` within 2 of the best AIC; `worse`; `does not exist`
- * where the likelihood has no maximum in this law (a clustered law for a regular pattern, and the reverse).
- * Field data: `DispersionIndex` (variance / mean of the counts) with `DispersionPValue` (two-sided), `Pattern` (random,
- * regular or clustered, at 5 %), and the grid `Origin`, `Size`, `Quadrats`.
+ * Output 0: a vtkTable with a row per law, the best (smallest AIC) first, as vtkQuadratPointSource reads it. Columns:
+ * `Law` (name), `LawId`, the maximum likelihood estimates `MeanPerQuadrat`, `Trials`, `ClusterShape`, `ClusterMean`,
+ * `ClusterSuccess` (NaN where a law has no such parameter) and those by the method of moments (`Moments...`),
+ * `LogLikelihood`, `AIC`, `ChiSquare`, `DegreesOfFreedom`, `PValue` (Pearson's test, counts pooled to an expectation of
+ * 5; NaN without a degree of freedom) and `Verdict`: `best`; `not distinguishable` within 2 of the best AIC; `worse`;
+ * `does not exist` where the likelihood of the law has no maximum (a clustered law for a regular pattern, and the
+ * reverse). Field data: `DispersionIndex` (variance / mean of the counts) with `DispersionPValue` (two-sided),
+ * `Pattern` (random, regular or clustered, at 5 %), and the grid `Origin`, `Size`, `Quadrats`.
  *
- * Output 1: a vtkTable, a row a count: `Points`, `Observed` quadrats, and the expected ones, a column a law. Ready for
- * a bar chart.
+ * Output 1: a vtkTable with a row per count, ready for a bar chart: `Points`, `Observed` number of quadrats, and a
+ * column of expected numbers per law.
  *
- * Setas et al., section 2.2.1, algorithm 2 (characterisation).
+ * A property out of range, too few points in the study area or too many in a quadrat are reported as one error. Setas
+ * et al., section 2.2.1, algorithm 2 (characterization).
  *
  * @sa vtkQuadratPointSource
  */
@@ -36,22 +37,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Lower left corner of the study area [m]; used if Size is given. Default 0 0.
+  /**
+   * Lower left corner of the study area [m]; default 0 0. Used only if Size is not 0 0.
+   */
   vtkSetVector2Macro(Origin, double);
   vtkGetVector2Macro(Origin, double);
   ///@}
 
   ///@{
   /**
-   * Width and height of the study area [m], not negative; points outside are left out. 0 0: the bounding box of the
-   * points, which is a little smaller than the area they were mapped in. Default 0 0.
+   * Width and height of the study area [m], not negative; default 0 0, the bounding box of the points. Points outside
+   * are left out. The bounding box is a little smaller than the area in which the points were mapped.
    */
   vtkSetVector2Macro(Size, double);
   vtkGetVector2Macro(Size, double);
   ///@}
 
   ///@{
-  /// Number of quadrats along x and y, not negative; 0 0: about as many as points, nearly square. Default 0 0.
+  /**
+   * Number of quadrats along x and y, not negative; default 0 0, about as many nearly square quadrats as points.
+   */
   vtkSetVector2Macro(Quadrats, int);
   vtkGetVector2Macro(Quadrats, int);
   ///@}

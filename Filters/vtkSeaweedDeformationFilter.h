@@ -2,35 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSeaweedDeformationFilter
- * @brief   seaweeds that bend with waves and currents
+ * @brief   deform seaweeds by waves and currents
  *
- * Inputs: port 0, one seaweed or a scattered forest of them, as vtkSeaweedSource makes them (vtkMultiBlockDataSet with
- * High {Skeleton, Skin, Leaves}; the skeleton has the arrays of that source); port 1, a sea state, as vtkSeaStateSource
- * makes it; port 2, repeatable, currents, as vtkCurrentDriftFilter takes them. One of sea state and currents is enough.
- * Plants may also be a vtkPartitionedDataSetCollection whose assembly has these blocks, each part in one partition, and
- * whose field data are those of the plants; the output has blocks.
+ * Inputs: port 0, one seaweed or a scattered forest of them from vtkSeaweedSource (vtkMultiBlockDataSet with High
+ * {Skeleton, Skin, Leaves}; the skeleton has the arrays of that source); port 1, a sea state from vtkSeaStateSource;
+ * port 2, repeatable, currents as in vtkCurrentDriftFilter. A sea state or a current is needed. Plants may also be a
+ * vtkPartitionedDataSetCollection whose assembly has these blocks, each part in one partition, and whose field data are
+ * those of the plants; the output has blocks.
  *
- * Output: the plants at the requested time, with skins that follow their skeletons. The holdfast never moves; without
- * motion of the water, limp plants rise by their buoyancy. The levels Medium and Low stand still.
+ * Output: the plants at the requested time, with skins that follow their skeletons. The holdfast never moves; in still
+ * water, flexible plants rise by their buoyancy. The levels Medium and Low do not move.
  *
- * Physical plants have a state: it begins at StartTime, at rest, and goes on in steps of TimeStep, with a shorter last
- * one; it is a function of the time alone, whatever was asked before, and whatever the camera saw. Some states are kept
- * to begin from. Before StartTime plants are at rest. Procedural plants are a closed form of the time.
+ * Plants of the method Physical have a state: it begins at rest at StartTime and is integrated in steps of TimeStep,
+ * with a shorter last step; it is a function of the time alone, whatever was requested before and whatever the camera
+ * saw. Some states are kept as starting points. Before StartTime plants are at rest. Plants of the method Procedural
+ * are a closed form of the time.
  *
  * With UseLevels: within NearDistance all segments of a branch move; from there to FarDistance the half next to its
- * foot; beyond, the first. What does not move keeps its angles of rest. Beyond NearDistance skins are
- * rigid: a vertex follows one segment. Levels change over BlendDistance and BlendTime. Plants out of the view stay at
- * rest; procedural ones leave out what is below PixelError of the smallest wave trains, which fade with the distance.
- * None of it touches the state.
+ * base; beyond, the first. Segments that do not move keep their angles of rest. Beyond NearDistance each vertex of the
+ * skin follows one segment. Levels blend over BlendDistance and BlendTime. Plants outside the view stay at rest;
+ * procedural ones omit the shortest wave trains below PixelError, gradually with the distance. The state does not
+ * depend on any of this.
  *
- * Segments of blades should get shorter towards their foot, as those of vtkSeaweedSource do: ten of them have the drag
- * of the blade within 5 % up to a Cauchy number of 1e4. Where they do not, a warning says up to which number drag is
- * right.
+ * Segments of blades should be shorter towards their base, as those of vtkSeaweedSource are: ten of them have the drag
+ * of the blade within 5 % up to a Cauchy number of 1e4. Where they are not, a warning gives the largest Cauchy number
+ * with correct drag.
  *
- * Field data of the output: `PlantsInAll`, `PlantsShown`, `SegmentsInAll`, `SegmentsMoved` (in this picture),
- * `TrainEvaluations` (segments times wave trains, of procedural motion in this picture).
+ * Field data of the output: `PlantsInAll`, `PlantsShown`, `SegmentsInAll`, `SegmentsMoved` (in this frame),
+ * `TrainEvaluations` (segments times wave trains, of procedural motion in this frame). Defaults of inherited
+ * properties: NearDistance 5 m, FarDistance 20 m. A property out of range, an input without these arrays or a time more
+ * than 1e7 steps after StartTime is reported as one error.
  *
- * Coulais et al., section 4, eqs. 4 to 10 with their errors put right; see Documentation/errata.md.
+ * Coulais et al., section 4, eqs. 4 to 10 with corrections; see Documentation/errata.md.
  *
  * @sa vtkSeaweedSource vtkSeaStateSource vtkPlantWakeFilter
  */
@@ -57,159 +60,209 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// 0 Procedural: springs at equilibrium with the load of the moment (eqs. 5, 6); 1 Physical: the equations of motion
-  /// (eqs. 7 to 10). Default 1.
+  /**
+   * Method of motion, 0 Procedural or 1 Physical; default 1. Procedural: springs in equilibrium with the instantaneous
+   * load (eqs. 5, 6). Physical: the equations of motion (eqs. 7 to 10).
+   */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /// 0 Bending, about two axes; 1 Tilting, the paper's azimuth about the parent and tilt. Default 0.
+  /**
+   * Joint model, 0 Bending or 1 Tilting; default 0. Bending: about two axes. Tilting: the azimuth about the parent
+   * segment and the tilt of the paper, which cannot bend a straight plant in all directions.
+   */
   vtkSetMacro(Joint, int);
   vtkGetMacro(Joint, int);
   ///@}
 
   ///@{
-  /// 0 Morison: drag by the relative velocity, inertia, buoyancy; 1 Direct, the paper's: ForceFactor times the
-  /// acceleration of the water (of a procedural plant its displacement) and the current. Default 0.
+  /**
+   * Load model, 0 Morison or 1 Direct; default 0. Morison: drag by the relative velocity, inertia and buoyancy. Direct,
+   * that of the paper: ForceFactor times the current and the acceleration of the water (its displacement for procedural
+   * plants).
+   */
   vtkSetMacro(Load, int);
   vtkGetMacro(Load, int);
   ///@}
 
   ///@{
-  /// Of physical plants: 0 Implicit, the midpoint rule, of second order, in sub-steps where the motion needs them;
-  /// plants gain no energy but from the water; 1 Explicit Euler, the paper's, with a warning where TimeStep is beyond
-  /// its limit. Default 0.
+  /**
+   * Time integration of physical plants, 0 Implicit or 1 Explicit Euler; default 0. Implicit: the second-order midpoint
+   * rule, with sub-steps where the motion needs them; plants gain energy from the water only. Explicit Euler, that of
+   * the paper: with a warning where TimeStep exceeds its stability limit.
+   */
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
   ///@}
 
   ///@{
-  /// When physical plants are at rest [s]. Some seconds before the first picture let them lean into the current.
-  /// Default -5.
+  /**
+   * Time at which physical plants are at rest [s], -1e9 to 1e9; default -5. Some seconds before the first frame let
+   * them lean into the current.
+   */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
 
   ///@{
-  /// Step of physical plants [s], 1e-5 to 1. Default 1/48.
+  /**
+   * Time step of physical plants [s], 1e-5 to 1; default 1/48.
+   */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /// [kg/m3], 1 to 1e5. Default 1025.
+  /**
+   * Density of the water [kg/m3], 1 to 1e5; default 1025.
+   */
   vtkSetMacro(WaterDensity, double);
   vtkGetMacro(WaterDensity, double);
   ///@}
 
   ///@{
-  /// Of the flow across a segment, by the area of its face and, along the width, of its edge, 0 to 100. Default 1.
+  /**
+   * Drag coefficient of the flow normal to a segment, 0 to 100; default 1. The reference area is that of the face, and
+   * of the edge for flow along the width.
+   */
   vtkSetMacro(DragCoefficient, double);
   vtkGetMacro(DragCoefficient, double);
   ///@}
 
   ///@{
-  /// Of the flow along a segment, by its surface, 0 to 100. Default 0.02.
+  /**
+   * Skin friction coefficient of the flow along a segment, 0 to 100; default 0.02. The reference area is the wetted
+   * surface.
+   */
   vtkSetMacro(FrictionCoefficient, double);
   vtkGetMacro(FrictionCoefficient, double);
   ///@}
 
   ///@{
-  /// Mass of water that moves along, as part of the cylinder around the width in motion normal to the face, and around
-  /// the thickness in motion along the width; none in motion along the segment. 0 to 100. Default 1.
+  /**
+   * Added mass coefficient, 0 to 100; default 1. The reference mass is that of a water cylinder with the width as
+   * diameter for acceleration normal to the face, and with the thickness as diameter for acceleration along the width;
+   * acceleration along the segment has none.
+   */
   vtkSetMacro(AddedMassCoefficient, double);
   vtkGetMacro(AddedMassCoefficient, double);
   ///@}
 
   ///@{
-  /// Factor of the damping ratios of the plants, 0 to 1000. Default 1.
+  /**
+   * Factor of the damping ratios of the plants, 0 to 1000; default 1.
+   */
   vtkSetMacro(DampingFactor, double);
   vtkGetMacro(DampingFactor, double);
   ///@}
 
   ///@{
-  /// Of the load Direct, on a metre of a segment [N/m] for 1 m/s2, 1 m or 1 m/s, 0 to 1e6. Default 1.
+  /**
+   * Force per length of the load Direct [N/m] for 1 m/s2, 1 m or 1 m/s, 0 to 1e6; default 1.
+   */
   vtkSetMacro(ForceFactor, double);
   vtkGetMacro(ForceFactor, double);
   ///@}
 
   ///@{
-  /// Of procedural plants: where the load acts, as part of the segment, 0 to 1. The paper has 1. Default 0.5.
+  /**
+   * Point of action of the load on a segment of a procedural plant, as a fraction of its length, 0 to 1; default 0.5.
+   * The paper has 1.
+   */
   vtkSetMacro(LeverArm, double);
   vtkGetMacro(LeverArm, double);
   ///@}
 
   ///@{
-  /// Of procedural plants: what no joint goes beyond [degrees], 0 to 180. Default 60.
+  /**
+   * Maximum joint angle of procedural plants [degrees], 0 to 180; default 60.
+   */
   vtkSetMacro(LargestAngle, double);
   vtkGetMacro(LargestAngle, double);
   ///@}
 
   ///@{
-  /// Whether plants move in less detail far from the view point, and not at all out of view. Default off.
+  /**
+   * Levels of detail of the motion depending on the distance from the camera, and none outside the view; default off.
+   */
   vtkSetMacro(UseLevels, bool);
   vtkGetMacro(UseLevels, bool);
   vtkBooleanMacro(UseLevels, bool);
   ///@}
 
   ///@{
-  /// Length over which a level changes into the next, beyond NearDistance and FarDistance [m], not negative; for plants
-  /// that reach further, their reach. 0: levels change at once. Default 12.
+  /**
+   * Length over which a level blends into the next, beyond NearDistance and FarDistance [m], 0 to 1e9; default 12. It
+   * is at least the reach of the plant. 0 means an immediate change.
+   */
   vtkSetMacro(BlendDistance, double);
   vtkGetMacro(BlendDistance, double);
   ///@}
 
   ///@{
-  /// Time that a view of ViewSpeed takes, at least, through a change of levels [s], not negative: BlendDistance grows
-  /// by what it goes in that time. So levels change over a time, and pictures still depend on no earlier ones. Default
-  /// 0.
+  /**
+   * Minimum duration of a change of levels for a camera moving at ViewSpeed [s], 0 to 1e9; default 0. BlendDistance is
+   * increased by the distance covered in that time, so that the output still does not depend on earlier frames.
+   */
   vtkSetMacro(BlendTime, double);
   vtkGetMacro(BlendTime, double);
   ///@}
 
   ///@{
-  /// How fast the view moves, for BlendTime [m/s], not negative. Default 1, a diver's.
+  /**
+   * Speed of the camera for BlendTime [m/s], 0 to 1e9; default 1, that of a diver.
+   */
   vtkSetMacro(ViewSpeed, double);
   vtkGetMacro(ViewSpeed, double);
   ///@}
 
   ///@{
-  /// What is left out of waves may move the water at the top of a plant by, all together [pixels], not negative. Of
-  /// procedural plants; a limp one may be off by several times as much (up to 6 pixels of the presets at the default).
-  /// Default 0.5.
+  /**
+   * Maximum screen-space displacement of the water at the top of a procedural plant by all omitted wave trains
+   * [pixels], 0 to 1e9; default 0.5. The error of a flexible plant may be several times larger, up to 6 pixels for the
+   * presets with the default.
+   */
   vtkSetMacro(PixelError, double);
   vtkGetMacro(PixelError, double);
   ///@}
 
   ///@{
-  /// Whether to add the point arrays `Velocity`[3] [m/s] and `Acceleration`[3] [m/s2] to High/Skeleton, of all segments
-  /// whatever the view; vtkPlantWakeFilter needs them. Default off.
+  /**
+   * Addition of the point arrays `Velocity`[3] [m/s] and `Acceleration`[3] [m/s2] to High/Skeleton, for all segments in
+   * any view; default off. Needed by vtkPlantWakeFilter.
+   */
   vtkSetMacro(GenerateMotion, bool);
   vtkGetMacro(GenerateMotion, bool);
   vtkBooleanMacro(GenerateMotion, bool);
   ///@}
 
   ///@{
-  /// Name of the point array of velocities in currents that are no flow primitives. Empty or null: `Velocity`, else the
-  /// only array of three components. Default null.
+  /**
+   * Name of the point array of velocities in currents that are no flow primitives; default null. If empty or null, it
+   * is `Velocity`, else the only array of three components.
+   */
   vtkSetStringMacro(VelocityArray);
   vtkGetStringMacro(VelocityArray);
   ///@}
 
   ///@{
-  /// First and last time that players are told of [s], increasing. Any time can be asked for. Default 0 60.
+  /**
+   * First and last time of an animation, announced as TIME_RANGE [s], increasing; default 0 60. Any time can be
+   * requested.
+   */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
   ///@}
 
-  /// The sea state, on port 1.
+  /// Connects the sea state, port 1.
   void SetSeaStateConnection(vtkAlgorithmOutput* sea) { this->SetInputConnection(1, sea); }
 
-  /// Disconnects the sea state.
+  /// Removes the connection of port 1, the sea state.
   void RemoveSeaState() { this->RemoveAllInputConnections(1); }
 
-  /// Disconnects all currents.
+  /// Removes all connections of port 2, the currents.
   void RemoveAllCurrents() { this->RemoveAllInputConnections(2); }
 
 protected:

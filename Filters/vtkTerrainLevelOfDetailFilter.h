@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTerrainLevelOfDetailFilter
- * @brief   terrain in tiles, each as fine as the view needs
+ * @brief   show a terrain in tiles whose resolution depends on the view
  *
- * Input: a vtkImageData of one layer with a scalar point array of heights [m] (SetInputArrayToProcess; default
+ * Input: a vtkImageData of one layer with a scalar point array of elevations [m] (SetInputArrayToProcess; default
  * `Elevation`, else the active scalars), all finite.
  *
- * Output: a vtkMultiBlockDataSet of vtkPolyData: `Level0` (all samples), `Level1` (every second) and so on, and
- * `Seams`, the vertical triangles that close the gaps between tiles of different levels, as Setas et al. propose in
- * section 4.1.1. Point arrays: `Elevation` (float) [m], `Normals` (of the full resolution, at any level), `TCoords`
- * (0 to 1 over the terrain), `RGB` (see GroundColors), and the other numeric point arrays of the input. Cell array:
- * `Level`, for a seam that of the coarser side. Field data: `TilesShown`, `TilesInAll`, `PolygonsShown`,
- * `PolygonsAtFullDetail`, `LargestScreenError` [pixels] (a bound of what is shown, for the farthest that any place is
- * on the screen from where the samples have it; infinite where a coarse tile reaches to the eye).
+ * Output: a vtkMultiBlockDataSet of vtkPolyData: `Level0` (all samples), `Level1` (every second sample) and so on, and
+ * `Seams`, vertical triangles that close the gaps between tiles of different levels, as Setas et al. propose in section
+ * 4.1.1. Point arrays: `Elevation` (float) [m], `Normals` (of the full resolution, at any level), `TCoords` (0 to 1
+ * over the terrain), `RGB` (see GroundColors), and the other numeric point arrays of the input. Cell array: `Level`,
+ * for a seam that of the coarser side. Field data: `TilesShown`, `TilesInAll`, `PolygonsShown`, `PolygonsAtFullDetail`,
+ * `LargestScreenError` [pixels] (an upper bound of the distance on the screen between the surface shown and the
+ * samples; infinite where a coarse tile reaches the camera).
  *
- * What does not depend on the view is kept until the input changes. Piece 0 holds all, other pieces are empty.
+ * What does not depend on the view is kept until the input changes. Piece 0 holds the whole output, other pieces are
+ * empty. Defaults of inherited properties: NearDistance 250 m, FarDistance 4000 m. A property out of range, an image of
+ * several layers or an elevation that is not finite is reported as one error.
  *
  * @sa vtkViewDependentAlgorithm
  */
@@ -44,42 +46,55 @@ public:
   };
 
   ///@{
-  /// What decides on the level of a tile. Distance: level 0 to NearDistance, the coarsest from FarDistance on, changes
-  /// at equal ratios of distance between. ScreenErrorRule: the coarsest level whose error is at most ScreenError.
-  /// Default Distance.
+  /**
+   * Criterion for the level of a tile, a SelectionRules; default Distance. Distance: level 0 up to NearDistance, the
+   * coarsest level from FarDistance, and transitions at equal ratios of distance between. ScreenErrorRule: the coarsest
+   * level whose screen-space error is at most ScreenError.
+   */
   vtkSetMacro(Selection, int);
   vtkGetMacro(Selection, int);
   ///@}
 
   ///@{
-  /// How far a level may be from the samples, anywhere on the screen [pixels], positive; of effect with
-  /// ScreenErrorRule. Default 1.
+  /**
+   * Maximum screen-space error of a tile [pixels], positive; default 1. Used only if Selection is ScreenErrorRule.
+   */
   vtkSetMacro(ScreenError, double);
   vtkGetMacro(ScreenError, double);
   ///@}
 
   ///@{
-  /// Levels of the pyramid, 1 to 8, of which those with cells larger than a tile do not count. Default 5.
+  /**
+   * Number of resolution levels, 1 to 8; default 5. Each level has half the samples per side of the previous one;
+   * levels with cells larger than a tile are not used.
+   */
   vtkSetMacro(NumberOfLevels, int);
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
   ///@{
-  /// Cells along the side of a tile, a power of two, 1 to 4096. Default 32.
+  /**
+   * Number of cells along the side of a tile, a power of two, 1 to 4096; default 32.
+   */
   vtkSetMacro(TileSize, int);
   vtkGetMacro(TileSize, int);
   ///@}
 
   ///@{
-  /// Whether tiles that the view cannot show are left out. Default on.
+  /**
+   * Culling of tiles outside the view frustum; default on.
+   */
   vtkSetMacro(Cull, bool);
   vtkGetMacro(Cull, bool);
   vtkBooleanMacro(Cull, bool);
   ///@}
 
   ///@{
-  /// Adds the point array `RGB`, the colors of a temperate country: meadow, dry grass where the array `Reflectance` of
-  /// the input is high, rock where it is steep. An array `RGB` of the input goes before. Default on.
+  /**
+   * Addition of the point array `RGB`, the ground colors of a temperate landscape; default on. Meadows are green,
+   * ground where the input array `Reflectance` is high has dry grass, steep ground is rock. An array `RGB` of the input
+   * has priority.
+   */
   vtkSetMacro(GroundColors, bool);
   vtkGetMacro(GroundColors, bool);
   vtkBooleanMacro(GroundColors, bool);

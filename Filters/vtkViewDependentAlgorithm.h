@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkViewDependentAlgorithm
- * @brief   base of the filters whose output depends on the view: levels of detail and culling
+ * @brief   base class of filters whose output depends on the view: levels of detail and culling
  *
- * A subclass asks GetView() for the view of the request. Two ways set it: by numbers, or by Follow(), which takes the
- * camera of a renderer before each of its pictures:
+ * The view is set by properties, by a camera (SetCamera()), or by Follow(), which takes the camera of a renderer before
+ * each rendering:
  *
  *     filter->Follow(renderer);
  *
- * In ParaView the property FollowCamera of the proxies does that.
+ * In ParaView the property FollowCamera of the proxies does the same. Subclasses get the view of a request from
+ * GetView().
  *
- * With a tolerance above 0 the view is rounded, and the filter works again only when the rounded view has changed; what
- * it keeps is then chosen for all views that round to the same. The output is a function of the view of the moment,
- * never of those before.
+ * With a tolerance above 0 the view is rounded, and the filter executes again only when the rounded view has changed;
+ * its output then covers all views that round to the same one. The output is a function of the current view, never of
+ * earlier ones. A view that is not valid is reported as one error.
  */
 #ifndef vtkViewDependentAlgorithm_h
 #define vtkViewDependentAlgorithm_h
@@ -37,70 +38,91 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Where the eye is [m]; in a parallel projection a place on the plane from which rays go. Default 0 -100 20.
+  /**
+   * Position of the camera [m]; default 0 -100 20. In a parallel projection, any point of the plane from which the rays
+   * start.
+   */
   void SetViewPoint(double x, double y, double z);
   void SetViewPoint(const double point[3]) { this->SetViewPoint(point[0], point[1], point[2]); }
   vtkGetVector3Macro(ViewPoint, double);
   ///@}
 
   ///@{
-  /// Where it looks; any length but 0. Default 0 1 0.
+  /**
+   * Direction of projection, of any length but 0; default 0 1 0.
+   */
   void SetViewDirection(double x, double y, double z);
   void SetViewDirection(const double d[3]) { this->SetViewDirection(d[0], d[1], d[2]); }
   vtkGetVector3Macro(ViewDirection, double);
   ///@}
 
   ///@{
-  /// What is up in the picture; any length but 0, not along ViewDirection. Default 0 0 1.
+  /**
+   * View-up vector, of any length but 0, not along ViewDirection; default 0 0 1.
+   */
   void SetViewUp(double x, double y, double z);
   void SetViewUp(const double up[3]) { this->SetViewUp(up[0], up[1], up[2]); }
   vtkGetVector3Macro(ViewUp, double);
   ///@}
 
   ///@{
-  /// From the lower to the upper edge of the picture [degrees], above 0 and below 180. In a parallel projection of
-  /// effect on levels of detail alone, see ParallelScale. Default 30.
+  /**
+   * Vertical view angle of the camera [degrees], above 0 and below 180; default 30. In a parallel projection it affects
+   * the levels of detail only, see ParallelScale.
+   */
   void SetViewAngle(double angle);
   vtkGetMacro(ViewAngle, double);
   ///@}
 
   ///@{
-  /// Whether rays are parallel, and not from the eye. Default off.
+  /**
+   * Parallel projection instead of perspective; default off.
+   */
   void SetParallelProjection(bool parallel);
   vtkGetMacro(ParallelProjection, bool);
   vtkBooleanMacro(ParallelProjection, bool);
   ///@}
 
   ///@{
-  /// Half the height of what a parallel projection shows [m], positive. Levels of detail go by it, and not by
-  /// distances: all places have the level of the distance at which a perspective of ViewAngle shows as much,
-  /// ParallelScale / tan (ViewAngle / 2). Default 100.
+  /**
+   * Half the height of the viewport of a parallel projection [m], positive; default 100. The level of detail is then
+   * the same everywhere: that of the distance at which a perspective of ViewAngle shows the same height, ParallelScale
+   * / tan(ViewAngle / 2).
+   */
   void SetParallelScale(double scale);
   vtkGetMacro(ParallelScale, double);
   ///@}
 
   ///@{
-  /// Width of the picture by its height, positive. Default 16 / 9.
+  /**
+   * Width of the viewport relative to its height, positive; default 16 / 9.
+   */
   void SetAspectRatio(double ratio);
   vtkGetMacro(AspectRatio, double);
   ///@}
 
   ///@{
-  /// Height of the picture [pixels], positive; of effect where errors on the screen decide. Default 1080.
+  /**
+   * Height of the viewport [pixels], positive; default 1080. Used where a screen-space error selects the level of
+   * detail.
+   */
   void SetViewHeight(double height);
   vtkGetMacro(ViewHeight, double);
   ///@}
 
-  /// Takes ViewPoint, ViewDirection, ViewUp, ViewAngle, ParallelProjection and ParallelScale from a camera, for a
-  /// picture of AspectRatio. Off-axis projections, shears and a window whose center is elsewhere are not taken.
+  /// Copies ViewPoint, ViewDirection, ViewUp, ViewAngle, ParallelProjection and ParallelScale from a camera, for a
+  /// viewport of AspectRatio. Off-axis projections, shears and window centers are not copied.
   void SetCamera(vtkCamera* camera);
 
-  /// Takes camera, aspect ratio and height of a renderer before each of its pictures; null ends that.
+  /// Copies camera, aspect ratio and height from a renderer before each rendering; null ends this.
   void Follow(vtkRenderer* renderer);
 
   ///@{
-  /// Distances [m] from the eye (see ParallelScale for none) to which the first and the second level of detail are
-  /// shown; beyond is the third. Not negative, the second not below the first. Defaults: those of the subclass.
+  /**
+   * Distances from the camera up to which the first and the second level of detail are shown [m], not negative and not
+   * decreasing; defaults 60 and 250 unless the subclass has its own. The third level is shown beyond. See ParallelScale
+   * for the distance in a parallel projection.
+   */
   vtkSetMacro(NearDistance, double);
   vtkGetMacro(NearDistance, double);
   vtkSetMacro(FarDistance, double);
@@ -108,13 +130,17 @@ public:
   ///@}
 
   ///@{
-  /// How far the eye moves before the filter works again [m], not negative. Default 0: at each move.
+  /**
+   * Displacement of the camera that triggers a new execution [m], not negative; default 0, any displacement.
+   */
   vtkSetMacro(MoveTolerance, double);
   vtkGetMacro(MoveTolerance, double);
   ///@}
 
   ///@{
-  /// How far the view turns before the filter works again [degrees], 0 to 10. Default 0: at each turn.
+  /**
+   * Rotation of the camera that triggers a new execution [degrees], 0 to 10; default 0, any rotation.
+   */
   vtkSetMacro(TurnTolerance, double);
   vtkGetMacro(TurnTolerance, double);
   ///@}
@@ -123,7 +149,7 @@ protected:
   vtkViewDependentAlgorithm();
   ~vtkViewDependentAlgorithm() override;
 
-  /// The view in full, rounded by the tolerances. False, with an error message, if a number of it is bad.
+  /// View of the request, rounded by the tolerances. False, with an error message, if a property of it is out of range.
   bool GetView(littoral::View& view);
 
   double ViewPoint[3];

@@ -2,29 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVDBVolumeWriter
- * @brief   Writes images as volumes of an OpenVDB file (.vdb).
+ * @brief   write images as volumes of an OpenVDB file (.vdb)
  *
- * The input is a vtkImageData or a composite of images. Each point array and cell array becomes a grid of the array's
- * name; where several blocks carry an array of that name, the block's name and an underscore come before it. Point
- * (i, j, k) of an image becomes voxel (i, j, k), and the grid's transform puts that to the point's place in the world;
- * spacing, origin and direction may be any. Values of cells sit at the cells' centers.
+ * The input is a vtkImageData or a composite of images. Each point array and cell array becomes a grid with the name of
+ * the array; where several blocks have an array of that name, the name of the block and an underscore come before it.
+ * Point (i, j, k) of an image becomes voxel (i, j, k), and the transform of the grid maps it to the world coordinates
+ * of the point for any spacing, origin and direction. Cell values are at the centers of the cells.
  *
  * - One component: a float grid of the class fog volume.
  * - Three components: a vec3s grid. Its vectors are contravariant and relative, as velocities are; normals are
- * covariant, colors (unsigned char) and texture coordinates invariant.
- * - Any other number: one float grid a component, the component's name or number behind the array's.
+ *   covariant, colors (unsigned char) and texture coordinates invariant.
+ * - Any other number: one float grid per component, with the name or number of the component after that of the array.
  *
- * Values are written in single or half precision. Each grid has these remarks (OpenVDB calls them metadata): `unit`,
- * from the array's vtkDataArray::UNITS_LABEL() or else from a field data text of the array's name with "Unit" behind
- * it; `time`, from the data; and all texts, single numbers and triples of the block's field data. Those of the input as
- * a whole are remarks of the file as well.
+ * Values are written in single or half precision. Each grid has these metadata: `unit`, from the array's
+ * vtkDataArray::UNITS_LABEL() or else from a field data string with the name of the array and "Unit" after it; `time`,
+ * from the data; and all strings, single numbers and triples of the field data of the block. Those of the input as a
+ * whole are also metadata of the file.
  *
  * Blanked points and cells are not stored. Values that are not finite are an error, as renderers would show them as
- * black or as nothing at all.
+ * black or not at all.
  *
- * The file is written under another name in the same folder and moved into place when it is whole. When that fails, a
- * file of this name that was there before is untouched, one message names file and reason, and Write() gives 0. The
- * same input makes the same bytes.
+ * The file is written under another name in the same folder and renamed when it is complete. On failure, an existing
+ * file of this name is unchanged, one error names file and reason, and Write() returns 0. The same input gives the same
+ * bytes.
  *
  * On several ranks each sends its part to rank 0, which writes one file. Write() must be called on all of them.
  */
@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * The file to write. Default: none, which is an error.
+   * Name of the output file; default null, which is an error.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -64,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Whether the file holds values in 16 bits: 11 significant bits, at most 65504. A value beyond that is an error.
-   * Default: off.
+   * Half precision of the values: 16 bits, 11 of them significant, at most 65504; default off. A larger value is an
+   * error.
    */
   vtkSetMacro(HalfFloat, bool);
   vtkGetMacro(HalfFloat, bool);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Values of at most this magnitude count as 0 and are not stored, in the array's unit; of vectors, where each
-   * component is. At least 0. Default: 0, which leaves out zeros only and so loses nothing.
+   * Maximum magnitude of values that count as 0 and are not stored, in the unit of the array, at least 0; default 0,
+   * lossless. For vectors it holds for each component.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * How the file is compressed: NoCompression (0), Zip (1, small and slow), Blosc (2, fast; where OpenVDB was built
-   * without it, Zip). Values that are not stored take no room in any case. Default: Blosc.
+   * Compression of the file, a CompressionType; default Blosc. NoCompression; Zip: small and slow; Blosc: fast,
+   * replaced by Zip where OpenVDB was built without it. Values that are not stored take no space in any case.
    */
   vtkSetClampMacro(Compression, int, NoCompression, Blosc);
   vtkGetMacro(Compression, int);
@@ -92,9 +92,8 @@ public:
 
   ///@{
   /**
-   * Whether to write a file for each of the input's time steps, with FileNameSuffix and the number of the step in its
-   * name. An input without time steps makes one file named FileName. Default: off. (ParaView's Save Data has its own
-   * way to do the same.)
+   * One file per time step of the input, with FileNameSuffix and the index of the step in its name; default off. An
+   * input without time steps gives one file named FileName. (Save Data of ParaView has its own option.)
    */
   vtkSetMacro(WriteAllTimeSteps, bool);
   vtkGetMacro(WriteAllTimeSteps, bool);
@@ -103,8 +102,8 @@ public:
 
   ///@{
   /**
-   * What comes between name and extension in a series: a text with one %d, %Nd or %0Nd, of which the last pads the
-   * number with zeros to N digits. Default: _%04d, as in wind_0007.vdb.
+   * Suffix of the file name in a time series, with one `%d`, `%Nd` or `%0Nd` for the index of the step; default
+   * `_%04d`, as in wind_0007.vdb. `%0Nd` pads the index with zeros to N digits.
    */
   vtkSetMacro(FileNameSuffix, std::string);
   vtkGetMacro(FileNameSuffix, std::string);
@@ -112,7 +111,7 @@ public:
 
   ///@{
   /**
-   * The arrays to write: those that are not named here or that are switched on. Default: nothing named, hence all.
+   * Selection of the arrays to write: those that are enabled or not in the selection; default empty, all arrays.
    */
   vtkDataArraySelection* GetPointDataArraySelection();
   vtkDataArraySelection* GetCellDataArraySelection();
@@ -120,14 +119,14 @@ public:
 
   ///@{
   /**
-   * The ranks that write together. Default: the global controller; null means that each writes by itself.
+   * Controller of the ranks that write together; default the global controller. With null each rank writes by itself.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
   /**
-   * Also of the selections.
+   * Modification time, including that of the array selections.
    */
   vtkMTimeType GetMTime() override;
 

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAonoKuniiTreeSource
- * @brief   a tree that repeats one fork, by published angles and ratios
+ * @brief   generate a tree by repeated forking with published angles and length ratios
  *
- * Aono and Kunii (1984): a segment, a fork into two or three branches, and again from each of them (Setas et al.,
- * section 4.1). Branches are shorter and thinner than their parents by constant ratios, and at constant angles to them.
- * Preset takes the numbers of one of twelve trees published in The Algorithmic Beauty of Plants (Prusinkiewicz and
- * Lindenmayer 1990, figures 2.6, 2.7 and 2.8, a to d) and gives it a size in metres, leaves and colors; with Custom
- * all numbers can be set. Outputs as in vtkPlantSource.
+ * Branching model of Aono and Kunii (1984): a segment forks into two or three branches, and each of these forks again
+ * (Setas et al., section 4.1). Ratios of length and radius between a branch and its parent are constant, and so are the
+ * branching angles. Preset selects one of twelve trees published in The Algorithmic Beauty of Plants (Prusinkiewicz and
+ * Lindenmayer 1990, figures 2.6, 2.7 and 2.8, a to d) and adds a size, leaves and colors; with Custom all parameters
+ * can be set. Outputs and errors as in vtkPlantSource.
  *
- * With Variation 0 the tree is the published one, and seeds differ by their leaves alone. Leaves are on the segments of
- * the last step. Defaults of what the base has: Variation 0.1, TrunkRadius 0.17, NumberOfLeaves 9000, LeafSize 0.25,
- * LeafWidth 0.6.
+ * With Variation 0 the tree is the published one, and seeds differ in the leaves alone. Leaves grow on the segments of
+ * the last iteration. Defaults of inherited properties: Variation 0.1, TrunkRadius 0.17, NumberOfLeaves 9000, LeafSize
+ * 0.25, LeafWidth 0.6.
  */
 #ifndef vtkAonoKuniiTreeSource_h
 #define vtkAonoKuniiTreeSource_h
@@ -52,94 +52,126 @@ public:
   };
 
   ///@{
-  /// A published tree, a PresetType. All numbers of the tree but Variation are then of no effect. Default MonopodialA.
+  /**
+   * Published tree, a PresetType; default MonopodialA. All parameters of the tree but Seed and Variation are ignored
+   * unless it is Custom.
+   */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// How the tree forks, a BranchingType: a straight axis with side branches, two unequal branches at each fork, or
-  /// three equal ones. Default Monopodial.
+  /**
+   * Type of branching, a BranchingType; default Monopodial. Monopodial: a straight axis with side branches. Sympodial:
+   * two unequal branches at each fork. Ternary: three equal branches at each fork.
+   */
   vtkSetMacro(Branching, int);
   vtkGetMacro(Branching, int);
   ///@}
 
   ///@{
-  /// Steps of growth: 1 to 15, ternary 1 to 10. Each doubles or triples the tree. Default 10.
+  /**
+   * Number of growth iterations, 1 to 15, or 1 to 10 if Branching is Ternary; default 10. Each iteration doubles or
+   * triples the number of segments.
+   */
   vtkSetMacro(Iterations, int);
   vtkGetMacro(Iterations, int);
   ///@}
 
   ///@{
-  /// Length of the stronger branch of a fork as part of its parent's, 0.3 to 1.2. Not ternary. Default 0.9.
+  /**
+   * Length of the stronger branch of a fork relative to its parent, 0.3 to 1.2; default 0.9. Not used if Branching is
+   * Ternary.
+   */
   vtkSetMacro(LengthRatio1, double);
   vtkGetMacro(LengthRatio1, double);
   ///@}
 
   ///@{
-  /// Length of the weaker branch as part of its parent's, 0.3 to 1.2. Not ternary. Default 0.6.
+  /**
+   * Length of the weaker branch of a fork relative to its parent, 0.3 to 1.2; default 0.6. Not used if Branching is
+   * Ternary.
+   */
   vtkSetMacro(LengthRatio2, double);
   vtkGetMacro(LengthRatio2, double);
   ///@}
 
   ///@{
-  /// Angle to the parent [degrees], -90 to 90: of side branches on the trunk (monopodial), of the stronger branch
-  /// (sympodial), of all three branches (ternary). Default 45.
+  /**
+   * Branching angle to the parent [degrees], -90 to 90; default 45. It holds for the side branches of the trunk
+   * (Monopodial), the stronger branch (Sympodial) or all three branches (Ternary).
+   */
   vtkSetMacro(Angle1, double);
   vtkGetMacro(Angle1, double);
   ///@}
 
   ///@{
-  /// Angle to the parent [degrees], -90 to 90, of side branches of branches (monopodial) or of the weaker branch
-  /// (sympodial). Not ternary. Default 45.
+  /**
+   * Branching angle of the weaker branch to its parent [degrees], -90 to 90; default 45. It holds for the side branches
+   * of branches (Monopodial) or the weaker branch of a fork (Sympodial) and is not used if Branching is Ternary.
+   */
   vtkSetMacro(Angle2, double);
   vtkGetMacro(Angle2, double);
   ///@}
 
   ///@{
-  /// Angle about the trunk [degrees], -360 to 360: from side branch to side branch (monopodial), between the two
-  /// branches of the trunk, 180 in the published trees (sympodial), from the first branch of a fork to the second
-  /// (ternary). Default 137.5.
+  /**
+   * Divergence angle about the trunk [degrees], -360 to 360; default 137.5. It is measured between successive side
+   * branches (Monopodial), between the two branches of the trunk, 180 in the published trees (Sympodial), or from the
+   * first branch of a fork to the second (Ternary).
+   */
   vtkSetMacro(DivergenceAngle, double);
   vtkGetMacro(DivergenceAngle, double);
   ///@}
 
   ///@{
-  /// Ternary: angle about the parent from the second branch of a fork to the third [degrees], -360 to 360. Default
-  /// 132.63.
+  /**
+   * Divergence angle about the parent from the second branch of a fork to the third [degrees], -360 to 360; default
+   * 132.63. Used only if Branching is Ternary.
+   */
   vtkSetMacro(DivergenceAngle2, double);
   vtkGetMacro(DivergenceAngle2, double);
   ///@}
 
   ///@{
-  /// Radius of a branch as part of its parent's, 0.3 to 1. Sections are kept where its square is 1 by the number of
-  /// branches of a fork: 0.707 for two, 0.577 for three. Default 0.707.
+  /**
+   * Radius of a branch relative to its parent, 0.3 to 1; default 0.707. Cross sections are preserved at a fork of n
+   * branches if it is sqrt(1/n): 0.707 for two, 0.577 for three.
+   */
   vtkSetMacro(WidthRatio, double);
   vtkGetMacro(WidthRatio, double);
   ///@}
 
   ///@{
-  /// Ternary: by how much a step lengthens all segments that are there, 0.8 to 3. Default 1.109.
+  /**
+   * Elongation factor of all existing segments per iteration, 0.8 to 3; default 1.109. Used only if Branching is
+   * Ternary.
+   */
   vtkSetMacro(Elongation, double);
   vtkGetMacro(Elongation, double);
   ///@}
 
   ///@{
-  /// Direction that branches bend to, of any length. Default 0 0 -1.
+  /**
+   * Tropism vector, the direction that branches bend to, of any length; default 0 0 -1.
+   */
   vtkSetVector3Macro(Tropism, double);
   vtkGetVector3Macro(Tropism, double);
   ///@}
 
   ///@{
-  /// How much a segment bends to it at most [rad], 0 to 1: by this times the sine of the angle between them. Default
-  /// 0.
+  /**
+   * Susceptibility to bending [rad], 0 to 1; default 0. Each segment bends towards Tropism by this value times the sine
+   * of the angle between them.
+   */
   vtkSetMacro(Susceptibility, double);
   vtkGetMacro(Susceptibility, double);
   ///@}
 
   ///@{
-  /// Length of the first segment of the trunk [m], 0.01 to 50. All others follow from it, so that this is the size of
-  /// the tree. Default 1.75.
+  /**
+   * Length of the first segment of the trunk [m], 0.01 to 50; default 1.75. All other lengths scale with it.
+   */
   vtkSetMacro(TrunkLength, double);
   vtkGetMacro(TrunkLength, double);
   ///@}

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFlowPrimitiveSource
- * @brief   a flow of water around a place: uniform, source, sink or vortex
+ * @brief   generate an elementary flow of water: uniform, source, sink or vortex
  *
  * Output: a vtkPolyData with one vertex at Center and the point arrays `FlowType`, `Strength`, `Axis`[3], `CoreRadius`
- * [m] and `InfluenceRadius` [m]. Connect any number of these sources to port 1 of vtkCurrentDriftFilter, or append
- * them to one data set: flows add up.
+ * [m] and `InfluenceRadius` [m]. Connect any number of these sources to port 1 of vtkCurrentDriftFilter, or append them
+ * to one data set: their velocities are superposed.
  *
- * Flow primitives of other origin may also be kept to a box: with `InfluenceBox`[6] (smallest and largest x, y, z [m])
- * and `InfluenceMargin` [m], the flow is whole in the box and is multiplied by (1 - d^2/M^2)^2 at the distance d from
- * it, 0 from M on. A margin of 0 is no box, and this source writes that.
+ * Flow primitives of other origin may also be limited to a box: with `InfluenceBox`[6] (minimum and maximum x, y, z
+ * [m]) and `InfluenceMargin` M [m], the velocity is unchanged in the box and multiplied by (1 - d^2/M^2)^2 at the
+ * distance d from it, 0 from M on. A margin of 0 means no box, and is what this source writes.
  *
- * With R from the center and e the core, a source of discharge Q flows with Q R / (4 pi (R^2 + e^2)^(3/2)) away from
- * the center; a vortex of circulation G with G / (2 pi q) (1 - exp(-q^2/e^2)) around its axis at the distance q from
- * it. Both are at rest at the center: velocities are finite everywhere. vtkCurrentDriftFilter adds images of them where
- * there is a bed or a surface, through which nothing flows.
+ * With the distance R from the center and the core radius e, a source of discharge Q has the radial velocity Q R / (4
+ * pi (R^2 + e^2)^(3/2)); a vortex of circulation G has the azimuthal velocity G / (2 pi q) (1 - exp(-q^2/e^2)) at the
+ * distance q from its axis. Both are 0 at the center: velocities are finite everywhere. vtkCurrentDriftFilter adds
+ * mirror images where there is a bed or a surface, so that there is no flow through them.
  *
- * Coulais et al., section 3.2.2 and figure 2.
+ * A parameter out of range is reported as one error. Coulais et al., section 3.2.2 and figure 2.
  *
  * @sa vtkCurrentDriftFilter
  */
@@ -44,43 +44,53 @@ public:
 
   ///@{
   /**
-   * A FlowTypeValue. Uniform: along Axis. Source: away from Center in all directions. Sink: towards it, and what comes
-   * into its core is captured. Vortex: around Axis through Center, right-handed. Default Uniform.
+   * Type of flow, a FlowTypeValue; default Uniform. Uniform: parallel flow along Axis. Source: radial flow away from
+   * Center. Sink: radial flow towards Center, which captures particles in its core. Vortex: right-handed rotation about
+   * Axis through Center.
    */
   vtkSetMacro(FlowType, int);
   vtkGetMacro(FlowType, int);
   ///@}
 
   ///@{
-  /// Uniform: speed [m/s]. Source, sink: discharge [m3/s]. Vortex: circulation [m2/s]. Negative ones flow the other
-  /// way. Default 0.2.
+  /**
+   * Speed of a Uniform flow [m/s], discharge of a Source or Sink [m3/s], or circulation of a Vortex [m2/s]; default
+   * 0.2. A negative value reverses the flow.
+   */
   vtkSetMacro(Strength, double);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
-  /// Center [m]. Of no effect in a uniform flow without InfluenceRadius. Default 0 0 0.
+  /**
+   * Center of the flow [m]; default 0 0 0. Not used by a Uniform flow without InfluenceRadius.
+   */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
 
   ///@{
-  /// Direction of a uniform flow, axis of a vortex; of any length but 0. Of no effect in a source and a sink. Default
-  /// 1 0 0.
+  /**
+   * Direction of a Uniform flow or axis of a Vortex, of any length but 0; default 1 0 0. Not used by a Source or Sink.
+   */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
   ///@}
 
   ///@{
-  /// Distance within which a source or a vortex dies down to rest, and a sink captures [m], positive. Of no effect in a
-  /// uniform flow. Default 0.5.
+  /**
+   * Core radius, within which the velocity decreases to 0 and a Sink captures particles [m], positive; default 0.5. Not
+   * used by a Uniform flow.
+   */
   vtkSetMacro(CoreRadius, double);
   vtkGetMacro(CoreRadius, double);
   ///@}
 
   ///@{
-  /// Distance from Center at which the flow has died out [m], positive: it is multiplied by (1 - R^2/I^2)^2. 0: it
-  /// reaches everywhere. Default 0.
+  /**
+   * Cutoff distance I from Center [m], positive, or 0 for none; default 0. The velocity at the distance R is multiplied
+   * by (1 - R^2/I^2)^2.
+   */
   vtkSetMacro(InfluenceRadius, double);
   vtkGetMacro(InfluenceRadius, double);
   ///@}

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGardnerPlantSource
- * @brief   a tree or shrub of textured quadrics, as an impressionist paints it
+ * @brief   generate a tree or shrub from textured quadric surfaces
  *
- * Gardner (1984): a crown is a few ellipsoids, and leaves are a mathematical texture on them that is transparent where
- * it is low, the more so the closer to the silhouette,
+ * Model of Gardner (1984): the crown consists of a few ellipsoids, and the leaves are a mathematical texture on them.
+ * The texture is transparent where its function is low, and more so near the silhouette,
  *
  *     T(x, y) = k sum C_i [sin(FX_i x + PX_i) + T0] sum C_i [sin(FY_i y + PY_i) + T0],  i = 1 ... n,
- *     opaque where T > T1 + (T2 - T1) (1 - g),  g = 1 in the middle of an ellipsoid's outline, 0 at its silhouette.
+ *     opaque where T > T1 + (T2 - T1) (1 - g),  g = 1 at the center of an ellipsoid's outline, 0 at its silhouette.
  *
- * Each ellipsoid is a nest of shells, each with a g of its own, in triangles; it stands on a limb of the trunk and
- * moves with it. The texture is the picture on a leaf (output 2, and field data of `Leaves`) and carries the
- * transparency: without it they are bare. Outputs as in vtkPlantSource. Preset takes the numbers of a kind of
- * plant; with Custom all of them can be set.
+ * Each ellipsoid is a set of nested triangulated shells, each with its own g, and is attached to a limb of the trunk,
+ * whose motion it follows. The texture is output 2 (also field data of `Leaves`) and carries the transparency: without
+ * it the ellipsoids are plain and opaque. Preset selects the parameters of a kind of plant; with Custom all of them can
+ * be set. Outputs and errors as in vtkPlantSource.
  */
 #ifndef vtkGardnerPlantSource_h
 #define vtkGardnerPlantSource_h
@@ -38,92 +38,124 @@ public:
   };
 
   ///@{
-  /// A kind of plant, a PresetType. All parameters below are then of no effect, except for Custom. Default Tree.
+  /**
+   * Kind of plant, a PresetType; default Tree. The parameters below are ignored unless it is Custom.
+   */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// Height of the plant [m], 0.05 to 150. Default 11.
+  /**
+   * Height of the plant [m], 0.05 to 150; default 11.
+   */
   vtkSetMacro(Height, double);
   vtkGetMacro(Height, double);
   ///@}
 
   ///@{
-  /// Largest radius of the crown [m], 0.01 to 100. Default 4.6.
+  /**
+   * Maximum radius of the crown [m], 0.01 to 100; default 4.6.
+   */
   vtkSetMacro(CrownRadius, double);
   vtkGetMacro(CrownRadius, double);
   ///@}
 
   ///@{
-  /// Height of the lowest leaves [m], from 0 to 0.9 of the plant's. Default 2.
+  /**
+   * Height of the lowest leaves [m], 0 to 0.9 times Height; default 2.
+   */
   vtkSetMacro(CrownBase, double);
   vtkGetMacro(CrownBase, double);
   ///@}
 
   ///@{
-  /// Radius of the trunk at the ground [m], 0.001 to 10. Default 0.3.
+  /**
+   * Radius of the trunk at the ground [m], 0.001 to 10; default 0.3.
+   */
   vtkSetMacro(TrunkRadius, double);
   vtkGetMacro(TrunkRadius, double);
   ///@}
 
   ///@{
-  /// Number of ellipsoids that make up the crown, 1 to 500. Default 24.
+  /**
+   * Number of ellipsoids in the crown, 1 to 500; default 24.
+   */
   vtkSetMacro(NumberOfQuadrics, int);
   vtkGetMacro(NumberOfQuadrics, int);
   ///@}
 
   ///@{
-  /// Nested shells of an ellipsoid, 2 to 8. More look softer and cost more polygons. Default 3.
+  /**
+   * Number of nested shells per ellipsoid, 2 to 8; default 3. More shells look softer and need more polygons.
+   */
   vtkSetMacro(Shells, int);
   vtkGetMacro(Shells, int);
   ///@}
 
   ///@{
-  /// Number n of terms of each sum, 4 to 7. More show finer leaves. Default 6.
+  /**
+   * Number n of terms of each sum of the texture, 4 to 7; default 6. More terms give finer leaves.
+   */
   vtkSetMacro(Terms, int);
   vtkGetMacro(Terms, int);
   ///@}
 
   ///@{
-  /// FX_1, periods of the first term around an ellipsoid; even, 2 to 16. More make smaller tufts. Default 6.
+  /**
+   * Number FX_1 of periods of the first term around an ellipsoid, even, 2 to 16; default 6. A larger number gives
+   * smaller tufts.
+   */
   vtkSetMacro(Frequency, int);
   vtkGetMacro(Frequency, int);
   ///@}
 
   ///@{
-  /// T0, added to each sine, 0 to 3. Less gives more contrast. Default 1.
+  /**
+   * Offset T0 added to each sine of the texture, 0 to 3; default 1. A smaller offset gives more contrast.
+   */
   vtkSetMacro(Offset, double);
   vtkGetMacro(Offset, double);
   ///@}
 
   ///@{
-  /// T1, from 0 to SilhouetteThreshold: in the middle of an ellipsoid, leaves are where T is larger. The higher, the
-  /// more holes. Default 0.08.
+  /**
+   * Threshold T1 of the opaque texture at the center of an ellipsoid's outline, 0 to SilhouetteThreshold; default 0.08.
+   * A larger threshold gives more holes.
+   */
   vtkSetMacro(CenterThreshold, double);
   vtkGetMacro(CenterThreshold, double);
   ///@}
 
   ///@{
-  /// T2, from 0 to 1: the same at the silhouette. The higher, the more ragged and slender. Default 0.4.
+  /**
+   * Threshold T2 of the opaque texture at the silhouette of an ellipsoid, 0 to 1; default 0.4. A larger threshold gives
+   * a more ragged and slender outline.
+   */
   vtkSetMacro(SilhouetteThreshold, double);
   vtkGetMacro(SilhouetteThreshold, double);
   ///@}
 
   ///@{
-  /// Standard deviation of sizes, places and colors as part of their means, 0 to 0.5. Default 0.2.
+  /**
+   * Standard deviation of sizes, positions and colors relative to their means, 0 to 0.5; default 0.2.
+   */
   vtkSetMacro(Variation, double);
   vtkGetMacro(Variation, double);
   ///@}
 
   ///@{
-  /// Color of leaves in the light: red, green, blue, each 0 to 1. Default 0.54 0.66 0.33.
+  /**
+   * Color of fully lit leaves as red, green, blue, each 0 to 1; default 0.54 0.66 0.33.
+   */
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}
 
   ///@{
-  /// Color of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
+  /**
+   * Color of the bark as red, green, blue, each 0 to 1; default 0.41 0.35 0.27.
+   */
   vtkSetVector3Macro(BarkColor, double);
   vtkGetVector3Macro(BarkColor, double);
   ///@}

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLeafyTreeSource
- * @brief   base of the generators of trees
+ * @brief   base class of the tree generators
  *
- * What trees have in common beyond other plants: how much one differs from the next, the trunk, and the leaves.
- * Defaults that are not given here are those of the subclass.
+ * Properties that all trees share beyond those of other plants: individual variation, trunk and leaves. Defaults that
+ * are not given here are those of the subclass. Outputs and errors as in vtkPlantSource.
  *
  * @sa vtkReevesTreeSource vtkAonoKuniiTreeSource
  */
@@ -30,49 +30,66 @@ public:
   };
 
   ///@{
-  /// Standard deviation of lengths and angles as part of their means, 0 to 0.5.
+  /**
+   * Standard deviation of lengths and angles relative to their means, 0 to 0.5; the default is that of the subclass.
+   */
   vtkSetMacro(Variation, double);
   vtkGetMacro(Variation, double);
   ///@}
 
   ///@{
-  /// Radius of the trunk [m], 0.001 to 10: at the ground, or where the subclass says.
+  /**
+   * Radius of the trunk [m], 0.001 to 10; the default is that of the subclass. It holds at the ground, or at the height
+   * that the subclass names.
+   */
   vtkSetMacro(TrunkRadius, double);
   vtkGetMacro(TrunkRadius, double);
   ///@}
 
   ///@{
-  /// Color of the bark: red, green, blue, each 0 to 1. Default 0.41 0.35 0.27.
+  /**
+   * Color of the bark as red, green, blue, each 0 to 1; default 0.41 0.35 0.27.
+   */
   vtkSetVector3Macro(BarkColor, double);
   vtkGetVector3Macro(BarkColor, double);
   ///@}
 
   ///@{
-  /// Number of leaves, 0 to 1000000.
+  /**
+   * Number of leaves, 0 to 1000000; the default is that of the subclass.
+   */
   vtkSetMacro(NumberOfLeaves, int);
   vtkGetMacro(NumberOfLeaves, int);
   ///@}
 
   ///@{
-  /// Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5.
+  /**
+   * Mean length of a leaf, or of a tuft of leaves [m], 0.001 to 5; the default is that of the subclass.
+   */
   vtkSetMacro(LeafSize, double);
   vtkGetMacro(LeafSize, double);
   ///@}
 
   ///@{
-  /// Width of a leaf as part of its length, 0.01 to 2.
+  /**
+   * Width of a leaf relative to its length, 0.01 to 2; the default is that of the subclass.
+   */
   vtkSetMacro(LeafWidth, double);
   vtkGetMacro(LeafWidth, double);
   ///@}
 
   ///@{
-  /// The outline of a leaf, a LeafFormType. Default Blade.
+  /**
+   * Outline of a leaf, a LeafFormType; default Blade.
+   */
   vtkSetMacro(LeafForm, int);
   vtkGetMacro(LeafForm, int);
   ///@}
 
   ///@{
-  /// Color of a leaf in the light: red, green, blue, each 0 to 1. Default 0.44 0.57 0.24.
+  /**
+   * Color of a fully lit leaf as red, green, blue, each 0 to 1; default 0.44 0.57 0.24.
+   */
   vtkSetVector3Macro(LeafColor, double);
   vtkGetVector3Macro(LeafColor, double);
   ///@}
@@ -81,7 +98,7 @@ protected:
   vtkLeafyTreeSource(double variation, double trunkRadius, int leaves, double leafSize, double leafWidth);
   ~vtkLeafyTreeSource() override;
 
-  /// The colors as bytes. False, with an error message, if they are none.
+  /// Converts LeafColor and BarkColor to bytes. False, with an error message, if a component is out of range.
   bool TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark);
 
   double Variation;

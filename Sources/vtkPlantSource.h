@@ -2,24 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPlantSource
- * @brief   base of the plant generators: one plant at three levels of detail
+ * @brief   base class of the plant generators: one plant at three levels of detail
  *
  * Output 0: vtkMultiBlockDataSet with the blocks
  *
- * - `High`: `Skeleton` (polylines, a branch each, its first point on the parent; point arrays `ParentId`, the node
- *   towards the root, -1 at the root, and `Radius` [m]; cell arrays `BranchId` and `Order`), `Skin` and `Leaves`
+ * - `High`: `Skeleton` (a polyline per branch, which starts at a point of its parent; point arrays `ParentId`, the next
+ *   node towards the root, -1 at the root, and `Radius` [m]; cell arrays `BranchId` and `Order`), `Skin` and `Leaves`
  *   (polygons);
  * - `Medium`: `Trunk`, a cone, and `Crown`, a closed envelope with texture coordinates by cylindrical projection;
  * - `Low`: exactly four untextured polygons.
  *
- * Points are in metres with z up, the plant's foot at the origin. All blocks have `RGB` as point scalars and normals;
- * Skin and Leaves have `JointIds`[4] (nodes of Skeleton) and `JointWeights`[4].
+ * Coordinates are in meters with z up and the foot of the plant at the origin. All blocks have point normals and the
+ * point scalars `RGB`; `Skin` and `Leaves` have the skinning arrays `JointIds`[4] (nodes of `Skeleton`) and
+ * `JointWeights`[4].
  *
- * Output 1: the picture of the crown, RGBA, as seen by an eye that circles around it (Setas et al., section 4.1.2);
- * it is transparent where there is no leaf. Output 2: the picture on a leaf, to be multiplied with its color. Both can
- * be connected to a vtkTexture. They also travel as field data `Texture` and `TextureSize` of Crown and Leaves.
+ * Output 1: vtkImageData, the RGBA texture of the crown as seen by a camera that circles the plant (Setas et al.,
+ * section 4.1.2), transparent where there is no leaf. Output 2: vtkImageData, the texture of a leaf, to be multiplied
+ * by the color of the leaf. Both can be connected to a vtkTexture and are also stored as field data `Texture` and
+ * `TextureSize` of `Crown` and `Leaves`.
  *
- * A plant has no pieces: the first piece holds all of it.
+ * A plant is not divided into pieces: the first piece holds all of it. A parameter out of range is reported as one
+ * error, and the outputs stay empty.
  */
 #ifndef vtkPlantSource_h
 #define vtkPlantSource_h
@@ -42,21 +45,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Any whole number; another seed gives another individual of the same kind. Default 1.
+  /**
+   * Seed of the random numbers, any integer; default 1. Another seed gives another individual of the same kind.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// Columns and rows of the crown's picture, around the plant and upwards [texels], each from 4 to 4096. Default 256
-  /// 128.
+  /**
+   * Columns and rows of the crown texture, around the plant and upwards [texels], each 4 to 4096; default 256 128.
+   */
   vtkSetVector2Macro(TextureSize, int);
   vtkGetVector2Macro(TextureSize, int);
   ///@}
 
   ///@{
-  /// By how much of its radius a vertex of the Medium crown lies further in at most, 0 to 0.9. Some is good where High
-  /// is never shown. Default 0.
+  /**
+   * Maximum inward displacement of the vertices of the Medium crown, as a fraction of their radius, 0 to 0.9; default
+   * 0. Values above 0 give a rougher outline where High is never shown.
+   */
   vtkSetMacro(CrownJitter, double);
   vtkGetMacro(CrownJitter, double);
   ///@}
@@ -69,10 +77,10 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Grows the plant at all levels. False, with an error message, if a parameter is bad.
+  /// Generates the plant at all levels of detail. False, with an error message, if a parameter is out of range.
   virtual bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) = 0;
 
-  /// Columns and rows of the picture on a leaf [texels].
+  /// Columns and rows of the leaf texture [texels].
   virtual std::array<int, 2> LeafTextureSize() const;
 
   int Seed;

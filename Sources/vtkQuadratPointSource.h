@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkQuadratPointSource
- * @brief   scatters points on a rectangle by a law of counts, the quadrat method
+ * @brief   scatter points on a rectangle by the quadrat method
  *
- * Output: vtkPolyData vertices at z = 0, with the point arrays `SiteId` and `QuadratId`. The rectangle is cut into
- * quadrats; each gets a number of points by one of six laws, at uniform positions (Setas et al., section 2.2.1,
- * algorithm 2, eqs. 6-8 with the mean per quadrat put right, see Documentation/errata.md). Counts of neighbouring
- * quadrats are independent: the law holds at the size of the quadrat.
+ * Output: vtkPolyData vertices at z = 0 with the point arrays `SiteId` and `QuadratId`. The rectangle is divided into
+ * quadrats; the number of points per quadrat follows one of six probability laws, and the positions within a quadrat
+ * are uniform (Setas et al., section 2.2.1, algorithm 2, eqs. 6-8 with a corrected mean per quadrat, see
+ * Documentation/errata.md). Counts of neighboring quadrats are independent: the law holds at the size of the quadrat.
  *
- * Optional input: a table of fits, as vtkQuadratAnalysisFilter writes it. Its first row then replaces the law and its
- * parameters, and the grid that was measured replaces Origin, Size and Quadrats.
+ * Optional input: a vtkTable of fits from vtkQuadratAnalysisFilter. Its first row then replaces the law and its
+ * parameters, and the grid of the analysis replaces Origin, Size and Quadrats.
  *
- * A piece holds the points of a part of the quadrats; all pieces together hold the same points for any number of them.
+ * A piece holds the points of a part of the quadrats; all pieces together hold the same points for any number of
+ * pieces. A parameter out of range, a table without a row or more points than fit into memory are reported as one
+ * error.
  *
  * @sa vtkQuadratAnalysisFilter
  */
@@ -46,42 +48,50 @@ public:
   };
 
   ///@{
-  /// Lower left corner of the rectangle [m]. Default 0 0.
+  /**
+   * Lower left corner of the rectangle [m]; default 0 0.
+   */
   vtkSetVector2Macro(Origin, double);
   vtkGetVector2Macro(Origin, double);
   ///@}
 
   ///@{
-  /// Width and height of the rectangle [m], positive. Default 1000 1000.
+  /**
+   * Width and height of the rectangle [m], positive; default 1000 1000.
+   */
   vtkSetVector2Macro(Size, double);
   vtkGetVector2Macro(Size, double);
   ///@}
 
   ///@{
-  /// Number of quadrats along x and y, positive; about as many in all as there are points. Default 20 20.
+  /**
+   * Number of quadrats along x and y, positive; default 20 20. A suitable total is about the number of points.
+   */
   vtkSetVector2Macro(Quadrats, int);
   vtkGetVector2Macro(Quadrats, int);
   ///@}
 
   ///@{
   /**
-   * Law of the counts, a LawType: Poisson scatters at random; Binomial more regularly than that; the other four in
-   * clusters. Default Poisson.
+   * Probability law of the counts, a LawType; default Poisson. Poisson is a random pattern, Binomial a regular one, and
+   * the other four are clustered.
    */
   vtkSetMacro(Law, int);
   vtkGetMacro(Law, int);
   ///@}
 
   ///@{
-  /// Mean number of points in a quadrat (N / Q), positive. Default 1.
+  /**
+   * Mean number of points per quadrat (N / Q), positive, at most 1e5; default 1.
+   */
   vtkSetMacro(MeanPerQuadrat, double);
   vtkGetMacro(MeanPerQuadrat, double);
   ///@}
 
   ///@{
   /**
-   * Binomial: the number of places in a quadrat, hence the most points in one, not below MeanPerQuadrat.
-   * PoissonBinomial: the largest size of a cluster. Positive; of no effect in other laws. Default 3.
+   * Number of trials, positive; default 3. Binomial: trials per quadrat, hence the maximum count, not below
+   * MeanPerQuadrat. PoissonBinomial: trials per cluster, hence the maximum cluster size. Not used by other laws.
    */
   vtkSetMacro(Trials, int);
   vtkGetMacro(Trials, int);
@@ -89,38 +99,44 @@ public:
 
   ///@{
   /**
-   * NegativeBinomial: the aggregation index k of ecology, the smaller the more clustered. PoissonNegativeBinomial: the
-   * same for the sizes of clusters. Positive; of no effect in other laws. Default 0.5.
+   * Aggregation index k of NegativeBinomial, or of the cluster sizes of PoissonNegativeBinomial, positive; default 0.5.
+   * A smaller index means stronger clustering. Not used by other laws.
    */
   vtkSetMacro(ClusterShape, double);
   vtkGetMacro(ClusterShape, double);
   ///@}
 
   ///@{
-  /// PoissonPoisson (Neyman type A) and PoissonNegativeBinomial: mean number of points in a cluster, positive; of no
-  /// effect in other laws. Default 4.
+  /**
+   * Mean number of points per cluster of PoissonPoisson (Neyman type A) and PoissonNegativeBinomial, positive; default
+   * 4. Not used by other laws.
+   */
   vtkSetMacro(ClusterMean, double);
   vtkGetMacro(ClusterMean, double);
   ///@}
 
   ///@{
-  /// PoissonBinomial: the chance that a place of a cluster is taken, above 0 and at most 1; of no effect in other laws.
-  /// Default 0.5.
+  /**
+   * Success probability of the trials in a cluster of PoissonBinomial, above 0 and at most 1; default 0.5. Not used by
+   * other laws.
+   */
   vtkSetMacro(ClusterSuccess, double);
   vtkGetMacro(ClusterSuccess, double);
   ///@}
 
   ///@{
   /**
-   * Quota: frequencies as the law expects them and a total that is exact, the paper's way. Sampling: each quadrat draws
-   * from the law, with the scatter of nature. Default Quota.
+   * Method of assigning counts, a ModeType; default Quota. Quota: the expected frequencies of the law with an exact
+   * total, as in the paper. Sampling: an independent random count per quadrat.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}
 
   ///@{
-  /// Any whole number; the same seed gives the same points. Default 1.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same points.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

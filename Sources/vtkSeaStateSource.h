@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSeaStateSource
- * @brief   a sea as a table of wave trains
+ * @brief   generate a sea state as a table of wave trains
  *
- * Output: a vtkTable, a row a train, largest amplitude first. Columns: `Amplitude` [m], `AngularFrequency` [rad/s],
- * `WaveNumber` [rad/m], `Direction` towards which it travels, from x towards y [rad], `Phase` [rad]. Field data:
- * `WaterDepth` [m] (infinite: deep), `SeaLevel` [m], `Period` after which the sea returns [s] (infinite without
- * EqualSpacing; that of a Regular wave); of the trains `SignificantWaveHeight` [m], four times the standard deviation
- * of the elevation; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the part of its energy that FrequencyRange
- * leaves out, with a warning where it is above 0.02.
+ * Output: a vtkTable with a row per wave train, the largest amplitude first. Columns: `Amplitude` [m],
+ * `AngularFrequency` [rad/s], `WaveNumber` [rad/m], `Direction` of propagation, from x towards y [rad], `Phase` [rad].
+ * Field data: `WaterDepth` [m] (infinite for deep water), `SeaLevel` [m], `Period` after which the sea repeats [s]
+ * (infinite without EqualSpacing; that of a Regular wave); of the trains `SignificantWaveHeight` [m], four times the
+ * standard deviation of the surface elevation; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the fraction of
+ * its energy outside FrequencyRange, with a warning where it is above 0.02.
  *
- * The spectrum is cut into bins. A train has the energy of its bin, to 1e-12 of it, so that the energy of the sea does
- * not depend on the number of trains. With the default FrequencyRange, 99.5 % of the energy of a Pierson-Moskowitz sea
- * is in the trains.
+ * The spectrum is divided into bins. A train has the energy of its bin, to 1e-12 of it, so that the energy of the sea
+ * does not depend on the number of trains. With the default FrequencyRange, the trains hold 99.5 % of the energy of a
+ * Pierson-Moskowitz sea.
  *
- * Optional input, for a Spectrum of Table only: a vtkTable with the columns `Frequency` [Hz], increasing, and `Density`
- * [m2/Hz], as wave buoys measure them.
+ * Optional input, used only if Spectrum is Table: a vtkTable with the columns `Frequency` [Hz], increasing, and
+ * `Density` [m2/Hz], as measured by wave buoys. A parameter out of range or a table that is no spectrum is reported as
+ * one error.
  *
  * Coulais et al., section 2.2.
  *
@@ -52,10 +53,11 @@ public:
 
   ///@{
   /**
-   * A SpectrumType. PiersonMoskowitz: a fully developed sea on deep water. JONSWAP: a young sea, with a higher peak.
-   * TMA: the same where the bed is felt. Table: from the input. Regular: one wave of PeakPeriod along MeanDirection,
-   * SignificantWaveHeight high from trough to crest, with a crest at the origin at time 0; NumberOfTrains,
-   * FrequencyRange, Spreading, EqualSpacing and Seed have no effect on it. Default PiersonMoskowitz.
+   * Wave spectrum, a SpectrumType; default PiersonMoskowitz. PiersonMoskowitz: a fully developed sea in deep water.
+   * JONSWAP: a fetch-limited sea with a higher peak. TMA: JONSWAP in water of finite depth. Regular: one wave of
+   * PeakPeriod along MeanDirection, with the height SignificantWaveHeight from trough to crest and a crest at the
+   * origin at time 0; NumberOfTrains, FrequencyRange, Spreading, EqualSpacing and Seed are not used. Table: the
+   * spectrum of the input.
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
@@ -63,81 +65,100 @@ public:
 
   ///@{
   /**
-   * What tells how high the sea is, a SeaByType: WindSpeed, or SignificantWaveHeight and PeakPeriod. JONSWAP
-   * and Regular take height and period of the fully developed sea of the wind, TMA the deep sea of JONSWAP less what
-   * the depth takes. Of no effect with a Table. Default Wind.
+   * Quantities that define the height of the sea, a SeaByType; default Wind. Wind: WindSpeed. HeightAndPeriod:
+   * SignificantWaveHeight and PeakPeriod. JONSWAP and Regular take height and period of the fully developed sea of the
+   * wind, TMA the deep-water sea of JONSWAP reduced by its depth factor. Not used if Spectrum is Table.
    */
   vtkSetMacro(SeaBy, int);
   vtkGetMacro(SeaBy, int);
   ///@}
 
   ///@{
-  /// Wind 19.5 m above the sea [m/s], 0.1 to 200; about 1.026 times that at 10 m. Of no effect unless SeaBy is Wind,
-  /// and with a Table. Default 10.
+  /**
+   * Wind speed 19.5 m above the sea [m/s], 0.1 to 200; default 10. It is about 1.026 times the wind speed at 10 m. Used
+   * if SeaBy is Wind and Spectrum is not Table.
+   */
   vtkSetMacro(WindSpeed, double);
   vtkGetMacro(WindSpeed, double);
   ///@}
 
   ///@{
-  /// Four times the standard deviation of the elevation [m], positive. Of a Regular sea the height of its wave from
-  /// trough to crest, which is sqrt(8) standard deviations, so that the field data have 1.414 times as much. Of no
-  /// effect unless SeaBy is HeightAndPeriod, and with a Table. Default 2.
+  /**
+   * Significant wave height, four times the standard deviation of the surface elevation [m], positive; default 2. For a
+   * Regular wave it is the height from trough to crest, sqrt(8) standard deviations, so that the field data have 1.414
+   * times as much. Used if SeaBy is HeightAndPeriod and Spectrum is not Table.
+   */
   vtkSetMacro(SignificantWaveHeight, double);
   vtkGetMacro(SignificantWaveHeight, double);
   ///@}
 
   ///@{
-  /// Period of the waves with most energy [s], 0.01 to 10000. Of no effect unless SeaBy is HeightAndPeriod, and with a
-  /// Table. Default 7.
+  /**
+   * Peak period, the period of the waves with the most energy [s], 0.01 to 10000; default 7. Used if SeaBy is
+   * HeightAndPeriod and Spectrum is not Table.
+   */
   vtkSetMacro(PeakPeriod, double);
   vtkGetMacro(PeakPeriod, double);
   ///@}
 
   ///@{
-  /// Gamma of JONSWAP and TMA, 1 (fully developed) to 20. Of no effect in other spectra. Default 3.3.
+  /**
+   * Peak enhancement factor gamma of JONSWAP and TMA, 1 (fully developed) to 20; default 3.3. Not used by other
+   * spectra.
+   */
   vtkSetMacro(PeakEnhancement, double);
   vtkGetMacro(PeakEnhancement, double);
   ///@}
 
   ///@{
-  /// Depth of the water [m], positive; 0: deep. Sets wave numbers in all spectra, energies in TMA alone. Default 0.
+  /**
+   * Water depth [m], positive, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and the
+   * energy of TMA.
+   */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);
   ///@}
 
   ///@{
-  /// Height of the sea at rest [m]. Default 0.
+  /**
+   * Mean sea level, the z of the surface at rest [m]; default 0.
+   */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
   ///@}
 
   ///@{
-  /// Number of bins, hence of trains, 1 to 100000; bins without energy give none. Default 30.
+  /**
+   * Number of frequency bins, hence of wave trains, 1 to 100000; default 30. Bins without energy give no train.
+   */
   vtkSetMacro(NumberOfTrains, int);
   vtkGetMacro(NumberOfTrains, int);
   ///@}
 
   ///@{
   /**
-   * Lowest and highest angular frequency [peak frequencies], increasing, not negative, at most 1000. 0 0 stands for the
-   * range of the spectrum: all of a Table; else 0.5 to 4, and on by halves until at most 1 % of the energy lies above,
-   * which TMA needs in shallow water. Default 0 0.
+   * Minimum and maximum angular frequency relative to the peak frequency, increasing, 0 to 1000; default 0 0, the range
+   * of the spectrum. That range is the whole Table; for other spectra it is 0.5 to 4, extended in steps of 0.5 until at
+   * most 1 % of the energy lies above, as TMA needs in shallow water.
    */
   vtkSetVector2Macro(FrequencyRange, double);
   vtkGetVector2Macro(FrequencyRange, double);
   ///@}
 
   ///@{
-  /// Towards which the waves travel by their energy, from x towards y [degrees]; trains meet it. Default 0.
+  /**
+   * Energy-weighted mean direction of propagation, from x towards y [degrees]; default 0. The trains have exactly this
+   * mean.
+   */
   vtkSetMacro(MeanDirection, double);
   vtkGetMacro(MeanDirection, double);
   ///@}
 
   ///@{
   /**
-   * Exponent s of the spreading cos^2s(angle/2) of directions, 0 to 10000: small for a wind sea, above 50 for swell.
-   * Trains meet the length of its mean vector, s / (s + 1), unless they are few or one of them has nearly all energy. 0
-   * stands for no spreading: all trains along MeanDirection, with crests without an end. Default 10.
+   * Exponent s of the directional spreading function cos^2s(angle / 2), 0 to 10000; default 10. It is small for a wind
+   * sea and above 50 for swell; 0 means no spreading, all trains along MeanDirection and long-crested. The length of
+   * the mean direction vector of the trains is s / (s + 1), unless they are few or one of them has nearly all energy.
    */
   vtkSetMacro(Spreading, double);
   vtkGetMacro(Spreading, double);
@@ -145,11 +166,12 @@ public:
 
   ///@{
   /**
-   * On: frequencies are whole multiples of one, with the middle of FrequencyRange as theirs, so that the sea returns
-   * after `Period` of the field data, at its default about NumberOfTrains / 3.5 peak periods. So do points whose
-   * centers stay, unless vtkParticleOrbitFilter's StokesDrift or DopplerShift are on; with DopplerShift and a Current,
-   * the distance returns of a point from its center, if that is carried by the Current. Off: frequencies lie at random
-   * places in their bins, and the sea hardly ever returns. Default off.
+   * Frequencies at integer multiples of one fundamental, which make the sea periodic; default off. The period is
+   * `Period` of the field data, with the default FrequencyRange about NumberOfTrains / 3.5 peak periods, and the center
+   * of FrequencyRange is that of the frequencies. Points whose centers are fixed have the same period, unless
+   * StokesDrift or DopplerShift of vtkParticleOrbitFilter are on; with DopplerShift and a Current, it is the
+   * displacement of a point from its center that repeats, if the center moves with the Current. If off, frequencies are
+   * random within their bins, and the sea practically never repeats.
    */
   vtkSetMacro(EqualSpacing, bool);
   vtkGetMacro(EqualSpacing, bool);
@@ -157,7 +179,9 @@ public:
   ///@}
 
   ///@{
-  /// Any whole number; the same seed gives the same sea. Default 1.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same sea.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

@@ -2,21 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSuspendedParticleSource
- * @brief   particles that hang in the water: plankton, marine snow, minerals
+ * @brief   generate particles suspended in water: plankton, marine snow, minerals
  *
- * Particles lie at random places in boxes, of one kind a box. Boxes come from a Preset, which fills Bounds with kinds
- * where they live, or are given one by one.
+ * Particles are distributed uniformly at random in boxes, one kind of particle per box. A Preset fills Bounds with
+ * boxes of the kinds that live at each depth; with Custom the boxes are those of AddBox().
  *
- * Output 0: a vtkPolyData. As Points, a vertex a particle, with the point arrays `ParticleId`, `BoxId`, `ParticleType`
- * (0 diatom, 1 flake of marine snow, 2 grain, 3 copepod), `Radius` [m] and `RGB`. As Quads, a square a particle with a
- * random orientation and texture coordinates of its picture: five points each, the particle itself, which no cell uses,
- * and the corners, which are its slaves by `MasterId` and `Offset`, so that currents and waves move squares as a whole.
- * Field data: `ParticleTypes`, a word for each value of ParticleType, and `BoxNames`, one for each BoxId.
+ * Output 0: a vtkPolyData. Mode Points: one vertex per particle, with the point arrays `ParticleId`, `BoxId`,
+ * `ParticleType` (0 diatom, 1 flake of marine snow, 2 grain, 3 copepod), `Radius` [m] and `RGB`. Mode Quads: one square
+ * per particle with a random orientation and the texture coordinates of its kind. It has five points: the particle
+ * itself, used by no cell, and four corners, which are its slaves by the point arrays `MasterId` and `Offset`[3] [m],
+ * so that currents and waves move a square as a rigid body. Field data: `ParticleTypes`, the name of each value of
+ * ParticleType, and `BoxNames`, one for each BoxId.
  *
- * Output 1: an image with the pictures of all kinds, one above the other, as bytes RGBA. They are nearly white, to be
- * multiplied by RGB.
+ * Output 1: an RGBA vtkImageData with the textures of all kinds, one above the other. They are nearly white, to be
+ * multiplied by `RGB`.
  *
- * A particle depends on Seed, its box and its number in the box alone. Pieces are ranges of ParticleId.
+ * A particle depends only on Seed, its box and its index in the box. Pieces are ranges of ParticleId. A parameter out
+ * of range or Custom without a box is reported as one error.
  *
  * Coulais et al., section 3.1.
  *
@@ -61,74 +63,87 @@ public:
 
   ///@{
   /**
-   * A PresetType. Custom: the boxes that AddBox makes. CoastalSea: algae in the upper part, animals in the middle,
-   * marine snow everywhere, minerals near the bed. OpenOcean: clear water. PlanktonBloom: many algae near the surface.
-   * StormyBed: sand and silt whirled up. Default CoastalSea.
+   * Composition of the particles, a PresetType; default CoastalSea. CoastalSea: algae in the upper part, animals in the
+   * middle, marine snow everywhere, minerals near the bed. OpenOcean: clear water. PlanktonBloom: many algae near the
+   * surface. StormyBed: resuspended sand and silt. Custom: the boxes of AddBox.
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
   ///@}
 
   ///@{
-  /// What a preset fills [m]: smallest and largest x, y, and the bed and the surface. Of no effect in Custom. Default
-  /// -10 10 -10 10 -10 0.
+  /**
+   * Volume filled by a preset, as minimum and maximum x, minimum and maximum y, bed and surface [m], increasing;
+   * default -10 10 -10 10 -10 0. Not used if Preset is Custom.
+   */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
   ///@{
-  /// Factor of the amounts of all boxes, not negative. Default 1.
+  /**
+   * Factor of the amounts of all boxes, not negative; default 1.
+   */
   vtkSetMacro(Density, double);
   vtkGetMacro(Density, double);
   ///@}
 
-  /**
-   * Adds a box, twelve numbers: smallest and largest x, y, z [m]; kind, 0 diatom, 1 flake, 2 grain, 3 copepod; median
-   * diameter [m]; amount, see AmountIs; red, green, blue (0 to 1). Of no effect unless Preset is Custom. Boxes may
-   * meet.
-   */
+  /// Adds a box, given by twelve numbers: minimum and maximum x, y and z [m], increasing; kind, 0 diatom, 1 flake, 2
+  /// grain, 3 copepod; median diameter [m], positive, at most 10; amount, not negative, see AmountIs; red, green, blue,
+  /// each 0 to 1. Used only if Preset is Custom. Boxes may overlap.
   void AddBox(const double box[12]);
 
-  /// Names the box that was, or will be, added as number `index`. Default: the kind and the number.
+  /// Names the box with the given index, whether already added or not; default: the kind and the index.
   void SetBoxName(int index, const char* name);
 
-  /// Forgets all boxes, but not their names.
+  /// Removes all boxes, but not their names.
   void RemoveAllBoxes();
 
-  /// Forgets the names of boxes.
+  /// Removes the names of the boxes.
   void ClearBoxNames();
 
-  /// How many boxes AddBox made.
+  /// Number of boxes added by AddBox.
   int GetNumberOfBoxes();
 
   ///@{
-  /// An AmountType: what the amount of a box counts, particles in a cubic metre or in the box. Presets have
-  /// concentrations. Default Concentration.
+  /**
+   * Meaning of the amount of a box, an AmountType; default Concentration. Concentration: particles per cubic meter.
+   * Count: particles in the box. Presets have concentrations.
+   */
   vtkSetMacro(AmountIs, int);
   vtkGetMacro(AmountIs, int);
   ///@}
 
   ///@{
-  /// Standard deviation of the logarithm of diameters, 0 to 2. Default 0.3.
+  /**
+   * Standard deviation of the natural logarithm of the diameters, 0 to 2; default 0.3.
+   */
   vtkSetMacro(SizeSpread, double);
   vtkGetMacro(SizeSpread, double);
   ///@}
 
   ///@{
-  /// A ModeType: points, to be drawn as sprites, or squares with a picture. Default Points.
+  /**
+   * Representation of a particle, a ModeType; default Points. Points: a vertex, to be drawn as a sprite. Quads: a
+   * textured square.
+   */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}
 
   ///@{
-  /// vtkAlgorithm::SINGLE_PRECISION or DOUBLE_PRECISION of points. Single goes the fast way through waves; take double
-  /// far from the origin. Default SINGLE_PRECISION.
+  /**
+   * Precision of the points, vtkAlgorithm::SINGLE_PRECISION or DOUBLE_PRECISION; default SINGLE_PRECISION. Single
+   * precision is faster in vtkParticleOrbitFilter; double precision is needed far from the origin.
+   */
   vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   ///@{
-  /// Any whole number; the same seed gives the same particles. Default 1.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same particles.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

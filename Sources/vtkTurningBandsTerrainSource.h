@@ -2,26 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTurningBandsTerrainSource
- * @brief   grows a terrain of given statistics by the turning bands method
+ * @brief   generate a terrain of given statistics by the turning bands method
  *
- * Output: a vtkImageData of one layer with the float point array `Elevation` [m] and, on request, `Reflectance`
- * [0..1], and the number of lines as field data (see NumberOfLines). The elevation is a Gaussian random field with one
- * of seven covariance models (Setas et al., section 2.1, algorithm 1 and eqs. 1-5; spectra and covariances in
- * Documentation/design/terrain.md), stretched along one direction on request, on top of a mean and a tilt.
+ * Output: a vtkImageData of one layer with the float point array `Elevation` [m], optionally `Reflectance` (0 to 1),
+ * and the number of lines as field data (see NumberOfLines). The elevation is a Gaussian random field with one of seven
+ * covariance models (Setas et al., section 2.1, algorithm 1 and eqs. 1-5; spectra and covariances in
+ * Documentation/design/terrain.md), with optional geometric anisotropy, added to a mean and a linear trend.
  *
- * The field is a function of position on the grid: any part of the extent, any number of threads or ranks gives the
- * same bytes.
- * With a ShortestWavelength of its own, a grid of twice, four times... the spacing holds every second, fourth...
- * value of the finer one, so that a coarse preview is a true one: the same bytes if that wavelength is below eight of
- * the finer spacings, else within 0.006 standard deviations.
+ * The field is a function of the position on the grid: any subextent and any number of threads or ranks give the same
+ * bytes. With a ShortestWavelength above 0, grids of 2, 4, 8 ... times the spacing hold every 2nd, 4th, 8th ... value
+ * of the finer grid, so that a coarse preview is exact: to the byte if that wavelength is below eight of the finer
+ * spacings, else within 0.006 standard deviations.
  *
- * Optional input: a table of fits, as vtkCovarianceFitFilter writes it. Its first row then replaces Model,
- * StandardDeviation, Mean, Range, SecondRange, FractalDimension, AnisotropyRatio, AnisotropyAngle and Slope, column
- * by column where a column is there: measure a real place, grow one like it. The nugget is measurement noise and is
- * not grown. Where the columns TrendWidth and TrendHeight [m] are there and positive, the field's own least squares
- * plane, over a rectangle of these sides or the whole extent where that is longer, about the middle of the extent,
- * makes room for Mean and Slope: the twin's plane is then the place's, and its variance about it on average the
- * place's.
+ * Optional input: a vtkTable of fits from vtkCovarianceFitFilter. Its first row then replaces Model, StandardDeviation,
+ * Mean, Range, SecondRange, FractalDimension, AnisotropyRatio, AnisotropyAngle and Slope, each where the table has its
+ * column, so that the output is a statistical twin of a measured terrain. The nugget is measurement noise and is not
+ * simulated. Where the columns TrendWidth and TrendHeight [m] are present and positive, the least-squares plane of the
+ * simulated field, over a rectangle of these sides or the whole extent where that is longer, centered on the extent, is
+ * replaced by Mean and Slope: the twin then has the trend of the measured terrain and, on average, its variance about
+ * the trend.
+ *
+ * A parameter out of range, an extent of several layers or a table without a row is reported as one error.
  *
  * @sa vtkCovarianceFitFilter
  */
@@ -59,27 +60,33 @@ public:
 
   ///@{
   /**
-   * First and last index of the grid along x, y and z; one layer only. Default 0 500 0 500 0 0, which with the default
-   * spacing is a square of 1 km.
+   * First and last index of the grid along x, y and z, with a single layer along z; default 0 500 0 500 0 0. With the
+   * default spacing it is a square of 1 km.
    */
   vtkSetVector6Macro(WholeExtent, int);
   vtkGetVector6Macro(WholeExtent, int);
   ///@}
 
   ///@{
-  /// Position of index (0, 0, 0) [m]. Default 0 0 0.
+  /**
+   * Position of index (0, 0, 0) [m]; default 0 0 0.
+   */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
   ///@}
 
   ///@{
-  /// Distance of neighbouring points [m], positive. Default 2 2 1.
+  /**
+   * Distance between neighboring points along x, y and z [m], positive along x and y; default 2 2 1.
+   */
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
   ///@}
 
   ///@{
-  /// Covariance model, a ModelType 0 to 6. Default Fractal.
+  /**
+   * Covariance model, a ModelType; default Fractal.
+   */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
   void SetModelToFractal() { this->SetModel(Fractal); }
@@ -92,67 +99,80 @@ public:
   ///@}
 
   ///@{
-  /// Standard deviation of the elevation [m], not negative. Default 40.
+  /**
+   * Standard deviation of the elevation [m], not negative; default 40.
+   */
   vtkSetMacro(StandardDeviation, double);
   vtkGetMacro(StandardDeviation, double);
   ///@}
 
   ///@{
-  /// Mean elevation [m], at the middle of the extent. Default 200.
+  /**
+   * Mean elevation at the center of the extent [m]; default 200.
+   */
   vtkSetMacro(Mean, double);
   vtkGetMacro(Mean, double);
   ///@}
 
   ///@{
-  /// Rise per metre along x and y of a plane that is added. Default 0 0.
+  /**
+   * Gradient of the linear trend along x and y [m/m]; default 0 0.
+   */
   vtkSetVector2Macro(Slope, double);
   vtkGetVector2Macro(Slope, double);
   ///@}
 
   ///@{
   /**
-   * Length scale of the model [m], positive: 1/b of the exponential and Bessel models, one of the two scales of Telis,
-   * the distance where correlation ends for Spherical, the largest wavelength for Fractal. Along AnisotropyAngle where
-   * the field is stretched. Default 1000.
+   * Range parameter of the covariance model [m], positive; default 1000. It is 1/b of the exponential and Bessel
+   * models, one of the two scales of Telis, the distance beyond which Spherical has no correlation, or the longest
+   * wavelength of Fractal. With anisotropy it holds along AnisotropyAngle.
    */
   vtkSetMacro(Range, double);
   vtkGetMacro(Range, double);
   ///@}
 
   ///@{
-  /// The other scale of Telis [m], positive; of no effect in other models. Default 50.
+  /**
+   * Second range parameter of the Telis model [m], positive; default 50. Not used by other models.
+   */
   vtkSetMacro(SecondRange, double);
   vtkGetMacro(SecondRange, double);
   ///@}
 
   ///@{
-  /// Fractal dimension D of the surface, between 2 (smooth) and 3 (both excluded), eq. 5; of no effect in other models.
-  /// Default 2.15.
+  /**
+   * Fractal dimension D of the surface (eq. 5), between 2 (smooth) and 3, both excluded; default 2.15. Used only by the
+   * Fractal model.
+   */
   vtkSetMacro(FractalDimension, double);
   vtkGetMacro(FractalDimension, double);
   ///@}
 
   ///@{
   /**
-   * Number L of lines (eq. 1). 0: as many as the spectrum needs on the whole grid, 64 to 1024, such that no gaps
-   * between their rays in it show as streaks (Documentation/design/terrain.md). The number is the integer in the
-   * output's field data `ElevationLines` (and `ReflectanceLines`). Time grows with lines times points. Default 0.
+   * Number L of lines (eq. 1), not negative; default 0, as many as the spectrum needs on the whole grid, 64 to 1024, so
+   * that the gaps between lines show no streaks (Documentation/design/terrain.md). The number in use is the field data
+   * `ElevationLines` (and `ReflectanceLines`). The computation time is proportional to lines times points.
    */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);
   ///@}
 
   ///@{
-  /// Number M of harmonics on a line (eq. 3), positive. With HarmonicSpacing Uniform, at least twice as many
-  /// as the grid's diagonal holds of the shortest wavelengths are needed. Default 300.
+  /**
+   * Number M of harmonics per line (eq. 3), positive; default 300. If HarmonicSpacing is Uniform, it should be at least
+   * twice the number of shortest wavelengths along the diagonal of the grid.
+   */
   vtkSetMacro(NumberOfHarmonics, int);
   vtkGetMacro(NumberOfHarmonics, int);
   ///@}
 
   ///@{
   /**
-   * How the harmonics share the wave numbers: Adaptive puts half of them where the variance is and half evenly over the
-   * octaves (Fractal: all over the octaves), Uniform is the paper's equal spacing. Default Adaptive.
+   * Distribution of the harmonics over the wave numbers, a HarmonicSpacingType; default Adaptive. Adaptive: half of
+   * them by variance and half evenly over the octaves (Fractal: all over the octaves). Uniform: the equal spacing of
+   * the paper.
    */
   vtkSetMacro(HarmonicSpacing, int);
   vtkGetMacro(HarmonicSpacing, int);
@@ -160,60 +180,76 @@ public:
 
   ///@{
   /**
-   * Finest detail [m], not negative: shorter wavelengths are left out, which makes a band-limited field. 0 leaves it
-   * open: the points then sample a surface with detail of every size, and waves shorter than some six spacings are a
-   * moving average of noise at the points in place of lines. Default 0.
+   * Shortest wavelength of a band-limited field [m], not negative; default 0, no limit. Without a limit the points
+   * sample a surface with detail at all scales, and waves shorter than about six spacings are simulated as a moving
+   * average of noise at the points instead of lines.
    */
   vtkSetMacro(ShortestWavelength, double);
   vtkGetMacro(ShortestWavelength, double);
   ///@}
 
   ///@{
-  /// Longest over shortest range, at least 1. Default 1.
+  /**
+   * Ratio of the longest to the shortest range, at least 1; default 1.
+   */
   vtkSetMacro(AnisotropyRatio, double);
   vtkGetMacro(AnisotropyRatio, double);
   ///@}
 
   ///@{
-  /// Direction of the longest range [degrees], counter-clockwise from x. Default 0.
+  /**
+   * Direction of the longest range, counterclockwise from x [degrees]; default 0.
+   */
   vtkSetMacro(AnisotropyAngle, double);
   vtkGetMacro(AnisotropyAngle, double);
   ///@}
 
   ///@{
-  /// Any whole number; the same seed gives the same terrain. Default 1.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same terrain.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
-  /// Whether the point array `Reflectance` is added, an independent field of its own model. Default off.
+  /**
+   * Addition of the point array `Reflectance`, an independent random field with its own model; default off.
+   */
   vtkSetMacro(Reflectance, bool);
   vtkGetMacro(Reflectance, bool);
   vtkBooleanMacro(Reflectance, bool);
   ///@}
 
   ///@{
-  /// Covariance model of the reflectance, a ModelType; the second scale of Telis is a tenth of the first and the
-  /// fractal dimension that of the elevation. Default SimpleExponential.
+  /**
+   * Covariance model of the reflectance, a ModelType; default SimpleExponential. The second range of Telis is a tenth
+   * of ReflectanceRange, and the fractal dimension is that of the elevation.
+   */
   vtkSetMacro(ReflectanceModel, int);
   vtkGetMacro(ReflectanceModel, int);
   ///@}
 
   ///@{
-  /// Length scale of the reflectance [m], positive. Default 100.
+  /**
+   * Range parameter of the reflectance [m], positive; default 100.
+   */
   vtkSetMacro(ReflectanceRange, double);
   vtkGetMacro(ReflectanceRange, double);
   ///@}
 
   ///@{
-  /// Mean of the reflectance, 0 to 1. Default 0.5.
+  /**
+   * Mean reflectance, a finite number, typically 0 to 1; default 0.5.
+   */
   vtkSetMacro(ReflectanceMean, double);
   vtkGetMacro(ReflectanceMean, double);
   ///@}
 
   ///@{
-  /// Standard deviation of the reflectance, not negative; values beyond 0 and 1 are cut. Default 0.15.
+  /**
+   * Standard deviation of the reflectance, not negative; default 0.15. Values below 0 and above 1 are clamped.
+   */
   vtkSetMacro(ReflectanceStandardDeviation, double);
   vtkGetMacro(ReflectanceStandardDeviation, double);
   ///@}

@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWindFieldSource
- * @brief   a turbulent wind over a logarithmic mean, by spectral synthesis
+ * @brief   generate a turbulent wind over a logarithmic mean profile by spectral synthesis
  *
- * Output: vtkImageData with the point array `Velocity` [m/s] in world axes: x along the wind (where it blows to), y
- * across to the left, z up. The field is frozen and carried along with one speed (Taylor's hypothesis), so that its x
- * axis is time: spacing ReferenceSpeed x TimeStep, length ReferenceSpeed x period. It is periodic along x and in time
- * with the period Dimensions[0] x TimeStep; the image at time t and at t plus a period are the same to the bit. Times
- * are rounded to 1/1024 of a step; between steps each wave along x is turned by its phase, so that spectrum and
- * variance are the same at any time. An image at a step is a copy, one between steps two transforms of each line that
- * is asked for. Linear probes between points lose variance; see the user guide for how much.
+ * Output: vtkImageData with the point array `Velocity` [m/s] in world axes: x along the wind (downwind), y across to
+ * the left, z up. The field is frozen and convected at a constant speed (Taylor's hypothesis), so that its x axis is
+ * time: spacing ReferenceSpeed x TimeStep, length ReferenceSpeed x period. It is periodic along x and in time with the
+ * period Dimensions[0] x TimeStep; images one period apart are identical to the bit. Times are rounded to 1/1024 of a
+ * step; between steps each Fourier component along x is shifted in phase, so that spectrum and variance are the same at
+ * any time. An image at a step is a copy, one between steps takes two transforms per requested line. Linear
+ * interpolation between points loses variance; see the user guide for how much.
  *
- * The components know nothing of each other: the mean of u'w' is 0 and not -u*^2, and the field is not free of
- * divergence.
+ * The velocity components are statistically independent: the mean of u'w' is 0 and not -u*^2, and the field is not free
+ * of divergence.
  *
- * Field data: `CoherenceError` (largest difference of root coherence from the model), `FrictionVelocity` [m/s],
+ * Field data: `CoherenceError` (maximum difference of the root coherence from the model), `FrictionVelocity` [m/s],
  * `ConvectionSpeed` [m/s], `Period` [s].
  *
- * The field is made once and kept, so that another time is a copy. Any extent can be asked for; the whole field is made
- * for it, on each rank.
+ * The field is computed once and kept, so that another time is a copy. Any extent can be requested; each rank computes
+ * the whole field for it. A parameter out of range or a field larger than the memory is reported as one error.
  *
  * Setas et al., section 3.1.1, algorithm 3, eqs. 9-14, with corrections: see Documentation/errata.md.
  */
@@ -57,126 +57,169 @@ public:
   };
 
   ///@{
-  /// Number of samples along the wind (in time), across and up. The first must be at least 4, even and a product of 2,
-  /// 3 and 5. Default 600 64 24.
+  /**
+   * Number of samples along the wind (in time), across and up; default 600 64 24. The first must be even, at least 4
+   * and a product of 2, 3 and 5; the others are positive.
+   */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
   ///@{
-  /// Time between samples along the wind [s], positive. Default 0.1.
+  /**
+   * Time between samples along the wind [s], positive; default 0.1.
+   */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /// Distance of samples across the wind [m], positive. Default 4.
+  /**
+   * Distance between samples across the wind [m], positive; default 4.
+   */
   vtkSetMacro(LateralSpacing, double);
   vtkGetMacro(LateralSpacing, double);
   ///@}
 
   ///@{
-  /// Distance of layers [m], positive. Default 2.
+  /**
+   * Distance between horizontal layers [m], positive; default 2.
+   */
   vtkSetMacro(VerticalSpacing, double);
   vtkGetMacro(VerticalSpacing, double);
   ///@}
 
   ///@{
-  /// Height of the lowest layer above the ground [m], above RoughnessLength. Default 1.
+  /**
+   * Height of the lowest layer above the ground [m], above RoughnessLength; default 1.
+   */
   vtkSetMacro(BottomHeight, double);
   vtkGetMacro(BottomHeight, double);
   ///@}
 
   ///@{
-  /// Middle of the box in the plane [m], about which WindDirection turns it. Default 0 0.
+  /**
+   * Center of the box in the horizontal plane, the pivot of WindDirection [m]; default 0 0.
+   */
   vtkSetVector2Macro(Center, double);
   vtkGetVector2Macro(Center, double);
   ///@}
 
   ///@{
-  /// Mean wind at ReferenceHeight [m/s], positive, at most 1000; also the speed that turbulence is carried along with.
-  /// Default 10.
+  /**
+   * Mean wind speed at ReferenceHeight [m/s], positive, at most 1000; default 10. It is also the convection speed of
+   * the turbulence.
+   */
   vtkSetMacro(ReferenceSpeed, double);
   vtkGetMacro(ReferenceSpeed, double);
   ///@}
 
   ///@{
-  /// Height of ReferenceSpeed above the ground [m], above RoughnessLength. Default 10.
+  /**
+   * Height of ReferenceSpeed above the ground [m], above RoughnessLength; default 10.
+   */
   vtkSetMacro(ReferenceHeight, double);
   vtkGetMacro(ReferenceHeight, double);
   ///@}
 
   ///@{
-  /// Roughness of the ground [m], positive: 0.01 low grass, 0.03 meadows, 0.3 bushes, 1 forest. Default 0.03.
+  /**
+   * Aerodynamic roughness length of the ground [m], positive and below 10; default 0.03. Typical values: 0.01 short
+   * grass, 0.03 meadow, 0.3 bushes, 1 forest.
+   */
   vtkSetMacro(RoughnessLength, double);
   vtkGetMacro(RoughnessLength, double);
   ///@}
 
   ///@{
-  /// Where the wind blows to [degrees], counterclockwise from the x axis. Other than 0, the image has a direction
-  /// matrix. Default 0.
+  /**
+   * Direction towards which the wind blows, counterclockwise from x [degrees]; default 0. With another direction the
+   * image has a direction matrix.
+   */
   vtkSetMacro(WindDirection, double);
   vtkGetMacro(WindDirection, double);
   ///@}
 
   ///@{
-  /// Root coherence of two points at a frequency, a CoherenceType. Exponential falls with the product of frequency and
-  /// distance, by the three decays below (eqs. 11, 12). Iec is that of IEC 61400-1 (ed. 3, annex B) for the component
-  /// along the wind, exp(-12 sqrt((f r / U)^2 + (0.12 r / L_c)^2)) with the distance r, U = ReferenceSpeed,
-  /// L_c = 8.1 Lambda_1 and Lambda_1 = 0.7 ReferenceHeight, at most 42 m: slow gusts, too, differ from place to place.
-  /// The standard says nothing of the other two components, which keep their decays. Default Exponential.
+  /**
+   * Model of the root coherence between two points, a CoherenceType; default Exponential. Exponential: decreasing with
+   * frequency times distance, with the three decay coefficients below (eqs. 11, 12). Iec: the model of IEC 61400-1
+   * (edition 3, annex B) for the longitudinal component, exp(-12 sqrt((f r / U)^2 + (0.12 r / L_c)^2)) with the
+   * distance r, U = ReferenceSpeed, L_c = 8.1 Lambda_1 and Lambda_1 = 0.7 ReferenceHeight, at most 42 m, in which low
+   * frequencies too are not fully coherent. The standard does not define the other two components, which keep their
+   * decay coefficients.
+   */
   vtkSetMacro(Coherence, int);
   vtkGetMacro(Coherence, int);
   ///@}
 
   ///@{
-  /// Decay of the coherence of the component along the wind with distance across and up, positive; without effect where
-  /// Coherence is Iec. Default 10 10.
+  /**
+   * Decay coefficients of the root coherence of the longitudinal velocity for lateral and vertical distances, positive;
+   * default 10 10. Not used if Coherence is Iec.
+   */
   vtkSetVector2Macro(LongitudinalDecay, double);
   vtkGetVector2Macro(LongitudinalDecay, double);
   ///@}
 
   ///@{
-  /// The same of the component across. Default 10 10.
+  /**
+   * Decay coefficients of the root coherence of the lateral velocity for lateral and vertical distances, positive;
+   * default 10 10.
+   */
   vtkSetVector2Macro(LateralDecay, double);
   vtkGetVector2Macro(LateralDecay, double);
   ///@}
 
   ///@{
-  /// The same of the component up. Default 8 8.
+  /**
+   * Decay coefficients of the root coherence of the vertical velocity for lateral and vertical distances, positive;
+   * default 8 8.
+   */
   vtkSetVector2Macro(VerticalDecay, double);
   vtkGetVector2Macro(VerticalDecay, double);
   ///@}
 
   ///@{
-  /// Auto-spectra, a SpectrumType: those of the neutral surface layer, whose turbulence follows from the mean wind, or
-  /// IEC 61400-1's, with TurbulenceIntensity. Default SimiuScanlan.
+  /**
+   * Model of the velocity spectra, a SpectrumType; default SimiuScanlan. SimiuScanlan: the neutral surface layer, whose
+   * turbulence follows from the mean wind. IecKaimal: the Kaimal spectra of IEC 61400-1, with TurbulenceIntensity.
+   */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
   ///@}
 
   ///@{
-  /// IecKaimal: standard deviation along the wind over ReferenceSpeed, positive. Default 0.16.
+  /**
+   * Turbulence intensity, the longitudinal standard deviation relative to ReferenceSpeed, positive; default 0.16. Used
+   * only if Spectrum is IecKaimal.
+   */
   vtkSetMacro(TurbulenceIntensity, double);
   vtkGetMacro(TurbulenceIntensity, double);
   ///@}
 
   ///@{
-  /// What is random, a PhasesType: phases alone, so that each run has the energy of the spectrum, or amplitudes too, a
-  /// Gaussian process. Default Uniform.
+  /**
+   * Random part of the Fourier coefficients, a PhasesType; default Uniform. Uniform: random phases alone, so that each
+   * realization has the energy of the spectrum. GaussianAmplitudes: random amplitudes too, a Gaussian process.
+   */
   vtkSetMacro(Phases, int);
   vtkGetMacro(Phases, int);
   ///@}
 
   ///@{
-  /// Scale each component and layer to exactly the variance of its spectrum. Default off.
+  /**
+   * Scaling of each component and layer to exactly the variance of its spectrum; default off.
+   */
   vtkSetMacro(NormalizeVariance, bool);
   vtkGetMacro(NormalizeVariance, bool);
   vtkBooleanMacro(NormalizeVariance, bool);
   ///@}
 
   ///@{
-  /// Any whole number; the same seed gives the same wind. Default 1.
+  /**
+   * Seed of the random numbers, any integer; default 1. The same seed gives the same wind.
+   */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
