@@ -117,6 +117,23 @@ TEST(CrownPictures, DifferInWind)
   }
 }
 
+TEST(CrownPictures, GoAlongWithTheTrunk)
+{
+  // Leaves on the trunk that neither align nor flutter: the eye that goes along sees them at rest.
+  SmallTree tree;
+  for (std::size_t i = 0; i < tree.JointIds.size(); i += 4)
+  {
+    tree.JointIds[i] = 1;
+  }
+  tree.Settings.Leaves.LargestAlignment = 0.0;
+  tree.Settings.Leaves.FlutterAngle = 0.0;
+  const TextureImage rest = CylindricalProjection({ tree.Crown.Leaves, nullptr }, *tree.Crown.Volume, 48, 32);
+  for (const TextureImage& picture : tree.PicturesIn(WindAlong()))
+  {
+    EXPECT_EQ(picture.Texels, rest.Texels);
+  }
+}
+
 TEST(CrownPictures, AreStillWhereNothingMoves)
 {
   const WindAlong wind;
