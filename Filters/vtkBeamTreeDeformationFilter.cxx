@@ -3,7 +3,8 @@
 #include "vtkBeamTreeDeformationFilter.h"
 
 #include "Data/Blocks.h"
-#include "Data/SwayForest.h"
+#include "Data/SwayBlocks.h"
+#include "Numerics/ParameterRange.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -55,7 +56,7 @@ struct vtkBeamTreeDeformationFilter::Memory
   // Inputs are held, so that no other object gets their addresses.
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>> Inputs;
   vtkMTimeType Properties = 0;
-  littoral::SwayForest Forest;
+  littoral::SwayBlocks Plants;
 };
 
 //----------------------------------------------------------------------------
@@ -157,11 +158,7 @@ std::string vtkBeamTreeDeformationFilter::WhyInvalid() const
 {
   std::string reason;
   const auto check = [&](const char* name, double value, double low, double high) {
-    if (reason.empty() && !(value >= low && value <= high))
-    {
-      reason = std::string(name) + " is " + std::to_string(value) + "; it must be from " + std::to_string(low) +
-        " to " + std::to_string(high) + ".";
-    }
+    reason = reason.empty() ? littoral::OutOfRange(name, value, low, high) : reason;
   };
   check("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
   check("Response", this->Response, 0, 1);
@@ -217,7 +214,7 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
       }
     }
   }
-  if (this->Kept && this->Kept->Forest.IsWhole() && this->Kept->Inputs == memory->Inputs &&
+  if (this->Kept && this->Kept->Plants.IsWhole() && this->Kept->Inputs == memory->Inputs &&
     this->Kept->Properties == memory->Properties)
   {
     return {};
@@ -228,7 +225,7 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
   }
   this->Kept = std::move(memory);
   this->SetProgressText("Reading plants");
-  return this->Kept->Forest.Read(plants, { prototypes.begin(), prototypes.end() },
+  return this->Kept->Plants.Read(plants, { prototypes.begin(), prototypes.end() },
     vtkImageData::GetData(inputVector[WindPort]), this->MakeSettings(), this);
 }
 
@@ -252,12 +249,12 @@ int vtkBeamTreeDeformationFilter::RequestData(
   }
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);
-  if (this->Kept->Forest.IsWhole())
+  if (this->Kept->Plants.IsWhole())
   {
     this->SetProgressText("Moving plants");
-    this->Kept->Forest.Move(time, plants, output, this);
-    AttachFrequencies(this->Kept->Forest.GetFrequencies(), output);
-    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Forest.GetPictures());
+    this->Kept->Plants.Move(time, plants, output, this);
+    AttachFrequencies(this->Kept->Plants.GetFrequencies(), output);
+    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Plants.GetPictures());
   }
   this->UpdateProgress(1.0);
   return 1;

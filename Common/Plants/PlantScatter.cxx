@@ -133,6 +133,20 @@ std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const
   return shown;
 }
 
+Skeleton Placed(const Skeleton& prototype, const PlantPlace& place)
+{
+  const double c = std::cos(place.Azimuth);
+  const double s = std::sin(place.Azimuth);
+  Skeleton placed = prototype;
+  for (SkeletonNode& node : placed.Nodes)
+  {
+    const Vector3& p = node.Position;
+    node.Position = place.Foot + place.Scale * Vector3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
+    node.Radius *= place.Scale;
+  }
+  return placed;
+}
+
 PlantPlacement::PlantPlacement(const PlantPlace& place)
   : Place(place)
   , Cosine(std::cos(place.Azimuth))

@@ -5,6 +5,7 @@
 
 #include "Geometry/SceneCells.h"
 #include "Geometry/ViewFrustum.h"
+#include "Plants/Skeleton.h"
 
 #include <array>
 #include <cstddef>
@@ -55,6 +56,9 @@ struct PlantPlace
   Vector3 Foot{ 0.0, 0.0, 0.0 }; ///< [m]
   std::array<float, 3> Tint{ 1.0f, 1.0f, 1.0f };
 };
+
+/// The skeleton of a prototype at a plant's site: scaled, turned about the vertical and moved to the foot.
+Skeleton Placed(const Skeleton& prototype, const PlantPlace& place);
 
 /// The upright cylinder about the axis of a species' prototype that holds all of it [m].
 struct PlantExtent

@@ -135,4 +135,31 @@ std::string WhyInvalid(const Skeleton& skeleton)
   return first == static_cast<int>(skeleton.Nodes.size()) ? "" : "some nodes belong to no branch.";
 }
 
+std::vector<Skeleton> PlantsOf(const Skeleton& skeleton)
+{
+  std::vector<Skeleton> plants;
+  for (const SkeletonBranch& branch : skeleton.Branches)
+  {
+    if (skeleton.Nodes[branch.First].Parent < 0)
+    {
+      plants.emplace_back();
+    }
+    Skeleton& plant = plants.back();
+    const int firstNode = branch.First - static_cast<int>(plant.Nodes.size());
+    plant.Branches.push_back({ branch.First - firstNode, branch.Count, branch.Order });
+    for (int index = branch.First; index < branch.First + branch.Count; ++index)
+    {
+      SkeletonNode node = skeleton.Nodes[index];
+      if (node.Parent >= 0 && node.Parent < firstNode)
+      {
+        return {};
+      }
+      node.Parent = node.Parent < 0 ? -1 : node.Parent - firstNode;
+      node.Branch = static_cast<int>(plant.Branches.size()) - 1;
+      plant.Nodes.push_back(node);
+    }
+  }
+  return plants;
+}
+
 }

@@ -57,6 +57,10 @@ struct Skeleton
  */
 std::string WhyInvalid(const Skeleton& skeleton);
 
+/// The plants of a valid skeleton, one a trunk, with indices of their own and in the skeleton's order. None where a
+/// branch grows on a plant before the last trunk.
+std::vector<Skeleton> PlantsOf(const Skeleton& skeleton);
+
 }
 
 #endif

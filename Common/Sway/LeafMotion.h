@@ -44,6 +44,14 @@ private:
   double Period;
 };
 
+/// A leaf as a quadrilateral of a plant's mesh.
+struct LeafCorners
+{
+  std::array<int, 4> Corners{}; ///< vertices: the first is the foot, the third the tip
+  int Node = 0;                 ///< of the skeleton, which carries the leaf
+  double Area = 0.0;            ///< [m2]
+};
+
 /// A leaf that its twig has already carried along.
 struct LeafAxes
 {

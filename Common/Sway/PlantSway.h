@@ -3,15 +3,14 @@
 #ifndef LittoralPlantSway_h
 #define LittoralPlantSway_h
 
-#include "Numerics/Parallel.h"
 #include "Plants/Skeleton.h"
 #include "Plants/WoodParameters.h"
 #include "Sway/BeamModes.h"
 #include "Sway/TrunkModes.h"
 #include "Wind/WindLoads.h"
+#include "Wind/WindTimes.h"
 
 #include <array>
-#include <functional>
 #include <vector>
 
 namespace littoral
@@ -56,17 +55,6 @@ std::vector<BranchBeam> BeamsOf(
 /// The first of BeamsOf for a plant that was scaled and turned about the vertical [rad]. Its middle is left at the
 /// origin.
 BranchBeam TrunkBeam(const TrunkMeasures& trunk, double scale, double azimuth, const SwayOptions& options);
-
-/// A wind that repeats after so many steps of time [s].
-struct WindTimes
-{
-  double Step = 0.1;
-  std::size_t Samples = 4; ///< at least four
-};
-
-/// The wind at a place: `count` velocities, one a step, from the step `first` on, any finite number. Called from many
-/// threads.
-using WindAtPlace = std::function<void(const Vector3& place, double first, std::size_t count, Vector3* velocities)>;
 
 /**
  * The modal amplitudes of a plant's branches in a wind that repeats: the periodic steady state. Any time can be asked

@@ -178,20 +178,6 @@ bool ReadTable(vtkDataObject* forest, PlantTable& table)
   return true;
 }
 
-Skeleton Placed(const Skeleton& prototype, const PlantPlace& place)
-{
-  const double c = std::cos(place.Azimuth);
-  const double s = std::sin(place.Azimuth);
-  Skeleton placed = prototype;
-  for (SkeletonNode& node : placed.Nodes)
-  {
-    const Vector3& p = node.Position;
-    node.Position = place.Foot + place.Scale * Vector3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
-    node.Radius *= place.Scale;
-  }
-  return placed;
-}
-
 TextureImage ReadTexture(vtkPolyData* block)
 {
   auto* texels = block ? vtkUnsignedCharArray::SafeDownCast(block->GetFieldData()->GetArray(plant::Texture)) : nullptr;

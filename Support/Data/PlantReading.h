@@ -8,6 +8,7 @@
 #include "Data/PlantBlocks.h"
 #include "Plants/PlantScatter.h"
 #include "Plants/WoodParameters.h"
+#include "Sway/LeafMotion.h"
 
 #include <string>
 #include <vector>
@@ -26,14 +27,6 @@ std::string ReadSkeleton(vtkPolyData* block, Skeleton& skeleton);
 
 /// Why the joints of a skin or of leaves are bad; empty when they are not.
 std::string WhyBadSkin(vtkPolyData* block, const char* name, std::size_t joints);
-
-/// A leaf: corners in the block, the first of them the foot, the third the tip.
-struct LeafCorners
-{
-  std::array<int, 4> Corners{};
-  int Node = 0;
-  double Area = 0.0; ///< [m2]
-};
 
 /// The leaves of a block, whose skin is good.
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block);
@@ -57,9 +50,6 @@ private:
 
 /// False where plants are not scattered.
 bool ReadTable(vtkDataObject* forest, PlantTable& table);
-
-/// A prototype's skeleton where a plant stands.
-Skeleton Placed(const Skeleton& prototype, const PlantPlace& place);
 
 /// The picture that a block carries; empty if it has none.
 TextureImage ReadTexture(vtkPolyData* block);

@@ -7,8 +7,10 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,18 +39,58 @@ vtkSmartPointer<vtkFloatArray> FloatsOf(vtkDataArray* array)
   return floats;
 }
 
+std::string ReadTimes(vtkImageData* image, WindTimes& times)
+{
+  const double convection = FieldNumber(image, "ConvectionSpeed");
+  if (!(convection > 0.0) || !std::isfinite(convection))
+  {
+    return "The wind has no field data ConvectionSpeed that is positive.";
+  }
+  const int samples = image->GetDimensions()[0];
+  times.Step = image->GetSpacing()[0] / convection;
+  if (samples < 4 || !(times.Step > 0.0))
+  {
+    return "The wind has no duration: it needs at least four samples along x, and a positive Spacing.";
+  }
+  times.Samples = static_cast<std::size_t>(samples);
+  const bool told = image->GetFieldData()->GetArray("Period") != nullptr;
+  const double period = FieldNumber(image, "Period");
+  if (told && !(std::abs(period - times.Period()) < 1e-3 * times.Period()))
+  {
+    return "Period of the wind is not the length of its image over ConvectionSpeed.";
+  }
+  return {};
 }
 
-std::string WindImage::Read(vtkImageData* image)
+WindGrid GridOf(vtkImageData* image)
+{
+  WindGrid grid;
+  const int* extent = image->GetExtent();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Size[axis] = image->GetDimensions()[axis];
+    grid.FirstIndex[axis] = extent[2 * axis];
+    for (int column = 0; column < 4; ++column)
+    {
+      grid.ToIndex[axis][column] = image->GetPhysicalToIndexMatrix()->GetElement(axis, column);
+    }
+  }
+  grid.LayerSpacing = image->GetSpacing()[2];
+  grid.Bottom = image->GetOrigin()[2] + extent[4] * grid.LayerSpacing;
+  return grid;
+}
+
+}
+
+std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& wind)
 {
   vtkDataArray* velocity = image->GetPointData()->GetArray("Velocity");
   if (!velocity || velocity->GetNumberOfComponents() != 3)
   {
     return "The wind has no point array Velocity of three components.";
   }
-  this->Image = image;
-  image->GetDimensions(this->Size);
-  const std::string reason = this->ReadTimes();
+  WindTimes times;
+  const std::string reason = ReadTimes(image, times);
   if (!reason.empty())
   {
     return reason;
@@ -59,83 +101,22 @@ std::string WindImage::Read(vtkImageData* image)
   {
     return "Velocity of the wind has values that are not finite.";
   }
-  const std::array<int, 3> size{ this->Size[0], this->Size[1], this->Size[2] };
-  const double bytes = WindLines::BytesOf(size);
+  const WindGrid grid = GridOf(image);
+  const double bytes = WindLines::BytesOf(grid.Size);
   if (bytes > AvailableMemory())
   {
     return "The waves of the wind need " + std::to_string(static_cast<long long>(bytes / 1e6)) +
       " MB, more than this machine has free.";
   }
-  this->Lines = std::make_unique<const WindLines>(values, size, SmpFor);
+  wind = std::make_shared<const FrozenWind>(grid, times, values, SmpFor);
   return {};
 }
 
-std::string WindImage::ReadTimes()
-{
-  const double convection = FieldNumber(this->Image, "ConvectionSpeed");
-  if (!(convection > 0.0) || !std::isfinite(convection))
-  {
-    return "The wind has no field data ConvectionSpeed that is positive.";
-  }
-  this->Time.Step = this->Image->GetSpacing()[0] / convection;
-  if (this->Size[0] < 4 || !(this->Time.Step > 0.0))
-  {
-    return "The wind has no duration: it needs at least four samples along x, and a positive Spacing.";
-  }
-  this->Time.Samples = static_cast<std::size_t>(this->Size[0]);
-  const bool told = this->Image->GetFieldData()->GetArray("Period") != nullptr;
-  const double period = FieldNumber(this->Image, "Period");
-  if (told && !(std::abs(period - this->Period()) < 1e-3 * this->Period()))
-  {
-    return "Period of the wind is not the length of its image over ConvectionSpeed.";
-  }
-  return {};
-}
-
-bool WindImage::Locate(const Vector3& place, double index[3]) const
-{
-  this->Image->TransformPhysicalPointToContinuousIndex(&place.x, index);
-  const int* extent = this->Image->GetExtent();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    index[axis] -= extent[2 * axis];
-  }
-  constexpr double Slack = 1e-6;
-  const bool inside =
-    index[1] >= -Slack && index[1] <= this->Size[1] - 1 + Slack && index[2] <= this->Size[2] - 1 + Slack;
-  index[1] = std::clamp(index[1], 0.0, this->Size[1] - 1.0);
-  index[2] = std::clamp(index[2], 0.0, this->Size[2] - 1.0);
-  return inside;
-}
-
-bool WindImage::Reaches(const Vector3& place) const
-{
-  double index[3];
-  return this->Locate(place, index);
-}
-
-Vector3 WindImage::Middle(double height) const
+Vector3 MiddleOfWind(vtkImageData* image, double height)
 {
   double bounds[6];
-  this->Image->GetBounds(bounds);
+  image->GetBounds(bounds);
   return { bounds[0], 0.5 * (bounds[2] + bounds[3]), height };
-}
-
-void WindImage::Sample(const Vector3& place, double first, std::size_t count, Vector3* velocities) const
-{
-  double index[3];
-  this->Locate(place, index);
-  const double spacing = this->Image->GetSpacing()[2];
-  const double bottom = this->Image->GetOrigin()[2] + this->Image->GetExtent()[4] * spacing;
-  const double layer = LayerPlace(bottom + index[2] * spacing, bottom, spacing);
-  this->Lines->Sample({ index[0], index[1], layer }, first, count, velocities);
-}
-
-double WindImage::Arrival(const Vector3& place) const
-{
-  double index[3];
-  this->Locate(place, index);
-  return index[0] * this->Time.Step;
 }
 
 }

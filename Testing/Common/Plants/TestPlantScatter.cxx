@@ -360,6 +360,28 @@ TEST(PlantScatter, TurnsScalesAndMovesVertices)
   EXPECT_EQ(tinted[2], 50);
 }
 
+TEST(PlantScatter, PlacesSkeletonsWhereVerticesGo)
+{
+  PlantPlace place;
+  place.Foot = { 100.0, 200.0, 3.0 };
+  place.Scale = 0.7;
+  place.Azimuth = 2.5;
+  Skeleton prototype;
+  prototype.StartBranch(-1, { 0.1, -0.2, 0.0 }, 0.3);
+  prototype.Grow({ 1.0, 0.5, 4.0 }, 0.2);
+  const Skeleton placed = Placed(prototype, place);
+  EXPECT_EQ(WhyInvalid(placed), "");
+  for (std::size_t node = 0; node < 2; ++node)
+  {
+    const Vector3& from = prototype.Nodes[node].Position;
+    const float point[3] = { static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z) };
+    float moved[3];
+    PlantPlacement(place).Points(point, 1, moved);
+    EXPECT_NEAR(glm::distance(placed.Nodes[node].Position, Vector3(moved[0], moved[1], moved[2])), 0.0, 1e-5);
+    EXPECT_DOUBLE_EQ(placed.Nodes[node].Radius, 0.7 * prototype.Nodes[node].Radius);
+  }
+}
+
 TEST(HeightGrid, IsExactOnABilinearSurface)
 {
   HeightGrid grid;

@@ -96,6 +96,57 @@ TEST(Skeleton, SaysWhatIsWrong)
   EXPECT_TRUE(says(After([](Skeleton& s) { s.Nodes[2].Parent = 0; }), "node to node"));
 }
 
+TEST(Skeleton, FallsIntoItsPlants)
+{
+  // Three plants in a row; each comes back as it was.
+  const Skeleton one = SmallPlant();
+  Skeleton all;
+  for (int copy = 0; copy < 3; ++copy)
+  {
+    const int firstNode = static_cast<int>(all.Nodes.size());
+    const int firstBranch = static_cast<int>(all.Branches.size());
+    for (SkeletonNode node : one.Nodes)
+    {
+      node.Parent += node.Parent < 0 ? 0 : firstNode;
+      node.Branch += firstBranch;
+      all.Nodes.push_back(node);
+    }
+    for (SkeletonBranch branch : one.Branches)
+    {
+      branch.First += firstNode;
+      all.Branches.push_back(branch);
+    }
+  }
+  ASSERT_EQ(WhyInvalid(all), "");
+  const std::vector<Skeleton> plants = PlantsOf(all);
+  ASSERT_EQ(plants.size(), 3u);
+  for (const Skeleton& plant : plants)
+  {
+    EXPECT_EQ(WhyInvalid(plant), "");
+    ASSERT_EQ(plant.Nodes.size(), one.Nodes.size());
+    ASSERT_EQ(plant.Branches.size(), one.Branches.size());
+    for (std::size_t node = 0; node < one.Nodes.size(); ++node)
+    {
+      EXPECT_EQ(plant.Nodes[node].Parent, one.Nodes[node].Parent);
+      EXPECT_EQ(plant.Nodes[node].Branch, one.Nodes[node].Branch);
+      EXPECT_EQ(plant.Nodes[node].Position, one.Nodes[node].Position);
+    }
+    for (std::size_t branch = 0; branch < one.Branches.size(); ++branch)
+    {
+      EXPECT_EQ(plant.Branches[branch].First, one.Branches[branch].First);
+      EXPECT_EQ(plant.Branches[branch].Order, one.Branches[branch].Order);
+    }
+  }
+  // A branch on the first plant after the second one's trunk.
+  Skeleton mixed = SmallPlant();
+  mixed.StartBranch(-1, { 5.0, 0.0, 0.0 }, 0.1);
+  mixed.Grow({ 5.0, 0.0, 1.0 }, 0.1);
+  mixed.StartBranch(1, { 0.0, 0.0, 2.0 }, 0.1);
+  mixed.Grow({ 0.0, 1.0, 2.0 }, 0.1);
+  ASSERT_EQ(WhyInvalid(mixed), "");
+  EXPECT_TRUE(PlantsOf(mixed).empty());
+}
+
 TEST(BranchSkin, HasNoDegenerateTriangles)
 {
   const PlantMesh mesh = SkinOf(SmallPlant(), {});

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralCrownPictures_h
+#define LittoralCrownPictures_h
+
+#include "Geometry/TextureImage.h"
+#include "Plants/Plant.h"
+#include "Plants/PlantMesh.h"
+#include "Plants/Skinning.h"
+#include "Sway/SwaySpecies.h"
+#include "Wind/FrozenWind.h"
+
+#include <optional>
+#include <vector>
+
+namespace littoral
+{
+
+/// A prototype's crown as the pictures of the level Medium need it.
+struct CrownModel
+{
+  std::optional<CrownVolume> Volume; ///< of the crown's envelope; none: there is no envelope
+  TextureImage StillPicture;         ///< of the envelope; empty: white
+  PlantMesh Leaves;                  ///< points, colors and texture coordinates, at rest
+  RestSkin<float> LeafSkin;          ///< the same points, and the joints that they follow
+  TextureImage LeafTexture;          ///< factor of the leaves' colors; empty: none
+};
+
+/**
+ * Pictures of a swaying crown (Setas et al., section 4.2) at equal times of a swing of its trunk, in the wind above
+ * `middle` [m]. The eye circles around the crown and sways along with the trunk. Still ones where the species has no
+ * skeleton or no leaves, or the crown no envelope.
+ */
+std::vector<TextureImage> CrownPictures(const SwaySpecies& species, const CrownModel& crown, const FrozenWind& wind,
+  const Vector3& middle, const SwaySettings& settings);
+
+/**
+ * The number of the picture that a crown shows at a time [s], which may be less by the arrival time of the wind:
+ * pictures turn with the trunk's frequency [Hz], brought to the nearest whole number of swings in a period of the
+ * wind [s] (at least one), so that all repeats.
+ */
+int CrownPictureAt(double time, double frequency, double period, int pictures);
+
+}
+
+#endif

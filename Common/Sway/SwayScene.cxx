@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sway/SwayScene.h"
+
+#include "Numerics/Constants.h"
+#include "Sway/CrownPictures.h"
+#include "Sway/TrunkSkin.h"
+
+#include <algorithm>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr int NotMet = -2;
+constexpr int StandsStill = -1;
+
+}
+
+SwayScene::SwayScene(const SwaySettings& settings, std::shared_ptr<const FrozenWind> wind,
+  std::vector<PlantPlace> places, std::vector<SwaySpecies> species)
+  : Settings(settings)
+  , Wind(std::move(wind))
+  , Places(std::move(places))
+  , Species(std::move(species))
+  , Frequencies(this->Places.size(), 0.0)
+  , TrunkOfRow(this->Places.size(), NotMet)
+{
+  this->Settings.Leaves.Period = this->Wind->GetTimes().Period();
+}
+
+const SwaySpecies* SwayScene::SpeciesOf(int row) const
+{
+  const bool isKnown = row >= 0 && row < static_cast<int>(this->Places.size()) && !this->Species.empty();
+  return isKnown ? &this->Species[this->Places[row].Species] : nullptr;
+}
+
+SwayOptions SwayScene::OptionsOf(int row) const
+{
+  const SwaySpecies* species = this->SpeciesOf(row);
+  return species ? this->Settings.With(species->Wood) : this->Settings.Options;
+}
+
+double SwayScene::BytesOf(std::size_t nodes, std::size_t leaves)
+{
+  return static_cast<double>(nodes) * (sizeof(SkeletonNode) + sizeof(JointPose) + sizeof(JointChange)) +
+    static_cast<double>(leaves) * sizeof(Leaf);
+}
+
+std::vector<BranchBeam> SwayScene::BeamsOf(int row, const Skeleton& rest, const std::vector<double>& leafAreas) const
+{
+  return littoral::BeamsOf(rest, leafAreas, this->OptionsOf(row));
+}
+
+std::string SwayScene::AddPlant(int row, const Skeleton& rest, const std::vector<BranchBeam>& beams)
+{
+  // The middle of the trunk's upper half is about that of the crown. Heights in the wind are those above the foot.
+  const double ground = rest.Nodes.front().Position.z;
+  int node = 0;
+  const Vector3 middle = rest.Along(0, 0.75, node);
+  if (!this->Wind->Reaches(middle - Vector3(0.0, 0.0, ground)))
+  {
+    return "The wind does not reach all plants; its grid must span them across the wind and in height.";
+  }
+  if (row >= 0 && row < static_cast<int>(this->Frequencies.size()))
+  {
+    this->Frequencies[row] = beams.front().Modes.front().Frequency / TwoPi;
+  }
+  SwayingPlant& plant = this->Plants.emplace_back();
+  plant.FirstJoint = this->Rest.Nodes.size();
+  plant.Branches = rest.Branches.size();
+  plant.Motion = std::make_unique<PlantMotion>(rest, this->Settings.Options.NumberOfModes, beams.front().Modes);
+  plant.Sway =
+    std::make_unique<PlantSway>(beams, this->OptionsOf(row), this->Wind->GetTimes(), middle, this->Wind->Over(ground));
+  this->Rest.Nodes.insert(this->Rest.Nodes.end(), rest.Nodes.begin(), rest.Nodes.end());
+  return {};
+}
+
+void SwayScene::AddLeaf(const std::array<int, 4>& corners, int plant, std::uint64_t identity)
+{
+  const bool isFirst = this->Leaves.empty() || this->Leaves.back().Plant != plant;
+  this->LeafOfPlant = isFirst ? 0 : this->LeafOfPlant + 1;
+  this->Leaves.push_back({ corners, plant, (identity << 32) + this->LeafOfPlant });
+}
+
+std::string SwayScene::FindTrunk(int row, int& plant)
+{
+  plant = this->TrunkOfRow[row];
+  if (plant != NotMet)
+  {
+    return {};
+  }
+  const SwaySpecies* species = this->SpeciesOf(row);
+  plant = this->TrunkOfRow[row] = StandsStill;
+  if (!species || species->Rest.Nodes.empty())
+  {
+    return {};
+  }
+  const PlantPlace& place = this->Places[row];
+  const Skeleton trunk = Placed(species->TrunkRest, place);
+  BranchBeam beam = TrunkBeam(species->Trunk, place.Scale, place.Azimuth, this->OptionsOf(row));
+  int node = 0;
+  beam.Middle = trunk.Along(0, 0.5, node);
+  plant = this->TrunkOfRow[row] = static_cast<int>(this->Plants.size());
+  return this->AddPlant(row, trunk, { beam });
+}
+
+void SwayScene::FollowTrunk(
+  int plant, const float* points, std::size_t begin, std::size_t end, int* joints, float* weights) const
+{
+  const SwayingPlant& swaying = this->Plants[plant];
+  const auto first = this->Rest.Nodes.begin() + static_cast<std::ptrdiff_t>(swaying.FirstJoint);
+  const std::size_t count = swaying.Motion->GetNumberOfJoints();
+  Skeleton trunk;
+  trunk.Nodes.assign(first, first + static_cast<std::ptrdiff_t>(count));
+  trunk.Branches.push_back({ 0, static_cast<int>(count), 0 });
+  const TrunkSkin skin(trunk);
+  for (std::size_t point = begin; point < end; ++point)
+  {
+    const float* p = points + 3 * point;
+    const JointHold hold = skin.At({ p[0], p[1], p[2] });
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      joints[4 * point + i] = static_cast<int>(swaying.FirstJoint) + hold.Joints[i];
+      weights[4 * point + i] = hold.Weights[i];
+    }
+  }
+}
+
+void SwayScene::AddCrown(int row, std::size_t first)
+{
+  const PlantPlace& place = this->Places[row];
+  this->Crowns.push_back({ first, place.Species, this->Wind->Arrival(place.Foot) });
+}
+
+void SwayScene::MoveTo(double time, const ParallelFor& parallel)
+{
+  this->Time = time;
+  this->Poses.resize(this->Rest.Nodes.size());
+  this->Changes.resize(this->Rest.Nodes.size());
+  this->Winds.resize(this->Plants.size());
+  parallel(this->Plants.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector3> amplitudes;
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      this->Pose(plant, amplitudes);
+    }
+  });
+}
+
+void SwayScene::Pose(std::size_t index, std::vector<Vector3>& amplitudes)
+{
+  SwayingPlant& plant = this->Plants[index];
+  amplitudes.resize(plant.Branches * static_cast<std::size_t>(this->Settings.Options.NumberOfModes));
+  plant.Sway->Amplitudes(this->Time, amplitudes.data());
+  plant.Motion->Pose(amplitudes.data(), &this->Poses[plant.FirstJoint]);
+  this->Winds[index] = plant.Sway->Wind(this->Time);
+  const std::size_t last = plant.FirstJoint + plant.Motion->GetNumberOfJoints();
+  for (std::size_t node = plant.FirstJoint; node < last; ++node)
+  {
+    this->Changes[node] = ChangeOf(this->Poses[node], this->Rest.Nodes[node].Position);
+  }
+}
+
+void SwayScene::TurnLeaves(std::size_t begin, std::size_t end, float* points, float* normals) const
+{
+  const LeafFlutter flutter(this->Settings.Leaves);
+  for (std::size_t index = begin; index < end; ++index)
+  {
+    const Leaf& leaf = this->Leaves[index];
+    TurnLeaf(leaf.Corners, this->Winds[leaf.Plant], flutter.At(leaf.Identity, this->Time), this->Settings.Leaves,
+      points, normals);
+  }
+}
+
+void SwayScene::ShowPictures(std::size_t vertices, float* tcoords, const ParallelFor& parallel) const
+{
+  const double period = this->Wind->GetTimes().Period();
+  const int pictures = this->Settings.Pictures;
+  parallel(this->Crowns.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t index = begin; index < end; ++index)
+    {
+      const Crown& crown = this->Crowns[index];
+      const std::size_t last = index + 1 < this->Crowns.size() ? this->Crowns[index + 1].First : vertices;
+      const SwaySpecies& species = this->Species[crown.Species];
+      const int picture = CrownPictureAt(this->Time - crown.Arrival, species.SwingFrequency, period, pictures);
+      const AtlasArea& area = this->Areas[crown.Species * pictures + picture];
+      for (std::size_t point = crown.First; point < last; ++point)
+      {
+        const std::size_t vertex = point - crown.First;
+        const std::array<double, 2> own =
+          vertex < species.CrownTCoords.size() ? species.CrownTCoords[vertex] : std::array<double, 2>{ 0.5, 0.5 };
+        const std::array<double, 2> at = area.Map(own[0], own[1]);
+        tcoords[2 * point] = static_cast<float>(at[0]);
+        tcoords[2 * point + 1] = static_cast<float>(at[1]);
+      }
+    }
+  });
+}
+
+}

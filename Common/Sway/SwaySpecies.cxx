@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sway/SwaySpecies.h"
+
+#include "Numerics/Constants.h"
+#include "Sway/TrunkSkin.h"
+
+namespace littoral
+{
+
+SwayOptions SwaySettings::With(const WoodParameters& wood) const
+{
+  SwayOptions options = this->Options;
+  options.Wood = wood;
+  return options;
+}
+
+SwaySpecies MakeSpecies(const Skeleton& rest, const WoodParameters& wood, const std::vector<LeafCorners>& leaves,
+  const SwaySettings& settings)
+{
+  SwaySpecies species;
+  species.Rest = rest;
+  species.Wood = wood;
+  species.Leaves = leaves;
+  species.LeafAreas.assign(rest.Nodes.size(), 0.0);
+  for (const LeafCorners& leaf : leaves)
+  {
+    species.LeafAreas[leaf.Node] += leaf.Area;
+  }
+  species.Trunk = MeasureTrunk(rest, FedLeafAreas(rest, species.LeafAreas, settings.Options.LeafAreaRatio));
+  species.TrunkRest = TrunkAlone(rest);
+  const BranchBeam trunk = TrunkBeam(species.Trunk, 1.0, 0.0, settings.With(wood));
+  species.SwingFrequency = trunk.Modes.front().Frequency / TwoPi;
+  return species;
+}
+
+}

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/SwayBlocks.h"
+
+#include "Data/SwayPrototype.h"
+#include "Data/WindImage.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
+#include "Sway/CrownPictures.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr std::size_t LeafGrain = 1024;    // leaves a task
+constexpr std::size_t VertexGrain = 16384; // vertices a task
+constexpr double BytesOfTrunk = 4000.0;    // of a trunk's skeleton, about
+constexpr double MegaByte = 1e6;
+
+std::string WhyTooLarge(double bytes)
+{
+  if (bytes <= AvailableMemory())
+  {
+    return {};
+  }
+  return "The plants need " + std::to_string(static_cast<long long>(bytes / MegaByte)) +
+    " MB to sway; take fewer plants in full, fewer modes, Response Interpolated, or fewer and smaller pictures.";
+}
+
+/// Pictures of all species; still ones, of the announced size, where there is no species.
+std::vector<TextureImage> PicturesOf(
+  const SwayScene& scene, const std::vector<SwayPrototype>& prototypes, vtkImageData* wind, vtkAlgorithm* progress)
+{
+  const SwaySettings& settings = scene.GetSettings();
+  const auto each = static_cast<std::size_t>(settings.Pictures);
+  std::vector<TextureImage> pictures(each * std::max<std::size_t>(1, prototypes.size()));
+  RunWithProgress(progress, prototypes.size(), 0.0, 0.3, [&](std::size_t index) {
+    const SwaySpecies& species = scene.GetSpecies()[index];
+    int node = 0;
+    const double height = species.Rest.Nodes.empty() ? 0.0 : species.Rest.Along(0, 0.75, node).z;
+    std::vector<TextureImage> own =
+      CrownPictures(species, prototypes[index].MakeCrown(), scene.GetWind(), MiddleOfWind(wind, height), settings);
+    std::move(own.begin(), own.end(), pictures.begin() + static_cast<std::ptrdiff_t>(index * each));
+  });
+  for (TextureImage& picture : pictures)
+  {
+    if (picture.Texels.empty())
+    {
+      picture = TextureImage(settings.PictureSize[0], settings.PictureSize[1]);
+    }
+  }
+  return pictures;
+}
+
+vtkIntArray* PlantIdsOf(vtkPolyData* block)
+{
+  return block ? vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::PlantId)) : nullptr;
+}
+
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+  vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress)
+{
+  std::string reason = this->MakeScene(plants, prototypes, wind, settings, progress);
+  reason = reason.empty() ? this->ReadHigh(plants, progress) : reason;
+  reason = reason.empty() ? this->ReadMedium(plants) : reason;
+  this->Whole = reason.empty() && !IsAborted(progress);
+  return reason;
+}
+
+//----------------------------------------------------------------------------
+/// The row of the plant to which a point belongs; 0 where plants are not scattered.
+int SwayBlocks::RowAt(vtkIntArray* plantIds, vtkIdType point) const
+{
+  return this->Scattered && plantIds ? this->Table.RowOf(plantIds->GetValue(point)) : 0;
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+  vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress)
+{
+  std::shared_ptr<const FrozenWind> frozen;
+  std::string reason = ReadWind(wind, frozen);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  this->Scattered = ReadTable(plants, this->Table);
+  if (!this->Scattered)
+  {
+    this->Table.Places.assign(1, PlantPlace());
+    this->Table.Levels.assign(1, PlantLevel::Medium);
+  }
+  std::vector<SwayPrototype> read(this->Scattered ? prototypes.size() : 1);
+  std::vector<SwaySpecies> species;
+  for (std::size_t index = 0; index < read.size(); ++index)
+  {
+    reason = read[index].Read(this->Scattered ? prototypes[index] : plants, settings);
+    if (!reason.empty())
+    {
+      return this->Scattered ? "Of Prototypes: " + reason : reason;
+    }
+    species.push_back(read[index].Species);
+  }
+  reason = this->WhySpeciesUnknown(read.size());
+  const double texels =
+    static_cast<double>(read.size()) * settings.Pictures * settings.PictureSize[0] * settings.PictureSize[1];
+  reason = reason.empty() ? WhyTooLarge(2.0 * sizeof(Texel) * texels) : reason;
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  this->Scene = std::make_unique<SwayScene>(settings, frozen, this->Table.Places, std::move(species));
+  const TextureAtlas atlas = StackTextures(PicturesOf(*this->Scene, read, wind, progress));
+  this->Scene->SetPictureAreas(atlas.Areas);
+  this->PictureImage = vtkSmartPointer<vtkImageData>::New();
+  CopyToImage(atlas.Image, this->PictureImage);
+  this->PictureFields = vtkSmartPointer<vtkPolyData>::New();
+  AttachTexture(this->PictureFields, atlas.Image);
+  return {};
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::WhySpeciesUnknown(std::size_t prototypes) const
+{
+  const int count = static_cast<int>(prototypes);
+  for (const PlantPlace& place : this->Table.Places)
+  {
+    if (count > 0 && (place.Species < 0 || place.Species >= count))
+    {
+      return "Species of a plant is " + std::to_string(place.Species) + ", but there are " + std::to_string(count) +
+        " Prototypes; connect those that the plants were made from.";
+    }
+  }
+  return {};
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress)
+{
+  vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
+  if (!bones)
+  {
+    return "The plants have no block High/Skeleton.";
+  }
+  if (bones->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
+  Skeleton all;
+  std::string reason = ReadSkeleton(bones, all);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  const std::vector<Skeleton> skeletons = PlantsOf(all);
+  if (skeletons.empty())
+  {
+    return "High/Skeleton of the plants has branches that do not follow their own trunk.";
+  }
+  std::vector<double> leafAreas(all.Nodes.size(), 0.0);
+  reason = this->ReadHighSkins(plants, skeletons, leafAreas);
+  double bytes = SwayScene::BytesOf(all.Nodes.size(), this->Scene->GetNumberOfLeaves());
+  for (const Skeleton& one : skeletons)
+  {
+    bytes += PlantSway::BytesOf(one.Branches.size(), this->Scene->GetSettings().Options);
+  }
+  reason = reason.empty() ? WhyTooLarge(bytes) : reason;
+  return reason.empty() ? this->AddPlants(skeletons, PlantIdsOf(bones), leafAreas, progress) : reason;
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::ReadHighSkins(
+  vtkMultiBlockDataSet* plants, const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas)
+{
+  for (const char* name : { plant::Skin, plant::Leaves })
+  {
+    vtkPolyData* block = PlantPartOf(plants, plant::High, name);
+    if (!block || block->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    const std::string reason = WhyBadSkin(block, name, leafAreas.size());
+    if (!reason.empty())
+    {
+      return reason;
+    }
+    this->Skins.push_back({ plant::High, name, block, {}, {} });
+  }
+  std::vector<int> plantOf;
+  for (std::size_t index = 0; index < skeletons.size(); ++index)
+  {
+    plantOf.insert(plantOf.end(), skeletons[index].Nodes.size(), static_cast<int>(index));
+  }
+  vtkPolyData* leaves = PlantPartOf(plants, plant::High, plant::Leaves);
+  vtkIntArray* plantIds = PlantIdsOf(leaves);
+  for (const LeafCorners& leaf : ReadLeaves(leaves))
+  {
+    leafAreas[leaf.Node] += leaf.Area;
+    const int own = plantOf[leaf.Node];
+    // The same whatever other plants are in view.
+    const auto identity = static_cast<std::uint64_t>(plantIds ? plantIds->GetValue(leaf.Corners[0]) : own);
+    this->Scene->AddLeaf(leaf.Corners, own, identity);
+  }
+  return {};
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds,
+  const std::vector<double>& leafAreas, vtkAlgorithm* progress)
+{
+  std::vector<std::ptrdiff_t> firsts(1, 0);
+  std::vector<int> rows;
+  for (const Skeleton& one : skeletons)
+  {
+    rows.push_back(this->RowAt(plantIds, firsts.back()));
+    firsts.push_back(firsts.back() + static_cast<std::ptrdiff_t>(one.Nodes.size()));
+  }
+  std::vector<std::vector<BranchBeam>> beams(skeletons.size());
+  RunWithProgress(progress, skeletons.size(), 0.3, 0.5, [&](std::size_t index) {
+    const std::vector<double> own(leafAreas.begin() + firsts[index], leafAreas.begin() + firsts[index + 1]);
+    beams[index] = this->Scene->BeamsOf(rows[index], skeletons[index], own);
+  });
+  std::string reason;
+  for (std::size_t index = 0; index < skeletons.size() && reason.empty() && !IsAborted(progress); ++index)
+  {
+    reason = this->Scene->AddPlant(rows[index], skeletons[index], beams[index]);
+  }
+  return reason;
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::ReadMedium(vtkMultiBlockDataSet* plants)
+{
+  if (this->Scene->GetSpecies().empty())
+  {
+    return {}; // a forest whose prototypes are not known
+  }
+  const double trunks =
+    static_cast<double>(std::count(this->Table.Levels.begin(), this->Table.Levels.end(), PlantLevel::Medium));
+  std::string reason = WhyTooLarge(trunks * (PlantSway::BytesOf(1, this->Scene->GetSettings().Options) + BytesOfTrunk));
+  for (const char* name : { plant::Trunk, plant::Crown })
+  {
+    vtkPolyData* block = PlantPartOf(plants, plant::Medium, name);
+    if (reason.empty() && block && block->GetNumberOfPoints() > 0)
+    {
+      reason = this->ReadMediumSkin(block, name);
+    }
+  }
+  return reason;
+}
+
+//----------------------------------------------------------------------------
+std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
+{
+  vtkIntArray* plantIds = PlantIdsOf(block);
+  vtkFloatArray* points = FloatPointsOf(block);
+  if (!points || (this->Scattered && !plantIds))
+  {
+    return std::string("Medium/") + name + " of the plants has no points of float or no PlantId of int.";
+  }
+  const bool isCrown = std::strcmp(name, plant::Crown) == 0;
+  const vtkIdType count = block->GetNumberOfPoints();
+  const auto values = 4 * static_cast<std::size_t>(count);
+  Skin skin{ plant::Medium, name, block, std::vector<int>(values, 0), std::vector<float>(values, 0.0f) };
+  for (vtkIdType begin = 0, end = 0; begin < count; begin = end)
+  {
+    const int row = this->RowAt(plantIds, begin);
+    if (row < 0)
+    {
+      return std::string("PlantId of Medium/") + name + " points to no plant of the field data.";
+    }
+    while (end < count && this->RowAt(plantIds, end) == row)
+    {
+      ++end;
+    }
+    int plant = -1;
+    const std::string reason = this->Scene->FindTrunk(row, plant);
+    if (!reason.empty())
+    {
+      return reason;
+    }
+    if (isCrown)
+    {
+      this->Scene->AddCrown(row, static_cast<std::size_t>(begin));
+    }
+    if (plant >= 0)
+    {
+      this->Scene->FollowTrunk(plant, points->GetPointer(0), static_cast<std::size_t>(begin),
+        static_cast<std::size_t>(end), skin.Joints.data(), skin.Weights.data());
+    }
+  }
+  this->Skins.push_back(std::move(skin));
+  return {};
+}
+
+//----------------------------------------------------------------------------
+void SwayBlocks::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output, vtkAlgorithm* progress)
+{
+  progress->UpdateProgress(0.5);
+  this->Scene->MoveTo(time, SmpFor);
+  std::vector<vtkSmartPointer<vtkPolyData>> moved;
+  for (const Skin& skin : this->Skins)
+  {
+    if (IsAborted(progress))
+    {
+      return;
+    }
+    progress->UpdateProgress(0.6 + 0.4 * static_cast<double>(moved.size()) / static_cast<double>(this->Skins.size()));
+    moved.push_back(this->MovedSkin(skin));
+  }
+  for (const char* level : { plant::High, plant::Medium })
+  {
+    auto* rest = vtkMultiBlockDataSet::SafeDownCast(FindBlock(plants, level));
+    if (rest)
+    {
+      ReplaceBlock(output, level, this->MovedLevel(level, rest, moved));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkMultiBlockDataSet> SwayBlocks::MovedLevel(
+  const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved) const
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->ShallowCopy(rest);
+  for (std::size_t index = 0; index < moved.size(); ++index)
+  {
+    if (std::strcmp(this->Skins[index].Level, level) == 0)
+    {
+      ReplaceBlock(blocks, this->Skins[index].Name, moved[index]);
+    }
+  }
+  auto* bones =
+    std::strcmp(level, plant::High) == 0 ? vtkPolyData::SafeDownCast(FindBlock(rest, plant::Skeleton)) : nullptr;
+  if (FloatPointsOf(bones))
+  {
+    ReplaceBlock(blocks, plant::Skeleton, this->MovedBones(bones));
+  }
+  return blocks;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones) const
+{
+  const auto positions = FloatsLike(FloatPointsOf(bones));
+  for (vtkIdType node = 0; node < positions->GetNumberOfTuples(); ++node)
+  {
+    const Vector3 position = this->Scene->JointPosition(static_cast<std::size_t>(node));
+    positions->SetTuple(node, &position.x);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->ShallowCopy(bones);
+  moved->SetPoints(points);
+  return moved;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
+{
+  vtkPointData* arrays = skin.Rest->GetPointData();
+  auto* restNormals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
+  const auto points = FloatsLike(FloatPointsOf(skin.Rest));
+  const auto normals = restNormals ? FloatsLike(restNormals) : nullptr;
+  RestSkin<float> rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals ? restNormals->GetPointer(0) : nullptr,
+    skin.Joints.data(), skin.Weights.data() };
+  if (skin.Joints.empty())
+  {
+    rest.JointIds = vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds))->GetPointer(0);
+    rest.JointWeights = vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights))->GetPointer(0);
+  }
+  float* p = points->GetPointer(0);
+  float* n = normals ? normals->GetPointer(0) : nullptr;
+  SmpForRanges(static_cast<std::size_t>(points->GetNumberOfTuples()), VertexGrain,
+    [&](std::size_t begin, std::size_t end) { MoveSkin(rest, this->Scene->GetChanges().data(), begin, end, p, n); });
+  if (std::strcmp(skin.Name, plant::Leaves) == 0)
+  {
+    SmpForRanges(this->Scene->GetNumberOfLeaves(), LeafGrain,
+      [&](std::size_t begin, std::size_t end) { this->Scene->TurnLeaves(begin, end, p, n); });
+  }
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->ShallowCopy(skin.Rest);
+  vtkNew<vtkPoints> positions;
+  positions->SetData(points);
+  moved->SetPoints(positions);
+  KeepRanges(points.Get());
+  if (normals)
+  {
+    KeepRanges(normals.Get());
+    moved->GetPointData()->SetNormals(normals);
+  }
+  if (std::strcmp(skin.Name, plant::Crown) == 0)
+  {
+    this->ShowPictures(moved);
+  }
+  return moved;
+}
+
+//----------------------------------------------------------------------------
+/// Texture coordinates and texture of the crowns, each with its picture of the moment.
+void SwayBlocks::ShowPictures(vtkPolyData* crowns) const
+{
+  const vtkIdType points = crowns->GetNumberOfPoints();
+  const auto tcoords = NewArray<vtkFloatArray>("TCoords", 2, points);
+  this->Scene->ShowPictures(static_cast<std::size_t>(points), tcoords->GetPointer(0), SmpFor);
+  KeepRanges(tcoords.Get());
+  crowns->GetPointData()->SetTCoords(tcoords);
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(crowns->GetFieldData());
+  for (const char* name : { plant::Texture, plant::TextureSize })
+  {
+    fields->AddArray(this->PictureFields->GetFieldData()->GetArray(name));
+  }
+  crowns->SetFieldData(fields);
+}
+
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportSwayBlocks_h
+#define LittoralSupportSwayBlocks_h
+
+// Plants in the wind between blocks and the numerics. Private: never installed, never wrapped.
+
+#include "Data/PlantReading.h"
+#include "Sway/SwayScene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkImageData;
+
+namespace littoral
+{
+
+/// The blocks of a forest, or of one plant, that follow a SwayScene.
+class SwayBlocks
+{
+public:
+  /// Why plants cannot be read, in words for a user; empty when they were. `prototypes` are those of a scattered
+  /// forest, or none. After an abort it is not whole.
+  std::string Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+    vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress);
+
+  /// False where an abort came before all was read.
+  bool IsWhole() const { return this->Whole; }
+
+  /// Moves the plants to a time [s]; `output` is a shallow copy of the plants. An abort leaves it unchanged.
+  void Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output, vtkAlgorithm* progress);
+
+  /// The first mode of the trunk [Hz] of each plant that sways, by row; 0 of those that stand still.
+  const std::vector<double>& GetFrequencies() const { return this->Scene->GetFrequencies(); }
+
+  /// Pictures of the crowns, all of a species one above the other, then the next species.
+  vtkImageData* GetPictures() const { return this->PictureImage; }
+
+private:
+  /// A block that follows joints.
+  struct Skin
+  {
+    const char* Level;
+    const char* Name;
+    vtkPolyData* Rest = nullptr;
+    std::vector<int> Joints; ///< where the block does not tell them
+    std::vector<float> Weights;
+  };
+
+  bool Whole = false;
+  PlantTable Table;
+  bool Scattered = false;
+  std::unique_ptr<SwayScene> Scene;
+  std::vector<Skin> Skins;
+  vtkSmartPointer<vtkImageData> PictureImage;
+  vtkSmartPointer<vtkPolyData> PictureFields; // the same as field data
+
+  int RowAt(vtkIntArray* plantIds, vtkIdType point) const;
+  std::string MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+    vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress);
+  std::string WhySpeciesUnknown(std::size_t prototypes) const;
+  std::string ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress);
+  std::string ReadHighSkins(
+    vtkMultiBlockDataSet* plants, const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas);
+  std::string AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds,
+    const std::vector<double>& leafAreas, vtkAlgorithm* progress);
+  std::string ReadMedium(vtkMultiBlockDataSet* plants);
+  std::string ReadMediumSkin(vtkPolyData* block, const char* name);
+  vtkSmartPointer<vtkMultiBlockDataSet> MovedLevel(
+    const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved) const;
+  vtkSmartPointer<vtkPolyData> MovedBones(vtkPolyData* bones) const;
+  vtkSmartPointer<vtkPolyData> MovedSkin(const Skin& skin) const;
+  void ShowPictures(vtkPolyData* crowns) const;
+};
+
+}
+
+#endif
