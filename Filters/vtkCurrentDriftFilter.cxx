@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCurrentDriftFilter.h"
 
+#include "Currents/DriftHistory.h"
 #include "Data/Arrays.h"
-#include "Data/DriftHistory.h"
+#include "Data/CurrentInputs.h"
 #include "Data/Followers.h"
 #include "Data/SeaStateTable.h"
+#include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 
@@ -24,14 +26,12 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCurrentDriftFilter);
@@ -71,10 +71,43 @@ std::vector<vtkPointSet*> LeavesOf(vtkDataObject* data)
   return leaves;
 }
 
+/// Adds the points of a leaf where they start. Why there are no such points, in words for a user; empty if there are.
+std::string AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::Drifters& points)
+{
+  littoral::Slaves slaves;
+  const std::string reason = littoral::ReadSlaves(leaf, slaves);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  for (vtkIdType id = 0; id < leaf->GetNumberOfPoints(); ++id)
+  {
+    Vector3 position;
+    leaf->GetPoint(id, &position[0]);
+    if (!littoral::IsFinite(position))
+    {
+      return "point " + std::to_string(id) + " is not finite.";
+    }
+    const bool isSlave = !slaves.Master.empty() && slaves.Master[id] >= 0;
+    const bool isCarried = !isSlave && layer.Holds(position.z);
+    points.Positions.push_back(position);
+    points.Fates.push_back(isCarried ? littoral::DriftFate::Free : littoral::DriftFate::Still);
+  }
+  return "";
+}
+
+/// Runs a task on all points, PointsAtOnce at a time, with progress from first to last. False when aborted.
+bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, double last, const littoral::RangeTask& task)
+{
+  const std::size_t batches = (count + PointsAtOnce - 1) / PointsAtOnce;
+  return littoral::RunWithProgress(algorithm, batches, first, last,
+    [&](std::size_t batch) { task(batch * PointsAtOnce, std::min(count, (batch + 1) * PointsAtOnce)); });
+}
+
 }
 
 /// What is kept between requests.
-class vtkCurrentDriftFilter::Internals : public littoral::DriftHistory
+class vtkCurrentDriftFilter::Internals : public littoral::MarchingRequests<littoral::DriftHistory>
 {
 };
 
@@ -145,30 +178,19 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
     key.push_back(static_cast<double>(littoral::PipelineTime(this, 1, static_cast<int>(connection))));
   }
   littoral::AddTimes(currents, key);
-  Internals& state = *this->State;
-  // A pipeline that changes whenever it is asked must not keep this one from ever coming to an end.
-  constexpr int MostRestarts = 2;
-  state.Restarts = state.IsLooping ? state.Restarts : 0;
-  if (key != state.Key && state.Restarts < MostRestarts)
+  littoral::DriftHistory& history = this->State->Scene;
+  if (this->State->BeginsAnew(key))
   {
-    const int restarts = state.Restarts + 1;
-    state.Forget();
-    state.Restarts = restarts;
-    state.Key = key;
-    state.Currents = currents;
-    state.Clock = { this->StartTime, this->TimeStep };
+    history = littoral::DriftHistory({ this->StartTime, this->TimeStep }, currents);
+    history.Currents.Layer = this->GetWaterLayer();
   }
   const double time = littoral::RequestedTime(output);
   if (!this->WhyInvalid(time).empty())
   {
     return 1; // said when data are asked for
   }
-  state.SetGoal(time);
-  for (littoral::CurrentSeries& current : state.Currents)
-  {
-    state.FindMissing(current, current.Asked);
-  }
-  littoral::AskForTimes(state.Currents, inputVector[1]);
+  history.SetGoal(time);
+  littoral::AskForSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[1]);
   return 1;
 }
 
@@ -208,182 +230,111 @@ std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector)
+littoral::WaterLayer vtkCurrentDriftFilter::GetWaterLayer() const
 {
-  Internals& state = *this->State;
-  state.Layer = {};
+  littoral::WaterLayer layer;
   if (this->KeepInWater)
   {
-    state.Layer.Surface = this->SeaLevel;
-    state.Layer.Bed = this->WaterDepth > 0.0 ? this->SeaLevel - this->WaterDepth : state.Layer.Bed;
+    layer.Surface = this->SeaLevel;
+    layer.Bed = this->WaterDepth > 0.0 ? this->SeaLevel - this->WaterDepth : layer.Bed;
   }
-  const std::string name = this->VelocityArray ? this->VelocityArray : "";
-  for (std::size_t connection = 0; connection < state.Currents.size(); ++connection)
-  {
-    littoral::CurrentSeries& current = state.Currents[connection];
-    double time = 0.0;
-    if (!state.FindMissing(current, time))
-    {
-      continue;
-    }
-    auto snapshot = std::make_shared<littoral::CurrentSnapshot>();
-    const std::string reason = snapshot->Take(vtkDataObject::GetData(inputVector[1], static_cast<int>(connection)),
-      name, state.Layer, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation));
-    if (!reason.empty())
-    {
-      return reason;
-    }
-    current.Keep(current.Asked, snapshot);
-  }
-  if (state.HasStart)
-  {
-    return "";
-  }
-  const std::vector<vtkPointSet*> leaves = LeavesOf(vtkDataObject::GetData(inputVector[0]));
+  return layer;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector)
+{
+  littoral::DriftHistory& history = this->State->Scene;
+  const std::string reason = littoral::TakeSnapshots(history.Currents, history.GetGrid(), history.NextMoments(),
+    inputVector[1], this->VelocityArray, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation));
+  return reason.empty() && !history.IsBegun() ? this->TakePoints(vtkDataObject::GetData(inputVector[0])) : reason;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
+{
+  const std::vector<vtkPointSet*> leaves = LeavesOf(input);
   double count = 0.0;
   for (vtkPointSet* leaf : leaves)
   {
     count += static_cast<double>(leaf->GetNumberOfPoints());
   }
-  if (count * (littoral::MostDriftCheckpoints + 4.0) * (sizeof(Vector3) + 1.0) > littoral::AvailableMemory())
+  const double bytesOfPoint = (littoral::DriftHistory::MaximumCheckpoints + 4.0) * (sizeof(Vector3) + 1.0);
+  if (count * bytesOfPoint > littoral::AvailableMemory())
   {
     return std::to_string(static_cast<long long>(count)) + " points are more than this machine has memory for.";
   }
+  littoral::Drifters start;
   for (vtkPointSet* leaf : leaves)
   {
-    littoral::Slaves slaves;
-    const std::string reason = littoral::ReadSlaves(leaf, slaves);
+    const std::string reason = AddPoints(leaf, this->State->Scene.Currents.Layer, start);
     if (!reason.empty())
     {
       return reason;
     }
-    for (vtkIdType id = 0; id < leaf->GetNumberOfPoints(); ++id)
-    {
-      Vector3 place;
-      leaf->GetPoint(id, &place[0]);
-      const bool isSlave = !slaves.Master.empty() && slaves.Master[id] >= 0;
-      const bool isInWater = place.z >= state.Layer.Bed && place.z <= state.Layer.Surface;
-      if (!littoral::IsFinite(place))
-      {
-        return "point " + std::to_string(id) + " is not finite.";
-      }
-      state.Start.Places.push_back(place);
-      state.Start.Fates.push_back(isSlave || !isInWater ? littoral::Still : littoral::Free);
-    }
   }
-  state.HasStart = true;
-  state.Now = state.Start;
-  state.NowStep = 0;
+  this->State->Scene.Begin(std::move(start));
   return "";
 }
 
 //----------------------------------------------------------------------------
 bool vtkCurrentDriftFilter::Advance()
 {
-  Internals& state = *this->State;
-  const std::size_t count = state.Now.Size();
-  while (state.NowStep < state.Step && !state.AnyMissing())
-  {
-    // Constant currents: up to the next checkpoint at once.
-    const long long next = (state.NowStep / state.Stride + 1) * state.Stride;
-    const long long last = state.IsConstant() ? std::min(state.Step, next) : state.NowStep + 1;
-    const double length = state.Clock.Step;
-    const littoral::StepCurrents currents = state.CurrentsOf(state.NowStep, length);
-    const std::size_t batches = (count + PointsAtOnce - 1) / PointsAtOnce;
-    const double first = static_cast<double>(state.NowStep) / static_cast<double>(state.Step + 1);
-    const double end = static_cast<double>(last) / static_cast<double>(state.Step + 1);
-    const bool done = littoral::RunWithProgress(this, batches, first, end, [&](std::size_t batch) {
-      for (std::size_t id = batch * PointsAtOnce; id < std::min(count, (batch + 1) * PointsAtOnce); ++id)
-      {
-        for (long long step = state.NowStep; step < last; ++step)
-        {
-          state.Carry(currents, length, state.Now.Places[id], state.Now.Fates[id]);
-        }
-      }
-    });
-    if (!done)
+  littoral::DriftHistory& history = this->State->Scene;
+  return this->State->March(this, 0.98, [&](const auto& progress) {
+    const long long first = history.GetStep();
+    const long long last = history.NextStop();
+    const littoral::StepCurrents currents = history.NextCurrents();
+    const auto carry = [&](std::size_t begin, std::size_t end) { history.Carry(currents, last, begin, end); };
+    const bool isDone = RunOnPoints(this, history.Size(), progress(first), progress(last), carry);
+    if (isDone)
     {
-      return false;
+      history.Reach(last);
     }
-    state.NowStep = last;
-    state.KeepCheckpoint();
-  }
-  return true;
+    return isDone;
+  });
 }
 
 //----------------------------------------------------------------------------
 int vtkCurrentDriftFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  Internals& state = *this->State;
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  const double time = littoral::RequestedTime(info);
-  const auto stop = [&](bool good) {
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-    state.IsLooping = false;
-    if (!good)
-    {
-      state.Forget();
-      state.Key.clear();
-      output->Initialize();
-    }
-    return good ? 1 : 0;
-  };
+  const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   std::string reason = this->WhyInvalid(time);
   if (reason.empty() && inputVector[1]->GetNumberOfInformationObjects() == 0)
   {
     output->ShallowCopy(input);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    return stop(true);
+    return this->State->Succeed(request);
   }
-  if (reason.empty())
+  reason = reason.empty() ? this->TakeInputs(inputVector) : reason;
+  const littoral::DriftHistory& history = this->State->Scene;
+  if (reason.empty() && !history.IsClosed())
   {
-    state.SetGoal(time);
-    reason = this->TakeInputs(inputVector);
-  }
-  if (reason.empty())
-  {
-    const bool isUniform = std::all_of(state.Currents.begin(), state.Currents.end(),
-      [](const littoral::CurrentSeries& current) { return current.IsUniform(); });
-    state.IsClosed = isUniform; // and level wherever there is a wall
-    if (state.IsClosed && state.NowStep > 0)
-    {
-      state.NowStep = 0;
-      state.Now = state.Start;
-    }
-    if (!state.IsClosed && (time - this->StartTime) / this->TimeStep > littoral::MostDriftSteps)
-    {
-      reason = "time " + std::to_string(time) + " is more than 10 million times TimeStep after StartTime.";
-    }
+    reason = littoral::WhyTooFar(history.GetGrid(), time);
   }
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot carry points: " << reason);
-    return stop(false);
+    return this->State->Fail(request, output);
   }
   this->SetProgressText("Drifting");
-  if (!state.IsClosed && !this->Advance())
+  const bool isDone = this->Advance();
+  if (isDone && this->State->Continues(request))
   {
-    stop(false); // aborted: what was carried halfway is of no use
     return 1;
   }
-  if (!state.IsClosed && (state.NowStep < state.Step || state.AnyMissing()))
+  if (!isDone || !this->WriteAll(input, output))
   {
-    request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
-    state.IsLooping = true;
-    return 1;
-  }
-  if (!this->WriteAll(input, output))
-  {
-    stop(false);
+    this->State->Fail(request, output); // aborted: what was carried halfway is of no use
     return 1;
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
-  return stop(true);
+  return this->State->Succeed(request);
 }
 
 //----------------------------------------------------------------------------
@@ -431,39 +382,41 @@ template <typename Array>
 bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output, std::size_t first)
 {
   using Real = typename Array::ValueType;
-  const Internals& state = *this->State;
+  const littoral::DriftHistory& history = this->State->Scene;
   const vtkIdType count = input->GetNumberOfPoints();
   const auto places = littoral::NewArray<Array>("Points", 3, count);
   const auto captured = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::Captured, 1, count);
   const auto flow = littoral::NewArray<vtkFloatArray>(littoral::sea::Current, 3, this->GenerateCurrent ? count : 0);
   littoral::Slaves slaves;
   littoral::ReadSlaves(input, slaves);
-  const littoral::StepCurrents currents = state.CurrentsOf(state.NowStep, state.IsClosed ? 0.0 : state.Rest);
-  const std::size_t batches = (static_cast<std::size_t>(count) + PointsAtOnce - 1) / PointsAtOnce;
-  const bool done = littoral::RunWithProgress(this, batches, 0.98, 1.0, [&](std::size_t batch) {
-    const vtkIdType begin = static_cast<vtkIdType>(batch * PointsAtOnce);
-    for (vtkIdType id = begin; id < std::min<vtkIdType>(count, begin + PointsAtOnce); ++id)
+  const littoral::StepCurrents currents = history.NextCurrents();
+  const auto write = [&](vtkIdType id) {
+    const vtkIdType master = slaves.Master.empty() ? -1 : slaves.Master[id];
+    Vector3 place;
+    littoral::DriftFate fate = littoral::DriftFate::Free;
+    history.At(currents, first + static_cast<std::size_t>(master >= 0 ? master : id), place, fate);
+    if (master >= 0)
     {
-      const vtkIdType master = slaves.Master.empty() ? -1 : slaves.Master[id];
-      Vector3 place;
-      unsigned char fate = littoral::Free;
-      state.Finish(currents, first + static_cast<std::size_t>(master >= 0 ? master : id), place, fate);
-      if (master >= 0)
-      {
-        Vector3 offset;
-        slaves.Offset->GetTuple(id, &offset[0]);
-        place += offset;
-      }
-      const Real tuple[3] = { static_cast<Real>(place.x), static_cast<Real>(place.y), static_cast<Real>(place.z) };
-      places->SetTypedTuple(id, tuple);
-      captured->SetValue(id, fate == littoral::Captured ? 1 : 0);
-      if (this->GenerateCurrent)
-      {
-        const Vector3 velocity = currents.Velocity(place, 2);
-        flow->SetTuple3(id, velocity.x, velocity.y, velocity.z);
-      }
+      Vector3 offset;
+      slaves.Offset->GetTuple(id, &offset[0]);
+      place += offset;
     }
-  });
+    const Real tuple[3] = { static_cast<Real>(place.x), static_cast<Real>(place.y), static_cast<Real>(place.z) };
+    places->SetTypedTuple(id, tuple);
+    captured->SetValue(id, fate == littoral::DriftFate::Captured ? 1 : 0);
+    if (this->GenerateCurrent)
+    {
+      const Vector3 velocity = currents.Velocity(place, 2);
+      flow->SetTuple3(id, velocity.x, velocity.y, velocity.z);
+    }
+  };
+  const bool done =
+    RunOnPoints(this, static_cast<std::size_t>(count), 0.98, 1.0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t id = begin; id < end; ++id)
+      {
+        write(static_cast<vtkIdType>(id));
+      }
+    });
   if (!done)
   {
     return false;

@@ -46,6 +46,10 @@
 #include <string> // for std::string
 
 class vtkPointSet;
+namespace littoral
+{
+struct WaterLayer;
+}
 
 class LITTORALFILTERS_EXPORT vtkCurrentDriftFilter : public vtkPassInputTypeAlgorithm
 {
@@ -167,7 +171,9 @@ private:
 
   class Internals;
   std::string WhyInvalid(double time) const;
+  littoral::WaterLayer GetWaterLayer() const;
   std::string TakeInputs(vtkInformationVector** inputVector);
+  std::string TakePoints(vtkDataObject* input);
   bool Advance();
   bool WriteLeaf(vtkPointSet* input, vtkPointSet* output, std::size_t first);
   template <typename Array>

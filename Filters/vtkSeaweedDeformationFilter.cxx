@@ -3,11 +3,14 @@
 #include "vtkSeaweedDeformationFilter.h"
 
 #include "Data/Blocks.h"
+#include "Data/CurrentInputs.h"
 #include "Data/SeaStateTable.h"
-#include "Data/SeaweedForest.h"
+#include "Data/SeaweedSceneBlocks.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterRange.h"
+#include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Pipeline.h"
+#include "Seaweed/SeaweedScene.h"
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"
@@ -39,66 +42,13 @@ void AddCounter(vtkDataObject* data, const char* name, std::int64_t value)
 
 }
 
-/// Plants, their state, and the currents, with the clock of the state.
-class vtkSeaweedDeformationFilter::Internals
+/// The scene, and what it was read from.
+class vtkSeaweedDeformationFilter::Internals : public littoral::MarchingRequests<littoral::SeaweedScene>
 {
 public:
-  std::vector<double> Key; // what all of this depends on
   vtkSmartPointer<vtkDataObject> Plants;
   vtkMTimeType PlantsTime = 0;
-  littoral::SeaweedForest Forest;
-  bool IsRead = false;
-  littoral::DriftHistory Clock; // of currents; carries no points
-  bool IsPhysical = true;
-  bool IsLooping = false;
-  int Restarts = 0;
-
-  /// The moment at which loads of a step, or of a picture, are those.
-  littoral::DriftMoment Moment(long long step, double length) const
-  {
-    const double half = this->IsPhysical ? 0.5 : 1.0;
-    return { step, length == this->Clock.Clock.Step ? half : half * length / this->Clock.Clock.Step };
-  }
-  bool FindMissing(const littoral::CurrentSeries& current, double& time) const
-  {
-    const bool advances = this->IsPhysical && this->Clock.NowStep < this->Clock.Step;
-    const double length = advances || this->WantsFullStep ? this->Clock.Clock.Step : this->Clock.Rest;
-    if (current.FindMissing(this->Clock.Clock, this->Moment(this->Clock.NowStep, length), time))
-    {
-      return true;
-    }
-    return !advances &&
-      current.FindMissing(this->Clock.Clock, this->Moment(this->Clock.NowStep, this->Clock.Rest), time);
-  }
-  bool AnyMissing() const
-  {
-    double time = 0.0;
-    return std::any_of(this->Clock.Currents.begin(), this->Clock.Currents.end(),
-      [&](const littoral::CurrentSeries& current) { return this->FindMissing(current, time); });
-  }
-  /// Currents at the moment of the loads, as stage 1.
-  littoral::StepCurrents CurrentsOf(double length) const
-  {
-    littoral::StepCurrents currents;
-    std::vector<littoral::FlowPrimitive> steady;
-    for (const littoral::CurrentSeries& current : this->Clock.Currents)
-    {
-      const littoral::CurrentMixture mixture = current.At(this->Clock.Clock, this->Moment(this->Clock.NowStep, length));
-      if (!current.IsConstant())
-      {
-        currents.Changing[1].push_back(mixture);
-        continue;
-      }
-      steady.insert(steady.end(), mixture.First->GetPrimitives().begin(), mixture.First->GetPrimitives().end());
-      if (mixture.First->HasGrids())
-      {
-        currents.SteadyGrids.push_back(mixture.First);
-      }
-    }
-    currents.Steady = littoral::FlowField(steady);
-    return currents;
-  }
-  bool WantsFullStep = false;
+  std::vector<littoral::SeaweedSkinBlock> Skins;
 };
 
 //----------------------------------------------------------------------------
@@ -198,7 +148,6 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* output = outputVector->GetInformationObject(0);
-  Internals& state = *this->State;
   std::vector<double> key = this->StateKey(inputVector, output);
   if (vtkInformation* sea = inputVector[SeaPort]->GetInformationObject(0))
   {
@@ -206,41 +155,19 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   }
   const std::vector<littoral::CurrentSeries> currents = littoral::AnnouncedCurrents(inputVector[CurrentsPort]);
   littoral::AddTimes(currents, key);
-  // A pipeline that changes whenever it is asked must not keep this one from ever coming to an end.
-  constexpr int MostRestarts = 2;
-  state.Restarts = state.IsLooping ? state.Restarts : 0;
-  if (key != state.Key && state.Restarts < MostRestarts)
+  littoral::SeaweedScene& scene = this->State->Scene;
+  if (this->State->BeginsAnew(key))
   {
-    const int restarts = state.Restarts + 1;
-    state = Internals();
-    state.Restarts = restarts;
-    state.Key = key;
-    state.Clock.Currents = currents;
-    state.Clock.Clock = { this->StartTime, this->TimeStep };
-    state.IsPhysical = this->Method == 1;
+    scene = littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == 1, littoral::SmpFor);
   }
   const double time = littoral::RequestedTime(output);
   if (!this->WhyInvalid(time).empty())
   {
     return 1; // said when data are asked for
   }
-  state.WantsFullStep = this->GenerateMotion && state.IsPhysical;
-  state.Clock.SetGoal(time);
-  state.Clock.NowStep = state.Clock.Step;
-  if (state.IsPhysical && state.IsRead)
-  {
-    state.Forest.Resume(state.Clock.Step);
-    state.Clock.NowStep = state.Forest.GetStep();
-  }
-  else if (state.IsPhysical)
-  {
-    state.Clock.NowStep = 0;
-  }
-  for (littoral::CurrentSeries& current : state.Clock.Currents)
-  {
-    state.FindMissing(current, current.Asked);
-  }
-  littoral::AskForTimes(state.Clock.Currents, inputVector[CurrentsPort]);
+  scene.NeedsMotion = this->GenerateMotion;
+  scene.SetGoal(time);
+  littoral::AskForSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(), inputVector[CurrentsPort]);
   return 1;
 }
 
@@ -269,11 +196,7 @@ std::string vtkSeaweedDeformationFilter::WhyInvalid(double time) const
   {
     return "the requested time is " + std::to_string(time) + " s; it must be from -1e9 to 1e9.";
   }
-  if (this->Method == 1 && (time - this->StartTime) / this->TimeStep > littoral::MostDriftSteps)
-  {
-    return "time " + std::to_string(time) + " is more than 10 million times TimeStep after StartTime.";
-  }
-  return {};
+  return this->Method == 1 ? littoral::WhyTooFar({ this->StartTime, this->TimeStep }, time) : std::string();
 }
 
 //----------------------------------------------------------------------------
@@ -297,77 +220,65 @@ littoral::SeaweedOptions vtkSeaweedDeformationFilter::MakeOptions() const
 //----------------------------------------------------------------------------
 std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector, vtkMultiBlockDataSet* blocks)
 {
-  Internals& state = *this->State;
-  const std::string name = this->VelocityArray ? this->VelocityArray : "";
-  for (std::size_t connection = 0; connection < state.Clock.Currents.size(); ++connection)
-  {
-    littoral::CurrentSeries& current = state.Clock.Currents[connection];
-    double time = 0.0;
-    if (!state.FindMissing(current, time))
-    {
-      continue;
-    }
-    auto snapshot = std::make_shared<littoral::CurrentSnapshot>();
-    const std::string reason =
-      snapshot->Take(vtkDataObject::GetData(inputVector[CurrentsPort], static_cast<int>(connection)), name);
-    if (!reason.empty())
-    {
-      return reason;
-    }
-    current.Keep(current.Asked, snapshot);
-  }
+  littoral::SeaweedScene& scene = this->State->Scene;
+  const std::string reason = littoral::TakeSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(),
+    inputVector[CurrentsPort], this->VelocityArray, littoral::VelocityInterpolation::Linear);
   vtkDataObject* plants = vtkDataObject::GetData(inputVector[PlantsPort]);
   const vtkMTimeType plantsTime = std::max(plants->GetMTime(), plants->GetUpdateTime());
-  if (state.IsRead && state.Plants == plants && state.PlantsTime == plantsTime)
+  const bool areRead = scene.HasPlants() && this->State->Plants == plants && this->State->PlantsTime == plantsTime;
+  if (!reason.empty() || areRead)
   {
-    return {};
+    return reason;
   }
+  this->State->Plants = plants;
+  this->State->PlantsTime = plantsTime;
+  return this->TakePlants(inputVector[SeaPort], blocks);
+}
+
+//----------------------------------------------------------------------------
+std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks)
+{
+  littoral::SeaweedScene& scene = this->State->Scene;
   this->SetProgressText("Reading plants");
   littoral::SeaState sea;
-  if (inputVector[SeaPort]->GetNumberOfInformationObjects() > 0)
+  std::string reason;
+  if (seas->GetNumberOfInformationObjects() > 0)
   {
-    const std::string reason = littoral::ReadSeaState(vtkTable::GetData(inputVector[SeaPort]), sea);
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    reason = littoral::ReadSeaState(vtkTable::GetData(seas), sea);
   }
-  else if (state.Clock.Currents.empty())
+  else if (scene.Currents.Series.empty())
   {
-    return "there is no sea state and no current; connect one of them.";
+    reason = "there is no sea state and no current; connect one of them.";
   }
-  littoral::SeaweedOptions options = this->MakeOptions();
-  options.SeaLevel = sea.SeaLevel;
-  state.Forest = littoral::SeaweedForest();
-  const std::string reason = state.Forest.Read(blocks, options);
   if (!reason.empty())
   {
     return reason;
   }
-  state.Forest.SetSea(sea, state.IsPhysical);
-  state.Plants = plants;
-  state.PlantsTime = plantsTime;
-  state.IsRead = true;
-  state.Clock.NowStep = state.IsPhysical ? 0 : state.Clock.Step;
-  this->WarnOfLimits();
-  return {};
+  littoral::SeaweedOptions options = this->MakeOptions();
+  options.SeaLevel = sea.SeaLevel;
+  reason = littoral::ReadSeaweeds(blocks, options, sea, scene, this->State->Skins);
+  if (reason.empty())
+  {
+    this->WarnOfLimits();
+  }
+  return reason;
 }
 
 //----------------------------------------------------------------------------
 void vtkSeaweedDeformationFilter::WarnOfLimits()
 {
-  const double cauchy = this->State->Forest.GetUngradedCauchyNumber();
+  const double cauchy = this->State->Scene.GetUngradedCauchyNumber();
   if (this->Method == 1 && this->Load == 0 && cauchy < 1e4)
   {
     vtkWarningMacro("Segments of blades do not get shorter towards their foot: drag is right up to a Cauchy number of "
       << cauchy << " (density of the water, coefficient of drag, width, speed squared and length cubed, over twice the "
       << "bending stiffness). Beyond, limp blades bend too much. vtkSeaweedSource grows graded ones.");
   }
-  if (this->Method != 1 || this->Integrator != 1 || this->State->Forest.GetNumberOfLinks() == 0)
+  if (this->Method != 1 || this->Integrator != 1 || this->State->Scene.GetNumberOfLinks() == 0)
   {
     return;
   }
-  const double limit = littoral::ExplicitLimit(this->State->Forest.GetLinks());
+  const double limit = littoral::ExplicitLimit(this->State->Scene.GetLinks());
   if (this->TimeStep > limit)
   {
     vtkWarningMacro("TimeStep is " << this->TimeStep << " s; with Integrator Explicit Euler these plants blow up above "
@@ -376,98 +287,89 @@ void vtkSeaweedDeformationFilter::WarnOfLimits()
 }
 
 //----------------------------------------------------------------------------
-/// As far as the currents are known. False when aborted.
-bool vtkSeaweedDeformationFilter::Advance()
+bool vtkSeaweedDeformationFilter::FindLevels(littoral::SeaweedLevels& levels)
 {
-  Internals& state = *this->State;
-  const double step = state.Clock.Clock.Step;
-  const long long first = state.Clock.NowStep;
-  while (state.Clock.NowStep < state.Clock.Step && !state.AnyMissing())
-  {
-    if (littoral::IsAborted(this))
-    {
-      return false;
-    }
-    this->UpdateProgress(
-      0.9 * static_cast<double>(state.Clock.NowStep - first) / static_cast<double>(state.Clock.Step - first + 1));
-    state.Forest.Advance(state.Clock.Clock.TimeOf(state.Clock.NowStep), step, state.CurrentsOf(step));
-    ++state.Clock.NowStep;
-  }
-  return true;
+  levels.UseLevels = this->UseLevels;
+  levels.NearDistance = this->NearDistance;
+  levels.FarDistance = this->FarDistance;
+  levels.BlendDistance = this->BlendDistance + this->ViewSpeed * this->BlendTime;
+  levels.PixelError = this->PixelError;
+  return !this->UseLevels || this->GetView(levels.Seen);
 }
 
 //----------------------------------------------------------------------------
 int vtkSeaweedDeformationFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  Internals& state = *this->State;
   std::string reason;
   const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  const auto stop = [&](bool good) {
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-    state.IsLooping = false;
-    if (!good)
-    {
-      state = Internals();
-      output->Initialize();
-    }
-    return good ? 1 : 0;
-  };
   littoral::SeaweedLevels levels;
-  levels.UseLevels = this->UseLevels;
-  if (this->UseLevels && !this->GetView(levels.Seen))
+  if (!this->FindLevels(levels))
   {
-    return stop(false);
+    return this->Fail(request, output);
   }
   reason = reason.empty() ? this->WhyInvalid(time) : reason;
   reason = reason.empty() ? this->TakeInputs(inputVector, plants) : reason;
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot move seaweeds: " << reason);
-    return stop(false);
+    return this->Fail(request, output);
   }
   output->ShallowCopy(plants);
-  if (state.Forest.GetNumberOfLinks() == 0)
+  littoral::SeaweedScene& scene = this->State->Scene;
+  if (scene.GetNumberOfLinks() == 0)
   {
-    return stop(true);
+    return this->State->Succeed(request);
   }
   this->SetProgressText("Moving plants");
-  if (state.IsPhysical && !this->Advance())
+  const auto advance = [&scene](const auto&) {
+    scene.Advance();
+    return true;
+  };
+  if (!this->State->March(this, 0.9, advance))
   {
-    stop(false); // aborted: what was moved halfway is of no use
+    this->Fail(request, output); // aborted: what was moved halfway is of no use
     return 1;
   }
-  if (state.Clock.NowStep < state.Clock.Step || state.AnyMissing())
+  if (this->State->Continues(request))
   {
-    request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
-    state.IsLooping = true;
     return 1;
   }
-  levels.NearDistance = this->NearDistance;
-  levels.FarDistance = this->FarDistance;
-  levels.BlendDistance = this->BlendDistance + this->ViewSpeed * this->BlendTime;
-  levels.PixelError = this->PixelError;
-  const double rest = state.Clock.Rest;
-  const littoral::SeaweedCounters counters = state.Forest.Show(time, rest, state.CurrentsOf(rest), levels);
+  this->Write(levels, plants, output);
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  this->UpdateProgress(1.0);
+  return this->State->Succeed(request);
+}
+
+//----------------------------------------------------------------------------
+void vtkSeaweedDeformationFilter::Write(
+  const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output)
+{
+  littoral::SeaweedScene& scene = this->State->Scene;
+  const littoral::SeaweedCounters counters = scene.Show(levels);
   if (this->GenerateMotion)
   {
-    const double length = state.IsPhysical ? this->TimeStep : rest;
-    state.Forest.FindMotion(time, rest, this->TimeStep, state.CurrentsOf(length));
+    scene.FindMotion();
   }
-  state.Forest.Write(plants, output);
+  littoral::WriteSeaweeds(scene, this->State->Skins, plants, output);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(plants->GetFieldData());
   output->SetFieldData(fields);
-  AddCounter(output, "PlantsInAll", static_cast<std::int64_t>(state.Forest.GetNumberOfPlants()));
-  AddCounter(output, "PlantsShown", counters.Shown);
-  AddCounter(output, "SegmentsInAll", static_cast<std::int64_t>(state.Forest.GetNumberOfLinks()));
+  AddCounter(output, "PlantsInAll", static_cast<std::int64_t>(scene.GetStand().GetPlants().size()));
+  AddCounter(output, "PlantsShown", counters.Plants);
+  AddCounter(output, "SegmentsInAll", static_cast<std::int64_t>(scene.GetNumberOfLinks()));
   AddCounter(output, "SegmentsMoved", counters.Segments);
   AddCounter(output, "TrainEvaluations", counters.TrainEvaluations);
-  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-  this->UpdateProgress(1.0);
-  return stop(true);
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* output)
+{
+  this->State->Plants = nullptr;
+  this->State->Skins.clear();
+  return this->State->Internals::MarchingRequests::Fail(request, output);
 }
 
 //----------------------------------------------------------------------------

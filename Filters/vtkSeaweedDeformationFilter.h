@@ -49,6 +49,7 @@
 
 namespace littoral
 {
+struct SeaweedLevels;
 struct SeaweedOptions;
 }
 
@@ -306,8 +307,11 @@ private:
   littoral::SeaweedOptions MakeOptions() const;
   std::vector<double> StateKey(vtkInformationVector** inputs, vtkInformation* output);
   std::string TakeInputs(vtkInformationVector** inputs, vtkMultiBlockDataSet* blocks);
-  bool Advance();
+  std::string TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks);
   void WarnOfLimits();
+  bool FindLevels(littoral::SeaweedLevels& levels);
+  void Write(const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output);
+  int Fail(vtkInformation* request, vtkDataObject* output);
 
   std::unique_ptr<Internals> State;
 };

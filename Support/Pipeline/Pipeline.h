@@ -28,13 +28,6 @@ inline void SmpFor(std::size_t count, const RangeTask& task)
     [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
-/// The same in ranges of some length. What is no longer than one is done at once: threads cost some 0.1 ms to call.
-inline void SmpForRanges(std::size_t count, std::size_t length, const RangeTask& task)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(length),
-    [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
-}
-
 /// Whether the user asked to stop.
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Data/CurrentSnapshot.h"
+#include "Data/CurrentData.h"
 
-#include "Currents/VelocitySpline.h"
+#include "Currents/SplineVelocity.h"
 #include "Data/FlowPrimitiveData.h"
 #include "Pipeline/Pipeline.h"
 
@@ -139,21 +139,6 @@ bool IsLevel(const Velocities& values, const std::array<int, 3>& samples, const 
   }
   return true;
 }
-
-/// Samples along three axes.
-class SampledVelocity : public VelocityGrid
-{
-public:
-  /// Where the samples of an axis are.
-  virtual std::vector<double> Nodes(int axis) const = 0;
-
-  /// A place along the axes.
-  virtual Vector3 PositionOf(const Vector3& place) const = 0;
-
-  virtual Vector3 Sample(std::size_t id) const = 0;
-
-  virtual bool IsSingle() const = 0;
-};
 
 class ImageVelocity : public SampledVelocity
 {
@@ -321,62 +306,6 @@ private:
   std::vector<double> Coordinates[3];
 };
 
-/// The same samples in splines.
-class SplineVelocity : public VelocityGrid
-{
-public:
-  explicit SplineVelocity(std::shared_ptr<const SampledVelocity> samples)
-    : Samples(std::move(samples))
-    , Spline(
-        { SplineAxis(this->Samples->Nodes(0)), SplineAxis(this->Samples->Nodes(1)),
-          SplineAxis(this->Samples->Nodes(2)) },
-        [this](std::size_t id) { return this->Samples->Sample(id); }, this->Samples->IsSingle(), SmpFor)
-    , IsLevelAnywhere(AreLevel(*this->Samples))
-  {
-  }
-
-  static bool CanBe(const SampledVelocity& samples)
-  {
-    return SplineAxis::IsMonotone(samples.Nodes(0)) && SplineAxis::IsMonotone(samples.Nodes(1)) &&
-      SplineAxis::IsMonotone(samples.Nodes(2));
-  }
-
-  GridHeights Heights() const override { return this->Samples->Heights(); }
-
-  bool IsLevelAt(double height) const override
-  {
-    // Between two level layers of samples splines need not be level, unless all layers are.
-    if (this->IsLevelAnywhere)
-    {
-      return true;
-    }
-    const double position = this->Samples->PositionOf({ 0.0, 0.0, height }).z;
-    const std::vector<double> nodes = this->Samples->Nodes(2);
-    const bool isNode = nodes.size() == 1 || std::any_of(nodes.begin(), nodes.end(), [position](double node) {
-      return std::abs(position - node) <= 1e-9 * (1.0 + std::abs(node));
-    });
-    return isNode && this->Samples->IsLevelAt(height);
-  }
-
-  Vector3 Velocity(const Vector3& place) const override { return this->Spline.At(this->Samples->PositionOf(place)); }
-
-private:
-  static bool AreLevel(const SampledVelocity& samples)
-  {
-    const std::size_t count = samples.Nodes(0).size() * samples.Nodes(1).size() * samples.Nodes(2).size();
-    std::size_t id = 0;
-    while (id < count && samples.Sample(id).z == 0.0)
-    {
-      ++id;
-    }
-    return id == count;
-  }
-
-  std::shared_ptr<const SampledVelocity> Samples;
-  VelocitySpline Spline;
-  bool IsLevelAnywhere; ///< as in data of horizontal velocities alone
-};
-
 /// Any cells: the one around a place is found, and its own interpolation taken.
 class CellVelocity : public VelocityGrid
 {
@@ -459,81 +388,6 @@ private:
   mutable vtkSMPThreadLocal<Tools> Scratch;
 };
 
-/// A grid between walls: see CurrentSnapshot.
-class WalledVelocity : public VelocityGrid
-{
-public:
-  WalledVelocity(std::shared_ptr<const VelocityGrid> grid, const WaterLayer& layer)
-    : Grid(std::move(grid))
-    , Layer(layer)
-    , Range(this->Grid->Heights())
-  {
-    this->ReachesBed = layer.HasBed() && this->Range.Low - layer.Bed <= this->Range.LowStep;
-    this->ReachesSurface = layer.HasSurface() && layer.Surface - this->Range.High <= this->Range.HighStep;
-    const auto crosses = [&](double wall) {
-      return wall >= this->Range.Low && wall <= this->Range.High && !this->Grid->IsLevelAt(wall);
-    };
-    this->CrossesBed = layer.HasBed() && crosses(layer.Bed);
-    this->CrossesSurface = layer.HasSurface() && crosses(layer.Surface);
-  }
-
-  GridHeights Heights() const override { return this->Range; }
-
-  bool IsLevelAt(double height) const override { return this->Grid->IsLevelAt(height); }
-
-  Vector3 Velocity(const Vector3& place) const override
-  {
-    Vector3 at = place;
-    double left = 1.0; // of the vertical velocity between the end of the grid and a wall
-    if (this->ReachesSurface && place.z > this->Range.High)
-    {
-      at.z = this->Range.High;
-      left = std::max(0.0, (this->Layer.Surface - place.z) / (this->Layer.Surface - this->Range.High));
-    }
-    else if (this->ReachesBed && place.z < this->Range.Low)
-    {
-      at.z = this->Range.Low;
-      left = std::max(0.0, (place.z - this->Layer.Bed) / (this->Range.Low - this->Layer.Bed));
-    }
-    Vector3 flow = this->Grid->Velocity(at);
-    flow.z = left * flow.z - this->ThroughWalls(place);
-    return flow;
-  }
-
-private:
-  /// What the vertical velocities at the walls make of that at a place.
-  double ThroughWalls(const Vector3& place) const
-  {
-    if (!this->CrossesBed && !this->CrossesSurface)
-    {
-      return 0.0;
-    }
-    if ((place.z < this->Range.Low && !this->ReachesBed) || (place.z > this->Range.High && !this->ReachesSurface))
-    {
-      return 0.0; // the grid has no flow there
-    }
-    const auto at = [&](bool crosses, double wall) {
-      return crosses ? this->Grid->Velocity({ place.x, place.y, wall }).z : 0.0;
-    };
-    const double bed = at(this->CrossesBed, this->Layer.Bed);
-    const double surface = at(this->CrossesSurface, this->Layer.Surface);
-    if (!this->ReachesBed || !this->ReachesSurface)
-    {
-      return bed + surface; // of which one is 0
-    }
-    const double part = std::clamp((place.z - this->Layer.Bed) / this->Layer.Depth(), 0.0, 1.0);
-    return (1.0 - part) * bed + part * surface;
-  }
-
-  std::shared_ptr<const VelocityGrid> Grid;
-  WaterLayer Layer;
-  GridHeights Range;
-  bool ReachesBed;
-  bool ReachesSurface;
-  bool CrossesBed;
-  bool CrossesSurface;
-};
-
 /// Whether velocities can be interpolated: some cell is more than points and lines.
 bool HasCells(vtkDataSet* data)
 {
@@ -599,8 +453,8 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInter
 {
   const auto add = [&](const std::shared_ptr<const SampledVelocity>& samples) {
     const bool isSpline = interpolation == VelocityInterpolation::CubicSpline && SplineVelocity::CanBe(*samples);
-    grids.push_back(
-      isSpline ? std::make_shared<SplineVelocity>(samples) : std::static_pointer_cast<const VelocityGrid>(samples));
+    grids.push_back(isSpline ? std::make_shared<SplineVelocity>(samples, SmpFor)
+                             : std::static_pointer_cast<const VelocityGrid>(samples));
   };
   if (data->GetNumberOfPoints() == 0)
   {
@@ -637,9 +491,11 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInter
 
 }
 
-std::string CurrentSnapshot::Take(
-  vtkDataObject* data, const std::string& array, const WaterLayer& layer, VelocityInterpolation interpolation)
+std::string ReadCurrent(vtkDataObject* data, const std::string& array, const WaterLayer& layer,
+  VelocityInterpolation interpolation, CurrentSnapshot& current)
 {
+  std::vector<FlowPrimitive> primitives;
+  std::vector<std::shared_ptr<const VelocityGrid>> grids;
   std::string reason;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
@@ -648,22 +504,15 @@ std::string CurrentSnapshot::Take(
     {
       if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
       {
-        reason = TakeDataSet(leaf, array, interpolation, this->Primitives, this->Grids);
+        reason = TakeDataSet(leaf, array, interpolation, primitives, grids);
       }
     }
   }
   else if (auto* single = vtkDataSet::SafeDownCast(data))
   {
-    reason = TakeDataSet(single, array, interpolation, this->Primitives, this->Grids);
+    reason = TakeDataSet(single, array, interpolation, primitives, grids);
   }
-  this->Flow = FlowField(this->Primitives, layer);
-  for (std::shared_ptr<const VelocityGrid>& grid : this->Grids)
-  {
-    if (layer.HasWalls())
-    {
-      grid = std::make_shared<WalledVelocity>(grid, layer);
-    }
-  }
+  current = CurrentSnapshot(std::move(primitives), std::move(grids), layer);
   return reason;
 }
 

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Seaweed/SeaweedLevels.h"
+
+#include "Sea/WaveOrbits.h"
+
+#include <algorithm>
+
+namespace littoral
+{
+
+namespace
+{
+
+double SmoothStep(double x)
+{
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// 1 up to a distance, 0 beyond the band that follows.
+double ShareOf(double distance, double end, double band)
+{
+  return band > 0.0 ? 1.0 - SmoothStep((distance - end) / band) : (distance <= end ? 1.0 : 0.0);
+}
+
+}
+
+SeaweedLevelShares LevelSharesAt(const SeaweedLevels& levels, double distance, double reach)
+{
+  // What reaches far sweeps over more pixels.
+  const double band = levels.BlendDistance > 0.0 ? std::max(levels.BlendDistance, reach) : 0.0;
+  return { ShareOf(distance, levels.NearDistance, band), ShareOf(distance, levels.FarDistance, band) };
+}
+
+// Let r_n be the sum of the amplitudes of a train and all after it, divided by the maximum. A train fades from r_n
+// 3/2 to 1/2: sum (1 - share_n) a_n is at most the integral of 1 - share over r, which is 1. A train that were there
+// or not would move the plant at once by what its joints make of the train, which is a multiple of its amplitude.
+std::vector<float> TrainShares(const SeaState& sea, double height, double maximum)
+{
+  std::vector<float> shares(sea.Trains.size(), 1.0f);
+  double sum = 0.0;
+  for (std::size_t n = shares.size(); n-- > 0 && sum <= 1.5 * maximum;)
+  {
+    sum += AxesAt(sea.Trains[n], height, sea.Depth).Horizontal;
+    shares[n] = static_cast<float>(SmoothStep(sum / maximum - 0.5));
+  }
+  return shares;
+}
+
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSeaweedLevels_h
+#define LittoralSeaweedLevels_h
+
+#include "Geometry/ViewFrustum.h"
+#include "Sea/WaveTrains.h"
+
+#include <vector>
+
+namespace littoral
+{
+
+/// Levels of detail of seaweeds in a view.
+struct SeaweedLevels
+{
+  bool UseLevels = false;
+  double NearDistance = 5.0;   ///< up to which all links move [m]
+  double FarDistance = 20.0;   ///< beyond which the first link of each branch moves [m]
+  double BlendDistance = 12.0; ///< beyond either, over which levels of small plants change [m]
+  double PixelError = 0.5;     ///< displacement of the water by what is left out of waves [pixels]
+  View Seen;
+};
+
+/// Weights of the detailed levels, 0 to 1.
+struct SeaweedLevelShares
+{
+  double Near = 1.0;
+  double Far = 1.0; ///< of what is nearer than FarDistance
+};
+
+/// The weights for a plant at a distance from the eye that reaches some way from its middle [m].
+SeaweedLevelShares LevelSharesAt(const SeaweedLevels& levels, double distance, double reach);
+
+/**
+ * Weights of wave trains, 0 to 1, so that what they leave out moves the water at a height above the sea level by at
+ * most `maximum` [m], all together.
+ */
+std::vector<float> TrainShares(const SeaState& sea, double height, double maximum);
+
+}
+
+#endif

@@ -1,0 +1,494 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Seaweed/SeaweedScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr std::size_t LinksAtOnce = 256;
+constexpr std::size_t PosesAtOnce = 8192;
+
+/// By the least detailed level in which a link moves, of a plant in view.
+std::array<double, 3> ByLevel(const SeaweedLevelShares& shares)
+{
+  return { shares.Near, shares.Far, 1.0 };
+}
+
+}
+
+//----------------------------------------------------------------------------
+SeaweedScene::SeaweedScene(
+  const TimeGrid& grid, std::vector<CurrentSeries> currents, bool isPhysical, ParallelFor parallel)
+  : Physical(isPhysical)
+  , Parallel(std::move(parallel))
+  , Marching(grid, MaximumCheckpoints)
+{
+  this->Currents.Series = std::move(currents);
+}
+
+//----------------------------------------------------------------------------
+std::string SeaweedScene::SetPlants(Skeleton rest, const std::vector<SeaweedSegment>& segments, const int* plantIds,
+  const SeaweedOptions& options, SeaState sea)
+{
+  for (const SkeletonNode& node : rest.Nodes)
+  {
+    if (node.Position.z > options.SeaLevel)
+    {
+      return "the plants reach " + std::to_string(node.Position.z - options.SeaLevel) +
+        " m above the sea (SeaLevel of the sea state is " + std::to_string(options.SeaLevel) +
+        " m); place them in deeper water.";
+    }
+  }
+  this->Options = options;
+  this->Sea = std::move(sea);
+  this->UngradedCauchy = UngradedCauchyNumber(rest, segments);
+  this->Motion = std::make_unique<SeaweedMotion>(LinksOf(rest, segments, options), options);
+  this->Stand = SeaweedStand(std::move(rest), this->Motion->GetLinks(), plantIds);
+  this->MakeBatches();
+  this->Marching.Begin(this->Motion->AtRest());
+  this->PoseAll();
+  return {};
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::MakeBatches()
+{
+  const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
+  this->Batches.clear();
+  std::size_t links = LinksAtOnce;
+  for (std::size_t bunch = 0; bunch < bunches.size(); ++bunch)
+  {
+    if (links >= LinksAtOnce)
+    {
+      this->Batches.push_back({ bunch, bunch });
+      links = 0;
+    }
+    this->Batches.back().End = bunch + 1;
+    links += bunches[bunch].LanedLinks();
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Finds the poses of the state that marches.
+void SeaweedScene::PoseAll()
+{
+  const std::vector<StandPlant>& plants = this->Stand.GetPlants();
+  this->Poses.resize(this->GetNumberOfLinks());
+  this->Parallel(plants.size(), [&](std::size_t begin, std::size_t end) {
+    if (begin < end)
+    {
+      this->Motion->Pose(
+        this->Marching.State().data(), plants[begin].FirstLink, plants[end - 1].EndLink, this->Poses.data());
+    }
+  });
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::SetGoal(double time)
+{
+  if (this->Marching.SetGoal(time))
+  {
+    this->PoseAll();
+  }
+}
+
+//----------------------------------------------------------------------------
+/// The moment whose loads are those of a step of a length [s], or of a picture.
+StepMoment SeaweedScene::MomentOf(double length) const
+{
+  return { this->GetStep(), (this->Physical ? 0.5 : 1.0) * this->GetGrid().ShareOf(length) };
+}
+
+std::vector<StepMoment> SeaweedScene::NextMoments() const
+{
+  if (!this->IsAtGoal())
+  {
+    return { this->MomentOf(this->GetGrid().Step) };
+  }
+  const StepMoment shown = this->MomentOf(this->GetGoal().Remainder);
+  return this->NeedsMotion && this->Physical ? std::vector<StepMoment>{ this->MomentOf(this->GetGrid().Step), shown }
+                                             : std::vector<StepMoment>{ shown };
+}
+
+StepCurrents SeaweedScene::CurrentsOver(double length) const
+{
+  return this->Currents.At(this->GetGrid(), { this->MomentOf(length) });
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::Advance()
+{
+  const TimeGrid& grid = this->GetGrid();
+  const long long step = this->GetStep();
+  this->StepAll(grid.TimeOf(step), grid.Step, this->CurrentsOver(grid.Step), this->Marching.State(), this->Poses);
+  this->Marching.Reach(step + 1);
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
+  std::vector<LinkPose>& poses) const
+{
+  const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
+  this->Parallel(this->Batches.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t index = begin; index < end; ++index)
+    {
+      this->StepBatch(this->Batches[index], step, orbits, currents, states, poses);
+    }
+  });
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::StepBatch(const Batch& batch, double step, const WaveOrbits& orbits, const StepCurrents& currents,
+  std::vector<LinkState>& states, std::vector<LinkPose>& poses) const
+{
+  // Loads are those of the middle of the step, where links come by then; explicit Euler: where they are.
+  const bool isImplicit = this->Options.Integrator == SeaweedIntegrator::Implicit;
+  const double ahead = isImplicit ? 0.5 * step : 0.0;
+  const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
+  std::vector<Vector3> middles;
+  for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
+  {
+    const std::size_t first = middles.size();
+    middles.resize(first + bunches[bunch].LanedLinks());
+    this->Motion->Middles(bunches[bunch], poses.data(), &middles[first], ahead);
+  }
+  std::vector<WaterAtLink> water;
+  this->WaterAt(orbits, currents, middles, {}, water);
+  const WaterAtLink* own = water.data();
+  for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
+  {
+    this->Motion->Step(step, bunches[bunch], own, states.data(), poses.data());
+    own += bunches[bunch].LanedLinks();
+  }
+}
+
+//----------------------------------------------------------------------------
+/// The water at the middles of links [m], with weights of the wave trains; none: all of all.
+void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
+  const std::vector<float>& shares, std::vector<WaterAtLink>& water) const
+{
+  const std::size_t count = middles.size();
+  water.assign(count, WaterAtLink());
+  std::vector<float> centers(3 * count);
+  std::vector<float> first(3 * count, 0.0f);
+  std::vector<float> second(3 * count, 0.0f);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    water[i].Velocity = currents.Velocity(middles[i], 0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      centers[3 * i + axis] = static_cast<float>(middles[i][axis]);
+    }
+  }
+  if (this->Sea.Trains.empty() || count == 0)
+  {
+    return;
+  }
+  OrbitRequest<float> request;
+  const bool isDirect = this->Options.Load == SeaweedLoad::Direct;
+  request.Shares = shares.empty() ? nullptr : shares.data();
+  request.Centers = centers.data();
+  request.Velocity = isDirect ? nullptr : first.data();
+  request.Acceleration = isDirect && !this->Physical ? nullptr : second.data();
+  request.Displacement = isDirect && !this->Physical ? second.data() : nullptr;
+  orbits.Evaluate(request, 0, count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Vector3 other(second[3 * i], second[3 * i + 1], second[3 * i + 2]);
+    WaterAtLink& one = water[i];
+    one.Velocity += Vector3(first[3 * i], first[3 * i + 1], first[3 * i + 2]);
+    (request.Displacement ? one.Displacement : one.Acceleration) = other;
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Weights of wave trains: what they leave out moves the water at the plant's top by PixelError at most.
+std::vector<float> SeaweedScene::TrainSharesFor(const StandPlant& plant, const SeaweedLevels& levels) const
+{
+  const double distance = LevelDistance(levels.Seen, plant.Middle);
+  const double pixel = 2.0 * distance * std::tan(0.5 * levels.Seen.Angle) / levels.Seen.Height;
+  const double maximum = levels.PixelError * pixel;
+  if (!levels.UseLevels || !(maximum > 0.0))
+  {
+    return std::vector<float>(this->Sea.Trains.size(), 1.0f);
+  }
+  const double top = std::min(0.0, plant.Middle.z + plant.Reach - this->Sea.SeaLevel);
+  return TrainShares(this->Sea, top, maximum);
+}
+
+//----------------------------------------------------------------------------
+/// A procedural link between its states in the levels. Each level has loads of its own, by how its own segments lean:
+/// limp blades turn over where what they grow on turns by little, and would do so within a step of the camera.
+LinkState SeaweedScene::ProceduralState(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares)
+{
+  const double near = shares.Near;
+  const double far = shares.Far;
+  const std::array<bool, 3> isUsed{ near > 0.0, near < 1.0 && far > 0.0, near < 1.0 && far < 1.0 };
+  const int last = this->Stand.LastLevelOf(link);
+  std::array<LinkState, 3> states;
+  for (int level = 0; level < 3; ++level)
+  {
+    if (isUsed[level])
+    {
+      LinkPose* poses = this->LevelPoses[level].data();
+      states[level] = level <= last ? this->Motion->Procedural(water, link, poses) : this->Motion->RestOf(link);
+      this->Motion->PoseOne(states[level], link, poses);
+    }
+  }
+  return this->Motion->Mixed(this->Motion->Mixed(states[2], states[1], far), states[0], near);
+}
+
+//----------------------------------------------------------------------------
+/// Shows a plant between rest and its state, by weights of its links' levels.
+SeaweedCounters SeaweedScene::ShowPhysical(
+  const StandPlant& plant, const std::array<double, 3>& shares, const Picture& picture)
+{
+  SeaweedCounters counters;
+  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+  {
+    const double share = shares[this->Stand.LastLevelOf(link)];
+    const LinkState state = this->Motion->Mixed(this->Motion->RestOf(link), picture.States[link], share);
+    this->Motion->PoseOne(state, link, this->Shown.data());
+    counters.Segments += share > 0.0 ? 1 : 0;
+  }
+  return counters;
+}
+
+//----------------------------------------------------------------------------
+SeaweedCounters SeaweedScene::ShowProcedural(
+  const StandPlant& plant, const SeaweedLevelShares& shares, const Picture& picture)
+{
+  const std::array<double, 3> byLevel = ByLevel(shares);
+  const auto moves = [&](std::size_t link) { return byLevel[this->Stand.LastLevelOf(link)] > 0.0; };
+  // Loads are those at the positions at rest.
+  std::vector<Vector3> middles;
+  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+  {
+    if (moves(link))
+    {
+      const SeaweedLink& own = this->Motion->GetLinks()[link];
+      middles.push_back(own.Foot + 0.5 * own.Length * own.Axis);
+    }
+  }
+  const std::vector<float> trains = this->TrainSharesFor(plant, picture.Levels);
+  std::vector<WaterAtLink> water;
+  this->WaterAt(picture.Orbits, picture.Currents, middles, trains, water);
+  auto next = water.begin();
+  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+  {
+    const LinkState state = this->ProceduralState(link, moves(link) ? *next++ : WaterAtLink(), shares);
+    this->Motion->PoseOne(state, link, this->Shown.data());
+  }
+  const auto evaluated = std::count_if(trains.begin(), trains.end(), [](float share) { return share > 0.0f; });
+  SeaweedCounters counters;
+  counters.Segments = static_cast<std::int64_t>(middles.size());
+  counters.TrainEvaluations = counters.Segments * evaluated;
+  return counters;
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::ShowAtRest(const StandPlant& plant)
+{
+  for (std::size_t link = plant.FirstLink; link < plant.EndLink; ++link)
+  {
+    this->Motion->PoseOne(this->Motion->RestOf(link), link, this->Shown.data());
+  }
+}
+
+//----------------------------------------------------------------------------
+SeaweedCounters SeaweedScene::ShowPlant(std::size_t index, const Picture& picture)
+{
+  const StandPlant& plant = this->Stand.GetPlants()[index];
+  SeaweedLevelShares shares;
+  if (picture.View)
+  {
+    shares = LevelSharesAt(picture.Levels, LevelDistance(picture.Levels.Seen, plant.Middle), plant.Reach);
+  }
+  this->Rigidities[index] = static_cast<float>(1.0 - shares.Near);
+  const bool isSeen = !picture.View || picture.View->MayShow(plant.Middle, plant.Reach);
+  if (!isSeen)
+  {
+    this->ShowAtRest(plant);
+    return {};
+  }
+  SeaweedCounters counters =
+    this->Physical ? this->ShowPhysical(plant, ByLevel(shares), picture) : this->ShowProcedural(plant, shares, picture);
+  counters.Plants = 1;
+  return counters;
+}
+
+//----------------------------------------------------------------------------
+SeaweedCounters SeaweedScene::ShowAt(
+  double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels)
+{
+  std::vector<LinkState> partly;
+  if (this->Physical && remainder > 0.0)
+  {
+    partly = this->Marching.State();
+    std::vector<LinkPose> poses = this->Poses;
+    this->StepAll(time - remainder, remainder, currents, partly, poses);
+  }
+  const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time);
+  const Picture picture{ orbits, currents, levels, partly.empty() ? this->Marching.State() : partly,
+    levels.UseLevels ? std::make_unique<ViewFrustum>(levels.Seen) : nullptr };
+  const std::size_t plants = this->Stand.GetPlants().size();
+  std::vector<SeaweedCounters> counters(plants);
+  // What has been moved by its equations needs to be posed only: some 30 ns a link.
+  const std::size_t links = std::max<std::size_t>(1, this->GetNumberOfLinks());
+  ForRanges(
+    this->Parallel, plants, this->Physical ? plants * PosesAtOnce / links : 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t plant = begin; plant < end; ++plant)
+      {
+        counters[plant] = this->ShowPlant(plant, picture);
+      }
+    });
+  SeaweedCounters sum;
+  for (const SeaweedCounters& one : counters)
+  {
+    sum.Plants += one.Plants;
+    sum.Segments += one.Segments;
+    sum.TrainEvaluations += one.TrainEvaluations;
+  }
+  return sum;
+}
+
+//----------------------------------------------------------------------------
+SeaweedCounters SeaweedScene::Show(const SeaweedLevels& levels)
+{
+  this->Velocities.clear();
+  this->Accelerations.clear();
+  this->Rigidities.resize(this->Stand.GetPlants().size());
+  this->Shown.resize(this->GetNumberOfLinks());
+  for (std::vector<LinkPose>& poses : this->LevelPoses)
+  {
+    poses.resize(this->Physical ? 0 : this->Shown.size());
+  }
+  const StepGoal& goal = this->GetGoal();
+  return this->ShowAt(goal.Time, goal.Remainder, this->CurrentsOver(goal.Remainder), levels);
+}
+
+//----------------------------------------------------------------------------
+/// Positions of the nodes [m], or their velocities [m/s].
+std::vector<Vector3> SeaweedScene::NodesAt(const std::vector<LinkPose>& poses, bool velocities) const
+{
+  const std::vector<SkeletonNode>& rest = this->Stand.GetSkeleton().Nodes;
+  std::vector<Vector3> nodes(rest.size());
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+  {
+    const Vector3 position = rest[node].Position;
+    const int link = this->Stand.LinkOf(node);
+    if (link < 0)
+    {
+      nodes[node] = velocities ? Vector3(0.0) : position;
+      continue;
+    }
+    const LinkPose& pose = poses[link];
+    const Vector3 foot = this->Motion->GetLinks()[link].Foot;
+    const Vector3 arm = position - foot;
+    const Vector3 moved = position + (pose.Foot - foot) + TurnedBy(pose.Turn, arm);
+    nodes[node] = velocities ? pose.Velocity + glm::cross(pose.Spin, moved - pose.Foot) : moved;
+  }
+  return nodes;
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::FindMotion()
+{
+  this->Velocities.clear();
+  this->Accelerations.clear();
+  if (this->Physical)
+  {
+    this->FindPhysicalMotion();
+  }
+  else
+  {
+    this->FindProceduralMotion();
+  }
+}
+
+//----------------------------------------------------------------------------
+/// By the change of velocities over the whole step that the goal is in.
+void SeaweedScene::FindPhysicalMotion()
+{
+  const StepGoal& goal = this->GetGoal();
+  const double step = this->GetGrid().Step;
+  std::vector<LinkState> states = this->Marching.State();
+  std::vector<LinkPose> poses = this->Poses;
+  const std::vector<Vector3> before = this->NodesAt(poses, true);
+  this->StepAll(goal.Time - goal.Remainder, step, this->CurrentsOver(step), states, poses);
+  const std::vector<Vector3> after = this->NodesAt(poses, true);
+  for (std::size_t node = 0; node < after.size(); ++node)
+  {
+    const Vector3 acceleration = (after[node] - before[node]) / step;
+    this->Velocities.push_back(before[node] + goal.Remainder * acceleration);
+    this->Accelerations.push_back(acceleration);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// By central differences over two steps, in the currents of the goal.
+void SeaweedScene::FindProceduralMotion()
+{
+  const StepGoal& goal = this->GetGoal();
+  const double step = this->GetGrid().Step;
+  const StepCurrents currents = this->CurrentsOver(goal.Remainder);
+  const std::vector<LinkPose> shown = this->Shown;
+  std::vector<Vector3> positions[3];
+  for (int moment = 0; moment < 3; ++moment)
+  {
+    this->ShowAt(goal.Time + (moment - 1) * step, 0.0, currents, SeaweedLevels());
+    positions[moment] = this->NodesAt(this->Shown, false);
+  }
+  this->Shown = shown;
+  for (std::size_t node = 0; node < positions[0].size(); ++node)
+  {
+    this->Velocities.push_back((positions[2][node] - positions[0][node]) / (2.0 * step));
+    this->Accelerations.push_back((positions[2][node] - 2.0 * positions[1][node] + positions[0][node]) / (step * step));
+  }
+}
+
+//----------------------------------------------------------------------------
+// With the paper's joint the azimuth of a segment in line with its parent spins by any load; skins bend without that
+// twist.
+std::vector<glm::dquat> SeaweedScene::SkinRotations() const
+{
+  std::vector<glm::dquat> rotations;
+  if (this->Options.Joint == SeaweedJoint::Tilting && this->Physical)
+  {
+    for (std::size_t link = 0; link < this->Shown.size(); ++link)
+    {
+      const SeaweedLink& own = this->Motion->GetLinks()[link];
+      const glm::dquat below = own.Parent < 0 ? NoTurn<double>() : rotations[own.Parent];
+      rotations.push_back(RotationBetween(Rotated(below, own.Axis), this->Shown[link].Axis) * below);
+    }
+  }
+  return rotations;
+}
+
+//----------------------------------------------------------------------------
+void SeaweedScene::FindChanges(
+  std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes) const
+{
+  const StandPlant& extent = this->Stand.GetPlants()[plant];
+  for (std::size_t link = extent.FirstLink; link < extent.EndLink; ++link)
+  {
+    const SeaweedLink& own = this->Motion->GetLinks()[link];
+    LinkPose pose = this->Shown[link];
+    pose.Turn = rotations.empty() ? pose.Turn : rotations[link];
+    const auto node = static_cast<std::size_t>(own.Node);
+    changes[node] = ChangeOf(own, pose);
+    if (this->Stand.LinkOf(node + 1) == static_cast<int>(link)) // a tip
+    {
+      changes[node + 1] = changes[node];
+    }
+  }
+}
+
+}

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSeaweedScene_h
+#define LittoralSeaweedScene_h
+
+#include "Currents/CurrentSet.h"
+#include "Geometry/ViewFrustum.h"
+#include "Numerics/Parallel.h"
+#include "Numerics/TimeMarching.h"
+#include "Sea/WaveOrbits.h"
+#include "Seaweed/SeaweedLevels.h"
+#include "Seaweed/SeaweedMotion.h"
+#include "Seaweed/SeaweedStand.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// Numbers of what Show() moved.
+struct SeaweedCounters
+{
+  std::int64_t Plants = 0;
+  std::int64_t Segments = 0;
+  std::int64_t TrainEvaluations = 0; ///< segments times wave trains
+};
+
+/**
+ * Seaweeds in waves and currents, from rest at the start of a TimeGrid to any time: in steps and a shorter last one if
+ * they are physical, else by a closed form of the time (SeaweedMotion).
+ *
+ * To a goal: while IsAtGoal() is false, the currents at NextMoments() are supplied and Advance() is called. Then the
+ * currents at NextMoments() are those for Show() and FindMotion().
+ */
+class SeaweedScene
+{
+public:
+  /// Largest number of states kept.
+  static constexpr std::size_t MaximumCheckpoints = 16;
+
+  SeaweedScene()
+    : SeaweedScene(TimeGrid(), {}, true)
+  {
+  }
+  SeaweedScene(
+    const TimeGrid& grid, std::vector<CurrentSeries> currents, bool isPhysical, ParallelFor parallel = SerialFor);
+
+  CurrentSet Currents;
+  bool NeedsMotion = false; ///< whether FindMotion() is to be called; its currents are those of a whole step
+
+  /// Sets the plants, at rest at the start: a valid skeleton with a segment for each node, and for each node a number
+  /// that changes from one plant to the next (null: all is one plant). SeaLevel of the options is that of the sea. Why
+  /// they cannot be moved, in words for a user; empty if they can.
+  std::string SetPlants(Skeleton rest, const std::vector<SeaweedSegment>& segments, const int* plantIds,
+    const SeaweedOptions& options, SeaState sea);
+  bool HasPlants() const { return this->Marching.IsBegun(); }
+
+  const SeaweedStand& GetStand() const { return this->Stand; }
+  std::size_t GetNumberOfLinks() const { return this->Motion ? this->Motion->GetLinks().size() : 0; }
+  const std::vector<SeaweedLink>& GetLinks() const { return this->Motion->GetLinks(); }
+
+  /// Cauchy number up to which the drag of blades is right whose links are not graded towards their foot; see
+  /// UngradedCauchyNumber.
+  double GetUngradedCauchyNumber() const { return this->UngradedCauchy; }
+
+  bool IsPhysical() const { return this->Physical; }
+  const TimeGrid& GetGrid() const { return this->Marching.GetGrid(); }
+  const StepGoal& GetGoal() const { return this->Marching.GetGoal(); }
+  long long GetStep() const { return this->Physical ? this->Marching.GetStep() : this->GetGoal().Step; }
+
+  /// Sets the time to show [s]; before the start physical plants are at rest.
+  void SetGoal(double time);
+
+  bool IsAtGoal() const { return !this->Physical || this->Marching.IsAtGoal(); }
+
+  /// The middle of the next step; at the goal, the moments of Show() and FindMotion().
+  std::vector<StepMoment> NextMoments() const;
+
+  /// Whether the currents at NextMoments() are known.
+  bool IsNextKnown() const { return this->Currents.AreKnown(this->GetGrid(), this->NextMoments()); }
+
+  /// Takes the state one step further.
+  void Advance();
+
+  /// Finds the plants at the goal.
+  SeaweedCounters Show(const SeaweedLevels& levels);
+
+  /// Finds velocities and accelerations at the goal, of all detail, whatever Show() found.
+  void FindMotion();
+
+  /// Positions of the nodes as Show() found them [m].
+  std::vector<Vector3> NodePositions() const { return this->NodesAt(this->Shown, false); }
+
+  /// Velocities [m/s] and accelerations [m/s2] of the nodes; empty unless found since the last Show().
+  const std::vector<Vector3>& GetVelocities() const { return this->Velocities; }
+  const std::vector<Vector3>& GetAccelerations() const { return this->Accelerations; }
+
+  /// How rigid the skin of a plant is in its level, 0 to 1; see MoveRun.
+  float RigidityOf(std::size_t plant) const { return this->Rigidities[plant]; }
+
+  /// Rotations of the links as skins show them; empty: those of their poses.
+  std::vector<glm::dquat> SkinRotations() const;
+
+  /// Finds the changes of the nodes of a plant, by which its skin moves. `rotations` are SkinRotations().
+  void FindChanges(
+    std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes) const;
+
+private:
+  /// Bunches of trees that one thread moves at a time.
+  struct Batch
+  {
+    std::size_t First = 0;
+    std::size_t End = 0;
+  };
+  /// What all plants of a picture are shown by.
+  struct Picture
+  {
+    const WaveOrbits& Orbits;
+    const StepCurrents& Currents;
+    const SeaweedLevels& Levels;
+    const std::vector<LinkState>& States;
+    std::unique_ptr<ViewFrustum> View; ///< null: no levels
+  };
+
+  StepMoment MomentOf(double length) const;
+  StepCurrents CurrentsOver(double length) const;
+  void MakeBatches();
+  void PoseAll();
+  void WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
+    const std::vector<float>& shares, std::vector<WaterAtLink>& water) const;
+  void StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
+    std::vector<LinkPose>& poses) const;
+  void StepBatch(const Batch& batch, double step, const WaveOrbits& orbits, const StepCurrents& currents,
+    std::vector<LinkState>& states, std::vector<LinkPose>& poses) const;
+  std::vector<float> TrainSharesFor(const StandPlant& plant, const SeaweedLevels& levels) const;
+  LinkState ProceduralState(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares);
+  SeaweedCounters ShowPhysical(const StandPlant& plant, const std::array<double, 3>& shares, const Picture& picture);
+  SeaweedCounters ShowProcedural(const StandPlant& plant, const SeaweedLevelShares& shares, const Picture& picture);
+  void ShowAtRest(const StandPlant& plant);
+  SeaweedCounters ShowPlant(std::size_t index, const Picture& picture);
+  SeaweedCounters ShowAt(double time, double remainder, const StepCurrents& currents, const SeaweedLevels& levels);
+  void FindPhysicalMotion();
+  void FindProceduralMotion();
+  std::vector<Vector3> NodesAt(const std::vector<LinkPose>& poses, bool velocities) const;
+
+  bool Physical;
+  ParallelFor Parallel;
+  SeaweedOptions Options;
+  SeaState Sea;
+  SeaweedStand Stand;
+  std::unique_ptr<SeaweedMotion> Motion;
+  double UngradedCauchy = std::numeric_limits<double>::infinity();
+  std::vector<Batch> Batches;
+
+  TimeMarching<std::vector<LinkState>> Marching;
+  std::vector<LinkPose> Poses; ///< of the state that marches
+
+  std::vector<LinkPose> Shown;
+  std::vector<float> Rigidities; ///< of plants, as shown
+  /// Procedural plants as they are near by, in the middle and far away, whatever is shown.
+  std::array<std::vector<LinkPose>, 3> LevelPoses;
+  std::vector<Vector3> Velocities;    ///< of nodes
+  std::vector<Vector3> Accelerations; ///< of nodes
+};
+
+}
+
+#endif

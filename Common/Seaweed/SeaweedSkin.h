@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSeaweedSkin_h
+#define LittoralSeaweedSkin_h
+
+#include "Plants/Skinning.h"
+#include "Seaweed/SeaweedStand.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace littoral
+{
+
+/// The vertices [First, End) of a skin, all of one plant.
+struct SkinRun
+{
+  std::size_t First = 0;
+  std::size_t End = 0;
+  std::size_t Plant = 0;
+};
+
+/// The vertices of a skin by the plants of a stand.
+class SeaweedSkin
+{
+public:
+  /// `jointIds` has four nodes of the skeleton a vertex; the first one tells the plant.
+  SeaweedSkin(const int* jointIds, std::size_t vertices, const SeaweedStand& stand);
+
+  /// The runs of a plant are those from RunsOf(plant) up to RunsOf(plant + 1).
+  const SkinRun* RunsOf(std::size_t plant) const { return this->Runs.data() + this->FirstRun[plant]; }
+
+private:
+  std::vector<SkinRun> Runs;         ///< by plants
+  std::vector<std::size_t> FirstRun; ///< of a plant, and an end
+};
+
+/// Moves a run of a skin by the changes of all nodes. `rigidity` is 0 where a vertex follows up to four nodes, 1 where
+/// it follows the one of the largest weight alone. The ends of the run count from the beginning of the arrays.
+void MoveRun(const SkinRun& run, const RestSkin<float>& rest, const std::vector<JointChange>& changes, float rigidity,
+  float* points, float* normals);
+
+}
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/SeaweedSceneBlocks.h"
+
+#include "Data/PlantReading.h"
+#include "Data/SeaweedBlocks.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
+
+#include <array>
+#include <cstddef>
+#include <mutex>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
+struct MovedSkin
+{
+  RestSkin<float> Rest;
+  vtkSmartPointer<vtkFloatArray> Points;
+  vtkSmartPointer<vtkFloatArray> Normals;
+  std::array<TupleRanges, 2> Ranges;
+
+  explicit MovedSkin(vtkPolyData* rest)
+  {
+    vtkPointData* arrays = rest->GetPointData();
+    auto* normals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
+    auto* ids = vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds));
+    auto* weights = vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights));
+    this->Rest = { FloatPointsOf(rest)->GetPointer(0), normals->GetPointer(0), ids->GetPointer(0),
+      weights->GetPointer(0) };
+    this->Points = FloatsLike(FloatPointsOf(rest));
+    this->Normals = FloatsLike(normals);
+  }
+
+  /// Moves a run of vertices; adds to the ranges of its points and normals.
+  void Move(const SkinRun& run, const std::vector<JointChange>& changes, float rigidity,
+    std::array<TupleRanges, 2>& ranges) const
+  {
+    float* p = this->Points->GetPointer(0);
+    float* n = this->Normals->GetPointer(0);
+    MoveRun(run, this->Rest, changes, rigidity, p, n);
+    ranges[0].AddTuples(p + 3 * run.First, p + 3 * run.End, 3);
+    ranges[1].AddTuples(n + 3 * run.First, n + 3 * run.End, 3);
+  }
+
+  void Write(const SeaweedSkinBlock& skin, vtkMultiBlockDataSet* blocks) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(this->Points);
+    KeepRanges(this->Points.Get(), this->Ranges[0]);
+    KeepRanges(this->Normals.Get(), this->Ranges[1]);
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(skin.Rest);
+    block->SetPoints(points);
+    block->GetPointData()->SetNormals(this->Normals);
+    ReplaceBlock(blocks, skin.Name, block);
+  }
+};
+
+/// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
+void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* blocks)
+{
+  std::vector<MovedSkin> moved;
+  for (const SeaweedSkinBlock& skin : skins)
+  {
+    moved.emplace_back(skin.Rest);
+  }
+  const std::vector<glm::dquat> rotations = scene.SkinRotations();
+  std::vector<JointChange> changes(scene.GetStand().GetSkeleton().Nodes.size());
+  std::mutex adding;
+  SmpFor(scene.GetStand().GetPlants().size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<std::array<TupleRanges, 2>> parts(moved.size());
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      scene.FindChanges(plant, rotations, changes);
+      for (std::size_t skin = 0; skin < moved.size(); ++skin)
+      {
+        const SeaweedSkin& own = skins[skin].Skin;
+        for (const SkinRun* run = own.RunsOf(plant); run != own.RunsOf(plant + 1); ++run)
+        {
+          moved[skin].Move(*run, changes, scene.RigidityOf(plant), parts[skin]);
+        }
+      }
+    }
+    const std::lock_guard<std::mutex> lock(adding);
+    for (std::size_t skin = 0; skin < moved.size(); ++skin)
+    {
+      moved[skin].Ranges[0].Add(parts[skin][0]);
+      moved[skin].Ranges[1].Add(parts[skin][1]);
+    }
+  });
+  for (std::size_t skin = 0; skin < moved.size(); ++skin)
+  {
+    moved[skin].Write(skins[skin], blocks);
+  }
+}
+
+void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, vtkMultiBlockDataSet* blocks)
+{
+  vtkNew<vtkPolyData> bent;
+  bent->ShallowCopy(bones);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(bones->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(bones->GetNumberOfPoints());
+  const std::vector<Vector3> nodes = scene.NodePositions();
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+  {
+    points->SetPoint(static_cast<vtkIdType>(node), &nodes[node].x);
+  }
+  bent->SetPoints(points);
+  if (!scene.GetVelocities().empty())
+  {
+    bent->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Velocity", 3, scene.GetVelocities()));
+    bent->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Acceleration", 3, scene.GetAccelerations()));
+  }
+  ReplaceBlock(blocks, plant::Skeleton, bent);
+}
+
+std::string ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedStand& stand, std::vector<SeaweedSkinBlock>& skins)
+{
+  for (const char* name : { plant::Skin, plant::Leaves })
+  {
+    vtkPolyData* block = PlantPartOf(plants, plant::High, name);
+    if (!block || block->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    const std::string reason = WhyBadSkin(block, name, stand.GetSkeleton().Nodes.size());
+    if (!reason.empty())
+    {
+      return reason;
+    }
+    auto* ids = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointIds));
+    const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
+    skins.push_back({ name, block, SeaweedSkin(ids->GetPointer(0), vertices, stand) });
+  }
+  return {};
+}
+
+/// Reads the skeleton and its segments into a scene. Plants of a scattered forest have their PlantId.
+std::string ReadBones(vtkPolyData* bones, const SeaweedOptions& options, const SeaState& sea, SeaweedScene& scene)
+{
+  Skeleton rest;
+  std::vector<SeaweedSegment> segments;
+  std::string reason = ReadSkeleton(bones, rest);
+  reason = reason.empty() ? ReadSegments(bones, segments) : reason;
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  auto* ids = vtkIntArray::SafeDownCast(bones->GetPointData()->GetArray(plant::PlantId));
+  const bool hasIds = ids && ids->GetNumberOfValues() == bones->GetNumberOfPoints();
+  return scene.SetPlants(std::move(rest), segments, hasIds ? ids->GetPointer(0) : nullptr, options, sea);
+}
+
+}
+
+//----------------------------------------------------------------------------
+std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea,
+  SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins)
+{
+  skins.clear();
+  vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
+  if (!bones)
+  {
+    return "the plants have no block High/Skeleton.";
+  }
+  if (bones->GetNumberOfPoints() == 0)
+  {
+    return scene.SetPlants({}, {}, nullptr, options, sea);
+  }
+  const double bytes = 2000.0 * static_cast<double>(bones->GetNumberOfPoints());
+  if (bytes > AvailableMemory())
+  {
+    return "the plants need " + std::to_string(static_cast<long long>(bytes / 1e6)) + " MB to move; take fewer.";
+  }
+  const std::string reason = ReadBones(bones, options, sea, scene);
+  return reason.empty() ? ReadSkins(plants, scene.GetStand(), skins) : reason;
+}
+
+//----------------------------------------------------------------------------
+void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* plants,
+  vtkMultiBlockDataSet* output)
+{
+  if (scene.GetStand().GetSkeleton().Nodes.empty())
+  {
+    return;
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->ShallowCopy(FindBlock(plants, plant::High));
+  WriteSkins(scene, skins, blocks);
+  WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), blocks);
+  ReplaceBlock(output, plant::High, blocks);
+}
+
+}

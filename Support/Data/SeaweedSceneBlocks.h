@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportSeaweedSceneBlocks_h
+#define LittoralSupportSeaweedSceneBlocks_h
+
+// Scenes of seaweeds between blocks and the numerics. Private: never installed, never wrapped.
+
+#include "Seaweed/SeaweedScene.h"
+#include "Seaweed/SeaweedSkin.h"
+
+#include <string>
+#include <vector>
+
+class vtkMultiBlockDataSet;
+class vtkPolyData;
+
+namespace littoral
+{
+
+/// A block of vertices that follow the skeleton. It is not kept alive.
+struct SeaweedSkinBlock
+{
+  const char* Name;
+  vtkPolyData* Rest;
+  SeaweedSkin Skin;
+};
+
+/// Reads plants into a scene, and their skins. Why they cannot be read, in words for a user; empty when they were.
+std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea,
+  SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins);
+
+/// Writes the plants of a scene as shown; `output` is a shallow copy of `plants`.
+void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* plants,
+  vtkMultiBlockDataSet* output);
+
+}
+
+#endif

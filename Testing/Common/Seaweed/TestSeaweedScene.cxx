@@ -1,0 +1,463 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Seaweed/SeaweedGrowth.h"
+#include "Seaweed/SeaweedScene.h"
+#include "Seaweed/SeaweedSkin.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+/// Two wave trains over water of 6 m.
+SeaState Waves()
+{
+  SeaState sea;
+  sea.Depth = 6.0;
+  for (const double length : { 12.0, 5.0 })
+  {
+    const double number = 6.283185307179586 / length;
+    const double frequency = std::sqrt(9.81 * number * std::tanh(6.0 * number));
+    sea.Trains.push_back({ 0.02 * length, frequency, number, 0.3 * length, 0.5 });
+  }
+  return sea;
+}
+
+/// Some eelgrass at a distance from each other, with a number for each node.
+struct Bed
+{
+  Skeleton Rest;
+  std::vector<SeaweedSegment> Segments;
+  std::vector<int> Ids;
+
+  void Add(int seed, const Vector3& foot)
+  {
+    SeaweedParameters parameters = PresetParameters(SeaweedPreset::Eelgrass);
+    parameters.Seed = seed;
+    parameters.NumberOfFronds = 2;
+    parameters.SegmentsPerBranch = 4;
+    const Seaweed plant = GrowSeaweed(parameters);
+    const int nodes = static_cast<int>(this->Rest.Nodes.size());
+    const int branches = static_cast<int>(this->Rest.Branches.size());
+    for (SkeletonNode node : plant.Wood.Nodes)
+    {
+      node.Parent += node.Parent < 0 ? 0 : nodes;
+      node.Branch += branches;
+      node.Position += foot;
+      this->Rest.Nodes.push_back(node);
+      this->Ids.push_back(seed);
+    }
+    for (SkeletonBranch branch : plant.Wood.Branches)
+    {
+      branch.First += nodes;
+      this->Rest.Branches.push_back(branch);
+    }
+    this->Segments.insert(this->Segments.end(), plant.Segments.begin(), plant.Segments.end());
+  }
+};
+
+Bed TwoPlants()
+{
+  Bed bed;
+  bed.Add(3, { 0.0, 0.0, -6.0 });
+  bed.Add(4, { 5.0, 2.0, -6.0 });
+  return bed;
+}
+
+constexpr TimeGrid Grid{ -1.0, 0.05 };
+
+/// A current that changes with time: asked for at each half step.
+CurrentSeries Tide()
+{
+  CurrentSeries series;
+  series.IsContinuous = true;
+  series.Range[0] = -100.0;
+  series.Range[1] = 100.0;
+  return series;
+}
+
+std::shared_ptr<const CurrentSnapshot> TideAt(double time)
+{
+  FlowPrimitive flow;
+  flow.Strength = 0.2 * std::sin(0.7 * time);
+  return std::make_shared<CurrentSnapshot>(
+    std::vector<FlowPrimitive>{ flow }, std::vector<std::shared_ptr<const VelocityGrid>>());
+}
+
+SeaweedScene SceneOf(
+  const Bed& bed, bool isPhysical = true, const ParallelFor& parallel = SerialFor, const SeaweedOptions& options = {})
+{
+  SeaweedScene scene(Grid, { Tide() }, isPhysical, parallel);
+  EXPECT_EQ(scene.SetPlants(bed.Rest, bed.Segments, bed.Ids.data(), options, Waves()), "");
+  return scene;
+}
+
+/// Moves a scene to a time, with currents supplied as a pipeline does.
+void MoveTo(SeaweedScene& scene, double time)
+{
+  scene.SetGoal(time);
+  for (int asked = 0; asked < 100000; ++asked)
+  {
+    while (!scene.IsAtGoal() && scene.IsNextKnown())
+    {
+      scene.Advance();
+    }
+    if (scene.IsAtGoal() && scene.IsNextKnown())
+    {
+      return;
+    }
+    for (CurrentSeries& current : scene.Currents.Series)
+    {
+      if (const auto missing = current.MissingTime(scene.GetGrid(), scene.NextMoments()))
+      {
+        current.Keep(*missing, TideAt(*missing));
+      }
+    }
+  }
+  ADD_FAILURE() << "no end";
+}
+
+std::vector<Vector3> NodesAt(SeaweedScene& scene, double time, const SeaweedLevels& levels = {})
+{
+  MoveTo(scene, time);
+  scene.Show(levels);
+  return scene.NodePositions();
+}
+
+std::vector<Vector3> NodesAtRest(const Bed& bed)
+{
+  std::vector<Vector3> nodes;
+  for (const SkeletonNode& node : bed.Rest.Nodes)
+  {
+    nodes.push_back(node.Position);
+  }
+  return nodes;
+}
+
+double LargestDistance(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+{
+  double most = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+  {
+    most = std::max(most, glm::distance(a[n], b[n]));
+  }
+  return most;
+}
+
+/// A view from a point towards the first plant.
+View ViewFrom(const Vector3& eye)
+{
+  View view;
+  view.Point = eye;
+  view.Direction = glm::normalize(Vector3(0.0, 0.0, -5.7) - eye);
+  view.Up = Vector3(0.0, 0.0, 1.0);
+  return view;
+}
+
+}
+
+TEST(SeaweedScene, IsTheSameToTheBitInAnyOrderOfTimes)
+{
+  const Bed bed = TwoPlants();
+  for (const bool isPhysical : { true, false })
+  {
+    SeaweedScene scene = SceneOf(bed, isPhysical);
+    std::mt19937 random(2);
+    for (int n = 0; n < 25; ++n)
+    {
+      const double time = -1.5 + 0.025 * static_cast<double>(random() % 200); // every other one on the grid
+      const std::vector<Vector3> nodes = NodesAt(scene, time);
+      SeaweedScene fresh = SceneOf(bed, isPhysical); // has no checkpoint to begin from
+      ASSERT_EQ(nodes, NodesAt(fresh, time)) << time;
+      if (time > 0.0)
+      {
+        EXPECT_GT(LargestDistance(nodes, NodesAtRest(bed)), 1e-3) << time;
+      }
+    }
+  }
+}
+
+TEST(SeaweedScene, MovesAlikeOnAnyThreads)
+{
+  const Bed bed = TwoPlants();
+  const ParallelFor backwards = [](std::size_t count, const RangeTask& task) {
+    for (std::size_t n = count; n-- > 0;)
+    {
+      task(n, n + 1);
+    }
+  };
+  SeaweedScene serial = SceneOf(bed);
+  SeaweedScene other = SceneOf(bed, true, backwards);
+  for (const double time : { 2.0, 0.33, 1.0 })
+  {
+    EXPECT_EQ(NodesAt(serial, time), NodesAt(other, time));
+  }
+}
+
+TEST(SeaweedScene, PlantsMoveAsEachAlone)
+{
+  Bed first;
+  first.Add(3, { 0.0, 0.0, -6.0 });
+  SeaweedScene alone = SceneOf(first);
+  SeaweedScene both = SceneOf(TwoPlants());
+  const std::vector<Vector3> expected = NodesAt(alone, 1.23);
+  const std::vector<Vector3> nodes = NodesAt(both, 1.23);
+  EXPECT_EQ(std::vector<Vector3>(nodes.begin(), nodes.begin() + static_cast<long>(expected.size())), expected);
+}
+
+TEST(SeaweedScene, PlantsAreAtRestBeforeTheStart)
+{
+  const Bed bed = TwoPlants();
+  SeaweedScene scene = SceneOf(bed);
+  NodesAt(scene, 1.0);
+  EXPECT_LT(LargestDistance(NodesAt(scene, -1.0), NodesAtRest(bed)), 1e-12);
+  EXPECT_LT(LargestDistance(NodesAt(scene, -50.0), NodesAtRest(bed)), 1e-12);
+  EXPECT_EQ(scene.GetStep(), 0);
+}
+
+TEST(SeaweedScene, LevelsDoNotTouchTheState)
+{
+  const Bed bed = TwoPlants();
+  SeaweedScene scene = SceneOf(bed);
+  SeaweedLevels levels;
+  levels.UseLevels = true;
+  levels.Seen = ViewFrom({ 0.0, -100.0, -5.7 }); // far away: the first link of each branch alone
+  for (double time = -0.9; time < 2.0; time += 0.37)
+  {
+    NodesAt(scene, time, levels);
+  }
+  const SeaweedCounters far = scene.Show(levels);
+  levels.Seen = ViewFrom({ 0.0, -50.0, -5.7 });
+  levels.Seen.Direction = Vector3(0.0, -1.0, 0.0); // away from all
+  const SeaweedCounters none = scene.Show(levels);
+  EXPECT_LT(LargestDistance(scene.NodePositions(), NodesAtRest(bed)), 1e-12);
+  SeaweedScene fresh = SceneOf(bed);
+  EXPECT_EQ(NodesAt(scene, 2.0), NodesAt(fresh, 2.0));
+  const SeaweedCounters all = scene.Show({});
+  EXPECT_EQ(all.Plants, 2);
+  EXPECT_EQ(all.Segments, static_cast<std::int64_t>(scene.GetNumberOfLinks()));
+  EXPECT_EQ(far.Plants, 2);
+  EXPECT_EQ(far.Segments, 4); // two leaves of two plants
+  EXPECT_EQ(none.Plants, 0);
+  EXPECT_EQ(none.Segments, 0);
+}
+
+TEST(SeaweedScene, VelocitiesAreThoseOfThePositions)
+{
+  const Bed bed = TwoPlants();
+  for (const bool isPhysical : { true, false })
+  {
+    SeaweedScene scene = SceneOf(bed, isPhysical);
+    if (!isPhysical)
+    {
+      scene.Currents.Series.clear(); // motion is found in the current of the moment
+    }
+    scene.NeedsMotion = true;
+    const double time = 1.52; // within a step
+    MoveTo(scene, time);
+    scene.Show({});
+    EXPECT_TRUE(scene.GetVelocities().empty());
+    scene.FindMotion();
+    const std::vector<Vector3> velocities = scene.GetVelocities();
+    ASSERT_EQ(velocities.size(), bed.Rest.Nodes.size());
+    ASSERT_EQ(scene.GetAccelerations().size(), bed.Rest.Nodes.size());
+    const double h = isPhysical ? 0.01 : Grid.Step; // 0.01 s on, it is still the same step
+    const std::vector<Vector3> before = NodesAt(scene, time - h);
+    const std::vector<Vector3> after = NodesAt(scene, time + h);
+    double speed = 0.0;
+    for (std::size_t n = 0; n < velocities.size(); ++n)
+    {
+      speed = std::max(speed, glm::length(velocities[n]));
+      EXPECT_LT(glm::distance((after[n] - before[n]) / (2.0 * h), velocities[n]), isPhysical ? 0.03 : 1e-9)
+        << isPhysical << " " << n;
+    }
+    EXPECT_GT(speed, 0.1);
+  }
+}
+
+TEST(SeaweedScene, ShowsTheSameAfterFindingMotion)
+{
+  const Bed bed = TwoPlants();
+  for (const bool isPhysical : { true, false })
+  {
+    SeaweedScene scene = SceneOf(bed, isPhysical);
+    scene.NeedsMotion = true;
+    const std::vector<Vector3> nodes = NodesAt(scene, 0.71);
+    scene.FindMotion();
+    EXPECT_EQ(scene.NodePositions(), nodes);
+    EXPECT_EQ(NodesAt(scene, 0.71), nodes);
+  }
+}
+
+TEST(SeaweedScene, NeedsTheCurrentsOfTheMiddleOfAStep)
+{
+  SeaweedScene scene = SceneOf(TwoPlants());
+  scene.SetGoal(-0.92); // a step of 0.05 s and 0.03 s
+  ASSERT_EQ(scene.NextMoments().size(), 1u);
+  EXPECT_EQ(scene.NextMoments()[0].Step, 0);
+  EXPECT_EQ(scene.NextMoments()[0].Share, 0.5);
+  MoveTo(scene, -0.92);
+  EXPECT_EQ(scene.NextMoments()[0].Step, 1);
+  EXPECT_NEAR(scene.NextMoments()[0].Share, 0.3, 1e-12);
+  scene.NeedsMotion = true;
+  ASSERT_EQ(scene.NextMoments().size(), 2u);
+  EXPECT_EQ(scene.NextMoments()[0].Share, 0.5);
+  SeaweedScene procedural = SceneOf(TwoPlants(), false);
+  procedural.SetGoal(-0.92);
+  EXPECT_TRUE(procedural.IsAtGoal());
+  EXPECT_EQ(procedural.NextMoments()[0].Step, 1);
+  EXPECT_NEAR(procedural.NextMoments()[0].Share, 0.6, 1e-12);
+}
+
+TEST(SeaweedScene, SaysHowFarPlantsReachAboveTheSea)
+{
+  Bed bed;
+  bed.Add(3, { 0.0, 0.0, -0.05 });
+  SeaweedScene scene(Grid, {}, true);
+  const std::string reason = scene.SetPlants(bed.Rest, bed.Segments, nullptr, {}, Waves());
+  EXPECT_NE(reason.find("above the sea"), std::string::npos) << reason;
+  EXPECT_FALSE(scene.HasPlants());
+}
+
+TEST(SeaweedScene, TakesNoPlants)
+{
+  SeaweedScene scene(Grid, {}, true);
+  EXPECT_EQ(scene.GetNumberOfLinks(), 0u);
+  EXPECT_EQ(scene.SetPlants({}, {}, nullptr, {}, Waves()), "");
+  EXPECT_EQ(scene.GetNumberOfLinks(), 0u);
+  EXPECT_TRUE(NodesAt(scene, 1.0).empty());
+}
+
+TEST(SeaweedStand, KnowsThePlantOfEachNodeAndLink)
+{
+  const Bed bed = TwoPlants();
+  const std::vector<SeaweedLink> links = LinksOf(bed.Rest, bed.Segments, {});
+  const SeaweedStand stand(bed.Rest, links, bed.Ids.data());
+  ASSERT_EQ(stand.GetPlants().size(), 2u);
+  EXPECT_EQ(stand.GetPlants()[0].FirstLink, 0u);
+  EXPECT_EQ(stand.GetPlants()[0].EndLink, stand.GetPlants()[1].FirstLink);
+  EXPECT_EQ(stand.GetPlants()[1].EndLink, links.size());
+  for (std::size_t node = 0; node < bed.Rest.Nodes.size(); ++node)
+  {
+    EXPECT_EQ(stand.PlantOf(node), bed.Ids[node] == 3 ? 0u : 1u);
+    const StandPlant& plant = stand.GetPlants()[stand.PlantOf(node)];
+    EXPECT_LE(glm::distance(bed.Rest.Nodes[node].Position, plant.Middle), plant.Reach);
+    const int link = stand.LinkOf(node);
+    if (link >= 0)
+    {
+      EXPECT_GE(static_cast<std::size_t>(link), plant.FirstLink);
+      EXPECT_LT(static_cast<std::size_t>(link), plant.EndLink);
+    }
+  }
+  // Four segments a leaf: the first, the half next to its foot, the others.
+  std::vector<int> levels;
+  for (std::size_t link = 0; link < links.size(); ++link)
+  {
+    levels.push_back(stand.LastLevelOf(link));
+  }
+  const std::vector<int> leaf{ 2, 1, 0, 0 };
+  for (std::size_t first = 0; first < links.size(); first += 4)
+  {
+    EXPECT_EQ(
+      std::vector<int>(levels.begin() + static_cast<long>(first), levels.begin() + static_cast<long>(first) + 4), leaf);
+  }
+  EXPECT_EQ(SeaweedStand(bed.Rest, links, nullptr).GetPlants().size(), 1u);
+}
+
+TEST(SeaweedSkin, RunsHoldAllVerticesOfAPlant)
+{
+  const Bed bed = TwoPlants();
+  const SeaweedStand stand(bed.Rest, LinksOf(bed.Rest, bed.Segments, {}), bed.Ids.data());
+  const int last = static_cast<int>(bed.Rest.Nodes.size()) - 1;
+  // Plants in turns, as blocks of a scattered forest may have them.
+  std::vector<int> ids;
+  for (const int node : { 1, 1, last, last, last, 2, last - 1 })
+  {
+    ids.insert(ids.end(), { node, 0, 0, 0 });
+  }
+  const SeaweedSkin skin(ids.data(), 7, stand);
+  std::vector<std::vector<std::size_t>> vertices(2);
+  for (std::size_t plant = 0; plant < 2; ++plant)
+  {
+    for (const SkinRun* run = skin.RunsOf(plant); run != skin.RunsOf(plant + 1); ++run)
+    {
+      EXPECT_EQ(run->Plant, plant);
+      for (std::size_t vertex = run->First; vertex < run->End; ++vertex)
+      {
+        vertices[plant].push_back(vertex);
+      }
+    }
+  }
+  EXPECT_EQ(vertices[0], (std::vector<std::size_t>{ 0, 1, 5 }));
+  EXPECT_EQ(vertices[1], (std::vector<std::size_t>{ 2, 3, 4, 6 }));
+}
+
+TEST(SeaweedSkin, RigidVerticesFollowOneNode)
+{
+  const std::vector<float> points{ 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f };
+  const std::vector<float> normals{ 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 1.0f };
+  const std::vector<int> ids{ 0, 1, 0, 0, 0, 1, 0, 0 };
+  const std::vector<float> weights{ 0.75f, 0.25f, 0.0f, 0.0f, 0.25f, 0.75f, 0.0f, 0.0f };
+  const RestSkin<float> rest{ points.data(), normals.data(), ids.data(), weights.data() };
+  // The first node stays, the second goes up by 1 m.
+  const std::vector<JointChange> changes{ ChangeOf(JointPose(), Vector3(0.0)),
+    ChangeOf(JointPose{ { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } }, Vector3(0.0)) };
+  for (const float rigidity : { 0.0f, 0.5f, 1.0f })
+  {
+    std::vector<float> p(6, -1.0f);
+    std::vector<float> n(6, -1.0f);
+    MoveRun({ 1, 2, 0 }, rest, changes, rigidity, p.data(), n.data());
+    EXPECT_EQ(p[2], -1.0f); // not of the run
+    EXPECT_FLOAT_EQ(p[5], 0.75f + 0.25f * rigidity);
+    MoveRun({ 0, 1, 0 }, rest, changes, rigidity, p.data(), n.data());
+    EXPECT_FLOAT_EQ(p[2], 0.25f - 0.25f * rigidity);
+  }
+}
+
+TEST(SeaweedLevels, SharesFallFromOneToZeroOverTheBand)
+{
+  SeaweedLevels levels; // 5 m, 20 m, 12 m
+  EXPECT_EQ(LevelSharesAt(levels, 5.0, 1.0).Near, 1.0);
+  EXPECT_EQ(LevelSharesAt(levels, 17.0, 1.0).Near, 0.0);
+  EXPECT_DOUBLE_EQ(LevelSharesAt(levels, 11.0, 1.0).Near, 0.5);
+  EXPECT_EQ(LevelSharesAt(levels, 20.0, 1.0).Far, 1.0);
+  EXPECT_DOUBLE_EQ(LevelSharesAt(levels, 26.0, 1.0).Far, 0.5);
+  EXPECT_DOUBLE_EQ(LevelSharesAt(levels, 25.0, 40.0).Near, 0.5); // a reach beyond the band
+  levels.BlendDistance = 0.0;
+  EXPECT_EQ(LevelSharesAt(levels, 5.0, 40.0).Near, 1.0);
+  EXPECT_EQ(LevelSharesAt(levels, 5.001, 40.0).Near, 0.0);
+}
+
+TEST(SeaweedLevels, TrainsLeaveOutNoMoreThanTheMaximum)
+{
+  SeaState sea = Waves();
+  for (int n = 0; n < 60; ++n)
+  {
+    const double number = 1.0 + 0.2 * n;
+    sea.Trains.push_back({ 0.05 / (1.0 + n), std::sqrt(9.81 * number), number, 0.1 * n, 0.0 });
+  }
+  for (const double height : { 0.0, -1.0, -5.0 })
+  {
+    for (const double maximum : { 1e-4, 1e-2, 0.1, 10.0 })
+    {
+      const std::vector<float> shares = TrainShares(sea, height, maximum);
+      double left = 0.0;
+      for (std::size_t n = 0; n < shares.size(); ++n)
+      {
+        EXPECT_GE(shares[n], 0.0f);
+        EXPECT_LE(shares[n], 1.0f);
+        left += (1.0 - shares[n]) * AxesAt(sea.Trains[n], height, sea.Depth).Horizontal;
+      }
+      EXPECT_LE(left, maximum);
+      EXPECT_EQ(shares.back() < 1.0f, maximum > 1e-3 || height < 0.0); // it is of 0.8 mm at the surface
+    }
+  }
+}
