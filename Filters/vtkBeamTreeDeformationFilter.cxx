@@ -4,6 +4,7 @@
 
 #include "Data/Blocks.h"
 #include "Data/SwayForest.h"
+#include "Pipeline/LastChange.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -29,12 +30,6 @@ constexpr int WindPort = 1;
 constexpr int PrototypesPort = 2;
 constexpr int MostPictures = 16; // a species, as pictures of more than 16384 texels cannot be shown everywhere
 
-/// When data last changed or were made anew.
-vtkMTimeType LastChange(vtkDataObject* data)
-{
-  return std::max(data->GetMTime(), data->GetUpdateTime());
-}
-
 void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* plants)
 {
   vtkNew<vtkDoubleArray> array;
@@ -50,7 +45,7 @@ void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* pl
 }
 
 //----------------------------------------------------------------------------
-struct vtkBeamTreeDeformationFilter::Memory
+struct vtkBeamTreeDeformationFilter::Internals
 {
   // Inputs are held, so that no other object gets their addresses.
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>> Inputs;
@@ -201,8 +196,8 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
 /// Reads the inputs, unless they are those of the last time. The reason why they are bad, or nothing.
 std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
 {
-  auto memory = std::make_unique<Memory>();
-  memory->Properties = this->GetMTime();
+  auto read = std::make_unique<Internals>();
+  read->Properties = this->GetMTime();
   std::string reason;
   std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   for (int port : { PlantsPort, WindPort, PrototypesPort })
@@ -210,15 +205,15 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputVector[port], index);
-      memory->Inputs.emplace_back(data, LastChange(data));
+      read->Inputs.emplace_back(data, littoral::LastChange(data));
       if (port == PrototypesPort)
       {
         prototypes.push_back(littoral::BlocksOf(data, reason));
       }
     }
   }
-  if (this->Kept && this->Kept->Forest.IsWhole() && this->Kept->Inputs == memory->Inputs &&
-    this->Kept->Properties == memory->Properties)
+  if (this->Internal && this->Internal->Forest.IsWhole() && this->Internal->Inputs == read->Inputs &&
+    this->Internal->Properties == read->Properties)
   {
     return {};
   }
@@ -226,9 +221,9 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
   {
     return "Of Prototypes: " + reason;
   }
-  this->Kept = std::move(memory);
+  this->Internal = std::move(read);
   this->SetProgressText("Reading plants");
-  return this->Kept->Forest.Read(plants, { prototypes.begin(), prototypes.end() },
+  return this->Internal->Forest.Read(plants, { prototypes.begin(), prototypes.end() },
     vtkImageData::GetData(inputVector[WindPort]), this->MakeSettings(), this);
 }
 
@@ -246,18 +241,18 @@ int vtkBeamTreeDeformationFilter::RequestData(
   reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
   if (!reason.empty())
   {
-    this->Kept.reset();
+    this->Internal.reset();
     vtkErrorMacro(<< reason);
     return 0;
   }
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);
-  if (this->Kept->Forest.IsWhole())
+  if (this->Internal->Forest.IsWhole())
   {
     this->SetProgressText("Moving plants");
-    this->Kept->Forest.Move(time, plants, output, this);
-    AttachFrequencies(this->Kept->Forest.GetFrequencies(), output);
-    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Forest.GetPictures());
+    this->Internal->Forest.Move(time, plants, output, this);
+    AttachFrequencies(this->Internal->Forest.GetFrequencies(), output);
+    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Internal->Forest.GetPictures());
   }
   this->UpdateProgress(1.0);
   return 1;

@@ -30,6 +30,11 @@
 class vtkDataArray;
 class vtkImageData;
 
+namespace littoral
+{
+struct TerrainRule;
+}
+
 class LITTORALFILTERS_EXPORT vtkTerrainLevelOfDetailFilter : public vtkViewDependentAlgorithm
 {
 public:
@@ -108,8 +113,10 @@ private:
   vtkDataArray* FindHeights(vtkImageData* image, vtkInformationVector** inputVector);
   bool UpdatePyramid(vtkImageData* image, vtkDataArray* heights);
 
-  struct KeptPyramid;
-  std::unique_ptr<KeptPyramid> Kept;
+  struct Internals;
+  littoral::TerrainRule MakeRule() const;
+
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

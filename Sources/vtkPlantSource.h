@@ -19,6 +19,8 @@
  * it is transparent where there is no leaf. Output 2: the picture on a leaf, to be multiplied with its color. Both can
  * be connected to a vtkTexture. They also travel as field data `Texture` and `TextureSize` of Crown and Leaves.
  *
+ * The sizes of both pictures are announced with the information of output 0, by the key TEXTURE_SIZES().
+ *
  * A plant has no pieces: the first piece holds all of it.
  */
 #ifndef vtkPlantSource_h
@@ -28,6 +30,8 @@
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
 #include <array> // for the size of a picture
+
+class vtkInformationDataObjectMetaDataKey;
 
 namespace littoral
 {
@@ -40,6 +44,10 @@ class LITTORALSOURCES_EXPORT vtkPlantSource : public vtkMultiBlockDataSetAlgorit
 public:
   vtkTypeMacro(vtkPlantSource, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Sizes of the textures that the blocks of a plant will carry, before any data are made: a vtkDataObject whose field
+  /// arrays `Crown` and `Leaves` hold columns and rows [texels]. The pipeline copies it to all filters downstream.
+  static vtkInformationDataObjectMetaDataKey* TEXTURE_SIZES();
 
   ///@{
   /// Any whole number; another seed gives another individual of the same kind. Default 1.
