@@ -45,7 +45,7 @@ void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* pl
 }
 
 //----------------------------------------------------------------------------
-struct vtkBeamTreeDeformationFilter::Internals
+struct vtkBeamTreeDeformationFilter::Memory
 {
   // Inputs are held, so that no other object gets their addresses.
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>> Inputs;
@@ -196,8 +196,8 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
 /// Reads the inputs, unless they are those of the last time. The reason why they are bad, or nothing.
 std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
 {
-  auto read = std::make_unique<Internals>();
-  read->Properties = this->GetMTime();
+  auto memory = std::make_unique<Memory>();
+  memory->Properties = this->GetMTime();
   std::string reason;
   std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   for (int port : { PlantsPort, WindPort, PrototypesPort })
@@ -205,15 +205,15 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputVector[port], index);
-      read->Inputs.emplace_back(data, littoral::LastChange(data));
+      memory->Inputs.emplace_back(data, littoral::LastChange(data));
       if (port == PrototypesPort)
       {
         prototypes.push_back(littoral::BlocksOf(data, reason));
       }
     }
   }
-  if (this->Internal && this->Internal->Forest.IsWhole() && this->Internal->Inputs == read->Inputs &&
-    this->Internal->Properties == read->Properties)
+  if (this->Kept && this->Kept->Forest.IsWhole() && this->Kept->Inputs == memory->Inputs &&
+    this->Kept->Properties == memory->Properties)
   {
     return {};
   }
@@ -221,9 +221,9 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
   {
     return "Of Prototypes: " + reason;
   }
-  this->Internal = std::move(read);
+  this->Kept = std::move(memory);
   this->SetProgressText("Reading plants");
-  return this->Internal->Forest.Read(plants, { prototypes.begin(), prototypes.end() },
+  return this->Kept->Forest.Read(plants, { prototypes.begin(), prototypes.end() },
     vtkImageData::GetData(inputVector[WindPort]), this->MakeSettings(), this);
 }
 
@@ -241,18 +241,18 @@ int vtkBeamTreeDeformationFilter::RequestData(
   reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
   if (!reason.empty())
   {
-    this->Internal.reset();
+    this->Kept.reset();
     vtkErrorMacro(<< reason);
     return 0;
   }
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);
-  if (this->Internal->Forest.IsWhole())
+  if (this->Kept->Forest.IsWhole())
   {
     this->SetProgressText("Moving plants");
-    this->Internal->Forest.Move(time, plants, output, this);
-    AttachFrequencies(this->Internal->Forest.GetFrequencies(), output);
-    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Internal->Forest.GetPictures());
+    this->Kept->Forest.Move(time, plants, output, this);
+    AttachFrequencies(this->Kept->Forest.GetFrequencies(), output);
+    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Forest.GetPictures());
   }
   this->UpdateProgress(1.0);
   return 1;

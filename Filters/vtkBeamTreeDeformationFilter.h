@@ -183,8 +183,8 @@ private:
   vtkBeamTreeDeformationFilter(const vtkBeamTreeDeformationFilter&) = delete;
   void operator=(const vtkBeamTreeDeformationFilter&) = delete;
 
-  struct Internals;
-  std::unique_ptr<Internals> Internal; // what was read from the last inputs
+  struct Memory;
+  std::unique_ptr<Memory> Kept; // what was read from the last inputs
 
   std::string WhyInvalid() const;
   littoral::SwaySettings MakeSettings() const;

@@ -28,14 +28,6 @@
 #include "LittoralSourcesModule.h" // for export macro
 #include "vtkTableAlgorithm.h"
 
-class vtkTable;
-
-namespace littoral
-{
-struct SpectrumParameters;
-struct TrainParameters;
-}
-
 class LITTORALSOURCES_EXPORT vtkSeaStateSource : public vtkTableAlgorithm
 {
 public:
@@ -196,9 +188,6 @@ protected:
 private:
   vtkSeaStateSource(const vtkSeaStateSource&) = delete;
   void operator=(const vtkSeaStateSource&) = delete;
-
-  littoral::SpectrumParameters MakeSpectrum(vtkTable* measured) const;
-  littoral::TrainParameters MakeCut() const;
 };
 
 #endif

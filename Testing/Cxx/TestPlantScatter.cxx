@@ -32,6 +32,7 @@
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -579,7 +580,9 @@ bool SilentPrototypes()
   Forest there;
   there.Pine->Update();
   there.Filter->RemoveAllPrototypes();
-  there.Filter->AddInputData(1, there.Pine->GetOutputDataObject(0));
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(there.Pine->GetOutputDataObject(0));
+  there.Filter->AddInputConnection(1, producer->GetOutputPort());
   there.Filter->UpdateInformation();
   bool good = Check(
     Announced(there.Filter, 1) == std::array<int, 2>{ 32 + 4, 16 + 4 }, "the size of a picture that is there is wrong");
