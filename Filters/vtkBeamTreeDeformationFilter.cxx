@@ -5,6 +5,7 @@
 #include "Data/Blocks.h"
 #include "Data/SwayBlocks.h"
 #include "Numerics/ParameterRange.h"
+#include "Pipeline/LastChange.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -29,12 +30,6 @@ constexpr int PlantsPort = 0;
 constexpr int WindPort = 1;
 constexpr int PrototypesPort = 2;
 constexpr int MostPictures = 16; // a species, as pictures of more than 16384 texels cannot be shown everywhere
-
-/// When data last changed or were made anew.
-vtkMTimeType LastChange(vtkDataObject* data)
-{
-  return std::max(data->GetMTime(), data->GetUpdateTime());
-}
 
 void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* plants)
 {
@@ -207,7 +202,7 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputVector[port], index);
-      memory->Inputs.emplace_back(data, LastChange(data));
+      memory->Inputs.emplace_back(data, littoral::LastChange(data));
       if (port == PrototypesPort)
       {
         prototypes.push_back(littoral::BlocksOf(data, reason));

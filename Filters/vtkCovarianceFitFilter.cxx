@@ -96,11 +96,41 @@ void WriteFits(const std::vector<littoral::VariogramFit>& fits, const RemovedTre
   column("AICc", [](const Fit& fit) { return fit.AICc; });
 }
 
-void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vector<littoral::LagBin>& sectors,
-  int directions, const std::vector<littoral::VariogramFit>& fits, const littoral::DetrendedWindow& window,
-  vtkTable* table)
+/// Fractal dimensions by two methods, as field data.
+void AddDimensions(const littoral::GridSamples& samples, const littoral::VariogramMap& map, vtkTable* table)
+{
+  const littoral::DimensionEstimate periodogram = littoral::DimensionFromPeriodogram(samples, littoral::SmpFor);
+  const littoral::DimensionEstimate slope = littoral::DimensionFromVariogram(map);
+  littoral::AddField(table, "PeriodogramDimension", { periodogram.Dimension, periodogram.StandardError });
+  littoral::AddField(table, "VariogramDimension", { slope.Dimension, slope.StandardError });
+}
+
+/// Semivariances in rings by the distance of pairs, and in sectors by their direction too.
+struct MeasuredVariogram
+{
+  std::vector<littoral::LagBin> Rings;
+  std::vector<littoral::LagBin> Sectors;
+  int Directions; ///< 0: no sectors
+
+  MeasuredVariogram(const littoral::VariogramMap& map, double maximumLag, int lags, int directions)
+    : Rings(littoral::BinVariogram(map, maximumLag, lags, 1))
+    , Directions(directions)
+  {
+    if (directions > 0)
+    {
+      this->Sectors = littoral::BinVariogram(map, maximumLag, lags, directions);
+    }
+  }
+
+  const std::vector<littoral::LagBin>& GetBins() const { return this->Directions > 0 ? this->Sectors : this->Rings; }
+};
+
+void WriteVariogram(const MeasuredVariogram& variogram, const std::vector<littoral::VariogramFit>& fits,
+  const littoral::DetrendedWindow& window, vtkTable* table)
 {
   using littoral::LagBin;
+  const std::vector<LagBin>& rings = variogram.Rings;
+  const int directions = variogram.Directions;
   const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, rings, valueOf); };
   column("Lag", [](const LagBin& ring) { return ring.Lag; });
   column("Semivariance", [](const LagBin& ring) { return ring.Semivariance; });
@@ -117,7 +147,7 @@ void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vecto
     });
   }
   std::map<std::pair<int, int>, double> measured; // by direction and ring; a short ring may miss some directions
-  for (const LagBin& sector : sectors)
+  for (const LagBin& sector : variogram.Sectors)
   {
     measured[{ sector.Direction, sector.Ring }] = sector.Semivariance;
   }
@@ -134,6 +164,21 @@ void WriteVariogram(const std::vector<littoral::LagBin>& rings, const std::vecto
 }
 
 }
+
+/// Samples without their trend.
+struct vtkCovarianceFitFilter::Detrended
+{
+  littoral::GridSamples Samples;
+  littoral::SampleMoments Moments; ///< with the trend
+  RemovedTrend Trend{ {}, 0.0, 0.0 };
+  double Variance = 0.0;
+
+  /// Length of a side [m].
+  double Side(int axis) const
+  {
+    return ((axis == 0 ? this->Samples.Width : this->Samples.Height) - 1) * this->Samples.Spacing[axis];
+  }
+};
 
 //----------------------------------------------------------------------------
 vtkCovarianceFitFilter::vtkCovarianceFitFilter()
@@ -196,20 +241,8 @@ bool vtkCovarianceFitFilter::CheckProperties()
 }
 
 //----------------------------------------------------------------------------
-int vtkCovarianceFitFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformationVector** inputVector)
 {
-  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
-  vtkTable* table = vtkTable::GetData(outputVector, 0);
-  vtkTable* variogram = vtkTable::GetData(outputVector, 1);
-  if (littoral::AsksForLaterPieces(outputVector))
-  {
-    return 1;
-  }
-  if (!this->CheckProperties())
-  {
-    return 0;
-  }
   int dimensions[3];
   image->GetDimensions(dimensions);
   if (dimensions[2] != 1 || dimensions[0] < SmallestSide || dimensions[1] < SmallestSide)
@@ -217,7 +250,7 @@ int vtkCovarianceFitFilter::RequestData(
     vtkErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
                                    << " points; a fit needs one layer in z of at least " << SmallestSide << " x "
                                    << SmallestSide << ".");
-    return 0;
+    return nullptr;
   }
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
   const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
@@ -231,63 +264,94 @@ int vtkCovarianceFitFilter::RequestData(
     vtkErrorMacro("The image has no scalar point array to fit" << (array ? ": the chosen one is a vector or lies on "
                                                                            "cells."
                                                                          : "."));
-    return 0;
+    return nullptr;
   }
+  return array;
+}
 
-  this->SetProgressText("Fitting covariance models");
-  littoral::GridSamples samples = ReadSamples(image, array, this->UseNoDataValue, this->NoDataValue);
-  const littoral::SampleMoments moments = littoral::Moments(samples);
+//----------------------------------------------------------------------------
+bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, Detrended& field)
+{
+  littoral::GridSamples& samples = field.Samples;
+  samples = ReadSamples(image, array, this->UseNoDataValue, this->NoDataValue);
+  field.Moments = littoral::Moments(samples);
+  const littoral::SampleMoments& moments = field.Moments;
   if (moments.Count < static_cast<std::size_t>(SmallestSide * SmallestSide))
   {
     vtkErrorMacro("Only " << moments.Count << " of " << samples.Values.size()
                           << " values are there, the others are NaN or no-data; a fit needs at least "
                           << SmallestSide * SmallestSide << ".");
-    return 0;
+    return false;
   }
-  RemovedTrend trend{ {}, 0.0, 0.0 };
   if (this->RemoveTrend)
   {
-    trend = { littoral::RemovePlane(samples), samples.Width * samples.Spacing[0], samples.Height * samples.Spacing[1] };
+    field.Trend = { littoral::RemovePlane(samples), samples.Width * samples.Spacing[0],
+      samples.Height * samples.Spacing[1] };
   }
   else
   {
-    trend.Plane = littoral::RemoveMean(samples);
+    field.Trend.Plane = littoral::RemoveMean(samples);
   }
-  const double variance = littoral::Moments(samples).Variance;
-  if (variance <= 1e-20 * (moments.Variance + moments.Mean * moments.Mean))
+  field.Variance = littoral::Moments(samples).Variance;
+  if (field.Variance <= 1e-20 * (moments.Variance + moments.Mean * moments.Mean))
   {
     vtkErrorMacro(
       "The image is " << (moments.Variance > 0.0 ? "a plane" : "constant") << ": there is no variation to fit.");
+    return false;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+littoral::VariogramFitOptions vtkCovarianceFitFilter::MakeOptions(
+  const Detrended& field, const littoral::DetrendedWindow& window, double maximumLag) const
+{
+  const double longestSide = std::max(field.Side(0), field.Side(1));
+  littoral::VariogramFitOptions options;
+  options.Nugget = this->FitNugget;
+  options.Anisotropy = this->FitAnisotropy;
+  options.LongestRange = this->LongestRange > 0.0 ? this->LongestRange : maximumLag;
+  options.FractalRange = this->FractalWavelength > 0.0 ? this->FractalWavelength : 4.0 * longestSide;
+  options.Window = &window;
+  options.SampleVariance = field.Variance;
+  options.Directions = this->FitAnisotropy ? this->NumberOfDirections : 1;
+  return options;
+}
+
+//----------------------------------------------------------------------------
+int vtkCovarianceFitFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (littoral::AsksForLaterPieces(outputVector))
+  {
+    return 1;
+  }
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  vtkDataArray* array = this->CheckProperties() ? this->FindArray(image, inputVector) : nullptr;
+  if (!array)
+  {
     return 0;
   }
-
-  const double sideX = (dimensions[0] - 1) * samples.Spacing[0];
-  const double sideY = (dimensions[1] - 1) * samples.Spacing[1];
-  const double maximumLag = this->MaximumLag > 0.0 ? this->MaximumLag : 0.5 * std::min(sideX, sideY);
-  const littoral::VariogramMap map = littoral::ComputeVariogramMap(samples, maximumLag, littoral::SmpFor);
+  this->SetProgressText("Fitting covariance models");
+  Detrended field;
+  if (!this->Detrend(image, array, field))
+  {
+    return 0;
+  }
+  const double maximumLag = this->MaximumLag > 0.0 ? this->MaximumLag : 0.5 * std::min(field.Side(0), field.Side(1));
+  const littoral::VariogramMap map = littoral::ComputeVariogramMap(field.Samples, maximumLag, littoral::SmpFor);
   this->UpdateProgress(0.3);
   if (littoral::IsAborted(this))
   {
     return 1;
   }
-
-  const int directions = this->FitAnisotropy ? this->NumberOfDirections : 0;
-  const std::vector<littoral::LagBin> rings = littoral::BinVariogram(map, maximumLag, this->NumberOfLags, 1);
-  const std::vector<littoral::LagBin> sectors = directions > 0
-    ? littoral::BinVariogram(map, maximumLag, this->NumberOfLags, directions)
-    : std::vector<littoral::LagBin>();
-  littoral::VariogramFitOptions options;
-  options.Nugget = this->FitNugget;
-  options.Anisotropy = this->FitAnisotropy;
-  options.LongestRange = this->LongestRange > 0.0 ? this->LongestRange : maximumLag;
-  options.FractalRange = this->FractalWavelength > 0.0 ? this->FractalWavelength : 4.0 * std::max(sideX, sideY);
-  const littoral::DetrendedWindow window(samples, this->RemoveTrend ? littoral::Trend::Plane : littoral::Trend::Mean);
-  options.Window = &window;
-  options.SampleVariance = variance;
-  options.Directions = std::max(1, directions);
+  const MeasuredVariogram variogram(
+    map, maximumLag, this->NumberOfLags, this->FitAnisotropy ? this->NumberOfDirections : 0);
+  const littoral::DetrendedWindow window(
+    field.Samples, this->RemoveTrend ? littoral::Trend::Plane : littoral::Trend::Mean);
   bool aborted = false;
   const std::vector<littoral::VariogramFit> fits =
-    littoral::FitAllModels(directions > 0 ? sectors : rings, options, [&](double part) {
+    littoral::FitAllModels(variogram.GetBins(), this->MakeOptions(field, window, maximumLag), [&](double part) {
       this->UpdateProgress(0.3 + 0.6 * part);
       aborted = littoral::IsAborted(this);
       return !aborted;
@@ -298,19 +362,16 @@ int vtkCovarianceFitFilter::RequestData(
   }
   if (!std::isfinite(fits.front().AICc))
   {
-    vtkErrorMacro("No model could be fitted: only " << rings.size() << " lags up to " << maximumLag
+    vtkErrorMacro("No model could be fitted: only " << variogram.Rings.size() << " lags up to " << maximumLag
                                                     << " have pairs. Take a longer MaximumLag.");
     return 0;
   }
-
-  WriteFits(fits, trend, window, table);
-  WriteVariogram(rings, sectors, directions, fits, window, variogram);
-  const littoral::DimensionEstimate periodogram = littoral::DimensionFromPeriodogram(samples, littoral::SmpFor);
-  const littoral::DimensionEstimate slope = littoral::DimensionFromVariogram(map);
-  littoral::AddField(table, "SampleVariance", { variance });
-  littoral::AddField(table, "NumberOfValues", { static_cast<double>(moments.Count) });
-  littoral::AddField(table, "PeriodogramDimension", { periodogram.Dimension, periodogram.StandardError });
-  littoral::AddField(table, "VariogramDimension", { slope.Dimension, slope.StandardError });
+  vtkTable* table = vtkTable::GetData(outputVector, 0);
+  WriteFits(fits, field.Trend, window, table);
+  WriteVariogram(variogram, fits, window, vtkTable::GetData(outputVector, 1));
+  littoral::AddField(table, "SampleVariance", { field.Variance });
+  littoral::AddField(table, "NumberOfValues", { static_cast<double>(field.Moments.Count) });
+  AddDimensions(field.Samples, map, table);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -38,6 +38,15 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkTableAlgorithm.h"
 
+class vtkDataArray;
+class vtkImageData;
+
+namespace littoral
+{
+class DetrendedWindow;
+struct VariogramFitOptions;
+}
+
 class LITTORALFILTERS_EXPORT vtkCovarianceFitFilter : public vtkTableAlgorithm
 {
 public:
@@ -155,7 +164,13 @@ private:
   vtkCovarianceFitFilter(const vtkCovarianceFitFilter&) = delete;
   void operator=(const vtkCovarianceFitFilter&) = delete;
 
+  struct Detrended;
+
   bool CheckProperties();
+  vtkDataArray* FindArray(vtkImageData* image, vtkInformationVector** inputVector);
+  bool Detrend(vtkImageData* image, vtkDataArray* array, Detrended& field);
+  littoral::VariogramFitOptions MakeOptions(
+    const Detrended& field, const littoral::DetrendedWindow& window, double maximumLag) const;
 };
 
 #endif

@@ -120,6 +120,31 @@ void BoxOf(const std::vector<littoral::FogParticle>& particles, double thickness
   }
 }
 
+/// The samples of an extent, with the extinction of the water itself.
+void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& fog, float water, const int extent[6],
+  vtkImageData* output)
+{
+  output->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
+  output->SetOrigin(&grid.Origin.x);
+  output->SetSpacing(&grid.Spacing.x);
+  vtkNew<vtkFloatArray> extinction;
+  extinction->SetName(littoral::sea::Extinction);
+  extinction->SetNumberOfValues(output->GetNumberOfPoints());
+  vtkIdType sample = 0;
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      const std::size_t row = (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0];
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        extinction->SetValue(sample++, fog.GetExtinction()[row + i] + water);
+      }
+    }
+  }
+  output->GetPointData()->SetScalars(extinction);
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -296,26 +321,7 @@ int vtkParticleFogFilter::RequestData(
   vtkImageData* output = vtkImageData::GetData(info);
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  output->SetExtent(extent);
-  output->SetOrigin(&grid.Origin.x);
-  output->SetSpacing(&grid.Spacing.x);
-  vtkNew<vtkFloatArray> extinction;
-  extinction->SetName(littoral::sea::Extinction);
-  extinction->SetNumberOfValues(output->GetNumberOfPoints());
-  const float water = static_cast<float>(this->WaterExtinction);
-  vtkIdType sample = 0;
-  for (int k = extent[4]; k <= extent[5]; ++k)
-  {
-    for (int j = extent[2]; j <= extent[3]; ++j)
-    {
-      const std::size_t row = (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0];
-      for (int i = extent[0]; i <= extent[1]; ++i)
-      {
-        extinction->SetValue(sample++, fog.GetExtinction()[row + i] + water);
-      }
-    }
-  }
-  output->GetPointData()->SetScalars(extinction);
+  CopyExtinction(grid, fog, static_cast<float>(this->WaterExtinction), extent, output);
   littoral::AddField(output, "ParticlesInFog", { count - static_cast<double>(fog.GetOutside()) });
   littoral::AddField(output, "ParticlesOutside", { static_cast<double>(fog.GetOutside()) });
   littoral::AddField(output, "CrossSection", { littoral::TotalCrossSection(grid, fog.GetExtinction()) });

@@ -41,7 +41,7 @@
 vtkStandardNewMacro(vtkParticleLevelOfDetailFilter);
 
 /// What does not depend on the view, and what it was made of.
-struct vtkParticleLevelOfDetailFilter::Memory
+struct vtkParticleLevelOfDetailFilter::Internals
 {
   std::vector<littoral::Vector3> Places;
   std::unique_ptr<littoral::ParticleGroups> Groups;
@@ -59,6 +59,7 @@ namespace
 /// What a particle takes here and in the output at most, without its own arrays [bytes].
 constexpr double BytesAParticle = 400.0;
 
+/// The levels of the output.
 enum class LevelKind
 {
   Near,
@@ -189,13 +190,79 @@ void AddLevelArrays(vtkPointData* arrays, const std::vector<littoral::ShownParti
   }
 }
 
-long long CountSlaves(const std::vector<littoral::ShownParticle>& level)
+/// The order in which the trains of the sea state are taken, as a field array.
+vtkSmartPointer<vtkIntArray> OrderArray(const std::vector<int>& order)
 {
-  return std::count_if(
-    level.begin(), level.end(), [](const littoral::ShownParticle& particle) { return particle.Master >= 0; });
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(littoral::sea::TrainOrder);
+  for (const int train : order)
+  {
+    array->InsertNextValue(train);
+  }
+  return array;
+}
+
+/// The particles of a level, with all that tells how they are drawn and moved.
+vtkSmartPointer<vtkPolyData> LevelBlock(vtkPointSet* input, const std::vector<littoral::ShownParticle>& level,
+  LevelKind kind, const std::vector<littoral::Vector3>& places, const littoral::ParticleGroups& groups, bool scattered)
+{
+  auto block = vtkSmartPointer<vtkPolyData>::New();
+  const bool isDouble = input->GetPoints()->GetDataType() == VTK_DOUBLE;
+  block->SetPoints(isDouble ? PointsOf<vtkDoubleArray>(level, places, groups, scattered)
+                            : PointsOf<vtkFloatArray>(level, places, groups, scattered));
+  block->SetVerts(VerticesOf(static_cast<vtkIdType>(level.size())));
+  CarryArrays(input, level, block->GetPointData());
+  AddLevelArrays(block->GetPointData(), level, kind, groups);
+  return block;
+}
+
+/// Counters as field data, where this many particles could have been shown.
+void AddCounters(
+  vtkDataObject* output, const littoral::ParticleSelection& selection, double particles, std::size_t trains)
+{
+  const auto slaves = std::count_if(selection.Middle.begin(), selection.Middle.end(),
+    [](const littoral::ShownParticle& particle) { return particle.Master >= 0; });
+  const auto add = [output](const char* name, double value) { littoral::AddField(output, name, { value }); };
+  add("ParticlesInAll", particles);
+  add("ParticlesShown", static_cast<double>(selection.Shown));
+  add("ParticlesFar", static_cast<double>(selection.Far.size()));
+  add("Masters", static_cast<double>(static_cast<long long>(selection.Middle.size()) - slaves));
+  add("Slaves", static_cast<double>(slaves));
+  add("CellsInAll", static_cast<double>(selection.CellsInAll));
+  add("CellsShown", static_cast<double>(selection.CellsShown));
+  add("Orbits", static_cast<double>(selection.Orbits));
+  add("TrainSums", static_cast<double>(selection.TrainSum));
+  add("TrainSumsInAll", particles * static_cast<double>(trains));
+  add("LargestSlaveError", selection.LargestSlave);
 }
 
 }
+
+/// The cells of the particles that a piece has.
+struct vtkParticleLevelOfDetailFilter::Piece
+{
+  std::size_t FirstCell;
+  std::size_t EndCell;
+
+  Piece(vtkInformation* output, std::size_t cells)
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    const std::size_t piece = static_cast<std::size_t>(std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())));
+    const std::size_t pieces = static_cast<std::size_t>(std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
+    this->FirstCell = cells * piece / pieces;
+    this->EndCell = cells * (piece + 1) / pieces;
+  }
+
+  double NumberOfParticles(const littoral::ParticleGroups& groups) const
+  {
+    long long particles = 0;
+    for (std::size_t cell = this->FirstCell; cell < this->EndCell; ++cell)
+    {
+      particles += static_cast<long long>(groups.GetCells()[cell].End - groups.GetCells()[cell].Begin);
+    }
+    return static_cast<double>(particles);
+  }
+};
 
 //----------------------------------------------------------------------------
 vtkParticleLevelOfDetailFilter::vtkParticleLevelOfDetailFilter()
@@ -212,7 +279,7 @@ vtkParticleLevelOfDetailFilter::vtkParticleLevelOfDetailFilter()
   , ParticlesPerCell(64)
   , Margin(0.01)
   , FogMargin(1.0)
-  , Kept(new Memory)
+  , Internal(new Internals)
 {
   this->NearDistance = 2.0;
   this->FarDistance = 12.0;
@@ -279,7 +346,7 @@ std::string vtkParticleLevelOfDetailFilter::WhyBadProperties() const
 //----------------------------------------------------------------------------
 std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
 {
-  Memory& kept = *this->Kept;
+  Internals& kept = *this->Internal;
   const vtkIdType count = particles->GetPoints() ? particles->GetNumberOfPoints() : 0;
   if (count == 0)
   {
@@ -294,7 +361,7 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
   {
     return "";
   }
-  kept = Memory();
+  kept = Internals();
   littoral::GroupOptions options;
   options.Slaves = this->SlavesPerMaster;
   options.NearestOffset = this->OffsetRange[0];
@@ -339,10 +406,8 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
 }
 
 //----------------------------------------------------------------------------
-int vtkParticleLevelOfDetailFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+littoral::ParticleLevelOptions vtkParticleLevelOfDetailFilter::MakeOptions() const
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   littoral::ParticleLevelOptions options;
   options.UseLevels = this->UseLevels;
   options.UseCulling = this->UseCulling;
@@ -352,6 +417,15 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   options.VisibleDistance = this->Visibility;
   options.Margin = this->Margin;
   options.FogMargin = this->FogMargin;
+  return options;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleLevelOfDetailFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  const littoral::ParticleLevelOptions options = this->MakeOptions();
   littoral::SeaState state;
   std::string reason = littoral::WhyInvalid(options);
   reason = reason.empty() ? this->WhyBadProperties() : reason;
@@ -368,68 +442,26 @@ int vtkParticleLevelOfDetailFilter::RequestData(
     return 0;
   }
   this->SetProgressText("Choosing levels of detail");
-  const Memory& kept = *this->Kept;
+  const Internals& kept = *this->Internal;
   const std::vector<int> order = littoral::OrderAt(state, kept.MeanHeight);
   const littoral::TrainTable table(littoral::Ordered(state, order), kept.Lowest, kept.Highest, view,
     static_cast<littoral::TrainRule>(this->TrainSelection), this->ScreenError);
-  const littoral::ViewFrustum frustum(view);
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const std::size_t piece = static_cast<std::size_t>(std::max(0, info->Get(Pipeline::UPDATE_PIECE_NUMBER())));
-  const std::size_t pieces = static_cast<std::size_t>(std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
-  const std::size_t cells = kept.Groups->GetCells().size();
-  const littoral::ParticleSelection selection = littoral::SelectParticles(kept.Places, *kept.Groups, table, frustum,
-    options, cells * piece / pieces, cells * (piece + 1) / pieces, littoral::SmpFor);
+  const Piece piece(outputVector->GetInformationObject(0), kept.Groups->GetCells().size());
+  const littoral::ParticleSelection selection = littoral::SelectParticles(kept.Places, *kept.Groups, table,
+    littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::SmpFor);
   this->UpdateProgress(0.5);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
-  const struct
-  {
-    const char* Name;
-    LevelKind Kind;
-    const std::vector<littoral::ShownParticle>& Particles;
-  } levels[] = { { littoral::sea::Near, LevelKind::Near, selection.Near },
-    { littoral::sea::MasterSlave, LevelKind::Middle, selection.Middle },
-    { littoral::sea::Far, LevelKind::Far, selection.Far } };
-  vtkNew<vtkIntArray> trainOrder;
-  trainOrder->SetName(littoral::sea::TrainOrder);
-  for (const int train : order)
-  {
-    trainOrder->InsertNextValue(train);
-  }
-  for (const auto& level : levels)
-  {
-    vtkNew<vtkPolyData> block;
-    const bool scattered = this->SlavePlacement == Scattered;
-    const bool isDouble = input->GetPoints()->GetDataType() == VTK_DOUBLE;
-    block->SetPoints(isDouble ? PointsOf<vtkDoubleArray>(level.Particles, kept.Places, *kept.Groups, scattered)
-                              : PointsOf<vtkFloatArray>(level.Particles, kept.Places, *kept.Groups, scattered));
-    block->SetVerts(VerticesOf(static_cast<vtkIdType>(level.Particles.size())));
-    CarryArrays(input, level.Particles, block->GetPointData());
-    AddLevelArrays(block->GetPointData(), level.Particles, level.Kind, *kept.Groups);
+  const auto trainOrder = OrderArray(order);
+  const auto addLevel = [&](const char* name, LevelKind kind, const std::vector<littoral::ShownParticle>& particles) {
+    const auto block = LevelBlock(input, particles, kind, kept.Places, *kept.Groups, this->SlavePlacement == Scattered);
     block->GetFieldData()->AddArray(trainOrder);
-    littoral::AddBlock(output, level.Name, block);
-  }
-
-  long long particles = 0;
-  const auto& all = kept.Groups->GetCells();
-  for (std::size_t cell = cells * piece / pieces; cell < cells * (piece + 1) / pieces; ++cell)
-  {
-    particles += static_cast<long long>(all[cell].End - all[cell].Begin);
-  }
-  const long long slaves = CountSlaves(selection.Middle);
-  const auto add = [output](const char* name, double value) { littoral::AddField(output, name, { value }); };
-  add("ParticlesInAll", static_cast<double>(particles));
-  add("ParticlesShown", static_cast<double>(selection.Shown));
-  add("ParticlesFar", static_cast<double>(selection.Far.size()));
-  add("Masters", static_cast<double>(static_cast<long long>(selection.Middle.size()) - slaves));
-  add("Slaves", static_cast<double>(slaves));
-  add("CellsInAll", static_cast<double>(selection.CellsInAll));
-  add("CellsShown", static_cast<double>(selection.CellsShown));
-  add("Orbits", static_cast<double>(selection.Orbits));
-  add("TrainSums", static_cast<double>(selection.TrainSum));
-  add("TrainSumsInAll", static_cast<double>(particles) * static_cast<double>(state.Trains.size()));
-  add("LargestSlaveError", selection.LargestSlave);
+    littoral::AddBlock(output, name, block);
+  };
+  addLevel(littoral::sea::Near, LevelKind::Near, selection.Near);
+  addLevel(littoral::sea::MasterSlave, LevelKind::Middle, selection.Middle);
+  addLevel(littoral::sea::Far, LevelKind::Far, selection.Far);
+  AddCounters(output, selection, piece.NumberOfParticles(*kept.Groups), state.Trains.size());
   littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
   return 1;

@@ -41,6 +41,11 @@
 
 class vtkPointSet;
 
+namespace littoral
+{
+struct ParticleLevelOptions;
+}
+
 class LITTORALFILTERS_EXPORT vtkParticleLevelOfDetailFilter : public vtkViewDependentAlgorithm
 {
 public:
@@ -210,11 +215,13 @@ private:
   vtkParticleLevelOfDetailFilter(const vtkParticleLevelOfDetailFilter&) = delete;
   void operator=(const vtkParticleLevelOfDetailFilter&) = delete;
 
-  struct Memory;
+  struct Internals;
+  struct Piece;
   std::string WhyBadProperties() const;
   std::string RememberGroups(vtkPointSet* particles);
+  littoral::ParticleLevelOptions MakeOptions() const;
 
-  std::unique_ptr<Memory> Kept;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

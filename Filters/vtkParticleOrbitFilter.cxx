@@ -94,6 +94,147 @@ std::string ReadTrainOrder(vtkPointSet* input, std::size_t trains, std::vector<i
   return "";
 }
 
+/// Which points move with another one, and how many trains the others take.
+std::string ReadFollowers(vtkPointSet* input, std::vector<int>& trainCounts, littoral::Slaves& slaves)
+{
+  std::string reason = ReadTrainCounts(input, trainCounts);
+  reason = reason.empty() ? littoral::ReadSlaves(input, slaves) : reason;
+  if (!reason.empty() || slaves.Master.empty())
+  {
+    return reason;
+  }
+  // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
+  trainCounts.resize(slaves.Master.size(), std::numeric_limits<int>::max());
+  for (std::size_t id = 0; id < slaves.Master.size(); ++id)
+  {
+    trainCounts[id] = slaves.Master[id] >= 0 ? 0 : trainCounts[id];
+  }
+  return "";
+}
+
+/// The points at rest, in the type of the moved ones.
+template <typename Array>
+vtkSmartPointer<Array> CentersOf(vtkPointSet* input)
+{
+  auto centers = vtkSmartPointer<Array>::New();
+  if (Array* own = Array::SafeDownCast(input->GetPoints()->GetData()))
+  {
+    centers->ShallowCopy(own);
+  }
+  else
+  {
+    centers->DeepCopy(input->GetPoints()->GetData());
+  }
+  centers->SetName("Center");
+  return centers;
+}
+
+/// The arrays of moved points.
+template <typename Array>
+struct MovedArrays
+{
+  using Real = typename Array::ValueType;
+
+  vtkSmartPointer<Array> Positions;
+  vtkSmartPointer<Array> Normals;  ///< null unless a surface moves
+  vtkSmartPointer<Array> Jacobian; ///< null unless a surface moves
+  std::vector<Real> Gradient;      ///< of the surface, five numbers a point
+  littoral::OrbitRequest<Real> Request;
+  std::vector<Real*> Vectors; ///< what slaves take over from their masters
+
+  /// Adds the arrays that are wanted.
+  MovedArrays(vtkPointSet* input, bool velocity, bool acceleration, bool surface, vtkPointData* arrays)
+    : Positions(littoral::NewArray<Array>("Points", 3, input->GetNumberOfPoints()))
+  {
+    const vtkIdType count = input->GetNumberOfPoints();
+    const auto centers = CentersOf<Array>(input);
+    arrays->AddArray(centers);
+    this->Request.Centers = centers->GetPointer(0);
+    this->Request.Displacement = this->Positions->GetPointer(0);
+    this->Vectors = { this->Request.Displacement };
+    const auto add = [&](const char* name) {
+      const auto array = littoral::NewArray<Array>(name, 3, count);
+      arrays->AddArray(array);
+      this->Vectors.push_back(array->GetPointer(0));
+      return array->GetPointer(0);
+    };
+    this->Request.Velocity = velocity ? add("Velocity") : nullptr;
+    this->Request.Acceleration = acceleration ? add("Acceleration") : nullptr;
+    if (surface)
+    {
+      this->Normals = littoral::NewArray<Array>("Normals", 3, count);
+      this->Jacobian = littoral::NewArray<Array>("Jacobian", 1, count);
+      this->Gradient.resize(5 * static_cast<std::size_t>(count));
+      this->Request.Gradient = this->Gradient.data();
+      arrays->SetNormals(this->Normals);
+      arrays->AddArray(this->Jacobian);
+    }
+  }
+
+  MovedArrays(const MovedArrays&) = delete;
+  MovedArrays& operator=(const MovedArrays&) = delete;
+
+  /// Turns displacements into positions.
+  void AddCenters(std::size_t begin, std::size_t end)
+  {
+    Real* values = this->Request.Displacement;
+    for (std::size_t value = 3 * begin; value < 3 * end; ++value)
+    {
+      values[value] = static_cast<Real>(static_cast<double>(values[value]) + this->Request.Centers[value]);
+    }
+  }
+
+  /// Normals and Jacobians of a surface from its gradients.
+  void FinishSurface(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t id = begin; this->Normals && id < end; ++id)
+    {
+      const Real* from = &this->Gradient[5 * id];
+      const double slope[5] = { from[0], from[1], from[2], from[3], from[4] };
+      const littoral::Vector3 normal = littoral::SurfaceNormal(slope);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Normals->SetValue(3 * id + axis, static_cast<Real>(normal[axis]));
+      }
+      this->Jacobian->SetValue(id, static_cast<Real>(littoral::SurfaceJacobian(slope)));
+    }
+  }
+
+  /// Takes slaves along. Masters are no slaves: what is read here is not written here.
+  void Follow(const littoral::Slaves& slaves, std::size_t begin, std::size_t end)
+  {
+    for (std::size_t id = begin; id < end; ++id)
+    {
+      const vtkIdType master = slaves.Master[id];
+      for (int axis = 0; master >= 0 && axis < 3; ++axis)
+      {
+        for (Real* values : this->Vectors)
+        {
+          values[3 * id + axis] = values[3 * master + axis];
+        }
+        const double offset = slaves.Offset->GetComponent(static_cast<vtkIdType>(id), axis);
+        Real& value = this->Request.Displacement[3 * id + axis];
+        value = static_cast<Real>(static_cast<double>(value) + offset);
+      }
+    }
+  }
+};
+
+/// In which depth the trains are, and the highest of them, as field data.
+void AddRegimes(const littoral::SeaState& state, vtkDataObject* output)
+{
+  double regimes[3] = { 0.0, 0.0, 0.0 };
+  const littoral::WaveTrain* highest = &state.Trains.front();
+  for (const littoral::WaveTrain& train : state.Trains)
+  {
+    regimes[static_cast<int>(littoral::RegimeOf(train.WaveNumber, state.Depth))] += 1.0;
+    highest = train.Amplitude > highest->Amplitude ? &train : highest;
+  }
+  const auto regime = littoral::RegimeOf(highest->WaveNumber, state.Depth);
+  littoral::AddText(output, "DepthRegime", littoral::RegimeName(regime));
+  littoral::AddField(output, "RegimeTrains", { regimes[0], regimes[1], regimes[2] });
+}
+
 }
 
 /// The sea at the requested time.
@@ -169,28 +310,31 @@ int vtkParticleOrbitFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
+std::string vtkParticleOrbitFilter::WhyBadProperties(double time) const
+{
+  if (!(this->Choppiness >= 0.0 && this->Choppiness <= 1.0))
+  {
+    return "Choppiness is " + std::to_string(this->Choppiness) + "; it must be 0 to 1.";
+  }
+  if (this->DopplerShift && !(std::isfinite(this->Current[0]) && std::isfinite(this->Current[1])))
+  {
+    return "Current must be finite.";
+  }
+  if (!(this->TimeRange[0] < this->TimeRange[1]))
+  {
+    return "TimeRange must be increasing.";
+  }
+  return std::isfinite(time) ? "" : "the requested time is no number.";
+}
+
+//----------------------------------------------------------------------------
 int vtkParticleOrbitFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   littoral::SeaState state;
   std::string reason = littoral::ReadSeaState(vtkTable::GetData(inputVector[1]), state);
-  if (reason.empty() && !(this->Choppiness >= 0.0 && this->Choppiness <= 1.0))
-  {
-    reason = "Choppiness is " + std::to_string(this->Choppiness) + "; it must be 0 to 1.";
-  }
-  if (reason.empty() && this->DopplerShift && !(std::isfinite(this->Current[0]) && std::isfinite(this->Current[1])))
-  {
-    reason = "Current must be finite.";
-  }
-  if (reason.empty() && !(this->TimeRange[0] < this->TimeRange[1]))
-  {
-    reason = "TimeRange must be increasing.";
-  }
-  const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  if (reason.empty() && !std::isfinite(time))
-  {
-    reason = "the requested time is no number.";
-  }
+  reason = reason.empty() ? this->WhyBadProperties(time) : reason;
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot move points: " << reason);
@@ -201,51 +345,44 @@ int vtkParticleOrbitFilter::RequestData(
   options.DopplerShift = this->DopplerShift;
   std::copy(this->Current, this->Current + 2, options.Current);
   options.Choppiness = this->Choppiness;
-  const Sea sea(state, options, time);
 
   this->SetProgressText("Moving points");
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  bool good = true;
-  if (auto* blocks = vtkDataObjectTree::SafeDownCast(input))
-  {
-    auto* moved = vtkDataObjectTree::SafeDownCast(output);
-    moved->CopyStructure(blocks);
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-    for (iterator->InitTraversal(); good && !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      vtkDataObject* leaf = iterator->GetCurrentDataObject();
-      auto copy = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
-      copy->ShallowCopy(leaf);
-      auto* points = vtkPointSet::SafeDownCast(leaf);
-      good = !points || this->Move(sea, points, vtkPointSet::SafeDownCast(copy));
-      moved->SetDataSet(iterator, copy);
-    }
-  }
-  else
-  {
-    output->ShallowCopy(input);
-    good = this->Move(sea, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output));
-  }
-  if (!good)
+  if (!this->MoveAll(Sea(state, options, time), vtkDataObject::GetData(inputVector[0]), output))
   {
     output->Initialize();
     return 0;
   }
-  double regimes[3] = { 0.0, 0.0, 0.0 };
-  const littoral::WaveTrain* highest = &state.Trains.front();
-  for (const littoral::WaveTrain& train : state.Trains)
-  {
-    regimes[static_cast<int>(littoral::RegimeOf(train.WaveNumber, state.Depth))] += 1.0;
-    highest = train.Amplitude > highest->Amplitude ? &train : highest;
-  }
-  const auto regime = littoral::RegimeOf(highest->WaveNumber, state.Depth);
-  littoral::AddText(output, "DepthRegime", littoral::RegimeName(regime));
-  littoral::AddField(output, "RegimeTrains", { regimes[0], regimes[1], regimes[2] });
+  AddRegimes(state, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkParticleOrbitFilter::MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output)
+{
+  auto* blocks = vtkDataObjectTree::SafeDownCast(input);
+  if (!blocks)
+  {
+    output->ShallowCopy(input);
+    return this->Move(sea, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output));
+  }
+  auto* moved = vtkDataObjectTree::SafeDownCast(output);
+  moved->CopyStructure(blocks);
+  bool good = true;
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (iterator->InitTraversal(); good && !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* leaf = iterator->GetCurrentDataObject();
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
+    copy->ShallowCopy(leaf);
+    auto* points = vtkPointSet::SafeDownCast(leaf);
+    good = !points || this->Move(sea, points, vtkPointSet::SafeDownCast(copy));
+    moved->SetDataSet(iterator, copy);
+  }
+  return good;
 }
 
 //----------------------------------------------------------------------------
@@ -271,25 +408,12 @@ bool vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSe
 template <typename Array>
 bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
 {
-  using Real = typename Array::ValueType;
   const vtkIdType count = input->GetNumberOfPoints();
   std::vector<int> trainCounts;
   littoral::Slaves slaves;
-  std::string reason = ReadTrainCounts(input, trainCounts);
-  if (reason.empty())
-  {
-    reason = littoral::ReadSlaves(input, slaves);
-  }
-  if (reason.empty() && !slaves.Master.empty())
-  {
-    // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
-    trainCounts.resize(slaves.Master.size(), std::numeric_limits<int>::max());
-    for (std::size_t id = 0; id < slaves.Master.size(); ++id)
-    {
-      trainCounts[id] = slaves.Master[id] >= 0 ? 0 : trainCounts[id];
-    }
-  }
-  if (reason.empty() && 17.0 * sizeof(Real) * static_cast<double>(count) > littoral::AvailableMemory())
+  std::string reason = ReadFollowers(input, trainCounts, slaves);
+  if (reason.empty() &&
+    17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count) > littoral::AvailableMemory())
   {
     reason = std::to_string(count) + " points are more than this machine has memory for.";
   }
@@ -298,53 +422,9 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
     vtkErrorMacro("Cannot move points: " << reason);
     return false;
   }
-
   const bool surface = this->GenerateSurface && IsAtSeaLevel(input->GetPoints(), sea.State.SeaLevel);
-  auto center = vtkSmartPointer<Array>::New();
-  if (Array* own = Array::SafeDownCast(input->GetPoints()->GetData()))
-  {
-    center->ShallowCopy(own);
-  }
-  else
-  {
-    center->DeepCopy(input->GetPoints()->GetData());
-  }
-  center->SetName("Center");
-  vtkSmartPointer<Array> place = littoral::NewArray<Array>("Points", 3, count);
-  vtkPointData* arrays = output->GetPointData();
-  arrays->AddArray(center);
-  littoral::OrbitRequest<Real> request;
-  request.Centers = center->GetPointer(0);
-  request.TrainCounts = trainCounts.empty() ? nullptr : trainCounts.data();
-  request.Displacement = place->GetPointer(0);
-  std::vector<Real*> vectors{ request.Displacement };
-  const auto add = [&](const char* name) {
-    vtkSmartPointer<Array> array = littoral::NewArray<Array>(name, 3, count);
-    arrays->AddArray(array);
-    vectors.push_back(array->GetPointer(0));
-    return array->GetPointer(0);
-  };
-  if (this->GenerateVelocity)
-  {
-    request.Velocity = add("Velocity");
-  }
-  if (this->GenerateAcceleration)
-  {
-    request.Acceleration = add("Acceleration");
-  }
-  vtkSmartPointer<Array> normals;
-  vtkSmartPointer<Array> jacobian;
-  std::vector<Real> gradient;
-  if (surface)
-  {
-    normals = littoral::NewArray<Array>("Normals", 3, count);
-    jacobian = littoral::NewArray<Array>("Jacobian", 1, count);
-    gradient.resize(5 * static_cast<std::size_t>(count));
-    request.Gradient = gradient.data();
-    arrays->SetNormals(normals);
-    arrays->AddArray(jacobian);
-  }
-
+  MovedArrays<Array> moved(input, this->GenerateVelocity, this->GenerateAcceleration, surface, output->GetPointData());
+  moved.Request.TrainCounts = trainCounts.empty() ? nullptr : trainCounts.data();
   const auto forAll = [&](double first, double last, const auto& task) {
     const std::size_t batches = static_cast<std::size_t>((count + PointsAtOnce - 1) / PointsAtOnce);
     return littoral::RunWithProgress(this, batches, first, last, [&](std::size_t batch) {
@@ -352,48 +432,14 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
       task(begin, std::min<std::size_t>(begin + PointsAtOnce, static_cast<std::size_t>(count)));
     });
   };
-  const bool anySlaves = !slaves.Master.empty();
-  const auto shift = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t value = 3 * begin; value < 3 * end; ++value)
-    {
-      const double moved = static_cast<double>(request.Displacement[value]) + request.Centers[value];
-      request.Displacement[value] = static_cast<Real>(moved);
-    }
-  };
   bool done = forAll(0.0, 0.8, [&](std::size_t begin, std::size_t end) {
-    sea.Orbits.Evaluate(request, begin, end);
-    shift(begin, end);
-    for (std::size_t id = begin; surface && id < end; ++id)
-    {
-      const Real* from = &gradient[5 * id];
-      const double slope[5] = { from[0], from[1], from[2], from[3], from[4] };
-      const littoral::Vector3 normal = littoral::SurfaceNormal(slope);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        normals->SetValue(3 * id + axis, static_cast<Real>(normal[axis]));
-      }
-      jacobian->SetValue(id, static_cast<Real>(littoral::SurfaceJacobian(slope)));
-    }
+    sea.Orbits.Evaluate(moved.Request, begin, end);
+    moved.AddCenters(begin, end);
+    moved.FinishSurface(begin, end);
   });
-  if (done && anySlaves)
+  if (done && !slaves.Master.empty())
   {
-    // Masters are no slaves: what is read here is not written here.
-    done = forAll(0.8, 1.0, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t id = begin; id < end; ++id)
-      {
-        const vtkIdType master = slaves.Master[id];
-        for (int axis = 0; master >= 0 && axis < 3; ++axis)
-        {
-          for (Real* values : vectors)
-          {
-            values[3 * id + axis] = values[3 * master + axis];
-          }
-          const double offset = slaves.Offset->GetComponent(static_cast<vtkIdType>(id), axis);
-          Real& value = request.Displacement[3 * id + axis];
-          value = static_cast<Real>(static_cast<double>(value) + offset);
-        }
-      }
-    });
+    done = forAll(0.8, 1.0, [&](std::size_t begin, std::size_t end) { moved.Follow(slaves, begin, end); });
   }
   if (!done) // aborted
   {
@@ -401,15 +447,12 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
     return true;
   }
   vtkNew<vtkPoints> points;
-  points->SetData(place);
+  points->SetData(moved.Positions);
   output->SetPoints(points);
-  if (surface)
+  const double folded = surface ? moved.Jacobian->GetRange()[0] : 1.0;
+  if (folded <= 0.0)
   {
-    const double folded = jacobian->GetRange()[0];
-    if (folded <= 0.0)
-    {
-      vtkWarningMacro("The surface folds over itself (smallest Jacobian " << folded << "): take less Choppiness.");
-    }
+    vtkWarningMacro("The surface folds over itself (smallest Jacobian " << folded << "): take less Choppiness.");
   }
   return true;
 }

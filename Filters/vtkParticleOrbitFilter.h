@@ -31,6 +31,8 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkPassInputTypeAlgorithm.h"
 
+#include <string> // for what is wrong with a property
+
 class vtkPointSet;
 
 class LITTORALFILTERS_EXPORT vtkParticleOrbitFilter : public vtkPassInputTypeAlgorithm
@@ -136,6 +138,8 @@ private:
   void operator=(const vtkParticleOrbitFilter&) = delete;
 
   class Sea;
+  std::string WhyBadProperties(double time) const;
+  bool MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output);
   bool Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
   template <typename Array>
   bool MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output);

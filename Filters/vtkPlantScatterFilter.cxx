@@ -10,20 +10,20 @@
 #include "Geometry/SceneCells.h"
 #include "Geometry/TextureAtlas.h"
 #include "Numerics/Constants.h"
+#include "Pipeline/LastChange.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/PlantScatter.h"
+#include "vtkPlantSource.h"
 
-#include "vtkDataAssembly.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDataObjectMetaDataKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSet.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -36,6 +36,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkPlantScatterFilter);
 
@@ -75,48 +76,6 @@ constexpr littoral::PlantLevel LevelOfPart[NumberOfParts] = { littoral::PlantLev
 /// Plants that one thread copies at a time.
 constexpr std::size_t PlantsAtOnce = 64;
 
-/// The identity of data, and of what was made of them.
-using Stamp = std::pair<const void*, vtkMTimeType>;
-
-/// When a data object or anything in it last changed.
-vtkMTimeType LastChange(vtkDataObject* data)
-{
-  vtkMTimeType last = data->GetMTime();
-  const auto add = [&](vtkDataObject* part) { last = std::max(last, part ? LastChange(part) : 0); };
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
-  {
-    for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
-    {
-      add(blocks->GetBlock(index));
-    }
-  }
-  else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
-  {
-    last = std::max(last, collection->GetDataAssembly() ? collection->GetDataAssembly()->GetMTime() : 0);
-    for (unsigned int index = 0; index < collection->GetNumberOfPartitionedDataSets(); ++index)
-    {
-      add(collection->GetPartitionedDataSet(index));
-    }
-  }
-  else if (auto* parts = vtkPartitionedDataSet::SafeDownCast(data))
-  {
-    for (unsigned int index = 0; index < parts->GetNumberOfPartitions(); ++index)
-    {
-      add(parts->GetPartitionAsDataObject(index));
-    }
-  }
-  else
-  {
-    last = std::max(last, data->GetFieldData()->GetMTime());
-  }
-  return last;
-}
-
-Stamp StampOf(vtkDataObject* data)
-{
-  return { data, data ? LastChange(data) : 0 };
-}
-
 /// A block of a prototype; null if it has none.
 vtkPolyData* PartOf(vtkMultiBlockDataSet* prototype, const littoral::PartKind& kind)
 {
@@ -125,21 +84,76 @@ vtkPolyData* PartOf(vtkMultiBlockDataSet* prototype, const littoral::PartKind& k
     kind.Name ? littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(level), kind.Name) : level);
 }
 
-/// Columns and rows of the picture that a block carries; 0 0 if it has none.
-std::array<int, 2> TextureSizeOf(vtkPolyData* block)
+using TextureSize = std::array<int, 2>;
+
+/// Columns and rows in an array of two numbers; 0 0 if it has others.
+TextureSize TextureSizeOf(vtkDataArray* size)
 {
-  auto* texels =
-    block ? vtkUnsignedCharArray::SafeDownCast(block->GetFieldData()->GetArray(littoral::plant::Texture)) : nullptr;
-  vtkDataArray* size = block ? block->GetFieldData()->GetArray(littoral::plant::TextureSize) : nullptr;
-  if (!texels || !size || texels->GetNumberOfComponents() != 4 || size->GetNumberOfValues() != 2)
+  if (!size || size->GetNumberOfValues() != 2)
   {
     return { 0, 0 };
   }
   const double columns = size->GetVariantValue(0).ToDouble();
   const double rows = size->GetVariantValue(1).ToDouble();
-  return columns >= 1.0 && rows >= 1.0 && columns * rows == static_cast<double>(texels->GetNumberOfTuples())
-    ? std::array<int, 2>{ static_cast<int>(columns), static_cast<int>(rows) }
-    : std::array<int, 2>{ 0, 0 };
+  return columns >= 1.0 && rows >= 1.0 && columns * rows <= std::numeric_limits<int>::max()
+    ? TextureSize{ static_cast<int>(columns), static_cast<int>(rows) }
+    : TextureSize{ 0, 0 };
+}
+
+/// Columns and rows of the texture that a block carries; 0 0 if it has none.
+TextureSize TextureSizeOf(vtkPolyData* block)
+{
+  auto* texels =
+    block ? vtkUnsignedCharArray::SafeDownCast(block->GetFieldData()->GetArray(littoral::plant::Texture)) : nullptr;
+  if (!texels || texels->GetNumberOfComponents() != 4)
+  {
+    return { 0, 0 };
+  }
+  const TextureSize size = TextureSizeOf(block->GetFieldData()->GetArray(littoral::plant::TextureSize));
+  const double values = static_cast<double>(size[0]) * size[1];
+  return values == static_cast<double>(texels->GetNumberOfTuples()) ? size : TextureSize{ 0, 0 };
+}
+
+/// Sizes of the textures of crown and leaves.
+struct PrototypeTextures
+{
+  TextureSize Crown;
+  TextureSize Leaves;
+};
+
+/// The sizes that a prototype will have when its source has executed: of its data if they are up to date, else those
+/// that the source announces; where none are announced, of the data as they are.
+PrototypeTextures ExpectedTextures(vtkInformation* input, vtkMTimeType lastUpstreamChange)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  vtkDataObject* announced = input->Get(vtkPlantSource::TEXTURE_SIZES());
+  if (announced && !(data && data->GetUpdateTime() > lastUpstreamChange))
+  {
+    vtkFieldData* sizes = announced->GetFieldData();
+    return { TextureSizeOf(sizes->GetArray(littoral::plant::Crown)),
+      TextureSizeOf(sizes->GetArray(littoral::plant::Leaves)) };
+  }
+  std::string reason; // said when data are asked for
+  const auto prototype = littoral::BlocksOf(data, reason);
+  return { TextureSizeOf(PartOf(prototype, PartKinds[CrownPart])),
+    TextureSizeOf(PartOf(prototype, PartKinds[LeavesPart])) };
+}
+
+/// Announces the size of an image.
+void SetWholeExtent(vtkInformation* output, const std::array<long long, 2>& size)
+{
+  const int extent[6] = { 0, static_cast<int>(size[0]) - 1, 0, static_cast<int>(size[1]) - 1, 0, 0 };
+  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+}
+
+/// Writes a texture and corrects the announced size of the image. False if it was another one.
+bool WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
+{
+  littoral::CopyToImage(texture, vtkImageData::GetData(output));
+  int announced[6];
+  output->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), announced);
+  SetWholeExtent(output, { texture.Columns, texture.Rows });
+  return announced[1] + 1 == texture.Columns && announced[3] + 1 == texture.Rows;
 }
 
 using Blocks = std::array<vtkPolyData*, NumberOfParts>;
@@ -162,35 +176,40 @@ std::string WhyBadNodes(vtkPolyData* block, const char* blockName, const char* a
   return {};
 }
 
+/// What is wrong with the cells of a block; empty if nothing is.
+std::string WhyBadCells(vtkPolyData* block, const littoral::PartKind& kind)
+{
+  const vtkIdType cells = kind.HasLines ? block->GetNumberOfLines() : block->GetNumberOfPolys();
+  return cells == block->GetNumberOfCells() ? std::string()
+                                            : std::string("its ") + (kind.Name ? kind.Name : kind.Level) +
+      " has cells that are not " + (kind.HasLines ? "lines" : "polygons");
+}
+
 /// What a prototype lacks; empty if nothing. A level needs a polygon, though not in each of its blocks: a bare tree has
 /// no leaves.
 std::string WhyInvalid(const Blocks& blocks)
 {
   std::array<vtkIdType, 3> polygons{ 0, 0, 0 };
-  for (int part = 0; part < NumberOfParts; ++part)
+  std::string reason;
+  for (int part = 0; part < NumberOfParts && reason.empty(); ++part)
   {
-    if (!blocks[part])
+    if (blocks[part])
     {
-      continue;
+      reason = WhyBadCells(blocks[part], PartKinds[part]);
+      polygons[static_cast<int>(LevelOfPart[part])] += blocks[part]->GetNumberOfPolys();
     }
-    const bool hasLines = PartKinds[part].HasLines;
-    const vtkIdType cells = hasLines ? blocks[part]->GetNumberOfLines() : blocks[part]->GetNumberOfPolys();
-    if (cells != blocks[part]->GetNumberOfCells())
-    {
-      return std::string("its ") + (PartKinds[part].Name ? PartKinds[part].Name : PartKinds[part].Level) +
-        " has cells that are not " + (hasLines ? "lines" : "polygons");
-    }
-    polygons[static_cast<int>(LevelOfPart[part])] += hasLines ? 0 : cells;
   }
   for (int part : { SkeletonPart, TrunkPart, LowPart })
   {
-    if (polygons[static_cast<int>(LevelOfPart[part])] == 0)
+    if (reason.empty() && polygons[static_cast<int>(LevelOfPart[part])] == 0)
     {
-      return std::string("its level ") + PartKinds[part].Level + " is missing or empty";
+      reason = std::string("its level ") + PartKinds[part].Level + " is missing or empty";
     }
   }
   const vtkIdType nodes = blocks[SkeletonPart] ? blocks[SkeletonPart]->GetNumberOfPoints() : 0;
-  std::string reason = WhyBadNodes(blocks[SkeletonPart], littoral::plant::Skeleton, littoral::plant::ParentId, nodes);
+  reason = reason.empty()
+    ? WhyBadNodes(blocks[SkeletonPart], littoral::plant::Skeleton, littoral::plant::ParentId, nodes)
+    : reason;
   for (int part : { SkinPart, LeavesPart })
   {
     reason =
@@ -215,13 +234,6 @@ littoral::PlantExtent ExtentOf(const Blocks& blocks)
     }
   }
   return extent;
-}
-
-std::string TextOf(const littoral::Vector3& position)
-{
-  std::ostringstream text;
-  text << "(" << position.x << ", " << position.y << ", " << position.z << ")";
-  return text.str();
 }
 
 /// The optional arrays of the sites.
@@ -258,7 +270,8 @@ bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const littoral::Pla
   place.Azimuth = arrays.Azimuth ? arrays.Azimuth->GetTuple1(site) : draws.Azimuth(place.SiteId);
   if (!littoral::IsFinite(place.Foot))
   {
-    text << "site " << site << " lies at " << TextOf(place.Foot) << "; positions must be finite.";
+    text << "site " << site << " lies at (" << place.Foot.x << ", " << place.Foot.y << ", " << place.Foot.z
+         << "); positions must be finite.";
   }
   else if (!std::isfinite(drawnBy))
   {
@@ -318,43 +331,6 @@ bool MakeGrid(vtkImageData* terrain, littoral::HeightGrid& grid, std::string& re
   return true;
 }
 
-/// Sets plants on the ground and drops those that do not stand there. False, with the reason, if there is no ground.
-bool PutOnGround(const littoral::HeightGrid& grid, double slopeLimit, const double heightRange[2],
-  std::vector<littoral::PlantPlace>& places, std::string& reason)
-{
-  std::size_t kept = 0;
-  std::size_t outside = 0;
-  std::size_t holes = 0;
-  littoral::Vector3 first{ 0.0, 0.0, 0.0 };
-  for (const littoral::PlantPlace& place : places)
-  {
-    const littoral::GroundPoint ground = grid.At(place.Foot.x, place.Foot.y);
-    const bool bad = !ground.IsCovered || !std::isfinite(ground.Height);
-    if (bad)
-    {
-      first = outside + holes == 0 ? place.Foot : first;
-      ++(ground.IsCovered ? holes : outside);
-    }
-    else if ((slopeLimit >= 0.5 * littoral::Pi || ground.Slope <= slopeLimit) && ground.Height >= heightRange[0] &&
-      ground.Height <= heightRange[1])
-    {
-      const double height = ground.Height;
-      places[kept] = place;
-      places[kept++].Foot.z = height;
-    }
-  }
-  if (outside + holes > 0)
-  {
-    std::ostringstream text;
-    text << "of " << places.size() << " sites, " << outside << " lie outside of the Terrain and " << holes
-         << " where it has no height; the first at " << TextOf(first) << ".";
-    reason = text.str();
-    return false;
-  }
-  places.resize(kept);
-  return true;
-}
-
 /// A field array of one number a plant.
 template <typename Array, typename Number>
 void AddColumn(vtkFieldData* fields, const char* name, int components, std::size_t count, const Number& numberOf)
@@ -393,23 +369,14 @@ void WriteCounter(vtkFieldData* fields, const char* name, double value)
   AddColumn<vtkDoubleArray>(fields, name, 1, 1, [=](auto, int) { return value; });
 }
 
-}
-
-//----------------------------------------------------------------------------
-/// What does not depend on the view.
-class vtkPlantScatterFilter::Memory
+/// The prototypes of all species.
+struct Prototypes
 {
-public:
-  std::vector<Stamp> PrototypesStamp;
+  std::vector<littoral::DataStamp> Stamps;
   std::vector<littoral::PlantPart> Parts;
   std::vector<littoral::PlantExtent> Extents;
   littoral::TextureImage CrownAtlas;
   littoral::TextureImage LeafAtlas;
-
-  std::vector<Stamp> PlacesStamp;
-  std::vector<double> PlacesNumbers;
-  std::vector<littoral::PlantPlace> Places;
-  std::unique_ptr<littoral::SceneCells> Cells;
 
   std::size_t NumberOfSpecies() const { return this->Extents.size(); }
 
@@ -419,6 +386,174 @@ public:
     return static_cast<double>(
       this->Parts[SkinPart].Meshes[species].NumberOfCells() + this->Parts[LeavesPart].Meshes[species].NumberOfCells());
   }
+};
+
+/// All plants at their sites.
+struct Plants
+{
+  std::vector<littoral::DataStamp> Stamps;
+  std::vector<double> Numbers; ///< properties that they depend on
+  std::vector<littoral::PlantPlace> Places;
+  std::unique_ptr<littoral::SceneCells> Cells;
+};
+
+/// Takes all blocks from the prototypes, and joins their textures.
+void TakeParts(const std::vector<Blocks>& blocks, Prototypes& prototypes)
+{
+  std::vector<littoral::TextureImage> crowns;
+  std::vector<littoral::TextureImage> leaves;
+  for (const Blocks& each : blocks)
+  {
+    prototypes.Extents.push_back(ExtentOf(each));
+    crowns.push_back(littoral::ReadTexture(each[CrownPart]));
+    leaves.push_back(littoral::ReadTexture(each[LeavesPart]));
+  }
+  littoral::TextureAtlas crownAtlas = littoral::StackTextures(crowns);
+  littoral::TextureAtlas leafAtlas = littoral::StackTextures(leaves);
+  for (int part = 0; part < NumberOfParts; ++part)
+  {
+    std::vector<vtkPolyData*> own;
+    for (const Blocks& each : blocks)
+    {
+      own.push_back(each[part]);
+    }
+    const littoral::TextureAtlas* atlas = part == CrownPart ? &crownAtlas : part == LeavesPart ? &leafAtlas : nullptr;
+    prototypes.Parts.push_back(littoral::MakePart(PartKinds[part], own, atlas));
+  }
+  prototypes.CrownAtlas = std::move(crownAtlas.Image);
+  prototypes.LeafAtlas = std::move(leafAtlas.Image);
+}
+
+/// The plants at all sites, on the ground if there is a terrain. Why they cannot stand there, or nothing.
+std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const littoral::ScatterOptions& options,
+  const littoral::GroundLimits& limits, std::vector<littoral::PlantPlace>& places)
+{
+  const vtkIdType count = sites->GetNumberOfPoints();
+  const double bytes = sizeof(littoral::PlantPlace) + 2.0 * sizeof(littoral::Box);
+  if (count > std::numeric_limits<int>::max() || static_cast<double>(count) * bytes > littoral::AvailableMemory())
+  {
+    return std::to_string(count) + " sites are more than this machine has memory for.";
+  }
+  places.resize(static_cast<std::size_t>(count));
+  std::string reason;
+  const SiteArrays arrays(sites);
+  const littoral::PlantDraws draws(options);
+  const int species = static_cast<int>(options.Weights.size());
+  for (vtkIdType site = 0; site < count && reason.empty(); ++site)
+  {
+    MakePlace(sites, arrays, draws, species, site, places[site], reason);
+  }
+  littoral::HeightGrid grid;
+  if (reason.empty() && terrain && MakeGrid(terrain, grid, reason))
+  {
+    reason = littoral::PutOnGround(grid, limits, places);
+  }
+  else if (reason.empty())
+  {
+    littoral::DropOutside(limits, places);
+  }
+  return reason;
+}
+
+/// All blocks of the shown plants.
+class BlockMerge
+{
+public:
+  BlockMerge(const Prototypes& prototypes, const std::vector<littoral::PlantPlace>& places,
+    const std::vector<littoral::ShownPlant>& shown)
+  {
+    for (const littoral::ShownPlant& plant : shown)
+    {
+      this->Shown[static_cast<int>(plant.Level)].push_back(plant.Place);
+    }
+    this->Merges.reserve(NumberOfParts);
+    this->Bytes = TableBytes * static_cast<double>(shown.size());
+    for (int part = 0; part < NumberOfParts; ++part)
+    {
+      this->Merges.emplace_back(prototypes.Parts[part], places, this->Shown[static_cast<int>(LevelOfPart[part])]);
+      this->Bytes += this->Merges.back().GetBytes();
+    }
+    for (int part : { SkeletonPart, SkinPart, LeavesPart })
+    {
+      this->Merges[part].SetSkeleton(&this->Merges[SkeletonPart]);
+    }
+  }
+  BlockMerge(const BlockMerge&) = delete;
+  BlockMerge& operator=(const BlockMerge&) = delete;
+
+  double GetBytes() const { return this->Bytes; }
+  std::size_t GetNumberOfPlants(littoral::PlantLevel level) const
+  {
+    return this->Shown[static_cast<int>(level)].size();
+  }
+  bool HasTooManyNodes() const
+  {
+    return this->Merges[SkeletonPart].GetNumberOfPoints() > std::numeric_limits<int>::max();
+  }
+  double GetNumberOfPolygons() const
+  {
+    double polygons = 0.0;
+    for (int part = 0; part < NumberOfParts; ++part)
+    {
+      polygons += PartKinds[part].HasLines ? 0.0 : static_cast<double>(this->Merges[part].GetNumberOfCells());
+    }
+    return polygons;
+  }
+
+  /// Takes memory, and shares the work out in jobs.
+  std::size_t Begin()
+  {
+    for (int part = 0; part < NumberOfParts; ++part)
+    {
+      this->Merges[part].Allocate();
+      for (std::size_t plant = 0; plant < this->Merges[part].GetNumberOfPlants(); plant += PlantsAtOnce)
+      {
+        this->Jobs.emplace_back(part, plant);
+      }
+    }
+    return this->Jobs.size();
+  }
+
+  /// Does a job, in any order on any threads.
+  void Do(std::size_t job)
+  {
+    const auto [part, plant] = this->Jobs[job];
+    littoral::PlantMerge& merge = this->Merges[part];
+    merge.Fill(plant, std::min(plant + PlantsAtOnce, merge.GetNumberOfPlants()));
+  }
+
+  void AddTo(vtkMultiBlockDataSet* output, const Prototypes& prototypes) const
+  {
+    littoral::AttachTexture(this->Merges[LeavesPart].GetOutput(), prototypes.LeafAtlas);
+    littoral::AttachTexture(this->Merges[CrownPart].GetOutput(), prototypes.CrownAtlas);
+    vtkNew<vtkMultiBlockDataSet> high;
+    vtkNew<vtkMultiBlockDataSet> medium;
+    littoral::AddBlock(output, littoral::plant::High, high);
+    littoral::AddBlock(output, littoral::plant::Medium, medium);
+    vtkMultiBlockDataSet* const levels[] = { high, medium, output };
+    for (int part = 0; part < NumberOfParts; ++part)
+    {
+      const char* name = PartKinds[part].Name ? PartKinds[part].Name : PartKinds[part].Level;
+      littoral::AddBlock(levels[static_cast<int>(LevelOfPart[part])], name, this->Merges[part].GetOutput());
+    }
+  }
+
+private:
+  std::array<std::vector<int>, 3> Shown; ///< places, of each level
+  std::vector<littoral::PlantMerge> Merges;
+  std::vector<std::pair<int, std::size_t>> Jobs; ///< a part, and the first of some of its plants
+  double Bytes = 0.0;
+};
+
+}
+
+//----------------------------------------------------------------------------
+/// What does not depend on the view.
+class vtkPlantScatterFilter::Internals
+{
+public:
+  Prototypes Species;
+  Plants Scene;
 };
 
 //----------------------------------------------------------------------------
@@ -442,7 +577,7 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , UseCells(true)
   , PlantsPerCell(1.0)
   , MaximumDistance(0.0)
-  , Kept(std::make_unique<Memory>())
+  , Internal(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -512,27 +647,21 @@ int vtkPlantScatterFilter::FillOutputPortInformation(int port, vtkInformation* i
 }
 
 //----------------------------------------------------------------------------
-int vtkPlantScatterFilter::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkPlantScatterFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  // The extents of the pictures depend on those that the prototypes carry. All of them are needed anyway.
-  std::vector<std::array<int, 2>> crowns;
-  std::vector<std::array<int, 2>> leaves;
+  std::vector<TextureSize> crowns;
+  std::vector<TextureSize> leaves;
   for (int index = 0; index < this->GetNumberOfInputConnections(PrototypesPort); ++index)
   {
-    int port = 0;
-    this->GetInputAlgorithm(PrototypesPort, index, port)->Update(port);
-    std::string reason; // said when data are asked for
-    const auto prototype = littoral::BlocksOf(this->GetInputDataObject(PrototypesPort, index), reason);
-    crowns.push_back(TextureSizeOf(PartOf(prototype, PartKinds[CrownPart])));
-    leaves.push_back(TextureSizeOf(PartOf(prototype, PartKinds[LeavesPart])));
+    const PrototypeTextures textures = ExpectedTextures(
+      inputs[PrototypesPort]->GetInformationObject(index), littoral::PipelineTime(this, PrototypesPort, index));
+    crowns.push_back(textures.Crown);
+    leaves.push_back(textures.Leaves);
   }
-  for (int port : { 1, 2 })
-  {
-    const std::array<long long, 2> size = littoral::AtlasSize(port == 1 ? crowns : leaves);
-    const int extent[6] = { 0, static_cast<int>(size[0]) - 1, 0, static_cast<int>(size[1]) - 1, 0, 0 };
-    outputs->GetInformationObject(port)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  }
+  SetWholeExtent(outputs->GetInformationObject(1), littoral::AtlasSize(crowns));
+  SetWholeExtent(outputs->GetInformationObject(2), littoral::AtlasSize(leaves));
   return 1;
 }
 
@@ -581,59 +710,40 @@ bool vtkPlantScatterFilter::CheckProperties()
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
 {
-  std::vector<Stamp> stamp;
+  std::vector<littoral::DataStamp> stamps;
   std::vector<Blocks> prototypes;
   std::vector<std::string> reasons;
   for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs, index);
-    stamp.push_back(StampOf(input));
+    stamps.push_back(littoral::StampOf(input));
     reasons.emplace_back();
     const auto prototype = littoral::BlocksOf(input, reasons.back());
     prototypes.emplace_back();
     std::transform(std::begin(PartKinds), std::end(PartKinds), prototypes.back().begin(),
       [&](const littoral::PartKind& kind) { return PartOf(prototype, kind); });
   }
-  if (!stamp.empty() && stamp == this->Kept->PrototypesStamp)
+  if (!stamps.empty() && stamps == this->Internal->Species.Stamps)
   {
     return true;
   }
-  *this->Kept = Memory();
+  *this->Internal = Internals();
   if (prototypes.empty())
   {
     vtkErrorMacro("There are no prototypes; connect the output of at least one plant source to port 1.");
     return false;
   }
-  std::vector<littoral::TextureImage> crowns;
-  std::vector<littoral::TextureImage> leaves;
   for (std::size_t index = 0; index < prototypes.size(); ++index)
   {
     const std::string reason = reasons[index].empty() ? WhyInvalid(prototypes[index]) : reasons[index];
     if (!reason.empty())
     {
       vtkErrorMacro("Prototype " << index << " cannot be scattered: " << reason << ".");
-      this->Kept->Extents.clear();
       return false;
     }
-    this->Kept->Extents.push_back(ExtentOf(prototypes[index]));
-    crowns.push_back(littoral::ReadTexture(prototypes[index][CrownPart]));
-    leaves.push_back(littoral::ReadTexture(prototypes[index][LeavesPart]));
   }
-  littoral::TextureAtlas crownAtlas = littoral::StackTextures(crowns);
-  littoral::TextureAtlas leafAtlas = littoral::StackTextures(leaves);
-  for (int part = 0; part < NumberOfParts; ++part)
-  {
-    std::vector<vtkPolyData*> blocks;
-    for (const Blocks& prototype : prototypes)
-    {
-      blocks.push_back(prototype[part]);
-    }
-    const littoral::TextureAtlas* atlas = part == CrownPart ? &crownAtlas : part == LeavesPart ? &leafAtlas : nullptr;
-    this->Kept->Parts.push_back(littoral::MakePart(PartKinds[part], blocks, atlas));
-  }
-  this->Kept->CrownAtlas = std::move(crownAtlas.Image);
-  this->Kept->LeafAtlas = std::move(leafAtlas.Image);
-  this->Kept->PrototypesStamp = stamp;
+  TakeParts(prototypes, this->Internal->Species);
+  this->Internal->Species.Stamps = stamps;
   return true;
 }
 
@@ -642,57 +752,29 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
 {
   vtkPointSet* sites = vtkPointSet::GetData(inputs[SitesPort]);
   vtkImageData* terrain = vtkImageData::GetData(inputs[TerrainPort]);
+  const std::vector<littoral::PlantExtent>& extents = this->Internal->Species.Extents;
+  Plants& scene = this->Internal->Scene;
   littoral::ScatterOptions options;
   options.Seed = this->Seed;
   options.ScaleVariation = this->ScaleVariation;
   options.TintVariation = this->TintVariation;
-  const int species = static_cast<int>(this->Kept->NumberOfSpecies());
-  for (int prototype = 0; prototype < species; ++prototype)
+  for (int prototype = 0; prototype < static_cast<int>(extents.size()); ++prototype)
   {
     options.Weights.push_back(this->GetWeight(prototype));
   }
-  const std::vector<Stamp> stamp{ StampOf(sites), StampOf(terrain) };
+  const std::vector<littoral::DataStamp> stamps{ littoral::StampOf(sites), littoral::StampOf(terrain) };
   std::vector<double> numbers{ static_cast<double>(this->Seed), this->ScaleVariation, this->TintVariation,
     this->SlopeLimit, this->HeightRange[0], this->HeightRange[1], this->PlantsPerCell };
   numbers.insert(numbers.end(), options.Weights.begin(), options.Weights.end());
-  if (stamp == this->Kept->PlacesStamp && numbers == this->Kept->PlacesNumbers)
+  if (stamps == scene.Stamps && numbers == scene.Numbers)
   {
     return true;
   }
-  this->Kept->PlacesStamp.clear();
-  std::string reason = littoral::WhyInvalid(options);
-  const vtkIdType count = sites->GetNumberOfPoints();
-  if (reason.empty() &&
-    (count > std::numeric_limits<int>::max() ||
-      static_cast<double>(count) * (sizeof(littoral::PlantPlace) + 2.0 * sizeof(littoral::Box)) >
-        littoral::AvailableMemory()))
-  {
-    reason = std::to_string(count) + " sites are more than this machine has memory for.";
-  }
+  scene = Plants();
   this->SetProgressText("Placing plants");
-  std::vector<littoral::PlantPlace> places(reason.empty() ? static_cast<std::size_t>(count) : 0);
-  if (reason.empty())
-  {
-    const SiteArrays arrays(sites);
-    const littoral::PlantDraws draws(options);
-    for (vtkIdType site = 0; site < count && reason.empty(); ++site)
-    {
-      MakePlace(sites, arrays, draws, species, site, places[site], reason);
-    }
-  }
-  littoral::HeightGrid grid;
-  if (reason.empty() && terrain && MakeGrid(terrain, grid, reason))
-  {
-    PutOnGround(grid, this->SlopeLimit * Degree, this->HeightRange, places, reason);
-  }
-  else if (reason.empty())
-  {
-    places.erase(std::remove_if(places.begin(), places.end(),
-                   [&](const littoral::PlantPlace& place) {
-                     return place.Foot.z < this->HeightRange[0] || place.Foot.z > this->HeightRange[1];
-                   }),
-      places.end());
-  }
+  const littoral::GroundLimits limits{ this->SlopeLimit * Degree, this->HeightRange[0], this->HeightRange[1] };
+  std::string reason = littoral::WhyInvalid(options);
+  reason = reason.empty() ? PlacePlants(sites, terrain, options, limits, scene.Places) : reason;
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot scatter plants: " << reason);
@@ -700,15 +782,14 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   }
   std::vector<littoral::Vector3> feet;
   std::vector<littoral::Box> boxes;
-  for (const littoral::PlantPlace& place : places)
+  for (const littoral::PlantPlace& place : scene.Places)
   {
     feet.push_back(place.Foot);
-    boxes.push_back(littoral::BoxOf(place, this->Kept->Extents[place.Species]));
+    boxes.push_back(littoral::BoxOf(place, extents[place.Species]));
   }
-  this->Kept->Places = std::move(places);
-  this->Kept->Cells = std::make_unique<littoral::SceneCells>(feet, boxes, this->PlantsPerCell);
-  this->Kept->PlacesStamp = stamp;
-  this->Kept->PlacesNumbers = numbers;
+  scene.Cells = std::make_unique<littoral::SceneCells>(feet, boxes, this->PlantsPerCell);
+  scene.Stamps = stamps;
+  scene.Numbers = numbers;
   return true;
 }
 
@@ -721,7 +802,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   {
     return 0;
   }
-  const Memory& kept = *this->Kept;
+  const Plants& scene = this->Internal->Scene;
   littoral::PlantViewOptions options;
   options.UseLevels = this->UseLevels;
   options.UseCells = this->UseCells;
@@ -735,109 +816,69 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   Request request;
   request.FirstSite = sites * piece / pieces;
   request.EndSite = sites * (piece + 1) / pieces;
-  request.CellsShown = kept.Cells->Show(littoral::ViewFrustum(view));
+  request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
   request.Shown = littoral::ShownPlants(
-    kept.Places, *kept.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
-  if (!this->Merge(request, outputs))
+    scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
+  if (!this->Merge(request, vtkMultiBlockDataSet::GetData(outputs, 0)))
   {
     return 0;
   }
-  littoral::CopyToImage(kept.CrownAtlas, vtkImageData::GetData(outputs, 1));
-  littoral::CopyToImage(kept.LeafAtlas, vtkImageData::GetData(outputs, 2));
+  const bool crowns = WriteTexture(this->Internal->Species.CrownAtlas, outputs->GetInformationObject(1));
+  const bool leaves = WriteTexture(this->Internal->Species.LeafAtlas, outputs->GetInformationObject(2));
+  if (!crowns || !leaves)
+  {
+    this->Modified(); // the sizes are announced anew before the next update
+  }
   this->UpdateProgress(1.0);
   return 1;
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantScatterFilter::Merge(const Request& request, vtkInformationVector* outputs)
+bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const Memory& kept = *this->Kept;
-  std::array<std::vector<int>, 3> plants;
-  for (const littoral::ShownPlant& plant : request.Shown)
-  {
-    plants[static_cast<int>(plant.Level)].push_back(plant.Place);
-  }
-  std::vector<littoral::PlantMerge> merges;
-  merges.reserve(NumberOfParts);
-  double bytes = TableBytes * static_cast<double>(request.Shown.size());
-  for (int part = 0; part < NumberOfParts; ++part)
-  {
-    merges.emplace_back(kept.Parts[part], kept.Places, plants[static_cast<int>(LevelOfPart[part])]);
-    bytes += merges.back().GetBytes();
-  }
+  const Prototypes& species = this->Internal->Species;
+  const Plants& scene = this->Internal->Scene;
+  BlockMerge merge(species, scene.Places, request.Shown);
   const double available = littoral::AvailableMemory();
-  const bool tooManyNodes = merges[SkeletonPart].GetNumberOfPoints() > std::numeric_limits<int>::max();
-  if (bytes > available || tooManyNodes)
+  if (merge.GetBytes() > available || merge.HasTooManyNodes())
   {
-    vtkErrorMacro(<< request.Shown.size() << " plants, " << plants[0].size() << " of them in full, need "
-                  << bytes / Gigabyte << " GB, and " << available / Gigabyte
+    vtkErrorMacro(<< request.Shown.size() << " plants, " << merge.GetNumberOfPlants(littoral::PlantLevel::High)
+                  << " of them in full, need " << merge.GetBytes() / Gigabyte << " GB, and " << available / Gigabyte
                   << " GB are free. Switch on UseLevels and UseCells, lower NearDistance, or set MaximumDistance.");
     return false;
   }
-
   this->SetProgressText("Scattering plants");
-  merges[SkeletonPart].SetSkeleton(&merges[SkeletonPart]);
-  merges[SkinPart].SetSkeleton(&merges[SkeletonPart]);
-  merges[LeavesPart].SetSkeleton(&merges[SkeletonPart]);
-  std::vector<std::pair<int, std::size_t>> jobs; // a part, and the first of some of its plants
-  double polygons = 0.0;
-  for (int part = 0; part < NumberOfParts; ++part)
+  const std::size_t jobs = merge.Begin();
+  if (!littoral::RunWithProgress(this, jobs, 0.1, 0.9, [&](std::size_t job) { merge.Do(job); }))
   {
-    merges[part].Allocate();
-    polygons += PartKinds[part].HasLines ? 0.0 : static_cast<double>(merges[part].GetNumberOfCells());
-    for (std::size_t plant = 0; plant < merges[part].GetNumberOfPlants(); plant += PlantsAtOnce)
-    {
-      jobs.emplace_back(part, plant);
-    }
+    return true; // aborted
   }
-  const bool done = littoral::RunWithProgress(this, jobs.size(), 0.1, 0.9, [&](std::size_t job) {
-    const auto [part, plant] = jobs[job];
-    merges[part].Fill(plant, std::min(plant + PlantsAtOnce, merges[part].GetNumberOfPlants()));
-  });
-  if (!done) // aborted
-  {
-    return true;
-  }
-
-  littoral::AttachTexture(merges[LeavesPart].GetOutput(), kept.LeafAtlas);
-  littoral::AttachTexture(merges[CrownPart].GetOutput(), kept.CrownAtlas);
-  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs, 0);
-  vtkNew<vtkMultiBlockDataSet> high;
-  vtkNew<vtkMultiBlockDataSet> medium;
-  littoral::AddBlock(output, littoral::plant::High, high);
-  littoral::AddBlock(output, littoral::plant::Medium, medium);
-  for (int part = 0; part < NumberOfParts; ++part)
-  {
-    const bool isLow = LevelOfPart[part] == littoral::PlantLevel::Low;
-    vtkMultiBlockDataSet* level = isLow                 ? output
-      : LevelOfPart[part] == littoral::PlantLevel::High ? high.Get()
-                                                        : medium.Get();
-    littoral::AddBlock(level, isLow ? PartKinds[part].Level : PartKinds[part].Name, merges[part].GetOutput());
-  }
+  merge.AddTo(output, species);
 
   vtkFieldData* fields = output->GetFieldData();
-  WriteTable(kept.Places, request.Shown, fields);
+  WriteTable(scene.Places, request.Shown, fields);
+  const auto write = [fields](const char* name, double value) { WriteCounter(fields, name, value); };
   double plantsInAll = 0.0;
   double polygonsInAll = 0.0;
-  for (const littoral::PlantPlace& place : kept.Places)
+  for (const littoral::PlantPlace& place : scene.Places)
   {
     if (place.Site >= request.FirstSite && place.Site < request.EndSite)
     {
       plantsInAll += 1.0;
-      polygonsInAll += kept.HighPolygons(place.Species);
+      polygonsInAll += species.HighPolygons(place.Species);
     }
   }
   const auto marks = std::count(request.CellsShown.begin(), request.CellsShown.end(), 1);
-  WriteCounter(fields, "PlantsInAll", plantsInAll);
-  WriteCounter(fields, "PlantsShown", static_cast<double>(request.Shown.size()));
-  WriteCounter(fields, "PlantsHigh", static_cast<double>(plants[0].size()));
-  WriteCounter(fields, "PlantsMedium", static_cast<double>(plants[1].size()));
-  WriteCounter(fields, "PlantsLow", static_cast<double>(plants[2].size()));
-  WriteCounter(fields, "CellsInAll", kept.Cells->NumberOfFilled());
-  WriteCounter(fields, "CellsShown", this->UseCells ? static_cast<double>(marks) : kept.Cells->NumberOfFilled());
-  WriteCounter(fields, "PolygonsShown", polygons);
-  WriteCounter(fields, "PolygonsInAll", polygonsInAll);
-  WriteCounter(fields, "OutputBytes", bytes);
+  write("PlantsInAll", plantsInAll);
+  write("PlantsShown", static_cast<double>(request.Shown.size()));
+  write("PlantsHigh", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::High)));
+  write("PlantsMedium", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::Medium)));
+  write("PlantsLow", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::Low)));
+  write("CellsInAll", scene.Cells->NumberOfFilled());
+  write("CellsShown", this->UseCells ? static_cast<double>(marks) : scene.Cells->NumberOfFilled());
+  write("PolygonsShown", merge.GetNumberOfPolygons());
+  write("PolygonsInAll", polygonsInAll);
+  write("OutputBytes", merge.GetBytes());
   littoral::KeepRanges(output);
   return true;
 }

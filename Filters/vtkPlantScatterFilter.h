@@ -31,6 +31,10 @@
  * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are
  * kept between executions until sites, prototypes, terrain or a relevant property change.
  *
+ * The sizes of the textures are known before the prototypes are made where their sources announce them by
+ * vtkPlantSource::TEXTURE_SIZES(), which other filters pass on, and where the data are there already. Else they are
+ * corrected in the execution, and a filter of one of these images sees all of it in its second update.
+ *
  * A piece reads all sites and holds its share of the plants. A property or a site value out of range, or a site beyond
  * the terrain, is reported as one error.
  */
@@ -163,16 +167,16 @@ private:
   vtkPlantScatterFilter(const vtkPlantScatterFilter&) = delete;
   void operator=(const vtkPlantScatterFilter&) = delete;
 
-  class Memory; // what is kept between executions
+  class Internals; // what is kept between executions
   struct Request;
 
   bool CheckProperties();
   bool RememberPrototypes(vtkInformationVector* prototypes);
   bool RememberPlaces(vtkInformationVector** inputs);
-  bool Merge(const Request& request, vtkInformationVector* outputs);
+  bool Merge(const Request& request, vtkMultiBlockDataSet* output);
 
   std::vector<double> Weights;
-  std::unique_ptr<Memory> Kept;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -111,6 +111,18 @@ void WriteFrequencies(
   }
 }
 
+/// How the points spread over the quadrats, as field data.
+void AddPattern(const littoral::QuadratMoments& moments, const littoral::QuadratGrid& grid, vtkTable* table)
+{
+  const bool random = moments.DispersionPValue > SignificanceLevel;
+  littoral::AddField(table, "DispersionIndex", { moments.DispersionIndex });
+  littoral::AddField(table, "DispersionPValue", { moments.DispersionPValue });
+  littoral::AddText(table, "Pattern", random ? "random" : moments.DispersionIndex < 1.0 ? "regular" : "clustered");
+  littoral::AddField(table, "Origin", { grid.Origin[0], grid.Origin[1] });
+  littoral::AddField(table, "Size", { grid.Size[0], grid.Size[1] });
+  littoral::AddField(table, "Quadrats", { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]) });
+}
+
 /// As many quadrats as points, nearly square.
 void ChooseQuadrats(littoral::QuadratGrid& grid, double points)
 {
@@ -152,24 +164,8 @@ int vtkQuadratAnalysisFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-int vtkQuadratAnalysisFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input, littoral::QuadratGrid& grid)
 {
-  if (littoral::AsksForLaterPieces(outputVector))
-  {
-    return 1;
-  }
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkTable* table = vtkTable::GetData(outputVector, 0);
-  vtkTable* bars = vtkTable::GetData(outputVector, 1);
-  const vtkIdType points = input->GetNumberOfPoints();
-  if (points < FewestPoints)
-  {
-    vtkErrorMacro("The input has " << points << " points; an analysis needs at least " << FewestPoints << ".");
-    return 0;
-  }
-
-  littoral::QuadratGrid grid;
   const bool boxed = this->Size[0] == 0.0 && this->Size[1] == 0.0;
   double bounds[6];
   input->GetBounds(bounds);
@@ -181,12 +177,12 @@ int vtkQuadratAnalysisFilter::RequestData(
   if (boxed && !(grid.Size[0] > 0.0 && grid.Size[1] > 0.0))
   {
     vtkErrorMacro("The points cover no area: their box is " << grid.Size[0] << " x " << grid.Size[1] << " m.");
-    return 0;
+    return false;
   }
   std::string reason = littoral::WhyInvalid(grid);
   if (reason.empty() && this->Quadrats[0] == 0 && this->Quadrats[1] == 0)
   {
-    ChooseQuadrats(grid, static_cast<double>(points));
+    ChooseQuadrats(grid, static_cast<double>(input->GetNumberOfPoints()));
   }
   else if (reason.empty())
   {
@@ -201,11 +197,17 @@ int vtkQuadratAnalysisFilter::RequestData(
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot analyse: " << reason);
-    return 0;
+    return false;
   }
+  return true;
+}
 
-  this->SetProgressText("Counting points");
+//----------------------------------------------------------------------------
+bool vtkQuadratAnalysisFilter::CountPoints(
+  vtkPointSet* input, const littoral::QuadratGrid& grid, std::vector<long long>& frequencies)
+{
   std::vector<int> counts(static_cast<std::size_t>(grid.NumberOfQuadrats()), 0);
+  const vtkIdType points = input->GetNumberOfPoints();
   long long inside = 0;
   for (vtkIdType id = 0; id < points; ++id)
   {
@@ -221,29 +223,51 @@ int vtkQuadratAnalysisFilter::RequestData(
   if (inside < FewestPoints)
   {
     vtkErrorMacro("Only " << inside << " of " << points << " points lie in the study area.");
-    return 0;
+    return false;
   }
-  const std::vector<long long> frequencies = littoral::CountFrequencies(counts);
+  frequencies = littoral::CountFrequencies(counts);
   if (frequencies.size() > LargestCount)
   {
     vtkErrorMacro("A quadrat holds " << frequencies.size() - 1
                                      << " points; take more Quadrats, so that none holds more "
                                      << "than " << LargestCount << ".");
+    return false;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratAnalysisFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (littoral::AsksForLaterPieces(outputVector))
+  {
+    return 1;
+  }
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  const vtkIdType points = input->GetNumberOfPoints();
+  if (points < FewestPoints)
+  {
+    vtkErrorMacro("The input has " << points << " points; an analysis needs at least " << FewestPoints << ".");
     return 0;
   }
-
+  littoral::QuadratGrid grid;
+  if (!this->MakeGrid(input, grid))
+  {
+    return 0;
+  }
+  this->SetProgressText("Counting points");
+  std::vector<long long> frequencies;
+  if (!this->CountPoints(input, grid, frequencies))
+  {
+    return 0;
+  }
   this->UpdateProgress(0.2);
-  const littoral::QuadratMoments moments = littoral::MomentsOfCounts(frequencies);
+  vtkTable* table = vtkTable::GetData(outputVector, 0);
   const std::vector<Fit> fits = littoral::FitAllQuadratLaws(frequencies);
   WriteFits(fits, table);
-  WriteFrequencies(frequencies, fits, quadrats, bars);
-  const bool random = moments.DispersionPValue > SignificanceLevel;
-  littoral::AddField(table, "DispersionIndex", { moments.DispersionIndex });
-  littoral::AddField(table, "DispersionPValue", { moments.DispersionPValue });
-  littoral::AddText(table, "Pattern", random ? "random" : moments.DispersionIndex < 1.0 ? "regular" : "clustered");
-  littoral::AddField(table, "Origin", { grid.Origin[0], grid.Origin[1] });
-  littoral::AddField(table, "Size", { grid.Size[0], grid.Size[1] });
-  littoral::AddField(table, "Quadrats", { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]) });
+  WriteFrequencies(frequencies, fits, static_cast<double>(grid.NumberOfQuadrats()), vtkTable::GetData(outputVector, 1));
+  AddPattern(littoral::MomentsOfCounts(frequencies), grid, table);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -29,6 +29,15 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkTableAlgorithm.h"
 
+#include <vector> // for frequencies
+
+class vtkPointSet;
+
+namespace littoral
+{
+struct QuadratGrid;
+}
+
 class LITTORALFILTERS_EXPORT vtkQuadratAnalysisFilter : public vtkTableAlgorithm
 {
 public:
@@ -76,6 +85,9 @@ protected:
 private:
   vtkQuadratAnalysisFilter(const vtkQuadratAnalysisFilter&) = delete;
   void operator=(const vtkQuadratAnalysisFilter&) = delete;
+
+  bool MakeGrid(vtkPointSet* input, littoral::QuadratGrid& grid);
+  bool CountPoints(vtkPointSet* input, const littoral::QuadratGrid& grid, std::vector<long long>& frequencies);
 };
 
 #endif

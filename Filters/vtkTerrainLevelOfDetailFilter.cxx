@@ -3,7 +3,9 @@
 #include "vtkTerrainLevelOfDetailFilter.h"
 
 #include "Data/Arrays.h"
+#include "Data/Blocks.h"
 #include "Data/Tables.h"
+#include "Geometry/ViewFrustum.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Terrain/GroundColor.h"
@@ -40,7 +42,7 @@
 vtkStandardNewMacro(vtkTerrainLevelOfDetailFilter);
 
 /// The pyramid, and what it was made of.
-struct vtkTerrainLevelOfDetailFilter::KeptPyramid
+struct vtkTerrainLevelOfDetailFilter::Internals
 {
   std::optional<littoral::TerrainPyramid> Pyramid;
   vtkMTimeType ImageTime = 0;
@@ -142,88 +144,154 @@ private:
   double Relief = 1.0;
 };
 
-/// Makes a block of its parts, each on a thread of its own.
-vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::TerrainPyramid& pyramid,
-  const GroundPainter& painter, vtkImageData* image, vtkDataArray* heights)
+/// The arrays of a block.
+class BlockArrays
 {
-  const auto positions = littoral::NewArray<vtkDoubleArray>("Points", 3, layout.Points);
-  const auto elevation = littoral::NewArray<vtkFloatArray>("Elevation", 1, layout.Points);
-  const auto normals = littoral::NewArray<vtkFloatArray>("Normals", 3, layout.Points);
-  const auto coordinates = littoral::NewArray<vtkFloatArray>("TCoords", 2, layout.Points);
-  const auto levels = littoral::NewArray<vtkIntArray>("Level", 1, layout.Triangles);
-  const auto offsets = littoral::NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1);
-  const auto connectivity = littoral::NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles);
-  const auto colors = littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0);
-  const CarriedArrays carried = NewCarriedArrays(image, heights, layout.Points);
-  const littoral::HeightSamples& samples = pyramid.GetSamples();
+public:
+  BlockArrays(const Layout& layout, const littoral::TerrainPyramid& pyramid, const GroundPainter& painter,
+    vtkImageData* image, vtkDataArray* heights)
+    : Pyramid(pyramid)
+    , Painter(painter)
+    , Positions(littoral::NewArray<vtkDoubleArray>("Points", 3, layout.Points))
+    , Elevation(littoral::NewArray<vtkFloatArray>("Elevation", 1, layout.Points))
+    , Normals(littoral::NewArray<vtkFloatArray>("Normals", 3, layout.Points))
+    , Coordinates(littoral::NewArray<vtkFloatArray>("TCoords", 2, layout.Points))
+    , Levels(littoral::NewArray<vtkIntArray>("Level", 1, layout.Triangles))
+    , Offsets(littoral::NewArray<vtkIdTypeArray>("Offsets", 1, layout.Triangles + 1))
+    , Connectivity(littoral::NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * layout.Triangles))
+    , Colors(littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, painter ? layout.Points : 0))
+    , Carried(NewCarriedArrays(image, heights, layout.Points))
+  {
+    this->Offsets->SetValue(layout.Triangles, 3 * layout.Triangles);
+  }
 
-  const auto copyPoint = [&](vtkIdType point, std::size_t sample) {
-    const littoral::Vector3 position = samples.Position(sample);
-    std::copy_n(&position.x, 3, positions->GetPointer(3 * point));
-    elevation->SetValue(point, samples.Values[sample]);
-    std::copy_n(pyramid.GetNormal(sample).data(), 3, normals->GetPointer(3 * point));
-    float* coordinate = coordinates->GetPointer(2 * point);
-    coordinate[0] = static_cast<float>(static_cast<double>(sample % samples.Width) / (samples.Width - 1));
-    coordinate[1] = static_cast<float>(static_cast<double>(sample / samples.Width) / (samples.Height - 1));
-    if (painter)
-    {
-      std::copy_n(painter(sample).data(), 3, colors->GetPointer(3 * point));
-    }
-    for (const auto& pair : carried)
-    {
-      pair.second->SetTuple(point, static_cast<vtkIdType>(sample), pair.first);
-    }
-  };
-  const auto copyPart = [&](const Part& part) {
+  void CopyPart(const Part& part)
+  {
     for (std::size_t i = 0; i < part.Mesh->Samples.size(); ++i)
     {
-      copyPoint(part.FirstPoint + static_cast<vtkIdType>(i), part.Mesh->Samples[i]);
+      this->CopyPoint(part.FirstPoint + static_cast<vtkIdType>(i), part.Mesh->Samples[i]);
     }
     for (std::size_t i = 0; i < part.Mesh->Triangles.size(); ++i)
     {
-      connectivity->SetValue(
+      this->Connectivity->SetValue(
         3 * part.FirstTriangle + static_cast<vtkIdType>(i), part.FirstPoint + part.Mesh->Triangles[i]);
     }
     const vtkIdType triangles = static_cast<vtkIdType>(part.Mesh->Triangles.size() / 3);
     for (vtkIdType i = part.FirstTriangle; i < part.FirstTriangle + triangles; ++i)
     {
-      offsets->SetValue(i, 3 * i);
-      levels->SetValue(i, part.Level);
+      this->Offsets->SetValue(i, 3 * i);
+      this->Levels->SetValue(i, part.Level);
     }
-  };
+  }
+
+  vtkSmartPointer<vtkPolyData> MakeBlock() const
+  {
+    auto block = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetData(this->Positions);
+    block->SetPoints(points);
+    vtkNew<vtkCellArray> triangles;
+    triangles->SetData(this->Offsets, this->Connectivity);
+    block->SetPolys(triangles);
+    vtkPointData* arrays = block->GetPointData();
+    for (const auto& pair : this->Carried)
+    {
+      arrays->AddArray(pair.second);
+    }
+    arrays->SetScalars(this->Elevation);
+    if (this->Painter)
+    {
+      arrays->AddArray(this->Colors);
+    }
+    if (arrays->HasArray("RGB"))
+    {
+      arrays->SetActiveScalars("RGB");
+    }
+    arrays->SetNormals(this->Normals);
+    arrays->SetTCoords(this->Coordinates);
+    block->GetCellData()->AddArray(this->Levels);
+    return block;
+  }
+
+private:
+  void CopyPoint(vtkIdType point, std::size_t sample)
+  {
+    const littoral::HeightSamples& samples = this->Pyramid.GetSamples();
+    const littoral::Vector3 position = samples.Position(sample);
+    std::copy_n(&position.x, 3, this->Positions->GetPointer(3 * point));
+    this->Elevation->SetValue(point, samples.Values[sample]);
+    std::copy_n(this->Pyramid.GetNormal(sample).data(), 3, this->Normals->GetPointer(3 * point));
+    float* coordinate = this->Coordinates->GetPointer(2 * point);
+    coordinate[0] = static_cast<float>(static_cast<double>(sample % samples.Width) / (samples.Width - 1));
+    coordinate[1] = static_cast<float>(static_cast<double>(sample / samples.Width) / (samples.Height - 1));
+    if (this->Painter)
+    {
+      std::copy_n(this->Painter(sample).data(), 3, this->Colors->GetPointer(3 * point));
+    }
+    for (const auto& pair : this->Carried)
+    {
+      pair.second->SetTuple(point, static_cast<vtkIdType>(sample), pair.first);
+    }
+  }
+
+  const littoral::TerrainPyramid& Pyramid;
+  const GroundPainter& Painter;
+  vtkSmartPointer<vtkDoubleArray> Positions;
+  vtkSmartPointer<vtkFloatArray> Elevation;
+  vtkSmartPointer<vtkFloatArray> Normals;
+  vtkSmartPointer<vtkFloatArray> Coordinates;
+  vtkSmartPointer<vtkIntArray> Levels;
+  vtkSmartPointer<vtkIdTypeArray> Offsets;
+  vtkSmartPointer<vtkIdTypeArray> Connectivity;
+  vtkSmartPointer<vtkUnsignedCharArray> Colors;
+  CarriedArrays Carried;
+};
+
+/// Makes a block of its parts, each on a thread of its own.
+vtkSmartPointer<vtkPolyData> MakeBlock(const Layout& layout, const littoral::TerrainPyramid& pyramid,
+  const GroundPainter& painter, vtkImageData* image, vtkDataArray* heights)
+{
+  BlockArrays arrays(layout, pyramid, painter, image, heights);
   littoral::SmpFor(layout.Parts.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
-      copyPart(layout.Parts[i]);
+      arrays.CopyPart(layout.Parts[i]);
     }
   });
-  offsets->SetValue(layout.Triangles, 3 * layout.Triangles);
-
-  auto block = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetData(positions);
-  block->SetPoints(points);
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(offsets, connectivity);
-  block->SetPolys(triangles);
-  for (const auto& pair : carried)
-  {
-    block->GetPointData()->AddArray(pair.second);
-  }
-  block->GetPointData()->SetScalars(elevation);
-  if (painter)
-  {
-    block->GetPointData()->AddArray(colors);
-  }
-  if (block->GetPointData()->HasArray("RGB"))
-  {
-    block->GetPointData()->SetActiveScalars("RGB");
-  }
-  block->GetPointData()->SetNormals(normals);
-  block->GetPointData()->SetTCoords(coordinates);
-  block->GetCellData()->AddArray(levels);
-  return block;
+  return arrays.MakeBlock();
 }
+
+/// What a view shows of a terrain: the patches of its tiles, sorted into blocks by level, seams last.
+struct ShownTerrain
+{
+  std::vector<littoral::TerrainPatch> Patches;
+  std::vector<Layout> Layouts;
+  double Tiles = 0.0;
+  double LargestError = 0.0; ///< [pixels]
+
+  explicit ShownTerrain(const littoral::TerrainPyramid& pyramid)
+    : Patches(pyramid.GetTiles().size())
+    , Layouts(static_cast<std::size_t>(pyramid.GetLevels()) + 1)
+  {
+  }
+
+  /// Sorts the patches.
+  void Sort(const littoral::TerrainPyramid& pyramid, const std::vector<int>& levels, const littoral::ViewFrustum& view)
+  {
+    const std::vector<littoral::TerrainTile>& tiles = pyramid.GetTiles();
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+    {
+      const int level = levels[tile];
+      if (level != littoral::Culled)
+      {
+        this->Layouts[static_cast<std::size_t>(level)].Add(this->Patches[tile].Surface, level);
+        this->Layouts.back().Add(this->Patches[tile].Seams, level);
+        this->LargestError = std::max(this->LargestError, littoral::ScreenErrorOf(tiles[tile], level, view));
+        this->Tiles += 1.0;
+      }
+    }
+  }
+};
 
 void AddCount(vtkDataObject* data, const char* name, double value)
 {
@@ -257,7 +325,7 @@ vtkTerrainLevelOfDetailFilter::vtkTerrainLevelOfDetailFilter()
   , TileSize(32)
   , Cull(true)
   , GroundColors(true)
-  , Kept(new KeptPyramid)
+  , Internal(new Internals)
 {
   this->NearDistance = 250.0;
   this->FarDistance = 4000.0;
@@ -347,7 +415,7 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
 //----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
 {
-  KeptPyramid& kept = *this->Kept;
+  Internals& kept = *this->Internal;
   if (kept.Pyramid && kept.ImageTime == image->GetMTime() && kept.HeightsTime == heights->GetMTime() &&
     kept.TileSize == this->TileSize && kept.Levels == this->NumberOfLevels)
   {
@@ -389,6 +457,18 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
 }
 
 //----------------------------------------------------------------------------
+littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
+{
+  littoral::TerrainRule rule;
+  rule.ByScreenError = this->Selection == ScreenErrorRule;
+  rule.NearDistance = this->NearDistance;
+  rule.FarDistance = this->FarDistance;
+  rule.LargestPixels = this->ScreenError;
+  rule.Cull = this->Cull;
+  return rule;
+}
+
+//----------------------------------------------------------------------------
 int vtkTerrainLevelOfDetailFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -408,62 +488,37 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   {
     return 0;
   }
-
-  const littoral::TerrainPyramid& pyramid = *this->Kept->Pyramid;
-  const std::vector<littoral::TerrainTile>& tiles = pyramid.GetTiles();
+  const littoral::TerrainPyramid& pyramid = *this->Internal->Pyramid;
   const littoral::ViewFrustum view(seen);
-  littoral::TerrainRule rule;
-  rule.ByScreenError = this->Selection == ScreenErrorRule;
-  rule.NearDistance = this->NearDistance;
-  rule.FarDistance = this->FarDistance;
-  rule.LargestPixels = this->ScreenError;
-  rule.Cull = this->Cull;
-  const std::vector<int> levels = littoral::SelectLevels(pyramid, view, rule);
-
-  std::vector<littoral::TerrainPatch> patches(tiles.size());
+  const std::vector<int> levels = littoral::SelectLevels(pyramid, view, this->MakeRule());
+  ShownTerrain shown(pyramid);
   const auto makePatch = [&](std::size_t tile) {
     if (levels[tile] != littoral::Culled)
     {
-      patches[tile] = littoral::MakePatch(pyramid, levels, tile);
+      shown.Patches[tile] = littoral::MakePatch(pyramid, levels, tile);
     }
   };
-  if (!littoral::RunWithProgress(this, tiles.size(), 0.2, 0.6, makePatch))
+  if (!littoral::RunWithProgress(this, levels.size(), 0.2, 0.6, makePatch))
   {
     return 1;
   }
-
-  const std::size_t seams = static_cast<std::size_t>(pyramid.GetLevels());
-  std::vector<Layout> layouts(seams + 1);
-  double shown = 0.0;
-  double largestError = 0.0;
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
-  {
-    const int level = levels[tile];
-    if (level != littoral::Culled)
-    {
-      layouts[static_cast<std::size_t>(level)].Add(patches[tile].Surface, level);
-      layouts[seams].Add(patches[tile].Seams, level);
-      largestError = std::max(largestError, littoral::ScreenErrorOf(tiles[tile], level, view));
-      shown += 1.0;
-    }
-  }
+  shown.Sort(pyramid, levels, view);
   const GroundPainter painter(pyramid, image, this->GroundColors);
+  const std::size_t blocks = shown.Layouts.size();
   double polygons = 0.0;
-  for (std::size_t block = 0; block <= seams; ++block)
+  for (std::size_t block = 0; block < blocks; ++block)
   {
-    const unsigned int index = static_cast<unsigned int>(block);
-    output->SetBlock(index, MakeBlock(layouts[block], pyramid, painter, image, heights));
-    const std::string name = block == seams ? "Seams" : "Level" + std::to_string(block);
-    output->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name.c_str());
-    polygons += static_cast<double>(layouts[block].Triangles);
-    this->UpdateProgress(0.6 + 0.4 * static_cast<double>(block + 1) / static_cast<double>(seams + 1));
+    const std::string name = block + 1 == blocks ? "Seams" : "Level" + std::to_string(block);
+    littoral::AddBlock(output, name.c_str(), MakeBlock(shown.Layouts[block], pyramid, painter, image, heights));
+    polygons += static_cast<double>(shown.Layouts[block].Triangles);
+    this->UpdateProgress(0.6 + 0.4 * static_cast<double>(block + 1) / static_cast<double>(blocks));
   }
   const littoral::HeightSamples& samples = pyramid.GetSamples();
-  AddCount(output, "TilesShown", shown);
-  AddCount(output, "TilesInAll", static_cast<double>(tiles.size()));
+  AddCount(output, "TilesShown", shown.Tiles);
+  AddCount(output, "TilesInAll", static_cast<double>(levels.size()));
   AddCount(output, "PolygonsShown", polygons);
   AddCount(output, "PolygonsAtFullDetail", 2.0 * (samples.Width - 1) * (samples.Height - 1));
-  AddCount(output, "LargestScreenError", largestError);
+  AddCount(output, "LargestScreenError", shown.LargestError);
   littoral::KeepRanges(output);
   return 1;
 }

@@ -32,6 +32,11 @@
 class vtkDataArray;
 class vtkImageData;
 
+namespace littoral
+{
+struct TerrainRule;
+}
+
 class LITTORALFILTERS_EXPORT vtkTerrainLevelOfDetailFilter : public vtkViewDependentAlgorithm
 {
 public:
@@ -123,8 +128,10 @@ private:
   vtkDataArray* FindHeights(vtkImageData* image, vtkInformationVector** inputVector);
   bool UpdatePyramid(vtkImageData* image, vtkDataArray* heights);
 
-  struct KeptPyramid;
-  std::unique_ptr<KeptPyramid> Kept;
+  struct Internals;
+  littoral::TerrainRule MakeRule() const;
+
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -174,21 +174,27 @@ void vtkViewDependentAlgorithm::SetViewHeight(double height)
 }
 
 //----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::Take(const littoral::View& view)
+{
+  this->ChangeView([&]() {
+    Copy(view.Point, this->ViewPoint);
+    Copy(view.Direction, this->ViewDirection);
+    Copy(view.Up, this->ViewUp);
+    this->ViewAngle = view.Angle / Degree;
+    this->ParallelProjection = view.IsParallel;
+    this->ParallelScale = view.ParallelScale;
+    this->AspectRatio = view.AspectRatio;
+    this->ViewHeight = view.Height;
+  });
+}
+
+//----------------------------------------------------------------------------
 void vtkViewDependentAlgorithm::SetCamera(vtkCamera* camera)
 {
-  if (!camera)
+  if (camera)
   {
-    return;
+    this->Take(littoral::ViewOfCamera(camera, this->UnroundedView()));
   }
-  const littoral::View seen = littoral::ViewOfCamera(camera, this->UnroundedView());
-  this->ChangeView([&]() {
-    Copy(seen.Point, this->ViewPoint);
-    Copy(seen.Direction, this->ViewDirection);
-    Copy(seen.Up, this->ViewUp);
-    this->ViewAngle = seen.Angle / Degree;
-    this->ParallelProjection = seen.IsParallel;
-    this->ParallelScale = seen.ParallelScale;
-  });
 }
 
 //----------------------------------------------------------------------------
@@ -209,12 +215,7 @@ void vtkViewDependentAlgorithm::Follow(vtkRenderer* renderer)
 void vtkViewDependentAlgorithm::TakeRenderer()
 {
   const int* size = this->Renderer->GetSize();
-  if (size[0] > 0 && size[1] > 0)
-  {
-    this->SetAspectRatio(static_cast<double>(size[0]) / size[1]);
-    this->SetViewHeight(size[1]);
-  }
-  this->SetCamera(this->Renderer->GetActiveCamera());
+  this->Take(littoral::ViewOfCamera(this->Renderer->GetActiveCamera(), size[0], size[1], this->UnroundedView()));
 }
 
 //----------------------------------------------------------------------------

@@ -173,6 +173,7 @@ private:
   littoral::View RoundedView() const;
   template <typename Change>
   void ChangeView(const Change& change);
+  void Take(const littoral::View& view);
   void TakeRenderer();
 
   vtkWeakPointer<vtkRenderer> Renderer;

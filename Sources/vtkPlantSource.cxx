@@ -7,11 +7,31 @@
 #include "Plants/LeafCards.h"
 #include "Plants/PlantLevels.h"
 
+#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDataObjectMetaDataKey.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkInformationKeyMacro(vtkPlantSource, TEXTURE_SIZES, DataObjectMetaData);
+
+namespace
+{
+
+void AddTextureSize(vtkDataObject* sizes, const char* block, const std::array<int, 2>& size)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(block);
+  array->SetNumberOfComponents(2);
+  array->InsertNextTypedTuple(size.data());
+  sizes->GetFieldData()->AddArray(array);
+}
+
+}
 
 //----------------------------------------------------------------------------
 vtkPlantSource::vtkPlantSource()
@@ -46,6 +66,10 @@ int vtkPlantSource::RequestInformation(vtkInformation*, vtkInformationVector**, 
   const std::array<int, 2> size = this->LeafTextureSize();
   const int leaf[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
   outputVector->GetInformationObject(2)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), leaf, 6);
+  vtkNew<vtkDataObject> sizes;
+  AddTextureSize(sizes, littoral::plant::Crown, { this->TextureSize[0], this->TextureSize[1] });
+  AddTextureSize(sizes, littoral::plant::Leaves, size);
+  outputVector->GetInformationObject(0)->Set(vtkPlantSource::TEXTURE_SIZES(), sizes);
   return 1;
 }
 

@@ -21,6 +21,8 @@
  * by the color of the leaf. Both can be connected to a vtkTexture and are also stored as field data `Texture` and
  * `TextureSize` of `Crown` and `Leaves`.
  *
+ * The sizes of both textures are announced with the information of output 0, by the key TEXTURE_SIZES().
+ *
  * A plant is not divided into pieces: the first piece holds all of it. A parameter out of range is reported as one
  * error, and the outputs stay empty.
  */
@@ -31,6 +33,8 @@
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
 #include <array> // for the size of a picture
+
+class vtkInformationDataObjectMetaDataKey;
 
 namespace littoral
 {
@@ -43,6 +47,10 @@ class LITTORALSOURCES_EXPORT vtkPlantSource : public vtkMultiBlockDataSetAlgorit
 public:
   vtkTypeMacro(vtkPlantSource, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Sizes of the textures that the blocks of a plant will carry, before any data are made: a vtkDataObject whose field
+  /// arrays `Crown` and `Leaves` hold columns and rows [texels]. The pipeline copies it to all filters downstream.
+  static vtkInformationDataObjectMetaDataKey* TEXTURE_SIZES();
 
   ///@{
   /**

@@ -34,6 +34,84 @@ namespace
 constexpr long long MostQuadrats = 1000000000;
 /// Points that one thread places at a time.
 constexpr std::size_t QuadratsAtOnce = 1 << 14;
+
+/// The points of some quadrats in a row.
+class PatternPiece
+{
+public:
+  PatternPiece(const littoral::QuadratGrid& grid, int seed, const std::vector<int>& counts, std::size_t firstQuadrat,
+    std::size_t endQuadrat)
+    : Grid(grid)
+    , Seed(seed)
+    , Counts(counts)
+    , Sites(counts.size() + 1, 0)
+    , First(firstQuadrat)
+    , End(endQuadrat)
+  {
+    std::partial_sum(counts.begin(), counts.end(), this->Sites.begin() + 1);
+    this->Positions->SetDataTypeToDouble();
+    this->Positions->SetNumberOfPoints(this->GetNumberOfPoints());
+    this->SiteId->SetName("SiteId");
+    this->SiteId->SetNumberOfValues(this->GetNumberOfPoints());
+    this->QuadratId->SetName("QuadratId");
+    this->QuadratId->SetNumberOfValues(this->GetNumberOfPoints());
+  }
+
+  std::size_t GetNumberOfBatches() const { return (this->End - this->First + QuadratsAtOnce - 1) / QuadratsAtOnce; }
+
+  /// Places the points of a batch of quadrats, in any order on any threads.
+  void Scatter(std::size_t batch)
+  {
+    double* xyz = vtkDoubleArray::SafeDownCast(this->Positions->GetData())->GetPointer(0);
+    const std::size_t begin = this->First + batch * QuadratsAtOnce;
+    const std::size_t end = std::min(begin + QuadratsAtOnce, this->End);
+    for (std::size_t quadrat = begin; quadrat < end; ++quadrat)
+    {
+      for (int index = 0; index < this->Counts[quadrat]; ++index)
+      {
+        const vtkIdType site = this->Sites[quadrat] + index;
+        const vtkIdType point = site - this->Sites[this->First];
+        const auto position = littoral::QuadratPosition(this->Grid, static_cast<long long>(quadrat), index, this->Seed);
+        xyz[3 * point] = position[0];
+        xyz[3 * point + 1] = position[1];
+        xyz[3 * point + 2] = 0.0;
+        this->SiteId->SetValue(point, site);
+        this->QuadratId->SetValue(point, static_cast<vtkIdType>(quadrat));
+      }
+    }
+  }
+
+  void AddTo(vtkPolyData* output) const
+  {
+    const vtkIdType count = this->GetNumberOfPoints();
+    vtkNew<vtkIdTypeArray> offsets;
+    offsets->SetNumberOfValues(count + 1);
+    std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, vtkIdType{ 0 });
+    vtkNew<vtkIdTypeArray> corners;
+    corners->SetNumberOfValues(count);
+    std::iota(corners->GetPointer(0), corners->GetPointer(0) + count, vtkIdType{ 0 });
+    vtkNew<vtkCellArray> vertices;
+    vertices->SetData(offsets, corners);
+    output->SetPoints(this->Positions);
+    output->SetVerts(vertices);
+    output->GetPointData()->AddArray(this->SiteId);
+    output->GetPointData()->AddArray(this->QuadratId);
+  }
+
+private:
+  vtkIdType GetNumberOfPoints() const { return this->Sites[this->End] - this->Sites[this->First]; }
+
+  const littoral::QuadratGrid& Grid;
+  int Seed;
+  const std::vector<int>& Counts; ///< points of each quadrat
+  std::vector<vtkIdType> Sites;   ///< the first of each quadrat, and the end
+  std::size_t First;
+  std::size_t End;
+  vtkNew<vtkPoints> Positions;
+  vtkNew<vtkIdTypeArray> SiteId;
+  vtkNew<vtkIdTypeArray> QuadratId;
+};
+
 }
 
 /// Law and grid in full.
@@ -145,15 +223,8 @@ bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recip
 }
 
 //----------------------------------------------------------------------------
-int vtkQuadratPointSource::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+std::string vtkQuadratPointSource::WhyInvalid(const Recipe& recipe) const
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  Recipe recipe;
-  if (!this->MakeRecipe(inputVector[0], recipe))
-  {
-    return 0;
-  }
   std::string reason = littoral::WhyInvalid(recipe.Grid);
   if (reason.empty())
   {
@@ -171,73 +242,39 @@ int vtkQuadratPointSource::RequestData(
     reason = "about " + std::to_string(static_cast<long long>(points)) + " points in " + std::to_string(quadrats) +
       " quadrats are more than this machine has memory for.";
   }
+  return reason;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratPointSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  Recipe recipe;
+  if (!this->MakeRecipe(inputVector[0], recipe))
+  {
+    return 0;
+  }
+  const std::string reason = this->WhyInvalid(recipe);
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot scatter points: " << reason);
     return 0;
   }
-
   this->SetProgressText("Scattering points");
+  const long long quadrats = recipe.Grid.NumberOfQuadrats();
   const std::vector<int> counts =
     littoral::QuadratCounts(recipe.Law, quadrats, static_cast<littoral::QuadratMode>(this->Mode), this->Seed);
-  std::vector<vtkIdType> firstSite(counts.size() + 1, 0);
-  std::partial_sum(counts.begin(), counts.end(), firstSite.begin() + 1);
-
   vtkInformation* info = outputVector->GetInformationObject(0);
   const long long piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   const long long pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
-  const std::size_t firstQuadrat = static_cast<std::size_t>(quadrats * piece / pieces);
-  const std::size_t lastQuadrat = static_cast<std::size_t>(quadrats * (piece + 1) / pieces);
-  const vtkIdType first = firstSite[firstQuadrat];
-  const vtkIdType count = firstSite[lastQuadrat] - first;
-
-  vtkNew<vtkPoints> positions;
-  positions->SetDataTypeToDouble();
-  positions->SetNumberOfPoints(count);
-  vtkNew<vtkIdTypeArray> site;
-  site->SetName("SiteId");
-  site->SetNumberOfValues(count);
-  vtkNew<vtkIdTypeArray> quadratOf;
-  quadratOf->SetName("QuadratId");
-  quadratOf->SetNumberOfValues(count);
-  double* xyz = vtkDoubleArray::SafeDownCast(positions->GetData())->GetPointer(0);
-  const std::size_t batches = (lastQuadrat - firstQuadrat + QuadratsAtOnce - 1) / QuadratsAtOnce;
-  const bool done = littoral::RunWithProgress(this, batches, 0.2, 1.0, [&](std::size_t batch) {
-    const std::size_t begin = firstQuadrat + batch * QuadratsAtOnce;
-    const std::size_t end = std::min(begin + QuadratsAtOnce, lastQuadrat);
-    for (std::size_t quadrat = begin; quadrat < end; ++quadrat)
-    {
-      for (int index = 0; index < counts[quadrat]; ++index)
-      {
-        const vtkIdType id = firstSite[quadrat] + index;
-        const auto position =
-          littoral::QuadratPosition(recipe.Grid, static_cast<long long>(quadrat), index, this->Seed);
-        xyz[3 * (id - first)] = position[0];
-        xyz[3 * (id - first) + 1] = position[1];
-        xyz[3 * (id - first) + 2] = 0.0;
-        site->SetValue(id - first, id);
-        quadratOf->SetValue(id - first, static_cast<vtkIdType>(quadrat));
-      }
-    }
-  });
-  if (!done) // aborted
+  PatternPiece pattern(recipe.Grid, this->Seed, counts, static_cast<std::size_t>(quadrats * piece / pieces),
+    static_cast<std::size_t>(quadrats * (piece + 1) / pieces));
+  if (littoral::RunWithProgress(this, pattern.GetNumberOfBatches(), 0.2, 1.0,
+        [&](std::size_t batch) { pattern.Scatter(batch); })) // else aborted
   {
-    return 1;
+    pattern.AddTo(vtkPolyData::GetData(outputVector));
+    this->UpdateProgress(1.0);
   }
-
-  vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, vtkIdType{ 0 });
-  vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(count);
-  std::iota(corners->GetPointer(0), corners->GetPointer(0) + count, vtkIdType{ 0 });
-  vtkNew<vtkCellArray> vertices;
-  vertices->SetData(offsets, corners);
-  output->SetPoints(positions);
-  output->SetVerts(vertices);
-  output->GetPointData()->AddArray(site);
-  output->GetPointData()->AddArray(quadratOf);
-  this->UpdateProgress(1.0);
   return 1;
 }
 

@@ -24,6 +24,8 @@
 #include "LittoralSourcesModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // for what is wrong with a property
+
 class LITTORALSOURCES_EXPORT vtkQuadratPointSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -168,6 +170,7 @@ private:
 
   class Recipe;
   bool MakeRecipe(vtkInformationVector* fits, Recipe& recipe);
+  std::string WhyInvalid(const Recipe& recipe) const;
 };
 
 #endif

@@ -82,10 +82,122 @@ vtkSmartPointer<vtkCellArray> EvenCells(vtkIdType cells, int size, int stride, i
   return array;
 }
 
+/// The arrays of particles that are points, or squares of several points each.
+template <typename Array>
+class ParticleArrays
+{
+public:
+  ParticleArrays(vtkIdType particles, bool quads, int seed)
+    : Quads(quads)
+    , Stride(quads ? QuadPoints : 1)
+    , Seed(seed)
+    , Particles(particles)
+    , Position(littoral::NewArray<Array>("Points", 3, particles * this->Stride))
+    , Id(littoral::NewArray<vtkIdTypeArray>(littoral::sea::ParticleId, 1, particles * this->Stride))
+    , BoxId(littoral::NewArray<vtkIntArray>(littoral::sea::BoxId, 1, particles * this->Stride))
+    , Type(littoral::NewArray<vtkIntArray>(littoral::sea::ParticleType, 1, particles * this->Stride))
+    , Radius(littoral::NewArray<vtkFloatArray>(littoral::sea::Radius, 1, particles * this->Stride))
+    , Color(littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::RGB, 3, particles * this->Stride))
+    , Master(littoral::NewArray<vtkIdTypeArray>(littoral::sea::MasterId, 1, quads ? particles * QuadPoints : 0))
+    , Offset(littoral::NewArray<vtkFloatArray>(littoral::sea::Offset, 3, quads ? particles * QuadPoints : 0))
+    , Coordinates(littoral::NewArray<vtkFloatArray>("TCoords", 2, quads ? particles * QuadPoints : 0))
+    , Areas(quads ? Pictures().Areas : std::vector<littoral::AtlasArea>{})
+  {
+  }
+
+  /// Writes a particle: `at` is its place among those of this piece, `id` its number among all, `index` in its box.
+  void Write(vtkIdType at, long long id, int boxId, const littoral::ParticleBox& box, long long index,
+    const littoral::SuspendedParticle& particle)
+  {
+    const vtkIdType first = at * this->Stride;
+    for (vtkIdType point = first; point < first + this->Stride; ++point)
+    {
+      this->Id->SetValue(point, id);
+      this->BoxId->SetValue(point, boxId);
+      this->Type->SetValue(point, static_cast<int>(box.Kind));
+      this->Radius->SetValue(point, static_cast<float>(particle.Radius));
+      this->Color->SetTypedTuple(point, particle.Color.data());
+    }
+    if (!this->Quads)
+    {
+      this->SetPosition(first, particle.Place);
+      return;
+    }
+    const littoral::PictureAxes axes = littoral::OrientationOf(boxId, index, this->Seed);
+    const littoral::AtlasArea& area = this->Areas[static_cast<std::size_t>(box.Kind)];
+    this->WriteCorner(first, 0, 0.0, 0.0, particle, axes, area);
+    for (int corner = 1; corner < QuadPoints; ++corner)
+    {
+      this->WriteCorner(first, corner, Corners[corner - 1][0], Corners[corner - 1][1], particle, axes, area);
+    }
+  }
+
+  void AddTo(vtkPolyData* output) const
+  {
+    vtkNew<vtkPoints> positions;
+    positions->SetData(this->Position);
+    output->SetPoints(positions);
+    vtkPointData* arrays = output->GetPointData();
+    arrays->AddArray(this->Id);
+    arrays->AddArray(this->BoxId);
+    arrays->AddArray(this->Type);
+    arrays->AddArray(this->Radius);
+    arrays->SetScalars(this->Color);
+    if (this->Quads)
+    {
+      arrays->AddArray(this->Master);
+      arrays->AddArray(this->Offset);
+      arrays->SetTCoords(this->Coordinates);
+      output->SetPolys(EvenCells(this->Particles, QuadPoints - 1, QuadPoints, 1));
+    }
+    else
+    {
+      output->SetVerts(EvenCells(this->Particles, 1, 1, 0));
+    }
+  }
+
+private:
+  using Real = typename Array::ValueType;
+
+  void SetPosition(vtkIdType point, const littoral::Vector3& at)
+  {
+    const Real tuple[3] = { static_cast<Real>(at.x), static_cast<Real>(at.y), static_cast<Real>(at.z) };
+    this->Position->SetTypedTuple(point, tuple);
+  }
+
+  /// The middle of a square (corner 0) or a corner, which is its slave.
+  void WriteCorner(vtkIdType middle, int corner, double across, double along,
+    const littoral::SuspendedParticle& particle, const littoral::PictureAxes& axes, const littoral::AtlasArea& area)
+  {
+    const vtkIdType point = middle + corner;
+    const littoral::Vector3 shift = particle.Radius * (across * axes.Right + along * axes.Up);
+    this->SetPosition(point, particle.Place + shift);
+    this->Master->SetValue(point, corner == 0 ? -1 : middle);
+    this->Offset->SetTuple3(point, shift.x, shift.y, shift.z);
+    const std::array<double, 2> uv = area.Map(0.5 + 0.5 * across, 0.5 + 0.5 * along);
+    this->Coordinates->SetTuple2(point, uv[0], uv[1]);
+  }
+
+  bool Quads;
+  int Stride; ///< points a particle
+  int Seed;
+  vtkIdType Particles;
+  vtkSmartPointer<Array> Position;
+  vtkSmartPointer<vtkIdTypeArray> Id;
+  vtkSmartPointer<vtkIntArray> BoxId;
+  vtkSmartPointer<vtkIntArray> Type;
+  vtkSmartPointer<vtkFloatArray> Radius;
+  vtkSmartPointer<vtkUnsignedCharArray> Color;
+  vtkSmartPointer<vtkIdTypeArray> Master;
+  vtkSmartPointer<vtkFloatArray> Offset;
+  vtkSmartPointer<vtkFloatArray> Coordinates;
+  std::vector<littoral::AtlasArea> Areas; ///< of the pictures, by kind
+};
+
 }
 
 /// What the user's boxes are.
-class vtkSuspendedParticleSource::BoxList
+class vtkSuspendedParticleSource::Internals
 {
 public:
   std::vector<littoral::ParticleBox> Boxes;
@@ -110,7 +222,7 @@ vtkSuspendedParticleSource::vtkSuspendedParticleSource()
   , Mode(Points)
   , OutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION)
   , Seed(1)
-  , Boxes(new BoxList)
+  , Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
@@ -130,7 +242,7 @@ void vtkSuspendedParticleSource::AddBox(const double box[12])
   added.Diameter = box[7];
   added.Amount = box[8];
   std::copy(box + 9, box + 12, added.Color);
-  this->Boxes->Boxes.push_back(added);
+  this->Internal->Boxes.push_back(added);
   this->Modified();
 }
 
@@ -142,7 +254,7 @@ void vtkSuspendedParticleSource::SetBoxName(int index, const char* name)
     vtkErrorMacro("There is no box " << index << ".");
     return;
   }
-  std::vector<std::string>& names = this->Boxes->Names;
+  std::vector<std::string>& names = this->Internal->Names;
   names.resize(std::max<std::size_t>(names.size(), static_cast<std::size_t>(index) + 1));
   names[index] = name ? name : "";
   this->Modified();
@@ -151,21 +263,21 @@ void vtkSuspendedParticleSource::SetBoxName(int index, const char* name)
 //----------------------------------------------------------------------------
 void vtkSuspendedParticleSource::RemoveAllBoxes()
 {
-  this->Boxes->Boxes.clear();
+  this->Internal->Boxes.clear();
   this->Modified();
 }
 
 //----------------------------------------------------------------------------
 void vtkSuspendedParticleSource::ClearBoxNames()
 {
-  this->Boxes->Names.clear();
+  this->Internal->Names.clear();
   this->Modified();
 }
 
 //----------------------------------------------------------------------------
 int vtkSuspendedParticleSource::GetNumberOfBoxes()
 {
-  return static_cast<int>(this->Boxes->Boxes.size());
+  return static_cast<int>(this->Internal->Boxes.size());
 }
 
 //----------------------------------------------------------------------------
@@ -191,7 +303,7 @@ int vtkSuspendedParticleSource::RequestInformation(
 }
 
 //----------------------------------------------------------------------------
-std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
+std::string vtkSuspendedParticleSource::WhyBadProperties() const
 {
   if (this->Preset < Custom || this->Preset > StormyBed)
   {
@@ -218,9 +330,20 @@ std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
   {
     return "Density is " + std::to_string(this->Density) + "; it must not be negative.";
   }
+  return "";
+}
+
+//----------------------------------------------------------------------------
+std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
+{
+  std::string reason = this->WhyBadProperties();
+  if (!reason.empty())
+  {
+    return reason;
+  }
   if (this->Preset == Custom)
   {
-    recipe.Boxes = this->Boxes->Boxes;
+    recipe.Boxes = this->Internal->Boxes;
     if (recipe.Boxes.empty())
     {
       return "there are no boxes; add one, or take another Preset.";
@@ -240,7 +363,7 @@ std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
   for (littoral::ParticleBox& box : recipe.Boxes)
   {
     const int index = static_cast<int>(recipe.First.size()) - 1;
-    const std::string reason = littoral::WhyInvalid(box, index);
+    reason = littoral::WhyInvalid(box, index);
     if (!reason.empty())
     {
       return reason;
@@ -270,9 +393,9 @@ void vtkSuspendedParticleSource::NameBoxes(const Recipe& recipe, vtkPolyData* ou
   for (std::size_t index = 0; index < recipe.Boxes.size(); ++index)
   {
     std::string name = recipe.Boxes[index].Name;
-    if (this->Preset == Custom && index < this->Boxes->Names.size())
+    if (this->Preset == Custom && index < this->Internal->Names.size())
     {
-      name = this->Boxes->Names[index];
+      name = this->Internal->Names[index];
     }
     names->InsertNextValue(
       name.empty() ? littoral::ParticleKindName(recipe.Boxes[index].Kind) + std::to_string(index) : name);
@@ -324,109 +447,31 @@ int vtkSuspendedParticleSource::RequestData(vtkInformation*, vtkInformationVecto
 template <typename Array>
 bool vtkSuspendedParticleSource::Scatter(const Recipe& recipe, long long first, long long last, vtkPolyData* output)
 {
-  using Real = typename Array::ValueType;
-  const bool quads = this->Mode == Quads;
-  const int stride = quads ? QuadPoints : 1;
-  const vtkIdType count = last - first;
-  const vtkIdType points = count * stride;
-  auto place = littoral::NewArray<Array>("Points", 3, points);
-  auto id = littoral::NewArray<vtkIdTypeArray>(littoral::sea::ParticleId, 1, points);
-  auto boxId = littoral::NewArray<vtkIntArray>(littoral::sea::BoxId, 1, points);
-  auto type = littoral::NewArray<vtkIntArray>(littoral::sea::ParticleType, 1, points);
-  auto radius = littoral::NewArray<vtkFloatArray>(littoral::sea::Radius, 1, points);
-  auto color = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::RGB, 3, points);
-  const vtkIdType corners = quads ? points : 0;
-  auto master = littoral::NewArray<vtkIdTypeArray>(littoral::sea::MasterId, 1, corners);
-  auto offset = littoral::NewArray<vtkFloatArray>(littoral::sea::Offset, 3, corners);
-  auto coordinates = littoral::NewArray<vtkFloatArray>("TCoords", 2, corners);
-  const std::vector<littoral::AtlasArea> areas = quads ? Pictures().Areas : std::vector<littoral::AtlasArea>{};
-
-  const auto write = [&](vtkIdType point, long long number, int box, const littoral::SuspendedParticle& particle) {
-    id->SetValue(point, number);
-    boxId->SetValue(point, box);
-    type->SetValue(point, static_cast<int>(recipe.Boxes[box].Kind));
-    radius->SetValue(point, static_cast<float>(particle.Radius));
-    color->SetTypedTuple(point, particle.Color.data());
-  };
-  const auto setPlace = [&](vtkIdType point, const littoral::Vector3& at) {
-    const Real tuple[3] = { static_cast<Real>(at.x), static_cast<Real>(at.y), static_cast<Real>(at.z) };
-    place->SetTypedTuple(point, tuple);
-  };
-  const auto writeSquare = [&](
-                             vtkIdType middle, int box, const littoral::SuspendedParticle& particle, long long index) {
-    const littoral::PictureAxes axes = littoral::OrientationOf(box, index, this->Seed);
-    const littoral::AtlasArea& area = areas[static_cast<std::size_t>(recipe.Boxes[box].Kind)];
-    const auto slave = [&](int corner, double across, double along) {
-      const vtkIdType point = middle + corner;
-      const littoral::Vector3 shift = particle.Radius * (across * axes.Right + along * axes.Up);
-      setPlace(point, particle.Place + shift);
-      master->SetValue(point, corner == 0 ? -1 : middle);
-      offset->SetTuple3(point, shift.x, shift.y, shift.z);
-      const std::array<double, 2> uv = area.Map(0.5 + 0.5 * across, 0.5 + 0.5 * along);
-      coordinates->SetTuple2(point, uv[0], uv[1]);
-    };
-    slave(0, 0.0, 0.0);
-    for (int corner = 1; corner < QuadPoints; ++corner)
-    {
-      slave(corner, Corners[corner - 1][0], Corners[corner - 1][1]);
-    }
-  };
+  const long long count = last - first;
+  ParticleArrays<Array> arrays(static_cast<vtkIdType>(count), this->Mode == Quads, this->Seed);
   const std::size_t batches = static_cast<std::size_t>((count + ParticlesAtOnce - 1) / ParticlesAtOnce);
   const bool done = littoral::RunWithProgress(this, batches, 0.0, 1.0, [&](std::size_t batch) {
     const long long begin = first + static_cast<long long>(batch) * ParticlesAtOnce;
     const long long end = std::min(begin + ParticlesAtOnce, last);
     int box =
-      static_cast<int>(std::upper_bound(recipe.First.begin(), recipe.First.end(), begin) - recipe.First.begin());
-    --box;
-    for (long long number = begin; number < end; ++number)
+      static_cast<int>(std::upper_bound(recipe.First.begin(), recipe.First.end(), begin) - recipe.First.begin()) - 1;
+    for (long long id = begin; id < end; ++id)
     {
-      while (number >= recipe.First[box + 1])
+      while (id >= recipe.First[box + 1])
       {
         ++box;
       }
-      const long long index = number - recipe.First[box];
+      const long long index = id - recipe.First[box];
       const littoral::SuspendedParticle particle =
         littoral::ParticleOf(recipe.Boxes[box], box, index, this->SizeSpread, this->Seed);
-      const vtkIdType at = (number - first) * stride;
-      for (int copy = 0; copy < stride; ++copy)
-      {
-        write(at + copy, number, box, particle);
-      }
-      if (quads)
-      {
-        writeSquare(at, box, particle, index);
-      }
-      else
-      {
-        setPlace(at, particle.Place);
-      }
+      arrays.Write(static_cast<vtkIdType>(id - first), id, box, recipe.Boxes[box], index, particle);
     }
   });
-  if (!done)
+  if (done)
   {
-    return false;
+    arrays.AddTo(output);
   }
-  vtkNew<vtkPoints> positions;
-  positions->SetData(place);
-  output->SetPoints(positions);
-  vtkPointData* arrays = output->GetPointData();
-  arrays->AddArray(id);
-  arrays->AddArray(boxId);
-  arrays->AddArray(type);
-  arrays->AddArray(radius);
-  arrays->SetScalars(color);
-  if (quads)
-  {
-    arrays->AddArray(master);
-    arrays->AddArray(offset);
-    arrays->SetTCoords(coordinates);
-    output->SetPolys(EvenCells(count, QuadPoints - 1, QuadPoints, 1));
-  }
-  else
-  {
-    output->SetVerts(EvenCells(count, 1, 1, 0));
-  }
-  return true;
+  return done;
 }
 
 //----------------------------------------------------------------------------
@@ -437,7 +482,7 @@ void vtkSuspendedParticleSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounds: " << this->Bounds[0] << " " << this->Bounds[1] << " " << this->Bounds[2] << " "
      << this->Bounds[3] << " " << this->Bounds[4] << " " << this->Bounds[5] << "\n";
   os << indent << "Density: " << this->Density << "\n";
-  os << indent << "Boxes: " << this->Boxes->Boxes.size() << "\n";
+  os << indent << "Boxes: " << this->Internal->Boxes.size() << "\n";
   os << indent << "AmountIs: " << this->AmountIs << "\n";
   os << indent << "SizeSpread: " << this->SizeSpread << "\n";
   os << indent << "Mode: " << this->Mode << "\n";

@@ -170,13 +170,14 @@ private:
   void operator=(const vtkSuspendedParticleSource&) = delete;
 
   class Recipe;
-  class BoxList;
+  class Internals;
+  std::string WhyBadProperties() const;
   std::string MakeRecipe(Recipe& recipe) const;
   void NameBoxes(const Recipe& recipe, vtkPolyData* output) const;
   template <typename Array>
   bool Scatter(const Recipe& recipe, long long first, long long last, vtkPolyData* output);
 
-  std::unique_ptr<BoxList> Boxes;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

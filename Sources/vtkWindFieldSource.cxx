@@ -22,6 +22,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -57,18 +59,24 @@ Shift ShiftAt(double time, const littoral::WindGrid& grid)
   return { static_cast<int>(samples), gone / PartsOfStep - samples };
 }
 
-/// A turn about the vertical.
-struct Turn
+/// How many points an extent has.
+double NumberOfPoints(const int extent[6])
 {
-  double Cosine;
-  double Sine;
-};
+  double points = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    points *= std::max(0.0, extent[2 * axis + 1] - static_cast<double>(extent[2 * axis]) + 1.0);
+  }
+  return points;
+}
 
-/// Copies samples first ... last of a line that has been carried along by whole samples, turned into world axes.
-void CopyLine(const float* line, int length, int first, int last, int shift, const Turn& turn, float* to)
+/// Copies samples first ... last of a line that has been carried along by whole samples, turned into world axes by an
+/// angle of which the cosine and sine are given.
+void CopyLine(
+  const float* line, int length, int first, int last, int shift, const std::array<double, 2>& turn, float* to)
 {
-  const float cosine = static_cast<float>(turn.Cosine);
-  const float sine = static_cast<float>(turn.Sine);
+  const float cosine = static_cast<float>(turn[0]);
+  const float sine = static_cast<float>(turn[1]);
   for (int i = first; i <= last; ++i, to += 3)
   {
     const float* velocity = line + 3 * static_cast<std::size_t>((i - shift + length) % length);
@@ -89,7 +97,7 @@ public:
 };
 
 /// The field at time 0 in the axes of the wind.
-class vtkWindFieldSource::Frozen
+class vtkWindFieldSource::Internals
 {
 public:
   vtkTimeStamp Made;
@@ -200,8 +208,8 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
 //----------------------------------------------------------------------------
 bool vtkWindFieldSource::Freeze(const Recipe& recipe)
 {
-  auto frozen = std::make_unique<Frozen>();
-  this->Kept.reset();
+  auto frozen = std::make_unique<Internals>();
+  this->Internal.reset();
   this->SetProgressText("Making wind");
   littoral::WindField field(recipe.Model, recipe.Grid, recipe.Synthesis);
   frozen->Velocities.resize(recipe.Grid.NumberOfLines() * recipe.Grid.Count[0] * littoral::WindComponents);
@@ -223,59 +231,19 @@ bool vtkWindFieldSource::Freeze(const Recipe& recipe)
   }
   frozen->CoherenceError = field.GetCoherenceError();
   frozen->Made.Modified();
-  this->Kept = std::move(frozen);
+  this->Internal = std::move(frozen);
   return true;
 }
 
 //----------------------------------------------------------------------------
-int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+void vtkWindFieldSource::CopyVelocities(
+  const littoral::WindGrid& grid, double time, const std::array<double, 2>& turn, vtkImageData* output) const
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  vtkImageData* output = vtkImageData::GetData(outputVector);
-  output->Initialize();
-  const Recipe recipe = this->MakeRecipe();
-  const littoral::WindGrid& grid = recipe.Grid;
-  const bool fresh = this->Kept && this->Kept->Made.GetMTime() > this->GetMTime();
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  double points = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    points *= std::max(0.0, extent[2 * axis + 1] - static_cast<double>(extent[2 * axis]) + 1.0);
-  }
-  const double bytes =
-    points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
-  if (bytes > littoral::AvailableMemory())
-  {
-    vtkErrorMacro("A wind with Dimensions " << grid.Count[0] << " x " << grid.Count[1] << " x " << grid.Count[2]
-                                            << " needs " << bytes / 0x1p30
-                                            << " GiB of memory, more than this machine has free.");
-    return 0;
-  }
-  if (!fresh && points > 0.0 && !this->Freeze(recipe))
-  {
-    return 1; // aborted
-  }
-
-  double place[9];
-  output->SetExtent(extent);
-  info->Get(vtkDataObject::ORIGIN(), place);
-  output->SetOrigin(place);
-  info->Get(vtkDataObject::SPACING(), place);
-  output->SetSpacing(place);
-  info->Get(vtkDataObject::DIRECTION(), place);
-  output->SetDirectionMatrix(place);
-  const double time = littoral::RequestedTime(info);
-  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-  if (!(points > 0.0))
-  {
-    return 1; // a rank with nothing to do
-  }
+  const int* extent = output->GetExtent();
   const auto velocity =
     littoral::NewArray<vtkFloatArray>("Velocity", littoral::WindComponents, output->GetNumberOfPoints());
   velocity->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
   const Shift shift = ShiftAt(std::isfinite(time) ? time : 0.0, grid);
-  const Turn turn{ place[0], place[3] };
   const std::size_t across = static_cast<std::size_t>(extent[3]) - extent[2] + 1;
   const std::size_t up = static_cast<std::size_t>(extent[5]) - extent[4] + 1;
   const std::size_t values = 3 * (static_cast<std::size_t>(extent[1]) - extent[0] + 1);
@@ -291,7 +259,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
       const int lanes = static_cast<int>(std::min<std::size_t>(littoral::FourierLanes, across - line));
       const std::size_t layer = pack / packs;
       const float* from =
-        this->Kept->Velocities.data() + whole * ((extent[4] + layer) * grid.Count[1] + extent[2] + line);
+        this->Internal->Velocities.data() + whole * ((extent[4] + layer) * grid.Count[1] + extent[2] + line);
       if (shift.Part > 0.0)
       {
         carrier.Carry(from, lanes, shift.Part, room);
@@ -305,8 +273,50 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
     }
   });
   output->GetPointData()->SetVectors(velocity);
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  const Recipe recipe = this->MakeRecipe();
+  const littoral::WindGrid& grid = recipe.Grid;
+  const bool fresh = this->Internal && this->Internal->Made.GetMTime() > this->GetMTime();
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  const double points = NumberOfPoints(extent);
+  const double bytes =
+    points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
+  if (bytes > littoral::AvailableMemory())
+  {
+    vtkErrorMacro("A wind with Dimensions " << grid.Count[0] << " x " << grid.Count[1] << " x " << grid.Count[2]
+                                            << " needs " << bytes / 0x1p30
+                                            << " GiB of memory, more than this machine has free.");
+    return 0;
+  }
+  if (!fresh && points > 0.0 && !this->Freeze(recipe))
+  {
+    return 1; // aborted
+  }
+  double place[9];
+  output->SetExtent(extent);
+  info->Get(vtkDataObject::ORIGIN(), place);
+  output->SetOrigin(place);
+  info->Get(vtkDataObject::SPACING(), place);
+  output->SetSpacing(place);
+  info->Get(vtkDataObject::DIRECTION(), place);
+  output->SetDirectionMatrix(place);
+  const double time = littoral::RequestedTime(info);
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  if (!(points > 0.0))
+  {
+    return 1; // a rank with nothing to do
+  }
+  this->CopyVelocities(grid, time, { place[0], place[3] }, output);
   vtkFieldData* fields = output->GetFieldData();
-  AddNumber(fields, "CoherenceError", this->Kept->CoherenceError);
+  AddNumber(fields, "CoherenceError", this->Internal->CoherenceError);
   AddNumber(fields, "FrictionVelocity", littoral::FrictionVelocity(recipe.Model));
   AddNumber(fields, "ConvectionSpeed", littoral::ConvectionSpeed(recipe.Model));
   AddNumber(fields, "Period", grid.Period());

@@ -29,7 +29,13 @@
 #include "LittoralSourcesModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
+#include <array>  // for the axes of the wind
 #include <memory> // for unique_ptr
+
+namespace littoral
+{
+struct WindGrid;
+}
 
 class LITTORALSOURCES_EXPORT vtkWindFieldSource : public vtkImageAlgorithm
 {
@@ -256,10 +262,12 @@ private:
   void operator=(const vtkWindFieldSource&) = delete;
 
   class Recipe;
-  class Frozen;
+  class Internals;
   Recipe MakeRecipe() const;
   bool Freeze(const Recipe& recipe);
-  std::unique_ptr<Frozen> Kept;
+  void CopyVelocities(
+    const littoral::WindGrid& grid, double time, const std::array<double, 2>& turn, vtkImageData* output) const;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -106,6 +106,47 @@ std::array<float, 3> PlantDraws::Tint(long long site) const
     static_cast<float>(brightness * (1.0 - shift)) };
 }
 
+std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places)
+{
+  std::size_t kept = 0;
+  std::size_t outside = 0;
+  std::size_t holes = 0;
+  Vector3 first{ 0.0, 0.0, 0.0 };
+  for (const PlantPlace& place : places)
+  {
+    const GroundPoint ground = terrain.At(place.Foot.x, place.Foot.y);
+    if (!ground.IsCovered || !std::isfinite(ground.Height))
+    {
+      first = outside + holes == 0 ? place.Foot : first;
+      ++(ground.IsCovered ? holes : outside);
+    }
+    else if ((limits.Slope >= 0.5 * Pi || ground.Slope <= limits.Slope) && ground.Height >= limits.LowestHeight &&
+      ground.Height <= limits.HighestHeight)
+    {
+      places[kept] = place;
+      places[kept++].Foot.z = ground.Height;
+    }
+  }
+  if (outside + holes > 0)
+  {
+    std::ostringstream text;
+    text << "of " << places.size() << " sites, " << outside << " lie outside of the Terrain and " << holes
+         << " where it has no height; the first at (" << first.x << ", " << first.y << ", " << first.z << ").";
+    return text.str();
+  }
+  places.resize(kept);
+  return "";
+}
+
+void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places)
+{
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](const PlantPlace& place) {
+                   return place.Foot.z < limits.LowestHeight || place.Foot.z > limits.HighestHeight;
+                 }),
+    places.end());
+}
+
 Box BoxOf(const PlantPlace& place, const PlantExtent& extent)
 {
   const double radius = place.Scale * extent.Radius;

@@ -3,6 +3,7 @@
 #ifndef LittoralPlantScatter_h
 #define LittoralPlantScatter_h
 
+#include "Geometry/HeightGrid.h"
 #include "Geometry/SceneCells.h"
 #include "Geometry/ViewFrustum.h"
 #include "Plants/Skeleton.h"
@@ -70,6 +71,21 @@ struct PlantExtent
 
 /// The box that holds a plant, however it is turned.
 Box BoxOf(const PlantPlace& place, const PlantExtent& extent);
+
+/// The ground on which plants stand.
+struct GroundLimits
+{
+  double Slope = 1.5707963267948966; ///< steepest [radians], 0 to pi / 2
+  double LowestHeight = -1e30;       ///< [m]
+  double HighestHeight = 1e30;       ///< [m]
+};
+
+/// Sets plants on a terrain and drops those whose ground is beyond the limits. Why there is no ground at a site, in
+/// words for a user; empty if all have one.
+std::string PutOnGround(const HeightGrid& terrain, const GroundLimits& limits, std::vector<PlantPlace>& places);
+
+/// Drops plants that stand above or below the limits of height.
+void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places);
 
 /// The levels of detail of a plant.
 enum class PlantLevel

@@ -324,93 +324,30 @@ void WaveOrbits::Evaluate(const OrbitRequest<float>& request, std::size_t begin,
 
 void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
 {
-  const float* centers = request.Centers + 3 * begin;
   const int* counts = request.TrainCounts ? request.TrainCounts + begin : nullptr;
-  const double depth = this->Sea.Depth;
-  for (int i = 0; i < count; ++i)
-  {
-    block.X[i] = centers[3 * i];
-    block.Y[i] = centers[3 * i + 1];
-    const double z = std::min(0.0, std::max(centers[3 * i + 2] - this->Sea.SeaLevel, -depth));
-    block.Z[i] = static_cast<float>(z);
-    block.OverBed[i] = static_cast<float>(z + depth);
-  }
   int trains = static_cast<int>(this->Trains.size());
   if (counts)
   {
     trains = std::clamp(*std::max_element(counts, counts + count), 0, trains);
   }
-  std::memset(block.Place, 0, sizeof block.Place);
-  std::memset(block.Speed, 0, sizeof block.Speed);
-  std::memset(block.Push, 0, sizeof block.Push);
-  std::memset(block.Slope, 0, sizeof block.Slope);
-  for (int i = 0; this->Options.StokesDrift && i < count; ++i)
+  this->Begin(block, request, begin, count);
+  if (this->Options.StokesDrift)
   {
-    const std::size_t own = counts ? static_cast<std::size_t>(std::max(0, counts[i])) : this->Trains.size();
-    const auto drift = this->StokesVelocity(block.Z[i], own, request.Shares);
-    block.X[i] += drift[0] * this->Time;
-    block.Y[i] += drift[1] * this->Time;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      block.Place[axis][i] = static_cast<float>(drift[axis] * this->Time);
-      block.Speed[axis][i] = static_cast<float>(drift[axis]);
-    }
+    this->AddDrift(block, request, counts, count);
   }
   for (int n = 0; n < trains; ++n)
   {
-    const Train& train = this->Trains[n];
     const float share = request.Shares ? request.Shares[n] : 1.0f;
     if (share == 0.0f)
     {
       continue;
     }
-    const float scale = share * train.Scale;
-    constexpr double turn = 1.0 / TwoPi;
-    ReducePhases(block.X, block.Y, turn * train.X, turn * train.Y, turn * train.Phase, count, block.Turns);
-    SinesAndCosines(block.Turns, count, block.Sine, block.Cosine);
-    switch (train.Kind)
-    {
-      case Form::Deep:
-        DeepAxes(block.Z, train.Octaves, scale, count, block.A, block.B);
-        break;
-      case Form::Finite:
-        FiniteAxes(block.Z, train.Octaves, scale, train.Mirror, count, block.A, block.B);
-        break;
-      case Form::Shallow:
-        ShallowAxes(block.OverBed, train.Depths, scale, count, block.A, block.B);
-        break;
-    }
+    this->FindAxes(block, this->Trains[n], share, count);
     if (counts)
     {
       Mask(counts, n, count, block.A, block.B);
     }
-    const float chop = static_cast<float>(this->Options.Choppiness);
-    const float dx = chop * static_cast<float>(train.DirectionX);
-    const float dy = chop * static_cast<float>(train.DirectionY);
-    const float w = static_cast<float>(train.Frequency);
-    const auto add = [&](const float* p, const float* q, float along, float up, float(*sums)[BlockSize]) {
-      AddMotion(block.A, p, block.B, q, along * dx, along * dy, up, count, sums[0], sums[1], sums[2]);
-    };
-    if (request.Displacement)
-    {
-      add(block.Sine, block.Cosine, 1.0f, -1.0f, block.Place);
-    }
-    if (request.Velocity)
-    {
-      add(block.Cosine, block.Sine, -w, -w, block.Speed);
-    }
-    if (request.Acceleration)
-    {
-      add(block.Sine, block.Cosine, -w * w, w * w, block.Push);
-    }
-    if (request.Gradient)
-    {
-      const float kx = static_cast<float>(train.X);
-      const float ky = static_cast<float>(train.Y);
-      const float factor[5] = { kx * dx, kx * dy, ky * dy, kx, ky };
-      AddGradient(block.A, block.Cosine, block.B, block.Sine, factor, count, block.Slope[0], block.Slope[1],
-        block.Slope[2], block.Slope[3], block.Slope[4]);
-    }
+    this->AddTrain(block, request, this->Trains[n], count);
   }
   const auto to = [begin](float* array, int components) { return array ? array + components * begin : nullptr; };
   if (request.Displacement)
@@ -428,6 +365,95 @@ void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::siz
   if (request.Gradient)
   {
     Store<5>(block.Slope, count, to(request.Gradient, 5));
+  }
+}
+
+/// Takes the centers of points, at rest.
+void WaveOrbits::Begin(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
+{
+  const float* centers = request.Centers + 3 * begin;
+  const double depth = this->Sea.Depth;
+  for (int i = 0; i < count; ++i)
+  {
+    block.X[i] = centers[3 * i];
+    block.Y[i] = centers[3 * i + 1];
+    const double z = std::min(0.0, std::max(centers[3 * i + 2] - this->Sea.SeaLevel, -depth));
+    block.Z[i] = static_cast<float>(z);
+    block.OverBed[i] = static_cast<float>(z + depth);
+  }
+  std::memset(block.Place, 0, sizeof block.Place);
+  std::memset(block.Speed, 0, sizeof block.Speed);
+  std::memset(block.Push, 0, sizeof block.Push);
+  std::memset(block.Slope, 0, sizeof block.Slope);
+}
+
+/// Carries the centers along with the Stokes drift of their trains; `counts` as in the request, of this block.
+void WaveOrbits::AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const std::size_t own = counts ? static_cast<std::size_t>(std::max(0, counts[i])) : this->Trains.size();
+    const auto drift = this->StokesVelocity(block.Z[i], own, request.Shares);
+    block.X[i] += drift[0] * this->Time;
+    block.Y[i] += drift[1] * this->Time;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      block.Place[axis][i] = static_cast<float>(drift[axis] * this->Time);
+      block.Speed[axis][i] = static_cast<float>(drift[axis]);
+    }
+  }
+}
+
+/// Sines and cosines of the phases of a train, and the axes of its orbits.
+void WaveOrbits::FindAxes(Block& block, const Train& train, float share, int count) const
+{
+  const float scale = share * train.Scale;
+  constexpr double turn = 1.0 / TwoPi;
+  ReducePhases(block.X, block.Y, turn * train.X, turn * train.Y, turn * train.Phase, count, block.Turns);
+  SinesAndCosines(block.Turns, count, block.Sine, block.Cosine);
+  switch (train.Kind)
+  {
+    case Form::Deep:
+      DeepAxes(block.Z, train.Octaves, scale, count, block.A, block.B);
+      break;
+    case Form::Finite:
+      FiniteAxes(block.Z, train.Octaves, scale, train.Mirror, count, block.A, block.B);
+      break;
+    case Form::Shallow:
+      ShallowAxes(block.OverBed, train.Depths, scale, count, block.A, block.B);
+      break;
+  }
+}
+
+/// Adds the motion in a train to all that is asked for.
+void WaveOrbits::AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, int count) const
+{
+  const float chop = static_cast<float>(this->Options.Choppiness);
+  const float dx = chop * static_cast<float>(train.DirectionX);
+  const float dy = chop * static_cast<float>(train.DirectionY);
+  const float w = static_cast<float>(train.Frequency);
+  const auto add = [&](const float* p, const float* q, float along, float up, float(*sums)[BlockSize]) {
+    AddMotion(block.A, p, block.B, q, along * dx, along * dy, up, count, sums[0], sums[1], sums[2]);
+  };
+  if (request.Displacement)
+  {
+    add(block.Sine, block.Cosine, 1.0f, -1.0f, block.Place);
+  }
+  if (request.Velocity)
+  {
+    add(block.Cosine, block.Sine, -w, -w, block.Speed);
+  }
+  if (request.Acceleration)
+  {
+    add(block.Sine, block.Cosine, -w * w, w * w, block.Push);
+  }
+  if (request.Gradient)
+  {
+    const float kx = static_cast<float>(train.X);
+    const float ky = static_cast<float>(train.Y);
+    const float factor[5] = { kx * dx, kx * dy, ky * dy, kx, ky };
+    AddGradient(block.A, block.Cosine, block.B, block.Sine, factor, count, block.Slope[0], block.Slope[1],
+      block.Slope[2], block.Slope[3], block.Slope[4]);
   }
 }
 

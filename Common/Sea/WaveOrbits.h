@@ -101,6 +101,10 @@ private:
 
   struct Block;
   void Move(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
+  void Begin(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
+  void AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const;
+  void FindAxes(Block& block, const Train& train, float share, int count) const;
+  void AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, int count) const;
 
   SeaState Sea;
   WaveOrbitOptions Options;

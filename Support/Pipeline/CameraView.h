@@ -34,6 +34,18 @@ inline View ViewOfCamera(vtkCamera* camera, const View& picture)
   return view;
 }
 
+/// The same for a picture of so many pixels; one that has none yet leaves aspect ratio and height of the other view.
+inline View ViewOfCamera(vtkCamera* camera, int width, int height, const View& other)
+{
+  View view = other;
+  if (width > 0 && height > 0)
+  {
+    view.AspectRatio = static_cast<double>(width) / height;
+    view.Height = height;
+  }
+  return ViewOfCamera(camera, view);
+}
+
 }
 
 #endif

@@ -11,9 +11,6 @@
 #include "vtkInformation.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
-
-#include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,21 +19,13 @@ namespace littoral
 {
 
 /// The numerics' parallel loop on VTK's threads.
-inline void SmpFor(std::size_t count, const RangeTask& task)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-    [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
-}
+void SmpFor(std::size_t count, const RangeTask& task);
+
+/// The same in ranges of some length. What is no longer than one is done at once: threads cost some 0.1 ms to call.
+void SmpForRanges(std::size_t count, std::size_t length, const RangeTask& task);
 
 /// Whether the user asked to stop.
-inline bool IsAborted(vtkAlgorithm* algorithm)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)
-  return algorithm->CheckAbort();
-#else
-  return algorithm->GetAbortExecute() != 0;
-#endif
-}
+bool IsAborted(vtkAlgorithm* algorithm);
 
 /**
  * Runs pieces 0 ... count-1 on all threads, in a few batches, between which progress is reported from first to last
@@ -65,63 +54,25 @@ bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, d
 }
 
 /// The time that is asked of an output [s]; 0 where none is.
-inline double RequestedTime(vtkInformation* output)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  return output->Has(Pipeline::UPDATE_TIME_STEP()) ? output->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
-}
+double RequestedTime(vtkInformation* output);
 
 /// Tells players of a range of times [s], any of which can be asked for; none if it is not increasing.
-inline void AnnounceTimes(vtkInformation* output, double* range)
-{
-  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-  if (range[0] < range[1])
-  {
-    output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
-  }
-}
+void AnnounceTimes(vtkInformation* output, double* range);
 
 /// When what is upstream of a connection changed last.
-inline vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
-{
-  vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, connection);
-  auto* executive = producer ? vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive()) : nullptr;
-  return executive ? executive->GetPipelineMTime() : 0;
-}
+vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection);
 
 /// Asks an input for all of its data, whatever piece is asked of the algorithm. Null (no input) is allowed.
-inline void RequestAll(vtkInformation* input)
-{
-  if (input)
-  {
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    int whole[6];
-    if (input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())) // an image
-    {
-      input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-    }
-  }
-}
+void RequestAll(vtkInformation* input);
 
 /**
  * Keeps an image's request from being joined to the next one if this one is refused: VTK asks for the box around both,
  * which may lie beyond what there is by then. For the beginning of RequestData.
  */
-inline void ForgetExtent(vtkInformation* output)
-{
-  int none[6] = { 0, -1, 0, -1, 0, -1 };
-  output->Set(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT(), none, 6);
-}
+void ForgetExtent(vtkInformation* output);
 
 /// Memory that can be taken without driving others out [bytes].
-inline double AvailableMemory()
-{
-  vtksys::SystemInformation system;
-  return 0.9 * 1024.0 * static_cast<double>(system.GetHostMemoryTotal() - system.GetHostMemoryUsed());
-}
+double AvailableMemory();
 
 }
 

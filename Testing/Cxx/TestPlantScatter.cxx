@@ -5,25 +5,34 @@
 #include "Check.h"
 #include "ErrorCounter.h"
 #include "PlantScene.h"
+#include "vtkAonoKuniiTreeSource.h"
 #include "vtkGardnerPlantSource.h"
 #include "vtkPlantScatterFilter.h"
 #include "vtkQuadratPointSource.h"
 #include "vtkReevesTreeSource.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkImageShiftScale.h"
+#include "vtkInformation.h"
+#include "vtkInformationDataObjectMetaDataKey.h"
+#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPassInputTypeAlgorithm.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -31,6 +40,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <random>
@@ -482,6 +492,146 @@ bool Atlas()
     good && texels && texels->GetNumberOfTuples() == size[0] * size[1], "the crown does not carry the atlas");
 }
 
+/// Passes data on, and counts how often.
+class CountingFilter : public vtkPassInputTypeAlgorithm
+{
+public:
+  static CountingFilter* New();
+  vtkTypeMacro(CountingFilter, vtkPassInputTypeAlgorithm);
+
+  int Executions = 0;
+  /// Whether what is announced with the data is held back.
+  bool IsSilent = false;
+
+protected:
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    if (this->IsSilent)
+    {
+      outputs->GetInformationObject(0)->Remove(vtkPlantSource::TEXTURE_SIZES());
+    }
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    ++this->Executions;
+    vtkDataObject::GetData(outputs)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
+    return 1;
+  }
+};
+vtkStandardNewMacro(CountingFilter);
+
+/// Columns and rows of an image that is announced, or that is there.
+std::array<int, 2> Announced(vtkAlgorithm* algorithm, int port)
+{
+  int extent[6];
+  algorithm->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  return { extent[1] + 1, extent[3] + 1 };
+}
+std::array<int, 2> Columns(vtkAlgorithm* algorithm, int port)
+{
+  auto* image = vtkImageData::SafeDownCast(algorithm->GetOutputDataObject(port));
+  return { image->GetDimensions()[0], image->GetDimensions()[1] };
+}
+
+/// Sizes of the pictures are announced right, and nothing upstream executes for that.
+bool Information()
+{
+  Forest forest;
+  vtkNew<CountingFilter> sites;
+  vtkNew<CountingFilter> pine;
+  sites->SetInputData(forest.Sites);
+  pine->SetInputConnection(forest.Pine->GetOutputPort());
+  forest.Filter->RemoveAllPrototypes();
+  forest.Filter->SetInputConnection(0, sites->GetOutputPort());
+  forest.Filter->AddInputConnection(1, pine->GetOutputPort());
+  forest.Filter->AddInputConnection(1, forest.Shrub->GetOutputPort());
+  int executions = 0;
+  for (vtkAlgorithm* source : { forest.Pine.Get(), forest.Shrub.Get() })
+  {
+    vtkNew<vtkCallbackCommand> count;
+    count->SetClientData(&executions);
+    count->SetCallback([](vtkObject*, unsigned long, void* counter, void*) { ++*static_cast<int*>(counter); });
+    source->AddObserver(vtkCommand::StartEvent, count);
+  }
+  forest.Filter->UpdateInformation();
+  bool good = Check(
+    sites->Executions == 0 && pine->Executions == 0 && executions == 0, "inputs execute when information is asked for");
+  good &= Check(Announced(forest.Filter, 1) == std::array<int, 2>{ 64 + 4, 16 + 24 + 8 }, "crowns announced");
+  const std::array<int, 2> leaves = Announced(forest.Filter, 2);
+  forest.Filter->Update();
+  good &= Check(sites->Executions == 1 && pine->Executions == 1 && executions == 2, "inputs must execute once each");
+  good &= Check(Columns(forest.Filter, 1) == Announced(forest.Filter, 1), "crowns are not as announced");
+  good &= Check(Columns(forest.Filter, 2) == leaves, "leaves are not as announced");
+  const vtkMTimeType before = forest.Filter->GetMTime();
+  forest.Pine->SetTextureSize(128, 8);
+  forest.Filter->UpdateInformation();
+  good &= Check(Announced(forest.Filter, 1) == std::array<int, 2>{ 128 + 4, 8 + 24 + 8 } && executions == 2,
+    "another size is not announced, or its source executes");
+  forest.Filter->Update();
+  return good &
+    Check(Columns(forest.Filter, 1) == Announced(forest.Filter, 1) && forest.Filter->GetMTime() == before,
+      "another size is not as announced");
+}
+
+/// Prototypes of which nothing is announced: pictures are as announced if the data are there, else after an execution.
+bool SilentPrototypes()
+{
+  Forest there;
+  there.Pine->Update();
+  there.Filter->RemoveAllPrototypes();
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(there.Pine->GetOutputDataObject(0));
+  there.Filter->AddInputConnection(1, producer->GetOutputPort());
+  there.Filter->UpdateInformation();
+  bool good = Check(
+    Announced(there.Filter, 1) == std::array<int, 2>{ 32 + 4, 16 + 4 }, "the size of a picture that is there is wrong");
+
+  Forest forest;
+  vtkNew<CountingFilter> pine;
+  pine->IsSilent = true;
+  pine->SetInputConnection(forest.Pine->GetOutputPort());
+  forest.Filter->RemoveAllPrototypes();
+  forest.Filter->AddInputConnection(1, pine->GetOutputPort());
+  vtkNew<vtkImageShiftScale> later;
+  later->SetInputConnection(forest.Filter->GetOutputPort(1));
+  forest.Filter->UpdateInformation();
+  good &= Check(pine->Executions == 0, "a silent prototype executes when information is asked for");
+  later->Update();
+  good &= Check(Columns(forest.Filter, 1) == std::array<int, 2>{ 32 + 4, 16 + 4 }, "a picture is not whole");
+  later->Update();
+  good &= Check(Columns(later, 0) == std::array<int, 2>{ 32 + 4, 16 + 4 }, "the second update does not see all of it");
+  const vtkMTimeType before = forest.Filter->GetMTime();
+  later->Update();
+  later->Update();
+  return good & Check(pine->Executions == 1 && forest.Filter->GetMTime() == before, "updates do not come to an end");
+}
+
+/// What plant sources announce of their textures is what the textures are.
+bool AnnouncedTextures()
+{
+  vtkNew<vtkReevesTreeSource> reeves;
+  vtkNew<vtkAonoKuniiTreeSource> aono;
+  vtkNew<vtkGardnerPlantSource> gardner;
+  bool good = true;
+  for (vtkPlantSource* source : std::initializer_list<vtkPlantSource*>{ reeves, aono, gardner })
+  {
+    source->SetTextureSize(48, 20);
+    source->UpdateInformation();
+    vtkDataObject* sizes = source->GetOutputInformation(0)->Get(vtkPlantSource::TEXTURE_SIZES());
+    source->Update();
+    for (const char* path : { "Medium/Crown", "High/Leaves" })
+    {
+      vtkDataArray* size = BlockAt(source->GetOutputDataObject(0), path)->GetFieldData()->GetArray("TextureSize");
+      vtkDataArray* announced = sizes ? sizes->GetFieldData()->GetArray(std::strrchr(path, '/') + 1) : nullptr;
+      good &= Check(size && announced && announced->GetComponent(0, 0) == size->GetVariantValue(0).ToDouble() &&
+          announced->GetComponent(0, 1) == size->GetVariantValue(1).ToDouble(),
+        std::string(source->GetClassName()) + ": the texture of " + path + " is not as announced");
+    }
+  }
+  return good;
+}
+
 /// A plant of quadrics among trees of particles: each shows its own part of the common picture of leaves.
 bool MixedKinds()
 {
@@ -773,7 +923,8 @@ bool TooMuch()
 int TestPlantScatter(int argc, char* argv[])
 {
   if (!Blocks() || !Joints() || !Ground() || !Arrays() || !Memory() || !Threads() || !Pieces() || !Atlas() ||
-    !MixedKinds() || !EmptySites() || !BadInput() || !TooMuch() || !Culling() || !LevelsInParallel())
+    !Information() || !SilentPrototypes() || !AnnouncedTextures() || !MixedKinds() || !EmptySites() || !BadInput() ||
+    !TooMuch() || !Culling() || !LevelsInParallel())
   {
     return EXIT_FAILURE;
   }

@@ -3,6 +3,7 @@
 # run-with: pvpython
 """FollowCamera: levels of detail change with the camera, without a window and in it, before a server, after a state."""
 
+import math
 import os
 import subprocess
 
@@ -75,6 +76,24 @@ def check_parallel(forest, view, where):
     assert counts(forest)[1] > 0, f"{where}: it does not come back to perspective"
 
 
+def check_horizontal(forest, view, where):
+    """An angle across the picture is that of the camera's height over its width, in wide and in tall views."""
+    camera = view.GetActiveCamera()
+    camera.SetUseHorizontalViewAngle(1)
+    size = list(view.ViewSize)
+    for wide, tall in ([400, 100], [100, 400]):
+        view.ViewSize = [wide, tall]
+        stand(view, 20.0)
+        wide, tall = view.ViewSize
+        half = math.tan(math.radians(camera.GetViewAngle()) / 2) * tall / wide
+        angle = math.degrees(2 * math.atan(half))
+        assert abs(forest.ViewAngle - angle) < 1e-6, f"{where}: ViewAngle {forest.ViewAngle}, not {angle}"
+    camera.SetUseHorizontalViewAngle(0)
+    view.ViewSize = size
+    stand(view, 20.0)
+    assert abs(forest.ViewAngle - camera.GetViewAngle()) < 1e-6, f"{where}: it does not come back to a vertical angle"
+
+
 def check_here(where):
     """Ticked, not ticked, and after a state file."""
     view = simple.GetActiveViewOrCreate("RenderView")
@@ -83,6 +102,7 @@ def check_here(where):
     simple.Render(view)  # the first picture of a view resets its camera
     check_follows(forest, view, where)
     check_parallel(forest, view, where)
+    check_horizontal(forest, view, where)
 
     forest.FollowCamera = 0
     stand(view, 20.0)

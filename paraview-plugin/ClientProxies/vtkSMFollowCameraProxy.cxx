@@ -50,15 +50,11 @@ littoral::View ViewOf(vtkSMProxy* filter)
 }
 
 /// What the camera of a view shows; a view that has no size yet leaves that of another.
-littoral::View ViewOf(vtkSMRenderViewProxy* shown, littoral::View view)
+littoral::View ViewOf(vtkSMRenderViewProxy* shown, const littoral::View& other)
 {
-  const vtkSMPropertyHelper size(shown, "ViewSize");
-  if (size.GetNumberOfElements() == 2 && size.GetAsInt(0) > 0 && size.GetAsInt(1) > 0)
-  {
-    view.AspectRatio = static_cast<double>(size.GetAsInt(0)) / size.GetAsInt(1);
-    view.Height = size.GetAsInt(1);
-  }
-  return littoral::ViewOfCamera(shown->GetActiveCamera(), view);
+  int size[2] = { 0, 0 };
+  vtkSMPropertyHelper(shown, "ViewSize").Get(size, 2);
+  return littoral::ViewOfCamera(shown->GetActiveCamera(), size[0], size[1], other);
 }
 }
 

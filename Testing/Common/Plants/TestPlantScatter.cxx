@@ -469,3 +469,78 @@ TEST(TextureAtlas, KeepsEachTextureInItsAreaWithARepeatedEdge)
   }
   EXPECT_EQ(at(1, 0.3, 0.9), (Texel{ 255, 255, 255, 255 }));
 }
+
+/// A plane that rises by a half along x, from 0 at x = 0 to 5 m at x = 10 m, with a hole at its last point.
+HeightGrid Slope()
+{
+  HeightGrid grid;
+  grid.Count[0] = 11;
+  grid.Count[1] = 11;
+  grid.HeightOf = [](long long point) { return point == 120 ? NaN : 0.5 * static_cast<double>(point % 11); };
+  return grid;
+}
+
+std::vector<PlantPlace> PlantsAt(const std::vector<std::array<double, 2>>& feet)
+{
+  std::vector<PlantPlace> places;
+  for (const std::array<double, 2>& foot : feet)
+  {
+    PlantPlace place;
+    place.Site = static_cast<int>(places.size());
+    place.Foot = { foot[0], foot[1], 77.0 };
+    places.push_back(place);
+  }
+  return places;
+}
+
+TEST(PlantScatter, GroundCarriesPlants)
+{
+  std::vector<PlantPlace> places = PlantsAt({ { 1.0, 1.0 }, { 4.25, 3.0 }, { 8.0, 2.0 } });
+  EXPECT_EQ(PutOnGround(Slope(), GroundLimits(), places), "");
+  ASSERT_EQ(places.size(), 3u);
+  EXPECT_DOUBLE_EQ(places[0].Foot.z, 0.5);
+  EXPECT_DOUBLE_EQ(places[1].Foot.z, 2.125);
+  EXPECT_DOUBLE_EQ(places[2].Foot.z, 4.0);
+}
+
+TEST(PlantScatter, LimitsOfHeightIncludeTheirEnds)
+{
+  GroundLimits limits;
+  limits.LowestHeight = 0.5;
+  limits.HighestHeight = 2.0;
+  std::vector<PlantPlace> places = PlantsAt({ { 0.9, 1.0 }, { 1.0, 1.0 }, { 4.0, 3.0 }, { 4.1, 2.0 } });
+  EXPECT_EQ(PutOnGround(Slope(), limits, places), "");
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_EQ(places[0].Site, 1);
+  EXPECT_EQ(places[1].Site, 2);
+  std::vector<PlantPlace> flat = PlantsAt({ { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } });
+  for (PlantPlace& place : flat)
+  {
+    place.Foot.z = 0.25 + 0.75 * place.Site; // 0.25, 1.0, 1.75, 2.5
+  }
+  DropOutside(limits, flat);
+  ASSERT_EQ(flat.size(), 2u);
+  EXPECT_EQ(flat[0].Site, 1);
+  EXPECT_EQ(flat[1].Site, 2);
+}
+
+TEST(PlantScatter, SteepGroundCarriesNone)
+{
+  GroundLimits limits;
+  for (const double part : { 0.99, 1.01 })
+  {
+    limits.Slope = part * std::atan(0.5);
+    std::vector<PlantPlace> places = PlantsAt({ { 1.0, 1.0 }, { 4.25, 3.0 } });
+    EXPECT_EQ(PutOnGround(Slope(), limits, places), "");
+    EXPECT_EQ(places.size(), part < 1.0 ? 0u : 2u);
+  }
+}
+
+TEST(PlantScatter, SitesWithoutGroundAreCounted)
+{
+  std::vector<PlantPlace> places = PlantsAt({ { 1.0, 1.0 }, { -3.0, 1.0 }, { 9.9, 9.9 }, { 1.0, 11.0 } });
+  const std::string reason = PutOnGround(Slope(), GroundLimits(), places);
+  EXPECT_NE(reason.find("of 4 sites, 2 lie outside of the Terrain and 1 where it has no height"), std::string::npos)
+    << reason;
+  EXPECT_NE(reason.find("(-3, 1, 77)"), std::string::npos) << reason;
+}

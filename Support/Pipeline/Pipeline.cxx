@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/Pipeline.h"
+
+#include "vtkVersionMacros.h"
+
+#include <vtksys/SystemInformation.hxx>
+
+namespace littoral
+{
+
+void SmpFor(std::size_t count, const RangeTask& task)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+}
+
+void SmpForRanges(std::size_t count, std::size_t length, const RangeTask& task)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(length),
+    [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+}
+
+bool IsAborted(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)
+  return algorithm->CheckAbort();
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+double RequestedTime(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  return output->Has(Pipeline::UPDATE_TIME_STEP()) ? output->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
+}
+
+void AnnounceTimes(vtkInformation* output, double* range)
+{
+  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  if (range[0] < range[1])
+  {
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+}
+
+vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
+{
+  vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, connection);
+  auto* executive = producer ? vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive()) : nullptr;
+  return executive ? executive->GetPipelineMTime() : 0;
+}
+
+void RequestAll(vtkInformation* input)
+{
+  if (input)
+  {
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    int whole[6];
+    if (input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())) // an image
+    {
+      input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+    }
+  }
+}
+
+void ForgetExtent(vtkInformation* output)
+{
+  int none[6] = { 0, -1, 0, -1, 0, -1 };
+  output->Set(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT(), none, 6);
+}
+
+double AvailableMemory()
+{
+  vtksys::SystemInformation system;
+  return 0.9 * 1024.0 * static_cast<double>(system.GetHostMemoryTotal() - system.GetHostMemoryUsed());
+}
+
+}

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/Ranges.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+
+namespace littoral
+{
+namespace
+{
+
+template <typename T>
+TupleRanges RangesOf(const T* values, vtkIdType tuples, int components)
+{
+  vtkSMPThreadLocal<TupleRanges> local;
+  vtkSMPTools::For(0, tuples, 65536, [&](vtkIdType begin, vtkIdType end) {
+    local.Local().AddTuples(values + begin * components, values + end * components, components);
+  });
+  TupleRanges all;
+  for (const TupleRanges& part : local)
+  {
+    all.Add(part);
+  }
+  return all;
+}
+
+void SetRange(vtkInformation* info, vtkInformationDoubleVectorKey* key, double low, double high)
+{
+  const double range[2] = { low, high };
+  info->Set(key, range, 2);
+}
+
+}
+
+void TupleRanges::Add(const VectorRange& vectors)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Components[c].Add(vectors.Low[c]);
+    this->Components[c].Add(vectors.High[c]);
+  }
+  this->SquaredLength.Add(vectors.LeastSquare);
+  this->SquaredLength.Add(vectors.MostSquare);
+  this->AreFinite = this->AreFinite && vectors.IsFinite;
+}
+
+void TupleRanges::AddTuples(const float* tuple, const float* end, int components)
+{
+  if (components == 3)
+  {
+    this->Add(RangeOf(tuple, static_cast<std::size_t>(end - tuple) / 3));
+    return;
+  }
+  this->AddTuples<float>(tuple, end, components);
+}
+
+void TupleRanges::Add(const TupleRanges& other)
+{
+  for (int c = 0; c < Most; ++c)
+  {
+    this->Components[c].Add(other.Components[c]);
+  }
+  this->SquaredLength.Add(other.SquaredLength);
+  this->AreFinite = this->AreFinite && other.AreFinite;
+}
+
+void KeepRanges(vtkDataArray* array, const TupleRanges& ranges)
+{
+  if (!ranges.AreFinite)
+  {
+    return;
+  }
+  const int components = array->GetNumberOfComponents();
+  vtkInformation* info = array->GetInformation();
+  for (vtkInformationInformationVectorKey* each :
+    { vtkDataArray::PER_COMPONENT(), vtkDataArray::PER_FINITE_COMPONENT() })
+  {
+    auto all = vtkSmartPointer<vtkInformationVector>::New();
+    all->SetNumberOfInformationObjects(components);
+    for (int c = 0; c < components; ++c)
+    {
+      const ValueRange& range = ranges.Components[c];
+      SetRange(all->GetInformationObject(c), vtkDataArray::COMPONENT_RANGE(), range.Low, range.High);
+    }
+    info->Set(each, all);
+  }
+  if (components > 1)
+  {
+    const ValueRange& squared = ranges.SquaredLength;
+    for (vtkInformationDoubleVectorKey* key : { vtkDataArray::L2_NORM_RANGE(), vtkDataArray::L2_NORM_FINITE_RANGE() })
+    {
+      SetRange(info, key, std::sqrt(squared.Low), std::sqrt(squared.High));
+    }
+  }
+}
+
+void KeepRanges(vtkDataArray* array)
+{
+  const int components = array ? array->GetNumberOfComponents() : 0;
+  const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
+  const bool isKnown =
+    array && array->HasInformation() && array->GetInformation()->Has(vtkDataArray::PER_FINITE_COMPONENT());
+  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::Most || !array->HasStandardMemoryLayout())
+  {
+    return;
+  }
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(
+      KeepRanges(array, RangesOf(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), tuples, components)));
+    default:
+      return;
+  }
+}
+
+void KeepRanges(vtkDataObject* data)
+{
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+    {
+      KeepRanges(each->GetCurrentDataObject());
+    }
+    return;
+  }
+  auto* set = vtkPointSet::SafeDownCast(data);
+  if (!set)
+  {
+    return;
+  }
+  if (set->GetPoints())
+  {
+    KeepRanges(set->GetPoints()->GetData());
+  }
+  for (vtkDataSetAttributes* fields :
+    { static_cast<vtkDataSetAttributes*>(set->GetPointData()), static_cast<vtkDataSetAttributes*>(set->GetCellData()) })
+  {
+    for (int k = 0; k < fields->GetNumberOfArrays(); ++k)
+    {
+      KeepRanges(fields->GetArray(k));
+    }
+  }
+}
+
+}
