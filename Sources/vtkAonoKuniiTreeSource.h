@@ -55,6 +55,7 @@ public:
   /// A published tree, a PresetType. All numbers of the tree but Variation are then of no effect. Default MonopodialA.
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  const char* GetPresetAsString() const;
   ///@}
 
   ///@{

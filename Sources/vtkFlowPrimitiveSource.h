@@ -49,6 +49,7 @@ public:
    */
   vtkSetMacro(FlowType, int);
   vtkGetMacro(FlowType, int);
+  const char* GetFlowTypeAsString() const;
   ///@}
 
   ///@{

@@ -41,6 +41,7 @@ public:
   /// A kind of plant, a PresetType. All parameters below are then of no effect, except for Custom. Default Tree.
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  const char* GetPresetAsString() const;
   ///@}
 
   ///@{

@@ -70,6 +70,7 @@ public:
    */
   vtkSetMacro(Law, int);
   vtkGetMacro(Law, int);
+  const char* GetLawAsString() const;
   ///@}
 
   ///@{

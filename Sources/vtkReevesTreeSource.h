@@ -47,6 +47,7 @@ public:
   /// effect, except for Custom. Default Oak.
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  const char* GetPresetAsString() const;
   ///@}
 
   ///@{

@@ -54,6 +54,7 @@ public:
   /// Default SugarKelp.
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  const char* GetPresetAsString() const;
   ///@}
 
   ///@{

@@ -67,6 +67,7 @@ public:
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  const char* GetPresetAsString() const;
   ///@}
 
   ///@{

@@ -82,6 +82,7 @@ public:
   /// Covariance model, a ModelType 0 to 6. Default Fractal.
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
+  const char* GetModelAsString() const;
   void SetModelToFractal() { this->SetModel(Fractal); }
   void SetModelToSimpleExponential() { this->SetModel(SimpleExponential); }
   void SetModelToDoubleExponential() { this->SetModel(DoubleExponential); }

@@ -127,6 +127,7 @@ public:
   /// The standard says nothing of the other two components, which keep their decays. Default Exponential.
   vtkSetMacro(Coherence, int);
   vtkGetMacro(Coherence, int);
+  const char* GetCoherenceAsString() const;
   ///@}
 
   ///@{
@@ -153,6 +154,7 @@ public:
   /// IEC 61400-1's, with TurbulenceIntensity. Default SimiuScanlan.
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
+  const char* GetSpectrumAsString() const;
   ///@}
 
   ///@{

@@ -303,10 +303,9 @@ LineSpectrum CutSpectrum(
   const CovarianceParameters& field = parameters.Field;
   const double highest = crossover ? crossover->High : std::min(WaveNumberAtTail(field, CutTail), limit);
   const int count = parameters.NumberOfHarmonics;
-  const bool fractal = field.Model == CovarianceModel::Fractal;
-  const double lowest = fractal ? std::min(TwoPi / field.Range, 0.5 * highest) : 0.0;
+  const double lowest = std::min(LowestWaveNumber(field), 0.5 * highest);
   LineSpectrum spectrum;
-  if (parameters.Bins == HarmonicBins::Uniform || fractal)
+  if (parameters.Bins == HarmonicBins::Uniform || lowest > 0.0)
   {
     const bool geometric = parameters.Bins == HarmonicBins::Adaptive;
     spectrum.Edges.resize(count + 1);
@@ -392,8 +391,7 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
   {
     text << "ShortestWavelength is " << parameters.ShortestWavelength << "; it must be finite and not negative.";
   }
-  else if (parameters.Field.Model == CovarianceModel::Fractal &&
-    parameters.Field.Range <= parameters.ShortestWavelength)
+  else if (LowestWaveNumber(parameters.Field) > 0.0 && parameters.Field.Range <= parameters.ShortestWavelength)
   {
     text << "Range is " << parameters.Field.Range << "; the largest wavelength of a fractal field must exceed its "
          << "shortest, " << parameters.ShortestWavelength << ".";
