@@ -69,17 +69,16 @@ struct RemovedTrend
 void WriteFits(const std::vector<littoral::VariogramFit>& fits, const RemovedTrend& trend,
   const littoral::DetrendedWindow& window, vtkTable* table)
 {
-  using littoral::CovarianceModel;
   using Fit = littoral::VariogramFit;
   const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, fits, valueOf); };
   column("Model", [](const Fit& fit) { return std::string(littoral::CovarianceModelName(fit.Field.Model)); });
   column("ModelId", [](const Fit& fit) { return static_cast<int>(fit.Field.Model); });
-  column("Variance", [](const Fit& fit) { return fit.Field.Variance; });
-  column("Range", [](const Fit& fit) { return fit.Field.Range; });
-  column("SecondRange",
-    [](const Fit& fit) { return fit.Field.Model == CovarianceModel::Telis ? fit.Field.SecondRange : NaN; });
-  column("FractalDimension",
-    [](const Fit& fit) { return fit.Field.Model == CovarianceModel::Fractal ? fit.Field.FractalDimension : NaN; });
+  for (const auto* parameter : littoral::AllCovarianceParameters())
+  {
+    column(parameter->Name, [&](const Fit& fit) {
+      return littoral::TraitsOf(fit.Field.Model).Parameters.Has(parameter->Name) ? parameter->Get(fit.Field) : NaN;
+    });
+  }
   column("Nugget", [](const Fit& fit) { return fit.Nugget; });
   column("AnisotropyRatio", [](const Fit& fit) { return fit.AnisotropyRatio; });
   column("AnisotropyAngle", [](const Fit& fit) { return fit.AnisotropyAngle; });

@@ -34,23 +34,12 @@ constexpr std::size_t LargestCount = 20000;
 constexpr double SignificanceLevel = 0.05;
 
 using Fit = littoral::QuadratFit;
-using littoral::QuadratLaw;
 
-bool HasTrials(const Fit& fit)
+/// A parameter of a law, NaN where the law has no such parameter.
+double ValueIn(
+  const littoral::QuadratLawParameters& law, const littoral::ParameterTraits<littoral::QuadratLawParameters>& parameter)
 {
-  return fit.Law.Law == QuadratLaw::Binomial || fit.Law.Law == QuadratLaw::PoissonBinomial;
-}
-bool HasShape(const Fit& fit)
-{
-  return fit.Law.Law == QuadratLaw::NegativeBinomial || fit.Law.Law == QuadratLaw::PoissonNegativeBinomial;
-}
-bool HasClusterMean(const Fit& fit)
-{
-  return fit.Law.Law == QuadratLaw::PoissonPoisson || fit.Law.Law == QuadratLaw::PoissonNegativeBinomial;
-}
-bool HasSuccess(const Fit& fit)
-{
-  return fit.Law.Law == QuadratLaw::PoissonBinomial;
+  return littoral::TraitsOf(law.Law).Parameters.Has(parameter.Name) ? parameter.Get(law) : NaN;
 }
 
 std::string Verdict(const Fit& fit, const Fit& best)
@@ -72,19 +61,18 @@ void WriteFits(const std::vector<Fit>& fits, vtkTable* table)
   AddColumn(table, "Law", fits, [](const Fit& fit) { return std::string(QuadratLawName(fit.Law.Law)); });
   AddColumn(table, "LawId", fits, [](const Fit& fit) { return static_cast<int>(fit.Law.Law); });
   const auto column = [&](const char* name, auto valueOf) { AddColumn(table, name, fits, valueOf); };
-  column("MeanPerQuadrat", [](const Fit& fit) { return fit.Law.Mean; });
-  column("Trials", [](const Fit& fit) { return HasTrials(fit) ? fit.Law.Trials : NaN; });
-  column("ClusterShape", [](const Fit& fit) { return HasShape(fit) ? fit.Law.ClusterShape : NaN; });
-  column("ClusterMean", [](const Fit& fit) { return HasClusterMean(fit) ? fit.Law.ClusterMean : NaN; });
-  column("ClusterSuccess", [](const Fit& fit) { return HasSuccess(fit) ? fit.Law.ClusterSuccess : NaN; });
-  const auto moments = [&](const char* name, auto has, auto valueOf) {
-    AddColumn(table, name, fits,
-      [=](const Fit& fit) { return fit.MomentsExist && has(fit) ? static_cast<double>(valueOf(fit.Moments)) : NaN; });
-  };
-  moments("MomentsTrials", HasTrials, [](const auto& law) { return law.Trials; });
-  moments("MomentsClusterShape", HasShape, [](const auto& law) { return law.ClusterShape; });
-  moments("MomentsClusterMean", HasClusterMean, [](const auto& law) { return law.ClusterMean; });
-  moments("MomentsClusterSuccess", HasSuccess, [](const auto& law) { return law.ClusterSuccess; });
+  const auto& parameters = AllQuadratLawParameters();
+  for (const auto* parameter : parameters)
+  {
+    column(parameter->Name, [=](const Fit& fit) { return ValueIn(fit.Law, *parameter); });
+  }
+  // The first is the mean, which all fits keep.
+  for (auto each = parameters.begin() + 1; each != parameters.end(); ++each)
+  {
+    const auto* parameter = *each;
+    column((std::string("Moments") + parameter->Name).c_str(),
+      [=](const Fit& fit) { return fit.MomentsExist ? ValueIn(fit.Moments, *parameter) : NaN; });
+  }
   column("LogLikelihood", [](const Fit& fit) { return fit.LogLikelihood; });
   column("AIC", [](const Fit& fit) { return fit.AIC; });
   column("ChiSquare", [](const Fit& fit) { return fit.ChiSquare; });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAonoKuniiTreeSource.h"
 
+#include "Numerics/ParameterTraits.h"
 #include "Plants/AonoKuniiTree.h"
 #include "Plants/PlantLevels.h"
 
@@ -37,9 +38,9 @@ vtkAonoKuniiTreeSource::~vtkAonoKuniiTreeSource() = default;
 //----------------------------------------------------------------------------
 bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
 {
-  if (this->Preset < Custom || this->Preset > TernaryD)
+  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfForkPresets); !none.empty())
   {
-    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 12.");
+    vtkErrorMacro(<< none);
     return false;
   }
   littoral::AonoKuniiParameters p = littoral::PresetParameters(static_cast<littoral::ForkPreset>(this->Preset));
@@ -78,6 +79,13 @@ bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, li
   }
   prototype = littoral::LevelsOf(littoral::GrowAonoKuniiTree(p), options);
   return true;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkAonoKuniiTreeSource::GetPresetAsString() const
+{
+  return littoral::NameOfRow<littoral::ForkPreset>(
+    this->Preset, littoral::NumberOfForkPresets, littoral::ForkPresetName);
 }
 
 //----------------------------------------------------------------------------

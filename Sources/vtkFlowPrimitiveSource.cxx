@@ -3,6 +3,7 @@
 #include "vtkFlowPrimitiveSource.h"
 
 #include "Data/FlowPrimitiveData.h"
+#include "Numerics/ParameterTraits.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
@@ -61,6 +62,12 @@ int vtkFlowPrimitiveSource::RequestData(vtkInformation*, vtkInformationVector**,
     littoral::WriteFlowPrimitives({ primitive }, vtkPolyData::GetData(outputVector));
   }
   return 1;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkFlowPrimitiveSource::GetFlowTypeAsString() const
+{
+  return littoral::NameOfRow<littoral::FlowType>(this->FlowType, littoral::NumberOfFlowTypes);
 }
 
 //----------------------------------------------------------------------------

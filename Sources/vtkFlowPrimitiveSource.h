@@ -50,6 +50,7 @@ public:
    */
   vtkSetMacro(FlowType, int);
   vtkGetMacro(FlowType, int);
+  const char* GetFlowTypeAsString() const;
   ///@}
 
   ///@{

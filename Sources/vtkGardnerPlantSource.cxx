@@ -3,6 +3,7 @@
 #include "vtkGardnerPlantSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Numerics/ParameterTraits.h"
 #include "Plants/GardnerPlant.h"
 
 #include "vtkObjectFactory.h"
@@ -43,9 +44,10 @@ std::array<int, 2> vtkGardnerPlantSource::LeafTextureSize() const
 //----------------------------------------------------------------------------
 bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
 {
-  if (this->Preset < Custom || this->Preset > Bush)
+  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfGardnerPresets);
+      !none.empty())
   {
-    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 4.");
+    vtkErrorMacro(<< none);
     return false;
   }
   littoral::GardnerPlantParameters p = littoral::PresetParameters(static_cast<littoral::GardnerPreset>(this->Preset));
@@ -78,6 +80,12 @@ bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, lit
   }
   prototype = littoral::LevelsOf(littoral::GrowGardnerPlant(p), options);
   return true;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkGardnerPlantSource::GetPresetAsString() const
+{
+  return littoral::NameOfRow<littoral::GardnerPreset>(this->Preset, littoral::NumberOfGardnerPresets);
 }
 
 //----------------------------------------------------------------------------

@@ -188,24 +188,23 @@ bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recip
     vtkErrorMacro("The table of fits has no row with a LawId; connect the first output of a quadrat analysis.");
     return false;
   }
-  const auto take = [table](const char* column, auto& value) {
+  const auto take = [table](const char* column, const auto& set) {
     if (table->GetColumnByName(column))
     {
       const double number = table->GetValueByName(0, column).ToDouble();
       if (std::isfinite(number)) // NaN: the law has no such parameter
       {
-        value = static_cast<std::decay_t<decltype(value)>>(number);
+        set(number);
       }
     }
   };
   int id = -1;
-  take("LawId", id);
+  take("LawId", [&](double number) { id = static_cast<int>(number); });
   law.Law = static_cast<littoral::QuadratLaw>(id);
-  take("MeanPerQuadrat", law.Mean);
-  take("Trials", law.Trials);
-  take("ClusterShape", law.ClusterShape);
-  take("ClusterMean", law.ClusterMean);
-  take("ClusterSuccess", law.ClusterSuccess);
+  for (const auto* parameter : littoral::AllQuadratLawParameters())
+  {
+    take(parameter->Name, [&](double number) { parameter->Set(law, number); });
+  }
   for (int axis = 0; axis < 2; ++axis)
   {
     const auto measured = [&](const char* name, auto& value) {
@@ -276,6 +275,12 @@ int vtkQuadratPointSource::RequestData(
     this->UpdateProgress(1.0);
   }
   return 1;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkQuadratPointSource::GetLawAsString() const
+{
+  return littoral::NameOfRow<littoral::QuadratLaw>(this->Law, littoral::NumberOfQuadratLaws);
 }
 
 //----------------------------------------------------------------------------

@@ -80,6 +80,7 @@ public:
    */
   vtkSetMacro(Law, int);
   vtkGetMacro(Law, int);
+  const char* GetLawAsString() const;
   ///@}
 
   ///@{

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReevesTreeSource.h"
 
+#include "Numerics/ParameterTraits.h"
 #include "Plants/PlantLevels.h"
 #include "Plants/ReevesTree.h"
 
@@ -36,9 +37,9 @@ vtkReevesTreeSource::~vtkReevesTreeSource() = default;
 //----------------------------------------------------------------------------
 bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
 {
-  if (this->Preset < Custom || this->Preset > Shrub)
+  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfTreePresets); !none.empty())
   {
-    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 4.");
+    vtkErrorMacro(<< none);
     return false;
   }
   if (!(this->SpeciesHeight >= 0.0 && this->SpeciesHeight <= 150.0))
@@ -84,8 +85,14 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     return false;
   }
   prototype = littoral::LevelsOf(littoral::GrowReevesTree(p), options);
-  prototype.Timber = littoral::ParametersOf(static_cast<littoral::WoodSpecies>(this->Preset));
+  prototype.Timber = littoral::ParametersOf(littoral::TraitsOf(static_cast<littoral::TreePreset>(this->Preset)).Wood);
   return true;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkReevesTreeSource::GetPresetAsString() const
+{
+  return littoral::NameOfRow<littoral::TreePreset>(this->Preset, littoral::NumberOfTreePresets);
 }
 
 //----------------------------------------------------------------------------

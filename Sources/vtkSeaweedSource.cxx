@@ -3,6 +3,7 @@
 #include "vtkSeaweedSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Numerics/ParameterTraits.h"
 #include "Seaweed/SeaweedMesh.h"
 
 #include "vtkObjectFactory.h"
@@ -45,9 +46,10 @@ vtkSeaweedSource::~vtkSeaweedSource() = default;
 //----------------------------------------------------------------------------
 bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
 {
-  if (this->Preset < Custom || this->Preset > Eelgrass)
+  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfSeaweedPresets);
+      !none.empty())
   {
-    vtkErrorMacro("Preset is " << this->Preset << "; it must be from 0 to 3.");
+    vtkErrorMacro(<< none);
     return false;
   }
   littoral::SeaweedParameters p = littoral::PresetParameters(static_cast<littoral::SeaweedPreset>(this->Preset));
@@ -88,6 +90,12 @@ bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral
   }
   prototype = littoral::LevelsOf(littoral::GrowSeaweed(p), options);
   return true;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkSeaweedSource::GetPresetAsString() const
+{
+  return littoral::NameOfRow<littoral::SeaweedPreset>(this->Preset, littoral::NumberOfSeaweedPresets);
 }
 
 //----------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "Data/PlantBlocks.h"
 #include "Data/SeaStateTable.h"
 #include "Geometry/TextureAtlas.h"
+#include "Numerics/ParameterTraits.h"
 #include "Particles/SuspendedParticles.h"
 #include "Pipeline/Pipeline.h"
 
@@ -305,9 +306,10 @@ int vtkSuspendedParticleSource::RequestInformation(
 //----------------------------------------------------------------------------
 std::string vtkSuspendedParticleSource::WhyBadProperties() const
 {
-  if (this->Preset < Custom || this->Preset > StormyBed)
+  if (std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfParticleScenes + 1);
+      !none.empty())
   {
-    return "Preset is " + std::to_string(this->Preset) + "; it must be 0 to 4.";
+    return none;
   }
   if (this->Mode != Points && this->Mode != Quads)
   {
@@ -472,6 +474,14 @@ bool vtkSuspendedParticleSource::Scatter(const Recipe& recipe, long long first, 
     arrays.AddTo(output);
   }
   return done;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkSuspendedParticleSource::GetPresetAsString() const
+{
+  return this->Preset == Custom ? "Custom"
+                                : littoral::NameOfRow<littoral::ParticleScene>(
+                                    this->Preset, littoral::NumberOfParticleScenes + 1, littoral::ParticleSceneName);
 }
 
 //----------------------------------------------------------------------------

@@ -372,6 +372,12 @@ int vtkTurningBandsTerrainSource::RequestData(
 }
 
 //----------------------------------------------------------------------------
+const char* vtkTurningBandsTerrainSource::GetModelAsString() const
+{
+  return littoral::NameOfRow<littoral::CovarianceModel>(this->Model, littoral::NumberOfCovarianceModels);
+}
+
+//----------------------------------------------------------------------------
 void vtkTurningBandsTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -89,6 +89,7 @@ public:
    */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
+  const char* GetModelAsString() const;
   void SetModelToFractal() { this->SetModel(Fractal); }
   void SetModelToSimpleExponential() { this->SetModel(SimpleExponential); }
   void SetModelToDoubleExponential() { this->SetModel(DoubleExponential); }

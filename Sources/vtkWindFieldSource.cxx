@@ -325,6 +325,18 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
 }
 
 //----------------------------------------------------------------------------
+const char* vtkWindFieldSource::GetSpectrumAsString() const
+{
+  return littoral::NameOfRow<littoral::WindSpectrumModel>(this->Spectrum, littoral::NumberOfWindSpectra);
+}
+
+//----------------------------------------------------------------------------
+const char* vtkWindFieldSource::GetCoherenceAsString() const
+{
+  return littoral::NameOfRow<littoral::WindCoherenceModel>(this->Coherence, littoral::NumberOfWindCoherences);
+}
+
+//----------------------------------------------------------------------------
 void vtkWindFieldSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

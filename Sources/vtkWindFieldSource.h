@@ -157,6 +157,7 @@ public:
    */
   vtkSetMacro(Coherence, int);
   vtkGetMacro(Coherence, int);
+  const char* GetCoherenceAsString() const;
   ///@}
 
   ///@{
@@ -193,6 +194,7 @@ public:
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
+  const char* GetSpectrumAsString() const;
   ///@}
 
   ///@{

@@ -3,6 +3,7 @@
 #include "Currents/FlowPrimitives.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterTraits.h"
 
 #include <glm/common.hpp>
 
@@ -71,6 +72,90 @@ struct FlowField::Reflection
   }
 };
 
+/// The row of a type. Its velocity is a case of Local::Flow, the innermost loop of all currents.
+struct FlowField::Row
+{
+  FlowTraits Traits;
+  double StrengthDivisor; ///< strength over the factor of the velocity
+  bool IsWholeWater;      ///< whether it is the same everywhere unless it ends
+  /// Whether walls make no images of it; null: they always do.
+  bool (*NeedsNoImages)(const Local&);
+  /// Cuts off what is beyond the walls; false if nothing is left. Null: there is nothing to cut.
+  bool (*Clip)(Local&, const WaterLayer&);
+  /// Makes the copy of a flow its image; null: it needs no more than another center.
+  void (*Mirror)(Local&, const Reflection&);
+  /// Adds the endless images between two walls; null: those within reach are added one by one.
+  void (FlowField::*AddEndless)(const Local&, const WaterLayer&);
+};
+
+/// In the order of the enumeration.
+const FlowField::Row FlowField::Rows[NumberOfFlowTypes] = {
+  // name, unit of strength, axis, core, point, captures, solenoidal; divisor, whole water, images
+  { { "Uniform", "m/s", true, false, false, false, true }, 1.0, true, IsLevelUniform, nullptr, MirrorUniform, nullptr },
+  { { "Source", "m3/s", false, true, true, false, false }, 4.0 * Pi, false, nullptr, nullptr, nullptr,
+    &FlowField::AddSourceStack },
+  { { "Sink", "m3/s", false, true, true, true, false }, -4.0 * Pi, false, nullptr, nullptr, nullptr,
+    &FlowField::AddSourceStack },
+  { { "Vortex", "m2/s", true, true, false, false, true }, TwoPi, false, IsUprightVortex, ClipVortex, MirrorVortex,
+    &FlowField::AddVortexChain },
+};
+
+const FlowTraits& TraitsOf(FlowType type)
+{
+  return FlowField::Rows[static_cast<int>(type)].Traits;
+}
+
+bool FlowField::IsLevelUniform(const Local& local)
+{
+  return local.Axis.z == 0.0;
+}
+
+/// The horizontal part goes through no wall: images are of the vertical part alone.
+void FlowField::MirrorUniform(Local& image, const Reflection& reflection)
+{
+  if (!reflection.IsNone())
+  {
+    image.Factor = reflection.Sign * image.Factor * image.Axis.z;
+    image.Axis = Vector3(0.0, 0.0, 1.0);
+  }
+}
+
+bool FlowField::IsUprightVortex(const Local& local)
+{
+  return local.Axis.x == 0.0 && local.Axis.y == 0.0;
+}
+
+/// Keeps the part of the axis that is in the water.
+bool FlowField::ClipVortex(Local& local, const WaterLayer& layer)
+{
+  if (std::abs(local.Axis.z) < LevelAxis)
+  {
+    local.Axis = Normalised({ local.Axis.x, local.Axis.y, 0.0 });
+    if (!layer.Holds(local.Center.z))
+    {
+      return false;
+    }
+  }
+  const double low = local.Axis.z != 0.0 ? (layer.Bed - local.Center.z) / local.Axis.z : -Infinity;
+  const double high = local.Axis.z != 0.0 ? (layer.Surface - local.Center.z) / local.Axis.z : Infinity;
+  local.First = std::min(low, high);
+  local.Last = std::max(low, high);
+  local.IsPart = std::isfinite(low) || std::isfinite(high);
+  return true;
+}
+
+/// Turns the other way about the mirrored axis: the same along that axis turned round.
+void FlowField::MirrorVortex(Local& image, const Reflection& reflection)
+{
+  if (reflection.IsMirror())
+  {
+    image.Axis = Vector3(-image.Axis.x, -image.Axis.y, image.Axis.z);
+    const double first = image.First;
+    image.First = -image.Last;
+    image.Last = -first;
+  }
+}
+
 /// The reflections that the walls make of what is in the water, the water itself first; between two walls as many on
 /// each side.
 std::vector<FlowField::Reflection> FlowField::ReflectionsOf(const WaterLayer& layer, int mostImages)
@@ -121,13 +206,12 @@ Box ReachOf(const FlowPrimitive& primitive)
 std::string WhyInvalid(const FlowPrimitive& primitive)
 {
   std::ostringstream reason;
-  const bool hasCore = primitive.Type != FlowType::Uniform;
-  const bool hasAxis = primitive.Type == FlowType::Uniform || primitive.Type == FlowType::Vortex;
-  if (primitive.Type < FlowType::Uniform || primitive.Type > FlowType::Vortex)
+  if (const std::string none = WhyNoRow("FlowType", static_cast<int>(primitive.Type), NumberOfFlowTypes); !none.empty())
   {
-    reason << "FlowType is " << static_cast<int>(primitive.Type) << "; it must be 0 to 3.";
+    return none;
   }
-  else if (!std::isfinite(primitive.Strength))
+  const FlowTraits& traits = TraitsOf(primitive.Type);
+  if (!std::isfinite(primitive.Strength))
   {
     reason << "Strength must be finite.";
   }
@@ -135,11 +219,11 @@ std::string WhyInvalid(const FlowPrimitive& primitive)
   {
     reason << "Center must be finite.";
   }
-  else if (hasAxis && !(IsFinite(primitive.Axis) && glm::length(primitive.Axis) > 0.0))
+  else if (traits.HasAxis && !(IsFinite(primitive.Axis) && glm::length(primitive.Axis) > 0.0))
   {
     reason << "Axis must be finite and not of length 0.";
   }
-  else if (hasCore && !(primitive.CoreRadius > 0.0 && std::isfinite(primitive.CoreRadius)))
+  else if (traits.HasCore && !(primitive.CoreRadius > 0.0 && std::isfinite(primitive.CoreRadius)))
   {
     reason << "CoreRadius is " << primitive.CoreRadius << " m; it must be positive.";
   }
@@ -164,39 +248,26 @@ FlowField::FlowField(const std::vector<FlowPrimitive>& primitives, const WaterLa
   const auto inverseSquare = [](double length) { return length > 0.0 ? 1.0 / (length * length) : 0.0; };
   for (const FlowPrimitive& primitive : primitives)
   {
+    const Row& row = Rows[static_cast<int>(primitive.Type)];
     const Vector3 axis = Normalised(primitive.Axis);
-    const double core = primitive.CoreRadius * primitive.CoreRadius;
-    Local local{ primitive.Type, primitive.Center, axis, primitive.Strength, core, 1.0 / core,
-      inverseSquare(primitive.InfluenceRadius), primitive.InfluenceBox, inverseSquare(primitive.InfluenceMargin) };
-    switch (primitive.Type)
+    if (row.IsWholeWater && !HasEnd(primitive))
     {
-      case FlowType::Uniform:
-        if (!HasEnd(primitive))
-        {
-          const Vector3 flow = primitive.Strength * axis;
-          this->Everywhere += layer.HasWalls() ? Vector3(flow.x, flow.y, 0.0) : flow;
-          continue;
-        }
-        break;
-      case FlowType::Source:
-        local.Factor /= 4.0 * Pi;
-        break;
-      case FlowType::Sink:
-        local.Factor /= -4.0 * Pi;
-        break;
-      case FlowType::Vortex:
-        local.Factor /= TwoPi;
-        break;
+      const Vector3 flow = primitive.Strength * axis;
+      this->Everywhere += layer.HasWalls() ? Vector3(flow.x, flow.y, 0.0) : flow;
+      continue;
     }
-    const bool isPoint = primitive.Type == FlowType::Source || primitive.Type == FlowType::Sink;
-    if (isPoint && !layer.Holds(primitive.Center.z))
+    if (row.Traits.IsPoint && !layer.Holds(primitive.Center.z))
     {
       continue;
     }
-    if (primitive.Type == FlowType::Sink)
+    const double core = primitive.CoreRadius * primitive.CoreRadius;
+    if (row.Traits.Captures)
     {
       this->Sinks.push_back({ primitive.Center, core });
     }
+    const Local local{ primitive.Type, primitive.Center, axis, primitive.Strength / row.StrengthDivisor, core,
+      1.0 / core, inverseSquare(primitive.InfluenceRadius), primitive.InfluenceBox,
+      inverseSquare(primitive.InfluenceMargin) };
     if (layer.HasWalls())
     {
       this->AddBetweenWalls(local, primitive, layer);
@@ -224,44 +295,28 @@ void FlowField::Add(const Local& local, const FlowPrimitive& primitive)
 
 void FlowField::AddBetweenWalls(const Local& local, const FlowPrimitive& primitive, const WaterLayer& layer)
 {
-  const bool isVortex = primitive.Type == FlowType::Vortex;
-  const bool isUniform = primitive.Type == FlowType::Uniform;
-  const bool isLevel = isVortex ? local.Axis.x == 0.0 && local.Axis.y == 0.0 : isUniform && local.Axis.z == 0.0;
-  if (isLevel)
+  const Row& row = Rows[static_cast<int>(primitive.Type)];
+  if (row.NeedsNoImages && row.NeedsNoImages(local))
   {
     this->Add(local, primitive);
     return;
   }
   Local own = local;
-  if (isVortex)
+  if (row.Clip && !row.Clip(own, layer))
   {
-    // The part of the axis that is in the water.
-    if (std::abs(own.Axis.z) < LevelAxis)
-    {
-      own.Axis = Normalised({ own.Axis.x, own.Axis.y, 0.0 });
-      if (!layer.Holds(own.Center.z))
-      {
-        return;
-      }
-    }
-    const double low = own.Axis.z != 0.0 ? (layer.Bed - own.Center.z) / own.Axis.z : -Infinity;
-    const double high = own.Axis.z != 0.0 ? (layer.Surface - own.Center.z) / own.Axis.z : Infinity;
-    own.First = std::min(low, high);
-    own.Last = std::max(low, high);
-    own.IsPart = std::isfinite(low) || std::isfinite(high);
+    return;
   }
+  if (row.AddEndless && !HasEnd(primitive) && layer.HasBed() && layer.HasSurface())
+  {
+    (this->*row.AddEndless)(own, layer);
+    return;
+  }
+  this->AddImages(own, primitive, layer);
+}
+
+void FlowField::AddImages(const Local& local, const FlowPrimitive& primitive, const WaterLayer& layer)
+{
   const bool isEndless = !HasEnd(primitive);
-  const bool hasBoth = layer.HasBed() && layer.HasSurface();
-  if (isEndless && hasBoth && isVortex)
-  {
-    this->AddVortexChain(own, layer);
-    return;
-  }
-  if (isEndless && hasBoth)
-  {
-    this->AddSourceStack(own, layer);
-    return;
-  }
   const auto reaches = [&](const Box& box) { return box.High.z >= layer.Bed && box.Low.z <= layer.Surface; };
   if (!isEndless && !reaches(ReachOf(primitive)))
   {
@@ -269,7 +324,7 @@ void FlowField::AddBetweenWalls(const Local& local, const FlowPrimitive& primiti
   }
   for (const Reflection& reflection : ReflectionsOf(layer, MostImages))
   {
-    const Local image = Reflected(own, reflection);
+    const Local image = Reflected(local, reflection);
     const Box reach = isEndless ? Box{} : reflection(ReachOf(primitive));
     if (isEndless)
     {
@@ -337,17 +392,9 @@ FlowField::Local FlowField::Reflected(const Local& local, const Reflection& refl
   Local image = local;
   image.Center = reflection(local.Center);
   image.Whole = reflection(local.Whole);
-  if (local.Type == FlowType::Uniform && !reflection.IsNone())
+  if (const auto mirror = Rows[static_cast<int>(local.Type)].Mirror)
   {
-    image.Factor = reflection.Sign * local.Factor * local.Axis.z;
-    image.Axis = Vector3(0.0, 0.0, 1.0);
-  }
-  if (local.Type == FlowType::Vortex && reflection.IsMirror())
-  {
-    // Turns the other way about the mirrored axis: the same along that axis turned round.
-    image.Axis = Vector3(-local.Axis.x, -local.Axis.y, local.Axis.z);
-    image.First = -local.Last;
-    image.Last = -local.First;
+    mirror(image, reflection);
   }
   return image;
 }

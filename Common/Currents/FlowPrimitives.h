@@ -22,6 +22,23 @@ enum class FlowType
   Vortex = 3,
 };
 
+inline constexpr int NumberOfFlowTypes = 4;
+
+/// What sets a type of flow apart for its users. A new type is an enumerator, a row of FlowField and its velocity.
+struct FlowTraits
+{
+  const char* Name;         ///< as in the enumeration
+  const char* StrengthUnit; ///< of its strength
+  bool HasAxis;             ///< whether Axis counts
+  bool HasCore;             ///< whether CoreRadius counts
+  bool IsPoint;             ///< whether it flows from or to its center, which then has to lie in the water
+  bool Captures;            ///< whether what comes into its core stays there
+  bool IsSolenoidal;        ///< whether it is free of divergence wherever its influence does not end
+};
+
+/// The traits of a type, which must be one of the enumeration.
+const FlowTraits& TraitsOf(FlowType type);
+
 /// A flow of water around a place. Cores keep its velocity finite everywhere.
 struct FlowPrimitive
 {
@@ -130,11 +147,21 @@ private:
   };
 
   struct Reflection;
+  struct Row;
+  static const Row Rows[NumberOfFlowTypes];
+  friend const FlowTraits& TraitsOf(FlowType type);
   static std::vector<Reflection> ReflectionsOf(const WaterLayer& layer, int mostImages);
   static Local Reflected(const Local& local, const Reflection& reflection);
 
+  static bool IsLevelUniform(const Local& local);
+  static void MirrorUniform(Local& image, const Reflection& reflection);
+  static bool IsUprightVortex(const Local& local);
+  static bool ClipVortex(Local& local, const WaterLayer& layer);
+  static void MirrorVortex(Local& image, const Reflection& reflection);
+
   void Add(const Local& local, const FlowPrimitive& primitive);
   void AddBetweenWalls(const Local& local, const FlowPrimitive& primitive, const WaterLayer& layer);
+  void AddImages(const Local& local, const FlowPrimitive& primitive, const WaterLayer& layer);
   void AddSourceStack(const Local& local, const WaterLayer& layer);
   void AddVortexChain(const Local& local, const WaterLayer& layer);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <sstream>
 
 namespace littoral
@@ -119,27 +120,91 @@ Shade CopepodAt(double x, double y)
   return { std::clamp(0.95 - 0.3 * gut * body + 0.05 * rings, 0.0, 1.0), std::clamp(opacity, 0.0, 1.0) };
 }
 
-Shade ShadeAt(ParticleKind kind, double x, double y)
+/// What sets a kind apart: its name and its picture over -1 to 1.
+struct KindRow
 {
-  switch (kind)
-  {
-    case ParticleKind::Diatom:
-      return DiatomAt(x, y);
-    case ParticleKind::Flake:
-      return FlakeAt(x, y);
-    case ParticleKind::Grain:
-      return GrainAt(x, y);
-    default:
-      return CopepodAt(x, y);
-  }
+  const char* Name;
+  Shade (*At)(double x, double y);
+};
+
+/// In the order of the enumeration.
+constexpr KindRow Kinds[] = {
+  { "Diatom", DiatomAt },
+  { "Flake", FlakeAt },
+  { "Grain", GrainAt },
+  { "Copepod", CopepodAt },
+};
+static_assert(std::size(Kinds) == ParticleKinds, "a row a kind");
+
+/// A kind of particles in a scene, between two heights as parts of the depth, 0 at the bed and 1 at the surface.
+struct Layer
+{
+  const char* Name;
+  double Bottom;
+  double Top;
+  ParticleKind Kind;
+  double Diameter; ///< [m]
+  double Amount;   ///< [1/m3]
+  double Color[3];
+};
+
+struct SceneRow
+{
+  const char* Name;
+  std::vector<Layer> Layers;
+};
+
+/// In the order of the enumeration.
+const std::vector<SceneRow>& Scenes()
+{
+  using K = ParticleKind;
+  static const std::vector<SceneRow> rows = {
+    // name, bottom, top, kind, diameter, amount, color
+    { "CoastalSea",
+      {
+        { "Phytoplankton", 0.6, 1.0, K::Diatom, 0.006, 4.0, { 0.62, 0.74, 0.36 } },
+        { "Zooplankton", 0.35, 0.9, K::Copepod, 0.012, 0.6, { 0.93, 0.72, 0.55 } },
+        { "MarineSnow", 0.0, 1.0, K::Flake, 0.008, 2.0, { 0.90, 0.90, 0.84 } },
+        { "Minerals", 0.0, 0.2, K::Grain, 0.004, 8.0, { 0.72, 0.60, 0.43 } },
+      } },
+    { "OpenOcean",
+      {
+        { "DeepPhytoplankton", 0.4, 0.7, K::Diatom, 0.004, 1.0, { 0.55, 0.70, 0.45 } },
+        { "Zooplankton", 0.0, 0.6, K::Copepod, 0.010, 0.2, { 0.90, 0.75, 0.65 } },
+        { "MarineSnow", 0.0, 1.0, K::Flake, 0.006, 1.5, { 0.88, 0.92, 0.95 } },
+      } },
+    { "PlanktonBloom",
+      {
+        { "Phytoplankton", 0.66, 1.0, K::Diatom, 0.006, 18.0, { 0.55, 0.76, 0.26 } },
+        { "Zooplankton", 0.4, 1.0, K::Copepod, 0.012, 1.5, { 0.95, 0.70, 0.50 } },
+        { "MarineSnow", 0.0, 0.8, K::Flake, 0.010, 3.0, { 0.82, 0.85, 0.66 } },
+      } },
+    { "StormyBed",
+      {
+        { "Sand", 0.0, 0.12, K::Grain, 0.003, 60.0, { 0.78, 0.66, 0.46 } },
+        { "Silt", 0.0, 0.5, K::Grain, 0.002, 14.0, { 0.62, 0.52, 0.39 } },
+        { "MarineSnow", 0.1, 1.0, K::Flake, 0.008, 2.0, { 0.80, 0.76, 0.66 } },
+      } },
+  };
+  return rows;
+}
+
+/// The first scene is 1: 0 is the user's own boxes.
+const SceneRow& RowOf(ParticleScene scene)
+{
+  return Scenes()[static_cast<std::size_t>(scene) - 1];
 }
 
 }
 
 const char* ParticleKindName(ParticleKind kind)
 {
-  constexpr const char* Names[ParticleKinds] = { "Diatom", "Flake", "Grain", "Copepod" };
-  return Names[static_cast<int>(kind)];
+  return Kinds[static_cast<int>(kind)].Name;
+}
+
+const char* ParticleSceneName(ParticleScene scene)
+{
+  return RowOf(scene).Name;
 }
 
 std::string WhyInvalid(const ParticleBox& box, int index)
@@ -181,36 +246,13 @@ double NumberIn(const ParticleBox& box, bool amountIsCount)
 std::vector<ParticleBox> BoxesOf(ParticleScene scene, const Vector3& lower, const Vector3& upper)
 {
   std::vector<ParticleBox> boxes;
-  const auto add = [&](const char* name, double bottom, double top, ParticleKind kind, double diameter, double amount,
-                     double red, double green, double blue) {
-    const double depth = upper.z - lower.z;
-    const Vector3 from(lower.x, lower.y, lower.z + bottom * depth);
-    const Vector3 to(upper.x, upper.y, lower.z + top * depth);
-    boxes.push_back({ name, from, to, kind, diameter, amount, { red, green, blue } });
-  };
-  switch (scene)
+  const double depth = upper.z - lower.z;
+  for (const Layer& layer : RowOf(scene).Layers)
   {
-    case ParticleScene::CoastalSea:
-      add("Phytoplankton", 0.6, 1.0, ParticleKind::Diatom, 0.006, 4.0, 0.62, 0.74, 0.36);
-      add("Zooplankton", 0.35, 0.9, ParticleKind::Copepod, 0.012, 0.6, 0.93, 0.72, 0.55);
-      add("MarineSnow", 0.0, 1.0, ParticleKind::Flake, 0.008, 2.0, 0.90, 0.90, 0.84);
-      add("Minerals", 0.0, 0.2, ParticleKind::Grain, 0.004, 8.0, 0.72, 0.60, 0.43);
-      break;
-    case ParticleScene::OpenOcean:
-      add("DeepPhytoplankton", 0.4, 0.7, ParticleKind::Diatom, 0.004, 1.0, 0.55, 0.70, 0.45);
-      add("Zooplankton", 0.0, 0.6, ParticleKind::Copepod, 0.010, 0.2, 0.90, 0.75, 0.65);
-      add("MarineSnow", 0.0, 1.0, ParticleKind::Flake, 0.006, 1.5, 0.88, 0.92, 0.95);
-      break;
-    case ParticleScene::Bloom:
-      add("Phytoplankton", 0.66, 1.0, ParticleKind::Diatom, 0.006, 18.0, 0.55, 0.76, 0.26);
-      add("Zooplankton", 0.4, 1.0, ParticleKind::Copepod, 0.012, 1.5, 0.95, 0.70, 0.50);
-      add("MarineSnow", 0.0, 0.8, ParticleKind::Flake, 0.010, 3.0, 0.82, 0.85, 0.66);
-      break;
-    case ParticleScene::StormyBed:
-      add("Sand", 0.0, 0.12, ParticleKind::Grain, 0.003, 60.0, 0.78, 0.66, 0.46);
-      add("Silt", 0.0, 0.5, ParticleKind::Grain, 0.002, 14.0, 0.62, 0.52, 0.39);
-      add("MarineSnow", 0.1, 1.0, ParticleKind::Flake, 0.008, 2.0, 0.80, 0.76, 0.66);
-      break;
+    const Vector3 from(lower.x, lower.y, lower.z + layer.Bottom * depth);
+    const Vector3 to(upper.x, upper.y, lower.z + layer.Top * depth);
+    boxes.push_back({ layer.Name, from, to, layer.Kind, layer.Diameter, layer.Amount,
+      { layer.Color[0], layer.Color[1], layer.Color[2] } });
   }
   return boxes;
 }
@@ -266,7 +308,7 @@ TextureImage ParticlePicture(ParticleKind kind)
       {
         const double x = 2.0 * (column + (sample % Samples + 0.5) / Samples) / ParticlePictureSize - 1.0;
         const double y = 2.0 * (row + (sample / Samples + 0.5) / Samples) / ParticlePictureSize - 1.0;
-        const Shade shade = ShadeAt(kind, x, y);
+        const Shade shade = Kinds[static_cast<int>(kind)].At(x, y);
         const double seen = shade.Opacity * (1.0 - Ramp(0.9, 0.98, std::max(std::abs(x), std::abs(y))));
         light += shade.Light * seen;
         opacity += seen;

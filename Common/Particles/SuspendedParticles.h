@@ -54,6 +54,11 @@ enum class ParticleScene
   StormyBed = 4,  ///< brown: sand and silt whirled up
 };
 
+inline constexpr int NumberOfParticleScenes = 4;
+
+/// The name of a scene, as users see it.
+const char* ParticleSceneName(ParticleScene scene);
+
 /// The boxes of a scene between two corners; the upper one is at the surface, the lower one on the bed.
 std::vector<ParticleBox> BoxesOf(ParticleScene scene, const Vector3& lower, const Vector3& upper);
 

@@ -72,40 +72,24 @@ public:
     QuadratFit fit;
     fit.Law.Law = fit.Moments.Law = law;
     fit.Law.Mean = fit.Moments.Mean = this->Moments.Mean; // also the maximum likelihood keeps the mean
-    switch (law)
-    {
-      case QuadratLaw::Poisson:
-        fit.MomentsExist = fit.Exists = true;
-        fit.Parameters = 1;
-        break;
-      case QuadratLaw::Binomial:
-        this->FitBinomial(fit);
-        break;
-      case QuadratLaw::NegativeBinomial:
-        this->FitNegativeBinomial(fit);
-        break;
-      case QuadratLaw::PoissonPoisson:
-        this->FitPoissonPoisson(fit);
-        break;
-      case QuadratLaw::PoissonBinomial:
-        this->FitPoissonBinomial(fit);
-        break;
-      case QuadratLaw::PoissonNegativeBinomial:
-        this->FitPoissonNegativeBinomial(fit);
-        break;
-    }
+    fit.Parameters = TraitsOf(law).Parameters.Size();
+    (this->*Fits[static_cast<int>(law)])(fit);
     return fit;
   }
 
 private:
+  /// How each law is fitted, in the order of the enumeration.
+  static void (LawFitter::*const Fits[NumberOfQuadratLaws])(QuadratFit&) const;
+
   double Likelihood(const QuadratLawParameters& law) const { return LogLikelihood(law, this->Frequencies); }
   bool IsClustered() const { return this->Moments.Variance > this->Moments.Mean; }
   /// Second factorial cumulant over the mean: what clusters add to the variance of a random pattern.
   double Excess() const { return this->Moments.Variance / this->Moments.Mean - 1.0; }
 
+  void FitPoisson(QuadratFit& fit) const { fit.MomentsExist = fit.Exists = true; }
+
   void FitBinomial(QuadratFit& fit) const
   {
-    fit.Parameters = 2;
     const int largest = std::max(1, static_cast<int>(this->Frequencies.size()) - 1);
     const int most = (largest + 1) * MostTrialsAPoint;
     if (this->Excess() < 0.0)
@@ -150,7 +134,6 @@ private:
 
   void FitNegativeBinomial(QuadratFit& fit) const
   {
-    fit.Parameters = 2;
     fit.MomentsExist = this->IsClustered();
     fit.Moments.ClusterShape = fit.MomentsExist ? this->Moments.Mean / this->Excess() : NaN;
     const Maximum best = MaximiseOver(1e-3, std::max(1e4, 1e3 * this->Moments.Mean), [&](double shape) {
@@ -164,7 +147,6 @@ private:
 
   void FitPoissonPoisson(QuadratFit& fit) const
   {
-    fit.Parameters = 2;
     fit.MomentsExist = this->IsClustered();
     fit.Moments.ClusterMean = fit.MomentsExist ? this->Excess() : NaN;
     const Maximum best = MaximiseOver(1e-3, std::max(1e3, 10.0 * this->Excess()), [&](double size) {
@@ -178,7 +160,6 @@ private:
 
   void FitPoissonBinomial(QuadratFit& fit) const
   {
-    fit.Parameters = 3;
     // Clusters of n points are too small for the variance where n - 1 is below the excess.
     const int least = std::max(2, static_cast<int>(std::ceil(1.0 + std::max(0.0, this->Excess()))));
     fit.MomentsExist = this->IsClustered();
@@ -214,7 +195,6 @@ private:
 
   void FitPoissonNegativeBinomial(QuadratFit& fit) const
   {
-    fit.Parameters = 3;
     const double mean = this->Moments.Mean;
     const double second = this->Moments.Variance - mean;
     const double third = this->Moments.ThirdMoment - 3.0 * this->Moments.Variance + 2.0 * mean;
@@ -242,6 +222,15 @@ private:
 
   const std::vector<long long>& Frequencies;
   const QuadratMoments& Moments;
+};
+
+void (LawFitter::*const LawFitter::Fits[NumberOfQuadratLaws])(QuadratFit&) const = {
+  &LawFitter::FitPoisson,
+  &LawFitter::FitBinomial,
+  &LawFitter::FitNegativeBinomial,
+  &LawFitter::FitPoissonPoisson,
+  &LawFitter::FitPoissonBinomial,
+  &LawFitter::FitPoissonNegativeBinomial,
 };
 
 /// Pearson's test with neighbouring counts pooled until at least 5 quadrats are expected; all above the largest seen

@@ -44,7 +44,7 @@ struct QuadratFit
 /// Fits one law by moments and by maximum likelihood; cells of the test are pooled to an expectation of at least 5.
 QuadratFit FitQuadratLaw(QuadratLaw law, const std::vector<long long>& frequencies);
 
-/// Fits all six laws; the smallest AIC first, laws that do not exist last.
+/// Fits all laws; the smallest AIC first, laws that do not exist last.
 std::vector<QuadratFit> FitAllQuadratLaws(const std::vector<long long>& frequencies);
 
 /// AICs closer than this are not distinguishable.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace littoral
@@ -129,30 +130,6 @@ std::vector<double> NegativeBinomialMass(double k, double p, std::size_t count)
   });
 }
 
-std::vector<double> MassUpTo(const QuadratLawParameters& law, std::size_t count)
-{
-  switch (law.Law)
-  {
-    case QuadratLaw::Poisson:
-      return PoissonMass(law.Mean, count);
-    case QuadratLaw::Binomial:
-      return BinomialMass(law.Trials, law.Mean / law.Trials, count);
-    case QuadratLaw::NegativeBinomial:
-      return NegativeBinomialMass(law.ClusterShape, law.Mean / law.ClusterShape, count);
-    case QuadratLaw::PoissonPoisson:
-      return Compound({ law.Mean / law.ClusterMean, PoissonMass(law.ClusterMean, count) }, count);
-    case QuadratLaw::PoissonBinomial:
-      return Compound(
-        { law.Mean / (law.Trials * law.ClusterSuccess), BinomialMass(law.Trials, law.ClusterSuccess, law.Trials + 1) },
-        count);
-    case QuadratLaw::PoissonNegativeBinomial:
-      return Compound({ law.Mean / law.ClusterMean,
-                        NegativeBinomialMass(law.ClusterShape, law.ClusterMean / law.ClusterShape, count) },
-        count);
-  }
-  return {};
-}
-
 /// How many points a quadrat or a cluster holds, but for a chance of e^-40 or so: with a tail that falls to a part e in
 /// as many points as given.
 double Reach(double mean, double variance, double tail)
@@ -160,135 +137,216 @@ double Reach(double mean, double variance, double tail)
   return mean + 12.0 * std::sqrt(variance) + 40.0 * tail + 20.0;
 }
 
-/// The numbers of counts and of sizes of clusters that matter; no sizes in a law without clusters.
-struct Lengths
-{
-  double Counts;
-  double Sizes = 0.0;
-};
+using Law = QuadratLawParameters;
 
-Lengths LengthsOf(const QuadratLawParameters& law)
+// -------------------------------------------------------------------------------------------------------------------
+// Each law: variance of the count, probabilities, lengths.
+
+double PoissonVariance(const Law& law)
 {
-  const double variance = CountVariance(law);
-  const double t = law.ClusterMean;
-  const double k = law.ClusterShape;
-  switch (law.Law)
-  {
-    case QuadratLaw::Poisson:
-      return { Reach(law.Mean, variance, 0.0) };
-    case QuadratLaw::Binomial:
-      return { std::min(Reach(law.Mean, variance, 0.0), law.Trials + 1.0) };
-    case QuadratLaw::NegativeBinomial:
-      return { Reach(law.Mean, variance, law.Mean / k) };
-    case QuadratLaw::PoissonPoisson:
-      return { Reach(law.Mean, variance, t), Reach(t, t, 0.0) };
-    case QuadratLaw::PoissonBinomial:
-      return { Reach(law.Mean, variance, law.Trials * law.ClusterSuccess), law.Trials + 1.0 };
-    case QuadratLaw::PoissonNegativeBinomial:
-      return { Reach(law.Mean, variance, t + t / k), Reach(t, t + t * t / k, t / k) };
-  }
-  return { 0.0 };
+  return law.Mean;
 }
 
-bool IsPositive(double value)
+std::vector<double> PoissonLaw(const Law& law, std::size_t count)
 {
-  return std::isfinite(value) && value > 0.0;
+  return PoissonMass(law.Mean, count);
 }
 
-}
-
-const char* QuadratLawName(QuadratLaw law)
+QuadratLawLengths PoissonLengths(const Law& law)
 {
-  static const char* const names[NumberOfQuadratLaws] = { "Poisson", "Binomial", "NegativeBinomial", "PoissonPoisson",
-    "PoissonBinomial", "PoissonNegativeBinomial" };
-  return names[static_cast<int>(law)];
+  return { Reach(law.Mean, PoissonVariance(law), 0.0) };
 }
 
-std::string WhyInvalid(const QuadratLawParameters& law)
+double BinomialVariance(const Law& law)
+{
+  return law.Mean * (1.0 - law.Mean / law.Trials);
+}
+
+std::vector<double> BinomialLaw(const Law& law, std::size_t count)
+{
+  return BinomialMass(law.Trials, law.Mean / law.Trials, count);
+}
+
+QuadratLawLengths BinomialLengths(const Law& law)
+{
+  return { std::min(Reach(law.Mean, BinomialVariance(law), 0.0), law.Trials + 1.0) };
+}
+
+std::string WhyNotBinomial(const Law& law)
 {
   std::ostringstream text;
-  const int id = static_cast<int>(law.Law);
-  const auto uses = [&](std::initializer_list<QuadratLaw> laws) {
-    return std::find(laws.begin(), laws.end(), law.Law) != laws.end();
-  };
-  if (id < 0 || id >= NumberOfQuadratLaws)
-  {
-    text << "Law is " << id << "; it must be one of 0 to 5.";
-  }
-  else if (!IsPositive(law.Mean) || law.Mean > LargestMean)
-  {
-    text << "MeanPerQuadrat is " << law.Mean << "; it must be positive and at most " << LargestMean << ".";
-  }
-  else if (uses({ QuadratLaw::Binomial, QuadratLaw::PoissonBinomial }) && law.Trials < 1)
-  {
-    text << "Trials is " << law.Trials << "; it must be positive.";
-  }
-  else if (law.Law == QuadratLaw::Binomial && law.Mean > law.Trials)
+  if (law.Mean > law.Trials)
   {
     text << "MeanPerQuadrat is " << law.Mean << ", more than the " << law.Trials
          << " Trials, which are the most points that a quadrat of the binomial law can hold.";
   }
-  else if (uses({ QuadratLaw::NegativeBinomial, QuadratLaw::PoissonNegativeBinomial }) && !IsPositive(law.ClusterShape))
-  {
-    text << "ClusterShape is " << law.ClusterShape << "; it must be finite and positive.";
-  }
-  else if (uses({ QuadratLaw::PoissonPoisson, QuadratLaw::PoissonNegativeBinomial }) && !IsPositive(law.ClusterMean))
-  {
-    text << "ClusterMean is " << law.ClusterMean << "; it must be finite and positive.";
-  }
-  else if (law.Law == QuadratLaw::PoissonBinomial && !(law.ClusterSuccess > 0.0 && law.ClusterSuccess <= 1.0))
-  {
-    text << "ClusterSuccess is " << law.ClusterSuccess << "; it must be above 0 and at most 1.";
-  }
-  else if (const Lengths lengths = LengthsOf(law); !(lengths.Counts <= MostCounts) ||
-           !(lengths.Counts * std::min(lengths.Counts, lengths.Sizes) <= MostProducts))
-  {
-    text << "Quadrats of this law hold up to " << lengths.Counts << " points";
-    if (lengths.Sizes > 0.0)
-    {
-      text << ", in clusters of up to " << lengths.Sizes;
-    }
-    text << "; that is too much to compute. Lower MeanPerQuadrat, or make clusters smaller or of more equal sizes.";
-  }
   return text.str();
+}
+
+double NegativeBinomialVariance(const Law& law)
+{
+  return law.Mean * (1.0 + law.Mean / law.ClusterShape);
+}
+
+std::vector<double> NegativeBinomialLaw(const Law& law, std::size_t count)
+{
+  return NegativeBinomialMass(law.ClusterShape, law.Mean / law.ClusterShape, count);
+}
+
+QuadratLawLengths NegativeBinomialLengths(const Law& law)
+{
+  return { Reach(law.Mean, NegativeBinomialVariance(law), law.Mean / law.ClusterShape) };
+}
+
+double PoissonPoissonVariance(const Law& law)
+{
+  return law.Mean * (1.0 + law.ClusterMean);
+}
+
+std::vector<double> PoissonPoissonLaw(const Law& law, std::size_t count)
+{
+  return Compound({ law.Mean / law.ClusterMean, PoissonMass(law.ClusterMean, count) }, count);
+}
+
+QuadratLawLengths PoissonPoissonLengths(const Law& law)
+{
+  const double t = law.ClusterMean;
+  return { Reach(law.Mean, PoissonPoissonVariance(law), t), Reach(t, t, 0.0) };
+}
+
+double PoissonBinomialVariance(const Law& law)
+{
+  return law.Mean * (1.0 + (law.Trials - 1) * law.ClusterSuccess);
+}
+
+std::vector<double> PoissonBinomialLaw(const Law& law, std::size_t count)
+{
+  const double size = law.Trials * law.ClusterSuccess;
+  return Compound({ law.Mean / size, BinomialMass(law.Trials, law.ClusterSuccess, law.Trials + 1) }, count);
+}
+
+QuadratLawLengths PoissonBinomialLengths(const Law& law)
+{
+  return { Reach(law.Mean, PoissonBinomialVariance(law), law.Trials * law.ClusterSuccess), law.Trials + 1.0 };
+}
+
+double PoissonNegativeBinomialVariance(const Law& law)
+{
+  return law.Mean * (1.0 + law.ClusterMean * (1.0 + 1.0 / law.ClusterShape));
+}
+
+std::vector<double> PoissonNegativeBinomialLaw(const Law& law, std::size_t count)
+{
+  const double t = law.ClusterMean;
+  const double k = law.ClusterShape;
+  return Compound({ law.Mean / t, NegativeBinomialMass(k, t / k, count) }, count);
+}
+
+QuadratLawLengths PoissonNegativeBinomialLengths(const Law& law)
+{
+  const double t = law.ClusterMean;
+  const double k = law.ClusterShape;
+  return { Reach(law.Mean, PoissonNegativeBinomialVariance(law), t + t / k), Reach(t, t + t * t / k, t / k) };
+}
+
+// -------------------------------------------------------------------------------------------------------------------
+// Rows.
+
+constexpr auto Mean = MakeParameter<Law, &Law::Mean>("MeanPerQuadrat", "", ValueInterval::Above(0.0, LargestMean));
+constexpr auto Trials = MakeParameter<Law, &Law::Trials>("Trials", "", ValueInterval::AtLeast(1.0));
+constexpr auto Shape = MakeParameter<Law, &Law::ClusterShape>("ClusterShape", "", ValueInterval::Positive());
+constexpr auto ClusterMean = MakeParameter<Law, &Law::ClusterMean>("ClusterMean", "", ValueInterval::Positive());
+constexpr auto Success = MakeParameter<Law, &Law::ClusterSuccess>("ClusterSuccess", "", ValueInterval::Above(0.0, 1.0));
+
+constexpr ParameterList<Law> AllParameters = { { &Mean, &Trials, &Shape, &ClusterMean, &Success } };
+
+/// In the order of the enumeration.
+constexpr QuadratLawTraits Rows[] = {
+  // name, parameters, variance of the count, probabilities, lengths, what parameters must fulfil together
+  { "Poisson", { { &Mean } }, PoissonVariance, PoissonLaw, PoissonLengths },
+  { "Binomial", { { &Mean, &Trials } }, BinomialVariance, BinomialLaw, BinomialLengths, WhyNotBinomial },
+  { "NegativeBinomial", { { &Mean, &Shape } }, NegativeBinomialVariance, NegativeBinomialLaw, NegativeBinomialLengths },
+  { "PoissonPoisson", { { &Mean, &ClusterMean } }, PoissonPoissonVariance, PoissonPoissonLaw, PoissonPoissonLengths },
+  { "PoissonBinomial", { { &Mean, &Trials, &Success } }, PoissonBinomialVariance, PoissonBinomialLaw,
+    PoissonBinomialLengths },
+  { "PoissonNegativeBinomial", { { &Mean, &Shape, &ClusterMean } }, PoissonNegativeBinomialVariance,
+    PoissonNegativeBinomialLaw, PoissonNegativeBinomialLengths },
+};
+static_assert(std::size(Rows) == NumberOfQuadratLaws, "a row a law");
+
+/// Why a law is too long to compute; empty when it is not.
+std::string WhyTooLong(const Law& law)
+{
+  const QuadratLawLengths lengths = TraitsOf(law.Law).Lengths(law);
+  if (lengths.Counts <= MostCounts && lengths.Counts * std::min(lengths.Counts, lengths.Sizes) <= MostProducts)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "Quadrats of this law hold up to " << lengths.Counts << " points";
+  if (lengths.Sizes > 0.0)
+  {
+    text << ", in clusters of up to " << lengths.Sizes;
+  }
+  text << "; that is too much to compute. Lower MeanPerQuadrat, or make clusters smaller or of more equal sizes.";
+  return text.str();
+}
+
+}
+
+const QuadratLawTraits& TraitsOf(QuadratLaw law)
+{
+  return Rows[static_cast<int>(law)];
+}
+
+const ParameterList<QuadratLawParameters>& AllQuadratLawParameters()
+{
+  return AllParameters;
+}
+
+const char* QuadratLawName(QuadratLaw law)
+{
+  return TraitsOf(law).Name;
+}
+
+std::string WhyInvalid(const QuadratLawParameters& law)
+{
+  std::string reason = WhyNoRow("Law", static_cast<int>(law.Law), NumberOfQuadratLaws);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  const QuadratLawTraits& traits = TraitsOf(law.Law);
+  reason = traits.Parameters.WhyInvalid(law);
+  if (reason.empty() && traits.WhyInvalid)
+  {
+    reason = traits.WhyInvalid(law);
+  }
+  return reason.empty() ? WhyTooLong(law) : reason;
 }
 
 double CountVariance(const QuadratLawParameters& law)
 {
-  switch (law.Law)
-  {
-    case QuadratLaw::Poisson:
-      return law.Mean;
-    case QuadratLaw::Binomial:
-      return law.Mean * (1.0 - law.Mean / law.Trials);
-    case QuadratLaw::NegativeBinomial:
-      return law.Mean * (1.0 + law.Mean / law.ClusterShape);
-    case QuadratLaw::PoissonPoisson:
-      return law.Mean * (1.0 + law.ClusterMean);
-    case QuadratLaw::PoissonBinomial:
-      return law.Mean * (1.0 + (law.Trials - 1) * law.ClusterSuccess);
-    case QuadratLaw::PoissonNegativeBinomial:
-      return law.Mean * (1.0 + law.ClusterMean * (1.0 + 1.0 / law.ClusterShape));
-  }
-  return 0.0;
+  return TraitsOf(law.Law).CountVariance(law);
 }
 
 std::vector<double> MassFunctionUpTo(const QuadratLawParameters& law, int last)
 {
-  std::vector<double> mass = MassUpTo(law, static_cast<std::size_t>(last) + 1);
+  std::vector<double> mass = TraitsOf(law.Law).Mass(law, static_cast<std::size_t>(last) + 1);
   mass.resize(static_cast<std::size_t>(last) + 1, 0.0);
   return mass;
 }
 
 std::vector<double> MassFunction(const QuadratLawParameters& law, int atLeast)
 {
+  const QuadratLawTraits& traits = TraitsOf(law.Law);
   // First as far as a normal tail reaches, then further while something is left.
   const double first = std::max(Reach(law.Mean, CountVariance(law), 0.0), atLeast + 1.0);
-  const double most = std::max(2.0 * LengthsOf(law).Counts, first);
+  const double most = std::max(2.0 * traits.Lengths(law).Counts, first);
   std::size_t count = static_cast<std::size_t>(first);
   while (static_cast<double>(count) < most)
   {
-    std::vector<double> mass = MassUpTo(law, count);
+    std::vector<double> mass = traits.Mass(law, count);
     double total = 0.0;
     for (double value : mass)
     {
@@ -300,7 +358,7 @@ std::vector<double> MassFunction(const QuadratLawParameters& law, int atLeast)
     }
     count *= 2;
   }
-  return MassUpTo(law, count);
+  return traits.Mass(law, count);
 }
 
 }

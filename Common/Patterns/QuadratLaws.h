@@ -3,6 +3,9 @@
 #ifndef LittoralQuadratLaws_h
 #define LittoralQuadratLaws_h
 
+#include "Numerics/ParameterTraits.h"
+
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,9 +24,6 @@ enum class QuadratLaw
 };
 
 inline constexpr int NumberOfQuadratLaws = 6;
-
-/// The name of a law, as in the enumeration.
-const char* QuadratLawName(QuadratLaw law);
 
 /**
  * A law with its parameters. Mean is that of the points in a quadrat, in every law:
@@ -46,6 +46,34 @@ struct QuadratLawParameters
   double ClusterMean = 2.0;
   double ClusterSuccess = 0.5;
 };
+
+/// The numbers of counts and of sizes of clusters that matter; no sizes in a law without clusters.
+struct QuadratLawLengths
+{
+  double Counts;
+  double Sizes = 0.0;
+};
+
+/// The row of a law: everything that sets it apart but its fit, see QuadratFit. A new law is an enumerator and a row.
+struct QuadratLawTraits
+{
+  const char* Name; ///< as in the enumeration
+  ParameterList<QuadratLawParameters> Parameters;
+  double (*CountVariance)(const QuadratLawParameters&);
+  std::vector<double> (*Mass)(const QuadratLawParameters&, std::size_t count); ///< P(0), P(1)... at least `count`
+  QuadratLawLengths (*Lengths)(const QuadratLawParameters&);
+  /// Why parameters that are allowed one by one make no law together; null where all do.
+  std::string (*WhyInvalid)(const QuadratLawParameters&) = nullptr;
+};
+
+/// The row of a law, which must be one of the enumeration.
+const QuadratLawTraits& TraitsOf(QuadratLaw law);
+
+/// The parameters of all laws, in the order of tables.
+const ParameterList<QuadratLawParameters>& AllQuadratLawParameters();
+
+/// The name of a law, as in the enumeration.
+const char* QuadratLawName(QuadratLaw law);
 
 /// Why these parameters make no law, or one of so many points and so large clusters that it takes seconds, in words for
 /// a user; empty when they do.

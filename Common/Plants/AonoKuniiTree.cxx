@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 
 namespace littoral
 {
@@ -355,6 +356,7 @@ struct Published
   double Ratio1, Ratio2, Angle1, Angle2;
 };
 
+// Length ratios 1 and 2, angles 1 and 2.
 constexpr Published Monopodial[] = { { 0.9, 0.6, 45.0, 45.0 }, { 0.9, 0.9, 45.0, 45.0 }, { 0.9, 0.8, 45.0, 45.0 },
   { 0.9, 0.7, 30.0, -30.0 } };
 constexpr Published Sympodial[] = { { 0.9, 0.7, 5.0, 65.0 }, { 0.9, 0.7, 10.0, 60.0 }, { 0.9, 0.8, 20.0, 50.0 },
@@ -366,7 +368,8 @@ struct PublishedTernary
   int Iterations;
 };
 
-// The figures have y up: (x, y, z) there is (x, -z, y) here.
+// Divergences 1 and 2, angle, elongation, tropism, susceptibility, iterations. The figures have y up: (x, y, z) there
+// is (x, -z, y) here.
 constexpr PublishedTernary Ternary[] = { { 94.74, 132.63, 18.95, 1.109, { 0.0, 0.0, -1.0 }, 0.22, 6 },
   { 137.5, 137.5, 18.95, 1.109, { 0.0, 0.0, -1.0 }, 0.14, 8 },
   { 112.5, 157.5, 22.5, 1.79, { -0.02, 0.0, -1.0 }, 0.27, 8 },
@@ -381,6 +384,7 @@ struct Dress
 };
 
 constexpr Dress Dresses[] = {
+  // trunk's length and radius, size and width of leaves, number of leaves, colors of leaves and bark
   { 1.9, 0.17, 0.27, 0.6, 12000, { 138, 172, 70 }, { 112, 94, 76 } },
   { 1.9, 0.24, 0.28, 0.65, 16000, { 128, 166, 68 }, { 106, 90, 72 } },
   { 2.0, 0.24, 0.28, 0.65, 15000, { 146, 176, 74 }, { 118, 100, 82 } },
@@ -428,11 +432,19 @@ void PutOn(const Dress& dress, AonoKuniiParameters& p)
 
 }
 
+const char* ForkPresetName(ForkPreset preset)
+{
+  constexpr const char* names[] = { "Custom", "MonopodialA", "MonopodialB", "MonopodialC", "MonopodialD", "SympodialA",
+    "SympodialB", "SympodialC", "SympodialD", "TernaryA", "TernaryB", "TernaryC", "TernaryD" };
+  static_assert(std::size(names) == NumberOfForkPresets && std::size(Dresses) + 1 == NumberOfForkPresets);
+  return names[static_cast<int>(preset)];
+}
+
 AonoKuniiParameters PresetParameters(ForkPreset preset)
 {
   AonoKuniiParameters p;
   const int index = static_cast<int>(preset) - 1;
-  if (index < 0 || index > 11)
+  if (index < 0 || index + 1 >= NumberOfForkPresets)
   {
     return p;
   }

@@ -57,6 +57,11 @@ struct AonoKuniiParameters
   int Seed = 1;
 };
 
+inline constexpr int NumberOfForkPresets = 13;
+
+/// The name of a preset, as users see it.
+const char* ForkPresetName(ForkPreset preset);
+
 /// The numbers of a preset; those of Custom are the defaults.
 AonoKuniiParameters PresetParameters(ForkPreset preset);
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace littoral
 {
@@ -402,27 +403,85 @@ Vector3 Turned(const Quadric& quadric, const Vector3& own)
   return { c * own.x - s * own.y, s * own.x + c * own.y, own.z };
 }
 
+// -------------------------------------------------------------------------------------------------------------------
+// Presets: what differs from the defaults, which are those of a tree.
+
+GardnerPlantParameters Tree()
+{
+  return {};
+}
+
+GardnerPlantParameters Cypress()
+{
+  GardnerPlantParameters p;
+  p.Height = 12.0;
+  p.CrownRadius = 1.25;
+  p.CrownBase = 0.5;
+  p.TrunkRadius = 0.16;
+  p.NumberOfQuadrics = 30;
+  p.Texture.Frequency = 6;
+  p.Texture.CenterThreshold = 0.06;
+  p.Texture.SilhouetteThreshold = 0.36;
+  p.Variation = 0.15;
+  p.Leaf = { 96, 134, 78 };
+  p.Bark = { 96, 78, 62 };
+  return p;
+}
+
+GardnerPlantParameters StonePine()
+{
+  GardnerPlantParameters p;
+  p.Height = 12.0;
+  p.CrownRadius = 5.2;
+  p.CrownBase = 7.6;
+  p.TrunkRadius = 0.3;
+  p.NumberOfQuadrics = 26;
+  p.Texture.Frequency = 6;
+  p.Texture.CenterThreshold = 0.07;
+  p.Texture.SilhouetteThreshold = 0.38;
+  p.Variation = 0.15;
+  p.Leaf = { 118, 156, 88 };
+  p.Bark = { 122, 88, 66 };
+  return p;
+}
+
+GardnerPlantParameters Bush()
+{
+  GardnerPlantParameters p;
+  p.Height = 2.2;
+  p.CrownRadius = 1.6;
+  p.CrownBase = 0.05;
+  p.TrunkRadius = 0.05;
+  p.NumberOfQuadrics = 16;
+  p.Texture.Frequency = 6;
+  p.Texture.CenterThreshold = 0.08;
+  p.Texture.SilhouetteThreshold = 0.4;
+  p.Variation = 0.3;
+  p.Leaf = { 170, 182, 90 };
+  p.Bark = { 96, 82, 66 };
+  return p;
+}
+
+/// In the order of the enumeration.
+constexpr GardnerPresetTraits Presets[] = {
+  { "Custom", Tree },
+  { "Tree", Tree },
+  { "Cypress", Cypress },
+  { "StonePine", StonePine },
+  { "Bush", Bush },
+};
+static_assert(std::size(Presets) == NumberOfGardnerPresets, "a row a preset");
+
+}
+
+const GardnerPresetTraits& TraitsOf(GardnerPreset preset)
+{
+  return Presets[static_cast<int>(preset)];
 }
 
 GardnerPlantParameters PresetParameters(GardnerPreset preset)
 {
-  GardnerPlantParameters p;
-  switch (preset)
-  {
-    case GardnerPreset::Cypress:
-      p = { 12.0, 1.25, 0.5, 0.16, 30, 3, { 6, 6, 6.0, 1.0, 0.06, 0.36 }, 0.15, { 96, 134, 78 }, { 96, 78, 62 }, 1 };
-      break;
-    case GardnerPreset::StonePine:
-      p = { 12.0, 5.2, 7.6, 0.3, 26, 3, { 6, 6, 6.0, 1.0, 0.07, 0.38 }, 0.15, { 118, 156, 88 }, { 122, 88, 66 }, 1 };
-      break;
-    case GardnerPreset::Bush:
-      p = { 2.2, 1.6, 0.05, 0.05, 16, 3, { 6, 6, 6.0, 1.0, 0.08, 0.4 }, 0.3, { 170, 182, 90 }, { 96, 82, 66 }, 1 };
-      break;
-    case GardnerPreset::Custom:
-    case GardnerPreset::Tree:
-      break;
-  }
-  return p;
+  return TraitsOf(preset).Parameters();
 }
 
 std::string WhyInvalid(const GardnerPlantParameters& p)

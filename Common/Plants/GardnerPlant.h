@@ -38,6 +38,18 @@ struct GardnerPlantParameters
   int Seed = 1;
 };
 
+inline constexpr int NumberOfGardnerPresets = 5;
+
+/// The row of a preset.
+struct GardnerPresetTraits
+{
+  const char* Name; ///< as in the enumeration
+  GardnerPlantParameters (*Parameters)();
+};
+
+/// The row of a preset, which must be one of the enumeration.
+const GardnerPresetTraits& TraitsOf(GardnerPreset preset);
+
 /// The numbers of a preset; those of Custom are the defaults.
 GardnerPlantParameters PresetParameters(GardnerPreset preset);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace littoral
 {
@@ -290,30 +291,106 @@ private:
   }
 };
 
+// -------------------------------------------------------------------------------------------------------------------
+// Presets: what differs from the defaults, which are those of an oak.
+
+ReevesTreeParameters Oak()
+{
+  return {};
+}
+
+ReevesTreeParameters Pine()
+{
+  ReevesTreeParameters p;
+  p.Shape = CrownShape::Cone;
+  p.Height = 15.0;
+  p.CrownRadius = 3.0;
+  p.CrownBase = 1.0;
+  p.TrunkRadius = 0.2;
+  p.TrunkReach = 0.985;
+  p.Orders = 2;
+  p.MainBranches = 90;
+  p.SideBranches = 8;
+  p.BranchAngle = 92.0;
+  p.Lift = -0.05;
+  p.Variation = 0.12;
+  p.NumberOfLeaves = 11000;
+  p.LeafSize = 0.36;
+  p.LeafWidth = 0.34;
+  p.Leaf = { 76, 114, 74 };
+  p.Bark = { 92, 70, 56 };
+  p.Form = LeafForm::Needle;
+  return p;
+}
+
+ReevesTreeParameters Birch()
+{
+  ReevesTreeParameters p;
+  p.Shape = CrownShape::Ellipsoid;
+  p.Height = 13.0;
+  p.CrownRadius = 2.7;
+  p.CrownBase = 2.6;
+  p.TrunkRadius = 0.13;
+  p.TrunkReach = 0.95;
+  p.Orders = 3;
+  p.MainBranches = 36;
+  p.SideBranches = 5;
+  p.BranchAngle = 48.0;
+  p.Lift = -0.05;
+  p.Variation = 0.2;
+  p.NumberOfLeaves = 9000;
+  p.LeafSize = 0.2;
+  p.LeafWidth = 0.75;
+  p.Leaf = { 162, 184, 78 };
+  p.Bark = { 222, 218, 208 };
+  p.Form = LeafForm::Blade;
+  return p;
+}
+
+ReevesTreeParameters Shrub()
+{
+  ReevesTreeParameters p;
+  p.Shape = CrownShape::Ellipsoid;
+  p.Height = 2.0;
+  p.CrownRadius = 1.4;
+  p.CrownBase = 0.05;
+  p.TrunkRadius = 0.04;
+  p.TrunkReach = 0.4;
+  p.Orders = 3;
+  p.MainBranches = 18;
+  p.SideBranches = 6;
+  p.BranchAngle = 58.0;
+  p.Lift = 0.06;
+  p.Variation = 0.25;
+  p.NumberOfLeaves = 5000;
+  p.LeafSize = 0.11;
+  p.LeafWidth = 0.6;
+  p.Leaf = { 120, 154, 80 };
+  p.Bark = { 96, 82, 66 };
+  p.Form = LeafForm::Blade;
+  return p;
+}
+
+/// In the order of the enumeration.
+constexpr TreePresetTraits Presets[] = {
+  { "Custom", Oak, WoodSpecies::Custom },
+  { "Pine", Pine, WoodSpecies::Pine },
+  { "Oak", Oak, WoodSpecies::Oak },
+  { "Birch", Birch, WoodSpecies::Birch },
+  { "Shrub", Shrub, WoodSpecies::Shrub },
+};
+static_assert(std::size(Presets) == NumberOfTreePresets, "a row a preset");
+
+}
+
+const TreePresetTraits& TraitsOf(TreePreset preset)
+{
+  return Presets[static_cast<int>(preset)];
 }
 
 ReevesTreeParameters PresetParameters(TreePreset preset)
 {
-  ReevesTreeParameters p;
-  switch (preset)
-  {
-    case TreePreset::Pine:
-      p = { CrownShape::Cone, 15.0, 3.0, 1.0, 0.2, 0.985, 2, 90, 8, 92.0, -0.05, 0.12, 11000, 0.36, 0.34,
-        { 76, 114, 74 }, { 92, 70, 56 }, LeafForm::Needle, 1 };
-      break;
-    case TreePreset::Birch:
-      p = { CrownShape::Ellipsoid, 13.0, 2.7, 2.6, 0.13, 0.95, 3, 36, 5, 48.0, -0.05, 0.2, 9000, 0.2, 0.75,
-        { 162, 184, 78 }, { 222, 218, 208 }, LeafForm::Blade, 1 };
-      break;
-    case TreePreset::Shrub:
-      p = { CrownShape::Ellipsoid, 2.0, 1.4, 0.05, 0.04, 0.4, 3, 18, 6, 58.0, 0.06, 0.25, 5000, 0.11, 0.6,
-        { 120, 154, 80 }, { 96, 82, 66 }, LeafForm::Blade, 1 };
-      break;
-    case TreePreset::Custom:
-    case TreePreset::Oak:
-      break;
-  }
-  return p;
+  return TraitsOf(preset).Parameters();
 }
 
 ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter)

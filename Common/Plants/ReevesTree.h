@@ -4,6 +4,7 @@
 #define LittoralReevesTree_h
 
 #include "Plants/Plant.h"
+#include "Plants/WoodParameters.h"
 
 #include <string>
 
@@ -43,6 +44,19 @@ struct ReevesTreeParameters
   LeafForm Form = LeafForm::Blade;
   int Seed = 1;
 };
+
+inline constexpr int NumberOfTreePresets = 5;
+
+/// The row of a preset.
+struct TreePresetTraits
+{
+  const char* Name; ///< as in the enumeration
+  ReevesTreeParameters (*Parameters)();
+  WoodSpecies Wood;
+};
+
+/// The row of a preset, which must be one of the enumeration.
+const TreePresetTraits& TraitsOf(TreePreset preset);
 
 /// The numbers of a preset; those of Custom are the defaults.
 ReevesTreeParameters PresetParameters(TreePreset preset);

@@ -4,6 +4,8 @@
 
 #include "Numerics/ParameterCheck.h"
 
+#include <iterator>
+
 namespace littoral
 {
 
@@ -13,24 +15,22 @@ namespace
 /// Of the second moment of area of a stem with its bark, which is 15 % of its volume and bears next to nothing.
 constexpr double StiffPart = 0.85 * 0.85;
 
+/// In the order of the enumeration.
+constexpr WoodParameters Rows[] = {
+  // Young's modulus, density, damping ratio
+  {},                                  // Custom
+  { StiffPart * 5.8e9, 850.0, 0.08 },  // Pine
+  { StiffPart * 6.9e9, 1020.0, 0.08 }, // Oak
+  { StiffPart * 7.05e9, 870.0, 0.08 }, // Birch
+  { StiffPart * 7.05e9, 950.0, 0.1 },  // Shrub
+};
+static_assert(std::size(Rows) == NumberOfWoodSpecies, "a row a species");
+
 }
 
 WoodParameters ParametersOf(WoodSpecies species)
 {
-  switch (species)
-  {
-    case WoodSpecies::Pine:
-      return { StiffPart * 5.8e9, 850.0, 0.08 };
-    case WoodSpecies::Oak:
-      return { StiffPart * 6.9e9, 1020.0, 0.08 };
-    case WoodSpecies::Birch:
-      return { StiffPart * 7.05e9, 870.0, 0.08 };
-    case WoodSpecies::Shrub:
-      return { StiffPart * 7.05e9, 950.0, 0.1 };
-    case WoodSpecies::Custom:
-      break;
-  }
-  return {};
+  return Rows[static_cast<int>(species)];
 }
 
 std::string WhyInvalid(const WoodParameters& wood)

@@ -30,6 +30,8 @@ enum class WoodSpecies
   Shrub = 4,
 };
 
+inline constexpr int NumberOfWoodSpecies = 5;
+
 /**
  * Moduli are those of living wood in the Stuttgart catalogue of strengths (Wessolly and Erb 1998): Pinus
  * sylvestris 5.8, Quercus robur 6.9, Betula pendula 7.05 GPa, times 0.85 squared, since 15 % of a stem's volume is

@@ -355,6 +355,14 @@ private:
   }
 };
 
+// -------------------------------------------------------------------------------------------------------------------
+// Presets: what differs from the defaults, which are those of a sugar kelp.
+
+SeaweedParameters SugarKelp()
+{
+  return {};
+}
+
 SeaweedParameters GiantKelp()
 {
   SeaweedParameters p;
@@ -406,19 +414,25 @@ SeaweedParameters Eelgrass()
   return p;
 }
 
+/// In the order of the enumeration.
+constexpr SeaweedPresetTraits Presets[] = {
+  { "Custom", SugarKelp },
+  { "SugarKelp", SugarKelp },
+  { "GiantKelp", GiantKelp },
+  { "Eelgrass", Eelgrass },
+};
+static_assert(std::size(Presets) == NumberOfSeaweedPresets, "a row a preset");
+
+}
+
+const SeaweedPresetTraits& TraitsOf(SeaweedPreset preset)
+{
+  return Presets[static_cast<int>(preset)];
 }
 
 SeaweedParameters PresetParameters(SeaweedPreset preset)
 {
-  switch (preset)
-  {
-    case SeaweedPreset::GiantKelp:
-      return GiantKelp();
-    case SeaweedPreset::Eelgrass:
-      return Eelgrass();
-    default:
-      return {};
-  }
+  return TraitsOf(preset).Parameters();
 }
 
 std::string WhyInvalid(const SeaweedParameters& p)

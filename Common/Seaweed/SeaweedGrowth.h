@@ -57,6 +57,18 @@ struct SeaweedParameters
   int Seed = 1;
 };
 
+inline constexpr int NumberOfSeaweedPresets = 4;
+
+/// The row of a preset.
+struct SeaweedPresetTraits
+{
+  const char* Name; ///< as in the enumeration
+  SeaweedParameters (*Parameters)();
+};
+
+/// The row of a preset, which must be one of the enumeration.
+const SeaweedPresetTraits& TraitsOf(SeaweedPreset preset);
+
 /**
  * The numbers of a preset; those of Custom are the defaults. Sizes are those of grown plants. Moduli of kelp lie within
  * what Harder, Hurd and Speck (2006) measured on stipes, from 6 MPa in tension to 109 MPa in bending; their tissue

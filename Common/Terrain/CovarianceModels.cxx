@@ -7,7 +7,7 @@
 #include <boost/math/special_functions/bessel.hpp>
 
 #include <cmath>
-#include <sstream>
+#include <iterator>
 
 namespace littoral
 {
@@ -87,6 +87,143 @@ double IntegralOfBesselJ0(double x)
   return 2.0 * odd / (2.0 * even - here);
 }
 
+// -------------------------------------------------------------------------------------------------------------------
+// Exponentials of the distance and of its square.
+
+double ExponentialCorrelation(const CovarianceParameters& field, double r)
+{
+  return std::exp(-(r / field.Range));
+}
+
+double ExponentialSpectrum(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  const double q = 1.0 / (1.0 + x * x);
+  return field.Range * x * q * std::sqrt(q);
+}
+
+double ExponentialBelow(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  return -std::expm1(-0.5 * std::log1p(x * x));
+}
+
+double GaussianCorrelation(const CovarianceParameters& field, double r)
+{
+  const double x = r / field.Range;
+  return std::exp(-x * x);
+}
+
+double GaussianSpectrum(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  return 0.5 * field.Range * x * std::exp(-0.25 * x * x);
+}
+
+double GaussianBelow(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  return -std::expm1(-0.25 * x * x);
+}
+
+// -------------------------------------------------------------------------------------------------------------------
+// Bessel functions.
+
+double Bessel1Correlation(const CovarianceParameters& field, double r)
+{
+  return Whittle(r / field.Range);
+}
+
+double Bessel1Spectrum(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  const double q = 1.0 / (1.0 + x * x);
+  return 2.0 * field.Range * x * q * q;
+}
+
+double Bessel1Below(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  return x * x / (1.0 + x * x);
+}
+
+double Bessel2Correlation(const CovarianceParameters& field, double r)
+{
+  const double x = r / field.Range;
+  return x > 0.0 ? Whittle(x) - 0.5 * x * x * ScaledBesselK(0, x) : 1.0;
+}
+
+double Bessel2Spectrum(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  const double q = 1.0 / (1.0 + x * x);
+  return 4.0 * field.Range * x * x * x * q * q * q;
+}
+
+double Bessel2Below(const CovarianceParameters& field, double w)
+{
+  const double p = Bessel1Below(field, w);
+  return p * p;
+}
+
+// -------------------------------------------------------------------------------------------------------------------
+// Telis: with equal scales it is Bessel 1.
+
+/// log of the two scales' ratio.
+double TelisLogRatio(const CovarianceParameters& field)
+{
+  return std::log(field.Range / field.SecondRange);
+}
+
+bool IsDegenerateTelis(const CovarianceParameters& field)
+{
+  return std::abs(TelisLogRatio(field)) < 1e-5;
+}
+
+double TelisCorrelation(const CovarianceParameters& field, double r)
+{
+  if (IsDegenerateTelis(field))
+  {
+    return Bessel1Correlation(field, r);
+  }
+  if (r <= 0.0)
+  {
+    return 1.0;
+  }
+  return (ScaledBesselK(0, r / field.Range) - ScaledBesselK(0, r / field.SecondRange)) / TelisLogRatio(field);
+}
+
+double TelisSpectrum(const CovarianceParameters& field, double w)
+{
+  if (IsDegenerateTelis(field))
+  {
+    return Bessel1Spectrum(field, w);
+  }
+  const double k1 = 1.0 / field.Range;
+  const double k2 = 1.0 / field.SecondRange;
+  return w * (k2 * k2 - k1 * k1) / ((w * w + k1 * k1) * (w * w + k2 * k2) * TelisLogRatio(field));
+}
+
+double TelisBelow(const CovarianceParameters& field, double w)
+{
+  if (IsDegenerateTelis(field))
+  {
+    return Bessel1Below(field, w);
+  }
+  const double x = w * field.Range;
+  const double x2 = w * field.SecondRange;
+  return 0.5 * (std::log1p(x * x) - std::log1p(x2 * x2)) / TelisLogRatio(field);
+}
+
+// -------------------------------------------------------------------------------------------------------------------
+// Spherical.
+
+double SphericalCorrelation(const CovarianceParameters& field, double r)
+{
+  const double x = r / field.Range;
+  return x < 1.0 ? 1.0 - 1.5 * x + 0.5 * x * x * x : 0.0;
+}
+
 /**
  * Power series of the spherical model's spectrum in x = w a, for x < 1 where the closed form cancels. The moments are
  * those of 1 - 3s/2 + s^3/2 on the unit interval.
@@ -104,7 +241,8 @@ double SphericalSeries(double x, bool integrated)
   return sum;
 }
 
-double SphericalSpectrum(double x)
+/// The spectrum over a, of x = w a.
+double ReducedSphericalSpectrum(double x)
 {
   if (x < 1.0)
   {
@@ -115,8 +253,18 @@ double SphericalSpectrum(double x)
   return 1.5 * A / x2 + 4.5 * (A / (x2 * x2) - BesselJ(0, x) / (x2 * x) - BesselJ(1, x) / x2);
 }
 
-double SphericalBelow(double x)
+double SphericalSpectrum(const CovarianceParameters& field, double w)
 {
+  return field.Range * ReducedSphericalSpectrum(w * field.Range);
+}
+
+double SphericalBelow(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  if (!(x > 0.0))
+  {
+    return 0.0;
+  }
   if (x < 1.0)
   {
     return SphericalSeries(x, true);
@@ -125,32 +273,8 @@ double SphericalBelow(double x)
   return 1.0 - 1.5 / x * (A - BesselJ(1, x) - BesselJ(0, x) / x + A / (x * x));
 }
 
-/// log of the two scales' ratio; Telis with equal scales is Bessel 1.
-double TelisLogRatio(const CovarianceParameters& field)
-{
-  return std::log(field.Range / field.SecondRange);
-}
-
-CovarianceParameters AsBessel1(const CovarianceParameters& telis)
-{
-  CovarianceParameters limit = telis;
-  limit.Model = CovarianceModel::Bessel1;
-  return limit;
-}
-
-bool IsDegenerateTelis(const CovarianceParameters& field)
-{
-  return field.Model == CovarianceModel::Telis && std::abs(TelisLogRatio(field)) < 1e-5;
-}
-
-double TelisCorrelation(const CovarianceParameters& field, double r)
-{
-  if (r <= 0.0)
-  {
-    return 1.0;
-  }
-  return (ScaledBesselK(0, r / field.Range) - ScaledBesselK(0, r / field.SecondRange)) / TelisLogRatio(field);
-}
+// -------------------------------------------------------------------------------------------------------------------
+// Fractal: a power law above w0 = 2 pi / Range.
 
 /// Half of the exponent of the variogram, r^(2H).
 double HurstExponent(const CovarianceParameters& field)
@@ -162,7 +286,7 @@ double HurstExponent(const CovarianceParameters& field)
  * 1 - C/s2 of the power spectrum cut off below w0, x = w0 r. The uncut variogram is a pure power of x; the part below
  * w0 is an alternating series, of use up to x of about 22; an asymptotic series takes over beyond.
  */
-double FractalUncorrelation(double H, double x)
+double CutPowerVariogram(double H, double x)
 {
   if (x <= 0.0)
   {
@@ -183,149 +307,109 @@ double FractalUncorrelation(double H, double x)
   return 1.0 - 2.0 * H / x * ScaledTailOfBesselJ0(2.0 * H + 1.0, x);
 }
 
-double Correlation(const CovarianceParameters& field, double r)
+double FractalUncorrelation(const CovarianceParameters& field, double r)
 {
-  const double x = r / field.Range;
-  switch (field.Model)
-  {
-    case CovarianceModel::Fractal:
-      return 1.0 - FractalUncorrelation(HurstExponent(field), TwoPi * x);
-    case CovarianceModel::SimpleExponential:
-      return std::exp(-x);
-    case CovarianceModel::DoubleExponential:
-      return std::exp(-x * x);
-    case CovarianceModel::Bessel1:
-      return Whittle(x);
-    case CovarianceModel::Bessel2:
-      return x > 0.0 ? Whittle(x) - 0.5 * x * x * ScaledBesselK(0, x) : 1.0;
-    case CovarianceModel::Telis:
-      return IsDegenerateTelis(field) ? Whittle(x) : TelisCorrelation(field, r);
-    case CovarianceModel::Spherical:
-      return x < 1.0 ? 1.0 - 1.5 * x + 0.5 * x * x * x : 0.0;
-  }
-  return 0.0;
+  return CutPowerVariogram(HurstExponent(field), TwoPi * r / field.Range);
 }
 
+double FractalCorrelation(const CovarianceParameters& field, double r)
+{
+  return 1.0 - CutPowerVariogram(HurstExponent(field), TwoPi * (r / field.Range));
+}
+
+double FractalLowest(const CovarianceParameters& field)
+{
+  return TwoPi / field.Range;
+}
+
+double FractalSpectrum(const CovarianceParameters& field, double w)
+{
+  const double w0 = FractalLowest(field);
+  const double H = HurstExponent(field);
+  return w < w0 ? 0.0 : 2.0 * H / w0 * std::pow(w / w0, -2.0 * H - 1.0);
+}
+
+double FractalBelow(const CovarianceParameters& field, double w)
+{
+  const double x = w * field.Range;
+  return x <= TwoPi ? 0.0 : 1.0 - std::pow(x / TwoPi, -2.0 * HurstExponent(field));
+}
+
+// -------------------------------------------------------------------------------------------------------------------
+// Rows.
+
+using Field = CovarianceParameters;
+
+constexpr auto Variance = MakeParameter<Field, &Field::Variance>("Variance", "m2", ValueInterval::NotNegative());
+constexpr auto Range = MakeParameter<Field, &Field::Range>("Range", "m", ValueInterval::Positive());
+constexpr auto SecondRange = MakeParameter<Field, &Field::SecondRange>("SecondRange", "m", ValueInterval::Positive());
+constexpr auto Dimension =
+  MakeParameter<Field, &Field::FractalDimension>("FractalDimension", "", ValueInterval::Between(2.0, 3.0));
+
+constexpr ParameterList<Field> AllParameters = { { &Variance, &Range, &SecondRange, &Dimension } };
+
+/// In the order of the enumeration.
+constexpr CovarianceTraits Rows[] = {
+  // name, correlation, spectrum, spectrum below, parameters, scale of Range, uncorrelation, lowest wave number
+  { "Fractal", FractalCorrelation, FractalSpectrum, FractalBelow, { { &Variance, &Range, &Dimension } }, 1.0,
+    FractalUncorrelation, FractalLowest },
+  { "SimpleExponential", ExponentialCorrelation, ExponentialSpectrum, ExponentialBelow, { { &Variance, &Range } } },
+  { "DoubleExponential", GaussianCorrelation, GaussianSpectrum, GaussianBelow, { { &Variance, &Range } } },
+  { "Bessel1", Bessel1Correlation, Bessel1Spectrum, Bessel1Below, { { &Variance, &Range } } },
+  { "Bessel2", Bessel2Correlation, Bessel2Spectrum, Bessel2Below, { { &Variance, &Range } } },
+  { "Telis", TelisCorrelation, TelisSpectrum, TelisBelow, { { &Variance, &Range, &SecondRange } } },
+  { "Spherical", SphericalCorrelation, SphericalSpectrum, SphericalBelow, { { &Variance, &Range } }, 2.0 },
+};
+static_assert(std::size(Rows) == NumberOfCovarianceModels, "a row a model");
+
+}
+
+const CovarianceTraits& TraitsOf(CovarianceModel model)
+{
+  return Rows[static_cast<int>(model)];
+}
+
+const ParameterList<CovarianceParameters>& AllCovarianceParameters()
+{
+  return AllParameters;
 }
 
 const char* CovarianceModelName(CovarianceModel model)
 {
-  static const char* const names[NumberOfCovarianceModels] = { "Fractal", "SimpleExponential", "DoubleExponential",
-    "Bessel1", "Bessel2", "Telis", "Spherical" };
-  return names[static_cast<int>(model)];
+  return TraitsOf(model).Name;
+}
+
+double LowestWaveNumber(const CovarianceParameters& field)
+{
+  const CovarianceTraits& traits = TraitsOf(field.Model);
+  return traits.LowestWaveNumber ? traits.LowestWaveNumber(field) : 0.0;
 }
 
 std::string WhyInvalid(const CovarianceParameters& field)
 {
-  const auto complain = [](const char* what, double value, const char* wanted) {
-    std::ostringstream text;
-    text << what << " is " << value << "; it must be " << wanted << ".";
-    return text.str();
-  };
-  const int model = static_cast<int>(field.Model);
-  if (model < 0 || model >= NumberOfCovarianceModels)
-  {
-    return complain("Model", model, "one of 0 to 6");
-  }
-  if (!std::isfinite(field.Variance) || field.Variance < 0.0)
-  {
-    return complain("Variance", field.Variance, "finite and not negative");
-  }
-  if (!std::isfinite(field.Range) || field.Range <= 0.0)
-  {
-    return complain("Range", field.Range, "finite and positive");
-  }
-  if (field.Model == CovarianceModel::Telis && (!std::isfinite(field.SecondRange) || field.SecondRange <= 0.0))
-  {
-    return complain("SecondRange", field.SecondRange, "finite and positive");
-  }
-  if (field.Model == CovarianceModel::Fractal && !(field.FractalDimension > 2.0 && field.FractalDimension < 3.0))
-  {
-    return complain("FractalDimension", field.FractalDimension, "between 2 and 3, both excluded");
-  }
-  return {};
+  const std::string reason = WhyNoRow("Model", static_cast<int>(field.Model), NumberOfCovarianceModels);
+  return reason.empty() ? TraitsOf(field.Model).Parameters.WhyInvalid(field) : reason;
 }
 
 double Covariance(const CovarianceParameters& field, double r)
 {
-  return field.Variance * Correlation(field, r);
+  return field.Variance * TraitsOf(field.Model).Correlation(field, r);
 }
 
 double Semivariance(const CovarianceParameters& field, double r)
 {
-  if (field.Model == CovarianceModel::Fractal)
-  {
-    return field.Variance * FractalUncorrelation(HurstExponent(field), TwoPi * r / field.Range);
-  }
-  return field.Variance * (1.0 - Correlation(field, r));
+  const CovarianceTraits& traits = TraitsOf(field.Model);
+  return field.Variance * (traits.Uncorrelation ? traits.Uncorrelation(field, r) : 1.0 - traits.Correlation(field, r));
 }
 
-double RadialSpectrum(const CovarianceParameters& field, double w)
+double RadialSpectrum(const CovarianceParameters& field, double waveNumber)
 {
-  const double a = field.Range;
-  const double x = w * a;
-  const double q = 1.0 / (1.0 + x * x);
-  switch (field.Model)
-  {
-    case CovarianceModel::Fractal:
-    {
-      const double w0 = TwoPi / a;
-      const double H = HurstExponent(field);
-      return w < w0 ? 0.0 : 2.0 * H / w0 * std::pow(w / w0, -2.0 * H - 1.0);
-    }
-    case CovarianceModel::SimpleExponential:
-      return a * x * q * std::sqrt(q);
-    case CovarianceModel::DoubleExponential:
-      return 0.5 * a * x * std::exp(-0.25 * x * x);
-    case CovarianceModel::Bessel1:
-      return 2.0 * a * x * q * q;
-    case CovarianceModel::Bessel2:
-      return 4.0 * a * x * x * x * q * q * q;
-    case CovarianceModel::Telis:
-    {
-      if (IsDegenerateTelis(field))
-      {
-        return RadialSpectrum(AsBessel1(field), w);
-      }
-      const double k1 = 1.0 / field.Range;
-      const double k2 = 1.0 / field.SecondRange;
-      return w * (k2 * k2 - k1 * k1) / ((w * w + k1 * k1) * (w * w + k2 * k2) * TelisLogRatio(field));
-    }
-    case CovarianceModel::Spherical:
-      return a * SphericalSpectrum(x);
-  }
-  return 0.0;
+  return TraitsOf(field.Model).Spectrum(field, waveNumber);
 }
 
-double SpectrumBelow(const CovarianceParameters& field, double w)
+double SpectrumBelow(const CovarianceParameters& field, double waveNumber)
 {
-  const double x = w * field.Range;
-  const double p = x * x / (1.0 + x * x);
-  switch (field.Model)
-  {
-    case CovarianceModel::Fractal:
-      return x <= TwoPi ? 0.0 : 1.0 - std::pow(x / TwoPi, -2.0 * HurstExponent(field));
-    case CovarianceModel::SimpleExponential:
-      return -std::expm1(-0.5 * std::log1p(x * x));
-    case CovarianceModel::DoubleExponential:
-      return -std::expm1(-0.25 * x * x);
-    case CovarianceModel::Bessel1:
-      return p;
-    case CovarianceModel::Bessel2:
-      return p * p;
-    case CovarianceModel::Telis:
-    {
-      if (IsDegenerateTelis(field))
-      {
-        return SpectrumBelow(AsBessel1(field), w);
-      }
-      const double x2 = w * field.SecondRange;
-      return 0.5 * (std::log1p(x * x) - std::log1p(x2 * x2)) / TelisLogRatio(field);
-    }
-    case CovarianceModel::Spherical:
-      return x > 0.0 ? SphericalBelow(x) : 0.0;
-  }
-  return 0.0;
+  return TraitsOf(field.Model).SpectrumBelow(field, waveNumber);
 }
 
 double WaveNumberAtTail(const CovarianceParameters& field, double part)

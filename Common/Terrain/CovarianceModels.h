@@ -3,6 +3,8 @@
 #ifndef LittoralCovarianceModels_h
 #define LittoralCovarianceModels_h
 
+#include "Numerics/ParameterTraits.h"
+
 #include <string>
 
 namespace littoral
@@ -21,9 +23,6 @@ enum class CovarianceModel
 };
 
 inline constexpr int NumberOfCovarianceModels = 7;
-
-/// The name of a model, as in the enumeration.
-const char* CovarianceModelName(CovarianceModel model);
 
 /**
  * An isotropic random field of the plane. With b = 1 / Range and s2 = Variance, at distance r:
@@ -46,6 +45,37 @@ struct CovarianceParameters
   double SecondRange = 0.1;      ///< [m], Telis only
   double FractalDimension = 2.3; ///< D of the surface, 2 < D < 3, Fractal only
 };
+
+/// The row of a model: everything that sets it apart. A new model is an enumerator and a row.
+struct CovarianceTraits
+{
+  using Function = double (*)(const CovarianceParameters&, double);
+
+  const char* Name;       ///< as in the enumeration
+  Function Correlation;   ///< C(r) / s2
+  Function Spectrum;      ///< f(w)
+  Function SpectrumBelow; ///< integral of f from 0 to w
+  ParameterList<CovarianceParameters> Parameters;
+  /// Distance at which correlation has fallen to about a third, as part of that of an exponential of the same Range:
+  /// by it the longest range of a fit is multiplied.
+  double RangeScale = 1.0;
+  /// 1 - C(r) / s2 where it cannot be had from the correlation without cancellation; else null.
+  Function Uncorrelation = nullptr;
+  /// Wave number below which there is no power; null where the spectrum begins at 0.
+  double (*LowestWaveNumber)(const CovarianceParameters&) = nullptr;
+};
+
+/// The row of a model, which must be one of the enumeration.
+const CovarianceTraits& TraitsOf(CovarianceModel model);
+
+/// The parameters of all models, in the order of tables.
+const ParameterList<CovarianceParameters>& AllCovarianceParameters();
+
+/// The name of a model, as in the enumeration.
+const char* CovarianceModelName(CovarianceModel model);
+
+/// Wave number below which there is no power [rad/m].
+double LowestWaveNumber(const CovarianceParameters& field);
 
 /// Why these parameters describe no field, in words for a user; empty when they do.
 std::string WhyInvalid(const CovarianceParameters& field);

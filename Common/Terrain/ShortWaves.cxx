@@ -72,7 +72,8 @@ class LongDecay
 public:
   LongDecay(const CovarianceParameters& field, const Crossover& crossover)
   {
-    const double lowest = field.Model == CovarianceModel::Fractal ? TwoPi / field.Range : 1e-4 * crossover.Low;
+    const double cut = LowestWaveNumber(field);
+    const double lowest = cut > 0.0 ? cut : 1e-4 * crossover.Low;
     for (double w = lowest; w < crossover.Low; w *= 2.0)
     {
       this->Waves.AddPanel(w, std::min(2.0 * w, crossover.Low));

@@ -299,10 +299,9 @@ LineSpectrum CutSpectrum(
   const CovarianceParameters& field = parameters.Field;
   const double highest = crossover ? crossover->High : std::min(WaveNumberAtTail(field, CutTail), limit);
   const int count = parameters.NumberOfHarmonics;
-  const bool fractal = field.Model == CovarianceModel::Fractal;
-  const double lowest = fractal ? std::min(TwoPi / field.Range, 0.5 * highest) : 0.0;
+  const double lowest = std::min(LowestWaveNumber(field), 0.5 * highest);
   LineSpectrum spectrum;
-  if (parameters.Bins == HarmonicBins::Uniform || fractal)
+  if (parameters.Bins == HarmonicBins::Uniform || lowest > 0.0)
   {
     const bool geometric = parameters.Bins == HarmonicBins::Adaptive;
     spectrum.Edges.resize(count + 1);
@@ -368,7 +367,7 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
   {
     return reason;
   }
-  const bool isFractal = parameters.Field.Model == CovarianceModel::Fractal;
+  const bool hasLargestWave = LowestWaveNumber(parameters.Field) > 0.0;
   ParameterCheck check;
   check.Count("NumberOfLines", parameters.NumberOfLines, 1, std::numeric_limits<int>::max());
   check.Count("NumberOfHarmonics", parameters.NumberOfHarmonics, 1, std::numeric_limits<int>::max());
@@ -376,7 +375,7 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
     "AnisotropyRatio is " + TextOf(parameters.AnisotropyRatio) + "; it must be finite and at least 1.");
   check.Finite("AnisotropyAngle", parameters.AnisotropyAngle);
   check.NotNegative("ShortestWavelength", parameters.ShortestWavelength);
-  check.Require(!isFractal || parameters.Field.Range > parameters.ShortestWavelength,
+  check.Require(!hasLargestWave || parameters.Field.Range > parameters.ShortestWavelength,
     "Range is " + TextOf(parameters.Field.Range) +
       "; the largest wavelength of a fractal field must exceed its shortest, " + TextOf(parameters.ShortestWavelength) +
       ".");

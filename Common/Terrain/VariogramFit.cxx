@@ -36,13 +36,14 @@ public:
   Unknowns(CovarianceModel model, const VariogramFitOptions& options)
     : Model(model)
     , Options(options)
+    , HasSecondRange(TraitsOf(model).Parameters.Has("SecondRange"))
+    , HasDimension(TraitsOf(model).Parameters.Has("FractalDimension"))
   {
   }
 
   int Count() const
   {
-    return 1 + this->HasVariance() + (this->Model == CovarianceModel::Telis) + this->Options.Nugget +
-      2 * this->Options.Anisotropy;
+    return 1 + this->HasVariance() + this->HasSecondRange + this->Options.Nugget + 2 * this->Options.Anisotropy;
   }
 
   Eigen::VectorXd Pack(const VariogramFit& fit) const
@@ -53,7 +54,7 @@ public:
     {
       unknowns[n++] = std::log(fit.Field.Variance);
     }
-    if (this->Model == CovarianceModel::Fractal)
+    if (this->HasDimension)
     {
       unknowns[n++] = std::log((fit.Field.FractalDimension - 2.0) / (3.0 - fit.Field.FractalDimension));
     }
@@ -61,7 +62,7 @@ public:
     {
       unknowns[n++] = this->RangeToUnknown(fit.Field.Range);
     }
-    if (this->Model == CovarianceModel::Telis)
+    if (this->HasSecondRange)
     {
       unknowns[n++] = this->RangeToUnknown(fit.Field.SecondRange);
     }
@@ -85,7 +86,7 @@ public:
     fit.Field.Model = this->Model;
     int n = 0;
     fit.Field.Variance = this->HasVariance() ? expHeld(unknowns[n++]) : 1.0;
-    if (this->Model == CovarianceModel::Fractal)
+    if (this->HasDimension)
     {
       fit.Field.Range = this->Options.FractalRange;
       const double dimension = 2.0 + 1.0 / (1.0 + expHeld(-unknowns[n++]));
@@ -95,7 +96,7 @@ public:
     {
       fit.Field.Range = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
     }
-    if (this->Model == CovarianceModel::Telis)
+    if (this->HasSecondRange)
     {
       fit.Field.SecondRange = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
     }
@@ -119,7 +120,7 @@ public:
   /// Whether the fit is held by a bound; of a fit as it was unpacked, with the longest range in hand.
   bool IsAtBound(const VariogramFit& fit, double shortestLag) const
   {
-    if (this->Model == CovarianceModel::Fractal)
+    if (this->HasDimension)
     {
       return std::abs(fit.Field.FractalDimension - 2.5) > 0.49;
     }
@@ -128,18 +129,15 @@ public:
     const auto isHeld = [=](double range) {
       return range * longest > 0.99 * this->LongestRange() || range * shortest < 0.25 * shortestLag;
     };
-    return isHeld(fit.Field.Range) || (this->Model == CovarianceModel::Telis && isHeld(fit.Field.SecondRange));
+    return isHeld(fit.Field.Range) || (this->HasSecondRange && isHeld(fit.Field.SecondRange));
   }
 
 private:
   /// The variance of a window that is known follows from the other unknowns.
   bool HasVariance() const { return this->Options.Window == nullptr; }
 
-  /// The spherical model's range is where correlation ends, the others' where it has fallen to about a third.
-  double LongestRange() const
-  {
-    return (this->Model == CovarianceModel::Spherical ? 2.0 : 1.0) * this->Options.LongestRange;
-  }
+  /// A model's range is a distance where correlation has fallen to about a third, or some multiple of it.
+  double LongestRange() const { return TraitsOf(this->Model).RangeScale * this->Options.LongestRange; }
 
   /// Ranges lie between 0 and the longest.
   double RangeToUnknown(double range) const
@@ -150,6 +148,8 @@ private:
 
   CovarianceModel Model;
   VariogramFitOptions Options;
+  bool HasSecondRange;
+  bool HasDimension; ///< then the range is that of the options
 };
 
 /// What a field is expected to show in the lags.
@@ -234,7 +234,7 @@ struct Residuals
   }
 };
 
-/// Longest range first, angle in [0, pi), the longer scale of Telis first.
+/// Longest range first, angle in [0, pi), the longer of two scales first.
 void Normalise(VariogramFit& fit)
 {
   if (fit.AnisotropyRatio < 1.0)
@@ -245,13 +245,13 @@ void Normalise(VariogramFit& fit)
     fit.AnisotropyAngle += 0.5 * Pi;
   }
   fit.AnisotropyAngle -= Pi * std::floor(fit.AnisotropyAngle / Pi);
-  if (fit.Field.Model == CovarianceModel::Telis && fit.Field.SecondRange > fit.Field.Range)
+  if (TraitsOf(fit.Field.Model).Parameters.Has("SecondRange") && fit.Field.SecondRange > fit.Field.Range)
   {
     std::swap(fit.Field.Range, fit.Field.SecondRange);
   }
 }
 
-/// Ranges tried as a start, geometric over all lags; for Fractal, dimensions.
+/// Ranges tried as a start, geometric over all lags, and dimensions.
 constexpr int NumberOfStarts = 6;
 
 VariogramFit StartingPoint(
@@ -271,7 +271,7 @@ VariogramFit StartingPoint(
   fit.Nugget = 0.05 * fit.Field.Variance;
   fit.AnisotropyRatio = options.Anisotropy ? 1.5 : 1.0;
   fit.AnisotropyAngle = Pi * start / NumberOfStarts;
-  if (model == CovarianceModel::Fractal)
+  if (TraitsOf(model).Parameters.Has("FractalDimension"))
   {
     fit.Field.Range = options.FractalRange;
     fit.Field.Variance *= fit.Field.Variance / std::max(Semivariance(fit, longest, 0.0), 1e-300);

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wind/WindSpectrum.h"
 
+#include "Numerics/Constants.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace littoral
@@ -40,20 +43,94 @@ double SimiuScanlanDensity(const WindModel& model, int component, double frequen
   }
 }
 
+/// Closed forms of the integrals over the frequency, as multiples of the friction velocity squared.
+double SimiuScanlanVariance(const WindModel& model, int component)
+{
+  // The integral of 1 / (1 + 10 nu^(5/3)) is 10^(-3/5) (3 pi / 5) / sin(3 pi / 5).
+  static const double shares[] = { 200.0 * 1.5 / 50.0, 15.0 * 1.5 / 9.5,
+    3.36 * std::pow(10.0, -0.6) * 0.6 * Pi / std::sin(0.6 * Pi) };
+  const double friction = FrictionVelocity(model);
+  return shares[component] * friction * friction;
+}
+
 /// Lambda_1 of IEC 61400-1, the scale of turbulence along the wind at the reference height [m].
 double IecScale(const WindModel& model)
 {
   return 0.7 * std::min(60.0, model.ReferenceHeight);
 }
 
-double IecKaimalDensity(const WindModel& model, int component, double frequency)
+/// Standard deviation of a component.
+double IecDeviation(const WindModel& model, int component)
+{
+  constexpr double shares[] = { 1.0, 0.8, 0.5 };
+  return shares[component] * model.TurbulenceIntensity * model.ReferenceSpeed;
+}
+
+double IecKaimalDensity(const WindModel& model, int component, double frequency, double)
 {
   constexpr double lengths[] = { 8.1, 2.7, 0.66 };
-  constexpr double shares[] = { 1.0, 0.8, 0.5 };
   const double time = lengths[component] * IecScale(model) / model.ReferenceSpeed;
-  const double deviation = shares[component] * model.TurbulenceIntensity * model.ReferenceSpeed;
+  const double deviation = IecDeviation(model, component);
   return 4.0 * deviation * deviation * time / std::pow(1.0 + 6.0 * frequency * time, 5.0 / 3.0);
 }
+
+double IecKaimalVariance(const WindModel& model, int component)
+{
+  const double deviation = IecDeviation(model, component);
+  return deviation * deviation;
+}
+
+WindSeparation ExponentialSeparation(const WindModel& model, int component, double lateral, double vertical)
+{
+  const WindDecay& decay = model.Decay[component];
+  return { std::hypot(decay.Lateral * lateral, decay.Vertical * vertical) / MeanSpeed(model, CoherenceHeight), 0.0 };
+}
+
+WindSeparation IecSeparation(const WindModel& model, int component, double lateral, double vertical)
+{
+  if (component != 0)
+  {
+    return ExponentialSeparation(model, component, lateral, vertical);
+  }
+  constexpr double decay = 12.0;
+  constexpr double lengths = 8.1; // Lambda_1 in the scale of coherence, L_c
+  const double distance = std::hypot(lateral, vertical);
+  return { decay * distance / model.ReferenceSpeed, decay * 0.12 * distance / (lengths * IecScale(model)) };
+}
+
+constexpr auto Intensity =
+  MakeParameter<WindModel, &WindModel::TurbulenceIntensity>("TurbulenceIntensity", "", ValueInterval::Positive());
+
+/// In the order of the enumerations.
+constexpr WindSpectrumTraits Spectra[] = {
+  // name, parameters besides the mean wind, density, variance
+  { "SimiuScanlan", {}, SimiuScanlanDensity, SimiuScanlanVariance },
+  { "IecKaimal", { { &Intensity } }, IecKaimalDensity, IecKaimalVariance },
+};
+static_assert(std::size(Spectra) == NumberOfWindSpectra, "a row a spectrum");
+
+constexpr WindCoherenceTraits Coherences[] = {
+  { "Exponential", ExponentialSeparation },
+  { "Iec", IecSeparation },
+};
+static_assert(std::size(Coherences) == NumberOfWindCoherences, "a row a coherence");
+
+/// Why the choice of a spectrum or of a coherence is bad.
+std::string WhyNoFamily(const WindModel& model)
+{
+  const std::string reason = WhyNoRow("Spectrum", static_cast<int>(model.Spectrum), NumberOfWindSpectra);
+  return reason.empty() ? WhyNoRow("Coherence", static_cast<int>(model.Coherence), NumberOfWindCoherences) : reason;
+}
+}
+
+const WindSpectrumTraits& TraitsOf(WindSpectrumModel spectrum)
+{
+  return Spectra[static_cast<int>(spectrum)];
+}
+
+const WindCoherenceTraits& TraitsOf(WindCoherenceModel coherence)
+{
+  return Coherences[static_cast<int>(coherence)];
 }
 
 std::string WhyInvalid(const WindModel& model)
@@ -77,17 +154,13 @@ std::string WhyInvalid(const WindModel& model)
   {
     reason << "RoughnessLength is " << model.RoughnessLength << " m; it must be below " << CoherenceHeight << " m.";
   }
-  else if (model.Spectrum != WindSpectrumModel::SimiuScanlan && model.Spectrum != WindSpectrumModel::IecKaimal)
+  else if (const std::string family = WhyNoFamily(model); !family.empty())
   {
-    reason << "Spectrum is " << static_cast<int>(model.Spectrum) << "; it must be 0 or 1.";
+    reason << family;
   }
-  else if (model.Coherence != WindCoherenceModel::Exponential && model.Coherence != WindCoherenceModel::Iec)
+  else if (const std::string parameter = TraitsOf(model.Spectrum).Parameters.WhyInvalid(model); !parameter.empty())
   {
-    reason << "Coherence is " << static_cast<int>(model.Coherence) << "; it must be 0 or 1.";
-  }
-  else if (model.Spectrum == WindSpectrumModel::IecKaimal && !IsPositive(model.TurbulenceIntensity))
-  {
-    reason << "TurbulenceIntensity is " << model.TurbulenceIntensity << "; it must be positive.";
+    reason << parameter;
   }
   else
   {
@@ -121,21 +194,17 @@ double ConvectionSpeed(const WindModel& model)
 
 double SpectralDensity(const WindModel& model, int component, double frequency, double height)
 {
-  return model.Spectrum == WindSpectrumModel::IecKaimal ? IecKaimalDensity(model, component, frequency)
-                                                        : SimiuScanlanDensity(model, component, frequency, height);
+  return TraitsOf(model.Spectrum).Density(model, component, frequency, height);
+}
+
+double Variance(const WindModel& model, int component)
+{
+  return TraitsOf(model.Spectrum).Variance(model, component);
 }
 
 WindSeparation SeparationOf(const WindModel& model, int component, double lateral, double vertical)
 {
-  if (model.Coherence == WindCoherenceModel::Iec && component == 0)
-  {
-    constexpr double decay = 12.0;
-    constexpr double lengths = 8.1; // Lambda_1 in the scale of coherence, L_c
-    const double distance = std::hypot(lateral, vertical);
-    return { decay * distance / model.ReferenceSpeed, decay * 0.12 * distance / (lengths * IecScale(model)) };
-  }
-  const WindDecay& decay = model.Decay[component];
-  return { std::hypot(decay.Lateral * lateral, decay.Vertical * vertical) / MeanSpeed(model, CoherenceHeight), 0.0 };
+  return TraitsOf(model.Coherence).Separation(model, component, lateral, vertical);
 }
 
 double RootCoherence(const WindModel& model, int component, double frequency, double lateral, double vertical)

@@ -3,6 +3,8 @@
 #ifndef LittoralWindSpectrum_h
 #define LittoralWindSpectrum_h
 
+#include "Numerics/ParameterTraits.h"
+
 #include <array>
 #include <string>
 
@@ -19,12 +21,16 @@ enum class WindSpectrumModel
   IecKaimal = 1,    ///< of IEC 61400-1: one intensity and one length for all heights
 };
 
+inline constexpr int NumberOfWindSpectra = 2;
+
 /// Families of root coherence.
 enum class WindCoherenceModel
 {
   Exponential = 0, ///< of frequency times distance, with a decay for each component (Setas et al., eqs. 11, 12)
   Iec = 1 ///< along the wind that of IEC 61400-1, ed. 3, which does not grow to 1 at low frequencies; else Exponential
 };
+
+inline constexpr int NumberOfWindCoherences = 2;
 
 /// How fast coherence decays with the separation across and up; positive.
 struct WindDecay
@@ -48,6 +54,38 @@ struct WindModel
   std::array<WindDecay, WindComponents> Decay{ { { 10.0, 10.0 }, { 10.0, 10.0 }, { 8.0, 8.0 } } };
 };
 
+/// The row of a family of spectra: everything that sets it apart. A new family is an enumerator and a row.
+struct WindSpectrumTraits
+{
+  const char* Name;                    ///< as in the enumeration
+  ParameterList<WindModel> Parameters; ///< that count besides the mean wind
+  double (*Density)(const WindModel&, int component, double frequency, double height); ///< one-sided [m2/s2/Hz]
+  double (*Variance)(const WindModel&, int component); ///< its integral over all frequencies [m2/s2], at any height
+};
+
+/**
+ * Two points across and up apart as their root coherence sees them: exp(-sqrt((f Delay)^2 + Still^2)) at the frequency
+ * f. Of eqs. 11 and 12 the delay is the distance with its decay coefficients over the mean at 10 m, and nothing is
+ * still. Of IEC 61400-1 (ed. 3, annex B) they are 12 r / U and 12 x 0.12 r / L_c, with the distance r, the reference
+ * speed U, and L_c = 8.1 Lambda_1, where Lambda_1 is 0.7 of the reference height, at most 42 m.
+ */
+struct WindSeparation
+{
+  double Delay = 0.0; ///< [s]
+  double Still = 0.0;
+};
+
+/// The row of a family of root coherence.
+struct WindCoherenceTraits
+{
+  const char* Name; ///< as in the enumeration
+  WindSeparation (*Separation)(const WindModel&, int component, double lateral, double vertical);
+};
+
+/// The rows of families, which must be of the enumerations.
+const WindSpectrumTraits& TraitsOf(WindSpectrumModel spectrum);
+const WindCoherenceTraits& TraitsOf(WindCoherenceModel coherence);
+
 /// Why this is no wind, in words for a user; empty when it is one.
 std::string WhyInvalid(const WindModel& model);
 
@@ -63,18 +101,10 @@ double ConvectionSpeed(const WindModel& model);
 /// One-sided power spectral density of a component [m2/s2/Hz] at a frequency [Hz] and a height [m] (eq. 9).
 double SpectralDensity(const WindModel& model, int component, double frequency, double height);
 
-/**
- * Two points across and up apart as their root coherence sees them: exp(-sqrt((f Delay)^2 + Still^2)) at the frequency
- * f. Of eqs. 11 and 12 the delay is the distance with its decay coefficients over the mean at 10 m, and nothing is
- * still. Of IEC 61400-1 (ed. 3, annex B) they are 12 r / U and 12 x 0.12 r / L_c, with the distance r, the reference
- * speed U, and L_c = 8.1 Lambda_1, where Lambda_1 is 0.7 of the reference height, at most 42 m.
- */
-struct WindSeparation
-{
-  double Delay = 0.0; ///< [s]
-  double Still = 0.0;
-};
+/// Variance of a component [m2/s2]: the integral of its spectral density over all frequencies.
+double Variance(const WindModel& model, int component);
 
+/// Two points as their root coherence sees them, across and up apart [m].
 WindSeparation SeparationOf(const WindModel& model, int component, double lateral, double vertical);
 
 /**

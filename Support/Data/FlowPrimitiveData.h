@@ -120,7 +120,7 @@ inline std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitiv
   {
     FlowPrimitive primitive;
     const double type = array(sea::FlowType)->GetTuple1(id);
-    primitive.Type = static_cast<FlowType>(type >= 0.0 && type < 4.0 ? static_cast<int>(type) : -1);
+    primitive.Type = static_cast<FlowType>(type >= 0.0 && type < NumberOfFlowTypes ? static_cast<int>(type) : -1);
     primitive.Strength = array(sea::Strength)->GetTuple1(id);
     data->GetPoint(id, &primitive.Center[0]);
     array(sea::Axis)->GetTuple(id, &primitive.Axis[0]);

@@ -85,8 +85,9 @@ TEST(FlowPrimitives, HaveTheirClosedForms)
 
 TEST(FlowPrimitives, AreFiniteEverywhere)
 {
-  for (const FlowType type : { FlowType::Uniform, FlowType::Source, FlowType::Sink, FlowType::Vortex })
+  for (int id = 0; id < NumberOfFlowTypes; ++id)
   {
+    const FlowType type = static_cast<FlowType>(id);
     for (const double reach : { 0.0, 2.0 })
     {
       const FlowField field({ Primitive(type, 3.0, 1e-3, reach) });
@@ -117,8 +118,9 @@ TEST(FlowPrimitives, EndSmoothlyAtTheirInfluence)
 
 TEST(FlowPrimitives, AreWholeInTheirBoxAndEndWithinItsMargin)
 {
-  for (const FlowType type : { FlowType::Uniform, FlowType::Source, FlowType::Sink, FlowType::Vortex })
+  for (int id = 0; id < NumberOfFlowTypes; ++id)
   {
+    const FlowType type = static_cast<FlowType>(id);
     FlowPrimitive primitive = Primitive(type, 3.0, 0.3);
     primitive.Axis = Vector3(0.2, 0.3, 1.0);
     const FlowField endless({ primitive });
@@ -163,7 +165,7 @@ TEST(FlowPrimitives, OfWhichManyEndAreSummedOneByOne)
   for (std::uint64_t n = 0; n < 400; ++n)
   {
     const auto number = [&](std::uint64_t k) { return random.UniformPair(n, k)[0]; };
-    FlowPrimitive one = Primitive(static_cast<FlowType>(n % 4), number(0) - 0.3, 0.2);
+    FlowPrimitive one = Primitive(static_cast<FlowType>(n % NumberOfFlowTypes), number(0) - 0.3, 0.2);
     one.Center = Vector3(40.0 * number(1), 10.0 * number(2), -3.0 * number(3));
     const Vector3 half = n % 50 == 0 ? Vector3(30.0, 0.0, 9.0) : n % 9 == 0 ? Vector3(0.0) : Vector3(0.5, 0.3, 1.0);
     one.InfluenceBox = { one.Center - half, one.Center + half * number(4) };
@@ -342,6 +344,91 @@ TEST(FlowPrimitives, VorticesHaveNoDivergence)
   }
 }
 
+namespace
+{
+
+class AllFlows : public testing::TestWithParam<int>
+{
+protected:
+  AllFlows() { this->Flow.Axis = Vector3(0.3, -0.5, 2.0); }
+  FlowPrimitive Flow = Primitive(static_cast<FlowType>(GetParam()), 3.0, 0.3);
+  const FlowTraits& Traits = TraitsOf(static_cast<FlowType>(GetParam()));
+  const std::vector<Vector3> Places{ { 0.1, 0.2, 0.3 }, { -1.0, 0.5, 0.4 }, { 0.05, 0.0, 1.5 } };
+};
+
+}
+
+TEST_P(AllFlows, HaveNoDivergenceWhereNoneIsClaimed)
+{
+  const FlowField field({ this->Flow });
+  double most = 0.0;
+  for (const Vector3& place : this->Places)
+  {
+    most = std::max(most, std::abs(Divergence(field, place)));
+  }
+  EXPECT_EQ(most < 1e-8, this->Traits.IsSolenoidal) << most;
+}
+
+TEST_P(AllFlows, GrowWithTheirStrength)
+{
+  FlowPrimitive twice = this->Flow;
+  twice.Strength = -2.0 * this->Flow.Strength;
+  for (const Vector3& place : this->Places)
+  {
+    const Vector3 flow = FlowField({ this->Flow }).Velocity(place);
+    EXPECT_GT(glm::length(flow), 0.0);
+    EXPECT_LT(glm::length(FlowField({ twice }).Velocity(place) + 2.0 * flow), 1e-12 * glm::length(flow));
+  }
+}
+
+TEST_P(AllFlows, DependOnAxisAndCoreWhereTheseCount)
+{
+  FlowPrimitive turned = this->Flow;
+  turned.Axis = Vector3(1.0, 0.0, 0.0);
+  FlowPrimitive wide = this->Flow;
+  wide.CoreRadius = 0.5;
+  const auto differs = [&](const FlowPrimitive& other) {
+    const Vector3 place = this->Places[0];
+    return FlowField({ other }).Velocity(place) != FlowField({ this->Flow }).Velocity(place);
+  };
+  EXPECT_EQ(differs(turned), this->Traits.HasAxis);
+  EXPECT_EQ(differs(wide), this->Traits.HasCore);
+  turned.Axis = Vector3(0.0);
+  wide.CoreRadius = 0.0;
+  EXPECT_EQ(WhyInvalid(turned).find("Axis") == 0, this->Traits.HasAxis);
+  EXPECT_EQ(WhyInvalid(wide).find("CoreRadius") == 0, this->Traits.HasCore);
+}
+
+TEST_P(AllFlows, CaptureWhereTheySaySo)
+{
+  const FlowField field({ this->Flow });
+  Vector3 to(1.0, 0.0, 0.0);
+  EXPECT_EQ(field.HasSinks(), this->Traits.Captures);
+  EXPECT_EQ(field.Capture({ -1.0, 0.1, 0.0 }, to), this->Traits.Captures);
+}
+
+TEST_P(AllFlows, GoThroughNoWall)
+{
+  for (const double reach : { 0.0, 4.0 })
+  {
+    FlowPrimitive flow = this->Flow;
+    flow.Center = Vector3(0.0, 0.0, -1.2);
+    flow.InfluenceRadius = reach;
+    const FlowField field({ flow }, WaterLayer{ -3.0, 0.0 });
+    for (const double wall : { -3.0, 0.0 })
+    {
+      for (const Vector3& place : { Vector3(0.4, 0.3, wall), Vector3(-1.0, 2.0, wall), Vector3(2.5, -0.2, wall) })
+      {
+        const Vector3 velocity = field.Velocity(place);
+        EXPECT_LT(std::abs(velocity.z), 1e-3 * glm::length(velocity) + 1e-12) << "reach " << reach;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FlowPrimitives, AllFlows, testing::Range(0, NumberOfFlowTypes),
+  [](const auto& info) { return TraitsOf(static_cast<FlowType>(info.param)).Name; });
+
 TEST(FlowPrimitives, Add)
 {
   FlowPrimitive other = Primitive(FlowType::Source, 1.0);
@@ -365,7 +452,7 @@ TEST(FlowPrimitives, SayWhatIsWrong)
   EXPECT_TRUE(named(Primitive(FlowType::Sink, 1.0, -1.0), "CoreRadius"));
   EXPECT_TRUE(named(Primitive(FlowType::Sink, 1.0, 1.0, -2.0), "InfluenceRadius"));
   EXPECT_TRUE(named(Primitive(FlowType::Sink, 1.0, 1.0, Infinity), "InfluenceRadius"));
-  EXPECT_TRUE(named(Primitive(static_cast<FlowType>(4), 1.0), "FlowType"));
+  EXPECT_TRUE(named(Primitive(static_cast<FlowType>(NumberOfFlowTypes), 1.0), "FlowType"));
   FlowPrimitive primitive;
   for (const double margin : { -1.0, NaN, Infinity })
   {

@@ -200,7 +200,7 @@ TEST_P(ForkPresets, SkinWithoutDegenerateTriangles)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Published, ForkPresets, testing::Range(1, 13));
+INSTANTIATE_TEST_SUITE_P(Published, ForkPresets, testing::Range(1, NumberOfForkPresets));
 
 TEST(AonoKuniiTree, MonopodialAxisIsStraightWithSideBranchesByDivergence)
 {

@@ -336,8 +336,23 @@ TEST_P(GardnerPresets, ThePictureOfTheCrownIsFullInItsMiddleAndOpenAtItsRim)
   EXPECT_GT(shades.size(), 30U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, GardnerPresets,
-  testing::Values(GardnerPreset::Tree, GardnerPreset::Cypress, GardnerPreset::StonePine, GardnerPreset::Bush));
+namespace
+{
+
+std::vector<GardnerPreset> AllKinds()
+{
+  std::vector<GardnerPreset> presets;
+  for (int preset = 1; preset < NumberOfGardnerPresets; ++preset)
+  {
+    presets.push_back(static_cast<GardnerPreset>(preset));
+  }
+  return presets;
+}
+
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Kinds, GardnerPresets, testing::ValuesIn(AllKinds()), [](const auto& info) { return TraitsOf(info.param).Name; });
 
 TEST(GardnerPlant, ShellsAreNested)
 {

@@ -41,10 +41,10 @@ std::vector<Named> MakeAllPlants()
   const auto add = [&](const std::string& kind, int preset, const auto& plant) {
     plants.push_back({ kind + " " + std::to_string(preset), LevelsOf(plant, options) });
   };
-  for (int preset = 0; preset <= 12; ++preset)
+  for (int preset = 0; preset < NumberOfForkPresets; ++preset)
   {
     options.CrownJitter = preset % 2 == 0 ? 0.0 : 0.4;
-    if (preset <= static_cast<int>(TreePreset::Shrub))
+    if (preset < NumberOfTreePresets)
     {
       ReevesTreeParameters parameters = PresetParameters(static_cast<TreePreset>(preset));
       parameters.NumberOfLeaves = std::min(parameters.NumberOfLeaves, 3000);
@@ -54,11 +54,11 @@ std::vector<Named> MakeAllPlants()
     {
       add("Aono-Kunii", preset, GrowAonoKuniiTree(PresetParameters(static_cast<ForkPreset>(preset))));
     }
-    if (preset <= static_cast<int>(GardnerPreset::Bush))
+    if (preset < NumberOfGardnerPresets)
     {
       add("Gardner", preset, GrowGardnerPlant(PresetParameters(static_cast<GardnerPreset>(preset))));
     }
-    if (preset <= static_cast<int>(SeaweedPreset::Eelgrass))
+    if (preset < NumberOfSeaweedPresets)
     {
       add("Seaweed", preset, GrowSeaweed(PresetParameters(static_cast<SeaweedPreset>(preset))));
     }

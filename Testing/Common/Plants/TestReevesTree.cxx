@@ -253,8 +253,23 @@ TEST_P(ReevesTreePresets, HasTheSizeThatIsAskedFor)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Species, ReevesTreePresets, testing::Values(TreePreset::Pine, TreePreset::Oak, TreePreset::Birch, TreePreset::Shrub));
+namespace
+{
+
+std::vector<TreePreset> AllSpecies()
+{
+  std::vector<TreePreset> presets;
+  for (int preset = 1; preset < NumberOfTreePresets; ++preset)
+  {
+    presets.push_back(static_cast<TreePreset>(preset));
+  }
+  return presets;
+}
+
+}
+
+INSTANTIATE_TEST_SUITE_P(Species, ReevesTreePresets, testing::ValuesIn(AllSpecies()),
+  [](const auto& info) { return TraitsOf(info.param).Name; });
 
 TEST(ReevesTree, IndividualsVary)
 {

@@ -369,8 +369,23 @@ TEST_P(SeaweedPresets, TakesAnyNumberOfSegments)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Species, SeaweedPresets,
-  testing::Values(SeaweedPreset::Custom, SeaweedPreset::SugarKelp, SeaweedPreset::GiantKelp, SeaweedPreset::Eelgrass));
+namespace
+{
+
+std::vector<SeaweedPreset> AllSpecies()
+{
+  std::vector<SeaweedPreset> presets;
+  for (int preset = 0; preset < NumberOfSeaweedPresets; ++preset)
+  {
+    presets.push_back(static_cast<SeaweedPreset>(preset));
+  }
+  return presets;
+}
+
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Species, SeaweedPresets, testing::ValuesIn(AllSpecies()), [](const auto& info) { return TraitsOf(info.param).Name; });
 
 TEST(Seaweed, SizesAreThoseOfTheSpecies)
 {

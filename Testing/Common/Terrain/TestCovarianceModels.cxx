@@ -12,6 +12,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 #include <vector>
 
 using namespace littoral;
@@ -24,7 +26,7 @@ CovarianceParameters Field(CovarianceModel model)
   CovarianceParameters field;
   field.Model = model;
   field.Variance = 2.5;
-  field.Range = model == CovarianceModel::Fractal ? 50.0 : 3.0;
+  field.Range = TraitsOf(model).LowestWaveNumber ? 50.0 : 3.0;
   field.SecondRange = 0.7;
   field.FractalDimension = 2.4;
   return field;
@@ -34,12 +36,6 @@ template <typename Function>
 double Integrate(Function f, double from, double to)
 {
   return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, to, 12, 1e-12);
-}
-
-/// The lower end of the spectrum: below it there is no power.
-double Lowest(const CovarianceParameters& field)
-{
-  return field.Model == CovarianceModel::Fractal ? TwoPi / field.Range : 0.0;
 }
 
 class AllModels : public testing::TestWithParam<int>
@@ -53,7 +49,7 @@ protected:
 TEST_P(AllModels, SpectrumIntegratesToItsCumulativeForm)
 {
   // Over octaves, so that each piece is smooth.
-  double low = Lowest(field);
+  double low = LowestWaveNumber(field);
   double sum = 0.0;
   for (double high = std::max(0.02, 2.0 * low); high < 3000.0; high *= 2.0)
   {
@@ -76,7 +72,7 @@ TEST_P(AllModels, HankelTransformOfTheSpectrumIsTheCovariance)
 {
   for (double r : { 0.3, 1.0, 2.0, 4.0, 7.0 })
   {
-    double low = Lowest(field);
+    double low = LowestWaveNumber(field);
     double sum = 0.0;
     // Up to the first zero beyond the spectrum's start, over octaves to resolve its peak.
     int zero = 1;
@@ -162,6 +158,72 @@ TEST_P(AllModels, BadParametersAreNamed)
   EXPECT_NE(WhyInvalid(broken), "");
   broken.Variance = -1.0;
   EXPECT_NE(WhyInvalid(broken), "");
+}
+
+// By Bochner's theorem this is what makes a function a covariance.
+TEST_P(AllModels, SpectrumIsNowhereNegativeAndItsCumulativeFormRises)
+{
+  double before = 0.0;
+  for (double w = 1e-4; w < 1e4; w *= 1.07)
+  {
+    EXPECT_GE(RadialSpectrum(field, w), 0.0) << "at " << w;
+    const double below = SpectrumBelow(field, w);
+    EXPECT_GE(below, before - 1e-12) << "at " << w;
+    EXPECT_LE(below, 1.0 + 1e-12) << "at " << w;
+    before = below;
+  }
+}
+
+TEST_P(AllModels, CovarianceIsTheVarianceAtZeroAndFallsToAThird)
+{
+  EXPECT_EQ(Covariance(field, 0.0), field.Variance);
+  double before = field.Variance;
+  for (double r = 1e-3; before > field.Variance / 3.0; r *= 1.1)
+  {
+    ASSERT_LT(r, 100.0 * field.Range);
+    EXPECT_LT(Covariance(field, r), before) << "at " << r;
+    before = Covariance(field, r);
+  }
+  for (double r = 1e-3; r < 1e4; r *= 1.3)
+  {
+    EXPECT_LE(std::abs(Covariance(field, r)), field.Variance) << "at " << r;
+  }
+}
+
+TEST_P(AllModels, EachParameterThatCountsIsCheckedAndTheOthersAreNot)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const CovarianceTraits& traits = TraitsOf(field.Model);
+  for (const auto* parameter : AllCovarianceParameters())
+  {
+    CovarianceParameters broken = field;
+    parameter->Set(broken, nan);
+    const std::string reason = WhyInvalid(broken);
+    EXPECT_EQ(reason.empty(), !traits.Parameters.Has(parameter->Name)) << parameter->Name;
+    EXPECT_TRUE(reason.empty() || reason.find(parameter->Name) == 0) << reason;
+  }
+  for (const auto* parameter : traits.Parameters)
+  {
+    CovarianceParameters other = field;
+    parameter->Set(other, 1.1 * parameter->Get(field));
+    EXPECT_TRUE(Covariance(other, 1.3) != Covariance(field, 1.3)) << parameter->Name << " counts for nothing";
+  }
+}
+
+TEST(Covariance, RowsHaveNamesOfTheirOwnAndNothingElseIsAModel)
+{
+  std::set<std::string> names;
+  for (int model = 0; model < NumberOfCovarianceModels; ++model)
+  {
+    names.insert(CovarianceModelName(static_cast<CovarianceModel>(model)));
+  }
+  EXPECT_EQ(static_cast<int>(names.size()), NumberOfCovarianceModels);
+  for (const int none : { -1, NumberOfCovarianceModels })
+  {
+    CovarianceParameters field;
+    field.Model = static_cast<CovarianceModel>(none);
+    EXPECT_EQ(WhyInvalid(field).find("Model"), 0u);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Covariance, AllModels, testing::Range(0, NumberOfCovarianceModels),

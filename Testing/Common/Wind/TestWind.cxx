@@ -257,6 +257,103 @@ TEST(WindSpectrum, VariancesAreTheClosedForms)
   }
 }
 
+namespace
+{
+
+class AllSpectra : public testing::TestWithParam<int>
+{
+protected:
+  AllSpectra() { this->Model.Spectrum = static_cast<WindSpectrumModel>(GetParam()); }
+  WindModel Model;
+};
+
+class AllCoherences : public testing::TestWithParam<int>
+{
+protected:
+  AllCoherences() { this->Model.Coherence = static_cast<WindCoherenceModel>(GetParam()); }
+  WindModel Model;
+};
+
+}
+
+TEST_P(AllSpectra, IntegrateToTheirVarianceAtAllHeights)
+{
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    for (const double height : { 1.0, 20.0, 150.0 })
+    {
+      double sum = 0.0;
+      for (double x = -40.0; x < 60.0; x += 0.01)
+      {
+        sum += 0.01 * std::exp(x) * SpectralDensity(this->Model, component, std::exp(x), height);
+      }
+      EXPECT_NEAR(sum / Variance(this->Model, component), 1.0, 1e-5) << component << " at " << height;
+    }
+  }
+}
+
+TEST_P(AllSpectra, AreFiniteAndPositiveAndEndAsThePowerOfTheInertialRange)
+{
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    for (double f = 0.0; f<1e6; f = f> 0.0 ? 1.7 * f : 1e-9)
+    {
+      const double density = SpectralDensity(this->Model, component, f, 20.0);
+      EXPECT_TRUE(std::isfinite(density) && density > 0.0) << f;
+    }
+    const double slope = std::log10(
+      SpectralDensity(this->Model, component, 1e5, 20.0) / SpectralDensity(this->Model, component, 1e4, 20.0));
+    EXPECT_NEAR(slope, -5.0 / 3.0, 1e-3);
+  }
+}
+
+TEST_P(AllSpectra, EachParameterThatCountsIsChecked)
+{
+  EXPECT_EQ(WhyInvalid(this->Model), "");
+  for (const auto* parameter : TraitsOf(this->Model.Spectrum).Parameters)
+  {
+    WindModel broken = this->Model;
+    parameter->Set(broken, -1.0);
+    EXPECT_EQ(WhyInvalid(broken).find(parameter->Name), 0u);
+    WindModel other = this->Model;
+    parameter->Set(other, 1.1 * parameter->Get(other));
+    EXPECT_NE(SpectralDensity(other, 0, 0.1, 20.0), SpectralDensity(this->Model, 0, 0.1, 20.0)) << parameter->Name;
+  }
+}
+
+TEST_P(AllCoherences, FallFromOneWithDistanceAndFrequency)
+{
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    EXPECT_EQ(RootCoherence(this->Model, component, 0.3, 0.0, 0.0), 1.0);
+    double before = 1.0;
+    for (double distance = 0.5; distance < 40.0; distance *= 1.5)
+    {
+      const double near = RootCoherence(this->Model, component, 0.3, distance, 0.0);
+      EXPECT_LT(near, before);
+      EXPECT_GT(near, 0.0);
+      EXPECT_LT(RootCoherence(this->Model, component, 0.6, distance, 0.0), near);
+      EXPECT_LT(RootCoherence(this->Model, component, 0.3, distance, distance), near);
+      before = near;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Wind, AllSpectra, testing::Range(0, NumberOfWindSpectra),
+  [](const auto& info) { return TraitsOf(static_cast<WindSpectrumModel>(info.param)).Name; });
+INSTANTIATE_TEST_SUITE_P(Wind, AllCoherences, testing::Range(0, NumberOfWindCoherences),
+  [](const auto& info) { return TraitsOf(static_cast<WindCoherenceModel>(info.param)).Name; });
+
+TEST(WindSpectrum, NothingBeyondTheRowsIsAFamily)
+{
+  WindModel model;
+  model.Spectrum = static_cast<WindSpectrumModel>(NumberOfWindSpectra);
+  EXPECT_EQ(WhyInvalid(model).find("Spectrum"), 0u);
+  model = {};
+  model.Coherence = static_cast<WindCoherenceModel>(NumberOfWindCoherences);
+  EXPECT_EQ(WhyInvalid(model).find("Coherence"), 0u);
+}
+
 TEST(WindSpectrum, KaimalHasTheVarianceAskedFor)
 {
   WindModel model;

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralParameterTraits_h
+#define LittoralParameterTraits_h
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace littoral
+{
+
+/// Interval of allowed values. Values that are not finite are never allowed.
+struct ValueInterval
+{
+  double Low = -std::numeric_limits<double>::infinity();
+  double High = std::numeric_limits<double>::infinity();
+  bool IncludesLow = false;
+  bool IncludesHigh = false;
+
+  static constexpr ValueInterval Positive() { return Above(0.0, std::numeric_limits<double>::infinity()); }
+  static constexpr ValueInterval NotNegative() { return AtLeast(0.0); }
+  static constexpr ValueInterval AtLeast(double low)
+  {
+    return { low, std::numeric_limits<double>::infinity(), true, false };
+  }
+  /// Above low, at most high.
+  static constexpr ValueInterval Above(double low, double high) { return { low, high, false, true }; }
+  /// Both ends excluded.
+  static constexpr ValueInterval Between(double low, double high) { return { low, high, false, false }; }
+
+  bool Contains(double value) const
+  {
+    return std::isfinite(value) && (this->IncludesLow ? value >= this->Low : value > this->Low) &&
+      (this->IncludesHigh ? value <= this->High : value < this->High);
+  }
+
+  /// What a value must be, as "finite and positive".
+  std::string Words() const
+  {
+    std::ostringstream words;
+    if (std::isinf(this->High))
+    {
+      words << "finite and ";
+      if (this->Low == 0.0)
+      {
+        words << (this->IncludesLow ? "not negative" : "positive");
+      }
+      else
+      {
+        words << (this->IncludesLow ? "at least " : "above ") << this->Low;
+      }
+    }
+    else if (this->IncludesLow == this->IncludesHigh)
+    {
+      words << (this->IncludesLow ? "from " : "between ") << this->Low << (this->IncludesLow ? " to " : " and ")
+            << this->High << (this->IncludesLow ? "" : ", both excluded");
+    }
+    else
+    {
+      words << (this->IncludesLow ? "at least " : "above ") << this->Low
+            << (this->IncludesHigh ? " and at most " : " and below ") << this->High;
+    }
+    return words.str();
+  }
+};
+
+/// A parameter in the row of a model: the name and the unit that users see, the allowed values, and its member.
+template <typename Parameters>
+struct ParameterTraits
+{
+  const char* Name;
+  const char* Unit; ///< empty for a pure number
+  ValueInterval Allowed;
+  double (*Get)(const Parameters&);
+  void (*Set)(Parameters&, double);
+
+  /// Why the value is bad, in words for a user; empty when it is good.
+  std::string WhyInvalid(const Parameters& parameters) const
+  {
+    const double value = this->Get(parameters);
+    if (this->Allowed.Contains(value))
+    {
+      return {};
+    }
+    std::ostringstream text;
+    text << this->Name << " is " << value << "; it must be " << this->Allowed.Words() << ".";
+    return text.str();
+  }
+};
+
+/// The traits of the parameter that a member holds: MakeParameter<Law, &Law::Mean>("Mean", "", ...).
+template <typename Parameters, auto Member>
+constexpr ParameterTraits<Parameters> MakeParameter(const char* name, const char* unit, const ValueInterval& allowed)
+{
+  return { name, unit, allowed, [](const Parameters& all) { return static_cast<double>(all.*Member); },
+    [](Parameters& all, double value) {
+      auto& member = all.*Member;
+      member = static_cast<std::remove_reference_t<decltype(member)>>(value);
+    } };
+}
+
+/// The parameters that count in a row.
+template <typename Parameters>
+struct ParameterList
+{
+  static constexpr int Most = 8;
+  const ParameterTraits<Parameters>* Items[Most + 1] = {}; ///< the rest is null
+
+  const ParameterTraits<Parameters>* const* begin() const { return this->Items; }
+  const ParameterTraits<Parameters>* const* end() const { return this->Items + this->Size(); }
+
+  int Size() const
+  {
+    int size = 0;
+    while (this->Items[size])
+    {
+      ++size;
+    }
+    return size;
+  }
+
+  bool Has(const std::string& name) const
+  {
+    for (const ParameterTraits<Parameters>* item : *this)
+    {
+      if (name == item->Name)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Why the first bad value is bad; empty when all are good.
+  std::string WhyInvalid(const Parameters& parameters) const
+  {
+    for (const ParameterTraits<Parameters>* item : *this)
+    {
+      if (std::string reason = item->WhyInvalid(parameters); !reason.empty())
+      {
+        return reason;
+      }
+    }
+    return {};
+  }
+};
+
+/// Why a choice is none of a table's rows, as "Model is 9; it must be from 0 to 6."; empty when it is one.
+inline std::string WhyNoRow(const char* name, int choice, int rows)
+{
+  if (choice >= 0 && choice < rows)
+  {
+    return {};
+  }
+  return std::string(name) + " is " + std::to_string(choice) + "; it must be from 0 to " + std::to_string(rows - 1) +
+    ".";
+}
+
+/// The name of a table's row, "Unknown" for a choice that is none; `nameOf` is asked for choices that are.
+template <typename Choice, typename NameOf>
+const char* NameOfRow(int choice, int rows, const NameOf& nameOf)
+{
+  return choice >= 0 && choice < rows ? nameOf(static_cast<Choice>(choice)) : "Unknown";
+}
+
+/// Likewise, of rows with traits.
+template <typename Choice>
+const char* NameOfRow(int choice, int rows)
+{
+  return NameOfRow<Choice>(choice, rows, [](Choice row) { return TraitsOf(row).Name; });
+}
+
+}
+
+#endif
