@@ -3,6 +3,7 @@
 #include "vtkSeaStateSource.h"
 
 #include "Data/SeaStateTable.h"
+#include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Pipeline/Pipeline.h"
 

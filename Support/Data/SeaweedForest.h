@@ -6,7 +6,8 @@
 // Seaweeds in the sea between blocks and the numerics. Private: never installed, never wrapped.
 
 #include "Data/DriftHistory.h"
-#include "Data/PlantReading.h"
+#include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
 #include "Geometry/ViewFrustum.h"
 #include "Sea/WaveOrbits.h"
 #include "Seaweed/SeaweedMotion.h"
