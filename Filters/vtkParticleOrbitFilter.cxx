@@ -5,6 +5,7 @@
 #include "Data/Arrays.h"
 #include "Data/Followers.h"
 #include "Data/SeaStateTable.h"
+#include "Data/Tables.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Sea/Dispersion.h"

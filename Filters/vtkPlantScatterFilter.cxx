@@ -5,7 +5,6 @@
 #include "Data/Blocks.h"
 #include "Data/PlantBlocks.h"
 #include "Data/PlantMerge.h"
-#include "Data/PlantReading.h"
 #include "Geometry/HeightGrid.h"
 #include "Geometry/SceneCells.h"
 #include "Geometry/TextureAtlas.h"

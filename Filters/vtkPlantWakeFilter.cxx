@@ -4,7 +4,8 @@
 
 #include "Data/Blocks.h"
 #include "Data/FlowPrimitiveData.h"
-#include "Data/PlantReading.h"
+#include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterRange.h"
 #include "Pipeline/Pipeline.h"

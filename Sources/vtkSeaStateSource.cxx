@@ -4,6 +4,7 @@
 #include "Numerics/ParameterCheck.h"
 
 #include "Data/SeaStateTable.h"
+#include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Pipeline/Pipeline.h"
 

@@ -3,10 +3,20 @@
 #ifndef LittoralSupportArrays_h
 #define LittoralSupportArrays_h
 
-// Arrays that are about to be filled. Private: never installed, never wrapped.
+// Arrays from numbers, and arrays that are about to be filled. Private: never installed, never wrapped.
+
+#include "Numerics/Vector3.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+
+#include <type_traits>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkFloatArray;
+class vtkPoints;
 
 namespace littoral
 {
@@ -21,6 +31,31 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   array->SetNumberOfTuples(tuples);
   return array;
 }
+
+/// A point or cell array from tuples of numbers, each converted to the array's type.
+template <typename Array, typename Tuples>
+vtkSmartPointer<Array> ArrayOf(const char* name, int components, const Tuples& tuples)
+{
+  auto array = NewArray<Array>(name, components, static_cast<vtkIdType>(tuples.size()));
+  auto* value = array->GetPointer(0);
+  for (const auto& tuple : tuples)
+  {
+    for (int component = 0; component < components; ++component)
+    {
+      *value++ = static_cast<std::decay_t<decltype(*value)>>(tuple[component]);
+    }
+  }
+  return array;
+}
+
+/// Single precision points [m].
+vtkSmartPointer<vtkPoints> PointsOf(const std::vector<Vector3>& positions);
+
+/// An array of the same name and size, not filled.
+vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other);
+
+/// A field array with as many components and tuples (negative: any number); null where there is none.
+vtkDataArray* FieldArray(vtkDataObject* data, const char* name, int components, vtkIdType tuples);
 
 }
 

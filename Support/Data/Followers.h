@@ -5,14 +5,13 @@
 
 // Points that move with another one. Private: never installed, never wrapped.
 
-#include "Data/SeaStateTable.h"
-
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
-#include "vtkPointSet.h"
+#include "vtkType.h"
 
 #include <string>
 #include <vector>
+
+class vtkDataArray;
+class vtkPointSet;
 
 namespace littoral
 {
@@ -26,43 +25,7 @@ struct Slaves
 
 /// Reads the point arrays MasterId and Offset. Why they cannot be read, in words for a user; empty when they were, or
 /// when there are none.
-inline std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
-{
-  vtkDataArray* master = input->GetPointData()->GetArray(sea::MasterId);
-  if (!master)
-  {
-    return "";
-  }
-  slaves.Offset = input->GetPointData()->GetArray(sea::Offset);
-  if (master->GetNumberOfComponents() != 1)
-  {
-    return "the point array MasterId must have one component.";
-  }
-  if (!slaves.Offset || slaves.Offset->GetNumberOfComponents() != 3)
-  {
-    return "the point array MasterId needs an array Offset of three components beside it.";
-  }
-  const vtkIdType points = input->GetNumberOfPoints();
-  slaves.Master.resize(static_cast<std::size_t>(points));
-  for (vtkIdType id = 0; id < points; ++id)
-  {
-    const double value = master->GetTuple1(id);
-    if (!(value < static_cast<double>(points)))
-    {
-      return "MasterId of point " + std::to_string(id) + " is no point of its data set.";
-    }
-    slaves.Master[id] = value < 0.0 || static_cast<vtkIdType>(value) == id ? -1 : static_cast<vtkIdType>(value);
-  }
-  for (vtkIdType id = 0; id < points; ++id)
-  {
-    const vtkIdType its = slaves.Master[id];
-    if (its >= 0 && slaves.Master[its] >= 0)
-    {
-      return "MasterId of point " + std::to_string(id) + " is a slave itself.";
-    }
-  }
-  return "";
-}
+std::string ReadSlaves(vtkPointSet* input, Slaves& slaves);
 
 }
 

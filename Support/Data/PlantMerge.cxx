@@ -3,6 +3,7 @@
 #include "Data/PlantMerge.h"
 
 #include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -7,17 +7,13 @@
 // point arrays of High/Skeleton; a node has the values of the segment that starts there, a tip those of the segment
 // that ends there. Private: never installed, never wrapped.
 
-#include "Data/Arrays.h"
 #include "Plants/SeaweedSegment.h"
-#include "Seaweed/SegmentAngles.h"
-
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
+#include "Plants/Skeleton.h"
 
 #include <string>
 #include <vector>
+
+class vtkPolyData;
 
 namespace littoral
 {
@@ -39,95 +35,11 @@ constexpr const char* RestPhi = "RestPhi";           ///< of the paper [rad]
 }
 
 /// Adds the arrays to the skeleton as a block.
-inline void AddSegments(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, vtkPolyData* block)
-{
-  const auto nodes = static_cast<vtkIdType>(segments.size());
-  const auto add = [&](const char* name, const auto& valueOf) {
-    const auto array = NewArray<vtkFloatArray>(name, 1, nodes);
-    for (std::size_t node = 0; node < segments.size(); ++node)
-    {
-      array->SetValue(static_cast<vtkIdType>(node), static_cast<float>(valueOf(node)));
-    }
-    block->GetPointData()->AddArray(array);
-  };
-  const auto of = [&](double SeaweedSegment::*member) {
-    return [&segments, member](std::size_t node) { return segments[node].*member; };
-  };
-  add(seaweed::Width, of(&SeaweedSegment::Width));
-  add(seaweed::Thickness, of(&SeaweedSegment::Thickness));
-  add(seaweed::YoungModulus, of(&SeaweedSegment::YoungModulus));
-  add(seaweed::DampingRatio, of(&SeaweedSegment::DampingRatio));
-  add(seaweed::Density, of(&SeaweedSegment::Density));
-  add(seaweed::Length, [&](std::size_t node) {
-    const SkeletonBranch& branch = skeleton.Branches[skeleton.Nodes[node].Branch];
-    const std::size_t foot = std::min(node, static_cast<std::size_t>(branch.First + branch.Count - 2));
-    return glm::distance(skeleton.Nodes[foot + 1].Position, skeleton.Nodes[foot].Position);
-  });
-  const std::vector<SegmentAngles> angles = AnglesOf(skeleton);
-  add(seaweed::Attachment, [&](std::size_t node) { return angles[node].Attachment; });
-  add(seaweed::RestTheta, [&](std::size_t node) { return angles[node].Theta; });
-  add(seaweed::RestPhi, [&](std::size_t node) { return angles[node].Phi; });
-  const auto across = NewArray<vtkFloatArray>(seaweed::Across, 3, nodes);
-  const auto tissue = NewArray<vtkIntArray>(seaweed::Tissue, 1, nodes);
-  for (vtkIdType node = 0; node < nodes; ++node)
-  {
-    const SeaweedSegment& segment = segments[static_cast<std::size_t>(node)];
-    across->SetTuple3(node, segment.Across.x, segment.Across.y, segment.Across.z);
-    tissue->SetValue(node, static_cast<int>(segment.Tissue));
-  }
-  block->GetPointData()->AddArray(across);
-  block->GetPointData()->AddArray(tissue);
-}
+void AddSegments(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, vtkPolyData* block);
 
 /// Reads what AddSegments wrote, but for what follows from the skeleton. Why it cannot be read, in words for a user;
 /// empty when it was.
-inline std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segments)
-{
-  const vtkIdType nodes = block->GetNumberOfPoints();
-  segments.assign(static_cast<std::size_t>(nodes), SeaweedSegment{});
-  const auto find = [&](const char* name, int components) -> vtkDataArray* {
-    vtkDataArray* array = block->GetPointData()->GetArray(name);
-    return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == nodes ? array
-                                                                                                        : nullptr;
-  };
-  const struct
-  {
-    const char* Name;
-    double SeaweedSegment::*Member;
-  } numbers[] = { { seaweed::Width, &SeaweedSegment::Width }, { seaweed::Thickness, &SeaweedSegment::Thickness },
-    { seaweed::YoungModulus, &SeaweedSegment::YoungModulus }, { seaweed::DampingRatio, &SeaweedSegment::DampingRatio },
-    { seaweed::Density, &SeaweedSegment::Density } };
-  for (const auto& number : numbers)
-  {
-    vtkDataArray* array = find(number.Name, 1);
-    if (!array)
-    {
-      return std::string("High/Skeleton has no point array ") + number.Name + " of one number, as seaweeds have.";
-    }
-    for (vtkIdType node = 0; node < nodes; ++node)
-    {
-      segments[static_cast<std::size_t>(node)].*number.Member = array->GetComponent(node, 0);
-    }
-  }
-  vtkDataArray* across = find(seaweed::Across, 3);
-  vtkDataArray* tissue = find(seaweed::Tissue, 1);
-  if (!across || !tissue)
-  {
-    return "High/Skeleton has no point arrays Across[3] and Tissue, as seaweeds have.";
-  }
-  for (vtkIdType node = 0; node < nodes; ++node)
-  {
-    SeaweedSegment& segment = segments[static_cast<std::size_t>(node)];
-    across->GetTuple(node, &segment.Across.x);
-    segment.Tissue = static_cast<SeaweedTissue>(static_cast<int>(tissue->GetComponent(node, 0)));
-    const std::string reason = WhyInvalid(segment);
-    if (!reason.empty())
-    {
-      return "node " + std::to_string(node) + " of High/Skeleton: " + reason;
-    }
-  }
-  return {};
-}
+std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segments);
 
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SeaweedSceneBlocks.h"
 
-#include "Data/PlantReading.h"
+#include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
 #include "Data/SeaweedBlocks.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"

@@ -5,15 +5,17 @@
 
 // Plants in the wind between blocks and the numerics. Private: never installed, never wrapped.
 
-#include "Data/PlantReading.h"
+#include "Data/PlantBlocks.h"
+#include "Data/PlantTable.h"
 #include "Sway/SwayScene.h"
+
+#include "vtkImageData.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
-class vtkImageData;
 
 namespace littoral
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SwayPrototype.h"
 
-#include "Data/PlantReading.h"
+#include "Data/PlantBlocks.h"
 
 #include <algorithm>
 

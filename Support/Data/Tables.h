@@ -5,14 +5,9 @@
 
 // Columns and field data of the tables that Littoral's analyses write. Private: never installed, never wrapped.
 
-#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -20,6 +15,9 @@
 #include <iterator>
 #include <string>
 #include <type_traits>
+
+class vtkDataObject;
+class vtkInformationVector;
 
 namespace littoral
 {
@@ -41,36 +39,13 @@ void AddColumn(vtkTable* table, const char* name, const Records& records, const 
 }
 
 /// Adds one tuple of numbers to the field data.
-inline void AddField(vtkDataObject* data, const char* name, std::initializer_list<double> values)
-{
-  vtkNew<vtkDoubleArray> field;
-  field->SetName(name);
-  field->SetNumberOfComponents(static_cast<int>(values.size()));
-  field->InsertNextTuple(std::data(values));
-  data->GetFieldData()->AddArray(field);
-}
+void AddField(vtkDataObject* data, const char* name, std::initializer_list<double> values);
 
 /// Adds a word to the field data.
-inline void AddText(vtkDataObject* data, const char* name, const std::string& text)
-{
-  vtkNew<vtkStringArray> field;
-  field->SetName(name);
-  field->InsertNextValue(text);
-  data->GetFieldData()->AddArray(field);
-}
+void AddText(vtkDataObject* data, const char* name, const std::string& text);
 
 /// A table has no pieces, the first holds all of it: whether all outputs are asked for later ones only.
-inline bool AsksForLaterPieces(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    if (outputs->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
-    {
-      return false;
-    }
-  }
-  return true;
-}
+bool AsksForLaterPieces(vtkInformationVector* outputs);
 
 }
 

@@ -1,19 +1,103 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Data/PlantReading.h"
+#include "Data/PlantBlocks.h"
 
+#include "Data/SeaweedBlocks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkSmartPointer.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace littoral
 {
 
 namespace
 {
+
+/// Polygons with all that the mesh says of its vertices.
+vtkSmartPointer<vtkPolyData> PolyDataOf(const PlantMesh& mesh)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(PointsOf(mesh.Points));
+  vtkNew<vtkCellArray> polygons;
+  polygons->Use32BitStorage();
+  polygons->AllocateExact(mesh.NumberOfPolygons(), static_cast<vtkIdType>(mesh.Corners.size()));
+  for (int polygon = 0; polygon < mesh.NumberOfPolygons(); ++polygon)
+  {
+    polygons->InsertNextCell(mesh.Offsets[polygon + 1] - mesh.Offsets[polygon]);
+    for (int corner = mesh.Offsets[polygon]; corner < mesh.Offsets[polygon + 1]; ++corner)
+    {
+      polygons->InsertCellPoint(mesh.Corners[corner]);
+    }
+  }
+  data->SetPolys(polygons);
+  vtkPointData* arrays = data->GetPointData();
+  arrays->SetNormals(ArrayOf<vtkFloatArray>("Normals", 3, mesh.Normals));
+  arrays->SetScalars(ArrayOf<vtkUnsignedCharArray>(plant::RGB, 3, mesh.Colors));
+  if (!mesh.TCoords.empty())
+  {
+    arrays->SetTCoords(ArrayOf<vtkFloatArray>("TCoords", 2, mesh.TCoords));
+  }
+  if (!mesh.JointIds.empty())
+  {
+    arrays->AddArray(ArrayOf<vtkIntArray>(plant::JointIds, 4, mesh.JointIds));
+    arrays->AddArray(ArrayOf<vtkFloatArray>(plant::JointWeights, 4, mesh.JointWeights));
+  }
+  return data;
+}
+
+/// A polyline a branch.
+vtkSmartPointer<vtkPolyData> PolyDataOf(const Skeleton& skeleton, const Color& bark)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  std::vector<Vector3> positions;
+  std::vector<std::array<int, 1>> parents;
+  std::vector<std::array<double, 1>> radii;
+  std::vector<std::array<int, 1>> branchIds;
+  std::vector<std::array<int, 1>> orders;
+  for (const SkeletonNode& node : skeleton.Nodes)
+  {
+    positions.push_back(node.Position);
+    parents.push_back({ node.Parent });
+    radii.push_back({ node.Radius });
+  }
+  vtkNew<vtkCellArray> lines;
+  lines->Use32BitStorage();
+  for (const SkeletonBranch& branch : skeleton.Branches)
+  {
+    branchIds.push_back({ static_cast<int>(branchIds.size()) });
+    orders.push_back({ branch.Order });
+    lines->InsertNextCell(branch.Count);
+    for (int node = branch.First; node < branch.First + branch.Count; ++node)
+    {
+      lines->InsertCellPoint(node);
+    }
+  }
+  data->SetPoints(PointsOf(positions));
+  data->SetLines(lines);
+  vtkPointData* arrays = data->GetPointData();
+  arrays->AddArray(ArrayOf<vtkIntArray>(plant::ParentId, 1, parents));
+  arrays->AddArray(ArrayOf<vtkFloatArray>(plant::Radius, 1, radii));
+  arrays->SetScalars(ArrayOf<vtkUnsignedCharArray>(plant::RGB, 3, std::vector<Color>(positions.size(), bark)));
+  data->GetCellData()->AddArray(ArrayOf<vtkIntArray>(plant::BranchId, 1, branchIds));
+  data->GetCellData()->AddArray(ArrayOf<vtkIntArray>(plant::Order, 1, orders));
+  return data;
+}
+
+/// The wood that a plant is of, as field data: Young's modulus [Pa], density [kg/m3], damping ratio.
+void AttachWood(vtkDataObject* plant, const WoodParameters& wood)
+{
+  const std::vector<std::array<double, 3>> numbers{ { wood.YoungModulus, wood.Density, wood.DampingRatio } };
+  plant->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::Wood, 3, numbers));
+}
 
 /// Adds a line of nodes as a branch.
 void AddBranch(vtkIdList* line, Skeleton& skeleton)
@@ -34,14 +118,60 @@ void AddBranch(vtkIdList* line, Skeleton& skeleton)
   skeleton.Branches.push_back(branch);
 }
 
-vtkDataArray* FieldArray(vtkDataObject* data, const char* name, int components, vtkIdType tuples)
-{
-  vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  const bool fits =
-    array && array->GetNumberOfComponents() == components && (tuples < 0 || array->GetNumberOfTuples() == tuples);
-  return fits ? array : nullptr;
 }
 
+bool TakeColor(const double from[3], Color& to)
+{
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    if (!(from[channel] >= 0.0 && from[channel] <= 1.0))
+    {
+      return false;
+    }
+    to[channel] = static_cast<unsigned char>(std::lround(255.0 * from[channel]));
+  }
+  return true;
+}
+
+void AttachTexture(vtkDataObject* block, const TextureImage& texture)
+{
+  block->GetFieldData()->AddArray(ArrayOf<vtkUnsignedCharArray>(plant::Texture, 4, texture.Texels));
+  const std::vector<std::array<int, 1>> size{ { texture.Columns }, { texture.Rows } };
+  block->GetFieldData()->AddArray(ArrayOf<vtkIntArray>(plant::TextureSize, 1, size));
+}
+
+void CopyToImage(const TextureImage& texture, vtkImageData* image)
+{
+  image->SetExtent(0, texture.Columns - 1, 0, texture.Rows - 1, 0, 0);
+  image->GetPointData()->SetScalars(ArrayOf<vtkUnsignedCharArray>(plant::Texture, 4, texture.Texels));
+}
+
+void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* blocks)
+{
+  const Color bark = prototype.Skin.Colors.empty() ? Color{ 110, 90, 70 } : prototype.Skin.Colors.front();
+  vtkNew<vtkMultiBlockDataSet> high;
+  const auto skeleton = PolyDataOf(prototype.Wood, bark);
+  if (!prototype.Segments.empty())
+  {
+    AddSegments(prototype.Wood, prototype.Segments, skeleton);
+  }
+  AddBlock(high, plant::Skeleton, skeleton);
+  AddBlock(high, plant::Skin, PolyDataOf(prototype.Skin));
+  const auto leaves = PolyDataOf(prototype.Leaves);
+  AttachTexture(leaves, prototype.LeafTexture);
+  AddBlock(high, plant::Leaves, leaves);
+  vtkNew<vtkMultiBlockDataSet> medium;
+  AddBlock(medium, plant::Trunk, PolyDataOf(prototype.Trunk));
+  const auto crown = PolyDataOf(prototype.Crown);
+  AttachTexture(crown, prototype.CrownTexture);
+  AddBlock(medium, plant::Crown, crown);
+  AddBlock(blocks, plant::High, high);
+  AddBlock(blocks, plant::Medium, medium);
+  AddBlock(blocks, plant::Low, PolyDataOf(prototype.Low));
+  if (prototype.Segments.empty())
+  {
+    AttachWood(blocks, prototype.Timber);
+  }
 }
 
 vtkPolyData* PlantPartOf(vtkMultiBlockDataSet* plants, const char* level, const char* part)
@@ -143,41 +273,6 @@ bool ReadWood(vtkDataObject* plant, WoodParameters& wood)
   return numbers != nullptr;
 }
 
-int PlantTable::RowOf(int plant) const
-{
-  const auto found = std::lower_bound(this->Rows.begin(), this->Rows.end(), std::make_pair(plant, -1));
-  return found != this->Rows.end() && found->first == plant ? found->second : -1;
-}
-
-bool ReadTable(vtkDataObject* forest, PlantTable& table)
-{
-  vtkDataArray* plants = FieldArray(forest, plant::PlantId, 1, -1);
-  const vtkIdType count = plants ? plants->GetNumberOfTuples() : 0;
-  vtkDataArray* species = FieldArray(forest, "Species", 1, count);
-  vtkDataArray* scales = FieldArray(forest, "Scale", 1, count);
-  vtkDataArray* azimuths = FieldArray(forest, "Azimuth", 1, count);
-  vtkDataArray* positions = FieldArray(forest, "Position", 3, count);
-  vtkDataArray* levels = FieldArray(forest, "Level", 1, count);
-  if (!plants || !species || !scales || !azimuths || !positions || !levels)
-  {
-    return false;
-  }
-  for (vtkIdType row = 0; row < count; ++row)
-  {
-    PlantPlace place;
-    place.Site = static_cast<int>(plants->GetTuple1(row));
-    place.Species = static_cast<int>(species->GetTuple1(row));
-    place.Scale = scales->GetTuple1(row);
-    place.Azimuth = azimuths->GetTuple1(row);
-    positions->GetTuple(row, &place.Foot.x);
-    table.Rows.emplace_back(place.Site, static_cast<int>(row));
-    table.Places.push_back(place);
-    table.Levels.push_back(static_cast<PlantLevel>(static_cast<int>(levels->GetTuple1(row))));
-  }
-  std::sort(table.Rows.begin(), table.Rows.end());
-  return true;
-}
-
 TextureImage ReadTexture(vtkPolyData* block)
 {
   auto* texels = block ? vtkUnsignedCharArray::SafeDownCast(block->GetFieldData()->GetArray(plant::Texture)) : nullptr;
@@ -229,23 +324,6 @@ PlantMesh ReadMesh(vtkPolyData* block)
     mesh.AddPolygon(corners);
   }
   return mesh;
-}
-
-void ReplaceBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject* data)
-{
-  for (unsigned int block = 0; block < blocks->GetNumberOfBlocks(); ++block)
-  {
-    const char* own = blocks->HasMetaData(block) ? blocks->GetMetaData(block)->Get(vtkCompositeDataSet::NAME()) : "";
-    if (own && std::strcmp(own, name) == 0)
-    {
-      blocks->SetBlock(block, data);
-    }
-  }
-}
-
-vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other)
-{
-  return NewArray<vtkFloatArray>(other->GetName(), other->GetNumberOfComponents(), other->GetNumberOfTuples());
 }
 
 }

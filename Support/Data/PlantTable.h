@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportPlantTable_h
+#define LittoralSupportPlantTable_h
+
+// The table of a scattered forest, which is its field data. Private: never installed, never wrapped.
+
+#include "Plants/PlantScatter.h"
+
+#include <utility>
+#include <vector>
+
+class vtkDataObject;
+
+namespace littoral
+{
+
+/// The table of a scattered forest: its plants, but for their tints, with their levels.
+struct PlantTable
+{
+  std::vector<PlantPlace> Places;
+  std::vector<PlantLevel> Levels;
+
+  /// The row of a plant by its PlantId; -1 if there is none.
+  int RowOf(int plant) const;
+
+private:
+  friend bool ReadTable(vtkDataObject* forest, PlantTable& table);
+  std::vector<std::pair<int, int>> Rows; // by PlantId
+};
+
+/// False where plants are not scattered.
+bool ReadTable(vtkDataObject* forest, PlantTable& table);
+
+}
+
+#endif
