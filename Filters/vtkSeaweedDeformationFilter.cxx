@@ -13,6 +13,7 @@
 #include "Seaweed/SeaweedScene.h"
 
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"

@@ -114,7 +114,7 @@ int vtkSeaStateSource::RequestData(
   check.Choice("SeaBy", this->SeaBy, 2);
   check.Finite("SeaLevel", this->SeaLevel, "m");
   check.Require(WhyInvalid(cut));
-  const std::string reason = check.Reason();
+  std::string reason = check.Reason();
   SeaState state;
   double peakPeriod = 0.0;
   double energy = 0.0;

@@ -17,7 +17,6 @@ namespace littoral
 namespace
 {
 
-constexpr double Degree = Pi / 180.0;
 constexpr double Sway = 40.0 * Degree;          // of a segment's direction, at a variation of 1
 constexpr double TernarySegment = 50.0 / 200.0; // of the first ternary fork's segments to the trunk, as published
 constexpr double TernaryRoll = 45.0 * Degree;   // of the first ternary fork, as published

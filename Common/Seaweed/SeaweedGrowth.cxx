@@ -17,7 +17,6 @@ namespace
 {
 
 constexpr double GoldenAngle = 2.39996322972865332; // spreads fronds evenly [rad]
-constexpr double Degree = Pi / 180.0;
 constexpr int LeavesOfShoot = 4;
 constexpr double FirstBlade = 0.08; // part of a stipe below its blades
 constexpr double MostBlades = 20000;

@@ -16,8 +16,6 @@ using namespace littoral;
 namespace
 {
 
-constexpr double Degree = Pi / 180.0;
-
 AonoKuniiParameters Exact(ForkPreset preset)
 {
   AonoKuniiParameters parameters = PresetParameters(preset);
