@@ -488,7 +488,7 @@ TEST_P(LargeLaws, FitsFindTheLaw)
   if (fit.MomentsExist)
   {
     EXPECT_NEAR(CountVariance(fit.Moments) / MomentsOfCounts(frequencies).Variance, 1.0,
-      law.Law == QuadratLaw::Poisson ? spread : 0.01);
+      TraitsOf(law.Law).Parameters.Size() == 1 ? spread : 0.01); // the mean alone leaves the variance free
   }
   EXPECT_GT(fit.PValue, 1e-3);
 }
