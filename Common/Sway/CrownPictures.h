@@ -35,9 +35,9 @@ std::vector<TextureImage> CrownPictures(const SwaySpecies& species, const CrownM
   const Vector3& middle, const SwaySettings& settings);
 
 /**
- * The number of the picture that a crown shows at a time [s], which may be less by the arrival time of the wind:
- * pictures turn with the trunk's frequency [Hz], brought to the nearest whole number of swings in a period of the
- * wind [s] (at least one), so that all repeats.
+ * Number of the picture that a crown shows at a time [s] after the arrival of the wind, from 0. Pictures follow each
+ * other with the trunk's frequency [Hz], rounded to a whole number of swings, at least one, in a period of the wind
+ * [s].
  */
 int CrownPictureAt(double time, double frequency, double period, int pictures);
 

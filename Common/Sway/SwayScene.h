@@ -21,15 +21,15 @@ namespace littoral
 {
 
 /**
- * Plants of several species that sway in a wind: those in full with all their branches, those of the level Medium as
- * trunks alone, along which their crowns go. The motion of a plant depends on its own wind alone; neither other plants
- * nor the times asked for before change a byte of it.
+ * Plants of several species in one wind: plants in full with all branches, plants of the level Medium as bare trunks
+ * that carry their crowns. The motion of a plant depends on the wind at its place and on the time alone, to the last
+ * byte; neither on other plants nor on earlier times.
  */
 class SwayScene
 {
 public:
-  /// A row of `places` is a plant's number. Species of the places are indices into `species`, which may be empty: all
-  /// plants then have the wood of the settings, and none of the level Medium sways.
+  /// Plants are numbered by their row in `places`. The Species of a place is an index into `species`. Without species,
+  /// all plants have the wood of the settings, and plants of the level Medium stand still.
   SwayScene(const SwaySettings& settings, std::shared_ptr<const FrozenWind> wind, std::vector<PlantPlace> places,
     std::vector<SwaySpecies> species);
 
@@ -39,32 +39,32 @@ public:
   const std::vector<SwaySpecies>& GetSpecies() const { return this->Species; }
   std::size_t GetNumberOfRows() const { return this->Places.size(); }
 
-  /// Memory [bytes] of plants' skeletons and leaves, but for what PlantSway keeps.
+  /// Memory of skeletons and leaves [bytes], without that of PlantSway.
   static double BytesOf(std::size_t nodes, std::size_t leaves);
 
-  /// The beams of a plant in full, for AddPlant. A row of none is that of a plant of no species. Thread-safe.
+  /// Beams of a plant in full, for AddPlant; with the wood of the settings where there is no such row. Thread-safe.
   std::vector<BranchBeam> BeamsOf(int row, const Skeleton& rest, const std::vector<double>& leafAreas) const;
 
-  /// Adds a plant in full; its joints follow those of the plants before it. Why it cannot be added; empty when it was.
+  /// Adds a plant in full, its joints after those of earlier plants. Why it cannot be added; empty when it was.
   std::string AddPlant(int row, const Skeleton& rest, const std::vector<BranchBeam>& beams);
 
-  /// Adds a leaf of a plant in full, a plant's leaves in a row. Its flutter is a function of the plant's identity and
-  /// of its own place among the plant's leaves.
+  /// Adds a leaf of a plant in full, after the earlier leaves of the same plant. Its flutter is a function of the
+  /// plant's identity and of the leaf's number in the plant.
   void AddLeaf(const std::array<int, 4>& corners, int plant, std::uint64_t identity);
 
-  /// The plant of a row as a trunk, which is added at the first call; -1 where its species stands still. Why it cannot
-  /// be added; empty when it was.
+  /// Index of a row's bare trunk among the plants; -1 where its species stands still. The first call adds it. Why it
+  /// cannot be added; empty otherwise.
   std::string FindTrunk(int row, int& plant);
 
-  /// Which joints move the vertices [begin, end) of a block that follows a trunk. Points are tuples of three, joints
-  /// and weights of four.
+  /// Joints, and their weights, of the vertices [begin, end) of a block that a trunk carries. Points are tuples of
+  /// three, joints and weights of four.
   void FollowTrunk(
     int plant, const float* points, std::size_t begin, std::size_t end, int* joints, float* weights) const;
 
   /// Adds the crown of a row; its vertices begin at `first` and end at the first of the next crown.
   void AddCrown(int row, std::size_t first);
 
-  /// Pictures of the crowns in their atlas, all of a species side by side.
+  /// Areas of the crowns' pictures in their atlas, species by species.
   void SetPictureAreas(const std::vector<AtlasArea>& areas) { this->Areas = areas; }
 
   /// Moves all plants to a time [s], any finite number.
@@ -73,20 +73,20 @@ public:
   std::size_t GetNumberOfPlants() const { return this->Plants.size(); }
   std::size_t GetNumberOfLeaves() const { return this->Leaves.size(); }
 
-  /// The first mode of the trunk [Hz] of each plant that sways, by row; 0 of those that stand still.
+  /// Frequency of the trunk's first mode [Hz] by row; 0 for plants that stand still.
   const std::vector<double>& GetFrequencies() const { return this->Frequencies; }
 
-  /// What the joints of all plants add to their skins, at the time of MoveTo.
+  /// Motion of all joints at the time of MoveTo, for MoveSkin.
   const std::vector<JointChange>& GetChanges() const { return this->Changes; }
 
   /// The position of a joint [m] at the time of MoveTo.
   Vector3 JointPosition(std::size_t node) const { return this->Rest.Nodes[node].Position + this->Poses[node].Shift; }
 
-  /// Turns leaves [begin, end), which joints have moved, to the wind at the time of MoveTo, and lets them flutter.
+  /// Turns the leaves [begin, end) of skins that MoveSkin has moved, at the time of MoveTo.
   void TurnLeaves(std::size_t begin, std::size_t end, float* points, float* normals) const;
 
-  /// Texture coordinates of the vertices of all crowns, so that each shows its picture of the time of MoveTo. The
-  /// pictures of a crown are late by the arrival time of the wind at its foot.
+  /// Texture coordinates of all crowns' vertices at the time of MoveTo. The pictures of a crown are delayed by the
+  /// arrival time of the wind at its foot.
   void ShowPictures(std::size_t vertices, float* tcoords, const ParallelFor& parallel = SerialFor) const;
 
 private:

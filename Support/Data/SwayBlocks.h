@@ -35,7 +35,7 @@ public:
   /// Moves the plants to a time [s]; `output` is a shallow copy of the plants. An abort leaves it unchanged.
   void Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output, vtkAlgorithm* progress);
 
-  /// The first mode of the trunk [Hz] of each plant that sways, by row; 0 of those that stand still.
+  /// Frequency of the trunk's first mode [Hz] by row; 0 for plants that stand still.
   const std::vector<double>& GetFrequencies() const { return this->Scene->GetFrequencies(); }
 
   /// Pictures of the crowns, all of a species one above the other, then the next species.
