@@ -4,6 +4,7 @@
 // filter, levels of detail and their counters, and every bad input.
 #include "Check.h"
 #include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
 #include "ErrorCounter.h"
 #include "PlantChecks.h"
 #include "Plants/Skinning.h"
