@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Three kinds of seaweeds at their levels of detail: arrays, same bytes, pieces, bad input, a bed of them, a picture.
 #include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
 #include "PlantChecks.h"
 #include "PlantScene.h"
 #include "vtkPlantScatterFilter.h"
