@@ -22,7 +22,34 @@ namespace littoral
 namespace
 {
 
-/// Polygons with all that the mesh says of its vertices.
+/// The wood that a plant is of, as field data: Young's modulus [Pa], density [kg/m3], damping ratio.
+void AttachWood(vtkDataObject* plant, const WoodParameters& wood)
+{
+  const std::vector<std::array<double, 3>> numbers{ { wood.YoungModulus, wood.Density, wood.DampingRatio } };
+  plant->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::Wood, 3, numbers));
+}
+
+/// Adds a line of nodes as a branch.
+void AddBranch(vtkIdList* line, Skeleton& skeleton)
+{
+  const int index = static_cast<int>(skeleton.Branches.size());
+  SkeletonBranch branch{ line->GetNumberOfIds() > 0 ? static_cast<int>(line->GetId(0)) : 0,
+    static_cast<int>(line->GetNumberOfIds()), 0 };
+  for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
+  {
+    skeleton.Nodes[static_cast<std::size_t>(line->GetId(i))].Branch = index;
+  }
+  if (branch.Count > 0)
+  {
+    const int parent = skeleton.Nodes[static_cast<std::size_t>(branch.First)].Parent;
+    const int below = parent >= 0 && parent < branch.First ? skeleton.Nodes[parent].Branch : -1;
+    branch.Order = below >= 0 && below < index ? skeleton.Branches[below].Order + 1 : 0;
+  }
+  skeleton.Branches.push_back(branch);
+}
+
+}
+
 vtkSmartPointer<vtkPolyData> PolyDataOf(const PlantMesh& mesh)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -54,7 +81,6 @@ vtkSmartPointer<vtkPolyData> PolyDataOf(const PlantMesh& mesh)
   return data;
 }
 
-/// A polyline a branch.
 vtkSmartPointer<vtkPolyData> PolyDataOf(const Skeleton& skeleton, const Color& bark)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -90,34 +116,6 @@ vtkSmartPointer<vtkPolyData> PolyDataOf(const Skeleton& skeleton, const Color& b
   data->GetCellData()->AddArray(ArrayOf<vtkIntArray>(plant::BranchId, 1, branchIds));
   data->GetCellData()->AddArray(ArrayOf<vtkIntArray>(plant::Order, 1, orders));
   return data;
-}
-
-/// The wood that a plant is of, as field data: Young's modulus [Pa], density [kg/m3], damping ratio.
-void AttachWood(vtkDataObject* plant, const WoodParameters& wood)
-{
-  const std::vector<std::array<double, 3>> numbers{ { wood.YoungModulus, wood.Density, wood.DampingRatio } };
-  plant->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::Wood, 3, numbers));
-}
-
-/// Adds a line of nodes as a branch.
-void AddBranch(vtkIdList* line, Skeleton& skeleton)
-{
-  const int index = static_cast<int>(skeleton.Branches.size());
-  SkeletonBranch branch{ line->GetNumberOfIds() > 0 ? static_cast<int>(line->GetId(0)) : 0,
-    static_cast<int>(line->GetNumberOfIds()), 0 };
-  for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
-  {
-    skeleton.Nodes[static_cast<std::size_t>(line->GetId(i))].Branch = index;
-  }
-  if (branch.Count > 0)
-  {
-    const int parent = skeleton.Nodes[static_cast<std::size_t>(branch.First)].Parent;
-    const int below = parent >= 0 && parent < branch.First ? skeleton.Nodes[parent].Branch : -1;
-    branch.Order = below >= 0 && below < index ? skeleton.Branches[below].Order + 1 : 0;
-  }
-  skeleton.Branches.push_back(branch);
-}
-
 }
 
 bool TakeColor(const double from[3], Color& to)

@@ -57,6 +57,12 @@ bool TakeColor(const double from[3], Color& to);
 
 // Plants to blocks.
 
+/// Polygons with all that the mesh says of its vertices.
+vtkSmartPointer<vtkPolyData> PolyDataOf(const PlantMesh& mesh);
+
+/// A polyline a branch.
+vtkSmartPointer<vtkPolyData> PolyDataOf(const Skeleton& skeleton, const Color& bark);
+
 /// High {Skeleton, Skin, Leaves}, Medium {Trunk, Crown} and Low.
 void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* blocks);
 

@@ -15,6 +15,7 @@
 #include "vtkPlantWakeFilter.h"
 #include "vtkSeaweedDeformationFilter.h"
 #include "vtkSeaweedSource.h"
+#include "vtkTable.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkPointSet.h"
