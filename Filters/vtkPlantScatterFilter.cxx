@@ -145,14 +145,11 @@ void SetWholeExtent(vtkInformation* output, const std::array<long long, 2>& size
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
 }
 
-/// Writes a texture and corrects the announced size of the image. False if it was another one.
-bool WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
+/// Writes a texture, and corrects the size that was announced if the prototypes turned out to have others.
+void WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
 {
   littoral::CopyToImage(texture, vtkImageData::GetData(output));
-  int announced[6];
-  output->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), announced);
   SetWholeExtent(output, { texture.Columns, texture.Rows });
-  return announced[1] + 1 == texture.Columns && announced[3] + 1 == texture.Rows;
 }
 
 using Blocks = std::array<vtkPolyData*, NumberOfParts>;
@@ -822,12 +819,8 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   {
     return 0;
   }
-  const bool crowns = WriteTexture(this->Internal->Species.CrownAtlas, outputs->GetInformationObject(1));
-  const bool leaves = WriteTexture(this->Internal->Species.LeafAtlas, outputs->GetInformationObject(2));
-  if (!crowns || !leaves)
-  {
-    this->Modified(); // the sizes are announced anew before the next update
-  }
+  WriteTexture(this->Internal->Species.CrownAtlas, outputs->GetInformationObject(1));
+  WriteTexture(this->Internal->Species.LeafAtlas, outputs->GetInformationObject(2));
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -33,7 +33,7 @@
  *
  * The sizes of the textures are known before the prototypes are made where their sources announce them by
  * vtkPlantSource::TEXTURE_SIZES(), which other filters pass on, and where the data are there already. Else they are
- * corrected in the execution, and a filter of one of these images sees all of it in its second update.
+ * known after an execution: update this filter before filters that process one of these images.
  *
  * A piece reads all sites and holds its share of the plants. A property or a site value out of range, or a site beyond
  * the terrain, is reported as one error.

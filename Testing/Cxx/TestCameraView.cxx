@@ -48,7 +48,7 @@ bool HasPlanesOf(vtkCamera* camera, const littoral::View& view)
   return good;
 }
 
-/// Whether a place is between the sides of a view; those on its edge are of no interest.
+/// Whether a place is between the sides of a view and before its eye; those on its edge are of no interest.
 enum class Seen
 {
   No,
@@ -60,9 +60,8 @@ Seen IsSeen(const littoral::View& view, const littoral::Vector3& place)
 {
   const littoral::ViewFrustum frustum(view);
   double nearest = Distance;
-  for (int side = 0; side < 4; ++side)
+  for (const littoral::ViewFrustum::Plane& plane : frustum.GetPlanes())
   {
-    const littoral::ViewFrustum::Plane& plane = frustum.GetPlanes()[static_cast<std::size_t>(side)];
     nearest = std::min(nearest, glm::dot(plane.Normal, place) + plane.Offset);
   }
   return std::abs(nearest) < 1e-6 * Distance ? Seen::Edge : nearest > 0.0 ? Seen::Yes : Seen::No;
