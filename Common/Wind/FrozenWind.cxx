@@ -8,7 +8,7 @@ namespace littoral
 {
 
 FrozenWind::FrozenWind(
-  const WindGrid& grid, const WindTimes& times, const float* velocities, const ParallelFor& parallel)
+  const FrozenWindGrid& grid, const WindTimes& times, const float* velocities, const ParallelFor& parallel)
   : Grid(grid)
   , Times(times)
   , Lines(velocities, grid.Size, parallel)

@@ -15,7 +15,7 @@ namespace littoral
 {
 
 /// Regular grid of a wind field: axis 0 along the mean wind, axis 1 across it, axis 2 up.
-struct WindGrid
+struct FrozenWindGrid
 {
   std::array<int, 3> Size{ 4, 1, 1 }; ///< samples along each axis
   /// Rows of the affine map from positions [m] to indices: three factors and a shift each.
@@ -35,8 +35,8 @@ class FrozenWind
 public:
   /// Velocities [m/s] of the grid's samples, three numbers each, axis 0 fastest. Steps of `times` in a period are the
   /// samples along axis 0.
-  FrozenWind(
-    const WindGrid& grid, const WindTimes& times, const float* velocities, const ParallelFor& parallel = SerialFor);
+  FrozenWind(const FrozenWindGrid& grid, const WindTimes& times, const float* velocities,
+    const ParallelFor& parallel = SerialFor);
 
   const WindTimes& GetTimes() const { return this->Times; }
 
@@ -55,7 +55,7 @@ public:
   double Arrival(const Vector3& place) const;
 
 private:
-  WindGrid Grid;
+  FrozenWindGrid Grid;
   WindTimes Times;
   WindLines Lines;
 

@@ -62,9 +62,9 @@ std::string ReadTimes(vtkImageData* image, WindTimes& times)
   return {};
 }
 
-WindGrid GridOf(vtkImageData* image)
+FrozenWindGrid GridOf(vtkImageData* image)
 {
-  WindGrid grid;
+  FrozenWindGrid grid;
   const int* extent = image->GetExtent();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -101,7 +101,7 @@ std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& win
   {
     return "Velocity of the wind has values that are not finite.";
   }
-  const WindGrid grid = GridOf(image);
+  const FrozenWindGrid grid = GridOf(image);
   const double bytes = WindLines::BytesOf(grid.Size);
   if (bytes > AvailableMemory())
   {

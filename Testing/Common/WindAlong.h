@@ -51,7 +51,7 @@ struct WindAlong
   /// The field of the samples: three lines across, two layers from 0 to 40 m.
   FrozenWind Field() const
   {
-    WindGrid grid;
+    FrozenWindGrid grid;
     grid.Size = { this->Samples, 3, 2 };
     const Vector3 along = this->Along() / this->Spacing;
     const Vector3 across = this->Across() / this->HalfWidth;

@@ -414,14 +414,15 @@ TEST(Orbits, SharesOfTrainsAreThoseOfASmallerSea)
 
 TEST(Spectrum, PiersonMoskowitzHasItsMoments)
 {
-  for (const auto& [wind, height, period] :
-    { std::array<double, 3>{ 5, 0.533, 3.65 }, { 10, 2.133, 7.30 }, { 15, 4.799, 10.95 }, { 20, 8.532, 14.60 } })
+  // 4 sqrt(alpha / (4 beta)) U2 / g and 2 pi (5 / (4 beta))^(1/4) U / g
+  for (const auto& [wind, height, period] : { std::array<double, 3>{ 5, 0.5334, 3.652 }, { 10, 2.1337, 7.304 },
+         { 15, 4.8009, 10.956 }, { 20, 8.5349, 14.609 } })
   {
     SpectrumParameters parameters;
     parameters.WindSpeed = wind;
     const SeaSpectrum spectrum(parameters);
-    EXPECT_NEAR(4.0 * std::sqrt(spectrum.TotalEnergy()), height, 6e-4);
-    EXPECT_NEAR(TwoPi / spectrum.PeakFrequency(), period, 6e-3);
+    EXPECT_NEAR(4.0 * std::sqrt(spectrum.TotalEnergy()), height, 6e-5);
+    EXPECT_NEAR(TwoPi / spectrum.PeakFrequency(), period, 6e-4);
     const double w = 1.3 * spectrum.PeakFrequency();
     const double density =
       8.1e-3 * Gravity * Gravity * std::pow(w, -5.0) * std::exp(-0.74 * std::pow(Gravity / (wind * w), 4.0));
