@@ -381,11 +381,11 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
   }
   float* p = points->GetPointer(0);
   float* n = normals ? normals->GetPointer(0) : nullptr;
-  SmpForRanges(static_cast<std::size_t>(points->GetNumberOfTuples()), VertexGrain,
+  ForRanges(SmpFor, static_cast<std::size_t>(points->GetNumberOfTuples()), VertexGrain,
     [&](std::size_t begin, std::size_t end) { MoveSkin(rest, this->Scene->GetChanges().data(), begin, end, p, n); });
   if (std::strcmp(skin.Name, plant::Leaves) == 0)
   {
-    SmpForRanges(this->Scene->GetNumberOfLeaves(), LeafGrain,
+    ForRanges(SmpFor, this->Scene->GetNumberOfLeaves(), LeafGrain,
       [&](std::size_t begin, std::size_t end) { this->Scene->TurnLeaves(begin, end, p, n); });
   }
   auto moved = vtkSmartPointer<vtkPolyData>::New();

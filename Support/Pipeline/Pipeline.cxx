@@ -15,12 +15,6 @@ void SmpFor(std::size_t count, const RangeTask& task)
     [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
-void SmpForRanges(std::size_t count, std::size_t length, const RangeTask& task)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(length),
-    [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
-}
-
 bool IsAborted(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)

@@ -21,9 +21,6 @@ namespace littoral
 /// The numerics' parallel loop on VTK's threads.
 void SmpFor(std::size_t count, const RangeTask& task);
 
-/// The same in ranges of some length. What is no longer than one is done at once: threads cost some 0.1 ms to call.
-void SmpForRanges(std::size_t count, std::size_t length, const RangeTask& task);
-
 /// Whether the user asked to stop.
 bool IsAborted(vtkAlgorithm* algorithm);
 

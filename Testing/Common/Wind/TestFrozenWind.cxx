@@ -87,7 +87,7 @@ TEST(FrozenWind, ReachesAcrossItsLinesAndUpToItsTop)
 TEST(FrozenWind, HeightsOverGround)
 {
   // Two layers: 2 m/s at 0 m, 10 m/s at 10 m.
-  WindGrid grid;
+  FrozenWindGrid grid;
   grid.Size = { 8, 1, 2 };
   grid.ToIndex[2] = { 0.0, 0.0, 0.1, 0.0 };
   grid.LayerSpacing = 10.0;
