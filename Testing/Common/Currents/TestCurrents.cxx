@@ -96,7 +96,7 @@ TEST(FlowPrimitives, AreFiniteEverywhere)
       {
         const Vector3 flow = field.Velocity({ r, -0.5 * r, 0.25 * r });
         ASSERT_TRUE(IsFinite(flow)) << static_cast<int>(type) << " at " << r;
-        ASSERT_LE(glm::length(flow), 3e9); // strength over the cube of the core
+        ASSERT_LT(glm::length(flow), 1e6);
       }
     }
   }
@@ -192,7 +192,7 @@ TEST(FlowPrimitives, OfWhichManyEndAreSummedOneByOne)
     ASSERT_LT(glm::length(field.Velocity(place) - sum), 1e-12);
     moving += glm::length(sum) > 1e-3;
   }
-  EXPECT_GT(moving, 1000);
+  EXPECT_GT(moving, 2000);
   EXPECT_FALSE(IsFinite(field.Velocity({ NaN, 0.0, 0.0 })));
 }
 
