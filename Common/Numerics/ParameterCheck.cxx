@@ -46,6 +46,12 @@ void ParameterCheck::Require(bool isGood, const std::string& otherwise)
   }
 }
 
+void ParameterCheck::Require(
+  bool isGood, const std::string& name, const std::string& value, const char* unit, const std::string& wanted)
+{
+  this->Require(isGood, isGood ? std::string() : Sentence(name, value, unit, wanted));
+}
+
 void ParameterCheck::Range(const std::string& name, double value, double low, double high, const char* unit)
 {
   if (!(value >= low && value <= high))

@@ -51,6 +51,10 @@ public:
   /// Any other condition, in words that name the parameter: "ViewUp must be finite and not zero."
   void Require(bool isGood, const std::string& otherwise);
 
+  /// The one sentence of all of these: "NAME is VALUE UNIT; it must be WANTED."
+  void Require(
+    bool isGood, const std::string& name, const std::string& value, const char* unit, const std::string& wanted);
+
 private:
   std::string First;
 };

@@ -3,7 +3,8 @@
 #ifndef LittoralParameterRange_h
 #define LittoralParameterRange_h
 
-#include <cmath>
+#include "Numerics/ParameterCheck.h"
+
 #include <string>
 
 namespace littoral
@@ -12,12 +13,9 @@ namespace littoral
 /// Why a parameter's value is bad, in words; empty when it is finite and within the range.
 inline std::string OutOfRange(const char* name, double value, double low, double high)
 {
-  if (std::isfinite(value) && value >= low && value <= high)
-  {
-    return {};
-  }
-  return std::string(name) + " is " + std::to_string(value) + "; it must be from " + std::to_string(low) + " to " +
-    std::to_string(high) + ".";
+  ParameterCheck check;
+  check.Range(name, value, low, high);
+  return check.Reason();
 }
 
 }

@@ -3,6 +3,8 @@
 #ifndef LittoralParameterTraits_h
 #define LittoralParameterTraits_h
 
+#include "Numerics/ParameterCheck.h"
+
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -81,13 +83,9 @@ struct ParameterTraits
   std::string WhyInvalid(const Parameters& parameters) const
   {
     const double value = this->Get(parameters);
-    if (this->Allowed.Contains(value))
-    {
-      return {};
-    }
-    std::ostringstream text;
-    text << this->Name << " is " << value << "; it must be " << this->Allowed.Words() << ".";
-    return text.str();
+    ParameterCheck check;
+    check.Require(this->Allowed.Contains(value), this->Name, TextOf(value), this->Unit, this->Allowed.Words());
+    return check.Reason();
   }
 };
 
@@ -151,12 +149,9 @@ struct ParameterList
 /// Why a choice is none of a table's rows, as "Model is 9; it must be from 0 to 6."; empty when it is one.
 inline std::string WhyNoRow(const char* name, int choice, int rows)
 {
-  if (choice >= 0 && choice < rows)
-  {
-    return {};
-  }
-  return std::string(name) + " is " + std::to_string(choice) + "; it must be from 0 to " + std::to_string(rows - 1) +
-    ".";
+  ParameterCheck check;
+  check.Choice(name, choice, rows);
+  return check.Reason();
 }
 
 /// The name of a table's row, "Unknown" for a choice that is none; `nameOf` is asked for choices that are.

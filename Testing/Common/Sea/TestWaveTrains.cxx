@@ -462,3 +462,25 @@ TEST(WaveDirections, OfFewOrUnequalTrains)
     }
   }
 }
+
+TEST(WaveTrains, TablesMayRoundGravityButNotDepth)
+{
+  // w2 = g k tanh kh, with the gravity that other programs take, in 8 m of water, where the depth counts.
+  SeaState sea;
+  sea.Depth = 8.0;
+  const auto isRefused = [&](double gravity, double depth) {
+    WaveTrain train{};
+    train.Amplitude = 0.3;
+    train.WaveNumber = 0.1;
+    train.AngularFrequency = std::sqrt(gravity * train.WaveNumber * std::tanh(train.WaveNumber * depth));
+    sea.Trains = { train };
+    return WhyInvalid(sea).find("another depth") != std::string::npos;
+  };
+  for (const double gravity : { 9.8, 9.80665, 9.81 })
+  {
+    EXPECT_FALSE(isRefused(gravity, 8.0)) << gravity;
+    EXPECT_TRUE(isRefused(gravity, 8.1)) << gravity;
+    EXPECT_TRUE(isRefused(gravity, 7.9)) << gravity;
+  }
+  EXPECT_TRUE(isRefused(9.7, 8.0));
+}
