@@ -57,18 +57,18 @@ struct vtkBeamTreeDeformationFilter::Memory
 //----------------------------------------------------------------------------
 vtkBeamTreeDeformationFilter::vtkBeamTreeDeformationFilter()
   : NumberOfModes(1)
-  , Response(0)
+  , Response(Interpolated)
   , DragCoefficient(1.1)
   , LiftCoefficient(0.0)
-  , DragLaw(0)
+  , DragLaw(Projection)
   , Gravity(false)
   , WoodFromPlants(true)
   , YoungModulus(5.1e9)
   , WoodDensity(950.0)
-  , Damping(0.08)
+  , DampingRatio(0.08)
   , LeafFlutter(1.0)
-  , NumberOfPictures(8)
-  , PictureSize{ 256, 128 }
+  , NumberOfTextures(8)
+  , TextureSize{ 256, 128 }
   , Seed(1)
 {
   this->SetNumberOfInputPorts(3);
@@ -126,9 +126,9 @@ int vtkBeamTreeDeformationFilter::RequestInformation(
     output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   }
   const int species = std::max(1, inputVector[PrototypesPort]->GetNumberOfInformationObjects());
-  const int pictures = species * std::clamp(this->NumberOfPictures, 1, MostPictures);
+  const int pictures = species * std::clamp(this->NumberOfTextures, 1, MostPictures);
   const std::array<long long, 2> size = littoral::AtlasSize(std::vector<std::array<int, 2>>(
-    pictures, { std::max(1, this->PictureSize[0]), std::max(1, this->PictureSize[1]) }));
+    pictures, { std::max(1, this->TextureSize[0]), std::max(1, this->TextureSize[1]) }));
   const int extent[6] = { 0, static_cast<int>(size[0]) - 1, 0, static_cast<int>(size[1]) - 1, 0, 0 };
   outputVector->GetInformationObject(1)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   return 1;
@@ -156,16 +156,16 @@ std::string vtkBeamTreeDeformationFilter::WhyInvalid() const
     reason = reason.empty() ? littoral::OutOfRange(name, value, low, high) : reason;
   };
   check("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
-  check("Response", this->Response, 0, 1);
+  check("Response", this->Response, Interpolated, Direct);
   check("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
   check("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
-  check("DragLaw", this->DragLaw, 0, 1);
+  check("DragLaw", this->DragLaw, Projection, CrossFlow);
   check("LeafFlutter", this->LeafFlutter, 0.0, 2.0);
-  check("NumberOfPictures", this->NumberOfPictures, 1, MostPictures);
-  check("PictureSize", this->PictureSize[0], 4, 4096);
-  check("PictureSize", this->PictureSize[1], 4, 4096);
+  check("NumberOfTextures", this->NumberOfTextures, 1, MostPictures);
+  check("TextureSize", this->TextureSize[0], 4, 4096);
+  check("TextureSize", this->TextureSize[1], 4, 4096);
   return reason.empty()
-    ? littoral::WhyInvalid(littoral::WoodParameters{ this->YoungModulus, this->WoodDensity, this->Damping })
+    ? littoral::WhyInvalid(littoral::WoodParameters{ this->YoungModulus, this->WoodDensity, this->DampingRatio })
     : reason;
 }
 
@@ -179,13 +179,13 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
   settings.Options.Load.LiftCoefficient = this->LiftCoefficient;
   settings.Options.Load.Law = static_cast<littoral::DragLaw>(this->DragLaw);
   settings.Options.Gravity = this->Gravity;
-  settings.Options.Wood = { this->YoungModulus, this->WoodDensity, this->Damping };
+  settings.Options.Wood = { this->YoungModulus, this->WoodDensity, this->DampingRatio };
   settings.WoodFromPlants = this->WoodFromPlants;
   settings.Leaves.LargestAlignment = std::min(1.0, settings.Leaves.LargestAlignment * this->LeafFlutter);
   settings.Leaves.FlutterAngle *= this->LeafFlutter;
   settings.Leaves.Seed = this->Seed;
-  settings.Pictures = this->NumberOfPictures;
-  settings.PictureSize = { this->PictureSize[0], this->PictureSize[1] };
+  settings.Pictures = this->NumberOfTextures;
+  settings.TextureSize = { this->TextureSize[0], this->TextureSize[1] };
   return settings;
 }
 
@@ -268,9 +268,9 @@ void vtkBeamTreeDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WoodFromPlants: " << this->WoodFromPlants << "\n";
   os << indent << "YoungModulus: " << this->YoungModulus << "\n";
   os << indent << "WoodDensity: " << this->WoodDensity << "\n";
-  os << indent << "Damping: " << this->Damping << "\n";
+  os << indent << "DampingRatio: " << this->DampingRatio << "\n";
   os << indent << "LeafFlutter: " << this->LeafFlutter << "\n";
-  os << indent << "NumberOfPictures: " << this->NumberOfPictures << "\n";
-  os << indent << "PictureSize: " << this->PictureSize[0] << " " << this->PictureSize[1] << "\n";
+  os << indent << "NumberOfTextures: " << this->NumberOfTextures << "\n";
+  os << indent << "TextureSize: " << this->TextureSize[0] << " " << this->TextureSize[1] << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

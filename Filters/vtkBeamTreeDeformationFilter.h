@@ -63,14 +63,22 @@ public:
   vtkGetMacro(NumberOfModes, int);
   ///@}
 
+  enum ResponseType
+  {
+    Interpolated = 0,
+    Direct = 1,
+  };
+
   ///@{
   /**
-   * Response of the branches to the wind, 0 Interpolated or 1 Direct; default 0. Interpolated: from the responses of
+   * Response of the branches to the wind, a ResponseType; default Interpolated. Interpolated: from the responses of
    * three orthogonal beams in the wind at the center of the plant (eq. 25). Direct: a separate response of each branch
    * to the wind at its position, slower and with more memory.
    */
   vtkSetMacro(Response, int);
   vtkGetMacro(Response, int);
+  void SetResponseToInterpolated() { this->SetResponse(Interpolated); }
+  void SetResponseToDirect() { this->SetResponse(Direct); }
   ///@}
 
   ///@{
@@ -92,14 +100,22 @@ public:
   vtkGetMacro(LiftCoefficient, double);
   ///@}
 
+  enum DragLawType
+  {
+    Projection = 0,
+    CrossFlow = 1,
+  };
+
   ///@{
   /**
-   * Drag law, 0 Projection or 1 Cross Flow; default 0. Projection: |U| times the wind component normal to the branch.
-   * Cross Flow: quadratic in the normal component alone. Used by the Direct response; the Interpolated one is linear in
+   * Drag law, a DragLawType; default Projection. Projection: |U| times the wind component normal to the branch.
+   * CrossFlow: quadratic in the normal component alone. Used by the Direct response; the Interpolated one is linear in
    * the projection.
    */
   vtkSetMacro(DragLaw, int);
   vtkGetMacro(DragLaw, int);
+  void SetDragLawToProjection() { this->SetDragLaw(Projection); }
+  void SetDragLawToCrossFlow() { this->SetDragLaw(CrossFlow); }
   ///@}
 
   ///@{
@@ -114,7 +130,7 @@ public:
   ///@{
   /**
    * Wood properties from the plants; default on. Plants with the field data `Wood`, as the presets of the tree sources
-   * write them, have those properties. If off, and for other plants, YoungModulus, WoodDensity and Damping are used.
+   * write them, have those properties. If off, and for other plants, YoungModulus, WoodDensity and DampingRatio are used.
    */
   vtkSetMacro(WoodFromPlants, bool);
   vtkGetMacro(WoodFromPlants, bool);
@@ -142,8 +158,8 @@ public:
   /**
    * Damping ratio of all modes, 0.001 to 0.95; default 0.08. Wood alone has less than 0.05, trees in leaf more.
    */
-  vtkSetMacro(Damping, double);
-  vtkGetMacro(Damping, double);
+  vtkSetMacro(DampingRatio, double);
+  vtkGetMacro(DampingRatio, double);
   ///@}
 
   ///@{
@@ -159,16 +175,16 @@ public:
    * Number of textures per crown of the level Medium, at equal time intervals of one period of its trunk, 1 to 16;
    * default 8. With 1 the texture is constant.
    */
-  vtkSetMacro(NumberOfPictures, int);
-  vtkGetMacro(NumberOfPictures, int);
+  vtkSetMacro(NumberOfTextures, int);
+  vtkGetMacro(NumberOfTextures, int);
   ///@}
 
   ///@{
   /**
    * Columns and rows of a crown texture [texels], each 4 to 4096; default 256 128.
    */
-  vtkSetVector2Macro(PictureSize, int);
-  vtkGetVector2Macro(PictureSize, int);
+  vtkSetVector2Macro(TextureSize, int);
+  vtkGetVector2Macro(TextureSize, int);
   ///@}
 
   ///@{
@@ -181,6 +197,9 @@ public:
 
   /// Connects the wind, port 1.
   void SetWindConnection(vtkAlgorithmOutput* wind) { this->SetInputConnection(1, wind); }
+
+  /// Adds a prototype, to port 2.
+  void AddPrototypeConnection(vtkAlgorithmOutput* prototype) { this->AddInputConnection(2, prototype); }
 
   /// Removes all connections of port 2, the prototypes.
   void RemoveAllPrototypes() { this->RemoveAllInputConnections(2); }
@@ -204,10 +223,10 @@ protected:
   bool WoodFromPlants;
   double YoungModulus;
   double WoodDensity;
-  double Damping;
+  double DampingRatio;
   double LeafFlutter;
-  int NumberOfPictures;
-  int PictureSize[2];
+  int NumberOfTextures;
+  int TextureSize[2];
   int Seed;
 
 private:

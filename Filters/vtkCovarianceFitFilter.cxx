@@ -187,7 +187,7 @@ vtkCovarianceFitFilter::vtkCovarianceFitFilter()
   , FitNugget(true)
   , FitAnisotropy(true)
   , NumberOfDirections(12)
-  , LongestRange(0.0)
+  , MaximumRange(0.0)
   , FractalWavelength(0.0)
   , UseNoDataValue(false)
   , NoDataValue(-9999.0)
@@ -219,10 +219,10 @@ int vtkCovarianceFitFilter::RequestUpdateExtent(
 bool vtkCovarianceFitFilter::CheckProperties()
 {
   const auto isLength = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!isLength(this->MaximumLag) || !isLength(this->LongestRange) || !isLength(this->FractalWavelength))
+  if (!isLength(this->MaximumLag) || !isLength(this->MaximumRange) || !isLength(this->FractalWavelength))
   {
-    vtkErrorMacro("MaximumLag, LongestRange and FractalWavelength are "
-      << this->MaximumLag << ", " << this->LongestRange << ", " << this->FractalWavelength
+    vtkErrorMacro("MaximumLag, MaximumRange and FractalWavelength are "
+      << this->MaximumLag << ", " << this->MaximumRange << ", " << this->FractalWavelength
       << "; they must be finite and not negative.");
     return false;
   }
@@ -309,7 +309,7 @@ littoral::VariogramFitOptions vtkCovarianceFitFilter::MakeOptions(
   littoral::VariogramFitOptions options;
   options.Nugget = this->FitNugget;
   options.Anisotropy = this->FitAnisotropy;
-  options.LongestRange = this->LongestRange > 0.0 ? this->LongestRange : maximumLag;
+  options.MaximumRange = this->MaximumRange > 0.0 ? this->MaximumRange : maximumLag;
   options.FractalRange = this->FractalWavelength > 0.0 ? this->FractalWavelength : 4.0 * longestSide;
   options.Window = &window;
   options.SampleVariance = field.Variance;
@@ -385,7 +385,7 @@ void vtkCovarianceFitFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FitNugget: " << (this->FitNugget ? "on" : "off") << "\n";
   os << indent << "FitAnisotropy: " << (this->FitAnisotropy ? "on" : "off") << "\n";
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
-  os << indent << "LongestRange: " << this->LongestRange << "\n";
+  os << indent << "MaximumRange: " << this->MaximumRange << "\n";
   os << indent << "FractalWavelength: " << this->FractalWavelength << "\n";
   os << indent << "UseNoDataValue: " << (this->UseNoDataValue ? "on" : "off") << "\n";
   os << indent << "NoDataValue: " << this->NoDataValue << "\n";

@@ -12,7 +12,7 @@
  * (NaN where a model has none), `Nugget` [m^2], `AnisotropyRatio`, `AnisotropyAngle` [rad], `Mean` [m], `SlopeX`,
  * `SlopeY` (the plane that was removed, with its height at the center of the grid), `TrendWidth`, `TrendHeight` [m]
  * (the rectangle over which it was removed; 0 where only the mean was), `VarianceDeviation` [m^2] (standard deviation
- * of SampleVariance between realizations of the model), `AtBound` (1 where a range is at LongestRange or below a
+ * of SampleVariance between realizations of the model), `AtBound` (1 where a range is at MaximumRange or below a
  * quarter of the shortest lag, or the fractal dimension within 0.01 of 2 or 3: determined by a bound, not by the data),
  * `WeightedSSE`, `AICc`. Field data: `SampleVariance` [m^2] (of the residuals when the plane is removed),
  * `NumberOfValues`, `PeriodogramDimension` and `VariogramDimension` (fractal dimension from the slope of either, in [2,
@@ -111,8 +111,8 @@ public:
    * Upper bound of the range of a model [m], not negative; default 0, MaximumLag. The bound of Spherical, whose range
    * ends the correlation, is twice this. A range beyond the lags cannot be distinguished from a trend.
    */
-  vtkSetMacro(LongestRange, double);
-  vtkGetMacro(LongestRange, double);
+  vtkSetMacro(MaximumRange, double);
+  vtkGetMacro(MaximumRange, double);
   ///@}
 
   ///@{
@@ -155,7 +155,7 @@ protected:
   bool FitNugget;
   bool FitAnisotropy;
   int NumberOfDirections;
-  double LongestRange;
+  double MaximumRange;
   double FractalWavelength;
   bool UseNoDataValue;
   double NoDataValue;

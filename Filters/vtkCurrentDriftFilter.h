@@ -100,7 +100,7 @@ public:
   vtkGetMacro(WaterDepth, double);
   ///@}
 
-  enum VelocityInterpolations
+  enum VelocityInterpolationType
   {
     Linear = 0,
     CubicSpline = 1,
@@ -108,12 +108,14 @@ public:
 
   ///@{
   /**
-   * Interpolation of velocities in images and rectilinear grids, a VelocityInterpolations; default CubicSpline. Linear:
+   * Interpolation of velocities in images and rectilinear grids, a VelocityInterpolationType; default CubicSpline. Linear:
    * trilinear in a cell, whose divergence slowly concentrates the points. CubicSpline: splines through all points,
    * whose coefficients take as much memory as the array. Other data sets are always interpolated linearly.
    */
   vtkSetMacro(VelocityInterpolation, int);
   vtkGetMacro(VelocityInterpolation, int);
+  void SetVelocityInterpolationToLinear() { this->SetVelocityInterpolation(Linear); }
+  void SetVelocityInterpolationToCubicSpline() { this->SetVelocityInterpolation(CubicSpline); }
   ///@}
 
   ///@{
@@ -142,6 +144,9 @@ public:
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
   ///@}
+
+  /// Adds a current, to port 1.
+  void AddCurrentConnection(vtkAlgorithmOutput* current) { this->AddInputConnection(1, current); }
 
   /// Removes all connections of port 1, the currents.
   void RemoveAllCurrents() { this->RemoveAllInputConnections(1); }

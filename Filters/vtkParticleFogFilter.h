@@ -40,7 +40,7 @@ public:
   vtkTypeMacro(vtkParticleFogFilter, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum GridRules
+  enum GridByType
   {
     ByDimensions = 0,
     BySpacing
@@ -48,11 +48,13 @@ public:
 
   ///@{
   /**
-   * Definition of the sampling grid, a GridRules; default ByDimensions. ByDimensions: a fixed number of samples over
+   * Definition of the sampling grid, a GridByType; default ByDimensions. ByDimensions: a fixed number of samples over
    * the box. BySpacing: cubic cells of the side Spacing over Bounds, which needs UseBounds.
    */
   vtkSetMacro(GridBy, int);
   vtkGetMacro(GridBy, int);
+  void SetGridByToByDimensions() { this->SetGridBy(ByDimensions); }
+  void SetGridByToBySpacing() { this->SetGridBy(BySpacing); }
   ///@}
 
   ///@{

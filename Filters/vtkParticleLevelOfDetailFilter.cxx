@@ -268,13 +268,13 @@ struct vtkParticleLevelOfDetailFilter::Piece
 vtkParticleLevelOfDetailFilter::vtkParticleLevelOfDetailFilter()
   : UseLevels(true)
   , BlendDistance(0.5)
-  , Visibility(60.0)
+  , VisibleDistance(60.0)
   , SlavesPerMaster(3)
   , OffsetRange{ 0.0, 0.5 }
   , SlavePlacement(OwnPlace)
   , Seed(1)
   , TrainSelection(TailSum)
-  , ScreenError(1.0)
+  , PixelError(1.0)
   , UseCulling(true)
   , ParticlesPerCell(64)
   , Margin(0.01)
@@ -332,9 +332,9 @@ std::string vtkParticleLevelOfDetailFilter::WhyBadProperties() const
   {
     reason << "SlavePlacement is " << this->SlavePlacement << "; it must be 0 (own place) or 1 (scattered).";
   }
-  else if (!(this->ScreenError > 0.0 && std::isfinite(this->ScreenError)))
+  else if (!(this->PixelError > 0.0 && std::isfinite(this->PixelError)))
   {
-    reason << "ScreenError is " << this->ScreenError << " pixels; it must be finite and positive.";
+    reason << "PixelError is " << this->PixelError << " pixels; it must be finite and positive.";
   }
   else if (this->ParticlesPerCell < 1)
   {
@@ -414,7 +414,7 @@ littoral::ParticleLevelOptions vtkParticleLevelOfDetailFilter::MakeOptions() con
   options.MiddleDistance = this->NearDistance;
   options.FarDistance = this->FarDistance;
   options.BlendDistance = this->BlendDistance;
-  options.VisibleDistance = this->Visibility;
+  options.VisibleDistance = this->VisibleDistance;
   options.Margin = this->Margin;
   options.FogMargin = this->FogMargin;
   return options;
@@ -445,7 +445,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   const Internals& kept = *this->Internal;
   const std::vector<int> order = littoral::OrderAt(state, kept.MeanHeight);
   const littoral::TrainTable table(littoral::Ordered(state, order), kept.Lowest, kept.Highest, view,
-    static_cast<littoral::TrainRule>(this->TrainSelection), this->ScreenError);
+    static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError);
   const Piece piece(outputVector->GetInformationObject(0), kept.Groups->GetCells().size());
   const littoral::ParticleSelection selection = littoral::SelectParticles(kept.Places, *kept.Groups, table,
     littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::SmpFor);
@@ -473,13 +473,13 @@ void vtkParticleLevelOfDetailFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UseLevels: " << this->UseLevels << "\n";
   os << indent << "BlendDistance: " << this->BlendDistance << "\n";
-  os << indent << "Visibility: " << this->Visibility << "\n";
+  os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
   os << indent << "SlavesPerMaster: " << this->SlavesPerMaster << "\n";
   os << indent << "OffsetRange: " << this->OffsetRange[0] << " " << this->OffsetRange[1] << "\n";
   os << indent << "SlavePlacement: " << this->SlavePlacement << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "TrainSelection: " << this->TrainSelection << "\n";
-  os << indent << "ScreenError: " << this->ScreenError << "\n";
+  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "UseCulling: " << this->UseCulling << "\n";
   os << indent << "ParticlesPerCell: " << this->ParticlesPerCell << "\n";
   os << indent << "Margin: " << this->Margin << "\n";

@@ -53,14 +53,14 @@ public:
   vtkTypeMacro(vtkParticleLevelOfDetailFilter, vtkViewDependentAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum TrainSelections
+  enum TrainSelectionType
   {
     PerTrain = 0,
     TailSum,
     AllTrains
   };
 
-  enum SlavePlacements
+  enum SlavePlacementType
   {
     OwnPlace = 0,
     Scattered
@@ -97,8 +97,8 @@ public:
    * Distance from the camera, or from its plane in parallel projection, beyond which neither particles nor fog are
    * shown [m], not negative; default 60. 0 means no limit.
    */
-  vtkSetMacro(Visibility, double);
-  vtkGetMacro(Visibility, double);
+  vtkSetMacro(VisibleDistance, double);
+  vtkGetMacro(VisibleDistance, double);
   ///@}
 
   ///@{
@@ -120,11 +120,13 @@ public:
 
   ///@{
   /**
-   * Position of a slave relative to its master, a SlavePlacements; default OwnPlace. OwnPlace: the offset of the
+   * Position of a slave relative to its master, a SlavePlacementType; default OwnPlace. OwnPlace: the offset of the
    * particle in the input. Scattered: a random offset within OffsetRange, as in the paper.
    */
   vtkSetMacro(SlavePlacement, int);
   vtkGetMacro(SlavePlacement, int);
+  void SetSlavePlacementToOwnPlace() { this->SetSlavePlacement(OwnPlace); }
+  void SetSlavePlacementToScattered() { this->SetSlavePlacement(Scattered); }
   ///@}
 
   ///@{
@@ -137,12 +139,15 @@ public:
 
   ///@{
   /**
-   * Criterion for leaving out wave trains, a TrainSelections; default TailSum. TailSum: the last trains, as long as
-   * their total displacement is below ScreenError anywhere in a viewport of ViewHeight. PerTrain: each train whose own
+   * Criterion for leaving out wave trains, a TrainSelectionType; default TailSum. TailSum: the last trains, as long as
+   * their total displacement is below PixelError anywhere in a viewport of ViewHeight. PerTrain: each train whose own
    * displacement is, as in the paper; their sum may be several times as much. AllTrains: none.
    */
   vtkSetMacro(TrainSelection, int);
   vtkGetMacro(TrainSelection, int);
+  void SetTrainSelectionToPerTrain() { this->SetTrainSelection(PerTrain); }
+  void SetTrainSelectionToTailSum() { this->SetTrainSelection(TailSum); }
+  void SetTrainSelectionToAllTrains() { this->SetTrainSelection(AllTrains); }
   ///@}
 
   ///@{
@@ -150,8 +155,8 @@ public:
    * Maximum screen-space error by omitted wave trains, see TrainSelection [pixels], positive; default 1. Not used if
    * TrainSelection is AllTrains.
    */
-  vtkSetMacro(ScreenError, double);
-  vtkGetMacro(ScreenError, double);
+  vtkSetMacro(PixelError, double);
+  vtkGetMacro(PixelError, double);
   ///@}
 
   ///@{
@@ -188,6 +193,9 @@ public:
   vtkGetMacro(FogMargin, double);
   ///@}
 
+  /// Connects the sea state, port 1.
+  void SetSeaStateConnection(vtkAlgorithmOutput* sea) { this->SetInputConnection(1, sea); }
+
 protected:
   vtkParticleLevelOfDetailFilter();
   ~vtkParticleLevelOfDetailFilter() override;
@@ -199,13 +207,13 @@ protected:
 
   bool UseLevels;
   double BlendDistance;
-  double Visibility;
+  double VisibleDistance;
   int SlavesPerMaster;
   double OffsetRange[2];
   int SlavePlacement;
   int Seed;
   int TrainSelection;
-  double ScreenError;
+  double PixelError;
   bool UseCulling;
   int ParticlesPerCell;
   double Margin;

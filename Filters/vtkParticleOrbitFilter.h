@@ -115,6 +115,9 @@ public:
   vtkGetVector2Macro(TimeRange, double);
   ///@}
 
+  /// Connects the sea state, port 1.
+  void SetSeaStateConnection(vtkAlgorithmOutput* sea) { this->SetInputConnection(1, sea); }
+
 protected:
   vtkParticleOrbitFilter();
   ~vtkParticleOrbitFilter() override;

@@ -570,9 +570,9 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , SlopeLimit(90.0)
   , HeightRange{ -1e30, 1e30 }
   , UseLevels(true)
-  , UseCells(true)
+  , UseCulling(true)
   , PlantsPerCell(1.0)
-  , MaximumDistance(0.0)
+  , VisibleDistance(0.0)
   , Internal(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(3);
@@ -691,9 +691,9 @@ bool vtkPlantScatterFilter::CheckProperties()
   {
     text << "PlantsPerCell is " << this->PlantsPerCell << "; it must be finite and positive.";
   }
-  else if (!(this->MaximumDistance >= 0.0))
+  else if (!(this->VisibleDistance >= 0.0))
   {
-    text << "MaximumDistance is " << this->MaximumDistance << " m; it must not be negative.";
+    text << "VisibleDistance is " << this->VisibleDistance << " m; it must not be negative.";
   }
   if (!text.str().empty())
   {
@@ -801,10 +801,10 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   const Plants& scene = this->Internal->Scene;
   littoral::PlantViewOptions options;
   options.UseLevels = this->UseLevels;
-  options.UseCells = this->UseCells;
+  options.UseCulling = this->UseCulling;
   options.NearDistance = this->NearDistance;
   options.FarDistance = this->FarDistance;
-  options.MaximumDistance = this->MaximumDistance;
+  options.VisibleDistance = this->VisibleDistance;
   vtkInformation* info = outputs->GetInformationObject(0);
   const long long piece = std::max(0, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()));
   const long long pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
@@ -836,7 +836,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   {
     vtkErrorMacro(<< request.Shown.size() << " plants, " << merge.GetNumberOfPlants(littoral::PlantLevel::High)
                   << " of them in full, need " << merge.GetBytes() / Gigabyte << " GB, and " << available / Gigabyte
-                  << " GB are free. Switch on UseLevels and UseCells, lower NearDistance, or set MaximumDistance.");
+                  << " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
     return false;
   }
   this->SetProgressText("Scattering plants");
@@ -867,7 +867,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   write("PlantsMedium", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::Medium)));
   write("PlantsLow", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::Low)));
   write("CellsInAll", scene.Cells->NumberOfFilled());
-  write("CellsShown", this->UseCells ? static_cast<double>(marks) : scene.Cells->NumberOfFilled());
+  write("CellsShown", this->UseCulling ? static_cast<double>(marks) : scene.Cells->NumberOfFilled());
   write("PolygonsShown", merge.GetNumberOfPolygons());
   write("PolygonsInAll", polygonsInAll);
   write("OutputBytes", merge.GetBytes());
@@ -891,7 +891,7 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SlopeLimit: " << this->SlopeLimit << "\n";
   os << indent << "HeightRange: " << this->HeightRange[0] << " " << this->HeightRange[1] << "\n";
   os << indent << "UseLevels: " << this->UseLevels << "\n";
-  os << indent << "UseCells: " << this->UseCells << "\n";
+  os << indent << "UseCulling: " << this->UseCulling << "\n";
   os << indent << "PlantsPerCell: " << this->PlantsPerCell << "\n";
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
 }

@@ -118,9 +118,9 @@ public:
   /**
    * Culling of cells outside the view frustum; default on.
    */
-  vtkSetMacro(UseCells, bool);
-  vtkGetMacro(UseCells, bool);
-  vtkBooleanMacro(UseCells, bool);
+  vtkSetMacro(UseCulling, bool);
+  vtkGetMacro(UseCulling, bool);
+  vtkBooleanMacro(UseCulling, bool);
   ///@}
 
   ///@{
@@ -136,9 +136,15 @@ public:
    * Distance from the camera, or from its plane in parallel projection, beyond which no plant is shown [m], not
    * negative; default 0, no limit.
    */
-  vtkSetMacro(MaximumDistance, double);
-  vtkGetMacro(MaximumDistance, double);
+  vtkSetMacro(VisibleDistance, double);
+  vtkGetMacro(VisibleDistance, double);
   ///@}
+
+  /// Connects the terrain, port 2.
+  void SetTerrainConnection(vtkAlgorithmOutput* terrain) { this->SetInputConnection(2, terrain); }
+
+  /// Adds a prototype, to port 1.
+  void AddPrototypeConnection(vtkAlgorithmOutput* prototype) { this->AddInputConnection(1, prototype); }
 
   /// Removes all connections of port 1, the prototypes.
   void RemoveAllPrototypes() { this->RemoveAllInputConnections(1); }
@@ -159,9 +165,9 @@ protected:
   double SlopeLimit;
   double HeightRange[2];
   bool UseLevels;
-  bool UseCells;
+  bool UseCulling;
   double PlantsPerCell;
-  double MaximumDistance;
+  double VisibleDistance;
 
 private:
   vtkPlantScatterFilter(const vtkPlantScatterFilter&) = delete;

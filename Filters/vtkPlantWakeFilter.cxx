@@ -76,7 +76,7 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
 
 //----------------------------------------------------------------------------
 vtkPlantWakeFilter::vtkPlantWakeFilter()
-  : Primitive(0)
+  : Primitive(Source)
   , Strength(0.5)
   , Margin(0.5)
   , CoreShare(0.2)
@@ -110,7 +110,7 @@ int vtkPlantWakeFilter::RequestData(
   options.Strength = this->Strength;
   options.Margin = this->Margin;
   options.CoreShare = this->CoreShare;
-  std::string reason = littoral::OutOfRange("Primitive", this->Primitive, 0, 1);
+  std::string reason = littoral::OutOfRange("Primitive", this->Primitive, Source, Doublet);
   reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
   const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), reason);
   vtkPolyData* bones = littoral::PlantPartOf(blocks, littoral::plant::High, littoral::plant::Skeleton);

@@ -14,7 +14,7 @@
  * The plants are not moved by the wakes: there is no feedback.
  *
  * The input should not depend on a view: from a vtkPlantScatterFilter and a vtkSeaweedDeformationFilter without
- * UseLevels and UseCells. With them the bounding boxes, and the particles in the wakes, would follow the camera.
+ * UseLevels and UseCulling. With them the bounding boxes, and the particles in the wakes, would follow the camera.
  *
  * A property out of range or an input without these arrays is reported as one error. Coulais et al., section 4.3.4.
  *
@@ -33,13 +33,21 @@ public:
   vtkTypeMacro(vtkPlantWakeFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum PrimitiveType
+  {
+    Source = 0,
+    Doublet = 1,
+  };
+
   ///@{
   /**
-   * Flow primitive of a plant, 0 Source or 1 Doublet; default 0. Source: by the acceleration of the plant, as in the
+   * Flow primitive of a plant, a PrimitiveType; default Source. Source: by the acceleration of the plant, as in the
    * paper. Doublet: by its velocity.
    */
   vtkSetMacro(Primitive, int);
   vtkGetMacro(Primitive, int);
+  void SetPrimitiveToSource() { this->SetPrimitive(Source); }
+  void SetPrimitiveToDoublet() { this->SetPrimitive(Doublet); }
   ///@}
 
   ///@{

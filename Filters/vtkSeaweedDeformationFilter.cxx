@@ -54,10 +54,10 @@ public:
 
 //----------------------------------------------------------------------------
 vtkSeaweedDeformationFilter::vtkSeaweedDeformationFilter()
-  : Method(1)
-  , Joint(0)
-  , Load(0)
-  , Integrator(0)
+  : Method(Physical)
+  , Joint(Bending)
+  , Load(Morison)
+  , Integrator(Implicit)
   , StartTime(-5.0)
   , TimeStep(1.0 / 48.0)
   , WaterDensity(1025.0)
@@ -67,7 +67,7 @@ vtkSeaweedDeformationFilter::vtkSeaweedDeformationFilter()
   , DampingFactor(1.0)
   , ForceFactor(1.0)
   , LeverArm(0.5)
-  , LargestAngle(60.0)
+  , MaximumAngle(60.0)
   , UseLevels(false)
   , BlendDistance(12.0)
   , BlendTime(0.0)
@@ -126,7 +126,7 @@ std::vector<double> vtkSeaweedDeformationFilter::StateKey(vtkInformationVector**
   std::vector<double> key{ static_cast<double>(this->Method), static_cast<double>(this->Joint),
     static_cast<double>(this->Load), static_cast<double>(this->Integrator), this->StartTime, this->TimeStep,
     this->WaterDensity, this->DragCoefficient, this->FrictionCoefficient, this->AddedMassCoefficient,
-    this->DampingFactor, this->ForceFactor, this->LeverArm, this->LargestAngle,
+    this->DampingFactor, this->ForceFactor, this->LeverArm, this->MaximumAngle,
     static_cast<double>(output->Get(Pipeline::UPDATE_PIECE_NUMBER())),
     static_cast<double>(output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) };
   for (int port : { SeaPort, CurrentsPort })
@@ -159,7 +159,7 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   littoral::SeaweedScene& scene = this->State->Scene;
   if (this->State->BeginsAnew(key))
   {
-    scene = littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == 1, littoral::SmpFor);
+    scene = littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == Physical, littoral::SmpFor);
   }
   const double time = littoral::RequestedTime(output);
   if (!this->WhyInvalid(time).empty())
@@ -176,10 +176,10 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
 std::string vtkSeaweedDeformationFilter::WhyInvalid(double time) const
 {
   using littoral::OutOfRange;
-  for (const std::string& reason : { OutOfRange("Method", this->Method, 0, 1), OutOfRange("Joint", this->Joint, 0, 1),
-         OutOfRange("Load", this->Load, 0, 1), OutOfRange("Integrator", this->Integrator, 0, 1),
+  for (const std::string& reason : { OutOfRange("Method", this->Method, Procedural, Physical), OutOfRange("Joint", this->Joint, Bending, Tilting),
+         OutOfRange("Load", this->Load, Morison, Direct), OutOfRange("Integrator", this->Integrator, Implicit, ExplicitEuler),
          OutOfRange("StartTime", this->StartTime, -1e9, 1e9), OutOfRange("TimeStep", this->TimeStep, 1e-5, 1.0),
-         OutOfRange("LargestAngle", this->LargestAngle, 0.0, 180.0),
+         OutOfRange("MaximumAngle", this->MaximumAngle, 0.0, 180.0),
          OutOfRange("BlendDistance", this->BlendDistance, 0.0, 1e9), OutOfRange("BlendTime", this->BlendTime, 0.0, 1e9),
          OutOfRange("ViewSpeed", this->ViewSpeed, 0.0, 1e9), OutOfRange("PixelError", this->PixelError, 0.0, 1e9),
          littoral::WhyInvalid(this->MakeOptions()) })
@@ -197,7 +197,7 @@ std::string vtkSeaweedDeformationFilter::WhyInvalid(double time) const
   {
     return "the requested time is " + std::to_string(time) + " s; it must be from -1e9 to 1e9.";
   }
-  return this->Method == 1 ? littoral::WhyTooFar({ this->StartTime, this->TimeStep }, time) : std::string();
+  return this->Method == Physical ? littoral::WhyTooFar({ this->StartTime, this->TimeStep }, time) : std::string();
 }
 
 //----------------------------------------------------------------------------
@@ -214,7 +214,7 @@ littoral::SeaweedOptions vtkSeaweedDeformationFilter::MakeOptions() const
   options.DampingFactor = this->DampingFactor;
   options.ForceFactor = this->ForceFactor;
   options.LeverArm = this->LeverArm;
-  options.LargestAngle = this->LargestAngle * littoral::Pi / 180.0;
+  options.MaximumAngle = this->MaximumAngle * littoral::Pi / 180.0;
   return options;
 }
 
@@ -269,13 +269,13 @@ std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, 
 void vtkSeaweedDeformationFilter::WarnOfLimits()
 {
   const double cauchy = this->State->Scene.GetUngradedCauchyNumber();
-  if (this->Method == 1 && this->Load == 0 && cauchy < 1e4)
+  if (this->Method == Physical && this->Load == Morison && cauchy < 1e4)
   {
     vtkWarningMacro("Segments of blades do not get shorter towards their foot: drag is right up to a Cauchy number of "
       << cauchy << " (density of the water, coefficient of drag, width, speed squared and length cubed, over twice the "
       << "bending stiffness). Beyond, limp blades bend too much. vtkSeaweedSource grows graded ones.");
   }
-  if (this->Method != 1 || this->Integrator != 1 || this->State->Scene.GetNumberOfLinks() == 0)
+  if (this->Method != Physical || this->Integrator != ExplicitEuler || this->State->Scene.GetNumberOfLinks() == 0)
   {
     return;
   }
@@ -390,7 +390,7 @@ void vtkSeaweedDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DampingFactor: " << this->DampingFactor << "\n";
   os << indent << "ForceFactor: " << this->ForceFactor << "\n";
   os << indent << "LeverArm: " << this->LeverArm << "\n";
-  os << indent << "LargestAngle: " << this->LargestAngle << "\n";
+  os << indent << "MaximumAngle: " << this->MaximumAngle << "\n";
   os << indent << "UseLevels: " << this->UseLevels << "\n";
   os << indent << "BlendDistance: " << this->BlendDistance << "\n";
   os << indent << "BlendTime: " << this->BlendTime << "\n";

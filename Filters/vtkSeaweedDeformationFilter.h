@@ -60,42 +60,74 @@ public:
   vtkTypeMacro(vtkSeaweedDeformationFilter, vtkViewDependentAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum MethodType
+  {
+    Procedural = 0,
+    Physical = 1,
+  };
+
   ///@{
   /**
-   * Method of motion, 0 Procedural or 1 Physical; default 1. Procedural: springs in equilibrium with the instantaneous
-   * load (eqs. 5, 6). Physical: the equations of motion (eqs. 7 to 10).
+   * Method of motion, a MethodType; default Physical. Procedural: springs in equilibrium with the instantaneous load
+   * (eqs. 5, 6). Physical: the equations of motion (eqs. 7 to 10).
    */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
+  void SetMethodToProcedural() { this->SetMethod(Procedural); }
+  void SetMethodToPhysical() { this->SetMethod(Physical); }
   ///@}
+
+  enum JointType
+  {
+    Bending = 0,
+    Tilting = 1,
+  };
 
   ///@{
   /**
-   * Joint model, 0 Bending or 1 Tilting; default 0. Bending: about two axes. Tilting: the azimuth about the parent
-   * segment and the tilt of the paper, which cannot bend a straight plant in all directions.
+   * Joint model, a JointType; default Bending. Bending: about two axes. Tilting: the azimuth about the parent segment
+   * and the tilt of the paper, which cannot bend a straight plant in all directions.
    */
   vtkSetMacro(Joint, int);
   vtkGetMacro(Joint, int);
+  void SetJointToBending() { this->SetJoint(Bending); }
+  void SetJointToTilting() { this->SetJoint(Tilting); }
   ///@}
+
+  enum LoadType
+  {
+    Morison = 0,
+    Direct = 1,
+  };
 
   ///@{
   /**
-   * Load model, 0 Morison or 1 Direct; default 0. Morison: drag by the relative velocity, inertia and buoyancy. Direct,
-   * that of the paper: ForceFactor times the current and the acceleration of the water (its displacement for procedural
+   * Load model, a LoadType; default Morison. Morison: drag by the relative velocity, inertia and buoyancy. Direct, that
+   * of the paper: ForceFactor times the current and the acceleration of the water (its displacement for procedural
    * plants).
    */
   vtkSetMacro(Load, int);
   vtkGetMacro(Load, int);
+  void SetLoadToMorison() { this->SetLoad(Morison); }
+  void SetLoadToDirect() { this->SetLoad(Direct); }
   ///@}
+
+  enum IntegratorType
+  {
+    Implicit = 0,
+    ExplicitEuler = 1,
+  };
 
   ///@{
   /**
-   * Time integration of physical plants, 0 Implicit or 1 Explicit Euler; default 0. Implicit: the second-order midpoint
-   * rule, with sub-steps where the motion needs them; plants gain energy from the water only. Explicit Euler, that of
-   * the paper: with a warning where TimeStep exceeds its stability limit.
+   * Time integration of physical plants, an IntegratorType; default Implicit. Implicit: the second-order midpoint rule,
+   * with sub-steps where the motion needs them; plants gain energy from the water only. ExplicitEuler, that of the
+   * paper: with a warning where TimeStep exceeds its stability limit.
    */
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
+  void SetIntegratorToImplicit() { this->SetIntegrator(Implicit); }
+  void SetIntegratorToExplicitEuler() { this->SetIntegrator(ExplicitEuler); }
   ///@}
 
   ///@{
@@ -180,8 +212,8 @@ public:
   /**
    * Maximum joint angle of procedural plants [degrees], 0 to 180; default 60.
    */
-  vtkSetMacro(LargestAngle, double);
-  vtkGetMacro(LargestAngle, double);
+  vtkSetMacro(MaximumAngle, double);
+  vtkGetMacro(MaximumAngle, double);
   ///@}
 
   ///@{
@@ -263,6 +295,9 @@ public:
   /// Removes the connection of port 1, the sea state.
   void RemoveSeaState() { this->RemoveAllInputConnections(1); }
 
+  /// Adds a current, to port 2.
+  void AddCurrentConnection(vtkAlgorithmOutput* current) { this->AddInputConnection(2, current); }
+
   /// Removes all connections of port 2, the currents.
   void RemoveAllCurrents() { this->RemoveAllInputConnections(2); }
 
@@ -288,7 +323,7 @@ protected:
   double DampingFactor;
   double ForceFactor;
   double LeverArm;
-  double LargestAngle;
+  double MaximumAngle;
   bool UseLevels;
   double BlendDistance;
   double BlendTime;

@@ -320,10 +320,10 @@ double BytesASample(vtkImageData* image)
 //----------------------------------------------------------------------------
 vtkTerrainLevelOfDetailFilter::vtkTerrainLevelOfDetailFilter()
   : Selection(Distance)
-  , ScreenError(1.0)
+  , PixelError(1.0)
   , NumberOfLevels(5)
   , TileSize(32)
-  , Cull(true)
+  , UseCulling(true)
   , GroundColors(true)
   , Internal(new Internals)
 {
@@ -352,14 +352,14 @@ int vtkTerrainLevelOfDetailFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::CheckProperties()
 {
-  if (this->Selection != Distance && this->Selection != ScreenErrorRule)
+  if (this->Selection != Distance && this->Selection != PixelErrorRule)
   {
     vtkErrorMacro("Selection is " << this->Selection << "; it must be 0 (distance) or 1 (screen error).");
     return false;
   }
-  if (!(this->ScreenError > 0.0 && std::isfinite(this->ScreenError)))
+  if (!(this->PixelError > 0.0 && std::isfinite(this->PixelError)))
   {
-    vtkErrorMacro("ScreenError is " << this->ScreenError << " pixels; it must be finite and positive.");
+    vtkErrorMacro("PixelError is " << this->PixelError << " pixels; it must be finite and positive.");
     return false;
   }
   if (this->NumberOfLevels < 1 || this->NumberOfLevels > littoral::MostTerrainLevels)
@@ -460,11 +460,11 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
 littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
 {
   littoral::TerrainRule rule;
-  rule.ByScreenError = this->Selection == ScreenErrorRule;
+  rule.ByPixelError = this->Selection == PixelErrorRule;
   rule.NearDistance = this->NearDistance;
   rule.FarDistance = this->FarDistance;
-  rule.LargestPixels = this->ScreenError;
-  rule.Cull = this->Cull;
+  rule.LargestPixels = this->PixelError;
+  rule.UseCulling = this->UseCulling;
   return rule;
 }
 
@@ -528,9 +528,9 @@ void vtkTerrainLevelOfDetailFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Selection: " << this->Selection << "\n";
-  os << indent << "ScreenError: " << this->ScreenError << "\n";
+  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "TileSize: " << this->TileSize << "\n";
-  os << indent << "Cull: " << (this->Cull ? "on" : "off") << "\n";
+  os << indent << "UseCulling: " << (this->UseCulling ? "on" : "off") << "\n";
   os << indent << "GroundColors: " << (this->GroundColors ? "on" : "off") << "\n";
 }

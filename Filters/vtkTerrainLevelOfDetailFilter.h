@@ -44,28 +44,30 @@ public:
   vtkTypeMacro(vtkTerrainLevelOfDetailFilter, vtkViewDependentAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum SelectionRules
+  enum SelectionType
   {
     Distance = 0,
-    ScreenErrorRule
+    PixelErrorRule
   };
 
   ///@{
   /**
-   * Criterion for the level of a tile, a SelectionRules; default Distance. Distance: level 0 up to NearDistance, the
-   * coarsest level from FarDistance, and transitions at equal ratios of distance between. ScreenErrorRule: the coarsest
-   * level whose screen-space error is at most ScreenError.
+   * Criterion for the level of a tile, a SelectionType; default Distance. Distance: level 0 up to NearDistance, the
+   * coarsest level from FarDistance, and transitions at equal ratios of distance between. PixelErrorRule: the coarsest
+   * level whose screen-space error is at most PixelError.
    */
   vtkSetMacro(Selection, int);
   vtkGetMacro(Selection, int);
+  void SetSelectionToDistance() { this->SetSelection(Distance); }
+  void SetSelectionToPixelError() { this->SetSelection(PixelErrorRule); }
   ///@}
 
   ///@{
   /**
-   * Maximum screen-space error of a tile [pixels], positive; default 1. Used only if Selection is ScreenErrorRule.
+   * Maximum screen-space error of a tile [pixels], positive; default 1. Used only if Selection is PixelErrorRule.
    */
-  vtkSetMacro(ScreenError, double);
-  vtkGetMacro(ScreenError, double);
+  vtkSetMacro(PixelError, double);
+  vtkGetMacro(PixelError, double);
   ///@}
 
   ///@{
@@ -89,9 +91,9 @@ public:
   /**
    * Culling of tiles outside the view frustum; default on.
    */
-  vtkSetMacro(Cull, bool);
-  vtkGetMacro(Cull, bool);
-  vtkBooleanMacro(Cull, bool);
+  vtkSetMacro(UseCulling, bool);
+  vtkGetMacro(UseCulling, bool);
+  vtkBooleanMacro(UseCulling, bool);
   ///@}
 
   ///@{
@@ -114,10 +116,10 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Selection;
-  double ScreenError;
+  double PixelError;
   int NumberOfLevels;
   int TileSize;
-  bool Cull;
+  bool UseCulling;
   bool GroundColors;
 
 private:

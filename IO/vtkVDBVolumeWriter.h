@@ -88,6 +88,9 @@ public:
    */
   vtkSetClampMacro(Compression, int, NoCompression, Blosc);
   vtkGetMacro(Compression, int);
+  void SetCompressionToNoCompression() { this->SetCompression(NoCompression); }
+  void SetCompressionToZip() { this->SetCompression(Zip); }
+  void SetCompressionToBlosc() { this->SetCompression(Blosc); }
   ///@}
 
   ///@{

@@ -58,6 +58,19 @@ public:
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  void SetPresetToCustom() { this->SetPreset(Custom); }
+  void SetPresetToMonopodialA() { this->SetPreset(MonopodialA); }
+  void SetPresetToMonopodialB() { this->SetPreset(MonopodialB); }
+  void SetPresetToMonopodialC() { this->SetPreset(MonopodialC); }
+  void SetPresetToMonopodialD() { this->SetPreset(MonopodialD); }
+  void SetPresetToSympodialA() { this->SetPreset(SympodialA); }
+  void SetPresetToSympodialB() { this->SetPreset(SympodialB); }
+  void SetPresetToSympodialC() { this->SetPreset(SympodialC); }
+  void SetPresetToSympodialD() { this->SetPreset(SympodialD); }
+  void SetPresetToTernaryA() { this->SetPreset(TernaryA); }
+  void SetPresetToTernaryB() { this->SetPreset(TernaryB); }
+  void SetPresetToTernaryC() { this->SetPreset(TernaryC); }
+  void SetPresetToTernaryD() { this->SetPreset(TernaryD); }
   const char* GetPresetAsString() const;
   ///@}
 
@@ -68,6 +81,9 @@ public:
    */
   vtkSetMacro(Branching, int);
   vtkGetMacro(Branching, int);
+  void SetBranchingToMonopodial() { this->SetBranching(Monopodial); }
+  void SetBranchingToSympodial() { this->SetBranching(Sympodial); }
+  void SetBranchingToTernary() { this->SetBranching(Ternary); }
   ///@}
 
   ///@{

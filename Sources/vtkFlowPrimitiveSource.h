@@ -34,7 +34,7 @@ public:
   vtkTypeMacro(vtkFlowPrimitiveSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum FlowTypeValue
+  enum PrimitiveType
   {
     Uniform = 0,
     Source = 1,
@@ -44,12 +44,16 @@ public:
 
   ///@{
   /**
-   * Type of flow, a FlowTypeValue; default Uniform. Uniform: parallel flow along Axis. Source: radial flow away from
+   * Type of flow, a PrimitiveType; default Uniform. Uniform: parallel flow along Axis. Source: radial flow away from
    * Center. Sink: radial flow towards Center, which captures particles in its core. Vortex: right-handed rotation about
    * Axis through Center.
    */
   vtkSetMacro(FlowType, int);
   vtkGetMacro(FlowType, int);
+  void SetFlowTypeToUniform() { this->SetFlowType(Uniform); }
+  void SetFlowTypeToSource() { this->SetFlowType(Source); }
+  void SetFlowTypeToSink() { this->SetFlowType(Sink); }
+  void SetFlowTypeToVortex() { this->SetFlowType(Vortex); }
   const char* GetFlowTypeAsString() const;
   ///@}
 

@@ -43,6 +43,11 @@ public:
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  void SetPresetToCustom() { this->SetPreset(Custom); }
+  void SetPresetToTree() { this->SetPreset(Tree); }
+  void SetPresetToCypress() { this->SetPreset(Cypress); }
+  void SetPresetToStonePine() { this->SetPreset(StonePine); }
+  void SetPresetToBush() { this->SetPreset(Bush); }
   const char* GetPresetAsString() const;
   ///@}
 

@@ -84,6 +84,8 @@ public:
    */
   vtkSetMacro(LeafForm, int);
   vtkGetMacro(LeafForm, int);
+  void SetLeafFormToBlade() { this->SetLeafForm(Blade); }
+  void SetLeafFormToNeedle() { this->SetLeafForm(Needle); }
   ///@}
 
   ///@{

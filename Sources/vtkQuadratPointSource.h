@@ -80,6 +80,12 @@ public:
    */
   vtkSetMacro(Law, int);
   vtkGetMacro(Law, int);
+  void SetLawToPoisson() { this->SetLaw(Poisson); }
+  void SetLawToBinomial() { this->SetLaw(Binomial); }
+  void SetLawToNegativeBinomial() { this->SetLaw(NegativeBinomial); }
+  void SetLawToPoissonPoisson() { this->SetLaw(PoissonPoisson); }
+  void SetLawToPoissonBinomial() { this->SetLaw(PoissonBinomial); }
+  void SetLawToPoissonNegativeBinomial() { this->SetLaw(PoissonNegativeBinomial); }
   const char* GetLawAsString() const;
   ///@}
 
@@ -134,6 +140,8 @@ public:
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
+  void SetModeToQuota() { this->SetMode(Quota); }
+  void SetModeToSampling() { this->SetMode(Sampling); }
   ///@}
 
   ///@{

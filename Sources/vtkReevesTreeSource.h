@@ -49,6 +49,11 @@ public:
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  void SetPresetToCustom() { this->SetPreset(Custom); }
+  void SetPresetToPine() { this->SetPreset(Pine); }
+  void SetPresetToOak() { this->SetPreset(Oak); }
+  void SetPresetToBirch() { this->SetPreset(Birch); }
+  void SetPresetToShrub() { this->SetPreset(Shrub); }
   const char* GetPresetAsString() const;
   ///@}
 
@@ -78,6 +83,8 @@ public:
    */
   vtkSetMacro(CrownShape, int);
   vtkGetMacro(CrownShape, int);
+  void SetCrownShapeToCone() { this->SetCrownShape(Cone); }
+  void SetCrownShapeToEllipsoid() { this->SetCrownShape(Ellipsoid); }
   ///@}
 
   ///@{

@@ -61,6 +61,11 @@ public:
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
+  void SetSpectrumToPiersonMoskowitz() { this->SetSpectrum(PiersonMoskowitz); }
+  void SetSpectrumToJONSWAP() { this->SetSpectrum(JONSWAP); }
+  void SetSpectrumToTMA() { this->SetSpectrum(TMA); }
+  void SetSpectrumToTable() { this->SetSpectrum(Table); }
+  void SetSpectrumToRegular() { this->SetSpectrum(Regular); }
   ///@}
 
   ///@{
@@ -71,6 +76,8 @@ public:
    */
   vtkSetMacro(SeaBy, int);
   vtkGetMacro(SeaBy, int);
+  void SetSeaByToWind() { this->SetSeaBy(Wind); }
+  void SetSeaByToHeightAndPeriod() { this->SetSeaBy(HeightAndPeriod); }
   ///@}
 
   ///@{

@@ -56,6 +56,10 @@ public:
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  void SetPresetToCustom() { this->SetPreset(Custom); }
+  void SetPresetToSugarKelp() { this->SetPreset(SugarKelp); }
+  void SetPresetToGiantKelp() { this->SetPreset(GiantKelp); }
+  void SetPresetToEelgrass() { this->SetPreset(Eelgrass); }
   const char* GetPresetAsString() const;
   ///@}
 
@@ -75,6 +79,9 @@ public:
    */
   vtkSetMacro(Form, int);
   vtkGetMacro(Form, int);
+  void SetFormToTuft() { this->SetForm(Tuft); }
+  void SetFormToCanopy() { this->SetForm(Canopy); }
+  void SetFormToMeadow() { this->SetForm(Meadow); }
   ///@}
 
   ///@{

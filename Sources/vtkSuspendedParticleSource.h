@@ -55,7 +55,7 @@ public:
     Quads = 1,
   };
 
-  enum AmountType
+  enum AmountIsType
   {
     Concentration = 0,
     Count = 1,
@@ -69,6 +69,11 @@ public:
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
+  void SetPresetToCustom() { this->SetPreset(Custom); }
+  void SetPresetToCoastalSea() { this->SetPreset(CoastalSea); }
+  void SetPresetToOpenOcean() { this->SetPreset(OpenOcean); }
+  void SetPresetToPlanktonBloom() { this->SetPreset(PlanktonBloom); }
+  void SetPresetToStormyBed() { this->SetPreset(StormyBed); }
   const char* GetPresetAsString() const;
   ///@}
 
@@ -108,11 +113,13 @@ public:
 
   ///@{
   /**
-   * Meaning of the amount of a box, an AmountType; default Concentration. Concentration: particles per cubic meter.
+   * Meaning of the amount of a box, an AmountIsType; default Concentration. Concentration: particles per cubic meter.
    * Count: particles in the box. Presets have concentrations.
    */
   vtkSetMacro(AmountIs, int);
   vtkGetMacro(AmountIs, int);
+  void SetAmountIsToConcentration() { this->SetAmountIs(Concentration); }
+  void SetAmountIsToCount() { this->SetAmountIs(Count); }
   ///@}
 
   ///@{
@@ -130,6 +137,8 @@ public:
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
+  void SetModeToPoints() { this->SetMode(Points); }
+  void SetModeToQuads() { this->SetMode(Quads); }
   ///@}
 
   ///@{

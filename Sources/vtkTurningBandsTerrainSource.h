@@ -177,6 +177,8 @@ public:
    */
   vtkSetMacro(HarmonicSpacing, int);
   vtkGetMacro(HarmonicSpacing, int);
+  void SetHarmonicSpacingToAdaptive() { this->SetHarmonicSpacing(Adaptive); }
+  void SetHarmonicSpacingToUniform() { this->SetHarmonicSpacing(Uniform); }
   ///@}
 
   ///@{
@@ -229,6 +231,13 @@ public:
    */
   vtkSetMacro(ReflectanceModel, int);
   vtkGetMacro(ReflectanceModel, int);
+  void SetReflectanceModelToFractal() { this->SetReflectanceModel(Fractal); }
+  void SetReflectanceModelToSimpleExponential() { this->SetReflectanceModel(SimpleExponential); }
+  void SetReflectanceModelToDoubleExponential() { this->SetReflectanceModel(DoubleExponential); }
+  void SetReflectanceModelToBessel1() { this->SetReflectanceModel(Bessel1); }
+  void SetReflectanceModelToBessel2() { this->SetReflectanceModel(Bessel2); }
+  void SetReflectanceModelToTelis() { this->SetReflectanceModel(Telis); }
+  void SetReflectanceModelToSpherical() { this->SetReflectanceModel(Spherical); }
   ///@}
 
   ///@{

@@ -157,6 +157,8 @@ public:
    */
   vtkSetMacro(Coherence, int);
   vtkGetMacro(Coherence, int);
+  void SetCoherenceToExponential() { this->SetCoherence(Exponential); }
+  void SetCoherenceToIec() { this->SetCoherence(Iec); }
   const char* GetCoherenceAsString() const;
   ///@}
 
@@ -194,6 +196,8 @@ public:
    */
   vtkSetMacro(Spectrum, int);
   vtkGetMacro(Spectrum, int);
+  void SetSpectrumToSimiuScanlan() { this->SetSpectrum(SimiuScanlan); }
+  void SetSpectrumToIecKaimal() { this->SetSpectrum(IecKaimal); }
   const char* GetSpectrumAsString() const;
   ///@}
 
@@ -213,6 +217,8 @@ public:
    */
   vtkSetMacro(Phases, int);
   vtkGetMacro(Phases, int);
+  void SetPhasesToUniform() { this->SetPhases(Uniform); }
+  void SetPhasesToGaussianAmplitudes() { this->SetPhases(GaussianAmplitudes); }
   ///@}
 
   ///@{

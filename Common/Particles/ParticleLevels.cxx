@@ -215,7 +215,7 @@ std::string WhyInvalid(const ParticleLevelOptions& options)
   check.NotNegative("MiddleDistance", options.MiddleDistance, "m");
   check.NotNegative("FarDistance", options.FarDistance, "m");
   check.NotNegative("BlendDistance", options.BlendDistance, "m");
-  check.NotNegative("Visibility", options.VisibleDistance, "m");
+  check.NotNegative("VisibleDistance", options.VisibleDistance, "m");
   check.NotNegative("Margin", options.Margin, "m");
   check.NotNegative("FogMargin", options.FogMargin, "m");
   check.Require(options.MiddleDistance <= options.FarDistance,

@@ -163,11 +163,11 @@ std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const
   for (std::size_t index = 0; index < places.size(); ++index)
   {
     const PlantPlace& place = places[index];
-    if (place.Site < firstSite || place.Site >= endSite || (options.UseCells && !cellsShown[cells.CellOf(index)]))
+    if (place.Site < firstSite || place.Site >= endSite || (options.UseCulling && !cellsShown[cells.CellOf(index)]))
     {
       continue;
     }
-    if (!(options.MaximumDistance > 0.0 && SightDistance(view, place.Foot) > options.MaximumDistance))
+    if (!(options.VisibleDistance > 0.0 && SightDistance(view, place.Foot) > options.VisibleDistance))
     {
       shown.push_back({ static_cast<int>(index), LevelAt(LevelDistance(view, place.Foot), options) });
     }

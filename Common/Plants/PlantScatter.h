@@ -99,10 +99,10 @@ enum class PlantLevel
 struct PlantViewOptions
 {
   bool UseLevels = true;        ///< else all is High
-  bool UseCells = true;         ///< else all is shown
+  bool UseCulling = true;         ///< else all is shown
   double NearDistance = 60.0;   ///< of levels, up to which a plant is High [m]
   double FarDistance = 250.0;   ///< up to which it is Medium [m]
-  double MaximumDistance = 0.0; ///< of sight, up to which it is shown [m]; 0: no limit
+  double VisibleDistance = 0.0; ///< of sight, up to which it is shown [m]; 0: no limit
 };
 
 /// A plant that a view shows.

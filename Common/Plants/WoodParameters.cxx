@@ -38,7 +38,7 @@ std::string WhyInvalid(const WoodParameters& wood)
   ParameterCheck check;
   check.Range("YoungModulus", wood.YoungModulus, 1e5, 1e12, "Pa");
   check.Range("WoodDensity", wood.Density, 1.0, 1e5, "kg/m3");
-  check.Range("Damping", wood.DampingRatio, 0.001, 0.95);
+  check.Range("DampingRatio", wood.DampingRatio, 0.001, 0.95);
   return check.Reason();
 }
 

@@ -211,7 +211,7 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
   const double share = link.MeanLength > 0.0 ? link.Length / link.MeanLength : 1.0;
   const Vector3 torque = options.LeverArm * link.Length / (share * share) * glm::cross(rest.Axis, force);
   const double stiffness = std::max(1e-12, share * link.Stiffness + link.Restoring);
-  const double most = options.LargestAngle;
+  const double most = options.MaximumAngle;
   const double less = std::min(1.0, share);
   const double more = std::max(1.0, share);
   const auto soft = [&](double angle) { return most > 0.0 ? less * most * std::tanh(more * angle / most) : 0.0; };

@@ -76,7 +76,7 @@ std::string WhyInvalid(const SeaweedOptions& options)
       OutOfRange("AddedMassCoefficient", options.AddedMassCoefficient, 0.0, 100.0),
       OutOfRange("DampingFactor", options.DampingFactor, 0.0, 1e3),
       OutOfRange("ForceFactor", options.ForceFactor, 0.0, 1e6), OutOfRange("LeverArm", options.LeverArm, 0.0, 1.0),
-      OutOfRange("LargestAngle", options.LargestAngle, 0.0, Pi) })
+      OutOfRange("MaximumAngle", options.MaximumAngle, 0.0, Pi) })
   {
     if (!reason.empty())
     {

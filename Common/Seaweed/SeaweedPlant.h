@@ -49,7 +49,7 @@ struct SeaweedOptions
   double DampingFactor = 1.0;        ///< of all damping ratios
   double ForceFactor = 1.0;          ///< Direct: [N/m] for a m/s2, a metre or a m/s
   double LeverArm = 0.5;             ///< procedural: where the load acts, as part of the segment; the paper's is 1
-  double LargestAngle = 1.0;         ///< procedural: of a joint [rad]
+  double MaximumAngle = 1.0;         ///< procedural: of a joint [rad]
 };
 
 /// Why there are no such options, with the name of the property; empty when there are.

@@ -17,7 +17,7 @@ namespace
 /// The envelope's picture in the size of the settings; white where it has none.
 TextureImage StillPicture(const TextureImage& from, const SwaySettings& settings)
 {
-  TextureImage picture(settings.PictureSize[0], settings.PictureSize[1]);
+  TextureImage picture(settings.TextureSize[0], settings.TextureSize[1]);
   for (int row = 0; row < picture.Rows; ++row)
   {
     for (int column = 0; column < picture.Columns; ++column)
@@ -89,7 +89,7 @@ std::vector<TextureImage> CrownPictures(const SwaySpecies& species, const CrownM
         species, crown.LeafSkin, picture / (settings.Pictures * species.SwingFrequency), sway, settings, leaves);
     }
     pictures.push_back(
-      CylindricalProjection({ leaves, texture }, *crown.Volume, settings.PictureSize[0], settings.PictureSize[1]));
+      CylindricalProjection({ leaves, texture }, *crown.Volume, settings.TextureSize[0], settings.TextureSize[1]));
   }
   return pictures;
 }

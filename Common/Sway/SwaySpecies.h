@@ -22,7 +22,7 @@ struct SwaySettings
   bool WoodFromPlants = true; ///< whether plants may tell their wood
   LeafMotionOptions Leaves;
   int Pictures = 8;                           ///< pictures of a crown, at equal times of a swing; 1: a still one
-  std::array<int, 2> PictureSize{ 256, 128 }; ///< columns and rows of a picture [texels]
+  std::array<int, 2> TextureSize{ 256, 128 }; ///< columns and rows of a picture [texels]
 
   /// Options of a plant of a wood.
   SwayOptions With(const WoodParameters& wood) const;

@@ -394,11 +394,11 @@ std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& 
   for (const TerrainTile& tile : pyramid.GetTiles())
   {
     int level = Culled;
-    if (!rule.Cull || view.MayShow(tile.Bounds))
+    if (!rule.UseCulling || view.MayShow(tile.Bounds))
     {
-      level = rule.ByScreenError ? pyramid.GetLevels() - 1
+      level = rule.ByPixelError ? pyramid.GetLevels() - 1
                                  : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());
-      while (rule.ByScreenError && level > 0 && ScreenErrorOf(tile, level, view) > rule.LargestPixels)
+      while (rule.ByPixelError && level > 0 && ScreenErrorOf(tile, level, view) > rule.LargestPixels)
       {
         --level;
       }

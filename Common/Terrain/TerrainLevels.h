@@ -67,11 +67,11 @@ private:
 /// How the level of a tile follows from the view.
 struct TerrainRule
 {
-  bool ByScreenError = false;
+  bool ByPixelError = false;
   double NearDistance = 250.0; ///< level 0 to this level distance [m]
   double FarDistance = 4000.0; ///< the coarsest from here on [m]
   double LargestPixels = 1.0;  ///< the error on the screen that is allowed [pixels]
-  bool Cull = true;            ///< leave out what the view cannot show
+  bool UseCulling = true;            ///< leave out what the view cannot show
 };
 
 constexpr int Culled = -1;

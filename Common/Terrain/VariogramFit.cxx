@@ -94,11 +94,11 @@ public:
     }
     else
     {
-      fit.Field.Range = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
+      fit.Field.Range = this->MaximumRange() / (1.0 + expHeld(-unknowns[n++]));
     }
     if (this->HasSecondRange)
     {
-      fit.Field.SecondRange = this->LongestRange() / (1.0 + expHeld(-unknowns[n++]));
+      fit.Field.SecondRange = this->MaximumRange() / (1.0 + expHeld(-unknowns[n++]));
     }
     if (this->Options.Nugget)
     {
@@ -127,7 +127,7 @@ public:
     const double longest = std::max(1.0, 1.0 / fit.AnisotropyRatio);
     const double shortest = std::min(1.0, 1.0 / fit.AnisotropyRatio);
     const auto isHeld = [=](double range) {
-      return range * longest > 0.99 * this->LongestRange() || range * shortest < 0.25 * shortestLag;
+      return range * longest > 0.99 * this->MaximumRange() || range * shortest < 0.25 * shortestLag;
     };
     return isHeld(fit.Field.Range) || (this->HasSecondRange && isHeld(fit.Field.SecondRange));
   }
@@ -137,12 +137,12 @@ private:
   bool HasVariance() const { return this->Options.Window == nullptr; }
 
   /// A model's range is a distance where correlation has fallen to about a third, or some multiple of it.
-  double LongestRange() const { return TraitsOf(this->Model).RangeScale * this->Options.LongestRange; }
+  double MaximumRange() const { return TraitsOf(this->Model).RangeScale * this->Options.MaximumRange; }
 
   /// Ranges lie between 0 and the longest.
   double RangeToUnknown(double range) const
   {
-    const double part = std::clamp(range / this->LongestRange(), 1e-12, 1.0 - 1e-12);
+    const double part = std::clamp(range / this->MaximumRange(), 1e-12, 1.0 - 1e-12);
     return std::log(part / (1.0 - part));
   }
 

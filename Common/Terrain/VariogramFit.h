@@ -19,7 +19,7 @@ struct VariogramFitOptions
 {
   bool Nugget = false;     ///< a jump at distance zero, as measurement noise makes it
   bool Anisotropy = false; ///< an ellipse of ranges; needs bins in several directions
-  double LongestRange =
+  double MaximumRange =
     1e4; ///< [m], no model is given a longer one (Spherical: twice this): what is longer than the lags cannot be told
   double FractalRange = 1e4; ///< [m], largest wavelength of the fractal model, which no variogram can tell
   /**

@@ -93,7 +93,7 @@ def sway_of(direction, wind):
     sway = vtkBeamTreeDeformationFilter()
     sway.SetInputDataObject(0, beam_along(direction))
     sway.SetInputDataObject(1, wind)
-    sway.SetDamping(0.04)
+    sway.SetDampingRatio(0.04)
     return sway
 
 

@@ -51,18 +51,18 @@ def scatter():
         tree.Update()
         bounds = part(tree, "Medium", "Crown").GetBounds()
         radii.append(0.5 * (bounds[1] - bounds[0]))
-        forest.AddInputConnection(1, tree.GetOutputPort())
+        forest.AddPrototypeConnection(tree.GetOutputPort())
     forest.SetViewPoint(EYE)
     forest.SetViewDirection(np.cos(HEADING), np.sin(HEADING), 0.0)
     forest.SetViewAngle(VIEW_ANGLE)
     forest.SetAspectRatio(ASPECT)
     forest.SetNearDistance(NEAR)
     forest.SetFarDistance(FAR)
-    forest.UseCellsOff()
+    forest.UseCullingOff()
     forest.Update()
     crowns = np.array(radii)[field(forest, "Species")] * field(forest, "Scale")
     places = field(forest, "Position")[:, :2]
-    forest.UseCellsOn()
+    forest.UseCullingOn()
     forest.Update()
     return forest, places, crowns
 

@@ -82,7 +82,7 @@ def measure(trees, polygons, number, views):
     forest = vtkPlantScatterFilter()
     forest.SetInputConnection(0, sites.GetOutputPort())
     for tree in trees:
-        forest.AddInputConnection(1, tree.GetOutputPort())
+        forest.AddPrototypeConnection(tree.GetOutputPort())
     forest.SetViewAngle(VIEW_ANGLE)
     forest.SetAspectRatio(ASPECT)
     sums = np.zeros(4)
@@ -90,7 +90,7 @@ def measure(trees, polygons, number, views):
         forest.SetViewPoint(*point)
         forest.SetViewDirection(*direction)
         for cells in (False, True):
-            forest.SetUseCells(cells)
+            forest.SetUseCulling(cells)
             forest.Update()
             fields = forest.GetOutputDataObject(0).GetFieldData()
             # All of the shown trees in full are what there would be without levels of detail.

@@ -80,7 +80,7 @@ def paths(flows, seconds):
     drift.GenerateCurrentOn()
     sources = [flow(*one) for one in flows]
     for source in sources:
-        drift.AddInputConnection(1, source.GetOutputPort())
+        drift.AddCurrentConnection(source.GetOutputPort())
     places, speeds = [], []
     for frame in range(FRAMES):
         drift.UpdateTimeStep(seconds * frame / (FRAMES - 1))

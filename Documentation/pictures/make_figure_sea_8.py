@@ -56,7 +56,7 @@ def build(folder, view):
     surface = simple.ParticleOrbits(Input=reader("Level", underwater.mesh(underwater.fan()), folder), SeaState=sea)
     sand, height = underwater.bed(DEPTH, EYE)
     plants = sites(height)
-    kelp = simple.PlantScatter(Sites=reader("KelpSites", plants, folder), FollowCamera=0, UseLevels=0, UseCells=0,
+    kelp = simple.PlantScatter(Sites=reader("KelpSites", plants, folder), FollowCamera=0, UseLevels=0, UseCulling=0,
                                Prototypes=[simple.Seaweed(Seed=seed, SegmentsPerBranch=14) for seed in (1, 2, 3)])
     bending = simple.SeaweedDeformation(
         Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0, GenerateMotion=1,

@@ -72,7 +72,7 @@ def main(folder):
     levels.SetFarDistance(FAR)
     levels.SetNumberOfLevels(LEVELS)
     levels.SetTileSize(16)
-    levels.CullOff()
+    levels.UseCullingOff()
     levels.Update()
     output = levels.GetOutput()
 

@@ -137,7 +137,7 @@ def build(folder, view):
     grass = simple.PlantScatter(
         registrationName="Grass", Sites=tufts, Terrain=terrain, NearDistance=300.0,
         Prototypes=[simple.ReevesTree(registrationName="Tuft", **GRASS)], FarDistance=300.0,
-        MaximumDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.04, **STEADY)
+        VisibleDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.04, **STEADY)
 
     landscape.prepare_view(view)
     look(country, view, 0.0)

@@ -53,7 +53,7 @@ def moving_specks(name, particles, currents, sea):
     drift = simple.CurrentDrift(registrationName=name, Input=particles, Currents=currents, WaterDepth=DEPTH,
                                 StartTime=TIME - 1.0, TimeStep=2.0 / FRAMES_A_SECOND)
     levels = simple.ParticleLevelOfDetail(
-        registrationName=f"{name}Levels", Input=drift, SeaState=sea, Visibility=30.0)
+        registrationName=f"{name}Levels", Input=drift, SeaState=sea, VisibleDistance=30.0)
     riding = simple.ParticleOrbits(registrationName=f"{name}OnWaves", Input=levels, SeaState=sea)
     return simple.ExtractBlock(Input=riding, Selectors=["/Root/Near", "/Root/MasterSlave"])
 
@@ -69,7 +69,7 @@ def build(folder, view):
     plants = underwater.kelp_sites(height)
     sites = reader("KelpSites", plants, folder)
     kelp = simple.PlantScatter(
-        registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCells=0, Prototypes=[
+        registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCulling=0, Prototypes=[
             simple.Seaweed(registrationName="SugarKelp"),
             simple.Seaweed(registrationName="GiantKelp", Preset="Custom", **GIANT_KELP)])
     # It has bent since long before the picture: blades rise slowly from how they grew.

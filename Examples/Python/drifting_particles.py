@@ -51,14 +51,14 @@ def scene():
     drift.currents = [flow(vtkFlowPrimitiveSource.Uniform, 0.15, (0.0, 0.0, 0.0), (1.0, 0.4, 0.0)),
                       flow(vtkFlowPrimitiveSource.Vortex, 2.5, (1.0, -1.0, -5.0), (0.2, 0.0, 1.0))]
     for current in drift.currents:
-        drift.AddInputConnection(1, current.GetOutputPort())
+        drift.AddCurrentConnection(current.GetOutputPort())
     sea = vtkSeaStateSource()
     sea.SetWindSpeed(6.0)
     sea.SetWaterDepth(DEPTH)
     sea.SetMeanDirection(20.0)
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputConnection(0, drift.GetOutputPort())
-    orbits.SetInputConnection(1, sea.GetOutputPort())
+    orbits.SetSeaStateConnection(sea.GetOutputPort())
     return particles, drift, orbits, sea
 
 
@@ -104,7 +104,7 @@ def surface_actor(sea, time):
     plane.SetResolution(600, 500)
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputConnection(0, plane.GetOutputPort())
-    orbits.SetInputConnection(1, sea.GetOutputPort())
+    orbits.SetSeaStateConnection(sea.GetOutputPort())
     orbits.UpdateTimeStep(time)
     data = orbits.GetOutput()
     jacobian = vtk_to_numpy(data.GetPointData().GetArray("Jacobian"))

@@ -74,7 +74,7 @@ def make_forest(island):
     forest.SetInputConnection(0, sites.GetOutputPort())
     for name, seed in SPECIES:
         tree = vtkReevesTreeSource(preset=getattr(vtkReevesTreeSource, name), seed=seed)
-        forest.AddInputConnection(1, tree.GetOutputPort())
+        forest.AddPrototypeConnection(tree.GetOutputPort())
     forest.SetInputDataObject(2, island)
     forest.Update()
     return forest.GetOutputDataObject(0)
@@ -103,7 +103,7 @@ def make_sea(time=4.0):
     sea = vtkSeaStateSource(wind_speed=7.5, mean_direction=20.0, number_of_trains=150, frequency_range=(0.6, 7.0))
     orbits = vtkParticleOrbitFilter(choppiness=1.0)
     orbits.SetInputDataObject(0, plane)
-    orbits.SetInputConnection(1, sea.GetOutputPort())
+    orbits.SetSeaStateConnection(sea.GetOutputPort())
     orbits.UpdateTimeStep(time)
     return pv.wrap(orbits.GetOutput())
 

@@ -34,7 +34,7 @@ def sea_surface(time):
     sea.SetFrequencyRange(0.5, 6.0)
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputConnection(0, plane.GetOutputPort())
-    orbits.SetInputConnection(1, sea.GetOutputPort())
+    orbits.SetSeaStateConnection(sea.GetOutputPort())
     orbits.SetChoppiness(1.0)
     orbits.UpdateTimeStep(time)
     return orbits.GetOutput()

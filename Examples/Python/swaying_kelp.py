@@ -63,10 +63,10 @@ def make_kelp(sand):
     plant.SetPreset(vtkSeaweedSource.SugarKelp)
     kelp = vtkPlantScatterFilter()
     kelp.SetInputConnection(0, sites.GetOutputPort())
-    kelp.AddInputConnection(1, plant.GetOutputPort())
-    kelp.SetInputConnection(2, sand.GetOutputPort())
+    kelp.AddPrototypeConnection(plant.GetOutputPort())
+    kelp.SetTerrainConnection(sand.GetOutputPort())
     kelp.SetUseLevels(False)
-    kelp.SetUseCells(False)
+    kelp.SetUseCulling(False)
     return kelp
 
 
@@ -102,9 +102,9 @@ class Scene:
         standing = make_kelp(self.sand)
         self.kelp = vtkSeaweedDeformationFilter()
         self.kelp.SetInputConnection(0, standing.GetOutputPort())
-        self.kelp.SetInputConnection(1, self.sea.GetOutputPort())
+        self.kelp.SetSeaStateConnection(self.sea.GetOutputPort())
         for current in self.currents:
-            self.kelp.AddInputConnection(2, current.GetOutputPort())
+            self.kelp.AddCurrentConnection(current.GetOutputPort())
         self.kelp.SetStartTime(START)
         self.kelp.GenerateMotionOn()
         self.wake = vtkPlantWakeFilter()
@@ -122,7 +122,7 @@ class Scene:
         drift = vtkCurrentDriftFilter()
         drift.SetInputConnection(0, self.particles.GetOutputPort())
         for current in currents:
-            drift.AddInputConnection(1, current.GetOutputPort())
+            drift.AddCurrentConnection(current.GetOutputPort())
         drift.SetSeaLevel(DEPTH)
         drift.SetTimeStep(0.25)
         return drift
@@ -131,7 +131,7 @@ class Scene:
         """Points on their orbits in the swell."""
         orbits = vtkParticleOrbitFilter()
         orbits.SetInputConnection(0, port)
-        orbits.SetInputConnection(1, self.sea.GetOutputPort())
+        orbits.SetSeaStateConnection(self.sea.GetOutputPort())
         return orbits
 
 
@@ -168,7 +168,7 @@ def measure_frond(scene):
     plant = np.array(moving)[:, frond]
     still, orbits = cloud(plant.mean(axis=0)), vtkParticleOrbitFilter()
     orbits.SetInputData(0, still)
-    orbits.SetInputConnection(1, scene.sea.GetOutputPort())
+    orbits.SetSeaStateConnection(scene.sea.GetOutputPort())
     water = []
     for time in times:
         orbits.UpdateTimeStep(time)

@@ -45,7 +45,7 @@ def make_trees(wind):
         tree.SetSeed(seed)
         sway = vtkBeamTreeDeformationFilter()
         sway.SetInputConnection(0, tree.GetOutputPort())
-        sway.SetInputConnection(1, wind.GetOutputPort())
+        sway.SetWindConnection(wind.GetOutputPort())
         sway.Update()
         trees.append(sway)
     return trees

@@ -51,7 +51,7 @@ std::vector<TextureImage> PicturesOf(
   {
     if (picture.Texels.empty())
     {
-      picture = TextureImage(settings.PictureSize[0], settings.PictureSize[1]);
+      picture = TextureImage(settings.TextureSize[0], settings.TextureSize[1]);
     }
   }
   return pictures;
@@ -111,7 +111,7 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
   }
   reason = this->WhySpeciesUnknown(read.size());
   const double texels =
-    static_cast<double>(read.size()) * settings.Pictures * settings.PictureSize[0] * settings.PictureSize[1];
+    static_cast<double>(read.size()) * settings.Pictures * settings.TextureSize[0] * settings.TextureSize[1];
   reason = reason.empty() ? WhyTooLarge(2.0 * sizeof(Texel) * texels) : reason;
   if (!reason.empty())
   {

@@ -182,7 +182,7 @@ void FitSevenModels(benchmark::State& state)
 {
   const VariogramMap map = ComputeVariogramMap(Terrain(), 0.5 * Size);
   VariogramFitOptions options;
-  options.LongestRange = 0.25 * Size;
+  options.MaximumRange = 0.25 * Size;
   options.FractalRange = 4.0 * Size;
   options.Anisotropy = state.range(0) != 0;
   const std::vector<LagBin> bins = BinVariogram(map, 0.5 * Size, 40, options.Anisotropy ? 12 : 1);

@@ -31,7 +31,7 @@ void AddFlow(vtkCurrentDriftFilter* drift, int type, double strength, double x)
   flow->SetStrength(strength);
   flow->SetCenter(x, 0.5 * x, -5.0);
   flow->SetAxis(0.1, 0.2, 1.0);
-  drift->AddInputConnection(1, flow->GetOutputPort());
+  drift->AddCurrentConnection(flow->GetOutputPort());
 }
 
 void AddParticles(vtkCurrentDriftFilter* drift)

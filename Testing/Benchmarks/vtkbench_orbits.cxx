@@ -109,7 +109,7 @@ void OrbitFilterFrame(benchmark::State& state)
   sea->SetWaterDepth(20.0);
   vtkNew<vtkParticleOrbitFilter> orbits;
   orbits->SetInputData(0, particles);
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   double time = 0.0;
   for (auto _ : state)
   {

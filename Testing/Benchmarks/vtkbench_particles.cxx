@@ -49,11 +49,11 @@ struct Scene
   Scene()
   {
     this->Levels->SetInputData(0, this->Water);
-    this->Levels->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Levels->SetSeaStateConnection(this->Sea->GetOutputPort());
     this->Levels->SetViewPoint(30.0, 5.0, -6.0);
     this->Levels->SetViewAngle(40.0);
     this->Orbits->SetInputConnection(0, this->Levels->GetOutputPort());
-    this->Orbits->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Orbits->SetSeaStateConnection(this->Sea->GetOutputPort());
   }
 
   void Look(int frame) { this->Levels->SetViewDirection(std::sin(0.01 * frame), std::cos(0.01 * frame), 0.0); }

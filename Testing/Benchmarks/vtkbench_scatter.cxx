@@ -29,7 +29,7 @@ struct Forest
     this->Tree->SetPreset(vtkReevesTreeSource::Custom);
     this->Tree->SetNumberOfLeaves(leaves);
     this->Filter->SetInputConnection(0, this->Sites->GetOutputPort());
-    this->Filter->SetInputConnection(1, this->Tree->GetOutputPort());
+    this->Filter->AddPrototypeConnection(this->Tree->GetOutputPort());
     this->Filter->SetViewPoint(5.0 * side, 2.0 * side, 2.0);
   }
 
@@ -79,7 +79,7 @@ void AllInFull(benchmark::State& state)
 {
   Forest forest(100, static_cast<int>(state.range(0)));
   forest.Filter->UseLevelsOff();
-  forest.Filter->UseCellsOff();
+  forest.Filter->UseCullingOff();
   for (auto _ : state)
   {
     forest.Filter->Modified();

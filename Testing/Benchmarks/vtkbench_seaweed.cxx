@@ -78,9 +78,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> BedOf(int plants, const std::vector<std::s
   weed->SetSegmentsPerBranch(10);
   vtkNew<vtkPlantScatterFilter> scatter;
   scatter->SetInputData(places);
-  scatter->AddInputConnection(1, weed->GetOutputPort());
+  scatter->AddPrototypeConnection(weed->GetOutputPort());
   scatter->UseLevelsOff();
-  scatter->UseCellsOff();
+  scatter->UseCullingOff();
   scatter->Update();
   auto* high = vtkMultiBlockDataSet::SafeDownCast(
     littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(scatter->GetOutputDataObject(0)), littoral::plant::High));
@@ -103,7 +103,7 @@ struct Scene
   Scene(int plants, const std::vector<std::string>& blocks)
   {
     this->Move->SetInputData(BedOf(plants, blocks));
-    this->Move->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Move->SetSeaStateConnection(this->Sea->GetOutputPort());
     this->Move->SetStartTime(0.0);
     this->Move->UpdateTimeStep(0.0);
   }

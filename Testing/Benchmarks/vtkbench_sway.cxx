@@ -42,16 +42,16 @@ struct Forest
     this->Tree->SetSideBranches(6);
     this->Tree->SetNumberOfLeaves(1500);
     this->Scatter->SetInputConnection(0, this->Sites->GetOutputPort());
-    this->Scatter->SetInputConnection(1, this->Tree->GetOutputPort());
+    this->Scatter->AddPrototypeConnection(this->Tree->GetOutputPort());
     this->Scatter->SetViewPoint(200.0, 5.0, 2.0);
     this->Scatter->SetNearDistance(nearDistance);
     this->Scatter->SetFarDistance(250.0);
-    this->Scatter->UseCellsOff();
+    this->Scatter->UseCullingOff();
     this->Wind->SetDimensions(1200, 110, 12);
     this->Wind->SetCenter(200.0, 125.0);
     this->Sway->SetInputConnection(0, this->Scatter->GetOutputPort());
     this->Sway->SetWindConnection(this->Wind->GetOutputPort());
-    this->Sway->AddInputConnection(2, this->Tree->GetOutputPort());
+    this->Sway->AddPrototypeConnection(this->Tree->GetOutputPort());
   }
 };
 

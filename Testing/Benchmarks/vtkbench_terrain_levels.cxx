@@ -42,7 +42,7 @@ void NewView(benchmark::State& state)
   vtkNew<vtkTerrainLevelOfDetailFilter> filter;
   filter->SetInputData(Hills());
   filter->SetSelection(static_cast<int>(state.range(0)));
-  filter->SetCull(state.range(1) != 0);
+  filter->SetUseCulling(state.range(1) != 0);
   filter->SetViewDirection(0.0, 1.0, -0.2);
   double x = 5000.0;
   filter->SetViewPoint(x, 0.0, 600.0);

@@ -94,7 +94,7 @@ inline void Connect(Drift* drift, double x, double level, int type, int count)
   drift->SetInputData(0, Particles(count, type, x, level));
   for (Flow* flow : { uniform.Get(), vortex.Get(), source.Get(), sink.Get() })
   {
-    drift->AddInputConnection(1, flow->GetOutputPort());
+    drift->AddCurrentConnection(flow->GetOutputPort());
   }
   drift->SetSeaLevel(level);
   drift->SetWaterDepth(11.0);

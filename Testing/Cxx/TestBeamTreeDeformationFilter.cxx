@@ -302,8 +302,8 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   sites->SetPoints(feet);
   vtkNew<vtkPlantScatterFilter> wood;
   wood->SetInputData(sites);
-  wood->SetInputConnection(1, tree->GetOutputPort());
-  wood->UseCellsOff();
+  wood->AddPrototypeConnection(tree->GetOutputPort());
+  wood->UseCullingOff();
   wood->SetNearDistance(1.0);
   wood->SetFarDistance(1e4);
   wood->Update();
@@ -313,7 +313,7 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   many->SetWindConnection(wind->GetOutputPort());
   many->UpdateTimeStep(2.0);
   Expect(PointsOf(many->GetOutputDataObject(0), "Medium/Crown") == standing, "without prototypes, crowns stand still");
-  many->SetInputConnection(2, tree->GetOutputPort());
+  many->AddPrototypeConnection(tree->GetOutputPort());
   many->UpdateTimeStep(2.0);
   const std::vector<float> swaying = PointsOf(many->GetOutputDataObject(0), "Medium/Crown");
   const std::vector<float> trunks = PointsOf(many->GetOutputDataObject(0), "Medium/Trunk");
@@ -374,15 +374,15 @@ void CheckArrival(vtkReevesTreeSource* tree)
   sites->SetPoints(feet);
   vtkNew<vtkPlantScatterFilter> wood;
   wood->SetInputData(sites);
-  wood->SetInputConnection(1, tree->GetOutputPort());
-  wood->UseCellsOff();
+  wood->AddPrototypeConnection(tree->GetOutputPort());
+  wood->UseCullingOff();
   wood->SetNearDistance(1.0);
   wood->SetFarDistance(1e4);
   vtkNew<vtkBeamTreeDeformationFilter> sway;
   sway->SetInputConnection(wood->GetOutputPort());
-  sway->SetInputConnection(2, tree->GetOutputPort());
+  sway->AddPrototypeConnection(tree->GetOutputPort());
   sway->SetWindConnection(wind->GetOutputPort());
-  sway->SetPictureSize(32, 16);
+  sway->SetTextureSize(32, 16);
   const auto pictures = [&](double time, std::size_t plant) {
     sway->UpdateTimeStep(time);
     const std::vector<float> all = TCoordsOf(sway->GetOutputDataObject(0));
@@ -425,7 +425,7 @@ void CheckLift(vtkBeamTreeDeformationFilter* sway, vtkDataObject* rest)
     Expect(miss < 0.05 * std::hypot(drag[0], drag[1]), "lift is drag, turned to the right");
   }
   sway->SetLiftCoefficient(0.0);
-  sway->SetResponse(0);
+  sway->SetResponseToInterpolated();
 }
 
 /// Everything of a wood that moves: the same on one and on two threads, all at once and in two pieces.
@@ -440,8 +440,8 @@ void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
   sites->SetPoints(feet);
   vtkNew<vtkPlantScatterFilter> wood;
   wood->SetInputData(sites);
-  wood->SetInputConnection(1, tree->GetOutputPort());
-  wood->UseCellsOff();
+  wood->AddPrototypeConnection(tree->GetOutputPort());
+  wood->UseCullingOff();
   wood->SetViewPoint(0.0, -15.0, 12.0);
   wood->SetNearDistance(16.0);
   wood->SetFarDistance(500.0);
@@ -450,7 +450,7 @@ void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
     vtkNew<vtkBeamTreeDeformationFilter> sway;
     sway->SetInputConnection(0, wood->GetOutputPort());
     sway->SetWindConnection(wind->GetOutputPort());
-    sway->AddInputConnection(2, tree->GetOutputPort());
+    sway->AddPrototypeConnection(tree->GetOutputPort());
     sway->UpdateInformation();
     sway->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 3.3);
     sway->UpdatePiece(piece, pieces, 0);
@@ -472,7 +472,7 @@ void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
     vtkNew<vtkBeamTreeDeformationFilter> sway;
     sway->SetInputConnection(0, wood->GetOutputPort());
     sway->SetWindConnection(wind->GetOutputPort());
-    sway->AddInputConnection(2, tree->GetOutputPort());
+    sway->AddPrototypeConnection(tree->GetOutputPort());
     sway->UpdatePiece(piece, 2, 0);
     const std::vector<float> part = PointsOf(sway->GetOutputDataObject(0), "High/Leaves");
     leaves.insert(leaves.end(), part.begin(), part.end());
@@ -564,17 +564,17 @@ void CheckBadPlants(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tre
   sites->GetPointData()->AddArray(species);
   vtkNew<vtkPlantScatterFilter> wood;
   wood->SetInputData(sites);
-  wood->AddInputConnection(1, tree->GetOutputPort());
-  wood->AddInputConnection(1, tree->GetOutputPort());
-  wood->UseCellsOff();
+  wood->AddPrototypeConnection(tree->GetOutputPort());
+  wood->AddPrototypeConnection(tree->GetOutputPort());
+  wood->UseCullingOff();
   sway->SetInputConnection(0, wood->GetOutputPort());
-  sway->AddInputConnection(2, tree->GetOutputPort());
+  sway->AddPrototypeConnection(tree->GetOutputPort());
   Expect(errors->ExpectOneNaming("Species"), "too few prototypes");
-  sway->SetPictureSize(4096, 4096);
-  sway->SetNumberOfPictures(16);
+  sway->SetTextureSize(4096, 4096);
+  sway->SetNumberOfTextures(16);
   for (int i = 0; i < 127; ++i)
   {
-    sway->AddInputConnection(2, tree->GetOutputPort());
+    sway->AddPrototypeConnection(tree->GetOutputPort());
   }
   Expect(errors->ExpectOneNaming("MB to sway"), "too many pictures");
 }
@@ -621,7 +621,7 @@ int TestBeamTreeDeformationFilter(int, char*[])
            PointsOf(sway->GetOutputDataObject(0), "Low")) == 0.0,
     "Low stands still");
 
-  sway->SetResponse(0);
+  sway->SetResponseToInterpolated();
   wind->SetStrength(0.0);
   Expect(at(2.0) == AllPoints(rest), "no wind, rest pose exactly");
   wind->SetStrength(8.0);
@@ -639,9 +639,9 @@ int TestBeamTreeDeformationFilter(int, char*[])
   sites->SetPoints(places);
   vtkNew<vtkPlantScatterFilter> wood;
   wood->SetInputData(sites);
-  wood->SetInputConnection(1, tree->GetOutputPort());
+  wood->AddPrototypeConnection(tree->GetOutputPort());
   wood->UseLevelsOff();
-  wood->UseCellsOff();
+  wood->UseCullingOff();
   sway->SetInputConnection(wood->GetOutputPort());
   wood->Update();
   const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "High/Skeleton");
@@ -671,9 +671,9 @@ int TestBeamTreeDeformationFilter(int, char*[])
   sway->SetNumberOfModes(11);
   complains("NumberOfModes");
   sway->SetNumberOfModes(1);
-  sway->SetDamping(std::numeric_limits<double>::quiet_NaN());
-  complains("Damping");
-  sway->SetDamping(0.08);
+  sway->SetDampingRatio(std::numeric_limits<double>::quiet_NaN());
+  complains("DampingRatio");
+  sway->SetDampingRatio(0.08);
   sway->SetLiftCoefficient(11.0);
   complains("LiftCoefficient");
   sway->SetLiftCoefficient(0.0);
@@ -692,12 +692,12 @@ int TestBeamTreeDeformationFilter(int, char*[])
   wind->SetSpeed(0.0);
   complains("ConvectionSpeed");
   wind->SetSpeed(Convection);
-  sway->SetNumberOfPictures(0);
-  complains("NumberOfPictures");
-  sway->SetNumberOfPictures(8);
-  sway->SetPictureSize(256, 2);
-  complains("PictureSize");
-  sway->SetPictureSize(256, 128);
+  sway->SetNumberOfTextures(0);
+  complains("NumberOfTextures");
+  sway->SetNumberOfTextures(8);
+  sway->SetTextureSize(256, 2);
+  complains("TextureSize");
+  sway->SetTextureSize(256, 128);
   sway->SetLeafFlutter(-0.1);
   complains("LeafFlutter");
   sway->SetLeafFlutter(1.0);

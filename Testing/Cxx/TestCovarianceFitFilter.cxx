@@ -91,7 +91,7 @@ bool CheckBadInput()
   for (double bad : badLengths)
   {
     good &= Fails("MaximumLag", image, [=](vtkCovarianceFitFilter* fit) { fit->SetMaximumLag(bad); });
-    good &= Fails("LongestRange", image, [=](vtkCovarianceFitFilter* fit) { fit->SetLongestRange(bad); });
+    good &= Fails("MaximumRange", image, [=](vtkCovarianceFitFilter* fit) { fit->SetMaximumRange(bad); });
   }
   good &= Fails("NumberOfLags", image, [](vtkCovarianceFitFilter* fit) { fit->SetNumberOfLags(0); });
   good &= Fails("NumberOfDirections", image, [](vtkCovarianceFitFilter* fit) { fit->SetNumberOfDirections(0); });

@@ -105,12 +105,12 @@ bool CheckUniform()
     vtkNew<Drift> drift;
     drift->SetStartTime(2.0);
     drift->SetInputData(0, particles);
-    drift->AddInputConnection(1, first->GetOutputPort());
-    drift->AddInputConnection(1, second->GetOutputPort());
+    drift->AddCurrentConnection(first->GetOutputPort());
+    drift->AddCurrentConnection(second->GetOutputPort());
     vtkNew<Flow> still = Primitive(Flow::Vortex, 0.0, 0.0, 0.0, 0.0); // makes it take steps
     if (steps)
     {
-      drift->AddInputConnection(1, still->GetOutputPort());
+      drift->AddCurrentConnection(still->GetOutputPort());
     }
     double worst = 0.0;
     for (const double time : { 12.34, 2.0, 102.0, 0.5 })
@@ -143,7 +143,7 @@ bool CheckVortex()
   const double rate = 2.0 / (2.0 * Pi * radius * radius) * -std::expm1(-radius * radius / 0.25);
   vtkNew<Drift> drift;
   drift->SetInputData(0, OneParticle(1.0 + radius, 2.0, -3.0));
-  drift->SetInputConnection(1, vortex->GetOutputPort());
+  drift->AddCurrentConnection(vortex->GetOutputPort());
   drift->SetTimeStep(0.1 / rate);
   drift->UpdateTimeStep(100.0 * 2.0 * Pi / rate);
   double p[3];
@@ -161,8 +161,8 @@ bool CheckCapture()
   vtkNew<Flow> sink = Primitive(Flow::Sink, 80.0, 2.0, 0.0, -5.0, 0.4);
   vtkNew<Drift> drift;
   drift->SetInputData(0, particles);
-  drift->AddInputConnection(1, source->GetOutputPort());
-  drift->AddInputConnection(1, sink->GetOutputPort());
+  drift->AddCurrentConnection(source->GetOutputPort());
+  drift->AddCurrentConnection(sink->GetOutputPort());
   drift->SetWaterDepth(10.0);
   drift->UpdateTimeStep(5.0);
   const auto captured = [&] {
@@ -199,8 +199,8 @@ bool CheckWaterIsLeftByNone()
   particles->GetPoints()->InsertNextPoint(0.0, 0.0, 451.0); // in the air
   vtkNew<Drift> drift;
   drift->SetInputData(0, particles);
-  drift->AddInputConnection(1, up->GetOutputPort());
-  drift->AddInputConnection(1, vortex->GetOutputPort());
+  drift->AddCurrentConnection(up->GetOutputPort());
+  drift->AddCurrentConnection(vortex->GetOutputPort());
   drift->SetSeaLevel(450.0);
   drift->SetWaterDepth(10.0);
   bool good = true;
@@ -232,7 +232,7 @@ bool CheckTimeOrderAndThreads(bool tide, double interval)
       {
         vtkNew<Tide> current;
         current->Interval = interval;
-        drift->AddInputConnection(1, current->GetOutputPort());
+        drift->AddCurrentConnection(current->GetOutputPort());
       }
     };
     vtkNew<Drift> direct;
@@ -303,7 +303,7 @@ bool CheckChangingCurrent()
     tide->Interval = interval;
     vtkNew<Drift> drift;
     drift->SetInputData(0, OneParticle(1.0, 2.0, -5.0));
-    drift->SetInputConnection(1, tide->GetOutputPort());
+    drift->AddCurrentConnection(tide->GetOutputPort());
     drift->SetTimeStep(0.05);
     double worst = 0.0;
     for (const double time : { 7.3, 3.0, 3.21, 12.0 })
@@ -329,7 +329,7 @@ bool CheckChangingCurrent()
   model->Last = 4.0;
   vtkNew<Drift> drift;
   drift->SetInputData(0, OneParticle(0.0, 0.0, -5.0));
-  drift->SetInputConnection(1, model->GetOutputPort());
+  drift->AddCurrentConnection(model->GetOutputPort());
   drift->UpdateTimeStep(4.0);
   double sum = 0.0;
   for (int n = 0; n < 8; ++n)
@@ -352,7 +352,7 @@ bool CheckChangingCurrent()
   vtkNew<vtkSeaStateSource> sea;
   vtkNew<vtkParticleOrbitFilter> orbits;
   orbits->SetInputConnection(0, drift->GetOutputPort());
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   orbits->UpdateTimeStep(1.3);
   const double* center = OutputOf(orbits)->GetPointData()->GetArray("Center")->GetTuple3(0);
   return good & Check(std::abs(center[0] - 1.3 * Tide::Along) < 1e-12, "orbits have other centers");
@@ -372,7 +372,7 @@ bool CheckNoCurrent()
   vtkNew<Flow> flow;
   vtkNew<Drift> empty;
   empty->SetInputData(0, nothing);
-  empty->SetInputConnection(1, flow->GetOutputPort());
+  empty->AddCurrentConnection(flow->GetOutputPort());
   vtkNew<ErrorCounter> errors;
   errors->Watch(empty);
   empty->Update();
@@ -389,7 +389,7 @@ bool CheckParticles()
   vtkNew<Flow> vortex = Primitive(Flow::Vortex, 5.0, 0.0, 0.0, 0.0);
   vtkNew<Drift> drift;
   drift->SetInputConnection(0, source->GetOutputPort());
-  drift->SetInputConnection(1, vortex->GetOutputPort());
+  drift->AddCurrentConnection(vortex->GetOutputPort());
   drift->GenerateCurrentOn();
   drift->UpdateTimeStep(4.0);
   vtkPolyData* output = OutputOf(drift);
@@ -418,7 +418,7 @@ bool CheckParticles()
   vtkNew<vtkSuspendedParticleSource> points;
   vtkNew<Drift> whole;
   whole->SetInputConnection(0, points->GetOutputPort());
-  whole->SetInputConnection(1, vortex->GetOutputPort());
+  whole->AddCurrentConnection(vortex->GetOutputPort());
   const std::vector<char> wanted = Moved(whole, 3.3);
   const std::size_t count = static_cast<std::size_t>(OutputOf(whole)->GetNumberOfPoints());
   std::vector<char> together;
@@ -426,7 +426,7 @@ bool CheckParticles()
   {
     vtkNew<Drift> part;
     part->SetInputConnection(0, points->GetOutputPort());
-    part->SetInputConnection(1, vortex->GetOutputPort());
+    part->AddCurrentConnection(vortex->GetOutputPort());
     part->UpdateInformation();
     vtkInformation* info = part->GetOutputInformation(0);
     info->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
@@ -445,11 +445,11 @@ bool CheckParticles()
   blocks->SetBlock(2, Particles(700));
   vtkNew<Drift> many;
   many->SetInputData(0, blocks);
-  many->SetInputConnection(1, vortex->GetOutputPort());
+  many->AddCurrentConnection(vortex->GetOutputPort());
   many->UpdateTimeStep(2.0);
   vtkNew<Drift> single;
   single->SetInputData(0, Particles(700));
-  single->SetInputConnection(1, vortex->GetOutputPort());
+  single->AddCurrentConnection(vortex->GetOutputPort());
   single->UpdateTimeStep(2.0);
   auto* moved = vtkMultiBlockDataSet::SafeDownCast(many->GetOutputDataObject(0));
   return good &

@@ -27,7 +27,7 @@ void AddFlow(vtkCurrentDriftFilter* drift, int type, double strength, double x, 
   flow->SetCenter(x, y, -1.0);
   flow->SetAxis(
     type == vtkFlowPrimitiveSource::Vortex ? 0.0 : 1.0, 0.0, type == vtkFlowPrimitiveSource::Vortex ? 1.0 : 0.0);
-  drift->AddInputConnection(1, flow->GetOutputPort());
+  drift->AddCurrentConnection(flow->GetOutputPort());
 }
 
 }

@@ -96,8 +96,8 @@ Way MeasureKelp()
   current->SetStrength(0.08);
   vtkNew<vtkSeaweedDeformationFilter> move;
   move->SetInputConnection(weed->GetOutputPort());
-  move->SetInputConnection(1, sea->GetOutputPort());
-  move->AddInputConnection(2, current->GetOutputPort());
+  move->SetSeaStateConnection(sea->GetOutputPort());
+  move->AddCurrentConnection(current->GetOutputPort());
   move->SetStartTime(-8.0 * Period);
   std::vector<std::vector<Vector3>> plant;
   std::vector<vtkIdType> nodes;
@@ -129,7 +129,7 @@ Way MeasureKelp()
   still->SetPoints(places);
   vtkNew<vtkParticleOrbitFilter> orbits;
   orbits->SetInputData(still);
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   std::vector<std::vector<Vector3>> water;
   for (int k = 0; k < Moments; ++k)
   {

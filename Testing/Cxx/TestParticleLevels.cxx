@@ -133,7 +133,7 @@ bool CheckArrays()
     vtkNew<vtkPolyData> particles = Particles(8000, type);
     vtkNew<Levels> levels;
     levels->SetInputData(0, particles);
-    levels->SetInputConnection(1, sea->GetOutputPort());
+    levels->SetSeaStateConnection(sea->GetOutputPort());
     LookAlongY(levels);
     levels->UseCullingOff();
     levels->SetBlendDistance(1.0);
@@ -191,16 +191,16 @@ bool CheckMotion()
   {
     vtkNew<Levels> levels;
     levels->SetInputData(0, particles);
-    levels->SetInputConnection(1, sea->GetOutputPort());
+    levels->SetSeaStateConnection(sea->GetOutputPort());
     levels->SetSlavePlacement(placement);
     LookAlongY(levels);
     vtkNew<Orbits> some;
     some->SetInputConnection(0, levels->GetOutputPort());
-    some->SetInputConnection(1, sea->GetOutputPort());
+    some->SetSeaStateConnection(sea->GetOutputPort());
     some->UpdateTimeStep(4.2);
     vtkNew<Orbits> all;
     all->SetInputData(0, particles);
-    all->SetInputConnection(1, sea->GetOutputPort());
+    all->SetSeaStateConnection(sea->GetOutputPort());
     all->UpdateTimeStep(4.2);
     auto* moved = vtkPolyData::SafeDownCast(all->GetOutputDataObject(0));
     double least = 1.0;
@@ -300,15 +300,15 @@ double ErrorOnPicture(
   Levels* levels, Sea* sea, vtkCamera* camera, double aspect, vtkPolyData* particles, double& trains)
 {
   levels->SetInputData(0, particles);
-  levels->SetInputConnection(1, sea->GetOutputPort());
+  levels->SetSeaStateConnection(sea->GetOutputPort());
   levels->SetAspectRatio(aspect);
   levels->SetCamera(camera);
   vtkNew<Orbits> some;
   some->SetInputConnection(0, levels->GetOutputPort());
-  some->SetInputConnection(1, sea->GetOutputPort());
+  some->SetSeaStateConnection(sea->GetOutputPort());
   vtkNew<Orbits> all;
   all->SetInputData(0, particles);
-  all->SetInputConnection(1, sea->GetOutputPort());
+  all->SetSeaStateConnection(sea->GetOutputPort());
   vtkMatrix4x4* projection = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   double largest = 0.0;
   for (int time = 0; time < 8; ++time)
@@ -413,7 +413,7 @@ bool CheckSameBytes()
   vtkNew<vtkPolyData> particles = Particles(9001, VTK_FLOAT);
   const auto make = [&](Levels* levels) {
     levels->SetInputData(0, particles);
-    levels->SetInputConnection(1, sea->GetOutputPort());
+    levels->SetSeaStateConnection(sea->GetOutputPort());
     LookAlongY(levels);
   };
   vtkNew<Levels> direct;
@@ -467,7 +467,7 @@ bool CheckSameBytes()
       make(levels);
       vtkNew<Orbits> orbits;
       orbits->SetInputConnection(0, levels->GetOutputPort());
-      orbits->SetInputConnection(1, sea->GetOutputPort());
+      orbits->SetSeaStateConnection(sea->GetOutputPort());
       orbits->UpdateTimeStep(3.0, piece, pieces, 0);
       places(orbits, found[pieces == 1 ? 0 : 1]);
     }
@@ -506,7 +506,7 @@ bool CheckFog()
   // Near, slaves and fog hide as much in all as all particles do as fog.
   vtkNew<Levels> levels;
   levels->SetInputData(0, particles);
-  levels->SetInputConnection(1, sea->GetOutputPort());
+  levels->SetSeaStateConnection(sea->GetOutputPort());
   LookAlongY(levels);
   levels->UseCullingOff();
   vtkNew<Fog> far;
@@ -586,7 +586,7 @@ bool LevelsFail(const char* word, const std::function<void(Levels*, vtkPolyData*
   levels->SetInputData(0, particles);
   if (withSea)
   {
-    levels->SetInputConnection(1, sea->GetOutputPort());
+    levels->SetSeaStateConnection(sea->GetOutputPort());
   }
   spoil(levels, particles);
   vtkNew<ErrorCounter> errors;
@@ -630,7 +630,7 @@ bool CheckBadInput()
   good &= LevelsFail("MiddleDistance", [](Levels* l, vtkPolyData*) { l->SetMiddleDistance(13.0); });
   good &= LevelsFail("FarDistance", [=](Levels* l, vtkPolyData*) { l->SetFarDistance(nan); });
   good &= LevelsFail("BlendDistance", [](Levels* l, vtkPolyData*) { l->SetBlendDistance(-1.0); });
-  good &= LevelsFail("Visibility", [=](Levels* l, vtkPolyData*) { l->SetVisibility(nan); });
+  good &= LevelsFail("VisibleDistance", [=](Levels* l, vtkPolyData*) { l->SetVisibleDistance(nan); });
   good &= LevelsFail("Margin", [](Levels* l, vtkPolyData*) { l->SetMargin(-1.0); });
   good &= LevelsFail("FogMargin", [=](Levels* l, vtkPolyData*) { l->SetFogMargin(nan); });
   good &= LevelsFail("SlavesPerMaster", [](Levels* l, vtkPolyData*) { l->SetSlavesPerMaster(-1); });
@@ -638,8 +638,8 @@ bool CheckBadInput()
   good &= LevelsFail("OffsetRange", [=](Levels* l, vtkPolyData*) { l->SetOffsetRange(0.0, nan); });
   good &= LevelsFail("SlavePlacement", [](Levels* l, vtkPolyData*) { l->SetSlavePlacement(2); });
   good &= LevelsFail("TrainSelection", [](Levels* l, vtkPolyData*) { l->SetTrainSelection(3); });
-  good &= LevelsFail("ScreenError", [](Levels* l, vtkPolyData*) { l->SetScreenError(0.0); });
-  good &= LevelsFail("ScreenError", [=](Levels* l, vtkPolyData*) { l->SetScreenError(nan); });
+  good &= LevelsFail("PixelError", [](Levels* l, vtkPolyData*) { l->SetPixelError(0.0); });
+  good &= LevelsFail("PixelError", [=](Levels* l, vtkPolyData*) { l->SetPixelError(nan); });
   good &= LevelsFail("ParticlesPerCell", [](Levels* l, vtkPolyData*) { l->SetParticlesPerCell(0); });
   good &= LevelsFail("ViewAngle", [](Levels* l, vtkPolyData*) { l->SetViewAngle(180.0); });
   good &= LevelsFail("ViewPoint", [=](Levels* l, vtkPolyData*) { l->SetViewPoint(nan, 0.0, 0.0); });
@@ -678,7 +678,7 @@ bool CheckBadInput()
   particles->GetFieldData()->AddArray(order);
   vtkNew<Orbits> orbits;
   orbits->SetInputData(0, particles);
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   vtkNew<ErrorCounter> errors;
   errors->Watch(orbits);
   return good & errors->ExpectOneNaming("TrainOrder");
@@ -691,13 +691,13 @@ int Picture(int argc, char* argv[])
   vtkNew<vtkPolyData> particles = Particles(3000);
   vtkNew<Levels> levels;
   levels->SetInputData(0, particles);
-  levels->SetInputConnection(1, sea->GetOutputPort());
+  levels->SetSeaStateConnection(sea->GetOutputPort());
   LookAlongY(levels);
   levels->SetMiddleDistance(5.0);
   levels->SetBlendDistance(1.5);
   vtkNew<Orbits> orbits;
   orbits->SetInputConnection(0, levels->GetOutputPort());
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   orbits->UpdateTimeStep(2.0);
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.02, 0.10, 0.16);

@@ -73,7 +73,7 @@ bool CheckTimeOrderAndThreads()
     sea->SetWaterDepth(25.0);
     const auto make = [&](Orbits* orbits) {
       orbits->SetInputData(0, Particles(30000, type));
-      orbits->SetInputConnection(1, sea->GetOutputPort());
+      orbits->SetSeaStateConnection(sea->GetOutputPort());
     };
     vtkNew<Orbits> direct;
     make(direct);
@@ -114,7 +114,7 @@ bool CheckSurface()
   sea->SetWindSpeed(5.0);
   vtkNew<Orbits> orbits;
   orbits->SetInputConnection(0, plane->GetOutputPort());
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   orbits->GenerateVelocityOn();
   orbits->GenerateAccelerationOn();
   orbits->UpdateTimeStep(3.0);
@@ -161,7 +161,7 @@ bool CheckCountsAndSlaves()
   vtkNew<Sea> sea;
   vtkNew<Orbits> orbits;
   orbits->SetInputData(0, blocks);
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   orbits->GenerateVelocityOn();
   orbits->UpdateTimeStep(2.0);
   auto* moved = vtkMultiBlockDataSet::SafeDownCast(orbits->GetOutputDataObject(0));
@@ -329,7 +329,7 @@ bool CheckBadInput()
   vtkNew<vtkPolyData> nothing;
   vtkNew<Orbits> orbits;
   orbits->SetInputData(0, nothing);
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   vtkNew<ErrorCounter> errors;
   errors->Watch(orbits);
   orbits->Update();
@@ -446,7 +446,7 @@ bool CheckRegularWave()
         centers->SetPoints(points);
         vtkNew<Orbits> orbits;
         orbits->SetInputData(0, centers);
-        orbits->SetInputConnection(1, sea->GetOutputPort());
+        orbits->SetSeaStateConnection(sea->GetOutputPort());
         for (const double time : { 0.0, 0.3 * period, 40.1 })
         {
           orbits->UpdateTimeStep(time);
@@ -576,7 +576,7 @@ bool CheckReturn()
           {
             vtkNew<Orbits> orbits;
             orbits->SetInputData(0, Particles(40, type));
-            orbits->SetInputConnection(1, sea->GetOutputPort());
+            orbits->SetSeaStateConnection(sea->GetOutputPort());
             double& kept = type == VTK_FLOAT ? worstSingle : worst;
             kept = std::max(kept, FarthestMove(orbits, 1.7, 1.7 + period));
             kept = std::max(kept, FarthestMove(orbits, 0.0, 3.0 * period));
@@ -603,7 +603,7 @@ bool CheckReturn()
   good &= Check(std::abs(period - 63.3) < 0.1, "another period at the defaults");
   vtkNew<Orbits> orbits;
   orbits->SetInputData(0, Particles(40));
-  orbits->SetInputConnection(1, sea->GetOutputPort());
+  orbits->SetSeaStateConnection(sea->GetOutputPort());
   orbits->SetCurrent(0.5, 0.0);
   good &= Check(FarthestMove(orbits, 0.0, period) < 1e-10, "Current without DopplerShift has an effect");
   orbits->DopplerShiftOn();

@@ -75,15 +75,15 @@ struct Forest
     }
     this->Sites->SetPoints(points);
     this->Pine->SetPreset(vtkReevesTreeSource::Custom);
-    this->Pine->SetCrownShape(0);
+    this->Pine->SetCrownShapeToCone();
     this->Pine->SetNumberOfLeaves(300);
     this->Pine->SetMainBranches(8);
     this->Pine->SetTextureSize(32, 16);
     this->Shrub->SetPreset(vtkReevesTreeSource::Shrub);
     this->Shrub->SetTextureSize(64, 24);
     this->Filter->SetInputData(0, this->Sites);
-    this->Filter->AddInputConnection(1, this->Pine->GetOutputPort());
-    this->Filter->AddInputConnection(1, this->Shrub->GetOutputPort());
+    this->Filter->AddPrototypeConnection(this->Pine->GetOutputPort());
+    this->Filter->AddPrototypeConnection(this->Shrub->GetOutputPort());
     this->Filter->SetViewPoint(0.0, -10.0, 5.0);
     this->Filter->SetViewAngle(60.0);
     this->Filter->SetNearDistance(25.0);
@@ -263,7 +263,7 @@ bool Ground()
   Forest forest;
   forest.AddTerrain();
   forest.Filter->UseLevelsOff();
-  forest.Filter->UseCellsOff();
+  forest.Filter->UseCullingOff();
   forest.Filter->Update();
   bool good = Check(forest.Counter("PlantsHigh") == 60, "not all plants are High without levels and cells");
   vtkDataArray* positions = forest.Fields()->GetArray("Position");
@@ -314,7 +314,7 @@ bool Arrays()
   {
     forest.Sites->GetPointData()->AddArray(array);
   }
-  forest.Filter->UseCellsOff();
+  forest.Filter->UseCullingOff();
   forest.Filter->Update();
   bool good = true;
   for (int plant = 0; plant < 10; ++plant)
@@ -337,7 +337,7 @@ bool Arrays()
   some.Sites->GetPointData()->AddArray(id);
   for (Forest* each : { &all, &some })
   {
-    each->Filter->UseCellsOff();
+    each->Filter->UseCullingOff();
     each->Filter->Update();
   }
   for (const char* name : { "SiteId", "Species", "Scale", "Azimuth" })
@@ -366,7 +366,7 @@ bool Memory()
     { "TintVariation", [](Forest& f) { f.Filter->SetTintVariation(0.2); } },
     { "HeightRange", [](Forest& f) { f.Filter->SetHeightRange(1.0, 3.0); } },
     { "PlantsPerCell", [](Forest& f) { f.Filter->SetPlantsPerCell(30.0); } },
-    { "MaximumDistance", [](Forest& f) { f.Filter->SetMaximumDistance(40.0); } },
+    { "VisibleDistance", [](Forest& f) { f.Filter->SetVisibleDistance(40.0); } },
     { "a prototype", [](Forest& f) { f.Pine->SetSeed(3); } },
     { "a site",
       [](Forest& f) {
@@ -456,7 +456,7 @@ bool Atlas()
 {
   Forest forest;
   forest.Filter->UseLevelsOff();
-  forest.Filter->UseCellsOff();
+  forest.Filter->UseCullingOff();
   forest.Filter->Update();
   auto* image = vtkImageData::SafeDownCast(forest.Filter->GetOutputDataObject(1));
   int size[3];
@@ -544,8 +544,8 @@ bool Information()
   pine->SetInputConnection(forest.Pine->GetOutputPort());
   forest.Filter->RemoveAllPrototypes();
   forest.Filter->SetInputConnection(0, sites->GetOutputPort());
-  forest.Filter->AddInputConnection(1, pine->GetOutputPort());
-  forest.Filter->AddInputConnection(1, forest.Shrub->GetOutputPort());
+  forest.Filter->AddPrototypeConnection(pine->GetOutputPort());
+  forest.Filter->AddPrototypeConnection(forest.Shrub->GetOutputPort());
   int executions = 0;
   for (vtkAlgorithm* source : { forest.Pine.Get(), forest.Shrub.Get() })
   {
@@ -582,7 +582,7 @@ bool SilentPrototypes()
   there.Filter->RemoveAllPrototypes();
   vtkNew<vtkTrivialProducer> producer;
   producer->SetOutput(there.Pine->GetOutputDataObject(0));
-  there.Filter->AddInputConnection(1, producer->GetOutputPort());
+  there.Filter->AddPrototypeConnection(producer->GetOutputPort());
   there.Filter->UpdateInformation();
   bool good = Check(
     Announced(there.Filter, 1) == std::array<int, 2>{ 32 + 4, 16 + 4 }, "the size of a picture that is there is wrong");
@@ -592,7 +592,7 @@ bool SilentPrototypes()
   pine->IsSilent = true;
   pine->SetInputConnection(forest.Pine->GetOutputPort());
   forest.Filter->RemoveAllPrototypes();
-  forest.Filter->AddInputConnection(1, pine->GetOutputPort());
+  forest.Filter->AddPrototypeConnection(pine->GetOutputPort());
   vtkNew<vtkImageShiftScale> later;
   later->SetInputConnection(forest.Filter->GetOutputPort(1));
   forest.Filter->UpdateInformation();
@@ -641,9 +641,9 @@ bool MixedKinds()
   vtkNew<vtkGardnerPlantSource> bush;
   bush->SetPreset(vtkGardnerPlantSource::Bush);
   bush->SetTextureSize(32, 16);
-  forest.Filter->AddInputConnection(1, bush->GetOutputPort());
+  forest.Filter->AddPrototypeConnection(bush->GetOutputPort());
   forest.Filter->UseLevelsOff();
-  forest.Filter->UseCellsOff();
+  forest.Filter->UseCullingOff();
   forest.Filter->Update();
   auto* atlas = vtkImageData::SafeDownCast(forest.Filter->GetOutputDataObject(2));
   auto* own = vtkImageData::SafeDownCast(bush->GetOutputDataObject(2));
@@ -795,7 +795,7 @@ bool BadInput()
     Fails("SlopeLimit", [](Forest& f) { f.Filter->SetSlopeLimit(-1.0); }) &
     Fails("HeightRange", [](Forest& f) { f.Filter->SetHeightRange(2.0, 1.0); }) &
     Fails("PlantsPerCell", [](Forest& f) { f.Filter->SetPlantsPerCell(0.0); }) &
-    Fails("MaximumDistance", [](Forest& f) { f.Filter->SetMaximumDistance(-1.0); }) &
+    Fails("VisibleDistance", [](Forest& f) { f.Filter->SetVisibleDistance(-1.0); }) &
     Fails("NearDistance", [](Forest& f) { f.Filter->SetNearDistance(300.0); }) &
     Fails("ViewAngle", [](Forest& f) { f.Filter->SetViewAngle(0.0); }) & Fails("ParallelScale", [](Forest& f) {
       f.Filter->ParallelProjectionOn();
@@ -810,7 +810,7 @@ bool Culling()
   constexpr int Plants = 80;
   Forest whole(Plants);
   whole.Filter->UseLevelsOff();
-  whole.Filter->UseCellsOff();
+  whole.Filter->UseCullingOff();
   whole.Filter->Update();
   std::vector<std::vector<std::array<double, 3>>> vertices(Plants);
   for (const char* path : { "High/Skin", "High/Leaves" })
@@ -892,7 +892,7 @@ bool LevelsInParallel()
     good &= Check(forest.Counter("PlantsShown") > 5 && forest.Counter(counters[level]) == forest.Counter("PlantsShown"),
       std::string("not all are ") + counters[level]);
   }
-  forest.Filter->SetMaximumDistance(520.0); // from the plane of the eye
+  forest.Filter->SetVisibleDistance(520.0); // from the plane of the eye
   forest.Filter->Update();
   bool far = false;
   vtkDataArray* places = forest.Fields()->GetArray("Position");
@@ -900,7 +900,7 @@ bool LevelsInParallel()
   {
     far |= places->GetComponent(row, 1) > 20.0;
   }
-  return good & Check(places->GetNumberOfTuples() > 5 && !far, "MaximumDistance in parallel projection");
+  return good & Check(places->GetNumberOfTuples() > 5 && !far, "VisibleDistance in parallel projection");
 }
 
 /// More plants in full than any memory holds: an error before any of it is asked for.
@@ -913,7 +913,7 @@ bool TooMuch()
   forest.Filter->SetInputConnection(0, sites->GetOutputPort());
   forest.Filter->SetInputConnection(1, oak->GetOutputPort());
   forest.Filter->UseLevelsOff();
-  forest.Filter->UseCellsOff();
+  forest.Filter->UseCullingOff();
   vtkNew<ErrorCounter> errors;
   errors->Watch(forest.Filter);
   return Check(errors->ExpectOneNaming("GB are free") && errors->Last.find("1000000 plants") != std::string::npos,

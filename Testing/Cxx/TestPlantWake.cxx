@@ -121,7 +121,7 @@ struct Scene
     this->Move->SetInputData(1, Swell());
     this->Move->GenerateMotionOn();
     this->Wake->SetInputConnection(this->Move->GetOutputPort());
-    this->Drift->AddInputConnection(1, this->Wake->GetOutputPort());
+    this->Drift->AddCurrentConnection(this->Wake->GetOutputPort());
     this->Drift->SetSeaLevel(SeaLevel);
     this->Drift->SetTimeStep(0.1);
   }
@@ -339,7 +339,7 @@ bool TestAppended()
   all->AddInputData(wake);
   all->AddInputConnection(vortex->GetOutputPort());
   scene.Drift->RemoveAllInputConnections(1);
-  scene.Drift->AddInputConnection(1, all->GetOutputPort());
+  scene.Drift->AddCurrentConnection(all->GetOutputPort());
   const std::vector<Vector3> starts{ { 0.2, 0.0, 1.0 }, { 4.0, 0.0, 1.0 }, { 21.0, 0.0, 1.0 } };
   scene.Drift->SetInputData(ParticlesAt(starts));
   const std::vector<Vector3> moved = scene.At(2.0);
@@ -368,7 +368,7 @@ bool TestBadInput()
   fails(
     "GenerateMotion", [&]() { scene.Move->GenerateMotionOff(); }, [&]() { scene.Move->GenerateMotionOn(); });
   fails(
-    "Primitive", [&]() { wake->SetPrimitive(2); }, [&]() { wake->SetPrimitive(0); });
+    "Primitive", [&]() { wake->SetPrimitive(2); }, [&]() { wake->SetPrimitiveToSource(); });
   fails(
     "Strength", [&]() { wake->SetStrength(-1.0); }, [&]() { wake->SetStrength(0.5); });
   fails(

@@ -85,7 +85,7 @@ void CheckBentSkins()
   sea->SetWaterDepth(17.0);
   vtkNew<vtkSeaweedDeformationFilter> move;
   move->SetInputConnection(weed->GetOutputPort());
-  move->SetInputConnection(1, sea->GetOutputPort());
+  move->SetSeaStateConnection(sea->GetOutputPort());
   move->UpdateTimeStep(3.0);
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(move->GetOutputDataObject(0));
   int skins = 0;

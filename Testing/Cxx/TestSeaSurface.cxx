@@ -29,7 +29,7 @@ int TestSeaSurface(int argc, char* argv[])
   sea->SetNumberOfTrains(60);
   vtkNew<vtkParticleOrbitFilter> surface;
   surface->SetInputConnection(0, plane->GetOutputPort());
-  surface->SetInputConnection(1, sea->GetOutputPort());
+  surface->SetSeaStateConnection(sea->GetOutputPort());
   surface->SetChoppiness(0.8);
   surface->UpdateTimeStep(7.3);
   vtkNew<vtkPolyDataMapper> mapper;

@@ -157,8 +157,8 @@ struct Scene
     this->Current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
     this->Current->SetStrength(0.15);
     this->Move->SetInputConnection(this->Plant->GetOutputPort());
-    this->Move->SetInputConnection(1, this->Sea->GetOutputPort());
-    this->Move->AddInputConnection(2, this->Current->GetOutputPort());
+    this->Move->SetSeaStateConnection(this->Sea->GetOutputPort());
+    this->Move->AddCurrentConnection(this->Current->GetOutputPort());
     this->Move->SetStartTime(-2.0);
   }
 };
@@ -266,7 +266,7 @@ bool TestChangingCurrent()
     vtkNew<vtkWindFieldSource> tide;
     tide->SetDimensions(60, 16, 8);
     tide->SetTimeStep(0.5);
-    scene.Move->AddInputConnection(2, tide->GetOutputPort());
+    scene.Move->AddCurrentConnection(tide->GetOutputPort());
     for (Filter* filter : { scene.Move.Get(), steady.Move.Get() })
     {
       filter->SetMethod(method);
@@ -398,8 +398,8 @@ bool TestTable()
     current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
     vtkNew<Filter> filter;
     filter->SetInputData(plants);
-    filter->AddInputConnection(2, current->GetOutputPort());
-    filter->SetMethod(0);
+    filter->AddCurrentConnection(current->GetOutputPort());
+    filter->SetMethodToProcedural();
     filter->SetNearDistance(5.0);
     filter->SetFarDistance(20.0);
     filter->SetBlendDistance(0.0);
@@ -474,7 +474,7 @@ bool TestTrains()
   Scene scene;
   Filter* move = scene.Move;
   scene.Plant->SetPreset(vtkSeaweedSource::Eelgrass);
-  move->SetMethod(0);
+  move->SetMethodToProcedural();
   move->SetUseLevels(true);
   move->SetNearDistance(1e4); // nothing else changes with the distance
   move->SetFarDistance(1e4);
@@ -690,7 +690,7 @@ bool TestBadInput()
   vtkNew<vtkTable> calm;
   scene.Move->SetInputData(1, calm);
   good = Check(errors->ExpectOneNaming("no wave trains"), "no message about an empty sea state") && good;
-  scene.Move->SetInputConnection(1, scene.Sea->GetOutputPort());
+  scene.Move->SetSeaStateConnection(scene.Sea->GetOutputPort());
   scene.Current->SetFlowType(vtkFlowPrimitiveSource::Vortex);
   scene.Current->Update();
   for (const char* name : { "Strength", "Axis", "CoreRadius", "InfluenceRadius" })
@@ -718,13 +718,13 @@ bool TestBadInput()
   property(
     "TimeStep", [move]() { move->SetTimeStep(0.0); }, [move]() { move->SetTimeStep(0.02); });
   property(
-    "Method", [move]() { move->SetMethod(2); }, [move]() { move->SetMethod(1); });
+    "Method", [move]() { move->SetMethod(2); }, [move]() { move->SetMethodToPhysical(); });
   property(
-    "Joint", [move]() { move->SetJoint(-1); }, [move]() { move->SetJoint(0); });
+    "Joint", [move]() { move->SetJoint(-1); }, [move]() { move->SetJointToBending(); });
   property(
-    "Load", [move]() { move->SetLoad(5); }, [move]() { move->SetLoad(0); });
+    "Load", [move]() { move->SetLoad(5); }, [move]() { move->SetLoadToMorison(); });
   property(
-    "Integrator", [move]() { move->SetIntegrator(5); }, [move]() { move->SetIntegrator(0); });
+    "Integrator", [move]() { move->SetIntegrator(5); }, [move]() { move->SetIntegratorToImplicit(); });
   property(
     "DragCoefficient", [move]() { move->SetDragCoefficient(-1.0); }, [move]() { move->SetDragCoefficient(1.0); });
   property(

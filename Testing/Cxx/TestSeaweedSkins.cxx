@@ -168,8 +168,8 @@ struct Swell
     this->Current->SetFlowType(vtkFlowPrimitiveSource::Uniform);
     this->Current->SetStrength(weather.Current);
     this->Move->SetInputData(this->Rest);
-    this->Move->SetInputConnection(1, this->Sea->GetOutputPort());
-    this->Move->AddInputConnection(2, this->Current->GetOutputPort());
+    this->Move->SetSeaStateConnection(this->Sea->GetOutputPort());
+    this->Move->AddCurrentConnection(this->Current->GetOutputPort());
   }
 };
 
@@ -602,9 +602,9 @@ bool TestBands(int preset, int method, int seed)
   sites->SetPoints(points);
   vtkNew<vtkPlantScatterFilter> meadow;
   meadow->SetInputData(0, sites);
-  meadow->AddInputConnection(1, weed->GetOutputPort());
+  meadow->AddPrototypeConnection(weed->GetOutputPort());
   meadow->SetUseLevels(false);
-  meadow->SetUseCells(false);
+  meadow->SetUseCulling(false);
   meadow->Update();
   vtkPolyData* rest = Part(meadow->GetOutputDataObject(0), "Skeleton");
   double bounds[6];
@@ -618,8 +618,8 @@ bool TestBands(int preset, int method, int seed)
   Watched scene;
   Filter* move = scene.Move;
   move->SetInputConnection(meadow->GetOutputPort());
-  move->SetInputConnection(1, sea->GetOutputPort());
-  move->AddInputConnection(2, current->GetOutputPort());
+  move->SetSeaStateConnection(sea->GetOutputPort());
+  move->AddCurrentConnection(current->GetOutputPort());
   move->SetMethod(method);
   move->SetUseLevels(true);
   move->SetViewDirection(0.0, 1.0, 0.0);

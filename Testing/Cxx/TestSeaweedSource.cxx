@@ -169,10 +169,10 @@ bool Bed()
   grass->SetPreset(Source::Eelgrass);
   vtkNew<vtkPlantScatterFilter> bed;
   bed->SetInputData(0, sites);
-  bed->AddInputConnection(1, kelp->GetOutputPort());
-  bed->AddInputConnection(1, grass->GetOutputPort());
+  bed->AddPrototypeConnection(kelp->GetOutputPort());
+  bed->AddPrototypeConnection(grass->GetOutputPort());
   bed->SetUseLevels(false);
-  bed->SetUseCells(false);
+  bed->SetUseCulling(false);
   bed->Update();
   kelp->Update();
   vtkPolyData* own = PartOf(kelp, "High/Skeleton");

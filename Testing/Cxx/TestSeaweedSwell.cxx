@@ -22,7 +22,7 @@ int TestSeaweedSwell(int argc, char* argv[])
   sea->SetWaterDepth(3.0);
   vtkNew<vtkSeaweedDeformationFilter> move;
   move->SetInputConnection(weed->GetOutputPort());
-  move->SetInputConnection(1, sea->GetOutputPort());
+  move->SetSeaStateConnection(sea->GetOutputPort());
   PlantScene scene;
   scene.Window->SetSize(1000, 260); // leaves of more than a pixel, which are drawn alike by all versions of VTK
   for (int phase = 0; phase < 4; ++phase)

@@ -139,15 +139,15 @@ bool Data()
   good &= Check(CountOf(filter, "TilesShown") > 5 && CountOf(filter, "TilesShown") < 35, "TilesShown");
   good &= Check(CountOf(filter, "LargestScreenError") > 0.0, "LargestScreenError");
 
-  filter->SetSelection(Filter::ScreenErrorRule);
-  filter->SetScreenError(20.0);
+  filter->SetSelection(Filter::PixelErrorRule);
+  filter->SetPixelError(20.0);
   filter->Update();
   const double coarse = CountOf(filter, "PolygonsShown");
-  good &= Check(CountOf(filter, "LargestScreenError") <= 20.0, "the error on the screen is above ScreenError");
-  filter->SetScreenError(1e-6);
+  good &= Check(CountOf(filter, "LargestScreenError") <= 20.0, "the error on the screen is above PixelError");
+  filter->SetPixelError(1e-6);
   filter->Update();
   good &= Check(CountOf(filter, "PolygonsShown") > coarse, "a smaller error takes no more polygons");
-  filter->CullOff();
+  filter->UseCullingOff();
   filter->Update();
   good &= Check(CountOf(filter, "PolygonsShown") == CountOf(filter, "PolygonsAtFullDetail"), "no full detail");
   return good;
@@ -249,8 +249,8 @@ bool BadInput()
   }
   good &= Fails("NumberOfLevels", [](Filter* f) { f->SetNumberOfLevels(0); });
   good &= Fails("NumberOfLevels", [](Filter* f) { f->SetNumberOfLevels(9); });
-  good &= Fails("ScreenError", [](Filter* f) { f->SetScreenError(0.0); });
-  good &= Fails("ScreenError", [=](Filter* f) { f->SetScreenError(nan); });
+  good &= Fails("PixelError", [](Filter* f) { f->SetPixelError(0.0); });
+  good &= Fails("PixelError", [=](Filter* f) { f->SetPixelError(nan); });
   good &= Fails("Selection", [](Filter* f) { f->SetSelection(2); });
   good &= Fails("ViewAngle", [](Filter* f) { f->SetViewAngle(180.0); });
   good &= Fails("ParallelScale", [](Filter* f) {
@@ -324,13 +324,13 @@ void MeasureError(Filter* filter, vtkImageData* image, const CameraPicture& pict
   }
 }
 
-/// ScreenError holds through the matrices of any camera, all over the picture, and nothing on it is culled.
+/// PixelError holds through the matrices of any camera, all over the picture, and nothing on it is culled.
 bool ScreenErrorHolds()
 {
   const auto image = Hills();
   vtkNew<Filter> filter;
   filter->SetInputData(image);
-  filter->SetSelection(Filter::ScreenErrorRule);
+  filter->SetSelection(Filter::PixelErrorRule);
   filter->SetTileSize(16);
   vtkNew<vtkCamera> camera;
   const double middle[3] = { 1500.0, 550.0, 0.0 };
@@ -344,7 +344,7 @@ bool ScreenErrorHolds()
     const int size[2] = { 300 + 150 * (round % 7), 900 - 120 * (round % 5) };
     filter->SetAspectRatio(static_cast<double>(size[0]) / size[1]);
     filter->SetViewHeight(size[1]);
-    filter->SetScreenError(2.0 + round % 5);
+    filter->SetPixelError(2.0 + round % 5);
     filter->SetMoveTolerance(round % 3 == 0 ? 15.0 : 0.0);
     filter->SetTurnTolerance(round % 3 == 0 ? 1.0 : 0.0);
     filter->SetCamera(camera);
@@ -352,10 +352,10 @@ bool ScreenErrorHolds()
     double largest = 0.0;
     int holes = 0;
     MeasureError(filter, image, CameraPicture(camera, size[0], size[1]), largest, holes);
-    worst = std::max(worst, largest / filter->GetScreenError());
+    worst = std::max(worst, largest / filter->GetPixelError());
     coarse += CountOf(filter, "PolygonsShown") < 0.5 * CountOf(filter, "PolygonsAtFullDetail") ? 1 : 0;
-    good &= Check(largest <= filter->GetScreenError(),
-      "off by " + std::to_string(largest) + " pixels, ScreenError " + std::to_string(filter->GetScreenError()) +
+    good &= Check(largest <= filter->GetPixelError(),
+      "off by " + std::to_string(largest) + " pixels, PixelError " + std::to_string(filter->GetPixelError()) +
         (camera->GetParallelProjection() ? ", parallel" : ", perspective"));
     good &= Check(holes == 0, std::to_string(holes) + " samples on the picture are culled");
   }
@@ -384,7 +384,7 @@ int TestTerrainLevelOfDetail(int argc, char* argv[])
   vtkNew<Filter> filter;
   filter->SetInputData(Hills());
   LookAcross(filter);
-  filter->CullOff();
+  filter->UseCullingOff();
   filter->Update();
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.9, 0.93, 0.97);

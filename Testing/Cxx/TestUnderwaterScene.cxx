@@ -66,9 +66,9 @@ struct Scene
     this->Weed->SetNumberOfFronds(3);
     this->Weed->SetSegmentsPerBranch(4);
     this->Bed->SetInputData(0, this->Sites);
-    this->Bed->AddInputConnection(1, this->Weed->GetOutputPort());
+    this->Bed->AddPrototypeConnection(this->Weed->GetOutputPort());
     this->Bed->SetUseLevels(false);
-    this->Bed->SetUseCells(false);
+    this->Bed->SetUseCulling(false);
     this->Sea->SetWindSpeed(10.0);
     this->Sea->SetWaterDepth(Depth);
     this->Current->SetStrength(0.1);
@@ -76,7 +76,7 @@ struct Scene
     {
       motion->SetInputConnection(this->Bed->GetOutputPort());
       motion->SetSeaStateConnection(this->Sea->GetOutputPort());
-      motion->AddInputConnection(2, this->Current->GetOutputPort());
+      motion->AddCurrentConnection(this->Current->GetOutputPort());
       motion->SetStartTime(-1.0);
     }
     this->Motion->GenerateMotionOn();
@@ -90,17 +90,17 @@ struct Scene
     this->Particles->AddBox(among);
     this->Particles->AddBox(away);
     this->Drift->SetInputConnection(0, this->Particles->GetOutputPort());
-    this->Drift->AddInputConnection(1, this->Current->GetOutputPort());
+    this->Drift->AddCurrentConnection(this->Current->GetOutputPort());
     if (hasWakes)
     {
-      this->Drift->AddInputConnection(1, this->Wake->GetOutputPort());
+      this->Drift->AddCurrentConnection(this->Wake->GetOutputPort());
     }
     this->Drift->SetWaterDepth(Depth);
     this->Drift->SetTimeStep(0.25);
     this->Levels->SetInputConnection(0, this->Drift->GetOutputPort());
-    this->Levels->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Levels->SetSeaStateConnection(this->Sea->GetOutputPort());
     this->Orbits->SetInputConnection(0, this->Levels->GetOutputPort());
-    this->Orbits->SetInputConnection(1, this->Sea->GetOutputPort());
+    this->Orbits->SetSeaStateConnection(this->Sea->GetOutputPort());
     this->Shown->SetViewPoint(0.0, -9.0, -7.0);
     this->Shown->SetViewDirection(0.0, 1.0, -0.15);
     this->Shown->SetViewAngle(60.0);
@@ -115,7 +115,7 @@ struct Scene
     this->Levels->SetMiddleDistance(0.0);
     this->Levels->SetFarDistance(1000.0);
     this->Levels->SetBlendDistance(0.0);
-    this->Levels->SetVisibility(0.0);
+    this->Levels->SetVisibleDistance(0.0);
     this->Levels->SetOffsetRange(0.0, 1000.0);
     this->Levels->UseCullingOff();
   }
@@ -228,7 +228,7 @@ bool TestWork()
   good &= Check(segments < allSegments, "levels of seaweeds save nothing");
   scene.Levels->UseLevelsOff();
   scene.Levels->UseCullingOff();
-  scene.Levels->SetVisibility(0.0);
+  scene.Levels->SetVisibleDistance(0.0);
   scene.Levels->SetTrainSelection(vtkParticleLevelOfDetailFilter::AllTrains);
   scene.Shown->UseLevelsOff();
   scene.Orbits->UpdateTimeStep(Latest);

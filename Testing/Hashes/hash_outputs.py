@@ -95,9 +95,9 @@ CASES = {
     "vtkQuadratAnalysisFilter": (lambda: (make("vtkQuadratPointSource"),), [
         {"SetQuadrats": (5, 5)}, {"SetQuadrats": (8, 6)}, {"SetOrigin": (-5.0, -5.0), "SetSize": (300.0, 300.0)}]),
     "vtkTerrainLevelOfDetailFilter": (lambda: (terrain(128),), [
-        {"SetGroundColors": (False,)}, {"SetCull": (False,)}, {"SetViewPoint": (0.0, 0.0, 90.0)}]),
+        {"SetGroundColors": (False,)}, {"SetUseCulling": (False,)}, {"SetViewPoint": (0.0, 0.0, 90.0)}]),
     "vtkPlantScatterFilter": (lambda: (make("vtkQuadratPointSource"), tree()), [
-        {"SetSeed": (2,)}, {"SetUseLevels": (False,), "SetUseCells": (False,)}, {"SetViewPoint": (50.0, 50.0, 9.0)}]),
+        {"SetSeed": (2,)}, {"SetUseLevels": (False,), "SetUseCulling": (False,)}, {"SetViewPoint": (50.0, 50.0, 9.0)}]),
     "vtkBeamTreeDeformationFilter": (lambda: (tree(), wind()), [
         {"SetResponse": (1,)}, {"SetGravity": (True,)}, {"SetNumberOfModes": (1,), "SetWoodFromPlants": (False,)}]),
     "vtkParticleOrbitFilter": (lambda: (particles(), sea()), [

@@ -45,7 +45,7 @@ assert wood.GetDataInformation().GetNumberOfCells() == branches, wood.GetDataInf
 
 # Terrain has the colors of the ground unless it has its own or none are wanted.
 terrain = simple.TerrainLevelOfDetail(
-    Input=simple.TurningBandsTerrain(WholeExtent=[0, 64, 0, 64, 0, 0]), Cull=0)
+    Input=simple.TurningBandsTerrain(WholeExtent=[0, 64, 0, 64, 0, 0]), UseCulling=0)
 simple.UpdatePipeline(proxy=terrain)
 assert terrain.PointData.GetArray("RGB").GetRange(1)[1] > 0
 terrain.GroundColors = 0

@@ -65,7 +65,7 @@ simple.Hide(bush, view)
 # The wind moves each tuft as a whole.
 wind = simple.ProgrammableSource(OutputDataSetType="vtkImageData", Script=WIND,
                                  ScriptRequestInformation=INFORMATION)
-sway = simple.BeamTreeDeformation(Input=bush, Wind=wind, NumberOfModes=1, Damping=0.05)
+sway = simple.BeamTreeDeformation(Input=bush, Wind=wind, NumberOfModes=1, DampingRatio=0.05)
 sway.UpdatePipeline(3.0)
 rest, joints = leaves_of(bush)
 moved, _ = leaves_of(sway)
@@ -80,7 +80,7 @@ for joint in set(joints):
 # A forest of both kinds, with the common picture of their leaves.
 sites = simple.QuadratPoints(Size=[30.0, 30.0], Quadrats=[4, 4], MeanPerQuadrat=1.0)
 forest = simple.PlantScatter(
-    Sites=sites, Prototypes=[simple.ReevesTree(Preset="Shrub"), bush], FollowCamera=0, UseLevels=0, UseCells=0)
+    Sites=sites, Prototypes=[simple.ReevesTree(Preset="Shrub"), bush], FollowCamera=0, UseLevels=0, UseCulling=0)
 simple.UpdatePipeline(proxy=forest)
 species = vtk_to_numpy(Fetch(forest).GetFieldData().GetArray("Species"))
 assert set(species) == {0, 1}

@@ -53,7 +53,7 @@ simple.Render(view)
 
 levels.FollowCamera = 0
 assert levels.TrainSelection == "Tail Sum"
-levels.UseLevels, levels.UseCulling, levels.TrainSelection, levels.Visibility = 0, 0, "All Trains", 0.0
+levels.UseLevels, levels.UseCulling, levels.TrainSelection, levels.VisibleDistance = 0, 0, "All Trains", 0.0
 simple.UpdatePipeline(proxy=levels)
 assert counter("TrainSums") == counter("TrainSumsInAll") == 6000.0 * 30.0
 assert np.isfinite(counter("LargestSlaveError"))

@@ -72,7 +72,7 @@ result.append(hashlib.sha256(places.tobytes()).hexdigest())
 # A wood in the wind: places of all joints and crowns, by plant.
 tree = simple.ReevesTree(Preset="Shrub")
 wood = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[4, 3], Size=[24.0, 18.0]), Prototypes=[tree],
-                           FollowCamera=0, UseCells=0, NearDistance=12.0, FarDistance=900.0,
+                           FollowCamera=0, UseCulling=0, NearDistance=12.0, FarDistance=900.0,
                            ViewPoint=[0.0, 0.0, 2.0])
 wind = simple.WindField(Dimensions=[240, 24, 6], ReferenceSpeed=14.0)
 sway = simple.BeamTreeDeformation(Input=wood, Wind=wind, Prototypes=[tree])
@@ -102,7 +102,7 @@ assert 10 < vtk_to_numpy(cloud.GetPointData().GetArray("Captured")).sum() < 1000
 
 levels = simple.ParticleLevelOfDetail(
     Input=points, SeaState=orbits.SeaState, FollowCamera=0, ViewPoint=[500.0, -1.0, 0.5], MiddleDistance=300.0,
-    FarDistance=700.0, BlendDistance=20.0, Visibility=0.0, OffsetRange=[0.0, 100.0])
+    FarDistance=700.0, BlendDistance=20.0, VisibleDistance=0.0, OffsetRange=[0.0, 100.0])
 drifting = simple.ParticleOrbits(Input=levels, SeaState=orbits.SeaState)
 drifting.UpdatePipeline(7.3)
 for block, name in enumerate(("Near", "MasterSlave", "Far")):
@@ -126,7 +126,7 @@ result.append(hashlib.sha256(values[first].tobytes()).hexdigest())
 # Seaweeds in a swell with a current: all segments, blades and stipes, by plant; in full, and in levels of detail.
 weeds = [simple.Seaweed(Preset="Eelgrass"), simple.Seaweed(Preset="Sugar Kelp")]
 meadow = simple.PlantScatter(Sites=simple.QuadratPoints(Quadrats=[3, 3], Size=[6.0, 6.0]), Prototypes=weeds,
-                             FollowCamera=0, UseCells=0, UseLevels=0)
+                             FollowCamera=0, UseCulling=0, UseLevels=0)
 kelp = simple.SeaweedDeformation(Input=meadow, SeaState=simple.SeaState(SeaLevel=8.0), StartTime=0.0,
                                  Currents=[simple.FlowPrimitive(Strength=0.1)], FollowCamera=0, GenerateMotion=1,
                                  ViewPoint=[-2.0, 3.0, 1.0], ViewDirection=[1.0, 0.0, 0.0], ViewAngle=70.0,

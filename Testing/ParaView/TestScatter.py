@@ -36,7 +36,7 @@ assert counter("PlantsShown") == 0.0, "plants behind the eye"
 
 terrain = simple.TurningBandsTerrain(WholeExtent=[0, 256, 0, 256, 0, 0], Spacing=[4.0, 4.0, 1.0])
 forest.Terrain, forest.FollowCamera = terrain, 0
-forest.UseCells, forest.Weights = 0, [1.0, 0.0]
+forest.UseCulling, forest.Weights = 0, [1.0, 0.0]
 simple.UpdatePipeline(proxy=forest)
 species = forest.GetDataInformation().GetFieldDataInformation().GetArrayInformation("Species")
 assert counter("PlantsShown") == 400.0

@@ -56,7 +56,7 @@ sites = simple.QuadratPoints(Size=[70.0, 70.0], Quadrats=[8, 8], MeanPerQuadrat=
 deepest = float(np.median(heights))
 bed = simple.PlantScatter(
     Sites=sites, Prototypes=[simple.Seaweed(), simple.Seaweed(Preset="Eelgrass")], Terrain=floor, FollowCamera=0,
-    UseLevels=0, UseCells=0, HeightRange=[deepest, float(heights.max()) + 1.0])
+    UseLevels=0, UseCulling=0, HeightRange=[deepest, float(heights.max()) + 1.0])
 simple.UpdatePipeline(proxy=bed)
 data = Fetch(bed)
 table = data.GetFieldData()
@@ -76,7 +76,7 @@ assert np.abs(np.linalg.norm(across, axis=1) - 1.0).max() < 1e-5
 
 # The lower levels stand there as well.
 levels = simple.PlantScatter(
-    Sites=sites, Prototypes=[simple.Seaweed(Preset="Giant Kelp")], FollowCamera=0, UseCells=0,
+    Sites=sites, Prototypes=[simple.Seaweed(Preset="Giant Kelp")], FollowCamera=0, UseCulling=0,
     ViewPoint=[35.0, -5.0, 10.0], ViewDirection=[0.0, 1.0, 0.0], NearDistance=20.0, FarDistance=45.0)
 simple.UpdatePipeline(proxy=levels)
 data = Fetch(levels)

@@ -78,7 +78,7 @@ shown = simple.Show(motion, view)
 assert list(shown.BlockSelectors) == ["/Root/High/Skin", "/Root/High/Leaves"], list(shown.BlockSelectors)
 assert not shown.MapScalars, "not in natural colors"
 sites = simple.PointSource(NumberOfPoints=5, Radius=3.0)
-bed = simple.PlantScatter(Sites=sites, Prototypes=[weed], FollowCamera=0, UseLevels=0, UseCells=0)
+bed = simple.PlantScatter(Sites=sites, Prototypes=[weed], FollowCamera=0, UseLevels=0, UseCulling=0)
 swaying = simple.SeaweedDeformation(Input=bed, SeaState=sea, FollowCamera=0)
 selectors = list(simple.Show(swaying, view).BlockSelectors)
 assert selectors == ["/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium", "/Root/Low"], selectors

@@ -35,7 +35,7 @@ def skeleton(plant):
 tree = simple.ReevesTree()
 wind = simple.ProgrammableSource(OutputDataSetType="vtkImageData", Script=WIND,
                                  ScriptRequestInformation=INFORMATION)
-sway = simple.BeamTreeDeformation(Input=tree, Wind=wind, NumberOfModes=2, Damping=0.05)
+sway = simple.BeamTreeDeformation(Input=tree, Wind=wind, NumberOfModes=2, DampingRatio=0.05)
 sway.UpdatePipeline(3.0)
 first = skeleton(sway)
 sway.UpdatePipeline(8.0)

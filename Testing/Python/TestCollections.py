@@ -100,10 +100,10 @@ def sway_of(plants, prototypes=()):
     wind.SetDimensions(100, 16, 8)
     sway = vtkBeamTreeDeformationFilter()
     sway.SetInputDataObject(0, plants)
-    sway.SetInputConnection(1, wind.GetOutputPort())
+    sway.SetWindConnection(wind.GetOutputPort())
     for prototype in prototypes:
         sway.AddInputDataObject(2, prototype)
-    sway.SetPictureSize(16, 8)
+    sway.SetTextureSize(16, 8)
     return updated(sway, 3.3)
 
 
@@ -129,7 +129,7 @@ def check_trees():
         for prototype in prototypes:
             scatter.AddInputDataObject(1, prototype)
         scatter.SetUseLevels(False)
-        scatter.SetUseCells(False)
+        scatter.SetUseCulling(False)
         forests.append(updated(scatter))
     assert same(*forests)
     assert same(sway_of(forests[0], trees), sway_of(collection(forests[0]), [collection(tree) for tree in trees]))
@@ -144,7 +144,7 @@ def check_seaweeds():
         sea.SetWaterDepth(10.0)
         sea.SetSeaLevel(10.0)
         motion.SetInputDataObject(0, plants)
-        motion.SetInputConnection(1, sea.GetOutputPort())
+        motion.SetSeaStateConnection(sea.GetOutputPort())
         motion.SetTimeStep(0.05)
         motion.GenerateMotionOn()
         moved = updated(motion, 0.5)
@@ -163,7 +163,7 @@ def check_particles():
     source.SetDensity(0.1)
     sea.SetNumberOfTrains(10)
     levels.SetInputConnection(0, source.GetOutputPort())
-    levels.SetInputConnection(1, sea.GetOutputPort())
+    levels.SetSeaStateConnection(sea.GetOutputPort())
     levels.SetNearDistance(5.0)
     levels.SetFarDistance(15.0)
     levels.SetViewPoint(0.0, -10.0, -4.0)
@@ -174,9 +174,9 @@ def check_particles():
         current, drift, orbits, fog = (
             vtkFlowPrimitiveSource(), vtkCurrentDriftFilter(), vtkParticleOrbitFilter(), vtkParticleFogFilter())
         drift.SetInputDataObject(0, data)
-        drift.AddInputConnection(1, current.GetOutputPort())
+        drift.AddCurrentConnection(current.GetOutputPort())
         orbits.SetInputConnection(0, drift.GetOutputPort())
-        orbits.SetInputConnection(1, sea.GetOutputPort())
+        orbits.SetSeaStateConnection(sea.GetOutputPort())
         moved.append(updated(orbits, 2.0))
         assert moved[-1].IsA(data.GetClassName()), moved[-1].GetClassName()
         fog.SetInputDataObject(data)

@@ -108,7 +108,7 @@ Work Walk(const Forest& forest, const SceneCells& cells, const std::vector<View>
 {
   PlantViewOptions options;
   options.UseLevels = levels;
-  options.UseCells = culls;
+  options.UseCulling = culls;
   Work work;
   for (const View& view : path)
   {
@@ -218,7 +218,7 @@ TEST(PlantScatter, ShowsEachPlantOnceAtTheLevelOfItsDistance)
   const View view = RandomPath(1, 800.0).front();
   const std::vector<char> marks = cells.Show(ViewFrustum(view));
   PlantViewOptions options;
-  options.MaximumDistance = 380.0;
+  options.VisibleDistance = 380.0;
   const auto shown = ShownPlants(forest.Places, cells, marks, view, options, 0, 2000);
   std::vector<int> times(2000, 0);
   std::array<int, 3> levels{ 0, 0, 0 };

@@ -41,7 +41,7 @@ struct SmallTree
       this->AddLeaf({ 0.9 * side, 0.2, 2.5 }, tip - 1);
     }
     this->Settings.Pictures = 4;
-    this->Settings.PictureSize = { 48, 32 };
+    this->Settings.TextureSize = { 48, 32 };
     this->Species = MakeSpecies(wood, this->Settings.Options.Wood, this->Species.Leaves, this->Settings);
     this->Crown.Volume = CrownVolume{ CrownShape::Ellipsoid, { 0.0, 0.0, 1.5 }, 3.0, 2.5 };
     for (std::size_t point = 0; point < this->Crown.Leaves.Points.size(); ++point)

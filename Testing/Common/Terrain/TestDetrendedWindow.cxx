@@ -194,7 +194,7 @@ TEST(DetrendedWindow, FitsOfWhatAPlaneLeavesFindTheField)
       std::divides<double>());
     const DetrendedWindow window(samples, Trend::Plane);
     VariogramFitOptions options;
-    options.LongestRange = 1000.0;
+    options.MaximumRange = 1000.0;
     options.Window = &window;
     options.SampleVariance = residual.trace() / dense.Count();
     const std::vector<LagBin> bins = BinVariogram(map, 10.0, 20, 1);

@@ -202,11 +202,11 @@ TEST_P(Grounds, AreWatertightInRandomViews)
     view.Direction = { share() - 0.5, share() - 0.5, -share() };
     view.Angle = 0.2 + 1.5 * share();
     TerrainRule rule;
-    rule.ByScreenError = round % 2 == 1;
+    rule.ByPixelError = round % 2 == 1;
     rule.NearDistance = 100.0 * share();
     rule.FarDistance = rule.NearDistance + 200.0 * share();
     rule.LargestPixels = 1.0 + 400.0 * share();
-    rule.Cull = round % 4 < 2;
+    rule.UseCulling = round % 4 < 2;
     const std::vector<int> levels = SelectLevels(pyramid, ViewFrustum(view), rule);
     std::set<int> different(levels.begin(), levels.end());
     different.erase(Culled);
@@ -371,7 +371,7 @@ double MeasuredError(
 }
 
 // All samples against the surface of the level above or below, through a camera's matrix, all over the picture. By the
-// distance from the eye alone, without the angle off the axis, the error is up to 2.26 times ScreenError here.
+// distance from the eye alone, without the angle off the axis, the error is up to 2.26 times PixelError here.
 TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
 {
   const TerrainPyramid pyramid(MakeWaves(133, 118), 8, 4);
@@ -390,7 +390,7 @@ TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
     const ViewFrustum frustum(rounds ? Rounded(view, 4.0, 0.02) : view);
     const PictureOf picture(view);
     TerrainRule rule;
-    rule.ByScreenError = true;
+    rule.ByPixelError = true;
     rule.LargestPixels = 1.0 + n % 12;
     std::vector<int> levels = SelectLevels(pyramid, frustum, rule);
     for (std::size_t tile = 0; tile < levels.size(); ++tile)
@@ -427,7 +427,7 @@ TEST(TerrainLevels, ByDistanceAreTheSameEverywhereInParallelProjection)
   view.Direction = { 0.0, 1.0, -0.3 };
   view.IsParallel = true;
   TerrainRule rule;
-  rule.Cull = false;
+  rule.UseCulling = false;
   for (const double scale : { 10.0, 100.0, 300.0, 2000.0 })
   {
     view.ParallelScale = scale;

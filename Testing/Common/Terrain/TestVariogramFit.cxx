@@ -51,7 +51,7 @@ VariogramFit Truth(int model)
 VariogramFitOptions Options()
 {
   VariogramFitOptions options;
-  options.LongestRange = 400.0;
+  options.MaximumRange = 400.0;
   options.FractalRange = 700.0;
   return options;
 }
@@ -79,7 +79,7 @@ std::vector<VariogramFit> FitGrown(const GridSamples& samples, bool anisotropy)
   const VariogramMap map = ComputeVariogramMap(samples, maximumLag);
   VariogramFitOptions options;
   options.Anisotropy = anisotropy;
-  options.LongestRange = 0.5 * maximumLag;
+  options.MaximumRange = 0.5 * maximumLag;
   options.FractalRange = 4.0 * samples.Width;
   return FitAllModels(BinVariogram(map, maximumLag, 40, anisotropy ? 12 : 1), options);
 }
@@ -186,7 +186,7 @@ TEST(VariogramFit, BoundsAreMarkedAndRankedLast)
   const VariogramFit truth = Truth(1);
   VariogramFitOptions options = Options();
   EXPECT_FALSE(FitVariogram(truth.Field.Model, ExactBins(truth, 1), options).AtBound);
-  options.LongestRange = 8.0;
+  options.MaximumRange = 8.0;
   const std::vector<VariogramFit> fits = FitAllModels(ExactBins(truth, 1), options);
   const auto isTruth = [&](const VariogramFit& fit) { return fit.Field.Model == truth.Field.Model; };
   const auto held = std::find_if(fits.begin(), fits.end(), isTruth);
@@ -213,7 +213,7 @@ TEST(VariogramFit, NuggetIsThereWhereNoiseIs)
   // White noise of 5 % of the variance, drawn by the standard library, on grown fields; and none.
   VariogramFitOptions options;
   options.Nugget = true;
-  options.LongestRange = 128.0;
+  options.MaximumRange = 128.0;
   options.FractalRange = 1024.0;
   for (const double noise : { 0.0, 0.05 })
   {
