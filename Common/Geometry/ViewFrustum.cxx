@@ -194,11 +194,6 @@ void ViewFrustum::AddParallelSides()
   }
 }
 
-bool ViewFrustum::Contains(const Vector3& point) const
-{
-  return this->MayShow(point, 0.0);
-}
-
 bool ViewFrustum::MayShow(const Box& box) const
 {
   return std::all_of(this->Planes.begin(), this->Planes.end(), [&](const Plane& plane) {

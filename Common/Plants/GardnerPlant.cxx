@@ -386,15 +386,6 @@ private:
   }
 };
 
-/// A position in the quadric's own axes, each 1 at the surface.
-Vector3 Within(const Quadric& quadric, const Vector3& position)
-{
-  const Vector3 away = position - quadric.Center;
-  const double c = std::cos(quadric.Azimuth);
-  const double s = std::sin(quadric.Azimuth);
-  return Vector3(c * away.x + s * away.y, c * away.y - s * away.x, away.z) / quadric.Axes;
-}
-
 /// Directions of the quadric's own axes in space.
 Vector3 Turned(const Quadric& quadric, const Vector3& own)
 {
@@ -512,12 +503,6 @@ std::string WhyInvalid(const GardnerPlantParameters& p)
 CrownVolume CrownOf(const GardnerPlantParameters& p)
 {
   return { CrownShape::Ellipsoid, { 0.0, 0.0, p.CrownBase }, p.Height - p.CrownBase, p.CrownRadius };
-}
-
-double Profile(const Quadric& quadric, const Vector3& position)
-{
-  const Vector3 within = Within(quadric, position);
-  return 1.0 - glm::dot(within, within);
 }
 
 Vector3 PointOf(const Quadric& quadric, const Vector3& ofSphere)

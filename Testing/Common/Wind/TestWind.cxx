@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The spectral wind against its own model: spectra, coherence, profile, the reference method, bytes, bad input.
-#include "Wind/WindCholesky.h"
+#include "CholeskyWind.h"
 #include "Wind/WindField.h"
 #include "Wind/WindLines.h"
 
