@@ -4,7 +4,7 @@
 
 #include "Data/Blocks.h"
 #include "Data/SwayBlocks.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
 #include "Pipeline/Pipeline.h"
 
@@ -149,24 +149,22 @@ int vtkBeamTreeDeformationFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-std::string vtkBeamTreeDeformationFilter::WhyInvalid() const
+std::string vtkBeamTreeDeformationFilter::WhyInvalid(double time) const
 {
-  std::string reason;
-  const auto check = [&](const char* name, double value, double low, double high) {
-    reason = reason.empty() ? littoral::OutOfRange(name, value, low, high) : reason;
-  };
-  check("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
-  check("Response", this->Response, Interpolated, Direct);
-  check("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
-  check("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
-  check("DragLaw", this->DragLaw, Projection, CrossFlow);
-  check("LeafFlutter", this->LeafFlutter, 0.0, 2.0);
-  check("NumberOfTextures", this->NumberOfTextures, 1, MostPictures);
-  check("TextureSize", this->TextureSize[0], 4, 4096);
-  check("TextureSize", this->TextureSize[1], 4, 4096);
-  return reason.empty()
-    ? littoral::WhyInvalid(littoral::WoodParameters{ this->YoungModulus, this->WoodDensity, this->DampingRatio })
-    : reason;
+  littoral::ParameterCheck check;
+  check.Count("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
+  check.Choice("Response", this->Response, { "interpolated", "direct" });
+  check.Range("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
+  check.Range("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
+  check.Choice("DragLaw", this->DragLaw, { "projection", "cross-flow" });
+  check.Range("LeafFlutter", this->LeafFlutter, 0.0, 2.0);
+  check.Count("NumberOfTextures", this->NumberOfTextures, 1, MostPictures);
+  check.Count("TextureSize[0]", this->TextureSize[0], 4, 4096);
+  check.Count("TextureSize[1]", this->TextureSize[1], 4, 4096);
+  check.Range("the requested time", time, -1e12, 1e12, "s");
+  check.Require(
+    littoral::WhyInvalid(littoral::WoodParameters{ this->YoungModulus, this->WoodDensity, this->DampingRatio }));
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -229,12 +227,8 @@ int vtkBeamTreeDeformationFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  std::string reason = this->WhyInvalid();
+  std::string reason = this->WhyInvalid(time);
   const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
-  if (reason.empty() && !(std::abs(time) <= 1e12))
-  {
-    reason = "The requested time is " + std::to_string(time) + " s; it must be from -1e12 to 1e12.";
-  }
   reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
   if (!reason.empty())
   {

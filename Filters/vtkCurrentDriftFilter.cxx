@@ -7,6 +7,7 @@
 #include "Data/CurrentInputs.h"
 #include "Data/Followers.h"
 #include "Data/SeaStateTable.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
@@ -197,36 +198,19 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
 {
-  if (!std::isfinite(time))
+  littoral::ParameterCheck check;
+  check.Finite("the requested time", time, "s");
+  check.Finite("StartTime", this->StartTime, "s");
+  check.Positive("TimeStep", this->TimeStep, "s");
+  if (this->KeepInWater)
   {
-    return "the requested time is no number.";
+    check.Finite("SeaLevel", this->SeaLevel, "m");
+    check.Require(this->WaterDepth >= 0.0 && std::isfinite(this->WaterDepth), "WaterDepth", this->WaterDepth, "m",
+      "positive and finite, or 0 for none");
   }
-  if (!std::isfinite(this->StartTime))
-  {
-    return "StartTime must be finite.";
-  }
-  if (!(this->TimeStep > 0.0 && std::isfinite(this->TimeStep)))
-  {
-    return "TimeStep is " + std::to_string(this->TimeStep) + " s; it must be positive.";
-  }
-  if (this->KeepInWater && !std::isfinite(this->SeaLevel))
-  {
-    return "SeaLevel must be finite.";
-  }
-  if (this->KeepInWater && !(this->WaterDepth >= 0.0 && std::isfinite(this->WaterDepth)))
-  {
-    return "WaterDepth is " + std::to_string(this->WaterDepth) + " m; it must be positive, or 0 for none.";
-  }
-  if (this->VelocityInterpolation != Linear && this->VelocityInterpolation != CubicSpline)
-  {
-    return "VelocityInterpolation is " + std::to_string(this->VelocityInterpolation) +
-      "; it must be 0 (linear) or 1 (cubic spline).";
-  }
-  if (!(this->TimeRange[0] < this->TimeRange[1]))
-  {
-    return "TimeRange must be increasing.";
-  }
-  return "";
+  check.Choice("VelocityInterpolation", this->VelocityInterpolation, { "linear", "cubic spline" });
+  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------

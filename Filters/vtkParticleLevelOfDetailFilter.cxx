@@ -7,6 +7,7 @@
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
+#include "Numerics/ParameterCheck.h"
 #include "Particles/MasterSlave.h"
 #include "Particles/ParticleLevels.h"
 #include "Pipeline/Pipeline.h"
@@ -34,7 +35,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -323,24 +323,12 @@ int vtkParticleLevelOfDetailFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 std::string vtkParticleLevelOfDetailFilter::WhyBadProperties() const
 {
-  std::ostringstream reason;
-  if (this->TrainSelection < PerTrain || this->TrainSelection > AllTrains)
-  {
-    reason << "TrainSelection is " << this->TrainSelection << "; it must be 0 (per train), 1 (tail sum) or 2 (all).";
-  }
-  else if (this->SlavePlacement != OwnPlace && this->SlavePlacement != Scattered)
-  {
-    reason << "SlavePlacement is " << this->SlavePlacement << "; it must be 0 (own place) or 1 (scattered).";
-  }
-  else if (!(this->PixelError > 0.0 && std::isfinite(this->PixelError)))
-  {
-    reason << "PixelError is " << this->PixelError << " pixels; it must be finite and positive.";
-  }
-  else if (this->ParticlesPerCell < 1)
-  {
-    reason << "ParticlesPerCell is " << this->ParticlesPerCell << "; it must be positive.";
-  }
-  return reason.str();
+  littoral::ParameterCheck check;
+  check.Choice("TrainSelection", this->TrainSelection, { "per train", "tail sum", "all" });
+  check.Choice("SlavePlacement", this->SlavePlacement, { "own place", "scattered" });
+  check.Positive("PixelError", this->PixelError, "pixels");
+  check.PositiveCount("ParticlesPerCell", this->ParticlesPerCell);
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "Geometry/SceneCells.h"
 #include "Geometry/TextureAtlas.h"
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
@@ -254,7 +255,6 @@ struct SiteArrays
 bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const littoral::PlantDraws& draws, int species,
   vtkIdType site, littoral::PlantPlace& place, std::string& reason)
 {
-  std::ostringstream text;
   double position[3];
   sites->GetPoint(site, position);
   place.Foot = { position[0], position[1], position[2] };
@@ -264,35 +264,28 @@ bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const littoral::Pla
   const double kind = arrays.Species ? arrays.Species->GetTuple1(site) : draws.Species(place.SiteId);
   place.Scale = arrays.Scale ? arrays.Scale->GetTuple1(site) : draws.Scale(place.SiteId);
   place.Azimuth = arrays.Azimuth ? arrays.Azimuth->GetTuple1(site) : draws.Azimuth(place.SiteId);
+  const std::string ofSite = " of site " + std::to_string(site);
+  littoral::ParameterCheck check;
   if (!littoral::IsFinite(place.Foot))
   {
+    std::ostringstream text;
     text << "site " << site << " lies at (" << place.Foot.x << ", " << place.Foot.y << ", " << place.Foot.z
          << "); positions must be finite.";
+    check.Require(text.str());
   }
-  else if (!std::isfinite(drawnBy))
+  check.Finite("SiteId" + ofSite, drawnBy);
+  check.Require(kind >= 0.0 && kind < species && kind == std::floor(kind), "Species" + ofSite, kind, "",
+    "a whole number from 0 to " + std::to_string(species - 1));
+  check.Positive("Scale" + ofSite, place.Scale);
+  check.Finite("Azimuth" + ofSite, place.Azimuth);
+  if (!check.IsGood())
   {
-    text << "SiteId of site " << site << " is " << drawnBy << "; it must be finite.";
+    reason = check.Reason();
+    return false;
   }
-  else if (!(kind >= 0.0 && kind < species && kind == std::floor(kind)))
-  {
-    text << "Species of site " << site << " is " << kind << "; there are prototypes 0 to " << species - 1 << ".";
-  }
-  else if (!(place.Scale > 0.0 && std::isfinite(place.Scale)))
-  {
-    text << "Scale of site " << site << " is " << place.Scale << "; it must be finite and positive.";
-  }
-  else if (!std::isfinite(place.Azimuth))
-  {
-    text << "Azimuth of site " << site << " is " << place.Azimuth << "; it must be finite.";
-  }
-  else
-  {
-    place.Species = static_cast<int>(kind);
-    place.Tint = draws.Tint(place.SiteId);
-    return true;
-  }
-  reason = text.str();
-  return false;
+  place.Species = static_cast<int>(kind);
+  place.Tint = draws.Tint(place.SiteId);
+  return true;
 }
 
 /// The terrain as the numerics see it. False, with the reason, if it is none.
@@ -677,30 +670,18 @@ int vtkPlantScatterFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVe
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::CheckProperties()
 {
-  std::ostringstream text;
-  if (!(this->SlopeLimit >= 0.0 && this->SlopeLimit <= 90.0))
+  littoral::ParameterCheck check;
+  check.Range("SlopeLimit", this->SlopeLimit, 0.0, 90.0, "degrees");
+  check.Require(this->HeightRange[0] <= this->HeightRange[1],
+    "HeightRange is " + littoral::TextOf(this->HeightRange[0]) + " to " + littoral::TextOf(this->HeightRange[1]) +
+      " m; the first must not be above the second.");
+  check.Positive("PlantsPerCell", this->PlantsPerCell);
+  check.Require(this->VisibleDistance >= 0.0, "VisibleDistance", this->VisibleDistance, "m", "0 or more");
+  if (!check.IsGood())
   {
-    text << "SlopeLimit is " << this->SlopeLimit << " degrees; it must be from 0 to 90.";
+    vtkErrorMacro(<< check.Reason());
   }
-  else if (!(this->HeightRange[0] <= this->HeightRange[1]))
-  {
-    text << "HeightRange is " << this->HeightRange[0] << " to " << this->HeightRange[1]
-         << " m; the first must not be above the second.";
-  }
-  else if (!(this->PlantsPerCell > 0.0 && std::isfinite(this->PlantsPerCell)))
-  {
-    text << "PlantsPerCell is " << this->PlantsPerCell << "; it must be finite and positive.";
-  }
-  else if (!(this->VisibleDistance >= 0.0))
-  {
-    text << "VisibleDistance is " << this->VisibleDistance << " m; it must not be negative.";
-  }
-  if (!text.str().empty())
-  {
-    vtkErrorMacro(<< text.str());
-    return false;
-  }
-  return true;
+  return check.IsGood();
 }
 
 //----------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 #include "Data/SeaStateTable.h"
 #include "Data/SeaweedSceneBlocks.h"
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Pipeline.h"
 #include "Seaweed/SeaweedScene.h"
@@ -159,7 +159,8 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   littoral::SeaweedScene& scene = this->State->Scene;
   if (this->State->BeginsAnew(key))
   {
-    scene = littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == Physical, littoral::SmpFor);
+    scene =
+      littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == Physical, littoral::SmpFor);
   }
   const double time = littoral::RequestedTime(output);
   if (!this->WhyInvalid(time).empty())
@@ -175,29 +176,26 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 std::string vtkSeaweedDeformationFilter::WhyInvalid(double time) const
 {
-  using littoral::OutOfRange;
-  for (const std::string& reason : { OutOfRange("Method", this->Method, Procedural, Physical), OutOfRange("Joint", this->Joint, Bending, Tilting),
-         OutOfRange("Load", this->Load, Morison, Direct), OutOfRange("Integrator", this->Integrator, Implicit, ExplicitEuler),
-         OutOfRange("StartTime", this->StartTime, -1e9, 1e9), OutOfRange("TimeStep", this->TimeStep, 1e-5, 1.0),
-         OutOfRange("MaximumAngle", this->MaximumAngle, 0.0, 180.0),
-         OutOfRange("BlendDistance", this->BlendDistance, 0.0, 1e9), OutOfRange("BlendTime", this->BlendTime, 0.0, 1e9),
-         OutOfRange("ViewSpeed", this->ViewSpeed, 0.0, 1e9), OutOfRange("PixelError", this->PixelError, 0.0, 1e9),
-         littoral::WhyInvalid(this->MakeOptions()) })
+  littoral::ParameterCheck check;
+  check.Choice("Method", this->Method, { "procedural", "physical" });
+  check.Choice("Joint", this->Joint, { "bending", "tilting" });
+  check.Choice("Load", this->Load, { "Morison", "direct" });
+  check.Choice("Integrator", this->Integrator, { "implicit", "explicit Euler" });
+  check.Range("StartTime", this->StartTime, -1e9, 1e9, "s");
+  check.Range("TimeStep", this->TimeStep, 1e-5, 1.0, "s");
+  check.Range("MaximumAngle", this->MaximumAngle, 0.0, 180.0, "degrees");
+  check.Range("BlendDistance", this->BlendDistance, 0.0, 1e9, "m");
+  check.Range("BlendTime", this->BlendTime, 0.0, 1e9, "s");
+  check.Range("ViewSpeed", this->ViewSpeed, 0.0, 1e9, "m/s");
+  check.Range("PixelError", this->PixelError, 0.0, 1e9, "pixels");
+  check.Require(littoral::WhyInvalid(this->MakeOptions()));
+  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Range("the requested time", time, -1e9, 1e9, "s");
+  if (this->Method == Physical && check.IsGood())
   {
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    check.Require(littoral::WhyTooFar({ this->StartTime, this->TimeStep }, time));
   }
-  if (!(this->TimeRange[0] < this->TimeRange[1]))
-  {
-    return "TimeRange must be increasing.";
-  }
-  if (!(std::abs(time) <= 1e9))
-  {
-    return "the requested time is " + std::to_string(time) + " s; it must be from -1e9 to 1e9.";
-  }
-  return this->Method == Physical ? littoral::WhyTooFar({ this->StartTime, this->TimeStep }, time) : std::string();
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "Data/Blocks.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Terrain/GroundColor.h"
@@ -352,28 +353,18 @@ int vtkTerrainLevelOfDetailFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::CheckProperties()
 {
-  if (this->Selection != Distance && this->Selection != PixelErrorRule)
+  const bool isPowerOfTwo = (this->TileSize & (this->TileSize - 1)) == 0;
+  littoral::ParameterCheck check;
+  check.Choice("Selection", this->Selection, { "distance", "pixel error" });
+  check.Positive("PixelError", this->PixelError, "pixels");
+  check.Count("NumberOfLevels", this->NumberOfLevels, 1, littoral::MostTerrainLevels);
+  check.Require(this->TileSize >= 1 && this->TileSize <= 4096 && isPowerOfTwo, "TileSize", this->TileSize, "cells",
+    "a power of two from 1 to 4096");
+  if (!check.IsGood())
   {
-    vtkErrorMacro("Selection is " << this->Selection << "; it must be 0 (distance) or 1 (screen error).");
-    return false;
+    vtkErrorMacro(<< check.Reason());
   }
-  if (!(this->PixelError > 0.0 && std::isfinite(this->PixelError)))
-  {
-    vtkErrorMacro("PixelError is " << this->PixelError << " pixels; it must be finite and positive.");
-    return false;
-  }
-  if (this->NumberOfLevels < 1 || this->NumberOfLevels > littoral::MostTerrainLevels)
-  {
-    vtkErrorMacro(
-      "NumberOfLevels is " << this->NumberOfLevels << "; it must be 1 to " << littoral::MostTerrainLevels << ".");
-    return false;
-  }
-  if (this->TileSize < 1 || this->TileSize > 4096 || (this->TileSize & (this->TileSize - 1)) != 0)
-  {
-    vtkErrorMacro("TileSize is " << this->TileSize << " cells; it must be a power of two from 1 to 4096.");
-    return false;
-  }
-  return true;
+  return check.IsGood();
 }
 
 //----------------------------------------------------------------------------

@@ -306,33 +306,14 @@ int vtkSuspendedParticleSource::RequestInformation(
 //----------------------------------------------------------------------------
 std::string vtkSuspendedParticleSource::WhyBadProperties() const
 {
-  if (std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfParticleScenes + 1);
-      !none.empty())
-  {
-    return none;
-  }
-  if (this->Mode != Points && this->Mode != Quads)
-  {
-    return "Mode is " + std::to_string(this->Mode) + "; it must be 0 or 1.";
-  }
-  if (this->AmountIs != Concentration && this->AmountIs != Count)
-  {
-    return "AmountIs is " + std::to_string(this->AmountIs) + "; it must be 0 or 1.";
-  }
-  if (this->OutputPointsPrecision != vtkAlgorithm::SINGLE_PRECISION &&
-    this->OutputPointsPrecision != vtkAlgorithm::DOUBLE_PRECISION)
-  {
-    return "OutputPointsPrecision must be single or double.";
-  }
-  if (!(this->SizeSpread >= 0.0 && this->SizeSpread <= 2.0))
-  {
-    return "SizeSpread is " + std::to_string(this->SizeSpread) + "; it must be 0 to 2.";
-  }
-  if (!(this->Density >= 0.0 && std::isfinite(this->Density)))
-  {
-    return "Density is " + std::to_string(this->Density) + "; it must not be negative.";
-  }
-  return "";
+  littoral::ParameterCheck check;
+  check.Choice("Preset", this->Preset, littoral::NumberOfParticleScenes + 1);
+  check.Choice("Mode", this->Mode, { "points", "quads" });
+  check.Choice("AmountIs", this->AmountIs, { "concentration", "count" });
+  check.Choice("OutputPointsPrecision", this->OutputPointsPrecision, { "single", "double" });
+  check.Range("SizeSpread", this->SizeSpread, 0.0, 2.0);
+  check.NotNegative("Density", this->Density);
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------

@@ -215,7 +215,7 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   const bool automatic = bands.NumberOfLines == 0;
   bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
   littoral::ParameterCheck check;
-  check.Require(bands.NumberOfLines > 0, "NumberOfLines is negative; it must be positive, or 0 for enough.");
+  check.Require(bands.NumberOfLines > 0, "NumberOfLines", bands.NumberOfLines, "", "positive, or 0 for enough");
   check.Require(littoral::WhyInvalid(bands, grid));
   check.Finite("Mean", recipe.Mean);
   check.Finite("Slope[0]", recipe.Slope[0]);
