@@ -46,8 +46,9 @@ void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* pl
 }
 
 //----------------------------------------------------------------------------
-struct vtkBeamTreeDeformationFilter::Memory
+class vtkBeamTreeDeformationFilter::vtkInternals
 {
+public:
   // Inputs are held, so that no other object gets their addresses.
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>> Inputs;
   vtkMTimeType Properties = 0;
@@ -191,8 +192,8 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
 /// Reads the inputs, unless they are those of the last time. The reason why they are bad, or nothing.
 std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
 {
-  auto memory = std::make_unique<Memory>();
-  memory->Properties = this->GetMTime();
+  auto internals = std::make_unique<vtkInternals>();
+  internals->Properties = this->GetMTime();
   std::string reason;
   std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   for (int port : { PlantsPort, WindPort, PrototypesPort })
@@ -200,15 +201,15 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputVector[port], index);
-      memory->Inputs.emplace_back(data, littoral::LastChange(data));
+      internals->Inputs.emplace_back(data, littoral::LastChange(data));
       if (port == PrototypesPort)
       {
         prototypes.push_back(littoral::BlocksOf(data, reason));
       }
     }
   }
-  if (this->Kept && this->Kept->Plants.IsWhole() && this->Kept->Inputs == memory->Inputs &&
-    this->Kept->Properties == memory->Properties)
+  if (this->Internals && this->Internals->Plants.IsWhole() && this->Internals->Inputs == internals->Inputs &&
+    this->Internals->Properties == internals->Properties)
   {
     return {};
   }
@@ -216,9 +217,9 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
   {
     return "Of Prototypes: " + reason;
   }
-  this->Kept = std::move(memory);
+  this->Internals = std::move(internals);
   this->SetProgressText("Reading plants");
-  return this->Kept->Plants.Read(plants, { prototypes.begin(), prototypes.end() },
+  return this->Internals->Plants.Read(plants, { prototypes.begin(), prototypes.end() },
     vtkImageData::GetData(inputVector[WindPort]), this->MakeSettings(), this);
 }
 
@@ -232,18 +233,18 @@ int vtkBeamTreeDeformationFilter::RequestData(
   reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
   if (!reason.empty())
   {
-    this->Kept.reset();
+    this->Internals.reset();
     vtkErrorMacro(<< reason);
     return 0;
   }
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);
-  if (this->Kept->Plants.IsWhole())
+  if (this->Internals->Plants.IsWhole())
   {
     this->SetProgressText("Moving plants");
-    this->Kept->Plants.Move(time, plants, output, this);
-    AttachFrequencies(this->Kept->Plants.GetFrequencies(), output);
-    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Plants.GetPictures());
+    this->Internals->Plants.Move(time, plants, output, this);
+    AttachFrequencies(this->Internals->Plants.GetFrequencies(), output);
+    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Internals->Plants.GetPictures());
   }
   this->UpdateProgress(1.0);
   return 1;

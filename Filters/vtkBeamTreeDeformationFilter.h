@@ -234,8 +234,8 @@ private:
   vtkBeamTreeDeformationFilter(const vtkBeamTreeDeformationFilter&) = delete;
   void operator=(const vtkBeamTreeDeformationFilter&) = delete;
 
-  struct Memory;
-  std::unique_ptr<Memory> Kept; // what was read from the last inputs
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals; // what was read from the last inputs
 
   std::string WhyInvalid(double time) const;
   littoral::SwaySettings MakeSettings() const;

@@ -538,7 +538,7 @@ private:
 
 //----------------------------------------------------------------------------
 /// What does not depend on the view.
-class vtkPlantScatterFilter::Internals
+class vtkPlantScatterFilter::vtkInternals
 {
 public:
   Prototypes Species;
@@ -566,7 +566,7 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , UseCulling(true)
   , PlantsPerCell(1.0)
   , VisibleDistance(0.0)
-  , Internal(std::make_unique<Internals>())
+  , Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -700,11 +700,11 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     std::transform(std::begin(PartKinds), std::end(PartKinds), prototypes.back().begin(),
       [&](const littoral::PartKind& kind) { return PartOf(prototype, kind); });
   }
-  if (!stamps.empty() && stamps == this->Internal->Species.Stamps)
+  if (!stamps.empty() && stamps == this->Internals->Species.Stamps)
   {
     return true;
   }
-  *this->Internal = Internals();
+  *this->Internals = vtkInternals();
   if (prototypes.empty())
   {
     vtkErrorMacro("There are no prototypes; connect the output of at least one plant source to port 1.");
@@ -719,8 +719,8 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
       return false;
     }
   }
-  TakeParts(prototypes, this->Internal->Species);
-  this->Internal->Species.Stamps = stamps;
+  TakeParts(prototypes, this->Internals->Species);
+  this->Internals->Species.Stamps = stamps;
   return true;
 }
 
@@ -729,8 +729,8 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
 {
   vtkPointSet* sites = vtkPointSet::GetData(inputs[SitesPort]);
   vtkImageData* terrain = vtkImageData::GetData(inputs[TerrainPort]);
-  const std::vector<littoral::PlantExtent>& extents = this->Internal->Species.Extents;
-  Plants& scene = this->Internal->Scene;
+  const std::vector<littoral::PlantExtent>& extents = this->Internals->Species.Extents;
+  Plants& scene = this->Internals->Scene;
   littoral::ScatterOptions options;
   options.Seed = this->Seed;
   options.ScaleVariation = this->ScaleVariation;
@@ -779,7 +779,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   {
     return 0;
   }
-  const Plants& scene = this->Internal->Scene;
+  const Plants& scene = this->Internals->Scene;
   littoral::PlantViewOptions options;
   options.UseLevels = this->UseLevels;
   options.UseCulling = this->UseCulling;
@@ -800,8 +800,8 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   {
     return 0;
   }
-  WriteTexture(this->Internal->Species.CrownAtlas, outputs->GetInformationObject(1));
-  WriteTexture(this->Internal->Species.LeafAtlas, outputs->GetInformationObject(2));
+  WriteTexture(this->Internals->Species.CrownAtlas, outputs->GetInformationObject(1));
+  WriteTexture(this->Internals->Species.LeafAtlas, outputs->GetInformationObject(2));
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -809,8 +809,8 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const Prototypes& species = this->Internal->Species;
-  const Plants& scene = this->Internal->Scene;
+  const Prototypes& species = this->Internals->Species;
+  const Plants& scene = this->Internals->Scene;
   BlockMerge merge(species, scene.Places, request.Shown);
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())

@@ -44,7 +44,7 @@ void AddCounter(vtkDataObject* data, const char* name, std::int64_t value)
 }
 
 /// The scene, and what it was read from.
-class vtkSeaweedDeformationFilter::Internals : public littoral::MarchingRequests<littoral::SeaweedScene>
+class vtkSeaweedDeformationFilter::vtkInternals : public littoral::MarchingRequests<littoral::SeaweedScene>
 {
 public:
   vtkSmartPointer<vtkDataObject> Plants;
@@ -76,7 +76,7 @@ vtkSeaweedDeformationFilter::vtkSeaweedDeformationFilter()
   , GenerateMotion(false)
   , VelocityArray(nullptr)
   , TimeRange{ 0.0, 60.0 }
-  , State(new Internals)
+  , Internals(new vtkInternals)
 {
   this->NearDistance = 5.0;
   this->FarDistance = 20.0;
@@ -156,8 +156,8 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   }
   const std::vector<littoral::CurrentSeries> currents = littoral::AnnouncedCurrents(inputVector[CurrentsPort]);
   littoral::AddTimes(currents, key);
-  littoral::SeaweedScene& scene = this->State->Scene;
-  if (this->State->BeginsAnew(key))
+  littoral::SeaweedScene& scene = this->Internals->Scene;
+  if (this->Internals->BeginsAnew(key))
   {
     scene =
       littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == Physical, littoral::SmpFor);
@@ -219,25 +219,26 @@ littoral::SeaweedOptions vtkSeaweedDeformationFilter::MakeOptions() const
 //----------------------------------------------------------------------------
 std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector, vtkMultiBlockDataSet* blocks)
 {
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   const std::string reason = littoral::TakeSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(),
     inputVector[CurrentsPort], this->VelocityArray, littoral::VelocityInterpolation::Linear);
   vtkDataObject* plants = vtkDataObject::GetData(inputVector[PlantsPort]);
   const vtkMTimeType plantsTime = std::max(plants->GetMTime(), plants->GetUpdateTime());
-  const bool areRead = scene.HasPlants() && this->State->Plants == plants && this->State->PlantsTime == plantsTime;
+  const bool areRead =
+    scene.HasPlants() && this->Internals->Plants == plants && this->Internals->PlantsTime == plantsTime;
   if (!reason.empty() || areRead)
   {
     return reason;
   }
-  this->State->Plants = plants;
-  this->State->PlantsTime = plantsTime;
+  this->Internals->Plants = plants;
+  this->Internals->PlantsTime = plantsTime;
   return this->TakePlants(inputVector[SeaPort], blocks);
 }
 
 //----------------------------------------------------------------------------
 std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks)
 {
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   this->SetProgressText("Reading plants");
   littoral::SeaState sea;
   std::string reason;
@@ -255,7 +256,7 @@ std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, 
   }
   littoral::SeaweedOptions options = this->MakeOptions();
   options.SeaLevel = sea.SeaLevel;
-  reason = littoral::ReadSeaweeds(blocks, options, sea, scene, this->State->Skins);
+  reason = littoral::ReadSeaweeds(blocks, options, sea, scene, this->Internals->Skins);
   if (reason.empty())
   {
     this->WarnOfLimits();
@@ -266,18 +267,18 @@ std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, 
 //----------------------------------------------------------------------------
 void vtkSeaweedDeformationFilter::WarnOfLimits()
 {
-  const double cauchy = this->State->Scene.GetUngradedCauchyNumber();
+  const double cauchy = this->Internals->Scene.GetUngradedCauchyNumber();
   if (this->Method == Physical && this->Load == Morison && cauchy < 1e4)
   {
     vtkWarningMacro("Segments of blades do not get shorter towards their foot: drag is right up to a Cauchy number of "
       << cauchy << " (density of the water, coefficient of drag, width, speed squared and length cubed, over twice the "
       << "bending stiffness). Beyond, limp blades bend too much. vtkSeaweedSource grows graded ones.");
   }
-  if (this->Method != Physical || this->Integrator != ExplicitEuler || this->State->Scene.GetNumberOfLinks() == 0)
+  if (this->Method != Physical || this->Integrator != ExplicitEuler || this->Internals->Scene.GetNumberOfLinks() == 0)
   {
     return;
   }
-  const double limit = littoral::ExplicitLimit(this->State->Scene.GetLinks());
+  const double limit = littoral::ExplicitLimit(this->Internals->Scene.GetLinks());
   if (this->TimeStep > limit)
   {
     vtkWarningMacro("TimeStep is " << this->TimeStep << " s; with Integrator Explicit Euler these plants blow up above "
@@ -317,42 +318,42 @@ int vtkSeaweedDeformationFilter::RequestData(
     return this->Fail(request, output);
   }
   output->ShallowCopy(plants);
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   if (scene.GetNumberOfLinks() == 0)
   {
-    return this->State->Succeed(request);
+    return this->Internals->Succeed(request);
   }
   this->SetProgressText("Moving plants");
   const auto advance = [&scene](const auto&) {
     scene.Advance();
     return true;
   };
-  if (!this->State->March(this, 0.9, advance))
+  if (!this->Internals->March(this, 0.9, advance))
   {
     this->Fail(request, output); // aborted: what was moved halfway is of no use
     return 1;
   }
-  if (this->State->Continues(request))
+  if (this->Internals->Continues(request))
   {
     return 1;
   }
   this->Write(levels, plants, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   this->UpdateProgress(1.0);
-  return this->State->Succeed(request);
+  return this->Internals->Succeed(request);
 }
 
 //----------------------------------------------------------------------------
 void vtkSeaweedDeformationFilter::Write(
   const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output)
 {
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   const littoral::SeaweedCounters counters = scene.Show(levels);
   if (this->GenerateMotion)
   {
     scene.FindMotion();
   }
-  littoral::WriteSeaweeds(scene, this->State->Skins, plants, output);
+  littoral::WriteSeaweeds(scene, this->Internals->Skins, plants, output);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(plants->GetFieldData());
   output->SetFieldData(fields);
@@ -366,9 +367,9 @@ void vtkSeaweedDeformationFilter::Write(
 //----------------------------------------------------------------------------
 int vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* output)
 {
-  this->State->Plants = nullptr;
-  this->State->Skins.clear();
-  return this->State->Internals::MarchingRequests::Fail(request, output);
+  this->Internals->Plants = nullptr;
+  this->Internals->Skins.clear();
+  return this->Internals->MarchingRequests::Fail(request, output);
 }
 
 //----------------------------------------------------------------------------

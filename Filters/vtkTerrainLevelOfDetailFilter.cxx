@@ -43,8 +43,9 @@
 vtkStandardNewMacro(vtkTerrainLevelOfDetailFilter);
 
 /// The pyramid, and what it was made of.
-struct vtkTerrainLevelOfDetailFilter::Internals
+class vtkTerrainLevelOfDetailFilter::vtkInternals
 {
+public:
   std::optional<littoral::TerrainPyramid> Pyramid;
   vtkMTimeType ImageTime = 0;
   vtkMTimeType HeightsTime = 0;
@@ -326,7 +327,7 @@ vtkTerrainLevelOfDetailFilter::vtkTerrainLevelOfDetailFilter()
   , TileSize(32)
   , UseCulling(true)
   , GroundColors(true)
-  , Internal(new Internals)
+  , Internals(new vtkInternals)
 {
   this->NearDistance = 250.0;
   this->FarDistance = 4000.0;
@@ -406,13 +407,13 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
 //----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
 {
-  Internals& kept = *this->Internal;
-  if (kept.Pyramid && kept.ImageTime == image->GetMTime() && kept.HeightsTime == heights->GetMTime() &&
-    kept.TileSize == this->TileSize && kept.Levels == this->NumberOfLevels)
+  vtkInternals& internals = *this->Internals;
+  if (internals.Pyramid && internals.ImageTime == image->GetMTime() && internals.HeightsTime == heights->GetMTime() &&
+    internals.TileSize == this->TileSize && internals.Levels == this->NumberOfLevels)
   {
     return true;
   }
-  kept.Pyramid.reset();
+  internals.Pyramid.reset();
   const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
   if (bytes > littoral::AvailableMemory())
   {
@@ -439,11 +440,11 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
       return false;
     }
   }
-  kept.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
-  kept.ImageTime = image->GetMTime();
-  kept.HeightsTime = heights->GetMTime();
-  kept.TileSize = this->TileSize;
-  kept.Levels = this->NumberOfLevels;
+  internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
+  internals.ImageTime = image->GetMTime();
+  internals.HeightsTime = heights->GetMTime();
+  internals.TileSize = this->TileSize;
+  internals.Levels = this->NumberOfLevels;
   return true;
 }
 
@@ -479,7 +480,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   {
     return 0;
   }
-  const littoral::TerrainPyramid& pyramid = *this->Internal->Pyramid;
+  const littoral::TerrainPyramid& pyramid = *this->Internals->Pyramid;
   const littoral::ViewFrustum view(seen);
   const std::vector<int> levels = littoral::SelectLevels(pyramid, view, this->MakeRule());
   ShownTerrain shown(pyramid);
