@@ -20,7 +20,6 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkSeaweedDeformationFilter);
 

@@ -12,8 +12,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace
 {

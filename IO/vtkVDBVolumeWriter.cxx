@@ -21,7 +21,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <regex>
 

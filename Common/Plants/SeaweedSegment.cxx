@@ -4,7 +4,6 @@
 
 #include "Numerics/ParameterCheck.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace littoral
