@@ -4,7 +4,7 @@
 
 #include "Data/Blocks.h"
 #include "Data/SwayBlocks.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
 #include "Pipeline/Pipeline.h"
 
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -46,8 +45,9 @@ void AttachFrequencies(const std::vector<double>& frequencies, vtkDataObject* pl
 }
 
 //----------------------------------------------------------------------------
-struct vtkBeamTreeDeformationFilter::Memory
+class vtkBeamTreeDeformationFilter::vtkInternals
 {
+public:
   // Inputs are held, so that no other object gets their addresses.
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>> Inputs;
   vtkMTimeType Properties = 0;
@@ -149,24 +149,22 @@ int vtkBeamTreeDeformationFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-std::string vtkBeamTreeDeformationFilter::WhyInvalid() const
+std::string vtkBeamTreeDeformationFilter::WhyInvalid(double time) const
 {
-  std::string reason;
-  const auto check = [&](const char* name, double value, double low, double high) {
-    reason = reason.empty() ? littoral::OutOfRange(name, value, low, high) : reason;
-  };
-  check("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
-  check("Response", this->Response, Interpolated, Direct);
-  check("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
-  check("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
-  check("DragLaw", this->DragLaw, Projection, CrossFlow);
-  check("LeafFlutter", this->LeafFlutter, 0.0, 2.0);
-  check("NumberOfTextures", this->NumberOfTextures, 1, MostPictures);
-  check("TextureSize", this->TextureSize[0], 4, 4096);
-  check("TextureSize", this->TextureSize[1], 4, 4096);
-  return reason.empty()
-    ? littoral::WhyInvalid(littoral::WoodParameters{ this->YoungModulus, this->WoodDensity, this->DampingRatio })
-    : reason;
+  littoral::ParameterCheck check;
+  check.Count("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
+  check.Choice("Response", this->Response, { "interpolated", "direct" });
+  check.Range("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
+  check.Range("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
+  check.Choice("DragLaw", this->DragLaw, { "projection", "cross-flow" });
+  check.Range("LeafFlutter", this->LeafFlutter, 0.0, 2.0);
+  check.Count("NumberOfTextures", this->NumberOfTextures, 1, MostPictures);
+  check.Count("TextureSize[0]", this->TextureSize[0], 4, 4096);
+  check.Count("TextureSize[1]", this->TextureSize[1], 4, 4096);
+  check.Range("the requested time", time, -1e12, 1e12, "s");
+  check.Require(
+    littoral::WhyInvalid(littoral::WoodParameters{ this->YoungModulus, this->WoodDensity, this->DampingRatio }));
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -193,8 +191,8 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
 /// Reads the inputs, unless they are those of the last time. The reason why they are bad, or nothing.
 std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
 {
-  auto memory = std::make_unique<Memory>();
-  memory->Properties = this->GetMTime();
+  auto internals = std::make_unique<vtkInternals>();
+  internals->Properties = this->GetMTime();
   std::string reason;
   std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   for (int port : { PlantsPort, WindPort, PrototypesPort })
@@ -202,15 +200,15 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputVector[port], index);
-      memory->Inputs.emplace_back(data, littoral::LastChange(data));
+      internals->Inputs.emplace_back(data, littoral::LastChange(data));
       if (port == PrototypesPort)
       {
         prototypes.push_back(littoral::BlocksOf(data, reason));
       }
     }
   }
-  if (this->Kept && this->Kept->Plants.IsWhole() && this->Kept->Inputs == memory->Inputs &&
-    this->Kept->Properties == memory->Properties)
+  if (this->Internals && this->Internals->Plants.IsWhole() && this->Internals->Inputs == internals->Inputs &&
+    this->Internals->Properties == internals->Properties)
   {
     return {};
   }
@@ -218,9 +216,9 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
   {
     return "Of Prototypes: " + reason;
   }
-  this->Kept = std::move(memory);
+  this->Internals = std::move(internals);
   this->SetProgressText("Reading plants");
-  return this->Kept->Plants.Read(plants, { prototypes.begin(), prototypes.end() },
+  return this->Internals->Plants.Read(plants, { prototypes.begin(), prototypes.end() },
     vtkImageData::GetData(inputVector[WindPort]), this->MakeSettings(), this);
 }
 
@@ -229,27 +227,23 @@ int vtkBeamTreeDeformationFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  std::string reason = this->WhyInvalid();
+  std::string reason = this->WhyInvalid(time);
   const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
-  if (reason.empty() && !(std::abs(time) <= 1e12))
-  {
-    reason = "The requested time is " + std::to_string(time) + " s; it must be from -1e12 to 1e12.";
-  }
   reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
   if (!reason.empty())
   {
-    this->Kept.reset();
+    this->Internals.reset();
     vtkErrorMacro(<< reason);
     return 0;
   }
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);
-  if (this->Kept->Plants.IsWhole())
+  if (this->Internals->Plants.IsWhole())
   {
     this->SetProgressText("Moving plants");
-    this->Kept->Plants.Move(time, plants, output, this);
-    AttachFrequencies(this->Kept->Plants.GetFrequencies(), output);
-    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Kept->Plants.GetPictures());
+    this->Internals->Plants.Move(time, plants, output, this);
+    AttachFrequencies(this->Internals->Plants.GetFrequencies(), output);
+    vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Internals->Plants.GetPictures());
   }
   this->UpdateProgress(1.0);
   return 1;

@@ -130,7 +130,8 @@ public:
   ///@{
   /**
    * Wood properties from the plants; default on. Plants with the field data `Wood`, as the presets of the tree sources
-   * write them, have those properties. If off, and for other plants, YoungModulus, WoodDensity and DampingRatio are used.
+   * write them, have those properties. If off, and for other plants, YoungModulus, WoodDensity and DampingRatio are
+   * used.
    */
   vtkSetMacro(WoodFromPlants, bool);
   vtkGetMacro(WoodFromPlants, bool);
@@ -233,10 +234,10 @@ private:
   vtkBeamTreeDeformationFilter(const vtkBeamTreeDeformationFilter&) = delete;
   void operator=(const vtkBeamTreeDeformationFilter&) = delete;
 
-  struct Memory;
-  std::unique_ptr<Memory> Kept; // what was read from the last inputs
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals; // what was read from the last inputs
 
-  std::string WhyInvalid() const;
+  std::string WhyInvalid(double time) const;
   littoral::SwaySettings MakeSettings() const;
   std::string Remember(vtkInformationVector** inputs, vtkMultiBlockDataSet* plants);
 };

@@ -3,6 +3,7 @@
 #include "vtkCovarianceFitFilter.h"
 
 #include "Data/Tables.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Terrain/DetrendedWindow.h"
 #include "Terrain/FractalDimension.h"
@@ -218,25 +219,17 @@ int vtkCovarianceFitFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 bool vtkCovarianceFitFilter::CheckProperties()
 {
-  const auto isLength = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!isLength(this->MaximumLag) || !isLength(this->MaximumRange) || !isLength(this->FractalWavelength))
+  littoral::ParameterCheck check;
+  check.NotNegative("MaximumLag", this->MaximumLag, "m");
+  check.NotNegative("MaximumRange", this->MaximumRange, "m");
+  check.NotNegative("FractalWavelength", this->FractalWavelength, "m");
+  check.Count("NumberOfLags", this->NumberOfLags, 6, 10000);
+  check.Count("NumberOfDirections", this->NumberOfDirections, 4, 90);
+  if (!check.IsGood())
   {
-    vtkErrorMacro("MaximumLag, MaximumRange and FractalWavelength are "
-      << this->MaximumLag << ", " << this->MaximumRange << ", " << this->FractalWavelength
-      << "; they must be finite and not negative.");
-    return false;
+    vtkErrorMacro(<< check.Reason());
   }
-  if (this->NumberOfLags < 6 || this->NumberOfLags > 10000)
-  {
-    vtkErrorMacro("NumberOfLags is " << this->NumberOfLags << "; it must be 6 to 10000.");
-    return false;
-  }
-  if (this->NumberOfDirections < 4 || this->NumberOfDirections > 90)
-  {
-    vtkErrorMacro("NumberOfDirections is " << this->NumberOfDirections << "; it must be 4 to 90.");
-    return false;
-  }
-  return true;
+  return check.IsGood();
 }
 
 //----------------------------------------------------------------------------

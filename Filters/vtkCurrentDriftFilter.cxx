@@ -7,6 +7,7 @@
 #include "Data/CurrentInputs.h"
 #include "Data/Followers.h"
 #include "Data/SeaStateTable.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
@@ -107,7 +108,7 @@ bool RunOnPoints(vtkAlgorithm* algorithm, std::size_t count, double first, doubl
 }
 
 /// What is kept between requests.
-class vtkCurrentDriftFilter::Internals : public littoral::MarchingRequests<littoral::DriftHistory>
+class vtkCurrentDriftFilter::vtkInternals : public littoral::MarchingRequests<littoral::DriftHistory>
 {
 };
 
@@ -122,7 +123,7 @@ vtkCurrentDriftFilter::vtkCurrentDriftFilter()
   , VelocityArray(nullptr)
   , GenerateCurrent(false)
   , TimeRange{ 0.0, 60.0 }
-  , State(new Internals)
+  , Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -178,8 +179,8 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
     key.push_back(static_cast<double>(littoral::PipelineTime(this, 1, static_cast<int>(connection))));
   }
   littoral::AddTimes(currents, key);
-  littoral::DriftHistory& history = this->State->Scene;
-  if (this->State->BeginsAnew(key))
+  littoral::DriftHistory& history = this->Internals->Scene;
+  if (this->Internals->BeginsAnew(key))
   {
     history = littoral::DriftHistory({ this->StartTime, this->TimeStep }, currents);
     history.Currents.Layer = this->GetWaterLayer();
@@ -197,36 +198,19 @@ int vtkCurrentDriftFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 std::string vtkCurrentDriftFilter::WhyInvalid(double time) const
 {
-  if (!std::isfinite(time))
+  littoral::ParameterCheck check;
+  check.Finite("the requested time", time, "s");
+  check.Finite("StartTime", this->StartTime, "s");
+  check.Positive("TimeStep", this->TimeStep, "s");
+  if (this->KeepInWater)
   {
-    return "the requested time is no number.";
+    check.Finite("SeaLevel", this->SeaLevel, "m");
+    check.Require(this->WaterDepth >= 0.0 && std::isfinite(this->WaterDepth), "WaterDepth", this->WaterDepth, "m",
+      "positive and finite, or 0 for none");
   }
-  if (!std::isfinite(this->StartTime))
-  {
-    return "StartTime must be finite.";
-  }
-  if (!(this->TimeStep > 0.0 && std::isfinite(this->TimeStep)))
-  {
-    return "TimeStep is " + std::to_string(this->TimeStep) + " s; it must be positive.";
-  }
-  if (this->KeepInWater && !std::isfinite(this->SeaLevel))
-  {
-    return "SeaLevel must be finite.";
-  }
-  if (this->KeepInWater && !(this->WaterDepth >= 0.0 && std::isfinite(this->WaterDepth)))
-  {
-    return "WaterDepth is " + std::to_string(this->WaterDepth) + " m; it must be positive, or 0 for none.";
-  }
-  if (this->VelocityInterpolation != Linear && this->VelocityInterpolation != CubicSpline)
-  {
-    return "VelocityInterpolation is " + std::to_string(this->VelocityInterpolation) +
-      "; it must be 0 (linear) or 1 (cubic spline).";
-  }
-  if (!(this->TimeRange[0] < this->TimeRange[1]))
-  {
-    return "TimeRange must be increasing.";
-  }
-  return "";
+  check.Choice("VelocityInterpolation", this->VelocityInterpolation, { "linear", "cubic spline" });
+  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -244,7 +228,7 @@ littoral::WaterLayer vtkCurrentDriftFilter::GetWaterLayer() const
 //----------------------------------------------------------------------------
 std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector)
 {
-  littoral::DriftHistory& history = this->State->Scene;
+  littoral::DriftHistory& history = this->Internals->Scene;
   const std::string reason = littoral::TakeSnapshots(history.Currents, history.GetGrid(), history.NextMoments(),
     inputVector[1], this->VelocityArray, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation));
   return reason.empty() && !history.IsBegun() ? this->TakePoints(vtkDataObject::GetData(inputVector[0])) : reason;
@@ -267,21 +251,21 @@ std::string vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
   littoral::Drifters start;
   for (vtkPointSet* leaf : leaves)
   {
-    const std::string reason = AddPoints(leaf, this->State->Scene.Currents.Layer, start);
+    const std::string reason = AddPoints(leaf, this->Internals->Scene.Currents.Layer, start);
     if (!reason.empty())
     {
       return reason;
     }
   }
-  this->State->Scene.Begin(std::move(start));
+  this->Internals->Scene.Begin(std::move(start));
   return "";
 }
 
 //----------------------------------------------------------------------------
 bool vtkCurrentDriftFilter::Advance()
 {
-  littoral::DriftHistory& history = this->State->Scene;
-  return this->State->March(this, 0.98, [&](const auto& progress) {
+  littoral::DriftHistory& history = this->Internals->Scene;
+  return this->Internals->March(this, 0.98, [&](const auto& progress) {
     const long long first = history.GetStep();
     const long long last = history.NextStop();
     const littoral::StepCurrents currents = history.NextCurrents();
@@ -307,10 +291,10 @@ int vtkCurrentDriftFilter::RequestData(
   {
     output->ShallowCopy(input);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    return this->State->Succeed(request);
+    return this->Internals->Succeed(request);
   }
   reason = reason.empty() ? this->TakeInputs(inputVector) : reason;
-  const littoral::DriftHistory& history = this->State->Scene;
+  const littoral::DriftHistory& history = this->Internals->Scene;
   if (reason.empty() && !history.IsClosed())
   {
     reason = littoral::WhyTooFar(history.GetGrid(), time);
@@ -318,23 +302,23 @@ int vtkCurrentDriftFilter::RequestData(
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot carry points: " << reason);
-    return this->State->Fail(request, output);
+    return this->Internals->Fail(request, output);
   }
   this->SetProgressText("Drifting");
   const bool isDone = this->Advance();
-  if (isDone && this->State->Continues(request))
+  if (isDone && this->Internals->Continues(request))
   {
     return 1;
   }
   if (!isDone || !this->WriteAll(input, output))
   {
-    this->State->Fail(request, output); // aborted: what was carried halfway is of no use
+    this->Internals->Fail(request, output); // aborted: what was carried halfway is of no use
     return 1;
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
-  return this->State->Succeed(request);
+  return this->Internals->Succeed(request);
 }
 
 //----------------------------------------------------------------------------
@@ -382,7 +366,7 @@ template <typename Array>
 bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output, std::size_t first)
 {
   using Real = typename Array::ValueType;
-  const littoral::DriftHistory& history = this->State->Scene;
+  const littoral::DriftHistory& history = this->Internals->Scene;
   const vtkIdType count = input->GetNumberOfPoints();
   const auto places = littoral::NewArray<Array>("Points", 3, count);
   const auto captured = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::Captured, 1, count);

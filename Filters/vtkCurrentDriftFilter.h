@@ -108,9 +108,9 @@ public:
 
   ///@{
   /**
-   * Interpolation of velocities in images and rectilinear grids, a VelocityInterpolationType; default CubicSpline. Linear:
-   * trilinear in a cell, whose divergence slowly concentrates the points. CubicSpline: splines through all points,
-   * whose coefficients take as much memory as the array. Other data sets are always interpolated linearly.
+   * Interpolation of velocities in images and rectilinear grids, a VelocityInterpolationType; default CubicSpline.
+   * Linear: trilinear in a cell, whose divergence slowly concentrates the points. CubicSpline: splines through all
+   * points, whose coefficients take as much memory as the array. Other data sets are always interpolated linearly.
    */
   vtkSetMacro(VelocityInterpolation, int);
   vtkGetMacro(VelocityInterpolation, int);
@@ -174,7 +174,7 @@ private:
   vtkCurrentDriftFilter(const vtkCurrentDriftFilter&) = delete;
   void operator=(const vtkCurrentDriftFilter&) = delete;
 
-  class Internals;
+  class vtkInternals;
   std::string WhyInvalid(double time) const;
   littoral::WaterLayer GetWaterLayer() const;
   std::string TakeInputs(vtkInformationVector** inputVector);
@@ -185,7 +185,7 @@ private:
   bool WriteLeafAs(vtkPointSet* input, vtkPointSet* output, std::size_t first);
   bool WriteAll(vtkDataObject* input, vtkDataObject* output);
 
-  std::unique_ptr<Internals> State;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -68,34 +68,32 @@ std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* input)
   return sets;
 }
 
+/// Why a point is no particle, in words for a user; empty when it is one.
+std::string WhyBadPoint(vtkIdType n, const littoral::Vector3& place, double radius, double alpha)
+{
+  const std::string ofPoint = " of point " + std::to_string(n);
+  littoral::ParameterCheck check;
+  check.Require(littoral::IsFinite(place), "the position" + ofPoint + " is not finite.");
+  check.NotNegative("Radius" + ofPoint, radius, "m");
+  check.Range("Alpha" + ofPoint, alpha, 0.0, 1.0);
+  return check.Reason();
+}
+
 /// Adds the particles of a point set. Why it cannot be done, in words for a user; empty when it was.
 std::string AddParticles(
   vtkPointSet* set, double defaultRadius, double efficiency, std::vector<littoral::FogParticle>& particles)
 {
   vtkDataArray* radii = set->GetPointData()->GetArray(littoral::sea::Radius);
   vtkDataArray* alphas = set->GetPointData()->GetArray(littoral::sea::Alpha);
-  std::ostringstream reason;
   for (vtkIdType n = 0; n < set->GetNumberOfPoints(); ++n)
   {
     littoral::FogParticle particle;
     set->GetPoint(n, &particle.Place.x);
     const double radius = radii ? radii->GetComponent(n, 0) : defaultRadius;
     const double alpha = alphas ? alphas->GetComponent(n, 0) : 1.0;
-    if (!littoral::IsFinite(particle.Place))
+    if (const std::string reason = WhyBadPoint(n, particle.Place, radius, alpha); !reason.empty())
     {
-      reason << "point " << n << " has a coordinate that is no finite number.";
-    }
-    else if (!(radius >= 0.0 && std::isfinite(radius)))
-    {
-      reason << "Radius of point " << n << " is " << radius << " m; it must be finite and not negative.";
-    }
-    else if (!(alpha >= 0.0 && alpha <= 1.0))
-    {
-      reason << "Alpha of point " << n << " is " << alpha << "; it must be 0 to 1.";
-    }
-    if (!reason.str().empty())
-    {
-      return reason.str();
+      return reason;
     }
     particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
     particles.push_back(particle);

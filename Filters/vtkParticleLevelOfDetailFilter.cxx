@@ -7,6 +7,7 @@
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
+#include "Numerics/ParameterCheck.h"
 #include "Particles/MasterSlave.h"
 #include "Particles/ParticleLevels.h"
 #include "Pipeline/Pipeline.h"
@@ -32,17 +33,16 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkParticleLevelOfDetailFilter);
 
 /// What does not depend on the view, and what it was made of.
-struct vtkParticleLevelOfDetailFilter::Internals
+class vtkParticleLevelOfDetailFilter::vtkInternals
 {
+public:
   std::vector<littoral::Vector3> Places;
   std::unique_ptr<littoral::ParticleGroups> Groups;
   double Lowest = 0.0; ///< that a particle may be centered, as a slave too [m]
@@ -279,7 +279,7 @@ vtkParticleLevelOfDetailFilter::vtkParticleLevelOfDetailFilter()
   , ParticlesPerCell(64)
   , Margin(0.01)
   , FogMargin(1.0)
-  , Internal(new Internals)
+  , Internals(new vtkInternals)
 {
   this->NearDistance = 2.0;
   this->FarDistance = 12.0;
@@ -323,30 +323,18 @@ int vtkParticleLevelOfDetailFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 std::string vtkParticleLevelOfDetailFilter::WhyBadProperties() const
 {
-  std::ostringstream reason;
-  if (this->TrainSelection < PerTrain || this->TrainSelection > AllTrains)
-  {
-    reason << "TrainSelection is " << this->TrainSelection << "; it must be 0 (per train), 1 (tail sum) or 2 (all).";
-  }
-  else if (this->SlavePlacement != OwnPlace && this->SlavePlacement != Scattered)
-  {
-    reason << "SlavePlacement is " << this->SlavePlacement << "; it must be 0 (own place) or 1 (scattered).";
-  }
-  else if (!(this->PixelError > 0.0 && std::isfinite(this->PixelError)))
-  {
-    reason << "PixelError is " << this->PixelError << " pixels; it must be finite and positive.";
-  }
-  else if (this->ParticlesPerCell < 1)
-  {
-    reason << "ParticlesPerCell is " << this->ParticlesPerCell << "; it must be positive.";
-  }
-  return reason.str();
+  littoral::ParameterCheck check;
+  check.Choice("TrainSelection", this->TrainSelection, { "per train", "tail sum", "all" });
+  check.Choice("SlavePlacement", this->SlavePlacement, { "own place", "scattered" });
+  check.Positive("PixelError", this->PixelError, "pixels");
+  check.PositiveCount("ParticlesPerCell", this->ParticlesPerCell);
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
 std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
 {
-  Internals& kept = *this->Internal;
+  vtkInternals& internals = *this->Internals;
   const vtkIdType count = particles->GetPoints() ? particles->GetNumberOfPoints() : 0;
   if (count == 0)
   {
@@ -357,11 +345,11 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
     this->OffsetRange[1], static_cast<double>(this->SlavePlacement), static_cast<double>(this->Seed),
     static_cast<double>(this->ParticlesPerCell) };
   const vtkMTimeType time = std::max(points->GetMTime(), particles->GetPoints()->GetMTime());
-  if (kept.Groups && kept.Points == points && kept.PointsTime == time && kept.Numbers == numbers)
+  if (internals.Groups && internals.Points == points && internals.PointsTime == time && internals.Numbers == numbers)
   {
     return "";
   }
-  kept = Internals();
+  internals = vtkInternals();
   littoral::GroupOptions options;
   options.Slaves = this->SlavesPerMaster;
   options.NearestOffset = this->OffsetRange[0];
@@ -387,21 +375,21 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
     {
       return "point " + std::to_string(n) + " has a coordinate that is no finite number.";
     }
-    kept.MeanHeight += places[n].z / static_cast<double>(count);
+    internals.MeanHeight += places[n].z / static_cast<double>(count);
   }
-  kept.Groups = std::make_unique<littoral::ParticleGroups>(
+  internals.Groups = std::make_unique<littoral::ParticleGroups>(
     places, options, static_cast<std::size_t>(this->ParticlesPerCell), littoral::SmpFor);
-  kept.Lowest = std::numeric_limits<double>::infinity();
-  kept.Highest = -kept.Lowest;
-  for (const littoral::ParticleGroups::Cell& cell : kept.Groups->GetCells())
+  internals.Lowest = std::numeric_limits<double>::infinity();
+  internals.Highest = -internals.Lowest;
+  for (const littoral::ParticleGroups::Cell& cell : internals.Groups->GetCells())
   {
-    kept.Lowest = std::min(kept.Lowest, cell.Bounds.Low.z);
-    kept.Highest = std::max(kept.Highest, cell.Bounds.High.z);
+    internals.Lowest = std::min(internals.Lowest, cell.Bounds.Low.z);
+    internals.Highest = std::max(internals.Highest, cell.Bounds.High.z);
   }
-  kept.Places = std::move(places);
-  kept.Points = points;
-  kept.PointsTime = time;
-  kept.Numbers = numbers;
+  internals.Places = std::move(places);
+  internals.Points = points;
+  internals.PointsTime = time;
+  internals.Numbers = numbers;
   return "";
 }
 
@@ -442,26 +430,27 @@ int vtkParticleLevelOfDetailFilter::RequestData(
     return 0;
   }
   this->SetProgressText("Choosing levels of detail");
-  const Internals& kept = *this->Internal;
-  const std::vector<int> order = littoral::OrderAt(state, kept.MeanHeight);
-  const littoral::TrainTable table(littoral::Ordered(state, order), kept.Lowest, kept.Highest, view,
+  const vtkInternals& internals = *this->Internals;
+  const std::vector<int> order = littoral::OrderAt(state, internals.MeanHeight);
+  const littoral::TrainTable table(littoral::Ordered(state, order), internals.Lowest, internals.Highest, view,
     static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError);
-  const Piece piece(outputVector->GetInformationObject(0), kept.Groups->GetCells().size());
-  const littoral::ParticleSelection selection = littoral::SelectParticles(kept.Places, *kept.Groups, table,
+  const Piece piece(outputVector->GetInformationObject(0), internals.Groups->GetCells().size());
+  const littoral::ParticleSelection selection = littoral::SelectParticles(internals.Places, *internals.Groups, table,
     littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::SmpFor);
   this->UpdateProgress(0.5);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   const auto trainOrder = OrderArray(order);
   const auto addLevel = [&](const char* name, LevelKind kind, const std::vector<littoral::ShownParticle>& particles) {
-    const auto block = LevelBlock(input, particles, kind, kept.Places, *kept.Groups, this->SlavePlacement == Scattered);
+    const auto block =
+      LevelBlock(input, particles, kind, internals.Places, *internals.Groups, this->SlavePlacement == Scattered);
     block->GetFieldData()->AddArray(trainOrder);
     littoral::AddBlock(output, name, block);
   };
   addLevel(littoral::sea::Near, LevelKind::Near, selection.Near);
   addLevel(littoral::sea::MasterSlave, LevelKind::Middle, selection.Middle);
   addLevel(littoral::sea::Far, LevelKind::Far, selection.Far);
-  AddCounters(output, selection, piece.NumberOfParticles(*kept.Groups), state.Trains.size());
+  AddCounters(output, selection, piece.NumberOfParticles(*internals.Groups), state.Trains.size());
   littoral::KeepRanges(output);
   this->UpdateProgress(1.0);
   return 1;

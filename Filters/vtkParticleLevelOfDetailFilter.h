@@ -223,13 +223,13 @@ private:
   vtkParticleLevelOfDetailFilter(const vtkParticleLevelOfDetailFilter&) = delete;
   void operator=(const vtkParticleLevelOfDetailFilter&) = delete;
 
-  struct Internals;
+  class vtkInternals;
   struct Piece;
   std::string WhyBadProperties() const;
   std::string RememberGroups(vtkPointSet* particles);
   littoral::ParticleLevelOptions MakeOptions() const;
 
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

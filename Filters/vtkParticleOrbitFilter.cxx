@@ -6,6 +6,7 @@
 #include "Data/Followers.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Sea/Dispersion.h"
@@ -313,19 +314,16 @@ int vtkParticleOrbitFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 std::string vtkParticleOrbitFilter::WhyBadProperties(double time) const
 {
-  if (!(this->Choppiness >= 0.0 && this->Choppiness <= 1.0))
+  littoral::ParameterCheck check;
+  check.Range("Choppiness", this->Choppiness, 0.0, 1.0);
+  if (this->DopplerShift)
   {
-    return "Choppiness is " + std::to_string(this->Choppiness) + "; it must be 0 to 1.";
+    check.Finite("Current[0]", this->Current[0], "m/s");
+    check.Finite("Current[1]", this->Current[1], "m/s");
   }
-  if (this->DopplerShift && !(std::isfinite(this->Current[0]) && std::isfinite(this->Current[1])))
-  {
-    return "Current must be finite.";
-  }
-  if (!(this->TimeRange[0] < this->TimeRange[1]))
-  {
-    return "TimeRange must be increasing.";
-  }
-  return std::isfinite(time) ? "" : "the requested time is no number.";
+  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Finite("the requested time", time, "s");
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------

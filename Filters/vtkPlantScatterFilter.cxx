@@ -9,6 +9,7 @@
 #include "Geometry/SceneCells.h"
 #include "Geometry/TextureAtlas.h"
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
@@ -254,7 +255,6 @@ struct SiteArrays
 bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const littoral::PlantDraws& draws, int species,
   vtkIdType site, littoral::PlantPlace& place, std::string& reason)
 {
-  std::ostringstream text;
   double position[3];
   sites->GetPoint(site, position);
   place.Foot = { position[0], position[1], position[2] };
@@ -264,35 +264,28 @@ bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const littoral::Pla
   const double kind = arrays.Species ? arrays.Species->GetTuple1(site) : draws.Species(place.SiteId);
   place.Scale = arrays.Scale ? arrays.Scale->GetTuple1(site) : draws.Scale(place.SiteId);
   place.Azimuth = arrays.Azimuth ? arrays.Azimuth->GetTuple1(site) : draws.Azimuth(place.SiteId);
+  const std::string ofSite = " of site " + std::to_string(site);
+  littoral::ParameterCheck check;
   if (!littoral::IsFinite(place.Foot))
   {
+    std::ostringstream text;
     text << "site " << site << " lies at (" << place.Foot.x << ", " << place.Foot.y << ", " << place.Foot.z
          << "); positions must be finite.";
+    check.Require(text.str());
   }
-  else if (!std::isfinite(drawnBy))
+  check.Finite("SiteId" + ofSite, drawnBy);
+  check.Require(kind >= 0.0 && kind < species && kind == std::floor(kind), "Species" + ofSite, kind, "",
+    "a whole number from 0 to " + std::to_string(species - 1));
+  check.Positive("Scale" + ofSite, place.Scale);
+  check.Finite("Azimuth" + ofSite, place.Azimuth);
+  if (!check.IsGood())
   {
-    text << "SiteId of site " << site << " is " << drawnBy << "; it must be finite.";
+    reason = check.Reason();
+    return false;
   }
-  else if (!(kind >= 0.0 && kind < species && kind == std::floor(kind)))
-  {
-    text << "Species of site " << site << " is " << kind << "; there are prototypes 0 to " << species - 1 << ".";
-  }
-  else if (!(place.Scale > 0.0 && std::isfinite(place.Scale)))
-  {
-    text << "Scale of site " << site << " is " << place.Scale << "; it must be finite and positive.";
-  }
-  else if (!std::isfinite(place.Azimuth))
-  {
-    text << "Azimuth of site " << site << " is " << place.Azimuth << "; it must be finite.";
-  }
-  else
-  {
-    place.Species = static_cast<int>(kind);
-    place.Tint = draws.Tint(place.SiteId);
-    return true;
-  }
-  reason = text.str();
-  return false;
+  place.Species = static_cast<int>(kind);
+  place.Tint = draws.Tint(place.SiteId);
+  return true;
 }
 
 /// The terrain as the numerics see it. False, with the reason, if it is none.
@@ -545,7 +538,7 @@ private:
 
 //----------------------------------------------------------------------------
 /// What does not depend on the view.
-class vtkPlantScatterFilter::Internals
+class vtkPlantScatterFilter::vtkInternals
 {
 public:
   Prototypes Species;
@@ -573,7 +566,7 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , UseCulling(true)
   , PlantsPerCell(1.0)
   , VisibleDistance(0.0)
-  , Internal(std::make_unique<Internals>())
+  , Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -677,30 +670,18 @@ int vtkPlantScatterFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVe
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::CheckProperties()
 {
-  std::ostringstream text;
-  if (!(this->SlopeLimit >= 0.0 && this->SlopeLimit <= 90.0))
+  littoral::ParameterCheck check;
+  check.Range("SlopeLimit", this->SlopeLimit, 0.0, 90.0, "degrees");
+  check.Require(this->HeightRange[0] <= this->HeightRange[1],
+    "HeightRange is " + littoral::TextOf(this->HeightRange[0]) + " to " + littoral::TextOf(this->HeightRange[1]) +
+      " m; the first must not be above the second.");
+  check.Positive("PlantsPerCell", this->PlantsPerCell);
+  check.Require(this->VisibleDistance >= 0.0, "VisibleDistance", this->VisibleDistance, "m", "0 or more");
+  if (!check.IsGood())
   {
-    text << "SlopeLimit is " << this->SlopeLimit << " degrees; it must be from 0 to 90.";
+    vtkErrorMacro(<< check.Reason());
   }
-  else if (!(this->HeightRange[0] <= this->HeightRange[1]))
-  {
-    text << "HeightRange is " << this->HeightRange[0] << " to " << this->HeightRange[1]
-         << " m; the first must not be above the second.";
-  }
-  else if (!(this->PlantsPerCell > 0.0 && std::isfinite(this->PlantsPerCell)))
-  {
-    text << "PlantsPerCell is " << this->PlantsPerCell << "; it must be finite and positive.";
-  }
-  else if (!(this->VisibleDistance >= 0.0))
-  {
-    text << "VisibleDistance is " << this->VisibleDistance << " m; it must not be negative.";
-  }
-  if (!text.str().empty())
-  {
-    vtkErrorMacro(<< text.str());
-    return false;
-  }
-  return true;
+  return check.IsGood();
 }
 
 //----------------------------------------------------------------------------
@@ -719,11 +700,11 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     std::transform(std::begin(PartKinds), std::end(PartKinds), prototypes.back().begin(),
       [&](const littoral::PartKind& kind) { return PartOf(prototype, kind); });
   }
-  if (!stamps.empty() && stamps == this->Internal->Species.Stamps)
+  if (!stamps.empty() && stamps == this->Internals->Species.Stamps)
   {
     return true;
   }
-  *this->Internal = Internals();
+  *this->Internals = vtkInternals();
   if (prototypes.empty())
   {
     vtkErrorMacro("There are no prototypes; connect the output of at least one plant source to port 1.");
@@ -738,8 +719,8 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
       return false;
     }
   }
-  TakeParts(prototypes, this->Internal->Species);
-  this->Internal->Species.Stamps = stamps;
+  TakeParts(prototypes, this->Internals->Species);
+  this->Internals->Species.Stamps = stamps;
   return true;
 }
 
@@ -748,8 +729,8 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
 {
   vtkPointSet* sites = vtkPointSet::GetData(inputs[SitesPort]);
   vtkImageData* terrain = vtkImageData::GetData(inputs[TerrainPort]);
-  const std::vector<littoral::PlantExtent>& extents = this->Internal->Species.Extents;
-  Plants& scene = this->Internal->Scene;
+  const std::vector<littoral::PlantExtent>& extents = this->Internals->Species.Extents;
+  Plants& scene = this->Internals->Scene;
   littoral::ScatterOptions options;
   options.Seed = this->Seed;
   options.ScaleVariation = this->ScaleVariation;
@@ -798,7 +779,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   {
     return 0;
   }
-  const Plants& scene = this->Internal->Scene;
+  const Plants& scene = this->Internals->Scene;
   littoral::PlantViewOptions options;
   options.UseLevels = this->UseLevels;
   options.UseCulling = this->UseCulling;
@@ -819,8 +800,8 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   {
     return 0;
   }
-  WriteTexture(this->Internal->Species.CrownAtlas, outputs->GetInformationObject(1));
-  WriteTexture(this->Internal->Species.LeafAtlas, outputs->GetInformationObject(2));
+  WriteTexture(this->Internals->Species.CrownAtlas, outputs->GetInformationObject(1));
+  WriteTexture(this->Internals->Species.LeafAtlas, outputs->GetInformationObject(2));
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -828,8 +809,8 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const Prototypes& species = this->Internal->Species;
-  const Plants& scene = this->Internal->Scene;
+  const Prototypes& species = this->Internals->Species;
+  const Plants& scene = this->Internals->Scene;
   BlockMerge merge(species, scene.Places, request.Shown);
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())

@@ -173,7 +173,7 @@ private:
   vtkPlantScatterFilter(const vtkPlantScatterFilter&) = delete;
   void operator=(const vtkPlantScatterFilter&) = delete;
 
-  class Internals; // what is kept between executions
+  class vtkInternals; // what is kept between executions
   struct Request;
 
   bool CheckProperties();
@@ -182,7 +182,7 @@ private:
   bool Merge(const Request& request, vtkMultiBlockDataSet* output);
 
   std::vector<double> Weights;
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -7,7 +7,7 @@
 #include "Data/PlantBlocks.h"
 #include "Data/SeaweedBlocks.h"
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Seaweed/PlantWake.h"
 
@@ -110,8 +110,10 @@ int vtkPlantWakeFilter::RequestData(
   options.Strength = this->Strength;
   options.Margin = this->Margin;
   options.CoreShare = this->CoreShare;
-  std::string reason = littoral::OutOfRange("Primitive", this->Primitive, Source, Doublet);
-  reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
+  littoral::ParameterCheck check;
+  check.Choice("Primitive", this->Primitive, { "source", "doublet" });
+  check.Require(littoral::WhyInvalid(options));
+  std::string reason = check.Reason();
   const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), reason);
   vtkPolyData* bones = littoral::PlantPartOf(blocks, littoral::plant::High, littoral::plant::Skeleton);
   if (reason.empty() && !bones)

@@ -7,7 +7,7 @@
 #include "Data/SeaStateTable.h"
 #include "Data/SeaweedSceneBlocks.h"
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
 #include "Pipeline/Pipeline.h"
 #include "Seaweed/SeaweedScene.h"
@@ -20,7 +20,6 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkSeaweedDeformationFilter);
 
@@ -44,7 +43,7 @@ void AddCounter(vtkDataObject* data, const char* name, std::int64_t value)
 }
 
 /// The scene, and what it was read from.
-class vtkSeaweedDeformationFilter::Internals : public littoral::MarchingRequests<littoral::SeaweedScene>
+class vtkSeaweedDeformationFilter::vtkInternals : public littoral::MarchingRequests<littoral::SeaweedScene>
 {
 public:
   vtkSmartPointer<vtkDataObject> Plants;
@@ -76,7 +75,7 @@ vtkSeaweedDeformationFilter::vtkSeaweedDeformationFilter()
   , GenerateMotion(false)
   , VelocityArray(nullptr)
   , TimeRange{ 0.0, 60.0 }
-  , State(new Internals)
+  , Internals(new vtkInternals)
 {
   this->NearDistance = 5.0;
   this->FarDistance = 20.0;
@@ -156,10 +155,11 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
   }
   const std::vector<littoral::CurrentSeries> currents = littoral::AnnouncedCurrents(inputVector[CurrentsPort]);
   littoral::AddTimes(currents, key);
-  littoral::SeaweedScene& scene = this->State->Scene;
-  if (this->State->BeginsAnew(key))
+  littoral::SeaweedScene& scene = this->Internals->Scene;
+  if (this->Internals->BeginsAnew(key))
   {
-    scene = littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == Physical, littoral::SmpFor);
+    scene =
+      littoral::SeaweedScene({ this->StartTime, this->TimeStep }, currents, this->Method == Physical, littoral::SmpFor);
   }
   const double time = littoral::RequestedTime(output);
   if (!this->WhyInvalid(time).empty())
@@ -175,29 +175,26 @@ int vtkSeaweedDeformationFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 std::string vtkSeaweedDeformationFilter::WhyInvalid(double time) const
 {
-  using littoral::OutOfRange;
-  for (const std::string& reason : { OutOfRange("Method", this->Method, Procedural, Physical), OutOfRange("Joint", this->Joint, Bending, Tilting),
-         OutOfRange("Load", this->Load, Morison, Direct), OutOfRange("Integrator", this->Integrator, Implicit, ExplicitEuler),
-         OutOfRange("StartTime", this->StartTime, -1e9, 1e9), OutOfRange("TimeStep", this->TimeStep, 1e-5, 1.0),
-         OutOfRange("MaximumAngle", this->MaximumAngle, 0.0, 180.0),
-         OutOfRange("BlendDistance", this->BlendDistance, 0.0, 1e9), OutOfRange("BlendTime", this->BlendTime, 0.0, 1e9),
-         OutOfRange("ViewSpeed", this->ViewSpeed, 0.0, 1e9), OutOfRange("PixelError", this->PixelError, 0.0, 1e9),
-         littoral::WhyInvalid(this->MakeOptions()) })
+  littoral::ParameterCheck check;
+  check.Choice("Method", this->Method, { "procedural", "physical" });
+  check.Choice("Joint", this->Joint, { "bending", "tilting" });
+  check.Choice("Load", this->Load, { "Morison", "direct" });
+  check.Choice("Integrator", this->Integrator, { "implicit", "explicit Euler" });
+  check.Range("StartTime", this->StartTime, -1e9, 1e9, "s");
+  check.Range("TimeStep", this->TimeStep, 1e-5, 1.0, "s");
+  check.Range("MaximumAngle", this->MaximumAngle, 0.0, 180.0, "degrees");
+  check.Range("BlendDistance", this->BlendDistance, 0.0, 1e9, "m");
+  check.Range("BlendTime", this->BlendTime, 0.0, 1e9, "s");
+  check.Range("ViewSpeed", this->ViewSpeed, 0.0, 1e9, "m/s");
+  check.Range("PixelError", this->PixelError, 0.0, 1e9, "pixels");
+  check.Require(littoral::WhyInvalid(this->MakeOptions()));
+  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Range("the requested time", time, -1e9, 1e9, "s");
+  if (this->Method == Physical && check.IsGood())
   {
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    check.Require(littoral::WhyTooFar({ this->StartTime, this->TimeStep }, time));
   }
-  if (!(this->TimeRange[0] < this->TimeRange[1]))
-  {
-    return "TimeRange must be increasing.";
-  }
-  if (!(std::abs(time) <= 1e9))
-  {
-    return "the requested time is " + std::to_string(time) + " s; it must be from -1e9 to 1e9.";
-  }
-  return this->Method == Physical ? littoral::WhyTooFar({ this->StartTime, this->TimeStep }, time) : std::string();
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -221,25 +218,26 @@ littoral::SeaweedOptions vtkSeaweedDeformationFilter::MakeOptions() const
 //----------------------------------------------------------------------------
 std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector, vtkMultiBlockDataSet* blocks)
 {
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   const std::string reason = littoral::TakeSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(),
     inputVector[CurrentsPort], this->VelocityArray, littoral::VelocityInterpolation::Linear);
   vtkDataObject* plants = vtkDataObject::GetData(inputVector[PlantsPort]);
   const vtkMTimeType plantsTime = std::max(plants->GetMTime(), plants->GetUpdateTime());
-  const bool areRead = scene.HasPlants() && this->State->Plants == plants && this->State->PlantsTime == plantsTime;
+  const bool areRead =
+    scene.HasPlants() && this->Internals->Plants == plants && this->Internals->PlantsTime == plantsTime;
   if (!reason.empty() || areRead)
   {
     return reason;
   }
-  this->State->Plants = plants;
-  this->State->PlantsTime = plantsTime;
+  this->Internals->Plants = plants;
+  this->Internals->PlantsTime = plantsTime;
   return this->TakePlants(inputVector[SeaPort], blocks);
 }
 
 //----------------------------------------------------------------------------
 std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks)
 {
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   this->SetProgressText("Reading plants");
   littoral::SeaState sea;
   std::string reason;
@@ -257,7 +255,7 @@ std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, 
   }
   littoral::SeaweedOptions options = this->MakeOptions();
   options.SeaLevel = sea.SeaLevel;
-  reason = littoral::ReadSeaweeds(blocks, options, sea, scene, this->State->Skins);
+  reason = littoral::ReadSeaweeds(blocks, options, sea, scene, this->Internals->Skins);
   if (reason.empty())
   {
     this->WarnOfLimits();
@@ -268,18 +266,18 @@ std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, 
 //----------------------------------------------------------------------------
 void vtkSeaweedDeformationFilter::WarnOfLimits()
 {
-  const double cauchy = this->State->Scene.GetUngradedCauchyNumber();
+  const double cauchy = this->Internals->Scene.GetUngradedCauchyNumber();
   if (this->Method == Physical && this->Load == Morison && cauchy < 1e4)
   {
     vtkWarningMacro("Segments of blades do not get shorter towards their foot: drag is right up to a Cauchy number of "
       << cauchy << " (density of the water, coefficient of drag, width, speed squared and length cubed, over twice the "
       << "bending stiffness). Beyond, limp blades bend too much. vtkSeaweedSource grows graded ones.");
   }
-  if (this->Method != Physical || this->Integrator != ExplicitEuler || this->State->Scene.GetNumberOfLinks() == 0)
+  if (this->Method != Physical || this->Integrator != ExplicitEuler || this->Internals->Scene.GetNumberOfLinks() == 0)
   {
     return;
   }
-  const double limit = littoral::ExplicitLimit(this->State->Scene.GetLinks());
+  const double limit = littoral::ExplicitLimit(this->Internals->Scene.GetLinks());
   if (this->TimeStep > limit)
   {
     vtkWarningMacro("TimeStep is " << this->TimeStep << " s; with Integrator Explicit Euler these plants blow up above "
@@ -319,42 +317,42 @@ int vtkSeaweedDeformationFilter::RequestData(
     return this->Fail(request, output);
   }
   output->ShallowCopy(plants);
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   if (scene.GetNumberOfLinks() == 0)
   {
-    return this->State->Succeed(request);
+    return this->Internals->Succeed(request);
   }
   this->SetProgressText("Moving plants");
   const auto advance = [&scene](const auto&) {
     scene.Advance();
     return true;
   };
-  if (!this->State->March(this, 0.9, advance))
+  if (!this->Internals->March(this, 0.9, advance))
   {
     this->Fail(request, output); // aborted: what was moved halfway is of no use
     return 1;
   }
-  if (this->State->Continues(request))
+  if (this->Internals->Continues(request))
   {
     return 1;
   }
   this->Write(levels, plants, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   this->UpdateProgress(1.0);
-  return this->State->Succeed(request);
+  return this->Internals->Succeed(request);
 }
 
 //----------------------------------------------------------------------------
 void vtkSeaweedDeformationFilter::Write(
   const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output)
 {
-  littoral::SeaweedScene& scene = this->State->Scene;
+  littoral::SeaweedScene& scene = this->Internals->Scene;
   const littoral::SeaweedCounters counters = scene.Show(levels);
   if (this->GenerateMotion)
   {
     scene.FindMotion();
   }
-  littoral::WriteSeaweeds(scene, this->State->Skins, plants, output);
+  littoral::WriteSeaweeds(scene, this->Internals->Skins, plants, output);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(plants->GetFieldData());
   output->SetFieldData(fields);
@@ -368,9 +366,9 @@ void vtkSeaweedDeformationFilter::Write(
 //----------------------------------------------------------------------------
 int vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* output)
 {
-  this->State->Plants = nullptr;
-  this->State->Skins.clear();
-  return this->State->Internals::MarchingRequests::Fail(request, output);
+  this->Internals->Plants = nullptr;
+  this->Internals->Skins.clear();
+  return this->Internals->MarchingRequests::Fail(request, output);
 }
 
 //----------------------------------------------------------------------------

@@ -337,7 +337,7 @@ private:
   vtkSeaweedDeformationFilter(const vtkSeaweedDeformationFilter&) = delete;
   void operator=(const vtkSeaweedDeformationFilter&) = delete;
 
-  class Internals;
+  class vtkInternals;
   std::string WhyInvalid(double time) const;
   littoral::SeaweedOptions MakeOptions() const;
   std::vector<double> StateKey(vtkInformationVector** inputs, vtkInformation* output);
@@ -348,7 +348,7 @@ private:
   void Write(const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output);
   int Fail(vtkInformation* request, vtkDataObject* output);
 
-  std::unique_ptr<Internals> State;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

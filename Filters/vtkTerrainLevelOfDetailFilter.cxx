@@ -6,6 +6,7 @@
 #include "Data/Blocks.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Terrain/GroundColor.h"
@@ -42,8 +43,9 @@
 vtkStandardNewMacro(vtkTerrainLevelOfDetailFilter);
 
 /// The pyramid, and what it was made of.
-struct vtkTerrainLevelOfDetailFilter::Internals
+class vtkTerrainLevelOfDetailFilter::vtkInternals
 {
+public:
   std::optional<littoral::TerrainPyramid> Pyramid;
   vtkMTimeType ImageTime = 0;
   vtkMTimeType HeightsTime = 0;
@@ -325,7 +327,7 @@ vtkTerrainLevelOfDetailFilter::vtkTerrainLevelOfDetailFilter()
   , TileSize(32)
   , UseCulling(true)
   , GroundColors(true)
-  , Internal(new Internals)
+  , Internals(new vtkInternals)
 {
   this->NearDistance = 250.0;
   this->FarDistance = 4000.0;
@@ -352,28 +354,18 @@ int vtkTerrainLevelOfDetailFilter::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::CheckProperties()
 {
-  if (this->Selection != Distance && this->Selection != PixelErrorRule)
+  const bool isPowerOfTwo = (this->TileSize & (this->TileSize - 1)) == 0;
+  littoral::ParameterCheck check;
+  check.Choice("Selection", this->Selection, { "distance", "pixel error" });
+  check.Positive("PixelError", this->PixelError, "pixels");
+  check.Count("NumberOfLevels", this->NumberOfLevels, 1, littoral::MostTerrainLevels);
+  check.Require(this->TileSize >= 1 && this->TileSize <= 4096 && isPowerOfTwo, "TileSize", this->TileSize, "cells",
+    "a power of two from 1 to 4096");
+  if (!check.IsGood())
   {
-    vtkErrorMacro("Selection is " << this->Selection << "; it must be 0 (distance) or 1 (screen error).");
-    return false;
+    vtkErrorMacro(<< check.Reason());
   }
-  if (!(this->PixelError > 0.0 && std::isfinite(this->PixelError)))
-  {
-    vtkErrorMacro("PixelError is " << this->PixelError << " pixels; it must be finite and positive.");
-    return false;
-  }
-  if (this->NumberOfLevels < 1 || this->NumberOfLevels > littoral::MostTerrainLevels)
-  {
-    vtkErrorMacro(
-      "NumberOfLevels is " << this->NumberOfLevels << "; it must be 1 to " << littoral::MostTerrainLevels << ".");
-    return false;
-  }
-  if (this->TileSize < 1 || this->TileSize > 4096 || (this->TileSize & (this->TileSize - 1)) != 0)
-  {
-    vtkErrorMacro("TileSize is " << this->TileSize << " cells; it must be a power of two from 1 to 4096.");
-    return false;
-  }
-  return true;
+  return check.IsGood();
 }
 
 //----------------------------------------------------------------------------
@@ -415,13 +407,13 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
 //----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
 {
-  Internals& kept = *this->Internal;
-  if (kept.Pyramid && kept.ImageTime == image->GetMTime() && kept.HeightsTime == heights->GetMTime() &&
-    kept.TileSize == this->TileSize && kept.Levels == this->NumberOfLevels)
+  vtkInternals& internals = *this->Internals;
+  if (internals.Pyramid && internals.ImageTime == image->GetMTime() && internals.HeightsTime == heights->GetMTime() &&
+    internals.TileSize == this->TileSize && internals.Levels == this->NumberOfLevels)
   {
     return true;
   }
-  kept.Pyramid.reset();
+  internals.Pyramid.reset();
   const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
   if (bytes > littoral::AvailableMemory())
   {
@@ -448,11 +440,11 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
       return false;
     }
   }
-  kept.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
-  kept.ImageTime = image->GetMTime();
-  kept.HeightsTime = heights->GetMTime();
-  kept.TileSize = this->TileSize;
-  kept.Levels = this->NumberOfLevels;
+  internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
+  internals.ImageTime = image->GetMTime();
+  internals.HeightsTime = heights->GetMTime();
+  internals.TileSize = this->TileSize;
+  internals.Levels = this->NumberOfLevels;
   return true;
 }
 
@@ -488,7 +480,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   {
     return 0;
   }
-  const littoral::TerrainPyramid& pyramid = *this->Internal->Pyramid;
+  const littoral::TerrainPyramid& pyramid = *this->Internals->Pyramid;
   const littoral::ViewFrustum view(seen);
   const std::vector<int> levels = littoral::SelectLevels(pyramid, view, this->MakeRule());
   ShownTerrain shown(pyramid);

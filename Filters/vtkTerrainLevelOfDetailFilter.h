@@ -130,10 +130,10 @@ private:
   vtkDataArray* FindHeights(vtkImageData* image, vtkInformationVector** inputVector);
   bool UpdatePyramid(vtkImageData* image, vtkDataArray* heights);
 
-  struct Internals;
+  class vtkInternals;
   littoral::TerrainRule MakeRule() const;
 
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

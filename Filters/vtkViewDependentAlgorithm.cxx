@@ -4,6 +4,7 @@
 
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/CameraView.h"
 
 #include "vtkCamera.h"
@@ -11,8 +12,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace
 {
@@ -87,26 +86,16 @@ littoral::View vtkViewDependentAlgorithm::RoundedView() const
 //----------------------------------------------------------------------------
 bool vtkViewDependentAlgorithm::GetView(littoral::View& view)
 {
-  const std::string reason = littoral::WhyInvalid(this->UnroundedView());
-  if (!reason.empty())
+  littoral::ParameterCheck check;
+  check.Require(littoral::WhyInvalid(this->UnroundedView()));
+  check.NotNegative("MoveTolerance", this->MoveTolerance, "m");
+  check.Range("TurnTolerance", this->TurnTolerance, 0.0, 10.0, "degrees");
+  check.Require(this->NearDistance >= 0.0 && this->FarDistance >= this->NearDistance,
+    "NearDistance is " + littoral::TextOf(this->NearDistance) + " m and FarDistance " +
+      littoral::TextOf(this->FarDistance) + " m; they must not be negative, and far must not be nearer than near.");
+  if (!check.IsGood())
   {
-    vtkErrorMacro(<< reason);
-    return false;
-  }
-  if (!(this->MoveTolerance >= 0.0 && std::isfinite(this->MoveTolerance)))
-  {
-    vtkErrorMacro("MoveTolerance is " << this->MoveTolerance << " m; it must be finite and not negative.");
-    return false;
-  }
-  if (!(this->TurnTolerance >= 0.0 && this->TurnTolerance <= 10.0))
-  {
-    vtkErrorMacro("TurnTolerance is " << this->TurnTolerance << " degrees; it must be from 0 to 10.");
-    return false;
-  }
-  if (!(this->NearDistance >= 0.0 && this->FarDistance >= this->NearDistance))
-  {
-    vtkErrorMacro("NearDistance is " << this->NearDistance << " m and FarDistance " << this->FarDistance
-                                     << " m; they must not be negative, and far must not be nearer than near.");
+    vtkErrorMacro(<< check.Reason());
     return false;
   }
   view = this->RoundedView();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBVolumeWriter.h"
 
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "VolumeFile.h"
 #include "VolumeGather.h"
@@ -20,7 +21,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <regex>
 
@@ -182,15 +182,11 @@ bool vtkVDBVolumeWriter::HasFileName() const
 //----------------------------------------------------------------------------
 std::string vtkVDBVolumeWriter::WhyInvalid() const
 {
-  if (!(this->Tolerance >= 0.0))
-  {
-    return "Tolerance must be 0 or more.";
-  }
-  if (this->WriteAllTimeSteps && !std::regex_match(this->FileNameSuffix, SuffixForm))
-  {
-    return "FileNameSuffix is '" + this->FileNameSuffix + "'; it must hold one number like %d or %04d.";
-  }
-  return {};
+  littoral::ParameterCheck check;
+  check.Require(this->Tolerance >= 0.0, "Tolerance", this->Tolerance, "", "0 or more");
+  check.Require(!this->WriteAllTimeSteps || std::regex_match(this->FileNameSuffix, SuffixForm),
+    "FileNameSuffix is '" + this->FileNameSuffix + "'; it must hold one number like %d or %04d.");
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------

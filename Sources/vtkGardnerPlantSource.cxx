@@ -65,11 +65,16 @@ bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, lit
     p.Texture.CenterThreshold = this->CenterThreshold;
     p.Texture.SilhouetteThreshold = this->SilhouetteThreshold;
     p.Variation = this->Variation;
-    if (!littoral::TakeColor(this->LeafColor, p.Leaf) || !littoral::TakeColor(this->BarkColor, p.Bark))
+    littoral::ParameterCheck colors;
+    colors.Color("LeafColor", this->LeafColor);
+    colors.Color("BarkColor", this->BarkColor);
+    if (!colors.IsGood())
     {
-      vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
+      vtkErrorMacro(<< colors.Reason());
       return false;
     }
+    p.Leaf = littoral::ColorOf(this->LeafColor);
+    p.Bark = littoral::ColorOf(this->BarkColor);
   }
   p.Seed = this->Seed;
   const std::string reason = littoral::WhyInvalid(p);

@@ -3,6 +3,7 @@
 #include "vtkLeafyTreeSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Numerics/ParameterCheck.h"
 
 //----------------------------------------------------------------------------
 vtkLeafyTreeSource::vtkLeafyTreeSource(
@@ -24,12 +25,17 @@ vtkLeafyTreeSource::~vtkLeafyTreeSource() = default;
 //----------------------------------------------------------------------------
 bool vtkLeafyTreeSource::TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark)
 {
-  const bool good = littoral::TakeColor(this->LeafColor, leaf) && littoral::TakeColor(this->BarkColor, bark);
-  if (!good)
+  littoral::ParameterCheck check;
+  check.Color("LeafColor", this->LeafColor);
+  check.Color("BarkColor", this->BarkColor);
+  if (!check.IsGood())
   {
-    vtkErrorMacro("LeafColor and BarkColor must be from 0 to 1.");
+    vtkErrorMacro(<< check.Reason());
+    return false;
   }
-  return good;
+  leaf = littoral::ColorOf(this->LeafColor);
+  bark = littoral::ColorOf(this->BarkColor);
+  return true;
 }
 
 //----------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQuadratPointSource.h"
 
+#include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
 #include "Pipeline/Pipeline.h"
 
@@ -224,15 +225,11 @@ bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recip
 //----------------------------------------------------------------------------
 std::string vtkQuadratPointSource::WhyInvalid(const Recipe& recipe) const
 {
-  std::string reason = littoral::WhyInvalid(recipe.Grid);
-  if (reason.empty())
-  {
-    reason = littoral::WhyInvalid(recipe.Law);
-  }
-  if (reason.empty() && this->Mode != Quota && this->Mode != Sampling)
-  {
-    reason = "Mode is " + std::to_string(this->Mode) + "; it must be 0 or 1.";
-  }
+  littoral::ParameterCheck check;
+  check.Require(littoral::WhyInvalid(recipe.Grid));
+  check.Require(littoral::WhyInvalid(recipe.Law));
+  check.Choice("Mode", this->Mode, { "quota", "sampling" });
+  std::string reason = check.Reason();
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
   const double points = static_cast<double>(quadrats) * recipe.Law.Mean;
   if (reason.empty() &&

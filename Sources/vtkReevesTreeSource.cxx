@@ -37,19 +37,16 @@ vtkReevesTreeSource::~vtkReevesTreeSource() = default;
 //----------------------------------------------------------------------------
 bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
 {
-  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfTreePresets); !none.empty())
+  const auto isUpTo = [](double value, double high) { return value >= 0.0 && value <= high; };
+  littoral::ParameterCheck check;
+  check.Choice("Preset", this->Preset, littoral::NumberOfTreePresets);
+  check.Require(
+    isUpTo(this->SpeciesHeight, 150.0), "SpeciesHeight", this->SpeciesHeight, "m", "from 0.05 to 150 m, or 0");
+  check.Require(
+    isUpTo(this->SpeciesDiameter, 20.0), "SpeciesDiameter", this->SpeciesDiameter, "m", "from 0.002 to 20 m, or 0");
+  if (!check.IsGood())
   {
-    vtkErrorMacro(<< none);
-    return false;
-  }
-  if (!(this->SpeciesHeight >= 0.0 && this->SpeciesHeight <= 150.0))
-  {
-    vtkErrorMacro("SpeciesHeight is " << this->SpeciesHeight << "; it must be from 0.05 to 150, or 0.");
-    return false;
-  }
-  if (!(this->SpeciesDiameter >= 0.0 && this->SpeciesDiameter <= 20.0))
-  {
-    vtkErrorMacro("SpeciesDiameter is " << this->SpeciesDiameter << "; it must be from 0.002 to 20, or 0.");
+    vtkErrorMacro(<< check.Reason());
     return false;
   }
   littoral::ReevesTreeParameters p = littoral::SizedParameters(

@@ -81,34 +81,46 @@ int vtkSeaStateSource::RequestUpdateExtent(vtkInformation*, vtkInformationVector
 }
 
 //----------------------------------------------------------------------------
-int vtkSeaStateSource::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+littoral::SpectrumParameters vtkSeaStateSource::MakeSpectrum(vtkTable* measured) const
 {
-  // All pieces hold all trains: each rank moves its own particles by the whole sea.
-  using namespace littoral;
-  SpectrumParameters spectrum;
-  spectrum.Kind = static_cast<SpectrumKind>(this->Spectrum);
+  littoral::SpectrumParameters spectrum;
+  spectrum.Kind = static_cast<littoral::SpectrumKind>(this->Spectrum);
   spectrum.FromWind = this->SeaBy == Wind;
   spectrum.WindSpeed = this->WindSpeed;
   spectrum.SignificantHeight = this->SignificantWaveHeight;
   spectrum.PeakPeriod = this->PeakPeriod;
   spectrum.PeakEnhancement = this->PeakEnhancement;
   spectrum.Depth = this->WaterDepth == 0.0 ? std::numeric_limits<double>::infinity() : this->WaterDepth;
-  vtkTable* measured = vtkTable::GetData(inputVector[0]);
   if (this->Spectrum == Table && measured)
   {
     spectrum.Frequencies = ColumnOf(measured, "Frequency");
     spectrum.Densities = ColumnOf(measured, "Density");
   }
-  TrainParameters cut;
+  return spectrum;
+}
+
+//----------------------------------------------------------------------------
+littoral::TrainParameters vtkSeaStateSource::MakeTrainParameters() const
+{
+  littoral::TrainParameters cut;
   cut.Count = this->NumberOfTrains;
   cut.Lowest = this->FrequencyRange[0];
   cut.Highest = this->FrequencyRange[1];
-  cut.MeanDirection = this->MeanDirection * Pi / 180.0;
+  cut.MeanDirection = this->MeanDirection * littoral::Pi / 180.0;
   cut.Spreading = this->Spreading;
   cut.EqualSpacing = this->EqualSpacing;
   cut.Seed = this->Seed;
+  return cut;
+}
 
+//----------------------------------------------------------------------------
+int vtkSeaStateSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // All pieces hold all trains: each rank moves its own particles by the whole sea.
+  using namespace littoral;
+  const SpectrumParameters spectrum = this->MakeSpectrum(vtkTable::GetData(inputVector[0]));
+  const TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
   check.Require(WhyInvalid(spectrum));
   check.Choice("SeaBy", this->SeaBy, 2);

@@ -29,6 +29,12 @@
 #include "LittoralSourcesModule.h" // for export macro
 #include "vtkTableAlgorithm.h"
 
+namespace littoral
+{
+struct SpectrumParameters;
+struct TrainParameters;
+}
+
 class LITTORALSOURCES_EXPORT vtkSeaStateSource : public vtkTableAlgorithm
 {
 public:
@@ -219,6 +225,9 @@ protected:
 private:
   vtkSeaStateSource(const vtkSeaStateSource&) = delete;
   void operator=(const vtkSeaStateSource&) = delete;
+
+  littoral::SpectrumParameters MakeSpectrum(vtkTable* measured) const;
+  littoral::TrainParameters MakeTrainParameters() const;
 };
 
 #endif

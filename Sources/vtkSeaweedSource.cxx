@@ -74,11 +74,16 @@ bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral
     p.BladeDensity = this->BladeDensity;
     p.FloatDensity = this->FloatDensity;
     p.Variation = this->Variation;
-    if (!littoral::TakeColor(this->BladeColor, p.Blade) || !littoral::TakeColor(this->StipeColor, p.Stipe))
+    littoral::ParameterCheck colors;
+    colors.Color("BladeColor", this->BladeColor);
+    colors.Color("StipeColor", this->StipeColor);
+    if (!colors.IsGood())
     {
-      vtkErrorMacro("BladeColor and StipeColor must be from 0 to 1.");
+      vtkErrorMacro(<< colors.Reason());
       return false;
     }
+    p.Blade = littoral::ColorOf(this->BladeColor);
+    p.Stipe = littoral::ColorOf(this->StipeColor);
   }
   p.SegmentsPerBranch = this->SegmentsPerBranch;
   p.Seed = this->Seed;

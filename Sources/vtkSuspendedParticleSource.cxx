@@ -198,7 +198,7 @@ private:
 }
 
 /// What the user's boxes are.
-class vtkSuspendedParticleSource::Internals
+class vtkSuspendedParticleSource::vtkInternals
 {
 public:
   std::vector<littoral::ParticleBox> Boxes;
@@ -223,7 +223,7 @@ vtkSuspendedParticleSource::vtkSuspendedParticleSource()
   , Mode(Points)
   , OutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION)
   , Seed(1)
-  , Internal(new Internals)
+  , Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
@@ -243,7 +243,7 @@ void vtkSuspendedParticleSource::AddBox(const double box[12])
   added.Diameter = box[7];
   added.Amount = box[8];
   std::copy(box + 9, box + 12, added.Color);
-  this->Internal->Boxes.push_back(added);
+  this->Internals->Boxes.push_back(added);
   this->Modified();
 }
 
@@ -255,7 +255,7 @@ void vtkSuspendedParticleSource::SetBoxName(int index, const char* name)
     vtkErrorMacro("There is no box " << index << ".");
     return;
   }
-  std::vector<std::string>& names = this->Internal->Names;
+  std::vector<std::string>& names = this->Internals->Names;
   names.resize(std::max<std::size_t>(names.size(), static_cast<std::size_t>(index) + 1));
   names[index] = name ? name : "";
   this->Modified();
@@ -264,21 +264,21 @@ void vtkSuspendedParticleSource::SetBoxName(int index, const char* name)
 //----------------------------------------------------------------------------
 void vtkSuspendedParticleSource::RemoveAllBoxes()
 {
-  this->Internal->Boxes.clear();
+  this->Internals->Boxes.clear();
   this->Modified();
 }
 
 //----------------------------------------------------------------------------
 void vtkSuspendedParticleSource::ClearBoxNames()
 {
-  this->Internal->Names.clear();
+  this->Internals->Names.clear();
   this->Modified();
 }
 
 //----------------------------------------------------------------------------
 int vtkSuspendedParticleSource::GetNumberOfBoxes()
 {
-  return static_cast<int>(this->Internal->Boxes.size());
+  return static_cast<int>(this->Internals->Boxes.size());
 }
 
 //----------------------------------------------------------------------------
@@ -306,33 +306,14 @@ int vtkSuspendedParticleSource::RequestInformation(
 //----------------------------------------------------------------------------
 std::string vtkSuspendedParticleSource::WhyBadProperties() const
 {
-  if (std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfParticleScenes + 1);
-      !none.empty())
-  {
-    return none;
-  }
-  if (this->Mode != Points && this->Mode != Quads)
-  {
-    return "Mode is " + std::to_string(this->Mode) + "; it must be 0 or 1.";
-  }
-  if (this->AmountIs != Concentration && this->AmountIs != Count)
-  {
-    return "AmountIs is " + std::to_string(this->AmountIs) + "; it must be 0 or 1.";
-  }
-  if (this->OutputPointsPrecision != vtkAlgorithm::SINGLE_PRECISION &&
-    this->OutputPointsPrecision != vtkAlgorithm::DOUBLE_PRECISION)
-  {
-    return "OutputPointsPrecision must be single or double.";
-  }
-  if (!(this->SizeSpread >= 0.0 && this->SizeSpread <= 2.0))
-  {
-    return "SizeSpread is " + std::to_string(this->SizeSpread) + "; it must be 0 to 2.";
-  }
-  if (!(this->Density >= 0.0 && std::isfinite(this->Density)))
-  {
-    return "Density is " + std::to_string(this->Density) + "; it must not be negative.";
-  }
-  return "";
+  littoral::ParameterCheck check;
+  check.Choice("Preset", this->Preset, littoral::NumberOfParticleScenes + 1);
+  check.Choice("Mode", this->Mode, { "points", "quads" });
+  check.Choice("AmountIs", this->AmountIs, { "concentration", "count" });
+  check.Choice("OutputPointsPrecision", this->OutputPointsPrecision, { "single", "double" });
+  check.Range("SizeSpread", this->SizeSpread, 0.0, 2.0);
+  check.NotNegative("Density", this->Density);
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -345,7 +326,7 @@ std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
   }
   if (this->Preset == Custom)
   {
-    recipe.Boxes = this->Internal->Boxes;
+    recipe.Boxes = this->Internals->Boxes;
     if (recipe.Boxes.empty())
     {
       return "there are no boxes; add one, or take another Preset.";
@@ -395,9 +376,9 @@ void vtkSuspendedParticleSource::NameBoxes(const Recipe& recipe, vtkPolyData* ou
   for (std::size_t index = 0; index < recipe.Boxes.size(); ++index)
   {
     std::string name = recipe.Boxes[index].Name;
-    if (this->Preset == Custom && index < this->Internal->Names.size())
+    if (this->Preset == Custom && index < this->Internals->Names.size())
     {
-      name = this->Internal->Names[index];
+      name = this->Internals->Names[index];
     }
     names->InsertNextValue(
       name.empty() ? littoral::ParticleKindName(recipe.Boxes[index].Kind) + std::to_string(index) : name);
@@ -492,7 +473,7 @@ void vtkSuspendedParticleSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounds: " << this->Bounds[0] << " " << this->Bounds[1] << " " << this->Bounds[2] << " "
      << this->Bounds[3] << " " << this->Bounds[4] << " " << this->Bounds[5] << "\n";
   os << indent << "Density: " << this->Density << "\n";
-  os << indent << "Boxes: " << this->Internal->Boxes.size() << "\n";
+  os << indent << "Boxes: " << this->Internals->Boxes.size() << "\n";
   os << indent << "AmountIs: " << this->AmountIs << "\n";
   os << indent << "SizeSpread: " << this->SizeSpread << "\n";
   os << indent << "Mode: " << this->Mode << "\n";

@@ -180,14 +180,14 @@ private:
   void operator=(const vtkSuspendedParticleSource&) = delete;
 
   class Recipe;
-  class Internals;
+  class vtkInternals;
   std::string WhyBadProperties() const;
   std::string MakeRecipe(Recipe& recipe) const;
   void NameBoxes(const Recipe& recipe, vtkPolyData* output) const;
   template <typename Array>
   bool Scatter(const Recipe& recipe, long long first, long long last, vtkPolyData* output);
 
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

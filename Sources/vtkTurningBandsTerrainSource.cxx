@@ -215,7 +215,7 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   const bool automatic = bands.NumberOfLines == 0;
   bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
   littoral::ParameterCheck check;
-  check.Require(bands.NumberOfLines > 0, "NumberOfLines is negative; it must be positive, or 0 for enough.");
+  check.Require(bands.NumberOfLines > 0, "NumberOfLines", bands.NumberOfLines, "", "positive, or 0 for enough");
   check.Require(littoral::WhyInvalid(bands, grid));
   check.Finite("Mean", recipe.Mean);
   check.Finite("Slope[0]", recipe.Slope[0]);
@@ -300,25 +300,8 @@ bool vtkTurningBandsTerrainSource::Grow(
 }
 
 //----------------------------------------------------------------------------
-int vtkTurningBandsTerrainSource::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkTurningBandsTerrainSource::CheckMemory(const int extent[6])
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  littoral::ForgetExtent(info);
-  vtkImageData* output = vtkImageData::GetData(outputVector);
-  output->Initialize();
-
-  Recipe elevation = this->ElevationRecipe();
-  Recipe reflectance = this->ReflectanceRecipe();
-  vtkTable* fits = vtkTable::GetData(inputVector[0]);
-  if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
-    (this->Reflectance && !this->CheckRecipe(reflectance)))
-  {
-    return 0;
-  }
-
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   const double width = extent[1] - static_cast<double>(extent[0]) + 1.0;
   const double height = extent[3] - static_cast<double>(extent[2]) + 1.0;
   const double bytes = width * height * sizeof(float) * (this->Reflectance ? 2 : 1);
@@ -327,18 +310,16 @@ int vtkTurningBandsTerrainSource::RequestData(
     vtkErrorMacro("A terrain of " << width << " x " << height << " points needs " << bytes / 0x1p30
                                   << " GiB, more than this machine has free. Take a smaller WholeExtent, or ask for a "
                                      "part of it.");
-    return 0;
+    return false;
   }
+  return true;
+}
 
-  output->SetExtent(extent);
-  output->SetOrigin(this->Origin);
-  output->SetSpacing(this->Spacing);
-  if (extent[1] < extent[0] || extent[3] < extent[2])
-  {
-    return 1; // a rank with nothing to do
-  }
+//----------------------------------------------------------------------------
+bool vtkTurningBandsTerrainSource::GrowAll(
+  const Recipe& elevation, const Recipe& reflectance, const int extent[6], vtkImageData* output)
+{
   const vtkIdType count = output->GetNumberOfPoints();
-  this->SetProgressText("Growing terrain");
   const auto grow = [&](const Recipe& recipe, double first, double last) {
     vtkNew<vtkFloatArray> values;
     values->SetName(recipe.Name);
@@ -361,7 +342,42 @@ int vtkTurningBandsTerrainSource::RequestData(
       values->SetValue(i, vtkMath::ClampValue(values->GetValue(i), 0.0f, 1.0f));
     }
   }
-  if (!done) // aborted
+  return done;
+}
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  littoral::ForgetExtent(info);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+
+  Recipe elevation = this->ElevationRecipe();
+  Recipe reflectance = this->ReflectanceRecipe();
+  vtkTable* fits = vtkTable::GetData(inputVector[0]);
+  if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
+    (this->Reflectance && !this->CheckRecipe(reflectance)))
+  {
+    return 0;
+  }
+
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  if (!this->CheckMemory(extent))
+  {
+    return 0;
+  }
+  output->SetExtent(extent);
+  output->SetOrigin(this->Origin);
+  output->SetSpacing(this->Spacing);
+  if (extent[1] < extent[0] || extent[3] < extent[2])
+  {
+    return 1; // a rank with nothing to do
+  }
+  this->SetProgressText("Growing terrain");
+  if (!this->GrowAll(elevation, reflectance, extent, output)) // aborted
   {
     output->Initialize();
     return 1;

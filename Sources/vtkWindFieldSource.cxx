@@ -97,7 +97,7 @@ public:
 };
 
 /// The field at time 0 in the axes of the wind.
-class vtkWindFieldSource::Internals
+class vtkWindFieldSource::vtkInternals
 {
 public:
   vtkTimeStamp Made;
@@ -208,8 +208,8 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
 //----------------------------------------------------------------------------
 bool vtkWindFieldSource::Freeze(const Recipe& recipe)
 {
-  auto frozen = std::make_unique<Internals>();
-  this->Internal.reset();
+  auto frozen = std::make_unique<vtkInternals>();
+  this->Internals.reset();
   this->SetProgressText("Making wind");
   littoral::WindField field(recipe.Model, recipe.Grid, recipe.Synthesis);
   frozen->Velocities.resize(recipe.Grid.NumberOfLines() * recipe.Grid.Count[0] * littoral::WindComponents);
@@ -231,7 +231,7 @@ bool vtkWindFieldSource::Freeze(const Recipe& recipe)
   }
   frozen->CoherenceError = field.GetCoherenceError();
   frozen->Made.Modified();
-  this->Internal = std::move(frozen);
+  this->Internals = std::move(frozen);
   return true;
 }
 
@@ -259,7 +259,7 @@ void vtkWindFieldSource::CopyVelocities(
       const int lanes = static_cast<int>(std::min<std::size_t>(littoral::FourierLanes, across - line));
       const std::size_t layer = pack / packs;
       const float* from =
-        this->Internal->Velocities.data() + whole * ((extent[4] + layer) * grid.Count[1] + extent[2] + line);
+        this->Internals->Velocities.data() + whole * ((extent[4] + layer) * grid.Count[1] + extent[2] + line);
       if (shift.Part > 0.0)
       {
         carrier.Carry(from, lanes, shift.Part, room);
@@ -283,7 +283,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   output->Initialize();
   const Recipe recipe = this->MakeRecipe();
   const littoral::WindGrid& grid = recipe.Grid;
-  const bool fresh = this->Internal && this->Internal->Made.GetMTime() > this->GetMTime();
+  const bool fresh = this->Internals && this->Internals->Made.GetMTime() > this->GetMTime();
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   const double points = NumberOfPoints(extent);
@@ -316,7 +316,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   }
   this->CopyVelocities(grid, time, { place[0], place[3] }, output);
   vtkFieldData* fields = output->GetFieldData();
-  AddNumber(fields, "CoherenceError", this->Internal->CoherenceError);
+  AddNumber(fields, "CoherenceError", this->Internals->CoherenceError);
   AddNumber(fields, "FrictionVelocity", littoral::FrictionVelocity(recipe.Model));
   AddNumber(fields, "ConvectionSpeed", littoral::ConvectionSpeed(recipe.Model));
   AddNumber(fields, "Period", grid.Period());

@@ -270,12 +270,12 @@ private:
   void operator=(const vtkWindFieldSource&) = delete;
 
   class Recipe;
-  class Internals;
+  class vtkInternals;
   Recipe MakeRecipe() const;
   bool Freeze(const Recipe& recipe);
   void CopyVelocities(
     const littoral::WindGrid& grid, double time, const std::array<double, 2>& turn, vtkImageData* output) const;
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

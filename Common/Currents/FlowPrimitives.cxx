@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace littoral
 {
@@ -205,41 +204,28 @@ Box ReachOf(const FlowPrimitive& primitive)
 
 std::string WhyInvalid(const FlowPrimitive& primitive)
 {
-  std::ostringstream reason;
-  if (const std::string none = WhyNoRow("FlowType", static_cast<int>(primitive.Type), NumberOfFlowTypes); !none.empty())
+  ParameterCheck check;
+  check.Choice("FlowType", static_cast<int>(primitive.Type), NumberOfFlowTypes);
+  if (!check.IsGood())
   {
-    return none;
+    return check.Reason();
   }
+  const auto isLength = [](double value) { return value >= 0.0 && std::isfinite(value); };
   const FlowTraits& traits = TraitsOf(primitive.Type);
-  if (!std::isfinite(primitive.Strength))
+  check.Finite("Strength", primitive.Strength);
+  check.Require(IsFinite(primitive.Center), "Center must be finite.");
+  check.Require(!traits.HasAxis || (IsFinite(primitive.Axis) && glm::length(primitive.Axis) > 0.0),
+    "Axis must be finite and not of length 0.");
+  if (traits.HasCore)
   {
-    reason << "Strength must be finite.";
+    check.Positive("CoreRadius", primitive.CoreRadius, "m");
   }
-  else if (!IsFinite(primitive.Center))
-  {
-    reason << "Center must be finite.";
-  }
-  else if (traits.HasAxis && !(IsFinite(primitive.Axis) && glm::length(primitive.Axis) > 0.0))
-  {
-    reason << "Axis must be finite and not of length 0.";
-  }
-  else if (traits.HasCore && !(primitive.CoreRadius > 0.0 && std::isfinite(primitive.CoreRadius)))
-  {
-    reason << "CoreRadius is " << primitive.CoreRadius << " m; it must be positive.";
-  }
-  else if (!(primitive.InfluenceRadius >= 0.0 && std::isfinite(primitive.InfluenceRadius)))
-  {
-    reason << "InfluenceRadius is " << primitive.InfluenceRadius << " m; it must be positive, or 0 for none.";
-  }
-  else if (!(primitive.InfluenceMargin >= 0.0 && std::isfinite(primitive.InfluenceMargin)))
-  {
-    reason << "InfluenceMargin is " << primitive.InfluenceMargin << " m; it must be positive, or 0 for none.";
-  }
-  else if (primitive.InfluenceMargin > 0.0 && !IsBox(primitive.InfluenceBox))
-  {
-    reason << "InfluenceBox must be finite, with lower ends that are not above the upper ones.";
-  }
-  return reason.str();
+  constexpr const char* wanted = "positive and finite, or 0 for none";
+  check.Require(isLength(primitive.InfluenceRadius), "InfluenceRadius", primitive.InfluenceRadius, "m", wanted);
+  check.Require(isLength(primitive.InfluenceMargin), "InfluenceMargin", primitive.InfluenceMargin, "m", wanted);
+  check.Require(!(primitive.InfluenceMargin > 0.0) || IsBox(primitive.InfluenceBox),
+    "InfluenceBox must be finite, with lower ends that are not above the upper ones.");
+  return check.Reason();
 }
 
 FlowField::FlowField(const std::vector<FlowPrimitive>& primitives, const WaterLayer& layer)

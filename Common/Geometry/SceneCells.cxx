@@ -99,13 +99,6 @@ void SceneCells::BuildTiles()
   }
 }
 
-std::array<double, 4> SceneCells::GroundOf(int cell) const
-{
-  const double x = this->Origin[0] + cell % this->Columns * this->Step[0];
-  const double y = this->Origin[1] + cell / this->Columns * this->Step[1];
-  return { x, y, x + this->Step[0], y + this->Step[1] };
-}
-
 std::vector<char> SceneCells::Show(const ViewFrustum& frustum) const
 {
   // What is beyond a plane as a tile is so in all its cells, in floating point too: rounding keeps order.

@@ -5,7 +5,6 @@
 
 #include "Geometry/ViewFrustum.h"
 
-#include <array>
 #include <vector>
 
 namespace littoral
@@ -36,9 +35,6 @@ public:
 
   /// The box of what a cell holds; without meaning for an empty cell.
   const Box& BoxOf(int cell) const { return this->Boxes[cell]; }
-
-  /// The ground of a cell: smallest x and y, largest x and y [m].
-  std::array<double, 4> GroundOf(int cell) const;
 
   /// A mark for each cell: whether it holds anything, and its box may be shown.
   std::vector<char> Show(const ViewFrustum& frustum) const;

@@ -78,8 +78,8 @@ std::string WhyInvalid(const View& view)
   check.Require(
     !check.IsGood() || glm::length(glm::cross(glm::normalize(view.Direction), glm::normalize(view.Up))) >= SmallestSine,
     "ViewUp lies along ViewDirection.");
-  check.Require(view.Angle > 0.0 && view.Angle < Pi,
-    "ViewAngle is " + TextOf(view.Angle * 180.0 / Pi) + " degrees; it must be above 0 and below 180.");
+  check.Require(view.Angle > 0.0 && view.Angle < Pi, "ViewAngle", view.Angle * 180.0 / Pi, "degrees",
+    ValueInterval::Between(0.0, 180.0).Words("degrees"));
   check.Positive("AspectRatio", view.AspectRatio);
   check.Positive("ViewHeight", view.Height, "pixels");
   if (view.IsParallel)
@@ -192,11 +192,6 @@ void ViewFrustum::AddParallelSides()
   {
     this->AddPlane(-this->Ahead, -view.Far);
   }
-}
-
-bool ViewFrustum::Contains(const Vector3& point) const
-{
-  return this->MayShow(point, 0.0);
 }
 
 bool ViewFrustum::MayShow(const Box& box) const

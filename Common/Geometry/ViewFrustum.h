@@ -88,7 +88,6 @@ public:
   /// Left, right, bottom, top, near and, if there is one, far.
   const std::vector<Plane>& GetPlanes() const { return this->Planes; }
 
-  bool Contains(const Vector3& point) const;
   bool MayShow(const Box& box) const;
   bool MayShow(const Vector3& center, double radius) const;
 

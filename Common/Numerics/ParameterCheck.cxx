@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/ParameterCheck.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -38,6 +39,37 @@ std::string TextOf(double value)
   return text;
 }
 
+bool ValueInterval::Contains(double value) const
+{
+  return std::isfinite(value) && (this->IncludesLow ? value >= this->Low : value > this->Low) &&
+    (this->IncludesHigh ? value <= this->High : value < this->High);
+}
+
+std::string ValueInterval::Words(const char* unit) const
+{
+  const bool isOpen = std::isinf(this->High);
+  const std::string high = WithUnit(this->High, unit);
+  if (std::isinf(this->Low) && isOpen)
+  {
+    return "finite";
+  }
+  if (isOpen && this->Low == 0.0)
+  {
+    return this->IncludesLow ? "finite and not negative" : "positive and finite";
+  }
+  if (isOpen)
+  {
+    return "finite and " + std::string(this->IncludesLow ? "at least " : "above ") + WithUnit(this->Low, unit);
+  }
+  const std::string low = TextOf(this->Low);
+  if (this->IncludesHigh)
+  {
+    return this->IncludesLow ? "from " + low + " to " + high
+                             : (this->Low == 0.0 ? "positive" : "above " + low) + " and at most " + high;
+  }
+  return (this->IncludesLow ? "at least " : "above ") + low + " and below " + high;
+}
+
 void ParameterCheck::Require(bool isGood, const std::string& otherwise)
 {
   if (this->IsGood() && !isGood)
@@ -47,45 +79,40 @@ void ParameterCheck::Require(bool isGood, const std::string& otherwise)
 }
 
 void ParameterCheck::Require(
-  bool isGood, const std::string& name, const std::string& value, const char* unit, const std::string& wanted)
+  bool isGood, const std::string& name, double value, const char* unit, const std::string& wanted)
 {
-  this->Require(isGood, isGood ? std::string() : Sentence(name, value, unit, wanted));
+  if (!isGood)
+  {
+    this->Require(false, Sentence(name, TextOf(value), unit, wanted));
+  }
+}
+
+void ParameterCheck::Within(const std::string& name, double value, const ValueInterval& allowed, const char* unit)
+{
+  if (!allowed.Contains(value))
+  {
+    this->Require(false, Sentence(name, TextOf(value), unit, allowed.Words(unit)));
+  }
 }
 
 void ParameterCheck::Range(const std::string& name, double value, double low, double high, const char* unit)
 {
-  if (!(value >= low && value <= high))
-  {
-    this->Require(false, Sentence(name, TextOf(value), unit, "from " + TextOf(low) + " to " + WithUnit(high, unit)));
-  }
+  this->Within(name, value, ValueInterval::From(low, high), unit);
 }
 
 void ParameterCheck::Positive(const std::string& name, double value, const char* unit, double high)
 {
-  if (!(std::isfinite(value) && value > 0.0 && value <= high))
-  {
-    this->Require(false,
-      Sentence(name, TextOf(value), unit,
-        "positive and " + (std::isfinite(high) ? "at most " + WithUnit(high, unit) : "finite")));
-  }
+  this->Within(name, value, ValueInterval::Above(0.0, high), unit);
 }
 
 void ParameterCheck::NotNegative(const std::string& name, double value, const char* unit, double high)
 {
-  if (!(std::isfinite(value) && value >= 0.0 && value <= high))
-  {
-    this->Require(false,
-      std::isfinite(high) ? Sentence(name, TextOf(value), unit, "from 0 to " + WithUnit(high, unit))
-                          : Sentence(name, TextOf(value), unit, "finite and not negative"));
-  }
+  this->Within(name, value, ValueInterval::From(0.0, high), unit);
 }
 
 void ParameterCheck::Finite(const std::string& name, double value, const char* unit)
 {
-  if (!std::isfinite(value))
-  {
-    this->Require(false, Sentence(name, TextOf(value), unit, "finite"));
-  }
+  this->Within(name, value, {}, unit);
 }
 
 void ParameterCheck::Choice(const std::string& name, int value, int count)
@@ -98,12 +125,45 @@ void ParameterCheck::Choice(const std::string& name, int value, int count)
   }
 }
 
+void ParameterCheck::Choice(const std::string& name, int value, std::initializer_list<const char*> names)
+{
+  const int count = static_cast<int>(names.size());
+  if (value < 0 || value >= count)
+  {
+    std::string wanted;
+    for (int choice = 0; choice < count; ++choice)
+    {
+      wanted += choice == 0 ? "" : choice + 1 < count ? ", " : " or ";
+      wanted += std::to_string(choice) + " (" + names.begin()[choice] + ")";
+    }
+    this->Require(false, Sentence(name, std::to_string(value), "", wanted));
+  }
+}
+
 void ParameterCheck::Count(const std::string& name, long long value, long long low, long long high)
 {
   if (value < low || value > high)
   {
     this->Require(
       false, Sentence(name, std::to_string(value), "", "from " + std::to_string(low) + " to " + std::to_string(high)));
+  }
+}
+
+void ParameterCheck::PositiveCount(const std::string& name, long long value)
+{
+  if (value < 1)
+  {
+    this->Require(false, Sentence(name, std::to_string(value), "", "positive"));
+  }
+}
+
+void ParameterCheck::Color(const std::string& name, const double* color)
+{
+  const auto isPart = [](double part) { return part >= 0.0 && part <= 1.0; };
+  if (!std::all_of(color, color + 3, isPart))
+  {
+    const std::string value = TextOf(color[0]) + ", " + TextOf(color[1]) + ", " + TextOf(color[2]);
+    this->Require(false, Sentence(name, value, "", "from 0 to 1 in each part"));
   }
 }
 

@@ -3,11 +3,39 @@
 #ifndef LittoralParameterCheck_h
 #define LittoralParameterCheck_h
 
+#include <initializer_list>
 #include <limits>
 #include <string>
 
 namespace littoral
 {
+
+/// Interval of allowed values. Values that are not finite are never allowed.
+struct ValueInterval
+{
+  double Low = -std::numeric_limits<double>::infinity();
+  double High = std::numeric_limits<double>::infinity();
+  bool IncludesLow = false;
+  bool IncludesHigh = false;
+
+  static constexpr ValueInterval Positive() { return Above(0.0, std::numeric_limits<double>::infinity()); }
+  static constexpr ValueInterval NotNegative() { return AtLeast(0.0); }
+  static constexpr ValueInterval AtLeast(double low)
+  {
+    return { low, std::numeric_limits<double>::infinity(), true, false };
+  }
+  /// Above low, at most high.
+  static constexpr ValueInterval Above(double low, double high) { return { low, high, false, true }; }
+  /// Both ends included.
+  static constexpr ValueInterval From(double low, double high) { return { low, high, true, true }; }
+  /// Both ends excluded.
+  static constexpr ValueInterval Between(double low, double high) { return { low, high, false, false }; }
+
+  bool Contains(double value) const;
+
+  /// The interval in words, as "positive and at most 200 m/s".
+  std::string Words(const char* unit = "") const;
+};
 
 /**
  * Checks of parameters, in one wording: "TimeStep is 2 s; it must be from 1e-05 to 1 s." The first bad one counts;
@@ -26,6 +54,9 @@ public:
 
   bool IsGood() const { return this->First.empty(); }
 
+  /// A number within an interval.
+  void Within(const std::string& name, double value, const ValueInterval& allowed, const char* unit = "");
+
   /// A number from low to high, ends included.
   void Range(const std::string& name, double value, double low, double high, const char* unit = "");
 
@@ -42,8 +73,17 @@ public:
   /// A choice of an enumeration, from 0 to count - 1.
   void Choice(const std::string& name, int value, int count);
 
+  /// A choice of an enumeration whose values from 0 on have names: "Method is 3; it must be 0 (linear) or 1 (cubic)."
+  void Choice(const std::string& name, int value, std::initializer_list<const char*> names);
+
   /// A whole number from low to high, ends included.
   void Count(const std::string& name, long long value, long long low, long long high);
+
+  /// A whole number above 0.
+  void PositiveCount(const std::string& name, long long value);
+
+  /// Three parts of a color, from 0 to 1.
+  void Color(const std::string& name, const double* color);
 
   /// A reason found elsewhere; empty when all is good there.
   void Require(const std::string& reason) { this->Require(reason.empty(), reason); }
@@ -52,8 +92,7 @@ public:
   void Require(bool isGood, const std::string& otherwise);
 
   /// The one sentence of all of these: "NAME is VALUE UNIT; it must be WANTED."
-  void Require(
-    bool isGood, const std::string& name, const std::string& value, const char* unit, const std::string& wanted);
+  void Require(bool isGood, const std::string& name, double value, const char* unit, const std::string& wanted);
 
 private:
   std::string First;

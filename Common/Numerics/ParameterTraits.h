@@ -5,69 +5,11 @@
 
 #include "Numerics/ParameterCheck.h"
 
-#include <cmath>
-#include <limits>
-#include <sstream>
 #include <string>
 #include <type_traits>
 
 namespace littoral
 {
-
-/// Interval of allowed values. Values that are not finite are never allowed.
-struct ValueInterval
-{
-  double Low = -std::numeric_limits<double>::infinity();
-  double High = std::numeric_limits<double>::infinity();
-  bool IncludesLow = false;
-  bool IncludesHigh = false;
-
-  static constexpr ValueInterval Positive() { return Above(0.0, std::numeric_limits<double>::infinity()); }
-  static constexpr ValueInterval NotNegative() { return AtLeast(0.0); }
-  static constexpr ValueInterval AtLeast(double low)
-  {
-    return { low, std::numeric_limits<double>::infinity(), true, false };
-  }
-  /// Above low, at most high.
-  static constexpr ValueInterval Above(double low, double high) { return { low, high, false, true }; }
-  /// Both ends excluded.
-  static constexpr ValueInterval Between(double low, double high) { return { low, high, false, false }; }
-
-  bool Contains(double value) const
-  {
-    return std::isfinite(value) && (this->IncludesLow ? value >= this->Low : value > this->Low) &&
-      (this->IncludesHigh ? value <= this->High : value < this->High);
-  }
-
-  /// What a value must be, as "finite and positive".
-  std::string Words() const
-  {
-    std::ostringstream words;
-    if (std::isinf(this->High))
-    {
-      words << "finite and ";
-      if (this->Low == 0.0)
-      {
-        words << (this->IncludesLow ? "not negative" : "positive");
-      }
-      else
-      {
-        words << (this->IncludesLow ? "at least " : "above ") << this->Low;
-      }
-    }
-    else if (this->IncludesLow == this->IncludesHigh)
-    {
-      words << (this->IncludesLow ? "from " : "between ") << this->Low << (this->IncludesLow ? " to " : " and ")
-            << this->High << (this->IncludesLow ? "" : ", both excluded");
-    }
-    else
-    {
-      words << (this->IncludesLow ? "at least " : "above ") << this->Low
-            << (this->IncludesHigh ? " and at most " : " and below ") << this->High;
-    }
-    return words.str();
-  }
-};
 
 /// A parameter in the row of a model: the name and the unit that users see, the allowed values, and its member.
 template <typename Parameters>
@@ -82,9 +24,8 @@ struct ParameterTraits
   /// Why the value is bad, in words for a user; empty when it is good.
   std::string WhyInvalid(const Parameters& parameters) const
   {
-    const double value = this->Get(parameters);
     ParameterCheck check;
-    check.Require(this->Allowed.Contains(value), this->Name, TextOf(value), this->Unit, this->Allowed.Words());
+    check.Within(this->Name, this->Get(parameters), this->Allowed, this->Unit);
     return check.Reason();
   }
 };

@@ -143,26 +143,4 @@ double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extincti
   return total;
 }
 
-double ExtinctionAt(const FogGrid& grid, const std::vector<float>& extinction, const Vector3& place)
-{
-  Location where;
-  if (!Locate(grid, place, where))
-  {
-    return 0.0;
-  }
-  double value = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const int step[3] = { corner & 1, corner >> 1 & 1, corner >> 2 };
-    double weight = 1.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      weight *= step[axis] ? where.Part[axis] : 1.0 - where.Part[axis];
-    }
-    value +=
-      weight * extinction[SampleOf(grid, where.Cell[0] + step[0], where.Cell[1] + step[1], where.Cell[2] + step[2])];
-  }
-  return value;
-}
-
 }

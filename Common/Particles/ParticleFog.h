@@ -58,9 +58,6 @@ private:
 /// Integral of the extinction, linear between samples, over the grid [m2].
 double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction);
 
-/// The extinction at a place [1/m]; 0 outside.
-double ExtinctionAt(const FogGrid& grid, const std::vector<float>& extinction, const Vector3& place);
-
 }
 
 #endif

@@ -3,13 +3,13 @@
 #include "Particles/SuspendedParticles.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <sstream>
 
 namespace littoral
 {
@@ -209,32 +209,17 @@ const char* ParticleSceneName(ParticleScene scene)
 
 std::string WhyInvalid(const ParticleBox& box, int index)
 {
-  std::ostringstream reason;
   const bool upright =
     box.Lower.x < box.Upper.x && box.Lower.y < box.Upper.y && box.Lower.z < box.Upper.z; // false for NaN
-  if (!upright || !IsFinite(box.Lower) || !IsFinite(box.Upper))
-  {
-    reason << "box " << index << " has bounds that are not finite and increasing.";
-  }
-  else if (static_cast<int>(box.Kind) < 0 || static_cast<int>(box.Kind) >= ParticleKinds)
-  {
-    reason << "box " << index << " has particles of kind " << static_cast<int>(box.Kind) << "; it must be 0 to "
-           << ParticleKinds - 1 << ".";
-  }
-  else if (!(box.Diameter > 0.0 && box.Diameter <= 10.0))
-  {
-    reason << "box " << index << " has particles of diameter " << box.Diameter
-           << " m; it must be positive, at most 10.";
-  }
-  else if (!(box.Amount >= 0.0 && std::isfinite(box.Amount)))
-  {
-    reason << "box " << index << " has an amount of " << box.Amount << "; it must not be negative.";
-  }
-  else if (!std::all_of(box.Color, box.Color + 3, [](double c) { return c >= 0.0 && c <= 1.0; }))
-  {
-    reason << "box " << index << " has a color that is not of 0 to 1.";
-  }
-  return reason.str();
+  const std::string name = "box " + std::to_string(index);
+  ParameterCheck check;
+  check.Require(
+    upright && IsFinite(box.Lower) && IsFinite(box.Upper), name + " has bounds that are not finite and increasing.");
+  check.Choice(name + ": kind", static_cast<int>(box.Kind), ParticleKinds);
+  check.Positive(name + ": diameter", box.Diameter, "m", 10.0);
+  check.NotNegative(name + ": amount", box.Amount);
+  check.Color(name + ": color", box.Color);
+  return check.Reason();
 }
 
 double NumberIn(const ParticleBox& box, bool amountIsCount)

@@ -3,6 +3,7 @@
 #include "Plants/AonoKuniiTree.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
@@ -339,16 +340,6 @@ private:
   }
 };
 
-std::string OutOfRange(const char* name, double value, double low, double high)
-{
-  if (std::isfinite(value) && value >= low && value <= high)
-  {
-    return {};
-  }
-  return std::string(name) + " is " + std::to_string(value) + "; it must be from " + std::to_string(low) + " to " +
-    std::to_string(high) + ".";
-}
-
 /// What a figure's four trees differ in.
 struct Published
 {
@@ -468,30 +459,27 @@ int MostIterations(Branching form)
 
 std::string WhyInvalid(const AonoKuniiParameters& p)
 {
-  const auto number = [](auto value) { return static_cast<double>(value); };
-  if (!IsFinite(p.Tropism))
-  {
-    return "Tropism must be finite.";
-  }
-  for (const std::string& reason : { OutOfRange("Branching", number(static_cast<int>(p.Form)), 0, 2),
-         OutOfRange("Iterations", p.Iterations, 1, MostIterations(p.Form)),
-         OutOfRange("LengthRatio1", p.LengthRatio1, 0.3, 1.2), OutOfRange("LengthRatio2", p.LengthRatio2, 0.3, 1.2),
-         OutOfRange("Angle1", p.Angle1, -90.0, 90.0), OutOfRange("Angle2", p.Angle2, -90.0, 90.0),
-         OutOfRange("DivergenceAngle", p.DivergenceAngle, -360.0, 360.0),
-         OutOfRange("DivergenceAngle2", p.DivergenceAngle2, -360.0, 360.0),
-         OutOfRange("WidthRatio", p.WidthRatio, 0.3, 1.0), OutOfRange("Elongation", p.Elongation, 0.8, 3.0),
-         OutOfRange("Susceptibility", p.Susceptibility, 0.0, 1.0), OutOfRange("TrunkLength", p.TrunkLength, 0.01, 50.0),
-         OutOfRange("TrunkRadius", p.TrunkRadius, 0.001, 10.0), OutOfRange("Variation", p.Variation, 0.0, 0.5),
-         OutOfRange("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000), OutOfRange("LeafSize", p.LeafSize, 0.001, 5.0),
-         OutOfRange("LeafWidth", p.LeafWidth, 0.01, 2.0),
-         OutOfRange("LeafForm", number(static_cast<int>(p.Outline)), 0, 1) })
-  {
-    if (!reason.empty())
-    {
-      return reason;
-    }
-  }
-  return {};
+  ParameterCheck check;
+  check.Require(IsFinite(p.Tropism), "Tropism must be finite.");
+  check.Choice("Branching", static_cast<int>(p.Form), 3);
+  check.Count("Iterations", p.Iterations, 1, MostIterations(p.Form));
+  check.Range("LengthRatio1", p.LengthRatio1, 0.3, 1.2);
+  check.Range("LengthRatio2", p.LengthRatio2, 0.3, 1.2);
+  check.Range("Angle1", p.Angle1, -90.0, 90.0, "degrees");
+  check.Range("Angle2", p.Angle2, -90.0, 90.0, "degrees");
+  check.Range("DivergenceAngle", p.DivergenceAngle, -360.0, 360.0, "degrees");
+  check.Range("DivergenceAngle2", p.DivergenceAngle2, -360.0, 360.0, "degrees");
+  check.Range("WidthRatio", p.WidthRatio, 0.3, 1.0);
+  check.Range("Elongation", p.Elongation, 0.8, 3.0);
+  check.Range("Susceptibility", p.Susceptibility, 0.0, 1.0);
+  check.Range("TrunkLength", p.TrunkLength, 0.01, 50.0, "m");
+  check.Range("TrunkRadius", p.TrunkRadius, 0.001, 10.0, "m");
+  check.Range("Variation", p.Variation, 0.0, 0.5);
+  check.Count("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000);
+  check.Range("LeafSize", p.LeafSize, 0.001, 5.0, "m");
+  check.Range("LeafWidth", p.LeafWidth, 0.01, 2.0);
+  check.Choice("LeafForm", static_cast<int>(p.Outline), 2);
+  return check.Reason();
 }
 
 Plant GrowAonoKuniiTree(const AonoKuniiParameters& parameters)

@@ -3,7 +3,7 @@
 #include "Plants/GardnerPlant.h"
 
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 #include "Plants/BranchSkin.h"
 
@@ -386,15 +386,6 @@ private:
   }
 };
 
-/// A position in the quadric's own axes, each 1 at the surface.
-Vector3 Within(const Quadric& quadric, const Vector3& position)
-{
-  const Vector3 away = position - quadric.Center;
-  const double c = std::cos(quadric.Azimuth);
-  const double s = std::sin(quadric.Azimuth);
-  return Vector3(c * away.x + s * away.y, c * away.y - s * away.x, away.z) / quadric.Axes;
-}
-
 /// Directions of the quadric's own axes in space.
 Vector3 Turned(const Quadric& quadric, const Vector3& own)
 {
@@ -487,37 +478,28 @@ GardnerPlantParameters PresetParameters(GardnerPreset preset)
 std::string WhyInvalid(const GardnerPlantParameters& p)
 {
   const GardnerTextureParameters& t = p.Texture;
-  for (const std::string& reason :
-    { OutOfRange("Height", p.Height, 0.05, 150.0), OutOfRange("CrownRadius", p.CrownRadius, 0.01, 100.0),
-      OutOfRange("CrownBase", p.CrownBase, 0.0, 0.9 * p.Height), OutOfRange("TrunkRadius", p.TrunkRadius, 0.001, 10.0),
-      OutOfRange("NumberOfQuadrics", p.NumberOfQuadrics, 1, 500), OutOfRange("Shells", p.Shells, 2, 8),
-      OutOfRange("Terms", t.Terms, 4, 7), OutOfRange("Frequency", t.Frequency, 2, 16),
-      OutOfRange("Offset", t.Offset, 0.0, 3.0), OutOfRange("SilhouetteThreshold", t.SilhouetteThreshold, 0.0, 1.0),
-      OutOfRange("CenterThreshold", t.CenterThreshold, 0.0, t.SilhouetteThreshold),
-      OutOfRange("Variation", p.Variation, 0.0, 0.5) })
-  {
-    if (!reason.empty())
-    {
-      return reason;
-    }
-  }
-  if (t.Frequency % 2 != 0)
-  {
-    return "Frequency is " + std::to_string(t.Frequency) +
-      "; it must be even, since half of it goes into the phases and has to close around a quadric too.";
-  }
-  return {};
+  ParameterCheck check;
+  check.Range("Height", p.Height, 0.05, 150.0, "m");
+  check.Range("CrownRadius", p.CrownRadius, 0.01, 100.0, "m");
+  check.Range("CrownBase", p.CrownBase, 0.0, 0.9 * p.Height, "m");
+  check.Range("TrunkRadius", p.TrunkRadius, 0.001, 10.0, "m");
+  check.Count("NumberOfQuadrics", p.NumberOfQuadrics, 1, 500);
+  check.Count("Shells", p.Shells, 2, 8);
+  check.Count("Terms", t.Terms, 4, 7);
+  check.Count("Frequency", t.Frequency, 2, 16);
+  check.Range("Offset", t.Offset, 0.0, 3.0);
+  check.Range("SilhouetteThreshold", t.SilhouetteThreshold, 0.0, 1.0);
+  check.Range("CenterThreshold", t.CenterThreshold, 0.0, t.SilhouetteThreshold);
+  check.Range("Variation", p.Variation, 0.0, 0.5);
+  check.Require(t.Frequency % 2 == 0,
+    "Frequency is " + std::to_string(t.Frequency) +
+      "; it must be even, since half of it goes into the phases and has to close around a quadric too.");
+  return check.Reason();
 }
 
 CrownVolume CrownOf(const GardnerPlantParameters& p)
 {
   return { CrownShape::Ellipsoid, { 0.0, 0.0, p.CrownBase }, p.Height - p.CrownBase, p.CrownRadius };
-}
-
-double Profile(const Quadric& quadric, const Vector3& position)
-{
-  const Vector3 within = Within(quadric, position);
-  return 1.0 - glm::dot(within, within);
 }
 
 Vector3 PointOf(const Quadric& quadric, const Vector3& ofSphere)

@@ -69,9 +69,6 @@ struct Quadric
   double Tints[2] = { 0.0, 0.0 };  ///< normal deviates of its brightness and warmth
 };
 
-/// Gardner's profile, 1 less the quadric's equation: 1 at the center, 0 on the surface, negative outside.
-double Profile(const Quadric& quadric, const Vector3& position);
-
 /// The place of a point of the unit sphere that the quadric is an image of.
 Vector3 PointOf(const Quadric& quadric, const Vector3& ofSphere);
 

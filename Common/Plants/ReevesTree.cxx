@@ -3,7 +3,7 @@
 #include "Plants/ReevesTree.h"
 
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
@@ -423,23 +423,24 @@ double BreastHeight(double height)
 
 std::string WhyInvalid(const ReevesTreeParameters& p)
 {
-  const auto number = [](auto value) { return static_cast<double>(value); };
-  for (const std::string& reason : { OutOfRange("CrownShape", number(static_cast<int>(p.Shape)), 0, 1),
-         OutOfRange("Height", p.Height, 0.05, 150.0), OutOfRange("CrownRadius", p.CrownRadius, 0.01, 100.0),
-         OutOfRange("TrunkRadius", p.TrunkRadius, 0.001, 10.0), OutOfRange("TrunkReach", p.TrunkReach, 0.1, 1.0),
-         OutOfRange("CrownBase", p.CrownBase, 0.0, 0.9 * p.TrunkReach * p.Height), OutOfRange("Orders", p.Orders, 1, 4),
-         OutOfRange("MainBranches", p.MainBranches, 1, 500), OutOfRange("SideBranches", p.SideBranches, 1, 20),
-         OutOfRange("BranchAngle", p.BranchAngle, 0.0, 150.0), OutOfRange("Lift", p.Lift, -0.9, 0.9),
-         OutOfRange("Variation", p.Variation, 0.0, 0.5), OutOfRange("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000),
-         OutOfRange("LeafForm", number(static_cast<int>(p.Form)), 0, 1), OutOfRange("LeafSize", p.LeafSize, 0.001, 5.0),
-         OutOfRange("LeafWidth", p.LeafWidth, 0.01, 2.0) })
-  {
-    if (!reason.empty())
-    {
-      return reason;
-    }
-  }
-  return {};
+  ParameterCheck check;
+  check.Choice("CrownShape", static_cast<int>(p.Shape), 2);
+  check.Range("Height", p.Height, 0.05, 150.0, "m");
+  check.Range("CrownRadius", p.CrownRadius, 0.01, 100.0, "m");
+  check.Range("TrunkRadius", p.TrunkRadius, 0.001, 10.0, "m");
+  check.Range("TrunkReach", p.TrunkReach, 0.1, 1.0);
+  check.Range("CrownBase", p.CrownBase, 0.0, 0.9 * p.TrunkReach * p.Height, "m");
+  check.Count("Orders", p.Orders, 1, 4);
+  check.Count("MainBranches", p.MainBranches, 1, 500);
+  check.Count("SideBranches", p.SideBranches, 1, 20);
+  check.Range("BranchAngle", p.BranchAngle, 0.0, 150.0, "degrees");
+  check.Range("Lift", p.Lift, -0.9, 0.9);
+  check.Range("Variation", p.Variation, 0.0, 0.5);
+  check.Count("NumberOfLeaves", p.NumberOfLeaves, 0, 1000000);
+  check.Choice("LeafForm", static_cast<int>(p.Form), 2);
+  check.Range("LeafSize", p.LeafSize, 0.001, 5.0, "m");
+  check.Range("LeafWidth", p.LeafWidth, 0.01, 2.0);
+  return check.Reason();
 }
 
 CrownVolume CrownOf(const ReevesTreeParameters& p)

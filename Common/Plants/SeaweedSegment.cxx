@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/SeaweedSegment.h"
 
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace littoral
@@ -17,19 +16,15 @@ double EquivalentRadius(const SeaweedSegment& segment)
 
 std::string WhyInvalid(const SeaweedSegment& segment)
 {
-  for (const std::string& reason :
-    { OutOfRange("Width", segment.Width, 1e-6, 1e3), OutOfRange("Thickness", segment.Thickness, 1e-6, 1e3),
-      OutOfRange("YoungModulus", segment.YoungModulus, 0.0, 1e13),
-      OutOfRange("DampingRatio", segment.DampingRatio, 0.0, 1e3), OutOfRange("Density", segment.Density, 1.0, 1e5),
-      OutOfRange("Tissue", static_cast<double>(static_cast<int>(segment.Tissue)), 0.0, 3.0) })
-  {
-    if (!reason.empty())
-    {
-      return reason;
-    }
-  }
-  const bool isUnit = std::abs(glm::length(segment.Across) - 1.0) < 1e-3;
-  return isUnit ? "" : "Across must have length 1.";
+  ParameterCheck check;
+  check.Range("Width", segment.Width, 1e-6, 1e3, "m");
+  check.Range("Thickness", segment.Thickness, 1e-6, 1e3, "m");
+  check.Range("YoungModulus", segment.YoungModulus, 0.0, 1e13, "Pa");
+  check.Range("DampingRatio", segment.DampingRatio, 0.0, 1e3);
+  check.Range("Density", segment.Density, 1.0, 1e5, "kg/m3");
+  check.Choice("Tissue", static_cast<int>(segment.Tissue), 4);
+  check.Require(std::abs(glm::length(segment.Across) - 1.0) < 1e-3, "Across must have length 1.");
+  return check.Reason();
 }
 
 }

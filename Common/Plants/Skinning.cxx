@@ -22,22 +22,12 @@ LITTORAL_INLINE Lanes LoadColumn(const std::array<double, 4>& column)
 }
 
 /// Three numbers of an array; the fourth lane is 0.
-LITTORAL_INLINE Lanes Load(const double* from)
-{
-  return { from[0], from[1], from[2], 0.0 };
-}
 LITTORAL_INLINE Lanes Load(const float* from)
 {
   const Singles four{ from[0], from[1], from[2], 0.0f };
   return Lanes(__builtin_convertvector(four, Lanes::Register));
 }
 
-LITTORAL_INLINE void Store(const Lanes& from, double* to)
-{
-  to[0] = from.Values[0];
-  to[1] = from.Values[1];
-  to[2] = from.Values[2];
-}
 LITTORAL_INLINE void Store(const Lanes& from, float* to)
 {
   const Singles four = __builtin_convertvector(from.Values, Singles);
@@ -81,8 +71,7 @@ LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
 }
 
 /// The mean change of four joints by their weights.
-template <typename Real>
-LITTORAL_INLINE void Blend(const int* ids, const Real* weights, const JointChange* joints, Lanes* columns)
+LITTORAL_INLINE void Blend(const int* ids, const float* weights, const JointChange* joints, Lanes* columns)
 {
   for (int column = 0; column < 4; ++column)
   {
@@ -90,7 +79,7 @@ LITTORAL_INLINE void Blend(const int* ids, const Real* weights, const JointChang
   }
   for (int i = 1; i < 4; ++i)
   {
-    if (weights[i] != Real(0))
+    if (weights[i] != 0.0f)
     {
       for (int column = 0; column < 4; ++column)
       {
@@ -118,8 +107,7 @@ struct TurnedNormals
   }
 
   /// Stores them, with the lengths that they had.
-  template <typename Real>
-  LITTORAL_INLINE void Store(Real* to)
+  LITTORAL_INLINE void Store(float* to)
   {
     double factors[Most]; // all of them: without conditions the compiler takes four at a time
     for (std::size_t i = 0; i < Most; ++i)
@@ -133,35 +121,6 @@ struct TurnedNormals
     this->Count = 0;
   }
 };
-
-template <typename Real>
-LITTORAL_INLINE void MoveVertices(const RestSkin<Real>& rest, const JointChange* joints, std::size_t begin,
-  std::size_t end, Real* points, Real* normals)
-{
-  Lanes columns[4]{ 0.0, 0.0, 0.0, 0.0 };
-  TurnedNormals waiting{};
-  for (std::size_t vertex = begin; vertex < end; ++vertex)
-  {
-    // Vertices around a branch follow the same joints alike.
-    const Real* weights = rest.JointWeights + 4 * vertex;
-    const int* ids = rest.JointIds + 4 * vertex;
-    if (vertex == begin || !IsSame(ids, ids - 4) || !IsSame(weights, weights - 4))
-    {
-      Blend(ids, weights, joints, columns);
-    }
-    const Lanes place = Load(rest.Points + 3 * vertex);
-    Store(place + (Turned(columns, place) + columns[3]), points + 3 * vertex);
-    if (rest.Normals)
-    {
-      const Lanes normal = Load(rest.Normals + 3 * vertex);
-      waiting.Add(normal, normal + Turned(columns, normal));
-      if (waiting.Count == TurnedNormals::Most || vertex + 1 == end)
-      {
-        waiting.Store(normals + 3 * (vertex + 1 - waiting.Count));
-      }
-    }
-  }
-}
 
 }
 
@@ -189,16 +148,32 @@ Vector3 JointChange::Of(const Vector3& place) const
 }
 
 //----------------------------------------------------------------------------
-LITTORAL_SIMD_CLONES void MoveSkin(const RestSkin<float>& rest, const JointChange* joints, std::size_t begin,
-  std::size_t end, float* points, float* normals)
+LITTORAL_SIMD_CLONES void MoveSkin(
+  const RestSkin& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points, float* normals)
 {
-  MoveVertices(rest, joints, begin, end, points, normals);
-}
-
-LITTORAL_SIMD_CLONES void MoveSkin(const RestSkin<double>& rest, const JointChange* joints, std::size_t begin,
-  std::size_t end, double* points, double* normals)
-{
-  MoveVertices(rest, joints, begin, end, points, normals);
+  Lanes columns[4]{ 0.0, 0.0, 0.0, 0.0 };
+  TurnedNormals waiting{};
+  for (std::size_t vertex = begin; vertex < end; ++vertex)
+  {
+    // Vertices around a branch follow the same joints alike.
+    const float* weights = rest.JointWeights + 4 * vertex;
+    const int* ids = rest.JointIds + 4 * vertex;
+    if (vertex == begin || !IsSame(ids, ids - 4) || !IsSame(weights, weights - 4))
+    {
+      Blend(ids, weights, joints, columns);
+    }
+    const Lanes place = Load(rest.Points + 3 * vertex);
+    Store(place + (Turned(columns, place) + columns[3]), points + 3 * vertex);
+    if (rest.Normals)
+    {
+      const Lanes normal = Load(rest.Normals + 3 * vertex);
+      waiting.Add(normal, normal + Turned(columns, normal));
+      if (waiting.Count == TurnedNormals::Most || vertex + 1 == end)
+      {
+        waiting.Store(normals + 3 * (vertex + 1 - waiting.Count));
+      }
+    }
+  }
 }
 
 }

@@ -32,21 +32,18 @@ struct JointChange
 JointChange ChangeOf(const JointPose& pose, const Vector3& rest);
 
 /// A skin over joints at rest; tuples of 3, 4 and 4 numbers, one a vertex. Weights sum to 1.
-template <typename Real>
 struct RestSkin
 {
-  const Real* Points = nullptr;
-  const Real* Normals = nullptr; ///< may be null
+  const float* Points = nullptr;
+  const float* Normals = nullptr; ///< may be null
   const int* JointIds = nullptr;
-  const Real* JointWeights = nullptr;
+  const float* JointWeights = nullptr;
 };
 
 /// Linear blend skinning of the vertices [begin, end): where joints are at rest, vertices stay to the last bit. Normals
 /// keep their lengths.
-void MoveSkin(const RestSkin<float>& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points,
-  float* normals);
-void MoveSkin(const RestSkin<double>& rest, const JointChange* joints, std::size_t begin, std::size_t end,
-  double* points, double* normals);
+void MoveSkin(
+  const RestSkin& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points, float* normals);
 
 }
 

@@ -51,18 +51,6 @@ double WaveFrequency(double waveNumber, double depth)
   return waveNumber > 0.0 ? std::sqrt(Gravity * waveNumber * std::tanh(waveNumber * depth)) : 0.0;
 }
 
-double GroupVelocity(double frequency, double depth)
-{
-  const double k = WaveNumber(frequency, depth);
-  if (!(k > 0.0))
-  {
-    return 0.0;
-  }
-  const double twice = 2.0 * k * depth;
-  const double shallow = twice > 2.0 * DeepRelativeDepth ? 0.0 : twice > 0.0 ? twice / std::sinh(twice) : 1.0;
-  return 0.5 * frequency / k * (1.0 + shallow);
-}
-
 DepthRegime RegimeOf(double waveNumber, double depth)
 {
   const double wavelengths = waveNumber * depth / TwoPi;

@@ -15,9 +15,6 @@ double WaveNumber(double frequency, double depth);
 /// The angular frequency [rad/s] of a wave number [rad/m] on water of a depth [m].
 double WaveFrequency(double waveNumber, double depth);
 
-/// The speed of a group of waves, dw/dk [m/s]; 0 for a frequency that is not positive.
-double GroupVelocity(double frequency, double depth);
-
 /// How a wave feels the bed.
 enum class DepthRegime
 {

@@ -75,7 +75,7 @@ std::string WhyInvalid(const SeaState& sea)
 {
   ParameterCheck check;
   check.Require(!sea.Trains.empty(), "the sea state has no wave trains.");
-  check.Require(sea.Depth > 0.0, "WaterDepth is " + TextOf(sea.Depth) + " m; it must be positive."); // or infinite
+  check.Require(sea.Depth > 0.0, "WaterDepth", sea.Depth, "m", "positive"); // or infinite
   check.Finite("SeaLevel", sea.SeaLevel, "m");
   for (std::size_t n = 0; n < sea.Trains.size() && check.IsGood(); ++n)
   {

@@ -3,7 +3,7 @@
 #include "Seaweed/PlantWake.h"
 
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +36,11 @@ FlowPrimitive SourceAt(const Vector3& place, double strength, double core, const
 
 std::string WhyInvalid(const WakeOptions& options)
 {
-  for (const std::string& reason : { OutOfRange("Strength", options.Strength, 0.0, 1e6),
-         OutOfRange("Margin", options.Margin, 1e-3, 1e3), OutOfRange("CoreShare", options.CoreShare, 1e-3, 1.0) })
-  {
-    if (!reason.empty())
-    {
-      return reason;
-    }
-  }
-  return {};
+  ParameterCheck check;
+  check.Range("Strength", options.Strength, 0.0, 1e6);
+  check.Range("Margin", options.Margin, 1e-3, 1e3, "m");
+  check.Range("CoreShare", options.CoreShare, 1e-3, 1.0);
+  return check.Reason();
 }
 
 MovingPlant PlantOf(const std::vector<MovingPoint>& points)

@@ -3,7 +3,7 @@
 #include "Seaweed/SeaweedGrowth.h"
 
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>
@@ -436,36 +436,35 @@ SeaweedParameters PresetParameters(SeaweedPreset preset)
 
 std::string WhyInvalid(const SeaweedParameters& p)
 {
-  for (const std::string& reason :
-    { OutOfRange("Form", static_cast<double>(static_cast<int>(p.Form)), 0, 2),
-      OutOfRange("NumberOfFronds", p.NumberOfFronds, 1, 500),
-      OutOfRange("HoldfastRadius", p.HoldfastRadius, 0.001, 5.0), OutOfRange("StipeLength", p.StipeLength, 0.0, 100.0),
-      OutOfRange("StipeRadius", p.StipeRadius, 0.0001, 0.5), OutOfRange("BladeLength", p.BladeLength, 0.01, 20.0),
-      OutOfRange("BladeWidth", p.BladeWidth, 0.0005, 3.0), OutOfRange("BladeThickness", p.BladeThickness, 0.00001, 0.1),
-      OutOfRange("BladeSpacing", p.BladeSpacing, 0.01, 20.0), OutOfRange("FloatRadius", p.FloatRadius, 0.0, 0.2),
-      OutOfRange("Ruffle", p.Ruffle, 0.0, 1.0), OutOfRange("SpreadAngle", p.SpreadAngle, 0.0, 60.0),
-      OutOfRange("SegmentsPerBranch", p.SegmentsPerBranch, 2, 64),
-      OutOfRange("StipeModulus", p.StipeModulus, 1e3, 1e12), OutOfRange("BladeModulus", p.BladeModulus, 1e3, 1e12),
-      OutOfRange("DampingRatio", p.DampingRatio, 0.0, 10.0), OutOfRange("StipeDensity", p.StipeDensity, 50.0, 3000.0),
-      OutOfRange("BladeDensity", p.BladeDensity, 50.0, 3000.0),
-      OutOfRange("FloatDensity", p.FloatDensity, 50.0, 3000.0), OutOfRange("Variation", p.Variation, 0.0, 0.5) })
+  ParameterCheck check;
+  check.Choice("Form", static_cast<int>(p.Form), 3);
+  check.Count("NumberOfFronds", p.NumberOfFronds, 1, 500);
+  check.Range("HoldfastRadius", p.HoldfastRadius, 0.001, 5.0, "m");
+  check.Range("StipeLength", p.StipeLength, 0.0, 100.0, "m");
+  check.Range("StipeRadius", p.StipeRadius, 0.0001, 0.5, "m");
+  check.Range("BladeLength", p.BladeLength, 0.01, 20.0, "m");
+  check.Range("BladeWidth", p.BladeWidth, 0.0005, 3.0, "m");
+  check.Range("BladeThickness", p.BladeThickness, 0.00001, 0.1, "m");
+  check.Range("BladeSpacing", p.BladeSpacing, 0.01, 20.0, "m");
+  check.Range("FloatRadius", p.FloatRadius, 0.0, 0.2, "m");
+  check.Range("Ruffle", p.Ruffle, 0.0, 1.0);
+  check.Range("SpreadAngle", p.SpreadAngle, 0.0, 60.0, "degrees");
+  check.Count("SegmentsPerBranch", p.SegmentsPerBranch, 2, 64);
+  check.Range("StipeModulus", p.StipeModulus, 1e3, 1e12, "Pa");
+  check.Range("BladeModulus", p.BladeModulus, 1e3, 1e12, "Pa");
+  check.Range("DampingRatio", p.DampingRatio, 0.0, 10.0);
+  check.Range("StipeDensity", p.StipeDensity, 50.0, 3000.0, "kg/m3");
+  check.Range("BladeDensity", p.BladeDensity, 50.0, 3000.0, "kg/m3");
+  check.Range("FloatDensity", p.FloatDensity, 50.0, 3000.0, "kg/m3");
+  check.Range("Variation", p.Variation, 0.0, 0.5);
+  if (p.Form == SeaweedForm::Canopy && check.IsGood())
   {
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    check.Require(p.StipeLength >= p.BladeSpacing,
+      "StipeLength is " + TextOf(p.StipeLength) + " m; the stipes of a Canopy are not shorter than BladeSpacing.");
+    check.Require(p.NumberOfFronds * p.StipeLength / p.BladeSpacing <= MostBlades,
+      "BladeSpacing is " + TextOf(p.BladeSpacing) + " m; stipes of that length would have more than 20000 blades.");
   }
-  if (p.Form == SeaweedForm::Canopy && p.StipeLength < p.BladeSpacing)
-  {
-    return "StipeLength is " + std::to_string(p.StipeLength) + "; the stipes of a Canopy are not shorter than " +
-      "BladeSpacing.";
-  }
-  if (p.Form == SeaweedForm::Canopy && p.NumberOfFronds * p.StipeLength / p.BladeSpacing > MostBlades)
-  {
-    return "BladeSpacing is " + std::to_string(p.BladeSpacing) + "; stipes of that length would have more than " +
-      "20000 blades.";
-  }
-  return {};
+  return check.Reason();
 }
 
 std::vector<double> BladeSteps(int count)

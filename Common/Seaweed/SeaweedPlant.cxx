@@ -4,7 +4,7 @@
 #include "Seaweed/SegmentAngles.h"
 
 #include "Numerics/Constants.h"
-#include "Numerics/ParameterRange.h"
+#include "Numerics/ParameterCheck.h"
 #include "Seaweed/SeaweedGrowth.h"
 
 #include <algorithm>
@@ -69,21 +69,17 @@ SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& seg
 
 std::string WhyInvalid(const SeaweedOptions& options)
 {
-  for (const std::string& reason :
-    { OutOfRange("WaterDensity", options.WaterDensity, 1.0, 1e5), OutOfRange("SeaLevel", options.SeaLevel, -1e9, 1e9),
-      OutOfRange("DragCoefficient", options.DragCoefficient, 0.0, 100.0),
-      OutOfRange("FrictionCoefficient", options.FrictionCoefficient, 0.0, 100.0),
-      OutOfRange("AddedMassCoefficient", options.AddedMassCoefficient, 0.0, 100.0),
-      OutOfRange("DampingFactor", options.DampingFactor, 0.0, 1e3),
-      OutOfRange("ForceFactor", options.ForceFactor, 0.0, 1e6), OutOfRange("LeverArm", options.LeverArm, 0.0, 1.0),
-      OutOfRange("MaximumAngle", options.MaximumAngle, 0.0, Pi) })
-  {
-    if (!reason.empty())
-    {
-      return reason;
-    }
-  }
-  return {};
+  ParameterCheck check;
+  check.Range("WaterDensity", options.WaterDensity, 1.0, 1e5, "kg/m3");
+  check.Range("SeaLevel", options.SeaLevel, -1e9, 1e9, "m");
+  check.Range("DragCoefficient", options.DragCoefficient, 0.0, 100.0);
+  check.Range("FrictionCoefficient", options.FrictionCoefficient, 0.0, 100.0);
+  check.Range("AddedMassCoefficient", options.AddedMassCoefficient, 0.0, 100.0);
+  check.Range("DampingFactor", options.DampingFactor, 0.0, 1e3);
+  check.Range("ForceFactor", options.ForceFactor, 0.0, 1e6);
+  check.Range("LeverArm", options.LeverArm, 0.0, 1.0);
+  check.Range("MaximumAngle", options.MaximumAngle, 0.0, Pi, "rad");
+  return check.Reason();
 }
 
 std::vector<SeaweedLink> LinksOf(

@@ -28,7 +28,7 @@ SeaweedSkin::SeaweedSkin(const int* jointIds, std::size_t vertices, const Seawee
   }
 }
 
-void MoveRun(const SkinRun& run, const RestSkin<float>& rest, const std::vector<JointChange>& changes, float rigidity,
+void MoveRun(const SkinRun& run, const RestSkin& rest, const std::vector<JointChange>& changes, float rigidity,
   float* points, float* normals)
 {
   if (rigidity <= 0.0f)
@@ -46,7 +46,7 @@ void MoveRun(const SkinRun& run, const RestSkin<float>& rest, const std::vector<
       weight[i] += rigidity * ((i == largest ? 1.0f : 0.0f) - weight[i]);
     }
   }
-  RestSkin<float> own = rest;
+  RestSkin own = rest;
   own.JointWeights = weights.data() - 4 * run.First;
   MoveSkin(own, changes.data(), run.First, run.End, points, normals);
 }

@@ -37,7 +37,7 @@ private:
 
 /// Moves a run of a skin by the changes of all nodes. `rigidity` is 0 where a vertex follows up to four nodes, 1 where
 /// it follows the one of the largest weight alone. The ends of the run count from the beginning of the arrays.
-void MoveRun(const SkinRun& run, const RestSkin<float>& rest, const std::vector<JointChange>& changes, float rigidity,
+void MoveRun(const SkinRun& run, const RestSkin& rest, const std::vector<JointChange>& changes, float rigidity,
   float* points, float* normals);
 
 }

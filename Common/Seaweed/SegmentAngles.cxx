@@ -74,27 +74,4 @@ std::vector<SegmentAngles> AnglesOf(const Skeleton& skeleton)
   return angles;
 }
 
-std::vector<Vector3> PositionsOf(const Skeleton& skeleton, const std::vector<SegmentAngles>& angles)
-{
-  std::vector<Base> bases(skeleton.Nodes.size());
-  std::vector<Vector3> positions(skeleton.Nodes.size());
-  for (int node = 0; node < static_cast<int>(skeleton.Nodes.size()); ++node)
-  {
-    const int foot = FootOf(skeleton, node);
-    if (foot != node)
-    {
-      const double length = glm::distance(skeleton.Nodes[node].Position, skeleton.Nodes[foot].Position);
-      bases[node] = bases[foot];
-      positions[node] = positions[foot] + length * bases[foot].Y;
-      continue;
-    }
-    const int parentFoot = ParentFoot(skeleton, foot);
-    const Base parent = parentFoot < 0 ? Base{} : bases[parentFoot];
-    bases[node] = Turned(parent, angles[node].Theta, angles[node].Phi);
-    positions[node] =
-      parentFoot < 0 ? skeleton.Nodes[node].Position : positions[parentFoot] + angles[node].Attachment * parent.Y;
-  }
-  return positions;
-}
-
 }

@@ -27,12 +27,6 @@ struct SegmentAngles
 /// Phi is. The skeleton must be valid.
 std::vector<SegmentAngles> AnglesOf(const Skeleton& skeleton);
 
-/**
- * The positions of the nodes that angles lead to, for a skeleton of the same topology and segments as long as its own:
- * the inverse of AnglesOf, for branches that start on their parent. Trunks start where they do in the skeleton.
- */
-std::vector<Vector3> PositionsOf(const Skeleton& skeleton, const std::vector<SegmentAngles>& angles);
-
 }
 
 #endif

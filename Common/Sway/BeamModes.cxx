@@ -73,11 +73,6 @@ double CantileverRoot(int mode)
   return ModeOf(mode).Root;
 }
 
-double ShapeRatio(int mode)
-{
-  return ModeOf(mode).Ratio;
-}
-
 double ModeShape(int mode, double part)
 {
   // cosh b - sigma sinh b = [(1 - sigma) exp(b) + (1 + sigma) exp(-b)] / 2
@@ -127,21 +122,6 @@ double AngularFrequency(const RoundBeam& beam, int mode)
 {
   const double waveNumber = CantileverRoot(mode) / beam.Length;
   return waveNumber * waveNumber * std::sqrt(beam.YoungModulus * SecondMoment(beam.Radius) / beam.MassPerLength);
-}
-
-double ModalMass(const RoundBeam& beam)
-{
-  return beam.MassPerLength * beam.Length;
-}
-
-double StaticTipShare(int lastMode)
-{
-  double share = 0.0;
-  for (int mode = 1; mode <= lastMode; ++mode)
-  {
-    share += 8.0 * ModeShape(mode, 1.0) * MeanShape(mode) / std::pow(CantileverRoot(mode), 4);
-  }
-  return share;
 }
 
 }

@@ -26,9 +26,6 @@ double SecondMoment(double radius);
 /// The n-th positive root of cos(a) cosh(a) = -1, for n from 1 to MostModes: wave number times length.
 double CantileverRoot(int mode);
 
-/// The factor of the odd part of a mode's shape, (sinh a - sin a) / (cosh a + cos a) at the root a.
-double ShapeRatio(int mode);
-
 /// A mode's shape at a part of the length from 0, the clamped end, to 1; the mean of its square is 1 and its value at
 /// the tip 2 or -2 (eqs. 18 and 19 of Setas et al. in a form that neither overflows nor cancels).
 double ModeShape(int mode, double part);
@@ -52,13 +49,6 @@ double MeanShape(int mode);
 
 /// Angular frequency of a mode without damping [rad/s] (eq. 20).
 double AngularFrequency(const RoundBeam& beam, int mode);
-
-/// Modal mass (eq. 23) with shapes of mean square 1: the mass of the beam [kg].
-double ModalMass(const RoundBeam& beam);
-
-/// What the modes from 1 to the last one make of the deflection of the tip under a uniform load at rest, as part of the
-/// exact one, q L^4 / (8 E I).
-double StaticTipShare(int lastMode);
 
 }
 

@@ -60,25 +60,10 @@ std::vector<Vector3> PeriodicResponse(const Oscillator& oscillator, double step,
 /// The state of the periodic motion, from that of an oscillator which was at rest one period [s] ago.
 OscillatorState SettledState(const Oscillator& oscillator, double period, const OscillatorState& fromRest);
 
-/// Responses of beams along x, y and z to one load in space, at one time; each is at a right angle to its beam.
-struct OrthogonalResponses
-{
-  Vector3 X{ 0.0, 0.0, 0.0 };
-  Vector3 Y{ 0.0, 0.0, 0.0 };
-  Vector3 Z{ 0.0, 0.0, 0.0 };
-};
-
 /// What a beam along a unit vector makes of a response in space: the part at a right angle to it.
 inline Vector3 AcrossBeam(const Vector3& response, const Vector3& beam)
 {
   return response - glm::dot(response, beam) * beam;
-}
-
-/// Eq. 25 with the factor 1/2 that it lacks: the response of a beam from those of three orthogonal ones, each of which
-/// has two of the three components, so that their sum has each twice.
-inline Vector3 InterpolatedResponse(const OrthogonalResponses& of, const Vector3& beam)
-{
-  return AcrossBeam(0.5 * (of.X + of.Y + of.Z), beam);
 }
 
 /// Samples that SharpLoad needs before the first and after the last that it gives.

@@ -48,7 +48,7 @@ std::vector<JointChange> ChangesAt(const SwaySpecies& species, double time, Plan
 }
 
 /// Moves the leaves' points to a time [s].
-void MoveLeaves(const SwaySpecies& species, const RestSkin<float>& skin, double time, PlantSway& sway,
+void MoveLeaves(const SwaySpecies& species, const RestSkin& skin, double time, PlantSway& sway,
   const SwaySettings& settings, PlantMesh& mesh)
 {
   const std::vector<JointChange> changes = ChangesAt(species, time, sway, settings.Options.NumberOfModes);

@@ -39,15 +39,9 @@ Eigen::MatrixXd Overlaps(int cells, int count)
   return overlaps;
 }
 
-}
-
-DetrendedWindow::DetrendedWindow(const GridSamples& samples, Trend trend)
-  : CellsX(std::min(MostCells, samples.Width))
-  , CellsY(std::min(MostCells, samples.Height))
-  , CellWidth(samples.Width * samples.Spacing[0] / CellsX)
-  , CellHeight(samples.Height * samples.Spacing[1] / CellsY)
+/// Number of values in each of so many even cells; a value on the border of cells counts in part.
+Eigen::MatrixXd CountInCells(const GridSamples& samples, int cellsX, int cellsY)
 {
-  // Values in each cell: a value on the border of cells counts in part.
   Eigen::MatrixXd there(samples.Width, samples.Height);
   for (int j = 0; j < samples.Height; ++j)
   {
@@ -56,48 +50,108 @@ DetrendedWindow::DetrendedWindow(const GridSamples& samples, Trend trend)
       there(i, j) = std::isnan(samples.At(i, j)) ? 0.0 : 1.0;
     }
   }
-  const Eigen::MatrixXd counts =
-    Overlaps(this->CellsX, samples.Width) * there * Overlaps(this->CellsY, samples.Height).transpose();
+  return Overlaps(cellsX, samples.Width) * there * Overlaps(cellsY, samples.Height).transpose();
+}
+
+/// The trend's functions f = 1, x, y at the cells' middles, in units of the window's size.
+Eigen::MatrixXd TrendFunctions(Trend trend, int cellsX, int cellsY)
+{
+  const int cells = cellsX * cellsY;
+  Eigen::MatrixXd functions(cells, trend == Trend::Plane ? 3 : 1);
+  functions.col(0).setOnes();
+  for (int c = 0; c < cells && trend == Trend::Plane; ++c)
+  {
+    functions(c, 1) = (c % cellsX + 0.5) / cellsX - 0.5;
+    functions(c, 2) = (c / cellsX + 0.5) / cellsY - 0.5;
+  }
+  return functions;
+}
+
+/// Least squares of the trend: functions by their weights, and the eigensystem of N = sum of values f f^T.
+class NormalEquations
+{
+public:
+  NormalEquations(const Eigen::VectorXd& values, const Eigen::MatrixXd& functions)
+    : Weighted(values.asDiagonal() * functions)
+    , Normal(functions.transpose() * this->Weighted)
+  {
+    const Eigen::VectorXd& scales = this->Normal.eigenvalues();
+    // A direction along which all values stand at one place has no slope.
+    this->Inverse =
+      (scales.array() > 1e-9 * scales.maxCoeff()).select(scales.array().inverse(), Eigen::ArrayXd::Zero(scales.size()));
+  }
+
+  /// Functions that are orthonormal over the values, times the values.
+  Eigen::MatrixXd Basis() const
+  {
+    return this->Weighted * this->Normal.eigenvectors() * this->Inverse.cwiseSqrt().asDiagonal();
+  }
+
+  /// Weights of the cells' means in the coefficients of the functions.
+  Eigen::MatrixXd Solution() const
+  {
+    return this->Weighted * this->Normal.eigenvectors() * this->Inverse.asDiagonal() *
+      this->Normal.eigenvectors().transpose();
+  }
+
+private:
+  Eigen::MatrixXd Weighted;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> Normal;
+  Eigen::VectorXd Inverse; ///< of the eigenvalues
+};
+
+}
+
+DetrendedWindow::DetrendedWindow(const GridSamples& samples, Trend trend)
+  : CellsX(std::min(MostCells, samples.Width))
+  , CellsY(std::min(MostCells, samples.Height))
+  , CellWidth(samples.Width * samples.Spacing[0] / CellsX)
+  , CellHeight(samples.Height * samples.Spacing[1] / CellsY)
+{
+  const Eigen::MatrixXd counts = CountInCells(samples, this->CellsX, this->CellsY);
   const int cells = this->CellsX * this->CellsY;
   const Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(counts.data(), cells);
   this->Values.assign(counts.data(), counts.data() + cells);
   this->Count = values.sum();
 
-  // The trend's functions f = 1, x, y at the cells' middles, in units of the window's size; N = sum of values f f^T.
-  Eigen::MatrixXd functions(cells, trend == Trend::Plane ? 3 : 1);
-  functions.col(0).setOnes();
-  for (int c = 0; c < cells && trend == Trend::Plane; ++c)
-  {
-    functions(c, 1) = (c % this->CellsX + 0.5) / this->CellsX - 0.5;
-    functions(c, 2) = (c / this->CellsX + 0.5) / this->CellsY - 0.5;
-  }
-  const Eigen::MatrixXd weighted = values.asDiagonal() * functions;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> normal(functions.transpose() * weighted);
-  const Eigen::VectorXd& scales = normal.eigenvalues();
-  // A direction along which all values stand at one place has no slope.
-  const Eigen::VectorXd inverse =
-    (scales.array() > 1e-9 * scales.maxCoeff()).select(scales.array().inverse(), Eigen::ArrayXd::Zero(scales.size()));
-  const Eigen::MatrixXd basis = weighted * normal.eigenvectors() * inverse.cwiseSqrt().asDiagonal();
+  const NormalEquations equations(values, TrendFunctions(trend, this->CellsX, this->CellsY));
+  const Eigen::MatrixXd basis = equations.Basis();
   for (int n = 0; n < basis.cols(); ++n)
   {
     this->Basis.emplace_back(basis.col(n).data(), basis.col(n).data() + cells);
   }
   if (trend == Trend::Plane)
   {
-    const Eigen::MatrixXd solution =
-      weighted * normal.eigenvectors() * inverse.asDiagonal() * normal.eigenvectors().transpose();
+    const Eigen::MatrixXd solution = equations.Solution();
     for (int c = 0; c < cells; ++c)
     {
       this->Slope.push_back(
         { solution(c, 1) / (this->CellsX * this->CellWidth), solution(c, 2) / (this->CellsY * this->CellHeight) });
     }
   }
+  this->AddNodes(samples);
 
-  // Separations of two cells: a triangle of weights about that of their middles; far apart the middles will do.
+  // P / n, summed over the pairs of cells of each lag.
+  const int lags = this->NumberOfLags();
+  this->Loss.resize(lags);
+  this->PairWeights.resize(lags);
+  const Eigen::MatrixXd projection = basis * basis.transpose() / this->Count;
+  for (int a = 0; a < cells; ++a)
+  {
+    for (int b = 0; b < cells; ++b)
+    {
+      this->Loss[this->LagIndex(a, b)] += projection(a, b);
+      this->PairWeights[this->LagIndex(a, b)] += values[a] * values[b] / (this->Count * this->Count);
+    }
+  }
+}
+
+/// Separations of two cells: a triangle of weights about that of their middles; far apart the middles will do.
+void DetrendedWindow::AddNodes(const GridSamples& samples)
+{
   const int stepsX = std::clamp((samples.Width + this->CellsX / 2) / this->CellsX, 1, MostSteps);
   const int stepsY = std::clamp((samples.Height + this->CellsY / 2) / this->CellsY, 1, MostSteps);
-  const int lags = (2 * this->CellsX - 1) * this->CellsY;
-  for (int lag = 0; lag < lags; ++lag)
+  for (int lag = 0; lag < this->NumberOfLags(); ++lag)
   {
     const int i = lag % (2 * this->CellsX - 1) - (this->CellsX - 1);
     const int j = lag / (2 * this->CellsX - 1);
@@ -112,18 +166,6 @@ DetrendedWindow::DetrendedWindow(const GridSamples& samples, Trend trend)
         this->Nodes.push_back({ lag, (i + static_cast<double>(a) / nx) * this->CellWidth,
           (j + static_cast<double>(b) / ny) * this->CellHeight, weight });
       }
-    }
-  }
-
-  this->Loss.resize(lags);
-  this->PairWeights.resize(lags);
-  const Eigen::MatrixXd projection = basis * basis.transpose() / this->Count;
-  for (int a = 0; a < cells; ++a)
-  {
-    for (int b = 0; b < cells; ++b)
-    {
-      this->Loss[this->LagIndex(a, b)] += projection(a, b);
-      this->PairWeights[this->LagIndex(a, b)] += values[a] * values[b] / (this->Count * this->Count);
     }
   }
 }

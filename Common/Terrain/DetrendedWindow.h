@@ -66,6 +66,8 @@ private:
     double Weight;
   };
 
+  void AddNodes(const GridSamples& samples);
+  int NumberOfLags() const { return (2 * this->CellsX - 1) * this->CellsY; }
   int LagIndex(int cellA, int cellB) const;
   std::vector<double> PairImbalance(double x, double y) const;
 

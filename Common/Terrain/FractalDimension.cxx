@@ -145,9 +145,8 @@ std::vector<double> Unfolded(const std::vector<double>& logWaveNumber, const std
   return own;
 }
 
-}
-
-DimensionEstimate DimensionFromPeriodogram(const GridSamples& samples, const ParallelFor& parallel)
+/// Transform of the samples less their mean, under a Hann window.
+FourierGrid WindowedTransform(const GridSamples& samples, const ParallelFor& parallel)
 {
   const double mean = Moments(samples).Mean;
   FourierGrid grid(NextFastLength(samples.Width), NextFastLength(samples.Height));
@@ -160,7 +159,19 @@ DimensionEstimate DimensionFromPeriodogram(const GridSamples& samples, const Par
     }
   }
   grid.Forward(parallel);
+  return grid;
+}
 
+/// Mean power of the rings that hold any, and their mean wave number, as logarithms.
+struct RingPowers
+{
+  std::vector<double> LogWaveNumber;
+  std::vector<double> LogPower;
+};
+
+/// Rings of a transform from six waves in the short side of the samples to a wave of five cells.
+RingPowers PowersOfRings(const GridSamples& samples, const FourierGrid& grid)
+{
   const double shortSide = std::min(samples.Width * samples.Spacing[0], samples.Height * samples.Spacing[1]);
   const double lowest = 6.0 * TwoPi / shortSide;
   const double highest = TwoPi / (5.0 * std::max(samples.Spacing[0], samples.Spacing[1]));
@@ -186,16 +197,23 @@ DimensionEstimate DimensionFromPeriodogram(const GridSamples& samples, const Par
       count[ring] += 1.0;
     }
   }
-  std::vector<double> x;
-  std::vector<double> y;
+  RingPowers rings;
   for (int ring = 0; ring < NumberOfRings; ++ring)
   {
     if (power[ring] > 0.0)
     {
-      x.push_back(logWaveNumber[ring] / count[ring]);
-      y.push_back(std::log(power[ring] / count[ring]));
+      rings.LogWaveNumber.push_back(logWaveNumber[ring] / count[ring]);
+      rings.LogPower.push_back(std::log(power[ring] / count[ring]));
     }
   }
+  return rings;
+}
+
+}
+
+DimensionEstimate DimensionFromPeriodogram(const GridSamples& samples, const ParallelFor& parallel)
+{
+  const auto [x, y] = PowersOfRings(samples, WindowedTransform(samples, parallel));
   if (!(4.0 + 0.5 * FitSlope(x, y).Value < NoisySlope))
   {
     return NoDimension;

@@ -238,26 +238,16 @@ double Crossover::LongBelow(const CovarianceParameters& field, double w) const
   return SpectrumBelow(field, end) * this->LongPart(end) + Gauss::integrate(integrand, this->Low, end);
 }
 
-ShortWaves::ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover,
-  int seed, RandomPurpose purpose)
-  : Random(seed, purpose)
+namespace
 {
-  this->FindWeights(field, lattice, crossover);
-}
 
-void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover)
+/// Weights of the moving average that makes the short waves of a field of variance 1, up to a factor: the inverse
+/// transform of the root of their spectrum. Indices below 0 are at the end of the grid.
+FourierGrid RootOfSpectrum(const CovarianceParameters& unit, const PlaneLattice& lattice, const Crossover& crossover,
+  double shortVariance, const std::array<int, 2>& reach)
 {
-  const double spacing = MeanSpacing(lattice);
-  const double radius = AverageRadius * spacing;
-  // The box of a circle in the grid's indices: with unit vectors across the other step, |i| <= radius / height.
-  const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
-  this->Reach = { static_cast<int>(radius * Length(lattice.StepY) / area),
-    static_cast<int>(radius * Length(lattice.StepX) / area) };
-
   // Covariance of the short waves at the points: the model's less that of the long waves.
-  CovarianceParameters unit = field;
-  unit.Variance = 1.0;
-  const double end = CorrelationRadius * spacing;
+  const double end = CorrelationRadius * MeanSpacing(lattice);
   const int samples = 65;
   const double step = end / (samples - 1);
   const LongDecay decay(unit, crossover);
@@ -267,10 +257,9 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
     decays[n] = decay.At(n * step);
   }
   const boost::math::interpolators::cardinal_quintic_b_spline<double> decayAt(decays, 0.0, step, { 0.0, 0.0 });
-  const double shortVariance = 1.0 - crossover.LongBelow(unit, crossover.High);
 
   // Its transform is the spectrum with all that folds back; the weights are those of the root.
-  FourierGrid grid(NextFastLength(5 * this->Reach[0] + 2), NextFastLength(5 * this->Reach[1] + 2));
+  FourierGrid grid(NextFastLength(5 * reach[0] + 2), NextFastLength(5 * reach[1] + 2));
   const int width = grid.GetWidth();
   const int height = grid.GetHeight();
   const auto signedIndex = [](int index, int length) { return index > length / 2 ? index - length : index; };
@@ -291,10 +280,35 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
     }
   }
   grid.Backward();
+  return grid;
+}
+
+}
+
+ShortWaves::ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover,
+  int seed, RandomPurpose purpose)
+  : Random(seed, purpose)
+{
+  this->FindWeights(field, lattice, crossover);
+}
+
+void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover)
+{
+  const double radius = AverageRadius * MeanSpacing(lattice);
+  // The box of a circle in the grid's indices: with unit vectors across the other step, |i| <= radius / height.
+  const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
+  this->Reach = { static_cast<int>(radius * Length(lattice.StepY) / area),
+    static_cast<int>(radius * Length(lattice.StepX) / area) };
+  CovarianceParameters unit = field;
+  unit.Variance = 1.0;
+  const double shortVariance = 1.0 - crossover.LongBelow(unit, crossover.High);
+  const FourierGrid grid = RootOfSpectrum(unit, lattice, crossover, shortVariance, this->Reach);
 
   double squares = 0.0;
   const auto within = [&](int i, int j) { return lattice.Distance(i, j) <= radius; };
-  const auto weight = [&](int i, int j) { return grid.At((i + width) % width, (j + height) % height).real(); };
+  const auto weight = [&](int i, int j) {
+    return grid.At((i + grid.GetWidth()) % grid.GetWidth(), (j + grid.GetHeight()) % grid.GetHeight()).real();
+  };
   for (int j = -this->Reach[1]; j <= this->Reach[1]; ++j)
   {
     for (int i = -this->Reach[0]; i <= this->Reach[0]; ++i)
@@ -311,6 +325,11 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
       this->Weights.push_back(value);
     }
   }
+  this->AddTaps();
+}
+
+void ShortWaves::AddTaps()
+{
   this->Taps.push_back({ 0, 0, this->Weight(0, 0) });
   for (int j = 0; j <= this->Reach[1]; ++j)
   {

@@ -63,6 +63,7 @@ public:
 
 private:
   void FindWeights(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover);
+  void AddTaps();
   float Weight(int i, int j) const;
 
   RandomStream Random;

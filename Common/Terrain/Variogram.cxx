@@ -11,20 +11,16 @@
 namespace littoral
 {
 
-VariogramMap ComputeVariogramMap(const GridSamples& samples, double maximumLag, const ParallelFor& parallel)
+namespace
 {
-  // With m the mask of present values and z = 0 elsewhere, the pairs' squared differences sum to
-  // corr(m z^2, m) + corr(m, m z^2) - 2 corr(z, z), and corr(m, m) counts them.
-  VariogramMap map;
-  map.Spacing = samples.Spacing;
-  const auto lagsAlong = [&](int axis, int size) {
-    return std::min(size - 1, static_cast<int>(std::min(maximumLag / samples.Spacing[axis], 1e9)));
-  };
-  map.LagWidth = lagsAlong(0, samples.Width);
-  map.LagHeight = lagsAlong(1, samples.Height);
-  const int width = NextFastLength(samples.Width + map.LagWidth);
-  const int height = NextFastLength(samples.Height + map.LagHeight);
 
+/**
+ * Sums over all pairs of values, by lag: squared differences (real part) and numbers of pairs (imaginary part), times
+ * the number of values of the grid. With m the mask of present values and z = 0 elsewhere, the squared differences are
+ * corr(m z^2, m) + corr(m, m z^2) - 2 corr(z, z), and corr(m, m) counts them.
+ */
+FourierGrid PairSums(const GridSamples& samples, int width, int height, const ParallelFor& parallel)
+{
   FourierGrid values(width, height); // z + i m: two real transforms in one
   FourierGrid squares(width, height);
   const double mean = Moments(samples).Mean;
@@ -61,6 +57,23 @@ VariogramMap ComputeVariogramMap(const GridSamples& samples, double maximumLag, 
     }
   });
   squares.Backward(parallel);
+  return squares;
+}
+
+}
+
+VariogramMap ComputeVariogramMap(const GridSamples& samples, double maximumLag, const ParallelFor& parallel)
+{
+  VariogramMap map;
+  map.Spacing = samples.Spacing;
+  const auto lagsAlong = [&](int axis, int size) {
+    return std::min(size - 1, static_cast<int>(std::min(maximumLag / samples.Spacing[axis], 1e9)));
+  };
+  map.LagWidth = lagsAlong(0, samples.Width);
+  map.LagHeight = lagsAlong(1, samples.Height);
+  const int width = NextFastLength(samples.Width + map.LagWidth);
+  const int height = NextFastLength(samples.Height + map.LagHeight);
+  const FourierGrid pairs = PairSums(samples, width, height, parallel);
 
   map.Semivariance.resize(static_cast<std::size_t>(2 * map.LagWidth + 1) * (map.LagHeight + 1));
   map.Pairs.resize(map.Semivariance.size());
@@ -69,7 +82,7 @@ VariogramMap ComputeVariogramMap(const GridSamples& samples, double maximumLag, 
   {
     for (int i = -map.LagWidth; i <= map.LagWidth; ++i)
     {
-      const std::complex<double> sums = scale * squares.At(i < 0 ? i + width : i, j);
+      const std::complex<double> sums = scale * pairs.At(i < 0 ? i + width : i, j);
       const std::size_t index = map.Index(i, j);
       map.Pairs[index] = std::round(sums.imag());
       map.Semivariance[index] = map.Pairs[index] > 0.0 ? std::max(0.0, 0.5 * sums.real() / map.Pairs[index]) : 0.0;

@@ -301,6 +301,24 @@ std::vector<LagBin> UsedBins(const std::vector<LagBin>& bins)
   return used;
 }
 
+/// Roots of the weights of the lags, pairs over the square of the lag; the mean of their squares is 1.
+std::vector<double> RootWeights(const std::vector<LagBin>& bins)
+{
+  std::vector<double> rootWeights;
+  double sum = 0.0;
+  for (const LagBin& bin : bins)
+  {
+    rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
+    sum += rootWeights.back() * rootWeights.back();
+  }
+  const int n = static_cast<int>(bins.size());
+  for (double& weight : rootWeights)
+  {
+    weight *= std::sqrt(n / sum);
+  }
+  return rootWeights;
+}
+
 /// Fits one model, with or without nugget as the options say.
 VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
   const VariogramFitOptions& options)
@@ -314,20 +332,12 @@ VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, con
     return best;
   }
 
-  std::vector<double> rootWeights;
-  double sum = 0.0;
+  const std::vector<double> rootWeights = RootWeights(bins);
   double shortestLag = bins.front().Lag;
   for (const LagBin& bin : bins)
   {
-    rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
-    sum += rootWeights.back() * rootWeights.back();
     shortestLag = std::min(shortestLag, bin.Lag);
   }
-  for (double& weight : rootWeights)
-  {
-    weight *= std::sqrt(n / sum);
-  }
-
   using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
   Problem problem(Residuals{ map, expected, bins, rootWeights });
   Eigen::VectorXd found;

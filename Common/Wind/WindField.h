@@ -100,7 +100,6 @@ public:
 private:
   struct Scratch;
 
-  void MakePlane(int frequency, Scratch& scratch);
   /// Power of the waves of one frequency, in the quarter of wave numbers up to the middle; what was clipped of it.
   double WavePower(int component, int frequency, Scratch& scratch) const;
   /// Transforms an even function, given in the quarter of indices up to the middle, along both axes.

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 namespace littoral
 {
@@ -19,11 +18,6 @@ constexpr double VonKarman = 0.4;
 constexpr double CoherenceHeight = 10.0;
 /// Beyond it there is no wind on Earth [m/s].
 constexpr double FastestWind = 1000.0;
-
-bool IsPositive(double value)
-{
-  return value > 0.0 && std::isfinite(value);
-}
 
 /// The paper's spectra. Written with z / U(z) in place of nu / f, they are finite at frequency 0.
 double SimiuScanlanDensity(const WindModel& model, int component, double frequency, double height)
@@ -135,46 +129,27 @@ const WindCoherenceTraits& TraitsOf(WindCoherenceModel coherence)
 
 std::string WhyInvalid(const WindModel& model)
 {
-  std::ostringstream reason;
-  if (!IsPositive(model.ReferenceSpeed) || model.ReferenceSpeed > FastestWind)
+  ParameterCheck check;
+  check.Positive("ReferenceSpeed", model.ReferenceSpeed, "m/s", FastestWind);
+  check.Positive("RoughnessLength", model.RoughnessLength, "m");
+  check.Require(model.ReferenceHeight > model.RoughnessLength && std::isfinite(model.ReferenceHeight),
+    "ReferenceHeight", model.ReferenceHeight, "m",
+    "finite and above the RoughnessLength of " + TextOf(model.RoughnessLength) + " m");
+  check.Within("RoughnessLength", model.RoughnessLength, ValueInterval::Between(0.0, CoherenceHeight), "m");
+  check.Require(WhyNoFamily(model));
+  if (!check.IsGood())
   {
-    reason << "ReferenceSpeed is " << model.ReferenceSpeed << " m/s; it must be positive and at most " << FastestWind
-           << ".";
+    return check.Reason();
   }
-  else if (!IsPositive(model.RoughnessLength))
+  check.Require(TraitsOf(model.Spectrum).Parameters.WhyInvalid(model));
+  constexpr const char* names[] = { "LongitudinalDecay", "LateralDecay", "VerticalDecay" };
+  for (int component = 0; component < WindComponents; ++component)
   {
-    reason << "RoughnessLength is " << model.RoughnessLength << " m; it must be positive.";
+    const std::string name = names[component];
+    check.Positive(name + "[0]", model.Decay[component].Lateral);
+    check.Positive(name + "[1]", model.Decay[component].Vertical);
   }
-  else if (!(model.ReferenceHeight > model.RoughnessLength) || !std::isfinite(model.ReferenceHeight))
-  {
-    reason << "ReferenceHeight is " << model.ReferenceHeight << " m; it must be above the RoughnessLength of "
-           << model.RoughnessLength << " m.";
-  }
-  else if (!(model.RoughnessLength < CoherenceHeight))
-  {
-    reason << "RoughnessLength is " << model.RoughnessLength << " m; it must be below " << CoherenceHeight << " m.";
-  }
-  else if (const std::string family = WhyNoFamily(model); !family.empty())
-  {
-    reason << family;
-  }
-  else if (const std::string parameter = TraitsOf(model.Spectrum).Parameters.WhyInvalid(model); !parameter.empty())
-  {
-    reason << parameter;
-  }
-  else
-  {
-    constexpr const char* names[] = { "LongitudinalDecay", "LateralDecay", "VerticalDecay" };
-    for (int component = 0; component < WindComponents && reason.str().empty(); ++component)
-    {
-      const WindDecay& decay = model.Decay[component];
-      if (!IsPositive(decay.Lateral) || !IsPositive(decay.Vertical))
-      {
-        reason << names[component] << " is " << decay.Lateral << ", " << decay.Vertical << "; both must be positive.";
-      }
-    }
-  }
-  return reason.str();
+  return check.Reason();
 }
 
 double FrictionVelocity(const WindModel& model)

@@ -118,17 +118,10 @@ vtkSmartPointer<vtkPolyData> PolyDataOf(const Skeleton& skeleton, const Color& b
   return data;
 }
 
-bool TakeColor(const double from[3], Color& to)
+Color ColorOf(const double from[3])
 {
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    if (!(from[channel] >= 0.0 && from[channel] <= 1.0))
-    {
-      return false;
-    }
-    to[channel] = static_cast<unsigned char>(std::lround(255.0 * from[channel]));
-  }
-  return true;
+  const auto byte = [](double part) { return static_cast<unsigned char>(std::lround(255.0 * part)); };
+  return { byte(from[0]), byte(from[1]), byte(from[2]) };
 }
 
 void AttachTexture(vtkDataObject* block, const TextureImage& texture)

@@ -52,8 +52,8 @@ constexpr const char* PlantId = "PlantId";
 constexpr const char* Wood = "Wood";
 }
 
-/// A color of 0 to 1 as bytes; false if it is none.
-bool TakeColor(const double from[3], Color& to);
+/// A color with parts from 0 to 1 as bytes.
+Color ColorOf(const double from[3]);
 
 // Plants to blocks.
 

@@ -4,7 +4,6 @@
 
 #include "Data/PlantBlocks.h"
 #include "Data/SeaweedBlocks.h"
-#include "Data/SeaweedBlocks.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 
@@ -22,7 +21,7 @@ namespace
 /// A skin on its way: arrays, and the ranges of their values, which are found while these are at hand.
 struct MovedSkin
 {
-  RestSkin<float> Rest;
+  RestSkin Rest;
   vtkSmartPointer<vtkFloatArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
   std::array<TupleRanges, 2> Ranges;

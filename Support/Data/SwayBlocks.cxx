@@ -372,7 +372,7 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
   auto* restNormals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
   const auto points = FloatsLike(FloatPointsOf(skin.Rest));
   const auto normals = restNormals ? FloatsLike(restNormals) : nullptr;
-  RestSkin<float> rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals ? restNormals->GetPointer(0) : nullptr,
+  RestSkin rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals ? restNormals->GetPointer(0) : nullptr,
     skin.Joints.data(), skin.Weights.data() };
   if (skin.Joints.empty())
   {

@@ -200,7 +200,7 @@ void SkinOneTree(benchmark::State& state)
   }
   std::vector<float> points(skin.Points.size());
   std::vector<float> normals(skin.Points.size());
-  const RestSkin<float> rest{ skin.Points.data(), skin.Normals.data(), skin.Ids.data(), skin.Weights.data() };
+  const RestSkin rest{ skin.Points.data(), skin.Normals.data(), skin.Ids.data(), skin.Weights.data() };
   for (auto _ : state)
   {
     MoveSkin(rest, changes.data(), 0, points.size() / 3, points.data(), normals.data());

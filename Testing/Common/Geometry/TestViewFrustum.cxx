@@ -64,7 +64,7 @@ TEST(ViewFrustum, HoldsThePointsThatACameraProjectsOnThePicture)
     for (int k = 0; k < 200; ++k)
     {
       const Vector3 point = RandomVector(random, 15.0);
-      EXPECT_EQ(frustum.Contains(point), IsShown(view, point));
+      EXPECT_EQ(frustum.MayShow(point, 0.0), IsShown(view, point));
       shown += IsShown(view, point);
     }
   }
@@ -131,7 +131,7 @@ TEST(ViewFrustum, ARoundedViewHoldsWhatTheViewShows)
       if (IsShown(view, point))
       {
         ++shown;
-        ASSERT_TRUE(rounded.Contains(point));
+        ASSERT_TRUE(rounded.MayShow(point, 0.0));
       }
     }
   }
@@ -153,7 +153,7 @@ TEST(ViewFrustum, HoldsThePictureInPerspectiveAndInParallel)
     for (int k = 0; k < 200; ++k)
     {
       const Vector3 place = RandomVector(random, 60.0);
-      ASSERT_EQ(frustum.Contains(place), picture.Shows(place)) << n;
+      ASSERT_EQ(frustum.MayShow(place, 0.0), picture.Shows(place)) << n;
       shown[view.IsParallel] += picture.Shows(place);
     }
   }
@@ -186,9 +186,9 @@ TEST(ViewFrustum, ARoundedViewHoldsThePictureOfAnyView)
       if (picture.Shows(place))
       {
         ++shown[view.IsParallel];
-        ASSERT_TRUE(rounded.Contains(place)) << n << " " << view.IsParallel;
+        ASSERT_TRUE(rounded.MayShow(place, 0.0)) << n << " " << view.IsParallel;
       }
-      rejected += !rounded.Contains(RandomVector(random, 60.0));
+      rejected += !rounded.MayShow(RandomVector(random, 60.0), 0.0);
     }
   }
   EXPECT_GT(shown[0], 100000);

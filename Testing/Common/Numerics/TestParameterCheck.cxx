@@ -39,6 +39,46 @@ TEST(ParameterCheck, HasOneWording)
   EXPECT_EQ(Reason([](auto& c) { c.Finite("SeaLevel", std::nan("")); }), "SeaLevel is nan; it must be finite.");
 }
 
+TEST(ParameterCheck, NamesChoicesCountsAndColors)
+{
+  EXPECT_EQ(Reason([](auto& c) {
+    c.Choice("Law", 2, { "linear", "cubic" });
+  }),
+    "Law is 2; it must be 0 (linear) or 1 (cubic).");
+  EXPECT_EQ(Reason([](auto& c) {
+    c.Choice("Trains", -1, { "some", "most", "all" });
+  }),
+    "Trains is -1; it must be 0 (some), 1 (most) or 2 (all).");
+  EXPECT_EQ(Reason([](auto& c) { c.PositiveCount("Lines", 0); }), "Lines is 0; it must be positive.");
+  const double color[] = { 0.5, 1.0, 1.5 };
+  EXPECT_EQ(Reason([&](auto& c) { c.Color("LeafColor", color); }),
+    "LeafColor is 0.5, 1, 1.5; it must be from 0 to 1 in each part.");
+  EXPECT_EQ(Reason([](auto& c) { c.Require(false, "Depth", -2.0, "m", "positive, or 0 for none"); }),
+    "Depth is -2 m; it must be positive, or 0 for none.");
+  EXPECT_EQ(Reason([&](auto& c) {
+    const double black[] = { 0.0, 0.0, 0.0 };
+    c.Choice("Law", 1, { "linear", "cubic" });
+    c.PositiveCount("Lines", 1);
+    c.Color("LeafColor", black);
+  }),
+    "");
+}
+
+TEST(ParameterCheck, IntervalsInWords)
+{
+  EXPECT_EQ(ValueInterval().Words("m"), "finite");
+  EXPECT_EQ(ValueInterval::Positive().Words("m"), "positive and finite");
+  EXPECT_EQ(ValueInterval::NotNegative().Words("m"), "finite and not negative");
+  EXPECT_EQ(ValueInterval::AtLeast(1.0).Words("m"), "finite and at least 1 m");
+  EXPECT_EQ(ValueInterval::Above(0.0, 2.0).Words("m"), "positive and at most 2 m");
+  EXPECT_EQ(ValueInterval::Above(0.5, 2.0).Words(), "above 0.5 and at most 2");
+  EXPECT_EQ(ValueInterval::From(-1.0, 2.0).Words("m"), "from -1 to 2 m");
+  EXPECT_EQ(ValueInterval::Between(2.0, 3.0).Words(), "above 2 and below 3");
+  EXPECT_FALSE(ValueInterval::Between(2.0, 3.0).Contains(3.0));
+  EXPECT_FALSE(ValueInterval::Above(2.0, 3.0).Contains(2.0));
+  EXPECT_TRUE(ValueInterval::From(2.0, 3.0).Contains(2.0) && ValueInterval::From(2.0, 3.0).Contains(3.0));
+}
+
 TEST(ParameterCheck, EndsAreWithin)
 {
   EXPECT_EQ(Reason([](auto& c) {

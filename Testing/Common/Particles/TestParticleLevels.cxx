@@ -11,6 +11,7 @@
 #include "Sea/TrainSelection.h"
 #include "Sea/WaveOrbits.h"
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,6 +49,24 @@ std::vector<Vector3> Places(int count, const Box& box, unsigned int seed = 1)
     }
   }
   return places;
+}
+
+/// Extinction [1/m] between the samples of a grid, by trilinear interpolation.
+double ExtinctionAt(const FogGrid& grid, const std::vector<float>& extinction, const Vector3& place)
+{
+  const Vector3 index = (place - grid.Origin) / grid.Spacing;
+  std::array<int, 3> low;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = std::clamp(static_cast<int>(std::floor(index[axis])), 0, grid.Count[axis] - 2);
+  }
+  const Vector3 part = index - Vector3(low[0], low[1], low[2]);
+  const auto alongX = [&](int j, int k) {
+    const std::size_t first = (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0] + low[0];
+    return glm::mix<double>(extinction[first], extinction[first + 1], part.x);
+  };
+  const auto alongY = [&](int k) { return glm::mix(alongX(low[1], k), alongX(low[1] + 1, k), part.y); };
+  return glm::mix(alongY(low[2]), alongY(low[2] + 1), part.z);
 }
 
 /// Moved by their first trains; counts empty: by all.

@@ -40,6 +40,16 @@ bool SameBytes(const PlantMesh& a, const PlantMesh& b)
     a.Corners == b.Corners && a.JointIds == b.JointIds;
 }
 
+/// Gardner's profile, 1 less the quadric's equation: 1 at the center, 0 on the surface, negative outside.
+double Profile(const Quadric& quadric, const Vector3& position)
+{
+  const Vector3 away = position - quadric.Center;
+  const double c = std::cos(quadric.Azimuth);
+  const double s = std::sin(quadric.Azimuth);
+  const Vector3 within = Vector3(c * away.x + s * away.y, c * away.y - s * away.x, away.z) / quadric.Axes;
+  return 1.0 - glm::dot(within, within);
+}
+
 double OpaqueShare(const TextureImage& picture, int firstRow, int rows)
 {
   int opaque = 0;

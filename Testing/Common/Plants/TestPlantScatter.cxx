@@ -6,6 +6,7 @@
 #include "Numerics/Constants.h"
 #include "Plants/PlantScatter.h"
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -176,17 +177,27 @@ TEST(SceneCells, LoseNoPlantThatIsInTheView)
 TEST(SceneCells, HoldEachFootOnTheirGroundAboutAsManyAsAskedFor)
 {
   const Forest forest = MakeForest(5000, 1000.0, 0.0);
+  Box all{ forest.Feet[0], forest.Feet[0] };
+  for (const Vector3& foot : forest.Feet)
+  {
+    all.Low = glm::min(all.Low, foot);
+    all.High = glm::max(all.High, foot);
+  }
   for (double perCell : { 1.0, 4.0, 50.0 })
   {
     const SceneCells cells(forest.Feet, forest.Boxes, perCell);
     EXPECT_NEAR(5000.0 / (cells.GetColumns() * cells.GetRows()), perCell, 0.1 * perCell);
     for (std::size_t plant = 0; plant < forest.Feet.size(); ++plant)
     {
-      const auto ground = cells.GroundOf(cells.CellOf(plant));
-      ASSERT_GE(forest.Feet[plant].x, ground[0] - 1e-9);
-      ASSERT_LE(forest.Feet[plant].x, ground[2] + 1e-9);
-      ASSERT_GE(forest.Feet[plant].y, ground[1] - 1e-9);
-      ASSERT_LE(forest.Feet[plant].y, ground[3] + 1e-9);
+      const int cell = cells.CellOf(plant);
+      const int index[2] = { cell % cells.GetColumns(), cell / cells.GetColumns() };
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double step = (all.High[axis] - all.Low[axis]) / (axis == 0 ? cells.GetColumns() : cells.GetRows());
+        const double low = all.Low[axis] + index[axis] * step;
+        ASSERT_GE(forest.Feet[plant][axis], low - 1e-9);
+        ASSERT_LE(forest.Feet[plant][axis], low + step + 1e-9);
+      }
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "Seaweed/SeaweedMesh.h"
 #include "Seaweed/SegmentAngles.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,6 +28,33 @@ int FootOf(const Skeleton& wood, int node)
 {
   const SkeletonBranch& branch = wood.Branches[wood.Nodes[node].Branch];
   return std::min(node, branch.First + branch.Count - 2);
+}
+
+/// Node positions from the angles and the segment lengths of a skeleton: local bases (columns X, Y, Z) are rotated by
+/// Theta about Y and then by Phi about X.
+std::vector<Vector3> PositionsOf(const Skeleton& wood, const std::vector<SegmentAngles>& angles)
+{
+  std::vector<glm::dmat3> bases;
+  std::vector<Vector3> positions;
+  for (int node = 0; node < static_cast<int>(wood.Nodes.size()); ++node)
+  {
+    const int foot = FootOf(wood, node);
+    if (foot != node) // the tip of a branch
+    {
+      bases.push_back(bases[foot]);
+      const double length = glm::distance(wood.Nodes[node].Position, wood.Nodes[foot].Position);
+      positions.push_back(positions[foot] + length * bases[foot][1]);
+      continue;
+    }
+    const glm::dmat3 ground(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 0.0, 1.0), Vector3(0.0, -1.0, 0.0));
+    const int parent = wood.Nodes[node].Parent < 0 ? -1 : FootOf(wood, wood.Nodes[node].Parent);
+    const glm::dmat3 base = parent < 0 ? ground : bases[parent];
+    bases.push_back(base *
+      glm::mat3_cast(glm::angleAxis(angles[node].Theta, Vector3(0.0, 1.0, 0.0)) *
+        glm::angleAxis(angles[node].Phi, Vector3(1.0, 0.0, 0.0))));
+    positions.push_back(parent < 0 ? wood.Nodes[node].Position : positions[parent] + angles[node].Attachment * base[1]);
+  }
+  return positions;
 }
 
 /// Whether a node starts a segment, and the segment's length.

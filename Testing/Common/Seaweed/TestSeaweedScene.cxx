@@ -406,7 +406,7 @@ TEST(SeaweedSkin, RigidVerticesFollowOneNode)
   const std::vector<float> normals{ 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 1.0f };
   const std::vector<int> ids{ 0, 1, 0, 0, 0, 1, 0, 0 };
   const std::vector<float> weights{ 0.75f, 0.25f, 0.0f, 0.0f, 0.25f, 0.75f, 0.0f, 0.0f };
-  const RestSkin<float> rest{ points.data(), normals.data(), ids.data(), weights.data() };
+  const RestSkin rest{ points.data(), normals.data(), ids.data(), weights.data() };
   // The first node stays, the second goes up by 1 m.
   const std::vector<JointChange> changes{ ChangeOf(JointPose(), Vector3(0.0)),
     ChangeOf(JointPose{ { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } }, Vector3(0.0)) };

@@ -53,6 +53,24 @@ double Integral(const Function& function)
   return sum;
 }
 
+/// Modal mass of a beam (eq. 23) by quadrature [kg].
+double ModalMass(const RoundBeam& beam, int mode)
+{
+  return beam.MassPerLength * beam.Length * Integral([=](double s) { return ModeShape(mode, s) * ModeShape(mode, s); });
+}
+
+/// Deflection of the tip under a uniform load at rest that the modes from 1 to the last one make up, as a part of the
+/// exact one, q L^4 / (8 E I).
+double StaticTipShare(int lastMode)
+{
+  double share = 0.0;
+  for (int mode = 1; mode <= lastMode; ++mode)
+  {
+    share += 8.0 * ModeShape(mode, 1.0) * MeanShape(mode) / std::pow(CantileverRoot(mode), 4);
+  }
+  return share;
+}
+
 }
 
 TEST(BeamModes, RootsAreExact)
@@ -124,7 +142,15 @@ TEST(BeamModes, FrequenciesOfARoundBeam)
     EXPECT_NEAR(hertz / expected[mode - 1], 1.0, 2e-6);
   }
   EXPECT_DOUBLE_EQ(SecondMoment(2.0), 4.0 * Pi);
-  EXPECT_DOUBLE_EQ(ModalMass(beam), 3.0 * beam.MassPerLength);
+}
+
+TEST(BeamModes, ModalMassIsThatOfTheBeam)
+{
+  const RoundBeam beam{ 3.0, 0.05, 1e10, 5.5 };
+  for (int mode = 1; mode <= MostModes; ++mode)
+  {
+    EXPECT_NEAR(ModalMass(beam, mode) / (beam.MassPerLength * beam.Length), 1.0, 1e-9);
+  }
 }
 
 TEST(BeamModes, StaticDeflectionOfTheTip)

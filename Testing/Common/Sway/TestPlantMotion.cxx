@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 using namespace littoral;
 
@@ -60,6 +61,49 @@ std::vector<JointChange> ChangesOf(const Skeleton& rest, const std::vector<Joint
   return changes;
 }
 
+/// Numbers of a list of vectors as MoveSkin takes them.
+template <typename Tuple>
+std::vector<float> Floats(const std::vector<Tuple>& tuples)
+{
+  std::vector<float> numbers;
+  for (const Tuple& tuple : tuples)
+  {
+    for (std::size_t i = 0; i < sizeof(Tuple) / sizeof(double); ++i)
+    {
+      numbers.push_back(static_cast<float>(tuple[static_cast<int>(i)]));
+    }
+  }
+  return numbers;
+}
+
+/// Points and normals of a mesh in single precision, as they are drawn.
+struct FloatSkin
+{
+  explicit FloatSkin(const PlantMesh& mesh)
+    : Points(Floats(mesh.Points))
+    , Normals(Floats(mesh.Normals))
+  {
+  }
+
+  std::vector<float> Points;
+  std::vector<float> Normals;
+};
+
+FloatSkin MovedSkin(const PlantMesh& mesh, const std::vector<JointChange>& changes)
+{
+  const FloatSkin rest(mesh);
+  const std::vector<float> weights = Floats(mesh.JointWeights);
+  FloatSkin moved = rest;
+  MoveSkin({ rest.Points.data(), rest.Normals.data(), mesh.JointIds[0].data(), weights.data() }, changes.data(), 0,
+    mesh.Points.size(), moved.Points.data(), moved.Normals.data());
+  return moved;
+}
+
+Vector3 VectorAt(const std::vector<float>& numbers, std::size_t vertex)
+{
+  return { numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2] };
+}
+
 /// A straight trunk along z in equal segments.
 Skeleton Mast(int segments, double length)
 {
@@ -86,14 +130,9 @@ TEST(PlantMotion, NoWindIsTheRestPoseExactly)
     EXPECT_EQ(std::memcmp(&rest.Nodes[node].Position, &moved.Nodes[node].Position, sizeof(Vector3)), 0);
   }
   const PlantMesh skin = SkinOf(rest, {});
-  const std::vector<JointChange> changes = ChangesOf(rest, poses);
-  std::vector<Vector3> points(skin.Points.size());
-  std::vector<Vector3> normals(skin.Points.size());
-  MoveSkin(
-    RestSkin<double>{ &skin.Points[0].x, &skin.Normals[0].x, skin.JointIds[0].data(), skin.JointWeights[0].data() },
-    changes.data(), 0, points.size(), &points[0].x, &normals[0].x);
-  EXPECT_EQ(points, skin.Points);
-  EXPECT_EQ(normals, skin.Normals);
+  const FloatSkin still = MovedSkin(skin, ChangesOf(rest, poses));
+  EXPECT_EQ(still.Points, FloatSkin(skin).Points);
+  EXPECT_EQ(still.Normals, FloatSkin(skin).Normals);
 }
 
 TEST(PlantMotion, SegmentsKeepTheirLengths)
@@ -254,22 +293,20 @@ TEST(PlantMotion, SkinLiesAroundTheMovedJoints)
   const PlantMesh skin = SkinOf(rest, {});
   const PlantMotion motion(rest, 1);
   const std::vector<JointPose> poses = PosesOf(motion, { { 0.5, 0.0, 0.0 } });
-  const std::vector<JointChange> changes = ChangesOf(rest, poses);
+  const FloatSkin bent = MovedSkin(skin, ChangesOf(rest, poses));
   const Skeleton moved = Moved(rest, poses);
-  std::vector<Vector3> points(skin.Points.size());
-  std::vector<Vector3> normals(skin.Points.size());
-  MoveSkin(
-    RestSkin<double>{ &skin.Points[0].x, &skin.Normals[0].x, skin.JointIds[0].data(), skin.JointWeights[0].data() },
-    changes.data(), 0, points.size(), &points[0].x, &normals[0].x);
   const int ring = 13;
   double worst = 0.0;
   const std::size_t rings = ring * rest.Nodes.size(); // then come the tip, and the end at the foot
   for (std::size_t vertex = 0; vertex < rings; ++vertex)
   {
     const Vector3& joint = moved.Nodes[vertex / ring].Position;
-    worst = std::max(worst, std::abs(glm::distance(points[vertex], joint) / 0.1 - 1.0));
-    EXPECT_NEAR(glm::length(normals[vertex]), 1.0, 1e-12);
-    EXPECT_GT(glm::dot(normals[vertex], (points[vertex] - joint) / 0.1), 0.99);
+    const Vector3 point = VectorAt(bent.Points, vertex);
+    const Vector3 normal = VectorAt(bent.Normals, vertex);
+    worst = std::max(worst, std::abs(glm::distance(point, joint) / 0.1 - 1.0));
+    // Components are rounded to floats twice: at rest and when moved, each time by up to half an epsilon.
+    EXPECT_NEAR(glm::length(normal), 1.0, std::numeric_limits<float>::epsilon() + 1e-12);
+    EXPECT_GT(glm::dot(normal, (point - joint) / 0.1), 0.99);
   }
   std::printf("the skin's distance from the bent mast changes by %.3g\n", worst);
   EXPECT_LT(worst, 0.01);

@@ -252,8 +252,8 @@ TEST(SwayScene, BlocksOfTheMiddleLevelFollowTheirTrunk)
   scene.FollowTrunk(plant, points.data(), 1, nodes + 1, joints.data(), weights.data());
   scene.MoveTo(5.0);
   std::vector<float> moved(points.size());
-  MoveSkin(RestSkin<float>{ points.data(), nullptr, joints.data(), weights.data() }, scene.GetChanges().data(), 0,
-    nodes + 1, moved.data(), nullptr);
+  MoveSkin(RestSkin{ points.data(), nullptr, joints.data(), weights.data() }, scene.GetChanges().data(), 0, nodes + 1,
+    moved.data(), nullptr);
   EXPECT_TRUE(std::equal(moved.begin(), moved.begin() + 3, points.begin()));
   for (std::size_t node = 1; node + 1 < nodes; ++node)
   {

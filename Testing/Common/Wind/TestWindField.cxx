@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The spectral wind against its own model: spectra, coherence, profile, the reference method, bytes, bad input.
-#include "Wind/WindCholesky.h"
-#include "Wind/WindField.h"
+#include "CholeskyWind.h"
 #include "Wind/WindLines.h"
+#include "WindSeries.h"
 
 #include <gtest/gtest.h>
-
-#include <kissfft/kissfft.hh>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +14,9 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <string>
 #include <thread>
+#include <vector>
 
 using namespace littoral;
 
@@ -24,42 +24,6 @@ namespace
 {
 
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
-
-WindGrid GridOf(int along, int across, int up, double spacing = 2.0)
-{
-  WindGrid grid;
-  grid.Count = { along, across, up };
-  grid.TimeStep = 0.05;
-  grid.LateralSpacing = grid.VerticalSpacing = spacing;
-  return grid;
-}
-
-std::vector<float> Wind(const WindGrid& grid, const WindSynthesis& synthesis = {}, const WindModel& model = {})
-{
-  return WindField(model, grid, synthesis).Make();
-}
-
-/// One-sided Fourier amplitudes in time of one component, line after line, across fastest.
-std::vector<std::vector<std::complex<double>>> Spectra(
-  const std::vector<float>& field, const WindGrid& grid, int component)
-{
-  const int length = grid.Count[0];
-  kissfft<double> forward(length, false);
-  std::vector<std::complex<double>> series(length);
-  std::vector<std::complex<double>> spectrum(length);
-  std::vector<std::vector<std::complex<double>>> spectra;
-  for (std::size_t line = 0; line < grid.NumberOfLines(); ++line)
-  {
-    for (int time = 0; time < length; ++time)
-    {
-      const std::size_t index = line * length + (length - time) % length; // lines run against time
-      series[time] = field[index * WindComponents + component];
-    }
-    forward.transform(series.data(), spectrum.data());
-    spectra.emplace_back(spectrum.begin(), spectrum.begin() + length / 2 + 1);
-  }
-  return spectra;
-}
 
 /// Mean over the plane of the one-sided density that a field has, and of what the model says, frequency by frequency.
 struct PlaneSpectrum
@@ -228,142 +192,6 @@ ParallelFor OnThreads(int threads)
   };
 }
 
-double Integral(int component)
-{
-  // Substitution f = exp(x): the integrand falls off exponentially at both ends.
-  const WindModel model;
-  double sum = 0.0;
-  const double step = 0.01;
-  for (double x = -40.0; x < 60.0; x += step)
-  {
-    sum += step * std::exp(x) * SpectralDensity(model, component, std::exp(x), 20.0);
-  }
-  return sum / std::pow(FrictionVelocity(model), 2.0);
-}
-
-}
-
-TEST(WindSpectrum, VariancesAreTheClosedForms)
-{
-  const double pi = std::acos(-1.0);
-  const double wants[] = { 200.0 / 50.0 * 1.5, 15.0 / 9.5 * 1.5,
-    3.36 * std::pow(10.0, -0.6) * 0.6 * pi / std::sin(0.6 * pi) };
-  for (int component = 0; component < WindComponents; ++component)
-  {
-    const double has = Integral(component);
-    std::cout << "variance / u*^2 of component " << component << ": " << has << ", closed form " << wants[component]
-              << "\n";
-    EXPECT_NEAR(has, wants[component], 1e-5);
-  }
-}
-
-namespace
-{
-
-class AllSpectra : public testing::TestWithParam<int>
-{
-protected:
-  AllSpectra() { this->Model.Spectrum = static_cast<WindSpectrumModel>(GetParam()); }
-  WindModel Model;
-};
-
-class AllCoherences : public testing::TestWithParam<int>
-{
-protected:
-  AllCoherences() { this->Model.Coherence = static_cast<WindCoherenceModel>(GetParam()); }
-  WindModel Model;
-};
-
-}
-
-TEST_P(AllSpectra, IntegrateToTheirVarianceAtAllHeights)
-{
-  for (int component = 0; component < WindComponents; ++component)
-  {
-    for (const double height : { 1.0, 20.0, 150.0 })
-    {
-      double sum = 0.0;
-      for (double x = -40.0; x < 60.0; x += 0.01)
-      {
-        sum += 0.01 * std::exp(x) * SpectralDensity(this->Model, component, std::exp(x), height);
-      }
-      EXPECT_NEAR(sum / Variance(this->Model, component), 1.0, 1e-5) << component << " at " << height;
-    }
-  }
-}
-
-TEST_P(AllSpectra, AreFiniteAndPositiveAndEndAsThePowerOfTheInertialRange)
-{
-  for (int component = 0; component < WindComponents; ++component)
-  {
-    for (double f = 0.0; f<1e6; f = f> 0.0 ? 1.7 * f : 1e-9)
-    {
-      const double density = SpectralDensity(this->Model, component, f, 20.0);
-      EXPECT_TRUE(std::isfinite(density) && density > 0.0) << f;
-    }
-    const double slope = std::log10(
-      SpectralDensity(this->Model, component, 1e5, 20.0) / SpectralDensity(this->Model, component, 1e4, 20.0));
-    EXPECT_NEAR(slope, -5.0 / 3.0, 1e-3);
-  }
-}
-
-TEST_P(AllSpectra, EachParameterThatCountsIsChecked)
-{
-  EXPECT_EQ(WhyInvalid(this->Model), "");
-  for (const auto* parameter : TraitsOf(this->Model.Spectrum).Parameters)
-  {
-    WindModel broken = this->Model;
-    parameter->Set(broken, -1.0);
-    EXPECT_EQ(WhyInvalid(broken).find(parameter->Name), 0u);
-    WindModel other = this->Model;
-    parameter->Set(other, 1.1 * parameter->Get(other));
-    EXPECT_NE(SpectralDensity(other, 0, 0.1, 20.0), SpectralDensity(this->Model, 0, 0.1, 20.0)) << parameter->Name;
-  }
-}
-
-TEST_P(AllCoherences, FallFromOneWithDistanceAndFrequency)
-{
-  for (int component = 0; component < WindComponents; ++component)
-  {
-    EXPECT_EQ(RootCoherence(this->Model, component, 0.3, 0.0, 0.0), 1.0);
-    double before = 1.0;
-    for (double distance = 0.5; distance < 40.0; distance *= 1.5)
-    {
-      const double near = RootCoherence(this->Model, component, 0.3, distance, 0.0);
-      EXPECT_LT(near, before);
-      EXPECT_GT(near, 0.0);
-      EXPECT_LT(RootCoherence(this->Model, component, 0.6, distance, 0.0), near);
-      EXPECT_LT(RootCoherence(this->Model, component, 0.3, distance, distance), near);
-      before = near;
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Wind, AllSpectra, testing::Range(0, NumberOfWindSpectra),
-  [](const auto& info) { return TraitsOf(static_cast<WindSpectrumModel>(info.param)).Name; });
-INSTANTIATE_TEST_SUITE_P(Wind, AllCoherences, testing::Range(0, NumberOfWindCoherences),
-  [](const auto& info) { return TraitsOf(static_cast<WindCoherenceModel>(info.param)).Name; });
-
-TEST(WindSpectrum, NothingBeyondTheRowsIsAFamily)
-{
-  WindModel model;
-  model.Spectrum = static_cast<WindSpectrumModel>(NumberOfWindSpectra);
-  EXPECT_EQ(WhyInvalid(model).find("Spectrum"), 0u);
-  model = {};
-  model.Coherence = static_cast<WindCoherenceModel>(NumberOfWindCoherences);
-  EXPECT_EQ(WhyInvalid(model).find("Coherence"), 0u);
-}
-
-TEST(WindSpectrum, KaimalHasTheVarianceAskedFor)
-{
-  WindModel model;
-  model.Spectrum = WindSpectrumModel::IecKaimal;
-  double sum = 0.0;
-  for (double x = -40.0; x < 60.0; x += 0.01)
-  {
-    sum += 0.01 * std::exp(x) * SpectralDensity(model, 0, std::exp(x), 20.0);
-  }
-  EXPECT_NEAR(std::sqrt(sum), model.TurbulenceIntensity * model.ReferenceSpeed, 1e-4);
 }
 
 TEST(WindField, SpectraOfOneRun)
@@ -555,52 +383,6 @@ TEST(WindField, NormalizedVarianceIsTheSumOfTheSpectrum)
   }
 }
 
-namespace
-{
-
-/// A component of a line at a place between its samples, by the definition of its Fourier series.
-double SumOfWaves(const float* line, int length, int component, double place)
-{
-  const double unit = 2.0 * std::acos(-1.0) / length;
-  double sum = 0.0;
-  for (int k = 0; 2 * k <= length; ++k)
-  {
-    std::complex<double> wave(0.0);
-    for (int n = 0; n < length; ++n)
-    {
-      wave += static_cast<double>(line[3 * n + component]) * std::polar(1.0 / length, -unit * (k * n % length));
-    }
-    sum += (k == 0 || 2 * k == length ? 1.0 : 2.0) * (wave * std::polar(1.0, unit * k * place)).real();
-  }
-  return sum;
-}
-
-/// Variance over a period of a component of a line.
-double Variance(const float* line, int length, int component)
-{
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int n = 0; n < length; ++n)
-  {
-    sum += line[3 * n + component];
-    squares += std::pow(line[3 * n + component], 2.0);
-  }
-  return squares / length - std::pow(sum / length, 2.0);
-}
-
-/// What the waves of a grid carry by the spectrum at a height.
-double VarianceOfWaves(const WindGrid& grid, int component, double height)
-{
-  double sum = 0.0;
-  for (int frequency = 1; frequency < grid.Count[0] / 2; ++frequency)
-  {
-    sum += SpectralDensity({}, component, frequency / grid.Period(), height) / grid.Period();
-  }
-  return sum;
-}
-
-}
-
 TEST(WindField, DoesNotPulseBetweenItsTimes)
 {
   // A straight line between samples has 0.54 to 0.97 of the variance half-way, and 0.5 or 0 of the fastest waves.
@@ -644,185 +426,6 @@ TEST(WindField, DoesNotPulseBetweenItsTimes)
       EXPECT_LT(off, 2e-5);
     }
   }
-}
-
-TEST(WindLines, AlongTheWindTheSumOfWaves)
-{
-  // Of lengths that are and are not a product of 2, 3 and 5.
-  for (const int length : { 60, 61, 62 })
-  {
-    std::vector<float> field(std::size_t(3) * length * 6);
-    for (std::size_t n = 0; n < field.size(); ++n)
-    {
-      field[n] = static_cast<float>(std::sin(0.7 * static_cast<double>(n * n % 1009)));
-    }
-    const WindLines lines(field.data(), { length, 2, 3 });
-    std::vector<Vector3> velocities(2 * length);
-    for (const double first : { 0.0, -7.0, 100.5, 1e6 + 0.125 })
-    {
-      lines.Sample({ 13.3, 1.0, 2.0 }, first, velocities.size(), velocities.data());
-      const float* line = &field[std::size_t(3) * length * 5];
-      for (int n = 0; n < 2 * length; n += 7)
-      {
-        const double place = std::fmod(13.3 - first - n, length);
-        for (int component = 0; component < 3; ++component)
-        {
-          ASSERT_NEAR(velocities[n][component], SumOfWaves(line, length, component, place), 2e-6) << length;
-        }
-      }
-    }
-    // At a sample the sample, beyond the edges those of the edge.
-    lines.Sample({ 5.0, -1.0, 7.0 }, 0.0, 2, velocities.data());
-    EXPECT_NEAR(velocities[0].x, field[3 * (5 + length * 4)], 1e-6);
-    EXPECT_NEAR(velocities[1].z, field[3 * (4 + length * 4) + 2], 1e-6);
-  }
-}
-
-TEST(WindLines, VarianceAndSpectrumBetweenLines)
-{
-  // Half-way between four lines a bilinear mean has 0.3 to 0.9 of the variance, and a quarter of that of short waves.
-  // One run is brought to its spectrum's variance layer by layer; of places that repeat with the lines only the edges
-  // of the plane do not cancel, hence 1 %.
-  for (const double spacing : { 1.0, 4.0, 16.0 })
-  {
-    WindGrid grid;
-    grid.Count = { 600, 65, 4 };
-    grid.LateralSpacing = spacing;
-    grid.VerticalSpacing = 0.5 * spacing;
-    grid.BottomHeight = 4.0;
-    WindSynthesis synthesis;
-    synthesis.NormalizeVariance = true;
-    const std::vector<float> field = Wind(grid, synthesis);
-    const WindLines lines(field.data(), grid.Count);
-    std::vector<Vector3> series(600);
-    std::array<double, 3> low{ 2.0, 2.0, 2.0 };
-    std::array<double, 3> high{};
-    std::array<double, 3> fast{}; // of waves of 1 to 5 Hz, half-way
-    for (int part = 0; part < 16; ++part)
-    {
-      const double up = 1.0 + 0.0625 * (7 * part % 16);
-      std::array<double, 3> has{};
-      for (int column = 0; column < 64; ++column)
-      {
-        lines.Sample({ 0.37 * column, column + part / 16.0, up }, 0.5, 600, series.data());
-        std::vector<float> values(1800);
-        for (int n = 0; n < 1800; ++n)
-        {
-          values[n] = static_cast<float>(series[n / 3][n % 3]);
-        }
-        for (int component = 0; component < 3; ++component)
-        {
-          has[component] += Variance(values.data(), 600, component) / 64.0;
-        }
-        if (part == 8)
-        {
-          for (int component = 0; component < 3; ++component)
-          {
-            const auto waves = Spectra(values, GridOf(600, 1, 1), component).front();
-            for (int k = 60; k < 300; ++k)
-            {
-              fast[component] += 2.0 * std::norm(waves[k] / 600.0) / 64.0;
-            }
-          }
-        }
-      }
-      for (int component = 0; component < 3; ++component)
-      {
-        const double wants = VarianceOfWaves(grid, component, grid.BottomHeight + up * grid.VerticalSpacing);
-        low[component] = std::min(low[component], has[component] / wants);
-        high[component] = std::max(high[component], has[component] / wants);
-      }
-    }
-    // The same of the lines of both layers, brought from their heights to the place's.
-    for (int component = 0; component < 3; ++component)
-    {
-      const auto spectra = Spectra(field, grid, component);
-      const auto density = [&](int k, double layer) {
-        return SpectralDensity({}, component, k / 60.0, grid.BottomHeight + layer * grid.VerticalSpacing);
-      };
-      double lines = 0.0;
-      for (int k = 60; k < 300; ++k)
-      {
-        for (int line = 0; line < 130; ++line)
-        {
-          const int layer = 1 + line / 65;
-          lines += 2.0 * std::norm(spectra[65 + line][k] / 600.0) / 130.0 * density(k, 1.5) / density(k, layer);
-        }
-      }
-      fast[component] /= lines;
-    }
-    for (int component = 0; component < 3; ++component)
-    {
-      std::cout << "lines " << spacing << " m apart, component " << component << ": at 16 places between them "
-                << low[component] << " to " << high[component] << " of the spectrum's variance, half-way "
-                << fast[component] << " of the lines' from 1 to 5 Hz\n";
-      EXPECT_GT(low[component], 0.99);
-      EXPECT_LT(high[component], 1.01);
-      // The mean of the densities of layers 8 m apart is 2 % above that half-way, as it falls with the height.
-      EXPECT_NEAR(fast[component], 1.0, 0.03);
-    }
-  }
-}
-
-TEST(WindLines, MeanAndVarianceBetweenTheLowestLayers)
-{
-  // The layers of the default grid at 1 and 3 m. By the height itself, half-way, the mean is 3.6 % and the variance up
-  // to 3.3 % too small.
-  WindGrid grid;
-  grid.Count = { 600, 65, 2 };
-  WindSynthesis synthesis;
-  synthesis.NormalizeVariance = true;
-  const std::vector<float> field = Wind(grid, synthesis);
-  const WindLines lines(field.data(), grid.Count);
-  std::vector<Vector3> series(600);
-  double worst = 0.0;
-  for (int part = 0; part < 16; ++part)
-  {
-    const double height = 1.0 + part / 8.0;
-    std::array<double, 3> has{};
-    for (int column = 0; column < 65; ++column)
-    {
-      lines.Sample({ 0.0, 1.0 * column, LayerPlace(height, 1.0, 2.0) }, 0.5, 600, series.data());
-      Vector3 mean(0.0);
-      Vector3 square(0.0);
-      for (const Vector3& velocity : series)
-      {
-        mean += velocity / 600.0;
-        square += velocity * velocity / 600.0;
-      }
-      EXPECT_NEAR(mean.x / MeanSpeed({}, height), 1.0, 1e-6);
-      for (int component = 0; component < 3; ++component)
-      {
-        has[component] += (square[component] - mean[component] * mean[component]) / 65.0;
-      }
-    }
-    for (int component = 0; component < 3; ++component)
-    {
-      worst = std::max(worst, std::abs(has[component] / VarianceOfWaves(grid, component, height) - 1.0));
-    }
-  }
-  std::cout << "at 16 heights from 1 to 3 m the variance is within " << worst << " of the spectrum's\n";
-  EXPECT_LT(worst, 0.01);
-  // Below the ground there is no logarithm; beyond the layers the place is beyond.
-  EXPECT_DOUBLE_EQ(LayerPlace(1.0, 0.0, 2.0), 0.5);
-  EXPECT_LT(LayerPlace(0.5, 1.0, 2.0), 0.0);
-  EXPECT_GT(LayerPlace(9.0, 1.0, 2.0), 4.0 - 1e-12);
-}
-
-TEST(WindSpectrum, IecCoherenceByHand)
-{
-  WindModel model;
-  model.ReferenceSpeed = 12.0;
-  model.Coherence = WindCoherenceModel::Iec;
-  // IEC 61400-1 ed. 3, eq. B.16: hub at 90 m, Lambda_1 = 42 m and L_c = 340.2 m; at 40 m 28 m and 226.8 m.
-  model.ReferenceHeight = 90.0;
-  EXPECT_NEAR(RootCoherence(model, 0, 0.05, 12.0, 16.0), std::exp(-12.0 * std::hypot(1.0 / 12.0, 2.4 / 340.2)), 1e-12);
-  EXPECT_NEAR(RootCoherence(model, 0, 0.0, 30.0, 0.0), std::exp(-12.0 * 3.6 / 340.2), 1e-12);
-  model.ReferenceHeight = 40.0;
-  EXPECT_NEAR(RootCoherence(model, 0, 0.2, 0.0, 10.0), std::exp(-12.0 * std::hypot(2.0 / 12.0, 1.2 / 226.8)), 1e-12);
-  EXPECT_EQ(RootCoherence(model, 0, 1.0, 0.0, 0.0), 1.0);
-  // The standard is silent about the others: their own decays, over the mean at 10 m.
-  EXPECT_NEAR(RootCoherence(model, 2, 0.1, 3.0, 4.0), std::exp(-8.0 * 0.1 * 5.0 / MeanSpeed(model, 10.0)), 1e-12);
 }
 
 TEST(WindField, IecCoherenceOfTheField)

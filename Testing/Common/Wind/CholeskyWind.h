@@ -1,24 +1,23 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Wind/WindCholesky.h"
+#ifndef LittoralTestCholeskyWind_h
+#define LittoralTestCholeskyWind_h
 
-#include "Numerics/Constants.h"
+#include "Wind/WindField.h"
 
 #include <Eigen/Cholesky>
 
 #include <kissfft/kissfft.hh>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 namespace littoral
 {
 
-namespace
-{
 /// Lower factor of the coherence between all lines, across fastest.
-Eigen::MatrixXd CoherenceRoot(const WindModel& model, const WindGrid& grid, int component, double hertz)
+inline Eigen::MatrixXd CoherenceRoot(const WindModel& model, const WindGrid& grid, int component, double hertz)
 {
   const int lines = static_cast<int>(grid.NumberOfLines());
   const int width = grid.Count[1];
@@ -35,9 +34,13 @@ Eigen::MatrixXd CoherenceRoot(const WindModel& model, const WindGrid& grid, int 
   coherence.diagonal().array() += 1e-12;
   return coherence.llt().matrixL();
 }
-}
 
-std::vector<float> CholeskyWind(const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis)
+/**
+ * The same wind as WindField by the method of Veers (1988): at each frequency the matrix of coherence between all lines
+ * is factored. Coherence is exact for any separations, at a cost that grows with the cube of the number of lines: the
+ * reference for small grids, of some hundred lines. NormalizeVariance has no effect.
+ */
+inline std::vector<float> CholeskyWind(const WindModel& model, const WindGrid& grid, const WindSynthesis& synthesis)
 {
   const std::size_t lines = grid.NumberOfLines();
   const int length = grid.Count[0];
@@ -84,3 +87,5 @@ std::vector<float> CholeskyWind(const WindModel& model, const WindGrid& grid, co
 }
 
 }
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Spectra and coherences of the wind: closed forms, limits, bad parameters.
+#include "Wind/WindSpectrum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace littoral;
+
+namespace
+{
+
+double Integral(int component)
+{
+  // Substitution f = exp(x): the integrand falls off exponentially at both ends.
+  const WindModel model;
+  double sum = 0.0;
+  const double step = 0.01;
+  for (double x = -40.0; x < 60.0; x += step)
+  {
+    sum += step * std::exp(x) * SpectralDensity(model, component, std::exp(x), 20.0);
+  }
+  return sum / std::pow(FrictionVelocity(model), 2.0);
+}
+
+}
+
+TEST(WindSpectrum, VariancesAreTheClosedForms)
+{
+  const double pi = std::acos(-1.0);
+  const double wants[] = { 200.0 / 50.0 * 1.5, 15.0 / 9.5 * 1.5,
+    3.36 * std::pow(10.0, -0.6) * 0.6 * pi / std::sin(0.6 * pi) };
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const double has = Integral(component);
+    std::cout << "variance / u*^2 of component " << component << ": " << has << ", closed form " << wants[component]
+              << "\n";
+    EXPECT_NEAR(has, wants[component], 1e-5);
+  }
+}
+
+class AllSpectra : public testing::TestWithParam<int>
+{
+protected:
+  AllSpectra() { this->Model.Spectrum = static_cast<WindSpectrumModel>(GetParam()); }
+  WindModel Model;
+};
+
+class AllCoherences : public testing::TestWithParam<int>
+{
+protected:
+  AllCoherences() { this->Model.Coherence = static_cast<WindCoherenceModel>(GetParam()); }
+  WindModel Model;
+};
+
+TEST_P(AllSpectra, IntegrateToTheirVarianceAtAllHeights)
+{
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    for (const double height : { 1.0, 20.0, 150.0 })
+    {
+      double sum = 0.0;
+      for (double x = -40.0; x < 60.0; x += 0.01)
+      {
+        sum += 0.01 * std::exp(x) * SpectralDensity(this->Model, component, std::exp(x), height);
+      }
+      EXPECT_NEAR(sum / Variance(this->Model, component), 1.0, 1e-5) << component << " at " << height;
+    }
+  }
+}
+
+TEST_P(AllSpectra, AreFiniteAndPositiveAndEndAsThePowerOfTheInertialRange)
+{
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    for (double f = 0.0; f<1e6; f = f> 0.0 ? 1.7 * f : 1e-9)
+    {
+      const double density = SpectralDensity(this->Model, component, f, 20.0);
+      EXPECT_TRUE(std::isfinite(density) && density > 0.0) << f;
+    }
+    const double slope = std::log10(
+      SpectralDensity(this->Model, component, 1e5, 20.0) / SpectralDensity(this->Model, component, 1e4, 20.0));
+    EXPECT_NEAR(slope, -5.0 / 3.0, 1e-3);
+  }
+}
+
+TEST_P(AllSpectra, EachParameterThatCountsIsChecked)
+{
+  EXPECT_EQ(WhyInvalid(this->Model), "");
+  for (const auto* parameter : TraitsOf(this->Model.Spectrum).Parameters)
+  {
+    WindModel broken = this->Model;
+    parameter->Set(broken, -1.0);
+    EXPECT_EQ(WhyInvalid(broken).find(parameter->Name), 0u);
+    WindModel other = this->Model;
+    parameter->Set(other, 1.1 * parameter->Get(other));
+    EXPECT_NE(SpectralDensity(other, 0, 0.1, 20.0), SpectralDensity(this->Model, 0, 0.1, 20.0)) << parameter->Name;
+  }
+}
+
+TEST_P(AllCoherences, FallFromOneWithDistanceAndFrequency)
+{
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    EXPECT_EQ(RootCoherence(this->Model, component, 0.3, 0.0, 0.0), 1.0);
+    double before = 1.0;
+    for (double distance = 0.5; distance < 40.0; distance *= 1.5)
+    {
+      const double near = RootCoherence(this->Model, component, 0.3, distance, 0.0);
+      EXPECT_LT(near, before);
+      EXPECT_GT(near, 0.0);
+      EXPECT_LT(RootCoherence(this->Model, component, 0.6, distance, 0.0), near);
+      EXPECT_LT(RootCoherence(this->Model, component, 0.3, distance, distance), near);
+      before = near;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Wind, AllSpectra, testing::Range(0, NumberOfWindSpectra),
+  [](const auto& info) { return TraitsOf(static_cast<WindSpectrumModel>(info.param)).Name; });
+
+INSTANTIATE_TEST_SUITE_P(Wind, AllCoherences, testing::Range(0, NumberOfWindCoherences),
+  [](const auto& info) { return TraitsOf(static_cast<WindCoherenceModel>(info.param)).Name; });
+
+TEST(WindSpectrum, NothingBeyondTheRowsIsAFamily)
+{
+  WindModel model;
+  model.Spectrum = static_cast<WindSpectrumModel>(NumberOfWindSpectra);
+  EXPECT_EQ(WhyInvalid(model).find("Spectrum"), 0u);
+  model = {};
+  model.Coherence = static_cast<WindCoherenceModel>(NumberOfWindCoherences);
+  EXPECT_EQ(WhyInvalid(model).find("Coherence"), 0u);
+}
+
+TEST(WindSpectrum, KaimalHasTheVarianceAskedFor)
+{
+  WindModel model;
+  model.Spectrum = WindSpectrumModel::IecKaimal;
+  double sum = 0.0;
+  for (double x = -40.0; x < 60.0; x += 0.01)
+  {
+    sum += 0.01 * std::exp(x) * SpectralDensity(model, 0, std::exp(x), 20.0);
+  }
+  EXPECT_NEAR(std::sqrt(sum), model.TurbulenceIntensity * model.ReferenceSpeed, 1e-4);
+}
+
+TEST(WindSpectrum, IecCoherenceByHand)
+{
+  WindModel model;
+  model.ReferenceSpeed = 12.0;
+  model.Coherence = WindCoherenceModel::Iec;
+  // IEC 61400-1 ed. 3, eq. B.16: hub at 90 m, Lambda_1 = 42 m and L_c = 340.2 m; at 40 m 28 m and 226.8 m.
+  model.ReferenceHeight = 90.0;
+  EXPECT_NEAR(RootCoherence(model, 0, 0.05, 12.0, 16.0), std::exp(-12.0 * std::hypot(1.0 / 12.0, 2.4 / 340.2)), 1e-12);
+  EXPECT_NEAR(RootCoherence(model, 0, 0.0, 30.0, 0.0), std::exp(-12.0 * 3.6 / 340.2), 1e-12);
+  model.ReferenceHeight = 40.0;
+  EXPECT_NEAR(RootCoherence(model, 0, 0.2, 0.0, 10.0), std::exp(-12.0 * std::hypot(2.0 / 12.0, 1.2 / 226.8)), 1e-12);
+  EXPECT_EQ(RootCoherence(model, 0, 1.0, 0.0, 0.0), 1.0);
+  // The standard is silent about the others: their own decays, over the mean at 10 m.
+  EXPECT_NEAR(RootCoherence(model, 2, 0.1, 3.0, 4.0), std::exp(-8.0 * 0.1 * 5.0 / MeanSpeed(model, 10.0)), 1e-12);
+}
