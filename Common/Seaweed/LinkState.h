@@ -8,7 +8,7 @@
 namespace littoral
 {
 
-// A link at a moment: of one segment (Real = double), or of several side by side (Real = Lanes).
+// The state of a link at a moment (Real = double), or of four links, a lane each (Real = SimdDouble4).
 
 /// The water at the middle of a segment.
 template <typename Real>

@@ -4,7 +4,7 @@
 #define LittoralSeaweedJoint_h
 
 #include "Numerics/Constants.h"
-#include "Numerics/Lanes.h"
+#include "Numerics/SimdDouble4.h"
 #include "Plants/Skinning.h"
 #include "Seaweed/LinkState.h"
 #include "Seaweed/SeaweedMotion.h"
@@ -32,8 +32,8 @@ template <typename Real>
 LITTORAL_INLINE glm::qua<Real> BaseTurn(const Real& theta, const Real& phi)
 {
   const Real half(0.5);
-  const glm::qua<Real> azimuth{ Cosine(half * theta), Real(0.0), Sine(half * theta), Real(0.0) };
-  const glm::qua<Real> tilt{ Cosine(half * phi), Sine(half * phi), Real(0.0), Real(0.0) };
+  const glm::qua<Real> azimuth{ Cos(half * theta), Real(0.0), Sin(half * theta), Real(0.0) };
+  const glm::qua<Real> tilt{ Cos(half * phi), Sin(half * phi), Real(0.0), Real(0.0) };
   return azimuth * tilt;
 }
 
@@ -44,9 +44,9 @@ LITTORAL_INLINE glm::qua<Real> TurnTo(
 {
   // (1 + a.b, a x b) is the rotation but for its length.
   const Real real = Real(1.0) + glm::dot(from, to);
-  const Real isOpposite = WhereLess(real, Real(1e-12), Real(1.0), Real(0.0));
+  const Real isOpposite = SelectLess(real, Real(1e-12), Real(1.0), Real(0.0));
   const glm::vec<3, Real> axis = glm::cross(from, to) + isOpposite * aside;
-  const Real size = SquareRoot(real * real + glm::dot(axis, axis));
+  const Real size = Sqrt(real * real + glm::dot(axis, axis));
   const Real factor = Real(1.0) / size;
   return { real / size, factor * axis.x, factor * axis.y, factor * axis.z };
 }
@@ -60,8 +60,8 @@ LITTORAL_INLINE glm::vec<3, Real> BendTo(
   const Real sine = LengthOf(axis);
   const Real cosine = glm::dot(from, to);
   const Real tiny(1e-9);
-  const Real ratio = WhereLess(sine, tiny, Real(1.0), AngleOf(sine, cosine) / Larger(sine, tiny));
-  const Real isOpposite = WhereLess(sine, tiny, WhereLess(cosine, Real(0.0), Real(1.0), Real(0.0)), Real(0.0));
+  const Real ratio = SelectLess(sine, tiny, Real(1.0), AngleOf(sine, cosine) / Max(sine, tiny));
+  const Real isOpposite = SelectLess(sine, tiny, SelectLess(cosine, Real(0.0), Real(1.0), Real(0.0)), Real(0.0));
   return ratio * axis + isOpposite * Real(Pi) * aside;
 }
 
@@ -69,7 +69,7 @@ LITTORAL_INLINE glm::vec<3, Real> BendTo(
 template <typename Real>
 LITTORAL_INLINE Real OpeningOf(const glm::vec<3, Real>& from, const glm::vec<3, Real>& to)
 {
-  return Larger(Real(1.0) + glm::dot(from, to), Real(0.05));
+  return Max(Real(1.0) + glm::dot(from, to), Real(0.05));
 }
 
 /// How fast the shortest turn from one direction to another turns about the latter as this swings at a rate [rad/s].
@@ -107,16 +107,16 @@ LITTORAL_INLINE void PoseLink(SeaweedJoint joint, const LinkBody<Real>& link, co
   }
   const glm::qua<Real> base = parent ? parentLink->Base : GroundBase<Real>();
   // At rest the turn is none, to the last bit.
-  const Real bent = Magnitude(state.Shape.x - link.Theta) + Magnitude(state.Shape.y - link.Phi);
+  const Real bent = Abs(state.Shape.x - link.Theta) + Abs(state.Shape.y - link.Phi);
   const glm::qua<Real> turn = base * BaseTurn(state.Shape.x, state.Shape.y) * Opposite(link.Base);
   const Real none(0.0);
   pose.Turn = below *
-    glm::qua<Real>(WhereLess(none, bent, turn.w, Real(1.0)), WhereLess(none, bent, turn.x, none),
-      WhereLess(none, bent, turn.y, none), WhereLess(none, bent, turn.z, none));
+    glm::qua<Real>(SelectLess(none, bent, turn.w, Real(1.0)), SelectLess(none, bent, turn.x, none),
+      SelectLess(none, bent, turn.y, none), SelectLess(none, bent, turn.z, none));
   pose.Axis = Rotated(pose.Turn, link.Axis);
   const glm::qua<Real> frame = below * base;
   const Vector y = Rotated(frame, Vector(Real(0.0), Real(1.0), Real(0.0)));
-  const Vector x = Rotated(frame, Vector(Cosine(state.Shape.x), Real(0.0), -Sine(state.Shape.x)));
+  const Vector x = Rotated(frame, Vector(Cos(state.Shape.x), Real(0.0), -Sin(state.Shape.x)));
   pose.Spin += state.Rate.x * y + state.Rate.y * x;
 }
 
@@ -185,9 +185,9 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
   }
   // The part of a segment that is in the water; out of it, it has its weight in place of its lift.
   const Real top = pose.Foot.z + Real(2.0) * half.z;
-  const Real low = Smaller(top, pose.Foot.z);
-  const Real reach = Larger(Magnitude(Real(2.0) * half.z), Real(0.1) * link.Length);
-  const Real wet = Between((Real(options.SeaLevel) - low) / reach, none, one);
+  const Real low = Min(top, pose.Foot.z);
+  const Real reach = Max(Abs(Real(2.0) * half.z), Real(0.1) * link.Length);
+  const Real wet = Clamp((Real(options.SeaLevel) - low) / reach, none, one);
   // Drag F = rho/2 C |r| (A_face (r.n) n + A_edge (r.b) b), r: velocity of the water across the segment, against it.
   const Vector slip = water.Velocity - pose.Velocity;
   const Vector turning = glm::cross(pose.Spin, e);
@@ -206,7 +206,7 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
     const Real distance = Real(part) * link.Length;
     const Real n = slipNormal - distance * turnNormal;
     const Real b = slipEdge - distance * turnEdge;
-    const Real speed = half1 * SquareRoot(n * n + b * b);
+    const Real speed = half1 * Sqrt(n * n + b * b);
     const Real faceDrag = link.Frontage * speed;
     const Real edgeDrag = link.EdgeFrontage * speed;
     load.FaceDrag.Add(faceDrag, distance);
@@ -218,7 +218,7 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
   }
   // Friction F = rho/2 C_f A |r.e| (r.e) e.
   const Real along = glm::dot(slip, e);
-  load.Friction = density * Real(options.FrictionCoefficient) * link.Surface * Magnitude(along);
+  load.Friction = density * Real(options.FrictionCoefficient) * link.Surface * Abs(along);
   // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison).
   const Real aNormal = glm::dot(water.Acceleration, face.Normal);
   const Real aEdge = glm::dot(water.Acceleration, face.Edge);
@@ -227,21 +227,21 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
       (link.EdgeMass * aEdge) * face.Edge);
   const Real lift = wet * link.Buoyancy - (one - wet) * link.Weight;
   const Real depth = link.Bed - pose.Foot.z - half.z;
-  const Real push = (link.Mass + link.FaceMass) * Between(Real(BedStiffness) * depth, none, Real(BedPush));
+  const Real push = (link.Mass + link.FaceMass) * Clamp(Real(BedStiffness) * depth, none, Real(BedPush));
   const Vector central = inertia + (load.Friction * along) * e + Vector(none, none, push + lift);
   load.Force = central + normal * face.Normal + edge * face.Edge;
   load.Moment = Real(0.5) * link.Length * central + edgeFirst * face.Edge + normalFirst * face.Normal;
   return load;
 }
 
-/// Links of the same place in trees of the same shape, side by side.
+/// Links of the trees of a batch, those of the same index a lane each.
 struct SeaweedMotion::LinkBodies
 {
-  std::vector<LinkBody<Lanes>> Bodies;
-  std::vector<int> Parents; ///< of the bodies, by their places in the bunch; -1: the ground
+  std::vector<LinkBody<SimdDouble4>> Bodies;
+  std::vector<int> Parents; ///< index of the parent link within the batch; -1: the ground
 };
 
-static_assert(SeaweedBunch::Lanes == LaneCount, "a bunch fills the lanes");
+static_assert(LinkBatch::Width == LaneCount, "a batch fills the lanes");
 
 }
 

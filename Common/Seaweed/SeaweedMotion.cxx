@@ -25,17 +25,17 @@ Vector3 Swung(const Vector3& direction, const Vector3& turn)
   return glm::normalize(std::cos(angle) * direction + ratio * glm::cross(turn, direction));
 }
 
-/// Links of the same place in trees of the same shape, side by side.
-LinkBody<Lanes> SideBySide(const std::vector<SeaweedLink>& links, const LaneIndices& at)
+/// One link of each lane.
+LinkBody<SimdDouble4> GatherBody(const std::vector<SeaweedLink>& links, const LaneIndices& at)
 {
-  LinkBody<Lanes> body;
+  LinkBody<SimdDouble4> body;
   const auto vector = [&](Vector3 SeaweedLink::*part) { return GatherVector(links.data(), at, part); };
   const auto number = [&](double SeaweedLink::*part) { return GatherNumber(links.data(), at, part); };
   body.Foot = vector(&SeaweedLink::Foot);
   body.Axis = vector(&SeaweedLink::Axis);
   body.Side = vector(&SeaweedLink::Side);
   body.Arm = vector(&SeaweedLink::Arm);
-  body.Base = GatherTurn(links.data(), at, &SeaweedLink::Base);
+  body.Base = GatherRotation(links.data(), at, &SeaweedLink::Base);
   body.Theta = number(&SeaweedLink::Theta);
   body.Phi = number(&SeaweedLink::Phi);
   body.Length = number(&SeaweedLink::Length);
@@ -83,14 +83,14 @@ SeaweedMotion::SeaweedMotion(std::vector<SeaweedLink> links, const SeaweedOption
     link.StopStiffness *= StopFrequency * StopFrequency * link.Length * link.Length / 3.0;
     link.StopDamping = 2.0 / StopFrequency * link.StopStiffness;
   }
-  this->MakeBunches();
+  this->MakeBatches();
 }
 
 //----------------------------------------------------------------------------
 /// Trees of the same shape, in the order in which they come.
-void SeaweedMotion::MakeBunches()
+void SeaweedMotion::MakeBatches()
 {
-  std::map<std::vector<int>, std::size_t> open; // bunches that have lanes left, by what their links grow on
+  std::map<std::vector<int>, std::size_t> open; // batches that have lanes left, by what their links grow on
   std::vector<int> shape;
   std::size_t end = 0;
   for (std::size_t first = 0; first < this->Links.size(); first = end)
@@ -103,38 +103,38 @@ void SeaweedMotion::MakeBunches()
     const auto known = open.find(shape);
     if (known == open.end())
     {
-      open[shape] = this->Bunches.size();
-      SeaweedBunch bunch;
-      bunch.First.fill(first);
-      bunch.Links = end - first;
-      bunch.Trees = 1;
-      this->Bunches.push_back(bunch);
+      open[shape] = this->Batches.size();
+      LinkBatch batch;
+      batch.First.fill(first);
+      batch.Links = end - first;
+      batch.Trees = 1;
+      this->Batches.push_back(batch);
       continue;
     }
-    SeaweedBunch& bunch = this->Bunches[known->second];
-    bunch.First[bunch.Trees++] = first;
-    if (bunch.Trees == LaneCount)
+    LinkBatch& batch = this->Batches[known->second];
+    batch.First[batch.Trees++] = first;
+    if (batch.Trees == LaneCount)
     {
       open.erase(known);
     }
   }
-  const auto sideBySide = std::make_shared<LinkBodies>();
-  for (SeaweedBunch& bunch : this->Bunches)
+  const auto bodies = std::make_shared<LinkBodies>();
+  for (LinkBatch& batch : this->Batches)
   {
-    bunch.Bodies = sideBySide->Bodies.size();
-    LaneIndices at = bunch.First;
-    for (std::size_t link = 0; link < bunch.Links; ++link)
+    batch.Bodies = bodies->Bodies.size();
+    LaneIndices at = batch.First;
+    for (std::size_t link = 0; link < batch.Links; ++link)
     {
       const int parent = this->Links[at[0]].Parent;
-      sideBySide->Bodies.push_back(SideBySide(this->Links, at));
-      sideBySide->Parents.push_back(parent < 0 ? -1 : parent - static_cast<int>(bunch.First[0]));
+      bodies->Bodies.push_back(GatherBody(this->Links, at));
+      bodies->Parents.push_back(parent < 0 ? -1 : parent - static_cast<int>(batch.First[0]));
       for (std::size_t& one : at)
       {
         ++one;
       }
     }
   }
-  this->Bodies = sideBySide;
+  this->Bodies = bodies;
 }
 
 //----------------------------------------------------------------------------
@@ -173,14 +173,14 @@ void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t
 }
 
 //----------------------------------------------------------------------------
-void SeaweedMotion::Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles, double ahead) const
+void SeaweedMotion::Middles(const LinkBatch& batch, const LinkPose* poses, Vector3* middles, double ahead) const
 {
-  const LinkBody<Lanes>* bodies = &this->Bodies->Bodies[bunch.Bodies];
-  for (std::size_t i = 0; i < bunch.Links; ++i)
+  const LinkBody<SimdDouble4>* bodies = &this->Bodies->Bodies[batch.Bodies];
+  for (std::size_t i = 0; i < batch.Links; ++i)
   {
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      const LinkPose& pose = poses[bunch.First[lane] + i];
+      const LinkPose& pose = poses[batch.First[lane] + i];
       const Vector3 half = 0.5 * bodies[i].Length.Values[lane] * pose.Axis;
       *middles++ = pose.Foot + half + ahead * (pose.Velocity + glm::cross(pose.Spin, half));
     }

@@ -55,7 +55,7 @@ struct SeaweedOptions
 /// Why there are no such options, with the name of the property; empty when there are.
 std::string WhyInvalid(const SeaweedOptions& options);
 
-/// The numbers of a stiff segment of a seaweed and the joint at its foot; of one, or of several side by side (Lanes.h).
+/// A stiff segment of a seaweed and the joint at its foot (Real = double), or four of them, a lane each (SimdDouble4).
 template <typename Real>
 struct LinkBody
 {

@@ -17,9 +17,9 @@ namespace littoral
 namespace
 {
 
-using Vector = glm::vec<3, Lanes>;
-using Matrix = glm::mat<3, 3, Lanes>;
-using Turn = glm::qua<Lanes>;
+using Vector = glm::vec<3, SimdDouble4>;
+using Matrix = glm::mat<3, 3, SimdDouble4>;
+using Turn = glm::qua<SimdDouble4>;
 
 // The articulated-body algorithm (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7) about the feet of
 // the links, in axes of the world, with an implicit midpoint rule around it. Symbols: v, w velocity of the foot and
@@ -50,9 +50,9 @@ constexpr double PartOfStop = 0.95;
 /// A symmetric matrix of three rows.
 struct Symmetric
 {
-  Lanes xx, xy, xz, yy, yz, zz;
+  SimdDouble4 xx, xy, xz, yy, yz, zz;
 
-  LITTORAL_INLINE Symmetric(const Lanes& diagonal = 0.0)
+  LITTORAL_INLINE Symmetric(const SimdDouble4& diagonal = 0.0)
     : xx(diagonal)
     , xy(0.0)
     , xz(0.0)
@@ -75,14 +75,14 @@ struct Symmetric
     this->yz += o.yz;
     this->zz += o.zz;
   }
-  LITTORAL_INLINE void AddDiagonal(const Lanes& d)
+  LITTORAL_INLINE void AddDiagonal(const SimdDouble4& d)
   {
     this->xx += d;
     this->yy += d;
     this->zz += d;
   }
   /// Adds f a a^T.
-  LITTORAL_INLINE void AddSquare(const Lanes& f, const Vector& a)
+  LITTORAL_INLINE void AddSquare(const SimdDouble4& f, const Vector& a)
   {
     const Vector b = f * a;
     this->xx += a.x * b.x;
@@ -108,7 +108,7 @@ struct Symmetric
 LITTORAL_INLINE Matrix TimesCross(const Symmetric& s, const Vector& a)
 {
   // Columns of [a]: a x e_k.
-  const Lanes none(0.0);
+  const SimdDouble4 none(0.0);
   return { s * Vector(none, a.z, -a.y), s * Vector(-a.z, none, a.x), s * Vector(a.y, -a.x, none) };
 }
 
@@ -121,7 +121,7 @@ LITTORAL_INLINE Matrix CrossTimes(const Vector& a, const Matrix& m)
 /// A unit vector turned by a small rotation vector at a right angle to it.
 LITTORAL_INLINE Vector Swung(const Vector& direction, const Vector& turn)
 {
-  const Lanes square = glm::dot(turn, turn);
+  const SimdDouble4 square = glm::dot(turn, turn);
   const Vector swung = CosineOfSmall(square) * direction + SineRatioOfSmall(square) * glm::cross(turn, direction);
   return swung / LengthOf(swung);
 }
@@ -130,59 +130,59 @@ LITTORAL_INLINE Vector Swung(const Vector& direction, const Vector& turn)
 /// quadratic form in those of the foot and of the spin is [Linear Mixed; Mixed^T Angular].
 struct LinkDynamics
 {
-  LinkStateOf<Lanes> Start; // of the sub-step
-  LinkPoseOf<Lanes> StartPose;
-  LinkStateOf<Lanes> End;
-  LinkPoseOf<Lanes> EndPose;
-  LinkStateOf<Lanes> State; // in its middle, as far as known
-  Vector MiddleRate;        // Bending: that of State, tangent to the sphere at Start; Tilting: the same
-  LinkPoseOf<Lanes> Pose;   // of State
-  LinkFaceOf<Lanes> Face;
+  LinkStateOf<SimdDouble4> Start; // of the sub-step
+  LinkPoseOf<SimdDouble4> StartPose;
+  LinkStateOf<SimdDouble4> End;
+  LinkPoseOf<SimdDouble4> EndPose;
+  LinkStateOf<SimdDouble4> State; // in its middle, as far as known
+  Vector MiddleRate;              // Bending: that of State, tangent to the sphere at Start; Tilting: the same
+  LinkPoseOf<SimdDouble4> Pose;   // of State
+  LinkFaceOf<SimdDouble4> Face;
   Turn Below;                   // of the parent
   Vector Arm;                   // from the parent's foot, now
   Vector VelocityProductLinear; // change of the foot's velocity in g when joints change as they are known to
   Vector VelocityProductAngular;
-  Vector B[2];              // axes of the joint, at right angles to the link
-  Vector MotionSubspace[2]; // S: spin by a rate about these axes, twist included
-  Vector Swerve;            // dS/dt q': acceleration of the spin when the joint does not accelerate
-  Lanes Rate[2];            // along the axes
-  Lanes Gain[2];            // what of it was gained since the start
-  Lanes Spring[2];          // deflection along the axes
-  Lanes StopTorque;         // of the stop, for a deflection of 1 [N m/rad]
-  Lanes StopStiffness;      // [N m/rad]
-  Symmetric Linear;         // I^A
+  Vector B[2];               // axes of the joint, at right angles to the link
+  Vector MotionSubspace[2];  // S: spin by a rate about these axes, twist included
+  Vector Swerve;             // dS/dt q': acceleration of the spin when the joint does not accelerate
+  SimdDouble4 Rate[2];       // along the axes
+  SimdDouble4 Gain[2];       // what of it was gained since the start
+  SimdDouble4 Spring[2];     // deflection along the axes
+  SimdDouble4 StopTorque;    // of the stop, for a deflection of 1 [N m/rad]
+  SimdDouble4 StopStiffness; // [N m/rad]
+  Symmetric Linear;          // I^A
   Matrix Mixed;
   Symmetric Angular;
   Vector BiasLinear; // -p^A, as impulses
   Vector BiasAngular;
-  Vector Force;           // of the water on all from here on
-  LinkLoadOf<Lanes> Load; // on the link itself
-  Vector WorkForce;       // those of the last iteration of a lane
+  Vector Force;                 // of the water on all from here on
+  LinkLoadOf<SimdDouble4> Load; // on the link itself
+  Vector WorkForce;             // those of the last iteration of a lane
   Vector WorkMoment;
   Vector Spin;
-  Lanes Tension; // arm times pull: what straightens the link
-  Vector U[2];   // I^A S, linear
-  Vector G[2];   // and angular
-  Lanes InverseJointInertia[3];
-  Lanes JointImpulse[2];
+  SimdDouble4 Tension; // arm times pull: what straightens the link
+  Vector U[2];         // I^A S, linear
+  Vector G[2];         // and angular
+  SimdDouble4 InverseJointInertia[3];
+  SimdDouble4 JointImpulse[2];
 };
 
 /// Lane by lane, one of two.
-LITTORAL_INLINE Vector Choice(const Lanes& isFirst, const Vector& first, const Vector& second)
+LITTORAL_INLINE Vector Choice(const SimdDouble4& isFirst, const Vector& first, const Vector& second)
 {
-  const Lanes half(0.5);
-  return { WhereLess(half, isFirst, first.x, second.x), WhereLess(half, isFirst, first.y, second.y),
-    WhereLess(half, isFirst, first.z, second.z) };
+  const SimdDouble4 half(0.5);
+  return { SelectLess(half, isFirst, first.x, second.x), SelectLess(half, isFirst, first.y, second.y),
+    SelectLess(half, isFirst, first.z, second.z) };
 }
 
-LITTORAL_INLINE Turn Choice(const Lanes& isFirst, const Turn& first, const Turn& second)
+LITTORAL_INLINE Turn Choice(const SimdDouble4& isFirst, const Turn& first, const Turn& second)
 {
-  const Lanes half(0.5);
-  return { WhereLess(half, isFirst, first.w, second.w), WhereLess(half, isFirst, first.x, second.x),
-    WhereLess(half, isFirst, first.y, second.y), WhereLess(half, isFirst, first.z, second.z) };
+  const SimdDouble4 half(0.5);
+  return { SelectLess(half, isFirst, first.w, second.w), SelectLess(half, isFirst, first.x, second.x),
+    SelectLess(half, isFirst, first.y, second.y), SelectLess(half, isFirst, first.z, second.z) };
 }
 
-LITTORAL_INLINE Lanes Square(const Lanes& x)
+LITTORAL_INLINE SimdDouble4 Square(const SimdDouble4& x)
 {
   return x * x;
 }
@@ -190,21 +190,21 @@ LITTORAL_INLINE Lanes Square(const Lanes& x)
 /// What is tangent to the sphere at one direction, carried to another along the great circle between them.
 LITTORAL_INLINE Vector Transported(const Vector& tangent, const Vector& from, const Vector& to)
 {
-  const Lanes open = Larger(Lanes(1.0) + glm::dot(from, to), Lanes(0.05));
+  const SimdDouble4 open = Max(SimdDouble4(1.0) + glm::dot(from, to), SimdDouble4(0.05));
   return tangent - (glm::dot(tangent, to) / open) * (from + to);
 }
 
-/// One iteration for the middle of a sub-step of a bunch, lanes with their own lengths.
-class BunchStep
+/// One iteration for the middle of a sub-step of a batch, lanes with their own lengths.
+class BatchStep
 {
 public:
-  BunchStep(const SeaweedOptions& options)
+  BatchStep(const SeaweedOptions& options)
     : Options(options)
     , IsImplicit(options.Integrator == SeaweedIntegrator::Implicit)
   {
   }
 
-  Lanes Half{ 0.0 }; // g: half of the sub-step [s]; explicit Euler: the step
+  SimdDouble4 Half{ 0.0 }; // g: half of the sub-step [s]; explicit Euler: the step
 
   /// The first guess of the middle: rates of the start.
   LITTORAL_INLINE void BeginLink(LinkDynamics& link) const
@@ -219,18 +219,19 @@ public:
   }
 
   /// Pose, axes, deflection, inertia, loads and velocity products of the link by itself.
-  LITTORAL_INLINE void InitializeLink(const LinkBody<Lanes>& body, const WaterOf<Lanes>& water,
-    const LinkBody<Lanes>* parentBody, const LinkDynamics* parent, LinkDynamics& link) const
+  LITTORAL_INLINE void InitializeLink(const LinkBody<SimdDouble4>& body, const WaterOf<SimdDouble4>& water,
+    const LinkBody<SimdDouble4>* parentBody, const LinkDynamics* parent, LinkDynamics& link) const
   {
-    const Lanes g = this->Half;
-    PoseLink<Lanes>(this->Options.Joint, body, link.State, parentBody, parent ? &parent->Pose : nullptr, link.Pose);
-    const LinkPoseOf<Lanes>& pose = link.Pose;
-    link.Face = FaceOf<Lanes>(body, pose);
-    link.Below = parent ? parent->Pose.Turn : NoTurn<Lanes>();
+    const SimdDouble4 g = this->Half;
+    PoseLink<SimdDouble4>(
+      this->Options.Joint, body, link.State, parentBody, parent ? &parent->Pose : nullptr, link.Pose);
+    const LinkPoseOf<SimdDouble4>& pose = link.Pose;
+    link.Face = FaceOf<SimdDouble4>(body, pose);
+    link.Below = parent ? parent->Pose.Turn : NoTurn<SimdDouble4>();
     const Vector relative = this->FindAxes(body, parentBody, link);
 
     // Velocity products c = g (dS/dt q' + w_p x S q') + S (q' - q0'), and those of the parent on the arm.
-    link.Arm = Vector(Lanes(0.0));
+    link.Arm = Vector(SimdDouble4(0.0));
     link.VelocityProductLinear = link.Arm;
     link.VelocityProductAngular =
       g * link.Swerve + link.Gain[0] * link.MotionSubspace[0] + link.Gain[1] * link.MotionSubspace[1];
@@ -243,23 +244,23 @@ public:
         glm::cross(parent->VelocityProductAngular, link.Arm) + g * glm::cross(spin, glm::cross(spin, link.Arm));
     }
 
-    link.Load = LoadOn<Lanes>(this->Options, body, pose, link.Face, water);
+    link.Load = LoadOn<SimdDouble4>(this->Options, body, pose, link.Face, water);
     link.Force = link.Load.Force;
     link.Tension = glm::dot(pose.Axis, link.Load.Moment);
     // -p = g f - g (v x* I v) - I c
     this->SetBias(body, link);
     // Drag falls with the correction of the velocity: I + g df/dv.
-    this->SetInertia(body, this->IsImplicit ? g : Lanes(0.0), link);
+    this->SetInertia(body, this->IsImplicit ? g : SimdDouble4(0.0), link);
   }
 
   /// The joint itself: its inertia and what drives it, all that grows on the link being known.
-  LITTORAL_INLINE void SolveJoint(const LinkBody<Lanes>& body, LinkDynamics& link) const
+  LITTORAL_INLINE void SolveJoint(const LinkBody<SimdDouble4>& body, LinkDynamics& link) const
   {
     const Vector& e = link.Pose.Axis;
-    const Lanes g = this->Half;
-    const Lanes implicit = this->IsImplicit ? g : Lanes(0.0);
+    const SimdDouble4 g = this->Half;
+    const SimdDouble4 implicit = this->IsImplicit ? g : SimdDouble4(0.0);
     // A pull T along a segment of length l straightens it as a spring l T would: I + g2 T l (1 - e e^T).
-    const Lanes straightens = implicit * implicit * Larger(link.Tension, Lanes(0.0));
+    const SimdDouble4 straightens = implicit * implicit * Max(link.Tension, SimdDouble4(0.0));
     link.Angular.AddDiagonal(straightens);
     link.Angular.AddSquare(-straightens, e);
     // U = I^A S
@@ -269,19 +270,20 @@ public:
       link.U[k] = link.Mixed * link.MotionSubspace[k];
     }
     // D = S^T I^A S
-    Lanes n00 = glm::dot(link.MotionSubspace[0], link.G[0]);
-    const Lanes n01 = glm::dot(link.MotionSubspace[0], link.G[1]);
-    Lanes n11 = glm::dot(link.MotionSubspace[1], link.G[1]);
-    const Lanes stiffness = body.Stiffness + link.StopStiffness;
-    const Lanes damping = body.Damping + WhereLess(Lanes(0.0), link.StopTorque, body.StopDamping, Lanes(0.0));
-    const Lanes bent = body.Stiffness + link.StopTorque;
+    SimdDouble4 n00 = glm::dot(link.MotionSubspace[0], link.G[0]);
+    const SimdDouble4 n01 = glm::dot(link.MotionSubspace[0], link.G[1]);
+    SimdDouble4 n11 = glm::dot(link.MotionSubspace[1], link.G[1]);
+    const SimdDouble4 stiffness = body.Stiffness + link.StopStiffness;
+    const SimdDouble4 damping =
+      body.Damping + SelectLess(SimdDouble4(0.0), link.StopTorque, body.StopDamping, SimdDouble4(0.0));
+    const SimdDouble4 bent = body.Stiffness + link.StopTorque;
     // Springs that the step does not resolve are damped by c = K g s / (1 + s), s = (g2 K / D)^2, on the rate at the
     // end of the step; others are not: c falls with the fifth power of the step.
-    const Lanes stiff = implicit * implicit * body.Stiffness;
-    const Lanes squared[2] = { Square(stiff * n11), Square(stiff * n00) };
-    const Lanes det = Square(n00 * n11 - n01 * n01);
-    const Lanes all = implicit * body.Stiffness;
-    const Lanes filter[2] = { all * squared[0] / (squared[0] + det), all * squared[1] / (squared[1] + det) };
+    const SimdDouble4 stiff = implicit * implicit * body.Stiffness;
+    const SimdDouble4 squared[2] = { Square(stiff * n11), Square(stiff * n00) };
+    const SimdDouble4 det = Square(n00 * n11 - n01 * n01);
+    const SimdDouble4 all = implicit * body.Stiffness;
+    const SimdDouble4 filter[2] = { all * squared[0] / (squared[0] + det), all * squared[1] / (squared[1] + det) };
     // u = -S^T p^A - g (K q + d q' + c (2 q' - q0'))
     for (int k = 0; k < 2; ++k)
     {
@@ -289,10 +291,10 @@ public:
         g * (bent * link.Spring[k] + damping * link.Rate[k] + filter[k] * (link.Rate[k] + link.Gain[k]));
     }
     // D + g (g K + d + 2 c)
-    const Lanes soft = implicit * (implicit * stiffness + damping);
-    n00 += soft + Lanes(2.0) * implicit * filter[0];
-    n11 += soft + Lanes(2.0) * implicit * filter[1];
-    const Lanes scale = Lanes(1.0) / (n00 * n11 - n01 * n01);
+    const SimdDouble4 soft = implicit * (implicit * stiffness + damping);
+    n00 += soft + SimdDouble4(2.0) * implicit * filter[0];
+    n11 += soft + SimdDouble4(2.0) * implicit * filter[1];
+    const SimdDouble4 scale = SimdDouble4(1.0) / (n00 * n11 - n01 * n01);
     link.InverseJointInertia[0] = scale * n11;
     link.InverseJointInertia[1] = -scale * n01;
     link.InverseJointInertia[2] = scale * n00;
@@ -338,13 +340,14 @@ public:
 
   /// Corrects the middle of a link where lanes are open, the correction of its parent being known. Gives the turn of
   /// the correction in the step [rad].
-  LITTORAL_INLINE Lanes IntegrateLink(const Lanes& isOpen, const LinkDynamics* parent, LinkDynamics& link) const
+  LITTORAL_INLINE SimdDouble4 IntegrateLink(
+    const SimdDouble4& isOpen, const LinkDynamics* parent, LinkDynamics& link) const
   {
     link.WorkForce = Choice(isOpen, link.Load.Force, link.WorkForce);
     link.WorkMoment = Choice(isOpen, link.Load.Moment, link.WorkMoment);
     link.Spin = Choice(isOpen, link.Pose.Spin, link.Spin);
-    Vector dv(Lanes(0.0));
-    Vector dw(Lanes(0.0));
+    Vector dv(SimdDouble4(0.0));
+    Vector dw(SimdDouble4(0.0));
     if (parent)
     {
       // The biases of a parent are not needed any more; they hold its corrections now.
@@ -352,37 +355,38 @@ public:
       dv = parent->BiasLinear + glm::cross(dw, link.Arm);
     }
     // q' += D^-1 (u - U^T a_p)
-    Lanes impulse[2];
+    SimdDouble4 impulse[2];
     for (int k = 0; k < 2; ++k)
     {
       impulse[k] = link.JointImpulse[k] - glm::dot(link.G[k], dw) - glm::dot(link.U[k], dv);
     }
-    Lanes change[2];
+    SimdDouble4 change[2];
     for (int k = 0; k < 2; ++k)
     {
-      change[k] = WhereLess(Lanes(0.5), isOpen,
-        link.InverseJointInertia[k] * impulse[0] + link.InverseJointInertia[k + 1] * impulse[1], Lanes(0.0));
+      change[k] = SelectLess(SimdDouble4(0.5), isOpen,
+        link.InverseJointInertia[k] * impulse[0] + link.InverseJointInertia[k + 1] * impulse[1], SimdDouble4(0.0));
       dw += change[k] * link.MotionSubspace[k];
     }
     link.BiasLinear = dv;
     link.BiasAngular = dw;
     this->Correct(change, link);
-    return Lanes(2.0) * this->Half * SquareRoot(change[0] * change[0] + change[1] * change[1]);
+    return SimdDouble4(2.0) * this->Half * Sqrt(change[0] * change[0] + change[1] * change[1]);
   }
 
   /// The state at the end of the sub-step, twice the way to its middle, and the pose.
-  LITTORAL_INLINE void EndLink(const LinkBody<Lanes>& body, const LinkBody<Lanes>* parentBody,
+  LITTORAL_INLINE void EndLink(const LinkBody<SimdDouble4>& body, const LinkBody<SimdDouble4>* parentBody,
     const LinkDynamics* parent, LinkDynamics& link) const
   {
-    Vector rate = Lanes(2.0) * link.MiddleRate - link.Start.Rate;
-    Vector turn = Lanes(2.0) * this->Half * link.MiddleRate;
+    Vector rate = SimdDouble4(2.0) * link.MiddleRate - link.Start.Rate;
+    Vector turn = SimdDouble4(2.0) * this->Half * link.MiddleRate;
     if (!this->IsImplicit)
     {
       rate = link.MiddleRate;
       turn = this->Half * link.Start.Rate;
     }
-    const Lanes most = Larger(LengthOf(turn), this->Half * LengthOf(rate));
-    const Lanes factor = WhereLess(Lanes(MostTurn), most, Lanes(MostTurn) / Larger(most, Lanes(1e-300)), Lanes(1.0));
+    const SimdDouble4 most = Max(LengthOf(turn), this->Half * LengthOf(rate));
+    const SimdDouble4 factor =
+      SelectLess(SimdDouble4(MostTurn), most, SimdDouble4(MostTurn) / Max(most, SimdDouble4(1e-300)), SimdDouble4(1.0));
     turn *= factor;
     rate *= factor;
     link.End.Rate = rate;
@@ -396,47 +400,55 @@ public:
       link.End.Rate = Transported(rate, link.Start.Shape, link.End.Shape);
       link.End.Rate -= glm::dot(link.End.Rate, link.End.Shape) * link.End.Shape;
     }
-    PoseLink<Lanes>(this->Options.Joint, body, link.End, parentBody, parent ? &parent->EndPose : nullptr, link.EndPose);
+    PoseLink<SimdDouble4>(
+      this->Options.Joint, body, link.End, parentBody, parent ? &parent->EndPose : nullptr, link.EndPose);
   }
 
   /// The work of loads on a link in the sub-step, by the ways of their points [J]; so that dead loads have a potential.
-  LITTORAL_INLINE Lanes WorkOf(const LinkDynamics& link) const
+  LITTORAL_INLINE SimdDouble4 WorkOf(const LinkDynamics& link) const
   {
     return glm::dot(link.WorkForce, link.EndPose.Foot - link.StartPose.Foot) +
       glm::dot(link.WorkMoment, link.EndPose.Axis - link.StartPose.Axis);
   }
 
   /// T = 1/2 integral of (m v.v + m_n (v.n)2 + m_b (v.b)2) + J/2 (w.e)2 [J]
-  LITTORAL_INLINE Lanes KineticEnergy(const LinkBody<Lanes>& body, const LinkPoseOf<Lanes>& pose) const
+  LITTORAL_INLINE SimdDouble4 KineticEnergy(
+    const LinkBody<SimdDouble4>& body, const LinkPoseOf<SimdDouble4>& pose) const
   {
-    const LinkFaceOf<Lanes> face = FaceOf<Lanes>(body, pose);
+    const LinkFaceOf<SimdDouble4> face = FaceOf<SimdDouble4>(body, pose);
     const Vector turning = body.Length * glm::cross(pose.Spin, pose.Axis);
     // The mean over the link of (v + s t)(v + s t): v v + v t + t t / 3.
-    const auto mean = [](const Lanes& v, const Lanes& t) { return v * (v + t) + Lanes(1.0 / 3.0) * t * t; };
-    const Lanes normal = mean(glm::dot(pose.Velocity, face.Normal), glm::dot(turning, face.Normal));
-    const Lanes edge = mean(glm::dot(pose.Velocity, face.Edge), glm::dot(turning, face.Edge));
-    const Lanes along = Square(glm::dot(pose.Velocity, pose.Axis));
-    const Lanes spin = Square(glm::dot(pose.Spin, pose.Axis));
-    return Lanes(0.5) *
+    const auto mean = [](const SimdDouble4& v, const SimdDouble4& t) {
+      return v * (v + t) + SimdDouble4(1.0 / 3.0) * t * t;
+    };
+    const SimdDouble4 normal = mean(glm::dot(pose.Velocity, face.Normal), glm::dot(turning, face.Normal));
+    const SimdDouble4 edge = mean(glm::dot(pose.Velocity, face.Edge), glm::dot(turning, face.Edge));
+    const SimdDouble4 along = Square(glm::dot(pose.Velocity, pose.Axis));
+    const SimdDouble4 spin = Square(glm::dot(pose.Spin, pose.Axis));
+    return SimdDouble4(0.5) *
       ((body.Mass + body.FaceMass) * normal + (body.Mass + body.EdgeMass) * edge + body.Mass * along +
         body.AxialInertia * spin);
   }
 
   /// V = K/2 q2, and that of the stop [J]
-  LITTORAL_INLINE Lanes SpringEnergy(const LinkBody<Lanes>& body, const LinkStateOf<Lanes>& state) const
+  LITTORAL_INLINE SimdDouble4 SpringEnergy(
+    const LinkBody<SimdDouble4>& body, const LinkStateOf<SimdDouble4>& state) const
   {
     if (this->Options.Joint == SeaweedJoint::Tilting)
     {
-      return Lanes(0.5) * body.Stiffness * (Square(state.Shape.x - body.Theta) + Square(state.Shape.y - body.Phi));
+      return SimdDouble4(0.5) * body.Stiffness *
+        (Square(state.Shape.x - body.Theta) + Square(state.Shape.y - body.Phi));
     }
-    const Lanes angle = AngleOf(LengthOf(glm::cross(body.Axis, state.Shape)), glm::dot(body.Axis, state.Shape));
-    const Lanes way = Larger(Lanes(0.0), angle - Lanes(MostBend)) * Lanes(1.0 / WayOfStop);
-    const Lanes y = Smaller(way, Lanes(PartOfStop));
-    const Lanes left = Lanes(1.0) / (Lanes(1.0) - y);
-    const Lanes beyond = way - y;
-    const Lanes stop = Lanes(0.5) * y * y * left + Lanes(0.5) * y * (Lanes(2.0) - y) * left * left * beyond +
-      Lanes(0.5) * left * left * left * beyond * beyond;
-    return Lanes(0.5) * body.Stiffness * angle * angle + body.StopStiffness * Lanes(WayOfStop * WayOfStop) * stop;
+    const SimdDouble4 angle = AngleOf(LengthOf(glm::cross(body.Axis, state.Shape)), glm::dot(body.Axis, state.Shape));
+    const SimdDouble4 way = Max(SimdDouble4(0.0), angle - SimdDouble4(MostBend)) * SimdDouble4(1.0 / WayOfStop);
+    const SimdDouble4 y = Min(way, SimdDouble4(PartOfStop));
+    const SimdDouble4 left = SimdDouble4(1.0) / (SimdDouble4(1.0) - y);
+    const SimdDouble4 beyond = way - y;
+    const SimdDouble4 stop = SimdDouble4(0.5) * y * y * left +
+      SimdDouble4(0.5) * y * (SimdDouble4(2.0) - y) * left * left * beyond +
+      SimdDouble4(0.5) * left * left * left * beyond * beyond;
+    return SimdDouble4(0.5) * body.Stiffness * angle * angle +
+      body.StopStiffness * SimdDouble4(WayOfStop * WayOfStop) * stop;
   }
 
 private:
@@ -444,22 +456,22 @@ private:
   bool IsImplicit;
 
   /// I of the link about its foot, in axes b (width), n (face) and e (axis), with drag times a time.
-  LITTORAL_INLINE void SetInertia(const LinkBody<Lanes>& body, const Lanes& time, LinkDynamics& link) const
+  LITTORAL_INLINE void SetInertia(const LinkBody<SimdDouble4>& body, const SimdDouble4& time, LinkDynamics& link) const
   {
-    const LinkLoadOf<Lanes>& load = link.Load;
+    const LinkLoadOf<SimdDouble4>& load = link.Load;
     const Vector& b = link.Face.Edge;
     const Vector& n = link.Face.Normal;
-    const Lanes half = Lanes(0.5) * body.Length;
-    const Lanes third = Lanes(1.0 / 3.0) * body.Length * body.Length;
-    const Lanes massB = body.Mass + body.EdgeMass;
-    const Lanes massN = body.Mass + body.FaceMass;
-    const Lanes linearB = massB + time * load.EdgeDrag.Sum;
-    const Lanes linearN = massN + time * load.FaceDrag.Sum;
-    const Lanes linearE = body.Mass + time * load.Friction;
-    const Lanes firstB = half * massB + time * load.EdgeDrag.First;
-    const Lanes firstN = half * massN + time * load.FaceDrag.First;
-    const Lanes secondB = third * massB + time * load.EdgeDrag.Second;
-    const Lanes secondN = third * massN + time * load.FaceDrag.Second;
+    const SimdDouble4 half = SimdDouble4(0.5) * body.Length;
+    const SimdDouble4 third = SimdDouble4(1.0 / 3.0) * body.Length * body.Length;
+    const SimdDouble4 massB = body.Mass + body.EdgeMass;
+    const SimdDouble4 massN = body.Mass + body.FaceMass;
+    const SimdDouble4 linearB = massB + time * load.EdgeDrag.Sum;
+    const SimdDouble4 linearN = massN + time * load.FaceDrag.Sum;
+    const SimdDouble4 linearE = body.Mass + time * load.Friction;
+    const SimdDouble4 firstB = half * massB + time * load.EdgeDrag.First;
+    const SimdDouble4 firstN = half * massN + time * load.FaceDrag.First;
+    const SimdDouble4 secondB = third * massB + time * load.EdgeDrag.Second;
+    const SimdDouble4 secondN = third * massN + time * load.FaceDrag.Second;
     // Linear = m_b b b^T + m_n n n^T + m_e e e^T
     link.Linear = Symmetric(linearE);
     link.Linear.AddSquare(linearB - linearE, b);
@@ -476,15 +488,15 @@ private:
 
   /// The impulse of what the link itself feels when joints change as they are known to: loads, less what it takes to
   /// carry its momentum along, v x* I v, and to change it by the velocity products.
-  LITTORAL_INLINE void SetBias(const LinkBody<Lanes>& body, LinkDynamics& link) const
+  LITTORAL_INLINE void SetBias(const LinkBody<SimdDouble4>& body, LinkDynamics& link) const
   {
-    const Lanes g = this->Half;
+    const SimdDouble4 g = this->Half;
     const Vector& b = link.Face.Edge;
     const Vector& n = link.Face.Normal;
     const Vector& e = link.Pose.Axis;
     const auto inAxes = [&](const Vector& x) { return Vector(glm::dot(x, b), glm::dot(x, n), glm::dot(x, e)); };
-    const Lanes half = Lanes(0.5) * body.Length;
-    const Lanes third = Lanes(1.0 / 3.0) * body.Length * body.Length;
+    const SimdDouble4 half = SimdDouble4(0.5) * body.Length;
+    const SimdDouble4 third = SimdDouble4(1.0 / 3.0) * body.Length * body.Length;
     const Vector mass(body.Mass + body.EdgeMass, body.Mass + body.FaceMass, body.Mass);
     // I (v, w) = (P, H) in axes b (width), n (face), e: momentum and its moment about the foot.
     const auto momentumOf = [&](const Vector& v, const Vector& w) {
@@ -508,9 +520,9 @@ private:
   /// The state of the middle by its rates.
   LITTORAL_INLINE void MoveToMiddle(LinkDynamics& link) const
   {
-    const Lanes speed = this->Half * LengthOf(link.MiddleRate);
-    const Lanes most(0.5 * MostTurn);
-    link.MiddleRate *= WhereLess(most, speed, most / Larger(speed, Lanes(1e-300)), Lanes(1.0));
+    const SimdDouble4 speed = this->Half * LengthOf(link.MiddleRate);
+    const SimdDouble4 most(0.5 * MostTurn);
+    link.MiddleRate *= SelectLess(most, speed, most / Max(speed, SimdDouble4(1e-300)), SimdDouble4(1.0));
     const Vector turn = this->Half * link.MiddleRate;
     link.State.Rate = link.MiddleRate; // about which the direction turns: the same at both ends
     link.State.Shape =
@@ -518,24 +530,25 @@ private:
   }
 
   /// K_s/2 x2 / (1 - x/X), x: how far the joint is bent beyond MostBend. The paper has none.
-  LITTORAL_INLINE void FindStop(const LinkBody<Lanes>& body, const Lanes& angle, LinkDynamics& link) const
+  LITTORAL_INLINE void FindStop(const LinkBody<SimdDouble4>& body, const SimdDouble4& angle, LinkDynamics& link) const
   {
-    const Lanes one(1.0);
-    const Lanes strength = this->IsImplicit ? body.StopStiffness : Lanes(0.0);
-    const Lanes way = Larger(Lanes(0.0), angle - Lanes(MostBend)) * Lanes(1.0 / WayOfStop);
-    const Lanes y = Smaller(way, Lanes(PartOfStop));
-    const Lanes left = one / (one - y);
-    const Lanes stiffness = strength * left * left * left;
-    const Lanes torque = strength * Lanes(0.5) * y * (Lanes(2.0) - y) * left * left + stiffness * (way - y);
-    link.StopTorque = Lanes(WayOfStop) * torque / Larger(angle, Lanes(MostBend));
-    link.StopStiffness = WhereLess(Lanes(0.0), way, stiffness, Lanes(0.0));
+    const SimdDouble4 one(1.0);
+    const SimdDouble4 strength = this->IsImplicit ? body.StopStiffness : SimdDouble4(0.0);
+    const SimdDouble4 way = Max(SimdDouble4(0.0), angle - SimdDouble4(MostBend)) * SimdDouble4(1.0 / WayOfStop);
+    const SimdDouble4 y = Min(way, SimdDouble4(PartOfStop));
+    const SimdDouble4 left = one / (one - y);
+    const SimdDouble4 stiffness = strength * left * left * left;
+    const SimdDouble4 torque =
+      strength * SimdDouble4(0.5) * y * (SimdDouble4(2.0) - y) * left * left + stiffness * (way - y);
+    link.StopTorque = SimdDouble4(WayOfStop) * torque / Max(angle, SimdDouble4(MostBend));
+    link.StopStiffness = SelectLess(SimdDouble4(0.0), way, stiffness, SimdDouble4(0.0));
   }
 
   /// Axes of the joint, with deflection, rate and gain along them. Gives the spin against the parent.
   LITTORAL_INLINE Vector FindAxes(
-    const LinkBody<Lanes>& body, const LinkBody<Lanes>* parentBody, LinkDynamics& link) const
+    const LinkBody<SimdDouble4>& body, const LinkBody<SimdDouble4>* parentBody, LinkDynamics& link) const
   {
-    const LinkStateOf<Lanes>& state = link.State;
+    const LinkStateOf<SimdDouble4>& state = link.State;
     if (this->Options.Joint == SeaweedJoint::Bending)
     {
       const Vector& e = link.Pose.Axis;
@@ -549,8 +562,8 @@ private:
       {
         link.MotionSubspace[k] = link.B[k] + TwistOf(a, e, link.B[k]);
       }
-      const Lanes open = OpeningOf(a, e);
-      const Lanes part = glm::dot(relative, a) / open;
+      const SimdDouble4 open = OpeningOf(a, e);
+      const SimdDouble4 part = glm::dot(relative, a) / open;
       const Vector swing = glm::cross(relative, e);
       link.Swerve = (part * glm::dot(swing, a) / open) * e - part * swing;
       const Vector bend = Rotated(link.Below, BendTo(body.Axis, state.Shape, body.Side));
@@ -563,11 +576,11 @@ private:
       this->FindStop(body, LengthOf(bend), link);
       return relative + TwistOf(a, e, relative);
     }
-    link.StopTorque = Lanes(0.0);
-    link.StopStiffness = Lanes(0.0);
-    const Turn frame = parentBody ? link.Below * parentBody->Base : GroundBase<Lanes>();
-    const Vector y = Rotated(frame, Vector(Lanes(0.0), Lanes(1.0), Lanes(0.0)));
-    const Vector x = Rotated(frame, Vector(Cosine(state.Shape.x), Lanes(0.0), -Sine(state.Shape.x)));
+    link.StopTorque = SimdDouble4(0.0);
+    link.StopStiffness = SimdDouble4(0.0);
+    const Turn frame = parentBody ? link.Below * parentBody->Base : GroundBase<SimdDouble4>();
+    const Vector y = Rotated(frame, Vector(SimdDouble4(0.0), SimdDouble4(1.0), SimdDouble4(0.0)));
+    const Vector x = Rotated(frame, Vector(Cos(state.Shape.x), SimdDouble4(0.0), -Sin(state.Shape.x)));
     link.MotionSubspace[0] = y;
     link.MotionSubspace[1] = x;
     link.Swerve = (state.Rate.x * state.Rate.y) * glm::cross(y, x); // the axis of the tilt goes with the azimuth
@@ -582,11 +595,11 @@ private:
   }
 
   /// Adds a change of the rates along the axes.
-  LITTORAL_INLINE void Correct(const Lanes change[2], LinkDynamics& link) const
+  LITTORAL_INLINE void Correct(const SimdDouble4 change[2], LinkDynamics& link) const
   {
     if (this->Options.Joint == SeaweedJoint::Tilting)
     {
-      link.MiddleRate += Vector(change[0], change[1], Lanes(0.0));
+      link.MiddleRate += Vector(change[0], change[1], SimdDouble4(0.0));
     }
     else
     {
@@ -600,23 +613,23 @@ private:
   }
 };
 
-LITTORAL_INLINE WaterOf<Lanes> WaterAt(const WaterAtLink* water)
+LITTORAL_INLINE WaterOf<SimdDouble4> WaterAt(const WaterAtLink* water)
 {
   constexpr LaneIndices at{ 0, 1, 2, 3 };
-  WaterOf<Lanes> all;
+  WaterOf<SimdDouble4> all;
   all.Velocity = GatherVector(water, at, &WaterAtLink::Velocity);
   all.Acceleration = GatherVector(water, at, &WaterAtLink::Acceleration);
   all.Displacement = GatherVector(water, at, &WaterAtLink::Displacement);
   return all;
 }
 
-/// A bunch, and how far its lanes are in a step. A lane has its own sub-steps and iterations: what it does is a
+/// A batch, and how far its lanes are in a step. A lane has its own sub-steps and iterations: what it does is a
 /// function of its own state alone.
-class BunchMarch
+class BatchMarch
 {
 public:
-  BunchMarch(const SeaweedOptions& options, double step, std::size_t count, LinkDynamics* links,
-    const LinkBody<Lanes>* bodies, const int* parents, const WaterAtLink* water)
+  BatchMarch(const SeaweedOptions& options, double step, std::size_t count, LinkDynamics* links,
+    const LinkBody<SimdDouble4>* bodies, const int* parents, const WaterAtLink* water)
     : Rules(options)
     , IsImplicit(options.Integrator == SeaweedIntegrator::Implicit)
     , Step(step)
@@ -646,25 +659,25 @@ public:
   }
 
 private:
-  BunchStep Rules;
+  BatchStep Rules;
   bool IsImplicit;
   double Step;
   std::size_t Count;
   LinkDynamics* Links;
-  const LinkBody<Lanes>* Bodies;
+  const LinkBody<SimdDouble4>* Bodies;
   const int* Parents; // -1: the ground
   const WaterAtLink* Water;
   std::array<int, LaneCount> Done{}; // parts of the step
   std::array<int, LaneCount> Size{}; // parts of the next sub-step
-  Lanes Energy{ 0.0 };               // at the start of the sub-step [J]
-  Lanes Kinetic{ 0.0 };              // the part of it in motion
-  Lanes EndKinetic{ 0.0 };
-  Lanes EndEnergy{ 0.0 };
-  Lanes Gain{ 0.0 };       // of energy beyond what loads give
-  Lanes Correction{ 0.0 }; // of the last iteration, the largest of the links [rad]
-  Lanes Turned{ 0.0 };     // in the sub-step, the largest of the links [rad]
+  SimdDouble4 Energy{ 0.0 };         // at the start of the sub-step [J]
+  SimdDouble4 Kinetic{ 0.0 };        // the part of it in motion
+  SimdDouble4 EndKinetic{ 0.0 };
+  SimdDouble4 EndEnergy{ 0.0 };
+  SimdDouble4 Gain{ 0.0 };       // of energy beyond what loads give
+  SimdDouble4 Correction{ 0.0 }; // of the last iteration, the largest of the links [rad]
+  SimdDouble4 Turned{ 0.0 };     // in the sub-step, the largest of the links [rad]
 
-  LITTORAL_INLINE const LinkBody<Lanes>* ParentBody(std::size_t i) const
+  LITTORAL_INLINE const LinkBody<SimdDouble4>* ParentBody(std::size_t i) const
   {
     return this->Parents[i] < 0 ? nullptr : &this->Bodies[this->Parents[i]];
   }
@@ -676,14 +689,14 @@ private:
   /// Energy, and first sub-steps by the fastest link.
   LITTORAL_INLINE void Begin()
   {
-    Lanes fastest(0.0);
+    SimdDouble4 fastest(0.0);
     for (std::size_t i = 0; this->IsImplicit && i < this->Count; ++i)
     {
       const LinkDynamics& link = this->Links[i];
-      const Lanes kinetic = this->Rules.KineticEnergy(this->Bodies[i], link.StartPose);
+      const SimdDouble4 kinetic = this->Rules.KineticEnergy(this->Bodies[i], link.StartPose);
       this->Kinetic += kinetic;
       this->Energy += kinetic + this->Rules.SpringEnergy(this->Bodies[i], link.Start);
-      fastest = Larger(fastest, glm::dot(link.StartPose.Spin, link.StartPose.Spin));
+      fastest = Max(fastest, glm::dot(link.StartPose.Spin, link.StartPose.Spin));
     }
     for (int lane = 0; lane < LaneCount; ++lane)
     {
@@ -699,7 +712,7 @@ private:
   /// The middle of the sub-step, by iteration.
   LITTORAL_INLINE void FindMiddle()
   {
-    Lanes isOpen(1.0);
+    SimdDouble4 isOpen(1.0);
     bool isAnyOpen = true;
     for (std::size_t i = 0; i < this->Count; ++i)
     {
@@ -720,12 +733,12 @@ private:
           this->Rules.PropagateToParent(this->Links[i], *parent);
         }
       }
-      Lanes worst(0.0);
+      SimdDouble4 worst(0.0);
       for (std::size_t i = 0; i < this->Count; ++i)
       {
-        worst = Larger(worst, this->Rules.IntegrateLink(isOpen, this->ParentOf(i), this->Links[i]));
+        worst = Max(worst, this->Rules.IntegrateLink(isOpen, this->ParentOf(i), this->Links[i]));
       }
-      this->Correction = WhereLess(Lanes(0.5), isOpen, worst, this->Correction);
+      this->Correction = SelectLess(SimdDouble4(0.5), isOpen, worst, this->Correction);
       isAnyOpen = false;
       for (int lane = 0; lane < LaneCount; ++lane)
       {
@@ -739,33 +752,33 @@ private:
   /// States and poses of the end, with energy.
   LITTORAL_INLINE void FindEnd()
   {
-    this->Turned = Lanes(0.0);
-    this->EndKinetic = Lanes(0.0);
-    Lanes springs(0.0);
-    Lanes work(0.0);
+    this->Turned = SimdDouble4(0.0);
+    this->EndKinetic = SimdDouble4(0.0);
+    SimdDouble4 springs(0.0);
+    SimdDouble4 work(0.0);
     for (std::size_t i = 0; i < this->Count; ++i)
     {
       LinkDynamics& link = this->Links[i];
       this->Rules.EndLink(this->Bodies[i], this->ParentBody(i), this->ParentOf(i), link);
       if (this->IsImplicit)
       {
-        this->Turned = Larger(this->Turned, glm::dot(link.Spin, link.Spin));
+        this->Turned = Max(this->Turned, glm::dot(link.Spin, link.Spin));
         this->EndKinetic += this->Rules.KineticEnergy(this->Bodies[i], link.EndPose);
         springs += this->Rules.SpringEnergy(this->Bodies[i], link.End);
         work += this->Rules.WorkOf(link);
       }
     }
-    this->Turned = Lanes(2.0) * this->Rules.Half * SquareRoot(this->Turned);
+    this->Turned = SimdDouble4(2.0) * this->Rules.Half * Sqrt(this->Turned);
     this->EndEnergy = this->EndKinetic + springs;
-    const Lanes rounding = Lanes(1e-11) * (this->EndEnergy + Magnitude(work));
+    const SimdDouble4 rounding = SimdDouble4(1e-11) * (this->EndEnergy + Abs(work));
     this->Gain = this->EndEnergy - this->Energy - work - rounding;
   }
 
   /// Takes the sub-step in lanes where it is good; a shorter one comes next in others.
   LITTORAL_INLINE void Take()
   {
-    Lanes isTaken(0.0);
-    Lanes factor(1.0);
+    SimdDouble4 isTaken(0.0);
+    SimdDouble4 factor(1.0);
     for (int lane = 0; lane < LaneCount; ++lane)
     {
       int& size = this->Size[lane];
@@ -807,9 +820,9 @@ private:
       link.StartPose.Spin = Choice(isTaken, factor * link.EndPose.Spin, link.StartPose.Spin);
       link.StartPose.Turn = Choice(isTaken, link.EndPose.Turn, link.StartPose.Turn);
     }
-    const Lanes kinetic = factor * factor * this->EndKinetic;
-    this->Energy = WhereLess(Lanes(0.5), isTaken, this->EndEnergy - this->EndKinetic + kinetic, this->Energy);
-    this->Kinetic = WhereLess(Lanes(0.5), isTaken, kinetic, this->Kinetic);
+    const SimdDouble4 kinetic = factor * factor * this->EndKinetic;
+    this->Energy = SelectLess(SimdDouble4(0.5), isTaken, this->EndEnergy - this->EndKinetic + kinetic, this->Energy);
+    this->Kinetic = SelectLess(SimdDouble4(0.5), isTaken, kinetic, this->Kinetic);
   }
 };
 
@@ -817,17 +830,17 @@ private:
 
 //----------------------------------------------------------------------------
 LITTORAL_SIMD_CLONES void SeaweedMotion::Step(
-  double step, const SeaweedBunch& bunch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const
+  double step, const LinkBatch& batch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const
 {
   static thread_local std::vector<LinkDynamics> kept;
-  kept.resize(std::max(kept.size(), bunch.Links));
+  kept.resize(std::max(kept.size(), batch.Links));
   LinkDynamics* links = kept.data();
-  LaneIndices at = bunch.First;
-  for (std::size_t i = 0; i < bunch.Links; ++i)
+  LaneIndices at = batch.First;
+  for (std::size_t i = 0; i < batch.Links; ++i)
   {
     links[i].Start.Shape = GatherVector(states, at, &LinkState::Shape);
     links[i].Start.Rate = GatherVector(states, at, &LinkState::Rate);
-    links[i].StartPose.Turn = GatherTurn(poses, at, &LinkPose::Turn);
+    links[i].StartPose.Turn = GatherRotation(poses, at, &LinkPose::Turn);
     links[i].StartPose.Foot = GatherVector(poses, at, &LinkPose::Foot);
     links[i].StartPose.Axis = GatherVector(poses, at, &LinkPose::Axis);
     links[i].StartPose.Velocity = GatherVector(poses, at, &LinkPose::Velocity);
@@ -837,15 +850,15 @@ LITTORAL_SIMD_CLONES void SeaweedMotion::Step(
       ++one;
     }
   }
-  BunchMarch march(this->Options, step, bunch.Links, links, &this->Bodies->Bodies[bunch.Bodies],
-    &this->Bodies->Parents[bunch.Bodies], water);
+  BatchMarch march(this->Options, step, batch.Links, links, &this->Bodies->Bodies[batch.Bodies],
+    &this->Bodies->Parents[batch.Bodies], water);
   march.Run();
-  for (std::size_t i = 0; i < bunch.Links; ++i)
+  for (std::size_t i = 0; i < batch.Links; ++i)
   {
-    for (int lane = 0; lane < bunch.Trees; ++lane)
+    for (int lane = 0; lane < batch.Trees; ++lane)
     {
-      LinkState& state = states[bunch.First[lane] + i];
-      LinkPose& pose = poses[bunch.First[lane] + i];
+      LinkState& state = states[batch.First[lane] + i];
+      LinkPose& pose = poses[batch.First[lane] + i];
       state.Shape = LaneOf(links[i].Start.Shape, lane);
       state.Rate = LaneOf(links[i].Start.Rate, lane);
       pose.Turn = LaneOf(links[i].StartPose.Turn, lane);

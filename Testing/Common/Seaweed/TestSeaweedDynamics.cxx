@@ -336,11 +336,11 @@ struct Mover
   }
   void Run(int steps, double step)
   {
-    const SeaweedBunch& bunch = this->Motion.GetBunches().front();
-    const std::vector<WaterAtLink> still(bunch.LanedLinks());
+    const LinkBatch& batch = this->Motion.GetBatches().front();
+    const std::vector<WaterAtLink> still(batch.PaddedLinks());
     for (int n = 0; n < steps; ++n)
     {
-      this->Motion.Step(step, bunch, still.data(), this->States.data(), this->Poses.data());
+      this->Motion.Step(step, batch, still.data(), this->States.data(), this->Poses.data());
     }
   }
   Vector3 Tip() const
