@@ -203,7 +203,7 @@ LITTORAL_INLINE Real SineRatioOfSmall(const Real& square)
 }
 
 template <typename Real>
-LITTORAL_INLINE Real LengthOf(const glm::vec<3, Real>& a)
+LITTORAL_INLINE Real Length(const glm::vec<3, Real>& a)
 {
   return Sqrt(glm::dot(a, a));
 }

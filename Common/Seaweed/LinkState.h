@@ -35,8 +35,8 @@ template <typename Real>
 struct LinkPoseOf
 {
   using Vector = glm::vec<3, Real>;
-  glm::qua<Real> Turn{ Real(1.0), Real(0.0), Real(0.0), Real(0.0) }; ///< from rest
-  Vector Foot{ Real(0.0) };                                          ///< [m]
+  glm::qua<Real> Rotation{ Real(1.0), Real(0.0), Real(0.0), Real(0.0) }; ///< from rest
+  Vector Foot{ Real(0.0) };                                              ///< [m]
   Vector Axis{ Real(0.0), Real(0.0), Real(1.0) };
   Vector Velocity{ Real(0.0) }; ///< of the foot [m/s]
   Vector Spin{ Real(0.0) };     ///< [rad/s]

@@ -18,7 +18,7 @@ namespace
 constexpr double StopFrequency = 40.0; // of a link that bears all that grows on it [rad/s]
 
 /// A unit vector turned by a rotation vector at a right angle to it.
-Vector3 Swung(const Vector3& direction, const Vector3& turn)
+Vector3 RotateUnit(const Vector3& direction, const Vector3& turn)
 {
   const double angle = glm::length(turn);
   const double ratio = angle > 1e-8 ? std::sin(angle) / angle : 1.0;
@@ -46,9 +46,9 @@ LinkBody<SimdDouble4> GatherBody(const std::vector<SeaweedLink>& links, const La
   body.WaterMass = number(&SeaweedLink::WaterMass);
   body.Buoyancy = number(&SeaweedLink::Buoyancy);
   body.Weight = number(&SeaweedLink::Weight);
-  body.Frontage = number(&SeaweedLink::Frontage);
-  body.EdgeFrontage = number(&SeaweedLink::EdgeFrontage);
-  body.Surface = number(&SeaweedLink::Surface);
+  body.FrontalArea = number(&SeaweedLink::FrontalArea);
+  body.EdgeFrontalArea = number(&SeaweedLink::EdgeFrontalArea);
+  body.WettedArea = number(&SeaweedLink::WettedArea);
   body.Stiffness = number(&SeaweedLink::Stiffness);
   body.Damping = number(&SeaweedLink::Damping);
   body.StopStiffness = number(&SeaweedLink::StopStiffness);
@@ -69,7 +69,7 @@ SeaweedMotion::SeaweedMotion(std::vector<SeaweedLink> links, const SeaweedOption
     const SeaweedLink* parent = link.Parent < 0 ? nullptr : &this->Links[link.Parent];
     link.Arm = parent ? link.Foot - parent->Foot : Vector3(0.0);
     link.StopStiffness = 0.0;
-    link.Base = (parent ? parent->Base : GroundBase<double>()) * BaseTurn(link.Theta, link.Phi);
+    link.Base = (parent ? parent->Base : GroundBase<double>()) * BaseRotation(link.Theta, link.Phi);
   }
   // What keeps joints from folding flat: strong enough for all that grows on them, on the arm of one link.
   for (std::size_t i = this->Links.size(); i-- > 0;)
@@ -194,23 +194,23 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
   const SeaweedOptions& options = this->Options;
   LinkState state = this->RestOf(index);
   LinkPose rest;
-  const glm::dquat below = link.Parent < 0 ? NoTurn<double>() : poses[link.Parent].Turn;
+  const glm::dquat below = link.Parent < 0 ? IdentityRotation<double>() : poses[link.Parent].Rotation;
   rest.Foot = link.Foot;
   rest.Axis = Rotated(below, link.Axis);
   // Buoyancy is part of the equilibrium.
   const Vector3 lift = options.Load == SeaweedLoad::Morison ? Vector3(0.0, 0.0, link.Buoyancy) : Vector3(0.0);
-  rest.Turn = below;
+  rest.Rotation = below;
   // Blades that bend at once, as far as they may, would flap as the flow passes their edge: loads are those of a face
   // that is always turned to the flow.
   LinkBody<double> turned = link;
-  turned.EdgeFrontage = link.Frontage;
+  turned.EdgeFrontalArea = link.FrontalArea;
   turned.EdgeMass = link.FaceMass;
   const Vector3 force = LoadOn<double>(options, turned, rest, FaceOf<double>(link, rest), water).Force - lift;
   // Torques go with the square of the length and turns with its cube, so that graded links would bend where they are
   // long: a link bends as a part of one of mean length does.
   const double share = link.MeanLength > 0.0 ? link.Length / link.MeanLength : 1.0;
   const Vector3 torque = options.LeverArm * link.Length / (share * share) * glm::cross(rest.Axis, force);
-  const double stiffness = std::max(1e-12, share * link.Stiffness + link.Restoring);
+  const double stiffness = std::max(1e-12, share * link.Stiffness + link.BuoyancyStiffness);
   const double most = options.MaximumAngle;
   const double less = std::min(1.0, share);
   const double more = std::max(1.0, share);
@@ -224,9 +224,9 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
     state.Shape.y += soft(glm::dot(torque, x) / stiffness);
     return state;
   }
-  const Vector3 turn = Rotated(Opposite(below), torque / stiffness);
+  const Vector3 turn = Rotated(Conjugate(below), torque / stiffness);
   const double angle = glm::length(turn);
-  state.Shape = angle > 0.0 ? Swung(link.Axis, soft(angle) / angle * turn) : link.Axis;
+  state.Shape = angle > 0.0 ? RotateUnit(link.Axis, soft(angle) / angle * turn) : link.Axis;
   return state;
 }
 
@@ -243,7 +243,7 @@ LinkState SeaweedMotion::Mixed(const LinkState& first, const LinkState& second, 
     mixed.Shape = (1.0 - share) * first.Shape + share * second.Shape;
     return mixed;
   }
-  mixed.Shape = Swung(first.Shape, share * BendTo(first.Shape, second.Shape, Perpendicular(first.Shape)));
+  mixed.Shape = RotateUnit(first.Shape, share * ArcVector(first.Shape, second.Shape, Perpendicular(first.Shape)));
   return mixed;
 }
 

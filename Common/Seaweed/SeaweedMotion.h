@@ -85,7 +85,7 @@ private:
 /// What a pose of a link does to all that follows it.
 inline JointChange ChangeOf(const SeaweedLink& link, const LinkPose& pose)
 {
-  return ChangeOf({ pose.Turn, pose.Foot - link.Foot }, link.Foot);
+  return ChangeOf({ pose.Rotation, pose.Foot - link.Foot }, link.Foot);
 }
 
 }

@@ -59,9 +59,9 @@ SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& seg
   link.AxialInertia = link.Mass * (w2 + t2) / 16.0 + water * (w2 - t2) * (w2 - t2) / 32.0;
   link.Buoyancy = floats ? NetBuoyancy(segment, link.Length, options.WaterDensity) : 0.0;
   link.Weight = floats ? SegmentMass(segment, link.Length) * Gravity : 0.0;
-  link.Frontage = segment.Width * link.Length;
-  link.EdgeFrontage = segment.Thickness * link.Length;
-  link.Surface = Pi * 0.5 * (segment.Width + segment.Thickness) * link.Length;
+  link.FrontalArea = segment.Width * link.Length;
+  link.EdgeFrontalArea = segment.Thickness * link.Length;
+  link.WettedArea = Pi * 0.5 * (segment.Width + segment.Thickness) * link.Length;
   return link;
 }
 
@@ -183,7 +183,7 @@ void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& rati
     sum.Lift += link.Buoyancy;
     sum.LiftArm += 0.5 * l * link.Buoyancy;
     link.Damping = 2.0 * ratios[i] * std::sqrt(link.Stiffness * sum.Second);
-    link.Restoring = std::max(0.0, sum.LiftArm);
+    link.BuoyancyStiffness = std::max(0.0, sum.LiftArm);
     if (link.Parent >= 0)
     {
       Beyond& below = sums[link.Parent];

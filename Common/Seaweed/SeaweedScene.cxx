@@ -392,7 +392,7 @@ std::vector<Vector3> SeaweedScene::NodesAt(const std::vector<LinkPose>& poses, b
     const LinkPose& pose = poses[link];
     const Vector3 foot = this->Motion->GetLinks()[link].Foot;
     const Vector3 arm = position - foot;
-    const Vector3 moved = position + (pose.Foot - foot) + TurnedBy(pose.Turn, arm);
+    const Vector3 moved = position + (pose.Foot - foot) + RotationOffset(pose.Rotation, arm);
     nodes[node] = velocities ? pose.Velocity + glm::cross(pose.Spin, moved - pose.Foot) : moved;
   }
   return nodes;
@@ -465,7 +465,7 @@ std::vector<glm::dquat> SeaweedScene::SkinRotations() const
     for (std::size_t link = 0; link < this->Shown.size(); ++link)
     {
       const SeaweedLink& own = this->Motion->GetLinks()[link];
-      const glm::dquat below = own.Parent < 0 ? NoTurn<double>() : rotations[own.Parent];
+      const glm::dquat below = own.Parent < 0 ? IdentityRotation<double>() : rotations[own.Parent];
       rotations.push_back(RotationBetween(Rotated(below, own.Axis), this->Shown[link].Axis) * below);
     }
   }
@@ -481,7 +481,7 @@ void SeaweedScene::FindChanges(
   {
     const SeaweedLink& own = this->Motion->GetLinks()[link];
     LinkPose pose = this->Shown[link];
-    pose.Turn = rotations.empty() ? pose.Turn : rotations[link];
+    pose.Rotation = rotations.empty() ? pose.Rotation : rotations[link];
     const auto node = static_cast<std::size_t>(own.Node);
     changes[node] = ChangeOf(own, pose);
     if (this->Stand.LinkOf(node + 1) == static_cast<int>(link)) // a tip

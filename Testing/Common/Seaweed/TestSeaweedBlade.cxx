@@ -136,7 +136,7 @@ struct Blade
     {
       const LinkPose& pose = this->Poses[i];
       const double length = this->Motion->GetLinks()[i].Length;
-      const Vector3 normal = glm::cross(pose.Axis, pose.Turn * this->Motion->GetLinks()[i].Side);
+      const Vector3 normal = glm::cross(pose.Axis, pose.Rotation * this->Motion->GetLinks()[i].Side);
       for (int point = 0; point < 8; ++point)
       {
         const Vector3 v = pose.Velocity + glm::cross(pose.Spin, (point + 0.5) / 8.0 * length * pose.Axis);

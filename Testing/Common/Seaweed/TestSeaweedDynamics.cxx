@@ -355,7 +355,7 @@ struct Mover
     {
       const SeaweedLink& link = this->Motion.GetLinks()[i];
       const LinkPose& pose = this->Poses[i];
-      const Vector3 edge = pose.Turn * link.Side;
+      const Vector3 edge = pose.Rotation * link.Side;
       const Vector3 normal = glm::cross(pose.Axis, edge);
       for (const double part : { 0.5 - std::sqrt(1.0 / 12.0), 0.5 + std::sqrt(1.0 / 12.0) })
       {
