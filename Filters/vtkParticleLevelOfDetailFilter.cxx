@@ -7,7 +7,7 @@
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
-#include "Particles/MasterSlave.h"
+#include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"

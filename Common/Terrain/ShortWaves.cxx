@@ -227,15 +227,15 @@ double Crossover::LongBelow(const CovarianceParameters& field, double w) const
 {
   if (w <= this->Low)
   {
-    return SpectrumBelow(field, w);
+    return CumulativeSpectrum(field, w);
   }
   const double width = this->High - this->Low;
   const double end = std::min(w, this->High);
   const auto integrand = [&](double v) {
     const double t = (v - this->Low) / width;
-    return SpectrumBelow(field, v) * 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
+    return CumulativeSpectrum(field, v) * 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
   };
-  return SpectrumBelow(field, end) * this->LongPart(end) + Gauss::integrate(integrand, this->Low, end);
+  return CumulativeSpectrum(field, end) * this->LongPart(end) + Gauss::integrate(integrand, this->Low, end);
 }
 
 ShortWaves::ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover,

@@ -267,7 +267,7 @@ std::vector<double> AdaptiveEdges(const CovarianceParameters& field, double high
   std::vector<double> edges(count + 1);
   const int samples = 1024;
   const double median = WaveNumberAtTail(field, 0.5);
-  const double total = SpectrumBelow(field, highest);
+  const double total = CumulativeSpectrum(field, highest);
   double w0 = 0.0;
   double mass0 = 0.0;
   int k = 0;
@@ -277,7 +277,7 @@ std::vector<double> AdaptiveEdges(const CovarianceParameters& field, double high
     const double w1 = highest * part * part * part;
     const double octave =
       highest > 2.0 * median ? std::max(0.0, std::log(w1 / median) / std::log(highest / median)) : w1 / highest;
-    const double mass1 = 0.5 * (SpectrumBelow(field, w1) / total + octave);
+    const double mass1 = 0.5 * (CumulativeSpectrum(field, w1) / total + octave);
     for (; k <= count && k <= mass1 * count; ++k)
     {
       edges[k] = w0 + (w1 - w0) * (static_cast<double>(k) / count - mass0) / (mass1 - mass0);
@@ -316,7 +316,7 @@ LineSpectrum CutSpectrum(
     spectrum.Edges = AdaptiveEdges(field, highest, count);
   }
   const auto powerBelow = [&](double w) {
-    return crossover ? crossover->LongBelow(field, w) : SpectrumBelow(field, w); // in parts of the variance
+    return crossover ? crossover->LongBelow(field, w) : CumulativeSpectrum(field, w); // in parts of the variance
   };
   spectrum.Power.resize(count);
   double below = powerBelow(spectrum.Edges[0]);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Particles/MasterSlave.h"
+#include "Particles/ParticleGroups.h"
 #include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
