@@ -84,6 +84,7 @@ LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
 template <typename Real>
 LITTORAL_INLINE void Blend(const int* ids, const Real* weights, const JointChange* joints, SimdDouble4* columns)
 {
+  // Linear blend skinning: [R - 1 | t] = sum over joints of w_i [R_i - 1 | t_i]
   for (int column = 0; column < 4; ++column)
   {
     columns[column] = SimdDouble4(weights[0]) * LoadColumn(joints[ids[0]].Columns[column]);

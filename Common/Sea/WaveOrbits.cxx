@@ -79,6 +79,7 @@ LITTORAL_WIDE_SIMD_CLONES void DeepAxes(
 {
   for (int i = 0; i < count; ++i)
   {
+    // a = b = r e^kz
     a[i] = scale * Power2(octaves * z[i]);
     b[i] = a[i];
   }
@@ -89,6 +90,7 @@ LITTORAL_WIDE_SIMD_CLONES void FiniteAxes(const float* __restrict z, float octav
 {
   for (int i = 0; i < count; ++i)
   {
+    // a, b = s (e^kz +- e^-2kh / e^kz), s = r / (1 - e^-2kh)
     const float e = Power2(octaves * z[i]);
     const float reflected = mirror / e;
     a[i] = scale * (e + reflected);
@@ -103,12 +105,13 @@ LITTORAL_WIDE_SIMD_CLONES void ShallowAxes(const float* __restrict heightOverBed
   {
     const float x = waveNumber * heightOverBed[i]; // 0 to 1
     const float q = x * x;
+    // a, b = s (cosh x, sinh x), s = r / sinh kh, x = k (z + h)
     a[i] = scale * (1.0f + q * (1 / 2.0f + q * (1 / 24.0f + q * (1 / 720.0f + q * (1 / 40320.0f)))));
     b[i] = scale * x * (1.0f + q * (1 / 6.0f + q * (1 / 120.0f + q * (1 / 5040.0f + q * (1 / 362880.0f)))));
   }
 }
 
-/// Takes the train from the points that have fewer trains.
+/// Amplitude 0 at the points that have fewer trains.
 LITTORAL_WIDE_SIMD_CLONES void Mask(
   const int* __restrict counts, int train, int count, float* __restrict a, float* __restrict b)
 {
@@ -190,6 +193,7 @@ struct alignas(64) WaveOrbits::Block
 
 OrbitAxes AxesAt(const WaveTrain& train, double height, double depth)
 {
+  // d = r e^kz / (1 - e^-2kh):  a = d (1 + e^-2k(z+h)),  b = d (1 - e^-2k(z+h))
   const double z = std::min(0.0, std::max(height, -depth));
   const double k = train.WaveNumber;
   const double d = train.Amplitude * std::exp(k * z) / -std::expm1(-2.0 * k * depth);
@@ -223,12 +227,13 @@ WaveOrbits::WaveOrbits(const SeaState& sea, const WaveOrbitOptions& options, dou
     train.X = k * train.DirectionX;
     train.Y = k * train.DirectionY;
     train.Frequency = wave.AngularFrequency;
-    double encountered = wave.AngularFrequency;
+    double atFixedPoint = wave.AngularFrequency;
+    // Frequency at a fixed point: w + k . U
     if (options.DopplerShift)
     {
-      encountered += train.X * options.Current[0] + train.Y * options.Current[1];
+      atFixedPoint += train.X * options.Current[0] + train.Y * options.Current[1];
     }
-    train.Phase = std::remainder(wave.Phase - std::remainder(encountered * time, TwoPi), TwoPi);
+    train.Phase = std::remainder(wave.Phase - std::remainder(atFixedPoint * time, TwoPi), TwoPi);
     const double relative = k * sea.Depth;
     train.Kind = relative > DeepInSingle ? Form::Deep : relative > ShallowInSingle ? Form::Finite : Form::Shallow;
     train.Octaves = static_cast<float>(k / std::log(2.0));
@@ -246,7 +251,7 @@ std::array<double, 2> WaveOrbits::StokesVelocity(double height, std::size_t trai
   for (std::size_t n = 0; n < std::min(trains, this->Trains.size()); ++n)
   {
     const OrbitAxes axes = AxesAt(this->Sea.Trains[n], height, this->Sea.Depth);
-    // a2 + b2 = r2 cosh 2k(z+h) / sinh2 kh.
+    // Stokes (1847): w k r^2 cosh 2k(z+h) / (2 sinh^2 kh) = w k (a^2 + b^2) / 2, along d
     const double share = shares ? shares[n] : 1.0;
     const double half = 0.5 * share * share * this->Trains[n].Frequency *
       (axes.Horizontal * axes.Horizontal + axes.Vertical * axes.Vertical);
@@ -286,14 +291,18 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
       const double share = request.Shares ? request.Shares[n] : 1.0;
       const double a = share * chop * axes.Horizontal;
       const double b = share * axes.Vertical;
+      // phi = k d . x - w t + phase
       const double phi = train.X * x + train.Y * y + train.Phase;
       const double s = std::sin(phi);
       const double c = std::cos(phi);
+      // Displacement (a sin phi d, -b cos phi), the paper's eq. 2 at any depth
       const Vector3 orbit(a * s * train.DirectionX, a * s * train.DirectionY, -b * c);
       displacement += orbit;
       const double w = train.Frequency;
+      // Its derivative by the time, phi' = -w
       velocity += w * Vector3(-a * c * train.DirectionX, -a * c * train.DirectionY, -b * s);
       acceleration -= w * w * orbit;
+      // Its derivatives by the center, grad phi = k d
       gradient[0] += a * c * train.X * train.DirectionX;
       gradient[1] += a * c * train.X * train.DirectionY;
       gradient[2] += a * c * train.Y * train.DirectionY;
@@ -368,7 +377,7 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
   }
 }
 
-/// Takes the centers of points, at rest.
+/// Centers of the points; all sums 0.
 void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
 {
   const float* centers = request.Centers + 3 * begin;
@@ -387,7 +396,7 @@ void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, st
   std::memset(block.Gradient, 0, sizeof block.Gradient);
 }
 
-/// Carries the centers along with the Stokes drift of their trains; `counts` as in the request, of this block.
+/// Moves the centers with the Stokes drift of their trains; `counts` as in the request, of this block.
 void WaveOrbits::AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const
 {
   for (int i = 0; i < count; ++i)
@@ -404,7 +413,7 @@ void WaveOrbits::AddDrift(Block& block, const OrbitRequest<float>& request, cons
   }
 }
 
-/// Sines and cosines of the phases of a train, and the axes of its orbits.
+/// sin phi, cos phi and the semi-axes a, b of a train.
 void WaveOrbits::FindAxes(Block& block, const Train& train, float share, int count) const
 {
   const float scale = share * train.Scale;
@@ -425,7 +434,7 @@ void WaveOrbits::FindAxes(Block& block, const Train& train, float share, int cou
   }
 }
 
-/// Adds the motion in a train to all that is asked for.
+/// Adds the motion by a train to what is requested.
 void WaveOrbits::AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, int count) const
 {
   const float chop = static_cast<float>(this->Options.Choppiness);
@@ -435,18 +444,22 @@ void WaveOrbits::AddTrain(Block& block, const OrbitRequest<float>& request, cons
   const auto add = [&](const float* p, const float* q, float along, float up, float(*sums)[BlockSize]) {
     AddMotion(block.A, p, block.B, q, along * dx, along * dy, up, count, sums[0], sums[1], sums[2]);
   };
+  // a sin phi d, -b cos phi
   if (request.Displacement)
   {
     add(block.Sine, block.Cosine, 1.0f, -1.0f, block.Displacement);
   }
+  // -w a cos phi d, -w b sin phi
   if (request.Velocity)
   {
     add(block.Cosine, block.Sine, -w, -w, block.Velocity);
   }
+  // -w^2 a sin phi d, w^2 b cos phi
   if (request.Acceleration)
   {
     add(block.Sine, block.Cosine, -w * w, w * w, block.Acceleration);
   }
+  // k_x a cos phi d_x, k_x a cos phi d_y, k_y a cos phi d_y; k_x b sin phi, k_y b sin phi
   if (request.Gradient)
   {
     const float kx = static_cast<float>(train.X);

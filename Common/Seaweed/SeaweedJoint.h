@@ -179,6 +179,7 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
   const Vector half = Real(0.5) * link.Length * e;
   if (options.Load == SeaweedLoad::Direct)
   {
+    // eq. 4: F = L f, f = factor (acceleration or displacement, and current)
     load.Force = Real(options.ForceFactor) * link.Length * (water.Acceleration + water.Displacement + water.Velocity);
     load.Moment = Real(0.5) * link.Length * load.Force;
     return load;

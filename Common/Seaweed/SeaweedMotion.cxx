@@ -209,6 +209,7 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
   // Torques go with the square of the length and turns with its cube, so that graded links would bend where they are
   // long: a link bends as a part of one of mean length does.
   const double share = link.MeanLength > 0.0 ? link.Length / link.MeanLength : 1.0;
+  // eq. 5: tau = (part of L) Y x F
   const Vector3 torque = options.LeverArm * link.Length / (share * share) * glm::cross(rest.Axis, force);
   const double stiffness = std::max(1e-12, share * link.Stiffness + link.BuoyancyStiffness);
   const double most = options.MaximumAngle;
@@ -220,6 +221,7 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
     const glm::dquat frame = link.Parent < 0 ? GroundBase<double>() : below * this->Links[link.Parent].Base;
     const Vector3 y = Rotated(frame, Vector3(0.0, 1.0, 0.0));
     const Vector3 x = Rotated(frame, Vector3(std::cos(link.Theta), 0.0, -std::sin(link.Theta)));
+    // eq. 6, with a stiffness in place of the mass
     state.Shape.x += soft(glm::dot(torque, y) / stiffness);
     state.Shape.y += soft(glm::dot(torque, x) / stiffness);
     return state;

@@ -33,7 +33,8 @@ struct UnitStep
   std::array<double, 2> After{};
 };
 
-/// Sums of powers of the system's matrix: exp(Z) for the state, and its first two shifted relatives for the load.
+/// y_1 = exp(Z) y_0 + phi_1(Z) b p_0 + phi_2(Z) b (p_1 - p_0), with b = (0, angle) and phi_n(Z) = sum over k of
+/// Z^k / (k + n)!, as power series.
 UnitStep SeriesStep(double angle, double damping)
 {
   const Matrix z{ 0.0, angle, -angle, -2.0 * damping * angle };
@@ -83,7 +84,8 @@ double WindowedSinc(double x)
   return window * (x == 0.0 ? 1.0 : std::sin(Pi * x) / (Pi * x));
 }
 
-/// The table of the specification with a frequency of 1 and a step of `angle`.
+/// Duhamel's integral over a step with a linear load in closed form (N. C. Nigam and P. C. Jennings, Bulletin of the
+/// Seismological Society of America 59 (2), 1969), with a frequency of 1 and a step of `angle`.
 UnitStep ClosedStep(double angle, double damping)
 {
   const double root = std::sqrt(1.0 - damping * damping);
@@ -102,7 +104,7 @@ UnitStep ClosedStep(double angle, double damping)
   return step;
 }
 
-/// The free motion over a whole period.
+/// Free motion over a period: the matrix of displacement and velocity over frequency.
 Matrix FreeOver(double angle, double damping)
 {
   const double root = std::sqrt(1.0 - damping * damping);
@@ -141,7 +143,8 @@ std::vector<double> PeriodicResponse(const Oscillator& oscillator, double step, 
   const Matrix free = FreeOver(oscillator.Frequency * step * count, oscillator.DampingRatio);
   std::vector<double> places(count);
   OscillatorState first;
-  // The first run starts from rest and tells the steady state but for rounding; the second takes that away.
+  // y_0 += (I - A^N)^-1 (y_N - y_0): the first run from rest finds the steady state but for rounding, the second the
+  // rest.
   for (int run = 0; run < 3; ++run)
   {
     OscillatorState state = first;

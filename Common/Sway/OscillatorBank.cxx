@@ -16,7 +16,7 @@ namespace
 /// Decay of a free motion within SettlingSteps: e^-24 = 4e-11.
 constexpr double SettlingExponent = 24.0;
 
-/// Places and velocities of some oscillators, which do not overlap with their factors.
+/// Displacements and velocities after a step; these arrays do not overlap with the factors.
 LITTORAL_SIMD_CLONES
 void AdvanceColumns(std::size_t active, std::size_t columns, const double* __restrict__ factors, double before,
   double after, double* __restrict__ displacements, double* __restrict__ velocities)
@@ -26,6 +26,7 @@ void AdvanceColumns(std::size_t active, std::size_t columns, const double* __res
   {
     const double displacement = displacements[i];
     const double velocity = velocities[i];
+    // eq. 24 over a step with a linear load: y_1 = A y_0 + B y_0' + C p_0 + D p_1, and y_1' likewise
     displacements[i] =
       f[i] * displacement + f[columns + i] * velocity + f[2 * columns + i] * before + f[3 * columns + i] * after;
     velocities[i] = f[4 * columns + i] * displacement + f[5 * columns + i] * velocity + f[6 * columns + i] * before +

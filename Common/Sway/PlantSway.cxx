@@ -64,6 +64,7 @@ Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double len
       const double radius = a.Radius + (step + 0.5) / Steps * (b.Radius - a.Radius);
       const double low = std::max(0.0, 1.0 - place);
       const double high = std::max(0.0, 1.0 - place - width);
+      // integral of 4 (1 - s)^3 / R^4 over the step
       compliance += (std::pow(low, 4) - std::pow(high, 4)) / std::pow(radius, 4);
       taper.MeanRadius += width * radius;
       taper.MeanSquare += width * radius * radius;
@@ -80,6 +81,7 @@ double MinimumRadius(const RoundBeam& beam)
 {
   constexpr double MaximumSag = 0.2;
   const double UsualModulus = BranchModulus * WoodParameters().YoungModulus;
+  // q L^4 / (8 E I) = MaximumSag L, I = pi R^4 / 4
   const double weight = glm::length(WeightPerLength(beam.MassPerLength));
   const double least = weight * std::pow(beam.Length, 3) / (8.0 * UsualModulus * MaximumSag);
   return std::pow(least / SecondMoment(1.0), 0.25);
@@ -240,6 +242,7 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
     for (int mode = 1; mode <= options.NumberOfModes; ++mode)
     {
       const TrunkMode own = ModeOf(beam, mode);
+      // eqs. 21 to 23 at rest: Y = P / (M w^2)
       const double frequency = own.Frequency;
       const double squared = frequency * frequency;
       const double compliance = own.Load / squared;
@@ -347,8 +350,8 @@ void PlantSway::TabulateShared(long long first)
   this->WindAt(
     this->Middle, static_cast<double>(first) - static_cast<double>(longest + LoadMargin), load.size(), load.data());
   this->TabulateWind(first, &load[longest + LoadMargin + WindMargin]);
-  // Half the sum of the responses of beams along x, y and z is the response to all of the load, since each has two of
-  // its three components.
+  // eq. 25, halved: half the sum of the responses of beams along x, y and z is the response to |U| U, since each has
+  // two of its three components.
   std::transform(
     load.begin(), load.end(), load.begin(), [](const Vector3& velocity) { return glm::length(velocity) * velocity; });
   load = SharpLoad(load);
@@ -457,6 +460,7 @@ void PlantSway::Amplitudes(double time, Vector3* amplitudes)
       const double* value = now + motion.Column + tap;
       response += motion.Weights[tap] * Vector3(value[0], value[columns], value[2 * columns]);
     }
+    // eq. 25, halved: the response across the beam
     amplitudes[i] = motion.Rest + motion.Gain * AcrossBeam(response, motion.Axis);
     if (motion.Lift != 0.0) // linear in the load as well: to the side of wind x axis
     {

@@ -96,6 +96,7 @@ public:
     double sum = 0.0;
     for (std::size_t n = 0; n < this->Waves.Place.size(); ++n)
     {
+      // C(0) - C(r) = integral of f W (1 - J_0(w r)) dw
       sum += this->Waves.Weight[n] * (1.0 - boost::math::cyl_bessel_j(0, this->Waves.Place[n] * r));
     }
     return sum;
@@ -279,6 +280,7 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
     for (int i = 0; i < width; ++i)
     {
       const double r = lattice.Distance(signedIndex(i, width), signedIndex(j, height));
+      // C_short(r) = C(r) - C_long(r) = (C_long(0) - C_long(r)) - gamma(r) + C_short(0)
       grid.At(i, j) = r < end ? decayAt(r) - Semivariance(unit, r) + shortVariance : 0.0;
     }
   }

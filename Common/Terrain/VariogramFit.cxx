@@ -319,6 +319,7 @@ VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, con
   double shortestLag = bins.front().Lag;
   for (const LagBin& bin : bins)
   {
+    // Weights N(h) / h^2 of the squares, scaled to a mean of 1
     rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
     sum += rootWeights.back() * rootWeights.back();
     shortestLag = std::min(shortestLag, bin.Lag);
@@ -361,6 +362,7 @@ VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, con
   fit.Converged = best.Converged;
   Normalise(fit);
   const double tiny = std::numeric_limits<double>::min();
+  // AICc = n ln(SSE / n) + 2 p + 2 p (p + 1) / (n - p - 1)
   fit.AICc = n * std::log(std::max(fit.WeightedSSE / n, tiny)) + 2.0 * parameters +
     2.0 * parameters * (parameters + 1.0) / (n - parameters - 1.0);
   return fit;
