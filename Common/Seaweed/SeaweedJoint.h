@@ -165,6 +165,60 @@ struct LinkLoadOf
   Real Friction{ 0.0 };       ///< resistance to motion along the axis [N s/m]
 };
 
+/// The part of a segment that is in the water, 0 to 1.
+template <typename Real>
+LITTORAL_INLINE Real SubmergedPart(const SeaweedOptions& options, const LinkBody<Real>& link,
+  const LinkPoseOf<Real>& pose, const glm::vec<3, Real>& half)
+{
+  const Real top = pose.Foot.z + Real(2.0) * half.z;
+  const Real low = Min(top, pose.Foot.z);
+  const Real reach = Max(Abs(Real(2.0) * half.z), Real(0.1) * link.Length);
+  return Clamp((Real(options.SeaLevel) - low) / reach, Real(0.0), Real(1.0));
+}
+
+/// Sums over points of a link of forces and of distances from the foot times forces, normal to its face and along its
+/// width.
+template <typename Real>
+struct CrossForcesOf
+{
+  Real Normal{ 0.0 };
+  Real Edge{ 0.0 };
+  Real NormalFirst{ 0.0 };
+  Real EdgeFirst{ 0.0 };
+};
+
+/// Drag F = rho/2 C |r| (A_face (r.n) n + A_edge (r.b) b) at two Gauss points, r: velocity of the water across the
+/// segment, against it. Adds the resistance to the load. `slip` is that at the foot, `density` half of the water's.
+template <typename Real>
+LITTORAL_INLINE CrossForcesOf<Real> AddDrag(const SeaweedOptions& options, const LinkBody<Real>& link,
+  const LinkPoseOf<Real>& pose, const LinkFaceOf<Real>& face, const glm::vec<3, Real>& slip, const Real& density,
+  LinkLoadOf<Real>& load)
+{
+  const glm::vec<3, Real> turning = glm::cross(pose.Spin, pose.Axis);
+  const Real slipNormal = glm::dot(slip, face.Normal);
+  const Real slipEdge = glm::dot(slip, face.Edge);
+  const Real turnNormal = glm::dot(turning, face.Normal);
+  const Real turnEdge = glm::dot(turning, face.Edge);
+  const Real weight = Real(0.5) * density * Real(options.DragCoefficient); // of a point: half of the segment
+  CrossForcesOf<Real> forces;
+  for (const double part : { 0.21132486540518713, 0.78867513459481287 })
+  {
+    const Real distance = Real(part) * link.Length;
+    const Real n = slipNormal - distance * turnNormal;
+    const Real b = slipEdge - distance * turnEdge;
+    const Real speed = weight * Sqrt(n * n + b * b);
+    const Real faceDrag = link.FrontalArea * speed;
+    const Real edgeDrag = link.EdgeFrontalArea * speed;
+    load.FaceDrag.Add(faceDrag, distance);
+    load.EdgeDrag.Add(edgeDrag, distance);
+    forces.Normal += faceDrag * n;
+    forces.Edge += edgeDrag * b;
+    forces.NormalFirst += distance * faceDrag * n;
+    forces.EdgeFirst += distance * edgeDrag * b;
+  }
+  return forces;
+}
+
 /// Load on a link. Direct: eq. 4 of the paper, at the middle. Morison: drag at two Gauss points, inertia and lift at
 /// the middle.
 template <typename Real>
@@ -173,7 +227,6 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
 {
   using Vector = glm::vec<3, Real>;
   const Real none(0.0);
-  const Real one(1.0);
   LinkLoadOf<Real> load;
   const Vector& e = pose.Axis;
   const Vector half = Real(0.5) * link.Length * e;
@@ -184,54 +237,26 @@ LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const Lin
     load.Moment = Real(0.5) * link.Length * load.Force;
     return load;
   }
-  // The part of a segment that is in the water; out of it, it has its weight in place of its lift.
-  const Real top = pose.Foot.z + Real(2.0) * half.z;
-  const Real low = Min(top, pose.Foot.z);
-  const Real reach = Max(Abs(Real(2.0) * half.z), Real(0.1) * link.Length);
-  const Real wet = Clamp((Real(options.SeaLevel) - low) / reach, none, one);
-  // Drag F = rho/2 C |r| (A_face (r.n) n + A_edge (r.b) b), r: velocity of the water across the segment, against it.
-  const Vector slip = water.Velocity - pose.Velocity;
-  const Vector turning = glm::cross(pose.Spin, e);
-  const Real slipNormal = glm::dot(slip, face.Normal);
-  const Real slipEdge = glm::dot(slip, face.Edge);
-  const Real turnNormal = glm::dot(turning, face.Normal);
-  const Real turnEdge = glm::dot(turning, face.Edge);
+  const Real wet = SubmergedPart<Real>(options, link, pose, half);
   const Real density = wet * Real(0.5 * options.WaterDensity);
-  const Real half1 = Real(0.5) * density * Real(options.DragCoefficient); // of the half that a Gauss point stands for
-  Real normal = none;
-  Real edge = none;
-  Real normalFirst = none;
-  Real edgeFirst = none;
-  for (const double part : { 0.21132486540518713, 0.78867513459481287 })
-  {
-    const Real distance = Real(part) * link.Length;
-    const Real n = slipNormal - distance * turnNormal;
-    const Real b = slipEdge - distance * turnEdge;
-    const Real speed = half1 * Sqrt(n * n + b * b);
-    const Real faceDrag = link.FrontalArea * speed;
-    const Real edgeDrag = link.EdgeFrontalArea * speed;
-    load.FaceDrag.Add(faceDrag, distance);
-    load.EdgeDrag.Add(edgeDrag, distance);
-    normal += faceDrag * n;
-    edge += edgeDrag * b;
-    normalFirst += distance * faceDrag * n;
-    edgeFirst += distance * edgeDrag * b;
-  }
-  // Friction F = rho/2 C_f A |r.e| (r.e) e.
+  const Vector slip = water.Velocity - pose.Velocity;
+  const CrossForcesOf<Real> drag = AddDrag<Real>(options, link, pose, face, slip, density, load);
+  // Friction F = rho/2 C_f A |r.e| (r.e) e
   const Real along = glm::dot(slip, e);
   load.Friction = density * Real(options.FrictionCoefficient) * link.WettedArea * Abs(along);
-  // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison).
+  // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison)
   const Real aNormal = glm::dot(water.Acceleration, face.Normal);
   const Real aEdge = glm::dot(water.Acceleration, face.Edge);
   const Vector inertia = wet *
     (link.WaterMass * water.Acceleration + (link.FaceMass * aNormal) * face.Normal +
       (link.EdgeMass * aEdge) * face.Edge);
-  const Real lift = wet * link.Buoyancy - (one - wet) * link.Weight;
+  // Net buoyancy in the water, weight out of it, and the push of the bed
+  const Real lift = wet * link.Buoyancy - (Real(1.0) - wet) * link.Weight;
   const Real depth = link.Bed - pose.Foot.z - half.z;
   const Real push = (link.Mass + link.FaceMass) * Clamp(Real(BedStiffness) * depth, none, Real(BedAcceleration));
   const Vector central = inertia + (load.Friction * along) * e + Vector(none, none, push + lift);
-  load.Force = central + normal * face.Normal + edge * face.Edge;
-  load.Moment = Real(0.5) * link.Length * central + edgeFirst * face.Edge + normalFirst * face.Normal;
+  load.Force = central + drag.Normal * face.Normal + drag.Edge * face.Edge;
+  load.Moment = Real(0.5) * link.Length * central + drag.EdgeFirst * face.Edge + drag.NormalFirst * face.Normal;
   return load;
 }
 

@@ -301,40 +301,36 @@ std::vector<LagBin> UsedBins(const std::vector<LagBin>& bins)
   return used;
 }
 
-/// Fits one model, with or without nugget as the options say.
-VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
-  const VariogramFitOptions& options)
+/// Roots of the weights N(h) / h^2 of the bins, scaled to a mean weight of 1.
+std::vector<double> RootWeights(const std::vector<LagBin>& bins)
 {
-  const Unknowns map(model, options);
-  VariogramFit best = FailedFit(model);
-  const int n = static_cast<int>(bins.size());
-  const int parameters = map.Count() + (options.Window ? 1 : 0); // the variance comes from the sample's
-  if (n < parameters + 2)
-  {
-    return best;
-  }
-
-  std::vector<double> rootWeights;
+  std::vector<double> weights;
   double sum = 0.0;
-  double shortestLag = bins.front().Lag;
   for (const LagBin& bin : bins)
   {
-    // Weights N(h) / h^2 of the squares, scaled to a mean of 1
-    rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
-    sum += rootWeights.back() * rootWeights.back();
-    shortestLag = std::min(shortestLag, bin.Lag);
+    weights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
+    sum += weights.back() * weights.back();
   }
-  for (double& weight : rootWeights)
+  const int n = static_cast<int>(bins.size());
+  for (double& weight : weights)
   {
     weight *= std::sqrt(n / sum);
   }
+  return weights;
+}
 
+/// Least squares by Levenberg and Marquardt from several starts: the best unknowns, empty where all starts fail, with
+/// error and convergence of the fit.
+Eigen::VectorXd BestUnknowns(const Unknowns& map, const std::vector<LagBin>& bins, const Expectation& expected,
+  const VariogramFitOptions& options, VariogramFit& best)
+{
+  const std::vector<double> rootWeights = RootWeights(bins);
   using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
   Problem problem(Residuals{ map, expected, bins, rootWeights });
   Eigen::VectorXd found;
   for (int start = 0; start < NumberOfStarts; ++start)
   {
-    Eigen::VectorXd unknowns = map.Pack(StartingPoint(model, bins, options, start));
+    Eigen::VectorXd unknowns = map.Pack(StartingPoint(best.Field.Model, bins, options, start));
     Eigen::LevenbergMarquardt<Problem> solver(problem);
     solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
     solver.parameters.ftol = 1e-13;
@@ -350,6 +346,22 @@ VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, con
         status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
     }
   }
+  return found;
+}
+
+/// Fits one model, with or without nugget as the options say.
+VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
+  const VariogramFitOptions& options)
+{
+  const Unknowns map(model, options);
+  VariogramFit best = FailedFit(model);
+  const int n = static_cast<int>(bins.size());
+  const int parameters = map.Count() + (options.Window ? 1 : 0); // the variance comes from the sample's
+  if (n < parameters + 2)
+  {
+    return best;
+  }
+  const Eigen::VectorXd found = BestUnknowns(map, bins, expected, options, best);
   if (found.size() == 0)
   {
     return best;
@@ -357,7 +369,9 @@ VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, con
   VariogramFit fit = map.Unpack(found);
   std::vector<double> semivariances;
   expected.Evaluate(fit, semivariances);
-  fit.AtBound = map.IsAtBound(fit, shortestLag);
+  const auto shortest =
+    std::min_element(bins.begin(), bins.end(), [](const LagBin& a, const LagBin& b) { return a.Lag < b.Lag; });
+  fit.AtBound = map.IsAtBound(fit, shortest->Lag);
   fit.WeightedSSE = best.WeightedSSE;
   fit.Converged = best.Converged;
   Normalise(fit);

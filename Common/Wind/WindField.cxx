@@ -355,9 +355,7 @@ std::vector<float> WindField::ImpliedCoherence(int component, int frequency) con
 
 void WindField::SumWaves(int frequency, Scratch& scratch)
 {
-  const int width = this->Padded[0];
-  const int height = this->Padded[1];
-  const std::size_t cells = static_cast<std::size_t>(width) * height;
+  const std::size_t cells = static_cast<std::size_t>(this->Padded[0]) * this->Padded[1];
   WindFactors(this->Synthesis, this->Component, frequency, 0, cells, scratch.Re.data(), scratch.Im.data());
   // Algorithm 3, step 3: A(y, z) = sum over k of (W / N)^(1/2) xi(k) exp(i k . r), with E |xi|^2 = 1 and N cells, so
   // that E A A'* = gamma
@@ -365,8 +363,15 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
   {
     power = std::sqrt(power / static_cast<float>(cells));
   }
+  this->SumUp(scratch);
+  this->SumAcross(frequency, scratch);
+}
 
-  // Up: columns side by side; only the layers of the grid are kept.
+/// The sum over wave numbers up: columns side by side; only the layers of the grid are kept.
+void WindField::SumUp(Scratch& scratch) const
+{
+  const int width = this->Padded[0];
+  const int height = this->Padded[1];
   const int layers = this->Grid.Count[2];
   for (int first = 0; first < width; first += FourierLanes)
   {
@@ -391,8 +396,14 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
       std::copy_n(&scratch.Up.Im[from], lanes, &scratch.Im[static_cast<std::size_t>(k) * width + first]);
     }
   }
+}
 
-  // Across: layers side by side, each scaled by its own spectrum; only the columns of the grid are kept.
+/// The sum over wave numbers across: layers side by side, each scaled by its own spectrum; only the columns of the grid
+/// are kept.
+void WindField::SumAcross(int frequency, Scratch& scratch)
+{
+  const int width = this->Padded[0];
+  const int layers = this->Grid.Count[2];
   const double step = 1.0 / this->Grid.Period();
   const std::size_t plane = static_cast<std::size_t>(frequency) * this->Grid.NumberOfLines();
   for (int first = 0; first < layers; first += FourierLanes)
