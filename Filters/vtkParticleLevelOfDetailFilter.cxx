@@ -8,7 +8,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
-#include "Particles/MasterSlave.h"
+#include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"

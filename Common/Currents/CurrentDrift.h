@@ -30,6 +30,7 @@ Vector3 DriftStep(
     flow.z = upright ? flow.z : -flow.z;
     return flow;
   };
+  // k_1 = v(x), k_2 = v(x + h/2 k_1), k_3 = v(x + h/2 k_2), k_4 = v(x + h k_3)
   const Vector3 first = mirrored(place, 0);
   const Vector3 midway = place + 0.5 * step * first;
   if (ahead)
@@ -39,6 +40,7 @@ Vector3 DriftStep(
   const Vector3 second = mirrored(midway, 1);
   const Vector3 third = mirrored(place + 0.5 * step * second, 1);
   const Vector3 fourth = mirrored(place + step * third, 2);
+  // x + h/6 (k_1 + 2 k_2 + 2 k_3 + k_4)
   Vector3 moved = place + step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth);
   bool upright = true;
   moved.z = layer.Fold(moved.z, upright);

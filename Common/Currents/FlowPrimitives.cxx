@@ -327,7 +327,7 @@ void FlowField::AddImages(const Local& local, const FlowPrimitive& primitive, co
 void FlowField::AddSourceStack(const Local& local, const WaterLayer& layer)
 {
   // The sum over all n of f(z - 2 n h) is the integral over dn and, on each side, the difference between the images up
-  // to N and the integral up to N + 1/2, with (f(N + 1) - f(N))/24 for the rest: Euler and Maclaurin.
+  // to N and the integral up to N + 1/2, with (f(N + 1) - f(N))/24 as the next term: Euler and Maclaurin.
   const double depth = layer.Depth();
   const double end = (2.0 * SourceImages + 1.0) * depth;
   Column column{ local.Center.x, local.Center.y, local.Factor / (2.0 * depth), local.CoreSquared, {}, {} };
@@ -398,7 +398,7 @@ inline double FlowField::Local::PartShare(double q2, double s) const
     }
     share = inside * inside;
   }
-  // Half the difference of the cosines under which the ends are seen from the axis.
+  // Biot and Savart, a straight piece of a vortex: (cos theta_1 - cos theta_2) / 2, of the angles of its ends
   const double softened = q2 + this->CoreSquared;
   const auto cosine = [softened](double t) {
     return std::isfinite(t) ? t / std::sqrt(softened + t * t) : std::copysign(1.0, t);
@@ -415,11 +415,13 @@ inline Vector3 FlowField::Local::Flow(const Vector3& arm, double squaredArm, dou
     case FlowType::Source:
     case FlowType::Sink:
     {
+      // Q R / (4 pi (R^2 + e^2)^(3/2))
       const double softened = squaredArm + this->CoreSquared;
       return (factor / (softened * std::sqrt(softened))) * arm;
     }
     case FlowType::Vortex:
     {
+      // Lamb and Oseen: Gamma / (2 pi q^2) (1 - exp(-q^2 / e^2)) n x R
       const Vector3 around = glm::cross(this->Axis, arm);
       const double q2 = glm::dot(around, around);
       const double part = this->IsPart ? this->PartShare(q2, glm::dot(this->Axis, arm)) : 1.0;
@@ -435,12 +437,14 @@ inline double FlowField::Local::Share(const Vector3& place, double squaredArm) c
   double share = 1.0;
   if (this->InverseMargin > 0.0)
   {
+    // (1 - (d / margin)^2)^2 at a distance d from the box
     const Vector3 away = glm::max(glm::max(this->Whole.Low - place, place - this->Whole.High), 0.0);
     const double inside = std::max(0.0, 1.0 - glm::dot(away, away) * this->InverseMargin);
     share = inside * inside;
   }
   if (this->InverseInfluence > 0.0)
   {
+    // (1 - (R / radius)^2)^2
     const double inside = std::max(0.0, 1.0 - squaredArm * this->InverseInfluence);
     share *= inside * inside;
   }
@@ -452,6 +456,7 @@ inline Vector3 FlowField::Column::Flow(const Vector3& place) const
   const double x = place.x - this->X;
   const double y = place.y - this->Y;
   const double softened = x * x + y * y + this->CoreSquared;
+  // Q / 2h per length of two axes but for [low, high]: Q / (8 pi h) times the integral of R / (R^2 + e^2)^(3/2)
   double across = 0.0;
   double up = 0.0;
   for (int sequence = 0; sequence < 2; ++sequence)

@@ -86,6 +86,7 @@ void SplineAxis::Solve(std::vector<double>& values, std::size_t columns) const
   for (int node = 0; node < this->Count; ++node)
   {
     Weights weights;
+    // Row of the collocation matrix: B_n at the node
     this->At(this->Sign * this->Nodes[node], weights);
     for (int n = 0; n <= this->Degree; ++n)
     {
@@ -233,6 +234,7 @@ Vector3 VelocitySpline::At(const Vector3& position) const
       return Vector3(0.0);
     }
   }
+  // v(x) = sum over i, j, k of B_i(x) B_j(y) B_k(z) c_ijk
   return this->Single.empty() ? Sum(this->Double.data(), this->Axes, weights)
                               : Sum(this->Single.data(), this->Axes, weights);
 }

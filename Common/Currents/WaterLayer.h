@@ -34,9 +34,9 @@ struct WaterLayer
     if (this->HasBed() && this->HasSurface())
     {
       const double turns = std::floor((height - this->Bed) / this->Depth());
-      const double rest = std::fmin(std::fmax(height - this->Bed - turns * this->Depth(), 0.0), this->Depth());
+      const double remainder = std::fmin(std::fmax(height - this->Bed - turns * this->Depth(), 0.0), this->Depth());
       upright = std::fmod(turns, 2.0) == 0.0;
-      return upright ? this->Bed + rest : this->Surface - rest;
+      return upright ? this->Bed + remainder : this->Surface - remainder;
     }
     upright = false;
     return height < this->Bed ? std::fmax(2.0 * this->Bed - height, this->Bed)

@@ -95,15 +95,15 @@ double CompositeQuadrature::Quantile(const Function& function, double part) cons
   const std::size_t panel = static_cast<std::size_t>(above - this->Sums.begin()) - 1;
   const double low = this->Edges[panel];
   const double high = this->Edges[panel + 1];
-  const double rest = wanted - this->Sums[panel];
-  if (!(rest > 0.0))
+  const double remainder = wanted - this->Sums[panel];
+  if (!(remainder > 0.0))
   {
     return low;
   }
   const auto excess = [&](double place) {
-    return std::make_pair(place > low ? Rule(function, low, place) - rest : -rest, function(place));
+    return std::make_pair(place > low ? Rule(function, low, place) - remainder : -remainder, function(place));
   };
-  const double guess = low + (high - low) * std::min(1.0, rest / this->Integrals[panel]);
+  const double guess = low + (high - low) * std::min(1.0, remainder / this->Integrals[panel]);
   return boost::math::tools::newton_raphson_iterate(excess, guess, low, high, LastStep);
 }
 

@@ -21,15 +21,15 @@ int NextFastLength(int size)
 {
   for (int length = std::max(size, 1);; ++length)
   {
-    int rest = length;
+    int cofactor = length;
     for (int prime : { 2, 3, 5 })
     {
-      while (rest % prime == 0)
+      while (cofactor % prime == 0)
       {
-        rest /= prime;
+        cofactor /= prime;
       }
     }
-    if (rest == 1)
+    if (cofactor == 1)
     {
       return length;
     }

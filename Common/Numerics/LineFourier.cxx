@@ -278,22 +278,22 @@ LineFourier::LineFourier(int length, [[maybe_unused]] FourierEngine engine)
     return;
   }
 #endif
-  int rest = length;
+  int cofactor = length;
   for (int radix : { 4, 2, 3, 5 })
   {
-    while (rest % radix == 0 && rest > 1)
+    while (cofactor % radix == 0 && cofactor > 1)
     {
-      Stage stage{ radix, rest / radix, {} };
-      for (int j = 0; j < stage.Rest; ++j)
+      Stage stage{ radix, cofactor / radix, {} };
+      for (int j = 0; j < stage.Cofactor; ++j)
       {
         for (int power = 1; power < radix; ++power)
         {
-          const double angle = TwoPi * (static_cast<double>(j) * power / rest);
+          const double angle = TwoPi * (static_cast<double>(j) * power / cofactor);
           stage.Turns.push_back(static_cast<float>(std::cos(angle)));
           stage.Turns.push_back(static_cast<float>(std::sin(angle)));
         }
       }
-      rest = stage.Rest;
+      cofactor = stage.Cofactor;
       this->Stages.push_back(std::move(stage));
     }
   }
@@ -312,12 +312,12 @@ void LineFourier::Backward(LinePack& pack) const
   for (const Stage& stage : this->Stages)
   {
     const std::size_t turns = 2 * (static_cast<std::size_t>(stage.Radix) - 1);
-    for (std::size_t j = 0; j < static_cast<std::size_t>(stage.Rest); ++j)
+    for (std::size_t j = 0; j < static_cast<std::size_t>(stage.Cofactor); ++j)
     {
       const std::size_t from = done * j;
       const std::size_t to = from * stage.Radix;
       Run(stage.Radix,
-        { &pack.Re[from], &pack.Im[from], &pack.WorkRe[to], &pack.WorkIm[to], done * stage.Rest, done,
+        { &pack.Re[from], &pack.Im[from], &pack.WorkRe[to], &pack.WorkIm[to], done * stage.Cofactor, done,
           &stage.Turns[turns * j] });
     }
     pack.Re.swap(pack.WorkRe);

@@ -65,7 +65,7 @@ private:
   struct Stage
   {
     int Radix;
-    int Rest;                 ///< length of the transforms that remain after it
+    int Cofactor;             ///< length of the transforms that remain after it
     std::vector<float> Turns; ///< Radix - 1 factors (real, imaginary) for each of Rest
   };
 

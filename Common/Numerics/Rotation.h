@@ -13,30 +13,30 @@
 namespace littoral
 {
 
-/// By how much a rotation moves a vector: exactly zero for the identity.
+/// (R - 1) v, exactly zero for the identity.
 template <typename Real>
-LITTORAL_INLINE glm::vec<3, Real> TurnedBy(const glm::qua<Real>& rotation, const glm::vec<3, Real>& vector)
+LITTORAL_INLINE glm::vec<3, Real> RotationOffset(const glm::qua<Real>& rotation, const glm::vec<3, Real>& vector)
 {
   const glm::vec<3, Real> axis{ rotation.x, rotation.y, rotation.z };
   const glm::vec<3, Real> once = glm::cross(axis, vector);
   return Real(2.0) * (rotation.w * once + glm::cross(axis, once));
 }
 
-/// Rotates a vector; cheaper than two quaternion products.
+/// R v; cheaper than two quaternion products.
 template <typename Real>
 LITTORAL_INLINE glm::vec<3, Real> Rotated(const glm::qua<Real>& rotation, const glm::vec<3, Real>& vector)
 {
-  return vector + TurnedBy(rotation, vector);
+  return vector + RotationOffset(rotation, vector);
 }
 
 template <typename Real>
-LITTORAL_INLINE glm::qua<Real> Opposite(const glm::qua<Real>& q)
+LITTORAL_INLINE glm::qua<Real> Conjugate(const glm::qua<Real>& q)
 {
   return { q.w, -q.x, -q.y, -q.z };
 }
 
 template <typename Real>
-LITTORAL_INLINE glm::qua<Real> NoTurn()
+LITTORAL_INLINE glm::qua<Real> IdentityRotation()
 {
   return { Real(1.0), Real(0.0), Real(0.0), Real(0.0) };
 }

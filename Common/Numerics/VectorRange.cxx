@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/VectorRange.h"
 
-#include "Numerics/Lanes.h"
+#include "Numerics/SimdDouble4.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,16 +13,16 @@ namespace littoral
 namespace
 {
 
-LITTORAL_INLINE Singles Load(const float* from)
+LITTORAL_INLINE SimdFloat4 Load(const float* from)
 {
-  Singles four;
+  SimdFloat4 four;
   std::memcpy(&four, from, sizeof four);
   return four;
 }
 
-LITTORAL_INLINE Lanes Doubles(const Singles& four)
+LITTORAL_INLINE SimdDouble4 Doubles(const SimdFloat4& four)
 {
-  return Lanes(__builtin_convertvector(four, Lanes::Register));
+  return SimdDouble4(__builtin_convertvector(four, SimdDouble4::Register));
 }
 
 void AddOne(const float* vector, VectorRange& range, double& check)
@@ -45,31 +45,31 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
 {
   VectorRange range;
   constexpr float largest = VectorRange::Largest;
-  const Singles most{ largest, largest, largest, largest };
-  Singles low[3] = { most, most, most };
-  Singles high[3] = { -most, -most, -most };
-  Lanes least(range.LeastSquare);
-  Lanes greatest(range.MostSquare);
-  Lanes checks(0.0); // no number as soon as one of them is not finite
+  const SimdFloat4 most{ largest, largest, largest, largest };
+  SimdFloat4 low[3] = { most, most, most };
+  SimdFloat4 high[3] = { -most, -most, -most };
+  SimdDouble4 least(range.LeastSquare);
+  SimdDouble4 greatest(range.MostSquare);
+  SimdDouble4 checks(0.0); // no number as soon as one of them is not finite
   std::size_t next = 0;
   for (; next + 4 <= count; next += 4)
   {
     // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3
-    const Singles part[3] = { Load(vectors + 3 * next), Load(vectors + 3 * next + 4), Load(vectors + 3 * next + 8) };
+    const SimdFloat4 part[3] = { Load(vectors + 3 * next), Load(vectors + 3 * next + 4), Load(vectors + 3 * next + 8) };
     for (int k = 0; k < 3; ++k)
     {
       low[k] = part[k] < low[k] ? part[k] : low[k];
       high[k] = high[k] < part[k] ? part[k] : high[k];
     }
-    const Singles xs = __builtin_shufflevector(part[0], part[1], 0, 3, 6, 6);
-    const Singles ys = __builtin_shufflevector(part[0], part[1], 1, 4, 7, 7);
-    const Singles zs = __builtin_shufflevector(part[0], part[1], 2, 5, 5, 5);
-    const Lanes x = Doubles(__builtin_shufflevector(xs, part[2], 0, 1, 2, 5));
-    const Lanes y = Doubles(__builtin_shufflevector(ys, part[2], 0, 1, 2, 6));
-    const Lanes z = Doubles(__builtin_shufflevector(zs, part[2], 0, 1, 4, 7));
-    const Lanes squares = x * x + y * y + z * z;
-    least = Smaller(least, squares);
-    greatest = Larger(greatest, squares);
+    const SimdFloat4 xs = __builtin_shufflevector(part[0], part[1], 0, 3, 6, 6);
+    const SimdFloat4 ys = __builtin_shufflevector(part[0], part[1], 1, 4, 7, 7);
+    const SimdFloat4 zs = __builtin_shufflevector(part[0], part[1], 2, 5, 5, 5);
+    const SimdDouble4 x = Doubles(__builtin_shufflevector(xs, part[2], 0, 1, 2, 5));
+    const SimdDouble4 y = Doubles(__builtin_shufflevector(ys, part[2], 0, 1, 2, 6));
+    const SimdDouble4 z = Doubles(__builtin_shufflevector(zs, part[2], 0, 1, 4, 7));
+    const SimdDouble4 squares = x * x + y * y + z * z;
+    least = Min(least, squares);
+    greatest = Max(greatest, squares);
     checks += squares - squares;
   }
   for (int i = 0; i < 12; ++i)

@@ -74,6 +74,7 @@ void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int si
     {
       const int i = corner & 1;
       const int j = corner >> 1;
+      // Trilinear weight of a particle at a sample
       const double weight = (i == 0 ? 1.0 - part.x : part.x) * (j == 0 ? 1.0 - part.y : part.y) * up;
       const std::size_t sample =
         static_cast<std::size_t>(particle.Where.Cell[1] + j) * grid.Count[0] + particle.Where.Cell[0] + i;
@@ -119,6 +120,7 @@ ParticleFog::ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& pa
       {
         for (int i = 0; i < grid.Count[0]; ++i)
         {
+          // sigma = sum of w C / V [1/m]: weights w, cross sections C, volume V of the sample
           const double section = layer[static_cast<std::size_t>(j) * grid.Count[0] + i];
           this->Extinction[SampleOf(grid, i, j, k)] = static_cast<float>(section / VolumeOf(grid, i, j, k));
         }

@@ -230,6 +230,7 @@ double SmoothStep(double x, double width)
   {
     return x < 0.0 ? 0.0 : 1.0;
   }
+  // 3 t^2 - 2 t^3, t = 0 at -width and 1 at width
   const double part = std::clamp(0.5 * (x / width + 1.0), 0.0, 1.0);
   return part * part * (3.0 - 2.0 * part);
 }

@@ -6,7 +6,7 @@
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Parallel.h"
 #include "Numerics/Vector3.h"
-#include "Particles/MasterSlave.h"
+#include "Particles/ParticleGroups.h"
 #include "Sea/TrainSelection.h"
 
 #include <cstddef>

@@ -251,6 +251,7 @@ SuspendedParticle ParticleOf(const ParticleBox& box, int boxId, long long index,
   const auto [size, tint] = RandomStream(seed, RandomPurpose::ParticleSizes).NormalPair(object, 0);
   SuspendedParticle particle;
   particle.Place = box.Lower + Vector3(x, y, z) * (box.Upper - box.Lower);
+  // Lognormal: sizeSpread is the standard deviation of ln R
   particle.Radius = 0.5 * box.Diameter * std::exp(sizeSpread * std::clamp(size, -3.0, 3.0));
   const double light = 1.0 + TintSpread * std::clamp(tint, -2.5, 2.5);
   for (int channel = 0; channel < 3; ++channel)

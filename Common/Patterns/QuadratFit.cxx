@@ -95,6 +95,7 @@ private:
     if (this->Excess() < 0.0)
     {
       fit.MomentsExist = true;
+      // n = m / (1 - s^2/m)
       const double trials = std::min<double>(most, std::round(this->Moments.Mean / -this->Excess()));
       fit.Moments.Trials = std::max(largest, static_cast<int>(trials));
     }
@@ -135,6 +136,7 @@ private:
   void FitNegativeBinomial(QuadratFit& fit) const
   {
     fit.MomentsExist = this->IsClustered();
+    // k = m / (s^2/m - 1)
     fit.Moments.ClusterShape = fit.MomentsExist ? this->Moments.Mean / this->Excess() : NaN;
     const Maximum best = MaximiseOver(1e-3, std::max(1e4, 1e3 * this->Moments.Mean), [&](double shape) {
       QuadratLawParameters law = fit.Law;
@@ -148,6 +150,7 @@ private:
   void FitPoissonPoisson(QuadratFit& fit) const
   {
     fit.MomentsExist = this->IsClustered();
+    // t = s^2/m - 1
     fit.Moments.ClusterMean = fit.MomentsExist ? this->Excess() : NaN;
     const Maximum best = MaximiseOver(1e-3, std::max(1e3, 10.0 * this->Excess()), [&](double size) {
       QuadratLawParameters law = fit.Law;
@@ -163,6 +166,7 @@ private:
     // Clusters of n points are too small for the variance where n - 1 is below the excess.
     const int least = std::max(2, static_cast<int>(std::ceil(1.0 + std::max(0.0, this->Excess()))));
     fit.MomentsExist = this->IsClustered();
+    // p = (s^2/m - 1) / (n - 1)
     fit.Moments.Trials = fit.MomentsExist ? least : fit.Moments.Trials;
     fit.Moments.ClusterSuccess = fit.MomentsExist ? this->Excess() / (least - 1) : fit.Moments.ClusterSuccess;
     std::vector<int> sizes;
@@ -196,6 +200,7 @@ private:
   void FitPoissonNegativeBinomial(QuadratFit& fit) const
   {
     const double mean = this->Moments.Mean;
+    // Factorial cumulants K_2 = s^2 - m and K_3 = m_3 - 3 s^2 + 2 m, with K_2/m = (k + 1) p and K_3/K_2 = (k + 2) p
     const double second = this->Moments.Variance - mean;
     const double third = this->Moments.ThirdMoment - 3.0 * this->Moments.Variance + 2.0 * mean;
     const double p = third / second - second / mean;
@@ -266,6 +271,7 @@ void TestFit(QuadratFit& fit, const std::vector<long long>& frequencies, double 
   fit.ChiSquare = 0.0;
   for (const auto& [e, o] : cells)
   {
+    // chi^2 = sum (o - e)^2 / e
     fit.ChiSquare += (o - e) * (o - e) / e;
   }
   fit.DegreesOfFreedom = static_cast<int>(cells.size()) - 1 - fit.Parameters;
@@ -302,6 +308,7 @@ QuadratMoments MomentsOfCounts(const std::vector<long long>& frequencies)
   moments.Mean = moments.Quadrats > 0 ? static_cast<double>(moments.Points) / n : 0.0;
   for (std::size_t r = 0; r < frequencies.size(); ++r)
   {
+    // s^2 = sum f_r (r - m)^2 / (n - 1),  m_3 = sum f_r (r - m)^3 / n
     const double off = static_cast<double>(r) - moments.Mean;
     moments.Variance += static_cast<double>(frequencies[r]) * off * off / std::max(1.0, n - 1.0);
     moments.ThirdMoment += static_cast<double>(frequencies[r]) * off * off * off / n;
@@ -310,6 +317,7 @@ QuadratMoments MomentsOfCounts(const std::vector<long long>& frequencies)
   {
     moments.DispersionIndex = moments.Variance / moments.Mean;
     const boost::math::chi_squared law(n - 1.0);
+    // (n - 1) s^2/m has the law of chi^2 with n - 1 degrees of freedom, if points are random
     const double statistic = (n - 1.0) * moments.DispersionIndex;
     const double below = boost::math::cdf(law, statistic);
     const double above = boost::math::cdf(boost::math::complement(law, statistic));

@@ -52,14 +52,14 @@ std::vector<double> Recur(double logFirst, std::size_t count, const Next& next)
   return mass;
 }
 
-/// Sizes of clusters: g(0), g(1)... and ln of the chance that a quadrat has no point.
+/// Clusters of a compound law: their mean number a quadrat v, and the probabilities of their sizes g(0), g(1)...
 struct ClusterSizes
 {
   double ClustersPerQuadrat;
   std::vector<double> Mass;
 };
 
-/// In four sums at once, which is some three times as fast.
+/// Dot product in four sums at once, some three times as fast as in one.
 double Product(const double* a, const double* b, std::size_t count)
 {
   double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
@@ -101,12 +101,14 @@ std::vector<double> Compound(const ClusterSizes& sizes, std::size_t count)
   });
 }
 
+/// eq. 6: P(0) = e^-v, P(r) = P(r-1) v / r.
 std::vector<double> PoissonMass(double mean, std::size_t count)
 {
   return Recur(-mean, count,
     [mean](const std::vector<double>& mass) { return mass.back() * mean / static_cast<double>(mass.size()); });
 }
 
+/// eq. 7: P(0) = (1 - p)^n, P(r) = P(r-1) (n - r + 1) / r p / (1 - p).
 std::vector<double> BinomialMass(int trials, double success, std::size_t count)
 {
   if (success >= 1.0)
@@ -121,7 +123,7 @@ std::vector<double> BinomialMass(int trials, double success, std::size_t count)
   });
 }
 
-/// Negative binomial of mean k p.
+/// eq. 8, of mean k p: P(0) = (1 + p)^-k, P(r) = P(r-1) (k + r - 1) / r p / (1 + p).
 std::vector<double> NegativeBinomialMass(double k, double p, std::size_t count)
 {
   return Recur(-k * std::log1p(p), count, [=](const std::vector<double>& mass) {

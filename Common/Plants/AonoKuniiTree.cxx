@@ -68,7 +68,7 @@ Turtle Levelled(Turtle turtle)
   return turtle;
 }
 
-/// Bent towards a direction by e |H x T| [rad].
+/// Bent towards a direction T by the angle e |H x T| [rad] about H x T (The Algorithmic Beauty of Plants, chapter 2).
 Turtle Bent(Turtle turtle, const Vector3& towards, double susceptibility)
 {
   const Vector3 moment = glm::cross(turtle.Ahead, towards);
@@ -81,6 +81,7 @@ Turtle Bent(Turtle turtle, const Vector3& towards, double susceptibility)
   const double angle = susceptibility * strength;
   for (Vector3* vector : { &turtle.Ahead, &turtle.Left, &turtle.Up })
   {
+    // Rodrigues: v cos a + n x v sin a + (1 - cos a) (n . v) n
     *vector = std::cos(angle) * *vector + std::sin(angle) * glm::cross(axis, *vector) +
       (1.0 - std::cos(angle)) * glm::dot(axis, *vector) * axis;
   }

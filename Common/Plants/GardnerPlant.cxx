@@ -504,11 +504,13 @@ CrownVolume CrownOf(const GardnerPlantParameters& p)
 
 Vector3 PointOf(const Quadric& quadric, const Vector3& ofSphere)
 {
+  // x = c + R (a_1 u_1, a_2 u_2, a_3 u_3)
   return quadric.Center + Turned(quadric, ofSphere * quadric.Axes);
 }
 
 Vector3 Outward(const Quadric& quadric, const Vector3& ofSphere)
 {
+  // Gradient of sum (x_i / a_i)^2 at x_i = a_i u_i: R (u_1 / a_1, u_2 / a_2, u_3 / a_3)
   return Normalised(Turned(quadric, ofSphere / quadric.Axes));
 }
 

@@ -35,6 +35,7 @@ GardnerTexture::GardnerTexture(const GardnerTextureParameters& parameters)
     sum += amplitude;
     amplitude *= AmplitudeRatio;
   }
+  // k = 1 / (sum C_i (1 + T0))^2
   const double largest = sum * (1.0 + this->P.Offset);
   this->Scale = 1.0 / (largest * largest);
 }
@@ -47,6 +48,7 @@ double GardnerTexture::At(double x, double y) const
   double alongY = 0.0;
   for (const Term& term : this->Terms)
   {
+    // C_i [sin(FX_i x + PX_i) + T0], PX_i = pi/2 sin(FY_(i-1) y); the same for y
     const double phaseX = 0.5 * Pi * std::sin(term.YBefore * y);
     const double phaseY = 0.5 * Pi * std::sin(term.XBefore * x);
     alongX += term.Amplitude * (std::sin(term.X * x + phaseX) + this->P.Offset);

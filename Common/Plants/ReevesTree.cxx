@@ -111,6 +111,7 @@ private:
     const double low = onTrunk ? std::min(0.95, this->P.CrownBase / reach) : 0.2;
     Bud bud{};
     bud.Position = wood.Along(parent, low + (0.98 - low) * (index + place[0]) / count, bud.Node);
+    // d = cos(angle) axis + sin(angle) around, about the axis by the golden angle from branch to branch
     const Vector3 axis = Normalised(wood.Nodes[bud.Node + 1].Position - wood.Nodes[bud.Node].Position);
     const Vector3 side = Perpendicular(axis);
     const double turn = index * GoldenAngle + place[1];
@@ -210,6 +211,7 @@ private:
     }
     for (std::size_t node = 0; node < nodes.size(); ++node)
     {
+      // Section proportional to the number of pipes: R = (n / n_ground)^(1/2)
       nodes[node].Radius = std::sqrt(pipes[node] / pipes[0]);
     }
     for (int node = 0; node < trunk; ++node)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/Skinning.h"
 
-#include "Numerics/Lanes.h"
+#include "Numerics/SimdDouble4.h"
 
 #include <cmath>
 #include <cstring>
@@ -14,23 +14,23 @@ namespace
 {
 
 /// A column of a change.
-LITTORAL_INLINE Lanes LoadColumn(const std::array<double, 4>& column)
+LITTORAL_INLINE SimdDouble4 LoadColumn(const std::array<double, 4>& column)
 {
-  Lanes four;
+  SimdDouble4 four;
   std::memcpy(&four.Values, column.data(), sizeof(four.Values));
   return four;
 }
 
 /// Three numbers of an array; the fourth lane is 0.
-LITTORAL_INLINE Lanes Load(const float* from)
+LITTORAL_INLINE SimdDouble4 Load(const float* from)
 {
-  const Singles four{ from[0], from[1], from[2], 0.0f };
-  return Lanes(__builtin_convertvector(four, Lanes::Register));
+  const SimdFloat4 four{ from[0], from[1], from[2], 0.0f };
+  return SimdDouble4(__builtin_convertvector(four, SimdDouble4::Register));
 }
 
-LITTORAL_INLINE void Store(const Lanes& from, float* to)
+LITTORAL_INLINE void Store(const SimdDouble4& from, float* to)
 {
-  const Singles four = __builtin_convertvector(from.Values, Singles);
+  const SimdFloat4 four = __builtin_convertvector(from.Values, SimdFloat4);
   to[0] = four[0];
   to[1] = four[1];
   to[2] = four[2];
@@ -38,13 +38,13 @@ LITTORAL_INLINE void Store(const Lanes& from, float* to)
 
 /// One lane in all.
 template <int Lane>
-LITTORAL_INLINE Lanes All(const Lanes& a)
+LITTORAL_INLINE SimdDouble4 All(const SimdDouble4& a)
 {
-  return Lanes(__builtin_shufflevector(a.Values, a.Values, Lane, Lane, Lane, Lane));
+  return SimdDouble4(__builtin_shufflevector(a.Values, a.Values, Lane, Lane, Lane, Lane));
 }
 
 /// Matrix times vector.
-LITTORAL_INLINE Lanes Turned(const Lanes* columns, const Lanes& vector)
+LITTORAL_INLINE SimdDouble4 Turned(const SimdDouble4* columns, const SimdDouble4& vector)
 {
   return columns[0] * All<0>(vector) + columns[1] * All<1>(vector) + columns[2] * All<2>(vector);
 }
@@ -58,9 +58,9 @@ Vector3 Turned(const JointChange& change, const Vector3& p)
   return { row(0), row(1), row(2) };
 }
 
-LITTORAL_INLINE double SquareOf(const Lanes& a)
+LITTORAL_INLINE double SquareOf(const SimdDouble4& a)
 {
-  const Lanes squares = a * a;
+  const SimdDouble4 squares = a * a;
   return squares.Values[0] + squares.Values[1] + squares.Values[2];
 }
 
@@ -71,11 +71,12 @@ LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
 }
 
 /// The mean change of four joints by their weights.
-LITTORAL_INLINE void Blend(const int* ids, const float* weights, const JointChange* joints, Lanes* columns)
+LITTORAL_INLINE void Blend(const int* ids, const float* weights, const JointChange* joints, SimdDouble4* columns)
 {
+  // Linear blend skinning: [R - 1 | t] = sum over joints of w_i [R_i - 1 | t_i]
   for (int column = 0; column < 4; ++column)
   {
-    columns[column] = Lanes(weights[0]) * LoadColumn(joints[ids[0]].Columns[column]);
+    columns[column] = SimdDouble4(weights[0]) * LoadColumn(joints[ids[0]].Columns[column]);
   }
   for (int i = 1; i < 4; ++i)
   {
@@ -83,7 +84,7 @@ LITTORAL_INLINE void Blend(const int* ids, const float* weights, const JointChan
     {
       for (int column = 0; column < 4; ++column)
       {
-        columns[column] += Lanes(weights[i]) * LoadColumn(joints[ids[i]].Columns[column]);
+        columns[column] += SimdDouble4(weights[i]) * LoadColumn(joints[ids[i]].Columns[column]);
       }
     }
   }
@@ -93,12 +94,12 @@ LITTORAL_INLINE void Blend(const int* ids, const float* weights, const JointChan
 struct TurnedNormals
 {
   static constexpr std::size_t Most = 64;
-  Lanes Turned[Most];
+  SimdDouble4 Turned[Most];
   double Before[Most]; ///< squares of lengths
   double After[Most];
   std::size_t Count = 0;
 
-  LITTORAL_INLINE void Add(const Lanes& before, const Lanes& turned)
+  LITTORAL_INLINE void Add(const SimdDouble4& before, const SimdDouble4& turned)
   {
     this->Turned[this->Count] = turned;
     this->Before[this->Count] = SquareOf(before);
@@ -116,7 +117,7 @@ struct TurnedNormals
     }
     for (std::size_t i = 0; i < this->Count; ++i)
     {
-      littoral::Store(Lanes(factors[i]) * this->Turned[i], to + 3 * i);
+      littoral::Store(SimdDouble4(factors[i]) * this->Turned[i], to + 3 * i);
     }
     this->Count = 0;
   }
@@ -151,7 +152,7 @@ Vector3 JointChange::Of(const Vector3& place) const
 LITTORAL_SIMD_CLONES void MoveSkin(
   const RestSkin& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points, float* normals)
 {
-  Lanes columns[4]{ 0.0, 0.0, 0.0, 0.0 };
+  SimdDouble4 columns[4]{ 0.0, 0.0, 0.0, 0.0 };
   TurnedNormals waiting{};
   for (std::size_t vertex = begin; vertex < end; ++vertex)
   {
@@ -162,11 +163,11 @@ LITTORAL_SIMD_CLONES void MoveSkin(
     {
       Blend(ids, weights, joints, columns);
     }
-    const Lanes place = Load(rest.Points + 3 * vertex);
+    const SimdDouble4 place = Load(rest.Points + 3 * vertex);
     Store(place + (Turned(columns, place) + columns[3]), points + 3 * vertex);
     if (rest.Normals)
     {
-      const Lanes normal = Load(rest.Normals + 3 * vertex);
+      const SimdDouble4 normal = Load(rest.Normals + 3 * vertex);
       waiting.Add(normal, normal + Turned(columns, normal));
       if (waiting.Count == TurnedNormals::Most || vertex + 1 == end)
       {

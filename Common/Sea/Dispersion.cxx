@@ -15,13 +15,15 @@ namespace
 /// Above this k h, the hyperbolic tangent is 1 in double precision.
 constexpr double DeepRelativeDepth = 20.0;
 
-/// k h from y = w2 h / g: Beji's improvement of Eckart's formula, good to 4.4e-4, then two steps of Newton.
+/// x = k h from y = w^2 h / g, x tanh x = y: Beji's (2013) improvement of Eckart's formula, good to 4.4e-4, then two
+/// steps of Newton.
 double RelativeDepth(double y)
 {
   double x = y / std::sqrt(std::tanh(y));
   x *= 1.0 + std::pow(y, 1.09) * std::exp(-(1.55 + 1.30 * y + 0.216 * y * y));
   for (int step = 0; step < 2; ++step)
   {
+    // Newton's step on x tanh x - y
     const double t = std::tanh(x);
     x -= (x * t - y) / (t + x * (1.0 - t * t));
   }
@@ -48,6 +50,7 @@ double WaveNumber(double frequency, double depth)
 
 double WaveFrequency(double waveNumber, double depth)
 {
+  // w^2 = g k tanh kh
   return waveNumber > 0.0 ? std::sqrt(Gravity * waveNumber * std::tanh(waveNumber * depth)) : 0.0;
 }
 

@@ -17,7 +17,7 @@ namespace littoral
 namespace
 {
 
-/// Of Pierson and Moskowitz.
+/// alpha and beta of Pierson and Moskowitz.
 constexpr double Alpha = 8.1e-3;
 constexpr double Beta = 0.74;
 
@@ -42,6 +42,7 @@ double DepthFactor(double frequency, double depth)
   {
     return 1.0;
   }
+  // tanh^2 kh / (1 + 2 kh / sinh 2 kh)
   const double t = std::tanh(x);
   return x > 0.0 ? t * t / (1.0 + 2.0 * x / std::sinh(2.0 * x)) : 0.0;
 }
@@ -113,6 +114,7 @@ SeaSpectrum::SeaSpectrum(const SpectrumParameters& parameters)
   if (parameters.FromWind)
   {
     const double u = parameters.WindSpeed;
+    // Pierson and Moskowitz: wp = (4/5 beta)^(1/4) g/U, Hs = 4 m0^(1/2), m0 = alpha U^4 / (4 beta g^2)
     this->FormPeak = std::pow(0.8 * Beta, 0.25) * g / u;
     this->Given.PeakPeriod = TwoPi / this->FormPeak;
     this->Given.SignificantHeight = 4.0 * u * u / g * std::sqrt(0.25 * Alpha / Beta);
@@ -126,6 +128,7 @@ void SeaSpectrum::FitToHeightAndPeriod()
   const double variance = this->Given.SignificantHeight * this->Given.SignificantHeight / 16.0;
   this->FormPeak = wanted;
   this->Peak = wanted;
+  // m0 = A / (4 B), B = 5/4 wp^4
   this->Scale = 5.0 * variance * std::pow(wanted, 4.0);
   if (this->Given.Kind == SpectrumKind::PiersonMoskowitz || this->IsRegular())
   {

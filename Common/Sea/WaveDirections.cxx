@@ -25,10 +25,10 @@ constexpr double PanelAgreement = 1e-10;
 /// Angles are stretched by no more.
 constexpr double LargestStretch = 16.0;
 
-/// cos^2s(angle/2) of pi less the angle.
+/// cos^2s(angle/2) = sin^2s(supplement/2) of the supplement pi - angle.
 CompositeQuadrature::Function DensityOf(double exponent)
 {
-  return [exponent](double rest) { return std::pow(std::sin(0.5 * rest), 2.0 * exponent); };
+  return [exponent](double supplement) { return std::pow(std::sin(0.5 * supplement), 2.0 * exponent); };
 }
 
 std::vector<double> HalfTurnInParts(int count)

@@ -79,6 +79,7 @@ LITTORAL_WIDE_SIMD_CLONES void DeepAxes(
 {
   for (int i = 0; i < count; ++i)
   {
+    // a = b = r e^kz
     a[i] = scale * Power2(octaves * z[i]);
     b[i] = a[i];
   }
@@ -89,6 +90,7 @@ LITTORAL_WIDE_SIMD_CLONES void FiniteAxes(const float* __restrict z, float octav
 {
   for (int i = 0; i < count; ++i)
   {
+    // a, b = s (e^kz +- e^-2kh / e^kz), s = r / (1 - e^-2kh)
     const float e = Power2(octaves * z[i]);
     const float reflected = mirror / e;
     a[i] = scale * (e + reflected);
@@ -96,19 +98,20 @@ LITTORAL_WIDE_SIMD_CLONES void FiniteAxes(const float* __restrict z, float octav
   }
 }
 
-LITTORAL_WIDE_SIMD_CLONES void ShallowAxes(
-  const float* __restrict overBed, float waveNumber, float scale, int count, float* __restrict a, float* __restrict b)
+LITTORAL_WIDE_SIMD_CLONES void ShallowAxes(const float* __restrict heightOverBed, float waveNumber, float scale,
+  int count, float* __restrict a, float* __restrict b)
 {
   for (int i = 0; i < count; ++i)
   {
-    const float x = waveNumber * overBed[i]; // 0 to 1
+    const float x = waveNumber * heightOverBed[i]; // 0 to 1
     const float q = x * x;
+    // a, b = s (cosh x, sinh x), s = r / sinh kh, x = k (z + h)
     a[i] = scale * (1.0f + q * (1 / 2.0f + q * (1 / 24.0f + q * (1 / 720.0f + q * (1 / 40320.0f)))));
     b[i] = scale * x * (1.0f + q * (1 / 6.0f + q * (1 / 120.0f + q * (1 / 5040.0f + q * (1 / 362880.0f)))));
   }
 }
 
-/// Takes the train from the points that have fewer trains.
+/// Amplitude 0 at the points that have fewer trains.
 LITTORAL_WIDE_SIMD_CLONES void Mask(
   const int* __restrict counts, int train, int count, float* __restrict a, float* __restrict b)
 {
@@ -174,7 +177,7 @@ struct alignas(64) WaveOrbits::Block
   double X[BlockSize];
   double Y[BlockSize];
   float Z[BlockSize]; ///< from sea level, at most 0
-  float OverBed[BlockSize];
+  float HeightOverBed[BlockSize];
   float DriftX[BlockSize]; ///< of Stokes [m/s]
   float DriftY[BlockSize];
   float Sine[BlockSize];
@@ -182,14 +185,15 @@ struct alignas(64) WaveOrbits::Block
   float Turns[BlockSize];
   float A[BlockSize];
   float B[BlockSize];
-  float Place[3][BlockSize];
-  float Speed[3][BlockSize];
-  float Push[3][BlockSize];
-  float Slope[5][BlockSize];
+  float Displacement[3][BlockSize];
+  float Velocity[3][BlockSize];
+  float Acceleration[3][BlockSize];
+  float Gradient[5][BlockSize];
 };
 
 OrbitAxes AxesAt(const WaveTrain& train, double height, double depth)
 {
+  // d = r e^kz / (1 - e^-2kh):  a = d (1 + e^-2k(z+h)),  b = d (1 - e^-2k(z+h))
   const double z = std::min(0.0, std::max(height, -depth));
   const double k = train.WaveNumber;
   const double d = train.Amplitude * std::exp(k * z) / -std::expm1(-2.0 * k * depth);
@@ -223,16 +227,17 @@ WaveOrbits::WaveOrbits(const SeaState& sea, const WaveOrbitOptions& options, dou
     train.X = k * train.DirectionX;
     train.Y = k * train.DirectionY;
     train.Frequency = wave.AngularFrequency;
-    double seen = wave.AngularFrequency;
+    double atFixedPoint = wave.AngularFrequency;
+    // Frequency at a fixed point: w + k . U
     if (options.DopplerShift)
     {
-      seen += train.X * options.Current[0] + train.Y * options.Current[1];
+      atFixedPoint += train.X * options.Current[0] + train.Y * options.Current[1];
     }
-    train.Phase = std::remainder(wave.Phase - std::remainder(seen * time, TwoPi), TwoPi);
+    train.Phase = std::remainder(wave.Phase - std::remainder(atFixedPoint * time, TwoPi), TwoPi);
     const double relative = k * sea.Depth;
     train.Kind = relative > DeepInSingle ? Form::Deep : relative > ShallowInSingle ? Form::Finite : Form::Shallow;
     train.Octaves = static_cast<float>(k / std::log(2.0));
-    train.Depths = static_cast<float>(k);
+    train.WaveNumber = static_cast<float>(k);
     const double part = train.Kind == Form::Shallow ? std::sinh(relative) : -std::expm1(-2.0 * relative);
     train.Scale = static_cast<float>(wave.Amplitude / part);
     train.Mirror = static_cast<float>(std::exp(-2.0 * relative));
@@ -246,7 +251,7 @@ std::array<double, 2> WaveOrbits::StokesVelocity(double height, std::size_t trai
   for (std::size_t n = 0; n < std::min(trains, this->Trains.size()); ++n)
   {
     const OrbitAxes axes = AxesAt(this->Sea.Trains[n], height, this->Sea.Depth);
-    // a2 + b2 = r2 cosh 2k(z+h) / sinh2 kh.
+    // Stokes (1847): w k r^2 cosh 2k(z+h) / (2 sinh^2 kh) = w k (a^2 + b^2) / 2, along d
     const double share = shares ? shares[n] : 1.0;
     const double half = 0.5 * share * share * this->Trains[n].Frequency *
       (axes.Horizontal * axes.Horizontal + axes.Vertical * axes.Vertical);
@@ -275,10 +280,10 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     }
     const double x = center[0] + drift[0] * this->Time;
     const double y = center[1] + drift[1] * this->Time;
-    Vector3 place(drift[0] * this->Time, drift[1] * this->Time, 0.0);
-    Vector3 speed(drift[0], drift[1], 0.0);
-    Vector3 push(0.0);
-    double slope[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+    Vector3 displacement(drift[0] * this->Time, drift[1] * this->Time, 0.0);
+    Vector3 velocity(drift[0], drift[1], 0.0);
+    Vector3 acceleration(0.0);
+    double gradient[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
     for (std::size_t n = 0; n < trains; ++n)
     {
       const Train& train = this->Trains[n];
@@ -286,19 +291,23 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
       const double share = request.Shares ? request.Shares[n] : 1.0;
       const double a = share * chop * axes.Horizontal;
       const double b = share * axes.Vertical;
+      // phi = k d . x - w t + phase
       const double phi = train.X * x + train.Y * y + train.Phase;
       const double s = std::sin(phi);
       const double c = std::cos(phi);
-      const Vector3 moved(a * s * train.DirectionX, a * s * train.DirectionY, -b * c);
-      place += moved;
+      // Displacement (a sin phi d, -b cos phi), the paper's eq. 2 at any depth
+      const Vector3 orbit(a * s * train.DirectionX, a * s * train.DirectionY, -b * c);
+      displacement += orbit;
       const double w = train.Frequency;
-      speed += w * Vector3(-a * c * train.DirectionX, -a * c * train.DirectionY, -b * s);
-      push -= w * w * moved;
-      slope[0] += a * c * train.X * train.DirectionX;
-      slope[1] += a * c * train.X * train.DirectionY;
-      slope[2] += a * c * train.Y * train.DirectionY;
-      slope[3] += b * s * train.X;
-      slope[4] += b * s * train.Y;
+      // Its derivative by the time, phi' = -w
+      velocity += w * Vector3(-a * c * train.DirectionX, -a * c * train.DirectionY, -b * s);
+      acceleration -= w * w * orbit;
+      // Its derivatives by the center, grad phi = k d
+      gradient[0] += a * c * train.X * train.DirectionX;
+      gradient[1] += a * c * train.X * train.DirectionY;
+      gradient[2] += a * c * train.Y * train.DirectionY;
+      gradient[3] += b * s * train.X;
+      gradient[4] += b * s * train.Y;
     }
     const auto store = [i](double* to, const double* from, int count) {
       if (to)
@@ -306,10 +315,10 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
         std::copy(from, from + count, to + count * i);
       }
     };
-    store(request.Displacement, &place[0], 3);
-    store(request.Velocity, &speed[0], 3);
-    store(request.Acceleration, &push[0], 3);
-    store(request.Gradient, slope, 5);
+    store(request.Displacement, &displacement[0], 3);
+    store(request.Velocity, &velocity[0], 3);
+    store(request.Acceleration, &acceleration[0], 3);
+    store(request.Gradient, gradient, 5);
   }
 }
 
@@ -318,11 +327,11 @@ void WaveOrbits::Evaluate(const OrbitRequest<float>& request, std::size_t begin,
   Block block;
   for (std::size_t first = begin; first < end; first += BlockSize)
   {
-    this->Move(block, request, first, static_cast<int>(std::min<std::size_t>(BlockSize, end - first)));
+    this->EvaluateBlock(block, request, first, static_cast<int>(std::min<std::size_t>(BlockSize, end - first)));
   }
 }
 
-void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
+void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
 {
   const int* counts = request.TrainCounts ? request.TrainCounts + begin : nullptr;
   int trains = static_cast<int>(this->Trains.size());
@@ -330,7 +339,7 @@ void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::siz
   {
     trains = std::clamp(*std::max_element(counts, counts + count), 0, trains);
   }
-  this->Begin(block, request, begin, count);
+  this->StartBlock(block, request, begin, count);
   if (this->Options.StokesDrift)
   {
     this->AddDrift(block, request, counts, count);
@@ -352,24 +361,24 @@ void WaveOrbits::Move(Block& block, const OrbitRequest<float>& request, std::siz
   const auto to = [begin](float* array, int components) { return array ? array + components * begin : nullptr; };
   if (request.Displacement)
   {
-    Store<3>(block.Place, count, to(request.Displacement, 3));
+    Store<3>(block.Displacement, count, to(request.Displacement, 3));
   }
   if (request.Velocity)
   {
-    Store<3>(block.Speed, count, to(request.Velocity, 3));
+    Store<3>(block.Velocity, count, to(request.Velocity, 3));
   }
   if (request.Acceleration)
   {
-    Store<3>(block.Push, count, to(request.Acceleration, 3));
+    Store<3>(block.Acceleration, count, to(request.Acceleration, 3));
   }
   if (request.Gradient)
   {
-    Store<5>(block.Slope, count, to(request.Gradient, 5));
+    Store<5>(block.Gradient, count, to(request.Gradient, 5));
   }
 }
 
-/// Takes the centers of points, at rest.
-void WaveOrbits::Begin(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
+/// Centers of the points; all sums 0.
+void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
 {
   const float* centers = request.Centers + 3 * begin;
   const double depth = this->Sea.Depth;
@@ -379,15 +388,15 @@ void WaveOrbits::Begin(Block& block, const OrbitRequest<float>& request, std::si
     block.Y[i] = centers[3 * i + 1];
     const double z = std::min(0.0, std::max(centers[3 * i + 2] - this->Sea.SeaLevel, -depth));
     block.Z[i] = static_cast<float>(z);
-    block.OverBed[i] = static_cast<float>(z + depth);
+    block.HeightOverBed[i] = static_cast<float>(z + depth);
   }
-  std::memset(block.Place, 0, sizeof block.Place);
-  std::memset(block.Speed, 0, sizeof block.Speed);
-  std::memset(block.Push, 0, sizeof block.Push);
-  std::memset(block.Slope, 0, sizeof block.Slope);
+  std::memset(block.Displacement, 0, sizeof block.Displacement);
+  std::memset(block.Velocity, 0, sizeof block.Velocity);
+  std::memset(block.Acceleration, 0, sizeof block.Acceleration);
+  std::memset(block.Gradient, 0, sizeof block.Gradient);
 }
 
-/// Carries the centers along with the Stokes drift of their trains; `counts` as in the request, of this block.
+/// Moves the centers with the Stokes drift of their trains; `counts` as in the request, of this block.
 void WaveOrbits::AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const
 {
   for (int i = 0; i < count; ++i)
@@ -398,13 +407,13 @@ void WaveOrbits::AddDrift(Block& block, const OrbitRequest<float>& request, cons
     block.Y[i] += drift[1] * this->Time;
     for (int axis = 0; axis < 2; ++axis)
     {
-      block.Place[axis][i] = static_cast<float>(drift[axis] * this->Time);
-      block.Speed[axis][i] = static_cast<float>(drift[axis]);
+      block.Displacement[axis][i] = static_cast<float>(drift[axis] * this->Time);
+      block.Velocity[axis][i] = static_cast<float>(drift[axis]);
     }
   }
 }
 
-/// Sines and cosines of the phases of a train, and the axes of its orbits.
+/// sin phi, cos phi and the semi-axes a, b of a train.
 void WaveOrbits::FindAxes(Block& block, const Train& train, float share, int count) const
 {
   const float scale = share * train.Scale;
@@ -420,12 +429,12 @@ void WaveOrbits::FindAxes(Block& block, const Train& train, float share, int cou
       FiniteAxes(block.Z, train.Octaves, scale, train.Mirror, count, block.A, block.B);
       break;
     case Form::Shallow:
-      ShallowAxes(block.OverBed, train.Depths, scale, count, block.A, block.B);
+      ShallowAxes(block.HeightOverBed, train.WaveNumber, scale, count, block.A, block.B);
       break;
   }
 }
 
-/// Adds the motion in a train to all that is asked for.
+/// Adds the motion by a train to what is requested.
 void WaveOrbits::AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, int count) const
 {
   const float chop = static_cast<float>(this->Options.Choppiness);
@@ -435,25 +444,29 @@ void WaveOrbits::AddTrain(Block& block, const OrbitRequest<float>& request, cons
   const auto add = [&](const float* p, const float* q, float along, float up, float(*sums)[BlockSize]) {
     AddMotion(block.A, p, block.B, q, along * dx, along * dy, up, count, sums[0], sums[1], sums[2]);
   };
+  // a sin phi d, -b cos phi
   if (request.Displacement)
   {
-    add(block.Sine, block.Cosine, 1.0f, -1.0f, block.Place);
+    add(block.Sine, block.Cosine, 1.0f, -1.0f, block.Displacement);
   }
+  // -w a cos phi d, -w b sin phi
   if (request.Velocity)
   {
-    add(block.Cosine, block.Sine, -w, -w, block.Speed);
+    add(block.Cosine, block.Sine, -w, -w, block.Velocity);
   }
+  // -w^2 a sin phi d, w^2 b cos phi
   if (request.Acceleration)
   {
-    add(block.Sine, block.Cosine, -w * w, w * w, block.Push);
+    add(block.Sine, block.Cosine, -w * w, w * w, block.Acceleration);
   }
+  // k_x a cos phi d_x, k_x a cos phi d_y, k_y a cos phi d_y; k_x b sin phi, k_y b sin phi
   if (request.Gradient)
   {
     const float kx = static_cast<float>(train.X);
     const float ky = static_cast<float>(train.Y);
     const float factor[5] = { kx * dx, kx * dy, ky * dy, kx, ky };
-    AddGradient(block.A, block.Cosine, block.B, block.Sine, factor, count, block.Slope[0], block.Slope[1],
-      block.Slope[2], block.Slope[3], block.Slope[4]);
+    AddGradient(block.A, block.Cosine, block.B, block.Sine, factor, count, block.Gradient[0], block.Gradient[1],
+      block.Gradient[2], block.Gradient[3], block.Gradient[4]);
   }
 }
 

@@ -93,15 +93,15 @@ private:
     double DirectionY;
     double Frequency;
     Form Kind;
-    float Octaves; ///< k / ln 2
-    float Depths;  ///< k
-    float Scale;   ///< r / (1 - e^-2kh), or r / sinh kh
-    float Mirror;  ///< e^-2kh
+    float Octaves;    ///< k / ln 2
+    float WaveNumber; ///< k
+    float Scale;      ///< r / (1 - e^-2kh), or r / sinh kh
+    float Mirror;     ///< e^-2kh
   };
 
   struct Block;
-  void Move(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
-  void Begin(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
+  void EvaluateBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
+  void StartBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
   void AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const;
   void FindAxes(Block& block, const Train& train, float share, int count) const;
   void AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, int count) const;

@@ -131,6 +131,7 @@ std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const
     const auto random = phases.UniformPair(bin, 0);
     const double place = edges[bin] + random[1] * (edges[bin + 1] - edges[bin]);
     WaveTrain train;
+    // r^2 / 2 = integral of S over the bin
     train.Amplitude = std::sqrt(2.0 * energy);
     train.AngularFrequency = parameters.EqualSpacing ? (comb.First + bin) * comb.Spacing : place;
     train.WaveNumber = WaveNumber(train.AngularFrequency, depth);

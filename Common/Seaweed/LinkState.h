@@ -8,7 +8,7 @@
 namespace littoral
 {
 
-// A link at a moment: of one segment (Real = double), or of several side by side (Real = Lanes).
+// The state of a link at a moment (Real = double), or of four links, a lane each (Real = SimdDouble4).
 
 /// The water at the middle of a segment.
 template <typename Real>
@@ -35,8 +35,8 @@ template <typename Real>
 struct LinkPoseOf
 {
   using Vector = glm::vec<3, Real>;
-  glm::qua<Real> Turn{ Real(1.0), Real(0.0), Real(0.0), Real(0.0) }; ///< from rest
-  Vector Foot{ Real(0.0) };                                          ///< [m]
+  glm::qua<Real> Rotation{ Real(1.0), Real(0.0), Real(0.0), Real(0.0) }; ///< from rest
+  Vector Foot{ Real(0.0) };                                              ///< [m]
   Vector Axis{ Real(0.0), Real(0.0), Real(1.0) };
   Vector Velocity{ Real(0.0) }; ///< of the foot [m/s]
   Vector Spin{ Real(0.0) };     ///< [rad/s]

@@ -81,9 +81,11 @@ std::vector<FlowPrimitive> WakeOf(const MovingPlant& plant, const WakeOptions& o
   const double speed = glm::length(plant.Velocity);
   if (options.Kind == WakeKind::Source)
   {
+    // Q = c a . v / (|v| + v_slow)
     const double along = glm::dot(plant.Acceleration, plant.Velocity) / (speed + SlowSpeed);
     return { sourceAt(plant.Center, options.Strength * along) };
   }
+  // Doublet 2 pi R^3 v of a sphere of the plant's volume, as a source and a sink
   const double radius = std::cbrt(0.75 * plant.Volume / Pi);
   const double moment = options.Strength * TwoPi * radius * radius * radius * speed;
   const double apart = 0.5 * core;

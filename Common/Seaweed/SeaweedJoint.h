@@ -4,7 +4,7 @@
 #define LittoralSeaweedJoint_h
 
 #include "Numerics/Constants.h"
-#include "Numerics/Lanes.h"
+#include "Numerics/SimdDouble4.h"
 #include "Plants/Skinning.h"
 #include "Seaweed/LinkState.h"
 #include "Seaweed/SeaweedMotion.h"
@@ -15,9 +15,10 @@
 namespace littoral
 {
 
-/// The bed pushes up what lies below the holdfast: by so much for its depth [1/s2], and at most [m/s2].
+/// Upward acceleration by the bed of what lies below the holdfast: BedStiffness [1/s2] times its depth, at most
+/// BedAcceleration [m/s2].
 constexpr double BedStiffness = 200.0;
-constexpr double BedPush = 6.0;
+constexpr double BedAcceleration = 6.0;
 
 /// The base of the ground: X = x, Y = up, Z = -y.
 template <typename Real>
@@ -27,100 +28,100 @@ LITTORAL_INLINE glm::qua<Real> GroundBase()
   return { half, half, Real(0.0), Real(0.0) };
 }
 
-/// The paper's turn from a parent's base to that of a segment: theta about Y, then phi about X.
+/// Rotation from a parent's base to that of a segment: theta about Y, then phi about X (Coulais et al., figure 7).
 template <typename Real>
-LITTORAL_INLINE glm::qua<Real> BaseTurn(const Real& theta, const Real& phi)
+LITTORAL_INLINE glm::qua<Real> BaseRotation(const Real& theta, const Real& phi)
 {
   const Real half(0.5);
-  const glm::qua<Real> azimuth{ Cosine(half * theta), Real(0.0), Sine(half * theta), Real(0.0) };
-  const glm::qua<Real> tilt{ Cosine(half * phi), Sine(half * phi), Real(0.0), Real(0.0) };
+  const glm::qua<Real> azimuth{ Cos(half * theta), Real(0.0), Sin(half * theta), Real(0.0) };
+  const glm::qua<Real> tilt{ Cos(half * phi), Sin(half * phi), Real(0.0), Real(0.0) };
   return azimuth * tilt;
 }
 
-/// The rotation from one unit vector to another; about `aside`, at a right angle to the first, to its opposite.
+/// Shortest rotation from one unit vector to another; to the opposite one about `aside`, at a right angle to the first.
 template <typename Real>
-LITTORAL_INLINE glm::qua<Real> TurnTo(
+LITTORAL_INLINE glm::qua<Real> ShortestArc(
   const glm::vec<3, Real>& from, const glm::vec<3, Real>& to, const glm::vec<3, Real>& aside)
 {
   // (1 + a.b, a x b) is the rotation but for its length.
   const Real real = Real(1.0) + glm::dot(from, to);
-  const Real isOpposite = WhereLess(real, Real(1e-12), Real(1.0), Real(0.0));
+  const Real isOpposite = SelectLess(real, Real(1e-12), Real(1.0), Real(0.0));
   const glm::vec<3, Real> axis = glm::cross(from, to) + isOpposite * aside;
-  const Real size = SquareRoot(real * real + glm::dot(axis, axis));
+  const Real size = Sqrt(real * real + glm::dot(axis, axis));
   const Real factor = Real(1.0) / size;
   return { real / size, factor * axis.x, factor * axis.y, factor * axis.z };
 }
 
-/// The rotation vector that takes one unit vector to another [rad]; along `aside` to its opposite.
+/// Rotation vector of ShortestArc [rad].
 template <typename Real>
-LITTORAL_INLINE glm::vec<3, Real> BendTo(
+LITTORAL_INLINE glm::vec<3, Real> ArcVector(
   const glm::vec<3, Real>& from, const glm::vec<3, Real>& to, const glm::vec<3, Real>& aside)
 {
   const glm::vec<3, Real> axis = glm::cross(from, to);
-  const Real sine = LengthOf(axis);
+  const Real sine = Length(axis);
   const Real cosine = glm::dot(from, to);
   const Real tiny(1e-9);
-  const Real ratio = WhereLess(sine, tiny, Real(1.0), AngleOf(sine, cosine) / Larger(sine, tiny));
-  const Real isOpposite = WhereLess(sine, tiny, WhereLess(cosine, Real(0.0), Real(1.0), Real(0.0)), Real(0.0));
+  const Real ratio = SelectLess(sine, tiny, Real(1.0), AngleOf(sine, cosine) / Max(sine, tiny));
+  const Real isOpposite = SelectLess(sine, tiny, SelectLess(cosine, Real(0.0), Real(1.0), Real(0.0)), Real(0.0));
   return ratio * axis + isOpposite * Real(Pi) * aside;
 }
 
-/// 1 + cos of the angle between directions; not nearer to 0 than at 162 degrees, where twists would grow beyond bounds.
+/// 1 + cos of the angle between directions, at least 0.05 (162 degrees), as twists would grow without bounds.
 template <typename Real>
-LITTORAL_INLINE Real OpeningOf(const glm::vec<3, Real>& from, const glm::vec<3, Real>& to)
+LITTORAL_INLINE Real ArcOpening(const glm::vec<3, Real>& from, const glm::vec<3, Real>& to)
 {
-  return Larger(Real(1.0) + glm::dot(from, to), Real(0.05));
+  return Max(Real(1.0) + glm::dot(from, to), Real(0.05));
 }
 
-/// How fast the shortest turn from one direction to another turns about the latter as this swings at a rate [rad/s].
+/// Twist rate of the shortest arc from a to e about e, as e swings at a rate w: -(w.a) / (1 + a.e) e [rad/s].
 template <typename Real>
-LITTORAL_INLINE glm::vec<3, Real> TwistOf(
+LITTORAL_INLINE glm::vec<3, Real> ArcTwist(
   const glm::vec<3, Real>& from, const glm::vec<3, Real>& to, const glm::vec<3, Real>& rate)
 {
-  return -(glm::dot(rate, from) / OpeningOf(from, to)) * to;
+  return -(glm::dot(rate, from) / ArcOpening(from, to)) * to;
 }
 
-/// The pose of a link by that of its parent; null: it stands on the ground.
+/// Pose of a link from that of its parent; null: the link stands on the ground.
 template <typename Real>
 LITTORAL_INLINE void PoseLink(SeaweedJoint joint, const LinkBody<Real>& link, const LinkStateOf<Real>& state,
   const LinkBody<Real>* parentLink, const LinkPoseOf<Real>* parent, LinkPoseOf<Real>& pose)
 {
   using Vector = glm::vec<3, Real>;
-  glm::qua<Real> below = NoTurn<Real>();
+  glm::qua<Real> below = IdentityRotation<Real>();
   pose.Foot = link.Foot;
   pose.Velocity = Vector(Real(0.0));
   pose.Spin = Vector(Real(0.0));
   if (parent)
   {
-    below = parent->Turn;
+    below = parent->Rotation;
     // At rest the foot is where it was, to the last bit.
-    pose.Foot = link.Foot + (parent->Foot - parentLink->Foot) + TurnedBy(below, link.Arm);
+    pose.Foot = link.Foot + (parent->Foot - parentLink->Foot) + RotationOffset(below, link.Arm);
     pose.Spin = parent->Spin;
     pose.Velocity = parent->Velocity + glm::cross(parent->Spin, pose.Foot - parent->Foot);
   }
   if (joint == SeaweedJoint::Bending)
   {
-    pose.Turn = below * TurnTo(link.Axis, state.Shape, link.Side);
+    pose.Rotation = below * ShortestArc(link.Axis, state.Shape, link.Side);
     pose.Axis = Rotated(below, state.Shape);
-    pose.Spin += Rotated(below, state.Rate + TwistOf(link.Axis, state.Shape, state.Rate));
+    pose.Spin += Rotated(below, state.Rate + ArcTwist(link.Axis, state.Shape, state.Rate));
     return;
   }
   const glm::qua<Real> base = parent ? parentLink->Base : GroundBase<Real>();
   // At rest the turn is none, to the last bit.
-  const Real bent = Magnitude(state.Shape.x - link.Theta) + Magnitude(state.Shape.y - link.Phi);
-  const glm::qua<Real> turn = base * BaseTurn(state.Shape.x, state.Shape.y) * Opposite(link.Base);
+  const Real bent = Abs(state.Shape.x - link.Theta) + Abs(state.Shape.y - link.Phi);
+  const glm::qua<Real> turn = base * BaseRotation(state.Shape.x, state.Shape.y) * Conjugate(link.Base);
   const Real none(0.0);
-  pose.Turn = below *
-    glm::qua<Real>(WhereLess(none, bent, turn.w, Real(1.0)), WhereLess(none, bent, turn.x, none),
-      WhereLess(none, bent, turn.y, none), WhereLess(none, bent, turn.z, none));
-  pose.Axis = Rotated(pose.Turn, link.Axis);
+  pose.Rotation = below *
+    glm::qua<Real>(SelectLess(none, bent, turn.w, Real(1.0)), SelectLess(none, bent, turn.x, none),
+      SelectLess(none, bent, turn.y, none), SelectLess(none, bent, turn.z, none));
+  pose.Axis = Rotated(pose.Rotation, link.Axis);
   const glm::qua<Real> frame = below * base;
   const Vector y = Rotated(frame, Vector(Real(0.0), Real(1.0), Real(0.0)));
-  const Vector x = Rotated(frame, Vector(Cosine(state.Shape.x), Real(0.0), -Sine(state.Shape.x)));
+  const Vector x = Rotated(frame, Vector(Cos(state.Shape.x), Real(0.0), -Sin(state.Shape.x)));
   pose.Spin += state.Rate.x * y + state.Rate.y * x;
 }
 
-/// The sides of a link now: along its width, and normal to its face. With its axis they are right-handed.
+/// Axes across a link, now: b along its width (Edge) and n normal to its face; b, n and its axis e are right-handed.
 template <typename Real>
 struct LinkFaceOf
 {
@@ -132,12 +133,11 @@ struct LinkFaceOf
 template <typename Real>
 LITTORAL_INLINE LinkFaceOf<Real> FaceOf(const LinkBody<Real>& link, const LinkPoseOf<Real>& pose)
 {
-  const glm::vec<3, Real> edge = Rotated(pose.Turn, link.Side);
+  const glm::vec<3, Real> edge = Rotated(pose.Rotation, link.Side);
   return { edge, glm::cross(pose.Axis, edge) };
 }
 
-/// Sums over the points of a link at which drag is found, each times nothing, its distance from the foot, and the
-/// square of it.
+/// Moments of order 0, 1 and 2 about the foot: sums of r, s r and s^2 r over points at distances s.
 template <typename Real>
 struct MomentsOf
 {
@@ -153,7 +153,7 @@ struct MomentsOf
   }
 };
 
-/// What the water does to a link, and how much less where the link gives way.
+/// Load of the water on a link, and its resistance R to the motion of the link.
 template <typename Real>
 struct LinkLoadOf
 {
@@ -165,83 +165,109 @@ struct LinkLoadOf
   Real Friction{ 0.0 };       ///< resistance to motion along the axis [N s/m]
 };
 
-/// The load on a link. Direct: the paper's, at the middle. Morison: drag at two Gauss points; inertia and lift at the
-/// middle.
+/// The part of a segment that is in the water, 0 to 1.
+template <typename Real>
+LITTORAL_INLINE Real SubmergedPart(const SeaweedOptions& options, const LinkBody<Real>& link,
+  const LinkPoseOf<Real>& pose, const glm::vec<3, Real>& half)
+{
+  const Real top = pose.Foot.z + Real(2.0) * half.z;
+  const Real low = Min(top, pose.Foot.z);
+  const Real reach = Max(Abs(Real(2.0) * half.z), Real(0.1) * link.Length);
+  return Clamp((Real(options.SeaLevel) - low) / reach, Real(0.0), Real(1.0));
+}
+
+/// Sums over points of a link of forces and of distances from the foot times forces, normal to its face and along its
+/// width.
+template <typename Real>
+struct CrossForcesOf
+{
+  Real Normal{ 0.0 };
+  Real Edge{ 0.0 };
+  Real NormalFirst{ 0.0 };
+  Real EdgeFirst{ 0.0 };
+};
+
+/// Drag F = rho/2 C |r| (A_face (r.n) n + A_edge (r.b) b) at two Gauss points, r: velocity of the water across the
+/// segment, against it. Adds the resistance to the load. `slip` is that at the foot, `density` half of the water's.
+template <typename Real>
+LITTORAL_INLINE CrossForcesOf<Real> AddDrag(const SeaweedOptions& options, const LinkBody<Real>& link,
+  const LinkPoseOf<Real>& pose, const LinkFaceOf<Real>& face, const glm::vec<3, Real>& slip, const Real& density,
+  LinkLoadOf<Real>& load)
+{
+  const glm::vec<3, Real> turning = glm::cross(pose.Spin, pose.Axis);
+  const Real slipNormal = glm::dot(slip, face.Normal);
+  const Real slipEdge = glm::dot(slip, face.Edge);
+  const Real turnNormal = glm::dot(turning, face.Normal);
+  const Real turnEdge = glm::dot(turning, face.Edge);
+  const Real weight = Real(0.5) * density * Real(options.DragCoefficient); // of a point: half of the segment
+  CrossForcesOf<Real> forces;
+  for (const double part : { 0.21132486540518713, 0.78867513459481287 })
+  {
+    const Real distance = Real(part) * link.Length;
+    const Real n = slipNormal - distance * turnNormal;
+    const Real b = slipEdge - distance * turnEdge;
+    const Real speed = weight * Sqrt(n * n + b * b);
+    const Real faceDrag = link.FrontalArea * speed;
+    const Real edgeDrag = link.EdgeFrontalArea * speed;
+    load.FaceDrag.Add(faceDrag, distance);
+    load.EdgeDrag.Add(edgeDrag, distance);
+    forces.Normal += faceDrag * n;
+    forces.Edge += edgeDrag * b;
+    forces.NormalFirst += distance * faceDrag * n;
+    forces.EdgeFirst += distance * edgeDrag * b;
+  }
+  return forces;
+}
+
+/// Load on a link. Direct: eq. 4 of the paper, at the middle. Morison: drag at two Gauss points, inertia and lift at
+/// the middle.
 template <typename Real>
 LITTORAL_INLINE LinkLoadOf<Real> LoadOn(const SeaweedOptions& options, const LinkBody<Real>& link,
   const LinkPoseOf<Real>& pose, const LinkFaceOf<Real>& face, const WaterOf<Real>& water)
 {
   using Vector = glm::vec<3, Real>;
   const Real none(0.0);
-  const Real one(1.0);
   LinkLoadOf<Real> load;
   const Vector& e = pose.Axis;
   const Vector half = Real(0.5) * link.Length * e;
   if (options.Load == SeaweedLoad::Direct)
   {
+    // eq. 4: F = L f, f = factor (acceleration or displacement, and current)
     load.Force = Real(options.ForceFactor) * link.Length * (water.Acceleration + water.Displacement + water.Velocity);
     load.Moment = Real(0.5) * link.Length * load.Force;
     return load;
   }
-  // The part of a segment that is in the water; out of it, it has its weight in place of its lift.
-  const Real top = pose.Foot.z + Real(2.0) * half.z;
-  const Real low = Smaller(top, pose.Foot.z);
-  const Real reach = Larger(Magnitude(Real(2.0) * half.z), Real(0.1) * link.Length);
-  const Real wet = Between((Real(options.SeaLevel) - low) / reach, none, one);
-  // Drag F = rho/2 C |r| (A_face (r.n) n + A_edge (r.b) b), r: velocity of the water across the segment, against it.
-  const Vector slip = water.Velocity - pose.Velocity;
-  const Vector turning = glm::cross(pose.Spin, e);
-  const Real slipNormal = glm::dot(slip, face.Normal);
-  const Real slipEdge = glm::dot(slip, face.Edge);
-  const Real turnNormal = glm::dot(turning, face.Normal);
-  const Real turnEdge = glm::dot(turning, face.Edge);
+  const Real wet = SubmergedPart<Real>(options, link, pose, half);
   const Real density = wet * Real(0.5 * options.WaterDensity);
-  const Real half1 = Real(0.5) * density * Real(options.DragCoefficient); // of the half that a Gauss point stands for
-  Real normal = none;
-  Real edge = none;
-  Real normalFirst = none;
-  Real edgeFirst = none;
-  for (const double part : { 0.21132486540518713, 0.78867513459481287 })
-  {
-    const Real distance = Real(part) * link.Length;
-    const Real n = slipNormal - distance * turnNormal;
-    const Real b = slipEdge - distance * turnEdge;
-    const Real speed = half1 * SquareRoot(n * n + b * b);
-    const Real faceDrag = link.Frontage * speed;
-    const Real edgeDrag = link.EdgeFrontage * speed;
-    load.FaceDrag.Add(faceDrag, distance);
-    load.EdgeDrag.Add(edgeDrag, distance);
-    normal += faceDrag * n;
-    edge += edgeDrag * b;
-    normalFirst += distance * faceDrag * n;
-    edgeFirst += distance * edgeDrag * b;
-  }
-  // Friction F = rho/2 C_f A |r.e| (r.e) e.
+  const Vector slip = water.Velocity - pose.Velocity;
+  const CrossForcesOf<Real> drag = AddDrag<Real>(options, link, pose, face, slip, density, load);
+  // Friction F = rho/2 C_f A |r.e| (r.e) e
   const Real along = glm::dot(slip, e);
-  load.Friction = density * Real(options.FrictionCoefficient) * link.Surface * Magnitude(along);
-  // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison).
+  load.Friction = density * Real(options.FrictionCoefficient) * link.WettedArea * Abs(along);
+  // Inertia F = (rho V + A) a, added mass A by side (Froude and Krylov, Morison)
   const Real aNormal = glm::dot(water.Acceleration, face.Normal);
   const Real aEdge = glm::dot(water.Acceleration, face.Edge);
   const Vector inertia = wet *
     (link.WaterMass * water.Acceleration + (link.FaceMass * aNormal) * face.Normal +
       (link.EdgeMass * aEdge) * face.Edge);
-  const Real lift = wet * link.Buoyancy - (one - wet) * link.Weight;
+  // Net buoyancy in the water, weight out of it, and the push of the bed
+  const Real lift = wet * link.Buoyancy - (Real(1.0) - wet) * link.Weight;
   const Real depth = link.Bed - pose.Foot.z - half.z;
-  const Real push = (link.Mass + link.FaceMass) * Between(Real(BedStiffness) * depth, none, Real(BedPush));
+  const Real push = (link.Mass + link.FaceMass) * Clamp(Real(BedStiffness) * depth, none, Real(BedAcceleration));
   const Vector central = inertia + (load.Friction * along) * e + Vector(none, none, push + lift);
-  load.Force = central + normal * face.Normal + edge * face.Edge;
-  load.Moment = Real(0.5) * link.Length * central + edgeFirst * face.Edge + normalFirst * face.Normal;
+  load.Force = central + drag.Normal * face.Normal + drag.Edge * face.Edge;
+  load.Moment = Real(0.5) * link.Length * central + drag.EdgeFirst * face.Edge + drag.NormalFirst * face.Normal;
   return load;
 }
 
-/// Links of the same place in trees of the same shape, side by side.
+/// Links of the trees of a batch, those of the same index a lane each.
 struct SeaweedMotion::LinkBodies
 {
-  std::vector<LinkBody<Lanes>> Bodies;
-  std::vector<int> Parents; ///< of the bodies, by their places in the bunch; -1: the ground
+  std::vector<LinkBody<SimdDouble4>> Bodies;
+  std::vector<int> Parents; ///< index of the parent link within the batch; -1: the ground
 };
 
-static_assert(SeaweedBunch::Lanes == LaneCount, "a bunch fills the lanes");
+static_assert(LinkBatch::Width == LaneCount, "a batch fills the lanes");
 
 }
 

@@ -18,24 +18,24 @@ namespace
 constexpr double StopFrequency = 40.0; // of a link that bears all that grows on it [rad/s]
 
 /// A unit vector turned by a rotation vector at a right angle to it.
-Vector3 Swung(const Vector3& direction, const Vector3& turn)
+Vector3 RotateUnit(const Vector3& direction, const Vector3& turn)
 {
   const double angle = glm::length(turn);
   const double ratio = angle > 1e-8 ? std::sin(angle) / angle : 1.0;
   return glm::normalize(std::cos(angle) * direction + ratio * glm::cross(turn, direction));
 }
 
-/// Links of the same place in trees of the same shape, side by side.
-LinkBody<Lanes> SideBySide(const std::vector<SeaweedLink>& links, const LaneIndices& at)
+/// One link of each lane.
+LinkBody<SimdDouble4> GatherBody(const std::vector<SeaweedLink>& links, const LaneIndices& at)
 {
-  LinkBody<Lanes> body;
+  LinkBody<SimdDouble4> body;
   const auto vector = [&](Vector3 SeaweedLink::*part) { return GatherVector(links.data(), at, part); };
   const auto number = [&](double SeaweedLink::*part) { return GatherNumber(links.data(), at, part); };
   body.Foot = vector(&SeaweedLink::Foot);
   body.Axis = vector(&SeaweedLink::Axis);
   body.Side = vector(&SeaweedLink::Side);
   body.Arm = vector(&SeaweedLink::Arm);
-  body.Base = GatherTurn(links.data(), at, &SeaweedLink::Base);
+  body.Base = GatherRotation(links.data(), at, &SeaweedLink::Base);
   body.Theta = number(&SeaweedLink::Theta);
   body.Phi = number(&SeaweedLink::Phi);
   body.Length = number(&SeaweedLink::Length);
@@ -46,9 +46,9 @@ LinkBody<Lanes> SideBySide(const std::vector<SeaweedLink>& links, const LaneIndi
   body.WaterMass = number(&SeaweedLink::WaterMass);
   body.Buoyancy = number(&SeaweedLink::Buoyancy);
   body.Weight = number(&SeaweedLink::Weight);
-  body.Frontage = number(&SeaweedLink::Frontage);
-  body.EdgeFrontage = number(&SeaweedLink::EdgeFrontage);
-  body.Surface = number(&SeaweedLink::Surface);
+  body.FrontalArea = number(&SeaweedLink::FrontalArea);
+  body.EdgeFrontalArea = number(&SeaweedLink::EdgeFrontalArea);
+  body.WettedArea = number(&SeaweedLink::WettedArea);
   body.Stiffness = number(&SeaweedLink::Stiffness);
   body.Damping = number(&SeaweedLink::Damping);
   body.StopStiffness = number(&SeaweedLink::StopStiffness);
@@ -69,7 +69,7 @@ SeaweedMotion::SeaweedMotion(std::vector<SeaweedLink> links, const SeaweedOption
     const SeaweedLink* parent = link.Parent < 0 ? nullptr : &this->Links[link.Parent];
     link.Arm = parent ? link.Foot - parent->Foot : Vector3(0.0);
     link.StopStiffness = 0.0;
-    link.Base = (parent ? parent->Base : GroundBase<double>()) * BaseTurn(link.Theta, link.Phi);
+    link.Base = (parent ? parent->Base : GroundBase<double>()) * BaseRotation(link.Theta, link.Phi);
   }
   // What keeps joints from folding flat: strong enough for all that grows on them, on the arm of one link.
   for (std::size_t i = this->Links.size(); i-- > 0;)
@@ -83,14 +83,14 @@ SeaweedMotion::SeaweedMotion(std::vector<SeaweedLink> links, const SeaweedOption
     link.StopStiffness *= StopFrequency * StopFrequency * link.Length * link.Length / 3.0;
     link.StopDamping = 2.0 / StopFrequency * link.StopStiffness;
   }
-  this->MakeBunches();
+  this->MakeBatches();
 }
 
 //----------------------------------------------------------------------------
 /// Trees of the same shape, in the order in which they come.
-void SeaweedMotion::MakeBunches()
+void SeaweedMotion::MakeBatches()
 {
-  std::map<std::vector<int>, std::size_t> open; // bunches that have lanes left, by what their links grow on
+  std::map<std::vector<int>, std::size_t> open; // batches that have lanes left, by what their links grow on
   std::vector<int> shape;
   std::size_t end = 0;
   for (std::size_t first = 0; first < this->Links.size(); first = end)
@@ -103,38 +103,38 @@ void SeaweedMotion::MakeBunches()
     const auto known = open.find(shape);
     if (known == open.end())
     {
-      open[shape] = this->Bunches.size();
-      SeaweedBunch bunch;
-      bunch.First.fill(first);
-      bunch.Links = end - first;
-      bunch.Trees = 1;
-      this->Bunches.push_back(bunch);
+      open[shape] = this->Batches.size();
+      LinkBatch batch;
+      batch.First.fill(first);
+      batch.Links = end - first;
+      batch.Trees = 1;
+      this->Batches.push_back(batch);
       continue;
     }
-    SeaweedBunch& bunch = this->Bunches[known->second];
-    bunch.First[bunch.Trees++] = first;
-    if (bunch.Trees == LaneCount)
+    LinkBatch& batch = this->Batches[known->second];
+    batch.First[batch.Trees++] = first;
+    if (batch.Trees == LaneCount)
     {
       open.erase(known);
     }
   }
-  const auto sideBySide = std::make_shared<LinkBodies>();
-  for (SeaweedBunch& bunch : this->Bunches)
+  const auto bodies = std::make_shared<LinkBodies>();
+  for (LinkBatch& batch : this->Batches)
   {
-    bunch.Bodies = sideBySide->Bodies.size();
-    LaneIndices at = bunch.First;
-    for (std::size_t link = 0; link < bunch.Links; ++link)
+    batch.Bodies = bodies->Bodies.size();
+    LaneIndices at = batch.First;
+    for (std::size_t link = 0; link < batch.Links; ++link)
     {
       const int parent = this->Links[at[0]].Parent;
-      sideBySide->Bodies.push_back(SideBySide(this->Links, at));
-      sideBySide->Parents.push_back(parent < 0 ? -1 : parent - static_cast<int>(bunch.First[0]));
+      bodies->Bodies.push_back(GatherBody(this->Links, at));
+      bodies->Parents.push_back(parent < 0 ? -1 : parent - static_cast<int>(batch.First[0]));
       for (std::size_t& one : at)
       {
         ++one;
       }
     }
   }
-  this->Bodies = sideBySide;
+  this->Bodies = bodies;
 }
 
 //----------------------------------------------------------------------------
@@ -173,14 +173,14 @@ void SeaweedMotion::Pose(const LinkState* states, std::size_t begin, std::size_t
 }
 
 //----------------------------------------------------------------------------
-void SeaweedMotion::Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles, double ahead) const
+void SeaweedMotion::Middles(const LinkBatch& batch, const LinkPose* poses, Vector3* middles, double ahead) const
 {
-  const LinkBody<Lanes>* bodies = &this->Bodies->Bodies[bunch.Bodies];
-  for (std::size_t i = 0; i < bunch.Links; ++i)
+  const LinkBody<SimdDouble4>* bodies = &this->Bodies->Bodies[batch.Bodies];
+  for (std::size_t i = 0; i < batch.Links; ++i)
   {
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      const LinkPose& pose = poses[bunch.First[lane] + i];
+      const LinkPose& pose = poses[batch.First[lane] + i];
       const Vector3 half = 0.5 * bodies[i].Length.Values[lane] * pose.Axis;
       *middles++ = pose.Foot + half + ahead * (pose.Velocity + glm::cross(pose.Spin, half));
     }
@@ -194,23 +194,24 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
   const SeaweedOptions& options = this->Options;
   LinkState state = this->RestOf(index);
   LinkPose rest;
-  const glm::dquat below = link.Parent < 0 ? NoTurn<double>() : poses[link.Parent].Turn;
+  const glm::dquat below = link.Parent < 0 ? IdentityRotation<double>() : poses[link.Parent].Rotation;
   rest.Foot = link.Foot;
   rest.Axis = Rotated(below, link.Axis);
   // Buoyancy is part of the equilibrium.
   const Vector3 lift = options.Load == SeaweedLoad::Morison ? Vector3(0.0, 0.0, link.Buoyancy) : Vector3(0.0);
-  rest.Turn = below;
+  rest.Rotation = below;
   // Blades that bend at once, as far as they may, would flap as the flow passes their edge: loads are those of a face
   // that is always turned to the flow.
   LinkBody<double> turned = link;
-  turned.EdgeFrontage = link.Frontage;
+  turned.EdgeFrontalArea = link.FrontalArea;
   turned.EdgeMass = link.FaceMass;
   const Vector3 force = LoadOn<double>(options, turned, rest, FaceOf<double>(link, rest), water).Force - lift;
   // Torques go with the square of the length and turns with its cube, so that graded links would bend where they are
   // long: a link bends as a part of one of mean length does.
   const double share = link.MeanLength > 0.0 ? link.Length / link.MeanLength : 1.0;
+  // eq. 5: tau = (part of L) Y x F
   const Vector3 torque = options.LeverArm * link.Length / (share * share) * glm::cross(rest.Axis, force);
-  const double stiffness = std::max(1e-12, share * link.Stiffness + link.Restoring);
+  const double stiffness = std::max(1e-12, share * link.Stiffness + link.BuoyancyStiffness);
   const double most = options.MaximumAngle;
   const double less = std::min(1.0, share);
   const double more = std::max(1.0, share);
@@ -220,13 +221,14 @@ LinkState SeaweedMotion::Procedural(const WaterAtLink& water, std::size_t index,
     const glm::dquat frame = link.Parent < 0 ? GroundBase<double>() : below * this->Links[link.Parent].Base;
     const Vector3 y = Rotated(frame, Vector3(0.0, 1.0, 0.0));
     const Vector3 x = Rotated(frame, Vector3(std::cos(link.Theta), 0.0, -std::sin(link.Theta)));
+    // eq. 6, with a stiffness in place of the mass
     state.Shape.x += soft(glm::dot(torque, y) / stiffness);
     state.Shape.y += soft(glm::dot(torque, x) / stiffness);
     return state;
   }
-  const Vector3 turn = Rotated(Opposite(below), torque / stiffness);
+  const Vector3 turn = Rotated(Conjugate(below), torque / stiffness);
   const double angle = glm::length(turn);
-  state.Shape = angle > 0.0 ? Swung(link.Axis, soft(angle) / angle * turn) : link.Axis;
+  state.Shape = angle > 0.0 ? RotateUnit(link.Axis, soft(angle) / angle * turn) : link.Axis;
   return state;
 }
 
@@ -243,7 +245,7 @@ LinkState SeaweedMotion::Mixed(const LinkState& first, const LinkState& second, 
     mixed.Shape = (1.0 - share) * first.Shape + share * second.Shape;
     return mixed;
   }
-  mixed.Shape = Swung(first.Shape, share * BendTo(first.Shape, second.Shape, Perpendicular(first.Shape)));
+  mixed.Shape = RotateUnit(first.Shape, share * ArcVector(first.Shape, second.Shape, Perpendicular(first.Shape)));
   return mixed;
 }
 

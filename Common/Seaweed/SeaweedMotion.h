@@ -15,17 +15,17 @@
 namespace littoral
 {
 
-/// Trees of the same shape that are moved side by side. Where there are fewer than lanes, the first stands in for them.
-struct SeaweedBunch
+/// Trees of the same topology, a SIMD lane each. Where there are fewer trees than lanes, the first fills the others.
+struct LinkBatch
 {
-  static constexpr std::size_t Lanes = 4;
-  std::array<std::size_t, Lanes> First; ///< links of the trees
-  std::size_t Links = 0;                ///< of each
-  int Trees = 0;                        ///< 1 to Lanes
-  std::size_t Bodies = 0;               ///< where its own begin
+  static constexpr std::size_t Width = 4;
+  std::array<std::size_t, Width> First; ///< first link of the tree in each lane
+  std::size_t Links = 0;                ///< of a tree
+  int Trees = 0;                        ///< that count, 1 to Width
+  std::size_t Bodies = 0;               ///< index of the first of its LinkBodies
 
-  /// The links of all its lanes.
-  std::size_t LanedLinks() const { return Lanes * this->Links; }
+  /// Links of all lanes, filled ones included.
+  std::size_t PaddedLinks() const { return Width * this->Links; }
 };
 
 /**
@@ -44,7 +44,7 @@ public:
 
   const std::vector<SeaweedLink>& GetLinks() const { return this->Links; }
 
-  const std::vector<SeaweedBunch>& GetBunches() const { return this->Bunches; }
+  const std::vector<LinkBatch>& GetBatches() const { return this->Batches; }
 
   /// All at rest.
   std::vector<LinkState> AtRest() const;
@@ -55,13 +55,13 @@ public:
   /// The pose of one link whose parent's is known.
   void PoseOne(const LinkState& state, std::size_t link, LinkPose* poses) const;
 
-  /// The middles of the links of a bunch [m], a lane after the other of each, `ahead` [s] of the poses at their
+  /// The middles of the links of a batch [m], lane by lane within a link, `ahead` [s] of the poses at their
   /// velocities: where the water is to be known.
-  void Middles(const SeaweedBunch& bunch, const LinkPose* poses, Vector3* middles, double ahead = 0.0) const;
+  void Middles(const LinkBatch& batch, const LinkPose* poses, Vector3* middles, double ahead = 0.0) const;
 
-  /// Takes a bunch one step [s] further, its states and the poses that go with them; `water` is at its middles in the
+  /// Takes a batch one step [s] further, its states and the poses that go with them; `water` is at its middles in the
   /// middle of the step (ExplicitEuler: at its beginning), and stays the same throughout.
-  void Step(double step, const SeaweedBunch& bunch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const;
+  void Step(double step, const LinkBatch& batch, const WaterAtLink* water, LinkState* states, LinkPose* poses) const;
 
   /// The state of a link by eqs. 5 and 6, from the pose of its parent; without rates.
   LinkState Procedural(const WaterAtLink& water, std::size_t link, const LinkPose* poses) const;
@@ -75,17 +75,17 @@ public:
 private:
   SeaweedOptions Options;
   std::vector<SeaweedLink> Links;
-  std::vector<SeaweedBunch> Bunches;
+  std::vector<LinkBatch> Batches;
   struct LinkBodies;
-  std::shared_ptr<const LinkBodies> Bodies; // of the bunches
+  std::shared_ptr<const LinkBodies> Bodies; // of the batches
 
-  void MakeBunches();
+  void MakeBatches();
 };
 
 /// What a pose of a link does to all that follows it.
 inline JointChange ChangeOf(const SeaweedLink& link, const LinkPose& pose)
 {
-  return ChangeOf({ pose.Turn, pose.Foot - link.Foot }, link.Foot);
+  return ChangeOf({ pose.Rotation, pose.Foot - link.Foot }, link.Foot);
 }
 
 }

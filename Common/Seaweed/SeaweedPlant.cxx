@@ -59,9 +59,9 @@ SeaweedLink BodyOf(const Skeleton& skeleton, int node, const SeaweedSegment& seg
   link.AxialInertia = link.Mass * (w2 + t2) / 16.0 + water * (w2 - t2) * (w2 - t2) / 32.0;
   link.Buoyancy = floats ? NetBuoyancy(segment, link.Length, options.WaterDensity) : 0.0;
   link.Weight = floats ? SegmentMass(segment, link.Length) * Gravity : 0.0;
-  link.Frontage = segment.Width * link.Length;
-  link.EdgeFrontage = segment.Thickness * link.Length;
-  link.Surface = Pi * 0.5 * (segment.Width + segment.Thickness) * link.Length;
+  link.FrontalArea = segment.Width * link.Length;
+  link.EdgeFrontalArea = segment.Thickness * link.Length;
+  link.WettedArea = Pi * 0.5 * (segment.Width + segment.Thickness) * link.Length;
   return link;
 }
 
@@ -106,6 +106,7 @@ std::vector<SeaweedLink> LinksOf(
       link.Bed = link.Parent < 0 ? link.Foot.z : links[link.Parent].Bed;
       link.Theta = angles[node].Theta;
       link.Phi = angles[node].Phi;
+      // Two halves in series: K = 2 K_1 K_2 / (K_1 + K_2); at the foot of a branch half a segment, 2 K
       const double own = JointStiffness(segment, link.Length);
       link.Stiffness = 2.0 * own;
       if (!link.IsFirst)
@@ -178,14 +179,16 @@ void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& rati
     sum.Second += mass * l * l / 3.0;
     sum.Lift += link.Buoyancy;
     sum.LiftArm += 0.5 * l * link.Buoyancy;
+    // d = 2 zeta (K I)^(1/2)
     link.Damping = 2.0 * ratios[i] * std::sqrt(link.Stiffness * sum.Second);
-    link.Restoring = std::max(0.0, sum.LiftArm);
+    link.BuoyancyStiffness = std::max(0.0, sum.LiftArm);
     if (link.Parent >= 0)
     {
       Beyond& below = sums[link.Parent];
       const Vector3 arm = link.Foot - links[link.Parent].Foot;
       below.Mass += sum.Mass;
       below.First += sum.First + sum.Mass * arm;
+      // Parallel axes, arm r: I + 2 r . S + M r^2
       below.Second += sum.Second + 2.0 * glm::dot(arm, sum.First) + sum.Mass * glm::dot(arm, arm);
       below.Lift += sum.Lift;
       below.LiftArm += glm::length(arm) * sum.Lift;
@@ -206,6 +209,7 @@ double ExplicitLimit(const std::vector<SeaweedLink>& links)
       continue;
     }
     const double ratio = link.Damping / (2.0 * frequency * inertia);
+    // Explicit Euler: h <= 2 zeta / w, overdamped 2 / (w (zeta + (zeta^2 - 1)^(1/2)))
     const double own =
       ratio < 1.0 ? 2.0 * ratio / frequency : 2.0 / (frequency * (ratio + std::sqrt(ratio * ratio - 1.0)));
     limit = std::min(limit, isChain ? 0.5 * own : own); // the highest mode of a long chain has twice the frequency

@@ -55,7 +55,7 @@ struct SeaweedOptions
 /// Why there are no such options, with the name of the property; empty when there are.
 std::string WhyInvalid(const SeaweedOptions& options);
 
-/// The numbers of a stiff segment of a seaweed and the joint at its foot; of one, or of several side by side (Lanes.h).
+/// A stiff segment of a seaweed and the joint at its foot (Real = double), or four of them, a lane each (SimdDouble4).
 template <typename Real>
 struct LinkBody
 {
@@ -69,30 +69,30 @@ struct LinkBody
   Real Phi{ 0.0 };                                                   ///< of the paper, at rest [rad]
   Real Length{ 1.0 };                                                ///< [m]
   Real Mass{ 1.0 };                                                  ///< of the tissue [kg]
-  Real FaceMass{ 0.0 };      ///< added mass of the water in motion normal to the face [kg]
-  Real EdgeMass{ 0.0 };      ///< added mass of the water in motion along the width, Side [kg]
-  Real AxialInertia{ 1e-3 }; ///< about its own axis, with that of the water [kg m2]
-  Real WaterMass{ 1.0 };     ///< displaced water [kg]
-  Real Buoyancy{ 0.0 };      ///< in water, less weight [N]
-  Real Weight{ 0.0 };        ///< in air [N]
-  Real Frontage{ 0.01 };     ///< frontal area of the face, width times length [m2]
-  Real EdgeFrontage{ 0.01 }; ///< frontal area of the edge, thickness times length [m2]
-  Real Surface{ 0.03 };      ///< wetted area [m2]
-  Real Stiffness{ 1.0 };     ///< of the joint [N m/rad]
-  Real Damping{ 0.0 };       ///< of the joint [N m s/rad]
-  Real StopStiffness{ 0.0 }; ///< of what keeps the joint from folding flat [N m/rad]
-  Real StopDamping{ 0.0 };   ///< [N m s/rad]
-  Real Bed{ -1e300 };        ///< height of the ground below the plant [m]
+  Real FaceMass{ 0.0 };         ///< added mass of the water in motion normal to the face [kg]
+  Real EdgeMass{ 0.0 };         ///< added mass of the water in motion along the width, Side [kg]
+  Real AxialInertia{ 1e-3 };    ///< about its own axis, with that of the water [kg m2]
+  Real WaterMass{ 1.0 };        ///< displaced water [kg]
+  Real Buoyancy{ 0.0 };         ///< in water, less weight [N]
+  Real Weight{ 0.0 };           ///< in air [N]
+  Real FrontalArea{ 0.01 };     ///< frontal area of the face, width times length [m2]
+  Real EdgeFrontalArea{ 0.01 }; ///< frontal area of the edge, thickness times length [m2]
+  Real WettedArea{ 0.03 };      ///< wetted area [m2]
+  Real Stiffness{ 1.0 };        ///< of the joint [N m/rad]
+  Real Damping{ 0.0 };          ///< of the joint [N m s/rad]
+  Real StopStiffness{ 0.0 };    ///< of what keeps the joint from folding flat [N m/rad]
+  Real StopDamping{ 0.0 };      ///< [N m s/rad]
+  Real Bed{ -1e300 };           ///< height of the ground below the plant [m]
 };
 
 /// A stiff segment of a seaweed and where it stands in its plant.
 struct SeaweedLink : LinkBody<double>
 {
-  int Parent = -1;         ///< link that it grows on, before it; -1: the ground
-  bool IsFirst = true;     ///< of its branch
-  int Node = 0;            ///< of the skeleton, at the foot
-  double MeanLength = 0.0; ///< of the links of its tissue in its branch [m]; 0: its own
-  double Restoring = 0.0;  ///< what buoyancy beyond the joint adds to its stiffness upright [N m/rad]
+  int Parent = -1;                ///< link that it grows on, before it; -1: the ground
+  bool IsFirst = true;            ///< of its branch
+  int Node = 0;                   ///< of the skeleton, at the foot
+  double MeanLength = 0.0;        ///< of the links of its tissue in its branch [m]; 0: its own
+  double BuoyancyStiffness = 0.0; ///< stiffness upright by the buoyancy beyond the joint [N m/rad]
 };
 
 /**
@@ -114,7 +114,7 @@ double ResolvedCauchyNumber(double length, double firstLink);
 /// BladeSteps (SeaweedGrowth.h) has it; infinite where there is none.
 double UngradedCauchyNumber(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments);
 
-/// The damping [N m s/rad] of each joint for damping ratios of the links; also finds Restoring.
+/// The damping [N m s/rad] of each joint for damping ratios of the links; also finds BuoyancyStiffness.
 void SetDamping(std::vector<SeaweedLink>& links, const std::vector<double>& ratios);
 
 /// The longest step [s] with which explicit Euler does not blow up a plant in still water.

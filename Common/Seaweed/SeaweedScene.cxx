@@ -51,27 +51,27 @@ std::string SeaweedScene::SetPlants(Skeleton rest, const std::vector<SeaweedSegm
   this->UngradedCauchy = UngradedCauchyNumber(rest, segments);
   this->Motion = std::make_unique<SeaweedMotion>(LinksOf(rest, segments, options), options);
   this->Stand = SeaweedStand(std::move(rest), this->Motion->GetLinks(), plantIds);
-  this->MakeBatches();
+  this->MakeBatchRanges();
   this->Marching.Begin(this->Motion->AtRest());
   this->PoseAll();
   return {};
 }
 
 //----------------------------------------------------------------------------
-void SeaweedScene::MakeBatches()
+void SeaweedScene::MakeBatchRanges()
 {
-  const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
-  this->Batches.clear();
+  const std::vector<LinkBatch>& batches = this->Motion->GetBatches();
+  this->BatchRanges.clear();
   std::size_t links = LinksAtOnce;
-  for (std::size_t bunch = 0; bunch < bunches.size(); ++bunch)
+  for (std::size_t batch = 0; batch < batches.size(); ++batch)
   {
     if (links >= LinksAtOnce)
     {
-      this->Batches.push_back({ bunch, bunch });
+      this->BatchRanges.push_back({ batch, batch });
       links = 0;
     }
-    this->Batches.back().End = bunch + 1;
-    links += bunches[bunch].LanedLinks();
+    this->BatchRanges.back().End = batch + 1;
+    links += batches[batch].PaddedLinks();
   }
 }
 
@@ -136,36 +136,36 @@ void SeaweedScene::StepAll(double time, double step, const StepCurrents& current
   std::vector<LinkPose>& poses) const
 {
   const WaveOrbits orbits(this->Sea, WaveOrbitOptions(), time + 0.5 * step);
-  this->Parallel(this->Batches.size(), [&](std::size_t begin, std::size_t end) {
+  this->Parallel(this->BatchRanges.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t index = begin; index < end; ++index)
     {
-      this->StepBatch(this->Batches[index], step, orbits, currents, states, poses);
+      this->StepBatches(this->BatchRanges[index], step, orbits, currents, states, poses);
     }
   });
 }
 
 //----------------------------------------------------------------------------
-void SeaweedScene::StepBatch(const Batch& batch, double step, const WaveOrbits& orbits, const StepCurrents& currents,
-  std::vector<LinkState>& states, std::vector<LinkPose>& poses) const
+void SeaweedScene::StepBatches(const BatchRange& range, double step, const WaveOrbits& orbits,
+  const StepCurrents& currents, std::vector<LinkState>& states, std::vector<LinkPose>& poses) const
 {
   // Loads are those of the middle of the step, where links come by then; explicit Euler: where they are.
   const bool isImplicit = this->Options.Integrator == SeaweedIntegrator::Implicit;
   const double ahead = isImplicit ? 0.5 * step : 0.0;
-  const std::vector<SeaweedBunch>& bunches = this->Motion->GetBunches();
+  const std::vector<LinkBatch>& batches = this->Motion->GetBatches();
   std::vector<Vector3> middles;
-  for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
+  for (std::size_t batch = range.First; batch < range.End; ++batch)
   {
     const std::size_t first = middles.size();
-    middles.resize(first + bunches[bunch].LanedLinks());
-    this->Motion->Middles(bunches[bunch], poses.data(), &middles[first], ahead);
+    middles.resize(first + batches[batch].PaddedLinks());
+    this->Motion->Middles(batches[batch], poses.data(), &middles[first], ahead);
   }
   std::vector<WaterAtLink> water;
   this->WaterAt(orbits, currents, middles, {}, water);
   const WaterAtLink* own = water.data();
-  for (std::size_t bunch = batch.First; bunch < batch.End; ++bunch)
+  for (std::size_t batch = range.First; batch < range.End; ++batch)
   {
-    this->Motion->Step(step, bunches[bunch], own, states.data(), poses.data());
-    own += bunches[bunch].LanedLinks();
+    this->Motion->Step(step, batches[batch], own, states.data(), poses.data());
+    own += batches[batch].PaddedLinks();
   }
 }
 
@@ -392,7 +392,7 @@ std::vector<Vector3> SeaweedScene::NodesAt(const std::vector<LinkPose>& poses, b
     const LinkPose& pose = poses[link];
     const Vector3 foot = this->Motion->GetLinks()[link].Foot;
     const Vector3 arm = position - foot;
-    const Vector3 moved = position + (pose.Foot - foot) + TurnedBy(pose.Turn, arm);
+    const Vector3 moved = position + (pose.Foot - foot) + RotationOffset(pose.Rotation, arm);
     nodes[node] = velocities ? pose.Velocity + glm::cross(pose.Spin, moved - pose.Foot) : moved;
   }
   return nodes;
@@ -465,7 +465,7 @@ std::vector<glm::dquat> SeaweedScene::SkinRotations() const
     for (std::size_t link = 0; link < this->Shown.size(); ++link)
     {
       const SeaweedLink& own = this->Motion->GetLinks()[link];
-      const glm::dquat below = own.Parent < 0 ? NoTurn<double>() : rotations[own.Parent];
+      const glm::dquat below = own.Parent < 0 ? IdentityRotation<double>() : rotations[own.Parent];
       rotations.push_back(RotationBetween(Rotated(below, own.Axis), this->Shown[link].Axis) * below);
     }
   }
@@ -481,7 +481,7 @@ void SeaweedScene::FindChanges(
   {
     const SeaweedLink& own = this->Motion->GetLinks()[link];
     LinkPose pose = this->Shown[link];
-    pose.Turn = rotations.empty() ? pose.Turn : rotations[link];
+    pose.Rotation = rotations.empty() ? pose.Rotation : rotations[link];
     const auto node = static_cast<std::size_t>(own.Node);
     changes[node] = ChangeOf(own, pose);
     if (this->Stand.LinkOf(node + 1) == static_cast<int>(link)) // a tip

@@ -112,8 +112,8 @@ public:
     std::size_t plant, const std::vector<glm::dquat>& rotations, std::vector<JointChange>& changes) const;
 
 private:
-  /// Bunches of trees that one thread moves at a time.
-  struct Batch
+  /// Batches of trees that one thread moves at a time, First <= batch < End.
+  struct BatchRange
   {
     std::size_t First = 0;
     std::size_t End = 0;
@@ -130,13 +130,13 @@ private:
 
   StepMoment MomentOf(double length) const;
   StepCurrents CurrentsOver(double length) const;
-  void MakeBatches();
+  void MakeBatchRanges();
   void PoseAll();
   void WaterAt(const WaveOrbits& orbits, const StepCurrents& currents, const std::vector<Vector3>& middles,
     const std::vector<float>& shares, std::vector<WaterAtLink>& water) const;
   void StepAll(double time, double step, const StepCurrents& currents, std::vector<LinkState>& states,
     std::vector<LinkPose>& poses) const;
-  void StepBatch(const Batch& batch, double step, const WaveOrbits& orbits, const StepCurrents& currents,
+  void StepBatches(const BatchRange& range, double step, const WaveOrbits& orbits, const StepCurrents& currents,
     std::vector<LinkState>& states, std::vector<LinkPose>& poses) const;
   std::vector<float> TrainSharesFor(const StandPlant& plant, const SeaweedLevels& levels) const;
   LinkState ProceduralState(std::size_t link, const WaterAtLink& water, const SeaweedLevelShares& shares);
@@ -156,7 +156,7 @@ private:
   SeaweedStand Stand;
   std::unique_ptr<SeaweedMotion> Motion;
   double UngradedCauchy = std::numeric_limits<double>::infinity();
-  std::vector<Batch> Batches;
+  std::vector<BatchRange> BatchRanges;
 
   TimeMarching<std::vector<LinkState>> Marching;
   std::vector<LinkPose> Poses; ///< of the state that marches

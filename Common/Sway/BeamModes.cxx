@@ -33,6 +33,7 @@ double SolveRoot(double start)
 
 Mode MakeMode(int mode)
 {
+  // eq. 19, with a = eta L and D = -1 / sigma: sigma = (sinh a - sin a) / (cosh a + cos a), and 1 - sigma
   const double a = SolveRoot(mode == 1 ? 1.875 : (mode - 0.5) * Pi);
   const double below = std::cosh(a) + std::cos(a);
   return { a, (std::sinh(a) - std::sin(a)) / below, (std::exp(-a) + std::cos(a) + std::sin(a)) / below };
@@ -75,9 +76,10 @@ double CantileverRoot(int mode)
 
 double ModeShape(int mode, double part)
 {
-  // cosh b - sigma sinh b = [(1 - sigma) exp(b) + (1 + sigma) exp(-b)] / 2
+  // cosh b - sigma sinh b = [(1 - sigma) e^b + (1 + sigma) e^-b] / 2
   const Mode& m = ModeOf(mode);
   const double b = m.Root * part;
+  // eq. 18: cosh b - cos b - sigma (sinh b - sin b), b = a x/L
   const double hyperbolic = 0.5 * (m.Rest * std::exp(b) + (1.0 + m.Ratio) * std::exp(-b));
   return hyperbolic - std::cos(b) + m.Ratio * std::sin(b);
 }
@@ -115,11 +117,13 @@ ShapeMixture CurvaturesAt(double part)
 
 double MeanShape(int mode)
 {
+  // Integral of the shape over 0 <= x/L <= 1: 2 sigma / a
   return 2.0 * ModeOf(mode).Ratio / ModeOf(mode).Root;
 }
 
 double AngularFrequency(const RoundBeam& beam, int mode)
 {
+  // eq. 20: w = eta^2 (E I / m)^(1/2)
   const double waveNumber = CantileverRoot(mode) / beam.Length;
   return waveNumber * waveNumber * std::sqrt(beam.YoungModulus * SecondMoment(beam.Radius) / beam.MassPerLength);
 }

@@ -17,7 +17,7 @@ namespace
 constexpr double LargestSeriesAngle = 1.0;
 constexpr int SeriesTerms = 24;
 
-/// A 2 x 2 matrix by rows: place and speed over frequency.
+/// A 2 x 2 matrix by rows: displacement, velocity over frequency.
 using Matrix = std::array<double, 4>;
 
 Matrix Product(const Matrix& a, const Matrix& b)
@@ -25,7 +25,7 @@ Matrix Product(const Matrix& a, const Matrix& b)
   return { a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3] };
 }
 
-/// Factors in units of time in which the frequency is 1: of place and speed, of the load before and after.
+/// Factors in units of time in which the frequency is 1: of displacement and velocity, of the load before and after.
 struct UnitStep
 {
   Matrix Free{ 1.0, 0.0, 0.0, 1.0 };
@@ -33,7 +33,8 @@ struct UnitStep
   std::array<double, 2> After{};
 };
 
-/// Sums of powers of the system's matrix: exp(Z) for the state, and its first two shifted relatives for the load.
+/// y_1 = exp(Z) y_0 + phi_1(Z) b p_0 + phi_2(Z) b (p_1 - p_0), with b = (0, angle) and phi_n(Z) = sum over k of
+/// Z^k / (k + n)!, as power series.
 UnitStep SeriesStep(double angle, double damping)
 {
   const Matrix z{ 0.0, angle, -angle, -2.0 * damping * angle };
@@ -83,7 +84,8 @@ double WindowedSinc(double x)
   return window * (x == 0.0 ? 1.0 : std::sin(Pi * x) / (Pi * x));
 }
 
-/// The table of the specification with a frequency of 1 and a step of `angle`.
+/// Duhamel's integral over a step with a linear load in closed form (N. C. Nigam and P. C. Jennings, Bulletin of the
+/// Seismological Society of America 59 (2), 1969), with a frequency of 1 and a step of `angle`.
 UnitStep ClosedStep(double angle, double damping)
 {
   const double root = std::sqrt(1.0 - damping * damping);
@@ -102,7 +104,7 @@ UnitStep ClosedStep(double angle, double damping)
   return step;
 }
 
-/// The free motion over a whole period.
+/// Free motion over a period: the matrix of displacement and velocity over frequency.
 Matrix FreeOver(double angle, double damping)
 {
   const double root = std::sqrt(1.0 - damping * damping);
@@ -112,14 +114,14 @@ Matrix FreeOver(double angle, double damping)
   return { decay * (c + damping * s / root), decay * s / root, -decay * s / root, decay * (c - damping * s / root) };
 }
 
-/// The change of the first state that takes away a jump [place, speed] after a period: (I - A^N)^-1 jump.
+/// The change of the first state that takes away a jump [displacement, velocity] after a period: (I - A^N)^-1 jump.
 OscillatorState Correction(const Matrix& free, double frequency, const OscillatorState& jump)
 {
   const Matrix m{ 1.0 - free[0], -free[1], -free[2], 1.0 - free[3] };
   const double determinant = m[0] * m[3] - m[1] * m[2];
-  const double speed = jump.Speed / frequency;
-  return { (m[3] * jump.Place - m[1] * speed) / determinant,
-    frequency * (m[0] * speed - m[2] * jump.Place) / determinant };
+  const double velocity = jump.Velocity / frequency;
+  return { (m[3] * jump.Displacement - m[1] * velocity) / determinant,
+    frequency * (m[0] * velocity - m[2] * jump.Displacement) / determinant };
 }
 
 }
@@ -130,8 +132,8 @@ OscillatorStep::OscillatorStep(const Oscillator& oscillator, double step)
   const double angle = w * step;
   const UnitStep unit = angle < LargestSeriesAngle ? SeriesStep(angle, oscillator.DampingRatio)
                                                    : ClosedStep(angle, oscillator.DampingRatio);
-  this->PlaceFrom = { unit.Free[0], unit.Free[1] / w, unit.Before[0] / (w * w), unit.After[0] / (w * w) };
-  this->SpeedFrom = { unit.Free[2] * w, unit.Free[3], unit.Before[1] / w, unit.After[1] / w };
+  this->DisplacementFrom = { unit.Free[0], unit.Free[1] / w, unit.Before[0] / (w * w), unit.After[0] / (w * w) };
+  this->VelocityFrom = { unit.Free[2] * w, unit.Free[3], unit.Before[1] / w, unit.After[1] / w };
 }
 
 std::vector<double> PeriodicResponse(const Oscillator& oscillator, double step, const std::vector<double>& load)
@@ -141,18 +143,19 @@ std::vector<double> PeriodicResponse(const Oscillator& oscillator, double step, 
   const Matrix free = FreeOver(oscillator.Frequency * step * count, oscillator.DampingRatio);
   std::vector<double> places(count);
   OscillatorState first;
-  // The first run starts from rest and tells the steady state but for rounding; the second takes that away.
+  // y_0 += (I - A^N)^-1 (y_N - y_0): the first run from rest finds the steady state but for rounding, the second the
+  // rest.
   for (int run = 0; run < 3; ++run)
   {
     OscillatorState state = first;
     for (std::size_t k = 0; k < count; ++k)
     {
-      places[k] = state.Place;
+      places[k] = state.Displacement;
       state = advance.Advance(state, load[k], load[k + 1 < count ? k + 1 : 0]);
     }
-    const OscillatorState change =
-      Correction(free, oscillator.Frequency, { state.Place - first.Place, state.Speed - first.Speed });
-    first = { first.Place + change.Place, first.Speed + change.Speed };
+    const OscillatorState change = Correction(
+      free, oscillator.Frequency, { state.Displacement - first.Displacement, state.Velocity - first.Velocity });
+    first = { first.Displacement + change.Displacement, first.Velocity + change.Velocity };
   }
   return places;
 }

@@ -19,11 +19,11 @@ struct Oscillator
   double DampingRatio = 0.05; ///< from 0 (a periodic response needs more) to below 1
 };
 
-/// Where an oscillator is and how fast it moves.
+/// The state of an oscillator.
 struct OscillatorState
 {
-  double Place = 0.0;
-  double Speed = 0.0;
+  double Displacement = 0.0;
+  double Velocity = 0.0;
 };
 
 /**
@@ -37,20 +37,20 @@ public:
 
   OscillatorState Advance(const OscillatorState& state, double loadBefore, double loadAfter) const
   {
-    return { this->PlaceFrom[0] * state.Place + this->PlaceFrom[1] * state.Speed + this->PlaceFrom[2] * loadBefore +
-        this->PlaceFrom[3] * loadAfter,
-      this->SpeedFrom[0] * state.Place + this->SpeedFrom[1] * state.Speed + this->SpeedFrom[2] * loadBefore +
-        this->SpeedFrom[3] * loadAfter };
+    return { this->DisplacementFrom[0] * state.Displacement + this->DisplacementFrom[1] * state.Velocity +
+        this->DisplacementFrom[2] * loadBefore + this->DisplacementFrom[3] * loadAfter,
+      this->VelocityFrom[0] * state.Displacement + this->VelocityFrom[1] * state.Velocity +
+        this->VelocityFrom[2] * loadBefore + this->VelocityFrom[3] * loadAfter };
   }
 
-  /// Factors of place, speed, load before and load after in the new place and in the new speed.
-  std::array<double, 4> PlaceFrom{};
-  std::array<double, 4> SpeedFrom{};
+  /// Factors of displacement, velocity, load before and load after in the new displacement and in the new velocity.
+  std::array<double, 4> DisplacementFrom{};
+  std::array<double, 4> VelocityFrom{};
 };
 
 /**
- * The steady state under a load that repeats after its last sample and is linear between samples: the places at the
- * samples' times. There is no transient and no jump where the period closes. The damping ratio must be positive.
+ * The steady state under a load that repeats after its last sample and is linear between samples: the displacements at
+ * the samples' times. There is no transient and no jump where the period closes. The damping ratio must be positive.
  */
 std::vector<double> PeriodicResponse(const Oscillator& oscillator, double step, const std::vector<double>& load);
 

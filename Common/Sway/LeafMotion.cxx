@@ -74,8 +74,8 @@ glm::dquat LeafRotation(
   const Vector3 main = Towards(leaf.Main, wind / speed, aligned, leaf.Facing);
   // The leaf's own axes, and not those of spherical coordinates, which have poles.
   const glm::dquat turn = RotationBetween(leaf.Main, main);
-  const Vector3 facing = leaf.Facing + TurnedBy(turn, leaf.Facing);
-  const Vector3 across = side + TurnedBy(turn, side);
+  const Vector3 facing = leaf.Facing + RotationOffset(turn, leaf.Facing);
+  const Vector3 across = side + RotationOffset(turn, side);
   return RotationBetween(main, main + std::tan(range * flutter[0]) * facing + std::tan(range * flutter[1]) * across) *
     turn;
 }
@@ -92,7 +92,7 @@ void TurnLeaf(const std::array<int, 4>& corners, const Vector3& wind, const std:
   const LeafAxes axes{ Normalised(at[2] - at[0]), Normalised(glm::cross(at[2] - at[0], at[3] - at[1])) };
   const glm::dquat turn = LeafRotation(axes, wind, flutter, options);
   const auto add = [&](float* to, const Vector3& vector) {
-    const Vector3 change = TurnedBy(turn, vector);
+    const Vector3 change = RotationOffset(turn, vector);
     for (int axis = 0; axis < 3; ++axis)
     {
       to[axis] += static_cast<float>(change[axis]);

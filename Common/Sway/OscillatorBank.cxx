@@ -13,21 +13,23 @@ namespace littoral
 namespace
 {
 
-/// A free motion has then fallen to e^-24, 4e-11, of what it was.
-constexpr double Memory = 24.0;
+/// Decay of a free motion within SettlingSteps: e^-24 = 4e-11.
+constexpr double SettlingExponent = 24.0;
 
-/// Places and speeds of some oscillators, which do not overlap with their factors.
+/// Displacements and velocities after a step; these arrays do not overlap with the factors.
 LITTORAL_SIMD_CLONES
 void AdvanceColumns(std::size_t active, std::size_t columns, const double* __restrict__ factors, double before,
-  double after, double* __restrict__ places, double* __restrict__ speeds)
+  double after, double* __restrict__ displacements, double* __restrict__ velocities)
 {
   const double* f = factors;
   for (std::size_t i = 0; i < active; ++i)
   {
-    const double place = places[i];
-    const double speed = speeds[i];
-    places[i] = f[i] * place + f[columns + i] * speed + f[2 * columns + i] * before + f[3 * columns + i] * after;
-    speeds[i] = f[4 * columns + i] * place + f[5 * columns + i] * speed + f[6 * columns + i] * before +
+    const double displacement = displacements[i];
+    const double velocity = velocities[i];
+    // eq. 24 over a step with a linear load: y_1 = A y_0 + B y_0' + C p_0 + D p_1, and y_1' likewise
+    displacements[i] =
+      f[i] * displacement + f[columns + i] * velocity + f[2 * columns + i] * before + f[3 * columns + i] * after;
+    velocities[i] = f[4 * columns + i] * displacement + f[5 * columns + i] * velocity + f[6 * columns + i] * before +
       f[7 * columns + i] * after;
   }
 }
@@ -49,8 +51,8 @@ OscillatorBank::OscillatorBank(const std::vector<double>& frequencies, double da
     for (std::size_t i = 0; i < 4; ++i)
     {
       const double unit = i < 2 ? 1.0 : square;
-      this->Factors[i * this->Columns + column] = unit * one.PlaceFrom[i];
-      this->Factors[(4 + i) * this->Columns + column] = unit * one.SpeedFrom[i];
+      this->Factors[i * this->Columns + column] = unit * one.DisplacementFrom[i];
+      this->Factors[(4 + i) * this->Columns + column] = unit * one.VelocityFrom[i];
     }
   }
 }
@@ -59,9 +61,9 @@ void OscillatorBank::Advance(std::size_t active, const Vector3& before, const Ve
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    double* places = &this->State[(2 * axis) * this->Columns];
-    AdvanceColumns(
-      active, this->Columns, this->Factors.data(), before[axis], after[axis], places, places + this->Columns);
+    double* displacements = &this->State[(2 * axis) * this->Columns];
+    AdvanceColumns(active, this->Columns, this->Factors.data(), before[axis], after[axis], displacements,
+      displacements + this->Columns);
   }
 }
 
@@ -74,18 +76,19 @@ void OscillatorBank::Settle(std::size_t column, std::size_t samples)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    double& place = this->State[2 * axis * this->Columns + column];
-    double& speed = this->State[(2 * axis + 1) * this->Columns + column];
-    const OscillatorState settled = SettledState(
-      { this->Frequencies[column], this->Damping }, this->Step * static_cast<double>(samples), { place, speed });
-    place = settled.Place;
-    speed = settled.Speed;
+    double& displacement = this->State[2 * axis * this->Columns + column];
+    double& velocity = this->State[(2 * axis + 1) * this->Columns + column];
+    const OscillatorState settled = SettledState({ this->Frequencies[column], this->Damping },
+      this->Step * static_cast<double>(samples), { displacement, velocity });
+    displacement = settled.Displacement;
+    velocity = settled.Velocity;
   }
 }
 
-std::size_t StepsRemembered(const Oscillator& oscillator, double step)
+std::size_t SettlingSteps(const Oscillator& oscillator, double step)
 {
-  return static_cast<std::size_t>(std::ceil(Memory / (oscillator.DampingRatio * oscillator.Frequency * step)));
+  return static_cast<std::size_t>(
+    std::ceil(SettlingExponent / (oscillator.DampingRatio * oscillator.Frequency * step)));
 }
 
 }

@@ -13,8 +13,8 @@ namespace littoral
 {
 
 /**
- * Many oscillators of ascending frequencies under one load in space. Places are in units of the load over the square of
- * the frequency, so that a load that does not change gives itself.
+ * Many oscillators of ascending frequencies under one load in space. Displacements are in units of the load over the
+ * square of the frequency, so that a load that does not change gives itself.
  */
 class OscillatorBank
 {
@@ -33,20 +33,21 @@ public:
   /// The state of the periodic motion, of an oscillator that was at rest one period ago: `samples` steps.
   void Settle(std::size_t column, std::size_t samples);
 
-  /// Places along an axis, one an oscillator.
-  const double* Places(int axis) const { return &this->State[(2 * axis) * this->Columns]; }
+  /// Displacements along an axis, one an oscillator.
+  const double* Displacements(int axis) const { return &this->State[(2 * axis) * this->Columns]; }
 
 private:
   std::size_t Columns;
   double Step;
   double Damping;
   std::vector<double> Frequencies;
-  std::vector<double> Factors; // eight rows: of place, speed, load before and after in the place; the same in the speed
-  std::vector<double> State;   // six rows: place and speed along x, y, z
+  std::vector<double>
+    Factors; // eight rows: of displacement, velocity, load before and after in the displacement; in the velocity
+  std::vector<double> State; // six rows: displacement and velocity along x, y, z
 };
 
-/// How many steps an oscillator remembers: after them a state has lost all that single precision could tell.
-std::size_t StepsRemembered(const Oscillator& oscillator, double step);
+/// Steps in which a free motion decays to e^-24 = 4e-11, below the resolution of single precision.
+std::size_t SettlingSteps(const Oscillator& oscillator, double step);
 
 }
 

@@ -48,7 +48,7 @@ void PlantMotion::Pose(const Vector3* amplitudes, JointPose* poses) const
     if (branch.Parent >= 0)
     {
       pose = poses[branch.Parent];
-      pose.Shift += TurnedBy(pose.Rotation, branch.Foot);
+      pose.Shift += RotationOffset(pose.Rotation, branch.Foot);
     }
     const glm::dquat frame = pose.Rotation;
     const int tip = branch.First + branch.Count - 1;
@@ -63,7 +63,7 @@ void PlantMotion::Pose(const Vector3* amplitudes, JointPose* poses) const
       }
       pose.Rotation = frame * RotationBetween(segment, bent);
       poses[node] = pose;
-      pose.Shift += TurnedBy(pose.Rotation, segment);
+      pose.Shift += RotationOffset(pose.Rotation, segment);
     }
     poses[tip] = pose;
     amplitudes += this->Modes;

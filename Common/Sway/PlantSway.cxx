@@ -21,18 +21,18 @@ namespace
 constexpr int MostColumns = 128;
 
 /// Samples that are tabulated at a time, and those that a reader between samples needs besides.
-constexpr long long StretchSamples = 32;
-constexpr std::size_t TableRows = StretchSamples + SeriesTaps - 1;
+constexpr long long WindowSamples = 32;
+constexpr std::size_t TableRows = WindowSamples + SeriesTaps - 1;
 /// The wind comes at half steps, where its fastest waves have four samples and the reader loses none of them.
-constexpr std::size_t WindRows = 2 * StretchSamples + SeriesTaps;
+constexpr std::size_t WindRows = 2 * WindowSamples + SeriesTaps;
 /// Its first row is half a step before this one of the table: SeriesBefore half steps before the first to be read.
 constexpr long long WindMargin = SeriesBefore - SeriesBefore / 2;
 
 /// Frequencies above this, times the wind's step, follow the load at once.
 constexpr double FastestAngle = 30.0;
 
-/// Mass [kg] and drag, as the area of a bare cylinder [m2], of branches with what they carry.
-struct Burden
+/// Mass [kg] and drag area, that of a bare cylinder [m2], of a branch with all that it carries.
+struct CarriedLoad
 {
   double Mass = 0.0;
   double Area = 0.0;
@@ -52,7 +52,7 @@ Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double len
 {
   constexpr int Steps = 8; // in a segment
   Taper taper{ 0.0, 0.0, 0.0 };
-  double give = 0.0;
+  double compliance = 0.0;
   double place = 0.0;
   for (int node = branch.First; node + 1 < branch.First + branch.Count; ++node)
   {
@@ -64,24 +64,26 @@ Taper TaperOf(const Skeleton& skeleton, const SkeletonBranch& branch, double len
       const double radius = a.Radius + (step + 0.5) / Steps * (b.Radius - a.Radius);
       const double low = std::max(0.0, 1.0 - place);
       const double high = std::max(0.0, 1.0 - place - width);
-      give += (std::pow(low, 4) - std::pow(high, 4)) / std::pow(radius, 4);
+      // integral of 4 (1 - s)^3 / R^4 over the step
+      compliance += (std::pow(low, 4) - std::pow(high, 4)) / std::pow(radius, 4);
       taper.MeanRadius += width * radius;
       taper.MeanSquare += width * radius * radius;
     }
   }
-  taper.BendingRadius = std::pow(give, -0.25);
+  taper.BendingRadius = std::pow(compliance, -0.25);
   return taper;
 }
 
 /// A twig that grew is thick enough for its leaves: grown skeletons have a few that are not, and would hang like
 /// threads. The radius [m] from which the tip sags by no more than a part of the length, in branches of the usual
 /// modulus.
-double LeastRadius(const RoundBeam& beam)
+double MinimumRadius(const RoundBeam& beam)
 {
-  constexpr double LargestSag = 0.2;
+  constexpr double MaximumSag = 0.2;
   const double UsualModulus = BranchModulus * WoodParameters().YoungModulus;
+  // q L^4 / (8 E I) = MaximumSag L, I = pi R^4 / 4
   const double weight = glm::length(WeightPerLength(beam.MassPerLength));
-  const double least = weight * std::pow(beam.Length, 3) / (8.0 * UsualModulus * LargestSag);
+  const double least = weight * std::pow(beam.Length, 3) / (8.0 * UsualModulus * MaximumSag);
   return std::pow(least / SecondMoment(1.0), 0.25);
 }
 
@@ -104,23 +106,23 @@ double LeafPart(const SwayOptions& options)
 
 /// Adds leaves to their branches, then branches, from the twigs down, to those that carry them.
 void AddCarried(const Skeleton& skeleton, const std::vector<double>& leafAreas, const SwayOptions& options,
-  std::vector<Burden>& burdens)
+  std::vector<CarriedLoad>& loads)
 {
   const double leafPart = LeafPart(options);
   for (std::size_t node = 0; node < leafAreas.size(); ++node)
   {
-    Burden& burden = burdens[skeleton.Nodes[node].Branch];
-    burden.Mass += options.LeafMass * leafAreas[node];
-    burden.Area += leafPart * leafAreas[node];
+    CarriedLoad& load = loads[skeleton.Nodes[node].Branch];
+    load.Mass += options.LeafMass * leafAreas[node];
+    load.Area += leafPart * leafAreas[node];
   }
-  for (int branch = static_cast<int>(burdens.size()) - 1; branch >= 0; --branch)
+  for (int branch = static_cast<int>(loads.size()) - 1; branch >= 0; --branch)
   {
     const int parent = skeleton.Nodes[skeleton.Branches[branch].First].Parent;
     if (parent >= 0)
     {
-      Burden& below = burdens[skeleton.Nodes[parent].Branch];
-      below.Mass += burdens[branch].Mass;
-      below.Area += burdens[branch].Area;
+      CarriedLoad& below = loads[skeleton.Nodes[parent].Branch];
+      below.Mass += loads[branch].Mass;
+      below.Area += loads[branch].Area;
     }
   }
 }
@@ -165,7 +167,7 @@ std::vector<BranchBeam> BeamsOf(
 {
   const std::vector<double> areas = FedLeafAreas(skeleton, leafAreas, options.LeafAreaRatio);
   std::vector<BranchBeam> beams(skeleton.Branches.size());
-  std::vector<Burden> burdens(beams.size());
+  std::vector<CarriedLoad> loads(beams.size());
   for (int branch = 0; branch < static_cast<int>(beams.size()); ++branch)
   {
     BranchBeam& beam = beams[branch];
@@ -174,12 +176,12 @@ std::vector<BranchBeam> BeamsOf(
     const Taper taper = TaperOf(skeleton, skeleton.Branches[branch], beam.Beam.Length);
     beam.Beam.Radius = taper.BendingRadius;
     beam.Beam.YoungModulus = BranchModulus * options.Wood.YoungModulus;
-    burdens[branch].Mass = options.Wood.Density * Pi * taper.MeanSquare * beam.Beam.Length;
-    burdens[branch].Area = 2.0 * taper.MeanRadius * beam.Beam.Length;
+    loads[branch].Mass = options.Wood.Density * Pi * taper.MeanSquare * beam.Beam.Length;
+    loads[branch].Area = 2.0 * taper.MeanRadius * beam.Beam.Length;
   }
   if (options.Carries)
   {
-    AddCarried(skeleton, areas, options, burdens);
+    AddCarried(skeleton, areas, options, loads);
   }
   beams.front() = TrunkBeam(MeasureTrunk(skeleton, areas, options.Carries), 1.0, 0.0, options);
   const std::vector<char> carriers = Carriers(skeleton);
@@ -190,12 +192,12 @@ std::vector<BranchBeam> BeamsOf(
     beam.Middle = skeleton.Along(branch, 0.5, node);
     if (branch > 0)
     {
-      beam.Beam.MassPerLength = burdens[branch].Mass / beam.Beam.Length;
-      beam.DragDiameter = burdens[branch].Area / beam.Beam.Length; // the outer ones have no lee
+      beam.Beam.MassPerLength = loads[branch].Mass / beam.Beam.Length;
+      beam.DragDiameter = loads[branch].Area / beam.Beam.Length; // the outer ones have no lee
     }
     if (options.Carries && branch > 0 && !carriers[branch])
     {
-      beam.Beam.Radius = std::max(beam.Beam.Radius, LeastRadius(beam.Beam));
+      beam.Beam.Radius = std::max(beam.Beam.Radius, MinimumRadius(beam.Beam));
     }
   }
   return beams;
@@ -228,7 +230,7 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
   , Load(options.Load)
   , Damping(options.Wood.DampingRatio)
   , Beams(options.Response == SwayResponse::Direct ? beams : std::vector<BranchBeam>())
-  , Offset(static_cast<std::size_t>(std::abs(std::floor(middle.x + 3.0 * middle.y))) % StretchSamples)
+  , Offset(static_cast<std::size_t>(std::abs(std::floor(middle.x + 3.0 * middle.y))) % WindowSamples)
 {
   // A beam along `axis` in a load per length f: amplitude at rest = mean of the shape x f across / (m w^2), and a
   // trunk's by its own modes.
@@ -240,17 +242,18 @@ PlantSway::PlantSway(const std::vector<BranchBeam>& beams, const SwayOptions& op
     for (int mode = 1; mode <= options.NumberOfModes; ++mode)
     {
       const TrunkMode own = ModeOf(beam, mode);
+      // eqs. 21 to 23 at rest: Y = P / (M w^2)
       const double frequency = own.Frequency;
       const double squared = frequency * frequency;
-      const double give = own.Load / squared;
+      const double compliance = own.Load / squared;
       const Vector3 weight = options.Gravity ? WeightPerLength(own.Weight / squared) : Vector3(0.0);
-      this->Motions.push_back({ beam.Axis, AcrossBeam(weight, beam.Axis), give, 0.0,
+      this->Motions.push_back({ beam.Axis, AcrossBeam(weight, beam.Axis), compliance, 0.0,
         static_cast<int>(frequencies.size()), { 1.0, 0.0, 0.0, 0.0 } });
       frequencies.push_back(std::min(frequency, FastestAngle / times.Step));
       if (options.Response == SwayResponse::Interpolated)
       {
-        this->Motions.back().Gain = give * unitDrag * beam.DragDiameter;
-        this->Motions.back().Lift = give * unitLift * beam.DragDiameter;
+        this->Motions.back().Gain = compliance * unitDrag * beam.DragDiameter;
+        this->Motions.back().Lift = compliance * unitLift * beam.DragDiameter;
       }
     }
   }
@@ -335,20 +338,20 @@ void PlantSway::TabulateWind(long long first, const Vector3* whole)
 
 void PlantSway::TabulateShared(long long first)
 {
-  // Slow columns remember longer and begin earlier; one that remembers more than a period settles after one.
+  // Slow columns settle later and begin earlier; one that takes longer than a period is settled after one.
   const std::size_t columns = this->Frequencies.size();
   std::vector<std::size_t> leads;
   for (const double frequency : this->Frequencies)
   {
-    leads.push_back(std::min(this->Times.Samples, StepsRemembered({ frequency, this->Damping }, this->Times.Step)));
+    leads.push_back(std::min(this->Times.Samples, SettlingSteps({ frequency, this->Damping }, this->Times.Step)));
   }
   const std::size_t longest = leads.front();
   std::vector<Vector3> load(longest + TableRows + 2 * LoadMargin);
   this->WindAt(
     this->Middle, static_cast<double>(first) - static_cast<double>(longest + LoadMargin), load.size(), load.data());
   this->TabulateWind(first, &load[longest + LoadMargin + WindMargin]);
-  // Half the sum of the responses of beams along x, y and z is the response to all of the load, since each has two of
-  // its three components.
+  // eq. 25, halved: half the sum of the responses of beams along x, y and z is the response to |U| U, since each has
+  // two of its three components.
   std::transform(
     load.begin(), load.end(), load.begin(), [](const Vector3& velocity) { return glm::length(velocity) * velocity; });
   load = SharpLoad(load);
@@ -370,7 +373,7 @@ void PlantSway::TabulateShared(long long first)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      std::copy_n(bank.Places(axis), columns, &this->Table[(3 * row + axis) * columns]);
+      std::copy_n(bank.Displacements(axis), columns, &this->Table[(3 * row + axis) * columns]);
     }
     if (row + 1 < TableRows)
     {
@@ -387,7 +390,7 @@ void PlantSway::TabulateBranch(std::size_t branch, long long first)
   for (std::size_t column = branch * modes; column < (branch + 1) * modes; ++column)
   {
     const Oscillator oscillator{ this->Frequencies[column], this->Damping };
-    const std::size_t lead = std::min(this->Times.Samples, StepsRemembered(oscillator, this->Times.Step));
+    const std::size_t lead = std::min(this->Times.Samples, SettlingSteps(oscillator, this->Times.Step));
     std::vector<Vector3> load(lead + TableRows + 2 * LoadMargin);
     this->WindAt(
       beam.Middle, static_cast<double>(first) - static_cast<double>(lead + LoadMargin), load.size(), load.data());
@@ -406,28 +409,28 @@ void PlantSway::TabulateBranch(std::size_t branch, long long first)
       }
       for (std::size_t axis = 0; axis < 3 && sample >= lead; ++axis)
       {
-        this->Table[(3 * (sample - lead) + axis) * columns + column] = static_cast<float>(*one.Places(axis));
+        this->Table[(3 * (sample - lead) + axis) * columns + column] = static_cast<float>(*one.Displacements(axis));
       }
       one.Advance(1, load[sample], load[sample + 1]);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Table[(3 * (TableRows - 1) + axis) * columns + column] = static_cast<float>(*one.Places(axis));
+      this->Table[(3 * (TableRows - 1) + axis) * columns + column] = static_cast<float>(*one.Displacements(axis));
     }
   }
 }
 
-/// Where a sample lies in the stretch that holds it, which is tabulated unless it is the last one.
+/// Index of a sample in its window, which is tabulated unless the table holds it.
 long long PlantSway::Follow(long long sample)
 {
   const long long at = (sample + static_cast<long long>(this->Offset)) % static_cast<long long>(this->Times.Samples);
-  const long long stretch = at / StretchSamples;
-  if (stretch != this->Stretch)
+  const long long window = at / WindowSamples;
+  if (window != this->Window)
   {
-    this->Tabulate(stretch * StretchSamples - static_cast<long long>(this->Offset) - SeriesBefore);
-    this->Stretch = stretch;
+    this->Tabulate(window * WindowSamples - static_cast<long long>(this->Offset) - SeriesBefore);
+    this->Window = window;
   }
-  return at - stretch * StretchSamples;
+  return at - window * WindowSamples;
 }
 
 void PlantSway::Amplitudes(double time, Vector3* amplitudes)
@@ -457,6 +460,7 @@ void PlantSway::Amplitudes(double time, Vector3* amplitudes)
       const double* value = now + motion.Column + tap;
       response += motion.Weights[tap] * Vector3(value[0], value[columns], value[2 * columns]);
     }
+    // eq. 25, halved: the response across the beam
     amplitudes[i] = motion.Rest + motion.Gain * AcrossBeam(response, motion.Axis);
     if (motion.Lift != 0.0) // linear in the load as well: to the side of wind x axis
     {

@@ -58,8 +58,9 @@ BranchBeam TrunkBeam(const TrunkMeasures& trunk, double scale, double azimuth, c
 
 /**
  * The modal amplitudes of a plant's branches in a wind that repeats: the periodic steady state. Any time can be asked
- * for, and has the same bytes whatever was asked before. What is kept is a short stretch of time around the last one
- * asked for; another one starts as long before as the slowest branch remembers. So memory does not grow with the wind.
+ * for, and has the same bytes whatever was asked before. A table holds a short window of time around the last
+ * one asked for; the next window starts from rest the settling time of the slowest branch before. So memory does not
+ * grow with the wind.
  */
 class PlantSway
 {
@@ -99,8 +100,8 @@ private:
   std::vector<double> Frequencies; // of the columns
   int Taps = 1;                    // columns that a motion reads
   std::vector<BranchBeam> Beams;   // of the direct response; else empty
-  std::size_t Offset = 0;          // of the first stretch, so that not all plants begin one at the same time
-  long long Stretch = -1;          // which one the table holds
+  std::size_t Offset = 0;          // samples, of the first window, so that not all plants begin one at the same time
+  long long Window = -1;           // that the table holds; -1: none
   std::vector<float> Table;        // by sample, axis and column
   std::vector<Vector3> Winds;      // at the middle, each half a step
   std::vector<double> Now;         // by axis and column

@@ -407,9 +407,9 @@ double RadialSpectrum(const CovarianceParameters& field, double waveNumber)
   return TraitsOf(field.Model).Spectrum(field, waveNumber);
 }
 
-double SpectrumBelow(const CovarianceParameters& field, double waveNumber)
+double CumulativeSpectrum(const CovarianceParameters& field, double waveNumber)
 {
-  return TraitsOf(field.Model).SpectrumBelow(field, waveNumber);
+  return TraitsOf(field.Model).CumulativeSpectrum(field, waveNumber);
 }
 
 double WaveNumberAtTail(const CovarianceParameters& field, double part)
@@ -417,7 +417,7 @@ double WaveNumberAtTail(const CovarianceParameters& field, double part)
   // The spectrum below is monotone: bracket by decades, then halve in the logarithm.
   double low = 1e-6 / field.Range;
   double high = 1.0 / field.Range;
-  while (SpectrumBelow(field, high) < 1.0 - part && high * field.Range < 1e9)
+  while (CumulativeSpectrum(field, high) < 1.0 - part && high * field.Range < 1e9)
   {
     low = high;
     high *= 10.0;
@@ -425,7 +425,7 @@ double WaveNumberAtTail(const CovarianceParameters& field, double part)
   for (int step = 0; step < 60; ++step)
   {
     const double middle = std::sqrt(low * high);
-    (SpectrumBelow(field, middle) < 1.0 - part ? low : high) = middle;
+    (CumulativeSpectrum(field, middle) < 1.0 - part ? low : high) = middle;
   }
   return high;
 }

@@ -51,10 +51,10 @@ struct CovarianceTraits
 {
   using Function = double (*)(const CovarianceParameters&, double);
 
-  const char* Name;       ///< as in the enumeration
-  Function Correlation;   ///< C(r) / s2
-  Function Spectrum;      ///< f(w)
-  Function SpectrumBelow; ///< integral of f from 0 to w
+  const char* Name;            ///< as in the enumeration
+  Function Correlation;        ///< C(r) / s2
+  Function Spectrum;           ///< f(w)
+  Function CumulativeSpectrum; ///< integral of f from 0 to w
   ParameterList<CovarianceParameters> Parameters;
   /// Distance at which correlation has fallen to about a third, as part of that of an exponential of the same Range:
   /// by it the longest range of a fit is multiplied.
@@ -93,7 +93,7 @@ double Semivariance(const CovarianceParameters& field, double r);
 double RadialSpectrum(const CovarianceParameters& field, double waveNumber);
 
 /// The part of the variance at wave numbers below the given one: the integral of f from 0.
-double SpectrumBelow(const CovarianceParameters& field, double waveNumber);
+double CumulativeSpectrum(const CovarianceParameters& field, double waveNumber);
 
 /// The wave number above which only the given part of the variance remains (0 < part < 1).
 double WaveNumberAtTail(const CovarianceParameters& field, double part);

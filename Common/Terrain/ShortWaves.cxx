@@ -32,10 +32,16 @@ double Length(const std::array<double, 2>& a)
   return std::hypot(a[0], a[1]);
 }
 
-/// Root of the area that belongs to a point [m].
+/// Area that belongs to a point [m2].
+double CellArea(const PlaneLattice& lattice)
+{
+  return std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
+}
+
+/// Mean spacing of the points: root of the area that belongs to one [m].
 double MeanSpacing(const PlaneLattice& lattice)
 {
-  const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
+  const double area = CellArea(lattice);
   const double shorter = std::min(Length(lattice.StepX), Length(lattice.StepY));
   return std::min(std::sqrt(area), MostStretch * shorter);
 }
@@ -96,6 +102,7 @@ public:
     double sum = 0.0;
     for (std::size_t n = 0; n < this->Waves.Place.size(); ++n)
     {
+      // C(0) - C(r) = integral of f W (1 - J_0(w r)) dw
       sum += this->Waves.Weight[n] * (1.0 - boost::math::cyl_bessel_j(0, this->Waves.Place[n] * r));
     }
     return sum;
@@ -104,6 +111,83 @@ public:
 private:
   Quadrature Waves;
 };
+
+/// Covariance of the short waves, the model's less that of the long waves, in parts of the variance.
+class ShortCovariance
+{
+public:
+  ShortCovariance(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover)
+    : Unit(WithUnitVariance(field))
+    , End(CorrelationRadius * MeanSpacing(lattice))
+    , Decay(DecayUpTo(this->End, LongDecay(this->Unit, crossover)))
+    , Variance(1.0 - crossover.LongBelow(this->Unit, crossover.High))
+  {
+  }
+
+  double GetVariance() const { return this->Variance; }
+
+  /// At the points of a lattice, with the indices of a discrete transform.
+  void Sample(const PlaneLattice& lattice, FourierGrid& grid) const
+  {
+    const int width = grid.GetWidth();
+    const int height = grid.GetHeight();
+    const auto signedIndex = [](int index, int length) { return index > length / 2 ? index - length : index; };
+    for (int j = 0; j < height; ++j)
+    {
+      for (int i = 0; i < width; ++i)
+      {
+        grid.At(i, j) = this->At(lattice.Distance(signedIndex(i, width), signedIndex(j, height)));
+      }
+    }
+  }
+
+private:
+  using Spline = boost::math::interpolators::cardinal_quintic_b_spline<double>;
+
+  CovarianceParameters Unit; ///< of variance 1
+  double End;                ///< beyond which it is 0 [m]
+  Spline Decay;              ///< C_long(0) - C_long(r)
+  double Variance;           ///< C_short(0)
+
+  static CovarianceParameters WithUnitVariance(CovarianceParameters field)
+  {
+    field.Variance = 1.0;
+    return field;
+  }
+
+  static Spline DecayUpTo(double end, const LongDecay& decay)
+  {
+    constexpr int samples = 65;
+    const double step = end / (samples - 1);
+    std::vector<double> decays(samples);
+    for (int n = 0; n < samples; ++n)
+    {
+      decays[n] = decay.At(n * step);
+    }
+    return Spline(decays, 0.0, step, { 0.0, 0.0 });
+  }
+
+  double At(double r) const
+  {
+    // C_short(r) = C(r) - C_long(r) = (C_long(0) - C_long(r)) - gamma(r) + C_short(0)
+    return r < this->End ? this->Decay(r) - Semivariance(this->Unit, r) + this->Variance : 0.0;
+  }
+};
+
+/// From a covariance to the weights of a moving average: its transform is the spectrum with all that folds back, whose
+/// root is the transform of the weights.
+void TakeRootOfSpectrum(FourierGrid& grid)
+{
+  grid.Forward();
+  for (int j = 0; j < grid.GetHeight(); ++j)
+  {
+    for (int i = 0; i < grid.GetWidth(); ++i)
+    {
+      grid.At(i, j) = std::sqrt(std::max(0.0, grid.At(i, j).real()));
+    }
+  }
+  grid.Backward();
+}
 
 // -------------------------------------------------------------------------------------------------------------------
 // White noise. Four columns share a counter of Philox, the row is its object, beyond the numbers of all lines.
@@ -227,62 +311,15 @@ double Crossover::LongBelow(const CovarianceParameters& field, double w) const
 {
   if (w <= this->Low)
   {
-    return SpectrumBelow(field, w);
+    return CumulativeSpectrum(field, w);
   }
   const double width = this->High - this->Low;
   const double end = std::min(w, this->High);
   const auto integrand = [&](double v) {
     const double t = (v - this->Low) / width;
-    return SpectrumBelow(field, v) * 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
+    return CumulativeSpectrum(field, v) * 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
   };
-  return SpectrumBelow(field, end) * this->LongPart(end) + Gauss::integrate(integrand, this->Low, end);
-}
-
-namespace
-{
-
-/// Weights of the moving average that makes the short waves of a field of variance 1, up to a factor: the inverse
-/// transform of the root of their spectrum. Indices below 0 are at the end of the grid.
-FourierGrid RootOfSpectrum(const CovarianceParameters& unit, const PlaneLattice& lattice, const Crossover& crossover,
-  double shortVariance, const std::array<int, 2>& reach)
-{
-  // Covariance of the short waves at the points: the model's less that of the long waves.
-  const double end = CorrelationRadius * MeanSpacing(lattice);
-  const int samples = 65;
-  const double step = end / (samples - 1);
-  const LongDecay decay(unit, crossover);
-  std::vector<double> decays(samples);
-  for (int n = 0; n < samples; ++n)
-  {
-    decays[n] = decay.At(n * step);
-  }
-  const boost::math::interpolators::cardinal_quintic_b_spline<double> decayAt(decays, 0.0, step, { 0.0, 0.0 });
-
-  // Its transform is the spectrum with all that folds back; the weights are those of the root.
-  FourierGrid grid(NextFastLength(5 * reach[0] + 2), NextFastLength(5 * reach[1] + 2));
-  const int width = grid.GetWidth();
-  const int height = grid.GetHeight();
-  const auto signedIndex = [](int index, int length) { return index > length / 2 ? index - length : index; };
-  for (int j = 0; j < height; ++j)
-  {
-    for (int i = 0; i < width; ++i)
-    {
-      const double r = lattice.Distance(signedIndex(i, width), signedIndex(j, height));
-      grid.At(i, j) = r < end ? decayAt(r) - Semivariance(unit, r) + shortVariance : 0.0;
-    }
-  }
-  grid.Forward();
-  for (int j = 0; j < height; ++j)
-  {
-    for (int i = 0; i < width; ++i)
-    {
-      grid.At(i, j) = std::sqrt(std::max(0.0, grid.At(i, j).real()));
-    }
-  }
-  grid.Backward();
-  return grid;
-}
-
+  return CumulativeSpectrum(field, end) * this->LongPart(end) + Gauss::integrate(integrand, this->Low, end);
 }
 
 ShortWaves::ShortWaves(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover,
@@ -296,19 +333,27 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
 {
   const double radius = AverageRadius * MeanSpacing(lattice);
   // The box of a circle in the grid's indices: with unit vectors across the other step, |i| <= radius / height.
-  const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
+  const double area = CellArea(lattice);
   this->Reach = { static_cast<int>(radius * Length(lattice.StepY) / area),
     static_cast<int>(radius * Length(lattice.StepX) / area) };
-  CovarianceParameters unit = field;
-  unit.Variance = 1.0;
-  const double shortVariance = 1.0 - crossover.LongBelow(unit, crossover.High);
-  const FourierGrid grid = RootOfSpectrum(unit, lattice, crossover, shortVariance, this->Reach);
 
-  double squares = 0.0;
+  const ShortCovariance covariance(field, lattice, crossover);
+  FourierGrid grid(NextFastLength(5 * this->Reach[0] + 2), NextFastLength(5 * this->Reach[1] + 2));
+  covariance.Sample(lattice, grid);
+  TakeRootOfSpectrum(grid);
+  this->CutWeights(grid, lattice, radius, field.Variance * std::max(0.0, covariance.GetVariance()));
+  this->FindTaps();
+}
+
+/// Weights within a radius [m], scaled to the variance [m2].
+void ShortWaves::CutWeights(FourierGrid& grid, const PlaneLattice& lattice, double radius, double variance)
+{
+  const int width = grid.GetWidth();
+  const int height = grid.GetHeight();
   const auto within = [&](int i, int j) { return lattice.Distance(i, j) <= radius; };
-  const auto weight = [&](int i, int j) {
-    return grid.At((i + grid.GetWidth()) % grid.GetWidth(), (j + grid.GetHeight()) % grid.GetHeight()).real();
-  };
+  const auto weight = [&](int i, int j) { return grid.At((i + width) % width, (j + height) % height).real(); };
+  // The variance of the average of white noise is the sum of the squared weights.
+  double squares = 0.0;
   for (int j = -this->Reach[1]; j <= this->Reach[1]; ++j)
   {
     for (int i = -this->Reach[0]; i <= this->Reach[0]; ++i)
@@ -316,7 +361,7 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
       squares += within(i, j) ? weight(i, j) * weight(i, j) : 0.0;
     }
   }
-  const double scale = squares > 0.0 ? std::sqrt(field.Variance * std::max(0.0, shortVariance) / squares) : 0.0;
+  const double scale = squares > 0.0 ? std::sqrt(variance / squares) : 0.0;
   for (int j = -this->Reach[1]; j <= this->Reach[1]; ++j)
   {
     for (int i = -this->Reach[0]; i <= this->Reach[0]; ++i)
@@ -325,10 +370,10 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
       this->Weights.push_back(value);
     }
   }
-  this->AddTaps();
 }
 
-void ShortWaves::AddTaps()
+/// The middle, then one of each pair of opposite points.
+void ShortWaves::FindTaps()
 {
   this->Taps.push_back({ 0, 0, this->Weight(0, 0) });
   for (int j = 0; j <= this->Reach[1]; ++j)

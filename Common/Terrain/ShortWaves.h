@@ -12,6 +12,8 @@
 namespace littoral
 {
 
+class FourierGrid;
+
 /**
  * The points of a grid in the space where a field is isotropic: point (i, j) is at i StepX + j StepY [m] from the
  * origin.
@@ -63,7 +65,8 @@ public:
 
 private:
   void FindWeights(const CovarianceParameters& field, const PlaneLattice& lattice, const Crossover& crossover);
-  void AddTaps();
+  void CutWeights(FourierGrid& grid, const PlaneLattice& lattice, double radius, double variance);
+  void FindTaps();
   float Weight(int i, int j) const;
 
   RandomStream Random;

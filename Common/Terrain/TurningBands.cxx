@@ -14,6 +14,9 @@
 namespace littoral
 {
 
+// The turning bands method: A. Mantoglou and J. L. Wilson, Water Resources Research 18 (5), 1982. Equations are those
+// of Setas et al., section 2.1.
+
 namespace
 {
 
@@ -74,6 +77,7 @@ void FillNodeAngles(HarmonicPass& pass, const double* delta)
     double s = std::sin(0.5 * delta[k]);
     const double turnCosine = c * c - s * s;
     const double turnSine = 2.0 * c * s;
+    // cos, sin of (m + 1/2) delta, each from the one before by the rotation delta
     for (int m = 0; m < HalfBlock; ++m)
     {
       pass.NodeCosine[k][m / PackSize][m % PackSize] = static_cast<float>(c);
@@ -95,6 +99,7 @@ LITTORAL_SIMD_CLONES void TurnToNextBlock(HarmonicPass& pass, float* cosine, flo
     const double s = pass.Sine[k];
     cosine[k] = static_cast<float>(c);
     sine[k] = static_cast<float>(s);
+    // A exp(i a) exp(i Block delta)
     pass.Cosine[k] = c * pass.TurnCosine[k] - s * pass.TurnSine[k];
     pass.Sine[k] = s * pass.TurnCosine[k] + c * pass.TurnSine[k];
   }
@@ -108,6 +113,7 @@ LITTORAL_SIMD_CLONES void AddTwoBlocks(const HarmonicPass& pass, const float (*c
   FloatPack odd[2][HalfBlock / PackSize] = {};
   for (int k = 0; k < pass.Count; ++k)
   {
+    // even = sum_k A_k cos a_k cos theta_km, odd = sum_k A_k sin a_k sin theta_km
     for (int p = 0; p < HalfBlock / PackSize; ++p)
     {
       const FloatPack c = pass.NodeCosine[k][p];
@@ -126,6 +132,7 @@ LITTORAL_SIMD_CLONES void AddTwoBlocks(const HarmonicPass& pass, const float (*c
     {
       const float e = even[b][m / PackSize][m % PackSize];
       const float o = odd[b][m / PackSize][m % PackSize];
+      // sum_k A_k cos(a_k +- theta_km) = even -+ odd
       block[HalfBlock + m] += e - o;
       block[HalfBlock - 1 - m] += e + o;
     }
@@ -150,6 +157,7 @@ void AddHarmonics(HarmonicPass& pass, const double* amplitude, const double* pha
       const double center = static_cast<double>(block * Block) + HalfBlock - 0.5;
       for (int k = 0; k < pass.Count; ++k)
       {
+        // eq. 3 at the block's center: A cos(delta n + phase)
         const double angle = delta[k] * center + phase[k];
         pass.Cosine[k] = amplitude[k] * std::cos(angle);
         pass.Sine[k] = amplitude[k] * std::sin(angle);
@@ -174,7 +182,7 @@ long long Floor(double position)
   return towardsZero - (static_cast<double>(towardsZero) > position ? 1 : 0);
 }
 
-/// Weights of the uniform cubic B-spline at fraction t of a step.
+/// Weights B_0(t) ... B_3(t) of the uniform cubic B-spline, 0 <= t < 1.
 void SplineWeights(double t, float* weights)
 {
   const double sixth = 1.0 / 6.0;
@@ -259,15 +267,15 @@ std::optional<Crossover> FindCrossover(const TurningBandsParameters& parameters,
   return matters ? std::optional<Crossover>(crossover) : std::nullopt;
 }
 
-/// Edges of bins from 0 to the highest wave number: halves follow the spectrum's mass and its octaves.
+/// Edges of bins from 0 to the highest wave number W, at quantiles of half the cumulative spectrum, F(w) / F(W), and
+/// half the octaves above its median w_m, max(0, ln(w / w_m) / ln(W / w_m)); w / W where there is less than one.
 std::vector<double> AdaptiveEdges(const CovarianceParameters& field, double highest, int count)
 {
-  // Invert the mean of the spectrum's mass and of the logarithm from the median up, both scaled to 1. A table even
-  // in w^(1/3) is dense enough, as edges need not be exact.
+  // Inverted on a table even in w^(1/3), linearly: edges need not be exact.
   std::vector<double> edges(count + 1);
   const int samples = 1024;
   const double median = WaveNumberAtTail(field, 0.5);
-  const double total = SpectrumBelow(field, highest);
+  const double total = CumulativeSpectrum(field, highest);
   double w0 = 0.0;
   double mass0 = 0.0;
   int k = 0;
@@ -277,7 +285,7 @@ std::vector<double> AdaptiveEdges(const CovarianceParameters& field, double high
     const double w1 = highest * part * part * part;
     const double octave =
       highest > 2.0 * median ? std::max(0.0, std::log(w1 / median) / std::log(highest / median)) : w1 / highest;
-    const double mass1 = 0.5 * (SpectrumBelow(field, w1) / total + octave);
+    const double mass1 = 0.5 * (CumulativeSpectrum(field, w1) / total + octave);
     for (; k <= count && k <= mass1 * count; ++k)
     {
       edges[k] = w0 + (w1 - w0) * (static_cast<double>(k) / count - mass0) / (mass1 - mass0);
@@ -316,7 +324,7 @@ LineSpectrum CutSpectrum(
     spectrum.Edges = AdaptiveEdges(field, highest, count);
   }
   const auto powerBelow = [&](double w) {
-    return crossover ? crossover->LongBelow(field, w) : SpectrumBelow(field, w); // in parts of the variance
+    return crossover ? crossover->LongBelow(field, w) : CumulativeSpectrum(field, w); // in parts of the variance
   };
   spectrum.Power.resize(count);
   double below = powerBelow(spectrum.Edges[0]);
@@ -356,6 +364,7 @@ int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid,
   }
   const auto most = std::lower_bound(slopes.begin(), slopes.end(), SlopesThatMatter * slopes.back());
   const double highest = slopes.back() > 0.0 ? spectrum.Edges[most - slopes.begin()] : 0.0;
+  // Rays pi w / L apart, of the width 2 pi / D: L = w D / (2 RaySpacing)
   const double lines = std::ceil(highest * size / (2.0 * RaySpacing));
   return static_cast<int>(std::clamp<double>(lines, FewestLines, MostLines));
 }
@@ -417,7 +426,7 @@ std::array<double, 2> TurningBandsField::GetDirection(std::size_t line) const
 void TurningBandsField::PlaceLine(std::size_t index)
 {
   Line& line = this->Lines[index];
-  // The coordinate along a line is u . A x: its gradient is A^T u.
+  // Algorithm 1, step 4: the coordinate along a line is u . A x, its gradient A^T u
   const auto u = this->GetDirection(index);
   const std::array<double, 2> steps = { u[0] * this->Lattice.StepX[0] + u[1] * this->Lattice.StepX[1],
     u[0] * this->Lattice.StepY[0] + u[1] * this->Lattice.StepY[1] };
@@ -460,13 +469,15 @@ TurningBandsField::Harmonics TurningBandsField::GetHarmonics(std::size_t index) 
     {
       break;
     }
+    // eq. 3: 2 (S_1 dw)^(1/2) cos(w' x + phi), with S_1 = sigma^2 f / 2 (eq. 4) and w' random in its bin:
+    // A = (2 sigma^2 P_k)^(1/2), P_k the integral of f over the bin
     const auto draw = random.UniformPair(index, k);
     harmonics.WaveNumber.push_back(low + draw[0] * (this->Spectrum.Edges[k + 1] - low));
     harmonics.Amplitude.push_back(std::sqrt(2.0 * this->Spectrum.Power[k]));
     harmonics.Phase.push_back(TwoPi * draw[1]);
     power += this->Spectrum.Power[k];
   }
-  // What was cut goes to the harmonics that are there; the sum over lines is divided by their number.
+  // Power beyond the last harmonic goes to those that are there. 1 / L is the square of eq. 1's 1 / sqrt(L).
   const double variance = this->Parameters.Field.Variance * this->Spectrum.Total / this->Parameters.NumberOfLines;
   const double scale = power > 0.0 ? std::sqrt(variance / power) : 0.0;
   for (double& amplitude : harmonics.Amplitude)
@@ -538,6 +549,7 @@ void TurningBandsField::AddLines(
         // In the last pass, the last line fills empty places with weights of zero.
         const bool empty = begin + n >= lines.size();
         const Line& line = *lines[empty ? lines.size() - 1 : begin + n];
+        // Algorithm 1, step 4: the projection x . u on the line, in nodes
         const double position = line.FirstPosition + line.Across * (row + j);
         const long long node = Floor(position);
         SplineWeights(position - static_cast<double>(node), weights[n]);
@@ -609,6 +621,7 @@ double TurningBandsField::ValueAt(double x, double y) const
     const double position = this->Lines[i].Gradient[0] * x + this->Lines[i].Gradient[1] * y;
     for (std::size_t k = 0; k < harmonics.WaveNumber.size(); ++k)
     {
+      // eqs. 1 and 3
       sum += harmonics.Amplitude[k] * std::cos(harmonics.WaveNumber[k] * position + harmonics.Phase[k]);
     }
   }

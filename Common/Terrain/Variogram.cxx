@@ -49,6 +49,7 @@ FourierGrid PairSums(const GridSamples& samples, int width, int height, const Pa
         const std::complex<double> here = values.At(i, j);
         const std::complex<double> there =
           std::conj(values.At(FourierGrid::Opposite(i, width), FourierGrid::Opposite(j, height)));
+        // V = Z + i M: Z = (V(k) + V*(-k)) / 2, M = (V(k) - V*(-k)) / 2i;  D = 2 Re(Q M*) - 2 |Z|^2, N = |M|^2
         const std::complex<double> z = 0.5 * (here + there);
         const std::complex<double> m = std::complex<double>(0.0, -0.5) * (here - there);
         const double crossed = 2.0 * std::real(squares.At(i, j) * std::conj(m));
@@ -84,6 +85,7 @@ VariogramMap ComputeVariogramMap(const GridSamples& samples, double maximumLag, 
     {
       const std::complex<double> sums = scale * pairs.At(i < 0 ? i + width : i, j);
       const std::size_t index = map.Index(i, j);
+      // Matheron's estimate: gamma(h) = D(h) / (2 N(h))
       map.Pairs[index] = std::round(sums.imag());
       map.Semivariance[index] = map.Pairs[index] > 0.0 ? std::max(0.0, 0.5 * sums.real() / map.Pairs[index]) : 0.0;
     }

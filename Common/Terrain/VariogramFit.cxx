@@ -301,49 +301,36 @@ std::vector<LagBin> UsedBins(const std::vector<LagBin>& bins)
   return used;
 }
 
-/// Roots of the weights of the lags, pairs over the square of the lag; the mean of their squares is 1.
+/// Roots of the weights N(h) / h^2 of the bins, scaled to a mean weight of 1.
 std::vector<double> RootWeights(const std::vector<LagBin>& bins)
 {
-  std::vector<double> rootWeights;
+  std::vector<double> weights;
   double sum = 0.0;
   for (const LagBin& bin : bins)
   {
-    rootWeights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
-    sum += rootWeights.back() * rootWeights.back();
+    weights.push_back(std::sqrt(bin.Pairs) / bin.Lag);
+    sum += weights.back() * weights.back();
   }
   const int n = static_cast<int>(bins.size());
-  for (double& weight : rootWeights)
+  for (double& weight : weights)
   {
     weight *= std::sqrt(n / sum);
   }
-  return rootWeights;
+  return weights;
 }
 
-/// Fits one model, with or without nugget as the options say.
-VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
-  const VariogramFitOptions& options)
+/// Least squares by Levenberg and Marquardt from several starts: the best unknowns, empty where all starts fail, with
+/// error and convergence of the fit.
+Eigen::VectorXd BestUnknowns(const Unknowns& map, const std::vector<LagBin>& bins, const Expectation& expected,
+  const VariogramFitOptions& options, VariogramFit& best)
 {
-  const Unknowns map(model, options);
-  VariogramFit best = FailedFit(model);
-  const int n = static_cast<int>(bins.size());
-  const int parameters = map.Count() + (options.Window ? 1 : 0); // the variance comes from the sample's
-  if (n < parameters + 2)
-  {
-    return best;
-  }
-
   const std::vector<double> rootWeights = RootWeights(bins);
-  double shortestLag = bins.front().Lag;
-  for (const LagBin& bin : bins)
-  {
-    shortestLag = std::min(shortestLag, bin.Lag);
-  }
   using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
   Problem problem(Residuals{ map, expected, bins, rootWeights });
   Eigen::VectorXd found;
   for (int start = 0; start < NumberOfStarts; ++start)
   {
-    Eigen::VectorXd unknowns = map.Pack(StartingPoint(model, bins, options, start));
+    Eigen::VectorXd unknowns = map.Pack(StartingPoint(best.Field.Model, bins, options, start));
     Eigen::LevenbergMarquardt<Problem> solver(problem);
     solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
     solver.parameters.ftol = 1e-13;
@@ -359,6 +346,22 @@ VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, con
         status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
     }
   }
+  return found;
+}
+
+/// Fits one model, with or without nugget as the options say.
+VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
+  const VariogramFitOptions& options)
+{
+  const Unknowns map(model, options);
+  VariogramFit best = FailedFit(model);
+  const int n = static_cast<int>(bins.size());
+  const int parameters = map.Count() + (options.Window ? 1 : 0); // the variance comes from the sample's
+  if (n < parameters + 2)
+  {
+    return best;
+  }
+  const Eigen::VectorXd found = BestUnknowns(map, bins, expected, options, best);
   if (found.size() == 0)
   {
     return best;
@@ -366,11 +369,14 @@ VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, con
   VariogramFit fit = map.Unpack(found);
   std::vector<double> semivariances;
   expected.Evaluate(fit, semivariances);
-  fit.AtBound = map.IsAtBound(fit, shortestLag);
+  const auto shortest =
+    std::min_element(bins.begin(), bins.end(), [](const LagBin& a, const LagBin& b) { return a.Lag < b.Lag; });
+  fit.AtBound = map.IsAtBound(fit, shortest->Lag);
   fit.WeightedSSE = best.WeightedSSE;
   fit.Converged = best.Converged;
   Normalise(fit);
   const double tiny = std::numeric_limits<double>::min();
+  // AICc = n ln(SSE / n) + 2 p + 2 p (p + 1) / (n - p - 1)
   fit.AICc = n * std::log(std::max(fit.WeightedSSE / n, tiny)) + 2.0 * parameters +
     2.0 * parameters * (parameters + 1.0) / (n - parameters - 1.0);
   return fit;

@@ -295,9 +295,11 @@ double WindField::WavePower(int component, int frequency, Scratch& scratch) cons
   const std::vector<float>& still = this->Still[component];
   for (std::size_t n = 0; n < delay.size(); ++n)
   {
+    // Root coherence gamma = exp(-((f Delay)^2 + Still^2)^(1/2)) (eqs. 11 and 12), at all separations
     const float moving = hertz * delay[n];
     scratch.Power[n] = std::exp(still[n] == 0.0f ? -moving : -std::sqrt(moving * moving + still[n] * still[n]));
   }
+  // Algorithm 3, step 2: W(k) = sum over separations r of gamma(r) exp(-i k . r); what is negative is clipped
   this->TransformEven(scratch.Power, scratch);
   std::vector<float>& power = scratch.Power;
   for (float& value : power)
@@ -353,16 +355,23 @@ std::vector<float> WindField::ImpliedCoherence(int component, int frequency) con
 
 void WindField::SumWaves(int frequency, Scratch& scratch)
 {
-  const int width = this->Padded[0];
-  const int height = this->Padded[1];
-  const std::size_t cells = static_cast<std::size_t>(width) * height;
+  const std::size_t cells = static_cast<std::size_t>(this->Padded[0]) * this->Padded[1];
   WindFactors(this->Synthesis, this->Component, frequency, 0, cells, scratch.Re.data(), scratch.Im.data());
+  // Algorithm 3, step 3: A(y, z) = sum over k of (W / N)^(1/2) xi(k) exp(i k . r), with E |xi|^2 = 1 and N cells, so
+  // that E A A'* = gamma
   for (float& power : scratch.Power)
   {
     power = std::sqrt(power / static_cast<float>(cells));
   }
+  this->SumUp(scratch);
+  this->SumAcross(frequency, scratch);
+}
 
-  // Up: columns side by side; only the layers of the grid are kept.
+/// The sum over wave numbers up: columns side by side; only the layers of the grid are kept.
+void WindField::SumUp(Scratch& scratch) const
+{
+  const int width = this->Padded[0];
+  const int height = this->Padded[1];
   const int layers = this->Grid.Count[2];
   for (int first = 0; first < width; first += FourierLanes)
   {
@@ -387,8 +396,14 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
       std::copy_n(&scratch.Up.Im[from], lanes, &scratch.Im[static_cast<std::size_t>(k) * width + first]);
     }
   }
+}
 
-  // Across: layers side by side, each scaled by its own spectrum; only the columns of the grid are kept.
+/// The sum over wave numbers across: layers side by side, each scaled by its own spectrum; only the columns of the grid
+/// are kept.
+void WindField::SumAcross(int frequency, Scratch& scratch)
+{
+  const int width = this->Padded[0];
+  const int layers = this->Grid.Count[2];
   const double step = 1.0 / this->Grid.Period();
   const std::size_t plane = static_cast<std::size_t>(frequency) * this->Grid.NumberOfLines();
   for (int first = 0; first < layers; first += FourierLanes)
@@ -397,6 +412,8 @@ void WindField::SumWaves(int frequency, Scratch& scratch)
     float scale[FourierLanes] = {};
     for (int lane = 0; lane < lanes; ++lane)
     {
+      // Fourier coefficient c = A (S(f, z) df / 2)^(1/2): u = sum over f of 2 Re(c exp(2 pi i f t)) has the variance
+      // sum S df (Shinozuka and Deodatis 1991)
       const double density =
         SpectralDensity(this->Model, this->Component, frequency * step, this->Grid.Height(first + lane));
       scale[lane] = static_cast<float>(std::sqrt(0.5 * density * step));
@@ -434,7 +451,7 @@ void WindField::FinishPlanes()
   {
     return;
   }
-  // The variance of a periodic line is the sum over its Fourier coefficients.
+  // Algorithm 3, step 5. The variance of a periodic line is the sum over its Fourier coefficients.
   const int length = this->Grid.Count[0];
   const int layers = this->Grid.Count[2];
   const std::size_t lines = this->Grid.NumberOfLines();
@@ -447,6 +464,7 @@ void WindField::FinishPlanes()
     {
       const double re = this->PlaneRe[plane + line];
       const double im = this->PlaneIm[plane + line];
+      // 2 |c|^2, the mean over the lines of a layer
       has[line % layers] += 2.0 * (re * re + im * im) / this->Grid.Count[1];
     }
   }
@@ -481,6 +499,7 @@ void WindField::MakeLines(std::size_t pack, float* velocities) const
     std::copy_n(&this->PlaneRe[from], lanes, &values.Re[to]);
     std::copy_n(&this->PlaneIm[from], lanes, &values.Im[to]);
   }
+  // Algorithm 3, step 4: u(t) = sum over f of c exp(2 pi i f t), with c(-f) = c*(f)
   this->Along.Backward(values);
   for (int lane = 0; lane < lanes; ++lane)
   {
@@ -491,7 +510,7 @@ void WindField::MakeLines(std::size_t pack, float* velocities) const
     const float factor = this->LayerFactor[layer];
     float* line =
       velocities + (static_cast<std::size_t>(layer) * this->Grid.Count[1] + across) * length * WindComponents;
-    // What arrives later is farther upwind: the line runs against time.
+    // Taylor's hypothesis, eq. 14: what arrives later is farther upwind, so that the line runs against time
     const auto put = [&](int time, float value) {
       const int index = time == 0 ? 0 : length - time;
       line[static_cast<std::size_t>(index) * WindComponents + this->Component] = mean + factor * value;

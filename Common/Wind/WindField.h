@@ -106,6 +106,8 @@ private:
   void TransformEven(std::vector<float>& quarter, Scratch& scratch) const;
   double CoherenceErrorOf(int component, int frequency, Scratch& scratch) const;
   void SumWaves(int frequency, Scratch& scratch);
+  void SumUp(Scratch& scratch) const;
+  void SumAcross(int frequency, Scratch& scratch);
 
   WindModel Model;
   WindGrid Grid;

@@ -29,10 +29,13 @@ double SimiuScanlanDensity(const WindModel& model, int component, double frequen
   switch (component)
   {
     case 0:
+      // eq. 9.a: S_u = u_*^2 200 (z/U) / (1 + 50 nu)^(5/3)
       return unit * 200.0 / std::pow(1.0 + 50.0 * nu, 5.0 / 3.0);
     case 1:
+      // eq. 9.b: S_v = u_*^2 15 (z/U) / (1 + 9.5 nu)^(5/3)
       return unit * 15.0 / std::pow(1.0 + 9.5 * nu, 5.0 / 3.0);
-    default: // here the power is of nu alone: printed otherwise, see Documentation/errata.md
+    default:
+      // eq. 9.c: S_w = u_*^2 3.36 (z/U) / (1 + 10 nu^(5/3)), the power of nu alone: see Documentation/errata.md
       return unit * 3.36 / (1.0 + 10.0 * std::pow(nu, 5.0 / 3.0));
   }
 }
@@ -65,6 +68,7 @@ double IecKaimalDensity(const WindModel& model, int component, double frequency,
   constexpr double lengths[] = { 8.1, 2.7, 0.66 };
   const double time = lengths[component] * IecScale(model) / model.ReferenceSpeed;
   const double deviation = IecDeviation(model, component);
+  // IEC 61400-1, annex B: S = 4 sigma^2 (L/U) / (1 + 6 f L/U)^(5/3)
   return 4.0 * deviation * deviation * time / std::pow(1.0 + 6.0 * frequency * time, 5.0 / 3.0);
 }
 
@@ -77,6 +81,7 @@ double IecKaimalVariance(const WindModel& model, int component)
 WindSeparation ExponentialSeparation(const WindModel& model, int component, double lateral, double vertical)
 {
   const WindDecay& decay = model.Decay[component];
+  // eqs. 11 and 12: f (c_y^2 dy^2 + c_z^2 dz^2)^(1/2) / U(10)
   return { std::hypot(decay.Lateral * lateral, decay.Vertical * vertical) / MeanSpeed(model, CoherenceHeight), 0.0 };
 }
 
@@ -89,6 +94,7 @@ WindSeparation IecSeparation(const WindModel& model, int component, double later
   constexpr double decay = 12.0;
   constexpr double lengths = 8.1; // Lambda_1 in the scale of coherence, L_c
   const double distance = std::hypot(lateral, vertical);
+  // IEC 61400-1, annex B: 12 ((f r/U)^2 + (0.12 r/L_c)^2)^(1/2)
   return { decay * distance / model.ReferenceSpeed, decay * 0.12 * distance / (lengths * IecScale(model)) };
 }
 
@@ -154,11 +160,13 @@ std::string WhyInvalid(const WindModel& model)
 
 double FrictionVelocity(const WindModel& model)
 {
+  // eq. 10 at the reference height: u_* = k U / ln(z/z_0)
   return VonKarman * model.ReferenceSpeed / std::log(model.ReferenceHeight / model.RoughnessLength);
 }
 
 double MeanSpeed(const WindModel& model, double height)
 {
+  // eq. 10: U(z) = u_*/k ln(z/z_0)
   return FrictionVelocity(model) / VonKarman * std::log(height / model.RoughnessLength);
 }
 

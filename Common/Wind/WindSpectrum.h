@@ -89,7 +89,7 @@ const WindCoherenceTraits& TraitsOf(WindCoherenceModel coherence);
 /// Why this is no wind, in words for a user; empty when it is one.
 std::string WhyInvalid(const WindModel& model);
 
-/// The velocity that the shear at the ground is measured with [m/s]: 0.4 times the slope of the mean over ln z.
+/// Friction velocity u_* [m/s]: von Karman's constant 0.4 times the slope of the mean over ln z.
 double FrictionVelocity(const WindModel& model);
 
 /// The mean at a height above RoughnessLength [m/s]: the logarithmic law (eq. 10).

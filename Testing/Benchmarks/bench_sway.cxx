@@ -152,7 +152,7 @@ void TurnSamePoses(benchmark::State& state)
       for (std::size_t i = begin; i < end; ++i)
       {
         poses[i].Rotation = turn * poses[i].Rotation;
-        poses[i].Shift += TurnedBy(poses[i].Rotation, Vector3(0.0, 0.0, 1.0));
+        poses[i].Shift += RotationOffset(poses[i].Rotation, Vector3(0.0, 0.0, 1.0));
       }
     });
     benchmark::DoNotOptimize(poses.data());

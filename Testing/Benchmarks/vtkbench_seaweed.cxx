@@ -49,12 +49,12 @@ void StepLinks(benchmark::State& state)
   motion.Pose(states.data(), 0, states.size(), poses.data());
   WaterAtLink current;
   current.Velocity = { 0.3, 0.2, 0.0 };
-  const std::vector<WaterAtLink> water(motion.GetBunches().front().LanedLinks(), current);
+  const std::vector<WaterAtLink> water(motion.GetBatches().front().PaddedLinks(), current);
   for (auto _ : state)
   {
-    for (const SeaweedBunch& bunch : motion.GetBunches())
+    for (const LinkBatch& batch : motion.GetBatches())
     {
-      motion.Step(1.0 / 48.0, bunch, water.data(), states.data(), poses.data());
+      motion.Step(1.0 / 48.0, batch, water.data(), states.data(), poses.data());
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<long>(states.size()));

@@ -5,8 +5,8 @@
 #include "../PictureOf.h"
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
-#include "Particles/MasterSlave.h"
 #include "Particles/ParticleFog.h"
+#include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
 #include "Sea/TrainSelection.h"
 #include "Sea/WaveOrbits.h"
@@ -251,7 +251,7 @@ TEST(TrainSelection, OrderAtADepth)
   }
 }
 
-TEST(MasterSlave, GroupsAreCompleteAndOffsetsInRange)
+TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
 {
   const std::vector<Vector3> places = Places(4001, { { 0.0, 0.0, -8.5 }, { 10.0, 10.0, -7.5 } });
   GroupOptions options;
@@ -305,7 +305,7 @@ TEST(MasterSlave, GroupsAreCompleteAndOffsetsInRange)
   }
 }
 
-TEST(MasterSlave, OddSets)
+TEST(ParticleGroups, OddSets)
 {
   const GroupOptions options;
   EXPECT_TRUE(ParticleGroups({}, options, 64).GetCells().empty());

@@ -116,7 +116,7 @@ struct Blade
     this->States = this->Motion->AtRest();
     this->Poses.resize(this->States.size());
     this->Motion->Pose(this->States.data(), 0, this->States.size(), this->Poses.data());
-    this->Water.resize(this->Motion->GetBunches().front().LanedLinks());
+    this->Water.resize(this->Motion->GetBatches().front().PaddedLinks());
   }
   void Step(double step, const Vector3& velocity, const Vector3& acceleration = Vector3(0.0))
   {
@@ -126,7 +126,7 @@ struct Blade
       water.Acceleration = acceleration;
     }
     this->Motion->Step(
-      step, this->Motion->GetBunches().front(), this->Water.data(), this->States.data(), this->Poses.data());
+      step, this->Motion->GetBatches().front(), this->Water.data(), this->States.data(), this->Poses.data());
   }
   /// Drag along x [N], by many points of each link.
   double Drag(double flow) const
@@ -136,7 +136,7 @@ struct Blade
     {
       const LinkPose& pose = this->Poses[i];
       const double length = this->Motion->GetLinks()[i].Length;
-      const Vector3 normal = glm::cross(pose.Axis, pose.Turn * this->Motion->GetLinks()[i].Side);
+      const Vector3 normal = glm::cross(pose.Axis, pose.Rotation * this->Motion->GetLinks()[i].Side);
       for (int point = 0; point < 8; ++point)
       {
         const Vector3 v = pose.Velocity + glm::cross(pose.Spin, (point + 0.5) / 8.0 * length * pose.Axis);
@@ -343,7 +343,7 @@ TEST(SeaweedBlade, TheWaterMovesWithTheFaceAlone)
     for (int n = 0; n < 1000; ++n)
     {
       motion.Step(
-        2.25 * period / 1000, motion.GetBunches().front(), blade.Water.data(), blade.States.data(), blade.Poses.data());
+        2.25 * period / 1000, motion.GetBatches().front(), blade.Water.data(), blade.States.data(), blade.Poses.data());
     }
     // After two periods and a quarter it is upright.
     const double off = std::acos(blade.Poses[0].Axis.z);

@@ -336,11 +336,11 @@ struct Mover
   }
   void Run(int steps, double step)
   {
-    const SeaweedBunch& bunch = this->Motion.GetBunches().front();
-    const std::vector<WaterAtLink> still(bunch.LanedLinks());
+    const LinkBatch& batch = this->Motion.GetBatches().front();
+    const std::vector<WaterAtLink> still(batch.PaddedLinks());
     for (int n = 0; n < steps; ++n)
     {
-      this->Motion.Step(step, bunch, still.data(), this->States.data(), this->Poses.data());
+      this->Motion.Step(step, batch, still.data(), this->States.data(), this->Poses.data());
     }
   }
   Vector3 Tip() const
@@ -355,7 +355,7 @@ struct Mover
     {
       const SeaweedLink& link = this->Motion.GetLinks()[i];
       const LinkPose& pose = this->Poses[i];
-      const Vector3 edge = pose.Turn * link.Side;
+      const Vector3 edge = pose.Rotation * link.Side;
       const Vector3 normal = glm::cross(pose.Axis, edge);
       for (const double part : { 0.5 - std::sqrt(1.0 / 12.0), 0.5 + std::sqrt(1.0 / 12.0) })
       {

@@ -71,17 +71,17 @@ struct Plant
   void Pose() { this->Motion.Pose(this->States.data(), 0, this->Poses.size(), this->Poses.data()); }
   void Step(double step)
   {
-    for (const SeaweedBunch& bunch : this->Motion.GetBunches())
+    for (const LinkBatch& batch : this->Motion.GetBatches())
     {
       std::vector<WaterAtLink> water;
-      for (std::size_t i = 0; i < bunch.Links; ++i)
+      for (std::size_t i = 0; i < batch.Links; ++i)
       {
-        for (const std::size_t first : bunch.First)
+        for (const std::size_t first : batch.First)
         {
           water.push_back(this->Water[first + i]);
         }
       }
-      this->Motion.Step(step, bunch, water.data(), this->States.data(), this->Poses.data());
+      this->Motion.Step(step, batch, water.data(), this->States.data(), this->Poses.data());
     }
   }
   void Run(double time, double step)

@@ -54,7 +54,7 @@ Vector3 InterpolatedResponse(const Vector3& x, const Vector3& y, const Vector3& 
 OscillatorState Integrated(const Oscillator& of, OscillatorState from, double step, double before, double after)
 {
   using State = std::array<double, 2>;
-  State state{ from.Place, from.Speed };
+  State state{ from.Displacement, from.Velocity };
   const auto derivative = [&](const State& y, State& change, double t) {
     const double load = before + (after - before) * t / step;
     change = { y[1], load - 2.0 * of.DampingRatio * of.Frequency * y[1] - of.Frequency * of.Frequency * y[0] };
@@ -96,9 +96,9 @@ TEST(BeamResponse, RecurrenceIsExact)
     {
       recurrence = advance.Advance(recurrence, load[k], load[k + 1]);
       reference = Integrated(oscillator, reference, Step, load[k], load[k + 1]);
-      error = std::max(error, std::abs(recurrence.Place - reference.Place));
-      error = std::max(error, std::abs(recurrence.Speed - reference.Speed) / oscillator.Frequency);
-      scale = std::max(scale, std::abs(reference.Place));
+      error = std::max(error, std::abs(recurrence.Displacement - reference.Displacement));
+      error = std::max(error, std::abs(recurrence.Velocity - reference.Velocity) / oscillator.Frequency);
+      scale = std::max(scale, std::abs(reference.Displacement));
     }
     std::printf("frequency %g rad/s, damping %g: difference from the ODE solution %.3g of the largest place\n",
       oscillator.Frequency, oscillator.DampingRatio, error / scale);
@@ -113,8 +113,8 @@ TEST(BeamResponse, BothFormsMeet)
   const OscillatorStep above({ 1.0 + 1e-13, 0.1 }, 1.0);
   for (int i = 0; i < 4; ++i)
   {
-    EXPECT_NEAR(below.PlaceFrom[i], above.PlaceFrom[i], 2e-12);
-    EXPECT_NEAR(below.SpeedFrom[i], above.SpeedFrom[i], 2e-12);
+    EXPECT_NEAR(below.DisplacementFrom[i], above.DisplacementFrom[i], 2e-12);
+    EXPECT_NEAR(below.VelocityFrom[i], above.VelocityFrom[i], 2e-12);
   }
 }
 
@@ -142,11 +142,11 @@ TEST(BeamResponse, PeriodCloses)
     const auto next = [&](int k) {
       const int one = (k + 1) % count;
       const int two = (k + 2) % count;
-      const double speed =
-        (places[one] - a.PlaceFrom[0] * places[k] - a.PlaceFrom[2] * load[k] - a.PlaceFrom[3] * load[one]) /
-        a.PlaceFrom[1];
+      const double speed = (places[one] - a.DisplacementFrom[0] * places[k] - a.DisplacementFrom[2] * load[k] -
+                             a.DisplacementFrom[3] * load[one]) /
+        a.DisplacementFrom[1];
       const OscillatorState at = a.Advance({ places[k], speed }, load[k], load[one]);
-      return a.Advance(at, load[one], load[two]).Place;
+      return a.Advance(at, load[one], load[two]).Displacement;
     };
     double jump = 0.0;
     for (int k = count - 3; k < count + 3; ++k)
@@ -174,11 +174,12 @@ TEST(BeamResponse, SteadyStateFromASpectrum)
       load[k] = std::cos(TwoPi * harmonic * k / count);
     }
     const Complex z = std::polar(1.0, TwoPi * harmonic / count);
-    const Complex a = z - step.PlaceFrom[0];
-    const Complex d = z - step.SpeedFrom[1];
-    const Complex place = step.PlaceFrom[2] + z * step.PlaceFrom[3];
-    const Complex speed = step.SpeedFrom[2] + z * step.SpeedFrom[3];
-    const Complex gain = (d * place + step.PlaceFrom[1] * speed) / (a * d - step.PlaceFrom[1] * step.SpeedFrom[0]);
+    const Complex a = z - step.DisplacementFrom[0];
+    const Complex d = z - step.VelocityFrom[1];
+    const Complex displacement = step.DisplacementFrom[2] + z * step.DisplacementFrom[3];
+    const Complex velocity = step.VelocityFrom[2] + z * step.VelocityFrom[3];
+    const Complex gain = (d * displacement + step.DisplacementFrom[1] * velocity) /
+      (a * d - step.DisplacementFrom[1] * step.VelocityFrom[0]);
     const std::vector<double> places = PeriodicResponse(oscillator, Step, load);
     double error = 0.0;
     for (int k = 0; k < count; ++k)

@@ -19,7 +19,7 @@ const LeafAxes Upright{ { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } };
 
 Vector3 Turned(const glm::dquat& rotation, const Vector3& vector)
 {
-  return vector + TurnedBy(rotation, vector);
+  return vector + RotationOffset(rotation, vector);
 }
 
 double Angle(const Vector3& a, const Vector3& b)

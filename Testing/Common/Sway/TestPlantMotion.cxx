@@ -198,7 +198,7 @@ TEST(PlantMotion, ChildrenMoveWithTheirParents)
   {
     const Vector3 before = rest.Nodes[a].Position - rest.Nodes[2].Position;
     const Vector3 after = moved.Nodes[a].Position - moved.Nodes[2].Position;
-    EXPECT_NEAR(glm::distance(after, before + TurnedBy(poses[2].Rotation, before)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::distance(after, before + RotationOffset(poses[2].Rotation, before)), 0.0, 1e-12);
     EXPECT_NEAR(std::abs(glm::dot(poses[a].Rotation, poses[2].Rotation)), 1.0, 1e-12);
   }
 }
@@ -278,11 +278,11 @@ TEST(PlantMotion, RotationsBetweenDirections)
     const Vector3 to{ b[1], c[0], c[1] };
     const glm::dquat q = RotationBetween(from, to);
     EXPECT_NEAR(glm::length(q), 1.0, 1e-14);
-    EXPECT_NEAR(glm::dot(Normalised(from + TurnedBy(q, from)), Normalised(to)), 1.0, 1e-14);
-    const Vector3 back = from + TurnedBy(RotationBetween(from, -from), from);
+    EXPECT_NEAR(glm::dot(Normalised(from + RotationOffset(q, from)), Normalised(to)), 1.0, 1e-14);
+    const Vector3 back = from + RotationOffset(RotationBetween(from, -from), from);
     EXPECT_NEAR(glm::distance(back, -from), 0.0, 1e-12);
     const JointChange change = ChangeOf({ q, to }, from);
-    const Vector3 expected = (from + to) + TurnedBy(q, c[0] * to - from);
+    const Vector3 expected = (from + to) + RotationOffset(q, c[0] * to - from);
     EXPECT_NEAR(glm::distance(c[0] * to + change.Of(c[0] * to), expected + c[0] * to - from), 0.0, 1e-12);
   }
 }

@@ -54,16 +54,16 @@ TEST_P(AllModels, SpectrumIntegratesToItsCumulativeForm)
   for (double high = std::max(0.02, 2.0 * low); high < 3000.0; high *= 2.0)
   {
     sum += Integrate([&](double w) { return RadialSpectrum(field, w); }, low, high);
-    EXPECT_NEAR(sum, SpectrumBelow(field, high), 1e-6) << "up to " << high;
+    EXPECT_NEAR(sum, CumulativeSpectrum(field, high), 1e-6) << "up to " << high;
     low = high;
   }
 }
 
 TEST_P(AllModels, SpectrumIntegratesToOne)
 {
-  EXPECT_EQ(SpectrumBelow(field, 0.0), 0.0);
+  EXPECT_EQ(CumulativeSpectrum(field, 0.0), 0.0);
   // The slowest tails fall as 1 / w (and w^-1.2 for this fractal, 1 / log for none).
-  EXPECT_NEAR(SpectrumBelow(field, 1e9), 1.0, 1e-6);
+  EXPECT_NEAR(CumulativeSpectrum(field, 1e9), 1.0, 1e-6);
 }
 
 // C(r) = s2 * integral of f(w) J0(w r). Integrating by parts, s2 * integral of F(w) r J1(w r), with 1 - F decaying,
@@ -122,7 +122,7 @@ TEST_P(AllModels, TailIsWhereItIsSaidToBe)
 {
   for (double part : { 0.5, 0.01, 0.001 })
   {
-    EXPECT_NEAR(1.0 - SpectrumBelow(field, WaveNumberAtTail(field, part)), part, 1e-6 * part + 1e-12);
+    EXPECT_NEAR(1.0 - CumulativeSpectrum(field, WaveNumberAtTail(field, part)), part, 1e-6 * part + 1e-12);
   }
 }
 
@@ -133,7 +133,7 @@ TEST_P(AllModels, LongWavesHoldTheIntegralOfTheirShare)
   EXPECT_EQ(crossover.LongPart(0.6), 1.0);
   EXPECT_EQ(crossover.LongPart(1.7), 0.0);
   EXPECT_NEAR(crossover.LongPart(1.15), 0.5, 1e-12);
-  double sum = SpectrumBelow(field, crossover.Low);
+  double sum = CumulativeSpectrum(field, crossover.Low);
   double low = crossover.Low;
   for (double high : { 0.9, 1.3, 1.7, 2.5 })
   {
@@ -167,7 +167,7 @@ TEST_P(AllModels, SpectrumIsNowhereNegativeAndItsCumulativeFormRises)
   for (double w = 1e-4; w < 1e4; w *= 1.07)
   {
     EXPECT_GE(RadialSpectrum(field, w), 0.0) << "at " << w;
-    const double below = SpectrumBelow(field, w);
+    const double below = CumulativeSpectrum(field, w);
     EXPECT_GE(below, before - 1e-12) << "at " << w;
     EXPECT_LE(below, 1.0 + 1e-12) << "at " << w;
     before = below;

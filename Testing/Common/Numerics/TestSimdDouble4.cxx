@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Numerics/Lanes.h"
+#include "Numerics/SimdDouble4.h"
 #include "Seaweed/SeaweedMotion.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 using namespace littoral;
 
-TEST(Lanes, AnglesAreThoseOfTheStandardLibrary)
+TEST(SimdDouble4, AnglesAreThoseOfTheStandardLibrary)
 {
   for (int i = -1000; i <= 1000; ++i)
   {
@@ -29,7 +29,7 @@ TEST(Lanes, AnglesAreThoseOfTheStandardLibrary)
   EXPECT_EQ(AngleOf(0.0, 0.0), 0.0);
 }
 
-TEST(Lanes, SmallAnglesAreThoseOfTheStandardLibrary)
+TEST(SimdDouble4, SmallAnglesAreThoseOfTheStandardLibrary)
 {
   for (int i = 1; i <= 800; ++i)
   {
@@ -40,13 +40,13 @@ TEST(Lanes, SmallAnglesAreThoseOfTheStandardLibrary)
   EXPECT_EQ(SineRatioOfSmall(0.0), 1.0);
 }
 
-TEST(Lanes, AreNumbersSideBySide)
+TEST(SimdDouble4, LanesEqualScalars)
 {
   const double sine[4] = { 0.1, 2.0, 0.0, 0.7 };
   const double cosine[4] = { -1.0, 0.5, 1.0, 0.7 };
-  const Lanes angles =
-    AngleOf(Lanes(sine[0], sine[1], sine[2], sine[3]), Lanes(cosine[0], cosine[1], cosine[2], cosine[3]));
-  const Lanes roots = SquareRoot(Lanes(sine[0], sine[1], sine[2], sine[3]));
+  const SimdDouble4 angles =
+    AngleOf(SimdDouble4(sine[0], sine[1], sine[2], sine[3]), SimdDouble4(cosine[0], cosine[1], cosine[2], cosine[3]));
+  const SimdDouble4 roots = Sqrt(SimdDouble4(sine[0], sine[1], sine[2], sine[3]));
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     EXPECT_EQ(angles.Values[lane], AngleOf(sine[lane], cosine[lane]));
@@ -83,18 +83,18 @@ std::vector<LinkPose> MovedPlants(int first, int last)
   std::vector<WaterAtLink> water;
   for (int step = 0; step < 200; ++step)
   {
-    for (const SeaweedBunch& bunch : motion.GetBunches())
+    for (const LinkBatch& batch : motion.GetBatches())
     {
-      middles.resize(bunch.LanedLinks());
-      water.resize(bunch.LanedLinks());
-      motion.Middles(bunch, poses.data(), middles.data());
+      middles.resize(batch.PaddedLinks());
+      water.resize(batch.PaddedLinks());
+      motion.Middles(batch, poses.data(), middles.data());
       for (std::size_t i = 0; i < middles.size(); ++i)
       {
         // Fast enough for some plants that they take sub-steps and iterations of their own.
         const double fast = 1.0 + std::max(0.0, middles[i].x);
         water[i].Velocity = { fast * std::sin(middles[i].x + 0.05 * step), 0.3 * middles[i].z / 10.0, 0.0 };
       }
-      motion.Step(1.0 / 48.0, bunch, water.data(), states.data(), poses.data());
+      motion.Step(1.0 / 48.0, batch, water.data(), states.data(), poses.data());
     }
   }
   return poses;
@@ -102,7 +102,7 @@ std::vector<LinkPose> MovedPlants(int first, int last)
 
 }
 
-TEST(Lanes, APlantMovesAsItWouldAlone)
+TEST(SimdDouble4, APlantMovesAsItWouldAlone)
 {
   const std::vector<LinkPose> all = MovedPlants(0, 5);
   ASSERT_EQ(all.size(), 25u);

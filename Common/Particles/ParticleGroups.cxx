@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Particles/MasterSlave.h"
+#include "Particles/ParticleGroups.h"
 #include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
@@ -37,6 +37,7 @@ Vector3 PlaceInShell(const RandomStream& random, int particle, double inner, dou
 {
   const auto direction = random.UniformPair(particle, 0);
   const double part = random.UniformPair(particle, 1)[0];
+  // r^3 and z are uniform
   const double cubes = inner * inner * inner + part * (outer * outer * outer - inner * inner * inner);
   const double z = 2.0 * direction[0] - 1.0;
   const double across = std::sqrt(std::max(0.0, 1.0 - z * z));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LittoralMasterSlave_h
-#define LittoralMasterSlave_h
+#ifndef LittoralParticleGroups_h
+#define LittoralParticleGroups_h
 
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Parallel.h"

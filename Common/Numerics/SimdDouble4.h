@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSimdDouble4_h
+#define LittoralSimdDouble4_h
+
+#include "Numerics/Constants.h"
+#include "Numerics/SimdClones.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+// Four doubles in one vector register, a lane each, so that a kernel is written once for a Real that is a double or a
+// SimdDouble4. GLM's vectors take either. Lanes do not mix: each gets the bytes that it would get alone.
+
+namespace littoral
+{
+
+/// Lanes of a SimdDouble4.
+constexpr int LaneCount = 4;
+
+/// Four doubles, aligned as the widest version of a kernel expects them, wherever they are made.
+struct alignas(LaneCount * sizeof(double)) SimdDouble4
+{
+  typedef double Register __attribute__((vector_size(LaneCount * sizeof(double))));
+  Register Values;
+
+  SimdDouble4() = default;
+  LITTORAL_INLINE SimdDouble4(double all) // in all lanes; implicit, as double converts to any Real
+    : Values(all - Register{})
+  {
+  }
+  LITTORAL_INLINE explicit SimdDouble4(const Register& values)
+    : Values(values)
+  {
+  }
+  LITTORAL_INLINE SimdDouble4(double a, double b, double c, double d)
+    : Values{ a, b, c, d }
+  {
+  }
+
+  LITTORAL_INLINE SimdDouble4& operator+=(const SimdDouble4& o)
+  {
+    this->Values += o.Values;
+    return *this;
+  }
+  LITTORAL_INLINE SimdDouble4& operator-=(const SimdDouble4& o)
+  {
+    this->Values -= o.Values;
+    return *this;
+  }
+  LITTORAL_INLINE SimdDouble4& operator*=(const SimdDouble4& o)
+  {
+    this->Values *= o.Values;
+    return *this;
+  }
+  LITTORAL_INLINE SimdDouble4& operator/=(const SimdDouble4& o)
+  {
+    this->Values /= o.Values;
+    return *this;
+  }
+  friend LITTORAL_INLINE SimdDouble4 operator+(const SimdDouble4& a, const SimdDouble4& b)
+  {
+    return SimdDouble4(a.Values + b.Values);
+  }
+  friend LITTORAL_INLINE SimdDouble4 operator-(const SimdDouble4& a, const SimdDouble4& b)
+  {
+    return SimdDouble4(a.Values - b.Values);
+  }
+  friend LITTORAL_INLINE SimdDouble4 operator*(const SimdDouble4& a, const SimdDouble4& b)
+  {
+    return SimdDouble4(a.Values * b.Values);
+  }
+  friend LITTORAL_INLINE SimdDouble4 operator/(const SimdDouble4& a, const SimdDouble4& b)
+  {
+    return SimdDouble4(a.Values / b.Values);
+  }
+  friend LITTORAL_INLINE SimdDouble4 operator-(const SimdDouble4& a) { return SimdDouble4(-a.Values); }
+};
+
+/// Four floats, for loads and stores.
+typedef float SimdFloat4 __attribute__((vector_size(LaneCount * sizeof(float))));
+
+/// Lane by lane, a < b ? then : other.
+LITTORAL_INLINE double SelectLess(double a, double b, double then, double other)
+{
+  return a < b ? then : other;
+}
+LITTORAL_INLINE SimdDouble4 SelectLess(
+  const SimdDouble4& a, const SimdDouble4& b, const SimdDouble4& then, const SimdDouble4& other)
+{
+  return SimdDouble4(a.Values < b.Values ? then.Values : other.Values);
+}
+
+template <typename Real>
+LITTORAL_INLINE Real Min(const Real& a, const Real& b)
+{
+  return SelectLess(b, a, b, a);
+}
+
+template <typename Real>
+LITTORAL_INLINE Real Max(const Real& a, const Real& b)
+{
+  return SelectLess(a, b, b, a);
+}
+
+template <typename Real>
+LITTORAL_INLINE Real Clamp(const Real& x, const Real& low, const Real& high)
+{
+  return Min(Max(x, low), high);
+}
+
+template <typename Real>
+LITTORAL_INLINE Real Abs(const Real& x)
+{
+  return SelectLess(x, Real(0.0), -x, x);
+}
+
+/// A function of the standard library, lane by lane.
+template <typename Function>
+LITTORAL_INLINE SimdDouble4 EachLane(const SimdDouble4& x, const Function& f)
+{
+  return { f(x.Values[0]), f(x.Values[1]), f(x.Values[2]), f(x.Values[3]) };
+}
+
+LITTORAL_INLINE double Sqrt(double x)
+{
+  return std::sqrt(x);
+}
+LITTORAL_INLINE SimdDouble4 Sqrt(const SimdDouble4& x)
+{
+  return EachLane(x, [](double one) { return std::sqrt(one); });
+}
+
+LITTORAL_INLINE double Sin(double x)
+{
+  return std::sin(x);
+}
+LITTORAL_INLINE SimdDouble4 Sin(const SimdDouble4& x)
+{
+  return EachLane(x, [](double one) { return std::sin(one); });
+}
+
+LITTORAL_INLINE double Cos(double x)
+{
+  return std::cos(x);
+}
+LITTORAL_INLINE SimdDouble4 Cos(const SimdDouble4& x)
+{
+  return EachLane(x, [](double one) { return std::cos(one); });
+}
+
+/// c[0] + c[1] x + ...
+template <typename Real, std::size_t Count>
+LITTORAL_INLINE Real Polynomial(const std::array<double, Count>& c, const Real& x)
+{
+  Real sum(c[Count - 1]);
+  for (std::size_t i = Count - 1; i-- > 0;)
+  {
+    sum = sum * x + Real(c[i]);
+  }
+  return sum;
+}
+
+/// The angle of a direction (cosine, sine) of any length whose sine is not negative [rad], to 3e-16.
+template <typename Real>
+LITTORAL_INLINE Real AngleOf(const Real& sine, const Real& cosine)
+{
+  // atan(x)/x through Chebyshev's nodes of x2 up to tan2(pi/8)
+  constexpr std::array<double, 12> arc{ 1.0, -0.3333333333333312, 0.19999999999940893, -0.14285714279250245,
+    0.11111110744919658, -0.09090896809064027, 0.07692045330902225, -0.06662951813629191, 0.05846878297330872,
+    -0.05035102456601552, 0.03796525745386593, -0.017805397205419446 };
+  constexpr double eighth = 0.41421356237309503; // tan(pi/8)
+  const Real size = Abs(cosine);
+  const Real slope = Min(size, sine) / Max(Max(size, sine), Real(1e-300));
+  const Real x = SelectLess(Real(eighth), slope, (slope - Real(1.0)) / (slope + Real(1.0)), slope);
+  const Real small = x * Polynomial(arc, x * x) + SelectLess(Real(eighth), slope, Real(0.25 * Pi), Real(0.0));
+  const Real acute = SelectLess(size, sine, Real(0.5 * Pi) - small, small);
+  return SelectLess(cosine, Real(0.0), Real(Pi) - acute, acute);
+}
+
+/// cos(a) of an angle of at most 0.8 rad, from its square, to 1e-16.
+template <typename Real>
+LITTORAL_INLINE Real CosineOfSmall(const Real& square)
+{
+  constexpr std::array<double, 9> taylor{ 1.0, -1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320, -1.0 / 3628800,
+    1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000 };
+  return Polynomial(taylor, square);
+}
+
+/// sin(a)/a of an angle of at most 0.8 rad, from its square, to 1e-16.
+template <typename Real>
+LITTORAL_INLINE Real SineRatioOfSmall(const Real& square)
+{
+  constexpr std::array<double, 9> taylor{ 1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800,
+    1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000 };
+  return Polynomial(taylor, square);
+}
+
+template <typename Real>
+LITTORAL_INLINE Real Length(const glm::vec<3, Real>& a)
+{
+  return Sqrt(glm::dot(a, a));
+}
+
+/// Indices of the lanes' elements in an array.
+using LaneIndices = std::array<std::size_t, LaneCount>;
+
+/// One member of four elements of an array, which may be inherited, a lane each.
+template <typename Element, typename Class>
+LITTORAL_INLINE SimdDouble4 GatherNumber(const Element* elements, const LaneIndices& at, double Class::*member)
+{
+  return { elements[at[0]].*member, elements[at[1]].*member, elements[at[2]].*member, elements[at[3]].*member };
+}
+
+template <typename Element, typename Class>
+LITTORAL_INLINE glm::vec<3, SimdDouble4> GatherVector(
+  const Element* elements, const LaneIndices& at, glm::vec<3, double> Class::*member)
+{
+  const glm::vec<3, double>& a = elements[at[0]].*member;
+  const glm::vec<3, double>& b = elements[at[1]].*member;
+  const glm::vec<3, double>& c = elements[at[2]].*member;
+  const glm::vec<3, double>& d = elements[at[3]].*member;
+  return { SimdDouble4(a.x, b.x, c.x, d.x), SimdDouble4(a.y, b.y, c.y, d.y), SimdDouble4(a.z, b.z, c.z, d.z) };
+}
+
+template <typename Element, typename Class>
+LITTORAL_INLINE glm::qua<SimdDouble4> GatherRotation(
+  const Element* elements, const LaneIndices& at, glm::qua<double> Class::*member)
+{
+  const glm::qua<double>& a = elements[at[0]].*member;
+  const glm::qua<double>& b = elements[at[1]].*member;
+  const glm::qua<double>& c = elements[at[2]].*member;
+  const glm::qua<double>& d = elements[at[3]].*member;
+  return { SimdDouble4(a.w, b.w, c.w, d.w), SimdDouble4(a.x, b.x, c.x, d.x), SimdDouble4(a.y, b.y, c.y, d.y),
+    SimdDouble4(a.z, b.z, c.z, d.z) };
+}
+
+/// The vector or quaternion of one lane.
+LITTORAL_INLINE glm::vec<3, double> LaneOf(const glm::vec<3, SimdDouble4>& lanes, int lane)
+{
+  return { lanes.x.Values[lane], lanes.y.Values[lane], lanes.z.Values[lane] };
+}
+
+LITTORAL_INLINE glm::qua<double> LaneOf(const glm::qua<SimdDouble4>& lanes, int lane)
+{
+  return { lanes.w.Values[lane], lanes.x.Values[lane], lanes.y.Values[lane], lanes.z.Values[lane] };
+}
+
+}
+
+/// For GLM, which asks whether its numbers are floating-point.
+template <>
+class std::numeric_limits<littoral::SimdDouble4> : public std::numeric_limits<double>
+{
+};
+
+#endif
