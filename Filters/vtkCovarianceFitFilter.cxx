@@ -245,9 +245,7 @@ vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformat
     return nullptr;
   }
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
-  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  // An empty name or "NULL" is how ParaView says that nothing was chosen yet.
-  if (!array && chosen && (std::string(chosen).empty() || std::string(chosen) == "NULL"))
+  if (!array && littoral::NamesNoArray(this->GetInputArrayInformation(0)))
   {
     array = image->GetPointData()->GetScalars();
   }

@@ -381,7 +381,7 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   }
   vtkInformation* choice = this->GetInputArrayInformation(0);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  const bool isNamed = name && *name && std::string(name) != "NULL"; // "NULL": ParaView has chosen none yet
+  const bool isNamed = name && !littoral::NamesNoArray(choice);
   const bool isChosen = isNamed || (!name && choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
   vtkDataArray* heights =
     isChosen ? this->GetInputArrayToProcess(0, inputVector) : image->GetPointData()->GetArray("Elevation");

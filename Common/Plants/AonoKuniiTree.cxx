@@ -309,22 +309,6 @@ private:
     return ratio < 1.0 ? cone : ellipsoid;
   }
 
-  /// Leaves point along their twig and out of the crown, face outwards, and none as the other.
-  void OrientLeaf(LeafParticle& leaf, std::uint64_t index) const
-  {
-    const std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
-    const Vector3 along = Normalised(nodes[leaf.Node + 1].Position - nodes[leaf.Node].Position);
-    const auto first = this->Leafing.NormalPair(index, 5);
-    const auto second = this->Leafing.NormalPair(index, 6);
-    const auto third = this->Leafing.NormalPair(index, 7);
-    const Vector3 outward = Outward(this->Tree.Crown, leaf.Position);
-    leaf.Axis = Normalised(along + 0.5 * outward + 0.5 * Vector3(first[0], first[1], second[0]));
-    const Vector3 towards = outward + 0.5 * Vector3(second[1], third[0], third[1]);
-    const Vector3 flat = towards - glm::dot(towards, leaf.Axis) * leaf.Axis;
-    leaf.Facing = glm::length(flat) > 1e-6 ? glm::normalize(flat) : Perpendicular(leaf.Axis);
-    leaf.Normal = LitNormal(this->Tree.Crown, leaf.Position, leaf.Facing);
-  }
-
   void GrowLeaves()
   {
     this->PlaceLeaves();
@@ -332,11 +316,7 @@ private:
     for (std::size_t index = 0; index < this->Tree.Leaves.size(); ++index)
     {
       LeafParticle& leaf = this->Tree.Leaves[index];
-      this->OrientLeaf(leaf, index);
-      const auto own = this->Leafing.NormalPair(index, 3);
-      const auto ofTwig = this->Leafing.NormalPair(static_cast<std::uint64_t>(leaf.Node), 4);
-      leaf.Tint =
-        TintOf(this->P.Leaf, this->Tree.Crown, leaf.Position, { { own[0], own[1] }, { ofTwig[0], ofTwig[1] } });
+      FinishLeaf(leaf, this->Tree, this->Leafing, index, static_cast<std::uint64_t>(leaf.Node));
     }
   }
 };

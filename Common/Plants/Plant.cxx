@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/Plant.h"
 
+#include "Numerics/RandomStream.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -85,6 +87,26 @@ Color TintOf(const Color& leaf, const CrownVolume& crown, const Vector3& positio
     tint[i] = static_cast<unsigned char>(std::clamp(gains[i] * leaf[i], 1.0, 255.0));
   }
   return tint;
+}
+
+void FinishLeaf(
+  LeafParticle& leaf, const Plant& plant, const RandomStream& random, std::uint64_t index, std::uint64_t twig)
+{
+  const std::vector<SkeletonNode>& nodes = plant.Wood.Nodes;
+  const Vector3 along = Normalised(nodes[leaf.Node + 1].Position - nodes[leaf.Node].Position);
+  const Vector3 outward = Outward(plant.Crown, leaf.Position);
+  const auto first = random.NormalPair(index, 5);
+  const auto second = random.NormalPair(index, 6);
+  const auto third = random.NormalPair(index, 7);
+  leaf.Axis = Normalised(along + 0.5 * outward + 0.5 * Vector3(first[0], first[1], second[0]));
+  const Vector3 towards = outward + 0.5 * Vector3(second[1], third[0], third[1]);
+  const Vector3 flat = towards - glm::dot(towards, leaf.Axis) * leaf.Axis;
+  leaf.Facing = glm::length(flat) > 1e-6 ? glm::normalize(flat) : Perpendicular(leaf.Axis);
+  leaf.Normal = LitNormal(plant.Crown, leaf.Position, leaf.Facing);
+
+  const auto own = random.NormalPair(index, 3);
+  const auto ofTwig = random.NormalPair(twig, 4);
+  leaf.Tint = TintOf(plant.Leaf, plant.Crown, leaf.Position, { { own[0], own[1] }, { ofTwig[0], ofTwig[1] } });
 }
 
 }

@@ -6,10 +6,13 @@
 #include "Plants/PlantMesh.h"
 #include "Plants/Skeleton.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace littoral
 {
+
+class RandomStream;
 
 /// The form of the volume that bounds a crown.
 enum class CrownShape
@@ -82,6 +85,12 @@ struct LeafLight
 /// The color of a leaf at a place in a crown: darker within and below (Reeves and Blau's
 /// probabilistic shading, but for the sun, which is the renderer's), with a scatter from leaf to leaf and twig to twig.
 Color TintOf(const Color& leaf, const CrownVolume& crown, const Vector3& position, const LeafLight& light);
+
+/// Axis, facing, normal and tint of a leaf, whose position and node are there, as is the plant's crown: it points along
+/// its twig and out of the crown and faces outward. Random numbers are the stream's for the index of the leaf (draws 3,
+/// 5, 6, 7) and of the twig (draw 4).
+void FinishLeaf(
+  LeafParticle& leaf, const Plant& plant, const RandomStream& random, std::uint64_t index, std::uint64_t twig);
 
 }
 

@@ -240,30 +240,6 @@ private:
     return twigs;
   }
 
-  Color Tint(const LeafParticle& leaf, int twig, std::uint64_t index) const
-  {
-    const auto own = this->Leafing.NormalPair(index, 3);
-    const auto ofTwig = this->Leafing.NormalPair(static_cast<std::uint64_t>(twig), 4);
-    return TintOf(this->P.Leaf, this->Crown, leaf.Position, { { own[0], own[1] }, { ofTwig[0], ofTwig[1] } });
-  }
-
-  /// Leaves point along their twig and out of the crown, face outwards, and none as the other.
-  void Orient(LeafParticle& leaf, std::uint64_t index) const
-  {
-    const std::vector<SkeletonNode>& nodes = this->Tree.Wood.Nodes;
-    const Vector3 along = Normalised(nodes[leaf.Node + 1].Position - nodes[leaf.Node].Position);
-    const auto first = this->Leafing.NormalPair(index, 5);
-    const auto second = this->Leafing.NormalPair(index, 6);
-    const auto third = this->Leafing.NormalPair(index, 7);
-    const Vector3 scatter{ first[0], first[1], second[0] };
-    const Vector3 outward = Outward(this->Crown, leaf.Position);
-    leaf.Axis = Normalised(along + 0.5 * outward + 0.5 * scatter);
-    const Vector3 towards = outward + 0.5 * Vector3(second[1], third[0], third[1]);
-    const Vector3 flat = towards - glm::dot(towards, leaf.Axis) * leaf.Axis;
-    leaf.Facing = glm::length(flat) > 1e-6 ? glm::normalize(flat) : Perpendicular(leaf.Axis);
-    leaf.Normal = LitNormal(this->Crown, leaf.Position, leaf.Facing);
-  }
-
   void GrowLeaves()
   {
     const std::vector<int> twigs = this->Twigs();
@@ -284,10 +260,9 @@ private:
       {
         particle.Position = onTwig;
       }
-      this->Orient(particle, index);
       particle.Size = this->P.LeafSize * std::clamp(1.0 + this->P.Variation * up[1], 0.4, 1.6);
       particle.Width = this->P.LeafWidth;
-      particle.Tint = this->Tint(particle, twig, index);
+      FinishLeaf(particle, this->Tree, this->Leafing, index, static_cast<std::uint64_t>(twig));
       this->Tree.Leaves.push_back(particle);
     }
   }

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Pipeline.h"
 
+#include "vtkDataObject.h"
 #include "vtkVersionMacros.h"
 
 #include <vtksys/SystemInformation.hxx>
+
+#include <string>
 
 namespace littoral
 {
@@ -37,6 +40,12 @@ void AnnounceTimes(vtkInformation* output, double* range)
   {
     output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   }
+}
+
+bool NamesNoArray(vtkInformation* choice)
+{
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  return name && (std::string(name).empty() || std::string(name) == "NULL");
 }
 
 vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)

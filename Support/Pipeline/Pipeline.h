@@ -56,6 +56,9 @@ double RequestedTime(vtkInformation* output);
 /// Tells players of a range of times [s], any of which can be asked for; none if it is not increasing.
 void AnnounceTimes(vtkInformation* output, double* range);
 
+/// Whether the name of a chosen array is an empty one: "" or "NULL", which ParaView passes until the input has data.
+bool NamesNoArray(vtkInformation* choice);
+
 /// When what is upstream of a connection changed last.
 vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection);
 

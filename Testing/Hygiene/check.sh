@@ -17,7 +17,8 @@ fail_if_found() { # MESSAGE, with the offending lines on standard input
 
 # Headers of Common that are installed, by their paths below it.
 installed_headers() {
-  sed -n '/^set(headers/,/)$/ s/^  \([A-Za-z0-9]*\/[A-Za-z0-9]*\.h\))\{0,1\}$/\1/p' Common/CMakeLists.txt
+  (cd Common && printf '%s\n' */*.h) |
+    grep -vxFf <(sed -n 's/^set(private_headers \(.*\))$/\1/p' Common/CMakeLists.txt | tr ' ' '\n')
 }
 
 folders=(CMake Common Support Sources Filters IO paraview-plugin Wrapping Examples Testing)
