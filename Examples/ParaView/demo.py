@@ -1,24 +1,24 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch args=output args=2
-"""Measure a real place, grow a terrain like it, walk through a forest there, and dive into the sea.
+"""Measured terrain and its synthetic twin, point patterns, a walk through a forest, and an underwater scene.
 
     pvbatch demo.py [FOLDER [FRAMES]]
 
-reads the elevation model of the Jacksboro fault, Tennessee, fits models of covariance to it, grows
+reads the elevation model of the Jacksboro fault, Tennessee, fits covariance models to it, grows
 a twin from the best one, and writes into FOLDER (default: a new temporary folder):
 
-    twin-terrain.png   the place and its twin
-    figure2.png        the place and a fractal field of the same dimension
-    patterns.png       three classical point patterns, and patterns regrown from their laws
-    variogram.png      what was measured, and what the models say
+    twin-terrain.png   the measured terrain and its twin
+    figure2.png        the measured terrain and a fractal field with the paper's fractal dimension
+    patterns.png       three classical point patterns, and patterns regrown from the fitted laws
+    variogram.png      measured semivariances and the fitted models
     fits.csv           the fitted models, best first
     twin.vti           the twin: image with the point array Elevation [m]
-    forest.png         a part of the place with woods
-    walk.ogv           a walk there in the wind, and its pictures walk.0000.png and on
+    forest.png         part of the terrain with woods
+    walk.ogv           a walk there in the wind; its frames are walk.0000.png ...
     wind.vdb           that wind as an OpenVDB volume
     underwater.png     the surface from below, kelp, and particles that fade into fog
-    underwater.ogv     the same as a film, and its pictures underwater.0000.png and on
+    underwater.ogv     the same as a film; its frames are underwater.0000.png ...
     fog.vdb            that fog as an OpenVDB volume
 """
 
@@ -38,7 +38,7 @@ from littoral.picture import save_pair
 from littoral.scene import height_color
 from littoral.tables import column, model_names, write_csv
 
-#: The examples that regrow point patterns, walk through a forest and dive.
+#: The examples for point patterns, the forest and the underwater scene.
 HERE = os.path.dirname(os.path.abspath(__file__))
 PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
 FOREST = os.path.join(HERE, "forest.py")
@@ -46,14 +46,13 @@ UNDERWATER = os.path.join(HERE, "underwater.py")
 FILM_SIZE = 768, 432
 EXAGGERATION = 3.0
 
-#: Processor time of each step [s], and of a frame of the last two, as measured where pictures are drawn in software:
-#: these give the shares of the whole.
+#: CPU time of each step [s], and of a frame of the last two, measured with software rendering, for the progress.
 STEP_TIMES = 0.1, 2.2, 0.1, 2.2, 0.7, 6.2, 5.8, 0.4, 21.0, 27.0
 FRAME_TIMES = 7.3, 4.7
 
 
 class Progress:
-    """Lines of progress: the share of the time that is over, the time gone, the time left, and what comes now."""
+    """Lines of progress: fraction done, time elapsed, time left, and the next step."""
 
     def __init__(self, frames):
         self.start = time.time()
@@ -61,7 +60,7 @@ class Progress:
         self.step = -1
 
     def share(self, frame=0):
-        """The share that is over before a frame of this step."""
+        """Fraction done before a frame of this step."""
         times = list(STEP_TIMES)
         for film in range(-len(FRAME_TIMES), 0):
             times[film] += self.frames * FRAME_TIMES[film]
@@ -71,18 +70,18 @@ class Progress:
         return done / sum(times)
 
     def line(self, frame=0):
-        """What stands before each line."""
+        """Prefix of each line."""
         share, gone = self.share(frame), time.time() - self.start
         left = f", about {gone * (1.0 - share) / share:.0f} s left" if 0.02 < share < 1.0 else ""
         return f"[{100.0 * share:3.0f} %, {gone:.0f} s{left}]"
 
     def begin(self, text):
-        """The next step."""
+        """Begin the next step."""
         self.step += 1
         print(self.line(), text, flush=True)
 
     def film(self, frame, frames):
-        """Now and then a frame of this step's film."""
+        """Report every second frame of the film of this step."""
         if frame % 2 == 0 and frame > 0:
             print(self.line(frame), f"frame {frame} of {frames}", flush=True)
 
@@ -96,7 +95,7 @@ def measure(image):
 
 
 def grow(place, fits, seed):
-    """A terrain on the grid of a place, from the first row of fits."""
+    """A terrain on the grid of a measured one, from the first row of fits."""
     source = vtkTurningBandsTerrainSource()
     source.SetInputData(fits)
     source.SetWholeExtent(place.GetExtent())
@@ -108,7 +107,7 @@ def grow(place, fits, seed):
 
 
 def grow_fractal(place, fits, dimension):
-    """A fractal field on the grid of a place, of the same mean and variance."""
+    """A fractal field on the grid of a measured terrain, with the same mean and variance."""
     fields = fits.GetFieldData()
     bounds = place.GetBounds()
     source = vtkTurningBandsTerrainSource()
@@ -125,7 +124,7 @@ def grow_fractal(place, fits, dimension):
 
 
 def print_fits(fits):
-    """The fits for a reader."""
+    """Print the table of fits."""
     print(f"    {'model':<18} {'std. deviation':>14} {'range':>9} {'AICc':>9}")
     columns = (column(fits, name) for name in ("Variance", "Range", "AICc"))
     for model, variance, reach, criterion in zip(model_names(fits), *columns):
@@ -133,7 +132,7 @@ def print_fits(fits):
 
 
 def clear():
-    """Leave no view or source."""
+    """Delete all views and sources."""
     for view in simple.GetViews():
         simple.Delete(view)
     for source in reversed(list(simple.GetSources().values())):
@@ -141,7 +140,7 @@ def clear():
 
 
 def main(folder, frames=48):
-    """Do all of it, into a folder; films have so many frames."""
+    """Run all steps; folder: of the output; frames: of each film."""
     os.makedirs(folder, exist_ok=True)
     progress = Progress(frames)
 
@@ -175,7 +174,7 @@ def main(folder, frames=48):
         (f"measured \u00b7 {size}", f"grown by Littoral \u00b7 {size}"), EXAGGERATION)
 
     progress.begin("drawing figure2.png")
-    dimension = 2.15  # the paper's: this place tells none, since its periodogram bends
+    dimension = 2.15  # the paper's: this terrain has no single dimension, since its periodogram bends
     save_pair(
         file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
         ("(a) Real terrain", "(b) Turning bands"),

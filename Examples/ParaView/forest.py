@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: none
-"""A forest on a real terrain, in the wind, walked through by a camera.
+"""A walk through a forest in the wind, on measured terrain.
 
     ./littoral gui Examples/ParaView/forest.py      opens it in ParaView
-    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png, the pictures of the walk and
-                                                    the film walk.ogv into FOLDER, and the
-                                                    wind as wind.vdb
+    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png, the frames of the walk,
+                                                    the film walk.ogv and the wind as wind.vdb
+                                                    into FOLDER
 
-The terrain is a part of the elevation model of the Jacksboro fault, refined; trees stand where its
-woods are. Terrain and trees come in levels of detail that follow the camera. Trees near enough to
-see it sway in a turbulent wind.
+The terrain is a refined part of the elevation model of the Jacksboro fault; trees are in its woods.
+Levels of detail of terrain and trees follow the camera. Trees near the camera sway in a turbulent
+wind.
 """
 
 import os
@@ -25,24 +25,24 @@ from littoral import landscape
 from littoral.elevation import write_vti
 from littoral.film import folder_size_frames, save_film
 
-#: Where the walk begins and ends, and what it looks at [m].
+#: Start, end and focal point of the walk [m].
 FIRST, LAST, TARGET = (7300.0, 8200.0), (7268.0, 8168.0), (4200.0, 3200.0)
 EYE_HEIGHT, VIEW_ANGLE = 7.0, 30.0
-#: Pictures a second, and the speed of the wind [m/s].
+#: Frames per second, and wind speed [m/s].
 RATE, WIND_SPEED = 12, 16.0
 #: Lower left corner and size of the part with trees [m].
 WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
-SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and the seed of its prototype
-#: Radius of the crown of each species, and height of its middle [m].
+SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and seed of the prototype
+#: Radius of the crown of each species, and height of its center [m].
 CROWNS = np.array(((2.0, 4.5), (4.8, 6.5), (2.2, 7.0), (1.3, 0.9)))
-#: Trees along the walk: how far ahead and to the right [m], and the species.
+#: Trees along the walk: distance ahead and to the right [m], and species.
 NEAR_TREES = (
     (52, -21, 1), (78, -27, 2), (86, -34, 2), (70, 24, 2), (95, 33, 1), (118, 22, 0), (135, 30, 0),
     (150, 41, 0), (47, 17, 3), (60, -8, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
     (170, 10, 3), (210, 62, 1), (235, 48, 2), (140, -16, 2), (240, -10, 1), (260, 2, 1))
-#: How far grass and shadows reach from the walk [m].
+#: Distance of grass and of shadows from the walk [m].
 GRASS_REACH, SHADOW_REACH = 70.0, 900.0
-#: Levels of detail are made anew when the eye has gone so far [m] or turned so far [degrees].
+#: Camera motion [m] and rotation [degrees] after which levels of detail are updated.
 STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
 #: A tuft of grass, as a shrub without wood.
 GRASS = dict(
@@ -69,13 +69,13 @@ def reader(kind, name, filename):
 
 
 def eye_at(country, share):
-    """Where the eye is after a share of the walk."""
+    """Position of the camera at a fraction of the walk."""
     place = (1.0 - share) * np.array(FIRST) + share * np.array(LAST)
     return np.array((*place, country.height(*place) + EYE_HEIGHT))
 
 
 def near_trees(country):
-    """The few trees that one walks past: positions and species."""
+    """The trees along the walk: positions and species."""
     ahead = np.array(TARGET) - FIRST
     ahead /= np.hypot(*ahead)
     right = np.array((ahead[1], -ahead[0]))
@@ -84,7 +84,7 @@ def near_trees(country):
 
 
 def wind_center():
-    """The middle of the trees that sway: those that are not far ahead."""
+    """Center of the swaying trees, which are not far ahead."""
     ahead = np.array(TARGET) - FIRST
     return FIRST + 350.0 * ahead / np.hypot(*ahead)
 
@@ -99,7 +99,7 @@ def shadows_near(country, woods):
 
 
 def build(folder, view):
-    """The pipeline, shown in a view; gives the country."""
+    """Build the pipeline and show it in a view; returns the country."""
     def file(name):
         return os.path.join(folder, "data", name)
 
@@ -145,7 +145,7 @@ def build(folder, view):
     landscape.show_ground(ground, view)
     landscape.show_shadows(shadows, view)
     blades = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
-    blades.Ambient, blades.Diffuse = 0.75, 0.45  # light comes through
+    blades.Ambient, blades.Diffuse = 0.75, 0.45  # translucency
     landscape.show_plants(sway, view)
     simple.UpdatePipeline(proxy=sway)
     simple.SaveData(file("crowns.png"), simple.OutputPort(sway, 1))
@@ -156,13 +156,13 @@ def build(folder, view):
 
 
 def look(country, view, share):
-    """Point the camera after a share of the walk."""
+    """Point the camera at a fraction of the walk."""
     target = np.array((*TARGET, country.height(*TARGET) - 60.0))
     landscape.look(view, eye_at(country, share), target, VIEW_ANGLE)
 
 
 def plan_walk(country, view, frames):
-    """Give the camera of a view its way: press Play in ParaView to go it."""
+    """Set the camera path of a view; Play in ParaView follows it."""
     scene = simple.GetAnimationScene()
     scene.PlayMode, scene.NumberOfFrames = "Sequence", frames
     scene.StartTime, scene.EndTime = 0.0, (frames - 1) / RATE
@@ -178,7 +178,7 @@ def plan_walk(country, view, frames):
 
 
 def film_walk(country, view, folder, frames, told):
-    """Write the pictures of the walk, and the film of them; `told` hears of each frame."""
+    """Write the frames of the walk and the film; `told` is called before each frame."""
     pictures = []
     for frame in range(frames):
         told(frame, frames)
@@ -190,7 +190,7 @@ def film_walk(country, view, folder, frames, told):
 
 
 def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
-    """Build the scene, write its picture and, if it is to have frames, the walk."""
+    """Build the scene, write its image and, with frames above 0, the walk."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ParaView scene: a measured place and a twin that grows from its statistics.
+"""A ParaView scene: a measured terrain and a twin grown from its statistics.
 
     ./littoral gui                    opens it in ParaView
     pvbatch scene.py [FOLDER]         writes scene.png and scene.pvsm into FOLDER
 
 Change `Seed` of the twin and press Apply: another terrain with the same statistics appears, with
-its shadows. The chart shows the variogram of the place and the models that were fitted to it.
+its shadows. The chart shows the measured variogram and the fitted models.
 """
 
 import os
@@ -40,26 +40,26 @@ self.GetPolyDataOutput().ShallowCopy(shadow)
 
 
 def polydata_filter(name, inputs, script):
-    """A filter in Python that gives polydata."""
+    """A Programmable Filter with polydata as output."""
     return simple.ProgrammableFilter(
         registrationName=name, Input=inputs, OutputDataSetType="vtkPolyData", Script=script)
 
 
 def relief(name, terrain, center):
-    """A terrain as a block with light and shadows."""
+    """A terrain as a block with baked light and shadows."""
     script = RELIEF.format(exaggeration=EXAGGERATION, center=tuple(float(c) for c in center[:2]))
     return polydata_filter(name, terrain, script)
 
 
 def grown_like(fits, place):
-    """The twin: a terrain on the grid of a place, from the table of fits."""
+    """The twin: a terrain on the grid of the measured one, from the table of fits."""
     return simple.TurningBandsTerrainFromFits(
         registrationName="Twin", Input=fits, WholeExtent=place.GetExtent(),
         Origin=place.GetOrigin(), Spacing=place.GetSpacing())
 
 
 def show_variogram(fit, view):
-    """The second output of the fit as a chart: points measured, lines fitted."""
+    """Show the second output of the fit as a chart: measured points, fitted lines."""
     fit.UpdatePipeline()
     models = model_names(servermanager.Fetch(simple.OutputPort(fit, 0)))
     shown = simple.Show(simple.OutputPort(fit, 1), view, "XYChartRepresentation")
@@ -83,7 +83,7 @@ def show_variogram(fit, view):
 
 
 def build(folder):
-    """The pipeline and its views; gives the render view and the layout."""
+    """Build the pipeline and its views; returns the render view."""
     place = read_elevation()
     filename = os.path.join(folder, "jacksboro.vti")
     write_vti(place, filename)
@@ -92,7 +92,7 @@ def build(folder):
     fit = simple.CovarianceFit(registrationName="Fits", Input=reader)
     twin = grown_like(fit, place)
 
-    # In the window a view is there already; a script has to make one.
+    # The ParaView window already has a view; a script has to create one.
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [1600, 760]
     layout = simple.GetLayout(view)
@@ -116,7 +116,7 @@ def build(folder):
 
 
 def main():
-    """Build the scene; in batch, write picture and state as well."""
+    """Build the scene; in batch, also write image and state."""
     simple._DisableFirstRenderCameraReset()
     folder = sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-")
     os.makedirs(folder, exist_ok=True)

@@ -4,9 +4,9 @@
 """Under the waves: the surface from below, kelp on a sandy bed with stones, particles that fade into fog.
 
     ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView
-    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png and, as an OpenVDB volume,
-                                                        fog.vdb into FOLDER; with frames, also
-                                                        their pictures and the film underwater.ogv
+    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png and the OpenVDB volume
+                                                        fog.vdb into FOLDER; with FRAMES, also
+                                                        the frames and the film underwater.ogv
 
 The same wave trains move the surface and the particles.
 """
@@ -21,9 +21,9 @@ import littoral
 from littoral import underwater
 from littoral.film import folder_size_frames, save_film
 
-DEPTH = 9.5  # of the water [m]
+DEPTH = 9.5  # water depth [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
-#: Giant kelp before it is scaled to this shallow water, some 0.6 of it: its blades are as large there as elsewhere.
+#: Giant kelp, to be scaled by some 0.6 to this shallow water, with blades enlarged to keep their natural size.
 GIANT_KELP = dict(
     Form="Canopy", NumberOfFronds=4, HoldfastRadius=0.35, StipeLength=14.0, StipeRadius=0.008, BladeLength=2.0,
     BladeWidth=0.28, BladeThickness=0.0014, BladeSpacing=0.45, FloatRadius=0.02, Ruffle=0.22, SpreadAngle=45.0,
@@ -31,12 +31,12 @@ GIANT_KELP = dict(
     FloatDensity=300.0, Variation=0.2)
 TIME, FRAMES_A_SECOND = 7.3, 12
 CURRENT = 0.08  # [m/s]
-LEAD = 20.0  # how long the swell has bent the kelp [s]
-STIR = 25.0  # of the wake of plants [m2 s], stronger than in nature, to be seen
+LEAD = 20.0  # time of kelp motion before the first frame [s]
+STIR = 25.0  # strength of plant wakes [m2 s], above nature, to be visible
 
 
 def reader(name, data, folder):
-    """A reader of polydata, by way of a file."""
+    """Write polydata to a file, and a reader of it."""
     filename = os.path.join(folder, "data", f"{name}.vtp")
     os.makedirs(os.path.dirname(filename), exist_ok=True)
     writer = vtkXMLPolyDataWriter()
@@ -48,8 +48,8 @@ def reader(name, data, folder):
 
 
 def moving_specks(name, particles, currents, sea):
-    """Particles that drift in currents and ride on waves: those near enough to be seen one by one."""
-    # With this step the wake is asked for at the times of frames only.
+    """Particles in currents and waves: those near enough to be seen individually."""
+    # With this time step the wake is requested only at frame times.
     drift = simple.CurrentDrift(registrationName=name, Input=particles, Currents=currents, WaterDepth=DEPTH,
                                 StartTime=TIME - 1.0, TimeStep=2.0 / FRAMES_A_SECOND)
     levels = simple.ParticleLevelOfDetail(
@@ -59,7 +59,7 @@ def moving_specks(name, particles, currents, sea):
 
 
 def build(folder, view):
-    """The pipeline, shown in a view; gives the representations with the water's shaders."""
+    """Build the pipeline and show it in a view; returns the representations with water shaders."""
     sea = simple.SeaState(registrationName="Sea", SeaBy="Height And Period", SignificantWaveHeight=0.6,
                           PeakPeriod=6.2, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
     level = reader("Level", underwater.mesh(underwater.fan()), folder)
@@ -72,13 +72,13 @@ def build(folder, view):
         registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCulling=0, Prototypes=[
             simple.Seaweed(registrationName="SugarKelp"),
             simple.Seaweed(registrationName="GiantKelp", Preset="Custom", **GIANT_KELP)])
-    # It has bent since long before the picture: blades rise slowly from how they grew.
+    # Motion starts long before the first frame: blades leave their rest pose slowly.
     current = simple.FlowPrimitive(registrationName="Current", Strength=CURRENT, Axis=[1.0, 0.25, 0.0])
     bending = simple.SeaweedDeformation(
         registrationName="Kelp in the swell", Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0,
         GenerateMotion=1, TimeStep=1.0 / 24.0, StartTime=TIME - LEAD)
     wake = simple.PlantWake(registrationName="Wake", Input=bending, Strength=STIR)
-    # Only particles about the kelp feel it; the others drift alike, which takes no steps.
+    # Only particles around the kelp feel its wake; the others drift uniformly, without time steps.
     about, beyond = underwater.split_about(underwater.particles(
         (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.9, plants=plants),
         plants)
@@ -97,13 +97,13 @@ def build(folder, view):
     underwater.show_fog(fog, view)
     for near in specks:
         underwater.show_particles(near, view, EYE)
-    # From near to far: what is hidden is not shaded.
+    # From near to far, so that hidden fragments are not shaded.
     return [underwater.show_seaweeds(bending, view, TIME), underwater.show_bed(floor, view, TIME),
             underwater.show_surface(surface, view, TIME), underwater.show_beyond(view, TIME, EYE)]
 
 
 def film(shaded, view, folder, frames, told):
-    """Write the pictures, and the film of them; `told` hears of each frame."""
+    """Write the frames and the film; `told` is called before each frame."""
     pictures = []
     for frame in range(frames):
         told(frame, frames)
@@ -116,7 +116,7 @@ def film(shaded, view, folder, frames, told):
 
 
 def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
-    """Build the scene, write its picture and fog and, if it is to have frames, the film."""
+    """Build the scene, write its image and fog and, with frames above 0, the film."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")

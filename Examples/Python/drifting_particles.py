@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A coastal sea from below: plankton, marine snow and minerals that drift in currents and ride on waves.
+"""A coastal sea from below: plankton, marine snow and minerals in currents and waves.
 
     python3 drifting_particles.py [FOLDER]     writes drifting_particles.png into FOLDER
 """
@@ -22,10 +22,10 @@ from littoral import (
     vtkSuspendedParticleSource)
 from littoral.picture import write_png
 
-DEPTH = 10.0  # of the water [m]
+DEPTH = 10.0  # water depth [m]
 WATER = (0.035, 0.23, 0.30)
 EYE = (0.0, -5.0, -5.0)
-HORIZON = 0.4  # height in the picture
+HORIZON = 0.4  # height in the image, as a fraction
 
 
 def flow(kind, strength, center, axis=(0.0, 0.0, 1.0)):
@@ -39,7 +39,7 @@ def flow(kind, strength, center, axis=(0.0, 0.0, 1.0)):
 
 
 def scene():
-    """Particles as squares with their pictures, the filter that moves them, and the sea."""
+    """The pipeline: particles as textured squares, drift, orbits and sea state."""
     particles = vtkSuspendedParticleSource()
     particles.SetMode(vtkSuspendedParticleSource.Quads)
     particles.SetBounds(-5.0, 3.0, -7.0, 1.0, -DEPTH, 0.0)
@@ -63,7 +63,7 @@ def scene():
 
 
 def faded(data, colors, sight):
-    """Colors of points (0 to 1), which turn into that of the water with the distance from the eye [m]."""
+    """Set colors of points (0 to 1), attenuated to the water color; sight: attenuation length [m]."""
     places = vtk_to_numpy(data.GetPoints().GetData())
     share = np.exp(-np.linalg.norm(places - EYE, axis=1) / sight)[:, None]
     colors = 255.0 * (share * colors + (1.0 - share) * np.array(WATER))
@@ -73,7 +73,7 @@ def faded(data, colors, sight):
 
 
 def unlit(data):
-    """An actor that shows colors as they are."""
+    """An actor without lighting."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
@@ -82,7 +82,7 @@ def unlit(data):
 
 
 def particle_actor(orbits, particles):
-    """Squares with the pictures of their kinds, tinted by RGB."""
+    """Squares with the textures of their kinds, tinted by RGB."""
     data = orbits.GetOutput()
     faded(data, vtk_to_numpy(data.GetPointData().GetArray("RGB")) / 255.0, 6.0)
     texture = vtkTexture()
@@ -96,7 +96,7 @@ def particle_actor(orbits, particles):
 
 
 def surface_actor(sea, time):
-    """The surface from below: bright where it is pressed together, as lenses of water are."""
+    """The surface from below: bright where it converges and focuses light."""
     plane = vtkPlaneSource()
     plane.SetOrigin(-60.0, -12.0, 0.0)
     plane.SetPoint1(60.0, -12.0, 0.0)
@@ -115,13 +115,13 @@ def surface_actor(sea, time):
 
 
 def main(folder):
-    """Draw the water at 7.3 s."""
+    """Render the water at 7.3 s."""
     particles, drift, orbits, sea = scene()
     orbits.UpdateTimeStep(7.3)
     before = vtk_to_numpy(particles.GetOutput().GetPoints().GetData())
     after = vtk_to_numpy(drift.GetOutput().GetPoints().GetData())
     way = abs(after - before).max()
-    print(f"{particles.GetOutput().GetNumberOfPolys()} particles; the farthest drifted {way:.2f} m along an axis")
+    print(f"{particles.GetOutput().GetNumberOfPolys()} particles; largest drift along an axis: {way:.2f} m")
     assert 0.5 < way < 10.0, "no drift"
     renderer = vtkRenderer()
     renderer.GradientBackgroundOn()

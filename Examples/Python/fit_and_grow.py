@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measure an elevation model and grow a terrain like it: one pipeline.
+"""Fit covariance models to an elevation model and grow a synthetic twin, in one pipeline.
 
     python3 fit_and_grow.py [FOLDER [ELEVATION_MODEL]]
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Grow a terrain of 1 km and write it as terrain.vti and terrain.png.
+"""Grow a terrain of 1 km x 1 km and write it as terrain.vti and terrain.png.
 
     python3 grow_terrain.py [FOLDER]
 """

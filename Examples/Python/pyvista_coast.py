@@ -5,7 +5,7 @@
 
     python3 pyvista_coast.py [FOLDER]     writes pyvista_coast.png into FOLDER
 
-Needs PyVista and VTK 9.4 or later, whose short forms it uses: keywords of constructors, and calls.
+Needs PyVista and VTK 9.4 or later, for keyword arguments of constructors and callable pipelines.
 """
 
 import os
@@ -24,15 +24,15 @@ from littoral.pyvista import add_plants
 from littoral.scene import blur, direction, normals, openness, sunlight
 
 EYE, FOCUS, VIEW_ANGLE = np.array((-8.0, -98.0, 3.0)), np.array((0.0, 0.0, 10.4)), 32.0
-HORIZON = 0.37  # height in the picture
+HORIZON = 0.37  # height in the image, as a fraction
 SUN = (245.0, 32.0)  # azimuth and elevation [degrees]
-SIZE = 220.0  # of the island's square [m]
+SIZE = 220.0  # side of the square with the island [m]
 SKY_LOW, SKY_HIGH = np.array((0.74, 0.83, 0.89)), np.array((0.34, 0.54, 0.78))
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Pine", 8))  # presets and seeds
 
 
 def make_island(cells=480):
-    """Relief of chance on a hill that falls to the bed of the sea: an image with the array Elevation."""
+    """Random relief on a hill that descends to the sea bed: an image with the array Elevation."""
     step = SIZE / cells
     relief = vtkTurningBandsTerrainSource(
         whole_extent=(0, cells, 0, cells, 0, 0), spacing=(step, step, 1.0), range=80.0, shortest_wavelength=3.0,
@@ -65,7 +65,7 @@ def ground_colors(image):
 
 
 def make_forest(island):
-    """Trees on dry ground that is not too steep: in full near the eye, in few polygons far from it."""
+    """Trees above the beach and on moderate slopes, in levels of detail."""
     sites = vtkQuadratPointSource(
         origin=(-0.5 * SIZE, -0.5 * SIZE), size=(SIZE, SIZE), quadrats=(50, 50), mean_per_quadrat=0.8, seed=3)
     forest = vtkPlantScatterFilter(
@@ -81,7 +81,7 @@ def make_forest(island):
 
 
 def shade_ground(colors, island, forest):
-    """Darken the ground where trees keep the sun from it."""
+    """Darken the ground in the shadows of trees."""
     z, (step, _, _), origin = array_from_image(island), island.GetSpacing(), island.GetOrigin()
     y, x = (origin[k] + step * np.arange(z.shape[1 - k]) for k in (1, 0))
     away = -direction(SUN[0], 0.0) / np.tan(np.radians(SUN[1]))
@@ -93,13 +93,13 @@ def shade_ground(colors, island, forest):
 
 
 def make_sea(time=4.0):
-    """The water around the eye, finer where it is near, with colors of sky, depth and foam."""
+    """The water in front of the camera, finer where it is near."""
     radius, angle = np.geomspace(3.0, 4000.0, 1100)[:, None], np.linspace(-0.6, 0.6, 900)
     plane = pv.StructuredGrid(
         (EYE[0] + radius * np.sin(angle))[..., None], (EYE[1] + radius * np.cos(angle))[..., None],
         np.zeros((1100, 900, 1)))
     distance = np.linalg.norm(plane.points - EYE, axis=1)
-    plane["TrainCount"] = np.clip(9000.0 / distance, 12, 150).astype(np.int32)  # small waves are not seen from afar
+    plane["TrainCount"] = np.clip(9000.0 / distance, 12, 150).astype(np.int32)  # short waves are invisible far away
     sea = vtkSeaStateSource(wind_speed=7.5, mean_direction=20.0, number_of_trains=150, frequency_range=(0.6, 7.0))
     orbits = vtkParticleOrbitFilter(choppiness=1.0)
     orbits.SetInputDataObject(0, plane)
@@ -109,7 +109,7 @@ def make_sea(time=4.0):
 
 
 def water_colors(water):
-    """What the water sends to the eye: the sky that it mirrors, what is below, the sun, and foam."""
+    """Color of the water: reflected sky, refracted bed, sun glitter, and foam."""
     up = water["Normals"] / np.linalg.norm(water["Normals"], axis=1)[:, None]
     way = EYE - water.points
     distance = np.linalg.norm(way, axis=1)
@@ -129,7 +129,7 @@ def water_colors(water):
 
 
 def main(folder):
-    """Draw the island."""
+    """Render the island."""
     island = make_island()
     forest = make_forest(island)
     colors = ground_colors(island)

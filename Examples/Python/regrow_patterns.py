@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Three classical point patterns: read from CSV, analysed, named, and regrown beside the original.
+"""Three classical point patterns: read from CSV, analysed, classified, and regrown.
 
     python3 regrow_patterns.py [FOLDER]     writes patterns.png into FOLDER
 """
@@ -66,7 +66,7 @@ def regrow(fits, seed):
 
 
 def panel(points, origin, title, color, place, scale):
-    """A square chart with the points of a pattern, at a place [pixels]."""
+    """A square chart with the points of a pattern, at a position [pixels]."""
     xyz = vtk_to_numpy(points.GetPoints().GetData())
     chart = vtkChartXY()
     chart.SetAutoSize(False)
@@ -90,7 +90,7 @@ def panel(points, origin, title, color, place, scale):
 
 
 def main(folder):
-    """Analyse and draw all three."""
+    """Analyse, regrow and plot all three."""
     scale = 2
     view = vtkContextView()
     view.GetRenderer().SetBackground(1.0, 1.0, 1.0)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The surface of a windy sea: a plane that rides on wave trains, with foam where it nearly folds.
+"""The surface of a wind sea: a plane displaced by wave trains, with foam where it nearly folds.
 
     python3 sea_surface.py [FOLDER]     writes sea_surface.png into FOLDER
 """
@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import (
 from littoral import vtkParticleOrbitFilter, vtkSeaStateSource
 from littoral.picture import write_png
 
-WIDTH = 240.0  # of the piece of sea [m]
+WIDTH = 240.0  # side of the rendered square of sea [m]
 
 
 def sea_surface(time):
@@ -41,7 +41,7 @@ def sea_surface(time):
 
 
 def water_actor(surface):
-    """Water: dark where it is stretched, pale and white where it is pressed together."""
+    """Water: dark where the surface diverges, pale and white where it converges."""
     colors = vtkColorTransferFunction()
     for jacobian, color in ((0.15, (0.93, 0.96, 0.96)), (0.35, (0.45, 0.66, 0.68)),
                              (0.75, (0.10, 0.36, 0.42)), (1.5, (0.02, 0.19, 0.27))):
@@ -61,7 +61,7 @@ def water_actor(surface):
 
 
 def main(folder):
-    """Draw the sea at 7.3 s."""
+    """Render the sea at 7.3 s."""
     surface = sea_surface(7.3)
     low, high = surface.GetBounds()[4:6]
     jacobian = surface.GetPointData().GetArray("Jacobian").GetRange()

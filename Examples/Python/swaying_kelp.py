@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Kelp that sways in a swell and a current, and particles that drift, ride on the swell and feel the kelp.
+"""Kelp that sways in a swell and a current, and particles that drift in the current, the swell and its wakes.
 
     python3 swaying_kelp.py [FOLDER] [FRAMES]
 
-writes swaying_kelp.0000.png ... into FOLDER, a frame each 1/12 s, and says how far a frond goes to and fro, how
-far it is behind the water, and what the kelp does to the particles.
+writes swaying_kelp.0000.png ... into FOLDER, a frame each 1/12 s, and prints amplitude and phase lag of a frond, and
+the displacement of particles by the wakes of the kelp.
 """
 
 import os
@@ -30,13 +30,13 @@ from littoral import (
 from littoral.picture import write_png
 from littoral.plants import block
 
-DEPTH = 7.0  # of the water over the middle of the bed [m]
-START, TIME, FRAME = -12.0, 9.0, 1.0 / 12.0  # kelp at rest, first picture, between pictures [s]
-SAMPLES = 24  # of a period of the swell
+DEPTH = 7.0  # of the water at the center of the bed [m]
+START, TIME, FRAME = -12.0, 9.0, 1.0 / 12.0  # kelp at rest, first frame, frame interval [s]
+SAMPLES = 24  # per period of the swell
 EYE, FOCUS, VIEW_ANGLE = (0.0, -4.3, 1.0), (0.0, 0.0, 1.35), 42.0
-HORIZON = 0.43  # height in the picture
+HORIZON = 0.43  # height in the image, as a fraction
 WATER = np.array((0.06, 0.34, 0.41))
-SIGHT = 7.0  # distance over which the water takes all but a third of the light [m]
+SIGHT = 7.0  # attenuation length of light, to 1/e [m]
 
 
 def make_bed():
@@ -53,7 +53,7 @@ def make_bed():
 
 
 def make_kelp(sand):
-    """Sugar kelp at random places of the bed."""
+    """Sugar kelp at random positions on the bed."""
     sites = vtkQuadratPointSource()
     sites.SetOrigin(-7.0, -1.5)
     sites.SetSize(14.0, 12.0)
@@ -75,7 +75,7 @@ def make_swell():
     sea = vtkSeaStateSource()
     sea.SetSpectrum(vtkSeaStateSource.Regular)
     sea.SetSeaBy(vtkSeaStateSource.HeightAndPeriod)
-    sea.SetSignificantWaveHeight(0.5)  # from trough to crest
+    sea.SetSignificantWaveHeight(0.5)  # trough to crest
     sea.SetPeakPeriod(4.5)
     sea.SetWaterDepth(DEPTH)
     sea.SetSeaLevel(DEPTH)
@@ -95,7 +95,7 @@ def make_currents():
 
 
 class Scene:
-    """Kelp, its wakes, and particles that feel these, or do not."""
+    """The pipeline: kelp, its wakes, and particles with and without these wakes."""
 
     def __init__(self):
         self.sand, self.sea, self.currents = make_bed(), make_swell(), make_currents()
@@ -118,7 +118,7 @@ class Scene:
         self.riding = self.on_waves(self.stirred.GetOutputPort())
 
     def drift(self, currents):
-        """The particles, carried by currents."""
+        """The particles, advected by currents."""
         drift = vtkCurrentDriftFilter()
         drift.SetInputConnection(0, self.particles.GetOutputPort())
         for current in currents:
@@ -149,9 +149,9 @@ def cloud(points):
 
 
 def measure_frond(scene):
-    """How the highest frond sways along the swell, at each node, beside the water at the node's mean place.
+    """Motion of the tallest frond along the swell, at each node, and of the water at the mean position of the node.
 
-    Heights over the foot [m], amplitudes of frond and water [m], phase behind the water [degrees; negative: ahead].
+    Heights over the foot [m], amplitudes of frond and water [m], phase lag of the frond [degrees; negative: lead].
     """
     scene.sea.Update()
     swell = scene.sea.GetOutput().GetColumnByName("AngularFrequency").GetValue(0)
@@ -180,7 +180,7 @@ def measure_frond(scene):
 
 
 def measure_wakes(scene, time):
-    """How far particles are from where they were without wakes [m], and whether they began near a plant."""
+    """Displacement of particles by wakes [m], and whether they started within the box of a plant."""
     ways = []
     for drift in (scene.stirred, scene.calm):
         drift.UpdateTimeStep(time)
@@ -196,7 +196,7 @@ def measure_wakes(scene, time):
 
 
 def faded(data, colors):
-    """Colors of points (0 to 1), which turn into that of the water with the distance from the eye."""
+    """An actor with colors of points (0 to 1), attenuated to the water color with distance."""
     share = np.exp(-np.linalg.norm(places(data) - EYE, axis=1) / SIGHT)[:, None]
     colors = 255.0 * (share * colors + (1.0 - share) * WATER)
     data.GetPointData().SetScalars(numpy_to_vtk(
@@ -209,7 +209,7 @@ def faded(data, colors):
 
 
 def lit(data, colors):
-    """An actor in the light from above, which also shines through blades."""
+    """An actor lit from above, with translucent blades."""
     normals = vtk_to_numpy(data.GetPointData().GetNormals())
     light = 0.40 + 0.75 * abs(normals @ np.array((0.25, -0.35, 0.90)))
     return faded(data, np.array(colors) * light[:, None] * (0.75, 1.0, 0.95))
@@ -225,7 +225,7 @@ def bed_actor(sand):
     normals.Update()
     data = normals.GetOutput()
     x, y, _ = places(data).T
-    marks = 1.0 + 0.05 * np.sin(9.0 * x + 1.5 * y + 1.5 * np.sin(0.8 * y))  # of the swell in the sand
+    marks = 1.0 + 0.05 * np.sin(9.0 * x + 1.5 * y + 1.5 * np.sin(0.8 * y))  # ripple marks
     return lit(data, np.array((0.68, 0.62, 0.47)) * marks[:, None])
 
 
@@ -238,7 +238,7 @@ def kelp_actors(kelp):
 
 
 def particle_actor(scene):
-    """Squares with the pictures of their kinds."""
+    """Squares with the textures of their kinds."""
     data, texture = vtkPolyData(), vtkTexture()
     data.ShallowCopy(scene.riding.GetOutput())
     actor = faded(data, vtk_to_numpy(data.GetPointData().GetArray("RGB")) / 255.0)
@@ -282,7 +282,7 @@ def main(folder, frames):
     """Measure and draw."""
     scene = Scene()
     heights, ways, of_water, behind = measure_frond(scene)
-    print("height over the foot [m], amplitudes of the frond and of the water [m], frond behind the water [degrees]:")
+    print("height over the foot [m], amplitudes of frond and water [m], phase lag of the frond [degrees]:")
     for row in list(zip(heights, ways, of_water, behind))[::2]:
         print("  {:5.2f}  {:6.3f}  {:6.3f}  {:6.1f}".format(*row))
     assert 0.05 < ways[-1] < 2.0 and ways[-1] > ways[0], "the frond does not sway as it should"

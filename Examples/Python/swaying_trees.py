@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""An oak, a pine and a birch in the wind, as an image sequence, with numbers of how they move.
+"""An oak, a pine and a birch in the wind, as an image sequence, with their amplitudes and frequencies.
 
     python3 swaying_trees.py [FOLDER] [FRAMES] [SPEED]
 
-writes swaying.0000.png ... into FOLDER, a frame each 1/12 s, in a wind of SPEED (10 m/s), and says how far and how
-often trunks and branches go to and fro.
+writes swaying.0000.png ... into FOLDER, a frame each 1/12 s, in a wind of SPEED (default 10 m/s), and prints
+amplitudes and frequencies of trunks and branches.
 """
 
 import os
@@ -22,10 +22,10 @@ from littoral import vtkBeamTreeDeformationFilter, vtkReevesTreeSource, vtkWindF
 from littoral.picture import write_png
 from littoral.plants import add_daylight, block, plant_actor
 
-SPECIES = (("Oak", 5, -10.5), ("Pine", 3, 0.0), ("Birch", 2, 8.0))  # preset, seed, place across [m]
+SPECIES = (("Oak", 5, -10.5), ("Pine", 3, 0.0), ("Birch", 2, 8.0))  # preset, seed, lateral position [m]
 PRESETS = {"Pine": 1, "Oak": 2, "Birch": 3}
 FRAME = 1.0 / 12.0  # [s]
-STEP, SAMPLES = 0.1, 512  # of the measured motion [s]
+STEP, SAMPLES = 0.1, 512  # sampling of the measured motion [s]
 
 
 def make_wind(speed):
@@ -37,7 +37,7 @@ def make_wind(speed):
 
 
 def make_trees(wind):
-    """The filters, one a tree."""
+    """The filters, one per tree."""
     trees = []
     for preset, seed, _ in SPECIES:
         tree = vtkReevesTreeSource()
@@ -66,14 +66,14 @@ def feet_and_tips(sway):
 
 
 def frequency(series):
-    """Mean frequency of motions in time [Hz]: that of the speed over that of the place."""
+    """Mean frequency of motions [Hz]: rms speed over rms displacement, over 2 pi."""
     moving = series - series.mean(axis=0)
     speed = np.gradient(moving, STEP, axis=0)
     return np.sqrt((speed ** 2).sum() / (moving ** 2).sum()) / (2.0 * np.pi)
 
 
 def measure(sway):
-    """Trunk, and branches from their feet: mean deflection, standard deviation [m], frequency [Hz]."""
+    """Trunk, and branches relative to their feet: mean deflection, standard deviation [m], frequency [Hz]."""
     rest = vtk_to_numpy(block(sway.GetInputDataObject(0, 0), "High", "Skeleton").GetPoints().GetData())
     feet, tips = feet_and_tips(sway)
     moves = np.array([joints(sway, k * STEP) - rest for k in range(SAMPLES)])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The spectra of a wind field, measured, beside those that it was made by.
+"""Measured spectra of a wind field against those of its model.
 
     python3 wind_spectrum.py [FOLDER]     writes wind_spectrum.png into FOLDER
 """
@@ -30,7 +30,7 @@ def model_spectra(frequency, height, friction, roughness):
 
 
 def main(folder):
-    """Make a wind of five minutes, and compare."""
+    """Make a wind of five minutes, and compare its spectra with the model."""
     source = vtkWindFieldSource()
     source.SetDimensions(6000, 16, 16)
     source.SetTimeStep(0.05)
@@ -44,7 +44,7 @@ def main(folder):
     velocity = velocity.reshape(size[2], size[1], size[0], 3)
     heights = image.GetOrigin()[2] + image.GetSpacing()[2] * np.arange(size[2])
 
-    # Taylor's hypothesis: along x the field is a series in time, run backwards.
+    # Taylor's hypothesis: along x the field is a time series, reversed.
     waves = np.fft.rfft(velocity, axis=2)[:, :, 1:-1]
     density = (2.0 * period / size[0]**2 * np.abs(waves)**2).mean(axis=(0, 1))
     frequency = np.arange(1, density.shape[0] + 1) / period

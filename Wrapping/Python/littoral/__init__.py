@@ -14,7 +14,7 @@ from ._version import __version__, _vtk_version
 
 
 def _release(version):
-    """What has to agree of a version of VTK: of releases major and minor, of ParaView's copies the date as well."""
+    """Parts of a VTK version that must match: major and minor, and for ParaView's VTK also the date."""
     major, minor, patch = version.split(".")[:3]
     return (major, minor, patch if len(patch) == 8 else "")
 
@@ -28,7 +28,7 @@ from .LittoralFilters import *
 
 versions.mend_calls((vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))
 
-#: What is not there, by the name under which it is asked for, and why.
+#: Missing classes by name, and the reasons.
 _absent = {}
 try:
     from .LittoralIO import *

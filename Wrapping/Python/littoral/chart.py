@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Variograms and spectra as charts: what was measured as points, what the models say as lines.
+"""Variograms and spectra as charts: measurements as points, models as lines.
 
-Both axes are logarithmic, since both speak over decades.
+Both axes are logarithmic.
 """
 
 import re
@@ -50,8 +50,8 @@ def save_variogram_chart(filename, variogram, models, size=(1200, 750), oversamp
 def save_spectrum_chart(filename, spectra, components, size=(1200, 750), oversampling=2):
     """Draw power spectra: a table of `Frequency` [Hz] and two columns for each component.
 
-    components: names of the columns with densities [m2/s2/Hz]; what the model says is in the
-    column of the same name with ` model` behind it.
+    components: names of the columns with densities [m2/s2/Hz]; those of the model are in columns
+    with ` model` appended to the name.
     """
     chart = vtkChartXY()
     for name, color in zip(components, (BEST, *OTHERS)):

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Elevation models as `vtkImageData` in metres.
 
-Every function takes or gives an image of one layer with the float point array `Elevation` [m],
-x to the east, y to the north, in metres.
+Images have one layer with the float point array `Elevation` [m], x to the east, y to the north,
+in metres.
 """
 
 import os
@@ -75,7 +75,7 @@ def read_npz(filename):
 
 
 def read_vti(filename):
-    """Read a VTK image; without an array `Elevation` its scalars take that name."""
+    """Read a VTK image; without an array `Elevation` its scalars are renamed to it."""
     from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
     return _read(vtkXMLImageDataReader(), filename)
@@ -89,7 +89,7 @@ def read_dem(filename):
 
 
 def read_raster(filename):
-    """Read a GeoTIFF or another raster through GDAL, in a projection that counts in metres.
+    """Read a GeoTIFF or another raster through GDAL, with projected coordinates in metres.
 
     The centers of the pixels become the points; pixels without data become NaN.
     """
@@ -120,7 +120,7 @@ def write_vti(image, filename):
 
     writer = vtkXMLImageDataWriter()
     writer.SetInputData(image)
-    # Inline data: some versions of expat keep VTK from reading appended data back.
+    # Inline data: with some versions of expat VTK cannot read appended data.
     writer.SetDataModeToBinary()
     writer.SetFileName(filename)
     writer.Write()

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Open-air scenes in ParaView: a country to stand in, its woods, sky, sun and haze.
+"""Landscapes in ParaView: terrain, woods, sky, sun and haze.
 
-All of it works with the rasterizer that every ParaView has; no ray tracing. Lengths are in metres, x is east, y north,
-z up; azimuths count from north to the east.
+Everything works with the rasterizer of any ParaView, without ray tracing. Lengths are in metres, x is east, y north,
+z up; azimuths are measured from north to east.
 """
 
 import json
@@ -24,10 +24,10 @@ from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 
 #: Azimuth and elevation of the sun [degrees].
 SUN = (120.0, 34.0)
-#: Color of the air far away, and how far one sees [m].
+#: Color of the haze, and its attenuation length [m].
 HAZE, SIGHT = (0.70, 0.79, 0.88), 9000.0
-#: Radius of the sky [m]. It is drawn behind all else, however far that is: a dome beyond the land
-#: would push the near plane of the view away from the eye.
+#: Radius of the sky [m]. It is drawn behind everything at any distance: a dome beyond the land
+#: would move the near plane of the view away from the camera.
 SKY = 4000.0
 BEHIND = [
     {"type": "fragment", "original": "//VTK::Depth::Impl",
@@ -41,7 +41,7 @@ PLACE = [
     {"type": "fragment", "original": "//VTK::PositionVC::Dec",
      "replacement": "//VTK::PositionVC::Dec\nin vec3 placeMC;"}]
 
-#: Light goes through leaves: their normal is the same on both sides, while VTK turns it to the eye.
+#: Translucent leaves: their normal is the same on both sides, while VTK turns it to the camera.
 BOTH_SIDES = [
     {"type": "fragment", "original": "//VTK::Normal::Impl",
      "replacement": "//VTK::Normal::Impl\n"
@@ -51,7 +51,7 @@ AIR = f"""
   gl_FragData[0].rgb = mix(vec3{HAZE}, gl_FragData[0].rgb, exp(-length(vertexVC.xyz) / {SIGHT}));
 """
 
-#: Grass and stones: noise of five sizes from half a metre upwards.
+#: Grass and stones: noise in five octaves from half a metre upwards.
 GRAIN = """
   vec2 at = 2.0 * placeMC.xy;
   float grain = 0.0, weight = 0.5;
@@ -70,14 +70,14 @@ GRAIN = """
   gl_FragData[0].rgb *= mix(vec3(0.50, 0.56, 0.46), vec3(0.96, 0.95, 0.88), 0.6 * grain);
 """
 
-#: The picture of a crown replaces its colors; where it is transparent there is no crown.
+#: The texture of a crown replaces its colors; transparent texels are discarded.
 CROWN = """
   vec4 leaves = texture(actortexture, tcoordVCVSOutput);
   if (leaves.a < 0.5) discard;
   gl_FragData[0].rgb *= leaves.rgb / max(diffuseColor, vec3(0.02));
 """
 
-#: The picture of leaves dims their colors; where it is transparent there is no leaf.
+#: The texture of leaves is multiplied with their colors; transparent texels are discarded.
 LEAVES = """
   vec4 leaf = texture(actortexture, tcoordVCVSOutput);
   if (leaf.a < 0.5) discard;
@@ -89,10 +89,10 @@ LEAVES = """
 
 
 class Country:
-    """A part of an elevation model, refined, with small relief grown on it, lit colors and woods.
+    """A refined part of an elevation model, with synthetic small relief, lit colors and woods.
 
-    image: the terrain, with the point arrays Elevation [m] and RGB; wood: share of the ground that
-    trees cover, by row and column.
+    image: the terrain, with the point arrays Elevation [m] and RGB; wood: fraction of the ground
+    covered by trees, by row and column.
     """
 
     def __init__(self, corner=(10500.0, 6500.0), size=10000.0, refinements=3, seed=1):
@@ -113,7 +113,7 @@ class Country:
 
     @classmethod
     def from_heights(cls, z, spacing, reflectance=None, wood=None):
-        """A country of heights [row, column, m] of one's own; wood: as the attribute, default none."""
+        """A country from given heights [m], by row and column; wood: as the attribute, default none."""
         country = cls.__new__(cls)
         country.z, country.spacing = z, spacing
         country.wood = np.zeros(z.shape) if wood is None else wood
@@ -122,14 +122,14 @@ class Country:
         return country
 
     def height(self, x, y):
-        """Height of the ground at places [m]."""
+        """Height of the ground at positions x, y [m]."""
         return _sampled(self.z, self.spacing, x, y)
 
     def _paint(self, reflectance):
         """Lit colors as the array RGB."""
         seen = (scene.sunlight(self.z, self.spacing, *SUN), scene.openness(self.z, self.spacing))
         color = scene.natural_color(self.z, self.spacing, reflectance)
-        color = color * (1.0 - 0.35 * self.wood[..., None])  # little light comes through trees
+        color = color * (1.0 - 0.35 * self.wood[..., None])  # little light passes the canopy
         normals = scene.normals(self.z, self.spacing)
         light = scene._lit(color, normals, scene.direction(*SUN), *seen)
         rgb = numpy_to_vtk(scene._to_bytes(light).reshape(-1, 3), deep=True)
@@ -171,8 +171,8 @@ def _sampled(values, spacing, x, y):
 def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
     """Sites of trees on a rectangle, with the point array Species: 0 pine, 1 oak, 2 birch, 3 shrub.
 
-    Neyman's law of type A gives the clusters of the candidates; they stay where the country is
-    wooded, a few alone on the meadows. Pines like the heights, birches the edges of woods.
+    Candidates are clustered by the Neyman type A law; they are kept in woods, a few also on meadows.
+    Pines prefer high ground, birches the edges of woods.
 
     alone: further trees, positions [n, 2] and species [n]; no other tree stands within 25 m.
     """
@@ -208,7 +208,7 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
 def shadows(country, places, radius, height, sun=SUN):
     """Soft shadows of crowns on the ground: translucent disks with four components in `RGB`.
 
-    places: feet of the plants [n, 3]; radius, height: of their crowns and of the middles of these [m].
+    places: feet of the plants [n, 3]; radius: of the crowns, height: of their centers [m].
     """
     towards = scene.direction(*sun)
     steep = towards[2] / np.hypot(*towards[:2])
@@ -235,7 +235,7 @@ def shadows(country, places, radius, height, sun=SUN):
 
 
 def polygons_with(points, triangles, colors):
-    """Triangles between points [n, 3] with the colors `RGB`."""
+    """Triangles between points [n, 3], with the point array `RGB`."""
     data, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
     places.SetData(numpy_to_vtk(points.astype(np.float32), deep=True))
     cells.SetData(3, numpy_to_vtkIdTypeArray(triangles.astype(np.int64).ravel(), deep=True))
@@ -248,7 +248,7 @@ def polygons_with(points, triangles, colors):
 
 
 def points_with(places, **arrays):
-    """Vertices at places [n, 3] with point arrays."""
+    """Vertices at positions [n, 3], with point arrays."""
     data, points, vertices = vtkPolyData(), vtkPoints(), vtkCellArray()
     points.SetData(numpy_to_vtk(places.astype(np.float32), deep=True))
     ids = np.arange(len(places), dtype=np.int64)
@@ -284,7 +284,7 @@ def write_sky(filename, columns=6144, rows=1024, seed=4):
 
 
 def _cloud_field(cells, seed):
-    """Periodic noise of unit variance with heaps of about 150 cells."""
+    """Periodic noise of unit variance, with clouds of about 150 cells."""
     frequency = np.hypot(np.fft.fftfreq(cells)[:, None], np.fft.rfftfreq(cells)[None])
     frequency[0, 0] = np.inf
     strength = frequency ** -1.6 / np.sqrt(1.0 + (0.006 / frequency) ** 4)
@@ -294,7 +294,7 @@ def _cloud_field(cells, seed):
 
 
 def sky_dome(center):
-    """The inside of a sphere around a place, with texture coordinates for `write_sky`."""
+    """The inside of a sphere around a center, with texture coordinates for `write_sky`."""
     elevation = np.linspace(-0.05, 0.5 * np.pi, 40)[:, None]
     azimuth = np.linspace(0.0, 2.0 * np.pi, 121)[None]
     away = np.stack(np.broadcast_arrays(
@@ -325,7 +325,7 @@ def _write_png(filename, pixels):
 
 
 def prepare_view(view):
-    """Sun, sky light and light from the ground; no widgets; smooth edges."""
+    """Set up sun, sky light and light from the ground; no widgets; antialiasing."""
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.BackgroundColorMode = "Single Color"
@@ -362,7 +362,7 @@ def show_ground(source, view):
     return shown
 
 
-#: What one sees of scattered plants, but for the crowns of the middle level. Skeletons are left out:
+#: Visible blocks of scattered plants, except the crowns of the middle level and the skeletons:
 #: lines have no normals for the shader.
 PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low")
 
@@ -378,7 +378,7 @@ def show_plants(source, view, parts=PLANT_PARTS):
 
 
 def show_crowns(source, view, picture):
-    """Show the crowns of the middle level with their picture, a PNG file."""
+    """Show the crowns of the middle level with their texture, a PNG file."""
     crowns = simple.ExtractBlock(Input=source, Selectors=["/Root/Medium/Crown"])
     shown = _show_colored(crowns, view)
     shown.Ambient = 0.45
@@ -390,7 +390,7 @@ def show_crowns(source, view, picture):
 
 
 def show_leaves(source, view, picture):
-    """Show the leaves of the nearest level with their picture, a PNG file. Quadrics need it."""
+    """Show the leaves of the nearest level with their texture, a PNG file. Quadrics need it."""
     leaves = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Leaves"])
     shown = _show_colored(leaves, view)
     shown.Ambient = 0.35
@@ -409,7 +409,7 @@ def show_shadows(source, view):
 
 
 def show_sky(source, view, picture):
-    """Show a dome with its picture, a PNG file."""
+    """Show a dome with its texture, a PNG file."""
     shown = simple.Show(source, view)
     simple.ColorBy(shown, None)
     shown.Texture = create_texture(picture)
@@ -430,12 +430,12 @@ def _show_colored(source, view):
 
 
 def _bake(shown):
-    """The colors are the light."""
+    """Show colors without lighting."""
     shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
 
 
 def _shade(shown, changes, fragment):
-    """Adds to the shaders of a representation."""
+    """Set shader replacements of a representation."""
     shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
     last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
     shown.UseShaderReplacements = 1

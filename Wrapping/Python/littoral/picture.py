@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of surfaces with baked light, drawn off screen with plain VTK.
+"""Images of surfaces with baked light, rendered off screen with plain VTK.
 
-Places in a picture are shares of its width and height, from the lower left.
+Positions in an image are fractions of its width and height, from the lower left.
 """
 
 import numpy as np
@@ -21,13 +21,13 @@ FAINT = (0.40, 0.43, 0.48)
 
 
 def save_block(filename, image, exaggeration=1.0, size=(1200, 800)):
-    """Draw one terrain as a block on a pale floor."""
+    """Render one terrain as a block on a pale floor."""
     _save_blocks(filename, [image], exaggeration, scene.natural_color, [], size)
 
 
 def save_pair(filename, images, titles, notes, exaggeration=1.0,
               coloring=scene.natural_color, size=(1600, 760)):
-    """Draw two terrains of the same size as blocks, side by side on a pale floor.
+    """Render two terrains of the same size as blocks, side by side on a pale floor.
 
     titles, notes: a large and a small line of text under each.
     """
@@ -36,7 +36,7 @@ def save_pair(filename, images, titles, notes, exaggeration=1.0,
 
 def save_picture(filename, surfaces, eye, focus, view_angle, labels=(), size=(1600, 760),
                  oversampling=2):
-    """Draw surfaces before a pale sky.
+    """Render surfaces before a pale sky.
 
     eye, focus: camera [m]; view_angle: vertical [degrees]; labels: arguments of `label`.
     """
@@ -61,7 +61,7 @@ def save_picture(filename, surfaces, eye, focus, view_angle, labels=(), size=(16
 
 
 def lit_actor(data):
-    """Actor that shows the array `RGB` as it is."""
+    """Actor with the colors of the array `RGB`, without lighting."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(data)
     actor.SetMapper(mapper)
@@ -70,7 +70,7 @@ def lit_actor(data):
 
 
 def label(text, place, height, color=INK):
-    """Text whose upper edge is centered at a place; height in pixels."""
+    """Text with the center of its upper edge at a position; height in pixels."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -85,19 +85,19 @@ def label(text, place, height, color=INK):
 
 
 def write_png(window, filename, size, oversampling=2):
-    """Draw a window off screen, larger by `oversampling`, and write it at a size [pixels]."""
+    """Render a window off screen, larger by `oversampling`, and write it at a size [pixels]."""
     _write(vtkPNGWriter(), window, filename, size, oversampling)
 
 
 def write_jpg(window, filename, size, quality=88, oversampling=2):
-    """Draw a window as `write_png` does; quality: of the JPEG file, to 100."""
+    """Write a JPEG file like `write_png`; quality: 0 to 100."""
     writer = vtkJPEGWriter()
     writer.SetQuality(quality)
     _write(writer, window, filename, size, oversampling)
 
 
 def _write(writer, window, filename, size, oversampling):
-    """Draw a window off screen and hand it to a writer."""
+    """Render a window off screen and pass it to a writer."""
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
     window.SetSize(size[0] * oversampling, size[1] * oversampling)
@@ -113,7 +113,7 @@ def _write(writer, window, filename, size, oversampling):
 
 
 def _save_blocks(filename, images, exaggeration, coloring, texts, size):
-    """Blocks in a row across the picture, in haze, with texts below them."""
+    """Render blocks in a row, in haze, with texts below them."""
     width = scene.width_of(images[0])
     eye, focus, angle = scene.row_camera(width, len(images), size[0] / size[1])
     distance = np.linalg.norm(eye - focus)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plants in plain VTK pictures: their blocks by name, and actors in daylight.
+"""Plants in plain VTK: their blocks by name, and actors in daylight.
 
     source = vtkReevesTreeSource()
     source.Update()
@@ -14,28 +14,28 @@ from .versions import block_name
 
 
 def block(data, *names):
-    """The block below a multiblock by the names on the way to it; None if there is none."""
+    """The block of a multiblock by the names on its path; None if there is none."""
     for name in names:
         blocks = range(data.GetNumberOfBlocks()) if data else ()
         data = next((data.GetBlock(k) for k in blocks if block_name(data, k) == name), None)
     return data
 
 
-#: What is half transparent or more is not there; the rest is opaque and needs no sorting.
+#: Fragments with alpha below 0.5 are discarded; the others are opaque and need no sorting.
 CUT_OUT = """//VTK::TCoord::Impl
   if (gl_FragData[0].a < 0.5) discard;
   gl_FragData[0].a = 1.0;
 """
-#: Light goes through leaves: their normal is the same on both sides, while VTK turns it to the eye.
+#: Translucent leaves: their normal is the same on both sides, while VTK turns it to the camera.
 BOTH_SIDES = """//VTK::Normal::Impl
   if (gl_FrontFacing == false) normalVCVSOutput = -normalVCVSOutput;
 """
 
 
 def plant_actor(part, picture=None, tinted=False):
-    """Actor of a part of a plant in its own colors, or with a picture instead of them.
+    """Actor of a part of a plant with its colors, or with a texture instead.
 
-    tinted: the picture is multiplied with the colors.
+    tinted: multiply the texture with the colors.
     """
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(part)
@@ -52,7 +52,7 @@ def plant_actor(part, picture=None, tinted=False):
 
 
 def cut_out(actor):
-    """The actor, cut out where its picture is transparent, and with light through its leaves."""
+    """The actor, cut out where its texture is transparent, and with translucent leaves."""
     actor.ForceOpaqueOn()
     shader = actor.GetShaderProperty()
     shader.AddFragmentShaderReplacement("//VTK::TCoord::Impl", True, CUT_OUT, False)
@@ -63,8 +63,8 @@ def cut_out(actor):
 def level_actors(source, level, cut_leaves=False):
     """Actors of a level, "High", "Medium" or "Low", of an updated plant source.
 
-    cut_leaves: with the picture on the leaves of High, and pictures cut out. Quadrics need it, kites
-    do without.
+    cut_leaves: put the texture on the leaves of High and cut it out. Quadrics need this, kites do
+    not.
     """
     data = source.GetOutput()
     if level == "High":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plants in PyVista: their colors, their own normals, and the pictures that they carry.
+"""Plants in PyVista, with their colors, normals and textures.
 
     plotter = pyvista.Plotter()
     add_plants(plotter, vtkReevesTreeSource().update().output)
@@ -15,11 +15,11 @@ PARTS = {"High": ("Skin", "Leaves"), "Medium": ("Trunk", "Crown"), "Low": ("",)}
 
 
 def add_plants(plotter, plants, levels=("High",), **look):
-    """Show levels of a plant, of a scattered forest or of plants that move; gives the actors.
+    """Show levels of a plant, a scattered forest or moving plants; returns the actors.
 
     plants: blocks from a plant source, vtkPlantScatterFilter, vtkBeamTreeDeformationFilter or
-    vtkSeaweedDeformationFilter; of a forest take all three levels. look: further arguments of `add_mesh`.
-    Leaves whose picture is transparent where there is no leaf, and crowns, are cut out along it.
+    vtkSeaweedDeformationFilter; for a forest, show all three levels. look: further arguments of `add_mesh`.
+    Crowns, and leaves whose texture is transparent outside the leaf, are cut out along it.
     """
     actors = []
     for level in levels:
@@ -28,7 +28,7 @@ def add_plants(plotter, plants, levels=("High",), **look):
             if part is None or not part.GetNumberOfCells():
                 continue
             picture = _picture(part)
-            colors = {} if name == "Crown" else {"scalars": "RGB", "rgb": True}  # a crown's are in its picture
+            colors = {} if name == "Crown" else {"scalars": "RGB", "rgb": True}  # a crown's are in its texture
             actor = plotter.add_mesh(part, texture=picture, **{"ambient": 0.25, **colors, **look})
             # PyVista's smooth_shading would replace the normals, which for leaves are those of the crown.
             actor.GetProperty().SetInterpolationToPhong()
@@ -37,7 +37,7 @@ def add_plants(plotter, plants, levels=("High",), **look):
 
 
 def _picture(part):
-    """The picture of a part as a texture; None if it has none, or one that covers all of it."""
+    """The texture of a part; None if it has none, or an opaque one."""
     data = part.GetFieldData()
     if not data.HasArray("Texture"):
         return None

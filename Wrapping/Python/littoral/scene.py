@@ -42,7 +42,7 @@ BEDS = np.array(
 
 
 def direction(azimuth, elevation):
-    """Unit vector towards a point of the sky."""
+    """Unit vector towards an azimuth and elevation [degrees]."""
     a, e = np.radians((azimuth, elevation))
     return np.array((np.sin(a) * np.cos(e), np.cos(a) * np.cos(e), np.sin(e)))
 
@@ -51,7 +51,7 @@ def direction(azimuth, elevation):
 
 
 def subdivide(z):
-    """Twice the resolution by a step of cubic B-spline subdivision; the border stays in place."""
+    """Double the resolution by one step of cubic B-spline subdivision; the border stays fixed."""
     for axis in (0, 1):
         z = np.moveaxis(z, axis, 0)
         fine = np.empty((2 * len(z) - 1,) + z.shape[1:])
@@ -63,14 +63,14 @@ def subdivide(z):
 
 
 def refined(z, spacing, cells=600):
-    """Subdivide until the longer side has so many cells; gives heights and spacing."""
+    """Subdivide until the longer side has at least `cells`; returns heights and spacing."""
     while max(z.shape) < cells:
         z, spacing = subdivide(z), (0.5 * spacing[0], 0.5 * spacing[1])
     return z, spacing
 
 
 def blur(z, radius):
-    """Three means over boxes of 2 radius + 1 cells: nearly a Gaussian."""
+    """Three box filters of 2 radius + 1 cells: nearly a Gaussian."""
     size = 2 * radius + 1
     for axis in (0, 1) * 3:
         z = np.moveaxis(z, axis, 0)
@@ -88,7 +88,7 @@ def normals(z, spacing):
 
 
 def sunlight(z, spacing, azimuth, elevation, softness=0.07):
-    """Share [0..1] of the sun that each point sees; a shadow fades over `softness` of slope."""
+    """Fraction [0..1] of the sun visible from each point; shadows fade over `softness` of slope."""
     rise = np.tan(np.radians(elevation))
     clear = np.ones(z.shape)
     for distance, met in _march(z, spacing, azimuth, np.ptp(z) / rise, growth=1.04):
@@ -97,7 +97,7 @@ def sunlight(z, spacing, azimuth, elevation, softness=0.07):
 
 
 def openness(z, spacing, farthest=None, directions=12):
-    """Share [0..1] of the sky that each point sees, relief beyond `farthest` [m] neglected."""
+    """Fraction [0..1] of the sky visible from each point, by relief up to `farthest` [m]."""
     farthest = farthest or 40.0 * max(spacing)
     total = np.zeros(z.shape)
     for azimuth in np.arange(directions) * 360.0 / directions:
@@ -109,7 +109,7 @@ def openness(z, spacing, farthest=None, directions=12):
 
 
 def _march(z, spacing, azimuth, farthest, growth):
-    """Walk from every point along an azimuth: yields the distance [m] and the heights met there."""
+    """March from every point along an azimuth: yields the distance [m] and the heights there."""
     towards = direction(azimuth, 0.0)
     distance = min(spacing)
     while distance < farthest:
@@ -121,7 +121,7 @@ def _march(z, spacing, azimuth, farthest, growth):
 
 
 def _shifted(z, rows, columns):
-    """z seen from so many rows and columns further on; beyond the border its values go on."""
+    """z shifted by rows and columns; values at the border are repeated."""
     y = np.clip(np.arange(z.shape[0]) + rows, 0, z.shape[0] - 1)
     x = np.clip(np.arange(z.shape[1]) + columns, 0, z.shape[1] - 1)
     return z[y][:, x]
@@ -131,9 +131,9 @@ def _shifted(z, rows, columns):
 
 
 def natural_color(z, spacing, reflectance=None):
-    """Color of a temperate country: meadows in the hollows, woods on the slopes, rock where steep.
+    """Color of temperate terrain: meadows in hollows, woods on slopes, rock where steep.
 
-    `reflectance` [0..1], where given, decides between wood and meadow as chance does otherwise.
+    `reflectance` [0..1] decides between wood and meadow; default: random.
     """
     slope, height, hollow, patches, grain = _relief(z, spacing, reflectance)
     dry = _step(patches + 0.4 * grain - 0.3 * hollow, -0.5, 1.8)
@@ -145,22 +145,22 @@ def natural_color(z, spacing, reflectance=None):
 
 
 def wood_share(z, spacing, reflectance=None):
-    """Share [0..1] of the ground that trees cover, where `natural_color` paints woods."""
+    """Fraction [0..1] of the ground covered by trees, as in `natural_color`."""
     slope, height, hollow, patches, grain = _relief(z, spacing, reflectance)
     wooded = 0.10 * (slope - 7.0) + 0.45 * hollow + 0.35 * height - 0.6 * patches + 0.25 * grain
     return _step(wooded, -0.9, 0.7)
 
 
 def _relief(z, spacing, reflectance):
-    """What decides on plant cover: slope [degrees], height, hollows, patches and grain."""
+    """Factors of plant cover: slope [degrees], height, hollows, patches and grain."""
     slope = np.degrees(np.arccos(normals(z, spacing)[..., 2]))
-    slope *= 25.0 / max(25.0, np.percentile(slope, 95.0))  # rock stays rare in steep countries
+    slope *= 25.0 / max(25.0, np.percentile(slope, 95.0))  # rock stays rare in steep terrain
     patches = _noise(z.shape, 10, seed=1) if reflectance is None else 4.0 * (reflectance - 0.5)
     return slope, _standard(z), _standard(z - blur(z, 28)), patches, _noise(z.shape, 0, seed=2)
 
 
 def height_color(z, spacing, reflectance=None):
-    """Color by height alone, as in an atlas, so that the shape speaks."""
+    """Color by height alone, as in an atlas."""
     share = np.clip(0.5 + 0.22 * _standard(z), 0.0, 1.0)
     steps = np.linspace(0.0, 1.0, len(ATLAS))
     return np.stack([np.interp(share, steps, channel) for channel in ATLAS.T], axis=-1)
@@ -169,8 +169,8 @@ def height_color(z, spacing, reflectance=None):
 def section_color(along, height, depth, thickness):
     """Color of soil and rock beds in a cut.
 
-    All in metres: place along the cut, height above the base, depth below the ground, and thickness
-    of the block.
+    All in metres: position along the cut, height above the base, depth below the ground, and
+    thickness of the block.
     """
     u = along / thickness
     folds = 0.9 * np.sin(0.23 * u + 0.5) + 0.25 * np.sin(0.9 * u) + 0.05 * np.sin(4.3 * u)
@@ -187,7 +187,7 @@ def _standard(z):
 
 
 def _noise(shape, radius, seed):
-    """Noise of unit standard deviation with grains of a radius in cells."""
+    """Noise of unit standard deviation, blurred by a radius [cells]."""
     return _standard(blur(np.random.default_rng(seed).standard_normal(shape), radius))
 
 
@@ -202,7 +202,7 @@ def _step(value, low, high):
 
 
 def _lit(color, normal, towards_sun, sun, sky):
-    """Light that a surface sends out, from the shares of sun and sky that it sees."""
+    """Reflected light of a surface, by the visible fractions of sun and sky."""
     facing = np.maximum(normal @ towards_sun, 0.0) * sun
     above = (0.5 + 0.5 * normal[..., 2]) * sky
     below = 1.0 - 0.6 * sky
@@ -225,8 +225,8 @@ def _to_bytes(light):
 def relief_block(image, exaggeration=1.0, sun=SUN, coloring=natural_color, center=(0.0, 0.0)):
     """The terrain of an image as a block with cut sides that stands on z = 0, lit colors in `RGB`.
 
-    exaggeration: of the heights; sun: azimuth and elevation; center: where its middle comes to lie.
-    An array `Reflectance`, if there is one, guides the colors. Missing heights become the lowest.
+    exaggeration: of the heights; sun: azimuth and elevation [degrees]; center: of the block [m].
+    An optional array `Reflectance` controls the colors. Missing heights become the lowest.
     """
     ground = array_from_image(image)
     if ground is None:
@@ -253,9 +253,9 @@ def relief_block(image, exaggeration=1.0, sun=SUN, coloring=natural_color, cente
 
 
 def floor_shadow(bounds, sun=SUN, cells=400):
-    """What blocks take from the light of a floor at z = 0: translucent, four components in `RGB`.
+    """Shadows of blocks on a floor at z = 0: translucent, four components in `RGB`.
 
-    bounds: those of each block [m]; empty blocks are passed over.
+    bounds: of each block [m]; empty blocks are skipped.
     """
     b = np.array([b for b in bounds if b[0] < b[1]])
     if not len(b):
@@ -300,7 +300,7 @@ def _wall(edge, normal, towards_sun, thickness):
 
 
 def _surface(grids):
-    """One polydata of grids, each the points [row, column, 3] and their colors as bytes."""
+    """Polydata of grids, each given by points [row, column, 3] and colors as bytes."""
     quads, first = [], 0
     for points, _ in grids:
         k = first + np.arange(points[..., 0].size).reshape(points.shape[:2])
@@ -329,15 +329,15 @@ def width_of(image):
 
 
 def row_centers(width, count):
-    """Centers [m] of so many blocks of a width [m], side by side as `row_camera` sees them."""
+    """Centers [m] of `count` blocks of a width [m], side by side in the view of `row_camera`."""
     places = 1.44 * width * (np.arange(count) - 0.5 * (count - 1))
     return places[:, None] * direction(90.0 - TURN, 0.0)
 
 
 def row_camera(width, count, aspect):
-    """Eye [m], focus [m] and vertical view angle for a row of blocks, seen from far away.
+    """Camera position [m], focal point [m] and vertical view angle [degrees] for a row of blocks.
 
-    aspect: width over height of the picture.
+    aspect: width over height of the image.
     """
     angle, reach = 7.0, (0.25 + 0.65 * count) * width
     focus = 0.05 * width * direction(90.0 - TURN, 0.0) - (0.0, 0.0, 0.01 * width)
@@ -362,7 +362,7 @@ def prepare_view(view, width, count):
 
 
 def show_lit(proxy, view):
-    """Show a ParaView source in a render view with the light of its array `RGB`."""
+    """Show a ParaView source in a render view with its array `RGB`, without lighting."""
     from paraview.simple import ColorBy, Show
 
     shown = Show(proxy, view)

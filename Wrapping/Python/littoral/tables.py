@@ -30,7 +30,7 @@ def model_names(fits):
 
 
 def one_model(fits, model):
-    """The table with the row of one model alone, as a source takes it."""
+    """A table with only the row of one model, as input of a source."""
     row = model_names(fits).index(model)
     table = vtkTable()
     for k in range(fits.GetNumberOfColumns()):

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Underwater scenes in ParaView: the surface from below, the bed with its caustics, shafts of light, haze, particles.
 
-All of it works with the rasterizer that every ParaView has; no ray tracing. Lengths are in metres, x is east, y north,
-z up, the sea level at 0. The shaders work in a linear measure of light, which they turn into colors at the end.
+Everything works with the rasterizer of any ParaView, without ray tracing. Lengths are in metres, x is east, y north,
+z up, the sea level at 0. The shaders compute in linear color space and convert at the end.
 
-Ripples too short for the wave trains of a scene are a sum of a few waves in the shaders. The same waves refract the sun:
-where their curvature focuses it at a depth there are caustics, and between the eye and a place there are shafts.
+Ripples too short for the wave trains of a scene are a sum of a few waves in the shaders. They also refract the sun: where
+their curvature focuses it, there are caustics on surfaces and shafts of light along view rays.
 """
 
 import json
@@ -23,13 +23,13 @@ from .landscape import points_with
 
 #: Towards the sun, as seen from under the water: its azimuth from north to the east and zenith angle [degrees].
 SUN = (12.0, 24.0)
-#: Of red, green and blue light: what water takes from a ray, and from the light that comes down [1/m].
+#: Attenuation of red, green and blue [1/m]: of a ray, and of downward light.
 EXTINCTION, DOWNWARD = (0.150, 0.056, 0.046), (0.20, 0.050, 0.040)
-#: Light that the water gives to a long view up, across and down.
+#: Light of the water along a long view ray up, level and down.
 UPWARD_VIEW, LEVEL_VIEW, DOWNWARD_VIEW = (0.07, 0.50, 0.68), (0.008, 0.135, 0.235), (0.002, 0.040, 0.075)
-#: Of the ripples, the longest ones, which focus light; the sun is too large for the others.
+#: Number of ripples, the longest ones, that focus light; for the others the sun is too large.
 FOCUSING = 8
-#: How light everything is.
+#: Exposure of the image.
 EXPOSURE = 1.55
 
 PLACES = [
@@ -129,7 +129,7 @@ vec3 through(vec3 radiance)
 vec3 toned(vec3 light) { return pow(1.0 - exp(-EXPOSURE * light), vec3(1.0 / 2.0)); }
 """
 
-#: The surface from below: the sky through Snell's window, and the water mirrored outside of it.
+#: The surface from below: the sky through Snell's window, mirrored water outside it.
 SURFACE = """
   vec3 towards = normalize(placeMC - eyeMC);
   float away = length(placeMC - eyeMC);
@@ -175,7 +175,7 @@ BED = """
   gl_FragData[0] = vec4(toned(through(albedo * falling)), 1.0);
 """
 
-#: Blades and stipes. Light goes through blades; vertex colors are what it takes on.
+#: Stipes and translucent blades. Vertex colors are their reflectance and transmittance.
 SEAWEED = """
   vec3 normal = normalize(normalAtPlace);
   vec3 towards = normalize(placeMC - eyeMC);
@@ -190,7 +190,7 @@ SEAWEED = """
   gl_FragData[0] = vec4(toned(through(light)), 1.0);
 """
 
-#: What lies beyond everything: water.
+#: Background: water.
 BEYOND = "  gl_FragData[0] = vec4(toned(through(vec3(0.0))), 1.0);\n"
 
 
@@ -232,7 +232,7 @@ def set_time(shown, time):
 
 
 def fan(reach=160.0, nearest=0.3, rings=260, spokes=420, angle=130.0, height=0.0):
-    """A level mesh about the origin, open to the north, with cells that grow with distance."""
+    """A horizontal fan-shaped mesh from the origin to the north, with cells that grow with distance."""
     radius = np.concatenate(([0.0], np.geomspace(nearest, reach, rings)))
     turn = np.radians(np.linspace(-0.5 * angle, 0.5 * angle, spokes))
     x, y = np.outer(radius, np.sin(turn)), np.outer(radius, np.cos(turn))
@@ -262,7 +262,7 @@ def mesh(points, normals=None, colors=None):
 
 
 def bed(depth, eye, size=120.0, samples=900, seed=5):
-    """A sandy bed with stones about a place, with the array RGB; and a function of its height [m]."""
+    """A sandy bed with stones around a position, with the array RGB; and a function of its height [m]."""
     heights = 0.45 * _field(size, samples, 30.0, 4.5, seed)
     stones = _field(size, samples, 7.0, 3.6, seed + 1)
     bumps = _field(size, samples, 2.2, 2.8, seed + 2)
@@ -271,7 +271,7 @@ def bed(depth, eye, size=120.0, samples=900, seed=5):
     step = size / (samples - 1)
     along = np.arange(samples) * step - 0.5 * size
     x, y = np.meshgrid(along + eye[0], along + eye[1] + 0.35 * size)
-    marks = np.sin(2.0 * np.pi * (0.45 * x + 1.25 * y + 0.9 * heights + 0.15 * bumps))  # of the waves in the sand
+    marks = np.sin(2.0 * np.pi * (0.45 * x + 1.25 * y + 0.9 * heights + 0.15 * bumps))  # ripple marks
     z = -depth + heights + (1.0 - rock) * 0.022 * marks + rock * (0.30 + 0.13 * bumps + 0.75 * (stones - 1.25))
     zy, zx = np.gradient(z, step)
     normals = np.stack((-zx, -zy, np.ones_like(z)), axis=-1)
@@ -291,7 +291,7 @@ def bed(depth, eye, size=120.0, samples=900, seed=5):
 
 
 def _field(size, samples, reach, smoothness, seed):
-    """A periodic random field of unit variance; waves up to a reach [m] have most of it, shorter ones less."""
+    """A periodic random field of unit variance; wavelengths below reach [m] have less power."""
     frequency = np.hypot(np.fft.fftfreq(samples)[:, None], np.fft.rfftfreq(samples)[None]) * samples / size
     strength = (1.0 + (frequency * reach) ** 2) ** (-0.5 * smoothness)
     strength[0, 0] = 0.0
@@ -301,9 +301,9 @@ def _field(size, samples, reach, smoothness, seed):
 
 
 def kelp_sites(height, count=130, seed=4, top=-0.8):
-    """Sites for Plant Scatter before the eye, in groves: Species 0 sugar kelp, 1 giant kelp, with their Scale.
+    """Sites for Plant Scatter before the camera, in groves, with Species (0 sugar kelp, 1 giant kelp) and Scale.
 
-    height: function of the bed's height [m]; top: what giant kelp does not reach beyond [m].
+    height: function of the bed's height [m]; top: largest height of giant kelp [m].
     """
     random = np.random.default_rng(seed)
     groves = ((-6.0, 10.5), (7.0, 12.0), (-12.5, 19.0), (14.0, 20.0), (1.5, 25.0))
@@ -318,7 +318,7 @@ def kelp_sites(height, count=130, seed=4, top=-0.8):
         places.append((x, y, float(height(x, y))))
         species.append(int(giant))
     places = np.array(places)
-    largest = (top - places[:, 2]) / 14.6  # giant kelp is that high [m]
+    largest = (top - places[:, 2]) / 14.6  # height of giant kelp [m]
     scale = np.where(species, largest * random.uniform(0.75, 1.0, len(places)), random.uniform(0.7, 1.15, len(places)))
     return points_with(places, Species=np.array(species, dtype=np.int32), Scale=scale)
 
@@ -326,7 +326,7 @@ def kelp_sites(height, count=130, seed=4, top=-0.8):
 def particles(box, count, radius, color, seed=1, clumps=0.0, plants=None, share=0.03):
     """Particles in a box (smallest, then largest x, y, z) with the arrays Radius [m] and RGB.
 
-    radius: median [m]; clumps: 0 uniform to 1 gathered in clouds; plants: sites that a share of all gathers about.
+    radius: median [m]; clumps: 0 uniform to 1 gathered in clouds; plants: sites around which a fraction share gathers.
     """
     random = np.random.default_rng(seed)
     low, high = np.reshape(box, (2, 3))
@@ -349,7 +349,7 @@ def particles(box, count, radius, color, seed=1, clumps=0.0, plants=None, share=
 
 
 def split_about(points, sites, reach=1.0, top=-0.5):
-    """Particles about plants, up to a reach [m] from where they stand and up to a height, and the other particles."""
+    """Particles around plants, within a horizontal reach [m] and up to a height, and the other particles."""
     places, feet = (vtk_to_numpy(data.GetPoints().GetData()).astype(float) for data in (points, sites))
     about = np.zeros(len(places), dtype=bool)
     for foot, giant in zip(feet, vtk_to_numpy(sites.GetPointData().GetArray("Species"))):
@@ -359,7 +359,7 @@ def split_about(points, sites, reach=1.0, top=-0.5):
 
 
 def _selected(points, chosen):
-    """The points with their arrays that a mask chooses."""
+    """The points selected by a mask, with their arrays."""
     arrays = points.GetPointData()
     return points_with(vtk_to_numpy(points.GetPoints().GetData())[chosen], **{
         arrays.GetArrayName(k): vtk_to_numpy(arrays.GetArray(k))[chosen] for k in range(arrays.GetNumberOfArrays())})
@@ -369,7 +369,7 @@ def _selected(points, chosen):
 
 
 def prepare_view(view):
-    """No widgets, no lights: the shaders are the light."""
+    """Set up a view without widgets and lights: the shaders compute the light."""
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.BackgroundColorMode = "Single Color"
@@ -391,14 +391,14 @@ def show_bed(source, view, time):
 
 
 def show_seaweeds(source, view, time):
-    """Show seaweeds in full, of Seaweed or of Plant Scatter."""
+    """Show the level High of seaweeds, from Seaweed or Plant Scatter."""
     parts = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Skin", "/Root/High/Leaves"])
     mesh_of_all = simple.MergeBlocks(Input=parts, OutputDataSetType="Polygonal Mesh", MergePoints=0)
     return _show_lit(mesh_of_all, view, SEAWEED, time)
 
 
 def show_beyond(view, time, eye, radius=150.0):
-    """Show the water where nothing else is."""
+    """Show the water behind all objects."""
     sphere = simple.Sphere(Center=list(eye), Radius=radius, ThetaResolution=64, PhiResolution=64)
     shown = simple.Show(sphere, view)
     shown.ColorArrayName = [None, ""]
@@ -407,7 +407,7 @@ def show_beyond(view, time, eye, radius=150.0):
 
 
 def show_particles(source, view, eye):
-    """Show particles as soft spots, with their Radius, RGB, and Alpha that fades in the water towards an eye."""
+    """Show particles as soft spots with Radius, RGB and Alpha, faded by their distance in water from the camera."""
     haze = "exp(-0.11 * sqrt((coordsX - {})^2 + (coordsY - {})^2 + (coordsZ - {})^2))".format(*eye)
     faded = simple.Calculator(Input=source, ResultArrayName="Opacity", Function=f"0.75 * Alpha * {haze}")
     shown = simple.Show(faded, view, "GeometryRepresentation")
@@ -420,12 +420,12 @@ def show_particles(source, view, eye):
     shown.OpacityByArray, shown.OpacityArray = 1, ["POINTS", "Opacity"]
     shown.OpacityTransferFunction = simple.CreatePiecewiseFunction(Points=[0.0, 0.0, 0.5, 0.0, 1.0, 1.0, 0.5, 0.0])
     shown.Emissive = 0
-    shown.Opacity = 0.99  # drawn with what is translucent: it must not hide the fog behind it
+    shown.Opacity = 0.99  # drawn as translucent, so that it does not hide the fog behind it
     return shown
 
 
 def show_fog(source, view, color=(0.50, 0.78, 0.76)):
-    """Show the image of Particle Fog as a volume of a color."""
+    """Show the image of Particle Fog as a volume of one color."""
     extinctions = (0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.2, 2.5, 5.0)
     shown = simple.Show(source, view, "UniformGridRepresentation")
     shown.SetRepresentationType("Volume")
@@ -440,7 +440,7 @@ def show_fog(source, view, color=(0.50, 0.78, 0.76)):
 
 
 def _show_lit(source, view, fragment, time):
-    """Show something with the arrays RGB and Normals."""
+    """Show a data set with the arrays RGB and Normals."""
     shown = simple.Show(source, view)
     shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
@@ -449,7 +449,7 @@ def _show_lit(source, view, fragment, time):
 
 
 def _shade(shown, changes, fragment, time):
-    """Adds to the shaders of a representation."""
+    """Set shader replacements of a representation."""
     shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
     shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
     changes = json.loads(json.dumps(changes))
@@ -461,7 +461,7 @@ def _shade(shown, changes, fragment, time):
 
 
 def _merged(changes):
-    """One change for each mark: a second one would not find it any more."""
+    """Merge replacements with the same original, since VTK replaces each original once."""
     merged = {}
     for change in changes:
         key = change["type"], change["original"]

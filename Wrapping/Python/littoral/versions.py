@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What single versions of VTK and ParaView do their own way, in one place.
+"""Differences between versions of VTK and ParaView, in one place.
 
-Each function says which versions need it, so that it can go when they do.
+Each function names the versions that need it, so that it can be removed with them.
 """
 
 import re
@@ -14,15 +14,15 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 def set_plot_color(plot, color):
     """Set the color of a vtkPlot, components from 0 to 1.
 
-    VTK 9.6 has no SetColor of three numbers any more, VTK 9.1 no SetColorF yet.
+    VTK 9.6 has no SetColor with three numbers, VTK 9.1 no SetColorF.
     """
     plot.SetColor(*(round(255.0 * c) for c in color), 255)
 
 
 def create_texture(file):
-    """A texture proxy of a picture file, for a representation's Texture.
+    """A texture proxy of an image file, for the Texture of a representation.
 
-    ParaView 5.13 keeps the file name to itself until it is told to pass it on.
+    ParaView 5.13 passes the file name on only after an explicit update.
     """
     from paraview import simple
 
@@ -34,7 +34,7 @@ def create_texture(file):
 def block_name(data, index):
     """The name of a block of a multiblock; None if it has none.
 
-    What ParaView 6 fetches has the number of the rank in front of the names of the first level: Block 0_High.
+    Data that ParaView 6 fetches has the rank in the names of the first level: Block 0_High.
     """
     names = data.GetMetaData(index) if data.HasMetaData(index) else None
     name = names.Get(vtkCompositeDataSet.NAME()) if names else None
@@ -42,9 +42,9 @@ def block_name(data, index):
 
 
 def series_suffix():
-    """What SaveData puts between name and extension of a series: a number of four digits.
+    """Suffix of SaveData between name and extension of a series: a number of four digits.
 
-    ParaView 6.1 warns of the form of those before.
+    ParaView 6.1 warns of the older form.
     """
     from paraview.servermanager import vtkSMProxyManager
 
@@ -53,10 +53,10 @@ def series_suffix():
 
 
 def mend_calls(sources):
-    """Let `(source >> filter)()`, and `source()` of these classes, leave inputs as they are.
+    """Let `(source >> filter)()`, and `source()` of these classes, leave inputs unchanged.
 
-    VTK 9.4 to 9.6, and that of ParaView 5.13, connect nothing to port 0 where a pipeline is called without an input,
-    even if what is there is optional or connected, and refuse such a call of a source.
+    VTK 9.4 to 9.6, and that of ParaView 5.13, connect None to port 0 when a pipeline is called without an input, even
+    if the port is optional or connected, and reject such a call of a source.
     """
     try:
         from vtkmodules.util import execution_model
@@ -65,7 +65,7 @@ def mend_calls(sources):
     of_vtk = execution_model._call
 
     def call(first, last, inp=None, port=0):
-        # A producer has no port to which VTK could connect nothing.
+        # A producer has no port to which VTK could connect None.
         return of_vtk(vtkTrivialProducer() if inp is None else first, last, inp, port)
 
     def callable_class(source):
