@@ -12,8 +12,10 @@ endif ()
 set(littoral_client_file)
 set(littoral_client_module)
 if (LITTORAL_WITH_PARAVIEW)
-  set(littoral_client_file "${PROJECT_SOURCE_DIR}/paraview-plugin/ClientProxies/vtk.module")
-  set(littoral_client_module Littoral::LittoralClientProxies)
+  set(littoral_client_file
+    "${PROJECT_SOURCE_DIR}/paraview-plugin/ClientProxies/vtk.module"
+    "${PROJECT_SOURCE_DIR}/paraview-plugin/Representations/vtk.module")
+  set(littoral_client_module Littoral::LittoralClientProxies Littoral::LittoralRepresentations)
 endif ()
 
 set(littoral_io_file)

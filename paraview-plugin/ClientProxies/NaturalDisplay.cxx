@@ -142,9 +142,9 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, int port)
     ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
     ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
   }
-  if (this->Hint("own-levels") && representation->GetProperty("SuppressLOD"))
+  if (this->Hint("own-levels"))
   {
-    vtkSMPropertyHelper(representation, "SuppressLOD").Set(1);
+    vtkSMPropertyHelper(representation, "Representation").Set("Full Surface");
   }
   representation->UpdateVTKObjects();
 }

@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython
+"""A forest stays in the view while the camera is dragged, above ParaView's threshold for levels of detail of its own.
+
+Each interactive picture is compared with the still picture of the same camera: with and without FollowCamera, rendered by
+the client and by a server.
+"""
+
+import subprocess
+
+import numpy as np
+from paraview import simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+PORT = 21531
+STEP = 12.0  # of the camera [m]
+
+
+def picture(view):
+    """The colors that the window shows, without another rendering."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(view.GetRenderWindow())
+    grab.ShouldRerenderOff()
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
+
+
+def apart(one, other):
+    """Share of the pixels of two pictures that differ."""
+    return float((np.abs(one - other).sum(axis=1) > 12).mean())
+
+
+def scene():
+    """A view of a forest, whose nearest trees have few leaves, and the forest."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [320, 200]
+    view.OrientationAxesVisibility = 0
+    sites = simple.QuadratPoints(Size=[400.0, 400.0], Quadrats=[20, 20])
+    tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=200, MainBranches=8, Orders=1)
+    forest = simple.PlantScatter(Sites=sites, Prototypes=[tree], NearDistance=30.0, FarDistance=150.0)
+    shown = simple.Show(forest, view)
+    assert shown.Representation == "Full Surface", shown.Representation
+    simple.Render(view)
+    return view, forest
+
+
+def stand(view, step):
+    """Put the camera in front of the forest."""
+    view.CameraPosition = [200.0 + STEP * step, -40.0, 12.0]
+    view.CameraFocalPoint = [200.0, 200.0, 0.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+
+
+def check_drag(view, where):
+    """The same pictures while dragging and at rest."""
+    empty = picture(view)[-1]
+    view.LODThreshold = 0.0
+    moving = []
+    for step in range(4):
+        stand(view, step)
+        view.SMProxy.InteractiveRender()
+        moving.append(picture(view))
+    for step, seen in enumerate(moving):
+        stand(view, step)
+        simple.Render(view)
+        still = picture(view)
+        covered = float((np.abs(still - empty).sum(axis=1) > 12).mean())
+        assert covered > 0.1, f"{where}: the forest covers {covered:.3f} of the still picture"
+        assert apart(seen, still) < 0.01, f"{where}, step {step}: {apart(seen, still):.3f} of the pixels differ"
+
+
+def check_here(where, threshold=None):
+    """Following and not."""
+    view, forest = scene()
+    if threshold is not None:
+        view.RemoteRenderThreshold = threshold
+    check_drag(view, f"{where}, following")
+    forest.FollowCamera = 0
+    check_drag(view, f"{where}, not following")
+    simple.Delete(forest)
+    simple.Delete(view)
+
+
+def check_server():
+    """In front of a server that renders all pictures, and that renders none."""
+    server = subprocess.Popen(["pvserver", f"--server-port={PORT}"], stdout=subprocess.PIPE)
+    try:
+        for line in server.stdout:
+            if b"Accepting connection" in line:
+                break
+        simple.Connect("localhost", PORT)
+        check_here("rendered by the server", 0.0)
+        check_here("rendered by the client", 1e5)
+        simple.Disconnect()
+    finally:
+        server.terminate()
+        server.wait()
+
+
+check_here("batch")
+check_server()
