@@ -80,8 +80,6 @@ def check_here(where, threshold=None):
     check_drag(view, f"{where}, following")
     forest.FollowCamera = 0
     check_drag(view, f"{where}, not following")
-    simple.Delete(forest)
-    simple.Delete(view)
 
 
 def check_server():
@@ -95,6 +93,7 @@ def check_server():
         check_here("rendered by the server", 0.0)
         check_here("rendered by the client", 1e5)
         simple.Disconnect()
+        simple.Connect()  # else the end of pvpython writes to the closed socket
     finally:
         server.terminate()
         server.wait()
