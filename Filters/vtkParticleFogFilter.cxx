@@ -68,7 +68,13 @@ std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* input)
   return sets;
 }
 
-/// Why a point is no particle, in words for a user; empty when it is one.
+bool IsParticle(const littoral::Vector3& place, double radius, double alpha)
+{
+  return littoral::IsFinite(place) && littoral::ValueInterval::NotNegative().Contains(radius) &&
+    littoral::ValueInterval::From(0.0, 1.0).Contains(alpha);
+}
+
+/// Why a point is no particle, in words for a user.
 std::string WhyBadPoint(vtkIdType n, const littoral::Vector3& place, double radius, double alpha)
 {
   const std::string ofPoint = " of point " + std::to_string(n);
@@ -91,9 +97,9 @@ std::string AddParticles(
     set->GetPoint(n, &particle.Place.x);
     const double radius = radii ? radii->GetComponent(n, 0) : defaultRadius;
     const double alpha = alphas ? alphas->GetComponent(n, 0) : 1.0;
-    if (const std::string reason = WhyBadPoint(n, particle.Place, radius, alpha); !reason.empty())
+    if (!IsParticle(particle.Place, radius, alpha))
     {
-      return reason;
+      return WhyBadPoint(n, particle.Place, radius, alpha);
     }
     particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
     particles.push_back(particle);

@@ -251,6 +251,26 @@ struct SiteArrays
   }
 };
 
+/// Why a site holds no plant, in words for a user.
+std::string WhyBadSite(const littoral::PlantPlace& place, double siteId, double kind, int species)
+{
+  const std::string ofSite = " of site " + std::to_string(place.Site);
+  littoral::ParameterCheck check;
+  if (!littoral::IsFinite(place.Foot))
+  {
+    std::ostringstream text;
+    text << "site " << place.Site << " lies at (" << place.Foot.x << ", " << place.Foot.y << ", " << place.Foot.z
+         << "); positions must be finite.";
+    check.Require(text.str());
+  }
+  check.Finite("SiteId" + ofSite, siteId);
+  check.Require(kind >= 0.0 && kind < species && kind == std::floor(kind), "Species" + ofSite, kind, "",
+    "a whole number from 0 to " + std::to_string(species - 1));
+  check.Positive("Scale" + ofSite, place.Scale);
+  check.Finite("Azimuth" + ofSite, place.Azimuth);
+  return check.Reason();
+}
+
 /// The plant at a site, on no terrain yet. False, with the reason, if a number is bad.
 bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const littoral::PlantDraws& draws, int species,
   vtkIdType site, littoral::PlantPlace& place, std::string& reason)
@@ -264,23 +284,11 @@ bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const littoral::Pla
   const double kind = arrays.Species ? arrays.Species->GetTuple1(site) : draws.Species(place.SiteId);
   place.Scale = arrays.Scale ? arrays.Scale->GetTuple1(site) : draws.Scale(place.SiteId);
   place.Azimuth = arrays.Azimuth ? arrays.Azimuth->GetTuple1(site) : draws.Azimuth(place.SiteId);
-  const std::string ofSite = " of site " + std::to_string(site);
-  littoral::ParameterCheck check;
-  if (!littoral::IsFinite(place.Foot))
+  const bool isSpecies = kind >= 0.0 && kind < species && kind == std::floor(kind);
+  if (!littoral::IsFinite(place.Foot) || !std::isfinite(drawnBy) || !isSpecies ||
+    !littoral::ValueInterval::Positive().Contains(place.Scale) || !std::isfinite(place.Azimuth))
   {
-    std::ostringstream text;
-    text << "site " << site << " lies at (" << place.Foot.x << ", " << place.Foot.y << ", " << place.Foot.z
-         << "); positions must be finite.";
-    check.Require(text.str());
-  }
-  check.Finite("SiteId" + ofSite, drawnBy);
-  check.Require(kind >= 0.0 && kind < species && kind == std::floor(kind), "Species" + ofSite, kind, "",
-    "a whole number from 0 to " + std::to_string(species - 1));
-  check.Positive("Scale" + ofSite, place.Scale);
-  check.Finite("Azimuth" + ofSite, place.Azimuth);
-  if (!check.IsGood())
-  {
-    reason = check.Reason();
+    reason = WhyBadSite(place, drawnBy, kind, species);
     return false;
   }
   place.Species = static_cast<int>(kind);

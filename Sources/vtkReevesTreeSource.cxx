@@ -37,13 +37,15 @@ vtkReevesTreeSource::~vtkReevesTreeSource() = default;
 //----------------------------------------------------------------------------
 bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
 {
-  const auto isUpTo = [](double value, double high) { return value >= 0.0 && value <= high; };
+  const auto isZeroOr = [](double value, double low, double high) {
+    return value == 0.0 || littoral::ValueInterval::From(low, high).Contains(value);
+  };
   littoral::ParameterCheck check;
   check.Choice("Preset", this->Preset, littoral::NumberOfTreePresets);
   check.Require(
-    isUpTo(this->SpeciesHeight, 150.0), "SpeciesHeight", this->SpeciesHeight, "m", "from 0.05 to 150 m, or 0");
+    isZeroOr(this->SpeciesHeight, 0.05, 150.0), "SpeciesHeight", this->SpeciesHeight, "m", "from 0.05 to 150 m, or 0");
   check.Require(
-    isUpTo(this->SpeciesDiameter, 20.0), "SpeciesDiameter", this->SpeciesDiameter, "m", "from 0.002 to 20 m, or 0");
+    isZeroOr(this->SpeciesDiameter, 0.002, 20.0), "SpeciesDiameter", this->SpeciesDiameter, "m", "from 0.002 to 20 m, or 0");
   if (!check.IsGood())
   {
     vtkErrorMacro(<< check.Reason());

@@ -33,6 +33,8 @@ bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   return Fails<Source>("Preset", [](Source* s) { s->SetPreset(9); }) &
+    Fails<Source>("SpeciesHeight", [](Source* s) { s->SetSpeciesHeight(0.01); }) &
+    Fails<Source>("SpeciesDiameter", [](Source* s) { s->SetSpeciesDiameter(0.001); }) &
     Fails<Source>("Height", [](Source* s) { s->SetHeight(0.0); }) &
     Fails<Source>("Height", [=](Source* s) { s->SetHeight(nan); }) &
     Fails<Source>("CrownBase", [](Source* s) { s->SetCrownBase(100.0); }) &

@@ -438,9 +438,9 @@ bool TestShapes(int preset, int joint, int method, const Weather& weather, bool 
   good = Check(all.LengthOfNormal < 1e-6, who + ": normals are not of length 1") && good;
   if (method == 0)
   {
-    // Two angles of up to LargestAngle, here 60 degrees, turn by 2 acos(cos(30) cos(30)).
+    // Two angles of up to MaximumAngle, here 60 degrees, turn by 2 acos(cos(30) cos(30)).
     const double most = joint == 0 ? 60.0 * degree : 2.0 * std::acos(0.75);
-    good = Check(all.LargestAngle < most + 1e-4, who + ": a joint turns beyond LargestAngle") && good;
+    good = Check(all.LargestAngle < most + 1e-4, who + ": a joint turns beyond MaximumAngle") && good;
   }
   if (!mayFold)
   {
