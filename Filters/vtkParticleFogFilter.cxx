@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleFogFilter.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Data/Blocks.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Particles/ParticleFog.h"
 #include "Pipeline/Pipeline.h"
 

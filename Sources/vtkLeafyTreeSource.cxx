@@ -3,6 +3,7 @@
 #include "vtkLeafyTreeSource.h"
 
 #include "Data/PlantBlocks.h"
+
 #include "Numerics/ParameterCheck.h"
 
 //----------------------------------------------------------------------------

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSeaStateSource.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTurningBandsTerrainSource.h"
-#include "Numerics/ParameterCheck.h"
 
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Terrain/TurningBands.h"
 

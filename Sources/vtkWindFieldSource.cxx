@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindFieldSource.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Data/Arrays.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Wind/WindField.h"
 #include "Wind/WindLines.h"

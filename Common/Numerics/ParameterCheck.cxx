@@ -13,9 +13,9 @@ namespace
 {
 
 /// "TimeStep is 2 s; it must be ..."
-std::string Sentence(const std::string& name, const std::string& value, const char* unit, const std::string& wanted)
+std::string Sentence(std::string_view name, const std::string& value, const char* unit, std::string_view wanted)
 {
-  return name + " is " + value + (*unit ? std::string(" ") + unit : std::string()) + "; it must be " + wanted + ".";
+  return std::string(name) + " is " + value + (*unit ? " " : "") + unit + "; it must be " + std::string(wanted) + ".";
 }
 
 std::string WithUnit(double value, const char* unit)
@@ -70,7 +70,7 @@ std::string ValueInterval::Words(const char* unit) const
   return (this->IncludesLow ? "at least " : "above ") + low + " and below " + high;
 }
 
-void ParameterCheck::Require(bool isGood, const std::string& otherwise)
+void ParameterCheck::Require(bool isGood, std::string_view otherwise)
 {
   if (this->IsGood() && !isGood)
   {
@@ -79,7 +79,7 @@ void ParameterCheck::Require(bool isGood, const std::string& otherwise)
 }
 
 void ParameterCheck::Require(
-  bool isGood, const std::string& name, double value, const char* unit, const std::string& wanted)
+  bool isGood, std::string_view name, double value, const char* unit, std::string_view wanted)
 {
   if (!isGood)
   {
@@ -87,7 +87,7 @@ void ParameterCheck::Require(
   }
 }
 
-void ParameterCheck::Within(const std::string& name, double value, const ValueInterval& allowed, const char* unit)
+void ParameterCheck::Within(std::string_view name, double value, const ValueInterval& allowed, const char* unit)
 {
   if (!allowed.Contains(value))
   {
@@ -95,27 +95,27 @@ void ParameterCheck::Within(const std::string& name, double value, const ValueIn
   }
 }
 
-void ParameterCheck::Range(const std::string& name, double value, double low, double high, const char* unit)
+void ParameterCheck::Range(std::string_view name, double value, double low, double high, const char* unit)
 {
   this->Within(name, value, ValueInterval::From(low, high), unit);
 }
 
-void ParameterCheck::Positive(const std::string& name, double value, const char* unit, double high)
+void ParameterCheck::Positive(std::string_view name, double value, const char* unit, double high)
 {
   this->Within(name, value, ValueInterval::Above(0.0, high), unit);
 }
 
-void ParameterCheck::NotNegative(const std::string& name, double value, const char* unit, double high)
+void ParameterCheck::NotNegative(std::string_view name, double value, const char* unit, double high)
 {
   this->Within(name, value, ValueInterval::From(0.0, high), unit);
 }
 
-void ParameterCheck::Finite(const std::string& name, double value, const char* unit)
+void ParameterCheck::Finite(std::string_view name, double value, const char* unit)
 {
   this->Within(name, value, {}, unit);
 }
 
-void ParameterCheck::Choice(const std::string& name, int value, int count)
+void ParameterCheck::Choice(std::string_view name, int value, int count)
 {
   if (value < 0 || value >= count)
   {
@@ -125,7 +125,7 @@ void ParameterCheck::Choice(const std::string& name, int value, int count)
   }
 }
 
-void ParameterCheck::Choice(const std::string& name, int value, std::initializer_list<const char*> names)
+void ParameterCheck::Choice(std::string_view name, int value, std::initializer_list<const char*> names)
 {
   const int count = static_cast<int>(names.size());
   if (value < 0 || value >= count)
@@ -140,7 +140,7 @@ void ParameterCheck::Choice(const std::string& name, int value, std::initializer
   }
 }
 
-void ParameterCheck::Count(const std::string& name, long long value, long long low, long long high)
+void ParameterCheck::Count(std::string_view name, long long value, long long low, long long high)
 {
   if (value < low || value > high)
   {
@@ -149,7 +149,7 @@ void ParameterCheck::Count(const std::string& name, long long value, long long l
   }
 }
 
-void ParameterCheck::PositiveCount(const std::string& name, long long value)
+void ParameterCheck::PositiveCount(std::string_view name, long long value)
 {
   if (value < 1)
   {
@@ -157,7 +157,7 @@ void ParameterCheck::PositiveCount(const std::string& name, long long value)
   }
 }
 
-void ParameterCheck::Color(const std::string& name, const double* color)
+void ParameterCheck::Color(std::string_view name, const double* color)
 {
   const auto isPart = [](double part) { return part >= 0.0 && part <= 1.0; };
   if (!std::all_of(color, color + 3, isPart))

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace littoral
 {
@@ -55,44 +56,44 @@ public:
   bool IsGood() const { return this->First.empty(); }
 
   /// A number within an interval.
-  void Within(const std::string& name, double value, const ValueInterval& allowed, const char* unit = "");
+  void Within(std::string_view name, double value, const ValueInterval& allowed, const char* unit = "");
 
   /// A number from low to high, ends included.
-  void Range(const std::string& name, double value, double low, double high, const char* unit = "");
+  void Range(std::string_view name, double value, double low, double high, const char* unit = "");
 
   /// A number above 0, and at most `high`.
-  void Positive(const std::string& name, double value, const char* unit = "",
-    double high = std::numeric_limits<double>::infinity());
+  void Positive(
+    std::string_view name, double value, const char* unit = "", double high = std::numeric_limits<double>::infinity());
 
   /// A number of at least 0, and at most `high`.
-  void NotNegative(const std::string& name, double value, const char* unit = "",
-    double high = std::numeric_limits<double>::infinity());
+  void NotNegative(
+    std::string_view name, double value, const char* unit = "", double high = std::numeric_limits<double>::infinity());
 
-  void Finite(const std::string& name, double value, const char* unit = "");
+  void Finite(std::string_view name, double value, const char* unit = "");
 
   /// A choice of an enumeration, from 0 to count - 1.
-  void Choice(const std::string& name, int value, int count);
+  void Choice(std::string_view name, int value, int count);
 
   /// A choice of an enumeration whose values from 0 on have names: "Method is 3; it must be 0 (linear) or 1 (cubic)."
-  void Choice(const std::string& name, int value, std::initializer_list<const char*> names);
+  void Choice(std::string_view name, int value, std::initializer_list<const char*> names);
 
   /// A whole number from low to high, ends included.
-  void Count(const std::string& name, long long value, long long low, long long high);
+  void Count(std::string_view name, long long value, long long low, long long high);
 
   /// A whole number above 0.
-  void PositiveCount(const std::string& name, long long value);
+  void PositiveCount(std::string_view name, long long value);
 
   /// Three parts of a color, from 0 to 1.
-  void Color(const std::string& name, const double* color);
+  void Color(std::string_view name, const double* color);
 
   /// A reason found elsewhere; empty when all is good there.
   void Require(const std::string& reason) { this->Require(reason.empty(), reason); }
 
   /// Any other condition, in words that name the parameter: "ViewUp must be finite and not zero."
-  void Require(bool isGood, const std::string& otherwise);
+  void Require(bool isGood, std::string_view otherwise);
 
   /// The one sentence of all of these: "NAME is VALUE UNIT; it must be WANTED."
-  void Require(bool isGood, const std::string& name, double value, const char* unit, const std::string& wanted);
+  void Require(bool isGood, std::string_view name, double value, const char* unit, std::string_view wanted);
 
 private:
   std::string First;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns/QuadratPattern.h"
-#include "Numerics/ParameterCheck.h"
 
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>

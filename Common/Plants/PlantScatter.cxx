@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/PlantScatter.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sea/SeaSpectrum.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Sea/Dispersion.h"
 
 #include <boost/math/tools/minima.hpp>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sea/WaveTrains.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 #include "Sea/Dispersion.h"
 #include "Sea/WaveDirections.h"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace littoral
 {
@@ -69,6 +70,34 @@ WaveTrain RegularWave(const SeaSpectrum& spectrum, double depth, double directio
   return { std::sqrt(2.0 * spectrum.TotalEnergy()), frequency, WaveNumber(frequency, depth), direction, Pi };
 }
 
+bool IsGood(const WaveTrain& train)
+{
+  return train.Amplitude >= 0.0 && std::isfinite(train.Amplitude) &&
+    ValueInterval::Positive().Contains(train.AngularFrequency) &&
+    ValueInterval::Positive().Contains(train.WaveNumber) && std::isfinite(train.Direction) &&
+    std::isfinite(train.Phase);
+}
+
+/// Whether frequency and wave number obey w^2 = g k tanh kh.
+bool IsOfDepth(const WaveTrain& train, double depth)
+{
+  return !(std::abs(WaveFrequency(train.WaveNumber, depth) / train.AngularFrequency - 1.0) > DispersionTolerance);
+}
+
+std::string WhyBad(const WaveTrain& train, std::ptrdiff_t n, double depth)
+{
+  const std::string ofTrain = " of train " + std::to_string(n);
+  ParameterCheck check;
+  check.NotNegative("Amplitude" + ofTrain, train.Amplitude, "m");
+  check.Positive("AngularFrequency" + ofTrain, train.AngularFrequency, "rad/s");
+  check.Positive("WaveNumber" + ofTrain, train.WaveNumber, "rad/m");
+  check.Finite("Direction" + ofTrain, train.Direction, "rad");
+  check.Finite("Phase" + ofTrain, train.Phase, "rad");
+  check.Require(IsOfDepth(train, depth),
+    "WaveNumber" + ofTrain + " belongs to another depth than WaterDepth, " + TextOf(depth) + " m.");
+  return check.Reason();
+}
+
 }
 
 std::string WhyInvalid(const SeaState& sea)
@@ -77,18 +106,11 @@ std::string WhyInvalid(const SeaState& sea)
   check.Require(!sea.Trains.empty(), "the sea state has no wave trains.");
   check.Require(sea.Depth > 0.0, "WaterDepth", sea.Depth, "m", "positive"); // or infinite
   check.Finite("SeaLevel", sea.SeaLevel, "m");
-  for (std::size_t n = 0; n < sea.Trains.size() && check.IsGood(); ++n)
+  const auto isBad = [&](const WaveTrain& train) { return !IsGood(train) || !IsOfDepth(train, sea.Depth); };
+  const auto bad = std::find_if(sea.Trains.begin(), sea.Trains.end(), isBad);
+  if (check.IsGood() && bad != sea.Trains.end())
   {
-    const WaveTrain& train = sea.Trains[n];
-    const std::string ofTrain = " of train " + std::to_string(n);
-    check.NotNegative("Amplitude" + ofTrain, train.Amplitude, "m");
-    check.Positive("AngularFrequency" + ofTrain, train.AngularFrequency, "rad/s");
-    check.Positive("WaveNumber" + ofTrain, train.WaveNumber, "rad/m");
-    check.Finite("Direction" + ofTrain, train.Direction, "rad");
-    check.Finite("Phase" + ofTrain, train.Phase, "rad");
-    const double frequency = WaveFrequency(train.WaveNumber, sea.Depth);
-    check.Require(!(std::abs(frequency / train.AngularFrequency - 1.0) > DispersionTolerance),
-      "WaveNumber" + ofTrain + " belongs to another depth than WaterDepth, " + TextOf(sea.Depth) + " m.");
+    return WhyBad(*bad, bad - sea.Trains.begin(), sea.Depth);
   }
   return check.Reason();
 }

@@ -3,6 +3,7 @@
 #include "Seaweed/PlantWake.h"
 
 #include "Numerics/Constants.h"
+
 #include "Numerics/ParameterCheck.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Terrain/TurningBands.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/SimdClones.h"
 
 #include <algorithm>

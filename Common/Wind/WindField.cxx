@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wind/WindField.h"
-#include "Numerics/ParameterCheck.h"
 
 #include "Numerics/Constants.h"
 #include "Numerics/FourierGrid.h"
+#include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 #include "Numerics/SimdClones.h"
 

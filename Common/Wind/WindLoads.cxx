@@ -3,6 +3,7 @@
 #include "Wind/WindLoads.h"
 
 #include "Numerics/Constants.h"
+
 #include "Numerics/ParameterCheck.h"
 
 #include <cmath>
