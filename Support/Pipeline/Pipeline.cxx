@@ -7,6 +7,7 @@
 
 #include <vtksys/SystemInformation.hxx>
 
+#include <limits>
 #include <string>
 
 namespace littoral
@@ -80,7 +81,9 @@ void ForgetExtent(vtkInformation* output)
 double AvailableMemory()
 {
   vtksys::SystemInformation system;
-  return 0.9 * 1024.0 * static_cast<double>(system.GetHostMemoryTotal() - system.GetHostMemoryUsed());
+  const auto total = static_cast<double>(system.GetHostMemoryTotal());
+  const auto used = static_cast<double>(system.GetHostMemoryUsed());
+  return total > 0.0 ? 0.9 * 1024.0 * (total - used) : std::numeric_limits<double>::infinity();
 }
 
 }

@@ -71,7 +71,8 @@ void RequestAll(vtkInformation* input);
  */
 void ForgetExtent(vtkInformation* output);
 
-/// Memory that can be taken without driving others out [bytes].
+/// Memory that can be taken without driving others out [bytes]; infinite where the system does not tell, as without
+/// /proc.
 double AvailableMemory();
 
 }
