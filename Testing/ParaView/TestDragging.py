@@ -89,7 +89,7 @@ def check_server():
         for line in server.stdout:
             if b"Accepting connection" in line:
                 break
-        simple.Connect("localhost", PORT)
+        simple.Connect("127.0.0.1", PORT)
         check_here("rendered by the server", 0.0)
         check_here("rendered by the client", 1e5)
         simple.Disconnect()
