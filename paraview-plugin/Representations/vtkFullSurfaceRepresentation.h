@@ -2,18 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFullSurfaceRepresentation
- * @brief   a surface that is not decimated while the camera moves
+ * @brief   a surface with the textures of its blocks, not decimated while the camera moves
  *
- * Interactive pictures of a large scene show what a representation offers as its level of detail. Here it is the surface
- * itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the frame in
- * which it was made, with rendering on the client and on a server. (The property SuppressLOD of vtkGeometryRepresentation
- * offers nothing, so that a surface which changes between two interactive pictures vanishes.)
+ * Each block that carries a texture as field data (littoral::BlockActor) is drawn with it; ParaView 5.11 has one
+ * texture for all blocks. Visibility, color and opacity of blocks, selection and picking are those of a surface.
+ *
+ * Interactive pictures of a large scene show what a representation offers as its level of detail. Here it is the
+ * surface itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the
+ * frame in which it was made, with rendering on the client and on a server. (The property SuppressLOD of
+ * vtkGeometryRepresentation offers nothing, so that a surface which changes between two interactive pictures vanishes.)
  */
 #ifndef vtkFullSurfaceRepresentation_h
 #define vtkFullSurfaceRepresentation_h
 
 #include "LittoralRepresentationsModule.h" // for export macro
 #include "vtkGeometryRepresentationWithFaces.h"
+
+#include <memory> // for the textured blocks
+
+namespace littoral
+{
+class TexturedBlocks;
+}
 
 class LITTORALREPRESENTATIONS_EXPORT vtkFullSurfaceRepresentation : public vtkGeometryRepresentationWithFaces
 {
@@ -31,9 +41,16 @@ protected:
   vtkFullSurfaceRepresentation();
   ~vtkFullSurfaceRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
 private:
   vtkFullSurfaceRepresentation(const vtkFullSurfaceRepresentation&) = delete;
   void operator=(const vtkFullSurfaceRepresentation&) = delete;
+
+  void DrawTextures(bool isVisible, bool attributesChanged);
+
+  std::unique_ptr<littoral::TexturedBlocks> Textured;
 };
 
 #endif
