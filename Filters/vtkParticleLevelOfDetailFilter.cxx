@@ -433,7 +433,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   const vtkInternals& internals = *this->Internals;
   const std::vector<int> order = littoral::OrderAt(state, internals.MeanHeight);
   const littoral::TrainTable table(littoral::Ordered(state, order), internals.Lowest, internals.Highest, view,
-    static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError);
+    static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError / this->DetailFactor);
   const Piece piece(outputVector->GetInformationObject(0), internals.Groups->GetCells().size());
   const littoral::ParticleSelection selection = littoral::SelectParticles(internals.Places, *internals.Groups, table,
     littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::SmpFor);

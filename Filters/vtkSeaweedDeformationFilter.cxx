@@ -292,7 +292,7 @@ bool vtkSeaweedDeformationFilter::FindLevels(littoral::SeaweedLevels& levels)
   levels.NearDistance = this->NearDistance;
   levels.FarDistance = this->FarDistance;
   levels.BlendDistance = this->BlendDistance + this->ViewSpeed * this->BlendTime;
-  levels.PixelError = this->PixelError;
+  levels.PixelError = this->PixelError / this->DetailFactor;
   return !this->UseLevels || this->GetView(levels.Seen);
 }
 

@@ -455,7 +455,7 @@ littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
   rule.ByPixelError = this->Selection == PixelErrorRule;
   rule.NearDistance = this->NearDistance;
   rule.FarDistance = this->FarDistance;
-  rule.LargestPixels = this->PixelError;
+  rule.LargestPixels = this->PixelError / this->DetailFactor;
   rule.UseCulling = this->UseCulling;
   return rule;
 }

@@ -45,6 +45,7 @@ vtkViewDependentAlgorithm::vtkViewDependentAlgorithm()
   , ParallelScale(100.0)
   , AspectRatio(16.0 / 9.0)
   , ViewHeight(1080.0)
+  , DetailFactor(1.0)
   , NearDistance(60.0)
   , FarDistance(250.0)
   , MoveTolerance(0.0)
@@ -70,6 +71,7 @@ littoral::View vtkViewDependentAlgorithm::UnroundedView() const
   view.ParallelScale = this->ParallelScale;
   view.AspectRatio = this->AspectRatio;
   view.Height = this->ViewHeight;
+  view.DetailFactor = this->DetailFactor;
   return view;
 }
 
@@ -163,6 +165,12 @@ void vtkViewDependentAlgorithm::SetViewHeight(double height)
 }
 
 //----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetDetailFactor(double factor)
+{
+  this->ChangeView([&]() { this->DetailFactor = factor; });
+}
+
+//----------------------------------------------------------------------------
 void vtkViewDependentAlgorithm::Take(const littoral::View& view)
 {
   this->ChangeView([&]() {
@@ -222,6 +230,7 @@ void vtkViewDependentAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ParallelScale: " << this->ParallelScale << "\n";
   os << indent << "AspectRatio: " << this->AspectRatio << "\n";
   os << indent << "ViewHeight: " << this->ViewHeight << "\n";
+  os << indent << "DetailFactor: " << this->DetailFactor << "\n";
   os << indent << "NearDistance: " << this->NearDistance << "\n";
   os << indent << "FarDistance: " << this->FarDistance << "\n";
   os << indent << "MoveTolerance: " << this->MoveTolerance << "\n";

@@ -377,7 +377,7 @@ double DistanceTo(const TerrainTile& tile, const ViewFrustum& view)
 {
   const View& seen = view.GetView();
   return seen.IsParallel ? LevelDistance(seen, tile.Bounds.Low)
-                         : std::max(0.0, Distance(tile.Bounds, seen.Point) - seen.Margin);
+                         : std::max(0.0, Distance(tile.Bounds, seen.Point) - seen.Margin) / seen.DetailFactor;
 }
 
 }
@@ -397,7 +397,7 @@ std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& 
     if (!rule.UseCulling || view.MayShow(tile.Bounds))
     {
       level = rule.ByPixelError ? pyramid.GetLevels() - 1
-                                 : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());
+                                : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());
       while (rule.ByPixelError && level > 0 && ScreenErrorOf(tile, level, view) > rule.LargestPixels)
       {
         --level;

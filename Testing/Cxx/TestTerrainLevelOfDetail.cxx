@@ -175,6 +175,49 @@ bool SameBlocks(Filter* one, Filter* two)
   return good;
 }
 
+/// Whether two filters show the same polygons of each level.
+bool SamePolygons(Filter* one, Filter* two)
+{
+  bool good = CountOf(one, "PolygonsShown") == CountOf(two, "PolygonsShown") && CountOf(one, "PolygonsShown") > 0.0;
+  for (unsigned int block = 0; block < 6; ++block)
+  {
+    good &= BlockOf(one, block)->GetNumberOfPolys() == BlockOf(two, block)->GetNumberOfPolys();
+  }
+  return good;
+}
+
+/// A detail factor is that of the viewport, or of the distances; the error is told as it is on the screen.
+bool DetailFactor()
+{
+  const auto image = Hills();
+  vtkNew<Filter> factored;
+  vtkNew<Filter> other;
+  for (Filter* filter : { factored.Get(), other.Get() })
+  {
+    filter->SetInputData(image);
+    LookAcross(filter);
+    filter->SetSelectionToPixelError();
+  }
+  factored->SetDetailFactor(0.25);
+  other->SetPixelError(4.0);
+  factored->Update();
+  other->Update();
+  bool good = Check(SamePolygons(factored, other), "a detail factor is not that of the viewport");
+  good &= Check(CountOf(factored, "LargestScreenError") == CountOf(other, "LargestScreenError"), "LargestScreenError");
+  for (Filter* filter : { factored.Get(), other.Get() })
+  {
+    filter->SetSelectionToDistance();
+  }
+  other->SetNearDistance(0.25 * other->GetNearDistance());
+  other->SetFarDistance(0.25 * other->GetFarDistance());
+  factored->Update();
+  other->Update();
+  good &= Check(SamePolygons(factored, other), "a detail factor is not that of the distances");
+  factored->SetDetailFactor(1.0);
+  factored->Update();
+  return good & Check(!SamePolygons(factored, other), "a detail factor changes nothing");
+}
+
 /// The same bytes on one and two threads, whatever was seen before, and no trace of an earlier terrain.
 bool Reproducible()
 {
@@ -377,7 +420,7 @@ void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double
 
 int TestTerrainLevelOfDetail(int argc, char* argv[])
 {
-  if (!Data() || !Reproducible() || !Pieces() || !BadInput() || !ScreenErrorHolds())
+  if (!Data() || !DetailFactor() || !Reproducible() || !Pieces() || !BadInput() || !ScreenErrorHolds())
   {
     return EXIT_FAILURE;
   }

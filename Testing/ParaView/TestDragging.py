@@ -4,7 +4,8 @@
 """A forest stays in the view while the camera is dragged, above ParaView's threshold for levels of detail of its own.
 
 Each interactive picture is compared with the still picture of the same camera: with and without FollowCamera, rendered by
-the client and by a server.
+the client and by a server. With a lower InteractiveDetail, levels only become coarser while dragging, and are full at
+rest.
 """
 
 import subprocess
@@ -43,6 +44,8 @@ def scene():
     forest = simple.PlantScatter(Sites=sites, Prototypes=[tree], NearDistance=30.0, FarDistance=150.0)
     shown = simple.Show(forest, view)
     assert shown.Representation == "Full Surface", shown.Representation
+    assert forest.InteractiveDetail < 1.0
+    forest.InteractiveDetail = 1.0
     simple.Render(view)
     return view, forest
 
@@ -72,12 +75,40 @@ def check_drag(view, where):
         assert apart(seen, still) < 0.01, f"{where}, step {step}: {apart(seen, still):.3f} of the pixels differ"
 
 
+def level_counts(forest):
+    """Plants shown at each level."""
+    fields = forest.GetDataInformation().DataInformation.GetFieldDataInformation()
+    return [int(fields.GetArrayInformation(f"Plants{level}").GetComponentRange(0)[0])
+            for level in ("High", "Medium", "Low")]
+
+
+def check_coarser(view, forest, where):
+    """Fewer plants in the first levels while dragging, the same in all; the forest covers as much of the view."""
+    forest.InteractiveDetail = 0.4
+    empty = picture(view)[-1]
+    for step in range(3):
+        stand(view, step)
+        simple.Render(view)
+        full, still = level_counts(forest), picture(view)
+        stand(view, step + 0.5)
+        view.SMProxy.InteractiveRender()
+        coarse, moving = level_counts(forest), picture(view)
+        stand(view, step)
+        simple.Render(view)
+        assert level_counts(forest) == full, f"{where}: {level_counts(forest)} at rest, {full} before"
+        assert coarse[0] <= full[0] and coarse[0] + coarse[1] < full[0] + full[1], f"{where}: {coarse} of {full}"
+        assert abs(sum(coarse) - sum(full)) <= 5, f"{where}: {sum(coarse)} plants of {sum(full)}"
+        shares = [float((np.abs(seen - empty).sum(axis=1) > 12).mean()) for seen in (moving, still)]
+        assert shares[0] > 0.7 * shares[1], f"{where}: {shares[0]:.3f} covered while dragging, {shares[1]:.3f} at rest"
+
+
 def check_here(where, threshold=None):
     """Following and not."""
     view, forest = scene()
     if threshold is not None:
         view.RemoteRenderThreshold = threshold
     check_drag(view, f"{where}, following")
+    check_coarser(view, forest, where)
     forest.FollowCamera = 0
     check_drag(view, f"{where}, not following")
 
