@@ -8,14 +8,15 @@ nothing where the texel is transparent; visibility and picking of blocks as with
 by a server.
 """
 
-import subprocess
+import shutil
 
 import numpy as np
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from server import connected
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-PORT = 21537
+PORT = 21533
 SIZE = 200  # of the window [pixels]; 10 units of the scene
 
 #: A square without a texture at the left; one of 2 x 1 texels in the middle, of which the right one is transparent; a
@@ -162,24 +163,10 @@ def check(where):
     check_picking(where)
 
 
-def check_server():
-    """A server that renders all pictures, and none."""
-    server = subprocess.Popen(["pvserver", f"--server-port={PORT}"], stdout=subprocess.PIPE)
-    try:
-        for line in server.stdout:
-            if b"Accepting connection" in line:
-                break
-        simple.Connect("127.0.0.1", PORT)
+check("alone")
+for ranks in (1, 2) if shutil.which("mpirun") else (1,):
+    with connected(PORT + ranks, ranks):
         for threshold, where in ((0.0, "rendered by the server"), (1e5, "rendered by the client")):
             simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = threshold
-            check_colors(where)
-            check_light(where)
-        simple.Disconnect()
-        simple.Connect()  # else the end of pvpython writes to the closed socket
-    finally:
-        server.terminate()
-        server.wait()
-
-
-check("alone")
-check_server()
+            check_colors(f"{where}, {ranks} ranks")
+            check_light(f"{where}, {ranks} ranks")

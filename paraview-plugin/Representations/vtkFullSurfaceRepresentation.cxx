@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkProperty.h"
 
 vtkStandardNewMacro(vtkFullSurfaceRepresentation);
 
@@ -70,6 +71,12 @@ bool vtkFullSurfaceRepresentation::RemoveFromView(vtkView* view)
 {
   this->Textured->SetView(nullptr, this);
   return this->Superclass::RemoveFromView(view);
+}
+
+//----------------------------------------------------------------------------
+bool vtkFullSurfaceRepresentation::NeedsOrderedCompositing()
+{
+  return this->Property->GetOpacity() < 1.0 || !this->BlockOpacities.empty();
 }
 
 //----------------------------------------------------------------------------

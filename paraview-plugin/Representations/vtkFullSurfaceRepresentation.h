@@ -44,6 +44,10 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
+  /// Whether an opacity is below 1. Colors and textures count as opaque: ParaView 5.11 takes direct colors for
+  /// translucent, and redistributes all data among its ranks for each picture, which ends it in interactive ones.
+  bool NeedsOrderedCompositing() override;
+
 private:
   vtkFullSurfaceRepresentation(const vtkFullSurfaceRepresentation&) = delete;
   void operator=(const vtkFullSurfaceRepresentation&) = delete;
