@@ -36,6 +36,7 @@ void AddTextureSize(vtkDataObject* sizes, const char* block, const std::array<in
 //----------------------------------------------------------------------------
 vtkPlantSource::vtkPlantSource()
   : Seed(1)
+  , MediumCrown(Leaves)
   , TextureSize{ 256, 128 }
   , CrownJitter(0.0)
 {
@@ -83,6 +84,7 @@ std::array<int, 2> vtkPlantSource::LeafTextureSize() const
 bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
 {
   options.Seed = this->Seed;
+  options.Crown = static_cast<littoral::MediumCrown>(this->MediumCrown);
   options.TextureColumns = this->TextureSize[0];
   options.TextureRows = this->TextureSize[1];
   options.CrownJitter = this->CrownJitter;
@@ -120,6 +122,7 @@ void vtkPlantSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "MediumCrown: " << this->MediumCrown << "\n";
   os << indent << "TextureSize: " << this->TextureSize[0] << " " << this->TextureSize[1] << "\n";
   os << indent << "CrownJitter: " << this->CrownJitter << "\n";
 }

@@ -118,12 +118,22 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
     return reason;
   }
   this->Scene = std::make_unique<SwayScene>(settings, frozen, this->Table.Places, std::move(species));
-  const TextureAtlas atlas = StackTextures(PicturesOf(*this->Scene, read, wind, progress));
+  std::vector<TextureImage> pictures = PicturesOf(*this->Scene, read, wind, progress);
+  std::vector<ColorSum> means(pictures.size(), ColorSum{ 1.0f, 1.0f, 1.0f });
+  for (std::size_t index = 0; index < pictures.size() && !read.empty(); ++index)
+  {
+    const SwayPrototype& prototype = read[index / static_cast<std::size_t>(settings.Pictures)];
+    means[index] = ReadTextureMean(prototype.Crown);
+    this->HasEnvelopes |= prototype.Volume.has_value();
+  }
+  const ColorSum mean = ShareMean(pictures, means);
+  const TextureAtlas atlas = StackTextures(pictures);
   this->Scene->SetPictureAreas(atlas.Areas);
   this->PictureImage = vtkSmartPointer<vtkImageData>::New();
   CopyToImage(atlas.Image, this->PictureImage);
   this->PictureFields = vtkSmartPointer<vtkPolyData>::New();
   AttachTexture(this->PictureFields, atlas.Image);
+  AttachTextureMean(this->PictureFields, mean);
   return {};
 }
 
@@ -399,7 +409,7 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
     KeepRanges(normals.Get());
     moved->GetPointData()->SetNormals(normals);
   }
-  if (std::strcmp(skin.Name, plant::Crown) == 0)
+  if (std::strcmp(skin.Name, plant::Crown) == 0 && this->HasEnvelopes)
   {
     this->ShowPictures(moved);
   }
@@ -417,7 +427,7 @@ void SwayBlocks::ShowPictures(vtkPolyData* crowns) const
   crowns->GetPointData()->SetTCoords(tcoords);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(crowns->GetFieldData());
-  for (const char* name : { plant::Texture, plant::TextureSize })
+  for (const char* name : { plant::Texture, plant::TextureSize, plant::TextureMean })
   {
     fields->AddArray(this->PictureFields->GetFieldData()->GetArray(name));
   }

@@ -94,7 +94,7 @@ inline bool Sound(vtkAlgorithm* source, const char* path)
   return true;
 }
 
-/// All levels with their arrays, sound polygons, and four plain polygons as the lowest.
+/// All levels with their arrays, sound polygons, and four polygons as the lowest.
 inline bool HasLevels(vtkAlgorithm* source)
 {
   bool good = HasArrays(source, "High/Skeleton", { "ParentId", "Radius", "RGB" });
@@ -108,8 +108,21 @@ inline bool HasLevels(vtkAlgorithm* source)
   {
     good = good && Sound(source, path);
   }
-  good &= Check(PartOf(source, "Low")->GetNumberOfPolys() == 4, "the lowest level has not four polygons");
-  return good & Check(PartOf(source, "Low")->GetPointData()->GetTCoords() == nullptr, "the lowest level has a texture");
+  return good & Check(PartOf(source, "Low")->GetNumberOfPolys() == 4, "the lowest level has not four polygons");
+}
+
+/// A block that carries a texture of as many texels as it says, and its mean.
+inline bool CarriesTexture(vtkAlgorithm* source, const char* path, bool hasNormals)
+{
+  vtkFieldData* fields = PartOf(source, path)->GetFieldData();
+  vtkDataArray* texels = fields->GetArray("Texture");
+  vtkDataArray* size = fields->GetArray("TextureSize");
+  vtkDataArray* mean = fields->GetArray("TextureMean");
+  vtkDataArray* normals = fields->GetArray("NormalTexture");
+  return Check(texels && size && mean && mean->GetNumberOfValues() == 3 &&
+      texels->GetNumberOfTuples() == static_cast<vtkIdType>(size->GetTuple1(0) * size->GetTuple1(1)) &&
+      (normals != nullptr) == hasNormals && (!normals || normals->GetNumberOfTuples() == texels->GetNumberOfTuples()),
+    path);
 }
 
 inline bool SameBytes(vtkDataArray* a, vtkDataArray* b)

@@ -584,6 +584,7 @@ void CheckBadPlants(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tre
 int TestBeamTreeDeformationFilter(int, char*[])
 {
   vtkNew<vtkReevesTreeSource> tree;
+  tree->SetMediumCrownToEnvelope();
   tree->Update();
   vtkDataObject* rest = tree->GetOutputDataObject(0);
   vtkNew<WindSource> wind;
