@@ -33,10 +33,11 @@ BOTH_SIDES = """//VTK::Normal::Impl
 """
 
 
-def plant_actor(part, picture=None, tinted=False):
+def plant_actor(part, picture=None, tinted=False, mipmap=True):
     """Actor of a part of a plant with its colors, or with a texture instead.
 
-    tinted: multiply the texture with the colors.
+    tinted: multiply the texture with the colors. mipmap: not for what is cut out in fine detail,
+    since means of its transparency are below a half.
     """
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(part)
@@ -47,7 +48,7 @@ def plant_actor(part, picture=None, tinted=False):
         texture = vtkTexture()
         texture.SetInputData(picture)
         texture.InterpolateOn()
-        texture.MipmapOn()
+        texture.SetMipmap(mipmap)
         actor.SetTexture(texture)
     return actor
 
@@ -100,7 +101,6 @@ def show_carried(actor, part):
         texture = vtkTexture()
         texture.SetInputData(normals)
         texture.InterpolateOn()
-        texture.MipmapOn()
         actor.GetProperty().SetTexture("normalTex", texture)
         shader.AddFragmentShaderReplacement("//VTK::Normal::Impl", True, TEXEL_NORMALS, False)
     return actor
@@ -111,7 +111,7 @@ def carried_actor(part):
     picture = carried_picture(part)
     if picture is None:
         return plant_actor(part)
-    return show_carried(cut_out(plant_actor(part, picture, tinted=True)), part)
+    return show_carried(cut_out(plant_actor(part, picture, tinted=True, mipmap=False)), part)
 
 
 def level_actors(source, level, cut_leaves=False):

@@ -46,5 +46,5 @@ def _picture(part):
     if texels[..., 3].min() > 127:
         return None
     texture = pyvista.Texture(texels[::-1])  # PyVista counts rows from above
-    texture.interpolate = texture.mipmap = True
+    texture.interpolate = True  # no means of the transparency, which are below a half in fine detail
     return texture
