@@ -388,8 +388,8 @@ void CheckCards(WindSource* wind)
 
   auto* still = vtkPolyData::SafeDownCast(BlockAt(rest, "Medium/Crown"));
   auto* moved = vtkPolyData::SafeDownCast(BlockAt(now, "Medium/Crown"));
-  Expect(moved->GetFieldData()->GetArray("TextureMean")->GetTuple1(0) ==
-      still->GetFieldData()->GetArray("TextureMean")->GetTuple1(0),
+  Expect(moved->GetFieldData()->GetArray("TextureMean")->GetComponent(0, 0) ==
+      still->GetFieldData()->GetArray("TextureMean")->GetComponent(0, 0),
     "cards keep the mean of their texture");
   const auto texelAt = [](vtkPolyData* crown, vtkIdType point) {
     vtkDataArray* size = crown->GetFieldData()->GetArray("TextureSize");
