@@ -721,6 +721,8 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
 {
+  this->NearDistance = 30.0;
+  this->FarDistance = 130.0;
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
 }

@@ -39,7 +39,8 @@
  * vtkPlantSource::TEXTURE_SIZES(), which other filters pass on, and where the data are there already. Else they are
  * known after an execution: update this filter before filters that process one of these images.
  *
- * A piece reads all sites and holds its share of the plants. A property or a site value out of range, or a site beyond
+ * A piece reads all sites and holds its share of the plants. Defaults of inherited properties: NearDistance 30 m,
+ * FarDistance 130 m. A property or a site value out of range, or a site beyond
  * the terrain, is reported as one error.
  */
 #ifndef vtkPlantScatterFilter_h

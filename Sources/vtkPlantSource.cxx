@@ -3,6 +3,7 @@
 #include "vtkPlantSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/LeafCards.h"
 #include "Plants/PlantLevels.h"
@@ -88,6 +89,7 @@ bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
   options.TextureColumns = this->TextureSize[0];
   options.TextureRows = this->TextureSize[1];
   options.CrownJitter = this->CrownJitter;
+  options.Parallel = littoral::SmpFor;
   const std::string reason = littoral::WhyInvalid(options);
   if (!reason.empty())
   {

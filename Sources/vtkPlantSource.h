@@ -77,7 +77,7 @@ public:
 
   ///@{
   /**
-   * What stands for the crown at the level Medium: Leaves, cards with tufts of leaves that cover as much and have the
+   * Crown of the level Medium: Leaves, cards with tufts of leaves that cover as much and have the
    * same mean color as the crown in full; or Envelope, a closed surface with a picture of the crown, on which
    * vtkBeamTreeDeformationFilter shows the moving crown (Setas et al., section 4.2). Default Leaves. Has no effect on
    * seaweed.

@@ -101,15 +101,20 @@ float ThresholdOf(const std::vector<SeenTexel>& picture, std::vector<float> smoo
 class ImpostorMaker
 {
 public:
-  ImpostorMaker(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent)
+  ImpostorMaker(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel)
     : Pictures(ImpostorViews)
   {
     this->Result.Shape.Extent = extent;
+    parallel(ImpostorViews, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t view = begin; view < end; ++view)
+      {
+        this->Pictures[view] = PictureOf(meshes, this->FrameOfView(view), ImpostorSize, ImpostorSize);
+      }
+    });
     PictureSum sum;
     for (int view = 0; view < ImpostorViews; ++view)
     {
-      const PictureFrame frame = FrameOf(extent, AzimuthOf(view), ElevationOf(view));
-      this->Pictures[view] = PictureOf(meshes, frame, ImpostorSize, ImpostorSize);
+      const PictureFrame frame = this->FrameOfView(view);
       const double before = sum.Coverage;
       sum.Add(this->Pictures[view]);
       this->Result.Shape.Areas[view] =
@@ -124,21 +129,28 @@ public:
     }
   }
 
-  PlantImpostor Run()
+  PlantImpostor Run(const ParallelFor& parallel)
   {
     const int side = ImpostorSide * ImpostorSize;
     this->Result.Pictures = TextureImage(side, side);
     this->Result.Normals.resize(this->Result.Pictures.Texels.size());
-    for (int view = 0; view < ImpostorViews; ++view)
-    {
-      this->Write(view);
-    }
+    parallel(ImpostorViews, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t view = begin; view < end; ++view)
+      {
+        this->Write(static_cast<int>(view));
+      }
+    });
     return std::move(this->Result);
   }
 
 private:
   std::vector<std::vector<SeenTexel>> Pictures;
   PlantImpostor Result;
+
+  PictureFrame FrameOfView(std::size_t view) const
+  {
+    return FrameOf(this->Result.Shape.Extent, AzimuthOf(static_cast<int>(view)), ElevationOf(static_cast<int>(view)));
+  }
 
   /// The largest color of a texel, 0 to 1.
   double Brightest(int channel) const
@@ -302,9 +314,9 @@ void AddCard(const ImpostorCard& card, const Color& color, PlantMesh& mesh)
 
 }
 
-PlantImpostor ImpostorOf(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent)
+PlantImpostor ImpostorOf(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel)
 {
-  return ImpostorMaker(meshes, extent).Run();
+  return ImpostorMaker(meshes, extent, parallel).Run(parallel);
 }
 
 ImpostorCard CardTowards(const ImpostorShape& shape, const Vector3& towards)

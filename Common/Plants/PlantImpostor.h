@@ -3,6 +3,7 @@
 #ifndef LittoralPlantImpostor_h
 #define LittoralPlantImpostor_h
 
+#include "Numerics/Parallel.h"
 #include "Plants/PlantPicture.h"
 
 #include <array>
@@ -42,7 +43,8 @@ struct PlantImpostor
 };
 
 /// The impostor of what the meshes show.
-PlantImpostor ImpostorOf(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent);
+PlantImpostor ImpostorOf(
+  const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel = SerialFor);
 
 /// A rectangle that shows a picture of an impostor.
 struct ImpostorCard

@@ -204,7 +204,7 @@ void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, cons
     prototype.CrownTexture = std::move(cards.Texture);
     prototype.CrownTextureMean.fill(CardTextureMean);
   }
-  prototype.Impostor = ImpostorOf(full, extent);
+  prototype.Impostor = ImpostorOf(full, extent, options.Parallel);
   prototype.Low = CrossedCards(prototype.Impostor);
 }
 

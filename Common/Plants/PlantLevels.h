@@ -28,7 +28,8 @@ struct PlantLevelOptions
   int TextureColumns = 256; ///< of the crown's texture; of an envelope around the plant
   int TextureRows = 128;    ///< of the crown's texture; of an envelope from its foot to its top
   double CrownJitter = 0.0; ///< by which the envelope's vertices move inwards at most, as part of the radius
-  int Seed = 1;             ///< of the jitter
+  int Seed = 1;             ///< of the jitter and the cards
+  ParallelFor Parallel = SerialFor;
 };
 
 /// Why there are no such levels, with the name of the property; empty when there are.

@@ -173,13 +173,29 @@ private:
     }
   }
 
+  /// Whether the alpha between the four next texels passes the test, as of a renderer that interpolates.
   static bool IsOpaque(const TextureImage* texture, const Triangle& triangle, float v, float w)
   {
-    const auto along = [&](int axis) {
-      return static_cast<int>(triangle.Texel[0][axis] + v * triangle.Texel[1][axis] + w * triangle.Texel[2][axis]);
-    };
-    return !texture ||
-      texture->At(std::clamp(along(0), 0, texture->Columns - 1), std::clamp(along(1), 0, texture->Rows - 1))[3] >= 128;
+    if (!texture)
+    {
+      return true;
+    }
+    int low[2];
+    int high[2];
+    float part[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const int last = (axis == 0 ? texture->Columns : texture->Rows) - 1;
+      const float along = triangle.Texel[0][axis] + v * triangle.Texel[1][axis] + w * triangle.Texel[2][axis] - 0.5f;
+      const float held = std::clamp(along, 0.0f, static_cast<float>(last));
+      low[axis] = static_cast<int>(held);
+      high[axis] = std::min(low[axis] + 1, last);
+      part[axis] = held - static_cast<float>(low[axis]);
+    }
+    const auto alpha = [&](int column, int row) { return static_cast<float>(texture->At(column, row)[3]); };
+    const float below = alpha(low[0], low[1]) + part[0] * (alpha(high[0], low[1]) - alpha(low[0], low[1]));
+    const float above = alpha(low[0], high[1]) + part[0] * (alpha(high[0], high[1]) - alpha(low[0], high[1]));
+    return below + part[1] * (above - below) >= 127.5f;
   }
 
   static const Texel& TexelAt(const DrawnMesh& drawn, const int* corners, const float* weights)

@@ -96,8 +96,8 @@ struct PlantViewOptions
 {
   bool UseLevels = true;        ///< else all is High
   bool UseCulling = true;       ///< else all is shown
-  double NearDistance = 60.0;   ///< of levels, up to which a plant is High [m]
-  double FarDistance = 250.0;   ///< up to which it is Medium [m]
+  double NearDistance = 30.0;   ///< of levels, up to which a plant is High [m]
+  double FarDistance = 130.0;   ///< up to which it is Medium [m]
   double VisibleDistance = 0.0; ///< of sight, up to which it is shown [m]; 0: no limit
 };
 

@@ -122,9 +122,7 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
   std::vector<ColorSum> means(pictures.size(), ColorSum{ 1.0f, 1.0f, 1.0f });
   for (std::size_t index = 0; index < pictures.size() && !read.empty(); ++index)
   {
-    const SwayPrototype& prototype = read[index / static_cast<std::size_t>(settings.Pictures)];
-    means[index] = ReadTextureMean(prototype.Crown);
-    this->HasEnvelopes |= prototype.Volume.has_value();
+    means[index] = ReadTextureMean(read[index / static_cast<std::size_t>(settings.Pictures)].Crown);
   }
   const ColorSum mean = ShareMean(pictures, means);
   const TextureAtlas atlas = StackTextures(pictures);
@@ -409,7 +407,7 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
     KeepRanges(normals.Get());
     moved->GetPointData()->SetNormals(normals);
   }
-  if (std::strcmp(skin.Name, plant::Crown) == 0 && this->HasEnvelopes)
+  if (std::strcmp(skin.Name, plant::Crown) == 0)
   {
     this->ShowPictures(moved);
   }

@@ -55,7 +55,6 @@ private:
   bool Whole = false;
   PlantTable Table;
   bool Scattered = false;
-  bool HasEnvelopes = false; ///< crowns that show moving pictures
   std::unique_ptr<SwayScene> Scene;
   std::vector<Skin> Skins;
   vtkSmartPointer<vtkImageData> PictureImage;
