@@ -115,10 +115,13 @@ littoral::TrainParameters vtkSeaStateSource::MakeTrainParameters() const
 
 //----------------------------------------------------------------------------
 int vtkSeaStateSource::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // All pieces hold all trains: each rank moves its own particles by the whole sea.
   using namespace littoral;
+  if (AsksForLaterPiece(request, outputVector))
+  {
+    return 1;
+  }
   const SpectrumParameters spectrum = this->MakeSpectrum(vtkTable::GetData(inputVector[0]));
   const TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;

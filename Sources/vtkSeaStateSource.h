@@ -19,6 +19,8 @@
  * `Density` [m2/Hz], as measured by wave buoys. A parameter out of range or a table that is no spectrum is reported as
  * one error.
  *
+ * Piece 0 holds the whole table, other pieces are empty; filters that move points request piece 0 on each rank.
+ *
  * Coulais et al., section 2.2.
  *
  * @sa vtkParticleOrbitFilter
