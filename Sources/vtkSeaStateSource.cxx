@@ -134,9 +134,11 @@ int vtkSeaStateSource::RequestData(
   double peakPeriod = 0.0;
   double energy = 0.0;
   double leftOut = 0.0;
+  vtkTable* output = vtkTable::GetData(outputVector);
   if (reason.empty())
   {
     const SeaSpectrum density(spectrum);
+    WriteSpectrum(density, cut, output);
     state = { TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut) };
     peakPeriod = TwoPi / density.PeakFrequency();
     energy = EnergyOf(state.Trains);
@@ -146,9 +148,9 @@ int vtkSeaStateSource::RequestData(
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot make a sea: " << reason);
+    output->Initialize();
     return 0;
   }
-  vtkTable* output = vtkTable::GetData(outputVector);
   WriteSeaState(state, output);
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
   AddField(output, sea::PeakPeriod, { peakPeriod });

@@ -38,7 +38,7 @@ FIELDS = (
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
       "vtkPlantScatterFilter")),
-    ("Wind and sway", "wind", "wind", ("vtkWindFieldSource", "vtkBeamTreeDeformationFilter")),
+    ("Wind and sway", "wind", "wind", ("vtkWindFieldSource", "vtkWindStatisticsFilter", "vtkBeamTreeDeformationFilter")),
     ("Sea", "sea", "sea", ("vtkSeaStateSource", "vtkParticleOrbitFilter")),
     ("Currents", "currents", "currents", ("vtkFlowPrimitiveSource", "vtkCurrentDriftFilter")),
     ("Particles", "particles", "particles",
