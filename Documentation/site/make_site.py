@@ -39,7 +39,7 @@ FIELDS = (
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
       "vtkPlantScatterFilter")),
     ("Wind and sway", "wind", "wind", ("vtkWindFieldSource", "vtkWindStatisticsFilter", "vtkBeamTreeDeformationFilter")),
-    ("Sea", "sea", "sea", ("vtkSeaStateSource", "vtkParticleOrbitFilter")),
+    ("Sea", "sea", "sea", ("vtkSeaStateSource", "vtkSeaStatisticsFilter", "vtkParticleOrbitFilter")),
     ("Currents", "currents", "currents", ("vtkFlowPrimitiveSource", "vtkCurrentDriftFilter")),
     ("Particles", "particles", "particles",
      ("vtkSuspendedParticleSource", "vtkParticleLevelOfDetailFilter", "vtkParticleFogFilter")),
