@@ -245,9 +245,16 @@ vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformat
     return nullptr;
   }
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
-  if (!array && littoral::NamesNoArray(this->GetInputArrayInformation(0)))
+  vtkInformation* choice = this->GetInputArrayInformation(0);
+  if (!array && littoral::NamesDefaultElevation(choice))
   {
     array = image->GetPointData()->GetScalars();
+  }
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  if (!array && name && !littoral::NamesNoArray(choice))
+  {
+    vtkErrorMacro("The image has no array '" << name << "' to fit.");
+    return nullptr;
   }
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() || array->GetNumberOfComponents() != 1)
   {
@@ -310,9 +317,9 @@ littoral::VariogramFitOptions vtkCovarianceFitFilter::MakeOptions(
 
 //----------------------------------------------------------------------------
 int vtkCovarianceFitFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (littoral::AsksForLaterPieces(outputVector))
+  if (littoral::AsksForLaterPiece(request, outputVector))
   {
     return 1;
   }

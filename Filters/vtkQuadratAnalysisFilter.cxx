@@ -226,9 +226,9 @@ bool vtkQuadratAnalysisFilter::CountPoints(
 
 //----------------------------------------------------------------------------
 int vtkQuadratAnalysisFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (littoral::AsksForLaterPieces(outputVector))
+  if (littoral::AsksForLaterPiece(request, outputVector))
   {
     return 1;
   }

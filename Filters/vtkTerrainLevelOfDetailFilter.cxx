@@ -385,7 +385,7 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   const bool isChosen = isNamed || (!name && choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
   vtkDataArray* heights =
     isChosen ? this->GetInputArrayToProcess(0, inputVector) : image->GetPointData()->GetArray("Elevation");
-  if (!heights && !isChosen)
+  if (!heights && (!isChosen || littoral::NamesDefaultElevation(choice)))
   {
     heights = image->GetPointData()->GetScalars();
   }
@@ -462,12 +462,12 @@ littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
 
 //----------------------------------------------------------------------------
 int vtkTerrainLevelOfDetailFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   littoral::View seen;
-  if (littoral::AsksForLaterPieces(outputVector))
+  if (littoral::AsksForLaterPiece(request, outputVector))
   {
     return 1;
   }

@@ -115,10 +115,13 @@ littoral::TrainParameters vtkSeaStateSource::MakeTrainParameters() const
 
 //----------------------------------------------------------------------------
 int vtkSeaStateSource::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // All pieces hold all trains: each rank moves its own particles by the whole sea.
   using namespace littoral;
+  if (AsksForLaterPiece(request, outputVector))
+  {
+    return 1;
+  }
   const SpectrumParameters spectrum = this->MakeSpectrum(vtkTable::GetData(inputVector[0]));
   const TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
@@ -131,9 +134,11 @@ int vtkSeaStateSource::RequestData(
   double peakPeriod = 0.0;
   double energy = 0.0;
   double leftOut = 0.0;
+  vtkTable* output = vtkTable::GetData(outputVector);
   if (reason.empty())
   {
     const SeaSpectrum density(spectrum);
+    WriteSpectrum(density, cut, output);
     state = { TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut) };
     peakPeriod = TwoPi / density.PeakFrequency();
     energy = EnergyOf(state.Trains);
@@ -143,9 +148,9 @@ int vtkSeaStateSource::RequestData(
   if (!reason.empty())
   {
     vtkErrorMacro("Cannot make a sea: " << reason);
+    output->Initialize();
     return 0;
   }
-  vtkTable* output = vtkTable::GetData(outputVector);
   WriteSeaState(state, output);
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
   AddField(output, sea::PeakPeriod, { peakPeriod });

@@ -3,6 +3,7 @@
 #include "vtkWindFieldSource.h"
 
 #include "Data/Arrays.h"
+#include "Data/WindImage.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 #include "Wind/WindField.h"
@@ -320,6 +321,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   AddNumber(fields, "FrictionVelocity", littoral::FrictionVelocity(recipe.Model));
   AddNumber(fields, "ConvectionSpeed", littoral::ConvectionSpeed(recipe.Model));
   AddNumber(fields, "Period", grid.Period());
+  littoral::WriteWindModel(recipe.Model, output);
   this->UpdateProgress(1.0);
   return 1;
 }

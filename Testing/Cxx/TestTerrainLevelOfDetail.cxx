@@ -269,6 +269,24 @@ bool Fails(const char* word, const std::function<void(Filter*)>& spoil, vtkImage
   return Check(errors->ExpectOneNaming(word) && filter->GetOutput()->GetNumberOfBlocks() == 0, word);
 }
 
+/// The active scalars stand in for an Elevation that is absent, also if it is chosen by name.
+bool DefaultArray()
+{
+  bool good = true;
+  for (const char* name : { "", "Elevation", "Height" })
+  {
+    const auto image = Hills();
+    image->GetPointData()->GetArray("Elevation")->SetName("Height");
+    image->GetPointData()->SetActiveScalars("Height");
+    vtkNew<Filter> filter;
+    filter->SetInputData(image);
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+    filter->Update();
+    good &= Check(filter->GetOutput()->GetNumberOfBlocks() > 0, name);
+  }
+  return good;
+}
+
 bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -420,7 +438,8 @@ void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double
 
 int TestTerrainLevelOfDetail(int argc, char* argv[])
 {
-  if (!Data() || !DetailFactor() || !Reproducible() || !Pieces() || !BadInput() || !ScreenErrorHolds())
+  if (!Data() || !DetailFactor() || !Reproducible() || !Pieces() || !DefaultArray() || !BadInput() ||
+    !ScreenErrorHolds())
   {
     return EXIT_FAILURE;
   }

@@ -92,6 +92,10 @@ CASES = {
         {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)}]),
     "vtkCovarianceFitFilter": (lambda: (terrain(),), [
         {"SetNumberOfLags": (12,)}, {"SetRemoveTrend": (False,)}, {"SetFitAnisotropy": (False,)}]),
+    "vtkWindStatisticsFilter": (lambda: (wind(),), [
+        {"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}]),
+    "vtkSeaStatisticsFilter": (lambda: (sea(),), [
+        {"SetNumberOfSectors": (4,)}, {"SetNumberOfSectors": (36,)}, {"SetNumberOfSectors": (90,)}]),
     "vtkQuadratAnalysisFilter": (lambda: (make("vtkQuadratPointSource"),), [
         {"SetQuadrats": (5, 5)}, {"SetQuadrats": (8, 6)}, {"SetOrigin": (-5.0, -5.0), "SetSize": (300.0, 300.0)}]),
     "vtkTerrainLevelOfDetailFilter": (lambda: (terrain(128),), [
