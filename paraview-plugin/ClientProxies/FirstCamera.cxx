@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstCamera.h"
+
+#include "Numerics/Constants.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+namespace
+{
+
+/// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
+constexpr double EyeAzimuth = -0.62 * Pi;
+
+}
+
+//----------------------------------------------------------------------------
+void MoveCamera(vtkCamera* camera, const CameraPlace& place)
+{
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  if (place.IsFixed)
+  {
+    camera->SetPosition(place.Eye);
+    camera->SetFocalPoint(place.Target);
+    return;
+  }
+  const double elevation = place.Elevation * Pi / 180.0;
+  if (place.Elevation >= 90.0)
+  {
+    camera->SetViewUp(0.0, 1.0, 0.0);
+  }
+  // What the camera shows of a sphere around the data does not depend on where it looks from.
+  const double distance = camera->GetDistance() / std::max(0.1, place.Closer);
+  double focus[3];
+  camera->GetFocalPoint(focus);
+  camera->SetPosition(focus[0] + distance * std::cos(elevation) * std::cos(EyeAzimuth),
+    focus[1] + distance * std::cos(elevation) * std::sin(EyeAzimuth), focus[2] + distance * std::sin(elevation));
+}
+
+//----------------------------------------------------------------------------
+FirstCamera::~FirstCamera()
+{
+  this->Stop();
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place)
+{
+  if (view == this->View)
+  {
+    return;
+  }
+  this->Stop();
+  this->Place = place;
+  this->View = view;
+  this->PicturesToWait = 2; // a script draws once before it resets the camera
+  this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
+  this->ResetObserver = this->Shown->AddObserver(vtkCommand::ResetCameraEvent, this, &FirstCamera::OnResetCamera);
+  this->PictureObserver = view->AddObserver(vtkCommand::EndEvent, this, &FirstCamera::OnPicture);
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
+{
+  vtkSMRenderViewProxy* view = this->View;
+  this->Stop();
+  MoveCamera(view->GetActiveCamera(), this->Place);
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::OnPicture(vtkObject*, unsigned long, void*)
+{
+  if (--this->PicturesToWait == 0)
+  {
+    this->Stop();
+  }
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::Stop()
+{
+  if (this->View)
+  {
+    this->View->RemoveObserver(this->PictureObserver);
+  }
+  if (this->Shown)
+  {
+    this->Shown->RemoveObserver(this->ResetObserver);
+  }
+  this->Shown = nullptr;
+  this->View = nullptr;
+}
+
+}
