@@ -36,6 +36,9 @@ namespace
 /// Points that a thread takes at a time.
 constexpr std::size_t RangeLength = 4096;
 
+/// Of the eye for which the water is colored, over the sea [m]: that of a ship's bridge.
+constexpr double EyeHeight = 9.0;
+
 /// Arrays of the surface's points.
 struct Arrays
 {
@@ -64,16 +67,20 @@ struct Arrays
     }
   }
 
-  /// Colors points from an index on, in waves of a significant height [m].
+  /// Colors points from an index on, in waves of a significant height [m], for an eye over the center.
   void Paint(const littoral::SeaSurfacePoints& points, std::size_t begin, double waveHeight)
   {
     for (std::size_t i = 0; i < points.Jacobians.size(); ++i)
     {
       const float* place = points.Places.data() + 3 * i;
+      const float* normal = points.Normals.data() + 3 * i;
+      const littoral::Vector3 toEye(-place[0], -place[1], EyeHeight - place[2]);
       littoral::SeaPlace where;
+      where.Normal = { normal[0], normal[1], normal[2] };
+      where.Distance = glm::length(toEye);
+      where.ToEye = toEye / where.Distance;
       where.Jacobian = points.Jacobians[i];
       where.Height = place[2] / waveHeight;
-      where.Distance = std::hypot(place[0], place[1]);
       const littoral::Color color = littoral::SeaColor(where);
       std::copy(color.begin(), color.end(), this->Colors->GetPointer(3 * (begin + i)));
     }

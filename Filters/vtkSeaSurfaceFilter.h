@@ -81,8 +81,9 @@ public:
 
   ///@{
   /**
-   * Addition of the point array `RGB`, the color of the water by day: deep blue in troughs, green in crests, white where
-   * Jacobian is small, and pale towards the horizon; default on.
+   * Addition of the point array `RGB`, the color of the water by day as seen from 9 m above Center: blue in troughs and
+   * green in crests, with the sky that it reflects by Fresnel's equations, white where Jacobian is small, and pale
+   * towards the horizon; default on.
    */
   vtkSetMacro(WaterColors, bool);
   vtkGetMacro(WaterColors, bool);

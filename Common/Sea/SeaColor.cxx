@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sea/SeaColor.h"
 
-#include "Numerics/Vector3.h"
-
 #include <glm/common.hpp>
 
 #include <cmath>
@@ -13,10 +11,11 @@ namespace littoral
 namespace
 {
 
-constexpr Vector3 Trough{ 12.0, 52.0, 74.0 };
-constexpr Vector3 Crest{ 38.0, 108.0, 116.0 };
-constexpr Vector3 Foam{ 236.0, 242.0, 244.0 };
-constexpr Vector3 Horizon{ 176.0, 204.0, 222.0 };
+constexpr Vector3 Trough{ 8.0, 50.0, 72.0 };
+constexpr Vector3 Crest{ 30.0, 104.0, 112.0 };
+constexpr Vector3 Foam{ 238.0, 243.0, 245.0 };
+constexpr Vector3 Horizon{ 174.0, 203.0, 236.0 };
+constexpr Vector3 Zenith{ 84.0, 134.0, 196.0 };
 
 constexpr double FoamBegins = 0.42; ///< Jacobian
 constexpr double FoamIsWhite = 0.1;
@@ -31,9 +30,20 @@ double Step(double low, double high, double x)
 
 }
 
+double WaterReflectance(double cosine)
+{
+  const double rest = 1.0 - glm::clamp(cosine, 0.0, 1.0);
+  return 0.02 + 0.98 * rest * rest * rest * rest * rest;
+}
+
 Color SeaColor(const SeaPlace& place)
 {
-  Vector3 color = glm::mix(Trough, Crest, Step(-0.6, 0.7, place.Height));
+  const Vector3 water = glm::mix(Trough, Crest, Step(-0.6, 0.7, place.Height));
+  // The sky along the mirrored ray, r = 2 (n . v) n - v; below the horizon there is the sea, which mirrors it again.
+  const double cosine = glm::dot(place.Normal, place.ToEye);
+  const Vector3 mirrored = 2.0 * cosine * place.Normal - place.ToEye;
+  const Vector3 sky = glm::mix(Horizon, Zenith, std::sqrt(glm::clamp(std::abs(mirrored.z), 0.0, 1.0)));
+  Vector3 color = glm::mix(water, sky, WaterReflectance(cosine));
   color = glm::mix(Foam, color, Step(FoamIsWhite, FoamBegins, place.Jacobian));
   color = glm::mix(Horizon, color, std::exp(-place.Distance / SightLength));
   return { static_cast<unsigned char>(color.x), static_cast<unsigned char>(color.y),

@@ -23,7 +23,7 @@ namespace
 /// Radius of the largest particle in a view of all of the data, at least [diagonals].
 constexpr double SmallestSprite = 0.006;
 /// Optical depth along the diagonal of fog that is densest everywhere, at least.
-constexpr double ThinnestFog = 12.0;
+constexpr double ThinnestFog = 40.0;
 constexpr int OpacityPoints = 65;
 
 /// Marks a transfer function that was set once.
