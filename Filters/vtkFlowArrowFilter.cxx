@@ -108,7 +108,8 @@ vtkSmartPointer<vtkPolyData> DrawArrows(const std::vector<littoral::FlowArrow>& 
 /// A tube along a circle.
 vtkSmartPointer<vtkPolyData> DrawRing(const littoral::FlowRing& ring, double thickness)
 {
-  const littoral::Vector3 other = std::abs(ring.Normal.z) < 0.9 ? littoral::Vector3(0, 0, 1) : littoral::Vector3(1, 0, 0);
+  const littoral::Vector3 other =
+    std::abs(ring.Normal.z) < 0.9 ? littoral::Vector3(0, 0, 1) : littoral::Vector3(1, 0, 0);
   const littoral::Vector3 u = littoral::Normalised(glm::cross(other, ring.Normal));
   const littoral::Vector3 v = glm::cross(ring.Normal, u);
   vtkNew<vtkPoints> points;
@@ -153,15 +154,17 @@ int vtkFlowArrowFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVecto
 }
 
 //----------------------------------------------------------------------------
-int vtkFlowArrowFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkFlowArrowFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   std::vector<littoral::FlowPrimitive> primitives;
   std::string reason;
   if (input->GetNumberOfPoints() > 0)
   {
-    reason = littoral::HoldsFlowPrimitives(input) ? littoral::ReadFlowPrimitives(input, primitives)
-                                                  : "the input holds no flow primitives; it needs the point array FlowType.";
+    reason = littoral::HoldsFlowPrimitives(input)
+      ? littoral::ReadFlowPrimitives(input, primitives)
+      : "the input holds no flow primitives; it needs the point array FlowType.";
   }
   if (!reason.empty())
   {

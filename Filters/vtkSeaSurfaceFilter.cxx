@@ -197,16 +197,15 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
   const double waveHeight = std::max(1e-9, 4.0 * std::sqrt(littoral::EnergyOf(sea.Trains)));
   const double center[3] = { this->Center[0], this->Center[1], sea.SeaLevel };
   Arrays arrays(static_cast<vtkIdType>(grid.GetNumberOfPoints()), this->WaterColors);
-  littoral::ForRanges(
-    littoral::SmpFor, grid.GetNumberOfPoints(), RangeLength, [&](std::size_t begin, std::size_t end) {
-      const littoral::SeaSurfacePoints points =
-        littoral::SurfaceOf(sea, parameters, grid, this->Choppiness, time, begin, end);
-      arrays.Take(points, begin, center);
-      if (this->WaterColors)
-      {
-        arrays.Paint(points, begin, waveHeight);
-      }
-    });
+  littoral::ForRanges(littoral::SmpFor, grid.GetNumberOfPoints(), RangeLength, [&](std::size_t begin, std::size_t end) {
+    const littoral::SeaSurfacePoints points =
+      littoral::SurfaceOf(sea, parameters, grid, this->Choppiness, time, begin, end);
+    arrays.Take(points, begin, center);
+    if (this->WaterColors)
+    {
+      arrays.Paint(points, begin, waveHeight);
+    }
+  });
   vtkNew<vtkPoints> points;
   points->SetData(arrays.Places);
   output->SetPoints(points);

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double CoresDrawn = 4.0;
-constexpr double UniformRadius = 2.0; ///< [m]
+constexpr double UniformRadius = 2.0;      ///< [m]
 constexpr double LongestArrow = 1.0 / 3.0; ///< of the drawing radius
 constexpr double ShortestArrow = 0.05;     ///< of the longest
 constexpr int Directions = 26;             ///< of radii of a source

@@ -13,9 +13,9 @@ namespace littoral
 /// An arrow along the velocity at its middle.
 struct FlowArrow
 {
-  Vector3 Tail;   ///< [m]
-  Vector3 Arm;    ///< from the tail to the tip [m]
-  double Speed;   ///< [m/s]
+  Vector3 Tail; ///< [m]
+  Vector3 Arm;  ///< from the tail to the tip [m]
+  double Speed; ///< [m/s]
 };
 
 /// A circle that shows a radius of a flow.

@@ -19,8 +19,8 @@ struct SeaPlace
   double Height = 0.0;             ///< over the mean level [significant wave heights]
 };
 
-/// The share of light that water reflects, at an angle of incidence of this cosine: Schlick's approximation of Fresnel's
-/// equations, 0.02 + 0.98 (1 - cos)^5.
+/// The share of light that water reflects, at an angle of incidence of this cosine: Schlick's approximation of
+/// Fresnel's equations, 0.02 + 0.98 (1 - cos)^5.
 double WaterReflectance(double cosine);
 
 /// The color of a sea by day: of the water, blue in troughs and green in crests, where light shines through; of the sky

@@ -30,8 +30,7 @@ SeaState FromCenter(SeaState sea, const double center[2])
 {
   for (WaveTrain& train : sea.Trains)
   {
-    train.Phase +=
-      train.WaveNumber * (std::cos(train.Direction) * center[0] + std::sin(train.Direction) * center[1]);
+    train.Phase += train.WaveNumber * (std::cos(train.Direction) * center[0] + std::sin(train.Direction) * center[1]);
   }
   sea.SeaLevel = 0.0;
   return sea;
@@ -62,8 +61,8 @@ std::string WhyInvalid(const SeaSurfaceParameters& parameters)
   }
   // Rings of even spacing up to r = n s / 2 pi, then of growing spacing.
   const double even = std::min(parameters.Radius, parameters.Sectors * parameters.Spacing / TwoPi);
-  const double rings = even / parameters.Spacing +
-    std::log(parameters.Radius / even) / std::log1p(TwoPi / parameters.Sectors);
+  const double rings =
+    even / parameters.Spacing + std::log(parameters.Radius / even) / std::log1p(TwoPi / parameters.Sectors);
   check.Require(rings * parameters.Sectors <= MostPoints, "Spacing and Sectors give more than 5e7 points.");
   return check.Reason();
 }

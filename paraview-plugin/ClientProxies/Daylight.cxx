@@ -20,12 +20,12 @@ namespace
 struct Mood
 {
   const char* Name;
-  double Bottom[3];     ///< color of the background
+  double Bottom[3]; ///< color of the background
   double Top[3];
-  double Sun[3];        ///< direction towards it, of any length
+  double Sun[3]; ///< direction towards it, of any length
   double SunColor[3];
-  double SunIntensity;  ///< 0: there is none
-  double SkyIntensity;  ///< of the light kit's key light
+  double SunIntensity; ///< 0: there is none
+  double SkyIntensity; ///< of the light kit's key light
 };
 
 constexpr Mood Moods[] = {

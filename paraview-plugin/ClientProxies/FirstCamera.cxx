@@ -6,6 +6,8 @@
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkPVRenderView.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 
 #include <algorithm>
@@ -18,6 +20,15 @@ namespace
 
 /// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
 constexpr double EyeAzimuth = -0.62 * Pi;
+
+/// Priority of an observer before those that take the camera.
+constexpr float BeforeOthers = 10.0f;
+
+/// Whether a view is in ParaView's mode of two dimensions.
+bool IsFlat(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
+}
 
 }
 
@@ -53,31 +64,52 @@ FirstCamera::~FirstCamera()
 //----------------------------------------------------------------------------
 void FirstCamera::WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place)
 {
-  if (view == this->View)
+  if (view == this->View || IsFlat(view))
   {
     return;
   }
   this->Stop();
   this->Place = place;
   this->View = view;
+  this->WasReset = false;
   this->PicturesToWait = 2; // a script draws once before it resets the camera
   this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
   this->ResetObserver = this->Shown->AddObserver(vtkCommand::ResetCameraEvent, this, &FirstCamera::OnResetCamera);
+  this->StartObserver = view->AddObserver(vtkCommand::StartEvent, this, &FirstCamera::OnStart, BeforeOthers);
   this->PictureObserver = view->AddObserver(vtkCommand::EndEvent, this, &FirstCamera::OnPicture);
 }
 
 //----------------------------------------------------------------------------
 void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
 {
-  vtkSMRenderViewProxy* view = this->View;
-  this->Stop();
-  MoveCamera(view->GetActiveCamera(), this->Place);
+  if (!this->WasReset)
+  {
+    this->WasReset = true;
+    if (!IsFlat(this->View))
+    {
+      MoveCamera(this->View->GetActiveCamera(), this->Place);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// The window shows a flat image, as that of a terrain is, from above and in two dimensions.
+void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
+{
+  if (this->WasReset && IsFlat(this->View))
+  {
+    vtkSMPropertyHelper(this->View, "InteractionMode").Set("3D");
+    vtkSMPropertyHelper(this->View, "CameraParallelProjection").Set(0);
+    this->View->UpdateVTKObjects();
+    this->View->ResetCamera();
+    MoveCamera(this->View->GetActiveCamera(), this->Place);
+  }
 }
 
 //----------------------------------------------------------------------------
 void FirstCamera::OnPicture(vtkObject*, unsigned long, void*)
 {
-  if (--this->PicturesToWait == 0)
+  if (this->WasReset || --this->PicturesToWait == 0)
   {
     this->Stop();
   }
@@ -88,6 +120,7 @@ void FirstCamera::Stop()
 {
   if (this->View)
   {
+    this->View->RemoveObserver(this->StartObserver);
     this->View->RemoveObserver(this->PictureObserver);
   }
   if (this->Shown)

@@ -29,7 +29,8 @@ void MoveCamera(vtkCamera* camera, const CameraPlace& place);
 
 /**
  * Waits for the moment at which ParaView, in the window or in a script, first resets the camera of a view, and moves it
- * then. A picture with another camera, which someone must have chosen, ends the waiting.
+ * then. A picture with another camera, which someone must have chosen, ends the waiting. A view that someone has in two
+ * dimensions is left alone.
  */
 class FirstCamera
 {
@@ -43,6 +44,7 @@ public:
 
 private:
   void OnResetCamera(vtkObject*, unsigned long, void*);
+  void OnStart(vtkObject*, unsigned long, void*);
   void OnPicture(vtkObject*, unsigned long, void*);
   void Stop();
 
@@ -51,7 +53,9 @@ private:
   vtkWeakPointer<vtkObject> Shown; ///< what the view shows on
   unsigned long ResetObserver = 0;
   unsigned long PictureObserver = 0;
+  unsigned long StartObserver = 0;
   int PicturesToWait = 0;
+  bool WasReset = false;
 };
 
 }

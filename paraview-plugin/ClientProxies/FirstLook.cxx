@@ -43,8 +43,8 @@ bool MarkOnce(vtkSMProxy* function)
 double DiagonalOf(vtkPVDataInformation* data)
 {
   const double* b = data->GetBounds();
-  return std::max(1e-9, std::sqrt((b[1] - b[0]) * (b[1] - b[0]) + (b[3] - b[2]) * (b[3] - b[2]) +
-                          (b[5] - b[4]) * (b[5] - b[4])));
+  return std::max(
+    1e-9, std::sqrt((b[1] - b[0]) * (b[1] - b[0]) + (b[3] - b[2]) * (b[3] - b[2]) + (b[5] - b[4]) * (b[5] - b[4])));
 }
 
 double LargestOf(vtkPVDataInformation* data, const char* array)

@@ -20,15 +20,15 @@ namespace littoral
 /**
  * How a source is first shown in ParaView: in its own colors, lit, and from the side where that is the better view.
  *
- * ParaView colors by a color map, with a legend, and looks down along z unless it is told otherwise. This gives each new
- * representation of a source what the hint of the proxy says:
+ * ParaView colors by a color map, with a legend, and looks down along z unless it is told otherwise. This gives each
+ * new representation of a source what the hint of the proxy says:
  *
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" light="land" />
  *
- *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before there
- *    are data, `color` one that a color map shows, `color-map` a preset for it.
- *  - Particles are lit spheres with their radii, whatever the source; points with `disk-radius` [m] are disks; the array
- *    of `fog` [1/m] is a volume.
+ *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
+ * there are data, `color` one that a color map shows, `color-map` a preset for it.
+ *  - Particles are lit spheres with their radii, whatever the source; points with `disk-radius` [m] are disks; the
+ * array of `fog` [1/m] is a volume.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
  *    that would tear leaves and crowns to shreds.

@@ -4,10 +4,10 @@
  * @class   vtkFullSurfaceRepresentation
  * @brief   a surface that is not decimated while the camera moves
  *
- * Interactive pictures of a large scene show what a representation offers as its level of detail. Here it is the surface
- * itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the frame in
- * which it was made, with rendering on the client and on a server. (The property SuppressLOD of vtkGeometryRepresentation
- * offers nothing, so that a surface which changes between two interactive pictures vanishes.)
+ * Interactive pictures of a large scene show what a representation offers as its level of detail. Here it is the
+ * surface itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the
+ * frame in which it was made, with rendering on the client and on a server. (The property SuppressLOD of
+ * vtkGeometryRepresentation offers nothing, so that a surface which changes between two interactive pictures vanishes.)
  */
 #ifndef vtkFullSurfaceRepresentation_h
 #define vtkFullSurfaceRepresentation_h
