@@ -85,7 +85,7 @@ void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
   if (!this->WasReset)
   {
     this->WasReset = true;
-    if (!IsFlat(this->View))
+    if (!this->Place.IsOfFlatData)
     {
       MoveCamera(this->View->GetActiveCamera(), this->Place);
     }
@@ -93,17 +93,20 @@ void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
 }
 
 //----------------------------------------------------------------------------
-/// The window shows a flat image, as that of a terrain is, from above and in two dimensions.
+/// The window shows a flat image, as that of a terrain is, in two dimensions, after it has reset the camera.
 void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
 {
-  if (this->WasReset && IsFlat(this->View))
+  vtkCamera* camera = this->View->GetActiveCamera();
+  if (!this->WasReset || !this->Place.IsOfFlatData || camera->GetDirectionOfProjection()[2] > -0.999)
   {
-    vtkSMPropertyHelper(this->View, "InteractionMode").Set("3D");
-    vtkSMPropertyHelper(this->View, "CameraParallelProjection").Set(0);
-    this->View->UpdateVTKObjects();
-    this->View->ResetCamera();
-    MoveCamera(this->View->GetActiveCamera(), this->Place);
+    return; // someone has turned it since
   }
+  vtkSMPropertyHelper(this->View, "InteractionMode").Set("3D");
+  vtkSMPropertyHelper(this->View, "CameraParallelProjection").Set(0);
+  this->View->UpdateVTKObjects();
+  MoveCamera(camera, this->Place);
+  this->View->ResetCamera(); // to what is drawn of it
+  camera->Dolly(this->Place.Closer);
 }
 
 //----------------------------------------------------------------------------

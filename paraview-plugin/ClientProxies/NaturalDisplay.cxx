@@ -102,7 +102,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   if (input.GetAsProxy() == this->Owner)
   {
     this->Show(representation, input.GetOutputPort());
-    this->SetUpView();
+    this->SetUpView(input.GetOutputPort());
   }
 }
 
@@ -259,7 +259,7 @@ void NaturalDisplay::StopWaitingForLegend()
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::SetUpView()
+void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
   if (!view || !IsEmpty(view))
@@ -274,7 +274,10 @@ void NaturalDisplay::SetUpView()
   const char* target = this->Hint("target");
   const char* elevation = this->Hint("elevation");
   const char* closer = this->Hint("closer");
+  vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
+  place.IsOfFlatData = data && data->GetBounds()[4] == data->GetBounds()[5] && this->Hint("elevation") &&
+    std::atof(this->Hint("elevation")) < 90.0;
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;

@@ -64,7 +64,7 @@ private:
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject*, unsigned long, void*);
   void StopWaitingForLegend();
-  void SetUpView();
+  void SetUpView(int port);
 
   vtkSMSourceProxy* Owner;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
