@@ -60,7 +60,8 @@ void Paint(vtkPolyData* drawn)
     const littoral::Color color = speed > 0.0 ? ArrowColor(speed / fastest) : littoral::Color{ 226, 236, 238 };
     std::copy(color.begin(), color.end(), colors->GetPointer(3 * i));
   }
-  drawn->GetPointData()->SetScalars(colors);
+  drawn->GetPointData()->AddArray(colors);
+  drawn->GetPointData()->SetActiveScalars("RGB");
 }
 
 /// Solid arrows along arms, with their speeds.

@@ -56,6 +56,25 @@ void MoveCamera(vtkCamera* camera, const CameraPlace& place)
 }
 
 //----------------------------------------------------------------------------
+void MoveCamera(vtkCamera* camera, const CameraPlace& place, const double bounds[6])
+{
+  double squares = 0.0;
+  double middle[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    middle[c] = 0.5 * (bounds[2 * c] + bounds[2 * c + 1]);
+    squares += (bounds[2 * c + 1] - bounds[2 * c]) * (bounds[2 * c + 1] - bounds[2 * c]);
+  }
+  const double radius = 0.5 * std::sqrt(squares);
+  const double distance = radius / std::sin(0.5 * camera->GetViewAngle() * Pi / 180.0);
+  camera->SetFocalPoint(middle);
+  camera->SetPosition(middle[0], middle[1] - std::max(distance, 1e-3), middle[2]);
+  CameraPlace whole = place;
+  whole.Closer = 1.0;
+  MoveCamera(camera, whole);
+}
+
+//----------------------------------------------------------------------------
 FirstCamera::~FirstCamera()
 {
   this->Stop();

@@ -28,6 +28,9 @@ struct CameraPlace
 /// Moves a camera that shows all data, with z upwards.
 void MoveCamera(vtkCamera* camera, const CameraPlace& place);
 
+/// Moves a camera to where it shows all of a box, so that a level of detail for it has all in sight.
+void MoveCamera(vtkCamera* camera, const CameraPlace& place, const double bounds[6]);
+
 /**
  * Waits for the moment at which ParaView, in the window or in a script, first resets the camera of a view, and moves it
  * then. A picture with another camera, which someone must have chosen, ends the waiting. A view that someone has in two

@@ -5,10 +5,12 @@
 #include "ColorHelper.h"
 
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
 #include <algorithm>
@@ -24,6 +26,8 @@ namespace
 constexpr double SmallestSprite = 0.006;
 /// Optical depth along the diagonal of fog that is densest everywhere, at least.
 constexpr double ThinnestFog = 40.0;
+constexpr double Glitter = 0.5;
+constexpr double GlitterPower = 60.0;
 constexpr int OpacityPoints = 65;
 
 /// Marks a transfer function that was set once.
@@ -68,6 +72,24 @@ void ColorDirectly(vtkSMProxy* representation, const char* array, bool isKnown)
 }
 
 //----------------------------------------------------------------------------
+void ShadeSmoothly(vtkSMProxy* representation, const char* array)
+{
+  if (representation->GetProperty("SelectNormalArray"))
+  {
+    vtkSMPropertyHelper(representation, "SelectNormalArray").Set(array);
+  }
+}
+
+//----------------------------------------------------------------------------
+void ShadeAsWater(vtkSMProxy* representation, double ambient)
+{
+  vtkSMPropertyHelper(representation, "Ambient").Set(ambient);
+  vtkSMPropertyHelper(representation, "Diffuse").Set(1.0 - ambient);
+  vtkSMPropertyHelper(representation, "Specular").Set(Glitter);
+  vtkSMPropertyHelper(representation, "SpecularPower").Set(GlitterPower);
+}
+
+//----------------------------------------------------------------------------
 void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset)
 {
   ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
@@ -77,6 +99,21 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
     vtkSMTransferFunctionProxy::ApplyPreset(map, preset, true);
   }
   ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
+}
+
+//----------------------------------------------------------------------------
+void DarkenLegend(vtkSMProxy* representation, vtkSMProxy* view)
+{
+  vtkSMProxy* map = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
+  vtkNew<vtkSMTransferFunctionManager> functions;
+  vtkSMProxy* legend = map ? functions->GetScalarBarRepresentation(map, view) : nullptr;
+  if (MarkOnce(legend))
+  {
+    const double ink[3] = { 0.10, 0.14, 0.20 };
+    vtkSMPropertyHelper(legend, "TitleColor").Set(ink, 3);
+    vtkSMPropertyHelper(legend, "LabelColor").Set(ink, 3);
+    legend->UpdateVTKObjects();
+  }
 }
 
 //----------------------------------------------------------------------------

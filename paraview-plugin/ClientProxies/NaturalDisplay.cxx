@@ -6,8 +6,10 @@
 #include "Daylight.h"
 #include "FirstLook.h"
 
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
@@ -32,6 +34,12 @@ bool ReadPlace(const char* text, double place[3])
 {
   std::istringstream numbers(text);
   return static_cast<bool>(numbers >> place[0] >> place[1] >> place[2]);
+}
+
+/// Whether bounds are those of a level rectangle.
+bool IsLevel(const double bounds[6])
+{
+  return bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] == bounds[5];
 }
 
 bool HasData(vtkPVDataInformation* data)
@@ -101,9 +109,42 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   const vtkSMPropertyHelper input(representation, "Input");
   if (input.GetAsProxy() == this->Owner)
   {
+    vtkSMRenderViewProxy* view = this->ActiveView();
+    if (view && IsEmpty(view))
+    {
+      this->LookAtInput();
+    }
     this->Show(representation, input.GetOutputPort());
     this->SetUpView(input.GetOutputPort());
   }
+}
+
+//----------------------------------------------------------------------------
+/// A filter that follows the camera has all of its input in sight, before there is a picture from which it could follow.
+void NaturalDisplay::LookAtInput()
+{
+  vtkSMProperty* input = this->Owner->GetProperty("Input");
+  const char* elevation = this->Hint("elevation");
+  if (!input || !elevation || !this->Owner->GetProperty("FollowCamera") || !this->Owner->GetProperty("ViewPoint") ||
+    vtkSMPropertyHelper(this->Owner, "FollowCamera").GetAsInt() == 0)
+  {
+    return;
+  }
+  const vtkSMPropertyHelper source(input);
+  auto* producer = source.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(source.GetAsProxy()) : nullptr;
+  vtkPVDataInformation* data = producer ? producer->GetDataInformation(source.GetOutputPort()) : nullptr;
+  if (!HasData(data))
+  {
+    return;
+  }
+  CameraPlace place;
+  place.Elevation = std::atof(elevation);
+  vtkNew<vtkCamera> camera;
+  MoveCamera(camera, place, data->GetBounds());
+  vtkSMPropertyHelper(this->Owner, "ViewPoint").Set(camera->GetPosition(), 3);
+  vtkSMPropertyHelper(this->Owner, "ViewDirection").Set(camera->GetDirectionOfProjection(), 3);
+  vtkSMPropertyHelper(this->Owner, "ViewUp").Set(camera->GetViewUp(), 3);
+  this->Owner->UpdateVTKObjects();
 }
 
 //----------------------------------------------------------------------------
@@ -151,6 +192,10 @@ void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
 //----------------------------------------------------------------------------
 void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data)
 {
+  if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
+  {
+    ShadeSmoothly(representation, "Normals");
+  }
   if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     ColorDirectly(representation, "RGB", true);
@@ -159,6 +204,10 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   else if (this->Hint("direct-color"))
   {
     this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
+  }
+  if (const char* ambient = this->Hint("ambient"))
+  {
+    ShadeAsWater(representation, std::atof(ambient));
   }
   if (AreParticles(data))
   {
@@ -176,6 +225,11 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (const char* array = this->Hint("color"))
   {
     ColorByArray(representation, array, this->Hint("color-map"));
+    vtkSMRenderViewProxy* view = this->ActiveView();
+    if (view && IsEmpty(view) && this->Hint("light"))
+    {
+      DarkenLegend(representation, view);
+    }
   }
 }
 
@@ -276,8 +330,7 @@ void NaturalDisplay::SetUpView(int port)
   const char* closer = this->Hint("closer");
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
-  place.IsOfFlatData = data && data->GetBounds()[4] == data->GetBounds()[5] && this->Hint("elevation") &&
-    std::atof(this->Hint("elevation")) < 90.0;
+  place.IsOfFlatData = data && IsLevel(data->GetBounds()) && elevation && std::atof(elevation) < 90.0;
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;

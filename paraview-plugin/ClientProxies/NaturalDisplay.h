@@ -27,6 +27,7 @@ namespace littoral
  *
  *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
  * there are data, `color` one that a color map shows, `color-map` a preset for it.
+ *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water.
  *  - Particles are lit spheres with their radii, whatever the source; points with `disk-radius` [m] are disks; the
  * array of `fog` [1/m] is a volume.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
@@ -55,6 +56,7 @@ public:
 private:
   const char* Hint(const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
+  void LookAtInput();
   void Show(vtkSMProxy* representation, int port);
   void ShowBlocks(vtkSMProxy* representation, bool isForest);
   void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data);
