@@ -17,10 +17,10 @@ namespace littoral
 /// Where the eye is when a source is the first thing in its view.
 struct CameraPlace
 {
-  double Elevation = 0.0; ///< over the horizon, of the eye seen from the middle of the data [degrees]
-  double Closer = 1.0;    ///< than a camera that shows a sphere around the data
+  double Elevation = 0.0;    ///< over the horizon, of the eye seen from the middle of the data [degrees]
+  double Closer = 1.0;       ///< than a camera that shows a sphere around the data
   bool IsOfFlatData = false; ///< whether ParaView would look at them from above, in two dimensions
-  bool IsFixed = false;   ///< whether Eye and Target count instead
+  bool IsFixed = false;      ///< whether Eye and Target count instead
   double Eye[3] = { 0.0, 0.0, 0.0 };
   double Target[3] = { 0.0, 0.0, 0.0 };
 };

@@ -25,7 +25,7 @@ namespace
 /// Radius of the largest particle in a view of all of the data, at least [diagonals].
 constexpr double SmallestSprite = 0.006;
 /// Optical depth along the diagonal of fog that is densest everywhere, at least.
-constexpr double ThinnestFog = 40.0;
+constexpr double ThinnestFog = 100.0;
 constexpr double Glitter = 0.5;
 constexpr double GlitterPower = 60.0;
 constexpr int OpacityPoints = 65;
@@ -102,8 +102,9 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
 }
 
 //----------------------------------------------------------------------------
-void DarkenLegend(vtkSMProxy* representation, vtkSMProxy* view)
+void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view)
 {
+  ColorHelper::SetScalarBarVisibility(representation, view, true);
   vtkSMProxy* map = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
   vtkNew<vtkSMTransferFunctionManager> functions;
   vtkSMProxy* legend = map ? functions->GetScalarBarRepresentation(map, view) : nullptr;

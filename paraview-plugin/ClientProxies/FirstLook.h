@@ -22,8 +22,8 @@ void ShadeAsWater(vtkSMProxy* representation, double ambient);
 /// Colors by a point array. A color map that is still ParaView's own becomes a preset, unless `preset` is null.
 void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset);
 
-/// Writes the legend of a representation in a dark color, which can be read in front of a pale sky.
-void DarkenLegend(vtkSMProxy* representation, vtkSMProxy* view);
+/// Shows the legend of a representation, in a dark color that can be read in front of a pale sky.
+void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view);
 
 /// Particles, points with the arrays ParticleId and Radius, as lit spheres. Radii are enlarged where they would be too
 /// small to be seen in a view of all of the data.

@@ -120,7 +120,8 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 }
 
 //----------------------------------------------------------------------------
-/// A filter that follows the camera has all of its input in sight, before there is a picture from which it could follow.
+/// A filter that follows the camera has all of its input in sight, before there is a picture from which it could
+/// follow.
 void NaturalDisplay::LookAtInput()
 {
   vtkSMProperty* input = this->Owner->GetProperty("Input");
@@ -228,7 +229,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     vtkSMRenderViewProxy* view = this->ActiveView();
     if (view && IsEmpty(view) && this->Hint("light"))
     {
-      DarkenLegend(representation, view);
+      ShowDarkLegend(representation, view);
     }
   }
 }

@@ -3,12 +3,12 @@
 #include "vtkFilteredSurfaceRepresentation.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
-#include "vtkNew.h"
 #include "vtkPVTrivialProducer.h"
-#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 
@@ -21,15 +21,30 @@ bool IsFirstRank()
   return !ranks || ranks->GetLocalProcessId() == 0;
 }
 
+/// The same blocks without points: ranks talk about each block of a picture.
+vtkSmartPointer<vtkDataObject> EmptyCopy(vtkDataObject* data)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
+  {
+    auto* emptied = vtkDataObjectTree::SafeDownCast(copy);
+    emptied->CopyStructure(blocks);
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      emptied->SetDataSet(
+        iterator, vtkSmartPointer<vtkDataObject>::Take(iterator->GetCurrentDataObject()->NewInstance()));
+    }
+  }
+  return copy;
+}
+
 }
 
 //----------------------------------------------------------------------------
 vtkFilteredSurfaceRepresentation::vtkFilteredSurfaceRepresentation()
 {
-  vtkNew<vtkPolyData> empty;
-  vtkNew<vtkTrivialProducer> nothing;
-  nothing->SetOutput(empty);
-  this->Nothing = nothing;
+  this->Nothing = vtkSmartPointer<vtkTrivialProducer>::New();
 }
 
 //----------------------------------------------------------------------------
@@ -77,6 +92,12 @@ int vtkFilteredSurfaceRepresentation::RequestData(
       this->GetInternalOutputPort(0, 0);
       this->Filter->UpdateInformation();
       this->Filter->GetOutputInformation(0)->Set(Pipeline::UPDATE_TIME_STEP(), this->GetUpdateTime());
+    }
+    if (!IsFirstRank())
+    {
+      this->GetInternalOutputPort(0, 0);
+      this->Filter->Update();
+      this->Nothing->SetOutput(EmptyCopy(this->Filter->GetOutputDataObject(0)));
     }
   }
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);

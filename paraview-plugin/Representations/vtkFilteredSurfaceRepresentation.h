@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h" // for the filter
 
 class vtkAlgorithm;
+class vtkTrivialProducer;
 
 class LITTORALREPRESENTATIONS_EXPORT vtkFilteredSurfaceRepresentation : public vtkFullSurfaceRepresentation
 {
@@ -43,7 +44,7 @@ private:
   void operator=(const vtkFilteredSurfaceRepresentation&) = delete;
 
   vtkSmartPointer<vtkAlgorithm> Filter;
-  vtkSmartPointer<vtkAlgorithm> Nothing; ///< what other ranks than the first show
+  vtkSmartPointer<vtkTrivialProducer> Nothing; ///< what other ranks than the first show
 };
 
 #endif
