@@ -33,6 +33,21 @@ bool IsFlat(vtkSMProxy* view)
 }
 
 //----------------------------------------------------------------------------
+bool IsEmpty(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
+  {
+    vtkSMProxy* one = shown.GetAsProxy(k);
+    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
 void MoveCamera(vtkCamera* camera, const CameraPlace& place)
 {
   camera->SetViewUp(0.0, 0.0, 1.0);
@@ -101,7 +116,7 @@ void FirstCamera::WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place)
 //----------------------------------------------------------------------------
 void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
 {
-  if (!this->WasReset)
+  if (!this->WasReset && !IsEmpty(this->View))
   {
     this->WasReset = true;
     if (!this->Place.IsOfFlatData)
@@ -131,7 +146,7 @@ void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
 //----------------------------------------------------------------------------
 void FirstCamera::OnPicture(vtkObject*, unsigned long, void*)
 {
-  if (this->WasReset || --this->PicturesToWait == 0)
+  if (!IsEmpty(this->View) && (this->WasReset || --this->PicturesToWait == 0))
   {
     this->Stop();
   }

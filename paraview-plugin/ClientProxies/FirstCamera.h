@@ -9,10 +9,14 @@
 
 class vtkCamera;
 class vtkObject;
+class vtkSMProxy;
 class vtkSMRenderViewProxy;
 
 namespace littoral
 {
+
+/// Whether nothing is shown in a view.
+bool IsEmpty(vtkSMProxy* view);
 
 /// Where the eye is when a source is the first thing in its view.
 struct CameraPlace

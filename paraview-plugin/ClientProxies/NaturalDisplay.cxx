@@ -47,21 +47,6 @@ bool HasData(vtkPVDataInformation* data)
   return data && (data->GetNumberOfPoints() > 0 || data->GetNumberOfRows() > 0);
 }
 
-/// Whether nothing is shown in a view.
-bool IsEmpty(vtkSMProxy* view)
-{
-  const vtkSMPropertyHelper shown(view, "Representations");
-  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
-  {
-    vtkSMProxy* one = shown.GetAsProxy(k);
-    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 }
 
 //----------------------------------------------------------------------------
@@ -288,6 +273,10 @@ void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 //----------------------------------------------------------------------------
 void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
 {
+  if (IsEmpty(this->LegendView))
+  {
+    return; // a new view draws itself before it gets what it is made for
+  }
   if (this->Colored)
   {
     if (ColorHelper::GetUsingScalarColoring(this->Colored))
