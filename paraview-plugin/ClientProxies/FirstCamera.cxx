@@ -106,7 +106,8 @@ void FirstCamera::WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place)
   this->Place = place;
   this->View = view;
   this->WasReset = false;
-  this->PicturesToWait = 2; // a script draws once before it resets the camera
+  // A script draws once before it resets the camera, the window some times in a new view; see OnStart for flat data.
+  this->PicturesToWait = place.IsOfFlatData ? 10 : 2;
   this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
   this->ResetObserver = this->Shown->AddObserver(vtkCommand::ResetCameraEvent, this, &FirstCamera::OnResetCamera);
   this->StartObserver = view->AddObserver(vtkCommand::StartEvent, this, &FirstCamera::OnStart, BeforeOthers);
