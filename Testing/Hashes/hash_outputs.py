@@ -106,6 +106,11 @@ CASES = {
         {"SetResponse": (1,)}, {"SetGravity": (True,)}, {"SetNumberOfModes": (1,), "SetWoodFromPlants": (False,)}]),
     "vtkParticleOrbitFilter": (lambda: (particles(), sea()), [
         {"SetStokesDrift": (True,)}, {"SetDopplerShift": (True,), "SetCurrent": (0.5, 0.1)}, {"SetGenerateAcceleration": (True,)}]),
+    "vtkSeaSurfaceFilter": (lambda: (sea(),), [
+        {"SetSpacing": (1.0,), "SetSectors": (90,)}, {"SetCenter": (70.0, -20.0), "SetRadius": (300.0,)},
+        {"SetChoppiness": (0.5,), "SetWaterColors": (False,)}]),
+    "vtkFlowArrowFilter": (lambda: (make("vtkFlowPrimitiveSource", SetFlowType=(3,)),), []),
+    "vtkImageSectionFilter": (lambda: (wind(),), [{"SetCrossSections": (1,)}]),
     "vtkParticleLevelOfDetailFilter": (lambda: (particles(), sea()), [
         {"SetViewPoint": (5.0, 5.0, -3.0)},
         {"SetViewPoint": (5.0, 5.0, -3.0), "SetSlavesPerMaster": (2,)},

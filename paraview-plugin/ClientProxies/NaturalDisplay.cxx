@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NaturalDisplay.h"
 
-#include "Numerics/Constants.h"
+#include "ColorHelper.h"
+#include "Daylight.h"
+#include "FirstLook.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
-#if __has_include("vtkSMColorMapEditorHelper.h") // ParaView 5.13 and later
-#include "vtkSMColorMapEditorHelper.h"
-#else
-#include "vtkSMPVRepresentationProxy.h"
-#endif
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
@@ -21,8 +19,6 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -33,28 +29,22 @@ namespace littoral
 namespace
 {
 
-#if __has_include("vtkSMColorMapEditorHelper.h")
-using ColorHelper = vtkSMColorMapEditorHelper;
-#else
-using ColorHelper = vtkSMPVRepresentationProxy;
-#endif
-
-/// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
-constexpr double EyeAzimuth = -0.62 * Pi;
-
-/// Whether nothing is shown in a view.
-bool IsEmpty(vtkSMProxy* view)
+/// Three coordinates of a hint; whether there are as many.
+bool ReadPlace(const char* text, double place[3])
 {
-  const vtkSMPropertyHelper shown(view, "Representations");
-  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
-  {
-    vtkSMProxy* one = shown.GetAsProxy(k);
-    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
-    {
-      return false;
-    }
-  }
-  return true;
+  std::istringstream numbers(text);
+  return static_cast<bool>(numbers >> place[0] >> place[1] >> place[2]);
+}
+
+/// Whether bounds are those of a level rectangle.
+bool IsLevel(const double bounds[6])
+{
+  return bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] == bounds[5];
+}
+
+bool HasData(vtkPVDataInformation* data)
+{
+  return data && (data->GetNumberOfPoints() > 0 || data->GetNumberOfRows() > 0);
 }
 
 }
@@ -62,7 +52,6 @@ bool IsEmpty(vtkSMProxy* view)
 //----------------------------------------------------------------------------
 NaturalDisplay::~NaturalDisplay()
 {
-  this->StopWaiting();
   this->StopWaitingForLegend();
   if (this->Manager)
   {
@@ -105,48 +94,129 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   const vtkSMPropertyHelper input(representation, "Input");
   if (input.GetAsProxy() == this->Owner)
   {
-    this->TakeColors(representation, input.GetOutputPort());
-    this->WaitForCamera();
+    vtkSMRenderViewProxy* view = this->ActiveView();
+    if (view && IsEmpty(view))
+    {
+      this->LookAtInput();
+    }
+    this->Show(representation, input.GetOutputPort());
+    this->SetUpView(input.GetOutputPort());
   }
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColors(vtkSMProxy* representation, int port)
+/// A filter that follows the camera has all of its input in sight, before there is a picture from which it could
+/// follow.
+void NaturalDisplay::LookAtInput()
+{
+  vtkSMProperty* input = this->Owner->GetProperty("Input");
+  const char* elevation = this->Hint("elevation");
+  if (!input || !elevation || !this->Owner->GetProperty("FollowCamera") || !this->Owner->GetProperty("ViewPoint") ||
+    vtkSMPropertyHelper(this->Owner, "FollowCamera").GetAsInt() == 0)
+  {
+    return;
+  }
+  const vtkSMPropertyHelper source(input);
+  auto* producer = source.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(source.GetAsProxy()) : nullptr;
+  vtkPVDataInformation* data = producer ? producer->GetDataInformation(source.GetOutputPort()) : nullptr;
+  if (!HasData(data))
+  {
+    return;
+  }
+  CameraPlace place;
+  place.Elevation = std::atof(elevation);
+  vtkNew<vtkCamera> camera;
+  MoveCamera(camera, place, data->GetBounds());
+  vtkSMPropertyHelper(this->Owner, "ViewPoint").Set(camera->GetPosition(), 3);
+  vtkSMPropertyHelper(this->Owner, "ViewDirection").Set(camera->GetDirectionOfProjection(), 3);
+  vtkSMPropertyHelper(this->Owner, "ViewUp").Set(camera->GetViewUp(), 3);
+  this->Owner->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::Show(vtkSMProxy* representation, int port)
 {
   this->Owner->UpdatePipeline();
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
-  if (!data || data->GetNumberOfPoints() == 0)
+  if (!HasData(data))
   {
     this->WaitForData(representation, port);
-  }
-  if (data && data->GetArrayInformation("RGB", vtkDataObject::POINT))
-  {
-    vtkSMPropertyHelper(representation, "MapScalars").Set(0);
-    this->WaitForLegend(representation);
-  }
-  const bool isForest = data && data->GetArrayInformation("SiteId", vtkDataObject::FIELD);
-  const char* blocks = isForest ? this->Hint("forest-blocks") : nullptr;
-  blocks = port != 0 ? nullptr : blocks ? blocks : this->Hint("blocks");
-  if (blocks && representation->GetProperty("BlockSelectors"))
-  {
-    vtkSMPropertyHelper selectors(representation, "BlockSelectors");
-    std::istringstream names(blocks);
-    std::string name;
-    for (unsigned int k = 0; names >> name; ++k)
-    {
-      selectors.Set(k, name.c_str());
-    }
-  }
-  if (const char* array = this->Hint("color"))
-  {
-    ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
-    ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
   }
   if (this->Hint("own-levels"))
   {
     vtkSMPropertyHelper(representation, "Representation").Set("Full Surface");
   }
+  if (data)
+  {
+    if (port == 0)
+    {
+      this->ShowBlocks(representation, data->GetArrayInformation("SiteId", vtkDataObject::FIELD) != nullptr);
+    }
+    this->TakeColors(representation, data);
+  }
   representation->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
+{
+  const char* blocks = isForest ? this->Hint("forest-blocks") : nullptr;
+  blocks = blocks ? blocks : this->Hint("blocks");
+  if (!blocks || !representation->GetProperty("BlockSelectors"))
+  {
+    return;
+  }
+  vtkSMPropertyHelper selectors(representation, "BlockSelectors");
+  std::istringstream names(blocks);
+  std::string name;
+  for (unsigned int k = 0; names >> name; ++k)
+  {
+    selectors.Set(k, name.c_str());
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data)
+{
+  if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
+  {
+    ShadeSmoothly(representation, "Normals");
+  }
+  if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
+  {
+    ColorDirectly(representation, "RGB", true);
+    this->WaitForLegend(representation);
+  }
+  else if (this->Hint("direct-color"))
+  {
+    this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
+  }
+  if (const char* ambient = this->Hint("ambient"))
+  {
+    ShadeAsWater(representation, std::atof(ambient));
+  }
+  if (AreParticles(data))
+  {
+    ShowAsSprites(representation, data);
+  }
+  if (const char* radius = this->Hint("disk-radius"))
+  {
+    ShowAsDisks(representation, std::atof(radius));
+  }
+  if (const char* array = this->Hint("fog"))
+  {
+    ShowAsFog(representation, data, array);
+    this->WaitForLegend(representation);
+  }
+  if (const char* array = this->Hint("color"))
+  {
+    ColorByArray(representation, array, this->Hint("color-map"));
+    vtkSMRenderViewProxy* view = this->ActiveView();
+    if (view && IsEmpty(view) && this->Hint("light"))
+    {
+      ShowDarkLegend(representation, view);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -165,7 +235,7 @@ void NaturalDisplay::WaitForData(vtkSMProxy* representation, int port)
 void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
 {
   vtkPVDataInformation* data = this->Owner->GetDataInformation(this->EmptyPort);
-  if (this->Empty && (!data || data->GetNumberOfPoints() == 0))
+  if (this->Empty && !HasData(data))
   {
     return;
   }
@@ -177,11 +247,7 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
   {
     return;
   }
-  if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
-  {
-    ColorHelper::SetScalarColoring(representation, "RGB", vtkDataObject::POINT);
-  }
-  this->TakeColors(representation, this->EmptyPort);
+  this->Show(representation, this->EmptyPort);
 }
 
 //----------------------------------------------------------------------------
@@ -207,9 +273,21 @@ void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 //----------------------------------------------------------------------------
 void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
 {
+  if (IsEmpty(this->LegendView))
+  {
+    return; // a new view draws itself before it gets what it is made for
+  }
   if (this->Colored)
   {
-    ColorHelper::SetScalarBarVisibility(this->Colored, this->LegendView, false);
+    if (ColorHelper::GetUsingScalarColoring(this->Colored))
+    {
+      ColorHelper::SetScalarBarVisibility(this->Colored, this->LegendView, false);
+    }
+    const char* array = this->Hint("direct-color");
+    if (array && vtkSMPropertyHelper(this->Colored, "MapScalars").GetAsInt() != 0)
+    {
+      ColorDirectly(this->Colored, array, false);
+    }
   }
   this->StopWaitingForLegend();
 }
@@ -225,59 +303,31 @@ void NaturalDisplay::StopWaitingForLegend()
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::WaitForCamera()
+void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
-  if (!this->Hint("elevation") || !view || view == this->View || !IsEmpty(view))
+  if (!view || !IsEmpty(view))
   {
     return;
   }
-  this->StopWaiting();
-  this->View = view;
-  this->PicturesToWait = 2; // a script draws once before it resets the camera
-  this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
-  this->ResetObserver = this->Shown->AddObserver(vtkCommand::ResetCameraEvent, this, &NaturalDisplay::OnResetCamera);
-  this->PictureObserver = view->AddObserver(vtkCommand::EndEvent, this, &NaturalDisplay::OnPicture);
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::OnResetCamera(vtkObject*, unsigned long, void*)
-{
-  vtkCamera* camera = this->View->GetActiveCamera();
-  this->StopWaiting();
-  const double elevation = std::atof(this->Hint("elevation")) * Pi / 180.0;
+  if (const char* mood = this->Hint("light"))
+  {
+    LightView(view, mood);
+  }
+  const char* eye = this->Hint("eye");
+  const char* target = this->Hint("target");
+  const char* elevation = this->Hint("elevation");
   const char* closer = this->Hint("closer");
-  // What the camera shows of a sphere around the data does not depend on where it looks from.
-  const double distance = camera->GetDistance() / std::max(0.1, closer ? std::atof(closer) : 1.0);
-  double focus[3];
-  camera->GetFocalPoint(focus);
-  camera->SetPosition(focus[0] + distance * std::cos(elevation) * std::cos(EyeAzimuth),
-    focus[1] + distance * std::cos(elevation) * std::sin(EyeAzimuth), focus[2] + distance * std::sin(elevation));
-  camera->SetViewUp(0.0, 0.0, 1.0);
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::OnPicture(vtkObject*, unsigned long, void*)
-{
-  if (--this->PicturesToWait == 0)
+  vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
+  CameraPlace place;
+  place.IsOfFlatData = data && IsLevel(data->GetBounds()) && elevation && std::atof(elevation) < 90.0;
+  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
+  place.Elevation = elevation ? std::atof(elevation) : 0.0;
+  place.Closer = closer ? std::atof(closer) : 1.0;
+  if (place.IsFixed || elevation)
   {
-    this->StopWaiting(); // shown with a camera that someone has chosen
+    this->Camera.WaitFor(view, place);
   }
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::StopWaiting()
-{
-  if (this->View)
-  {
-    this->View->RemoveObserver(this->PictureObserver);
-  }
-  if (this->Shown)
-  {
-    this->Shown->RemoveObserver(this->ResetObserver);
-  }
-  this->Shown = nullptr;
-  this->View = nullptr;
 }
 
 }

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralDaylight_h
+#define LittoralDaylight_h
+
+class vtkSMProxy;
+
+namespace littoral
+{
+
+/**
+ * Gives a render view a background with the colors of the sky, of the sea's horizon or of water, and a sun, if it still
+ * has ParaView's background and lights, all at their defaults, and has never had these. Known moods: "land", "sea",
+ * "water", "paper" (white, without a sun); others change nothing.
+ *
+ * The sun is an additional light that stands still in the scene; the light kit, dimmed, is the light of the sky. All of
+ * this are properties of the view, which state files keep and the user can change.
+ */
+void LightView(vtkSMProxy* view, const char* mood);
+
+}
+
+#endif

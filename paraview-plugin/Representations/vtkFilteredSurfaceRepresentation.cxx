@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFilteredSurfaceRepresentation.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPVTrivialProducer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
+
+namespace
+{
+
+bool IsFirstRank()
+{
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  return !ranks || ranks->GetLocalProcessId() == 0;
+}
+
+/// The same blocks without points: ranks talk about each block of a picture.
+vtkSmartPointer<vtkDataObject> EmptyCopy(vtkDataObject* data)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
+  {
+    auto* emptied = vtkDataObjectTree::SafeDownCast(copy);
+    emptied->CopyStructure(blocks);
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      emptied->SetDataSet(
+        iterator, vtkSmartPointer<vtkDataObject>::Take(iterator->GetCurrentDataObject()->NewInstance()));
+    }
+  }
+  return copy;
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkFilteredSurfaceRepresentation::vtkFilteredSurfaceRepresentation()
+{
+  this->Nothing = vtkSmartPointer<vtkTrivialProducer>::New();
+}
+
+//----------------------------------------------------------------------------
+vtkFilteredSurfaceRepresentation::~vtkFilteredSurfaceRepresentation() = default;
+
+//----------------------------------------------------------------------------
+void vtkFilteredSurfaceRepresentation::SetFilter(vtkAlgorithm* filter)
+{
+  this->Filter = filter;
+}
+
+//----------------------------------------------------------------------------
+int vtkFilteredSurfaceRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* input = inputVector[0]->GetInformationObject(0);
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkFilteredSurfaceRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    // The internal producer of an image has to be told how far the image reaches.
+    vtkInformation* input = inputVector[0]->GetInformationObject(0);
+    vtkAlgorithmOutput* data = this->Superclass::GetInternalOutputPort(0, 0);
+    auto* producer = data ? vtkPVTrivialProducer::SafeDownCast(data->GetProducer()) : nullptr;
+    if (producer && input->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      producer->SetWholeExtent(input->Get(Pipeline::WHOLE_EXTENT()));
+    }
+    if (this->GetUpdateTimeValid())
+    {
+      this->GetInternalOutputPort(0, 0);
+      this->Filter->UpdateInformation();
+      this->Filter->GetOutputInformation(0)->Set(Pipeline::UPDATE_TIME_STEP(), this->GetUpdateTime());
+    }
+    if (!IsFirstRank())
+    {
+      this->GetInternalOutputPort(0, 0);
+      this->Filter->Update();
+      this->Nothing->SetOutput(EmptyCopy(this->Filter->GetOutputDataObject(0)));
+    }
+  }
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkInformation* output = this->Filter->GetOutputInformation(0);
+  if (output && output->Has(Pipeline::TIME_RANGE()))
+  {
+    this->SetHasTemporalPipeline(true);
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------
+vtkAlgorithmOutput* vtkFilteredSurfaceRepresentation::GetInternalOutputPort(int port, int connection)
+{
+  vtkAlgorithmOutput* data = this->Superclass::GetInternalOutputPort(port, connection);
+  if (!data)
+  {
+    return nullptr;
+  }
+  if (this->Filter->GetInputConnection(0, 0) != data)
+  {
+    this->Filter->SetInputConnection(0, data);
+  }
+  return IsFirstRank() ? this->Filter->GetOutputPort() : this->Nothing->GetOutputPort();
+}
+
+//----------------------------------------------------------------------------
+void vtkFilteredSurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Filter: " << this->Filter->GetClassName() << "\n";
+}

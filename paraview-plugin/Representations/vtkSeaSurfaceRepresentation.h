@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSeaSurfaceRepresentation
+ * @brief   a sea state as the surface of the sea
+ *
+ * The disk that vtkSeaSurfaceFilter makes of a table of wave trains, at the time of the view.
+ */
+#ifndef vtkSeaSurfaceRepresentation_h
+#define vtkSeaSurfaceRepresentation_h
+
+#include "LittoralRepresentationsModule.h" // for export macro
+#include "vtkFilteredSurfaceRepresentation.h"
+
+class LITTORALREPRESENTATIONS_EXPORT vtkSeaSurfaceRepresentation : public vtkFilteredSurfaceRepresentation
+{
+public:
+  static vtkSeaSurfaceRepresentation* New();
+  vtkTypeMacro(vtkSeaSurfaceRepresentation, vtkFilteredSurfaceRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSeaSurfaceRepresentation();
+  ~vtkSeaSurfaceRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkSeaSurfaceRepresentation(const vtkSeaSurfaceRepresentation&) = delete;
+  void operator=(const vtkSeaSurfaceRepresentation&) = delete;
+};
+
+#endif
