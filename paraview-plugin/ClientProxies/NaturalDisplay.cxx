@@ -42,6 +42,13 @@ using ColorHelper = vtkSMPVRepresentationProxy;
 /// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
 constexpr double EyeAzimuth = -0.62 * Pi;
 
+/// Three coordinates of a hint; whether there are as many.
+bool ReadPlace(const char* text, double place[3])
+{
+  std::istringstream numbers(text ? text : "");
+  return static_cast<bool>(numbers >> place[0] >> place[1] >> place[2]);
+}
+
 /// Whether nothing is shown in a view.
 bool IsEmpty(vtkSMProxy* view)
 {
@@ -228,10 +235,13 @@ void NaturalDisplay::StopWaitingForLegend()
 void NaturalDisplay::WaitForCamera()
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
-  if (!this->Hint("elevation") || !view || view == this->View || !IsEmpty(view))
+  const bool hasPlace = this->Hint("elevation") || this->Hint("eye");
+  if (!hasPlace || !view || view == this->View || !IsEmpty(view))
   {
     return;
   }
+  // Filters that follow the camera have nothing to show before it is there.
+  this->PlaceCamera(view->GetActiveCamera());
   this->StopWaiting();
   this->View = view;
   this->PicturesToWait = 2; // a script draws once before it resets the camera
@@ -241,10 +251,29 @@ void NaturalDisplay::WaitForCamera()
 }
 
 //----------------------------------------------------------------------------
+bool NaturalDisplay::PlaceCamera(vtkCamera* camera)
+{
+  double eye[3];
+  double target[3];
+  if (!ReadPlace(this->Hint("eye"), eye) || !ReadPlace(this->Hint("target"), target))
+  {
+    return false;
+  }
+  camera->SetPosition(eye);
+  camera->SetFocalPoint(target);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  return true;
+}
+
+//----------------------------------------------------------------------------
 void NaturalDisplay::OnResetCamera(vtkObject*, unsigned long, void*)
 {
   vtkCamera* camera = this->View->GetActiveCamera();
   this->StopWaiting();
+  if (this->PlaceCamera(camera))
+  {
+    return;
+  }
   const double elevation = std::atof(this->Hint("elevation")) * Pi / 180.0;
   const char* closer = this->Hint("closer");
   // What the camera shows of a sphere around the data does not depend on where it looks from.
