@@ -112,6 +112,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   const vtkSMPropertyHelper input(representation, "Input");
   if (input.GetAsProxy() == this->Owner)
   {
+    this->Owner->UpdatePipelineInformation();
     this->TakeColors(representation, input.GetOutputPort());
     this->WaitForCamera();
   }

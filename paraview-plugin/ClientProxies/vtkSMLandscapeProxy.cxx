@@ -5,6 +5,8 @@
 #include "NaturalDisplay.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkSMProxyProperty.h"
+#include "vtkSMSessionProxyManager.h"
 
 vtkStandardNewMacro(vtkSMLandscapeProxy);
 
@@ -22,6 +24,21 @@ void vtkSMLandscapeProxy::UpdateVTKObjects()
 {
   this->Superclass::UpdateVTKObjects();
   this->Display->Watch();
+}
+
+//----------------------------------------------------------------------------
+void vtkSMLandscapeProxy::UpdatePipelineInformation()
+{
+  this->Superclass::UpdatePipelineInformation();
+  vtkSMSessionProxyManager* manager = this->GetSession() ? this->GetSessionProxyManager() : nullptr;
+  const char* name = manager ? manager->GetProxyName("timekeeper", 0u) : nullptr;
+  vtkSMProxy* keeper = name ? manager->GetProxy("timekeeper", name) : nullptr;
+  auto* left = keeper ? vtkSMProxyProperty::SafeDownCast(keeper->GetProperty("SuppressedTimeSources")) : nullptr;
+  if (left && left->IsProxyAdded(this))
+  {
+    left->RemoveProxy(this);
+    keeper->UpdateVTKObjects();
+  }
 }
 
 //----------------------------------------------------------------------------
