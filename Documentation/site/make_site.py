@@ -25,8 +25,8 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "terrain", "patterns", "plants", "forests", "wind", "sway", "sea", "currents",
-         "particles", "seaweed", "underwater", "python", "volumes", "saving", "speed", "troubleshooting")
+GUIDE = ("installing", "first-steps", "scenes", "terrain", "patterns", "plants", "forests", "wind", "sway", "sea",
+         "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "speed", "troubleshooting")
 DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway", "sea", "currents", "particles",
           "seaweed", "paraview", "volumes")
 
@@ -39,9 +39,9 @@ FIELDS = (
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
       "vtkPlantScatterFilter")),
     ("Wind and sway", "wind", "wind",
-      ("vtkWindFieldSource", "vtkWindStatisticsFilter", "vtkImageSectionFilter", "vtkBeamTreeDeformationFilter")),
+     ("vtkWindFieldSource", "vtkWindStatisticsFilter", "vtkImageSectionFilter", "vtkBeamTreeDeformationFilter")),
     ("Sea", "sea", "sea",
-      ("vtkSeaStateSource", "vtkSeaStatisticsFilter", "vtkSeaSurfaceFilter", "vtkParticleOrbitFilter")),
+     ("vtkSeaStateSource", "vtkSeaStatisticsFilter", "vtkSeaSurfaceFilter", "vtkParticleOrbitFilter")),
     ("Currents", "currents", "currents", ("vtkFlowPrimitiveSource", "vtkFlowArrowFilter", "vtkCurrentDriftFilter")),
     ("Particles", "particles", "particles",
      ("vtkSuspendedParticleSource", "vtkParticleLevelOfDetailFilter", "vtkParticleFogFilter")),

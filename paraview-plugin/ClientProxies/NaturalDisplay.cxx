@@ -94,6 +94,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   const vtkSMPropertyHelper input(representation, "Input");
   if (input.GetAsProxy() == this->Owner)
   {
+    this->Owner->UpdatePipelineInformation();
     vtkSMRenderViewProxy* view = this->ActiveView();
     if (view && IsEmpty(view))
     {
@@ -324,6 +325,11 @@ void NaturalDisplay::SetUpView(int port)
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
+  if (place.IsFixed)
+  {
+    // Filters that follow the camera have nothing to show before it is there.
+    MoveCamera(view->GetActiveCamera(), place);
+  }
   if (place.IsFixed || elevation)
   {
     this->Camera.WaitFor(view, place);
