@@ -177,6 +177,7 @@ private:
   struct Request;
 
   bool CheckProperties();
+  bool CheckSites(vtkInformationVector* inputs);
   bool RememberPrototypes(vtkInformationVector* prototypes);
   bool RememberPlaces(vtkInformationVector** inputs);
   bool Merge(const Request& request, vtkMultiBlockDataSet* output);

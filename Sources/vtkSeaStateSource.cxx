@@ -6,6 +6,7 @@
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -142,8 +143,8 @@ int vtkSeaStateSource::RequestData(
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make a sea: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make a sea: " << reason);
+    return littoral::FailedRequest(this);
   }
   vtkTable* output = vtkTable::GetData(outputVector);
   WriteSeaState(state, output);
@@ -152,7 +153,7 @@ int vtkSeaStateSource::RequestData(
   AddField(output, sea::EnergyLeftOut, { leftOut });
   if (leftOut > EnergyLeftOutInSilence)
   {
-    vtkWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
+    littoralWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
   }
   return 1;
 }

@@ -137,7 +137,8 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, int port)
       selectors.Set(k, name.c_str());
     }
   }
-  if (const char* array = this->Hint("color"))
+  const char* array = this->Hint("color");
+  if (array && data && data->GetArrayInformation(array, vtkDataObject::POINT))
   {
     ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
     ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
