@@ -1,63 +1,64 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: client
-"""Edit > Reset Session in the window, over and over: while filters follow the camera and while the film plays."""
+"""The session is reset over and over in the window: while filters follow the camera, after a film, after a state file.
+
+What watched the views and sources of a session must be gone with it. LITTORAL_RESETS is how often; default 10.
+"""
 
 import os
 
 from paraview import simple
 
-RESETS = int(os.environ.get("LITTORAL_RESETS", "10"))
 
-
-def make_scene(view):
-    """A forest that follows the camera, seaweeds in a sea, and particles in it; what plays."""
+def show_forest(view):
+    """Trees and ground that follow the camera."""
     forest = simple.Forest(TreesPerQuadrat=0.05)
+    assert forest.FollowCamera == 1
     for port in range(2):
         simple.Show(simple.OutputPort(forest, port), view)
+
+
+def show_particles(view):
+    """Particles in waves that follow the camera, in a film."""
     sea = simple.SeaState(NumberOfTrains=5)
-    particles = simple.SuspendedParticles(Density=0.1)
-    levels = simple.ParticleLevelOfDetail(Input=particles, SeaState=sea)
+    levels = simple.ParticleLevelOfDetail(Input=simple.SuspendedParticles(Density=0.1), SeaState=sea)
     simple.Show(simple.ParticleOrbits(Input=levels, SeaState=sea), view)
+
+
+def show_tree(view):
+    """A tree in the wind, in a film, and one without."""
     tree = simple.ReevesTree(Preset="Shrub")
-    wind = simple.WindField(Dimensions=[100, 16, 8])
-    simple.Show(simple.BeamTreeDeformation(Input=tree, Wind=wind), view)
+    simple.Show(simple.BeamTreeDeformation(Input=tree, Wind=simple.WindField(Dimensions=[100, 16, 8])), view)
+    simple.Show(tree, view)
 
 
-def play(view, frames):
-    """Some frames of the film with a moving camera."""
+def play(view):
+    """Three frames, each from another place."""
     scene = simple.GetAnimationScene()
     scene.PlayMode = "Sequence"
-    scene.NumberOfFrames = frames
-    camera = view.GetActiveCamera()
-
-    def turn(*_):
-        camera.Azimuth(5.0)
-
-    scene.AddObserver("AnimationCueTickEvent", turn)
+    scene.NumberOfFrames = 3
+    scene.AddObserver("AnimationCueTickEvent", lambda *_: view.GetActiveCamera().Azimuth(5.0))
     scene.Play()
 
 
-def reset_by_menu():
-    """The action of the menu, as the mouse would trigger it; False without Python's Qt."""
-    simple.ResetSession()
+SHOWN = (show_forest, show_particles, show_tree)
 
-
-for k in range(RESETS):
+for k in range(int(os.environ.get("LITTORAL_RESETS", "10"))):
     view = simple.GetActiveViewOrCreate("RenderView")
-    make_scene(view)
+    SHOWN[k % len(SHOWN)](view)
     simple.ResetCamera(view)
     simple.Render(view)
-    if k % 2:
-        play(view, 3)
-    if k % 3 == 2:
+    if k % 2 == 0:
+        play(view)
+    if k % 4 == 3:
         simple.SaveState("reset.pvsm")
         simple.ResetSession()
         simple.LoadState("reset.pvsm")
         simple.Render()
-    reset_by_menu()
+    simple.ResetSession()
     assert not simple.GetSources(), "the session is not empty"
-    # What watched the old views and sources must be gone with them.
+    # The next picture, of another view, has nothing of the old ones.
     simple.Show(simple.Sphere(), simple.GetActiveViewOrCreate("RenderView"))
     simple.Render()
     simple.ResetSession()

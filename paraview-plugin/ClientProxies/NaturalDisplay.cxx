@@ -244,8 +244,12 @@ void NaturalDisplay::WaitForCamera()
 //----------------------------------------------------------------------------
 void NaturalDisplay::OnResetCamera(vtkObject*, unsigned long, void*)
 {
-  vtkCamera* camera = this->View->GetActiveCamera();
+  vtkCamera* camera = this->View ? this->View->GetActiveCamera() : nullptr;
   this->StopWaiting();
+  if (!camera) // what the view showed on may outlive it
+  {
+    return;
+  }
   const double elevation = std::atof(this->Hint("elevation")) * Pi / 180.0;
   const char* closer = this->Hint("closer");
   // What the camera shows of a sphere around the data does not depend on where it looks from.
