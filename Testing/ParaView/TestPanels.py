@@ -1,12 +1,15 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: python3
-"""The properties panels, by the server-manager XML: labels, groups, rows for inputs, and what is greyed out."""
+# run-with: pvpython
+"""The properties panels: labels, groups and their order, rows for inputs, and what is greyed out."""
 
 import glob
 import os
 import re
 import xml.etree.ElementTree as ElementTree
+
+from paraview import servermanager, simple
+from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
 
 # Labels of ParaView's own widget for arrays, and of levels that are not those of the base class.
 OTHER_LABELS = {"SelectInputScalars": "Array", "NearDistance": "Middle Distance", "Input": "Sites"}
@@ -102,6 +105,28 @@ def check_decorators(properties):
             yield f"{name} is never greyed out, but '{text_of(one)}'"
 
 
+def panel_order(name):
+    """The properties of a proxy in the order of the panel."""
+    manager = servermanager.ProxyManager()
+    group = "filters" if manager.HasDefinition("filters", name) else "sources"
+    iterator = vtkSMOrderedPropertyIterator()
+    iterator.SetProxy(manager.GetPrototypeProxy(group, name))
+    iterator.Begin()
+    names = []
+    while not iterator.IsAtEnd():
+        names.append(iterator.GetKey())
+        iterator.Next()
+    return names
+
+
+def check_order(proxy):
+    """The panel has the groups in the order of the XML: a group stands where its first property does."""
+    groups = {p.get("name"): g.get("label") for g in proxy.iterfind("PropertyGroup") for p in g.iterfind("Property")}
+    shown = list(dict.fromkeys(groups[name] for name in panel_order(proxy.get("name")) if name in groups))
+    if shown != list(dict.fromkeys(groups.values())):
+        yield f"the groups of the panel are {shown}"
+
+
 def check(proxy, proxies):
     """All complaints about the panel of a proxy."""
     properties = properties_of(proxy, proxies)
@@ -110,8 +135,10 @@ def check(proxy, proxies):
     yield from check_units(properties)
     yield from check_inputs(properties)
     yield from check_decorators(properties)
+    yield from check_order(proxy)
 
 
+simple.GetActiveViewOrCreate("RenderView")  # which connects
 all_proxies, menu = read_proxies()
 failures = [f"{name}: {reason}" for name in menu for reason in check(all_proxies[name], all_proxies)]
 assert len(menu) >= 22 and not failures, "\n" + "\n".join(failures)

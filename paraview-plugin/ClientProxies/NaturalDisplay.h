@@ -26,9 +26,9 @@ namespace littoral
  * of the proxy names blocks, only these are shown at first, of the first output; of a scattered forest (field data
  * SiteId) those that forest-blocks="..." names, if it does. Where it names an elevation
  * [degrees] and the source is the first thing in its view, the camera looks from that far above the horizon, z upwards,
- * and so many times closer than ParaView would go to show all. With own-levels="1" it is a Full Surface, not decimated while
- * the camera moves: it would tear leaves and crowns to shreds. Later changes by the user, and those of a state file,
- * stay.
+ * and so many times closer than ParaView would go to show all. With own-levels="1" it is a Full Surface, not decimated
+ * while the camera moves: it would tear leaves and crowns to shreds. Later changes by the user, and those of a state
+ * file, stay.
  */
 class NaturalDisplay
 {
