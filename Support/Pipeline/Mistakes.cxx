@@ -62,7 +62,7 @@ bool IsEmpty(vtkDataObject* data)
 {
   for (int type = 0; data && type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
   {
-    if (data->GetNumberOfElements(type) > 0)
+    if (type != vtkDataObject::FIELD && data->GetNumberOfElements(type) > 0) // VTK passes the field data of inputs on
     {
       return false;
     }
