@@ -11,6 +11,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/PlantScatter.h"
@@ -767,6 +768,11 @@ int vtkPlantScatterFilter::FillInputPortInformation(int port, vtkInformation* in
 {
   const char* types[] = { "vtkPointSet", "vtkMultiBlockDataSet", "vtkImageData" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
+  if (port == SitesPort)
+  {
+    // Whole, not a block at a time: a plant is no set of sites, which is then said once.
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
   if (port == PrototypesPort)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
@@ -834,9 +840,20 @@ bool vtkPlantScatterFilter::CheckProperties()
   check.Require(this->VisibleDistance >= 0.0, "VisibleDistance", this->VisibleDistance, "m", "0 or more");
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
   }
   return check.IsGood();
+}
+
+//----------------------------------------------------------------------------
+bool vtkPlantScatterFilter::CheckSites(vtkInformationVector* inputs)
+{
+  const bool isGood = vtkPointSet::GetData(inputs) != nullptr;
+  if (!isGood)
+  {
+    littoralErrorMacro("The sites are blocks, such as a plant; connect points to Sites and plants to Prototypes.");
+  }
+  return isGood;
 }
 
 //----------------------------------------------------------------------------
@@ -862,7 +879,7 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
   *this->Internals = vtkInternals();
   if (prototypes.empty())
   {
-    vtkErrorMacro("There are no prototypes; connect the output of at least one plant source to port 1.");
+    littoralErrorMacro("There are no prototypes: connect a plant or more to Prototypes.");
     return false;
   }
   for (std::size_t index = 0; index < prototypes.size(); ++index)
@@ -870,7 +887,7 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     const std::string reason = reasons[index].empty() ? WhyInvalid(prototypes[index]) : reasons[index];
     if (!reason.empty())
     {
-      vtkErrorMacro("Prototype " << index << " cannot be scattered: " << reason << ".");
+      littoralErrorMacro("Prototype " << index << " cannot be scattered: " << reason << ".");
       return false;
     }
   }
@@ -909,7 +926,7 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   reason = reason.empty() ? PlacePlants(sites, terrain, options, limits, scene.Places) : reason;
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot scatter plants: " << reason);
+    littoralErrorMacro("Cannot scatter plants: " << reason);
     return false;
   }
   std::vector<littoral::Vector3> feet;
@@ -929,10 +946,10 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
 int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   littoral::View view;
-  if (!this->GetView(view) || !this->CheckProperties() || !this->RememberPrototypes(inputs[PrototypesPort]) ||
-    !this->RememberPlaces(inputs))
+  if (!this->GetView(view) || !this->CheckProperties() || !this->CheckSites(inputs[SitesPort]) ||
+    !this->RememberPrototypes(inputs[PrototypesPort]) || !this->RememberPlaces(inputs))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   const Plants& scene = this->Internals->Scene;
   littoral::PlantViewOptions options;
@@ -954,7 +971,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
     scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
   if (!this->Merge(request, vtkMultiBlockDataSet::GetData(outputs, 0)))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   WriteTexture(this->Internals->Species.CrownAtlas, outputs->GetInformationObject(1));
   WriteTexture(this->Internals->Species.LeafAtlas, outputs->GetInformationObject(2));
@@ -971,9 +988,10 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())
   {
-    vtkErrorMacro(<< request.Shown.size() << " plants, " << merge.GetNumberOfPlants(littoral::PlantLevel::High)
-                  << " of them in full, need " << merge.GetBytes() / Gigabyte << " GB, and " << available / Gigabyte
-                  << " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
+    littoralErrorMacro(<< request.Shown.size() << " plants, " << merge.GetNumberOfPlants(littoral::PlantLevel::High)
+                       << " of them in full, need " << merge.GetBytes() / Gigabyte << " GB, and "
+                       << available /
+        Gigabyte << " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
     return false;
   }
   this->SetProgressText("Scattering plants");

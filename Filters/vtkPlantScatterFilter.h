@@ -194,6 +194,7 @@ private:
   struct Request;
 
   bool CheckProperties();
+  bool CheckSites(vtkInformationVector* inputs);
   bool RememberPrototypes(vtkInformationVector* prototypes);
   bool RememberPlaces(vtkInformationVector** inputs);
   bool Merge(const Request& request, vtkMultiBlockDataSet* output);

@@ -7,6 +7,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Terrain/GroundColor.h"
@@ -363,7 +364,7 @@ bool vtkTerrainLevelOfDetailFilter::CheckProperties()
     "a power of two from 1 to 4096");
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
   }
   return check.IsGood();
 }
@@ -375,8 +376,8 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   image->GetDimensions(dimensions);
   if (dimensions[2] != 1 || dimensions[0] < 2 || dimensions[1] < 2)
   {
-    vtkErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-                                   << " points; terrain is one layer in z of at least 2 x 2.");
+    littoralErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+                                        << " points; terrain is one layer in z of at least 2 x 2.");
     return nullptr;
   }
   vtkInformation* choice = this->GetInputArrayInformation(0);
@@ -391,14 +392,14 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   }
   if (!heights)
   {
-    vtkErrorMacro("The image has no " << (isNamed ? "array '" + std::string(name) + "'" : "point scalars")
-                                      << " to take as elevation.");
+    littoralErrorMacro("The image has no " << (isNamed ? "array '" + std::string(name) + "'" : "point scalars")
+                                           << " to take as elevation.");
     return nullptr;
   }
   if (heights->GetNumberOfTuples() != image->GetNumberOfPoints() || heights->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("The array '" << (heights->GetName() ? heights->GetName() : "")
-                                << "' is no elevation: it is a vector or lies on cells.");
+    littoralErrorMacro("The array '" << (heights->GetName() ? heights->GetName() : "")
+                                     << "' is no elevation: it is a vector or lies on cells.");
     return nullptr;
   }
   return heights;
@@ -417,7 +418,7 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
   if (bytes > littoral::AvailableMemory())
   {
-    vtkErrorMacro("The terrain in levels may take " << bytes / 1e9 << " GB, more than the free memory.");
+    littoralErrorMacro("The terrain in levels may take " << bytes / 1e9 << " GB, more than the free memory.");
     return false;
   }
   littoral::HeightSamples samples;
@@ -435,7 +436,7 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
     samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
     if (!std::isfinite(samples.Values[i]))
     {
-      vtkErrorMacro("The elevation is NaN or infinite at point "
+      littoralErrorMacro("The elevation is NaN or infinite at point "
         << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
       return false;
     }
@@ -473,12 +474,12 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   }
   if (!this->CheckProperties() || !this->GetView(seen))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   vtkDataArray* heights = this->FindHeights(image, inputVector);
   if (!heights || !this->UpdatePyramid(image, heights))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   const littoral::TerrainPyramid& pyramid = *this->Internals->Pyramid;
   const littoral::ViewFrustum view(seen);

@@ -6,6 +6,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/CameraView.h"
+#include "Pipeline/Mistakes.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -97,7 +98,7 @@ bool vtkViewDependentAlgorithm::GetView(littoral::View& view)
       littoral::TextOf(this->FarDistance) + " m; they must not be negative, and far must not be nearer than near.");
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
     return false;
   }
   view = this->RoundedView();
@@ -112,7 +113,9 @@ void vtkViewDependentAlgorithm::ChangeView(const Change& change)
   change();
   if (!littoral::AreTheSame(before, this->RoundedView()))
   {
+    const vtkMTimeType time = this->GetMTime();
     this->Modified();
+    littoral::KeepMistakes(this, time);
   }
 }
 

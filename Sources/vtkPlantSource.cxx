@@ -3,6 +3,7 @@
 #include "vtkPlantSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/LeafCards.h"
@@ -93,7 +94,7 @@ bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
   const std::string reason = littoral::WhyInvalid(options);
   if (!reason.empty())
   {
-    vtkErrorMacro(<< reason);
+    littoralErrorMacro(<< reason);
     return false;
   }
   return true;
@@ -106,7 +107,7 @@ int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInfo
   littoral::PlantPrototype prototype;
   if (!this->MakeOptions(options) || !this->Grow(options, prototype))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
   {

@@ -6,6 +6,7 @@
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -147,9 +148,9 @@ int vtkSeaStateSource::RequestData(
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make a sea: " << reason);
+    littoralErrorMacro("Cannot make a sea: " << reason);
     output->Initialize();
-    return 0;
+    return littoral::FailedRequest(this);
   }
   WriteSeaState(state, output);
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
@@ -157,7 +158,7 @@ int vtkSeaStateSource::RequestData(
   AddField(output, sea::EnergyLeftOut, { leftOut });
   if (leftOut > EnergyLeftOutInSilence)
   {
-    vtkWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
+    littoralWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
   }
   return 1;
 }

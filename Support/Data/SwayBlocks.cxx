@@ -103,6 +103,10 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
   for (std::size_t index = 0; index < read.size(); ++index)
   {
     reason = read[index].Read(this->Scattered ? prototypes[index] : plants, settings);
+    if (reason.empty() && this->Scattered && read[index].Species.Rest.Nodes.empty())
+    {
+      reason = "there is no block High/Skeleton, as plants have.";
+    }
     if (!reason.empty())
     {
       return this->Scattered ? "Of Prototypes: " + reason : reason;
