@@ -254,7 +254,7 @@ vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformat
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   if (!array && name && !littoral::NamesNoArray(choice))
   {
-    vtkErrorMacro("The image has no array '" << name << "' to fit.");
+    littoralErrorMacro("The image has no array '" << name << "' to fit.");
     return nullptr;
   }
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() || array->GetNumberOfComponents() != 1)

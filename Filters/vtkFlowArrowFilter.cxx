@@ -7,6 +7,7 @@
 #include "Data/FlowPrimitiveData.h"
 #include "Geometry/TextureImage.h"
 #include "Numerics/Constants.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkAppendPolyData.h"
@@ -169,8 +170,8 @@ int vtkFlowArrowFilter::RequestData(
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot draw arrows: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot draw arrows: " << reason);
+    return littoral::FailedRequest(this);
   }
   if (primitives.empty() ||
     outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)

@@ -3,6 +3,7 @@
 #include "vtkImageSectionFilter.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
@@ -124,8 +125,8 @@ int vtkImageSectionFilter::RequestData(
   check.Count("CrossSections", this->CrossSections, 0, 100);
   if (!check.IsGood())
   {
-    vtkErrorMacro("Cannot cut sections: " << check.Reason());
-    return 0;
+    littoralErrorMacro("Cannot cut sections: " << check.Reason());
+    return littoral::FailedRequest(this);
   }
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   if (image->GetNumberOfPoints() == 0 ||

@@ -6,6 +6,7 @@
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Sea/SeaStatistics.h"
 
@@ -83,8 +84,8 @@ int vtkSeaStatisticsFilter::RequestData(
   check.Require(littoral::ReadSpectrum(input, spectrum));
   if (!check.IsGood())
   {
-    vtkErrorMacro("Cannot analyze: " << check.Reason());
-    return 0;
+    littoralErrorMacro("Cannot analyze: " << check.Reason());
+    return littoral::FailedRequest(this);
   }
   WriteSpectrumCurve(
     littoral::SpectrumOfTrains(sea.Trains, spectrum.Edges, spectrum.Densities), vtkTable::GetData(outputVector, 0));

@@ -5,6 +5,7 @@
 #include "Data/Arrays.h"
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Sea/SeaColor.h"
@@ -176,8 +177,8 @@ int vtkSeaSurfaceFilter::RequestData(
   reason = reason.empty() ? this->WhyBadProperties(time) : reason;
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make a surface: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make a surface: " << reason);
+    return littoral::FailedRequest(this);
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)

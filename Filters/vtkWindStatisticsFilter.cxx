@@ -5,6 +5,7 @@
 #include "Data/Tables.h"
 #include "Data/WindImage.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Wind/WindStatistics.h"
 
@@ -146,8 +147,8 @@ int vtkWindStatisticsFilter::RequestData(
   }
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
-    return 0;
+    littoralErrorMacro(<< check.Reason());
+    return littoral::FailedRequest(this);
   }
   this->SetProgressText("Measuring wind");
   const littoral::WindStatistics statistics(wind.Velocities.data(), grid, wind.Model);

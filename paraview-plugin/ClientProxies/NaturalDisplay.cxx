@@ -209,7 +209,8 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     ShowAsFog(representation, data, array);
     this->WaitForLegend(representation);
   }
-  if (const char* array = this->Hint("color"))
+  const char* array = this->Hint("color");
+  if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
   {
     ColorByArray(representation, array, this->Hint("color-map"));
     vtkSMRenderViewProxy* view = this->ActiveView();
