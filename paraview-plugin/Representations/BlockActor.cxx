@@ -97,7 +97,7 @@ bool IsPicture(vtkDataArray* texels, vtkDataArray* size, int components)
 BlockActor::Picture::Picture()
 {
   this->Texture->InterpolateOn();
-  this->Texture->MipmapOn();
+  this->Texture->MipmapOff(); // a mean of thin leaves and gaps has an alpha below 0.5
   this->Texture->RepeatOff();
   this->Texture->EdgeClampOn();
 }
