@@ -90,6 +90,12 @@ MISTAKES = [
     ("SuspendedParticles", lambda: dict(SizeSpread=-1.0), "SizeSpread", EMPTY),
     ("QuadratPoints", lambda: dict(MeanPerQuadrat=-1.0), "Mean", EMPTY),
     ("FlowPrimitive", lambda: dict(FlowType="Vortex", CoreRadius=-1.0), "CoreRadius", EMPTY),
+    ("FlowArrows", lambda: dict(Input=simple.Sphere()), "FlowType", EMPTY),
+    ("SeaSurface", lambda: dict(Input=simple.QuadratAnalysis(Input=sites())), "Amplitude", EMPTY),
+    ("SeaSurface", lambda: dict(Input=simple.SeaState(), Spacing=-1.0), "Spacing", EMPTY),
+    ("SeaStatistics", lambda: dict(Input=simple.QuadratAnalysis(Input=sites())), "Amplitude", EMPTY),
+    ("WindStatistics", lambda: dict(Input=image()), "Velocity", EMPTY),
+    ("ImageSections", lambda: dict(Input=image(), CrossSections=-1), "CrossSections", EMPTY),
 ]
 
 

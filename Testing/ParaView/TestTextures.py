@@ -110,12 +110,16 @@ def scene(ambient, sun=(1.0, 0.0, 0.0)):
 
 
 def check_colors(where):
-    view, _, shown = scene(1.0)
+    view, squares, shown = scene(1.0)
     seen = picture(view)
     near(at(seen, 1.0), (200, 100, 50), f"{where}: no texture")
     near(at(seen, 3.3), (200, 50, 0), f"{where}: points times texel over mean")
     near(at(seen, 4.7), (0, 0, 255), f"{where}: a transparent texel")
     near(at(seen, 7.0), (200, 200, 200), f"{where}: a white texture")
+    lights, view.AdditionalLights = list(view.AdditionalLights), []
+    near(at(picture(view), 3.3), (200, 50, 0), f"{where}: without lights")
+    view.AdditionalLights = lights
+    shown.SetRepresentationType("Full Surface")
     shown.BlockSelectors = ["/Root/Cut"]
     seen = picture(view)
     near(at(seen, 1.0), (0, 0, 255), f"{where}: a hidden block")
@@ -123,8 +127,15 @@ def check_colors(where):
     near(at(seen, 3.3), (200, 50, 0), f"{where}: the block that is left")
     shown.BlockSelectors = ["/Root"]
     near(at(picture(view), 7.0), (200, 200, 200), f"{where}: shown again")
+    simple.Hide(squares, view)
+    for x in (1.0, 3.3, 7.0):
+        near(at(picture(view), x), (0, 0, 255), f"{where}: hidden")
+    simple.Show(squares, view)
+    near(at(picture(view), 3.3), (200, 50, 0), f"{where}: shown once more")
     shown.SetRepresentationType("Surface")
-    near(at(picture(view), 4.7), (100, 100, 100), f"{where}: a surface without textures")
+    seen = picture(view)
+    near(at(seen, 4.7), (100, 100, 100), f"{where}: a surface without textures")
+    near(at(seen, 3.3), (100, 100, 100), f"{where}: nothing left of the texture")
     simple.Delete(view)
 
 

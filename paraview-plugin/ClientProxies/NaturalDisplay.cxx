@@ -204,9 +204,10 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     ShowAsDisks(representation, std::atof(radius));
   }
-  if (const char* array = this->Hint("fog"))
+  const char* fog = this->Hint("fog");
+  if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
   {
-    ShowAsFog(representation, data, array);
+    ShowAsFog(representation, data, fog);
     this->WaitForLegend(representation);
   }
   const char* array = this->Hint("color");

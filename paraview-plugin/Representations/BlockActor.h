@@ -47,8 +47,8 @@ public:
   /// Whether a block carries a texture, of as many texels as it says.
   static bool IsTextured(vtkDataObject* block);
 
-  /// Draws blocks as an actor with its mapper would.
-  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper);
+  /// Draws blocks as an actor with its mapper would. Without lights a shader has no normals.
+  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool hasLights);
 
   /// Draws nothing, and keeps nothing.
   void Hide();
@@ -60,6 +60,7 @@ private:
   {
     Plain,
     Texture,
+    LitTexture,
     TextureWithNormals
   };
 
@@ -75,7 +76,7 @@ private:
   };
 
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
-  void TakeTexture(vtkDataObject* block);
+  void TakeTexture(vtkDataObject* block, bool isLit);
   void SetShading(Shading shading);
   void TakeMean(vtkDataObject* block);
 

@@ -6,6 +6,8 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVRenderView.h"
 #include "vtkProp.h"
@@ -22,6 +24,22 @@ PartOfTree Branches(vtkDataObjectTree* tree)
   const auto branches = vtkSmartPointer<vtkDataObjectTree>::Take(tree->NewInstance());
   branches->CopyStructure(tree);
   return { nullptr, branches, vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New() };
+}
+
+/// Whether a light is on, or VTK will make one.
+bool HasLights(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+  {
+    if (light->GetSwitch())
+    {
+      return true;
+    }
+  }
+  return lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation();
 }
 
 /// A block with its texture coordinates active: ParaView passes them on by their name alone.
@@ -70,6 +88,7 @@ bool TexturedBlocks::Draw(
   {
     this->AddActor();
   }
+  const bool hasLights = this->View && HasLights(this->View->GetRenderer());
   for (std::size_t index = 0; index < this->Actors.size(); ++index)
   {
     if (index >= this->Parts.size())
@@ -82,9 +101,18 @@ bool TexturedBlocks::Draw(
     {
       take(part.Attributes, part.Tree);
     }
-    this->Actors[index]->Draw(part, like, mapper);
+    this->Actors[index]->Draw(part, like, mapper, hasLights);
   }
   return this->View && !this->Parts.empty();
+}
+
+//----------------------------------------------------------------------------
+void TexturedBlocks::Hide()
+{
+  for (const auto& actor : this->Actors)
+  {
+    actor->Hide();
+  }
 }
 
 //----------------------------------------------------------------------------

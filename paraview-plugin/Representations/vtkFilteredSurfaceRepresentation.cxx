@@ -8,7 +8,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPVTrivialProducer.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 
@@ -19,6 +21,13 @@ bool IsFirstRank()
 {
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
   return !ranks || ranks->GetLocalProcessId() == 0;
+}
+
+/// Whether there is nothing to filter: the output of a source that has reported why.
+bool IsEmpty(vtkDataObject* data)
+{
+  return !data ||
+    (data->GetNumberOfElements(vtkDataObject::POINT) == 0 && data->GetNumberOfElements(vtkDataObject::ROW) == 0);
 }
 
 /// The same blocks without points: ranks talk about each block of a picture.
@@ -81,6 +90,13 @@ int vtkFilteredSurfaceRepresentation::RequestData(
   {
     // The internal producer of an image has to be told how far the image reaches.
     vtkInformation* input = inputVector[0]->GetInformationObject(0);
+    this->HasData = !IsEmpty(vtkDataObject::GetData(input));
+    if (!this->HasData)
+    {
+      vtkNew<vtkPolyData> nothing;
+      this->Nothing->SetOutput(nothing);
+      return this->Superclass::RequestData(request, inputVector, outputVector);
+    }
     vtkAlgorithmOutput* data = this->Superclass::GetInternalOutputPort(0, 0);
     auto* producer = data ? vtkPVTrivialProducer::SafeDownCast(data->GetProducer()) : nullptr;
     if (producer && input->Has(Pipeline::WHOLE_EXTENT()))
@@ -121,7 +137,7 @@ vtkAlgorithmOutput* vtkFilteredSurfaceRepresentation::GetInternalOutputPort(int 
   {
     this->Filter->SetInputConnection(0, data);
   }
-  return IsFirstRank() ? this->Filter->GetOutputPort() : this->Nothing->GetOutputPort();
+  return IsFirstRank() && this->HasData ? this->Filter->GetOutputPort() : this->Nothing->GetOutputPort();
 }
 
 //----------------------------------------------------------------------------

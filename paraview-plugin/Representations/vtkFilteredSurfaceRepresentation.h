@@ -44,7 +44,8 @@ private:
   void operator=(const vtkFilteredSurfaceRepresentation&) = delete;
 
   vtkSmartPointer<vtkAlgorithm> Filter;
-  vtkSmartPointer<vtkTrivialProducer> Nothing; ///< what other ranks than the first show
+  vtkSmartPointer<vtkTrivialProducer> Nothing; ///< what is shown of no data, and by other ranks than the first
+  bool HasData = true;
 };
 
 #endif

@@ -34,6 +34,8 @@ public:
 
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* in, vtkInformation* out) override;
 
+  void SetVisibility(bool isVisible) override;
+
   /// Ignored: the level of detail is the surface.
   void SetSuppressLOD(bool) override {}
 
