@@ -53,7 +53,7 @@ vtkSmartPointer<vtkDataObject> EmptyCopy(vtkDataObject* data)
 //----------------------------------------------------------------------------
 vtkFilteredSurfaceRepresentation::vtkFilteredSurfaceRepresentation()
 {
-  this->Nothing = vtkSmartPointer<vtkTrivialProducer>::New();
+  this->Shown = vtkSmartPointer<vtkTrivialProducer>::New();
 }
 
 //----------------------------------------------------------------------------
@@ -85,40 +85,13 @@ int vtkFilteredSurfaceRepresentation::RequestUpdateExtent(
 int vtkFilteredSurfaceRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
-    // The internal producer of an image has to be told how far the image reaches.
-    vtkInformation* input = inputVector[0]->GetInformationObject(0);
-    this->HasData = !IsEmpty(vtkDataObject::GetData(input));
-    if (!this->HasData)
-    {
-      vtkNew<vtkPolyData> nothing;
-      this->Nothing->SetOutput(nothing);
-      return this->Superclass::RequestData(request, inputVector, outputVector);
-    }
-    vtkAlgorithmOutput* data = this->Superclass::GetInternalOutputPort(0, 0);
-    auto* producer = data ? vtkPVTrivialProducer::SafeDownCast(data->GetProducer()) : nullptr;
-    if (producer && input->Has(Pipeline::WHOLE_EXTENT()))
-    {
-      producer->SetWholeExtent(input->Get(Pipeline::WHOLE_EXTENT()));
-    }
-    if (this->GetUpdateTimeValid())
-    {
-      this->GetInternalOutputPort(0, 0);
-      this->Filter->UpdateInformation();
-      this->Filter->GetOutputInformation(0)->Set(Pipeline::UPDATE_TIME_STEP(), this->GetUpdateTime());
-    }
-    if (!IsFirstRank())
-    {
-      this->GetInternalOutputPort(0, 0);
-      this->Filter->Update();
-      this->Nothing->SetOutput(EmptyCopy(this->Filter->GetOutputDataObject(0)));
-    }
+    this->UpdateFilter(inputVector[0]->GetInformationObject(0));
   }
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   vtkInformation* output = this->Filter->GetOutputInformation(0);
-  if (output && output->Has(Pipeline::TIME_RANGE()))
+  if (output && output->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()))
   {
     this->SetHasTemporalPipeline(true);
   }
@@ -126,18 +99,46 @@ int vtkFilteredSurfaceRepresentation::RequestData(
 }
 
 //----------------------------------------------------------------------------
-vtkAlgorithmOutput* vtkFilteredSurfaceRepresentation::GetInternalOutputPort(int port, int connection)
+void vtkFilteredSurfaceRepresentation::UpdateFilter(vtkInformation* input)
 {
-  vtkAlgorithmOutput* data = this->Superclass::GetInternalOutputPort(port, connection);
-  if (!data)
+  vtkAlgorithmOutput* data = this->Superclass::GetInternalOutputPort(0, 0);
+  if (!data || IsEmpty(vtkDataObject::GetData(input)))
   {
-    return nullptr;
+    vtkNew<vtkPolyData> nothing;
+    this->Shown->SetOutput(nothing);
+    return;
+  }
+  // The internal producer of an image has to be told how far the image reaches.
+  auto* producer = vtkPVTrivialProducer::SafeDownCast(data->GetProducer());
+  if (producer && input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    producer->SetWholeExtent(input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
   }
   if (this->Filter->GetInputConnection(0, 0) != data)
   {
     this->Filter->SetInputConnection(0, data);
   }
-  return IsFirstRank() && this->HasData ? this->Filter->GetOutputPort() : this->Nothing->GetOutputPort();
+  if (this->GetUpdateTimeValid())
+  {
+    this->Filter->UpdateTimeStep(this->GetUpdateTime());
+  }
+  else
+  {
+    this->Filter->Update();
+  }
+  vtkDataObject* surface = this->Filter->GetOutputDataObject(0);
+  auto shown = IsFirstRank() ? vtkSmartPointer<vtkDataObject>::Take(surface->NewInstance()) : EmptyCopy(surface);
+  if (IsFirstRank())
+  {
+    shown->ShallowCopy(surface);
+  }
+  this->Shown->SetOutput(shown);
+}
+
+//----------------------------------------------------------------------------
+vtkAlgorithmOutput* vtkFilteredSurfaceRepresentation::GetInternalOutputPort(int port, int connection)
+{
+  return this->Superclass::GetInternalOutputPort(port, connection) ? this->Shown->GetOutputPort() : nullptr;
 }
 
 //----------------------------------------------------------------------------

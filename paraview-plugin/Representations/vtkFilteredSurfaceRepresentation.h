@@ -43,9 +43,10 @@ private:
   vtkFilteredSurfaceRepresentation(const vtkFilteredSurfaceRepresentation&) = delete;
   void operator=(const vtkFilteredSurfaceRepresentation&) = delete;
 
+  void UpdateFilter(vtkInformation* input);
+
   vtkSmartPointer<vtkAlgorithm> Filter;
-  vtkSmartPointer<vtkTrivialProducer> Nothing; ///< what is shown of no data, and by other ranks than the first
-  bool HasData = true;
+  vtkSmartPointer<vtkTrivialProducer> Shown; ///< what the filter makes, on the first rank
 };
 
 #endif
