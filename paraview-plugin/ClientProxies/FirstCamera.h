@@ -24,6 +24,7 @@ struct CameraPlace
   double Elevation = 0.0;    ///< over the horizon, of the eye seen from the middle of the data [degrees]
   double Closer = 1.0;       ///< than a camera that shows a sphere around the data
   bool IsOfFlatData = false; ///< whether ParaView would look at them from above, in two dimensions
+  bool IsOnMap = false;      ///< whether the source replaces its inputs on a map
   bool IsFixed = false;      ///< whether Eye and Target count instead
   double Eye[3] = { 0.0, 0.0, 0.0 };
   double Target[3] = { 0.0, 0.0, 0.0 };

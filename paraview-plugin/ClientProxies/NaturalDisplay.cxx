@@ -21,6 +21,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -40,6 +41,33 @@ bool ReadPlace(const char* text, double place[3])
 bool IsLevel(const double bounds[6])
 {
   return bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] == bounds[5];
+}
+
+/// Whether bounds are those of a single point.
+bool IsPoint(const double bounds[6])
+{
+  return bounds[0] == bounds[1] && bounds[2] == bounds[3] && bounds[4] == bounds[5];
+}
+
+/// Whether a view is a map that shows nothing but what a filter takes, and replaces.
+bool IsMapOfInputs(vtkSMProxy* view, vtkSMProxy* filter)
+{
+  std::set<vtkSMProxy*> inputs;
+  for (unsigned int k = 0; k < filter->GetNumberOfProducers(); ++k)
+  {
+    inputs.insert(filter->GetProducerProxy(k));
+  }
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
+  {
+    vtkSMProxy* one = shown.GetAsProxy(k);
+    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0 &&
+      inputs.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 0)
+    {
+      return false;
+    }
+  }
+  return !inputs.empty() && IsMap(view);
 }
 
 bool HasData(vtkPVDataInformation* data)
@@ -308,7 +336,8 @@ void NaturalDisplay::StopWaitingForLegend()
 void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
-  if (!view || !IsEmpty(view))
+  const bool isMap = view && IsMapOfInputs(view, this->Owner);
+  if (!view || (!IsEmpty(view) && !isMap))
   {
     return;
   }
@@ -322,7 +351,9 @@ void NaturalDisplay::SetUpView(int port)
   const char* closer = this->Hint("closer");
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
-  place.IsOfFlatData = data && IsLevel(data->GetBounds()) && elevation && std::atof(elevation) < 90.0;
+  place.IsOfFlatData =
+    data && elevation && std::atof(elevation) < 90.0 && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
+  place.IsOnMap = isMap && !IsEmpty(view) && elevation && std::atof(elevation) < 90.0;
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;

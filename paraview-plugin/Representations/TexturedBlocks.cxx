@@ -88,6 +88,15 @@ bool TexturedBlocks::Draw(
 }
 
 //----------------------------------------------------------------------------
+void TexturedBlocks::Hide()
+{
+  for (const std::unique_ptr<BlockActor>& actor : this->Actors)
+  {
+    actor->GetProp()->VisibilityOff();
+  }
+}
+
+//----------------------------------------------------------------------------
 /// Each textured block becomes a part of its own, the others are the first; without textures there are no parts.
 void TexturedBlocks::Split(vtkDataObject* data)
 {

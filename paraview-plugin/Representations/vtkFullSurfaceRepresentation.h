@@ -33,6 +33,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* in, vtkInformation* out) override;
+  void SetVisibility(bool isVisible) override;
 
   /// Ignored: the level of detail is the surface.
   void SetSuppressLOD(bool) override {}
