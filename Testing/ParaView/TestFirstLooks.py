@@ -112,6 +112,47 @@ def check_others():
         check(name, getattr(simple, name)(), "Full Surface", "RGB", "land", 0.03)
 
 
+def check_twin_on_raster():
+    """A twin replaces the flat picture of its place, where ParaView shows that in two dimensions."""
+    image = simple.Calculator(Input=terrain, ResultArrayName="Height", Function="Elevation")
+    image.UpdatePipeline()
+    fits = simple.CovarianceFit(Input=image)
+    fits.Array = ["POINTS", "Height"]
+    twin = simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 128, 0, 128, 0, 0])
+    for dimensions, is_replaced in (("2D", True), ("3D", False)):
+        view = simple.CreateView("RenderView")
+        view.InteractionMode = dimensions
+        simple.SetActiveView(view)
+        flat = simple.Show(image, view)
+        flat.SetRepresentationType("Surface")
+        simple.ResetCamera(view)
+        simple.Render(view)
+        simple.Show(twin, view)
+        simple.Render(view)
+        assert (flat.Visibility == 0) == is_replaced, dimensions
+        assert (list(view.CameraViewUp) == [0.0, 0.0, 1.0]) == is_replaced, dimensions
+        assert view.InteractionMode == "3D", dimensions
+        simple.Delete(view)
+
+
+def check_kelp_under_sea():
+    """What is near the eye stays when the sea is shown out to the horizon."""
+    kelp = simple.Seaweed()
+    view = empty_view()
+    simple.Show(kelp, view)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    sea = simple.SeaState(WindSpeed=5, SeaLevel=6, WaterDepth=6)
+    simple.Show(sea, view)
+    simple.Render(view)
+    with_it = picture(view)
+    simple.Hide(kelp, view)
+    drawn = (np.abs(with_it - picture(view)).sum(axis=2) > 20).mean()
+    print(f"Kelp under the sea: {drawn:.3f} drawn", flush=True)
+    assert drawn > 0.02, f"{drawn:.4f} of the picture is kelp"
+    simple.Delete(view)
+
+
 def check_forest_on_map():
     """A forest replaces the map of its sites, unless something else is shown there or the map has another color."""
     sites = simple.QuadratPoints(Size=[200, 200])
@@ -171,5 +212,7 @@ def check_fog(particles):
 if RANKS == 1:
     check_others()
     check_forest_on_map()
+    check_twin_on_raster()
+    check_kelp_under_sea()
     check_fog(check_particles())
 os.remove("look.png")

@@ -24,12 +24,6 @@ constexpr double EyeAzimuth = -0.62 * Pi;
 /// Priority of an observer before those that take the camera.
 constexpr float BeforeOthers = 10.0f;
 
-/// Whether a view is in ParaView's mode of two dimensions.
-bool IsFlat(vtkSMProxy* view)
-{
-  return vtkSMPropertyHelper(view, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
-}
-
 /// Whether a camera looks along x, y or z, as ParaView looks at flat data.
 bool LooksAlongAxis(vtkCamera* camera)
 {
@@ -52,6 +46,12 @@ bool IsEmpty(vtkSMProxy* view)
     }
   }
   return true;
+}
+
+//----------------------------------------------------------------------------
+bool IsFlat(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
 }
 
 //----------------------------------------------------------------------------

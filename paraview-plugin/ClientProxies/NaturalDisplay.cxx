@@ -19,11 +19,13 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace littoral
 {
@@ -49,25 +51,58 @@ bool IsPoint(const double bounds[6])
   return bounds[0] == bounds[1] && bounds[2] == bounds[3] && bounds[4] == bounds[5];
 }
 
-/// Whether a view is a map that shows nothing but what a filter takes, and replaces.
-bool IsMapOfInputs(vtkSMProxy* view, vtkSMProxy* filter)
+/// All that a filter is made of, from its inputs up to the sources.
+std::set<vtkSMProxy*> UpstreamOf(vtkSMProxy* filter)
 {
-  std::set<vtkSMProxy*> inputs;
+  std::set<vtkSMProxy*> all;
   for (unsigned int k = 0; k < filter->GetNumberOfProducers(); ++k)
   {
-    inputs.insert(filter->GetProducerProxy(k));
+    vtkSMProxy* producer = filter->GetProducerProxy(k);
+    const std::set<vtkSMProxy*> further = UpstreamOf(producer);
+    all.insert(producer);
+    all.insert(further.begin(), further.end());
   }
+  return all;
+}
+
+/// What is visible in a view.
+std::vector<vtkSMProxy*> VisibleIn(vtkSMProxy* view)
+{
+  std::vector<vtkSMProxy*> visible;
   const vtkSMPropertyHelper shown(view, "Representations");
   for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
   {
     vtkSMProxy* one = shown.GetAsProxy(k);
-    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0 &&
-      inputs.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 0)
+    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
     {
-      return false;
+      visible.push_back(one);
     }
   }
-  return !inputs.empty() && IsMap(view);
+  return visible;
+}
+
+/// Whether a view, seen from above, shows nothing but what a filter is made of.
+bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
+{
+  const std::set<vtkSMProxy*> upstream = UpstreamOf(filter);
+  const std::vector<vtkSMProxy*> visible = VisibleIn(view);
+  return (IsMap(view) || IsFlat(view)) && !visible.empty() &&
+    std::all_of(visible.begin(), visible.end(),
+      [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
+}
+
+/// Clears a view for what replaces all that it shows.
+void HideAll(vtkSMProxy* view)
+{
+  for (vtkSMProxy* one : VisibleIn(view))
+  {
+    if (ColorHelper::GetUsingScalarColoring(one))
+    {
+      ColorHelper::SetScalarBarVisibility(one, view, false);
+    }
+    vtkSMPropertyHelper(one, "Visibility").Set(0);
+    one->UpdateVTKObjects();
+  }
 }
 
 bool HasData(vtkPVDataInformation* data)
@@ -336,7 +371,7 @@ void NaturalDisplay::StopWaitingForLegend()
 void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
-  const bool isMap = view && IsMapOfInputs(view, this->Owner);
+  const bool isMap = view && IsMapOfUpstream(view, this->Owner);
   if (!view || (!IsEmpty(view) && !isMap))
   {
     return;
@@ -353,7 +388,11 @@ void NaturalDisplay::SetUpView(int port)
   CameraPlace place;
   place.IsOfFlatData =
     data && elevation && std::atof(elevation) < 90.0 && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
-  place.IsOnMap = isMap && !IsEmpty(view) && elevation && std::atof(elevation) < 90.0;
+  place.IsOnMap = isMap && elevation && std::atof(elevation) < 90.0;
+  if (place.IsOnMap)
+  {
+    HideAll(view);
+  }
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;

@@ -134,7 +134,7 @@ bool BlockActor::IsTextured(vtkDataObject* block)
 }
 
 //----------------------------------------------------------------------------
-void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper)
+void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
 {
   this->TakeMapper(part, mapper);
   vtkNew<vtkMatrix4x4> matrix;
@@ -144,7 +144,7 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper)
   this->Actor->SetPropertyKeys(like->GetPropertyKeys());
   this->Actor->SetPickable(like->GetPickable());
   this->Actor->SetVisibility(like->GetVisibility());
-  this->TakeTexture(part.Textured);
+  this->TakeTexture(part.Textured, isLit);
 }
 
 //----------------------------------------------------------------------------
@@ -182,10 +182,11 @@ void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
 }
 
 //----------------------------------------------------------------------------
-void BlockActor::TakeTexture(vtkDataObject* block)
+void BlockActor::TakeTexture(vtkDataObject* block, bool isLit)
 {
-  const bool hasNormals = block && IsPicture(FieldOf(block, NormalsName), FieldOf(block, SizeName), 3);
-  this->SetShading(!block ? Shading::Plain : hasNormals ? Shading::TextureWithNormals : Shading::Texture);
+  const bool hasNormals = isLit && block && IsPicture(FieldOf(block, NormalsName), FieldOf(block, SizeName), 3);
+  const Shading lit = hasNormals ? Shading::TextureWithNormals : Shading::Texture;
+  this->SetShading(!block ? Shading::Plain : isLit ? lit : Shading::Unlit);
   this->Actor->SetForceOpaque(block != nullptr);
   this->Actor->SetTexture(block ? this->Colors.Texture.Get() : nullptr);
   if (block)
@@ -213,8 +214,11 @@ void BlockActor::SetShading(Shading shading)
   shader->ClearAllFragmentShaderReplacements();
   if (shading != Shading::Plain)
   {
-    const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
     shader->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true, ColorCode, false);
+  }
+  if (shading == Shading::Texture || shading == Shading::TextureWithNormals)
+  {
+    const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
     shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, normals, false);
   }
 }

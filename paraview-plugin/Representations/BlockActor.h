@@ -47,8 +47,8 @@ public:
   /// Whether a block carries a texture, of as many texels as it says.
   static bool IsTextured(vtkDataObject* block);
 
-  /// Draws blocks as an actor with its mapper would.
-  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper);
+  /// Draws blocks as an actor with its mapper would, in a view with or without lights.
+  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
 
   /// Draws nothing, and keeps nothing.
   void Hide();
@@ -59,6 +59,7 @@ private:
   enum class Shading
   {
     Plain,
+    Unlit, ///< textured; shaders without light know no normals
     Texture,
     TextureWithNormals
   };
@@ -75,7 +76,7 @@ private:
   };
 
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
-  void TakeTexture(vtkDataObject* block);
+  void TakeTexture(vtkDataObject* block, bool isLit);
   void SetShading(Shading shading);
   void TakeMean(vtkDataObject* block);
 

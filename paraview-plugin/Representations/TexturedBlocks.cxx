@@ -6,9 +6,12 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVRenderView.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 namespace littoral
@@ -22,6 +25,21 @@ PartOfTree Branches(vtkDataObjectTree* tree)
   const auto branches = vtkSmartPointer<vtkDataObjectTree>::Take(tree->NewInstance());
   branches->CopyStructure(tree);
   return { nullptr, branches, vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New() };
+}
+
+bool HasLight(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+  {
+    if (light->GetSwitch() != 0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// A block with its texture coordinates active: ParaView passes them on by their name alone.
@@ -70,6 +88,7 @@ bool TexturedBlocks::Draw(
   {
     this->AddActor();
   }
+  const bool isLit = this->View && like->GetProperty()->GetLighting() && HasLight(this->View->GetRenderer());
   for (std::size_t index = 0; index < this->Actors.size(); ++index)
   {
     if (index >= this->Parts.size())
@@ -82,7 +101,7 @@ bool TexturedBlocks::Draw(
     {
       take(part.Attributes, part.Tree);
     }
-    this->Actors[index]->Draw(part, like, mapper);
+    this->Actors[index]->Draw(part, like, mapper, isLit);
   }
   return this->View && !this->Parts.empty();
 }
