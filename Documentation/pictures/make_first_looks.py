@@ -14,13 +14,17 @@ SIZE = [640, 400]
 FOLDER = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(os.path.abspath(__file__)), "first-look")
 
 
-def take(name, source):
-    """Shows a source in a view of its own and saves the picture."""
+def take(name, source, time=0.0, then=None):
+    """Shows a source in a view of its own, and then another one, and saves the picture."""
     view = simple.CreateView("RenderView")
     view.ViewSize = SIZE
+    view.ViewTime = time
     simple.SetActiveView(view)
     simple.Show(source, view)
     simple.ResetCamera(view)
+    if then:
+        simple.Render(view)
+        simple.Show(then, view)
     simple.Render(view)
     simple.SaveScreenshot(os.path.join(FOLDER, name + ".jpg"), view, Quality=82)
     simple.Delete(view)
@@ -43,3 +47,10 @@ take("suspended-particles", particles)
 take("particle-orbits", simple.ParticleOrbits(Input=particles, SeaState=sea))
 take("particle-fog", simple.ParticleFog(Input=particles))
 take("seaweed", simple.Seaweed())
+take("kelp-under-sea", simple.Seaweed(), then=simple.SeaState(WindSpeed=5, SeaLevel=6, WaterDepth=6))
+take("sea-surface", simple.SeaSurface(Input=sea))
+take("current-drift", simple.CurrentDrift(Input=particles, Currents=[flow]), time=10.0, then=flow)
+take("particle-level-of-detail", simple.ParticleLevelOfDetail(Input=particles, SeaState=sea))
+take("plant-scatter", simple.PlantScatter(Sites=simple.QuadratPoints(Size=[200, 200]), Prototypes=[simple.ReevesTree()]))
+forest = simple.Forest()
+take("forest", simple.OutputPort(forest, 0), then=simple.OutputPort(forest, 1))

@@ -97,6 +97,8 @@ def check_others():
     fits = simple.CovarianceFit(Input=terrain)
     check("From Fits", simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 128, 0, 128, 0, 0]), "Relief",
           "RGB", "land", 0.10)
+    check("Image Sections", simple.ImageSections(Input=simple.WindField(Dimensions=[60, 24, 12])), "Surface", "Velocity",
+          "land", 0.05)
     check("Terrain Level Of Detail", simple.TerrainLevelOfDetail(Input=terrain), "Full Surface", "RGB", "land", 0.12)
     check("Sea Surface", simple.SeaSurface(Input=sea_state), "Full Surface", "RGB", "sea", 0.4)
     for flow, least in (("Uniform", 0.02), ("Source", 0.01), ("Sink", 0.01)):
@@ -108,6 +110,74 @@ def check_others():
     check("Seaweed", simple.Seaweed(), "Surface", "RGB", "water", 0.02)
     for name in ("AonoKuniiTree", "ReevesTree", "GardnerPlant"):
         check(name, getattr(simple, name)(), "Full Surface", "RGB", "land", 0.03)
+
+
+def check_twin_on_raster():
+    """A twin replaces the flat picture of its place, where ParaView shows that in two dimensions."""
+    image = simple.Calculator(Input=terrain, ResultArrayName="Height", Function="Elevation")
+    image.UpdatePipeline()
+    fits = simple.CovarianceFit(Input=image)
+    fits.Array = ["POINTS", "Height"]
+    twin = simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 128, 0, 128, 0, 0])
+    for dimensions, is_replaced in (("2D", True), ("3D", False)):
+        view = simple.CreateView("RenderView")
+        view.InteractionMode = dimensions
+        simple.SetActiveView(view)
+        flat = simple.Show(image, view)
+        flat.SetRepresentationType("Surface")
+        simple.ResetCamera(view)
+        simple.Render(view)
+        simple.Show(twin, view)
+        simple.Render(view)
+        assert (flat.Visibility == 0) == is_replaced, dimensions
+        assert (list(view.CameraViewUp) == [0.0, 0.0, 1.0]) == is_replaced, dimensions
+        assert view.InteractionMode == "3D", dimensions
+        simple.Delete(view)
+
+
+def check_kelp_under_sea():
+    """What is near the eye stays when the sea is shown out to the horizon."""
+    kelp = simple.Seaweed()
+    view = empty_view()
+    simple.Show(kelp, view)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    sea = simple.SeaState(WindSpeed=5, SeaLevel=6, WaterDepth=6)
+    simple.Show(sea, view)
+    simple.Render(view)
+    with_it = picture(view)
+    simple.Hide(kelp, view)
+    drawn = (np.abs(with_it - picture(view)).sum(axis=2) > 20).mean()
+    print(f"Kelp under the sea: {drawn:.3f} drawn", flush=True)
+    assert drawn > 0.02, f"{drawn:.4f} of the picture is kelp"
+    simple.Delete(view)
+
+
+def check_forest_on_map():
+    """A forest replaces the map of its sites, unless something else is shown there or the map has another color."""
+    sites = simple.QuadratPoints(Size=[200, 200])
+    pine = simple.ReevesTree(Preset="Pine")
+    for change, is_replaced in ((None, True), ("Background", False), ("other", False)):
+        view = empty_view()
+        simple.Show(sites, view)
+        simple.ResetCamera(view)
+        simple.Render(view)
+        if change == "Background":
+            view.Background = [0.9, 0.9, 1.0]
+        elif change == "other":
+            simple.Show(simple.Plane(), view)
+        simple.Show(simple.PlantScatter(Sites=sites, Prototypes=[pine]), view)
+        simple.Hide(sites, view)
+        simple.Render(view)
+        eye = np.array(view.CameraPosition) - np.array(view.CameraFocalPoint)
+        assert (np.hypot(eye[0], eye[1]) > eye[2]) == is_replaced, (change, eye)
+        assert (len(view.AdditionalLights) == 1) == is_replaced, change
+        if is_replaced:
+            pixels = picture(view)
+            drawn = (pixels[:, :, 1] > pixels[:, :, 2] + 10).mean()
+            print(f"Forest on a map: {drawn:.3f} green", flush=True)
+            assert drawn > 0.02, f"{drawn:.4f} of the picture is green"
+        simple.Delete(view)
 
 
 def check_particles():
@@ -141,5 +211,8 @@ def check_fog(particles):
 
 if RANKS == 1:
     check_others()
+    check_forest_on_map()
+    check_twin_on_raster()
+    check_kelp_under_sea()
     check_fog(check_particles())
 os.remove("look.png")

@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cstring>
+#include <vector>
 
 namespace littoral
 {
@@ -82,11 +83,24 @@ void AddSun(vtkSMProxy* view, const Mood& mood)
 }
 
 //----------------------------------------------------------------------------
+bool IsMap(vtkSMProxy* view)
+{
+  const char* mood = view->GetAnnotation(Mark);
+  if (!mood || std::strcmp(mood, "paper") != 0 ||
+    vtkSMPropertyHelper(view, "AdditionalLights").GetNumberOfElements() != 0)
+  {
+    return false;
+  }
+  const std::vector<double> color = vtkSMPropertyHelper(view, "Background").GetDoubleArray();
+  return color == std::vector<double>{ 1.0, 1.0, 1.0 };
+}
+
+//----------------------------------------------------------------------------
 void LightView(vtkSMProxy* view, const char* name)
 {
   for (const Mood& mood : Moods)
   {
-    if (std::strcmp(mood.Name, name) != 0 || view->HasAnnotation(Mark) || !IsAsByDefault(view))
+    if (std::strcmp(mood.Name, name) != 0 || (!IsMap(view) && (view->HasAnnotation(Mark) || !IsAsByDefault(view))))
     {
       continue;
     }

@@ -18,6 +18,9 @@ namespace littoral
  */
 void LightView(vtkSMProxy* view, const char* mood);
 
+/// Whether a view has the mood "paper" from LightView, unchanged; another mood may follow.
+bool IsMap(vtkSMProxy* view);
+
 }
 
 #endif

@@ -24,10 +24,11 @@ constexpr double EyeAzimuth = -0.62 * Pi;
 /// Priority of an observer before those that take the camera.
 constexpr float BeforeOthers = 10.0f;
 
-/// Whether a view is in ParaView's mode of two dimensions.
-bool IsFlat(vtkSMProxy* view)
+/// Whether a camera looks along x, y or z, as ParaView looks at flat data.
+bool LooksAlongAxis(vtkCamera* camera)
 {
-  return vtkSMPropertyHelper(view, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
+  const double* d = camera->GetDirectionOfProjection();
+  return std::max({ std::abs(d[0]), std::abs(d[1]), std::abs(d[2]) }) > 0.999;
 }
 
 }
@@ -45,6 +46,12 @@ bool IsEmpty(vtkSMProxy* view)
     }
   }
   return true;
+}
+
+//----------------------------------------------------------------------------
+bool IsFlat(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
 }
 
 //----------------------------------------------------------------------------
@@ -98,14 +105,14 @@ FirstCamera::~FirstCamera()
 //----------------------------------------------------------------------------
 void FirstCamera::WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place)
 {
-  if (view == this->View || IsFlat(view))
+  if (view == this->View || (IsFlat(view) && !place.IsOnMap))
   {
     return;
   }
   this->Stop();
   this->Place = place;
   this->View = view;
-  this->WasReset = false;
+  this->WasReset = place.IsOnMap;
   // A script draws once before it resets the camera, the window some times in a new view; see OnStart for flat data.
   this->PicturesToWait = place.IsOfFlatData ? 10 : 2;
   this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
@@ -128,11 +135,11 @@ void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
 }
 
 //----------------------------------------------------------------------------
-/// The window shows a flat image, as that of a terrain is, in two dimensions, after it has reset the camera.
+/// The window shows a flat image, as that of a terrain is, or a point in two dimensions, after it has reset the camera.
 void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
 {
   vtkCamera* camera = this->View->GetActiveCamera();
-  if (!this->WasReset || !this->Place.IsOfFlatData || camera->GetDirectionOfProjection()[2] > -0.999)
+  if (!this->WasReset || !(this->Place.IsOfFlatData || this->Place.IsOnMap) || !LooksAlongAxis(camera))
   {
     return; // someone has turned it since
   }

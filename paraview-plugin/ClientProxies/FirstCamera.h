@@ -18,12 +18,16 @@ namespace littoral
 /// Whether nothing is shown in a view.
 bool IsEmpty(vtkSMProxy* view);
 
+/// Whether a view is in ParaView's mode of two dimensions.
+bool IsFlat(vtkSMProxy* view);
+
 /// Where the eye is when a source is the first thing in its view.
 struct CameraPlace
 {
   double Elevation = 0.0;    ///< over the horizon, of the eye seen from the middle of the data [degrees]
   double Closer = 1.0;       ///< than a camera that shows a sphere around the data
   bool IsOfFlatData = false; ///< whether ParaView would look at them from above, in two dimensions
+  bool IsOnMap = false;      ///< whether the source replaces what is seen from above
   bool IsFixed = false;      ///< whether Eye and Target count instead
   double Eye[3] = { 0.0, 0.0, 0.0 };
   double Target[3] = { 0.0, 0.0, 0.0 };

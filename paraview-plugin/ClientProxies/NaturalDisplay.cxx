@@ -19,10 +19,13 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace littoral
 {
@@ -40,6 +43,66 @@ bool ReadPlace(const char* text, double place[3])
 bool IsLevel(const double bounds[6])
 {
   return bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] == bounds[5];
+}
+
+/// Whether bounds are those of a single point.
+bool IsPoint(const double bounds[6])
+{
+  return bounds[0] == bounds[1] && bounds[2] == bounds[3] && bounds[4] == bounds[5];
+}
+
+/// All that a filter is made of, from its inputs up to the sources.
+std::set<vtkSMProxy*> UpstreamOf(vtkSMProxy* filter)
+{
+  std::set<vtkSMProxy*> all;
+  for (unsigned int k = 0; k < filter->GetNumberOfProducers(); ++k)
+  {
+    vtkSMProxy* producer = filter->GetProducerProxy(k);
+    const std::set<vtkSMProxy*> further = UpstreamOf(producer);
+    all.insert(producer);
+    all.insert(further.begin(), further.end());
+  }
+  return all;
+}
+
+/// What is visible in a view.
+std::vector<vtkSMProxy*> VisibleIn(vtkSMProxy* view)
+{
+  std::vector<vtkSMProxy*> visible;
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
+  {
+    vtkSMProxy* one = shown.GetAsProxy(k);
+    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
+    {
+      visible.push_back(one);
+    }
+  }
+  return visible;
+}
+
+/// Whether a view, seen from above, shows nothing but what a filter is made of.
+bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
+{
+  const std::set<vtkSMProxy*> upstream = UpstreamOf(filter);
+  const std::vector<vtkSMProxy*> visible = VisibleIn(view);
+  return (IsMap(view) || IsFlat(view)) && !visible.empty() &&
+    std::all_of(visible.begin(), visible.end(),
+      [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
+}
+
+/// Clears a view for what replaces all that it shows.
+void HideAll(vtkSMProxy* view)
+{
+  for (vtkSMProxy* one : VisibleIn(view))
+  {
+    if (ColorHelper::GetUsingScalarColoring(one))
+    {
+      ColorHelper::SetScalarBarVisibility(one, view, false);
+    }
+    vtkSMPropertyHelper(one, "Visibility").Set(0);
+    one->UpdateVTKObjects();
+  }
 }
 
 bool HasData(vtkPVDataInformation* data)
@@ -309,7 +372,8 @@ void NaturalDisplay::StopWaitingForLegend()
 void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
-  if (!view || !IsEmpty(view))
+  const bool isMap = view && IsMapOfUpstream(view, this->Owner);
+  if (!view || (!IsEmpty(view) && !isMap))
   {
     return;
   }
@@ -323,7 +387,13 @@ void NaturalDisplay::SetUpView(int port)
   const char* closer = this->Hint("closer");
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
-  place.IsOfFlatData = data && IsLevel(data->GetBounds()) && elevation && std::atof(elevation) < 90.0;
+  place.IsOfFlatData =
+    data && elevation && std::atof(elevation) < 90.0 && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
+  place.IsOnMap = isMap && elevation && std::atof(elevation) < 90.0;
+  if (place.IsOnMap)
+  {
+    HideAll(view);
+  }
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;

@@ -30,8 +30,17 @@ output.PointData.append(np.arange(count, dtype="int32"), "SiteId")
 """
 
 
+def render_view():
+    """The active render view, else the first one, else a new one."""
+    views = simple.GetRenderViews()
+    active = simple.GetActiveView()
+    view = active if active in views else views[0] if views else simple.CreateView("RenderView")
+    simple.SetActiveView(view)
+    return view
+
+
 def main():
-    """A forest of the active table, shown in the active view."""
+    """A forest of the active table, shown in a render view."""
     table = simple.GetActiveSource()
     if table is None or table.GetDataInformation().GetDataSetTypeAsString() != "vtkTable":
         print("Select a table with the columns x, y, species and height in the pipeline browser first.")
@@ -46,7 +55,7 @@ def main():
     sites = simple.ProgrammableFilter(registrationName="Sites", Input=table, OutputDataSetType="vtkPolyData",
                                       Script=head + SCRIPT)
     forest = simple.PlantScatter(registrationName="Forest", Sites=sites, Prototypes=trees, ScaleVariation=0)
-    view = simple.GetActiveViewOrCreate("RenderView")
+    view = render_view()
     simple.Show(forest, view)
     simple.ResetCamera(view)
     simple.SetActiveSource(forest)

@@ -7,8 +7,17 @@ Fits the seven covariance models, generates a terrain of the best one on the sam
 from paraview import simple
 
 
+def render_view():
+    """The active render view, else the first one, else a new one."""
+    views = simple.GetRenderViews()
+    active = simple.GetActiveView()
+    view = active if active in views else views[0] if views else simple.CreateView("RenderView")
+    simple.SetActiveView(view)
+    return view
+
+
 def main():
-    """A twin of the active image, shown in the active view."""
+    """A twin of the active image, shown in a render view."""
     place = simple.GetActiveSource()
     if place is None or place.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
         print("Select an elevation image in the pipeline browser first.")
@@ -27,7 +36,7 @@ def main():
         registrationName="Twin", Input=simple.OutputPort(fit, 0), WholeExtent=[0, cells[0], 0, cells[1], 0, 0],
         Origin=[bounds[0], bounds[2], 0.0], Spacing=[*spacing, 1.0])
     ground = simple.TerrainLevelOfDetail(registrationName="Ground", Input=twin)
-    view = simple.GetActiveViewOrCreate("RenderView")
+    view = render_view()
     simple.Show(ground, view)
     simple.ResetCamera(view)
     simple.SetActiveSource(twin)

@@ -4,7 +4,8 @@
  * @class   vtkSeaSurfaceRepresentation
  * @brief   a sea state as the surface of the sea
  *
- * The disk that vtkSeaSurfaceFilter makes of a table of wave trains, at the time of the view.
+ * The disk that vtkSeaSurfaceFilter makes of a table of wave trains, at the time of the view. What is near the eye is
+ * shown too: the clipping planes of the view are set for both.
  */
 #ifndef vtkSeaSurfaceRepresentation_h
 #define vtkSeaSurfaceRepresentation_h
@@ -23,6 +24,8 @@ protected:
   vtkSeaSurfaceRepresentation();
   ~vtkSeaSurfaceRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
 private:
