@@ -71,7 +71,8 @@ def kelp():
 
 
 def terrain_levels():
-    return simple.TerrainLevelOfDetail(Input=simple.TurningBandsTerrain(WholeExtent=[0, 100, 0, 100, 0, 0]))
+    terrain = simple.TurningBandsTerrain(WholeExtent=[0, 100, 0, 100, 0, 0])
+    return simple.TerrainLevelOfDetail(Input=terrain, UseCulling=0)
 
 
 def particle_levels():
@@ -106,11 +107,11 @@ def check_picture(output, name, opacity):
     view.UseColorPaletteForBackground = 0
     view.BackgroundColorMode = "Single Color"
     view.Background = [0.0, 0.0, 1.0]
+    simple.SetActiveView(view)
     shown = simple.Show(output, view)
     shown.Opacity = opacity
     for time in (0.0, 0.5):
         view.ViewTime = time
-        simple.Render(view)
         simple.ResetCamera(view)
         simple.Render(view)
         grab = vtkWindowToImageFilter()
