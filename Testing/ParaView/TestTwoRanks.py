@@ -77,7 +77,8 @@ def terrain_levels():
 
 def particle_levels():
     sea = simple.SeaState(NumberOfTrains=5)
-    levels = simple.ParticleLevelOfDetail(Input=simple.SuspendedParticles(Density=0.05), SeaState=sea)
+    particles = simple.SuspendedParticles(Density=0.05)
+    levels = simple.ParticleLevelOfDetail(Input=particles, SeaState=sea, UseCulling=0, VisibleDistance=0.0)
     return simple.ParticleOrbits(Input=levels, SeaState=sea)
 
 
