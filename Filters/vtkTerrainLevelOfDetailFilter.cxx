@@ -296,6 +296,21 @@ struct ShownTerrain
   }
 };
 
+/// The blocks are the levels, then the seams.
+std::string BlockName(int block, int levels)
+{
+  return block == levels ? "Seams" : "Level" + std::to_string(block);
+}
+
+/// The blocks of a piece without tiles.
+void AddEmptyBlocks(vtkMultiBlockDataSet* output, int levels)
+{
+  for (int block = 0; block <= levels; ++block)
+  {
+    littoral::AddBlock(output, BlockName(block, levels).c_str(), vtkSmartPointer<vtkPolyData>::New());
+  }
+}
+
 void AddCount(vtkDataObject* data, const char* name, double value)
 {
   vtkNew<vtkDoubleArray> field;
@@ -406,6 +421,21 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
 }
 
 //----------------------------------------------------------------------------
+bool vtkTerrainLevelOfDetailFilter::CheckHeights(vtkDataArray* heights)
+{
+  for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
+  {
+    if (!std::isfinite(static_cast<float>(heights->GetComponent(i, 0))))
+    {
+      littoralErrorMacro("The elevation is NaN or infinite at point "
+        << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
 {
   vtkInternals& internals = *this->Internals;
@@ -421,6 +451,10 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
     littoralErrorMacro("The terrain in levels may take " << bytes / 1e9 << " GB, more than the free memory.");
     return false;
   }
+  if (!this->CheckHeights(heights))
+  {
+    return false;
+  }
   littoral::HeightSamples samples;
   int dimensions[3];
   image->GetDimensions(dimensions);
@@ -434,12 +468,6 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   for (std::size_t i = 0; i < samples.Values.size(); ++i)
   {
     samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
-    if (!std::isfinite(samples.Values[i]))
-    {
-      littoralErrorMacro("The elevation is NaN or infinite at point "
-        << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
-      return false;
-    }
   }
   internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
   internals.ImageTime = image->GetMTime();
@@ -468,18 +496,20 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   littoral::View seen;
-  if (littoral::AsksForLaterPiece(request, outputVector))
-  {
-    return 1;
-  }
   if (!this->CheckProperties() || !this->GetView(seen))
   {
     return littoral::FailedRequest(this);
   }
   vtkDataArray* heights = this->FindHeights(image, inputVector);
-  if (!heights || !this->UpdatePyramid(image, heights))
+  const bool isLater = littoral::AsksForLaterPiece(request, outputVector);
+  if (!heights || !(isLater ? this->CheckHeights(heights) : this->UpdatePyramid(image, heights)))
   {
     return littoral::FailedRequest(this);
+  }
+  if (isLater)
+  {
+    AddEmptyBlocks(output, littoral::LevelsOfTiles(this->TileSize, this->NumberOfLevels));
+    return 1;
   }
   const littoral::TerrainPyramid& pyramid = *this->Internals->Pyramid;
   const littoral::ViewFrustum view(seen);
@@ -501,7 +531,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   double polygons = 0.0;
   for (std::size_t block = 0; block < blocks; ++block)
   {
-    const std::string name = block + 1 == blocks ? "Seams" : "Level" + std::to_string(block);
+    const std::string name = BlockName(static_cast<int>(block), pyramid.GetLevels());
     littoral::AddBlock(output, name.c_str(), MakeBlock(shown.Layouts[block], pyramid, painter, image, heights));
     polygons += static_cast<double>(shown.Layouts[block].Triangles);
     this->UpdateProgress(0.6 + 0.4 * static_cast<double>(block + 1) / static_cast<double>(blocks));

@@ -128,6 +128,7 @@ private:
 
   bool CheckProperties();
   vtkDataArray* FindHeights(vtkImageData* image, vtkInformationVector** inputVector);
+  bool CheckHeights(vtkDataArray* heights);
   bool UpdatePyramid(vtkImageData* image, vtkDataArray* heights);
 
   class vtkInternals;

@@ -109,12 +109,13 @@ int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInfo
   {
     return littoral::FailedRequest(this);
   }
-  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
+  auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
+  littoral::CopyToBlocks(prototype, output);
+  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
-    auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
-    littoral::CopyToBlocks(prototype, output);
-    littoral::KeepRanges(output);
+    littoral::EmptyBlocks(output);
   }
+  littoral::KeepRanges(output);
   littoral::CopyToImage(prototype.CrownTexture, vtkImageData::GetData(outputVector, 1));
   littoral::CopyToImage(prototype.LeafTexture, vtkImageData::GetData(outputVector, 2));
   return 1;

@@ -264,13 +264,20 @@ Vector3 HeightSamples::Position(std::size_t index) const
     this->Origin[1] + static_cast<double>(index / this->Width) * this->Spacing[1], this->Values[index] };
 }
 
+int LevelsOfTiles(int tileSize, int levels)
+{
+  int number = 1;
+  while (number < levels && (1 << number) <= tileSize)
+  {
+    ++number;
+  }
+  return number;
+}
+
 TerrainPyramid::TerrainPyramid(HeightSamples samples, int tileSize, int levels, const ParallelFor& parallelFor)
   : Samples(std::move(samples))
+  , Levels(LevelsOfTiles(tileSize, levels))
 {
-  while (this->Levels < levels && (1 << this->Levels) <= tileSize)
-  {
-    ++this->Levels;
-  }
   const std::array<int, 2> cells{ this->Samples.Width - 1, this->Samples.Height - 1 };
   for (int axis = 0; axis < 2; ++axis)
   {

@@ -162,15 +162,25 @@ bool Reproducible()
   return good;
 }
 
-/// A plant is in the first piece alone.
+/// The first piece has the plant, a later one the same blocks without it.
 template <typename Source>
 bool Pieces()
 {
   vtkNew<Source> source;
-  source->UpdatePiece(1, 2, 0);
-  const bool later = PartOf(source, "High/Skin") == nullptr;
-  source->UpdatePiece(0, 2, 0);
-  return Check(later && PartOf(source, "High/Skin"), "the plant is not in the first piece alone");
+  bool good = true;
+  for (const int piece : { 1, 0 })
+  {
+    source->UpdatePiece(piece, 2, 0);
+    for (const char* path : { "High/Skeleton", "High/Skin", "High/Leaves", "Medium/Trunk", "Medium/Crown", "Low" })
+    {
+      vtkPolyData* part = PartOf(source, path);
+      const std::string what = std::string(path) + " of piece " + std::to_string(piece);
+      good &= Check(part != nullptr, what + " is missing");
+      good &= Check(piece == 0 || (part && part->GetNumberOfPoints() == 0), what + " is not empty");
+    }
+    good &= Check(piece == 1 || PartOf(source, "High/Skin")->GetNumberOfPoints() > 0, "the first piece is empty");
+  }
+  return good;
 }
 
 /// A custom plant that was spoilt gives one message that has a word, and no data.

@@ -248,15 +248,36 @@ bool Reproducible()
   return good;
 }
 
+/// The first piece has the terrain, another the same blocks without it.
 bool Pieces()
 {
-  vtkNew<Filter> filter;
-  filter->SetInputData(Hills());
-  LookAcross(filter);
-  filter->UpdatePiece(1, 2, 0);
-  const bool later = filter->GetOutput()->GetNumberOfBlocks() == 0;
-  filter->UpdatePiece(0, 2, 0);
-  return Check(later && filter->GetOutput()->GetNumberOfBlocks() == 6, "the terrain is not in the first piece alone");
+  bool good = true;
+  for (const int tileSize : { 32, 4 })
+  {
+    vtkNew<Filter> first;
+    vtkNew<Filter> second;
+    for (Filter* filter : { first.Get(), second.Get() })
+    {
+      filter->SetInputData(Hills());
+      filter->SetTileSize(tileSize);
+      LookAcross(filter);
+      filter->UpdatePiece(filter == second ? 1 : 0, 2, 0);
+    }
+    const unsigned int blocks = first->GetOutput()->GetNumberOfBlocks();
+    good &= Check(blocks == (tileSize == 4 ? 4 : 6), std::to_string(blocks) + " blocks in the first piece");
+    good &= Check(first->GetOutput()->GetNumberOfPoints() > 0, "the first piece is empty");
+    good &= Check(second->GetOutput()->GetNumberOfBlocks() == blocks, "another number of blocks in a later piece");
+    for (unsigned int block = 0; good && block < blocks; ++block)
+    {
+      const auto name = [block](Filter* filter) {
+        return std::string(filter->GetOutput()->GetMetaData(block)->Get(vtkCompositeDataSet::NAME()));
+      };
+      good &= Check(name(first) == name(second), "blocks of pieces have other names");
+      vtkPolyData* later = BlockOf(second, block);
+      good &= Check(later && later->GetNumberOfPoints() == 0, "a later piece has terrain or no blocks");
+    }
+  }
+  return good;
 }
 
 bool Fails(const char* word, const std::function<void(Filter*)>& spoil, vtkImageData* image = nullptr)
