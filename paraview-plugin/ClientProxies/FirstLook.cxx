@@ -22,8 +22,6 @@ namespace littoral
 namespace
 {
 
-/// Radius of the largest particle in a view of all of the data, at least [diagonals].
-constexpr double SmallestSprite = 0.006;
 /// Optical depth along the diagonal of fog that is densest everywhere, at least.
 constexpr double ThinnestFog = 100.0;
 constexpr double Glitter = 0.5;
@@ -125,9 +123,9 @@ bool AreParticles(vtkPVDataInformation* data)
 }
 
 //----------------------------------------------------------------------------
-void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data)
+void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest)
 {
-  const double factor = std::max(1.0, SmallestSprite * DiagonalOf(data) / LargestOf(data, "Radius"));
+  const double factor = std::max(1.0, smallest * DiagonalOf(data) / LargestOf(data, "Radius"));
   vtkSMPropertyHelper(representation, "Representation").Set("Point Gaussian");
   vtkSMPropertyHelper(representation, "ShaderPreset").Set("Sphere");
   vtkSMPropertyHelper(representation, "GaussianRadius").Set(factor);
@@ -148,7 +146,7 @@ void ShowAsDisks(vtkSMProxy* representation, double radius)
 }
 
 //----------------------------------------------------------------------------
-void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array)
+void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array, const double* color)
 {
   ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
   vtkSMPropertyHelper(representation, "Representation").Set("Volume");
@@ -160,7 +158,7 @@ void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const cha
   }
   const double largest = LargestOf(data, array);
   const double diagonal = DiagonalOf(data);
-  const double factor = std::max(1.0, ThinnestFog / (largest * diagonal));
+  const double factor = color ? 1.0 : std::max(1.0, ThinnestFog / (largest * diagonal));
   const double unit = 0.1 * diagonal / factor; // so that alpha of the densest fog is between 0 and 1
   std::vector<double> points;
   for (int i = 0; i < OpacityPoints; ++i)
@@ -172,8 +170,12 @@ void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const cha
   vtkSMPropertyHelper(opacities, "Points").Set(points.data(), static_cast<unsigned int>(points.size()));
   opacities->UpdateVTKObjects();
   vtkSMPropertyHelper(representation, "ScalarOpacityUnitDistance").Set(unit);
-  const double pale[8] = { 0.0, 0.62, 0.80, 0.82, largest, 0.90, 0.96, 0.94 };
-  vtkSMPropertyHelper(colors, "RGBPoints").Set(pale, 8);
+  double shades[8] = { 0.0, 0.62, 0.80, 0.82, largest, 0.90, 0.96, 0.94 };
+  for (int i = 0; color && i < 3; ++i)
+  {
+    shades[1 + i] = shades[5 + i] = color[i];
+  }
+  vtkSMPropertyHelper(colors, "RGBPoints").Set(shades, 8);
   vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode").Set("Never");
   colors->UpdateVTKObjects();
 }

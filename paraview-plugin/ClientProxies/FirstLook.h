@@ -25,20 +25,23 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
 /// Shows the legend of a representation, in a dark color that can be read in front of a pale sky.
 void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view);
 
-/// Particles, points with the arrays ParticleId and Radius, as lit spheres. Radii are enlarged where they would be too
-/// small to be seen in a view of all of the data.
+/// Radius of the largest particle in a view of all of the data, at least [diagonals].
+constexpr double SmallestSprite = 0.006;
+
+/// Particles, points with the arrays ParticleId and Radius, as lit spheres. Radii are enlarged where the largest would
+/// be below `smallest` [diagonals of the data].
 bool AreParticles(vtkPVDataInformation* data);
-void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data);
+void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest);
 
 /// Points as disks of a radius [m].
 void ShowAsDisks(vtkSMProxy* representation, double radius);
 
 /**
  * An image of extinction s [1/m] as a volume. Opacity is 1 - exp(-F s U) over the unit distance U, so that light is
- * absorbed as in F times as much fog; F is 1 where the fog is dense enough to be seen, else above. A transfer function
- * that is no longer ParaView's own stays.
+ * absorbed as in F times as much fog; F is 1 where the fog is dense enough to be seen, else above. With a color F is 1
+ * and all fog has it; else it is pale. A transfer function that is no longer ParaView's own stays.
  */
-void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array);
+void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array, const double* color);
 
 }
 

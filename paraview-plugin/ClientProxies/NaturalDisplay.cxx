@@ -29,8 +29,8 @@ namespace littoral
 namespace
 {
 
-/// Three coordinates of a hint; whether there are as many.
-bool ReadPlace(const char* text, double place[3])
+/// Three numbers of a hint; whether there are as many.
+bool ReadThree(const char* text, double place[3])
 {
   std::istringstream numbers(text);
   return static_cast<bool>(numbers >> place[0] >> place[1] >> place[2]);
@@ -75,6 +75,23 @@ const char* NaturalDisplay::Hint(const char* name)
   vtkPVXMLElement* hints = this->Owner->GetHints();
   vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("NaturalDisplay") : nullptr;
   return hint ? hint->GetAttribute(name) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+const char* NaturalDisplay::HintFor(int port, const char* name)
+{
+  vtkPVXMLElement* hints = this->Owner->GetHints();
+  for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(k);
+    int ofPort = -1;
+    if (std::strcmp(hint->GetName(), "NaturalDisplay") == 0 && hint->GetScalarAttribute("port", &ofPort) &&
+      ofPort == port && hint->GetAttribute(name))
+    {
+      return hint->GetAttribute(name);
+    }
+  }
+  return this->Hint(name);
 }
 
 //----------------------------------------------------------------------------
@@ -143,7 +160,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
   {
     this->WaitForData(representation, port);
   }
-  if (this->Hint("own-levels"))
+  if (this->Hint("own-levels") && !this->HintFor(port, "fog"))
   {
     vtkSMPropertyHelper(representation, "Representation").Set("Full Surface");
   }
@@ -153,7 +170,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
     {
       this->ShowBlocks(representation, data->GetArrayInformation("SiteId", vtkDataObject::FIELD) != nullptr);
     }
-    this->TakeColors(representation, data);
+    this->TakeColors(representation, data, port);
   }
   representation->UpdateVTKObjects();
 }
@@ -177,7 +194,7 @@ void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data)
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port)
 {
   if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
   {
@@ -192,21 +209,24 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
   }
-  if (const char* ambient = this->Hint("ambient"))
+  if (const char* ambient = this->HintFor(port, "ambient"))
   {
     ShadeAsWater(representation, std::atof(ambient));
   }
   if (AreParticles(data))
   {
-    ShowAsSprites(representation, data);
+    const char* smallest = this->HintFor(port, "sprite");
+    ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
   }
   if (const char* radius = this->Hint("disk-radius"))
   {
     ShowAsDisks(representation, std::atof(radius));
   }
-  if (const char* array = this->Hint("fog"))
+  if (const char* array = this->HintFor(port, "fog"))
   {
-    ShowAsFog(representation, data, array);
+    double color[3];
+    const char* hint = this->HintFor(port, "fog-color");
+    ShowAsFog(representation, data, array, hint && ReadThree(hint, color) ? color : nullptr);
     this->WaitForLegend(representation);
   }
   const char* array = this->Hint("color");
@@ -323,7 +343,7 @@ void NaturalDisplay::SetUpView(int port)
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
   place.IsOfFlatData = data && IsLevel(data->GetBounds()) && elevation && std::atof(elevation) < 90.0;
-  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
+  place.IsFixed = eye && target && ReadThree(eye, place.Eye) && ReadThree(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
   if (place.IsFixed)
