@@ -100,5 +100,5 @@ def check(name, outputs, last_time):
 check("Forest", ["Trees", "Ground"], 1.0)
 check("SwayingForest", ["Trees", "Ground"], 59.9)
 check("Sea", ["Surface"], 60.0)
-check("Underwater", ["Kelp", "Bed", "Particles", "Surface", "Murk"], 60.0)
+check("Underwater", ["Kelp", "Bed", "Particles", "Surface"], 60.0)
 check("TwinOfAPlace", ["Ground"], 1.0)

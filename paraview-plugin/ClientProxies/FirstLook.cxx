@@ -146,7 +146,7 @@ void ShowAsDisks(vtkSMProxy* representation, double radius)
 }
 
 //----------------------------------------------------------------------------
-void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array, const double* color)
+void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array)
 {
   ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
   vtkSMPropertyHelper(representation, "Representation").Set("Volume");
@@ -158,7 +158,7 @@ void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const cha
   }
   const double largest = LargestOf(data, array);
   const double diagonal = DiagonalOf(data);
-  const double factor = color ? 1.0 : std::max(1.0, ThinnestFog / (largest * diagonal));
+  const double factor = std::max(1.0, ThinnestFog / (largest * diagonal));
   const double unit = 0.1 * diagonal / factor; // so that alpha of the densest fog is between 0 and 1
   std::vector<double> points;
   for (int i = 0; i < OpacityPoints; ++i)
@@ -170,12 +170,8 @@ void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const cha
   vtkSMPropertyHelper(opacities, "Points").Set(points.data(), static_cast<unsigned int>(points.size()));
   opacities->UpdateVTKObjects();
   vtkSMPropertyHelper(representation, "ScalarOpacityUnitDistance").Set(unit);
-  double shades[8] = { 0.0, 0.62, 0.80, 0.82, largest, 0.90, 0.96, 0.94 };
-  for (int i = 0; color && i < 3; ++i)
-  {
-    shades[1 + i] = shades[5 + i] = color[i];
-  }
-  vtkSMPropertyHelper(colors, "RGBPoints").Set(shades, 8);
+  const double pale[8] = { 0.0, 0.62, 0.80, 0.82, largest, 0.90, 0.96, 0.94 };
+  vtkSMPropertyHelper(colors, "RGBPoints").Set(pale, 8);
   vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode").Set("Never");
   colors->UpdateVTKObjects();
 }

@@ -38,10 +38,10 @@ void ShowAsDisks(vtkSMProxy* representation, double radius);
 
 /**
  * An image of extinction s [1/m] as a volume. Opacity is 1 - exp(-F s U) over the unit distance U, so that light is
- * absorbed as in F times as much fog; F is 1 where the fog is dense enough to be seen, else above. With a color F is 1
- * and all fog has it; else it is pale. A transfer function that is no longer ParaView's own stays.
+ * absorbed as in F times as much fog; F is 1 where the fog is dense enough to be seen, else above. A transfer function
+ * that is no longer ParaView's own stays.
  */
-void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array, const double* color);
+void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array);
 
 }
 

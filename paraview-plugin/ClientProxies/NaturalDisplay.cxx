@@ -29,8 +29,8 @@ namespace littoral
 namespace
 {
 
-/// Three numbers of a hint; whether there are as many.
-bool ReadThree(const char* text, double place[3])
+/// Three coordinates of a hint; whether there are as many.
+bool ReadPlace(const char* text, double place[3])
 {
   std::istringstream numbers(text);
   return static_cast<bool>(numbers >> place[0] >> place[1] >> place[2]);
@@ -160,7 +160,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
   {
     this->WaitForData(representation, port);
   }
-  if (this->Hint("own-levels") && !this->HintFor(port, "fog"))
+  if (this->Hint("own-levels"))
   {
     vtkSMPropertyHelper(representation, "Representation").Set("Full Surface");
   }
@@ -222,12 +222,16 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     ShowAsDisks(representation, std::atof(radius));
   }
-  if (const char* array = this->HintFor(port, "fog"))
+  if (const char* array = this->Hint("fog"))
   {
-    double color[3];
-    const char* hint = this->HintFor(port, "fog-color");
-    ShowAsFog(representation, data, array, hint && ReadThree(hint, color) ? color : nullptr);
+    ShowAsFog(representation, data, array);
     this->WaitForLegend(representation);
+  }
+  const char* extinction = this->Hint("murk");
+  const char* mood = this->Hint("light");
+  if (extinction && mood)
+  {
+    FadeAway(representation, mood, std::atof(extinction));
   }
   const char* array = this->Hint("color");
   if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
@@ -343,7 +347,7 @@ void NaturalDisplay::SetUpView(int port)
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
   place.IsOfFlatData = data && IsLevel(data->GetBounds()) && elevation && std::atof(elevation) < 90.0;
-  place.IsFixed = eye && target && ReadThree(eye, place.Eye) && ReadThree(target, place.Target);
+  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
   if (place.IsFixed)

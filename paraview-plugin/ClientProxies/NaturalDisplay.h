@@ -29,8 +29,8 @@ namespace littoral
  * there are data, `color` one that a color map shows, `color-map` a preset for it.
  *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water.
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
- * `sprite` [diagonals of the data]; points with `disk-radius` [m] are disks; the array of `fog` [1/m] is a volume, pale
- * and as thick as it must be to be seen, or as thick as it is, of `fog-color`.
+ * `sprite` [diagonals of the data]; points with `disk-radius` [m] are disks; the array of `fog` [1/m] is a volume.
+ *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
  *    that would tear leaves and crowns to shreds.
@@ -38,7 +38,7 @@ namespace littoral
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
  *
- * A second hint with `port` says `ambient`, `sprite` or fog of that output alone.
+ * A second hint with `port` says `ambient` or `sprite` of that output alone.
  *
  * Later changes by the user, and those of a state file, stay.
  */

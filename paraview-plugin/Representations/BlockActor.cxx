@@ -20,6 +20,7 @@
 #endif
 
 #include <algorithm>
+#include <string>
 
 namespace littoral
 {
@@ -144,7 +145,7 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper)
   this->Actor->SetPropertyKeys(like->GetPropertyKeys());
   this->Actor->SetPickable(like->GetPickable());
   this->Actor->SetVisibility(like->GetVisibility());
-  this->TakeTexture(part.Textured);
+  this->TakeTexture(part.Textured, like->GetShaderProperty());
 }
 
 //----------------------------------------------------------------------------
@@ -182,10 +183,10 @@ void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
 }
 
 //----------------------------------------------------------------------------
-void BlockActor::TakeTexture(vtkDataObject* block)
+void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given)
 {
   const bool hasNormals = block && IsPicture(FieldOf(block, NormalsName), FieldOf(block, SizeName), 3);
-  this->SetShading(!block ? Shading::Plain : hasNormals ? Shading::TextureWithNormals : Shading::Texture);
+  this->SetShading(!block ? Shading::Plain : hasNormals ? Shading::TextureWithNormals : Shading::Texture, given);
   this->Actor->SetForceOpaque(block != nullptr);
   this->Actor->SetTexture(block ? this->Colors.Texture.Get() : nullptr);
   if (block)
@@ -201,14 +202,16 @@ void BlockActor::TakeTexture(vtkDataObject* block)
 }
 
 //----------------------------------------------------------------------------
-/// Any change of the replacements builds the shader anew.
-void BlockActor::SetShading(Shading shading)
+/// Any change of the replacements builds the shader anew. Those of the representation come last.
+void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
 {
-  if (this->Shaded == shading)
+  const vtkMTimeType time = given->GetNumberOfShaderReplacements() > 0 ? given->GetShaderMTime() : 0;
+  if (this->Shaded == shading && this->GivenTime == time)
   {
     return;
   }
   this->Shaded = shading;
+  this->GivenTime = time;
   vtkShaderProperty* shader = this->Actor->GetShaderProperty();
   shader->ClearAllFragmentShaderReplacements();
   if (shading != Shading::Plain)
@@ -216,6 +219,16 @@ void BlockActor::SetShading(Shading shading)
     const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
     shader->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true, ColorCode, false);
     shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, normals, false);
+  }
+  for (int k = 0; k < given->GetNumberOfShaderReplacements(); ++k)
+  {
+    std::string name, code;
+    bool isFirst = false, isAll = false;
+    given->GetNthShaderReplacement(k, name, isFirst, code, isAll);
+    if (given->GetNthShaderReplacementTypeAsString(k) == "Fragment")
+    {
+      shader->AddFragmentShaderReplacement(name, isFirst, code, isAll);
+    }
   }
 }
 

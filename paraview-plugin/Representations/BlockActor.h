@@ -14,6 +14,7 @@ class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
 class vtkMapper;
 class vtkProp;
+class vtkShaderProperty;
 class vtkTexture;
 
 namespace littoral
@@ -75,8 +76,8 @@ private:
   };
 
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
-  void TakeTexture(vtkDataObject* block);
-  void SetShading(Shading shading);
+  void TakeTexture(vtkDataObject* block, vtkShaderProperty* given);
+  void SetShading(Shading shading, vtkShaderProperty* given);
   void TakeMean(vtkDataObject* block);
 
   vtkNew<vtkActor> Actor;
@@ -84,6 +85,7 @@ private:
   Picture Colors;
   Picture Normals;
   Shading Shaded = Shading::Plain;
+  vtkMTimeType GivenTime = 0; ///< of the replacements in the shader that a user gave
 };
 
 }
