@@ -128,11 +128,11 @@ void FadeAway(vtkSMProxy* representation, const char* name, double extinction)
     {
       continue;
     }
-    // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment
+    // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture
     std::ostringstream code;
-    code << R"([{"type": "fragment", "original": "//VTK::Light::Impl", "replacement": "//VTK::Light::Impl\n)"
-         << R"(  gl_FragData[0].rgb = mix()" << Middle(mood) << ", gl_FragData[0].rgb, exp(-" << extinction
-         << R"( / gl_FragCoord.w));\n"}])";
+    code << R"([{"type": "fragment", "original": "//VTK::DepthPeeling::Impl", "replacement": ")"
+         << "gl_FragData[0].rgb = mix(" << Middle(mood) << ", gl_FragData[0].rgb, exp(-" << extinction
+         << R"( / gl_FragCoord.w));\n  //VTK::DepthPeeling::Impl"}])";
     vtkSMPropertyHelper(representation, "ShaderReplacements").Set(code.str().c_str());
     vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
   }
