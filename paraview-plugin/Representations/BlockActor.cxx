@@ -135,7 +135,7 @@ bool BlockActor::IsTextured(vtkDataObject* block)
 }
 
 //----------------------------------------------------------------------------
-void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper)
+void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
 {
   this->TakeMapper(part, mapper);
   vtkNew<vtkMatrix4x4> matrix;
@@ -145,7 +145,7 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper)
   this->Actor->SetPropertyKeys(like->GetPropertyKeys());
   this->Actor->SetPickable(like->GetPickable());
   this->Actor->SetVisibility(like->GetVisibility());
-  this->TakeTexture(part.Textured, like->GetShaderProperty());
+  this->TakeTexture(part.Textured, like->GetShaderProperty(), isLit && like->GetProperty()->GetLighting());
 }
 
 //----------------------------------------------------------------------------
@@ -183,10 +183,11 @@ void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
 }
 
 //----------------------------------------------------------------------------
-void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given)
+void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit)
 {
   const bool hasNormals = block && IsPicture(FieldOf(block, NormalsName), FieldOf(block, SizeName), 3);
-  this->SetShading(!block ? Shading::Plain : hasNormals ? Shading::TextureWithNormals : Shading::Texture, given);
+  const Shading textured = !isLit ? Shading::Unlit : hasNormals ? Shading::TextureWithNormals : Shading::Texture;
+  this->SetShading(block ? textured : Shading::Plain, given);
   this->Actor->SetForceOpaque(block != nullptr);
   this->Actor->SetTexture(block ? this->Colors.Texture.Get() : nullptr);
   if (block)
@@ -194,7 +195,7 @@ void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given)
     this->Colors.Show(FieldOf(block, TextureName), FieldOf(block, SizeName));
     this->TakeMean(block);
   }
-  if (hasNormals)
+  if (hasNormals && isLit)
   {
     this->Normals.Show(FieldOf(block, NormalsName), FieldOf(block, SizeName));
     this->Actor->GetProperty()->SetTexture(NormalsUniform, this->Normals.Texture);
@@ -216,8 +217,11 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
   shader->ClearAllFragmentShaderReplacements();
   if (shading != Shading::Plain)
   {
-    const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
     shader->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true, ColorCode, false);
+  }
+  if (shading == Shading::Texture || shading == Shading::TextureWithNormals)
+  {
+    const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
     shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, normals, false);
   }
   for (int k = 0; k < given->GetNumberOfShaderReplacements(); ++k)

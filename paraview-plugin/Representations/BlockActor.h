@@ -48,8 +48,8 @@ public:
   /// Whether a block carries a texture, of as many texels as it says.
   static bool IsTextured(vtkDataObject* block);
 
-  /// Draws blocks as an actor with its mapper would.
-  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper);
+  /// Draws blocks as an actor with its mapper would, in a view with lights or without.
+  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
 
   /// Draws nothing, and keeps nothing.
   void Hide();
@@ -60,6 +60,7 @@ private:
   enum class Shading
   {
     Plain,
+    Unlit, ///< texture without lights, for which VTK makes no normals
     Texture,
     TextureWithNormals
   };
@@ -76,7 +77,7 @@ private:
   };
 
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
-  void TakeTexture(vtkDataObject* block, vtkShaderProperty* given);
+  void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
   void SetShading(Shading shading, vtkShaderProperty* given);
   void TakeMean(vtkDataObject* block);
 

@@ -6,6 +6,8 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVRenderView.h"
 #include "vtkProp.h"
@@ -35,6 +37,22 @@ vtkSmartPointer<vtkDataObject> WithCoordinates(vtkDataObject* block)
     points->SetActiveTCoords("TCoords");
   }
   return copy;
+}
+
+/// Whether a light is on.
+bool IsLit(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+  {
+    if (light->GetSwitch())
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 }
@@ -70,6 +88,7 @@ bool TexturedBlocks::Draw(
   {
     this->AddActor();
   }
+  const bool isLit = this->View && IsLit(this->View->GetRenderer());
   for (std::size_t index = 0; index < this->Actors.size(); ++index)
   {
     if (index >= this->Parts.size())
@@ -82,7 +101,7 @@ bool TexturedBlocks::Draw(
     {
       take(part.Attributes, part.Tree);
     }
-    this->Actors[index]->Draw(part, like, mapper);
+    this->Actors[index]->Draw(part, like, mapper, isLit);
   }
   return this->View && !this->Parts.empty();
 }
