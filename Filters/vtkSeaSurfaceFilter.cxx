@@ -68,8 +68,9 @@ struct Arrays
     }
   }
 
-  /// Colors points from an index on, in waves of a significant height [m], for an eye over the center.
-  void Paint(const littoral::SeaSurfacePoints& points, std::size_t begin, double waveHeight)
+  /// Colors points from an index on, in waves of a significant height [m] with a threshold of foam, for an eye over the
+  /// center.
+  void Paint(const littoral::SeaSurfacePoints& points, std::size_t begin, double waveHeight, double foam)
   {
     for (std::size_t i = 0; i < points.Jacobians.size(); ++i)
     {
@@ -80,7 +81,7 @@ struct Arrays
       where.Normal = { normal[0], normal[1], normal[2] };
       where.Distance = glm::length(toEye);
       where.ToEye = toEye / where.Distance;
-      where.Jacobian = points.Jacobians[i];
+      where.Jacobian = points.Jacobians[i] + (littoral::FoamBegins - foam);
       where.Height = place[2] / waveHeight;
       const littoral::Color color = littoral::SeaColor(where);
       std::copy(color.begin(), color.end(), this->Colors->GetPointer(3 * (begin + i)));
@@ -114,6 +115,7 @@ vtkSeaSurfaceFilter::vtkSeaSurfaceFilter()
   , Sectors(360)
   , Choppiness(1.0)
   , WaterColors(true)
+  , FoamThreshold(littoral::FoamBegins)
   , TimeRange{ 0.0, 60.0 }
 {
 }
@@ -161,6 +163,7 @@ std::string vtkSeaSurfaceFilter::WhyBadProperties(double time) const
   littoral::ParameterCheck check;
   check.Require(littoral::WhyInvalid(this->MakeParameters()));
   check.Range("Choppiness", this->Choppiness, 0.0, 1.0);
+  check.Range("FoamThreshold", this->FoamThreshold, 0.0, 1.0);
   check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
   check.Finite("the requested time", time, "s");
   return check.Reason();
@@ -204,7 +207,7 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
     arrays.Take(points, begin, center);
     if (this->WaterColors)
     {
-      arrays.Paint(points, begin, waveHeight);
+      arrays.Paint(points, begin, waveHeight, this->FoamThreshold);
     }
   });
   vtkNew<vtkPoints> points;
@@ -229,5 +232,6 @@ void vtkSeaSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sectors: " << this->Sectors << "\n";
   os << indent << "Choppiness: " << this->Choppiness << "\n";
   os << indent << "WaterColors: " << (this->WaterColors ? "on" : "off") << "\n";
+  os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";
   os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";
 }

@@ -82,12 +82,21 @@ public:
   ///@{
   /**
    * Addition of the point array `RGB`, the color of the water by day as seen from 9 m above Center: blue in troughs and
-   * green in crests, with the sky that it reflects by Fresnel's equations, white where Jacobian is small, and pale
-   * towards the horizon; default on.
+   * green in crests, with the sky that it reflects by Fresnel's equations, white where Jacobian is below FoamThreshold,
+   * and pale towards the horizon; default on.
    */
   vtkSetMacro(WaterColors, bool);
   vtkGetMacro(WaterColors, bool);
   vtkBooleanMacro(WaterColors, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Jacobian below which water has foam, 0 to 1; default 0.42. Waves that are left out would fold the surface more: the
+   * coarser the surface, the higher the threshold for as much foam. Used with WaterColors.
+   */
+  vtkSetMacro(FoamThreshold, double);
+  vtkGetMacro(FoamThreshold, double);
   ///@}
 
   ///@{
@@ -113,6 +122,7 @@ protected:
   int Sectors;
   double Choppiness;
   bool WaterColors;
+  double FoamThreshold;
   double TimeRange[2];
 
 private:

@@ -17,8 +17,7 @@ constexpr Vector3 Foam{ 238.0, 243.0, 245.0 };
 constexpr Vector3 Horizon{ 174.0, 203.0, 236.0 };
 constexpr Vector3 Zenith{ 84.0, 134.0, 196.0 };
 
-constexpr double FoamBegins = 0.42; ///< Jacobian
-constexpr double FoamIsWhite = 0.1;
+constexpr double FoamIsWhite = 0.1;    ///< Jacobian
 constexpr double SightLength = 1800.0; ///< of light in haze, 1/extinction [m]
 
 /// From 0 at low to 1 at high, without kinks.

@@ -19,6 +19,9 @@ struct SeaPlace
   double Height = 0.0;             ///< over the mean level [significant wave heights]
 };
 
+/// Foam begins where the Jacobian is below [1].
+constexpr double FoamBegins = 0.42;
+
 /// The share of light that water reflects, at an angle of incidence of this cosine: Schlick's approximation of
 /// Fresnel's equations, 0.02 + 0.98 (1 - cos)^5.
 double WaterReflectance(double cosine);

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes: each entry is created, shows a picture, plays where it should, and comes back from a state file; what is
-inside can be changed."""
+inside can be changed. Underwater fades into its background; the sea has foam."""
 import os
 import tempfile
 
@@ -9,6 +9,7 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 SIZE = (300, 200)
 
@@ -97,7 +98,58 @@ def check(name, outputs, last_time):
     simple.ResetSession()
 
 
+def depths(view):
+    """The depth of each pixel in the view [m], from the z-buffer."""
+    capture = vtkWindowToImageFilter()
+    capture.SetInput(view.GetRenderWindow())
+    capture.SetInputBufferTypeToZBuffer()
+    capture.ShouldRerenderOff()
+    capture.Update()
+    image = capture.GetOutput()
+    width, height, _ = image.GetDimensions()
+    z = 2.0 * vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width).astype(float) - 1.0
+    near, far = view.GetActiveCamera().GetClippingRange()
+    return 2.0 * near * far / (far + near - z * (far - near))
+
+
+def check_murk(port, extinction):
+    """An output of Underwater fades into the background by exp(-k d), d from the z-buffer."""
+    view = empty_view()
+    scene = simple.Underwater()
+    display = simple.Show(simple.OutputPort(scene, port), view)
+    simple.ResetCamera(view)
+    murky = picture(view)
+    display.UseShaderReplacements = 0
+    clear = picture(view)
+    depth = depths(view)
+    background = 255.0 * np.array(view.Background)
+    expected = background + (clear - background) * np.exp(-extinction * depth)[..., None]
+    # Edges are mixtures of what is near and far.
+    steps = np.max([np.abs(depth - np.roll(depth, step, axis)) for step in (-1, 1) for axis in (0, 1)], axis=0)
+    shown = (depth < 0.9 * depth.max()) & (steps < 0.05 * depth)
+    shown[[0, -1], :] = shown[:, [0, -1]] = False
+    error = np.abs(expected - murky).max(axis=2)[shown]
+    assert shown.mean() > 0.005 and difference(murky, clear) > 0.01, f"Underwater: output {port} does not fade"
+    print(f"Underwater: output {port} fades with an error of {np.quantile(error, 0.9):.1f} in {shown.mean():.1%}")
+    assert np.quantile(error, 0.9) < 3.0, f"Underwater: output {port} fades with an error"
+    simple.ResetSession()
+
+
+def check_foam():
+    """There is some foam on the sea, but not much."""
+    view = empty_view()
+    simple.Show(simple.Sea(), view)
+    simple.ResetCamera(view)
+    white = (picture(view)[: SIZE[1] // 2].min(axis=2) > 200.0).mean()  # the lower half; rows from below
+    assert 0.001 < white < 0.1, f"Sea: foam on {white:.2%}"
+    simple.ResetSession()
+
+
 check("Forest", ["Trees", "Ground"], 1.0)
 check("SwayingForest", ["Trees", "Ground"], 59.9)
+check("Sea", ["Surface"], 60.0)
 check("Underwater", ["Kelp", "Bed", "Particles", "Surface"], 60.0)
 check("TwinOfAPlace", ["Ground"], 1.0)
+check_murk(0, 0.085)
+check_murk(1, 0.085)
+check_foam()

@@ -62,6 +62,14 @@ normals = vtk_to_numpy(out.GetPointData().GetNormals())
 assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5) and out.GetPointData().GetArray("Jacobian")
 colors = vtk_to_numpy(out.GetPointData().GetArray("RGB")).astype(float)
 assert colors[reach > 1900.0].mean(axis=0).sum() > 1.3 * colors[reach < 30.0].mean(axis=0).sum(), "no haze far away"
+# Foam is where the Jacobian is below the threshold, white from 0.32 below it on, and nothing else changes.
+assert surface.GetFoamThreshold() == 0.42
+jacobian = vtk_to_numpy(out.GetPointData().GetArray("Jacobian")).copy()
+surface.SetFoamThreshold(0.95)
+surface.UpdateTimeStep(4.5)
+foamy = vtk_to_numpy(surface.GetOutput().GetPointData().GetArray("RGB")).astype(float)
+assert (jacobian < 0.9).sum() > 20 and np.all(foamy[jacobian > 0.951] == colors[jacobian > 0.951])
+assert np.all(foamy[jacobian < 0.9].sum(axis=1) > colors[jacobian < 0.9].sum(axis=1))
 surface.WaterColorsOff()
 surface.UpdateTimeStep(4.5)
 assert surface.GetOutput().GetPointData().GetArray("RGB") is None

@@ -11,6 +11,8 @@
 #include "vtkSmartPointer.h"
 
 #include <cstring>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace littoral
@@ -33,6 +35,7 @@ constexpr Mood Moods[] = {
   { "land", { 0.90, 0.93, 0.94 }, { 0.33, 0.55, 0.81 }, { -0.85, -0.35, 0.55 }, { 1.0, 0.95, 0.84 }, 0.85, 0.45 },
   { "sea", { 1.00, 1.00, 0.99 }, { 0.45, 0.65, 0.88 }, { -0.35, 0.80, 0.42 }, { 1.0, 0.95, 0.85 }, 0.80, 0.45 },
   { "water", { 0.01, 0.10, 0.16 }, { 0.13, 0.46, 0.55 }, { -0.35, -0.45, 0.85 }, { 0.95, 1.0, 0.95 }, 0.80, 0.50 },
+  { "murk", { 0.09, 0.38, 0.44 }, { 0.09, 0.38, 0.44 }, { -0.35, -0.45, 0.85 }, { 0.95, 1.0, 0.95 }, 0.90, 0.60 },
   { "paper", { 1.0, 1.0, 1.0 }, { 1.0, 1.0, 1.0 }, { 0.0, 0.0, 1.0 }, { 1.0, 1.0, 1.0 }, 0.0, 0.75 },
 };
 
@@ -42,6 +45,18 @@ constexpr const char* Choices[] = { "UseColorPaletteForBackground", "BackgroundC
 
 /// Marks a view that was lit once.
 constexpr const char* Mark = "Littoral.Daylight";
+
+/// The color halfway up a background, as a vector of the shading language.
+std::string Middle(const Mood& mood)
+{
+  std::ostringstream text;
+  text << "vec3(";
+  for (int i = 0; i < 3; ++i)
+  {
+    text << (i > 0 ? ", " : "") << 0.5 * (mood.Bottom[i] + mood.Top[i]);
+  }
+  return text.str() + ")";
+}
 
 bool IsAsByDefault(vtkSMProxy* view)
 {
@@ -115,6 +130,25 @@ void LightView(vtkSMProxy* view, const char* name)
       AddSun(view, mood);
     }
     view->UpdateVTKObjects();
+  }
+}
+
+//----------------------------------------------------------------------------
+void FadeAway(vtkSMProxy* representation, const char* name, double extinction)
+{
+  for (const Mood& mood : Moods)
+  {
+    if (std::strcmp(mood.Name, name) != 0 || !representation->GetProperty("ShaderReplacements"))
+    {
+      continue;
+    }
+    // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture
+    std::ostringstream code;
+    code << R"([{"type": "fragment", "original": "//VTK::DepthPeeling::Impl", "replacement": ")"
+         << "gl_FragData[0].rgb = mix(" << Middle(mood) << ", gl_FragData[0].rgb, exp(-" << extinction
+         << R"( / gl_FragCoord.w));\n  //VTK::DepthPeeling::Impl"}])";
+    vtkSMPropertyHelper(representation, "ShaderReplacements").Set(code.str().c_str());
+    vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
   }
 }
 

@@ -22,8 +22,6 @@ namespace littoral
 namespace
 {
 
-/// Radius of the largest particle in a view of all of the data, at least [diagonals].
-constexpr double SmallestSprite = 0.006;
 /// Optical depth along the diagonal of fog that is densest everywhere, at least.
 constexpr double ThinnestFog = 100.0;
 constexpr double Glitter = 0.5;
@@ -125,9 +123,9 @@ bool AreParticles(vtkPVDataInformation* data)
 }
 
 //----------------------------------------------------------------------------
-void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data)
+void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest)
 {
-  const double factor = std::max(1.0, SmallestSprite * DiagonalOf(data) / LargestOf(data, "Radius"));
+  const double factor = std::max(1.0, smallest * DiagonalOf(data) / LargestOf(data, "Radius"));
   vtkSMPropertyHelper(representation, "Representation").Set("Point Gaussian");
   vtkSMPropertyHelper(representation, "ShaderPreset").Set("Sphere");
   vtkSMPropertyHelper(representation, "GaussianRadius").Set(factor);

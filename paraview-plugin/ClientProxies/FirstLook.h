@@ -25,10 +25,13 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
 /// Shows the legend of a representation, in a dark color that can be read in front of a pale sky.
 void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view);
 
-/// Particles, points with the arrays ParticleId and Radius, as lit spheres. Radii are enlarged where they would be too
-/// small to be seen in a view of all of the data.
+/// Radius of the largest particle in a view of all of the data, at least [diagonals].
+constexpr double SmallestSprite = 0.006;
+
+/// Particles, points with the arrays ParticleId and Radius, as lit spheres. Radii are enlarged where the largest would
+/// be below `smallest` [diagonals of the data].
 bool AreParticles(vtkPVDataInformation* data);
-void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data);
+void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest);
 
 /// Points as disks of a radius [m].
 void ShowAsDisks(vtkSMProxy* representation, double radius);

@@ -141,6 +141,23 @@ const char* NaturalDisplay::Hint(const char* name)
 }
 
 //----------------------------------------------------------------------------
+const char* NaturalDisplay::HintFor(int port, const char* name)
+{
+  vtkPVXMLElement* hints = this->Owner->GetHints();
+  for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(k);
+    int ofPort = -1;
+    if (std::strcmp(hint->GetName(), "NaturalDisplay") == 0 && hint->GetScalarAttribute("port", &ofPort) &&
+      ofPort == port && hint->GetAttribute(name))
+    {
+      return hint->GetAttribute(name);
+    }
+  }
+  return this->Hint(name);
+}
+
+//----------------------------------------------------------------------------
 void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
@@ -216,7 +233,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
     {
       this->ShowBlocks(representation, data->GetArrayInformation("SiteId", vtkDataObject::FIELD) != nullptr);
     }
-    this->TakeColors(representation, data);
+    this->TakeColors(representation, data, port);
   }
   representation->UpdateVTKObjects();
 }
@@ -240,7 +257,7 @@ void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data)
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port)
 {
   if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
   {
@@ -255,13 +272,14 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
   }
-  if (const char* ambient = this->Hint("ambient"))
+  if (const char* ambient = this->HintFor(port, "ambient"))
   {
     ShadeAsWater(representation, std::atof(ambient));
   }
   if (AreParticles(data))
   {
-    ShowAsSprites(representation, data);
+    const char* smallest = this->HintFor(port, "sprite");
+    ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
   }
   if (const char* radius = this->Hint("disk-radius"))
   {
@@ -272,6 +290,12 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     ShowAsFog(representation, data, fog);
     this->WaitForLegend(representation);
+  }
+  const char* extinction = this->Hint("murk");
+  const char* mood = this->Hint("light");
+  if (extinction && mood)
+  {
+    FadeAway(representation, mood, std::atof(extinction));
   }
   const char* array = this->Hint("color");
   if (array && data->GetArrayInformation(array, vtkDataObject::POINT))

@@ -28,14 +28,17 @@ namespace littoral
  *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
  * there are data, `color` one that a color map shows, `color-map` a preset for it.
  *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water.
- *  - Particles are lit spheres with their radii, whatever the source; points with `disk-radius` [m] are disks; the
- * array of `fog` [1/m] is a volume.
+ *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
+ * `sprite` [diagonals of the data]; points with `disk-radius` [m] are disks; the array of `fog` [1/m] is a volume.
+ *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
  *    that would tear leaves and crowns to shreds.
  *  - Where the source is the first thing in its view, the camera looks from `elevation` [degrees] above the horizon, z
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
+ *
+ * A second hint with `port` says `ambient` or `sprite` of that output alone.
  *
  * Later changes by the user, and those of a state file, stay.
  */
@@ -55,11 +58,12 @@ public:
 
 private:
   const char* Hint(const char* name);
+  const char* HintFor(int port, const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
   void LookAtInput();
   void Show(vtkSMProxy* representation, int port);
   void ShowBlocks(vtkSMProxy* representation, bool isForest);
-  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data);
+  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();

@@ -20,6 +20,7 @@
 #endif
 
 #include <algorithm>
+#include <string>
 
 namespace littoral
 {
@@ -134,7 +135,7 @@ bool BlockActor::IsTextured(vtkDataObject* block)
 }
 
 //----------------------------------------------------------------------------
-void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool hasLights)
+void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
 {
   this->TakeMapper(part, mapper);
   vtkNew<vtkMatrix4x4> matrix;
@@ -144,9 +145,9 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper,
   this->Actor->SetPropertyKeys(like->GetPropertyKeys());
   this->Actor->SetPickable(like->GetPickable());
   this->Actor->SetVisibility(like->GetVisibility());
-  vtkProperty* property = this->Actor->GetProperty();
-  this->TakeTexture(
-    part.Textured, hasLights && property->GetLighting() && property->GetRepresentation() == VTK_SURFACE);
+  vtkProperty* property = like->GetProperty();
+  const bool hasNormals = isLit && property->GetLighting() && property->GetRepresentation() == VTK_SURFACE;
+  this->TakeTexture(part.Textured, like->GetShaderProperty(), hasNormals);
 }
 
 //----------------------------------------------------------------------------
@@ -184,13 +185,11 @@ void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
 }
 
 //----------------------------------------------------------------------------
-void BlockActor::TakeTexture(vtkDataObject* block, bool isLit)
+void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit)
 {
-  const bool hasNormals = block && isLit && IsPicture(FieldOf(block, NormalsName), FieldOf(block, SizeName), 3);
-  this->SetShading(!block ? Shading::Plain
-      : hasNormals        ? Shading::TextureWithNormals
-      : isLit             ? Shading::LitTexture
-                          : Shading::Texture);
+  const bool hasNormals = block && IsPicture(FieldOf(block, NormalsName), FieldOf(block, SizeName), 3);
+  const Shading textured = !isLit ? Shading::Unlit : hasNormals ? Shading::TextureWithNormals : Shading::Texture;
+  this->SetShading(block ? textured : Shading::Plain, given);
   this->Actor->SetForceOpaque(block != nullptr);
   this->Actor->SetTexture(block ? this->Colors.Texture.Get() : nullptr);
   if (block)
@@ -198,7 +197,7 @@ void BlockActor::TakeTexture(vtkDataObject* block, bool isLit)
     this->Colors.Show(FieldOf(block, TextureName), FieldOf(block, SizeName));
     this->TakeMean(block);
   }
-  if (hasNormals)
+  if (hasNormals && isLit)
   {
     this->Normals.Show(FieldOf(block, NormalsName), FieldOf(block, SizeName));
     this->Actor->GetProperty()->SetTexture(NormalsUniform, this->Normals.Texture);
@@ -206,24 +205,36 @@ void BlockActor::TakeTexture(vtkDataObject* block, bool isLit)
 }
 
 //----------------------------------------------------------------------------
-/// Any change of the replacements builds the shader anew.
-void BlockActor::SetShading(Shading shading)
+/// Any change of the replacements builds the shader anew. Those of the representation come last.
+void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
 {
-  if (this->Shaded == shading)
+  const vtkMTimeType time = given->GetNumberOfShaderReplacements() > 0 ? given->GetShaderMTime() : 0;
+  if (this->Shaded == shading && this->GivenTime == time)
   {
     return;
   }
   this->Shaded = shading;
+  this->GivenTime = time;
   vtkShaderProperty* shader = this->Actor->GetShaderProperty();
   shader->ClearAllFragmentShaderReplacements();
   if (shading != Shading::Plain)
   {
     shader->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true, ColorCode, false);
   }
-  if (shading == Shading::LitTexture || shading == Shading::TextureWithNormals)
+  if (shading == Shading::Texture || shading == Shading::TextureWithNormals)
   {
     const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
     shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, normals, false);
+  }
+  for (int k = 0; k < given->GetNumberOfShaderReplacements(); ++k)
+  {
+    std::string name, code;
+    bool isFirst = false, isAll = false;
+    given->GetNthShaderReplacement(k, name, isFirst, code, isAll);
+    if (given->GetNthShaderReplacementTypeAsString(k) == "Fragment")
+    {
+      shader->AddFragmentShaderReplacement(name, isFirst, code, isAll);
+    }
   }
 }
 

@@ -14,6 +14,7 @@ class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
 class vtkMapper;
 class vtkProp;
+class vtkShaderProperty;
 class vtkTexture;
 
 namespace littoral
@@ -47,8 +48,8 @@ public:
   /// Whether a block carries a texture, of as many texels as it says.
   static bool IsTextured(vtkDataObject* block);
 
-  /// Draws blocks as an actor with its mapper would. Without lights a shader has no normals.
-  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool hasLights);
+  /// Draws blocks as an actor with its mapper would, in a view with lights or without.
+  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
 
   /// Draws nothing, and keeps nothing.
   void Hide();
@@ -59,8 +60,8 @@ private:
   enum class Shading
   {
     Plain,
+    Unlit, ///< texture without lights, for which VTK makes no normals
     Texture,
-    LitTexture,
     TextureWithNormals
   };
 
@@ -76,8 +77,8 @@ private:
   };
 
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
-  void TakeTexture(vtkDataObject* block, bool isLit);
-  void SetShading(Shading shading);
+  void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
+  void SetShading(Shading shading, vtkShaderProperty* given);
   void TakeMean(vtkDataObject* block);
 
   vtkNew<vtkActor> Actor;
@@ -85,6 +86,7 @@ private:
   Picture Colors;
   Picture Normals;
   Shading Shaded = Shading::Plain;
+  vtkMTimeType GivenTime = 0; ///< of the replacements in the shader that a user gave
 };
 
 }
