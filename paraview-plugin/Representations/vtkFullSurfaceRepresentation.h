@@ -37,6 +37,9 @@ public:
   /// Ignored: the level of detail is the surface.
   void SetSuppressLOD(bool) override {}
 
+  /// Hides textured blocks at once: what is not visible gets no request to render.
+  void SetVisibility(bool visible) override;
+
 protected:
   vtkFullSurfaceRepresentation();
   ~vtkFullSurfaceRepresentation() override;
