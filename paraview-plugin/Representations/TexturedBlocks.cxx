@@ -88,6 +88,16 @@ bool TexturedBlocks::Draw(
 }
 
 //----------------------------------------------------------------------------
+void TexturedBlocks::Hide()
+{
+  for (const auto& actor : this->Actors)
+  {
+    actor->Hide();
+  }
+  this->Data = nullptr;
+}
+
+//----------------------------------------------------------------------------
 /// Each textured block becomes a part of its own, the others are the first; without textures there are no parts.
 void TexturedBlocks::Split(vtkDataObject* data)
 {

@@ -30,6 +30,9 @@ public:
   /// Draws data of which a block is textured, as an actor with its mapper would. False if there is no such block.
   bool Draw(vtkDataObject* data, vtkActor* like, vtkMapper* mapper, bool attributesChanged, const TakeAttributes& take);
 
+  /// Hides all textured blocks until they are drawn again.
+  void Hide();
+
 private:
   void Split(vtkDataObject* data);
   void AddActor();

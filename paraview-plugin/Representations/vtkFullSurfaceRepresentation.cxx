@@ -60,6 +60,16 @@ void vtkFullSurfaceRepresentation::DrawTextures(bool isVisible, bool attributesC
 }
 
 //----------------------------------------------------------------------------
+void vtkFullSurfaceRepresentation::SetVisibility(bool isVisible)
+{
+  this->Superclass::SetVisibility(isVisible);
+  if (!isVisible)
+  {
+    this->Textured->Hide();
+  }
+}
+
+//----------------------------------------------------------------------------
 bool vtkFullSurfaceRepresentation::AddToView(vtkView* view)
 {
   this->Textured->SetView(vtkPVRenderView::SafeDownCast(view), this);

@@ -32,6 +32,9 @@ public:
   vtkTypeMacro(vtkFullSurfaceRepresentation, vtkGeometryRepresentationWithFaces);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Hides the blocks with textures, too: a hidden representation is not asked to render.
+  void SetVisibility(bool isVisible) override;
+
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* in, vtkInformation* out) override;
 
   /// Ignored: the level of detail is the surface.
