@@ -110,18 +110,7 @@ def scene(ambient, sun=(1.0, 0.0, 0.0)):
 
 
 def check_colors(where):
-<<<<<<< HEAD
     view, squares, shown = scene(1.0)
-=======
-    view, _, shown = scene(1.0)
-    shown.Visibility = 0
-    near(at(picture(view), 3.3), (0, 0, 255), f"{where}: all is hidden before its first picture")
-    shown.Visibility = 1
-    picture(view)
-    shown.Visibility = 0
-    near(at(picture(view), 3.3), (0, 0, 255), f"{where}: all is hidden")
-    shown.Visibility = 1
->>>>>>> panels
     seen = picture(view)
     near(at(seen, 1.0), (200, 100, 50), f"{where}: no texture")
     near(at(seen, 3.3), (200, 50, 0), f"{where}: points times texel over mean")
