@@ -26,8 +26,8 @@
  * `Leaves`, `Crown` and `Low` carry the textures of all species, one above the other, as field data like those of the
  * prototypes (see vtkPlantSource), and texture coordinates refer to them; a species without a texture has a white area.
  * Where the prototypes have another TextureMean each, texels are scaled to the smallest. Low is one rectangle a plant
- * that faces the camera, with the picture of the prototype from the nearest direction, see FaceCamera; other prototypes'
- * Low, as that of seaweed, is copied.
+ * that faces the camera, with the picture of the prototype from the nearest direction, see FaceCamera; other
+ * prototypes' Low, as that of seaweed, is copied.
  *
  * Outputs 1 and 2: vtkImageData, the textures of Crown and Leaves.
  *

@@ -64,8 +64,9 @@ void ColorDirectly(vtkSMProxy* representation, const char* array, bool isKnown)
   {
     ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
   }
-  vtkSMPropertyHelper(representation, "ColorArrayName").SetInputArrayToProcess(vtkDataObject::POINT, array);
+  // First this: the window's color map editor then asks for the range of the array that is shown.
   vtkSMPropertyHelper(representation, "MapScalars").Set(0);
+  vtkSMPropertyHelper(representation, "ColorArrayName").SetInputArrayToProcess(vtkDataObject::POINT, array);
   representation->UpdateVTKObjects();
 }
 
