@@ -6,6 +6,7 @@
 #include "Data/SwayBlocks.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -86,9 +87,12 @@ int vtkBeamTreeDeformationFilter::FillInputPortInformation(int port, vtkInformat
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
   }
+  if (port != PlantsPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // no wind: our own message, once
+  }
   if (port == PrototypesPort)
   {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   }
   return 1;
@@ -112,12 +116,15 @@ int vtkBeamTreeDeformationFilter::RequestInformation(
   // Times are those of the wind; of a wind that does not tell them, all.
   vtkInformation* wind = inputVector[WindPort]->GetInformationObject(0);
   vtkInformation* output = outputVector->GetInformationObject(0);
-  output->CopyEntry(wind, vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-  output->CopyEntry(wind, vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  if (wind)
+  {
+    output->CopyEntry(wind, vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    output->CopyEntry(wind, vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  }
   if (!output->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()))
   {
     double range[2] = { 0.0, 600.0 };
-    auto* image = vtkImageData::SafeDownCast(wind->Get(vtkDataObject::DATA_OBJECT()));
+    auto* image = vtkImageData::GetData(wind);
     vtkDataArray* period = image ? image->GetFieldData()->GetArray("Period") : nullptr;
     if (period && period->GetNumberOfTuples() > 0 && period->GetTuple1(0) > 0.0)
     {
@@ -138,9 +145,11 @@ int vtkBeamTreeDeformationFilter::RequestInformation(
 int vtkBeamTreeDeformationFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* wind = inputVector[WindPort]->GetInformationObject(0);
-  littoral::RequestAll(wind);
-  wind->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.0);
+  if (vtkInformation* wind = inputVector[WindPort]->GetInformationObject(0))
+  {
+    littoral::RequestAll(wind);
+    wind->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.0);
+  }
   for (int index = 0; index < inputVector[PrototypesPort]->GetNumberOfInformationObjects(); ++index)
   {
     littoral::RequestAll(inputVector[PrototypesPort]->GetInformationObject(index));
@@ -229,12 +238,18 @@ int vtkBeamTreeDeformationFilter::RequestData(
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   std::string reason = this->WhyInvalid(time);
   const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
+  if (reason.empty() && inputVector[WindPort]->GetNumberOfInformationObjects() == 0)
+  {
+    littoralErrorMacro("There is no wind: connect a wind field to Wind. The plants stay as they are.");
+    vtkMultiBlockDataSet::GetData(outputVector, 0)->ShallowCopy(plants);
+    return littoral::FailedRequest(this);
+  }
   reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
   if (!reason.empty())
   {
     this->Internals.reset();
-    vtkErrorMacro(<< reason);
-    return 0;
+    littoralErrorMacro(<< reason);
+    return littoral::FailedRequest(this);
   }
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);

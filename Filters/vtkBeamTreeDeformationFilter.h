@@ -15,16 +15,17 @@
  * Output 0: the plants at the requested time (Setas et al., section 3.2): branches are cantilever beams clamped in
  * their parents, with modal vibrations, a periodic steady state and segments of constant length; skins follow the
  * joints, and leaves align with the wind and flutter (eq. 26). Any time can be requested; without wind all points keep
- * their positions, to the bit. In the level Medium, the crowns follow the motion of the trunk at full detail and show
- * textures of the moving crown in turn (section 4.2), in a scattered forest only if its prototypes are connected. Low
- * does not move. Times are those of the wind.
+ * their positions, to the bit. In the level Medium, the crowns follow the motion of the trunk at full detail, in a
+ * scattered forest only if its prototypes are connected; envelopes (vtkPlantSource::SetMediumCrown()) show textures of
+ * the moving crown in turn (section 4.2). Low does not move. Times are those of the wind.
  *
  * Field data `Frequency` [Hz] of output 0: the natural frequency of the first mode of each trunk with all that it
  * carries, by the row of the plant in the field data of a scattered forest, one number for a single plant; 0 for plants
  * that do not move.
  *
  * Output 1: the textures (RGBA), one above the other, those of the first species first; texture coordinates of
- * Medium/Crown refer to the current one. They are also field data `Texture` and `TextureSize` of the crowns.
+ * Medium/Crown refer to the current one. They are also field data `Texture`, `TextureSize` and `TextureMean` of the
+ * crowns.
  *
  * Between its points the wind is interpolated without loss of variance: along x as the sum of its Fourier components,
  * across and up with the power of each component at the surrounding points.

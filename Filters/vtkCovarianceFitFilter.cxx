@@ -4,6 +4,7 @@
 
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Terrain/DetrendedWindow.h"
 #include "Terrain/FractalDimension.h"
@@ -227,7 +228,7 @@ bool vtkCovarianceFitFilter::CheckProperties()
   check.Count("NumberOfDirections", this->NumberOfDirections, 4, 90);
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
   }
   return check.IsGood();
 }
@@ -239,21 +240,29 @@ vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformat
   image->GetDimensions(dimensions);
   if (dimensions[2] != 1 || dimensions[0] < SmallestSide || dimensions[1] < SmallestSide)
   {
-    vtkErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-                                   << " points; a fit needs one layer in z of at least " << SmallestSide << " x "
-                                   << SmallestSide << ".");
+    littoralErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+                                        << " points; a fit needs one layer in z of at least " << SmallestSide << " x "
+                                        << SmallestSide << ".");
     return nullptr;
   }
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
-  if (!array && littoral::NamesNoArray(this->GetInputArrayInformation(0)))
+  vtkInformation* choice = this->GetInputArrayInformation(0);
+  if (!array && littoral::NamesDefaultElevation(choice))
   {
     array = image->GetPointData()->GetScalars();
   }
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  if (!array && name && !littoral::NamesNoArray(choice))
+  {
+    littoralErrorMacro("The image has no array '" << name << "' to fit.");
+    return nullptr;
+  }
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() || array->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("The image has no scalar point array to fit" << (array ? ": the chosen one is a vector or lies on "
-                                                                           "cells."
-                                                                         : "."));
+    littoralErrorMacro(
+      "The image has no scalar point array to fit" << (array ? ": the chosen one is a vector or lies on "
+                                                               "cells."
+                                                             : "."));
     return nullptr;
   }
   return array;
@@ -268,9 +277,9 @@ bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, D
   const littoral::SampleMoments& moments = field.Moments;
   if (moments.Count < static_cast<std::size_t>(SmallestSide * SmallestSide))
   {
-    vtkErrorMacro("Only " << moments.Count << " of " << samples.Values.size()
-                          << " values are there, the others are NaN or no-data; a fit needs at least "
-                          << SmallestSide * SmallestSide << ".");
+    littoralErrorMacro("Only " << moments.Count << " of " << samples.Values.size()
+                               << " values are there, the others are NaN or no-data; a fit needs at least "
+                               << SmallestSide * SmallestSide << ".");
     return false;
   }
   if (this->RemoveTrend)
@@ -285,7 +294,7 @@ bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, D
   field.Variance = littoral::Moments(samples).Variance;
   if (field.Variance <= 1e-20 * (moments.Variance + moments.Mean * moments.Mean))
   {
-    vtkErrorMacro(
+    littoralErrorMacro(
       "The image is " << (moments.Variance > 0.0 ? "a plane" : "constant") << ": there is no variation to fit.");
     return false;
   }
@@ -310,9 +319,9 @@ littoral::VariogramFitOptions vtkCovarianceFitFilter::MakeOptions(
 
 //----------------------------------------------------------------------------
 int vtkCovarianceFitFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (littoral::AsksForLaterPieces(outputVector))
+  if (littoral::AsksForLaterPiece(request, outputVector))
   {
     return 1;
   }
@@ -320,13 +329,13 @@ int vtkCovarianceFitFilter::RequestData(
   vtkDataArray* array = this->CheckProperties() ? this->FindArray(image, inputVector) : nullptr;
   if (!array)
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   this->SetProgressText("Fitting covariance models");
   Detrended field;
   if (!this->Detrend(image, array, field))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   const double maximumLag = this->MaximumLag > 0.0 ? this->MaximumLag : 0.5 * std::min(field.Side(0), field.Side(1));
   const littoral::VariogramMap map = littoral::ComputeVariogramMap(field.Samples, maximumLag, littoral::SmpFor);
@@ -352,9 +361,9 @@ int vtkCovarianceFitFilter::RequestData(
   }
   if (!std::isfinite(fits.front().AICc))
   {
-    vtkErrorMacro("No model could be fitted: only " << variogram.Rings.size() << " lags up to " << maximumLag
-                                                    << " have pairs. Take a longer MaximumLag.");
-    return 0;
+    littoralErrorMacro("No model could be fitted: only " << variogram.Rings.size() << " lags up to " << maximumLag
+                                                         << " have pairs. Take a longer MaximumLag.");
+    return littoral::FailedRequest(this);
   }
   vtkTable* table = vtkTable::GetData(outputVector, 0);
   WriteFits(fits, field.Trend, window, table);

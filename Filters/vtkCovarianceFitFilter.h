@@ -4,8 +4,9 @@
  * @class   vtkCovarianceFitFilter
  * @brief   compute the variogram of an image and fit seven covariance models to it
  *
- * Input: a vtkImageData of one layer with a scalar point array (SetInputArrayToProcess; default the active scalars),
- * typically the elevation [m] of a real terrain. NaN and, on request, a no-data value are left out.
+ * Input: a vtkImageData of one layer with a scalar point array, typically the elevation [m] of a real terrain
+ * (SetInputArrayToProcess; default the active scalars, which also stand in for an absent `Elevation`). NaN and, on
+ * request, a no-data value are left out.
  *
  * Output 0: a vtkTable with a row per model, the best first and those at a bound last, as vtkTurningBandsTerrainSource
  * reads it. Columns: `Model` (name), `ModelId`, `Variance` [m^2], `Range` [m], `SecondRange` [m], `FractalDimension`

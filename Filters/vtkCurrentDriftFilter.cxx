@@ -9,6 +9,7 @@
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 
@@ -301,8 +302,9 @@ int vtkCurrentDriftFilter::RequestData(
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot carry points: " << reason);
-    return this->Internals->Fail(request, output);
+    littoralErrorMacro("Cannot carry points: " << reason);
+    this->Internals->Fail(request, output);
+    return littoral::FailedRequest(this);
   }
   this->SetProgressText("Drifting");
   const bool isDone = this->Advance();

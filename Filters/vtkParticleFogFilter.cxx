@@ -8,6 +8,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Particles/ParticleFog.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -254,8 +255,8 @@ int vtkParticleFogFilter::RequestInformation(
   const std::string reason = this->WhyBadProperties();
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make fog: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make fog: " << reason);
+    return littoral::FailedInformation(this, outputVector);
   }
   const littoral::FogGrid grid = this->MakeGrid(this->Bounds);
   const int whole[6] = { 0, grid.Count[0] - 1, 0, grid.Count[1] - 1, 0, grid.Count[2] - 1 };
@@ -289,6 +290,10 @@ int vtkParticleFogFilter::RequestUpdateExtent(
 int vtkParticleFogFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (littoral::IsAnnouncedEmpty(outputVector->GetInformationObject(0)))
+  {
+    return littoral::FailedRequest(this);
+  }
   const std::vector<vtkPointSet*> sets = PointSetsOf(vtkDataObject::GetData(inputVector[0]));
   double count = 0.0;
   for (vtkPointSet* set : sets)
@@ -308,8 +313,8 @@ int vtkParticleFogFilter::RequestData(
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make fog: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make fog: " << reason);
+    return littoral::FailedRequest(this);
   }
   this->UpdateProgress(0.3);
   double box[6];

@@ -10,6 +10,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Sea/TrainSelection.h"
@@ -417,23 +418,27 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   littoral::SeaState state;
   std::string reason = littoral::WhyInvalid(options);
   reason = reason.empty() ? this->WhyBadProperties() : reason;
+  if (reason.empty() && inputVector[1]->GetNumberOfInformationObjects() == 0)
+  {
+    reason = "there is no sea state; connect one to Sea State.";
+  }
   reason = reason.empty() ? littoral::ReadSeaState(vtkTable::GetData(inputVector[1]), state) : reason;
   reason = reason.empty() ? this->RememberGroups(input) : reason;
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot choose levels of detail: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot choose levels of detail: " << reason);
+    return littoral::FailedRequest(this);
   }
   littoral::View view;
   if (!this->GetView(view))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   this->SetProgressText("Choosing levels of detail");
   const vtkInternals& internals = *this->Internals;
   const std::vector<int> order = littoral::OrderAt(state, internals.MeanHeight);
   const littoral::TrainTable table(littoral::Ordered(state, order), internals.Lowest, internals.Highest, view,
-    static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError);
+    static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError / this->DetailFactor);
   const Piece piece(outputVector->GetInformationObject(0), internals.Groups->GetCells().size());
   const littoral::ParticleSelection selection = littoral::SelectParticles(internals.Places, *internals.Groups, table,
     littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::SmpFor);

@@ -7,6 +7,7 @@
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Sea/Dispersion.h"
@@ -286,6 +287,7 @@ int vtkParticleOrbitFilter::FillInputPortInformation(int port, vtkInformation* i
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // no sea state: our own message, once
     return 1;
   }
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -330,14 +332,20 @@ std::string vtkParticleOrbitFilter::WhyBadProperties(double time) const
 int vtkParticleOrbitFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (inputVector[1]->GetNumberOfInformationObjects() == 0)
+  {
+    littoralErrorMacro("There is no sea state: connect one to Sea State. The points stay where they are.");
+    vtkDataObject::GetData(outputVector)->ShallowCopy(vtkDataObject::GetData(inputVector[0]));
+    return littoral::FailedRequest(this);
+  }
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   littoral::SeaState state;
   std::string reason = littoral::ReadSeaState(vtkTable::GetData(inputVector[1]), state);
   reason = reason.empty() ? this->WhyBadProperties(time) : reason;
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot move points: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot move points: " << reason);
+    return littoral::FailedRequest(this);
   }
   littoral::WaveOrbitOptions options;
   options.StokesDrift = this->StokesDrift;
@@ -350,7 +358,7 @@ int vtkParticleOrbitFilter::RequestData(
   if (!this->MoveAll(Sea(state, options, time), vtkDataObject::GetData(inputVector[0]), output))
   {
     output->Initialize();
-    return 0;
+    return littoral::FailedRequest(this);
   }
   AddRegimes(state, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
@@ -395,7 +403,7 @@ bool vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSe
   const std::string reason = ReadTrainOrder(input, sea.State.Trains.size(), order);
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot move points: " << reason);
+    littoralErrorMacro("Cannot move points: " << reason);
     return false;
   }
   const Sea ordered = sea.InOrder(order);
@@ -418,7 +426,7 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot move points: " << reason);
+    littoralErrorMacro("Cannot move points: " << reason);
     return false;
   }
   const bool surface = this->GenerateSurface && IsAtSeaLevel(input->GetPoints(), sea.State.SeaLevel);
@@ -451,7 +459,7 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   const double folded = surface ? moved.Jacobian->GetRange()[0] : 1.0;
   if (folded <= 0.0)
   {
-    vtkWarningMacro("The surface folds over itself (smallest Jacobian " << folded << "): take less Choppiness.");
+    littoralWarningMacro("The surface folds over itself (smallest Jacobian " << folded << "): take less Choppiness.");
   }
   return true;
 }

@@ -11,12 +11,15 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/PlantScatter.h"
 #include "vtkPlantSource.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDataObjectMetaDataKey.h"
@@ -33,6 +36,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -215,13 +219,15 @@ std::string WhyInvalid(const Blocks& blocks)
   return reason;
 }
 
-/// The cylinder that holds all levels of a prototype.
+/// The cylinder that holds all levels of a prototype. Cards have transparent corners beyond it.
 littoral::PlantExtent ExtentOf(const Blocks& blocks)
 {
   littoral::PlantExtent extent;
   for (vtkPolyData* block : blocks)
   {
-    for (vtkIdType point = 0; block && point < block->GetNumberOfPoints(); ++point)
+    const bool isCards =
+      block && block == blocks[LowPart] && block->GetFieldData()->HasArray(littoral::plant::ImpostorExtent);
+    for (vtkIdType point = 0; block && !isCards && point < block->GetNumberOfPoints(); ++point)
     {
       double position[3];
       block->GetPoint(point, position);
@@ -374,6 +380,11 @@ struct Prototypes
   std::vector<littoral::PlantExtent> Extents;
   littoral::TextureImage CrownAtlas;
   littoral::TextureImage LeafAtlas;
+  littoral::PlantPart FacingLow; ///< one card a plant, not placed yet; plants without an impostor as in Low
+  std::vector<std::optional<littoral::ImpostorShape>> Shapes;
+  std::vector<littoral::AtlasArea> LowAreas;
+  /// Textures as field data, the same arrays at each execution; null where there is none.
+  std::array<vtkSmartPointer<vtkFieldData>, NumberOfParts> Textures;
 
   std::size_t NumberOfSpecies() const { return this->Extents.size(); }
 
@@ -394,20 +405,103 @@ struct Plants
   std::unique_ptr<littoral::SceneCells> Cells;
 };
 
+/// A block that is one card, to be placed.
+vtkSmartPointer<vtkPolyData> CardBlock(const littoral::PlantImpostor& impostor)
+{
+  littoral::PlantMesh mesh;
+  mesh.Points.resize(4);
+  mesh.Normals.resize(4);
+  mesh.TCoords.resize(4);
+  mesh.Colors.assign(4, impostor.Mean);
+  mesh.AddPolygon(std::array<int, 4>{ 0, 1, 2, 3 });
+  return littoral::PolyDataOf(mesh);
+}
+
+/// Joins the textures of a part, which become its field data.
+littoral::TextureAtlas JoinTextures(const std::vector<Blocks>& blocks, PartIndex part, Prototypes& prototypes)
+{
+  std::vector<littoral::TextureImage> textures;
+  std::vector<littoral::ColorSum> means;
+  for (const Blocks& each : blocks)
+  {
+    textures.push_back(littoral::ReadTexture(each[part]));
+    means.push_back(littoral::ReadTextureMean(each[part]));
+  }
+  const littoral::ColorSum mean = littoral::ShareMean(textures, means);
+  littoral::TextureAtlas atlas = littoral::StackTextures(textures);
+  vtkNew<vtkPolyData> carrier;
+  littoral::AttachTexture(carrier, atlas.Image);
+  if (mean != littoral::ColorSum{ 1.0f, 1.0f, 1.0f })
+  {
+    littoral::AttachTextureMean(carrier, mean);
+  }
+  prototypes.Textures[part] = carrier->GetFieldData();
+  return atlas;
+}
+
+/// Joins the normals of impostors; flat where there are none.
+void JoinNormals(const std::vector<littoral::PlantImpostor>& impostors, Prototypes& prototypes)
+{
+  std::vector<littoral::TextureImage> textures;
+  for (const littoral::PlantImpostor& impostor : impostors)
+  {
+    littoral::TextureImage& normals = textures.emplace_back(impostor.Pictures.Columns, impostor.Pictures.Rows);
+    std::transform(
+      impostor.Normals.begin(), impostor.Normals.end(), normals.Texels.begin(), [](const littoral::Color& n) {
+        return littoral::Texel{ n[0], n[1], n[2], 255 };
+      });
+  }
+  const littoral::TextureImage atlas = littoral::StackTextures(textures).Image;
+  std::vector<littoral::Color> normals;
+  normals.reserve(atlas.Texels.size());
+  for (const littoral::Texel& texel : atlas.Texels)
+  {
+    normals.push_back({ texel[0], texel[1], texel[2] });
+  }
+  vtkNew<vtkPolyData> carrier;
+  littoral::AttachNormalTexture(carrier, normals);
+  prototypes.Textures[LowPart]->AddArray(carrier->GetFieldData()->GetArray(littoral::plant::NormalTexture));
+}
+
+/// Takes the lowest level, both as it is and as cards.
+void TakeLow(const std::vector<Blocks>& blocks, Prototypes& prototypes)
+{
+  std::vector<littoral::PlantImpostor> impostors;
+  std::vector<vtkPolyData*> own;
+  std::vector<vtkPolyData*> facing;
+  std::vector<vtkSmartPointer<vtkPolyData>> cards;
+  bool hasPictures = false;
+  for (const Blocks& each : blocks)
+  {
+    const littoral::PlantImpostor& impostor = impostors.emplace_back(littoral::ReadImpostor(each[LowPart]));
+    const bool isCard = !impostor.Pictures.Texels.empty();
+    hasPictures |= isCard;
+    prototypes.Shapes.push_back(isCard ? std::optional(impostor.Shape) : std::nullopt);
+    cards.push_back(isCard ? CardBlock(impostor) : nullptr);
+    own.push_back(each[LowPart]);
+    facing.push_back(isCard ? cards.back().Get() : each[LowPart]);
+  }
+  littoral::TextureAtlas atlas;
+  if (hasPictures)
+  {
+    atlas = JoinTextures(blocks, LowPart, prototypes);
+    JoinNormals(impostors, prototypes);
+  }
+  prototypes.Parts.push_back(littoral::MakePart(PartKinds[LowPart], own, hasPictures ? &atlas : nullptr));
+  prototypes.FacingLow = littoral::MakePart(PartKinds[LowPart], facing, hasPictures ? &atlas : nullptr);
+  prototypes.LowAreas = std::move(atlas.Areas);
+}
+
 /// Takes all blocks from the prototypes, and joins their textures.
 void TakeParts(const std::vector<Blocks>& blocks, Prototypes& prototypes)
 {
-  std::vector<littoral::TextureImage> crowns;
-  std::vector<littoral::TextureImage> leaves;
   for (const Blocks& each : blocks)
   {
     prototypes.Extents.push_back(ExtentOf(each));
-    crowns.push_back(littoral::ReadTexture(each[CrownPart]));
-    leaves.push_back(littoral::ReadTexture(each[LeavesPart]));
   }
-  littoral::TextureAtlas crownAtlas = littoral::StackTextures(crowns);
-  littoral::TextureAtlas leafAtlas = littoral::StackTextures(leaves);
-  for (int part = 0; part < NumberOfParts; ++part)
+  littoral::TextureAtlas crownAtlas = JoinTextures(blocks, CrownPart, prototypes);
+  littoral::TextureAtlas leafAtlas = JoinTextures(blocks, LeavesPart, prototypes);
+  for (int part = 0; part < LowPart; ++part)
   {
     std::vector<vtkPolyData*> own;
     for (const Blocks& each : blocks)
@@ -417,6 +511,7 @@ void TakeParts(const std::vector<Blocks>& blocks, Prototypes& prototypes)
     const littoral::TextureAtlas* atlas = part == CrownPart ? &crownAtlas : part == LeavesPart ? &leafAtlas : nullptr;
     prototypes.Parts.push_back(littoral::MakePart(PartKinds[part], own, atlas));
   }
+  TakeLow(blocks, prototypes);
   prototypes.CrownAtlas = std::move(crownAtlas.Image);
   prototypes.LeafAtlas = std::move(leafAtlas.Image);
 }
@@ -456,8 +551,12 @@ std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const littora
 class BlockMerge
 {
 public:
+  /// With a view, far plants face its eye.
   BlockMerge(const Prototypes& prototypes, const std::vector<littoral::PlantPlace>& places,
-    const std::vector<littoral::ShownPlant>& shown)
+    const std::vector<littoral::ShownPlant>& shown, const littoral::View* facing)
+    : Species(prototypes)
+    , Places(places)
+    , Facing(facing)
   {
     for (const littoral::ShownPlant& plant : shown)
     {
@@ -467,7 +566,9 @@ public:
     this->Bytes = TableBytes * static_cast<double>(shown.size());
     for (int part = 0; part < NumberOfParts; ++part)
     {
-      this->Merges.emplace_back(prototypes.Parts[part], places, this->Shown[static_cast<int>(LevelOfPart[part])]);
+      const bool isCards = part == LowPart && facing;
+      this->Merges.emplace_back(isCards ? prototypes.FacingLow : prototypes.Parts[part], places,
+        this->Shown[static_cast<int>(LevelOfPart[part])]);
       this->Bytes += this->Merges.back().GetBytes();
     }
     for (int part : { SkeletonPart, SkinPart, LeavesPart })
@@ -516,13 +617,16 @@ public:
   {
     const auto [part, plant] = this->Jobs[job];
     littoral::PlantMerge& merge = this->Merges[part];
-    merge.Fill(plant, std::min(plant + PlantsAtOnce, merge.GetNumberOfPlants()));
+    const std::size_t end = std::min(plant + PlantsAtOnce, merge.GetNumberOfPlants());
+    merge.Fill(plant, end);
+    for (std::size_t index = plant; part == LowPart && this->Facing && index < end; ++index)
+    {
+      this->PlaceCard(index);
+    }
   }
 
-  void AddTo(vtkMultiBlockDataSet* output, const Prototypes& prototypes) const
+  void AddTo(vtkMultiBlockDataSet* output) const
   {
-    littoral::AttachTexture(this->Merges[LeavesPart].GetOutput(), prototypes.LeafAtlas);
-    littoral::AttachTexture(this->Merges[CrownPart].GetOutput(), prototypes.CrownAtlas);
     vtkNew<vtkMultiBlockDataSet> high;
     vtkNew<vtkMultiBlockDataSet> medium;
     littoral::AddBlock(output, littoral::plant::High, high);
@@ -531,15 +635,55 @@ public:
     for (int part = 0; part < NumberOfParts; ++part)
     {
       const char* name = PartKinds[part].Name ? PartKinds[part].Name : PartKinds[part].Level;
-      littoral::AddBlock(levels[static_cast<int>(LevelOfPart[part])], name, this->Merges[part].GetOutput());
+      vtkPolyData* block = this->Merges[part].GetOutput();
+      if (this->Species.Textures[part])
+      {
+        block->GetFieldData()->ShallowCopy(this->Species.Textures[part]);
+      }
+      littoral::AddBlock(levels[static_cast<int>(LevelOfPart[part])], name, block);
     }
   }
 
 private:
+  const Prototypes& Species;
+  const std::vector<littoral::PlantPlace>& Places;
+  const littoral::View* Facing;
   std::array<std::vector<int>, 3> Shown; ///< places, of each level
   std::vector<littoral::PlantMerge> Merges;
   std::vector<std::pair<int, std::size_t>> Jobs; ///< a part, and the first of some of its plants
   double Bytes = 0.0;
+
+  /// Points, normals and texture coordinates of the card of a far plant.
+  void PlaceCard(std::size_t plant)
+  {
+    const littoral::PlantMerge& merge = this->Merges[LowPart];
+    const littoral::PlantPlace& place = this->Places[this->Shown[static_cast<int>(littoral::PlantLevel::Low)][plant]];
+    if (!this->Species.Shapes[place.Species])
+    {
+      return;
+    }
+    const littoral::ImpostorCard card =
+      littoral::FacingCard(*this->Species.Shapes[place.Species], place, *this->Facing);
+    const auto ofPicture = littoral::CardTCoords(card.View);
+    vtkPointData* arrays = merge.GetOutput()->GetPointData();
+    auto* points = vtkFloatArray::FastDownCast(merge.GetOutput()->GetPoints()->GetData());
+    auto* normals = vtkFloatArray::FastDownCast(arrays->GetNormals());
+    auto* tcoords = vtkFloatArray::FastDownCast(arrays->GetTCoords());
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const auto at = static_cast<vtkIdType>(merge.GetFirstPoint(plant)) + corner;
+      const auto inAtlas = this->Species.LowAreas[place.Species].Map(ofPicture[corner][0], ofPicture[corner][1]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        points->SetTypedComponent(at, axis, static_cast<float>(card.Corners[corner][axis]));
+        normals->SetTypedComponent(at, axis, static_cast<float>(card.Normals[corner][axis]));
+        if (axis < 2)
+        {
+          tcoords->SetTypedComponent(at, axis, static_cast<float>(inAtlas[axis]));
+        }
+      }
+    }
+  }
 };
 
 }
@@ -557,6 +701,7 @@ public:
 /// What is asked for this time.
 struct vtkPlantScatterFilter::Request
 {
+  littoral::View Seen;
   std::vector<littoral::ShownPlant> Shown;
   std::vector<char> CellsShown;
   long long FirstSite = 0;
@@ -572,10 +717,13 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , HeightRange{ -1e30, 1e30 }
   , UseLevels(true)
   , UseCulling(true)
+  , FaceCamera(true)
   , PlantsPerCell(1.0)
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
 {
+  this->NearDistance = 30.0;
+  this->FarDistance = 130.0;
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
 }
@@ -620,6 +768,11 @@ int vtkPlantScatterFilter::FillInputPortInformation(int port, vtkInformation* in
 {
   const char* types[] = { "vtkPointSet", "vtkMultiBlockDataSet", "vtkImageData" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
+  if (port == SitesPort)
+  {
+    // Whole, not a block at a time: a plant is no set of sites, which is then said once.
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
   if (port == PrototypesPort)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
@@ -687,9 +840,20 @@ bool vtkPlantScatterFilter::CheckProperties()
   check.Require(this->VisibleDistance >= 0.0, "VisibleDistance", this->VisibleDistance, "m", "0 or more");
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
   }
   return check.IsGood();
+}
+
+//----------------------------------------------------------------------------
+bool vtkPlantScatterFilter::CheckSites(vtkInformationVector* inputs)
+{
+  const bool isGood = vtkPointSet::GetData(inputs) != nullptr;
+  if (!isGood)
+  {
+    littoralErrorMacro("The sites are blocks, such as a plant; connect points to Sites and plants to Prototypes.");
+  }
+  return isGood;
 }
 
 //----------------------------------------------------------------------------
@@ -715,7 +879,7 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
   *this->Internals = vtkInternals();
   if (prototypes.empty())
   {
-    vtkErrorMacro("There are no prototypes; connect the output of at least one plant source to port 1.");
+    littoralErrorMacro("There are no prototypes: connect a plant or more to Prototypes.");
     return false;
   }
   for (std::size_t index = 0; index < prototypes.size(); ++index)
@@ -723,7 +887,7 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     const std::string reason = reasons[index].empty() ? WhyInvalid(prototypes[index]) : reasons[index];
     if (!reason.empty())
     {
-      vtkErrorMacro("Prototype " << index << " cannot be scattered: " << reason << ".");
+      littoralErrorMacro("Prototype " << index << " cannot be scattered: " << reason << ".");
       return false;
     }
   }
@@ -762,7 +926,7 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   reason = reason.empty() ? PlacePlants(sites, terrain, options, limits, scene.Places) : reason;
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot scatter plants: " << reason);
+    littoralErrorMacro("Cannot scatter plants: " << reason);
     return false;
   }
   std::vector<littoral::Vector3> feet;
@@ -782,10 +946,10 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
 int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   littoral::View view;
-  if (!this->GetView(view) || !this->CheckProperties() || !this->RememberPrototypes(inputs[PrototypesPort]) ||
-    !this->RememberPlaces(inputs))
+  if (!this->GetView(view) || !this->CheckProperties() || !this->CheckSites(inputs[SitesPort]) ||
+    !this->RememberPrototypes(inputs[PrototypesPort]) || !this->RememberPlaces(inputs))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   const Plants& scene = this->Internals->Scene;
   littoral::PlantViewOptions options;
@@ -799,6 +963,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   const long long pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
   const long long sites = vtkPointSet::GetData(inputs[SitesPort])->GetNumberOfPoints();
   Request request;
+  request.Seen = view;
   request.FirstSite = sites * piece / pieces;
   request.EndSite = sites * (piece + 1) / pieces;
   request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
@@ -806,7 +971,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
     scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
   if (!this->Merge(request, vtkMultiBlockDataSet::GetData(outputs, 0)))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   WriteTexture(this->Internals->Species.CrownAtlas, outputs->GetInformationObject(1));
   WriteTexture(this->Internals->Species.LeafAtlas, outputs->GetInformationObject(2));
@@ -819,13 +984,14 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
 {
   const Prototypes& species = this->Internals->Species;
   const Plants& scene = this->Internals->Scene;
-  BlockMerge merge(species, scene.Places, request.Shown);
+  BlockMerge merge(species, scene.Places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())
   {
-    vtkErrorMacro(<< request.Shown.size() << " plants, " << merge.GetNumberOfPlants(littoral::PlantLevel::High)
-                  << " of them in full, need " << merge.GetBytes() / Gigabyte << " GB, and " << available / Gigabyte
-                  << " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
+    littoralErrorMacro(<< request.Shown.size() << " plants, " << merge.GetNumberOfPlants(littoral::PlantLevel::High)
+                       << " of them in full, need " << merge.GetBytes() / Gigabyte << " GB, and "
+                       << available /
+        Gigabyte << " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
     return false;
   }
   this->SetProgressText("Scattering plants");
@@ -834,7 +1000,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   {
     return true; // aborted
   }
-  merge.AddTo(output, species);
+  merge.AddTo(output);
 
   vtkFieldData* fields = output->GetFieldData();
   WriteTable(scene.Places, request.Shown, fields);
@@ -881,6 +1047,7 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeightRange: " << this->HeightRange[0] << " " << this->HeightRange[1] << "\n";
   os << indent << "UseLevels: " << this->UseLevels << "\n";
   os << indent << "UseCulling: " << this->UseCulling << "\n";
+  os << indent << "FaceCamera: " << this->FaceCamera << "\n";
   os << indent << "PlantsPerCell: " << this->PlantsPerCell << "\n";
   os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
 }

@@ -21,11 +21,15 @@
  * Field data of output 0: arrays with a value per shown plant: `PlantId`, `SiteId`, `Species`, `Scale`, `Azimuth`
  * [rad], `Position` [m] and `Level` (0 High, 1 Medium, 2 Low); and the counters `PlantsInAll`, `PlantsShown`,
  * `PlantsHigh`, `PlantsMedium`, `PlantsLow`, `CellsInAll`, `CellsShown` (cells that hold a plant), `PolygonsShown`,
- * `PolygonsInAll` (of all plants in full) and `OutputBytes`.
+ * `PolygonsInAll` (of all plants in full) and `OutputBytes` (without textures).
  *
- * Outputs 1 and 2: vtkImageData, the textures of the crowns and of the leaves of all species, one above the other
- * (RGBA); texture coordinates of Crown and Leaves refer to them. They are also field data `Texture` and `TextureSize`
- * of the blocks. A species without a texture has a white area.
+ * `Leaves`, `Crown` and `Low` carry the textures of all species, one above the other, as field data like those of the
+ * prototypes (see vtkPlantSource), and texture coordinates refer to them; a species without a texture has a white area.
+ * Where the prototypes have another TextureMean each, texels are scaled to the smallest. Low is one rectangle a plant
+ * that faces the camera, with the picture of the prototype from the nearest direction, see FaceCamera; other
+ * prototypes' Low, as that of seaweed, is copied.
+ *
+ * Outputs 1 and 2: vtkImageData, the textures of Crown and Leaves.
  *
  * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is
  * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are
@@ -35,7 +39,8 @@
  * vtkPlantSource::TEXTURE_SIZES(), which other filters pass on, and where the data are there already. Else they are
  * known after an execution: update this filter before filters that process one of these images.
  *
- * A piece reads all sites and holds its share of the plants. A property or a site value out of range, or a site beyond
+ * A piece reads all sites and holds its share of the plants. Defaults of inherited properties: NearDistance 30 m,
+ * FarDistance 130 m. A property or a site value out of range, or a site beyond
  * the terrain, is reported as one error.
  */
 #ifndef vtkPlantScatterFilter_h
@@ -125,6 +130,17 @@ public:
 
   ///@{
   /**
+   * Far plants as one rectangle each that faces the camera, with the picture of the plant from there; default on. If
+   * off, they are the Low of their prototypes, which looks the same from all sides and does not depend on the view:
+   * for a forest that is written to a file.
+   */
+  vtkSetMacro(FaceCamera, bool);
+  vtkGetMacro(FaceCamera, bool);
+  vtkBooleanMacro(FaceCamera, bool);
+  ///@}
+
+  ///@{
+  /**
    * Mean number of plants per culling cell, positive; default 1.
    */
   vtkSetMacro(PlantsPerCell, double);
@@ -166,6 +182,7 @@ protected:
   double HeightRange[2];
   bool UseLevels;
   bool UseCulling;
+  bool FaceCamera;
   double PlantsPerCell;
   double VisibleDistance;
 
@@ -177,6 +194,7 @@ private:
   struct Request;
 
   bool CheckProperties();
+  bool CheckSites(vtkInformationVector* inputs);
   bool RememberPrototypes(vtkInformationVector* prototypes);
   bool RememberPlaces(vtkInformationVector** inputs);
   bool Merge(const Request& request, vtkMultiBlockDataSet* output);

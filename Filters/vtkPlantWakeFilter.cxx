@@ -8,6 +8,7 @@
 #include "Data/SeaweedBlocks.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Seaweed/PlantWake.h"
 
@@ -128,8 +129,8 @@ int vtkPlantWakeFilter::RequestData(
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make a wake: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make a wake: " << reason);
+    return littoral::FailedRequest(this);
   }
   std::vector<littoral::FlowPrimitive> primitives;
   vtkNew<vtkIntArray> ids;

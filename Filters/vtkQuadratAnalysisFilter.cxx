@@ -5,6 +5,7 @@
 #include "Data/Tables.h"
 #include "Patterns/QuadratFit.h"
 #include "Patterns/QuadratPattern.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
@@ -164,7 +165,7 @@ bool vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input, littoral::QuadratGri
   }
   if (boxed && !(grid.Size[0] > 0.0 && grid.Size[1] > 0.0))
   {
-    vtkErrorMacro("The points cover no area: their box is " << grid.Size[0] << " x " << grid.Size[1] << " m.");
+    littoralErrorMacro("The points cover no area: their box is " << grid.Size[0] << " x " << grid.Size[1] << " m.");
     return false;
   }
   std::string reason = littoral::WhyInvalid(grid);
@@ -184,7 +185,7 @@ bool vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input, littoral::QuadratGri
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot analyse: " << reason);
+    littoralErrorMacro("Cannot analyse: " << reason);
     return false;
   }
   return true;
@@ -210,15 +211,15 @@ bool vtkQuadratAnalysisFilter::CountPoints(
   }
   if (inside < FewestPoints)
   {
-    vtkErrorMacro("Only " << inside << " of " << points << " points lie in the study area.");
+    littoralErrorMacro("Only " << inside << " of " << points << " points lie in the study area.");
     return false;
   }
   frequencies = littoral::CountFrequencies(counts);
   if (frequencies.size() > LargestCount)
   {
-    vtkErrorMacro("A quadrat holds " << frequencies.size() - 1
-                                     << " points; take more Quadrats, so that none holds more "
-                                     << "than " << LargestCount << ".");
+    littoralErrorMacro("A quadrat holds " << frequencies.size() - 1
+                                          << " points; take more Quadrats, so that none holds more "
+                                          << "than " << LargestCount << ".");
     return false;
   }
   return true;
@@ -226,9 +227,9 @@ bool vtkQuadratAnalysisFilter::CountPoints(
 
 //----------------------------------------------------------------------------
 int vtkQuadratAnalysisFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (littoral::AsksForLaterPieces(outputVector))
+  if (littoral::AsksForLaterPiece(request, outputVector))
   {
     return 1;
   }
@@ -236,19 +237,19 @@ int vtkQuadratAnalysisFilter::RequestData(
   const vtkIdType points = input->GetNumberOfPoints();
   if (points < FewestPoints)
   {
-    vtkErrorMacro("The input has " << points << " points; an analysis needs at least " << FewestPoints << ".");
-    return 0;
+    littoralErrorMacro("The input has " << points << " points; an analysis needs at least " << FewestPoints << ".");
+    return littoral::FailedRequest(this);
   }
   littoral::QuadratGrid grid;
   if (!this->MakeGrid(input, grid))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   this->SetProgressText("Counting points");
   std::vector<long long> frequencies;
   if (!this->CountPoints(input, grid, frequencies))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   this->UpdateProgress(0.2);
   vtkTable* table = vtkTable::GetData(outputVector, 0);

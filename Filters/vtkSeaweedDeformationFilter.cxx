@@ -9,6 +9,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Seaweed/SeaweedScene.h"
 
@@ -245,10 +246,6 @@ std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, 
   {
     reason = littoral::ReadSeaState(vtkTable::GetData(seas), sea);
   }
-  else if (scene.Currents.Series.empty())
-  {
-    reason = "there is no sea state and no current; connect one of them.";
-  }
   if (!reason.empty())
   {
     return reason;
@@ -269,7 +266,8 @@ void vtkSeaweedDeformationFilter::WarnOfLimits()
   const double cauchy = this->Internals->Scene.GetUngradedCauchyNumber();
   if (this->Method == Physical && this->Load == Morison && cauchy < 1e4)
   {
-    vtkWarningMacro("Segments of blades do not get shorter towards their foot: drag is right up to a Cauchy number of "
+    littoralWarningMacro(
+      "Segments of blades do not get shorter towards their foot: drag is right up to a Cauchy number of "
       << cauchy << " (density of the water, coefficient of drag, width, speed squared and length cubed, over twice the "
       << "bending stiffness). Beyond, limp blades bend too much. vtkSeaweedSource grows graded ones.");
   }
@@ -280,8 +278,9 @@ void vtkSeaweedDeformationFilter::WarnOfLimits()
   const double limit = littoral::ExplicitLimit(this->Internals->Scene.GetLinks());
   if (this->TimeStep > limit)
   {
-    vtkWarningMacro("TimeStep is " << this->TimeStep << " s; with Integrator Explicit Euler these plants blow up above "
-                                   << limit << " s.");
+    littoralWarningMacro("TimeStep is " << this->TimeStep
+                                        << " s; with Integrator Explicit Euler these plants blow up above " << limit
+                                        << " s.");
   }
 }
 
@@ -292,7 +291,7 @@ bool vtkSeaweedDeformationFilter::FindLevels(littoral::SeaweedLevels& levels)
   levels.NearDistance = this->NearDistance;
   levels.FarDistance = this->FarDistance;
   levels.BlendDistance = this->BlendDistance + this->ViewSpeed * this->BlendTime;
-  levels.PixelError = this->PixelError;
+  levels.PixelError = this->PixelError / this->DetailFactor;
   return !this->UseLevels || this->GetView(levels.Seen);
 }
 
@@ -310,10 +309,19 @@ int vtkSeaweedDeformationFilter::RequestData(
     return this->Fail(request, output);
   }
   reason = reason.empty() ? this->WhyInvalid(time) : reason;
+  if (reason.empty() && inputVector[SeaPort]->GetNumberOfInformationObjects() == 0 &&
+    inputVector[CurrentsPort]->GetNumberOfInformationObjects() == 0)
+  {
+    littoralErrorMacro("There is no sea state and no current: connect one to Sea State or Currents. The seaweeds stay "
+                       "as they are.");
+    this->Fail(request, output);
+    output->ShallowCopy(plants);
+    return littoral::FailedRequest(this);
+  }
   reason = reason.empty() ? this->TakeInputs(inputVector, plants) : reason;
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot move seaweeds: " << reason);
+    littoralErrorMacro("Cannot move seaweeds: " << reason);
     return this->Fail(request, output);
   }
   output->ShallowCopy(plants);
@@ -368,7 +376,8 @@ int vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* ou
 {
   this->Internals->Plants = nullptr;
   this->Internals->Skins.clear();
-  return this->Internals->MarchingRequests::Fail(request, output);
+  this->Internals->MarchingRequests::Fail(request, output);
+  return littoral::FailedRequest(this);
 }
 
 //----------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Terrain/GroundColor.h"
@@ -295,6 +296,21 @@ struct ShownTerrain
   }
 };
 
+/// The blocks are the levels, then the seams.
+std::string BlockName(int block, int levels)
+{
+  return block == levels ? "Seams" : "Level" + std::to_string(block);
+}
+
+/// The blocks of a piece without tiles.
+void AddEmptyBlocks(vtkMultiBlockDataSet* output, int levels)
+{
+  for (int block = 0; block <= levels; ++block)
+  {
+    littoral::AddBlock(output, BlockName(block, levels).c_str(), vtkSmartPointer<vtkPolyData>::New());
+  }
+}
+
 void AddCount(vtkDataObject* data, const char* name, double value)
 {
   vtkNew<vtkDoubleArray> field;
@@ -363,7 +379,7 @@ bool vtkTerrainLevelOfDetailFilter::CheckProperties()
     "a power of two from 1 to 4096");
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
   }
   return check.IsGood();
 }
@@ -375,8 +391,8 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   image->GetDimensions(dimensions);
   if (dimensions[2] != 1 || dimensions[0] < 2 || dimensions[1] < 2)
   {
-    vtkErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-                                   << " points; terrain is one layer in z of at least 2 x 2.");
+    littoralErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+                                        << " points; terrain is one layer in z of at least 2 x 2.");
     return nullptr;
   }
   vtkInformation* choice = this->GetInputArrayInformation(0);
@@ -385,23 +401,38 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   const bool isChosen = isNamed || (!name && choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
   vtkDataArray* heights =
     isChosen ? this->GetInputArrayToProcess(0, inputVector) : image->GetPointData()->GetArray("Elevation");
-  if (!heights && !isChosen)
+  if (!heights && (!isChosen || littoral::NamesDefaultElevation(choice)))
   {
     heights = image->GetPointData()->GetScalars();
   }
   if (!heights)
   {
-    vtkErrorMacro("The image has no " << (isNamed ? "array '" + std::string(name) + "'" : "point scalars")
-                                      << " to take as elevation.");
+    littoralErrorMacro("The image has no " << (isNamed ? "array '" + std::string(name) + "'" : "point scalars")
+                                           << " to take as elevation.");
     return nullptr;
   }
   if (heights->GetNumberOfTuples() != image->GetNumberOfPoints() || heights->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("The array '" << (heights->GetName() ? heights->GetName() : "")
-                                << "' is no elevation: it is a vector or lies on cells.");
+    littoralErrorMacro("The array '" << (heights->GetName() ? heights->GetName() : "")
+                                     << "' is no elevation: it is a vector or lies on cells.");
     return nullptr;
   }
   return heights;
+}
+
+//----------------------------------------------------------------------------
+bool vtkTerrainLevelOfDetailFilter::CheckHeights(vtkDataArray* heights)
+{
+  for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
+  {
+    if (!std::isfinite(static_cast<float>(heights->GetComponent(i, 0))))
+    {
+      littoralErrorMacro("The elevation is NaN or infinite at point "
+        << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
+      return false;
+    }
+  }
+  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -417,7 +448,11 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
   if (bytes > littoral::AvailableMemory())
   {
-    vtkErrorMacro("The terrain in levels may take " << bytes / 1e9 << " GB, more than the free memory.");
+    littoralErrorMacro("The terrain in levels may take " << bytes / 1e9 << " GB, more than the free memory.");
+    return false;
+  }
+  if (!this->CheckHeights(heights))
+  {
     return false;
   }
   littoral::HeightSamples samples;
@@ -433,12 +468,6 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   for (std::size_t i = 0; i < samples.Values.size(); ++i)
   {
     samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
-    if (!std::isfinite(samples.Values[i]))
-    {
-      vtkErrorMacro("The elevation is NaN or infinite at point "
-        << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
-      return false;
-    }
   }
   internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
   internals.ImageTime = image->GetMTime();
@@ -455,30 +484,32 @@ littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
   rule.ByPixelError = this->Selection == PixelErrorRule;
   rule.NearDistance = this->NearDistance;
   rule.FarDistance = this->FarDistance;
-  rule.LargestPixels = this->PixelError;
+  rule.LargestPixels = this->PixelError / this->DetailFactor;
   rule.UseCulling = this->UseCulling;
   return rule;
 }
 
 //----------------------------------------------------------------------------
 int vtkTerrainLevelOfDetailFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   littoral::View seen;
-  if (littoral::AsksForLaterPieces(outputVector))
-  {
-    return 1;
-  }
   if (!this->CheckProperties() || !this->GetView(seen))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   vtkDataArray* heights = this->FindHeights(image, inputVector);
-  if (!heights || !this->UpdatePyramid(image, heights))
+  const bool isLater = littoral::AsksForLaterPiece(request, outputVector);
+  if (!heights || !(isLater ? this->CheckHeights(heights) : this->UpdatePyramid(image, heights)))
   {
-    return 0;
+    return littoral::FailedRequest(this);
+  }
+  if (isLater)
+  {
+    AddEmptyBlocks(output, littoral::LevelsOfTiles(this->TileSize, this->NumberOfLevels));
+    return 1;
   }
   const littoral::TerrainPyramid& pyramid = *this->Internals->Pyramid;
   const littoral::ViewFrustum view(seen);
@@ -500,7 +531,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   double polygons = 0.0;
   for (std::size_t block = 0; block < blocks; ++block)
   {
-    const std::string name = block + 1 == blocks ? "Seams" : "Level" + std::to_string(block);
+    const std::string name = BlockName(static_cast<int>(block), pyramid.GetLevels());
     littoral::AddBlock(output, name.c_str(), MakeBlock(shown.Layouts[block], pyramid, painter, image, heights));
     polygons += static_cast<double>(shown.Layouts[block].Triangles);
     this->UpdateProgress(0.6 + 0.4 * static_cast<double>(block + 1) / static_cast<double>(blocks));

@@ -5,7 +5,7 @@
  * @brief   show a terrain in tiles whose resolution depends on the view
  *
  * Input: a vtkImageData of one layer with a scalar point array of elevations [m] (SetInputArrayToProcess; default
- * `Elevation`, else the active scalars), all finite.
+ * `Elevation`, else the active scalars, also where an absent Elevation is chosen by name), all finite.
  *
  * Output: a vtkMultiBlockDataSet of vtkPolyData: `Level0` (all samples), `Level1` (every second sample) and so on, and
  * `Seams`, vertical triangles that close the gaps between tiles of different levels, as Setas et al. propose in section
@@ -128,6 +128,7 @@ private:
 
   bool CheckProperties();
   vtkDataArray* FindHeights(vtkImageData* image, vtkInformationVector** inputVector);
+  bool CheckHeights(vtkDataArray* heights);
   bool UpdatePyramid(vtkImageData* image, vtkDataArray* heights);
 
   class vtkInternals;

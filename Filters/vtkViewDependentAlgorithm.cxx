@@ -6,6 +6,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/CameraView.h"
+#include "Pipeline/Mistakes.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -45,6 +46,7 @@ vtkViewDependentAlgorithm::vtkViewDependentAlgorithm()
   , ParallelScale(100.0)
   , AspectRatio(16.0 / 9.0)
   , ViewHeight(1080.0)
+  , DetailFactor(1.0)
   , NearDistance(60.0)
   , FarDistance(250.0)
   , MoveTolerance(0.0)
@@ -70,6 +72,7 @@ littoral::View vtkViewDependentAlgorithm::UnroundedView() const
   view.ParallelScale = this->ParallelScale;
   view.AspectRatio = this->AspectRatio;
   view.Height = this->ViewHeight;
+  view.DetailFactor = this->DetailFactor;
   return view;
 }
 
@@ -95,7 +98,7 @@ bool vtkViewDependentAlgorithm::GetView(littoral::View& view)
       littoral::TextOf(this->FarDistance) + " m; they must not be negative, and far must not be nearer than near.");
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
     return false;
   }
   view = this->RoundedView();
@@ -110,7 +113,9 @@ void vtkViewDependentAlgorithm::ChangeView(const Change& change)
   change();
   if (!littoral::AreTheSame(before, this->RoundedView()))
   {
+    const vtkMTimeType time = this->GetMTime();
     this->Modified();
+    littoral::KeepMistakes(this, time);
   }
 }
 
@@ -160,6 +165,12 @@ void vtkViewDependentAlgorithm::SetAspectRatio(double ratio)
 void vtkViewDependentAlgorithm::SetViewHeight(double height)
 {
   this->ChangeView([&]() { this->ViewHeight = height; });
+}
+
+//----------------------------------------------------------------------------
+void vtkViewDependentAlgorithm::SetDetailFactor(double factor)
+{
+  this->ChangeView([&]() { this->DetailFactor = factor; });
 }
 
 //----------------------------------------------------------------------------
@@ -222,6 +233,7 @@ void vtkViewDependentAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ParallelScale: " << this->ParallelScale << "\n";
   os << indent << "AspectRatio: " << this->AspectRatio << "\n";
   os << indent << "ViewHeight: " << this->ViewHeight << "\n";
+  os << indent << "DetailFactor: " << this->DetailFactor << "\n";
   os << indent << "NearDistance: " << this->NearDistance << "\n";
   os << indent << "FarDistance: " << this->FarDistance << "\n";
   os << indent << "MoveTolerance: " << this->MoveTolerance << "\n";

@@ -131,6 +131,16 @@ public:
 
   ///@{
   /**
+   * Factor of the level of detail, above 0 to 1; default 1, the full detail. The levels are those of NearDistance and
+   * FarDistance times this factor, and of a screen-space error divided by it. ParaView lowers it while the camera
+   * moves.
+   */
+  void SetDetailFactor(double factor);
+  vtkGetMacro(DetailFactor, double);
+  ///@}
+
+  ///@{
+  /**
    * Displacement of the camera that triggers a new execution [m], not negative; default 0, any displacement.
    */
   vtkSetMacro(MoveTolerance, double);
@@ -160,6 +170,7 @@ protected:
   double ParallelScale;
   double AspectRatio;
   double ViewHeight;
+  double DetailFactor;
   double NearDistance;
   double FarDistance;
   double MoveTolerance;

@@ -3,6 +3,7 @@
 #include "vtkAonoKuniiTreeSource.h"
 
 #include "Numerics/ParameterTraits.h"
+#include "Pipeline/Mistakes.h"
 #include "Plants/AonoKuniiTree.h"
 #include "Plants/PlantLevels.h"
 
@@ -40,7 +41,7 @@ bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, li
 {
   if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfForkPresets); !none.empty())
   {
-    vtkErrorMacro(<< none);
+    littoralErrorMacro(<< none);
     return false;
   }
   littoral::AonoKuniiParameters p = littoral::PresetParameters(static_cast<littoral::ForkPreset>(this->Preset));
@@ -74,7 +75,7 @@ bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, li
   const std::string reason = littoral::WhyInvalid(p);
   if (!reason.empty())
   {
-    vtkErrorMacro(<< reason);
+    littoralErrorMacro(<< reason);
     return false;
   }
   prototype = littoral::LevelsOf(littoral::GrowAonoKuniiTree(p), options);

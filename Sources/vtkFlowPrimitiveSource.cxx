@@ -4,6 +4,7 @@
 
 #include "Data/FlowPrimitiveData.h"
 #include "Numerics/ParameterTraits.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
@@ -52,8 +53,8 @@ int vtkFlowPrimitiveSource::RequestData(vtkInformation*, vtkInformationVector**,
   const std::string reason = littoral::WhyInvalid(primitive);
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make a flow: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make a flow: " << reason);
+    return littoral::FailedRequest(this);
   }
   // The first piece holds the primitive; else each rank would add its own.
   vtkInformation* info = outputVector->GetInformationObject(0);

@@ -4,6 +4,7 @@
 
 #include "Data/PlantBlocks.h"
 #include "Numerics/ParameterTraits.h"
+#include "Pipeline/Mistakes.h"
 #include "Plants/GardnerPlant.h"
 
 #include "vtkObjectFactory.h"
@@ -47,7 +48,7 @@ bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, lit
   if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfGardnerPresets);
       !none.empty())
   {
-    vtkErrorMacro(<< none);
+    littoralErrorMacro(<< none);
     return false;
   }
   littoral::GardnerPlantParameters p = littoral::PresetParameters(static_cast<littoral::GardnerPreset>(this->Preset));
@@ -70,7 +71,7 @@ bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, lit
     colors.Color("BarkColor", this->BarkColor);
     if (!colors.IsGood())
     {
-      vtkErrorMacro(<< colors.Reason());
+      littoralErrorMacro(<< colors.Reason());
       return false;
     }
     p.Leaf = littoral::ColorOf(this->LeafColor);
@@ -80,7 +81,7 @@ bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, lit
   const std::string reason = littoral::WhyInvalid(p);
   if (!reason.empty())
   {
-    vtkErrorMacro(<< reason);
+    littoralErrorMacro(<< reason);
     return false;
   }
   prototype = littoral::LevelsOf(littoral::GrowGardnerPlant(p), options);

@@ -5,6 +5,7 @@
 #include "Data/PlantBlocks.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 
 //----------------------------------------------------------------------------
 vtkLeafyTreeSource::vtkLeafyTreeSource(
@@ -31,7 +32,7 @@ bool vtkLeafyTreeSource::TakeColors(std::array<unsigned char, 3>& leaf, std::arr
   check.Color("BarkColor", this->BarkColor);
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
     return false;
   }
   leaf = littoral::ColorOf(this->LeafColor);

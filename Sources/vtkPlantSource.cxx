@@ -3,6 +3,8 @@
 #include "vtkPlantSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/LeafCards.h"
 #include "Plants/PlantLevels.h"
@@ -36,6 +38,7 @@ void AddTextureSize(vtkDataObject* sizes, const char* block, const std::array<in
 //----------------------------------------------------------------------------
 vtkPlantSource::vtkPlantSource()
   : Seed(1)
+  , MediumCrown(Leaves)
   , TextureSize{ 256, 128 }
   , CrownJitter(0.0)
 {
@@ -83,13 +86,15 @@ std::array<int, 2> vtkPlantSource::LeafTextureSize() const
 bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
 {
   options.Seed = this->Seed;
+  options.Crown = static_cast<littoral::MediumCrown>(this->MediumCrown);
   options.TextureColumns = this->TextureSize[0];
   options.TextureRows = this->TextureSize[1];
   options.CrownJitter = this->CrownJitter;
+  options.Parallel = littoral::SmpFor;
   const std::string reason = littoral::WhyInvalid(options);
   if (!reason.empty())
   {
-    vtkErrorMacro(<< reason);
+    littoralErrorMacro(<< reason);
     return false;
   }
   return true;
@@ -102,14 +107,15 @@ int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInfo
   littoral::PlantPrototype prototype;
   if (!this->MakeOptions(options) || !this->Grow(options, prototype))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
-  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
+  auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
+  littoral::CopyToBlocks(prototype, output);
+  if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
-    auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
-    littoral::CopyToBlocks(prototype, output);
-    littoral::KeepRanges(output);
+    littoral::EmptyBlocks(output);
   }
+  littoral::KeepRanges(output);
   littoral::CopyToImage(prototype.CrownTexture, vtkImageData::GetData(outputVector, 1));
   littoral::CopyToImage(prototype.LeafTexture, vtkImageData::GetData(outputVector, 2));
   return 1;
@@ -120,6 +126,7 @@ void vtkPlantSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "MediumCrown: " << this->MediumCrown << "\n";
   os << indent << "TextureSize: " << this->TextureSize[0] << " " << this->TextureSize[1] << "\n";
   os << indent << "CrownJitter: " << this->CrownJitter << "\n";
 }

@@ -9,17 +9,26 @@
  * - `High`: `Skeleton` (a polyline per branch, which starts at a point of its parent; point arrays `ParentId`, the next
  *   node towards the root, -1 at the root, and `Radius` [m]; cell arrays `BranchId` and `Order`), `Skin` and `Leaves`
  *   (polygons);
- * - `Medium`: `Trunk`, a cone, and `Crown`, a closed envelope with texture coordinates by cylindrical projection;
- * - `Low`: exactly four untextured polygons.
+ * - `Medium`: `Trunk`, the trunk and main limbs, and `Crown`: textured cards, each with a tuft that stands for many
+ *   leaves, or a closed envelope with a cylindrical picture of the crown, see MediumCrown;
+ * - `Low`: exactly four textured rectangles, three upright ones that cross in the axis and a flat one, with pictures of
+ *   the plant in full. vtkPlantScatterFilter shows a far plant as one rectangle that faces the camera instead.
  *
  * Coordinates are in meters with z up and the foot of the plant at the origin. All blocks have point normals and the
  * point scalars `RGB`; `Skin` and `Leaves` have the skinning arrays `JointIds`[4] (nodes of `Skeleton`) and
  * `JointWeights`[4].
  *
- * Output 1: vtkImageData, the RGBA texture of the crown as seen by a camera that circles the plant (Setas et al.,
- * section 4.1.2), transparent where there is no leaf. Output 2: vtkImageData, the texture of a leaf, to be multiplied
- * by the color of the leaf. Both can be connected to a vtkTexture and are also stored as field data `Texture` and
- * `TextureSize` of `Crown` and `Leaves`.
+ * `Leaves`, `Crown` and `Low` carry their textures as field data: `Texture` (RGBA bytes, rows from below) and
+ * `TextureSize` (columns, rows); `Crown` and `Low` also `TextureMean` (3 numbers up to 1). A renderer draws RGB * texel
+ * / TextureMean (without a mean: RGB * texel), and nothing where the texel's alpha is below a half; so the colors are
+ * right without textures too. `Low` has in addition `NormalTexture` (RGB bytes, n / 2 + 1/2, in the frame of the
+ * texture: along u, along v, towards the viewer), and, for the pictures from other directions that its texture holds,
+ * `ImpostorExtent` (radius, lowest and highest z of the plant [m]) and `ImpostorAreas` (covered area of each picture
+ * [m2]).
+ *
+ * Output 1: vtkImageData, the texture of `Crown`: two tufts of leaves side by side, or the crown as seen by a camera
+ * that circles the plant (Setas et al., section 4.1.2). Output 2: vtkImageData, the texture of a leaf. Both can be
+ * connected to a vtkTexture.
  *
  * The sizes of both textures are announced with the information of output 0, by the key TEXTURE_SIZES().
  *
@@ -60,9 +69,29 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  enum MediumCrownType
+  {
+    Leaves = 0,
+    Envelope = 1
+  };
+
   ///@{
   /**
-   * Columns and rows of the crown texture, around the plant and upwards [texels], each 4 to 4096; default 256 128.
+   * Crown of the level Medium: Leaves, cards with tufts of leaves that cover as much and have the
+   * same mean color as the crown in full; or Envelope, a closed surface with a picture of the crown, on which
+   * vtkBeamTreeDeformationFilter shows the moving crown (Setas et al., section 4.2). Default Leaves. Has no effect on
+   * seaweed.
+   */
+  vtkSetMacro(MediumCrown, int);
+  vtkGetMacro(MediumCrown, int);
+  void SetMediumCrownToLeaves() { this->SetMediumCrown(Leaves); }
+  void SetMediumCrownToEnvelope() { this->SetMediumCrown(Envelope); }
+  ///@}
+
+  ///@{
+  /**
+   * Columns and rows of the crown texture [texels], each 4 to 4096; default 256 128. Of an envelope, around the plant
+   * and upwards.
    */
   vtkSetVector2Macro(TextureSize, int);
   vtkGetVector2Macro(TextureSize, int);
@@ -70,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Maximum inward displacement of the vertices of the Medium crown, as a fraction of their radius, 0 to 0.9; default
-   * 0. Values above 0 give a rougher outline where High is never shown.
+   * Maximum inward displacement of the vertices of the Medium crown's envelope, as a fraction of their radius, 0 to
+   * 0.9; default 0. Values above 0 give a rougher outline where High is never shown.
    */
   vtkSetMacro(CrownJitter, double);
   vtkGetMacro(CrownJitter, double);
@@ -92,6 +121,7 @@ protected:
   virtual std::array<int, 2> LeafTextureSize() const;
 
   int Seed;
+  int MediumCrown;
   int TextureSize[2];
   double CrownJitter;
 

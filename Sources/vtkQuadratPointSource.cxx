@@ -4,6 +4,7 @@
 
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
@@ -186,7 +187,7 @@ bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recip
   }
   if (table->GetNumberOfRows() == 0 || !table->GetColumnByName("LawId"))
   {
-    vtkErrorMacro("The table of fits has no row with a LawId; connect the first output of a quadrat analysis.");
+    littoralErrorMacro("The table of fits has no row with a LawId; connect the first output of a quadrat analysis.");
     return false;
   }
   const auto take = [table](const char* column, const auto& set) {
@@ -248,13 +249,13 @@ int vtkQuadratPointSource::RequestData(
   Recipe recipe;
   if (!this->MakeRecipe(inputVector[0], recipe))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   const std::string reason = this->WhyInvalid(recipe);
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot scatter points: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot scatter points: " << reason);
+    return littoral::FailedRequest(this);
   }
   this->SetProgressText("Scattering points");
   const long long quadrats = recipe.Grid.NumberOfQuadrats();

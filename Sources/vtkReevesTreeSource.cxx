@@ -3,6 +3,7 @@
 #include "vtkReevesTreeSource.h"
 
 #include "Numerics/ParameterTraits.h"
+#include "Pipeline/Mistakes.h"
 #include "Plants/PlantLevels.h"
 #include "Plants/ReevesTree.h"
 
@@ -44,11 +45,11 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
   check.Choice("Preset", this->Preset, littoral::NumberOfTreePresets);
   check.Require(
     isZeroOr(this->SpeciesHeight, 0.05, 150.0), "SpeciesHeight", this->SpeciesHeight, "m", "from 0.05 to 150 m, or 0");
-  check.Require(
-    isZeroOr(this->SpeciesDiameter, 0.002, 20.0), "SpeciesDiameter", this->SpeciesDiameter, "m", "from 0.002 to 20 m, or 0");
+  check.Require(isZeroOr(this->SpeciesDiameter, 0.002, 20.0), "SpeciesDiameter", this->SpeciesDiameter, "m",
+    "from 0.002 to 20 m, or 0");
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< check.Reason());
     return false;
   }
   littoral::ReevesTreeParameters p = littoral::SizedParameters(
@@ -80,7 +81,7 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
   const std::string reason = littoral::WhyInvalid(p);
   if (!reason.empty())
   {
-    vtkErrorMacro(<< reason);
+    littoralErrorMacro(<< reason);
     return false;
   }
   prototype = littoral::LevelsOf(littoral::GrowReevesTree(p), options);

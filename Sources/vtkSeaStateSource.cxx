@@ -6,6 +6,7 @@
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -115,10 +116,13 @@ littoral::TrainParameters vtkSeaStateSource::MakeTrainParameters() const
 
 //----------------------------------------------------------------------------
 int vtkSeaStateSource::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // All pieces hold all trains: each rank moves its own particles by the whole sea.
   using namespace littoral;
+  if (AsksForLaterPiece(request, outputVector))
+  {
+    return 1;
+  }
   const SpectrumParameters spectrum = this->MakeSpectrum(vtkTable::GetData(inputVector[0]));
   const TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
@@ -131,9 +135,11 @@ int vtkSeaStateSource::RequestData(
   double peakPeriod = 0.0;
   double energy = 0.0;
   double leftOut = 0.0;
+  vtkTable* output = vtkTable::GetData(outputVector);
   if (reason.empty())
   {
     const SeaSpectrum density(spectrum);
+    WriteSpectrum(density, cut, output);
     state = { TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut) };
     peakPeriod = TwoPi / density.PeakFrequency();
     energy = EnergyOf(state.Trains);
@@ -142,17 +148,17 @@ int vtkSeaStateSource::RequestData(
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make a sea: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make a sea: " << reason);
+    output->Initialize();
+    return littoral::FailedRequest(this);
   }
-  vtkTable* output = vtkTable::GetData(outputVector);
   WriteSeaState(state, output);
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
   AddField(output, sea::PeakPeriod, { peakPeriod });
   AddField(output, sea::EnergyLeftOut, { leftOut });
   if (leftOut > EnergyLeftOutInSilence)
   {
-    vtkWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
+    littoralWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
   }
   return 1;
 }

@@ -9,7 +9,9 @@
  * Field data: `WaterDepth` [m] (infinite for deep water), `SeaLevel` [m], `Period` after which the sea repeats [s]
  * (infinite without EqualSpacing; that of a Regular wave); of the trains `SignificantWaveHeight` [m], four times the
  * standard deviation of the surface elevation; of the spectrum `PeakPeriod` [s], and `EnergyLeftOut`, the fraction of
- * its energy outside FrequencyRange, with a warning where it is above 0.02.
+ * its energy outside FrequencyRange, with a warning where it is above 0.02; and unless it is Regular `BinEdges`, the
+ * frequencies [Hz] between which the bins lie, and `SpectralDensity` [m2/Hz] at the edges and at equal steps within
+ * each bin.
  *
  * The spectrum is divided into bins. A train has the energy of its bin, to 1e-12 of it, so that the energy of the sea
  * does not depend on the number of trains. With the default FrequencyRange, the trains hold 99.5 % of the energy of a
@@ -18,6 +20,8 @@
  * Optional input, used only if Spectrum is Table: a vtkTable with the columns `Frequency` [Hz], increasing, and
  * `Density` [m2/Hz], as measured by wave buoys. A parameter out of range or a table that is no spectrum is reported as
  * one error.
+ *
+ * Piece 0 holds the whole table, other pieces are empty; filters that move points request piece 0 on each rank.
  *
  * Coulais et al., section 2.2.
  *

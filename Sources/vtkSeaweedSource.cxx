@@ -4,6 +4,7 @@
 
 #include "Data/PlantBlocks.h"
 #include "Numerics/ParameterTraits.h"
+#include "Pipeline/Mistakes.h"
 #include "Seaweed/SeaweedMesh.h"
 
 #include "vtkObjectFactory.h"
@@ -49,7 +50,7 @@ bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral
   if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfSeaweedPresets);
       !none.empty())
   {
-    vtkErrorMacro(<< none);
+    littoralErrorMacro(<< none);
     return false;
   }
   littoral::SeaweedParameters p = littoral::PresetParameters(static_cast<littoral::SeaweedPreset>(this->Preset));
@@ -79,7 +80,7 @@ bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral
     colors.Color("StipeColor", this->StipeColor);
     if (!colors.IsGood())
     {
-      vtkErrorMacro(<< colors.Reason());
+      littoralErrorMacro(<< colors.Reason());
       return false;
     }
     p.Blade = littoral::ColorOf(this->BladeColor);
@@ -90,7 +91,7 @@ bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral
   const std::string reason = littoral::WhyInvalid(p);
   if (!reason.empty())
   {
-    vtkErrorMacro(<< reason);
+    littoralErrorMacro(<< reason);
     return false;
   }
   prototype = littoral::LevelsOf(littoral::GrowSeaweed(p), options);

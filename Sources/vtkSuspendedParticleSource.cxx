@@ -8,6 +8,7 @@
 #include "Geometry/TextureAtlas.h"
 #include "Numerics/ParameterTraits.h"
 #include "Particles/SuspendedParticles.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
@@ -408,8 +409,8 @@ int vtkSuspendedParticleSource::RequestData(vtkInformation*, vtkInformationVecto
   }
   if (!reason.empty())
   {
-    vtkErrorMacro("Cannot make particles: " << reason);
-    return 0;
+    littoralErrorMacro("Cannot make particles: " << reason);
+    return littoral::FailedRequest(this);
   }
   this->SetProgressText("Placing particles");
   this->NameBoxes(recipe, output);

@@ -3,6 +3,7 @@
 #include "vtkTurningBandsTerrainSource.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Terrain/TurningBands.h"
 
@@ -91,23 +92,23 @@ int vtkTurningBandsTerrainSource::RequestInformation(
   const int* extent = this->WholeExtent;
   if (extent[1] < extent[0] || extent[3] < extent[2])
   {
-    vtkErrorMacro("WholeExtent " << extent[0] << " " << extent[1] << " " << extent[2] << " " << extent[3]
-                                 << " is empty: the last index of an axis must not be below the first.");
-    return 0;
+    littoralErrorMacro("WholeExtent " << extent[0] << " " << extent[1] << " " << extent[2] << " " << extent[3]
+                                      << " is empty: the last index of an axis must not be below the first.");
+    return littoral::FailedInformation(this, outputVector);
   }
   if (extent[5] != extent[4])
   {
-    vtkErrorMacro("WholeExtent has " << extent[5] - static_cast<long long>(extent[4]) + 1
-                                     << " layers in z: a terrain has exactly one.");
-    return 0;
+    littoralErrorMacro("WholeExtent has " << extent[5] - static_cast<long long>(extent[4]) + 1
+                                          << " layers in z: a terrain has exactly one.");
+    return littoral::FailedInformation(this, outputVector);
   }
   littoral::ParameterCheck check;
   check.Positive("Spacing[0]", this->Spacing[0]);
   check.Positive("Spacing[1]", this->Spacing[1]);
   if (!check.IsGood())
   {
-    vtkErrorMacro(<< check.Reason());
-    return 0;
+    littoralErrorMacro(<< check.Reason());
+    return littoral::FailedInformation(this, outputVector);
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->WholeExtent, 6);
@@ -174,7 +175,7 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
 {
   if (fits->GetNumberOfRows() == 0)
   {
-    vtkErrorMacro("The table of fits is empty; connect the first output of a covariance fit.");
+    littoralErrorMacro("The table of fits is empty; connect the first output of a covariance fit.");
     return false;
   }
   littoral::TurningBandsParameters& bands = recipe.Bands;
@@ -188,7 +189,7 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
   take("ModelId", model);
   if (!(model >= 0.0))
   {
-    vtkErrorMacro(
+    littoralErrorMacro(
       "The table of fits has no column ModelId with a model; connect the first output of a covariance fit.");
     return false;
   }
@@ -224,7 +225,7 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   check.NotNegative("TrendHeight", recipe.TrendSides[1]);
   if (!check.IsGood())
   {
-    vtkErrorMacro("Cannot grow " << recipe.Name << ": " << check.Reason());
+    littoralErrorMacro("Cannot grow " << recipe.Name << ": " << check.Reason());
     return false;
   }
   if (automatic)
@@ -307,9 +308,10 @@ bool vtkTurningBandsTerrainSource::CheckMemory(const int extent[6])
   const double bytes = width * height * sizeof(float) * (this->Reflectance ? 2 : 1);
   if (bytes > littoral::AvailableMemory())
   {
-    vtkErrorMacro("A terrain of " << width << " x " << height << " points needs " << bytes / 0x1p30
-                                  << " GiB, more than this machine has free. Take a smaller WholeExtent, or ask for a "
-                                     "part of it.");
+    littoralErrorMacro(
+      "A terrain of " << width << " x " << height << " points needs " << bytes / 0x1p30
+                      << " GiB, more than this machine has free. Take a smaller WholeExtent, or ask for a "
+                         "part of it.");
     return false;
   }
   return true;
@@ -353,6 +355,10 @@ int vtkTurningBandsTerrainSource::RequestData(
   littoral::ForgetExtent(info);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
+  if (littoral::IsAnnouncedEmpty(info))
+  {
+    return littoral::FailedRequest(this);
+  }
 
   Recipe elevation = this->ElevationRecipe();
   Recipe reflectance = this->ReflectanceRecipe();
@@ -360,14 +366,14 @@ int vtkTurningBandsTerrainSource::RequestData(
   if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
     (this->Reflectance && !this->CheckRecipe(reflectance)))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
 
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   if (!this->CheckMemory(extent))
   {
-    return 0;
+    return littoral::FailedRequest(this);
   }
   output->SetExtent(extent);
   output->SetOrigin(this->Origin);

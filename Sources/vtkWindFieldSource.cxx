@@ -3,7 +3,9 @@
 #include "vtkWindFieldSource.h"
 
 #include "Data/Arrays.h"
+#include "Data/WindImage.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Wind/WindField.h"
 #include "Wind/WindLines.h"
@@ -169,9 +171,9 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
   check.Finite("Center[1]", this->Center[1], "m");
   if (!check.IsGood())
   {
-    vtkErrorMacro("Cannot make a wind: " << check.Reason());
+    littoralErrorMacro("Cannot make a wind: " << check.Reason());
     vtkImageData::GetData(outputVector)->Initialize();
-    return 0;
+    return littoral::FailedInformation(this, outputVector);
   }
 
   const int extent[6] = { 0, grid.Count[0] - 1, 0, grid.Count[1] - 1, 0, grid.Count[2] - 1 };
@@ -281,6 +283,10 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
+  if (littoral::IsAnnouncedEmpty(info))
+  {
+    return littoral::FailedRequest(this);
+  }
   const Recipe recipe = this->MakeRecipe();
   const littoral::WindGrid& grid = recipe.Grid;
   const bool fresh = this->Internals && this->Internals->Made.GetMTime() > this->GetMTime();
@@ -291,10 +297,10 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
     points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
   if (bytes > littoral::AvailableMemory())
   {
-    vtkErrorMacro("A wind with Dimensions " << grid.Count[0] << " x " << grid.Count[1] << " x " << grid.Count[2]
-                                            << " needs " << bytes / 0x1p30
-                                            << " GiB of memory, more than this machine has free.");
-    return 0;
+    littoralErrorMacro("A wind with Dimensions " << grid.Count[0] << " x " << grid.Count[1] << " x " << grid.Count[2]
+                                                 << " needs " << bytes / 0x1p30
+                                                 << " GiB of memory, more than this machine has free.");
+    return littoral::FailedRequest(this);
   }
   if (!fresh && points > 0.0 && !this->Freeze(recipe))
   {
@@ -320,6 +326,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   AddNumber(fields, "FrictionVelocity", littoral::FrictionVelocity(recipe.Model));
   AddNumber(fields, "ConvectionSpeed", littoral::ConvectionSpeed(recipe.Model));
   AddNumber(fields, "Period", grid.Period());
+  littoral::WriteWindModel(recipe.Model, output);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -16,7 +16,9 @@
  * of divergence.
  *
  * Field data: `CoherenceError` (maximum difference of the root coherence from the model), `FrictionVelocity` [m/s],
- * `ConvectionSpeed` [m/s], `Period` [s].
+ * `ConvectionSpeed` [m/s], `Period` [s]; and of the model `ReferenceSpeed` [m/s], `ReferenceHeight` [m],
+ * `RoughnessLength` [m], `Spectrum`, `TurbulenceIntensity`, `Coherence`, `LongitudinalDecay`, `LateralDecay` and
+ * `VerticalDecay`, as the properties.
  *
  * The field is computed once and kept, so that another time is a copy. Any extent can be requested; each rank computes
  * the whole field for it. A parameter out of range or a field larger than the memory is reported as one error.

@@ -3,6 +3,7 @@
 #include "Geometry/TextureAtlas.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace littoral
 {
@@ -51,6 +52,38 @@ std::array<long long, 2> AtlasSize(const std::vector<std::array<int, 2>>& sizes)
     all[1] += filled[1] + 2 * Border;
   }
   return all;
+}
+
+std::array<float, 3> ShareMean(std::vector<TextureImage>& textures, const std::vector<std::array<float, 3>>& means)
+{
+  std::array<float, 3> common{ 1.0f, 1.0f, 1.0f };
+  for (const std::array<float, 3>& mean : means)
+  {
+    std::transform(mean.begin(), mean.end(), common.begin(), common.begin(),
+      [](float one, float other) { return std::min(one, other); });
+  }
+  for (std::size_t i = 0; i < textures.size(); ++i)
+  {
+    TextureImage& texture = textures[i];
+    if (means[i] == common)
+    {
+      continue;
+    }
+    if (texture.Texels.empty())
+    {
+      texture = TextureImage(WhiteSide, WhiteSide);
+      std::fill(texture.Texels.begin(), texture.Texels.end(), Texel{ 255, 255, 255, 255 });
+    }
+    for (Texel& texel : texture.Texels)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const float part = common[channel] / means[i][channel];
+        texel[channel] = static_cast<unsigned char>(std::lround(part * static_cast<float>(texel[channel])));
+      }
+    }
+  }
+  return common;
 }
 
 TextureAtlas StackTextures(const std::vector<TextureImage>& textures)

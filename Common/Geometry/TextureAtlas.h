@@ -32,6 +32,12 @@ struct TextureAtlas
 /// Columns and rows of the atlas of textures with these columns and rows.
 std::array<long long, 2> AtlasSize(const std::vector<std::array<int, 2>>& sizes);
 
+/**
+ * Textures that are drawn divided by their means, one mean for all: where the means, 0 to 1, are not the same, texels
+ * are darkened to the smallest of each color. An empty texture counts as white. The common mean.
+ */
+std::array<float, 3> ShareMean(std::vector<TextureImage>& textures, const std::vector<std::array<float, 3>>& means);
+
 /// An empty texture counts as a white, opaque one.
 TextureAtlas StackTextures(const std::vector<TextureImage>& textures);
 

@@ -51,7 +51,7 @@ bool AreTheSame(const View& a, const View& b)
 {
   return a.Point == b.Point && a.Direction == b.Direction && a.Up == b.Up && a.Angle == b.Angle &&
     a.AspectRatio == b.AspectRatio && a.Height == b.Height && a.IsParallel == b.IsParallel &&
-    (!a.IsParallel || a.ParallelScale == b.ParallelScale);
+    a.DetailFactor == b.DetailFactor && (!a.IsParallel || a.ParallelScale == b.ParallelScale);
 }
 
 View Rounded(const View& view, double lengthStep, double angleStep)
@@ -82,6 +82,8 @@ std::string WhyInvalid(const View& view)
     ValueInterval::Between(0.0, 180.0).Words("degrees"));
   check.Positive("AspectRatio", view.AspectRatio);
   check.Positive("ViewHeight", view.Height, "pixels");
+  check.Require(view.DetailFactor > 0.0 && view.DetailFactor <= 1.0, "DetailFactor", view.DetailFactor, "",
+    "above 0 and at most 1");
   if (view.IsParallel)
   {
     check.Positive("ParallelScale", view.ParallelScale);
@@ -94,7 +96,9 @@ std::string WhyInvalid(const View& view)
 
 double LevelDistance(const View& view, const Vector3& place)
 {
-  return view.IsParallel ? view.ParallelScale / std::tan(0.5 * view.Angle) : glm::distance(place, view.Point);
+  const double distance =
+    view.IsParallel ? view.ParallelScale / std::tan(0.5 * view.Angle) : glm::distance(place, view.Point);
+  return distance / view.DetailFactor;
 }
 
 double SightDistance(const View& view, const Vector3& place)

@@ -23,6 +23,7 @@ struct View
   double ParallelScale = 1.0;                           ///< half the height of a parallel picture [m], positive
   double AspectRatio = 1.0;                             ///< width / height of the picture, positive
   double Height = 1080.0;                               ///< of the picture [pixels], positive
+  double DetailFactor = 1.0;                            ///< by which the distances of levels are longer, above 0 to 1
   double Near = 0.0;                                    ///< [m], not negative
   double Far = std::numeric_limits<double>::infinity(); ///< [m], above Near
   double Margin = 0.0;                                  ///< by which the volume is widened on all sides [m]
@@ -44,7 +45,8 @@ View Rounded(const View& view, double lengthStep, double angleStep);
 std::string WhyInvalid(const View& view);
 
 /// The distance by which levels of detail go [m]: that of a place from the eye. In a parallel projection all is as
-/// large as in a perspective of the same angle at one distance, which stands for that of any place.
+/// large as in a perspective of the same angle at one distance, which stands for that of any place. A DetailFactor f
+/// makes it 1/f times as long.
 double LevelDistance(const View& view, const Vector3& place);
 
 /// How far light comes through the scene from a place [m]: from it to the eye, or to the plane of the eye in a parallel

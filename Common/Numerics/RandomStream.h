@@ -28,6 +28,8 @@ enum class RandomPurpose : std::uint32_t
   PlantAzimuth = 23,
   PlantTint = 24,
   CrownJitter = 25,
+  CrownCards = 26,
+  LeafTufts = 27,
   WindAlong = 32,
   WindAcross = 33,
   WindUp = 34,

@@ -224,6 +224,22 @@ public:
     return std::move(this->Mesh);
   }
 
+  /// Some of the sections as cards.
+  std::vector<CrownCard> Cards() const
+  {
+    const int quadrics = static_cast<int>(this->Plant.Quadrics.size());
+    const int sections = std::clamp(MostCards / std::max(1, quadrics), 1, NumberOfSections);
+    std::vector<CrownCard> cards;
+    for (const Quadric& quadric : this->Plant.Quadrics)
+    {
+      for (int index = 0; index < sections; ++index)
+      {
+        cards.push_back(this->CardOf(quadric, index * NumberOfSections / sections));
+      }
+    }
+    return cards;
+  }
+
 private:
   /// A vertex before it is known whether any triangle needs it.
   struct Vertex
@@ -348,13 +364,40 @@ private:
     }
   }
 
+  /// The normal of a section in the sphere; its front is what is seen from outside of the crown.
+  Vector3 FrontOf(const Quadric& quadric, int section) const
+  {
+    const Vector3 fromCrown = quadric.Center - this->Crown.Foot - Vector3(0.0, 0.0, 0.5 * this->Crown.Height);
+    const bool inwards = glm::dot(Outward(quadric, SectionNormal(section)), fromCrown) < 0.0;
+    return (inwards ? -1.0 : 1.0) * SectionNormal(section);
+  }
+
+  /// The square around a section.
+  CrownCard CardOf(const Quadric& quadric, int section) const
+  {
+    const Vector3 normal = this->FrontOf(quadric, section);
+    const Vector3 first = Perpendicular(normal);
+    const Vector3 second = glm::cross(normal, first);
+    CrownCard card;
+    card.Center = quadric.Center;
+    card.Right = PointOf(quadric, first) - quadric.Center;
+    card.Up = PointOf(quadric, second) - quadric.Center;
+    const double sides[4][2] = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } };
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const Vector3 away = sides[corner][0] * first + sides[corner][1] * second;
+      card.Normals[corner] =
+        LitNormal(this->Crown, PointOf(quadric, 0.6 * away), Outward(quadric, Normalised(away + 0.8 * normal)));
+    }
+    card.Tint = this->TintAt(quadric, 0.6 * normal, PointOf(quadric, 0.6 * normal));
+    card.ShowsSecond = section % 2 == 1;
+    return card;
+  }
+
   /// A disk, with the picture of an outline on it and normals as on the side of the quadric that it faces.
   void AddSection(const Quadric& quadric, int section)
   {
-    // Its front is what is seen from outside of the crown.
-    const Vector3 fromCrown = quadric.Center - this->Crown.Foot - Vector3(0.0, 0.0, 0.5 * this->Crown.Height);
-    const bool inwards = glm::dot(Outward(quadric, SectionNormal(section)), fromCrown) < 0.0;
-    const Vector3 normal = (inwards ? -1.0 : 1.0) * SectionNormal(section);
+    const Vector3 normal = this->FrontOf(quadric, section);
     const Vector3 first = Perpendicular(normal);
     const Vector3 second = glm::cross(normal, first);
     const double half = 0.5 * GardnerColumns;
@@ -524,6 +567,20 @@ PlantMesh QuadricMesh(const GardnerPlant& plant, const TextureImage& picture)
   return QuadricBuilder(plant, picture).Run();
 }
 
+CrownCards SectionCards(const GardnerPlant& plant, const TextureImage& picture, int columns, int rows)
+{
+  CrownCards cards{ QuadricBuilder(plant, picture).Cards(), TextureImage(columns, rows) };
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      cards.Texture.At(column, row) =
+        picture.At((2 * column + 1) * picture.Columns / (2 * columns), (2 * row + 1) * SectionRows / (2 * rows));
+    }
+  }
+  return cards;
+}
+
 CrownVolume SeenCrown(const GardnerPlant& plant, const TextureImage& picture)
 {
   double opaque = 0.0;
@@ -559,7 +616,8 @@ PlantPrototype LevelsOf(const GardnerPlant& plant, const PlantLevelOptions& opti
   prototype.Skin = SkinOf(plant.Wood, skin);
   prototype.LeafTexture = GardnerPicture(GardnerTexture(p.Texture), p.Shells);
   prototype.Leaves = QuadricMesh(plant, prototype.LeafTexture);
-  AddLowerLevels(prototype, { SeenCrown(plant, prototype.LeafTexture), p.Leaf, p.Bark }, options);
+  AddLowerLevels(prototype, { SeenCrown(plant, prototype.LeafTexture), p.Bark }, options,
+    [&] { return SectionCards(plant, prototype.LeafTexture, options.TextureColumns, options.TextureRows); });
   return prototype;
 }
 

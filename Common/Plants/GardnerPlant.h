@@ -96,6 +96,9 @@ inline constexpr int NumberOfSections = 9;
 /// are left out. A quadric follows the joint of the node that carries it.
 PlantMesh QuadricMesh(const GardnerPlant& plant, const TextureImage& picture);
 
+/// The squares around some of the sections, as cards for the level Medium; the texture shows the two sections.
+CrownCards SectionCards(const GardnerPlant& plant, const TextureImage& picture, int columns, int rows);
+
 /// The crown as far as it is seen, for the lower levels: as much smaller than the bounding volume as disks of the same
 /// opaque area are than the outlines of the quadrics at its rim.
 CrownVolume SeenCrown(const GardnerPlant& plant, const TextureImage& picture);

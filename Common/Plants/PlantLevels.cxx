@@ -18,89 +18,16 @@ namespace littoral
 namespace
 {
 
-constexpr int CornersOfEllipse = 24;
 constexpr int SidesOfTrunk = 6;
 constexpr int SidesOfCrown = 16;
 constexpr int RingsOfCrown = 7; ///< between the foot and the top of an ellipsoid
 
-/// Adds a polygon in the vertical plane through a point, given by distances from its axis and heights above it [m].
-void AddUpright(PlantMesh& mesh, const Vector3& foot, const std::vector<std::array<double, 2>>& outline,
-  const Vector3& across, const Color& color)
+Color ColorOf(const ColorSum& mean)
 {
-  std::vector<int> corners;
-  for (const auto& corner : outline)
-  {
-    corners.push_back(static_cast<int>(mesh.Points.size()));
-    mesh.Points.push_back(foot + corner[0] * across + Vector3(0.0, 0.0, corner[1]));
-    mesh.Normals.push_back({ across.y, -across.x, 0.0 });
-    mesh.Colors.push_back(color);
-  }
-  mesh.AddPolygon(corners);
-}
-
-std::vector<std::array<double, 2>> OutlineOf(const CrownVolume& crown)
-{
-  if (crown.Shape == CrownShape::Cone)
-  {
-    return { { -crown.Radius, 0.0 }, { crown.Radius, 0.0 }, { 0.0, crown.Height } };
-  }
-  std::vector<std::array<double, 2>> outline;
-  for (int corner = 0; corner < CornersOfEllipse; ++corner)
-  {
-    const double angle = TwoPi * corner / CornersOfEllipse;
-    outline.push_back({ crown.Radius * std::cos(angle), 0.5 * crown.Height * (1.0 + std::sin(angle)) });
-  }
-  return outline;
-}
-
-/// A part of a picture; beyond its last column comes the first again.
-struct TexelWindow
-{
-  int Column; ///< in the middle
-  int Row;
-  int Width; ///< to both sides
-  int Height;
-};
-
-/// The mean color of what is seen in a part of the picture; the leaf's where nothing is.
-Color MeanColor(const TextureImage& seen, const TexelWindow& window, const Color& leaf)
-{
-  double sums[3] = { 0.0, 0.0, 0.0 };
-  double weight = 0.0;
-  const int last = std::min(seen.Rows - 1, window.Row + window.Height);
-  for (int row = std::max(0, window.Row - window.Height); row <= last; ++row)
-  {
-    for (int column = window.Column - window.Width; column <= window.Column + window.Width; ++column)
-    {
-      const Texel& texel = seen.At(((column % seen.Columns) + seen.Columns) % seen.Columns, row);
-      weight += texel[3];
-      for (int channel = 0; channel < 3; ++channel)
-      {
-        sums[channel] += static_cast<double>(texel[3]) * texel[channel];
-      }
-    }
-  }
-  Color mean = leaf;
-  for (int channel = 0; channel < 3 && weight > 0.0; ++channel)
-  {
-    mean[channel] = static_cast<unsigned char>(std::lround(sums[channel] / weight));
-  }
-  return mean;
-}
-
-/// The color around a vertex of the envelope.
-Color ColorAround(const TextureImage& seen, double u, double v, const Color& leaf)
-{
-  const int reach = std::max(1, seen.Columns / (2 * SidesOfCrown));
-  const int row = std::min(seen.Rows - 1, static_cast<int>(v * seen.Rows));
-  return MeanColor(seen, { static_cast<int>(u * seen.Columns), row, reach, reach }, leaf);
-}
-
-/// The color of the whole crown at a part of its height.
-Color ColorAtHeight(const TextureImage& seen, double v, const Color& leaf)
-{
-  const int row = std::min(seen.Rows - 1, static_cast<int>(v * seen.Rows));
-  return MeanColor(seen, { 0, row, seen.Columns / 2, seen.Rows / 8 }, leaf);
+  Color color{};
+  std::transform(mean.begin(), mean.end(), color.begin(),
+    [](float part) { return static_cast<unsigned char>(std::lround(255.0f * part)); });
+  return color;
 }
 
 /// Builds an envelope from rings of vertices around the axis.
@@ -204,6 +131,7 @@ private:
 std::string WhyInvalid(const PlantLevelOptions& options)
 {
   ParameterCheck check;
+  check.Choice("MediumCrown", static_cast<int>(options.Crown), NumberOfMediumCrowns);
   check.Count("TextureSize[0]", options.TextureColumns, 4, 4096);
   check.Count("TextureSize[1]", options.TextureRows, 4, 4096);
   check.Range("CrownJitter", options.CrownJitter, 0.0, 0.9);
@@ -249,42 +177,35 @@ PlantMesh CrownEnvelope(const CrownVolume& crown, const PlantLevelOptions& optio
   return Envelope(crown, options).Run();
 }
 
-PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood, const TextureImage& seen)
-{
-  const SkeletonBranch& trunk = wood.Branches.front();
-  const SkeletonNode& foot = wood.Nodes[trunk.First];
-  const double r = foot.Radius;
-  // Up to the crown only: beyond, it would lie in the crown's own plane.
-  const double top = std::max(outline.Crown.Foot.z - foot.Position.z, r);
-  const std::vector<std::array<double, 2>> rectangle{ { -r, 0.0 }, { r, 0.0 }, { r, top }, { -r, top } };
-  const std::vector<std::array<double, 2>> crown = OutlineOf(outline.Crown);
-  PlantMesh mesh;
-  for (const Vector3& across : { Vector3{ 1.0, 0.0, 0.0 }, Vector3{ 0.0, 1.0, 0.0 } })
-  {
-    AddUpright(mesh, foot.Position, rectangle, across, outline.Bark);
-    const std::size_t first = mesh.Points.size();
-    AddUpright(mesh, outline.Crown.Foot, crown, across, outline.Leaf);
-    for (std::size_t i = first; i < mesh.Points.size(); ++i)
-    {
-      const double up = (mesh.Points[i].z - outline.Crown.Foot.z) / outline.Crown.Height;
-      mesh.Colors[i] = ColorAtHeight(seen, std::clamp(up, 0.0, 1.0), outline.Leaf);
-    }
-  }
-  return mesh;
-}
-
-void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, const PlantLevelOptions& options)
+void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, const PlantLevelOptions& options,
+  const std::function<CrownCards()>& makeCards)
 {
   const TextureImage* leafTexture = prototype.LeafTexture.Texels.empty() ? nullptr : &prototype.LeafTexture;
-  prototype.CrownTexture = CylindricalProjection(
-    { prototype.Leaves, leafTexture }, outline.Crown, options.TextureColumns, options.TextureRows);
-  prototype.Trunk = TrunkCone(prototype.Wood, outline.Bark);
-  prototype.Crown = CrownEnvelope(outline.Crown, options);
-  for (const auto& at : prototype.Crown.TCoords)
+  const std::vector<DrawnMesh> full{ { prototype.Skin }, { prototype.Leaves, leafTexture } };
+  PlantExtent extent;
+  Enclose(extent, prototype.Skin);
+  Enclose(extent, prototype.Leaves);
+  prototype.CrownIsEnvelope = options.Crown == MediumCrown::Envelope;
+  if (prototype.CrownIsEnvelope)
   {
-    prototype.Crown.Colors.push_back(ColorAround(prototype.CrownTexture, at[0], at[1], outline.Leaf));
+    prototype.Trunk = TrunkCone(prototype.Wood, outline.Bark);
+    prototype.Crown = CrownEnvelope(outline.Crown, options);
+    prototype.CrownTexture = CylindricalProjection(
+      { prototype.Leaves, leafTexture }, outline.Crown, options.TextureColumns, options.TextureRows);
+    prototype.CrownTextureMean = MeanOf(prototype.CrownTexture);
+    prototype.Crown.Colors.assign(prototype.Crown.Points.size(), ColorOf(prototype.CrownTextureMean));
   }
-  prototype.Low = LowPlant(outline, prototype.Wood, prototype.CrownTexture);
+  else
+  {
+    CrownCards cards = makeCards();
+    ScaleToCardMean(cards.Texture);
+    prototype.Trunk = MainLimbs(prototype.Wood, outline.Bark);
+    prototype.Crown = MatchedMesh(cards, prototype.Trunk, full, extent);
+    prototype.CrownTexture = std::move(cards.Texture);
+    prototype.CrownTextureMean.fill(CardTextureMean);
+  }
+  prototype.Impostor = ImpostorOf(full, extent, options.Parallel);
+  prototype.Low = CrossedCards(prototype.Impostor);
 }
 
 PlantPrototype LevelsOf(const Plant& plant, const PlantLevelOptions& options)
@@ -296,7 +217,14 @@ PlantPrototype LevelsOf(const Plant& plant, const PlantLevelOptions& options)
   prototype.Skin = SkinOf(plant.Wood, skin);
   prototype.Leaves = LeafCards(plant);
   prototype.LeafTexture = LeafPicture(plant.Form);
-  AddLowerLevels(prototype, { plant.Crown, plant.Leaf, plant.Bark }, options);
+  AddLowerLevels(prototype, { plant.Crown, plant.Bark }, options, [&] {
+    CrownCards cards{ TuftCards(prototype.Leaves, options.Seed), {} };
+    const int leaves =
+      cards.Cards.empty() ? 1 : prototype.Leaves.NumberOfPolygons() / static_cast<int>(cards.Cards.size());
+    cards.Texture =
+      TuftPicture(prototype.LeafTexture, leaves, options.TextureColumns, options.TextureRows, options.Seed);
+    return cards;
+  });
   return prototype;
 }
 

@@ -3,30 +3,42 @@
 #ifndef LittoralPlantLevels_h
 #define LittoralPlantLevels_h
 
+#include "Plants/CrownCards.h"
 #include "Plants/PlantPrototype.h"
 
+#include <functional>
 #include <string>
 
 namespace littoral
 {
 
+/// What stands for the crown at the level Medium.
+enum class MediumCrown
+{
+  Leaves = 0,   ///< cards with tufts of leaves
+  Envelope = 1, ///< a closed surface with a picture of the crown (Setas et al., section 4.1.2)
+};
+
+inline constexpr int NumberOfMediumCrowns = 2;
+
 /// How the levels of detail of a plant are made.
 struct PlantLevelOptions
 {
-  int TextureColumns = 256; ///< of the crown's texture, around the plant
-  int TextureRows = 128;    ///< of the crown's texture, from its foot to its top
+  MediumCrown Crown = MediumCrown::Leaves;
+  int TextureColumns = 256; ///< of the crown's texture; of an envelope around the plant
+  int TextureRows = 128;    ///< of the crown's texture; of an envelope from its foot to its top
   double CrownJitter = 0.0; ///< by which the envelope's vertices move inwards at most, as part of the radius
-  int Seed = 1;             ///< of the jitter
+  int Seed = 1;             ///< of the jitter and the cards
+  ParallelFor Parallel = SerialFor;
 };
 
 /// Why there are no such levels, with the name of the property; empty when there are.
 std::string WhyInvalid(const PlantLevelOptions& options);
 
-/// Colors and sizes that the lower levels take from a plant.
+/// What the lower levels take from a plant.
 struct PlantOutline
 {
   CrownVolume Crown;
-  Color Leaf{ 112, 146, 60 };
   Color Bark{ 105, 88, 70 };
 };
 
@@ -37,12 +49,10 @@ PlantMesh TrunkCone(const Skeleton& wood, const Color& bark);
 /// 0 to 1, v from foot to top.
 PlantMesh CrownEnvelope(const CrownVolume& crown, const PlantLevelOptions& options);
 
-/// The lowest level: exactly four untextured polygons, two crossed rectangles for the trunk and two crossed triangles
-/// (cone) or ellipses (ellipsoid) for the crown, which has the colors of its picture, from foot to top.
-PlantMesh LowPlant(const PlantOutline& outline, const Skeleton& wood, const TextureImage& seen);
-
-/// Adds Medium and Low to a prototype of which High is there.
-void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, const PlantLevelOptions& options);
+/// Adds Medium and Low to a prototype of which High is there. `makeCards` is asked for the crown's cards where these
+/// are wanted.
+void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, const PlantLevelOptions& options,
+  const std::function<CrownCards()>& makeCards);
 
 /// All levels of a plant. The plant must be valid.
 PlantPrototype LevelsOf(const Plant& plant, const PlantLevelOptions& options);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/PlantMesh.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace littoral
 {
 
@@ -66,6 +69,16 @@ Vector3 AreaVector(const PlantMesh& mesh, int polygon)
     area += glm::cross(mesh.Points[mesh.Corners[corner]] - origin, mesh.Points[mesh.Corners[corner + 1]] - origin);
   }
   return area;
+}
+
+void Enclose(PlantExtent& extent, const PlantMesh& mesh)
+{
+  for (const Vector3& point : mesh.Points)
+  {
+    extent.Radius = std::max(extent.Radius, std::hypot(point.x, point.y));
+    extent.Low = std::min(extent.Low, point.z);
+    extent.High = std::max(extent.High, point.z);
+  }
 }
 
 void TurnNormalsToFronts(PlantMesh& mesh)

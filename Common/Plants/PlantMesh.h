@@ -40,6 +40,17 @@ int CopyVertex(PlantMesh& mesh, int vertex);
 /// Twice the area of a polygon [m2], along the normal of its winding.
 Vector3 AreaVector(const PlantMesh& mesh, int polygon);
 
+/// The upright cylinder about the axis of a plant that holds all of it [m].
+struct PlantExtent
+{
+  double Radius = 0.0;
+  double Low = 0.0;
+  double High = 0.0;
+};
+
+/// Widens a cylinder by the points of a mesh.
+void Enclose(PlantExtent& extent, const PlantMesh& mesh);
+
 /// Turns normals, each as little as it takes, until they are on the front of all polygons at their vertices. A polygon
 /// gets a vertex of its own where that is not to be had.
 void TurnNormalsToFronts(PlantMesh& mesh);

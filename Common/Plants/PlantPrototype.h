@@ -5,6 +5,7 @@
 
 #include "Geometry/TextureImage.h"
 #include "Plants/Plant.h"
+#include "Plants/PlantImpostor.h"
 #include "Plants/SeaweedSegment.h"
 #include "Plants/WoodParameters.h"
 
@@ -12,7 +13,7 @@ namespace littoral
 {
 
 /// A plant at three levels of detail. The colors of a mesh alone are a fair picture. LeafTexture multiplies the
-/// colors of Leaves; CrownTexture replaces those of Crown.
+/// colors of Leaves; CrownTexture divided by its mean those of Crown; the pictures of the impostor those of Low.
 struct PlantPrototype
 {
   // High
@@ -26,8 +27,11 @@ struct PlantPrototype
   PlantMesh Trunk;
   PlantMesh Crown;
   TextureImage CrownTexture;
+  ColorSum CrownTextureMean{ 1.0f, 1.0f, 1.0f };
+  bool CrownIsEnvelope = false; ///< the texture is a cylindrical projection
   // Low
   PlantMesh Low;
+  PlantImpostor Impostor; ///< without pictures where Low is not cards
 };
 
 }

@@ -155,6 +155,23 @@ Box BoxOf(const PlantPlace& place, const PlantExtent& extent)
     place.Foot + Vector3(radius, radius, place.Scale * extent.High) };
 }
 
+ImpostorCard FacingCard(const ImpostorShape& shape, const PlantPlace& place, const View& view)
+{
+  const double c = std::cos(place.Azimuth);
+  const double s = std::sin(place.Azimuth);
+  const Vector3 middle(0.0, 0.0, 0.5 * (shape.Extent.Low + shape.Extent.High));
+  const Vector3 towards =
+    view.IsParallel ? -Normalised(view.Direction) : Normalised(view.Point - place.Foot - place.Scale * middle);
+  const auto turned = [&](const Vector3& v) { return Vector3(c * v.x - s * v.y, s * v.x + c * v.y, v.z); };
+  ImpostorCard card = CardTowards(shape, { c * towards.x + s * towards.y, c * towards.y - s * towards.x, towards.z });
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    card.Corners[corner] = place.Foot + place.Scale * turned(card.Corners[corner]);
+    card.Normals[corner] = turned(card.Normals[corner]);
+  }
+  return card;
+}
+
 std::vector<ShownPlant> ShownPlants(const std::vector<PlantPlace>& places, const SceneCells& cells,
   const std::vector<char>& cellsShown, const View& view, const PlantViewOptions& options, long long firstSite,
   long long endSite)

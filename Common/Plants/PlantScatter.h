@@ -6,6 +6,7 @@
 #include "Geometry/HeightGrid.h"
 #include "Geometry/SceneCells.h"
 #include "Geometry/ViewFrustum.h"
+#include "Plants/PlantImpostor.h"
 #include "Plants/Skeleton.h"
 
 #include <array>
@@ -61,16 +62,11 @@ struct PlantPlace
 /// The skeleton of a prototype at a plant's site: scaled, turned about the vertical and moved to the foot.
 Skeleton Placed(const Skeleton& prototype, const PlantPlace& place);
 
-/// The upright cylinder about the axis of a species' prototype that holds all of it [m].
-struct PlantExtent
-{
-  double Radius = 0.0;
-  double Low = 0.0;
-  double High = 0.0;
-};
-
 /// The box that holds a plant, however it is turned.
 Box BoxOf(const PlantPlace& place, const PlantExtent& extent);
+
+/// The card of a plant that faces the eye of a view, at the plant's site.
+ImpostorCard FacingCard(const ImpostorShape& shape, const PlantPlace& place, const View& view);
 
 /// The ground on which plants stand.
 struct GroundLimits
@@ -99,9 +95,9 @@ enum class PlantLevel
 struct PlantViewOptions
 {
   bool UseLevels = true;        ///< else all is High
-  bool UseCulling = true;         ///< else all is shown
-  double NearDistance = 60.0;   ///< of levels, up to which a plant is High [m]
-  double FarDistance = 250.0;   ///< up to which it is Medium [m]
+  bool UseCulling = true;       ///< else all is shown
+  double NearDistance = 30.0;   ///< of levels, up to which a plant is High [m]
+  double FarDistance = 130.0;   ///< up to which it is Medium [m]
   double VisibleDistance = 0.0; ///< of sight, up to which it is shown [m]; 0: no limit
 };
 

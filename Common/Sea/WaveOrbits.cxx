@@ -189,6 +189,7 @@ struct alignas(64) WaveOrbits::Block
   float Velocity[3][BlockSize];
   float Acceleration[3][BlockSize];
   float Gradient[5][BlockSize];
+  float VelocityGradient[5][BlockSize];
 };
 
 OrbitAxes AxesAt(const WaveTrain& train, double height, double depth)
@@ -284,6 +285,7 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     Vector3 velocity(drift[0], drift[1], 0.0);
     Vector3 acceleration(0.0);
     double gradient[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+    double shear[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
     for (std::size_t n = 0; n < trains; ++n)
     {
       const Train& train = this->Trains[n];
@@ -308,6 +310,12 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
       gradient[2] += a * c * train.Y * train.DirectionY;
       gradient[3] += b * s * train.X;
       gradient[4] += b * s * train.Y;
+      // And those of the velocity
+      shear[0] += w * a * s * train.X * train.DirectionX;
+      shear[1] += w * a * s * train.X * train.DirectionY;
+      shear[2] += w * a * s * train.Y * train.DirectionY;
+      shear[3] -= w * b * c * train.X;
+      shear[4] -= w * b * c * train.Y;
     }
     const auto store = [i](double* to, const double* from, int count) {
       if (to)
@@ -319,6 +327,7 @@ void WaveOrbits::Evaluate(const OrbitRequest<double>& request, std::size_t begin
     store(request.Velocity, &velocity[0], 3);
     store(request.Acceleration, &acceleration[0], 3);
     store(request.Gradient, gradient, 5);
+    store(request.VelocityGradient, shear, 5);
   }
 }
 
@@ -375,6 +384,10 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
   {
     Store<5>(block.Gradient, count, to(request.Gradient, 5));
   }
+  if (request.VelocityGradient)
+  {
+    Store<5>(block.VelocityGradient, count, to(request.VelocityGradient, 5));
+  }
 }
 
 /// Centers of the points; all sums 0.
@@ -394,6 +407,7 @@ void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, st
   std::memset(block.Velocity, 0, sizeof block.Velocity);
   std::memset(block.Acceleration, 0, sizeof block.Acceleration);
   std::memset(block.Gradient, 0, sizeof block.Gradient);
+  std::memset(block.VelocityGradient, 0, sizeof block.VelocityGradient);
 }
 
 /// Moves the centers with the Stokes drift of their trains; `counts` as in the request, of this block.
@@ -459,14 +473,21 @@ void WaveOrbits::AddTrain(Block& block, const OrbitRequest<float>& request, cons
   {
     add(block.Sine, block.Cosine, -w * w, w * w, block.Acceleration);
   }
+  const float kx = static_cast<float>(train.X);
+  const float ky = static_cast<float>(train.Y);
   // k_x a cos phi d_x, k_x a cos phi d_y, k_y a cos phi d_y; k_x b sin phi, k_y b sin phi
   if (request.Gradient)
   {
-    const float kx = static_cast<float>(train.X);
-    const float ky = static_cast<float>(train.Y);
     const float factor[5] = { kx * dx, kx * dy, ky * dy, kx, ky };
     AddGradient(block.A, block.Cosine, block.B, block.Sine, factor, count, block.Gradient[0], block.Gradient[1],
       block.Gradient[2], block.Gradient[3], block.Gradient[4]);
+  }
+  // Its derivative by the time, phi' = -w
+  if (request.VelocityGradient)
+  {
+    float(*sums)[BlockSize] = block.VelocityGradient;
+    const float factor[5] = { w * kx * dx, w * kx * dy, w * ky * dy, -w * kx, -w * ky };
+    AddGradient(block.A, block.Sine, block.B, block.Cosine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
   }
 }
 

@@ -46,6 +46,8 @@ struct OrbitRequest
   Real* Acceleration = nullptr;     ///< [m/s2]
   /// Five a point: dX/dx - 1, dX/dy = dY/dx, dY/dy - 1, dZ/dx, dZ/dy of places by their centers.
   Real* Gradient = nullptr;
+  /// Five a point: du/dx, du/dy = dv/dx, dv/dy, dw/dx = du/dz, dw/dy = dv/dz [1/s]; dw/dz = -(du/dx + dv/dy).
+  Real* VelocityGradient = nullptr;
   const float* Shares = nullptr; ///< one a train: the part of its amplitude that acts; null: all of it
 };
 

@@ -175,6 +175,11 @@ std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const
   return trains;
 }
 
+std::vector<double> BinEdges(const SeaSpectrum& spectrum, const TrainParameters& parameters)
+{
+  return spectrum.IsRegular() ? std::vector<double>() : EdgesOf(RangeOf(spectrum, parameters), parameters);
+}
+
 double PeriodOf(const SeaSpectrum& spectrum, const TrainParameters& parameters)
 {
   if (spectrum.IsRegular())

@@ -62,6 +62,10 @@ std::string WhyInvalid(const TrainParameters& parameters);
  */
 std::vector<WaveTrain> TrainsOf(const SeaSpectrum& spectrum, double depth, const TrainParameters& parameters);
 
+/// Angular frequencies [rad/s] between which the bins of trains lie, one more than there are bins; none of a regular
+/// sea.
+std::vector<double> BinEdges(const SeaSpectrum& spectrum, const TrainParameters& parameters);
+
 /// After which all trains return [s]: 2 pi / w0 with EqualSpacing; of a regular sea that of its wave; else infinite.
 double PeriodOf(const SeaSpectrum& spectrum, const TrainParameters& parameters);
 

@@ -654,6 +654,7 @@ PlantPrototype LevelsOf(const Seaweed& seaweed, const PlantLevelOptions& options
   coarse.RowsOfSegment = 0.75;
   prototype.Crown = RibbonsOf(seaweed, coarse);
   prototype.CrownTexture = BladePicture(p.Form, p.Blade, options.TextureColumns, options.TextureRows);
+  prototype.CrownTextureMean = MeanOf(prototype.CrownTexture);
   prototype.Low = LowMaker(prototype).Run();
   return prototype;
 }

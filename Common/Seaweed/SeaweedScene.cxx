@@ -15,6 +15,13 @@ namespace
 constexpr std::size_t LinksAtOnce = 256;
 constexpr std::size_t PosesAtOnce = 8192;
 
+/// (u . grad) u of water that waves strain [m/s2], with the numbers of OrbitRequest::VelocityGradient.
+Vector3 ConvectiveAcceleration(const Vector3& u, const float* g)
+{
+  return { u.x * g[0] + u.y * g[1] + u.z * g[3], u.x * g[1] + u.y * g[2] + u.z * g[4],
+    u.x * g[3] + u.y * g[4] - u.z * (g[0] + g[2]) };
+}
+
 /// By the least detailed level in which a link moves, of a plant in view.
 std::array<double, 3> ByLevel(const SeaweedLevelShares& shares)
 {
@@ -198,6 +205,8 @@ void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& current
   request.Velocity = isDirect ? nullptr : first.data();
   request.Acceleration = isDirect && !this->Physical ? nullptr : second.data();
   request.Displacement = isDirect && !this->Physical ? second.data() : nullptr;
+  std::vector<float> gradient(isDirect ? 0 : 5 * count);
+  request.VelocityGradient = isDirect ? nullptr : gradient.data();
   orbits.Evaluate(request, 0, count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -205,6 +214,10 @@ void SeaweedScene::WaterAt(const WaveOrbits& orbits, const StepCurrents& current
     WaterAtLink& one = water[i];
     one.Velocity += Vector3(first[3 * i], first[3 * i + 1], first[3 * i + 2]);
     (request.Displacement ? one.Displacement : one.Acceleration) = other;
+    if (!isDirect)
+    {
+      one.Acceleration += ConvectiveAcceleration(one.Velocity, &gradient[5 * i]);
+    }
   }
 }
 

@@ -264,13 +264,20 @@ Vector3 HeightSamples::Position(std::size_t index) const
     this->Origin[1] + static_cast<double>(index / this->Width) * this->Spacing[1], this->Values[index] };
 }
 
+int LevelsOfTiles(int tileSize, int levels)
+{
+  int number = 1;
+  while (number < levels && (1 << number) <= tileSize)
+  {
+    ++number;
+  }
+  return number;
+}
+
 TerrainPyramid::TerrainPyramid(HeightSamples samples, int tileSize, int levels, const ParallelFor& parallelFor)
   : Samples(std::move(samples))
+  , Levels(LevelsOfTiles(tileSize, levels))
 {
-  while (this->Levels < levels && (1 << this->Levels) <= tileSize)
-  {
-    ++this->Levels;
-  }
   const std::array<int, 2> cells{ this->Samples.Width - 1, this->Samples.Height - 1 };
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -377,7 +384,7 @@ double DistanceTo(const TerrainTile& tile, const ViewFrustum& view)
 {
   const View& seen = view.GetView();
   return seen.IsParallel ? LevelDistance(seen, tile.Bounds.Low)
-                         : std::max(0.0, Distance(tile.Bounds, seen.Point) - seen.Margin);
+                         : std::max(0.0, Distance(tile.Bounds, seen.Point) - seen.Margin) / seen.DetailFactor;
 }
 
 }
@@ -397,7 +404,7 @@ std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& 
     if (!rule.UseCulling || view.MayShow(tile.Bounds))
     {
       level = rule.ByPixelError ? pyramid.GetLevels() - 1
-                                 : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());
+                                : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());
       while (rule.ByPixelError && level > 0 && ScreenErrorOf(tile, level, view) > rule.LargestPixels)
       {
         --level;

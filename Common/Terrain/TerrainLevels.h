@@ -37,6 +37,9 @@ struct TerrainTile
   std::array<float, MostTerrainLevels> Errors{}; ///< largest difference of a level from the samples [m]
 };
 
+/// The number of levels that tiles have, of those that are wanted: no level has cells larger than a tile.
+int LevelsOfTiles(int tileSize, int levels);
+
 /**
  * The terrain in tiles, each in levels of resolution: level k takes every 2^k-th sample of a tile and, whatever its
  * size, the last. No level has cells larger than a tile. Nothing here depends on the view.
@@ -71,7 +74,7 @@ struct TerrainRule
   double NearDistance = 250.0; ///< level 0 to this level distance [m]
   double FarDistance = 4000.0; ///< the coarsest from here on [m]
   double LargestPixels = 1.0;  ///< the error on the screen that is allowed [pixels]
-  bool UseCulling = true;            ///< leave out what the view cannot show
+  bool UseCulling = true;      ///< leave out what the view cannot show
 };
 
 constexpr int Culled = -1;

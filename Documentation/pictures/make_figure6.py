@@ -16,10 +16,11 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTexture)
+    vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
 from littoral import vtkPlantScatterFilter, vtkQuadratPointSource, vtkReevesTreeSource
 from littoral.picture import FAINT, INK, label, write_jpg
+from littoral.plants import level_actors, plant_actor
 
 SIDE, TREES_A_SIDE = 400.0, 20  # [m], 1
 EYE, HEADING = np.array((150.0, 14.0, 5.0)), np.radians(68.0)
@@ -194,8 +195,8 @@ def legend(forest):
     polygons = field(forest, "PolygonsShown")[0], field(forest, "PolygonsInAll")[0]
     texts = (
         f"High: {shown[0]} trees, up to {NEAR:.0f} m, branches and leaves",
-        f"Medium: {shown[1]} trees, up to {FAR:.0f} m, trunk and pictured crown",
-        f"Low: {shown[2]} trees, beyond, four polygons each",
+        f"Medium: {shown[1]} trees, up to {FAR:.0f} m, trunk and tufts of leaves",
+        f"Low: {shown[2]} trees, beyond, a picture each",
         f"Culled: {trees - sum(shown)} trees, not processed")
     left = VIEW[0] + 16
     for line, (text, color) in enumerate(zip(texts, (*LEVELS, CULLED))):
@@ -223,23 +224,6 @@ def part(forest, *names):
     return data
 
 
-def tree_actor(data, forest=None, port=0, replaces=False):
-    """Actor of a block, with the pictures of an output port."""
-    mapper, actor = vtkPolyDataMapper(), vtkActor()
-    mapper.SetInputData(data)
-    mapper.SetScalarVisibility(not replaces)
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetSpecular(0.0)
-    actor.GetProperty().SetAmbient(0.28)
-    if port:
-        texture = vtkTexture()
-        texture.SetInputData(forest.GetOutputDataObject(port))
-        texture.InterpolateOn()
-        texture.MipmapOff()
-        actor.SetTexture(texture)
-    return actor
-
-
 def eye_renderer(forest):
     """The forest from the eye."""
     renderer = vtkRenderer()
@@ -264,16 +248,13 @@ def eye_renderer(forest):
     ground.SetPoint1(2000.0, -1500.0, 0.0)
     ground.SetPoint2(-1500.0, 2000.0, 0.0)
     ground.Update()
-    meadow = tree_actor(ground.GetOutput())
+    meadow = plant_actor(ground.GetOutput())
     meadow.GetProperty().SetColor(0.45, 0.52, 0.29)
     meadow.GetProperty().LightingOff()
-    for actor in (
-            meadow, tree_actor(part(forest, "High", "Skin")),
-            tree_actor(part(forest, "High", "Leaves"), forest, 2),
-            tree_actor(part(forest, "Medium", "Trunk")),
-            tree_actor(part(forest, "Medium", "Crown"), forest, 1, replaces=True),
-            tree_actor(part(forest, "Low"))):
-        renderer.AddActor(actor)
+    renderer.AddActor(meadow)
+    for level in ("High", "Medium", "Low"):
+        for actor in level_actors(forest, level, cut_leaves=True):
+            renderer.AddActor(actor)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*EYE)
     camera.SetFocalPoint(*(EYE + (np.cos(HEADING), np.sin(HEADING), 0.0)))
@@ -298,7 +279,7 @@ def main(folder):
     camera.SetClippingRange(1.0, 200.0)
     window.AddRenderer(renderer)
     window.AddRenderer(eye_renderer(forest))
-    write_jpg(window, os.path.join(folder, "figure6.jpg"), PICTURE, quality=92)
+    write_jpg(window, os.path.join(folder, "figure6.jpg"), PICTURE, quality=66)
 
 
 if __name__ == "__main__":

@@ -11,10 +11,12 @@ import sys
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, draws text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkDiskSource
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from littoral import vtkReevesTreeSource
+from littoral import vtkPlantScatterFilter, vtkReevesTreeSource
 from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight, block, level_actors, plant_actor
 from littoral.scene import BACKGROUND
@@ -24,12 +26,28 @@ SPECIES = ("Pine", "Oak", "Birch", "Shrub")
 WIDTH = {"Pine": 13.0, "Oak": 18.0, "Birch": 14.0, "Shrub": 11.0}  # [m]
 LEVELS = ("High", "Medium", "Low")
 DISTANCE, VIEW_ANGLE = 150.0, 6.9  # of the eye [m] and of the picture [degrees]
+EYE = (0.0, -DISTANCE, 12.0)
+
+
+def standing(source, x, eye):
+    """The plant at a site, where its level Low faces the eye."""
+    points, site = vtkPoints(), vtkPolyData()
+    points.InsertNextPoint(x, 0.0, 0.0)
+    site.SetPoints(points)
+    plant = vtkPlantScatterFilter()
+    plant.SetInputData(0, site)
+    plant.AddPrototypeConnection(source.GetOutputPort())
+    plant.SetScaleVariation(0.0)
+    plant.SetTintVariation(0.0)
+    plant.SetViewPoint(*eye)
+    plant.UseCullingOff()
+    return plant
 
 
 def polygons(source, level):
     """Number of polygons of a level."""
     names = {"High": ("Skin", "Leaves"), "Medium": ("Trunk", "Crown"), "Low": ()}[level]
-    data = block(source.GetOutput(), level)
+    data = block(source.GetOutputDataObject(0), level)
     parts = [block(data, name) for name in names] or [data]
     return sum(part.GetNumberOfPolys() for part in parts)
 
@@ -65,20 +83,22 @@ def panel(level, row):
     for name in SPECIES:
         source = vtkReevesTreeSource()
         source.SetPreset(getattr(source, name))
-        source.SetTextureSize(512, 256)
-        source.Update()
         x += 0.5 * WIDTH[name]
         renderer.AddActor(shadow(x, 0.25 * WIDTH[name]))
-        for actor in level_actors(source, level):
-            actor.SetPosition(x, 0.0, 0.0)
+        plant = standing(source, x, EYE)
+        plant.SetNearDistance(1e4 if level == "High" else 0.0)
+        plant.SetFarDistance(0.0 if level == "Low" else 1e4)
+        plant.Update()
+        for actor in level_actors(plant, level, cut_leaves=True):
             renderer.AddActor(actor)
         place = 0.5 + x / seen
-        text = f"{polygons(source, level):,} polygons".replace(",", "\u2009")
+        number = polygons(plant, level)
+        text = f"{number:,} polygon{'s' if number > 1 else ''}".replace(",", "\u2009")
         renderer.AddActor(label(f"{name}: {text}", (place, 0.085), 22, FAINT))
         x += 0.5 * WIDTH[name]
     renderer.AddActor(label(level, (0.07, 0.95), 36, INK))
     camera = renderer.GetActiveCamera()
-    camera.SetPosition(0.0, -DISTANCE, 12.0)
+    camera.SetPosition(*EYE)
     camera.SetFocalPoint(0.0, 0.0, 6.4)
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(VIEW_ANGLE)

@@ -25,8 +25,8 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "terrain", "patterns", "plants", "forests", "wind", "sway", "sea", "currents",
-         "particles", "seaweed", "underwater", "python", "volumes", "saving", "speed", "troubleshooting")
+GUIDE = ("installing", "first-steps", "scenes", "terrain", "patterns", "plants", "forests", "wind", "sway", "sea",
+         "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "speed", "troubleshooting")
 DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway", "sea", "currents", "particles",
           "seaweed", "paraview", "volumes")
 
@@ -38,9 +38,11 @@ FIELDS = (
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
       "vtkPlantScatterFilter")),
-    ("Wind and sway", "wind", "wind", ("vtkWindFieldSource", "vtkBeamTreeDeformationFilter")),
-    ("Sea", "sea", "sea", ("vtkSeaStateSource", "vtkParticleOrbitFilter")),
-    ("Currents", "currents", "currents", ("vtkFlowPrimitiveSource", "vtkCurrentDriftFilter")),
+    ("Wind and sway", "wind", "wind",
+     ("vtkWindFieldSource", "vtkWindStatisticsFilter", "vtkImageSectionFilter", "vtkBeamTreeDeformationFilter")),
+    ("Sea", "sea", "sea",
+     ("vtkSeaStateSource", "vtkSeaStatisticsFilter", "vtkSeaSurfaceFilter", "vtkParticleOrbitFilter")),
+    ("Currents", "currents", "currents", ("vtkFlowPrimitiveSource", "vtkFlowArrowFilter", "vtkCurrentDriftFilter")),
     ("Particles", "particles", "particles",
      ("vtkSuspendedParticleSource", "vtkParticleLevelOfDetailFilter", "vtkParticleFogFilter")),
     ("Seaweeds", "seaweed", "seaweed", ("vtkSeaweedSource", "vtkSeaweedDeformationFilter", "vtkPlantWakeFilter")),
@@ -57,8 +59,8 @@ ROOMS = {
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
     "Wind": ("wind", "Spectra, fields, loads."),
     "Sway": ("sway", "Modes and responses of beams, trunks and whole trees; leaves that move."),
-    "Sea": ("sea", "Dispersion, spectra, wave trains, orbits."),
-    "Currents": ("currents", "Flow primitives, drift, splines of velocity."),
+    "Sea": ("sea", "Dispersion, spectra, wave trains, orbits, the surface and its colors."),
+    "Currents": ("currents", "Flow primitives and their arrows, drift, splines of velocity."),
     "Particles": ("particles", "Suspended particles, masters and slaves, levels of detail, fog."),
     "Seaweed": ("seaweed", "Growth, meshes, equations of motion, wakes."),
 }

@@ -148,8 +148,8 @@ def build(folder, view):
     blades.Ambient, blades.Diffuse = 0.75, 0.45  # translucency
     landscape.show_plants(sway, view)
     simple.UpdatePipeline(proxy=sway)
-    simple.SaveData(file("crowns.png"), simple.OutputPort(sway, 1))
-    landscape.show_crowns(sway, view, file("crowns.png"))
+    for part in landscape.TEXTURED_PARTS:
+        landscape.show_textured(sway, view, part, file(part.split("/")[-1].lower() + ".png"))
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         simple.SaveData(os.path.join(folder, "wind.vdb"), wind)
     return country

@@ -102,6 +102,22 @@ void ReplaceBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject*
   }
 }
 
+void EmptyBlocks(vtkMultiBlockDataSet* blocks)
+{
+  for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
+  {
+    vtkDataObject* block = blocks->GetBlock(index);
+    if (auto* below = vtkMultiBlockDataSet::SafeDownCast(block))
+    {
+      EmptyBlocks(below);
+    }
+    else if (block)
+    {
+      blocks->SetBlock(index, vtkSmartPointer<vtkDataObject>::Take(block->NewInstance()));
+    }
+  }
+}
+
 vtkPartitionedDataSet* FindDataSet(vtkPartitionedDataSetCollection* collection, const char* name)
 {
   for (unsigned int index = 0; collection && index < collection->GetNumberOfPartitionedDataSets(); ++index)

@@ -25,6 +25,9 @@ vtkDataObject* FindBlock(vtkMultiBlockDataSet* blocks, const char* name);
 /// Puts a block in the place of that of the same name.
 void ReplaceBlock(vtkMultiBlockDataSet* blocks, const char* name, vtkDataObject* data);
 
+/// Takes the data out of all blocks. The blocks stay: ranks that draw data together must have the same ones.
+void EmptyBlocks(vtkMultiBlockDataSet* blocks);
+
 /// The partitions of a name in a collection; null where there are none.
 vtkPartitionedDataSet* FindDataSet(vtkPartitionedDataSetCollection* collection, const char* name);
 

@@ -29,6 +29,23 @@ void AttachWood(vtkDataObject* plant, const WoodParameters& wood)
   plant->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::Wood, 3, numbers));
 }
 
+/// What CardTowards needs, and the pictures.
+void AttachImpostor(vtkDataObject* low, const PlantImpostor& impostor)
+{
+  AttachTexture(low, impostor.Pictures);
+  AttachTextureMean(low, impostor.TextureMean);
+  AttachNormalTexture(low, impostor.Normals);
+  const PlantExtent& extent = impostor.Shape.Extent;
+  const std::vector<std::array<double, 3>> numbers{ { extent.Radius, extent.Low, extent.High } };
+  low->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::ImpostorExtent, 3, numbers));
+  std::vector<std::array<double, 1>> areas;
+  for (double area : impostor.Shape.Areas)
+  {
+    areas.push_back({ area });
+  }
+  low->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::ImpostorAreas, 1, areas));
+}
+
 /// Adds a line of nodes as a branch.
 void AddBranch(vtkIdList* line, Skeleton& skeleton)
 {
@@ -131,6 +148,16 @@ void AttachTexture(vtkDataObject* block, const TextureImage& texture)
   block->GetFieldData()->AddArray(ArrayOf<vtkIntArray>(plant::TextureSize, 1, size));
 }
 
+void AttachTextureMean(vtkDataObject* block, const ColorSum& mean)
+{
+  block->GetFieldData()->AddArray(ArrayOf<vtkFloatArray>(plant::TextureMean, 3, std::vector<ColorSum>{ mean }));
+}
+
+void AttachNormalTexture(vtkDataObject* block, const std::vector<Color>& normals)
+{
+  block->GetFieldData()->AddArray(ArrayOf<vtkUnsignedCharArray>(plant::NormalTexture, 3, normals));
+}
+
 void CopyToImage(const TextureImage& texture, vtkImageData* image)
 {
   image->SetExtent(0, texture.Columns - 1, 0, texture.Rows - 1, 0, 0);
@@ -155,10 +182,20 @@ void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* blocks)
   AddBlock(medium, plant::Trunk, PolyDataOf(prototype.Trunk));
   const auto crown = PolyDataOf(prototype.Crown);
   AttachTexture(crown, prototype.CrownTexture);
+  AttachTextureMean(crown, prototype.CrownTextureMean);
+  if (prototype.CrownIsEnvelope)
+  {
+    crown->GetFieldData()->AddArray(ArrayOf<vtkIntArray>(plant::Envelope, 1, std::vector<std::array<int, 1>>{ { 1 } }));
+  }
   AddBlock(medium, plant::Crown, crown);
   AddBlock(blocks, plant::High, high);
   AddBlock(blocks, plant::Medium, medium);
-  AddBlock(blocks, plant::Low, PolyDataOf(prototype.Low));
+  const auto low = PolyDataOf(prototype.Low);
+  if (!prototype.Impostor.Pictures.Texels.empty())
+  {
+    AttachImpostor(low, prototype.Impostor);
+  }
+  AddBlock(blocks, plant::Low, low);
   if (prototype.Segments.empty())
   {
     AttachWood(blocks, prototype.Timber);
@@ -281,6 +318,53 @@ TextureImage ReadTexture(vtkPolyData* block)
   TextureImage image(columns, rows);
   std::copy_n(texels->GetPointer(0), 4 * image.Texels.size(), image.Texels.front().data());
   return image;
+}
+
+ColorSum ReadTextureMean(vtkPolyData* block)
+{
+  ColorSum mean{ 1.0f, 1.0f, 1.0f };
+  vtkDataArray* numbers = block ? FieldArray(block, plant::TextureMean, 3, 1) : nullptr;
+  for (int channel = 0; numbers && channel < 3; ++channel)
+  {
+    const double number = numbers->GetComponent(0, channel);
+    mean[channel] = number > 0.0 && number <= 1.0 ? static_cast<float>(number) : 1.0f;
+  }
+  return mean;
+}
+
+bool IsEnvelope(vtkPolyData* crown)
+{
+  return crown && FieldArray(crown, plant::Envelope, 1, 1);
+}
+
+PlantImpostor ReadImpostor(vtkPolyData* low)
+{
+  PlantImpostor impostor;
+  constexpr int side = ImpostorSide * ImpostorSize;
+  vtkDataArray* extent = low ? FieldArray(low, plant::ImpostorExtent, 3, 1) : nullptr;
+  vtkDataArray* areas = low ? FieldArray(low, plant::ImpostorAreas, 1, ImpostorViews) : nullptr;
+  auto* normals =
+    low ? vtkUnsignedCharArray::SafeDownCast(FieldArray(low, plant::NormalTexture, 3, side * side)) : nullptr;
+  TextureImage pictures = extent && areas && normals ? ReadTexture(low) : TextureImage();
+  if (pictures.Columns != side || pictures.Rows != side)
+  {
+    return impostor;
+  }
+  impostor.Pictures = std::move(pictures);
+  impostor.TextureMean = ReadTextureMean(low);
+  impostor.Normals.resize(impostor.Pictures.Texels.size());
+  std::copy_n(normals->GetPointer(0), 3 * impostor.Normals.size(), impostor.Normals.front().data());
+  impostor.Shape.Extent = { extent->GetComponent(0, 0), extent->GetComponent(0, 1), extent->GetComponent(0, 2) };
+  for (int view = 0; view < ImpostorViews; ++view)
+  {
+    impostor.Shape.Areas[view] = areas->GetComponent(view, 0);
+  }
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(low->GetPointData()->GetArray(plant::RGB));
+  for (int channel = 0; colors && colors->GetNumberOfTuples() > 0 && channel < 3; ++channel)
+  {
+    impostor.Mean[channel] = colors->GetTypedComponent(0, channel);
+  }
+  return impostor;
 }
 
 PlantMesh ReadMesh(vtkPolyData* block)

@@ -48,6 +48,11 @@ constexpr const char* BranchId = "BranchId";
 constexpr const char* Order = "Order";
 constexpr const char* Texture = "Texture";
 constexpr const char* TextureSize = "TextureSize";
+constexpr const char* TextureMean = "TextureMean";
+constexpr const char* NormalTexture = "NormalTexture";
+constexpr const char* Envelope = "Envelope";
+constexpr const char* ImpostorExtent = "ImpostorExtent";
+constexpr const char* ImpostorAreas = "ImpostorAreas";
 constexpr const char* PlantId = "PlantId";
 constexpr const char* Wood = "Wood";
 }
@@ -68,6 +73,12 @@ void CopyToBlocks(const PlantPrototype& prototype, vtkMultiBlockDataSet* blocks)
 
 /// A texture as field data of the block that it belongs to.
 void AttachTexture(vtkDataObject* block, const TextureImage& texture);
+
+/// The mean color of a texture, by which a renderer divides.
+void AttachTextureMean(vtkDataObject* block, const ColorSum& mean);
+
+/// Normals of the texels of a texture, as bytes.
+void AttachNormalTexture(vtkDataObject* block, const std::vector<Color>& normals);
 
 /// A texture as an image, for vtkTexture.
 void CopyToImage(const TextureImage& texture, vtkImageData* image);
@@ -94,6 +105,15 @@ bool ReadWood(vtkDataObject* plant, WoodParameters& wood);
 
 /// The picture that a block carries; empty if it has none.
 TextureImage ReadTexture(vtkPolyData* block);
+
+/// The mean color of the picture that a block carries; white if it tells none.
+ColorSum ReadTextureMean(vtkPolyData* block);
+
+/// Whether the crown of the level Medium is an envelope with a cylindrical projection.
+bool IsEnvelope(vtkPolyData* crown);
+
+/// The impostor of a block of the level Low; without pictures if it carries none.
+PlantImpostor ReadImpostor(vtkPolyData* low);
 
 /// Polygons with colors and texture coordinates.
 PlantMesh ReadMesh(vtkPolyData* block);

@@ -84,6 +84,9 @@ public:
   std::size_t GetNumberOfCells() const { return this->First.back().Cell; }
   double GetBytes() const;
 
+  /// The first point of a plant.
+  std::size_t GetFirstPoint(std::size_t plant) const { return this->First[plant].Point; }
+
   /// Node indices are offset to this merged skeleton, which has the same plants; none if there are no nodes.
   void SetSkeleton(const PlantMerge* skeleton) { this->SkeletonMerge = skeleton; }
 

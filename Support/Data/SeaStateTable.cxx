@@ -3,12 +3,24 @@
 #include "Data/SeaStateTable.h"
 
 #include "Data/Tables.h"
+#include "Numerics/Constants.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
 namespace littoral
 {
+
+namespace
+{
+/// Points that a spectrum needs to be drawn as a smooth curve.
+constexpr std::size_t SmoothCurve = 256;
+}
 
 void WriteSeaState(const SeaState& state, vtkTable* table)
 {
@@ -23,6 +35,60 @@ void WriteSeaState(const SeaState& state, vtkTable* table)
   AddField(table, sea::WaterDepth, { state.Depth });
   AddField(table, sea::SeaLevel, { state.SeaLevel });
   AddField(table, sea::Period, { state.Period });
+}
+
+void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameters, vtkTable* table)
+{
+  const std::vector<double> edges = BinEdges(spectrum, parameters);
+  const auto field = [table](const char* name) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    table->GetFieldData()->AddArray(array);
+    return array.Get();
+  };
+  if (edges.empty())
+  {
+    return; // all energy in one wave
+  }
+  vtkDoubleArray* frequencies = field(sea::BinEdges);
+  vtkDoubleArray* densities = field(sea::SpectralDensity);
+  // S(f) = 2 pi S(w)
+  const auto densityAt = [&](double frequency) { return TwoPi * spectrum.Density(frequency); };
+  const std::size_t bins = edges.size() - 1;
+  const std::size_t steps = (SmoothCurve + bins - 1) / bins;
+  for (std::size_t bin = 0; bin < bins; ++bin)
+  {
+    frequencies->InsertNextValue(edges[bin] / TwoPi);
+    for (std::size_t step = 0; step < steps; ++step)
+    {
+      densities->InsertNextValue(densityAt(edges[bin] + (edges[bin + 1] - edges[bin]) * step / steps));
+    }
+  }
+  frequencies->InsertNextValue(edges.back() / TwoPi);
+  densities->InsertNextValue(densityAt(edges.back()));
+}
+
+std::string ReadSpectrum(vtkTable* table, SampledSpectrum& spectrum)
+{
+  const auto read = [table](const char* name, std::vector<double>& values) {
+    auto* array = vtkDoubleArray::SafeDownCast(table->GetFieldData()->GetArray(name));
+    if (array)
+    {
+      values.assign(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
+    }
+  };
+  read(sea::BinEdges, spectrum.Edges);
+  read(sea::SpectralDensity, spectrum.Densities);
+  const std::size_t edges = spectrum.Edges.size();
+  const std::size_t densities = spectrum.Densities.size();
+  if (edges < 2 || densities < edges || (densities - 1) % (edges - 1) != 0 ||
+    std::adjacent_find(spectrum.Edges.begin(), spectrum.Edges.end(), std::greater_equal<>()) != spectrum.Edges.end())
+  {
+    return "the sea state has no field data BinEdges and SpectralDensity; it must be that of a Sea State with a "
+           "spectrum, "
+           "not of a Regular wave.";
+  }
+  return {};
 }
 
 std::string ReadSeaState(vtkTable* table, SeaState& state)

@@ -9,6 +9,7 @@
 #include "Sea/WaveTrains.h"
 
 #include <string>
+#include <vector>
 
 class vtkTable;
 
@@ -27,8 +28,10 @@ constexpr const char* WaterDepth = "WaterDepth";
 constexpr const char* SeaLevel = "SeaLevel";
 constexpr const char* SignificantWaveHeight = "SignificantWaveHeight";
 constexpr const char* PeakPeriod = "PeakPeriod";
-constexpr const char* Period = "Period";               ///< after which the sea returns [s]
-constexpr const char* EnergyLeftOut = "EnergyLeftOut"; ///< part of the spectrum's
+constexpr const char* Period = "Period";                   ///< after which the sea returns [s]
+constexpr const char* EnergyLeftOut = "EnergyLeftOut";     ///< part of the spectrum's
+constexpr const char* BinEdges = "BinEdges";               ///< frequencies between which the bins of trains lie [Hz]
+constexpr const char* SpectralDensity = "SpectralDensity"; ///< at the edges and at equal steps within each bin [m2/Hz]
 // Particles.
 constexpr const char* ParticleId = "ParticleId";
 constexpr const char* ParticleType = "ParticleType";
@@ -66,6 +69,19 @@ constexpr const char* Extinction = "Extinction";
 
 /// Writes the trains as rows; depth, level and period as field data.
 void WriteSeaState(const SeaState& state, vtkTable* table);
+
+/// Writes the spectrum of a sea as field data: edges of bins, and densities at them and within the bins.
+void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameters, vtkTable* table);
+
+/// A spectrum as WriteSpectrum wrote it.
+struct SampledSpectrum
+{
+  std::vector<double> Edges;     ///< [Hz]
+  std::vector<double> Densities; ///< [m2/Hz]
+};
+
+/// Reads what WriteSpectrum wrote. Why it cannot be read, in words for a user; empty when it was.
+std::string ReadSpectrum(vtkTable* table, SampledSpectrum& spectrum);
 
 /// Reads what WriteSeaState wrote. Why it cannot be read, in words for a user; empty when it was.
 std::string ReadSeaState(vtkTable* table, SeaState& state);

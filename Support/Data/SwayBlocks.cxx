@@ -103,6 +103,10 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
   for (std::size_t index = 0; index < read.size(); ++index)
   {
     reason = read[index].Read(this->Scattered ? prototypes[index] : plants, settings);
+    if (reason.empty() && this->Scattered && read[index].Species.Rest.Nodes.empty())
+    {
+      reason = "there is no block High/Skeleton, as plants have.";
+    }
     if (!reason.empty())
     {
       return this->Scattered ? "Of Prototypes: " + reason : reason;
@@ -118,12 +122,20 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
     return reason;
   }
   this->Scene = std::make_unique<SwayScene>(settings, frozen, this->Table.Places, std::move(species));
-  const TextureAtlas atlas = StackTextures(PicturesOf(*this->Scene, read, wind, progress));
+  std::vector<TextureImage> pictures = PicturesOf(*this->Scene, read, wind, progress);
+  std::vector<ColorSum> means(pictures.size(), ColorSum{ 1.0f, 1.0f, 1.0f });
+  for (std::size_t index = 0; index < pictures.size() && !read.empty(); ++index)
+  {
+    means[index] = ReadTextureMean(read[index / static_cast<std::size_t>(settings.Pictures)].Crown);
+  }
+  const ColorSum mean = ShareMean(pictures, means);
+  const TextureAtlas atlas = StackTextures(pictures);
   this->Scene->SetPictureAreas(atlas.Areas);
   this->PictureImage = vtkSmartPointer<vtkImageData>::New();
   CopyToImage(atlas.Image, this->PictureImage);
   this->PictureFields = vtkSmartPointer<vtkPolyData>::New();
   AttachTexture(this->PictureFields, atlas.Image);
+  AttachTextureMean(this->PictureFields, mean);
   return {};
 }
 
@@ -417,7 +429,7 @@ void SwayBlocks::ShowPictures(vtkPolyData* crowns) const
   crowns->GetPointData()->SetTCoords(tcoords);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(crowns->GetFieldData());
-  for (const char* name : { plant::Texture, plant::TextureSize })
+  for (const char* name : { plant::Texture, plant::TextureSize, plant::TextureMean })
   {
     fields->AddArray(this->PictureFields->GetFieldData()->GetArray(name));
   }

@@ -33,21 +33,25 @@ std::string SwayPrototype::Read(vtkMultiBlockDataSet* plant, const SwaySettings&
     }
     this->Species = MakeSpecies(rest, wood, ReadLeaves(this->Leaves), settings);
   }
-  this->ReadEnvelope(PlantPartOf(plant, plant::Medium, plant::Crown));
+  this->ReadCrown(PlantPartOf(plant, plant::Medium, plant::Crown));
   return {};
 }
 
-void SwayPrototype::ReadEnvelope(vtkPolyData* crown)
+void SwayPrototype::ReadCrown(vtkPolyData* crown)
 {
   vtkDataArray* places = crown ? crown->GetPointData()->GetTCoords() : nullptr;
   if (!places || crown->GetNumberOfPoints() == 0)
   {
     return;
   }
-  this->Envelope = crown;
+  this->Crown = crown;
   for (vtkIdType point = 0; point < crown->GetNumberOfPoints(); ++point)
   {
     this->Species.CrownTCoords.push_back({ places->GetComponent(point, 0), places->GetComponent(point, 1) });
+  }
+  if (!IsEnvelope(crown))
+  {
+    return;
   }
   double bounds[6];
   crown->GetBounds(bounds);
@@ -61,7 +65,7 @@ CrownModel SwayPrototype::MakeCrown() const
 {
   CrownModel model;
   model.Volume = this->Volume;
-  model.StillPicture = ReadTexture(this->Envelope);
+  model.StillPicture = ReadTexture(this->Crown);
   if (!this->Species.Leaves.empty())
   {
     vtkPointData* arrays = this->Leaves->GetPointData();

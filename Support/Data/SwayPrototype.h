@@ -24,8 +24,8 @@ struct SwayPrototype
 {
   SwaySpecies Species;
   vtkSmartPointer<vtkPolyData> Leaves;
-  vtkSmartPointer<vtkPolyData> Envelope; ///< of the crown; null where there is none
-  std::optional<CrownVolume> Volume;     ///< of the envelope
+  vtkSmartPointer<vtkPolyData> Crown; ///< of the level Medium; null where there is none
+  std::optional<CrownVolume> Volume;  ///< of the crown, if it is an envelope
 
   /// Why it cannot be read, in words for a user; empty when it was.
   std::string Read(vtkMultiBlockDataSet* plant, const SwaySettings& settings);
@@ -34,7 +34,7 @@ struct SwayPrototype
   CrownModel MakeCrown() const;
 
 private:
-  void ReadEnvelope(vtkPolyData* crown);
+  void ReadCrown(vtkPolyData* crown);
 };
 
 }

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Tables.h"
 
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 
 namespace littoral
 {
@@ -27,16 +31,10 @@ void AddText(vtkDataObject* data, const char* name, const std::string& text)
   data->GetFieldData()->AddArray(field);
 }
 
-bool AsksForLaterPieces(vtkInformationVector* outputs)
+bool AsksForLaterPiece(vtkInformation* request, vtkInformationVector* outputs)
 {
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    if (outputs->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
-    {
-      return false;
-    }
-  }
-  return true;
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  return outputs->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
 }

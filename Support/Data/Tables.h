@@ -17,6 +17,7 @@
 #include <type_traits>
 
 class vtkDataObject;
+class vtkInformation;
 class vtkInformationVector;
 
 namespace littoral
@@ -44,8 +45,11 @@ void AddField(vtkDataObject* data, const char* name, std::initializer_list<doubl
 /// Adds a word to the field data.
 void AddText(vtkDataObject* data, const char* name, const std::string& text);
 
-/// A table has no pieces, the first holds all of it: whether all outputs are asked for later ones only.
-bool AsksForLaterPieces(vtkInformationVector* outputs);
+/**
+ * A table has no pieces, the first holds all of it, so that a table made on all ranks is shown once: whether a later
+ * one is requested. The executive stamps all outputs with the piece of the output that the request comes from.
+ */
+bool AsksForLaterPiece(vtkInformation* request, vtkInformationVector* outputs);
 
 }
 

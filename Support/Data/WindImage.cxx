@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/WindImage.h"
 
+#include "Data/Arrays.h"
+#include "Data/Tables.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
@@ -38,6 +42,56 @@ vtkSmartPointer<vtkFloatArray> FloatsOf(vtkDataArray* array)
   }
   return floats;
 }
+
+/// Parameters of the model of a wind and their names as field data.
+template <typename Model, typename Visit>
+void ForEachParameter(Model& model, const Visit& visit)
+{
+  visit("ReferenceSpeed", model.ReferenceSpeed);
+  visit("ReferenceHeight", model.ReferenceHeight);
+  visit("RoughnessLength", model.RoughnessLength);
+  visit("TurbulenceIntensity", model.TurbulenceIntensity);
+  const char* decays[WindComponents] = { "LongitudinalDecay", "LateralDecay", "VerticalDecay" };
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    visit(decays[component], model.Decay[component]);
+  }
+}
+
+/// Sets parameters of a model from field data, and remembers the name of one that is missing.
+struct ParameterReader
+{
+  vtkDataObject* Data;
+  std::string* Missing;
+
+  const double* Find(const char* name, int components) const
+  {
+    auto* array = vtkDoubleArray::SafeDownCast(FieldArray(this->Data, name, components, 1));
+    *this->Missing = array ? *this->Missing : name;
+    return array ? array->GetPointer(0) : nullptr;
+  }
+  void operator()(const char* name, double& value) const
+  {
+    const double* found = this->Find(name, 1);
+    value = found ? *found : value;
+  }
+  void operator()(const char* name, WindDecay& decay) const
+  {
+    const double* found = this->Find(name, 2);
+    decay = found ? WindDecay{ found[0], found[1] } : decay;
+  }
+};
+
+struct ParameterWriter
+{
+  vtkDataObject* Data;
+
+  void operator()(const char* name, double value) const { AddField(this->Data, name, { value }); }
+  void operator()(const char* name, const WindDecay& decay) const
+  {
+    AddField(this->Data, name, { decay.Lateral, decay.Vertical });
+  }
+};
 
 std::string ReadTimes(vtkImageData* image, WindTimes& times)
 {
@@ -109,6 +163,65 @@ std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& win
       " MB, more than this machine has free.";
   }
   wind = std::make_shared<const FrozenWind>(grid, times, values, SmpFor);
+  return {};
+}
+
+void WriteWindModel(const WindModel& model, vtkDataObject* data)
+{
+  ForEachParameter(model, ParameterWriter{ data });
+  AddField(data, "Spectrum", { static_cast<double>(model.Spectrum) });
+  AddField(data, "Coherence", { static_cast<double>(model.Coherence) });
+}
+
+std::string ReadModelledWind(vtkImageData* image, ModelledWind& wind)
+{
+  vtkDataArray* velocity = image->GetPointData()->GetArray("Velocity");
+  if (!velocity || velocity->GetNumberOfComponents() != WindComponents)
+  {
+    return "The wind has no point array Velocity of three components.";
+  }
+  std::string missing;
+  const ParameterReader reader{ image, &missing };
+  ForEachParameter(wind.Model, reader);
+  double families[2] = { 0.0, 0.0 };
+  reader("Spectrum", families[0]);
+  reader("Coherence", families[1]);
+  if (!missing.empty())
+  {
+    return "The wind has no field data " + missing + "; it must be the output of Wind Field.";
+  }
+  wind.Model.Spectrum = static_cast<WindSpectrumModel>(families[0]);
+  wind.Model.Coherence = static_cast<WindCoherenceModel>(families[1]);
+  WindTimes times;
+  std::string reason = ReadTimes(image, times);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  std::copy_n(image->GetDimensions(), 3, wind.Grid.Count.begin());
+  wind.Grid.TimeStep = times.Step;
+  wind.Grid.LateralSpacing = image->GetSpacing()[1];
+  wind.Grid.VerticalSpacing = image->GetSpacing()[2];
+  wind.Grid.BottomHeight = image->GetOrigin()[2] + image->GetExtent()[4] * image->GetSpacing()[2];
+  reason = WhyInvalid(wind.Model, wind.Grid);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  // Velocities in world axes are turned back into those of the wind.
+  const vtkMatrix3x3* axes = image->GetDirectionMatrix();
+  const double cosine = axes->GetElement(0, 0);
+  const double sine = axes->GetElement(1, 0);
+  const vtkSmartPointer<vtkFloatArray> floats = FloatsOf(velocity);
+  const float* values = floats->GetPointer(0);
+  wind.Velocities.assign(values, values + floats->GetNumberOfValues());
+  for (std::size_t n = 0; n < wind.Velocities.size(); n += WindComponents)
+  {
+    float* v = wind.Velocities.data() + n;
+    const double x = v[0];
+    v[0] = static_cast<float>(cosine * x + sine * v[1]);
+    v[1] = static_cast<float>(cosine * v[1] - sine * x);
+  }
   return {};
 }
 

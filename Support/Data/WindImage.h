@@ -6,10 +6,13 @@
 // Wind fields between VTK and the numerics. Private: never installed, never wrapped.
 
 #include "Wind/FrozenWind.h"
+#include "Wind/WindField.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
+class vtkDataObject;
 class vtkImageData;
 
 namespace littoral
@@ -18,6 +21,21 @@ namespace littoral
 /// Reads a frozen wind: point array Velocity, field data ConvectionSpeed and, if there is one, Period. Why it cannot be
 /// read, in words for a user; empty when it was.
 std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& wind);
+
+/// Writes the model of a wind as field data: each parameter as an array of its name.
+void WriteWindModel(const WindModel& model, vtkDataObject* data);
+
+/// A whole wind field with its model.
+struct ModelledWind
+{
+  WindModel Model;
+  WindGrid Grid;
+  std::vector<float> Velocities; ///< in the axes of the wind, as WindField::Make gives them
+};
+
+/// Reads a wind field with the field data of WriteWindModel. Why it cannot be read, in words for a user; empty when it
+/// was.
+std::string ReadModelledWind(vtkImageData* image, ModelledWind& wind);
 
 /// A place at a height [m], halfway between the sides of a wind field.
 Vector3 MiddleOfWind(vtkImageData* image, double height);

@@ -88,12 +88,11 @@ public:
   }
 
   /// There is no output, and the state is of no use. For the end of RequestData.
-  int Fail(vtkInformation* request, vtkDataObject* output)
+  void Fail(vtkInformation* request, vtkDataObject* output)
   {
     request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
     *this = MarchingRequests();
     output->Initialize();
-    return 0;
   }
 
 private:

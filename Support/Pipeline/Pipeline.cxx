@@ -49,6 +49,12 @@ bool NamesNoArray(vtkInformation* choice)
   return name && (std::string(name).empty() || std::string(name) == "NULL");
 }
 
+bool NamesDefaultElevation(vtkInformation* choice)
+{
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  return NamesNoArray(choice) || (name && std::string(name) == "Elevation");
+}
+
 vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
 {
   vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, connection);

@@ -59,6 +59,10 @@ void AnnounceTimes(vtkInformation* output, double* range);
 /// Whether the name of a chosen array is an empty one: "" or "NULL", which ParaView passes until the input has data.
 bool NamesNoArray(vtkInformation* choice);
 
+/// Whether the active scalars stand in for a chosen elevation array that is absent: the name is empty or Elevation, the
+/// default.
+bool NamesDefaultElevation(vtkInformation* choice);
+
 /// When what is upstream of a connection changed last.
 vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection);
 

@@ -94,7 +94,7 @@ inline bool Sound(vtkAlgorithm* source, const char* path)
   return true;
 }
 
-/// All levels with their arrays, sound polygons, and four plain polygons as the lowest.
+/// All levels with their arrays, sound polygons, and four polygons as the lowest.
 inline bool HasLevels(vtkAlgorithm* source)
 {
   bool good = HasArrays(source, "High/Skeleton", { "ParentId", "Radius", "RGB" });
@@ -108,8 +108,21 @@ inline bool HasLevels(vtkAlgorithm* source)
   {
     good = good && Sound(source, path);
   }
-  good &= Check(PartOf(source, "Low")->GetNumberOfPolys() == 4, "the lowest level has not four polygons");
-  return good & Check(PartOf(source, "Low")->GetPointData()->GetTCoords() == nullptr, "the lowest level has a texture");
+  return good & Check(PartOf(source, "Low")->GetNumberOfPolys() == 4, "the lowest level has not four polygons");
+}
+
+/// A block that carries a texture of as many texels as it says, and its mean.
+inline bool CarriesTexture(vtkAlgorithm* source, const char* path, bool hasNormals)
+{
+  vtkFieldData* fields = PartOf(source, path)->GetFieldData();
+  vtkDataArray* texels = fields->GetArray("Texture");
+  vtkDataArray* size = fields->GetArray("TextureSize");
+  vtkDataArray* mean = fields->GetArray("TextureMean");
+  vtkDataArray* normals = fields->GetArray("NormalTexture");
+  return Check(texels && size && mean && mean->GetNumberOfValues() == 3 &&
+      texels->GetNumberOfTuples() == static_cast<vtkIdType>(size->GetTuple1(0) * size->GetTuple1(1)) &&
+      (normals != nullptr) == hasNormals && (!normals || normals->GetNumberOfTuples() == texels->GetNumberOfTuples()),
+    path);
 }
 
 inline bool SameBytes(vtkDataArray* a, vtkDataArray* b)
@@ -138,6 +151,9 @@ bool Reproducible()
   vtkDataArray* first = vtkImageData::SafeDownCast(one->GetOutputDataObject(1))->GetPointData()->GetScalars();
   vtkDataArray* second = vtkImageData::SafeDownCast(two->GetOutputDataObject(1))->GetPointData()->GetScalars();
   good &= Check(SameBytes(first, second), "the picture of the crown depends on the number of threads");
+  vtkDataArray* seen[] = { PartOf(one, "Low")->GetFieldData()->GetArray("Texture"),
+    PartOf(two, "Low")->GetFieldData()->GetArray("Texture") };
+  good &= Check(!seen[0] || SameBytes(seen[0], seen[1]), "pictures of the plant depend on the number of threads");
   two->SetSeed(7);
   two->Update();
   good &= Check(
@@ -146,15 +162,25 @@ bool Reproducible()
   return good;
 }
 
-/// A plant is in the first piece alone.
+/// The first piece has the plant, a later one the same blocks without it.
 template <typename Source>
 bool Pieces()
 {
   vtkNew<Source> source;
-  source->UpdatePiece(1, 2, 0);
-  const bool later = PartOf(source, "High/Skin") == nullptr;
-  source->UpdatePiece(0, 2, 0);
-  return Check(later && PartOf(source, "High/Skin"), "the plant is not in the first piece alone");
+  bool good = true;
+  for (const int piece : { 1, 0 })
+  {
+    source->UpdatePiece(piece, 2, 0);
+    for (const char* path : { "High/Skeleton", "High/Skin", "High/Leaves", "Medium/Trunk", "Medium/Crown", "Low" })
+    {
+      vtkPolyData* part = PartOf(source, path);
+      const std::string what = std::string(path) + " of piece " + std::to_string(piece);
+      good &= Check(part != nullptr, what + " is missing");
+      good &= Check(piece == 0 || (part && part->GetNumberOfPoints() == 0), what + " is not empty");
+    }
+    good &= Check(piece == 1 || PartOf(source, "High/Skin")->GetNumberOfPoints() > 0, "the first piece is empty");
+  }
+  return good;
 }
 
 /// A custom plant that was spoilt gives one message that has a word, and no data.

@@ -6,14 +6,18 @@
 // Pictures of plants for regression tests.
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -22,7 +26,9 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
+#include "vtkUniforms.h"
 
 #include <cstring>
 
@@ -84,6 +90,61 @@ public:
     this->Renderer->AddActor(actor);
   }
 
+  /// Adds all polygons below a data object with the textures that they carry: RGB * texel / TextureMean, cut out at an
+  /// alpha of a half, lit by NormalTexture where there is one.
+  void AddAsCarried(vtkDataObject* data, double x = 0.0)
+  {
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+    {
+      for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
+      {
+        this->AddAsCarried(blocks->GetBlock(index), x);
+      }
+      return;
+    }
+    auto* polygons = vtkPolyData::SafeDownCast(data);
+    if (!polygons || polygons->GetNumberOfPolys() == 0)
+    {
+      return;
+    }
+    vtkDataArray* texels = polygons->GetFieldData()->GetArray("Texture");
+    if (!texels)
+    {
+      this->Add(polygons, x);
+      return;
+    }
+    this->Add(polygons, x, this->PictureOf(polygons, "Texture"), false, true);
+    vtkActor* actor = this->Renderer->GetActors()->GetLastActor();
+    vtkShaderProperty* shader = actor->GetShaderProperty();
+    float mean[3] = { 1.0f, 1.0f, 1.0f };
+    vtkDataArray* given = polygons->GetFieldData()->GetArray("TextureMean");
+    for (int channel = 0; given && channel < 3; ++channel)
+    {
+      mean[channel] = static_cast<float>(given->GetComponent(0, channel));
+    }
+    shader->GetFragmentCustomUniforms()->SetUniform3f("textureMean", mean);
+    shader->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true, "//VTK::Light::Impl\n  gl_FragData[0].rgb /= textureMean;\n", false);
+    const bool hasNormals = polygons->GetFieldData()->HasArray("NormalTexture");
+    if (hasNormals)
+    {
+      vtkNew<vtkTexture> normals;
+      normals->SetInputData(this->PictureOf(polygons, "NormalTexture"));
+      normals->InterpolateOn();
+      actor->GetProperty()->SetTexture("normalTex", normals);
+    }
+    shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true,
+      hasNormals ? "//VTK::Normal::Impl\n"
+                   "  vec2 s = dFdx(tcoordVCVSOutput.st), t = dFdy(tcoordVCVSOutput.st);\n"
+                   "  vec3 p = dFdx(vertexVC.xyz), q = dFdy(vertexVC.xyz);\n"
+                   "  float turn = sign(s.x * t.y - s.y * t.x);\n"
+                   "  vec3 n = texture(normalTex, tcoordVCVSOutput.st).xyz * 2.0 - 1.0;\n"
+                   "  normalVCVSOutput = normalize(n.x * normalize(turn * (p * t.y - q * s.y)) +\n"
+                   "    n.y * normalize(turn * (q * s.x - p * t.x)) + n.z * normalize(cross(p, q)));\n"
+                 : "//VTK::Normal::Impl\n  if (gl_FrontFacing == false) normalVCVSOutput = -normalVCVSOutput;\n",
+      false);
+  }
+
   /// Draws from a point towards another and compares with the baseline.
   int Compare(int argc, char* argv[], const double eye[3], const double focus[3], double angle)
   {
@@ -107,6 +168,16 @@ public:
   vtkNew<vtkRenderWindowInteractor> Interactor;
 
 private:
+  /// A texture that a block carries.
+  static vtkSmartPointer<vtkImageData> PictureOf(vtkPolyData* block, const char* name)
+  {
+    vtkDataArray* size = block->GetFieldData()->GetArray("TextureSize");
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(static_cast<int>(size->GetTuple1(0)), static_cast<int>(size->GetTuple1(1)), 1);
+    image->GetPointData()->SetScalars(block->GetFieldData()->GetArray(name));
+    return image;
+  }
+
   void AddLight(double x, double y, double z, double intensity)
   {
     vtkNew<vtkLight> light;

@@ -45,7 +45,9 @@ bool Levels()
     vtkNew<Source> source;
     source->SetPreset(preset);
     source->Update();
-    good &= HasLevels(source);
+    good &= HasLevels(source) && CarriesTexture(source, "Medium/Crown", false) && CarriesTexture(source, "Low", true);
+    source->SetMediumCrownToEnvelope();
+    source->Update();
     good = good && CrownWithin(source, preset);
     vtkCellData* branches = PartOf(source, "High/Skeleton")->GetCellData();
     good &= Check(branches->GetArray("BranchId") && branches->GetArray("Order"), "branches without arrays");
@@ -69,6 +71,7 @@ bool BadInput()
     Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); }) &
     Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); }) &
     Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); }) &
+    Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); }) &
     Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
 }
 
@@ -87,11 +90,9 @@ int TestAonoKuniiTreeSource(int argc, char* argv[])
     vtkNew<Source> source;
     source->SetPreset(preset);
     source->Update();
-    auto* crown = vtkImageData::SafeDownCast(source->GetOutputDataObject(1));
-    scene.Add(BlockAt(source->GetOutputDataObject(0), "High"), x);
-    scene.Add(PartOf(source, "Medium/Trunk"), x + 15.0);
-    scene.Add(PartOf(source, "Medium/Crown"), x + 15.0, crown, true);
-    scene.Add(PartOf(source, "Low"), x + 30.0);
+    scene.AddAsCarried(BlockAt(source->GetOutputDataObject(0), "High"), x);
+    scene.AddAsCarried(BlockAt(source->GetOutputDataObject(0), "Medium"), x + 15.0);
+    scene.AddAsCarried(PartOf(source, "Low"), x + 30.0);
     x += 47.0;
   }
   const double eye[3] = { 62.0, -180.0, 9.0 };

@@ -360,6 +360,60 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
 
 /// Pictures of crowns go with the wind, wherever it blows to: what a plant shows now, one downwind shows when the wind
 /// has come to it, and one beside it shows at the same time.
+/// Cards of leaves go with the trunk as an envelope does, and keep their own picture and its mean.
+void CheckCards(WindSource* wind)
+{
+  vtkNew<vtkReevesTreeSource> tree;
+  tree->Update();
+  vtkNew<vtkBeamTreeDeformationFilter> sway;
+  sway->SetInputConnection(tree->GetOutputPort());
+  sway->SetWindConnection(wind->GetOutputPort());
+  sway->UpdateTimeStep(2.0);
+  vtkDataObject* rest = tree->GetOutputDataObject(0);
+  vtkDataObject* now = sway->GetOutputDataObject(0);
+  auto* bones = vtkPolyData::SafeDownCast(BlockAt(rest, "High/Skeleton"));
+  vtkNew<vtkIdList> trunk;
+  bones->GetCellPoints(0, trunk);
+  const vtkIdType tip = trunk->GetId(trunk->GetNumberOfIds() - 1);
+  const std::vector<float> a = PointsOf(rest, "High/Skeleton");
+  const std::vector<float> b = PointsOf(now, "High/Skeleton");
+  double mean[3];
+  MeanShift(
+    PointsOf(rest, "Medium/Crown"), PointsOf(now, "Medium/Crown"), a[3 * tip + 2] - 1.0, a[3 * tip + 2] + 1.0, mean);
+  const double wanted[2] = { double(b[3 * tip]) - a[3 * tip], double(b[3 * tip + 1]) - a[3 * tip + 1] };
+  const double apart = std::hypot(mean[0] - wanted[0], mean[1] - wanted[1]);
+  const double length = std::hypot(wanted[0], wanted[1]);
+  std::cout << "cards about the trunk's tip, which goes " << length << " m, differ by " << apart << " m\n";
+  Expect(length > 0.002 && apart < 0.15 * length, "cards sway as the trunk does");
+
+  auto* still = vtkPolyData::SafeDownCast(BlockAt(rest, "Medium/Crown"));
+  auto* moved = vtkPolyData::SafeDownCast(BlockAt(now, "Medium/Crown"));
+  Expect(moved->GetFieldData()->GetArray("TextureMean")->GetComponent(0, 0) ==
+      still->GetFieldData()->GetArray("TextureMean")->GetComponent(0, 0),
+    "cards keep the mean of their texture");
+  const auto texelAt = [](vtkPolyData* crown, vtkIdType point) {
+    vtkDataArray* size = crown->GetFieldData()->GetArray("TextureSize");
+    vtkDataArray* places = crown->GetPointData()->GetTCoords();
+    // About half of the way from a corner to the card's middle, within a texel.
+    double at[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double corner = places->GetComponent(point, axis);
+      const double middle = 0.5 * (corner + places->GetComponent(point + (point % 4 < 2 ? 2 : -2), axis));
+      at[axis] = std::floor((0.45 * corner + 0.55 * middle) * size->GetTuple1(axis));
+    }
+    return crown->GetFieldData()->GetArray("Texture")->GetTuple4(
+      static_cast<vtkIdType>(at[1] * size->GetTuple1(0) + at[0]));
+  };
+  int others = 0;
+  for (vtkIdType point = 0; point < 400; ++point)
+  {
+    const double one = texelAt(still, point)[3];
+    others += one != texelAt(moved, point)[3];
+  }
+  Expect(others == 0, "cards show their own tufts");
+}
+
 void CheckArrival(vtkReevesTreeSource* tree)
 {
   vtkNew<vtkWindFieldSource> wind;
@@ -584,6 +638,7 @@ void CheckBadPlants(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tre
 int TestBeamTreeDeformationFilter(int, char*[])
 {
   vtkNew<vtkReevesTreeSource> tree;
+  tree->SetMediumCrownToEnvelope();
   tree->Update();
   vtkDataObject* rest = tree->GetOutputDataObject(0);
   vtkNew<WindSource> wind;
@@ -661,6 +716,7 @@ int TestBeamTreeDeformationFilter(int, char*[])
   CheckLift(sway, rest);
   CheckFrequency(wind);
   CheckMedium(sway, tree, wind);
+  CheckCards(wind);
   CheckArrival(tree);
   CheckThreadsAndPieces(tree, wind);
   CheckProgressAndAbort(sway, wind);

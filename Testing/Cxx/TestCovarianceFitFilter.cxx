@@ -10,8 +10,10 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -87,6 +89,9 @@ bool CheckBadInput()
   bare->SetDimensions(20, 20, 1);
   good &= Fails("scalar point array", bare);
   const auto image = Image(20, 20, 1, rough);
+  good &= Fails("'Depth'", image, [](vtkCovarianceFitFilter* fit) {
+    fit->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth");
+  });
   const double badLengths[] = { -1.0, std::numeric_limits<double>::quiet_NaN() };
   for (double bad : badLengths)
   {
@@ -96,6 +101,50 @@ bool CheckBadInput()
   good &= Fails("NumberOfLags", image, [](vtkCovarianceFitFilter* fit) { fit->SetNumberOfLags(0); });
   good &= Fails("NumberOfDirections", image, [](vtkCovarianceFitFilter* fit) { fit->SetNumberOfDirections(0); });
   good &= Fails("No model", image, [](vtkCovarianceFitFilter* fit) { fit->SetMaximumLag(0.1); });
+  return good;
+}
+
+/// The active scalars stand in for an Elevation that is absent.
+bool CheckDefaultArray(vtkImageData* terrain)
+{
+  vtkNew<vtkImageData> renamed;
+  renamed->DeepCopy(terrain);
+  renamed->GetPointData()->GetScalars()->SetName("Height");
+  bool good = true;
+  double variances[2];
+  int k = 0;
+  for (vtkImageData* image : { terrain, renamed.Get() })
+  {
+    vtkNew<vtkCovarianceFitFilter> fit;
+    fit->SetInputData(image);
+    fit->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
+    fit->Update();
+    good &= fit->GetOutput()->GetNumberOfRows() == 7;
+    variances[k++] = good ? Value(fit->GetOutput(), "Variance") : 0.0;
+  }
+  return good && Near("variance of the renamed array", variances[1], variances[0], 0.0);
+}
+
+/// A request of a later piece empties both tables, whichever is asked for; the first fills both.
+bool CheckPieces(vtkImageData* terrain)
+{
+  vtkNew<vtkCovarianceFitFilter> fit;
+  fit->SetInputData(terrain);
+  bool good = true;
+  for (const int piece : { 1, 0, 1 })
+  {
+    for (const int port : { 0, 1 })
+    {
+      fit->UpdateInformation();
+      vtkInformation* info = fit->GetOutputInformation(port);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 2);
+      fit->Update(port);
+      vtkTable* table = vtkTable::SafeDownCast(fit->GetOutputDataObject(port));
+      const bool isFull = table->GetNumberOfRows() > 0;
+      good &= Near("whether a piece has rows", isFull, piece == 0, 0.0);
+    }
+  }
   return good;
 }
 
@@ -362,6 +411,11 @@ int TestCovarianceFitFilter(int, char*[])
   good &= marked(std::numeric_limits<float>::quiet_NaN());
   good &= marked(-32768.0f);
 
+  vtkNew<vtkTurningBandsTerrainSource> small;
+  small->SetWholeExtent(0, 40, 0, 40, 0, 0);
+  small->Update();
+  good &= CheckDefaultArray(small->GetOutput());
+  good &= CheckPieces(small->GetOutput());
   good &= CheckNoise(terrain->GetOutput());
   good &= CheckTwins(false);
   good &= CheckTwins(true);

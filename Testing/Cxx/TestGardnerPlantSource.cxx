@@ -84,11 +84,13 @@ bool Levels()
     vtkNew<Source> source;
     source->SetPreset(preset);
     source->Update();
-    good &= HasLevels(source);
+    good &= HasLevels(source) && CarriesTexture(source, "Medium/Crown", false) && CarriesTexture(source, "Low", true);
     good &= Check(EachPointIsUsed(PartOf(source, "High/Leaves")), "vertices without triangles");
-    good = good && CrownIsInside(source);
     good &= Check(PictureFits(source, 1, "Medium/Crown") && PictureFits(source, 2, "High/Leaves"),
       "a picture and the field data of its block differ");
+    source->SetMediumCrownToEnvelope();
+    source->Update();
+    good = good && CrownIsInside(source);
   }
   return good;
 }
@@ -110,6 +112,7 @@ bool BadInput()
     Fails<Source>("Variation", [](Source* s) { s->SetVariation(-0.1); }) &
     Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); }) &
     Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); }) &
+    Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); }) &
     Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
 }
 

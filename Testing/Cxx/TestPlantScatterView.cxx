@@ -121,9 +121,36 @@ bool LevelsInParallel()
   return good & Check(places->GetNumberOfTuples() > 5 && !far, "VisibleDistance in parallel projection");
 }
 
+/// A detail factor is that of the distances of the levels; back at 1 all is as before.
+bool DetailFactor()
+{
+  Forest factored;
+  Forest nearer;
+  const double near = factored.Filter->GetNearDistance();
+  const double far = factored.Filter->GetFarDistance();
+  factored.Filter->SetDetailFactor(0.6);
+  nearer.Filter->SetNearDistance(0.6 * near);
+  nearer.Filter->SetFarDistance(0.6 * far);
+  bool good = true;
+  for (const double factor : { 0.6, 1.0 })
+  {
+    factored.Filter->SetDetailFactor(factor);
+    nearer.Filter->SetNearDistance(factor * near);
+    nearer.Filter->SetFarDistance(factor * far);
+    factored.Filter->Update();
+    nearer.Filter->Update();
+    for (const char* counter : { "PlantsShown", "PlantsHigh", "PlantsMedium", "PlantsLow" })
+    {
+      good &= Check(factored.Counter(counter) == nearer.Counter(counter), std::string(counter) + " of a detail factor");
+    }
+    good &= Check(factored.Counter("PlantsLow") > 0 && factored.Counter("PlantsHigh") > 0, "levels are missing");
+  }
+  return good;
+}
+
 }
 
 int TestPlantScatterView(int, char*[])
 {
-  return Culling() && LevelsInParallel() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Culling() && LevelsInParallel() && DetailFactor() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -22,7 +22,7 @@ bool Levels()
     vtkNew<Source> source;
     source->SetPreset(preset);
     source->Update();
-    good &= HasLevels(source);
+    good &= HasLevels(source) && CarriesTexture(source, "Medium/Crown", false) && CarriesTexture(source, "Low", true);
     vtkCellData* branches = PartOf(source, "High/Skeleton")->GetCellData();
     good &= Check(branches->GetArray("BranchId") && branches->GetArray("Order"), "branches without arrays");
   }
@@ -43,6 +43,7 @@ bool BadInput()
     Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); }) &
     Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); }) &
     Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); }) &
+    Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); }) &
     Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
 }
 
@@ -61,12 +62,10 @@ int TestReevesTreeSource(int argc, char* argv[])
     vtkNew<Source> source;
     source->SetPreset(preset);
     source->Update();
-    auto* crown = vtkImageData::SafeDownCast(source->GetOutputDataObject(1));
     const double step = preset == Source::Shrub ? 3.2 : preset == Source::Oak ? 11.5 : 7.0;
-    scene.Add(BlockAt(source->GetOutputDataObject(0), "High"), x);
-    scene.Add(PartOf(source, "Medium/Trunk"), x + step);
-    scene.Add(PartOf(source, "Medium/Crown"), x + step, crown, true);
-    scene.Add(PartOf(source, "Low"), x + 1.9 * step);
+    scene.AddAsCarried(BlockAt(source->GetOutputDataObject(0), "High"), x);
+    scene.AddAsCarried(BlockAt(source->GetOutputDataObject(0), "Medium"), x + step);
+    scene.AddAsCarried(PartOf(source, "Low"), x + 1.9 * step);
     x += preset == Source::Pine ? 23.0 : preset == Source::Oak ? 30.0 : 18.0;
   }
   const double eye[3] = { 36.5, -120.0, 10.0 };

@@ -83,7 +83,7 @@ bool Levels()
     {
       good &= HasArrays(source, "High/Skeleton", { name });
     }
-    good = good && HasLevels(source);
+    good = good && HasLevels(source) && CarriesTexture(source, "Medium/Crown", false);
     vtkPolyData* skeleton = PartOf(source, "High/Skeleton");
     good &= Check(skeleton->GetCellData()->GetArray("BranchId") && skeleton->GetCellData()->GetArray("Order") &&
         skeleton->GetNumberOfLines() == skeleton->GetNumberOfCells(),

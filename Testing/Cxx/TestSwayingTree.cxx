@@ -20,15 +20,15 @@ int TestSwayingTree(int argc, char* argv[])
   int column = 0;
   for (const double time : { 0.0, 9.5, 21.0 })
   {
+    // The last with a picture of the moving crown.
+    tree->SetMediumCrown(column == 2 ? vtkReevesTreeSource::Envelope : vtkReevesTreeSource::Leaves);
     vtkNew<vtkBeamTreeDeformationFilter> sway;
     sway->SetInputConnection(tree->GetOutputPort());
     sway->SetWindConnection(wind->GetOutputPort());
     sway->UpdateTimeStep(time);
     vtkDataObject* plants = sway->GetOutputDataObject(0);
-    scene.Add(BlockAt(plants, "High"), 9.0 * column);
-    scene.Add(BlockAt(plants, "Medium/Trunk"), 9.0 * column + 28.0);
-    scene.Add(BlockAt(plants, "Medium/Crown"), 9.0 * column + 28.0,
-      vtkImageData::SafeDownCast(sway->GetOutputDataObject(1)), true);
+    scene.AddAsCarried(BlockAt(plants, "High"), 9.0 * column);
+    scene.AddAsCarried(BlockAt(plants, "Medium"), 9.0 * column + 28.0);
     ++column;
   }
   const double eye[3] = { 23.0, -90.0, 7.0 };

@@ -175,6 +175,49 @@ bool SameBlocks(Filter* one, Filter* two)
   return good;
 }
 
+/// Whether two filters show the same polygons of each level.
+bool SamePolygons(Filter* one, Filter* two)
+{
+  bool good = CountOf(one, "PolygonsShown") == CountOf(two, "PolygonsShown") && CountOf(one, "PolygonsShown") > 0.0;
+  for (unsigned int block = 0; block < 6; ++block)
+  {
+    good &= BlockOf(one, block)->GetNumberOfPolys() == BlockOf(two, block)->GetNumberOfPolys();
+  }
+  return good;
+}
+
+/// A detail factor is that of the viewport, or of the distances; the error is told as it is on the screen.
+bool DetailFactor()
+{
+  const auto image = Hills();
+  vtkNew<Filter> factored;
+  vtkNew<Filter> other;
+  for (Filter* filter : { factored.Get(), other.Get() })
+  {
+    filter->SetInputData(image);
+    LookAcross(filter);
+    filter->SetSelectionToPixelError();
+  }
+  factored->SetDetailFactor(0.25);
+  other->SetPixelError(4.0);
+  factored->Update();
+  other->Update();
+  bool good = Check(SamePolygons(factored, other), "a detail factor is not that of the viewport");
+  good &= Check(CountOf(factored, "LargestScreenError") == CountOf(other, "LargestScreenError"), "LargestScreenError");
+  for (Filter* filter : { factored.Get(), other.Get() })
+  {
+    filter->SetSelectionToDistance();
+  }
+  other->SetNearDistance(0.25 * other->GetNearDistance());
+  other->SetFarDistance(0.25 * other->GetFarDistance());
+  factored->Update();
+  other->Update();
+  good &= Check(SamePolygons(factored, other), "a detail factor is not that of the distances");
+  factored->SetDetailFactor(1.0);
+  factored->Update();
+  return good & Check(!SamePolygons(factored, other), "a detail factor changes nothing");
+}
+
 /// The same bytes on one and two threads, whatever was seen before, and no trace of an earlier terrain.
 bool Reproducible()
 {
@@ -205,15 +248,36 @@ bool Reproducible()
   return good;
 }
 
+/// The first piece has the terrain, another the same blocks without it.
 bool Pieces()
 {
-  vtkNew<Filter> filter;
-  filter->SetInputData(Hills());
-  LookAcross(filter);
-  filter->UpdatePiece(1, 2, 0);
-  const bool later = filter->GetOutput()->GetNumberOfBlocks() == 0;
-  filter->UpdatePiece(0, 2, 0);
-  return Check(later && filter->GetOutput()->GetNumberOfBlocks() == 6, "the terrain is not in the first piece alone");
+  bool good = true;
+  for (const int tileSize : { 32, 4 })
+  {
+    vtkNew<Filter> first;
+    vtkNew<Filter> second;
+    for (Filter* filter : { first.Get(), second.Get() })
+    {
+      filter->SetInputData(Hills());
+      filter->SetTileSize(tileSize);
+      LookAcross(filter);
+      filter->UpdatePiece(filter == second ? 1 : 0, 2, 0);
+    }
+    const unsigned int blocks = first->GetOutput()->GetNumberOfBlocks();
+    good &= Check(blocks == (tileSize == 4 ? 4 : 6), std::to_string(blocks) + " blocks in the first piece");
+    good &= Check(first->GetOutput()->GetNumberOfPoints() > 0, "the first piece is empty");
+    good &= Check(second->GetOutput()->GetNumberOfBlocks() == blocks, "another number of blocks in a later piece");
+    for (unsigned int block = 0; good && block < blocks; ++block)
+    {
+      const auto name = [block](Filter* filter) {
+        return std::string(filter->GetOutput()->GetMetaData(block)->Get(vtkCompositeDataSet::NAME()));
+      };
+      good &= Check(name(first) == name(second), "blocks of pieces have other names");
+      vtkPolyData* later = BlockOf(second, block);
+      good &= Check(later && later->GetNumberOfPoints() == 0, "a later piece has terrain or no blocks");
+    }
+  }
+  return good;
 }
 
 bool Fails(const char* word, const std::function<void(Filter*)>& spoil, vtkImageData* image = nullptr)
@@ -224,6 +288,24 @@ bool Fails(const char* word, const std::function<void(Filter*)>& spoil, vtkImage
   vtkNew<ErrorCounter> errors;
   errors->Watch(filter);
   return Check(errors->ExpectOneNaming(word) && filter->GetOutput()->GetNumberOfBlocks() == 0, word);
+}
+
+/// The active scalars stand in for an Elevation that is absent, also if it is chosen by name.
+bool DefaultArray()
+{
+  bool good = true;
+  for (const char* name : { "", "Elevation", "Height" })
+  {
+    const auto image = Hills();
+    image->GetPointData()->GetArray("Elevation")->SetName("Height");
+    image->GetPointData()->SetActiveScalars("Height");
+    vtkNew<Filter> filter;
+    filter->SetInputData(image);
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+    filter->Update();
+    good &= Check(filter->GetOutput()->GetNumberOfBlocks() > 0, name);
+  }
+  return good;
 }
 
 bool BadInput()
@@ -377,7 +459,8 @@ void AddBlock(vtkRenderer* renderer, vtkPolyData* block, const std::array<double
 
 int TestTerrainLevelOfDetail(int argc, char* argv[])
 {
-  if (!Data() || !Reproducible() || !Pieces() || !BadInput() || !ScreenErrorHolds())
+  if (!Data() || !DetailFactor() || !Reproducible() || !Pieces() || !DefaultArray() || !BadInput() ||
+    !ScreenErrorHolds())
   {
     return EXIT_FAILURE;
   }

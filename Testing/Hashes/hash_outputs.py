@@ -92,6 +92,10 @@ CASES = {
         {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)}]),
     "vtkCovarianceFitFilter": (lambda: (terrain(),), [
         {"SetNumberOfLags": (12,)}, {"SetRemoveTrend": (False,)}, {"SetFitAnisotropy": (False,)}]),
+    "vtkWindStatisticsFilter": (lambda: (wind(),), [
+        {"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}]),
+    "vtkSeaStatisticsFilter": (lambda: (sea(),), [
+        {"SetNumberOfSectors": (4,)}, {"SetNumberOfSectors": (36,)}, {"SetNumberOfSectors": (90,)}]),
     "vtkQuadratAnalysisFilter": (lambda: (make("vtkQuadratPointSource"),), [
         {"SetQuadrats": (5, 5)}, {"SetQuadrats": (8, 6)}, {"SetOrigin": (-5.0, -5.0), "SetSize": (300.0, 300.0)}]),
     "vtkTerrainLevelOfDetailFilter": (lambda: (terrain(128),), [
@@ -102,6 +106,11 @@ CASES = {
         {"SetResponse": (1,)}, {"SetGravity": (True,)}, {"SetNumberOfModes": (1,), "SetWoodFromPlants": (False,)}]),
     "vtkParticleOrbitFilter": (lambda: (particles(), sea()), [
         {"SetStokesDrift": (True,)}, {"SetDopplerShift": (True,), "SetCurrent": (0.5, 0.1)}, {"SetGenerateAcceleration": (True,)}]),
+    "vtkSeaSurfaceFilter": (lambda: (sea(),), [
+        {"SetSpacing": (1.0,), "SetSectors": (90,)}, {"SetCenter": (70.0, -20.0), "SetRadius": (300.0,)},
+        {"SetChoppiness": (0.5,), "SetWaterColors": (False,)}]),
+    "vtkFlowArrowFilter": (lambda: (make("vtkFlowPrimitiveSource", SetFlowType=(3,)),), []),
+    "vtkImageSectionFilter": (lambda: (wind(),), [{"SetCrossSections": (1,)}]),
     "vtkParticleLevelOfDetailFilter": (lambda: (particles(), sea()), [
         {"SetViewPoint": (5.0, 5.0, -3.0)},
         {"SetViewPoint": (5.0, 5.0, -3.0), "SetSlavesPerMaster": (2,)},

@@ -10,7 +10,7 @@ from paraview import simple
 terrain = simple.TurningBandsTerrain(registrationName="Hills", Seed=5, Model="Bessel 1", Range=80.0)
 view = simple.GetActiveViewOrCreate("RenderView")
 shown = simple.Show(terrain, view)
-assert shown.Representation == "Slice", shown.Representation
+assert shown.Representation == "Relief", shown.Representation
 fit = simple.CovarianceFit(registrationName="Fits", Input=terrain)
 twin = simple.TurningBandsTerrainFromFits(registrationName="Twin", Input=fit, Seed=6)
 simple.Show(simple.WarpByScalar(Input=twin), view)

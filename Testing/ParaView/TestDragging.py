@@ -4,17 +4,19 @@
 """A forest stays in the view while the camera is dragged, above ParaView's threshold for levels of detail of its own.
 
 Each interactive picture is compared with the still picture of the same camera: with and without FollowCamera, rendered by
-the client and by a server.
+the client and by a server of one and of two ranks. With a lower InteractiveDetail, levels only become coarser while dragging, and are full at
+rest.
 """
 
-import subprocess
+import shutil
 
 import numpy as np
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from server import connected
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-PORT = 21531
+PORT = 21530
 STEP = 12.0  # of the camera [m]
 
 
@@ -38,11 +40,14 @@ def scene():
     view = simple.CreateView("RenderView")
     view.ViewSize = [320, 200]
     view.OrientationAxesVisibility = 0
+    view.ImageReductionFactor = 1  # a server of several ranks sends smaller interactive pictures
     sites = simple.QuadratPoints(Size=[400.0, 400.0], Quadrats=[20, 20])
     tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=200, MainBranches=8, Orders=1)
     forest = simple.PlantScatter(Sites=sites, Prototypes=[tree], NearDistance=30.0, FarDistance=150.0)
     shown = simple.Show(forest, view)
     assert shown.Representation == "Full Surface", shown.Representation
+    assert forest.InteractiveDetail < 1.0
+    forest.InteractiveDetail = 1.0
     simple.Render(view)
     return view, forest
 
@@ -72,32 +77,48 @@ def check_drag(view, where):
         assert apart(seen, still) < 0.01, f"{where}, step {step}: {apart(seen, still):.3f} of the pixels differ"
 
 
-def check_here(where, threshold=None):
+def level_counts(forest):
+    """Plants shown at each level."""
+    fields = forest.GetDataInformation().DataInformation.GetFieldDataInformation()
+    return [int(fields.GetArrayInformation(f"Plants{level}").GetComponentRange(0)[0])
+            for level in ("High", "Medium", "Low")]
+
+
+def check_coarser(view, forest, where, ranks):
+    """Fewer plants in the first levels while dragging, the same in all; the forest covers as much of the view."""
+    forest.InteractiveDetail = 0.4
+    empty = picture(view)[-1]
+    for step in range(3):
+        stand(view, step)
+        simple.Render(view)
+        full, still = level_counts(forest), picture(view)
+        stand(view, step + 0.5)
+        view.SMProxy.InteractiveRender()
+        coarse, moving = level_counts(forest), picture(view)
+        stand(view, step)
+        simple.Render(view)
+        assert level_counts(forest) == full, f"{where}: {level_counts(forest)} at rest, {full} before"
+        shares = [float((np.abs(seen - empty).sum(axis=1) > 12).mean()) for seen in (moving, still)]
+        assert shares[0] > 0.7 * shares[1], f"{where}: {shares[0]:.3f} covered while dragging, {shares[1]:.3f} at rest"
+        if ranks > 1:
+            continue  # each rank has the counts of its own plants
+        assert coarse[0] <= full[0] and coarse[0] + coarse[1] < full[0] + full[1], f"{where}: {coarse} of {full}"
+        assert abs(sum(coarse) - sum(full)) <= 5, f"{where}: {sum(coarse)} plants of {sum(full)}"
+
+
+def check_here(where, threshold=None, ranks=1):
     """Following and not."""
     view, forest = scene()
     if threshold is not None:
         view.RemoteRenderThreshold = threshold
     check_drag(view, f"{where}, following")
+    check_coarser(view, forest, where, ranks)
     forest.FollowCamera = 0
     check_drag(view, f"{where}, not following")
 
 
-def check_server():
-    """In front of a server that renders all pictures, and that renders none."""
-    server = subprocess.Popen(["pvserver", f"--server-port={PORT}"], stdout=subprocess.PIPE)
-    try:
-        for line in server.stdout:
-            if b"Accepting connection" in line:
-                break
-        simple.Connect("127.0.0.1", PORT)
-        check_here("rendered by the server", 0.0)
-        check_here("rendered by the client", 1e5)
-        simple.Disconnect()
-        simple.Connect()  # else the end of pvpython writes to the closed socket
-    finally:
-        server.terminate()
-        server.wait()
-
-
 check_here("batch")
-check_server()
+for ranks in (1, 2) if shutil.which("mpirun") else (1,):
+    with connected(PORT + ranks, ranks):
+        check_here(f"rendered by a server of {ranks}", 0.0, ranks)
+        check_here(f"rendered by the client of a server of {ranks}", 1e5, ranks)

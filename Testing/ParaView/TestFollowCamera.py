@@ -25,7 +25,8 @@ def forest_in(view):
     """A forest with few leaves on flat ground, shown."""
     sites = simple.QuadratPoints(Size=[400.0, 400.0], Quadrats=[20, 20])
     tree = simple.ReevesTree(Preset="Custom", NumberOfLeaves=50, MainBranches=4, Orders=1)
-    forest = simple.PlantScatter(registrationName="Forest", Sites=sites, Prototypes=[tree])
+    forest = simple.PlantScatter(
+        registrationName="Forest", Sites=sites, Prototypes=[tree], NearDistance=60.0, FarDistance=250.0)
     shown = simple.Show(forest, view)
     assert shown.MapScalars == 0, "colors go through a color map"
     return forest

@@ -96,7 +96,7 @@ def background(folder):
 
 view.CameraPosition, view.CameraFocalPoint = [15.0, -9.0, 4.0], [15.0, 12.0, 0.0]
 view.CameraViewUp = [0.0, 0.0, 1.0]
-view.Background, view.UseColorPaletteForBackground = [1.0, 0.0, 1.0], 0
+view.BackgroundColorMode, view.Background, view.UseColorPaletteForBackground = "Single Color", [1.0, 0.0, 1.0], 0
 view.OrientationAxesVisibility = 0
 with tempfile.TemporaryDirectory() as folder:
     picture = os.path.join(folder, "leaves.png")

@@ -221,6 +221,17 @@ for (group, name), proxy in everything.items():
     if not derived and hasattr(littoral, proxy.get("class")):
         check(name, proxy, everything)
 
+# ParaView has no icon for some views, and says so in its window of messages.
+for (group, name), proxy in everything.items():
+    views = {view.get("type") for view in proxy.iter("View")}
+    expect("RenderView" not in views or proxy.find("Hints/PipelineIcon") is not None,
+           f"{name} opens a render view and has no PipelineIcon")
+    # Charts have titles and are of outputs that exist.
+    kind = getattr(littoral, proxy.get("class"), None)
+    for chart in proxy.iter("ChartDisplay"):
+        expect(chart.get("x") and chart.get("x-title") and chart.get("y-title"), f"{name}: a chart without titles")
+        expect(kind and int(chart.get("port")) < kind().GetNumberOfOutputPorts(), f"{name}: a chart of no output")
+
 print(counts)
 for problem in problems:
     print(problem)

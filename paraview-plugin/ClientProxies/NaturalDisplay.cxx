@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NaturalDisplay.h"
 
-#include "Numerics/Constants.h"
+#include "ColorHelper.h"
+#include "Daylight.h"
+#include "FirstLook.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
-#if __has_include("vtkSMColorMapEditorHelper.h") // ParaView 5.13 and later
-#include "vtkSMColorMapEditorHelper.h"
-#else
-#include "vtkSMPVRepresentationProxy.h"
-#endif
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
@@ -22,39 +20,94 @@
 #include "vtkSMSourceProxy.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace littoral
 {
 namespace
 {
 
-#if __has_include("vtkSMColorMapEditorHelper.h")
-using ColorHelper = vtkSMColorMapEditorHelper;
-#else
-using ColorHelper = vtkSMPVRepresentationProxy;
-#endif
-
-/// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
-constexpr double EyeAzimuth = -0.62 * Pi;
-
-/// Whether nothing is shown in a view.
-bool IsEmpty(vtkSMProxy* view)
+/// Three coordinates of a hint; whether there are as many.
+bool ReadPlace(const char* text, double place[3])
 {
+  std::istringstream numbers(text);
+  return static_cast<bool>(numbers >> place[0] >> place[1] >> place[2]);
+}
+
+/// Whether bounds are those of a level rectangle.
+bool IsLevel(const double bounds[6])
+{
+  return bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] == bounds[5];
+}
+
+/// Whether bounds are those of a single point.
+bool IsPoint(const double bounds[6])
+{
+  return bounds[0] == bounds[1] && bounds[2] == bounds[3] && bounds[4] == bounds[5];
+}
+
+/// All that a filter is made of, from its inputs up to the sources.
+std::set<vtkSMProxy*> UpstreamOf(vtkSMProxy* filter)
+{
+  std::set<vtkSMProxy*> all;
+  for (unsigned int k = 0; k < filter->GetNumberOfProducers(); ++k)
+  {
+    vtkSMProxy* producer = filter->GetProducerProxy(k);
+    const std::set<vtkSMProxy*> further = UpstreamOf(producer);
+    all.insert(producer);
+    all.insert(further.begin(), further.end());
+  }
+  return all;
+}
+
+/// What is visible in a view.
+std::vector<vtkSMProxy*> VisibleIn(vtkSMProxy* view)
+{
+  std::vector<vtkSMProxy*> visible;
   const vtkSMPropertyHelper shown(view, "Representations");
   for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
   {
     vtkSMProxy* one = shown.GetAsProxy(k);
     if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
     {
-      return false;
+      visible.push_back(one);
     }
   }
-  return true;
+  return visible;
+}
+
+/// Whether a view, seen from above, shows nothing but what a filter is made of.
+bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
+{
+  const std::set<vtkSMProxy*> upstream = UpstreamOf(filter);
+  const std::vector<vtkSMProxy*> visible = VisibleIn(view);
+  return (IsMap(view) || IsFlat(view)) && !visible.empty() &&
+    std::all_of(visible.begin(), visible.end(),
+      [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
+}
+
+/// Clears a view for what replaces all that it shows.
+void HideAll(vtkSMProxy* view)
+{
+  for (vtkSMProxy* one : VisibleIn(view))
+  {
+    if (ColorHelper::GetUsingScalarColoring(one))
+    {
+      ColorHelper::SetScalarBarVisibility(one, view, false);
+    }
+    vtkSMPropertyHelper(one, "Visibility").Set(0);
+    one->UpdateVTKObjects();
+  }
+}
+
+bool HasData(vtkPVDataInformation* data)
+{
+  return data && (data->GetNumberOfPoints() > 0 || data->GetNumberOfRows() > 0);
 }
 
 }
@@ -62,7 +115,6 @@ bool IsEmpty(vtkSMProxy* view)
 //----------------------------------------------------------------------------
 NaturalDisplay::~NaturalDisplay()
 {
-  this->StopWaiting();
   this->StopWaitingForLegend();
   if (this->Manager)
   {
@@ -89,6 +141,23 @@ const char* NaturalDisplay::Hint(const char* name)
 }
 
 //----------------------------------------------------------------------------
+const char* NaturalDisplay::HintFor(int port, const char* name)
+{
+  vtkPVXMLElement* hints = this->Owner->GetHints();
+  for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(k);
+    int ofPort = -1;
+    if (std::strcmp(hint->GetName(), "NaturalDisplay") == 0 && hint->GetScalarAttribute("port", &ofPort) &&
+      ofPort == port && hint->GetAttribute(name))
+    {
+      return hint->GetAttribute(name);
+    }
+  }
+  return this->Hint(name);
+}
+
+//----------------------------------------------------------------------------
 void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
@@ -105,48 +174,139 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   const vtkSMPropertyHelper input(representation, "Input");
   if (input.GetAsProxy() == this->Owner)
   {
-    this->TakeColors(representation, input.GetOutputPort());
-    this->WaitForCamera();
+    this->Owner->UpdatePipelineInformation();
+    vtkSMRenderViewProxy* view = this->ActiveView();
+    if (view && IsEmpty(view))
+    {
+      this->LookAtInput();
+    }
+    this->Show(representation, input.GetOutputPort());
+    this->SetUpView(input.GetOutputPort());
   }
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColors(vtkSMProxy* representation, int port)
+/// A filter that follows the camera has all of its input in sight, before there is a picture from which it could
+/// follow.
+void NaturalDisplay::LookAtInput()
+{
+  vtkSMProperty* input = this->Owner->GetProperty("Input");
+  const char* elevation = this->Hint("elevation");
+  if (!input || !elevation || !this->Owner->GetProperty("FollowCamera") || !this->Owner->GetProperty("ViewPoint") ||
+    vtkSMPropertyHelper(this->Owner, "FollowCamera").GetAsInt() == 0)
+  {
+    return;
+  }
+  const vtkSMPropertyHelper source(input);
+  auto* producer = source.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(source.GetAsProxy()) : nullptr;
+  vtkPVDataInformation* data = producer ? producer->GetDataInformation(source.GetOutputPort()) : nullptr;
+  if (!HasData(data))
+  {
+    return;
+  }
+  CameraPlace place;
+  place.Elevation = std::atof(elevation);
+  vtkNew<vtkCamera> camera;
+  MoveCamera(camera, place, data->GetBounds());
+  vtkSMPropertyHelper(this->Owner, "ViewPoint").Set(camera->GetPosition(), 3);
+  vtkSMPropertyHelper(this->Owner, "ViewDirection").Set(camera->GetDirectionOfProjection(), 3);
+  vtkSMPropertyHelper(this->Owner, "ViewUp").Set(camera->GetViewUp(), 3);
+  this->Owner->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::Show(vtkSMProxy* representation, int port)
 {
   this->Owner->UpdatePipeline();
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
-  if (!data || data->GetNumberOfPoints() == 0)
+  if (!HasData(data))
   {
     this->WaitForData(representation, port);
-  }
-  if (data && data->GetArrayInformation("RGB", vtkDataObject::POINT))
-  {
-    vtkSMPropertyHelper(representation, "MapScalars").Set(0);
-    this->WaitForLegend(representation);
-  }
-  const bool isForest = data && data->GetArrayInformation("SiteId", vtkDataObject::FIELD);
-  const char* blocks = isForest ? this->Hint("forest-blocks") : nullptr;
-  blocks = port != 0 ? nullptr : blocks ? blocks : this->Hint("blocks");
-  if (blocks && representation->GetProperty("BlockSelectors"))
-  {
-    vtkSMPropertyHelper selectors(representation, "BlockSelectors");
-    std::istringstream names(blocks);
-    std::string name;
-    for (unsigned int k = 0; names >> name; ++k)
-    {
-      selectors.Set(k, name.c_str());
-    }
-  }
-  if (const char* array = this->Hint("color"))
-  {
-    ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
-    ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
   }
   if (this->Hint("own-levels"))
   {
     vtkSMPropertyHelper(representation, "Representation").Set("Full Surface");
   }
+  if (data)
+  {
+    if (port == 0)
+    {
+      this->ShowBlocks(representation, data->GetArrayInformation("SiteId", vtkDataObject::FIELD) != nullptr);
+    }
+    this->TakeColors(representation, data, port);
+  }
   representation->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
+{
+  const char* blocks = isForest ? this->Hint("forest-blocks") : nullptr;
+  blocks = blocks ? blocks : this->Hint("blocks");
+  if (!blocks || !representation->GetProperty("BlockSelectors"))
+  {
+    return;
+  }
+  vtkSMPropertyHelper selectors(representation, "BlockSelectors");
+  std::istringstream names(blocks);
+  std::string name;
+  for (unsigned int k = 0; names >> name; ++k)
+  {
+    selectors.Set(k, name.c_str());
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port)
+{
+  if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
+  {
+    ShadeSmoothly(representation, "Normals");
+  }
+  if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
+  {
+    ColorDirectly(representation, "RGB", true);
+    this->WaitForLegend(representation);
+  }
+  else if (this->Hint("direct-color"))
+  {
+    this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
+  }
+  if (const char* ambient = this->HintFor(port, "ambient"))
+  {
+    ShadeAsWater(representation, std::atof(ambient));
+  }
+  if (AreParticles(data))
+  {
+    const char* smallest = this->HintFor(port, "sprite");
+    ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
+  }
+  if (const char* radius = this->Hint("disk-radius"))
+  {
+    ShowAsDisks(representation, std::atof(radius));
+  }
+  const char* fog = this->Hint("fog");
+  if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
+  {
+    ShowAsFog(representation, data, fog);
+    this->WaitForLegend(representation);
+  }
+  const char* extinction = this->Hint("murk");
+  const char* mood = this->Hint("light");
+  if (extinction && mood)
+  {
+    FadeAway(representation, mood, std::atof(extinction));
+  }
+  const char* array = this->Hint("color");
+  if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
+  {
+    ColorByArray(representation, array, this->Hint("color-map"));
+    vtkSMRenderViewProxy* view = this->ActiveView();
+    if (view && IsEmpty(view) && this->Hint("light"))
+    {
+      ShowDarkLegend(representation, view);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -165,7 +325,7 @@ void NaturalDisplay::WaitForData(vtkSMProxy* representation, int port)
 void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
 {
   vtkPVDataInformation* data = this->Owner->GetDataInformation(this->EmptyPort);
-  if (this->Empty && (!data || data->GetNumberOfPoints() == 0))
+  if (this->Empty && !HasData(data))
   {
     return;
   }
@@ -177,11 +337,7 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
   {
     return;
   }
-  if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
-  {
-    ColorHelper::SetScalarColoring(representation, "RGB", vtkDataObject::POINT);
-  }
-  this->TakeColors(representation, this->EmptyPort);
+  this->Show(representation, this->EmptyPort);
 }
 
 //----------------------------------------------------------------------------
@@ -207,9 +363,21 @@ void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 //----------------------------------------------------------------------------
 void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
 {
+  if (IsEmpty(this->LegendView))
+  {
+    return; // a new view draws itself before it gets what it is made for
+  }
   if (this->Colored)
   {
-    ColorHelper::SetScalarBarVisibility(this->Colored, this->LegendView, false);
+    if (ColorHelper::GetUsingScalarColoring(this->Colored))
+    {
+      ColorHelper::SetScalarBarVisibility(this->Colored, this->LegendView, false);
+    }
+    const char* array = this->Hint("direct-color");
+    if (array && vtkSMPropertyHelper(this->Colored, "MapScalars").GetAsInt() != 0)
+    {
+      ColorDirectly(this->Colored, array, false);
+    }
   }
   this->StopWaitingForLegend();
 }
@@ -225,59 +393,43 @@ void NaturalDisplay::StopWaitingForLegend()
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::WaitForCamera()
+void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
-  if (!this->Hint("elevation") || !view || view == this->View || !IsEmpty(view))
+  const bool isMap = view && IsMapOfUpstream(view, this->Owner);
+  if (!view || (!IsEmpty(view) && !isMap))
   {
     return;
   }
-  this->StopWaiting();
-  this->View = view;
-  this->PicturesToWait = 2; // a script draws once before it resets the camera
-  this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
-  this->ResetObserver = this->Shown->AddObserver(vtkCommand::ResetCameraEvent, this, &NaturalDisplay::OnResetCamera);
-  this->PictureObserver = view->AddObserver(vtkCommand::EndEvent, this, &NaturalDisplay::OnPicture);
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::OnResetCamera(vtkObject*, unsigned long, void*)
-{
-  vtkCamera* camera = this->View->GetActiveCamera();
-  this->StopWaiting();
-  const double elevation = std::atof(this->Hint("elevation")) * Pi / 180.0;
+  if (const char* mood = this->Hint("light"))
+  {
+    LightView(view, mood);
+  }
+  const char* eye = this->Hint("eye");
+  const char* target = this->Hint("target");
+  const char* elevation = this->Hint("elevation");
   const char* closer = this->Hint("closer");
-  // What the camera shows of a sphere around the data does not depend on where it looks from.
-  const double distance = camera->GetDistance() / std::max(0.1, closer ? std::atof(closer) : 1.0);
-  double focus[3];
-  camera->GetFocalPoint(focus);
-  camera->SetPosition(focus[0] + distance * std::cos(elevation) * std::cos(EyeAzimuth),
-    focus[1] + distance * std::cos(elevation) * std::sin(EyeAzimuth), focus[2] + distance * std::sin(elevation));
-  camera->SetViewUp(0.0, 0.0, 1.0);
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::OnPicture(vtkObject*, unsigned long, void*)
-{
-  if (--this->PicturesToWait == 0)
+  vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
+  CameraPlace place;
+  place.IsOfFlatData =
+    data && elevation && std::atof(elevation) < 90.0 && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
+  place.IsOnMap = isMap && elevation && std::atof(elevation) < 90.0;
+  if (place.IsOnMap)
   {
-    this->StopWaiting(); // shown with a camera that someone has chosen
+    HideAll(view);
   }
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::StopWaiting()
-{
-  if (this->View)
+  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
+  place.Elevation = elevation ? std::atof(elevation) : 0.0;
+  place.Closer = closer ? std::atof(closer) : 1.0;
+  if (place.IsFixed)
   {
-    this->View->RemoveObserver(this->PictureObserver);
+    // Filters that follow the camera have nothing to show before it is there.
+    MoveCamera(view->GetActiveCamera(), place);
   }
-  if (this->Shown)
+  if (place.IsFixed || elevation)
   {
-    this->Shown->RemoveObserver(this->ResetObserver);
+    this->Camera.WaitFor(view, place);
   }
-  this->Shown = nullptr;
-  this->View = nullptr;
 }
 
 }

@@ -3,9 +3,12 @@
 #ifndef LittoralNaturalDisplay_h
 #define LittoralNaturalDisplay_h
 
+#include "FirstCamera.h"
+
 #include "vtkWeakPointer.h" // for what is watched
 
 class vtkObject;
+class vtkPVDataInformation;
 class vtkSMProxy;
 class vtkSMRenderViewProxy;
 class vtkSMSessionProxyManager;
@@ -15,20 +18,29 @@ namespace littoral
 {
 
 /**
- * How a source is first shown in ParaView: in its own colors, and from the side where that is the better view.
+ * How a source is first shown in ParaView: in its own colors, lit, and from the side where that is the better view.
  *
- * ParaView colors by a color map, with a legend, and looks down along z unless it is told otherwise. This tells each
- * new representation of a source to take the point array RGB, if there is one, as it is, or to color by the array that
- * color="..." names. Where the hint
+ * ParaView colors by a color map, with a legend, and looks down along z unless it is told otherwise. This gives each
+ * new representation of a source what the hint of the proxy says:
  *
- *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" />
+ *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" light="land" />
  *
- * of the proxy names blocks, only these are shown at first, of the first output; of a scattered forest (field data
- * SiteId) those that forest-blocks="..." names, if it does. Where it names an elevation
- * [degrees] and the source is the first thing in its view, the camera looks from that far above the horizon, z upwards,
- * and so many times closer than ParaView would go to show all. With own-levels="1" it is a Full Surface, not decimated while
- * the camera moves: it would tear leaves and crowns to shreds. Later changes by the user, and those of a state file,
- * stay.
+ *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
+ * there are data, `color` one that a color map shows, `color-map` a preset for it.
+ *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water.
+ *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
+ * `sprite` [diagonals of the data]; points with `disk-radius` [m] are disks; the array of `fog` [1/m] is a volume.
+ *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
+ *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
+ *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
+ *    that would tear leaves and crowns to shreds.
+ *  - Where the source is the first thing in its view, the camera looks from `elevation` [degrees] above the horizon, z
+ *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
+ *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
+ *
+ * A second hint with `port` says `ambient` or `sprite` of that output alone.
+ *
+ * Later changes by the user, and those of a state file, stay.
  */
 class NaturalDisplay
 {
@@ -46,18 +58,19 @@ public:
 
 private:
   const char* Hint(const char* name);
+  const char* HintFor(int port, const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
-  void TakeColors(vtkSMProxy* representation, int port);
+  void LookAtInput();
+  void Show(vtkSMProxy* representation, int port);
+  void ShowBlocks(vtkSMProxy* representation, bool isForest);
+  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject*, unsigned long, void*);
   void StopWaitingForLegend();
-  void WaitForCamera();
-  void OnResetCamera(vtkObject*, unsigned long, void*);
-  void OnPicture(vtkObject*, unsigned long, void*);
-  void StopWaiting();
+  void SetUpView(int port);
 
   vtkSMSourceProxy* Owner;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
@@ -68,11 +81,7 @@ private:
   vtkWeakPointer<vtkSMProxy> Colored; ///< whose legend would mean nothing
   vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
   unsigned long LegendObserver = 0;
-  vtkWeakPointer<vtkSMRenderViewProxy> View; ///< whose camera is waited for
-  vtkWeakPointer<vtkObject> Shown;           ///< what it shows on
-  unsigned long ResetObserver = 0;
-  unsigned long PictureObserver = 0;
-  int PicturesToWait = 0;
+  FirstCamera Camera;
 };
 
 }

@@ -46,6 +46,7 @@ littoral::View ViewOf(vtkSMProxy* filter)
   view.ParallelScale = vtkSMPropertyHelper(filter, "ParallelScale").GetAsDouble();
   view.AspectRatio = vtkSMPropertyHelper(filter, "AspectRatio").GetAsDouble();
   view.Height = vtkSMPropertyHelper(filter, "ViewHeight").GetAsDouble();
+  view.DetailFactor = vtkSMPropertyHelper(filter, "DetailFactor").GetAsDouble();
   return view;
 }
 
@@ -134,13 +135,15 @@ void vtkSMFollowCameraProxy::OnActiveView()
 }
 
 //----------------------------------------------------------------------------
-void vtkSMFollowCameraProxy::OnPicture()
+void vtkSMFollowCameraProxy::OnPicture(vtkObject*, unsigned long, void* isInteractive)
 {
   if (!this->View || !this->View->GetActiveCamera() || this->IsTaking)
   {
     return;
   }
-  const littoral::View view = ViewOf(this->View, ViewOf(this));
+  littoral::View view = ViewOf(this->View, ViewOf(this));
+  const bool isDragged = isInteractive && *static_cast<int*>(isInteractive) != 0;
+  view.DetailFactor = isDragged ? vtkSMPropertyHelper(this, "InteractiveDetail").GetAsDouble() : 1.0;
   if (!this->Shows(view))
   {
     this->Take(view);
@@ -172,6 +175,7 @@ void vtkSMFollowCameraProxy::Take(const littoral::View& view)
   vtkSMPropertyHelper(this, "ParallelScale").Set(view.ParallelScale);
   vtkSMPropertyHelper(this, "AspectRatio").Set(view.AspectRatio);
   vtkSMPropertyHelper(this, "ViewHeight").Set(view.Height);
+  vtkSMPropertyHelper(this, "DetailFactor").Set(view.DetailFactor);
   this->UpdateVTKObjects();
   this->IsTaking = false;
 }

@@ -6,9 +6,9 @@
  *
  * While the property FollowCamera of the proxy is on, the properties ViewPoint, ViewDirection, ViewUp, ViewAngle,
  * ParallelProjection, ParallelScale, AspectRatio and ViewHeight take the values of the active render view before each
- * of its pictures, if these differ by more than MoveTolerance and TurnTolerance: else nothing downstream would change,
- * yet be drawn anew. It lives in the client, with or without a window: in ParaView, in pvpython, and in front of a
- * server; a state file keeps it.
+ * of its pictures, and DetailFactor that of InteractiveDetail while the camera is dragged, if these differ by more than
+ * MoveTolerance and TurnTolerance: else nothing downstream would change, yet be drawn anew. It lives in the client,
+ * with or without a window: in ParaView, in pvpython, and in front of a server; a state file keeps it.
  */
 #ifndef vtkSMFollowCameraProxy_h
 #define vtkSMFollowCameraProxy_h
@@ -44,7 +44,7 @@ private:
   void WatchSelection(vtkObject* selection);
   void WatchView(vtkSMRenderViewProxy* view);
   void OnActiveView();
-  void OnPicture();
+  void OnPicture(vtkObject*, unsigned long, void* isInteractive);
   bool Shows(const littoral::View& view);
   void Take(const littoral::View& view);
 

@@ -28,6 +28,12 @@ public:
 
   void UpdateVTKObjects() override;
 
+  /**
+   * Takes times from the pipeline inside, also for the animation. ParaView's time keeper leaves out the producers of
+   * what it adds, and of a compound proxy these are, by their parent, itself.
+   */
+  void UpdatePipelineInformation() override;
+
 protected:
   vtkSMLandscapeProxy();
   ~vtkSMLandscapeProxy() override;

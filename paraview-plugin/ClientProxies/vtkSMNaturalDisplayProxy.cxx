@@ -5,8 +5,63 @@
 #include "NaturalDisplay.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSmartPointer.h"
+
+#include <cstring>
+#include <map>
+#include <string>
 
 vtkStandardNewMacro(vtkSMNaturalDisplayProxy);
+
+namespace
+{
+
+bool IsCalled(vtkPVXMLElement* element, const char* name)
+{
+  return element->GetName() && std::strcmp(element->GetName(), name) == 0;
+}
+
+/// The places of the properties of a proxy's groups, from 1.
+std::map<std::string, int> PlacesOf(vtkPVXMLElement* proxy)
+{
+  std::map<std::string, int> places;
+  for (unsigned int k = 0; k < proxy->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* group = proxy->GetNestedElement(k);
+    for (unsigned int n = 0; IsCalled(group, "PropertyGroup") && n < group->GetNumberOfNestedElements(); ++n)
+    {
+      const char* name = group->GetNestedElement(n)->GetAttribute("name");
+      places.emplace(name ? name : "", static_cast<int>(places.size()) + 1);
+    }
+  }
+  return places;
+}
+
+/// A definition with what has no group first, then the properties in the order of their groups, then the groups.
+vtkSmartPointer<vtkPVXMLElement> InOrderOfGroups(vtkPVXMLElement* proxy)
+{
+  const std::map<std::string, int> places = PlacesOf(proxy);
+  std::multimap<int, vtkPVXMLElement*> ordered; // equal keys stay in order
+  for (unsigned int k = 0; k < proxy->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* one = proxy->GetNestedElement(k);
+    const char* name = one->GetAttribute("name");
+    const auto place = places.find(name ? name : "");
+    const int last = static_cast<int>(places.size()) + 1;
+    ordered.emplace(IsCalled(one, "PropertyGroup") ? last : place == places.end() ? 0 : place->second, one);
+  }
+  auto copy = vtkSmartPointer<vtkPVXMLElement>::New();
+  copy->SetName(proxy->GetName());
+  proxy->CopyAttributesTo(copy);
+  for (const auto& [place, one] : ordered)
+  {
+    copy->AddNestedElement(one, 0); // which stays the child of its parent
+  }
+  return copy;
+}
+
+}
 
 //----------------------------------------------------------------------------
 vtkSMNaturalDisplayProxy::vtkSMNaturalDisplayProxy()
@@ -16,6 +71,12 @@ vtkSMNaturalDisplayProxy::vtkSMNaturalDisplayProxy()
 
 //----------------------------------------------------------------------------
 vtkSMNaturalDisplayProxy::~vtkSMNaturalDisplayProxy() = default;
+
+//----------------------------------------------------------------------------
+int vtkSMNaturalDisplayProxy::CreateSubProxiesAndProperties(vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
+{
+  return this->Superclass::CreateSubProxiesAndProperties(manager, element ? InOrderOfGroups(element).Get() : nullptr);
+}
 
 //----------------------------------------------------------------------------
 void vtkSMNaturalDisplayProxy::UpdateVTKObjects()

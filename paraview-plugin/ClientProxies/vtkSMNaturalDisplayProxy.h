@@ -5,6 +5,9 @@
  * @brief   a source that is first shown in its own colors
  *
  * See littoral::NaturalDisplay for how, and for the hint that says more.
+ *
+ * Its panel has the properties in the order of their groups, after those without one: inherited properties, such as the
+ * view, would come first.
  */
 #ifndef vtkSMNaturalDisplayProxy_h
 #define vtkSMNaturalDisplayProxy_h
@@ -31,6 +34,8 @@ public:
 protected:
   vtkSMNaturalDisplayProxy();
   ~vtkSMNaturalDisplayProxy() override;
+
+  int CreateSubProxiesAndProperties(vtkSMSessionProxyManager* manager, vtkPVXMLElement* element) override;
 
 private:
   vtkSMNaturalDisplayProxy(const vtkSMNaturalDisplayProxy&) = delete;

@@ -92,6 +92,15 @@ std::string OwnPath()
   return dladdr(reinterpret_cast<void*>(&OwnPath), &info) ? info.dli_fname : "";
 }
 
+// Icons are resources of Qt. Not lazily: where Qt's symbols are not those of the process, there are no icons.
+void LoadIcons()
+{
+  if (!FindLibrary("libQt5Core").empty() || !FindLibrary("libQt6Core").empty())
+  {
+    dlopen((OwnPath() + ".icons").c_str(), RTLD_NOW);
+  }
+}
+
 void* LoadPlugin()
 {
   const std::string running = RunningVersion();
@@ -109,6 +118,7 @@ void* LoadPlugin()
   {
     return Refuse(dlerror());
   }
+  LoadIcons();
   const auto instance = reinterpret_cast<void* (*)()>(dlsym(plugin, "pv_plugin_instance_Littoral"));
   return instance ? instance() : Refuse("its library is not whole.");
 }

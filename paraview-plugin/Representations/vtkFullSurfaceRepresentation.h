@@ -2,18 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFullSurfaceRepresentation
- * @brief   a surface that is not decimated while the camera moves
+ * @brief   a surface with the textures of its blocks, not decimated while the camera moves
  *
- * Interactive pictures of a large scene show what a representation offers as its level of detail. Here it is the surface
- * itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the frame in
- * which it was made, with rendering on the client and on a server. (The property SuppressLOD of vtkGeometryRepresentation
- * offers nothing, so that a surface which changes between two interactive pictures vanishes.)
+ * Each block that carries a texture as field data (littoral::BlockActor) is drawn with it; ParaView 5.11 has one
+ * texture for all blocks. Visibility, color and opacity of blocks, selection and picking are those of a surface.
+ *
+ * Interactive pictures of a large scene show what a representation offers as its level of detail. Here it is the
+ * surface itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the
+ * frame in which it was made, with rendering on the client and on a server. (The property SuppressLOD of
+ * vtkGeometryRepresentation offers nothing, so that a surface which changes between two interactive pictures vanishes.)
  */
 #ifndef vtkFullSurfaceRepresentation_h
 #define vtkFullSurfaceRepresentation_h
 
 #include "LittoralRepresentationsModule.h" // for export macro
 #include "vtkGeometryRepresentationWithFaces.h"
+
+#include <memory> // for the textured blocks
+
+namespace littoral
+{
+class TexturedBlocks;
+}
 
 class LITTORALREPRESENTATIONS_EXPORT vtkFullSurfaceRepresentation : public vtkGeometryRepresentationWithFaces
 {
@@ -24,6 +34,8 @@ public:
 
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* in, vtkInformation* out) override;
 
+  void SetVisibility(bool isVisible) override;
+
   /// Ignored: the level of detail is the surface.
   void SetSuppressLOD(bool) override {}
 
@@ -31,9 +43,20 @@ protected:
   vtkFullSurfaceRepresentation();
   ~vtkFullSurfaceRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+  /// Whether an opacity is below 1. Colors and textures count as opaque: ParaView 5.11 takes direct colors for
+  /// translucent, and redistributes all data among its ranks for each picture, which ends it in interactive ones.
+  bool NeedsOrderedCompositing() override;
+
 private:
   vtkFullSurfaceRepresentation(const vtkFullSurfaceRepresentation&) = delete;
   void operator=(const vtkFullSurfaceRepresentation&) = delete;
+
+  void DrawTextures(bool isVisible, bool attributesChanged);
+
+  std::unique_ptr<littoral::TexturedBlocks> Textured;
 };
 
 #endif

@@ -268,6 +268,24 @@ TEST(ViewFrustum, DistancesInParallelProjection)
   EXPECT_DOUBLE_EQ(ViewFrustum(view).PixelsOf(50.0, 7.0), view.Height);
 }
 
+TEST(ViewFrustum, DetailFactorLengthensDistancesOfLevels)
+{
+  View view;
+  view.Point = { 3.0, -10.0, 2.0 };
+  View coarse = view;
+  coarse.DetailFactor = 0.25;
+  const Vector3 place{ 3.0, -7.0, 6.0 };
+  EXPECT_DOUBLE_EQ(LevelDistance(coarse, place), 20.0);
+  EXPECT_DOUBLE_EQ(SightDistance(coarse, place), 5.0);
+  EXPECT_DOUBLE_EQ(ViewFrustum(coarse).PixelsOf(2.0, 7.0), ViewFrustum(view).PixelsOf(2.0, 7.0));
+  EXPECT_FALSE(AreTheSame(coarse, view));
+  for (const double bad : { 0.0, -0.5, 1.5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    view.DetailFactor = bad;
+    EXPECT_NE(WhyInvalid(view).find("DetailFactor"), std::string::npos) << bad;
+  }
+}
+
 TEST(ViewFrustum, NearbyViewsRoundToTheSame)
 {
   View view;

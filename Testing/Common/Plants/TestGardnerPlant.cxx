@@ -309,7 +309,9 @@ TEST_P(GardnerPresets, MeshesAreSound)
     EXPECT_GT(mesh.Colors[vertex][0] + mesh.Colors[vertex][1] + mesh.Colors[vertex][2], 20) << "a black leaf";
   }
   EXPECT_EQ(prototype.Low.NumberOfPolygons(), 4);
-  for (const Vector3& point : prototype.Crown.Points)
+  PlantLevelOptions enveloped;
+  enveloped.Crown = MediumCrown::Envelope;
+  for (const Vector3& point : LevelsOf(plant, enveloped).Crown.Points)
   {
     EXPECT_GE(Depth(crown, point), 0.0) << "the medium crown reaches out of the bounding volume";
   }
@@ -334,7 +336,9 @@ TEST_P(GardnerPresets, IsAFunctionOfItsSeed)
 
 TEST_P(GardnerPresets, ThePictureOfTheCrownIsFullInItsMiddleAndOpenAtItsRim)
 {
-  const PlantPrototype plant = LevelsOf(GrowGardnerPlant(PresetParameters(GetParam())), {});
+  PlantLevelOptions options;
+  options.Crown = MediumCrown::Envelope;
+  const PlantPrototype plant = LevelsOf(GrowGardnerPlant(PresetParameters(GetParam())), options);
   const TextureImage& picture = plant.CrownTexture;
   EXPECT_GT(OpaqueShare(picture, picture.Rows / 3, picture.Rows / 3), 0.85);
   EXPECT_LT(OpaqueShare(picture, 0, picture.Rows), 0.99);

@@ -76,25 +76,23 @@ PlantMesh Plate(double distance, double half, double height, const Color& color)
 
 }
 
-TEST(PlantLevels, LowIsFourPolygonsInTheCrownAndTheTrunk)
+TEST(PlantLevels, LowIsFourRectanglesAroundThePlant)
 {
   for (const TreePreset preset : Species)
   {
-    const ReevesTreeParameters parameters = PresetParameters(preset);
-    const PlantMesh mesh = LevelsOf(GrowReevesTree(parameters), {}).Low;
-    ASSERT_EQ(mesh.NumberOfPolygons(), 4);
-    EXPECT_TRUE(mesh.TCoords.empty());
-    EXPECT_EQ(mesh.Colors.size(), mesh.Points.size());
+    const PlantPrototype tree = LevelsOf(GrowReevesTree(PresetParameters(preset)), {});
+    const PlantExtent& extent = tree.Impostor.Shape.Extent;
+    const double margin = ImpostorSize / (ImpostorSize - 4.0);
+    ASSERT_EQ(tree.Low.NumberOfPolygons(), 4);
+    ASSERT_EQ(tree.Low.TCoords.size(), 16U);
+    EXPECT_EQ(tree.Low.Colors, std::vector<Color>(16, tree.Impostor.Mean));
     for (int polygon = 0; polygon < 4; ++polygon)
     {
-      EXPECT_GT(glm::dot(AreaOf(mesh, polygon), mesh.Normals[mesh.Corners[mesh.Offsets[polygon]]]), 1e-4);
+      const double tall = polygon < 3 ? extent.High - extent.Low : 2.0 * extent.Radius;
+      EXPECT_NEAR(glm::length(AreaOf(tree.Low, polygon)), margin * margin * 2.0 * extent.Radius * tall, 1e-9);
     }
-    for (const Vector3& point : mesh.Points)
-    {
-      EXPECT_LE(std::hypot(point.x, point.y), parameters.CrownRadius * (1.0 + 1e-12));
-      EXPECT_GE(point.z, 0.0);
-      EXPECT_LE(point.z, parameters.Height * (1.0 + 1e-12));
-    }
+    EXPECT_NEAR(extent.Low, 0.0, 0.3);
+    EXPECT_NEAR(extent.High, PresetParameters(preset).Height, 0.1 * PresetParameters(preset).Height);
   }
 }
 
@@ -193,7 +191,9 @@ TEST(CylindricalProjection, ATreeIsDenseInItsMiddleAndOpenAtItsRim)
 {
   for (const TreePreset preset : Species)
   {
-    const PlantPrototype tree = LevelsOf(GrowReevesTree(PresetParameters(preset)), {});
+    PlantLevelOptions options;
+    options.Crown = MediumCrown::Envelope;
+    const PlantPrototype tree = LevelsOf(GrowReevesTree(PresetParameters(preset)), options);
     const TextureImage& picture = tree.CrownTexture;
     double share = 0.0;
     std::set<int> shades;

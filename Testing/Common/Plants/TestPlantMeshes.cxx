@@ -43,7 +43,8 @@ std::vector<Named> MakeAllPlants()
   };
   for (int preset = 0; preset < NumberOfForkPresets; ++preset)
   {
-    options.CrownJitter = preset % 2 == 0 ? 0.0 : 0.4;
+    options.Crown = preset % 3 == 0 ? MediumCrown::Leaves : MediumCrown::Envelope;
+    options.CrownJitter = preset % 3 == 1 ? 0.0 : 0.4;
     if (preset < NumberOfTreePresets)
     {
       ReevesTreeParameters parameters = PresetParameters(static_cast<TreePreset>(preset));
@@ -168,7 +169,7 @@ TEST(PlantMeshes, SkinsAreClosed)
   {
     EXPECT_EQ(OpenEdges(plant.Plant.Skin), 0) << plant.Name;
     EXPECT_EQ(OpenEdges(plant.Plant.Trunk), 0) << plant.Name;
-    if (plant.Plant.Segments.empty()) // else blades
+    if (plant.Plant.CrownIsEnvelope) // else cards or blades
     {
       EXPECT_EQ(OpenEdges(plant.Plant.Crown), 0) << plant.Name;
     }

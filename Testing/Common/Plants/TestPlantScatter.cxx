@@ -229,6 +229,8 @@ TEST(PlantScatter, ShowsEachPlantOnceAtTheLevelOfItsDistance)
   const View view = RandomPath(1, 800.0).front();
   const std::vector<char> marks = cells.Show(ViewFrustum(view));
   PlantViewOptions options;
+  options.NearDistance = 60.0;
+  options.FarDistance = 250.0;
   options.VisibleDistance = 380.0;
   const auto shown = ShownPlants(forest.Places, cells, marks, view, options, 0, 2000);
   std::vector<int> times(2000, 0);
@@ -554,4 +556,25 @@ TEST(PlantScatter, SitesWithoutGroundAreCounted)
   EXPECT_NE(reason.find("of 4 sites, 2 lie outside of the Terrain and 1 where it has no height"), std::string::npos)
     << reason;
   EXPECT_NE(reason.find("(-3, 1, 77)"), std::string::npos) << reason;
+}
+
+// Drawn divided by the mean, each texture has the colors that it had.
+TEST(TextureAtlas, TexturesOfSeveralMeansShareTheSmallest)
+{
+  TextureImage dark(2, 1);
+  dark.Texels = { { 40, 80, 120, 255 }, { 60, 20, 10, 0 } };
+  std::vector<TextureImage> textures{ dark, dark, {} };
+  const std::array<float, 3> means[] = { { 0.5f, 0.25f, 0.5f }, { 0.25f, 0.5f, 0.5f }, { 1.0f, 1.0f, 1.0f } };
+  const std::array<float, 3> common = ShareMean(textures, { means[0], means[1], means[2] });
+  EXPECT_EQ(common, (std::array<float, 3>{ 0.25f, 0.25f, 0.5f }));
+  EXPECT_EQ(textures[0].Texels, (std::vector<Texel>{ { 20, 80, 120, 255 }, { 30, 20, 10, 0 } }));
+  EXPECT_EQ(textures[1].Texels, (std::vector<Texel>{ { 40, 40, 120, 255 }, { 60, 10, 10, 0 } }));
+  for (const Texel& texel : textures[2].Texels)
+  {
+    EXPECT_EQ(texel, (Texel{ 64, 64, 128, 255 })) << "a block without a texture is white";
+  }
+  EXPECT_FALSE(textures[2].Texels.empty());
+  std::vector<TextureImage> same{ dark, dark };
+  EXPECT_EQ(ShareMean(same, { means[0], means[0] }), means[0]);
+  EXPECT_EQ(same[1].Texels, dark.Texels) << "equal means leave texels as they are";
 }

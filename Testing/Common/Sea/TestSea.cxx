@@ -229,6 +229,45 @@ TEST(Orbits, VelocityAccelerationAndGradientAreDerivatives)
   EXPECT_GT(normal.z, 0.5);
 }
 
+TEST(Orbits, VelocityGradientIsTheDerivativeOfTheVelocity)
+{
+  const double d = 1e-4;
+  for (const double depth : { 4.0, 12.0, Infinity }) // shallow, finite and deep forms
+  {
+    const SeaState sea = Sea(depth);
+    const Vector3 center(3.0, -7.0, -1.5);
+    double numbers[5];
+    OrbitRequest<double> request;
+    request.Centers = &center[0];
+    request.VelocityGradient = numbers;
+    WaveOrbits(sea, {}, 5.0).Evaluate(request, 0, 1);
+    const float point[3] = { 3.0f, -7.0f, -1.5f };
+    float singles[5];
+    OrbitRequest<float> single;
+    single.Centers = point;
+    single.VelocityGradient = singles;
+    WaveOrbits(sea, {}, 5.0).Evaluate(single, 0, 1);
+    const auto along = [&](Vector3 step) {
+      return (MotionAt(sea, center + step, 5.0).Velocity - MotionAt(sea, center - step, 5.0).Velocity) / (2.0 * d);
+    };
+    const Vector3 x = along({ d, 0.0, 0.0 });
+    const Vector3 y = along({ 0.0, d, 0.0 });
+    const Vector3 z = along({ 0.0, 0.0, d });
+    // By symmetry, as the flow has no curl, dw/dx = du/dz and dw/dy = dv/dz; without divergence dw/dz is the rest.
+    const double expected[5] = { x.x, y.x, y.y, z.x, z.y };
+    for (int i = 0; i < 5; ++i)
+    {
+      EXPECT_NEAR(numbers[i], expected[i], 1e-7) << i << " at " << depth << " m";
+      EXPECT_NEAR(singles[i], numbers[i], 1e-6) << i << " at " << depth << " m";
+    }
+    EXPECT_NEAR(x.y, numbers[1], 1e-7);
+    EXPECT_NEAR(x.z, numbers[3], 1e-7);
+    EXPECT_NEAR(y.z, numbers[4], 1e-7);
+    EXPECT_NEAR(z.z, -(numbers[0] + numbers[2]), 1e-7);
+    EXPECT_GT(std::abs(numbers[3]), 1e-3);
+  }
+}
+
 TEST(Orbits, MeanOverWholePeriodsIsTheCenter)
 {
   TrainParameters cut;

@@ -10,7 +10,7 @@ import json
 import os
 
 import numpy as np
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import (
     numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy)
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -70,11 +70,11 @@ GRAIN = """
   gl_FragData[0].rgb *= mix(vec3(0.50, 0.56, 0.46), vec3(0.96, 0.95, 0.88), 0.6 * grain);
 """
 
-#: The texture of a crown replaces its colors; transparent texels are discarded.
-CROWN = """
-  vec4 leaves = texture(actortexture, tcoordVCVSOutput);
-  if (leaves.a < 0.5) discard;
-  gl_FragData[0].rgb *= leaves.rgb / max(diffuseColor, vec3(0.02));
+#: A carried texture is divided by its mean and multiplied with the colors; transparent texels are discarded.
+CARRIED = """
+  vec4 carried = texture(actortexture, tcoordVCVSOutput);
+  if (carried.a < 0.5) discard;
+  gl_FragData[0] = vec4(gl_FragData[0].rgb * carried.rgb / vec3({}, {}, {}), 1.0);
 """
 
 #: The texture of leaves is multiplied with their colors; transparent texels are discarded.
@@ -362,9 +362,9 @@ def show_ground(source, view):
     return shown
 
 
-#: Visible blocks of scattered plants, except the crowns of the middle level and the skeletons:
+#: Visible blocks of scattered plants, except those that need their texture and the skeletons:
 #: lines have no normals for the shader.
-PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Low")
+PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk")
 
 
 def show_plants(source, view, parts=PLANT_PARTS):
@@ -377,16 +377,40 @@ def show_plants(source, view, parts=PLANT_PARTS):
     return shown
 
 
-def show_crowns(source, view, picture):
-    """Show the crowns of the middle level with their texture, a PNG file."""
-    crowns = simple.ExtractBlock(Input=source, Selectors=["/Root/Medium/Crown"])
-    shown = _show_colored(crowns, view)
-    shown.Ambient = 0.45
+#: Blocks that are nothing without the texture that they carry.
+TEXTURED_PARTS = ("/Root/Medium/Crown", "/Root/Low")
+
+
+def show_textured(source, view, selector, picture):
+    """Show a block of scattered or swaying plants with the texture that it carries.
+
+    selector: one of TEXTURED_PARTS; picture: the PNG file that the texture is written to.
+    """
+    block = simple.ExtractBlock(Input=source, Selectors=[selector])
+    block.UpdatePipeline()
+    fields = _leaf(servermanager.Fetch(block)).GetFieldData()
+    mean = fields.GetArray("TextureMean")
+    image = vtkImageData()
+    image.SetDimensions(*(int(size) for size in vtk_to_numpy(fields.GetArray("TextureSize"))), 1)
+    image.GetPointData().SetScalars(fields.GetArray("Texture"))
+    writer = vtkPNGWriter()
+    writer.SetFileName(picture)
+    writer.SetInputData(image)
+    writer.Write()
+    shown = _show_colored(block, view)
+    shown.Ambient = 0.35
     shown.Texture = create_texture(picture)
     shown.SelectTCoordArray = "TCoords"
     shown.Specular = 0.0
-    _shade(shown, [], CROWN + AIR)
+    _shade(shown, BOTH_SIDES, CARRIED.format(*(mean.GetTuple3(0) if mean else (1.0, 1.0, 1.0))) + AIR)
     return shown
+
+
+def _leaf(data):
+    """The only data set in blocks."""
+    while data.IsA("vtkMultiBlockDataSet"):
+        data = next(filter(None, (data.GetBlock(k) for k in range(data.GetNumberOfBlocks()))))
+    return data
 
 
 def show_leaves(source, view, picture):

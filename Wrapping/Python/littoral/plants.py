@@ -7,6 +7,7 @@
     renderer.AddActor(plant_actor(block(source.GetOutput(), "High", "Leaves")))
 """
 
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
 from . import scene
@@ -32,10 +33,11 @@ BOTH_SIDES = """//VTK::Normal::Impl
 """
 
 
-def plant_actor(part, picture=None, tinted=False):
+def plant_actor(part, picture=None, tinted=False, mipmap=True):
     """Actor of a part of a plant with its colors, or with a texture instead.
 
-    tinted: multiply the texture with the colors.
+    tinted: multiply the texture with the colors. mipmap: not for what is cut out in fine detail,
+    since means of its transparency are below a half.
     """
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputData(part)
@@ -46,7 +48,7 @@ def plant_actor(part, picture=None, tinted=False):
         texture = vtkTexture()
         texture.SetInputData(picture)
         texture.InterpolateOn()
-        texture.MipmapOn()
+        texture.SetMipmap(mipmap)
         actor.SetTexture(texture)
     return actor
 
@@ -60,22 +62,71 @@ def cut_out(actor):
     return actor
 
 
+#: Colors divided by the mean of the texture, before the texture multiplies them.
+BY_MEAN = """//VTK::Light::Impl
+  gl_FragData[0].rgb /= textureMean;
+"""
+#: Normals from a texture, in the frame of the texture coordinates.
+TEXEL_NORMALS = """//VTK::Normal::Impl
+  vec2 s = dFdx(tcoordVCVSOutput.st), t = dFdy(tcoordVCVSOutput.st);
+  vec3 p = dFdx(vertexVC.xyz), q = dFdy(vertexVC.xyz);
+  float turn = sign(s.x * t.y - s.y * t.x);
+  vec3 n = texture(normalTex, tcoordVCVSOutput.st).xyz * 2.0 - 1.0;
+  normalVCVSOutput = normalize(n.x * normalize(turn * (p * t.y - q * s.y))
+    + n.y * normalize(turn * (q * s.x - p * t.x)) + n.z * normalize(cross(p, q)));
+"""
+
+
+def carried_picture(part, name="Texture"):
+    """The texture that a part carries as field data, as an image; None if it has none."""
+    texels = part.GetFieldData().GetArray(name)
+    size = part.GetFieldData().GetArray("TextureSize")
+    if texels is None or size is None:
+        return None
+    image = vtkImageData()
+    image.SetDimensions(int(size.GetTuple1(0)), int(size.GetTuple1(1)), 1)
+    image.GetPointData().SetScalars(texels)
+    return image
+
+
+def show_carried(actor, part):
+    """Let an actor with the carried picture of a part divide by its mean and use its normals."""
+    mean = part.GetFieldData().GetArray("TextureMean")
+    shader = actor.GetShaderProperty()
+    if mean is not None:
+        shader.GetFragmentCustomUniforms().SetUniform3f("textureMean", mean.GetTuple3(0))
+        shader.AddFragmentShaderReplacement("//VTK::Light::Impl", True, BY_MEAN, False)
+    normals = carried_picture(part, "NormalTexture")
+    if normals is not None:
+        texture = vtkTexture()
+        texture.SetInputData(normals)
+        texture.InterpolateOn()
+        actor.GetProperty().SetTexture("normalTex", texture)
+        shader.AddFragmentShaderReplacement("//VTK::Normal::Impl", True, TEXEL_NORMALS, False)
+    return actor
+
+
+def carried_actor(part):
+    """Actor of a part with its colors and the texture that it carries, cut out."""
+    picture = carried_picture(part)
+    if picture is None:
+        return plant_actor(part)
+    return show_carried(cut_out(plant_actor(part, picture, tinted=True, mipmap=False)), part)
+
+
 def level_actors(source, level, cut_leaves=False):
-    """Actors of a level, "High", "Medium" or "Low", of an updated plant source.
+    """Actors of a level, "High", "Medium" or "Low", of an updated plant source or scattered plants.
 
     cut_leaves: put the texture on the leaves of High and cut it out. Quadrics need this, kites do
     not.
     """
-    data = source.GetOutput()
+    data = source.GetOutputDataObject(0)
     if level == "High":
         skin, leaves = plant_actor(block(data, "High", "Skin")), block(data, "High", "Leaves")
-        if not cut_leaves:
-            return [skin, plant_actor(leaves)]
-        return [skin, cut_out(plant_actor(leaves, source.GetOutputDataObject(2), tinted=True))]
+        return [skin, carried_actor(leaves) if cut_leaves else plant_actor(leaves)]
     if level == "Medium":
-        crown = plant_actor(block(data, "Medium", "Crown"), source.GetOutputDataObject(1))
-        return [plant_actor(block(data, "Medium", "Trunk")), cut_out(crown) if cut_leaves else crown]
-    return [plant_actor(block(data, "Low"))]
+        return [carried_actor(block(data, "Medium", name)) for name in ("Trunk", "Crown")]
+    return [carried_actor(block(data, "Low"))]
 
 
 def add_daylight(renderer, sun=(215.0, 40.0)):

@@ -9,7 +9,7 @@
 import pyvista
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from .plants import block, cut_out
+from .plants import block, cut_out, show_carried
 
 PARTS = {"High": ("Skin", "Leaves"), "Medium": ("Trunk", "Crown"), "Low": ("",)}
 
@@ -28,11 +28,11 @@ def add_plants(plotter, plants, levels=("High",), **look):
             if part is None or not part.GetNumberOfCells():
                 continue
             picture = _picture(part)
-            colors = {} if name == "Crown" else {"scalars": "RGB", "rgb": True}  # a crown's are in its texture
+            colors = {"scalars": "RGB", "rgb": True}
             actor = plotter.add_mesh(part, texture=picture, **{"ambient": 0.25, **colors, **look})
             # PyVista's smooth_shading would replace the normals, which for leaves are those of the crown.
             actor.GetProperty().SetInterpolationToPhong()
-            actors.append(actor if picture is None else cut_out(actor))
+            actors.append(actor if picture is None else show_carried(cut_out(actor), part))
     return actors
 
 
@@ -46,5 +46,5 @@ def _picture(part):
     if texels[..., 3].min() > 127:
         return None
     texture = pyvista.Texture(texels[::-1])  # PyVista counts rows from above
-    texture.interpolate = texture.mipmap = True
+    texture.interpolate = True  # no means of the transparency, which are below a half in fine detail
     return texture

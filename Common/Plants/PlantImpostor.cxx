@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plants/PlantImpostor.h"
+
+#include "Numerics/Constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr int Margin = 2;           ///< transparent texels around a picture, so that neighbours do not mix
+constexpr float Smoothing = 0.4f;   ///< share of its neighbourhood in the coverage of a texel
+constexpr int Spread = 4;           ///< texels by which colors reach into what is transparent
+constexpr double LargestMean = 0.5; ///< of the texels, smaller where some are more than twice as bright as the mean
+constexpr double Lift = 0.5;        ///< of cards' normals, as of those of leaves
+
+double ElevationOf(int view)
+{
+  return 0.5 * Pi * (view / ImpostorAzimuths) / ImpostorElevations;
+}
+
+double AzimuthOf(int view)
+{
+  return TwoPi * (view % ImpostorAzimuths) / ImpostorAzimuths;
+}
+
+/// The frame of a view whose rectangle, without its margin, is the cylinder's outline.
+PictureFrame FrameOf(const PlantExtent& extent, double azimuth, double elevation)
+{
+  const double margin = ImpostorSize / (ImpostorSize - 2.0 * Margin);
+  PictureFrame frame = FrameTowards({ 0.0, 0.0, 0.5 * (extent.Low + extent.High) }, azimuth, elevation);
+  frame.HalfWidth = margin * extent.Radius;
+  // h(e) = H / 2 cos e + R |sin e|
+  frame.HalfHeight =
+    margin * (0.5 * (extent.High - extent.Low) * std::cos(elevation) + extent.Radius * std::abs(std::sin(elevation)));
+  return frame;
+}
+
+/// The view whose direction is nearest to a unit vector.
+int NearestView(const Vector3& towards)
+{
+  int nearest = 0;
+  double largest = -2.0;
+  for (int view = 0; view < ImpostorViews; ++view)
+  {
+    const double cosine = glm::dot(towards, FrameTowards({}, AzimuthOf(view), ElevationOf(view)).Towards);
+    if (cosine > largest)
+    {
+      largest = cosine;
+      nearest = view;
+    }
+  }
+  return nearest;
+}
+
+/// Coverage of a picture with that of its neighbours, so that its steps are small: a share of (1 2 1) / 4 in both
+/// directions.
+std::vector<float> Smoothed(const std::vector<SeenTexel>& picture)
+{
+  constexpr int n = ImpostorSize;
+  std::vector<float> smooth(picture.size(), 0.0f);
+  for (int row = 1; row + 1 < n; ++row)
+  {
+    for (int column = 1; column + 1 < n; ++column)
+    {
+      float sum = 0.0f;
+      for (int other = 0; other < 9; ++other)
+      {
+        const int i = other / 3 - 1;
+        const int j = other % 3 - 1;
+        const float weight = (i == 0 ? 2.0f : 1.0f) * (j == 0 ? 2.0f : 1.0f) / 16.0f;
+        sum += weight * picture[static_cast<std::size_t>(row + i) * n + column + j].Coverage;
+      }
+      const std::size_t at = static_cast<std::size_t>(row) * n + column;
+      smooth[at] = (1.0f - Smoothing) * picture[at].Coverage + Smoothing * sum;
+    }
+  }
+  return smooth;
+}
+
+/// The smooth coverage from which on as many texels lie as the picture covers.
+float ThresholdOf(const std::vector<SeenTexel>& picture, std::vector<float> smooth)
+{
+  double covered = 0.0;
+  for (const SeenTexel& texel : picture)
+  {
+    covered += texel.Coverage;
+  }
+  const auto count = std::min(smooth.size() - 1, static_cast<std::size_t>(std::lround(covered)));
+  std::sort(smooth.begin(), smooth.end(), std::greater<>());
+  return std::max(1e-3f, 0.5f * (smooth[count > 0 ? count - 1 : 0] + smooth[count]));
+}
+
+/// Draws all views into an atlas.
+class ImpostorMaker
+{
+public:
+  ImpostorMaker(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel)
+    : Pictures(ImpostorViews)
+  {
+    this->Result.Shape.Extent = extent;
+    parallel(ImpostorViews, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t view = begin; view < end; ++view)
+      {
+        this->Pictures[view] = PictureOf(meshes, this->FrameOfView(view), ImpostorSize, ImpostorSize);
+      }
+    });
+    PictureSum sum;
+    for (int view = 0; view < ImpostorViews; ++view)
+    {
+      const PictureFrame frame = this->FrameOfView(view);
+      const double before = sum.Coverage;
+      sum.Add(this->Pictures[view]);
+      this->Result.Shape.Areas[view] =
+        (sum.Coverage - before) * 4.0 * frame.HalfWidth * frame.HalfHeight / (ImpostorSize * ImpostorSize);
+    }
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double mean = sum.Coverage > 0.0 ? sum.Color[channel] / sum.Coverage : 0.0;
+      this->Result.Mean[channel] = static_cast<unsigned char>(std::clamp(std::lround(255.0 * mean), 1L, 255L));
+      this->Result.TextureMean[channel] =
+        static_cast<float>(std::min(LargestMean, this->Result.Mean[channel] / (255.0 * this->Brightest(channel))));
+    }
+  }
+
+  PlantImpostor Run(const ParallelFor& parallel)
+  {
+    const int side = ImpostorSide * ImpostorSize;
+    this->Result.Pictures = TextureImage(side, side);
+    this->Result.Normals.resize(this->Result.Pictures.Texels.size());
+    parallel(ImpostorViews, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t view = begin; view < end; ++view)
+      {
+        this->Write(static_cast<int>(view));
+      }
+    });
+    return std::move(this->Result);
+  }
+
+private:
+  std::vector<std::vector<SeenTexel>> Pictures;
+  PlantImpostor Result;
+
+  PictureFrame FrameOfView(std::size_t view) const
+  {
+    return FrameOf(this->Result.Shape.Extent, AzimuthOf(static_cast<int>(view)), ElevationOf(static_cast<int>(view)));
+  }
+
+  /// The largest color of a texel, 0 to 1.
+  double Brightest(int channel) const
+  {
+    float brightest = 1.0f / 255.0f;
+    for (const std::vector<SeenTexel>& picture : this->Pictures)
+    {
+      for (const SeenTexel& texel : picture)
+      {
+        brightest = std::max(brightest, texel.Color[channel]);
+      }
+    }
+    return brightest;
+  }
+
+  /// Colors and normals of what is covered reach into what is not, so that interpolation finds no rim. Texels that no
+  /// round reaches have the mean color and face the eye.
+  static void SpreadOut(std::vector<SeenTexel>& picture, std::vector<char>& known)
+  {
+    constexpr int n = ImpostorSize;
+    for (int round = 0; round < Spread; ++round)
+    {
+      const std::vector<char> before = known;
+      for (int at = 0; at < n * n; ++at)
+      {
+        SeenTexel sum;
+        int count = 0;
+        for (int other = 0; other < 9 && !before[at]; ++other)
+        {
+          const int row = at / n + other / 3 - 1;
+          const int column = at % n + other % 3 - 1;
+          if (row >= 0 && row < n && column >= 0 && column < n && before[row * n + column])
+          {
+            const SeenTexel& from = picture[row * n + column];
+            ++count;
+            sum.Normal += from.Normal;
+            std::transform(from.Color.begin(), from.Color.end(), sum.Color.begin(), sum.Color.begin(), std::plus<>());
+          }
+        }
+        if (count > 0)
+        {
+          known[at] = 1;
+          picture[at].Normal = sum.Normal;
+          std::transform(sum.Color.begin(), sum.Color.end(), picture[at].Color.begin(),
+            [count](float part) { return part / static_cast<float>(count); });
+        }
+      }
+    }
+  }
+
+  /// How much brighter a picture is than its texels that pass the alpha test: thin twigs are lost.
+  static ColorSum GainsOf(const std::vector<SeenTexel>& picture, const std::vector<float>& smooth, float threshold)
+  {
+    PictureSum all;
+    all.Add(picture);
+    std::vector<SeenTexel> left = picture;
+    for (std::size_t at = 0; at < left.size(); ++at)
+    {
+      left[at].Coverage = smooth[at] >= threshold && left[at].Coverage > 0.0f ? 1.0f : 0.0f;
+    }
+    PictureSum seen;
+    seen.Add(left);
+    ColorSum gains{ 1.0f, 1.0f, 1.0f };
+    for (int channel = 0; channel < 3 && seen.Color[channel] > 0.0; ++channel)
+    {
+      gains[channel] = static_cast<float>(all.Color[channel] / all.Coverage * seen.Coverage / seen.Color[channel]);
+    }
+    return gains;
+  }
+
+  void Write(int view)
+  {
+    std::vector<SeenTexel>& picture = this->Pictures[view];
+    const std::vector<float> smooth = Smoothed(picture);
+    const float threshold = ThresholdOf(picture, smooth);
+    const ColorSum gains = GainsOf(picture, smooth, threshold);
+    std::vector<char> known(picture.size());
+    std::transform(picture.begin(), picture.end(), known.begin(), [](const SeenTexel& t) { return t.Coverage > 0.0f; });
+    SpreadOut(picture, known);
+    const int corner[2] = { view % ImpostorSide * ImpostorSize, view / ImpostorSide * ImpostorSize };
+    for (int at = 0; at < ImpostorSize * ImpostorSize; ++at)
+    {
+      const SeenTexel& seen = picture[at];
+      const int column = corner[0] + at % ImpostorSize;
+      const int row = corner[1] + at / ImpostorSize;
+      Texel& texel = this->Result.Pictures.At(column, row);
+      Color& normal = this->Result.Normals[static_cast<std::size_t>(row) * this->Result.Pictures.Columns + column];
+      const Vector3 facing = known[at] ? Normalised(seen.Normal) : Vector3(0.0, 0.0, 1.0);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const double relative =
+          known[at] ? 255.0 * gains[channel] * seen.Color[channel] / this->Result.Mean[channel] : 1.0;
+        const double value = 255.0 * this->Result.TextureMean[channel] * relative;
+        texel[channel] = static_cast<unsigned char>(std::lround(std::min(255.0, value)));
+        normal[channel] = static_cast<unsigned char>(std::lround(127.5 * (1.0 + facing[channel])));
+      }
+      // The threshold becomes a half.
+      texel[3] = static_cast<unsigned char>(std::lround(std::min(255.0f, 127.5f * smooth[at] / threshold)));
+    }
+  }
+};
+
+/// The covered area at the elevation of a ring of views, between two azimuths [m2].
+double AreaAround(const ImpostorShape& shape, int ring, double azimuth)
+{
+  if (ring >= ImpostorElevations)
+  {
+    return shape.Areas[ImpostorViews - 1];
+  }
+  const double step = azimuth * ImpostorAzimuths / TwoPi;
+  const double low = std::floor(step);
+  const auto area = [&](int number) {
+    return shape.Areas[ring * ImpostorAzimuths + (number % ImpostorAzimuths + ImpostorAzimuths) % ImpostorAzimuths];
+  };
+  return area(static_cast<int>(low)) + (step - low) * (area(static_cast<int>(low) + 1) - area(static_cast<int>(low)));
+}
+
+/// The covered area at an azimuth, between two elevations [m2].
+double AreaAlong(const ImpostorShape& shape, double azimuth, double elevation)
+{
+  const double step = 0.5 * Pi / ImpostorElevations;
+  const int low = std::min(static_cast<int>(elevation / step), ImpostorElevations - 1);
+  const auto square = [](double x) { return x * x; };
+  const double s[2] = { square(std::sin(low * step)), square(std::sin((low + 1) * step)) };
+  const double a[2] = { square(AreaAround(shape, low, azimuth)), square(AreaAround(shape, low + 1, azimuth)) };
+  // Of an ellipsoid A^2 = a cos^2 e + b sin^2 e, linear in sin^2 e.
+  return std::sqrt(a[0] + (a[1] - a[0]) * (square(std::sin(elevation)) - s[0]) / (s[1] - s[0]));
+}
+
+/// How much larger an area is than that of a picture, within limits.
+double Ratio(double area, double ofPicture)
+{
+  return ofPicture > 0.0 ? std::clamp(area / ofPicture, 0.5, 2.0) : 1.0;
+}
+
+ImpostorCard CardIn(const PictureFrame& frame, int view)
+{
+  ImpostorCard card;
+  card.View = view;
+  const double sides[4][2] = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } };
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const Vector3 across = sides[corner][0] * frame.Right;
+    const Vector3 up = sides[corner][1] * frame.Up;
+    card.Corners[corner] = frame.Center + frame.HalfWidth * across + frame.HalfHeight * up;
+    card.Normals[corner] = Normalised(frame.Towards + 0.5 * (across + up) + Vector3(0.0, 0.0, Lift));
+  }
+  return card;
+}
+
+void AddCard(const ImpostorCard& card, const Color& color, PlantMesh& mesh)
+{
+  const int first = static_cast<int>(mesh.Points.size());
+  const auto tcoords = CardTCoords(card.View);
+  mesh.Points.insert(mesh.Points.end(), card.Corners.begin(), card.Corners.end());
+  mesh.Normals.insert(mesh.Normals.end(), card.Normals.begin(), card.Normals.end());
+  mesh.TCoords.insert(mesh.TCoords.end(), tcoords.begin(), tcoords.end());
+  mesh.Colors.insert(mesh.Colors.end(), 4, color);
+  mesh.AddPolygon(std::array<int, 4>{ first, first + 1, first + 2, first + 3 });
+}
+
+}
+
+PlantImpostor ImpostorOf(const std::vector<DrawnMesh>& meshes, const PlantExtent& extent, const ParallelFor& parallel)
+{
+  return ImpostorMaker(meshes, extent, parallel).Run(parallel);
+}
+
+ImpostorCard CardTowards(const ImpostorShape& shape, const Vector3& towards)
+{
+  const int view = NearestView(towards);
+  const double elevation = std::asin(std::clamp(std::abs(towards.z), 0.0, 1.0));
+  PictureFrame frame = FrameOf(shape.Extent, AzimuthOf(view), ElevationOf(view));
+  frame.Towards = towards;
+  if (view + 1 < ImpostorViews)
+  {
+    const double azimuth = std::atan2(towards.y, towards.x);
+    frame.HalfWidth *= Ratio(AreaAround(shape, view / ImpostorAzimuths, azimuth), shape.Areas[view]);
+    frame.Right = { -std::sin(azimuth), std::cos(azimuth), 0.0 };
+  }
+  else
+  {
+    // Near the vertical the azimuth of the eye says little: the picture keeps the plant's own directions.
+    frame.Right = Normalised(frame.Right - glm::dot(frame.Right, towards) * towards);
+  }
+  frame.HalfHeight *= Ratio(AreaAlong(shape, AzimuthOf(view), elevation), shape.Areas[view]);
+  frame.Up = glm::cross(towards, frame.Right);
+  return CardIn(frame, view);
+}
+
+std::array<std::array<double, 2>, 4> CardTCoords(int view)
+{
+  const double low[2] = { static_cast<double>(view % ImpostorSide) / ImpostorSide,
+    static_cast<double>(view / ImpostorSide) / ImpostorSide };
+  const double high[2] = { low[0] + 1.0 / ImpostorSide, low[1] + 1.0 / ImpostorSide };
+  return { { { low[0], low[1] }, { high[0], low[1] }, { high[0], high[1] }, { low[0], high[1] } } };
+}
+
+PlantMesh CrossedCards(const PlantImpostor& impostor)
+{
+  PlantMesh mesh;
+  for (int view = 0; view < ImpostorAzimuths / 2; ++view)
+  {
+    AddCard(CardIn(FrameOf(impostor.Shape.Extent, AzimuthOf(view), 0.0), view), impostor.Mean, mesh);
+  }
+  AddCard(CardIn(FrameOf(impostor.Shape.Extent, 0.0, 0.5 * Pi), ImpostorViews - 1), impostor.Mean, mesh);
+  return mesh;
+}
+
+}

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sea/SeaSurface.h"
+
+#include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+namespace
+{
+
+/// Points a wave must have at least to count.
+constexpr double PointsPerWave = 4.0;
+constexpr double MostPoints = 5e7;
+
+/// Trains, the longest waves first.
+SeaState LongestFirst(SeaState sea)
+{
+  std::stable_sort(sea.Trains.begin(), sea.Trains.end(),
+    [](const WaveTrain& a, const WaveTrain& b) { return a.WaveNumber < b.WaveNumber; });
+  return sea;
+}
+
+/// The sea as seen from a center at its level, for single precision: phi = k d . (x - c) - w t + (phase + k d . c).
+SeaState FromCenter(SeaState sea, const double center[2])
+{
+  for (WaveTrain& train : sea.Trains)
+  {
+    train.Phase += train.WaveNumber * (std::cos(train.Direction) * center[0] + std::sin(train.Direction) * center[1]);
+  }
+  sea.SeaLevel = 0.0;
+  return sea;
+}
+
+/// How many trains of a sea, the longest first, have waves of at least four spacings.
+int TrainsResolved(const SeaState& longestFirst, double spacing)
+{
+  const double limit = TwoPi / (PointsPerWave * spacing); // k <= 2 pi / (4 s)
+  const auto end = std::upper_bound(longestFirst.Trains.begin(), longestFirst.Trains.end(), limit,
+    [](double k, const WaveTrain& train) { return k < train.WaveNumber; });
+  return static_cast<int>(end - longestFirst.Trains.begin());
+}
+
+}
+
+std::string WhyInvalid(const SeaSurfaceParameters& parameters)
+{
+  ParameterCheck check;
+  check.Finite("Center[0]", parameters.Center[0], "m");
+  check.Finite("Center[1]", parameters.Center[1], "m");
+  check.Range("Radius", parameters.Radius, 1.0, 1e6, "m");
+  check.Range("Spacing", parameters.Spacing, 1e-3, parameters.Radius, "m");
+  check.Range("Sectors", parameters.Sectors, 8, 10000);
+  if (!check.Reason().empty())
+  {
+    return check.Reason();
+  }
+  // Rings of even spacing up to r = n s / 2 pi, then of growing spacing.
+  const double even = std::min(parameters.Radius, parameters.Sectors * parameters.Spacing / TwoPi);
+  const double rings =
+    even / parameters.Spacing + std::log(parameters.Radius / even) / std::log1p(TwoPi / parameters.Sectors);
+  check.Require(rings * parameters.Sectors <= MostPoints, "Spacing and Sectors give more than 5e7 points.");
+  return check.Reason();
+}
+
+SeaSurfaceGrid::SeaSurfaceGrid(const SeaSurfaceParameters& parameters)
+  : Sectors(parameters.Sectors)
+  , Innermost(parameters.Spacing)
+{
+  double radius = 0.0;
+  while (radius < parameters.Radius)
+  {
+    // r' = r + max(s, 2 pi r / n)
+    const double spacing = std::max(parameters.Spacing, TwoPi * radius / this->Sectors);
+    radius = std::min(radius + spacing, parameters.Radius);
+    this->Radii.push_back(radius);
+    this->Spacings.push_back(std::max(spacing, TwoPi * radius / this->Sectors));
+  }
+}
+
+double SeaSurfaceGrid::SpacingAt(std::size_t point) const
+{
+  return point == 0 ? this->Innermost : this->Spacings[(point - 1) / this->Sectors];
+}
+
+void SeaSurfaceGrid::PlaceAt(std::size_t point, double& x, double& y) const
+{
+  const std::size_t ring = point == 0 ? 0 : (point - 1) / this->Sectors;
+  const double radius = point == 0 ? 0.0 : this->Radii[ring];
+  const double angle = TwoPi * static_cast<double>((point - 1) % this->Sectors) / this->Sectors;
+  x = radius * std::cos(angle);
+  y = radius * std::sin(angle);
+}
+
+std::vector<int> SeaSurfaceGrid::MakeTriangles() const
+{
+  std::vector<int> corners;
+  corners.reserve(3 * this->Sectors * (2 * this->Radii.size() - 1));
+  for (int i = 0; i < this->Sectors; ++i)
+  {
+    corners.insert(corners.end(), { 0, 1 + i, 1 + (i + 1) % this->Sectors });
+  }
+  for (std::size_t ring = 1; ring < this->Radii.size(); ++ring)
+  {
+    const int inner = 1 + static_cast<int>(ring - 1) * this->Sectors;
+    const int outer = inner + this->Sectors;
+    for (int i = 0; i < this->Sectors; ++i)
+    {
+      const int next = (i + 1) % this->Sectors;
+      corners.insert(corners.end(), { inner + i, outer + i, outer + next });
+      corners.insert(corners.end(), { inner + i, outer + next, inner + next });
+    }
+  }
+  return corners;
+}
+
+SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& parameters, const SeaSurfaceGrid& grid,
+  double choppiness, double time, std::size_t begin, std::size_t end)
+{
+  const std::size_t count = end - begin;
+  const SeaState trains = FromCenter(LongestFirst(sea), parameters.Center);
+  std::vector<float> centers(3 * count, 0.0f);
+  std::vector<int> resolved(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    double x, y;
+    grid.PlaceAt(begin + i, x, y);
+    centers[3 * i] = static_cast<float>(x);
+    centers[3 * i + 1] = static_cast<float>(y);
+    resolved[i] = TrainsResolved(trains, grid.SpacingAt(begin + i));
+  }
+  SeaSurfacePoints points;
+  points.Places.resize(3 * count);
+  points.Normals.resize(3 * count);
+  points.Jacobians.resize(count);
+  std::vector<float> gradients(5 * count);
+  OrbitRequest<float> request;
+  request.Centers = centers.data();
+  request.TrainCounts = resolved.data();
+  request.Displacement = points.Places.data();
+  request.Gradient = gradients.data();
+  WaveOrbitOptions options;
+  options.Choppiness = choppiness;
+  WaveOrbits(trains, options, time).Evaluate(request, 0, count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    double gradient[5];
+    std::copy_n(gradients.begin() + 5 * i, 5, gradient);
+    const Vector3 normal = SurfaceNormal(gradient);
+    for (int c = 0; c < 3; ++c)
+    {
+      points.Places[3 * i + c] += centers[3 * i + c];
+      points.Normals[3 * i + c] = static_cast<float>(normal[c]);
+    }
+    points.Jacobians[i] = static_cast<float>(SurfaceJacobian(gradient));
+  }
+  return points;
+}
+
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSeaSurface_h
+#define LittoralSeaSurface_h
+
+#include "Sea/WaveOrbits.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// A disk of points at rest on the sea whose spacing grows with the distance from the center.
+struct SeaSurfaceParameters
+{
+  double Center[2] = { 0.0, 0.0 }; ///< [m]
+  double Radius = 5000.0;          ///< of the disk [m]
+  double Spacing = 0.6;            ///< of points near the center [m]
+  int Sectors = 360;               ///< points on a ring
+};
+
+/// Why there is no such disk, in words for a user; empty if there is one.
+std::string WhyInvalid(const SeaSurfaceParameters& parameters);
+
+/**
+ * Rings of points around a center. With n sectors, rings are Spacing apart as far as points on a ring are closer than
+ * that; further out the distance of rings grows with the radius r as 2 pi r / n, so that cells are square and look
+ * equally large from above the center.
+ */
+class SeaSurfaceGrid
+{
+public:
+  explicit SeaSurfaceGrid(const SeaSurfaceParameters& parameters);
+
+  /// The center, then ring by ring.
+  std::size_t GetNumberOfPoints() const { return 1 + this->Radii.size() * this->Sectors; }
+  /// Radii of the rings [m], increasing.
+  const std::vector<double>& GetRadii() const { return this->Radii; }
+  int GetNumberOfSectors() const { return this->Sectors; }
+
+  /// Largest distance between a point and its neighbors [m].
+  double SpacingAt(std::size_t point) const;
+  /// Where a point is at rest, from the center [m].
+  void PlaceAt(std::size_t point, double& x, double& y) const;
+  /// Corners of all triangles, counterclockwise from above.
+  std::vector<int> MakeTriangles() const;
+
+private:
+  std::vector<double> Radii;
+  std::vector<double> Spacings; ///< a ring
+  int Sectors;
+  double Innermost;
+};
+
+/// Points of a surface, three numbers each but the last.
+struct SeaSurfacePoints
+{
+  std::vector<float> Places;    ///< from (Center, SeaLevel) [m]
+  std::vector<float> Normals;   ///< of length 1, upwards
+  std::vector<float> Jacobians; ///< by which the surface is stretched, see SurfaceJacobian
+};
+
+/**
+ * The surface of a sea at a time [s] at points between begin and end, which are those of the result; choppiness is that
+ * of WaveOrbitOptions. A train counts where its waves are at least four spacings long: shorter ones would alias.
+ */
+SeaSurfacePoints SurfaceOf(const SeaState& sea, const SeaSurfaceParameters& parameters, const SeaSurfaceGrid& grid,
+  double choppiness, double time, std::size_t begin, std::size_t end);
+
+}
+
+#endif

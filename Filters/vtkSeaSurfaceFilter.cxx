@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSeaSurfaceFilter.h"
+
+#include "Data/Arrays.h"
+#include "Data/SeaStateTable.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+#include "Pipeline/Ranges.h"
+#include "Sea/SeaColor.h"
+#include "Sea/SeaSurface.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+vtkStandardNewMacro(vtkSeaSurfaceFilter);
+
+namespace
+{
+
+/// Points that a thread takes at a time.
+constexpr std::size_t RangeLength = 4096;
+
+/// Of the eye for which the water is colored, over the sea [m]: that of a ship's bridge.
+constexpr double EyeHeight = 9.0;
+
+/// Arrays of the surface's points.
+struct Arrays
+{
+  vtkSmartPointer<vtkDoubleArray> Places;
+  vtkSmartPointer<vtkFloatArray> Normals;
+  vtkSmartPointer<vtkFloatArray> Jacobians;
+  vtkSmartPointer<vtkUnsignedCharArray> Colors;
+
+  Arrays(vtkIdType count, bool hasColors)
+    : Places(littoral::NewArray<vtkDoubleArray>("Points", 3, count))
+    , Normals(littoral::NewArray<vtkFloatArray>("Normals", 3, count))
+    , Jacobians(littoral::NewArray<vtkFloatArray>("Jacobian", 1, count))
+    , Colors(littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, hasColors ? count : 0))
+  {
+  }
+
+  /// Takes points from an index on; `center` is the center of the disk at sea level.
+  void Take(const littoral::SeaSurfacePoints& points, std::size_t begin, const double center[3])
+  {
+    std::copy(points.Normals.begin(), points.Normals.end(), this->Normals->GetPointer(3 * begin));
+    std::copy(points.Jacobians.begin(), points.Jacobians.end(), this->Jacobians->GetPointer(begin));
+    double* place = this->Places->GetPointer(3 * begin);
+    for (std::size_t k = 0; k < points.Places.size(); ++k)
+    {
+      place[k] = center[k % 3] + points.Places[k];
+    }
+  }
+
+  /// Colors points from an index on, in waves of a significant height [m] with a threshold of foam, for an eye over the
+  /// center.
+  void Paint(const littoral::SeaSurfacePoints& points, std::size_t begin, double waveHeight, double foam)
+  {
+    for (std::size_t i = 0; i < points.Jacobians.size(); ++i)
+    {
+      const float* place = points.Places.data() + 3 * i;
+      const float* normal = points.Normals.data() + 3 * i;
+      const littoral::Vector3 toEye(-place[0], -place[1], EyeHeight - place[2]);
+      littoral::SeaPlace where;
+      where.Normal = { normal[0], normal[1], normal[2] };
+      where.Distance = glm::length(toEye);
+      where.ToEye = toEye / where.Distance;
+      where.Jacobian = points.Jacobians[i] + (littoral::FoamBegins - foam);
+      where.Height = place[2] / waveHeight;
+      const littoral::Color color = littoral::SeaColor(where);
+      std::copy(color.begin(), color.end(), this->Colors->GetPointer(3 * (begin + i)));
+    }
+  }
+};
+
+vtkSmartPointer<vtkCellArray> TrianglesOf(const littoral::SeaSurfaceGrid& grid)
+{
+  const std::vector<int> corners = grid.MakeTriangles();
+  const vtkIdType count = static_cast<vtkIdType>(corners.size() / 3);
+  auto offsets = littoral::NewArray<vtkIdTypeArray>("Offsets", 1, count + 1);
+  auto connectivity = littoral::NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * count);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offsets->SetValue(i, 3 * i);
+  }
+  std::copy(corners.begin(), corners.end(), connectivity->GetPointer(0));
+  auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  triangles->SetData(offsets, connectivity);
+  return triangles;
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkSeaSurfaceFilter::vtkSeaSurfaceFilter()
+  : Center{ 0.0, 0.0 }
+  , Radius(5000.0)
+  , Spacing(0.6)
+  , Sectors(360)
+  , Choppiness(1.0)
+  , WaterColors(true)
+  , FoamThreshold(littoral::FoamBegins)
+  , TimeRange{ 0.0, 60.0 }
+{
+}
+
+//----------------------------------------------------------------------------
+vtkSeaSurfaceFilter::~vtkSeaSurfaceFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkSeaSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaSurfaceFilter::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  littoral::AnnounceTimes(output, this->TimeRange);
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaSurfaceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+littoral::SeaSurfaceParameters vtkSeaSurfaceFilter::MakeParameters() const
+{
+  littoral::SeaSurfaceParameters parameters;
+  std::copy(this->Center, this->Center + 2, parameters.Center);
+  parameters.Radius = this->Radius;
+  parameters.Spacing = this->Spacing;
+  parameters.Sectors = this->Sectors;
+  return parameters;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkSeaSurfaceFilter::WhyBadProperties(double time) const
+{
+  littoral::ParameterCheck check;
+  check.Require(littoral::WhyInvalid(this->MakeParameters()));
+  check.Range("Choppiness", this->Choppiness, 0.0, 1.0);
+  check.Range("FoamThreshold", this->FoamThreshold, 0.0, 1.0);
+  check.Require(this->TimeRange[0] < this->TimeRange[1], "TimeRange must be increasing.");
+  check.Finite("the requested time", time, "s");
+  return check.Reason();
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaSurfaceFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  const double time = littoral::RequestedTime(information);
+  littoral::SeaState sea;
+  std::string reason = littoral::ReadSeaState(vtkTable::GetData(inputVector[0]), sea);
+  reason = reason.empty() ? this->WhyBadProperties(time) : reason;
+  if (!reason.empty())
+  {
+    littoralErrorMacro("Cannot make a surface: " << reason);
+    return littoral::FailedRequest(this);
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
+  {
+    this->MakeSurface(sea, time, output);
+  }
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  littoral::KeepRanges(output);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time, vtkPolyData* output)
+{
+  const littoral::SeaSurfaceParameters parameters = this->MakeParameters();
+  const littoral::SeaSurfaceGrid grid(parameters);
+  const double waveHeight = std::max(1e-9, 4.0 * std::sqrt(littoral::EnergyOf(sea.Trains)));
+  const double center[3] = { this->Center[0], this->Center[1], sea.SeaLevel };
+  Arrays arrays(static_cast<vtkIdType>(grid.GetNumberOfPoints()), this->WaterColors);
+  littoral::ForRanges(littoral::SmpFor, grid.GetNumberOfPoints(), RangeLength, [&](std::size_t begin, std::size_t end) {
+    const littoral::SeaSurfacePoints points =
+      littoral::SurfaceOf(sea, parameters, grid, this->Choppiness, time, begin, end);
+    arrays.Take(points, begin, center);
+    if (this->WaterColors)
+    {
+      arrays.Paint(points, begin, waveHeight, this->FoamThreshold);
+    }
+  });
+  vtkNew<vtkPoints> points;
+  points->SetData(arrays.Places);
+  output->SetPoints(points);
+  output->SetPolys(TrianglesOf(grid));
+  output->GetPointData()->SetNormals(arrays.Normals);
+  output->GetPointData()->AddArray(arrays.Jacobians);
+  if (this->WaterColors)
+  {
+    output->GetPointData()->SetScalars(arrays.Colors);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkSeaSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Sectors: " << this->Sectors << "\n";
+  os << indent << "Choppiness: " << this->Choppiness << "\n";
+  os << indent << "WaterColors: " << (this->WaterColors ? "on" : "off") << "\n";
+  os << indent << "FoamThreshold: " << this->FoamThreshold << "\n";
+  os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";
+}

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWindStatisticsFilter.h"
+
+#include "Data/Tables.h"
+#include "Data/WindImage.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+#include "Wind/WindStatistics.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkWindStatisticsFilter);
+
+namespace
+{
+
+constexpr const char* Components[littoral::WindComponents] = { "Along", "Across", "Up" };
+
+/// The point of the grid nearest to a length [m] from the first one, of so many.
+int NearestIndex(double length, double spacing, int count)
+{
+  return static_cast<int>(std::clamp(std::round(length / spacing), 0.0, count - 1.0));
+}
+
+/// Layers and columns of the grid that stand for the heights and separations asked for.
+struct Places
+{
+  int Layer;
+  int Columns;
+  int Layers; ///< to the other layer of the coherence, downwards where there is none above
+};
+
+void WriteBands(const std::vector<littoral::WindBand>& bands, vtkTable* table)
+{
+  using littoral::WindBand;
+  littoral::AddColumn(table, "Frequency", bands, [](const WindBand& band) { return band.Frequency; });
+  for (int k = 0; k < littoral::WindComponents; ++k)
+  {
+    littoral::AddColumn(table, Components[k], bands, [=](const WindBand& band) { return band.Measured[k]; });
+  }
+  for (int k = 0; k < littoral::WindComponents; ++k)
+  {
+    const std::string name = std::string(Components[k]) + "Model";
+    littoral::AddColumn(table, name.c_str(), bands, [=](const WindBand& band) { return band.Model[k]; });
+  }
+}
+
+void WriteProfile(const std::vector<littoral::WindLayer>& layers, vtkTable* table)
+{
+  using littoral::WindLayer;
+  const auto column = [&](const std::string& name, auto valueOf) {
+    littoral::AddColumn(table, name.c_str(), layers, valueOf);
+  };
+  column("Height", [](const WindLayer& layer) { return layer.Height; });
+  column("Speed", [](const WindLayer& layer) { return layer.Speed; });
+  column("SpeedModel", [](const WindLayer& layer) { return layer.ModelSpeed; });
+  for (int k = 0; k < littoral::WindComponents; ++k)
+  {
+    const std::string name = std::string(Components[k]) + "Deviation";
+    column(name, [=](const WindLayer& layer) { return layer.Deviation[k]; });
+    column(name + "Model", [=](const WindLayer& layer) { return layer.ModelDeviation[k]; });
+  }
+}
+
+/// Which points of the grid are taken. Why there are none, in words for a user; empty when there are.
+std::string FindPlaces(const littoral::WindGrid& grid, double height, const double separation[2], Places& places)
+{
+  places.Layer = NearestIndex(height - grid.BottomHeight, grid.VerticalSpacing, grid.Count[2]);
+  const double columns = std::round(separation[0] / grid.LateralSpacing);
+  const double layers = std::round(separation[1] / grid.VerticalSpacing);
+  const bool isAbove = places.Layer + layers < grid.Count[2];
+  if ((columns == 0.0 && layers == 0.0) || columns >= grid.Count[1] || !(isAbove || layers <= places.Layer))
+  {
+    return "Separation is " + littoral::TextOf(separation[0]) + ", " + littoral::TextOf(separation[1]) +
+      " m; it must be at least half a spacing of the grid, " + littoral::TextOf(grid.LateralSpacing) + ", " +
+      littoral::TextOf(grid.VerticalSpacing) + " m, and lie within the wind.";
+  }
+  places.Columns = static_cast<int>(columns);
+  places.Layers = static_cast<int>(isAbove ? layers : -layers);
+  return {};
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkWindStatisticsFilter::vtkWindStatisticsFilter()
+  : Height(10.0)
+  , Separation{ 4.0, 0.0 }
+  , NumberOfBands(30)
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+//----------------------------------------------------------------------------
+vtkWindStatisticsFilter::~vtkWindStatisticsFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkWindStatisticsFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkWindStatisticsFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Lines are transformed whole.
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkWindStatisticsFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (littoral::AsksForLaterPiece(request, outputVector))
+  {
+    return 1;
+  }
+  littoral::ParameterCheck check;
+  check.Finite("Height", this->Height, "m");
+  check.NotNegative("Separation[0]", this->Separation[0], "m");
+  check.NotNegative("Separation[1]", this->Separation[1], "m");
+  check.Count("NumberOfBands", this->NumberOfBands, 2, 10000);
+  littoral::ModelledWind wind;
+  Places places{};
+  if (check.IsGood())
+  {
+    check.Require(littoral::ReadModelledWind(vtkImageData::GetData(inputVector[0]), wind));
+  }
+  const littoral::WindGrid& grid = wind.Grid;
+  if (check.IsGood())
+  {
+    check.Require(FindPlaces(grid, this->Height, this->Separation, places));
+  }
+  if (!check.IsGood())
+  {
+    littoralErrorMacro(<< check.Reason());
+    return littoral::FailedRequest(this);
+  }
+  this->SetProgressText("Measuring wind");
+  const littoral::WindStatistics statistics(wind.Velocities.data(), grid, wind.Model);
+  WriteBands(statistics.Spectra(places.Layer, this->NumberOfBands), vtkTable::GetData(outputVector, 0));
+  this->UpdateProgress(0.4);
+  WriteBands(statistics.Coherence(places.Layer, places.Columns, places.Layers, this->NumberOfBands),
+    vtkTable::GetData(outputVector, 1));
+  this->UpdateProgress(0.8);
+  WriteProfile(statistics.Profile(), vtkTable::GetData(outputVector, 2));
+  for (const int port : { 0, 1 })
+  {
+    vtkTable* table = vtkTable::GetData(outputVector, port);
+    littoral::AddField(table, "Height", { grid.Height(places.Layer) });
+    littoral::AddField(
+      table, "Separation", { places.Columns * grid.LateralSpacing, std::abs(places.Layers) * grid.VerticalSpacing });
+  }
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkWindStatisticsFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Separation: " << this->Separation[0] << " " << this->Separation[1] << "\n";
+  os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
+}

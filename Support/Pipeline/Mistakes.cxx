@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/Mistakes.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationIdTypeKey.h"
+#include "vtkInformationKeyLookup.h"
+#include "vtkInformationStringKey.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace littoral
+{
+
+namespace
+{
+
+// The libraries of sources and of filters each have a copy of this file, but one key.
+template <typename Key>
+Key* SharedKey(const char* name)
+{
+  vtkInformationKey* key = vtkInformationKeyLookup::Find(name, "littoral");
+  return key ? static_cast<Key*>(key) : Key::MakeKey(name, "littoral");
+}
+
+/// The messages that an algorithm has printed, a line each, without their numbers.
+vtkInformationStringKey* Mistakes()
+{
+  static auto* key = SharedKey<vtkInformationStringKey>("MISTAKES");
+  return key;
+}
+
+/// The modification time of the algorithm that they belong to.
+vtkInformationIdTypeKey* MistakesTime()
+{
+  static auto* key = SharedKey<vtkInformationIdTypeKey>("MISTAKES_TIME");
+  return key;
+}
+
+std::string WithoutNumbers(std::string text)
+{
+  const auto isNumber = [](unsigned char letter) {
+    return std::isdigit(letter) || letter == '.' || letter == '-' || letter == '+';
+  };
+  text.erase(std::remove_if(text.begin(), text.end(), isNumber), text.end());
+  return text;
+}
+
+bool HasMistakes(vtkAlgorithm* algorithm)
+{
+  vtkInformation* info = algorithm->GetInformation();
+  return info->Has(MistakesTime()) && info->Get(MistakesTime()) == static_cast<vtkIdType>(algorithm->GetMTime());
+}
+
+bool IsEmpty(vtkDataObject* data)
+{
+  for (int type = 0; data && type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+  {
+    if (type != vtkDataObject::FIELD && data->GetNumberOfElements(type) > 0) // VTK passes the field data of inputs on
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsDueToUpstream(vtkAlgorithm* algorithm)
+{
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int index = 0; index < algorithm->GetNumberOfInputConnections(port); ++index)
+    {
+      vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, index);
+      if (producer &&
+        ((HasMistakes(producer) && IsEmpty(producer->GetOutputDataObject(0))) || IsDueToUpstream(producer)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}
+
+bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message)
+{
+  vtkInformation* info = algorithm->GetInformation();
+  const std::string line = WithoutNumbers(message) + "\n";
+  const std::string printed = HasMistakes(algorithm) ? info->Get(Mistakes()) : "";
+  if (printed.find(line) != std::string::npos || IsDueToUpstream(algorithm))
+  {
+    return false;
+  }
+  info->Set(Mistakes(), (printed + line).c_str());
+  info->Set(MistakesTime(), static_cast<vtkIdType>(algorithm->GetMTime()));
+  return true;
+}
+
+void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before)
+{
+  vtkInformation* info = algorithm->GetInformation();
+  if (info->Has(MistakesTime()) && info->Get(MistakesTime()) == static_cast<vtkIdType>(before))
+  {
+    info->Set(MistakesTime(), static_cast<vtkIdType>(algorithm->GetMTime()));
+  }
+}
+
+int FailedRequest(vtkAlgorithm* algorithm)
+{
+  return algorithm->GetExecutive()->IsA("vtkPVCompositeDataPipeline") ? 1 : 0;
+}
+
+int FailedInformation(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
+{
+  const int none[6] = { 0, -1, 0, -1, 0, -1 };
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), none, 6);
+  }
+  return FailedRequest(algorithm);
+}
+
+bool IsAnnouncedEmpty(vtkInformation* output)
+{
+  int whole[6] = { 0, 0, 0, 0, 0, 0 };
+  output->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  return whole[1] < whole[0];
+}
+
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportMistakes_h
+#define LittoralSupportMistakes_h
+
+// How a filter reports an input or a property that it cannot work with: one message, not one for each execution.
+// Private: never installed, never wrapped.
+
+#include "vtkSetGet.h" // for vtkErrorMacro
+#include "vtkType.h"
+
+#include <sstream>
+#include <string>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace littoral
+{
+
+/**
+ * Whether a message is to be printed: the first time since the algorithm was modified. Messages that differ in numbers
+ * alone are the same. What follows from an upstream algorithm that has reported a mistake and has no output is not
+ * printed.
+ */
+bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message);
+
+/// Carries the printed messages over a modification since the time `before` that mends nothing, such as another view.
+void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before);
+
+/**
+ * The result of a request that has failed: 0 in VTK. In ParaView it is 1, with the output as it is: a failed update
+ * stops the representations, and each of them reports it at each rendering.
+ */
+int FailedRequest(vtkAlgorithm* algorithm);
+
+/// FailedRequest() for RequestInformation(): the outputs are announced as empty.
+int FailedInformation(vtkAlgorithm* algorithm, vtkInformationVector* outputs);
+
+/// Whether FailedInformation() announced an output. For the beginning of RequestData().
+bool IsAnnouncedEmpty(vtkInformation* output);
+
+}
+
+/// vtkErrorMacro(), but once for each mistake.
+#define littoralErrorMacro(x)                                                                                          \
+  do                                                                                                                   \
+  {                                                                                                                    \
+    std::ostringstream littoralMessage;                                                                                \
+    littoralMessage << "" x;                                                                                           \
+    if (littoral::IsNewMistake(this, littoralMessage.str()))                                                           \
+    {                                                                                                                  \
+      vtkErrorMacro(<< littoralMessage.str());                                                                         \
+    }                                                                                                                  \
+  }                                                                                                                    \
+  while (false)
+
+/// vtkWarningMacro(), but once for each mistake.
+#define littoralWarningMacro(x)                                                                                        \
+  do                                                                                                                   \
+  {                                                                                                                    \
+    std::ostringstream littoralMessage;                                                                                \
+    littoralMessage << "" x;                                                                                           \
+    if (littoral::IsNewMistake(this, littoralMessage.str()))                                                           \
+    {                                                                                                                  \
+      vtkWarningMacro(<< littoralMessage.str());                                                                       \
+    }                                                                                                                  \
+  }                                                                                                                    \
+  while (false)
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The surface of a sea by distance, against the linear theory of a wave.
+#include "Numerics/Constants.h"
+#include "Sea/SeaSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+SeaSurfaceParameters SmallDisk()
+{
+  SeaSurfaceParameters disk;
+  disk.Radius = 400.0;
+  disk.Spacing = 2.0;
+  disk.Sectors = 90;
+  return disk;
+}
+
+SeaState OneWave(double length)
+{
+  const double k = 2.0 * Pi / length;
+  SeaState sea;
+  sea.SeaLevel = 3.0;
+  sea.Trains = { { 0.02 * length, std::sqrt(9.80665 * k), k, 0.4, 0.7 } };
+  return sea;
+}
+
+}
+
+TEST(SeaSurface, DeepWaterWave)
+{
+  // Gerstner: x = x0 + a sin(phi) d, z = -a cos(phi), J = 1 + k a cos(phi), normal ~ (-k a sin(phi) d, J).
+  SeaSurfaceParameters disk = SmallDisk();
+  disk.Center[0] = 1.0e6;
+  disk.Center[1] = -2.0e6;
+  const SeaSurfaceGrid grid(disk);
+  const SeaState sea = OneWave(120.0);
+  const WaveTrain wave = sea.Trains[0];
+  const double time = 11.3;
+  const SeaSurfacePoints points = SurfaceOf(sea, disk, grid, 1.0, time, 0, grid.GetNumberOfPoints());
+  for (std::size_t i = 0; i < grid.GetNumberOfPoints(); ++i)
+  {
+    if (4.0 * grid.SpacingAt(i) > 120.0)
+    {
+      continue;
+    }
+    double x, y;
+    grid.PlaceAt(i, x, y);
+    const double dx = std::cos(wave.Direction);
+    const double dy = std::sin(wave.Direction);
+    const double phi = wave.WaveNumber * (dx * (disk.Center[0] + x) + dy * (disk.Center[1] + y)) -
+      wave.AngularFrequency * time + wave.Phase;
+    const double steepness = wave.WaveNumber * wave.Amplitude;
+    EXPECT_NEAR(points.Places[3 * i], x + wave.Amplitude * std::sin(phi) * dx, 2e-4);
+    EXPECT_NEAR(points.Places[3 * i + 1], y + wave.Amplitude * std::sin(phi) * dy, 2e-4);
+    EXPECT_NEAR(points.Places[3 * i + 2], -wave.Amplitude * std::cos(phi), 2e-4);
+    const double jacobian = 1.0 + steepness * std::cos(phi);
+    EXPECT_NEAR(points.Jacobians[i], jacobian, 1e-5);
+    const double length = std::hypot(steepness * std::sin(phi), jacobian);
+    EXPECT_NEAR(points.Normals[3 * i], -steepness * std::sin(phi) * dx / length, 1e-5);
+    EXPECT_NEAR(points.Normals[3 * i + 2], jacobian / length, 1e-5);
+  }
+}
+
+TEST(SeaSurface, WavesEndWhereTheyWouldAlias)
+{
+  const SeaSurfaceParameters disk = SmallDisk();
+  const SeaSurfaceGrid grid(disk);
+  const double length = 60.0;
+  const SeaSurfacePoints points = SurfaceOf(OneWave(length), disk, grid, 1.0, 0.0, 0, grid.GetNumberOfPoints());
+  std::size_t near = 0;
+  std::size_t moved = 0;
+  std::size_t still = 0;
+  for (std::size_t i = 0; i < grid.GetNumberOfPoints(); ++i)
+  {
+    const bool isMoved = std::abs(points.Jacobians[i] - 1.0f) > 1e-7f;
+    // Of four points a wave, one at least is off its zeros; the spacing at r is 2 pi r / 90 there.
+    double x, y;
+    grid.PlaceAt(i, x, y);
+    const double spacing = std::max(2.0, 2.0 * Pi * std::hypot(x, y) / 90.0);
+    near += spacing < 0.24 * length;
+    moved += spacing < 0.24 * length && isMoved;
+    still += spacing > 0.25 * length && !isMoved;
+    EXPECT_FALSE(spacing > 0.25 * length && isMoved) << i;
+  }
+  EXPECT_GT(near, 3000u);
+  EXPECT_GT(moved, 0.95 * near);
+  EXPECT_GT(still, 500u);
+}
+
+TEST(SeaSurface, DiskIsCoveredOnce)
+{
+  const SeaSurfaceParameters disk = SmallDisk();
+  const SeaSurfaceGrid grid(disk);
+  const std::vector<int> corners = grid.MakeTriangles();
+  double area = 0.0;
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    double x[3], y[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_LT(corners[i + c], static_cast<int>(grid.GetNumberOfPoints()));
+      grid.PlaceAt(corners[i + c], x[c], y[c]);
+    }
+    const double twice = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    EXPECT_GT(twice, 0.0) << "a triangle looks down";
+    area += 0.5 * twice;
+  }
+  // The regular polygon of 90 corners in the circle.
+  EXPECT_NEAR(area, 0.5 * 90 * 400.0 * 400.0 * std::sin(2.0 * Pi / 90.0), 1e-6 * area);
+  EXPECT_DOUBLE_EQ(grid.GetRadii().back(), 400.0);
+}
+
+TEST(SeaSurface, RangesDoNotMatter)
+{
+  const SeaSurfaceParameters disk = SmallDisk();
+  const SeaSurfaceGrid grid(disk);
+  const SeaState sea = OneWave(90.0);
+  const SeaSurfacePoints whole = SurfaceOf(sea, disk, grid, 1.0, 2.0, 0, grid.GetNumberOfPoints());
+  const SeaSurfacePoints part = SurfaceOf(sea, disk, grid, 1.0, 2.0, 777, 1333);
+  EXPECT_TRUE(std::equal(part.Places.begin(), part.Places.end(), whole.Places.begin() + 3 * 777));
+  EXPECT_TRUE(std::equal(part.Normals.begin(), part.Normals.end(), whole.Normals.begin() + 3 * 777));
+}
+
+TEST(SeaSurface, BadDisks)
+{
+  SeaSurfaceParameters disk;
+  EXPECT_EQ(WhyInvalid(disk), "");
+  disk.Radius = 0.0;
+  EXPECT_NE(WhyInvalid(disk).find("Radius is 0 m"), std::string::npos) << WhyInvalid(disk);
+  disk = {};
+  disk.Spacing = 6000.0;
+  EXPECT_NE(WhyInvalid(disk).find("Spacing"), std::string::npos);
+  disk = {};
+  disk.Sectors = 10000;
+  disk.Spacing = 0.001;
+  EXPECT_NE(WhyInvalid(disk).find("points"), std::string::npos) << WhyInvalid(disk);
+}

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Ten minutes of a moderate sea of many directions: no tip sinks to its holdfast, no blade folds, no frond crosses
+// itself, in any of several plants and seas, at the defaults.
+#include "Check.h"
+#include "Numerics/Constants.h"
+#include "PlantChecks.h"
+#include "vtkSeaStateSource.h"
+#include "vtkSeaweedDeformationFilter.h"
+#include "vtkSeaweedSource.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using littoral::Vector3;
+
+/// A plant, its sea, and what it must keep to.
+struct Case
+{
+  int Preset;
+  double Wind;  ///< [m/s]
+  double Depth; ///< [m]
+  int Seconds;
+  int Seeds;
+  double LargestBend; ///< [degrees]
+};
+
+/// What was worst in a film.
+struct Worst
+{
+  double LowestTip = 1e9;     ///< over the holdfast [m]
+  double LargestBend = 0.0;   ///< between neighbours of a branch [degrees]
+  double LeastDistance = 1e9; ///< between segments that are no neighbours, of the shorter one's length
+};
+
+/// The least distance between segments a and b, over a grid of points: at most a tenth of a length above the exact one.
+double DistanceOf(const Vector3 a[2], const Vector3 b[2])
+{
+  constexpr int Points = 6;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < Points; ++i)
+  {
+    const Vector3 point = a[0] + (i / (Points - 1.0)) * (a[1] - a[0]);
+    const Vector3 along = b[1] - b[0];
+    const double part = std::clamp(glm::dot(point - b[0], along) / glm::dot(along, along), 0.0, 1.0);
+    least = std::min(least, glm::distance(point, b[0] + part * along));
+  }
+  return least;
+}
+
+void TakeBranch(const std::vector<Vector3>& nodes, double foot, Worst& worst)
+{
+  worst.LowestTip = std::min(worst.LowestTip, nodes.back().z - foot);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+  {
+    const double length = glm::distance(nodes[i], nodes[i + 1]);
+    if (i > 0)
+    {
+      const Vector3 before = glm::normalize(nodes[i] - nodes[i - 1]);
+      const double cosine = std::clamp(glm::dot(before, (nodes[i + 1] - nodes[i]) / length), -1.0, 1.0);
+      worst.LargestBend = std::max(worst.LargestBend, std::acos(cosine) * 180.0 / littoral::Pi);
+    }
+    for (std::size_t j = i + 2; j + 1 < nodes.size(); ++j)
+    {
+      const double shorter = std::min(length, glm::distance(nodes[j], nodes[j + 1]));
+      worst.LeastDistance = std::min(worst.LeastDistance, DistanceOf(&nodes[i], &nodes[j]) / shorter);
+    }
+  }
+}
+
+/// Branches of more than three segments: blades of a canopy hang on their floats as they like.
+void TakePicture(vtkPolyData* bones, Worst& worst)
+{
+  Vector3 foot;
+  bones->GetPoint(0, &foot.x);
+  for (vtkIdType line = 1; line < bones->GetNumberOfLines(); ++line)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    bones->GetLines()->GetCellAtId(line, count, ids);
+    std::vector<Vector3> nodes(count);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      bones->GetPoint(ids[i], &nodes[i].x);
+    }
+    if (count > 4)
+    {
+      TakeBranch(nodes, foot.z, worst);
+    }
+  }
+}
+
+bool TestPlant(const Case& one, int seed)
+{
+  vtkNew<vtkSeaweedSource> weed;
+  weed->SetPreset(one.Preset);
+  weed->SetSeed(seed);
+  vtkNew<vtkSeaStateSource> sea;
+  sea->SetWindSpeed(one.Wind);
+  sea->SetSeaLevel(one.Depth);
+  sea->SetWaterDepth(one.Depth);
+  sea->SetSeed(seed + 6);
+  vtkNew<vtkSeaweedDeformationFilter> move;
+  move->SetInputConnection(weed->GetOutputPort());
+  move->SetSeaStateConnection(sea->GetOutputPort());
+  Worst worst;
+  for (int second = 0; second <= one.Seconds; ++second)
+  {
+    move->UpdateTimeStep(second);
+    TakePicture(Part(move->GetOutputDataObject(0), "Skeleton"), worst);
+  }
+  const std::string who = std::string(weed->GetPresetAsString()) + ", wind of " +
+    std::to_string(one.Wind).substr(0, 3) + " m/s, seed " + std::to_string(seed);
+  std::cout << who << ": lowest tip " << worst.LowestTip << " m over its holdfast, largest bend " << worst.LargestBend
+            << " degrees, least distance " << worst.LeastDistance << " segments" << std::endl;
+  bool good = Check(worst.LowestTip > 0.0, who + ": a tip sinks to its holdfast");
+  good = Check(worst.LargestBend < one.LargestBend, who + ": a frond folds") && good;
+  return Check(worst.LeastDistance > 0.1, who + ": a frond crosses itself") && good;
+}
+
+}
+
+int TestKelpInSea(int, char*[])
+{
+  bool good = true;
+  for (const Case& one : {
+         Case{ vtkSeaweedSource::SugarKelp, 5.0, 6.0, 600, 3, 90.0 },
+         Case{ vtkSeaweedSource::SugarKelp, 6.0, 6.0, 600, 3, 120.0 },
+         Case{ vtkSeaweedSource::Eelgrass, 5.0, 6.0, 600, 1, 90.0 },
+         Case{ vtkSeaweedSource::GiantKelp, 6.0, 17.0, 120, 1, 90.0 },
+       })
+  {
+    for (int seed = 1; seed <= one.Seeds; ++seed)
+    {
+      good = TestPlant(one, seed) && good;
+    }
+  }
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,10 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: client
+"""TestMistakes.py in ParaView's own window."""
+
+import os
+import runpy
+
+here = os.path.dirname(os.path.abspath(os.environ["LITTORAL_CLIENT_SCRIPT"]))
+runpy.run_path(os.path.join(here, "TestMistakes.py"))

@@ -1,0 +1,183 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython
+"""Blocks that carry a texture are drawn with it by the representation Full Surface.
+
+Squares with known texels: the color of a pixel is that of the points times the texel over the mean of the texture, and
+nothing where the texel is transparent; visibility and picking of blocks as without textures; rendered by the client and
+by a server.
+"""
+
+import shutil
+
+import numpy as np
+from paraview import simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+from server import connected
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+PORT = 21533
+SIZE = 200  # of the window [pixels]; 10 units of the scene
+
+#: A square without a texture at the left; one of 2 x 1 texels in the middle, of which the right one is transparent; a
+#: third with normals to +x in its left half and to +y in its right half.
+SQUARES = """
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+def array(kind, name, rows):
+    made = kind()
+    made.SetName(name)
+    made.SetNumberOfComponents(len(rows[0]))
+    for row in rows:
+        made.InsertNextTuple(row)
+    return made
+
+def square(x, color, texels=None, mean=None, normals=None):
+    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    for u, v in corners:
+        points.InsertNextPoint(x + 2 * u, 2 * v, 0)
+    cells.InsertNextCell(4, list(range(4)))
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    data.GetPointData().SetScalars(array(vtkUnsignedCharArray, "RGB", [color] * 4))
+    data.GetPointData().SetNormals(array(vtkFloatArray, "Normals", [(0, 0, 1)] * 4))
+    if texels:
+        data.GetPointData().SetTCoords(array(vtkFloatArray, "TCoords", corners))
+        fields = data.GetFieldData()
+        fields.AddArray(array(vtkUnsignedCharArray, "Texture", texels))
+        fields.AddArray(array(vtkIntArray, "TextureSize", [(len(texels), 1)]))
+        if mean:
+            fields.AddArray(array(vtkFloatArray, "TextureMean", [mean]))
+        if normals:
+            fields.AddArray(array(vtkUnsignedCharArray, "NormalTexture", normals))
+    return data
+
+out = self.GetOutputDataObject(0)
+out.SetBlock(0, square(0, (200, 100, 50)))
+out.SetBlock(1, square(3, (100, 100, 100), [(255, 128, 0, 255)] * 4 + [(255, 255, 255, 0)] * 4, (0.5, 1.0, 1.0)))
+out.SetBlock(2, square(6, (200, 200, 200), [(255, 255, 255, 255)] * 8, None,
+                       [(255, 128, 128)] * 4 + [(128, 255, 128)] * 4))
+for k, name in enumerate(("Plain", "Cut", "Round")):
+    out.GetMetaData(k).Set(out.NAME(), name)
+"""
+
+
+def picture(view):
+    """The colors of the window, by row from the bottom."""
+    simple.Render(view)
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(view.GetRenderWindow())
+    grab.ShouldRerenderOff()
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    seen = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
+    return seen.reshape(SIZE, SIZE, 3)
+
+
+def at(seen, x, y=1.0):
+    """The color at a place of the scene."""
+    return seen[int(SIZE * (y + 4.0) / 10.0), int(SIZE * x / 10.0)]
+
+
+def near(color, expected, what):
+    assert np.abs(np.array(color) - np.array(expected)).max() <= 3, f"{what}: {color}, not {expected}"
+
+
+def scene(ambient, sun=(1.0, 0.0, 0.0)):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [SIZE, SIZE]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.0, 0.0, 1.0]
+    view.UseLight = 0
+    light = simple.AddLight(view=view)
+    light.Coords, light.Type = "Scene", "Directional"
+    light.Position, light.FocalPoint = sun, [0.0, 0.0, 0.0]
+    squares = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=SQUARES)
+    shown = simple.Show(squares, view)
+    shown.SetRepresentationType("Full Surface")
+    simple.ColorBy(shown, ("POINTS", "RGB"))
+    shown.MapScalars = 0
+    shown.Ambient, shown.Diffuse, shown.Specular = ambient, 1.0 - ambient, 0.0
+    simple.Render(view)  # resets the camera
+    view.CameraParallelProjection = 1
+    view.CameraParallelScale = 5.0
+    view.CameraPosition = [5.0, 1.0, 20.0]
+    view.CameraFocalPoint = [5.0, 1.0, 0.0]
+    return view, squares, shown
+
+
+def check_colors(where):
+    view, squares, shown = scene(1.0)
+    seen = picture(view)
+    near(at(seen, 1.0), (200, 100, 50), f"{where}: no texture")
+    near(at(seen, 3.3), (200, 50, 0), f"{where}: points times texel over mean")
+    near(at(seen, 4.7), (0, 0, 255), f"{where}: a transparent texel")
+    near(at(seen, 7.0), (200, 200, 200), f"{where}: a white texture")
+    lights, view.AdditionalLights = list(view.AdditionalLights), []
+    near(at(picture(view), 3.3), (200, 50, 0), f"{where}: without lights")
+    view.AdditionalLights = lights
+    shown.SetRepresentationType("Full Surface")
+    shown.BlockSelectors = ["/Root/Cut"]
+    seen = picture(view)
+    near(at(seen, 1.0), (0, 0, 255), f"{where}: a hidden block")
+    near(at(seen, 7.0), (0, 0, 255), f"{where}: a hidden textured block")
+    near(at(seen, 3.3), (200, 50, 0), f"{where}: the block that is left")
+    shown.BlockSelectors = ["/Root"]
+    near(at(picture(view), 7.0), (200, 200, 200), f"{where}: shown again")
+    simple.Hide(squares, view)
+    for x in (1.0, 3.3, 7.0):
+        near(at(picture(view), x), (0, 0, 255), f"{where}: hidden")
+    simple.Show(squares, view)
+    near(at(picture(view), 3.3), (200, 50, 0), f"{where}: shown once more")
+    shown.SetRepresentationType("Surface")
+    seen = picture(view)
+    near(at(seen, 4.7), (100, 100, 100), f"{where}: a surface without textures")
+    near(at(seen, 3.3), (100, 100, 100), f"{where}: nothing left of the texture")
+    simple.Delete(view)
+
+
+def check_light(where):
+    """Light along -x and along -y meets the normals of the texture that look to it, and no others."""
+    for sun, lit, dark in (((1.0, 0.0, 0.0), 6.3, 7.7), ((0.0, 1.0, 0.0), 7.7, 6.3)):
+        view = scene(0.0, sun)[0]
+        seen = picture(view)
+        assert at(seen, lit).min() > 150, f"{where}: {at(seen, lit)} towards the light {sun}"
+        assert at(seen, dark).max() < 20, f"{where}: {at(seen, dark)} across the light {sun}"
+        assert at(seen, 1.0).max() < 20, f"{where}: {at(seen, 1.0)} across the light, without a texture"
+        simple.Delete(view)
+
+
+def check_picking(where):
+    """Rectangles over a block select its cell, where it is not transparent."""
+    view, squares, _ = scene(1.0)
+    picture(view)
+    for x, expected in ((3.3, 1), (4.7, 0), (1.0, 1), (7.0, 1)):
+        column, row = int(SIZE * x / 10.0), int(SIZE * 0.5)
+        simple.ClearSelection(squares)
+        simple.SelectSurfaceCells(Rectangle=[column - 2, row - 2, column + 2, row + 2], View=view)
+        simple.UpdatePipeline(proxy=squares)
+        selected = simple.ExtractSelection(Input=squares)
+        selected.Selection = squares.GetSelectionInput(0)
+        selected.UpdatePipeline()
+        cells = selected.GetDataInformation().GetNumberOfCells()
+        assert cells == expected, f"{where}: {cells} cells selected at x = {x}"
+        simple.Delete(selected)
+    simple.Delete(view)
+
+
+def check(where):
+    check_colors(where)
+    check_light(where)
+    check_picking(where)
+
+
+check("alone")
+for ranks in (1, 2) if shutil.which("mpirun") else (1,):
+    with connected(PORT + ranks, ranks):
+        for threshold, where in ((0.0, "rendered by the server"), (1e5, "rendered by the client")):
+            simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = threshold
+            check_colors(f"{where}, {ranks} ranks")
+            check_light(f"{where}, {ranks} ranks")

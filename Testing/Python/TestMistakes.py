@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Mistakes in VTK without ParaView: a failed update, and one message until the filter is modified."""
+
+from littoral import vtkBeamTreeDeformationFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
+from littoral import vtkReevesTreeSource, vtkSuspendedParticleSource
+
+MESSAGES = []
+
+
+def watched(algorithm):
+    """The algorithm, whose messages are kept; the executive's echo of a failed request is silenced."""
+
+    def take(_, __, message):
+        MESSAGES.append(message)
+
+    take.CallDataType = "string0"
+    algorithm.AddObserver("ErrorEvent", take)
+    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    return algorithm
+
+
+def messages_of(update):
+    """The messages of an update that fails."""
+    MESSAGES.clear()
+    assert update() == 0, "the update has not failed"
+    return len(MESSAGES)
+
+
+def bounds_of(data):
+    bounds = [0.0] * 6
+    data.GetBounds(bounds)
+    return bounds
+
+
+tree = vtkReevesTreeSource()
+tree.SetNumberOfLeaves(50)
+tree.Update()
+sway = watched(vtkBeamTreeDeformationFilter())
+sway.SetInputConnection(0, tree.GetOutputPort())
+assert messages_of(sway.GetExecutive().Update) == 1 and "There is no wind" in MESSAGES[0], MESSAGES
+assert bounds_of(sway.GetOutputDataObject(0)) == bounds_of(tree.GetOutputDataObject(0)), "the plants have moved"
+# Another time is another execution, but the same mistake.
+for time in (1.0, 2.0):
+    MESSAGES.clear()
+    sway.UpdateTimeStep(time)
+    assert not MESSAGES, MESSAGES
+sway.SetDragCoefficient(1.0)
+assert messages_of(sway.GetExecutive().Update) == 1, "a mistake that stays is not reported after a change"
+
+particles = vtkSuspendedParticleSource()
+particles.SetDensity(0.1)
+particles.Update()
+orbits = watched(vtkParticleOrbitFilter())
+orbits.SetInputConnection(0, particles.GetOutputPort())
+assert messages_of(orbits.GetExecutive().Update) == 1 and "There is no sea state" in MESSAGES[0], MESSAGES
+assert orbits.GetOutputDataObject(0).GetBounds() == particles.GetOutputDataObject(0).GetBounds()
+
+# What follows from a mistake upstream is not reported.
+trees = watched(vtkPlantScatterFilter())
+trees.SetInputConnection(0, particles.GetOutputPort())
+behind = watched(vtkBeamTreeDeformationFilter())
+behind.SetInputConnection(0, trees.GetOutputPort())
+assert messages_of(trees.GetExecutive().Update) == 1 and "There are no prototypes" in MESSAGES[0], MESSAGES
+MESSAGES.clear()
+behind.Update()
+assert not MESSAGES, MESSAGES
+
+# Sites are points, not the blocks of a plant.
+trees.SetInputConnection(0, tree.GetOutputPort())
+assert messages_of(trees.GetExecutive().Update) == 1 and "The sites are blocks" in MESSAGES[0], MESSAGES

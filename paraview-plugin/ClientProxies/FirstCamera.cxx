@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstCamera.h"
+
+#include "Numerics/Constants.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkPVRenderView.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+namespace
+{
+
+/// Azimuth of the eye, from east to north [rad]: from the south-west, so that x goes to the right and y away.
+constexpr double EyeAzimuth = -0.62 * Pi;
+
+/// Priority of an observer before those that take the camera.
+constexpr float BeforeOthers = 10.0f;
+
+/// Whether a camera looks along x, y or z, as ParaView looks at flat data.
+bool LooksAlongAxis(vtkCamera* camera)
+{
+  const double* d = camera->GetDirectionOfProjection();
+  return std::max({ std::abs(d[0]), std::abs(d[1]), std::abs(d[2]) }) > 0.999;
+}
+
+}
+
+//----------------------------------------------------------------------------
+bool IsEmpty(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper shown(view, "Representations");
+  for (unsigned int k = 0; k < shown.GetNumberOfElements(); ++k)
+  {
+    vtkSMProxy* one = shown.GetAsProxy(k);
+    if (one && one->GetProperty("Input") && vtkSMPropertyHelper(one, "Visibility", true).GetAsInt() != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool IsFlat(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
+}
+
+//----------------------------------------------------------------------------
+void MoveCamera(vtkCamera* camera, const CameraPlace& place)
+{
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  if (place.IsFixed)
+  {
+    camera->SetPosition(place.Eye);
+    camera->SetFocalPoint(place.Target);
+    return;
+  }
+  const double elevation = place.Elevation * Pi / 180.0;
+  if (place.Elevation >= 90.0)
+  {
+    camera->SetViewUp(0.0, 1.0, 0.0);
+  }
+  // What the camera shows of a sphere around the data does not depend on where it looks from.
+  const double distance = camera->GetDistance() / std::max(0.1, place.Closer);
+  double focus[3];
+  camera->GetFocalPoint(focus);
+  camera->SetPosition(focus[0] + distance * std::cos(elevation) * std::cos(EyeAzimuth),
+    focus[1] + distance * std::cos(elevation) * std::sin(EyeAzimuth), focus[2] + distance * std::sin(elevation));
+}
+
+//----------------------------------------------------------------------------
+void MoveCamera(vtkCamera* camera, const CameraPlace& place, const double bounds[6])
+{
+  double squares = 0.0;
+  double middle[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    middle[c] = 0.5 * (bounds[2 * c] + bounds[2 * c + 1]);
+    squares += (bounds[2 * c + 1] - bounds[2 * c]) * (bounds[2 * c + 1] - bounds[2 * c]);
+  }
+  const double radius = 0.5 * std::sqrt(squares);
+  const double distance = radius / std::sin(0.5 * camera->GetViewAngle() * Pi / 180.0);
+  camera->SetFocalPoint(middle);
+  camera->SetPosition(middle[0], middle[1] - std::max(distance, 1e-3), middle[2]);
+  CameraPlace whole = place;
+  whole.Closer = 1.0;
+  MoveCamera(camera, whole);
+}
+
+//----------------------------------------------------------------------------
+FirstCamera::~FirstCamera()
+{
+  this->Stop();
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place)
+{
+  if (view == this->View || (IsFlat(view) && !place.IsOnMap))
+  {
+    return;
+  }
+  this->Stop();
+  this->Place = place;
+  this->View = view;
+  this->WasReset = place.IsOnMap;
+  // A script draws once before it resets the camera, the window some times in a new view; see OnStart for flat data.
+  this->PicturesToWait = place.IsOfFlatData ? 10 : 2;
+  this->Shown = vtkObject::SafeDownCast(view->GetClientSideObject());
+  this->ResetObserver = this->Shown->AddObserver(vtkCommand::ResetCameraEvent, this, &FirstCamera::OnResetCamera);
+  this->StartObserver = view->AddObserver(vtkCommand::StartEvent, this, &FirstCamera::OnStart, BeforeOthers);
+  this->PictureObserver = view->AddObserver(vtkCommand::EndEvent, this, &FirstCamera::OnPicture);
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
+{
+  if (!this->WasReset && !IsEmpty(this->View))
+  {
+    this->WasReset = true;
+    if (!this->Place.IsOfFlatData)
+    {
+      MoveCamera(this->View->GetActiveCamera(), this->Place);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// The window shows a flat image, as that of a terrain is, or a point in two dimensions, after it has reset the camera.
+void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
+{
+  vtkCamera* camera = this->View->GetActiveCamera();
+  if (!this->WasReset || !(this->Place.IsOfFlatData || this->Place.IsOnMap) || !LooksAlongAxis(camera))
+  {
+    return; // someone has turned it since
+  }
+  vtkSMPropertyHelper(this->View, "InteractionMode").Set("3D");
+  vtkSMPropertyHelper(this->View, "CameraParallelProjection").Set(0);
+  this->View->UpdateVTKObjects();
+  MoveCamera(camera, this->Place);
+  this->View->ResetCamera(); // to what is drawn of it
+  camera->Dolly(this->Place.Closer);
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::OnPicture(vtkObject*, unsigned long, void*)
+{
+  if (!IsEmpty(this->View) && (this->WasReset || --this->PicturesToWait == 0))
+  {
+    this->Stop();
+  }
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::Stop()
+{
+  if (this->View)
+  {
+    this->View->RemoveObserver(this->StartObserver);
+    this->View->RemoveObserver(this->PictureObserver);
+  }
+  if (this->Shown)
+  {
+    this->Shown->RemoveObserver(this->ResetObserver);
+  }
+  this->Shown = nullptr;
+  this->View = nullptr;
+}
+
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralFirstCamera_h
+#define LittoralFirstCamera_h
+
+#include "vtkWeakPointer.h" // for what is watched
+
+#include <functional>
+
+class vtkCamera;
+class vtkObject;
+class vtkSMProxy;
+class vtkSMRenderViewProxy;
+
+namespace littoral
+{
+
+/// Whether nothing is shown in a view.
+bool IsEmpty(vtkSMProxy* view);
+
+/// Whether a view is in ParaView's mode of two dimensions.
+bool IsFlat(vtkSMProxy* view);
+
+/// Where the eye is when a source is the first thing in its view.
+struct CameraPlace
+{
+  double Elevation = 0.0;    ///< over the horizon, of the eye seen from the middle of the data [degrees]
+  double Closer = 1.0;       ///< than a camera that shows a sphere around the data
+  bool IsOfFlatData = false; ///< whether ParaView would look at them from above, in two dimensions
+  bool IsOnMap = false;      ///< whether the source replaces what is seen from above
+  bool IsFixed = false;      ///< whether Eye and Target count instead
+  double Eye[3] = { 0.0, 0.0, 0.0 };
+  double Target[3] = { 0.0, 0.0, 0.0 };
+};
+
+/// Moves a camera that shows all data, with z upwards.
+void MoveCamera(vtkCamera* camera, const CameraPlace& place);
+
+/// Moves a camera to where it shows all of a box, so that a level of detail for it has all in sight.
+void MoveCamera(vtkCamera* camera, const CameraPlace& place, const double bounds[6]);
+
+/**
+ * Waits for the moment at which ParaView, in the window or in a script, first resets the camera of a view, and moves it
+ * then. A picture with another camera, which someone must have chosen, ends the waiting. A view that someone has in two
+ * dimensions is left alone.
+ */
+class FirstCamera
+{
+public:
+  FirstCamera() = default;
+  ~FirstCamera();
+  FirstCamera(const FirstCamera&) = delete;
+  void operator=(const FirstCamera&) = delete;
+
+  void WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place);
+
+private:
+  void OnResetCamera(vtkObject*, unsigned long, void*);
+  void OnStart(vtkObject*, unsigned long, void*);
+  void OnPicture(vtkObject*, unsigned long, void*);
+  void Stop();
+
+  CameraPlace Place;
+  vtkWeakPointer<vtkSMRenderViewProxy> View;
+  vtkWeakPointer<vtkObject> Shown; ///< what the view shows on
+  unsigned long ResetObserver = 0;
+  unsigned long PictureObserver = 0;
+  unsigned long StartObserver = 0;
+  int PicturesToWait = 0;
+  bool WasReset = false;
+};
+
+}
+
+#endif

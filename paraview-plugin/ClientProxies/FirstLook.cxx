@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstLook.h"
+
+#include "ColorHelper.h"
+
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace littoral
+{
+namespace
+{
+
+/// Optical depth along the diagonal of fog that is densest everywhere, at least.
+constexpr double ThinnestFog = 100.0;
+constexpr double Glitter = 0.5;
+constexpr double GlitterPower = 60.0;
+constexpr int OpacityPoints = 65;
+
+/// Marks a transfer function that was set once.
+constexpr const char* Mark = "Littoral.FirstLook";
+
+/// Marks a transfer function of an array as set; false if it was marked before.
+bool MarkOnce(vtkSMProxy* function)
+{
+  if (!function || function->HasAnnotation(Mark))
+  {
+    return false;
+  }
+  function->SetAnnotation(Mark, "1");
+  return true;
+}
+
+double DiagonalOf(vtkPVDataInformation* data)
+{
+  const double* b = data->GetBounds();
+  return std::max(
+    1e-9, std::sqrt((b[1] - b[0]) * (b[1] - b[0]) + (b[3] - b[2]) * (b[3] - b[2]) + (b[5] - b[4]) * (b[5] - b[4])));
+}
+
+double LargestOf(vtkPVDataInformation* data, const char* array)
+{
+  vtkPVArrayInformation* information = data->GetArrayInformation(array, vtkDataObject::POINT);
+  return information ? std::max(1e-9, information->GetComponentRange(0)[1]) : 1.0;
+}
+
+}
+
+//----------------------------------------------------------------------------
+void ColorDirectly(vtkSMProxy* representation, const char* array, bool isKnown)
+{
+  if (isKnown)
+  {
+    ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
+  }
+  // First this: the window's color map editor then asks for the range of the array that is shown.
+  vtkSMPropertyHelper(representation, "MapScalars").Set(0);
+  vtkSMPropertyHelper(representation, "ColorArrayName").SetInputArrayToProcess(vtkDataObject::POINT, array);
+  representation->UpdateVTKObjects();
+}
+
+//----------------------------------------------------------------------------
+void ShadeSmoothly(vtkSMProxy* representation, const char* array)
+{
+  if (representation->GetProperty("SelectNormalArray"))
+  {
+    vtkSMPropertyHelper(representation, "SelectNormalArray").Set(array);
+  }
+}
+
+//----------------------------------------------------------------------------
+void ShadeAsWater(vtkSMProxy* representation, double ambient)
+{
+  vtkSMPropertyHelper(representation, "Ambient").Set(ambient);
+  vtkSMPropertyHelper(representation, "Diffuse").Set(1.0 - ambient);
+  vtkSMPropertyHelper(representation, "Specular").Set(Glitter);
+  vtkSMPropertyHelper(representation, "SpecularPower").Set(GlitterPower);
+}
+
+//----------------------------------------------------------------------------
+void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset)
+{
+  ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
+  vtkSMProxy* map = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
+  if (preset && MarkOnce(map))
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(map, preset, true);
+  }
+  ColorHelper::RescaleTransferFunctionToDataRange(representation, array, vtkDataObject::POINT);
+}
+
+//----------------------------------------------------------------------------
+void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view)
+{
+  ColorHelper::SetScalarBarVisibility(representation, view, true);
+  vtkSMProxy* map = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
+  vtkNew<vtkSMTransferFunctionManager> functions;
+  vtkSMProxy* legend = map ? functions->GetScalarBarRepresentation(map, view) : nullptr;
+  if (MarkOnce(legend))
+  {
+    const double ink[3] = { 0.10, 0.14, 0.20 };
+    vtkSMPropertyHelper(legend, "TitleColor").Set(ink, 3);
+    vtkSMPropertyHelper(legend, "LabelColor").Set(ink, 3);
+    legend->UpdateVTKObjects();
+  }
+}
+
+//----------------------------------------------------------------------------
+bool AreParticles(vtkPVDataInformation* data)
+{
+  return data->GetArrayInformation("ParticleId", vtkDataObject::POINT) &&
+    data->GetArrayInformation("Radius", vtkDataObject::POINT);
+}
+
+//----------------------------------------------------------------------------
+void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest)
+{
+  const double factor = std::max(1.0, smallest * DiagonalOf(data) / LargestOf(data, "Radius"));
+  vtkSMPropertyHelper(representation, "Representation").Set("Point Gaussian");
+  vtkSMPropertyHelper(representation, "ShaderPreset").Set("Sphere");
+  vtkSMPropertyHelper(representation, "GaussianRadius").Set(factor);
+  vtkSMPropertyHelper(representation, "ScaleByArray").Set(1);
+  vtkSMPropertyHelper(representation, "SetScaleArray").SetInputArrayToProcess(vtkDataObject::POINT, "Radius");
+  vtkSMPropertyHelper(representation, "UseScaleFunction").Set(0);
+}
+
+//----------------------------------------------------------------------------
+void ShowAsDisks(vtkSMProxy* representation, double radius)
+{
+  const double color[3] = { 0.16, 0.42, 0.30 };
+  vtkSMPropertyHelper(representation, "Representation").Set("Point Gaussian");
+  vtkSMPropertyHelper(representation, "ShaderPreset").Set("Plain circle");
+  vtkSMPropertyHelper(representation, "GaussianRadius").Set(radius);
+  vtkSMPropertyHelper(representation, "AmbientColor").Set(color, 3);
+  vtkSMPropertyHelper(representation, "DiffuseColor").Set(color, 3);
+}
+
+//----------------------------------------------------------------------------
+void ShowAsFog(vtkSMProxy* representation, vtkPVDataInformation* data, const char* array)
+{
+  ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
+  vtkSMPropertyHelper(representation, "Representation").Set("Volume");
+  vtkSMProxy* colors = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
+  vtkSMProxy* opacities = vtkSMPropertyHelper(representation, "ScalarOpacityFunction").GetAsProxy();
+  if (!colors || !MarkOnce(opacities))
+  {
+    return;
+  }
+  const double largest = LargestOf(data, array);
+  const double diagonal = DiagonalOf(data);
+  const double factor = std::max(1.0, ThinnestFog / (largest * diagonal));
+  const double unit = 0.1 * diagonal / factor; // so that alpha of the densest fog is between 0 and 1
+  std::vector<double> points;
+  for (int i = 0; i < OpacityPoints; ++i)
+  {
+    const double s = largest * i / (OpacityPoints - 1);
+    const double alpha = -std::expm1(-factor * s * unit);
+    points.insert(points.end(), { s, alpha, 0.5, 0.0 });
+  }
+  vtkSMPropertyHelper(opacities, "Points").Set(points.data(), static_cast<unsigned int>(points.size()));
+  opacities->UpdateVTKObjects();
+  vtkSMPropertyHelper(representation, "ScalarOpacityUnitDistance").Set(unit);
+  const double pale[8] = { 0.0, 0.62, 0.80, 0.82, largest, 0.90, 0.96, 0.94 };
+  vtkSMPropertyHelper(colors, "RGBPoints").Set(pale, 8);
+  vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode").Set("Never");
+  colors->UpdateVTKObjects();
+}
+
+}

@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Make a twin of a terrain: select the opened elevation image in the pipeline browser, then run this macro.
+
+Fits the seven covariance models, generates a terrain of the best one on the same grid, and shows it as relief.
+"""
+from paraview import simple
+
+
+def render_view():
+    """The active render view, else the first one, else a new one."""
+    views = simple.GetRenderViews()
+    active = simple.GetActiveView()
+    view = active if active in views else views[0] if views else simple.CreateView("RenderView")
+    simple.SetActiveView(view)
+    return view
+
+
+def main():
+    """A twin of the active image, shown in a render view."""
+    place = simple.GetActiveSource()
+    if place is None or place.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
+        print("Select an elevation image in the pipeline browser first.")
+        return
+    if place.PointData.GetNumberOfArrays() == 0:  # as of the GDAL reader
+        place = simple.CellDatatoPointData(registrationName="Elevation", Input=place)
+        place.UpdatePipeline()
+    info = place.GetDataInformation()
+    extent = info.GetExtent()
+    bounds = info.GetBounds()
+    cells = [max(1, extent[2 * axis + 1] - extent[2 * axis]) for axis in (0, 1)]
+    spacing = [(bounds[2 * axis + 1] - bounds[2 * axis]) / cells[axis] for axis in (0, 1)]
+    fit = simple.CovarianceFit(registrationName="Fit", Input=place)
+    fit.Array = ["POINTS", place.PointData.GetArray(0).Name]
+    twin = simple.TurningBandsTerrainFromFits(
+        registrationName="Twin", Input=simple.OutputPort(fit, 0), WholeExtent=[0, cells[0], 0, cells[1], 0, 0],
+        Origin=[bounds[0], bounds[2], 0.0], Spacing=[*spacing, 1.0])
+    ground = simple.TerrainLevelOfDetail(registrationName="Ground", Input=twin)
+    view = render_view()
+    simple.Show(ground, view)
+    simple.ResetCamera(view)
+    simple.SetActiveSource(twin)
+    simple.Render(view)
+
+
+main()

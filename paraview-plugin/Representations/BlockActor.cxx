@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BlockActor.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkUniforms.h"
+#include "vtkUnsignedCharArray.h"
+#if __has_include("vtkCompositePolyDataMapperDelegator.h") // VTK 9.3 and later
+#include "vtkCompositePolyDataMapper.h"
+#else
+#include "vtkCompositePolyDataMapper2.h"
+#endif
+
+#include <algorithm>
+#include <string>
+
+namespace littoral
+{
+namespace
+{
+
+#if __has_include("vtkCompositePolyDataMapperDelegator.h")
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
+constexpr const char* TextureName = "Texture";
+constexpr const char* SizeName = "TextureSize";
+constexpr const char* MeanName = "TextureMean";
+constexpr const char* NormalsName = "NormalTexture";
+
+/// The name by which VTK's mappers declare a texture of normals, and multiply no color with it.
+constexpr const char* NormalsUniform = "normalTex";
+
+/// Cut-out: c = c_surface texel / mean where alpha >= 0.5.
+constexpr const char* ColorCode = "//VTK::TCoord::Impl\n"
+                                  "  if (gl_FragData[0].a < 0.5) discard;\n"
+                                  "  gl_FragData[0] = vec4(gl_FragData[0].rgb / textureMean, 1.0);\n";
+
+/// Leaves let light through: their normal is the same on both sides, while VTK turns it to the viewer.
+constexpr const char* BothSidesCode = "//VTK::Normal::Impl\n"
+                                      "  if (!gl_FrontFacing) normalVCVSOutput = -normalVCVSOutput;\n";
+
+/// The frame of the texture in view coordinates, from the derivatives of position and texture coordinates in the image:
+/// t = dp/du, b = dp/dv, n = t x b towards the viewer.
+constexpr const char* NormalCode =
+  "//VTK::Normal::Impl\n"
+  "  vec2 uvX = dFdx(tcoordVCVSOutput.st), uvY = dFdy(tcoordVCVSOutput.st);\n"
+  "  vec3 pX = dFdx(vertexVC.xyz), pY = dFdy(vertexVC.xyz);\n"
+  "  vec3 alongU = normalize((pX * uvY.t - pY * uvX.t) * (uvX.s * uvY.t - uvX.t * uvY.s));\n"
+  "  vec3 alongV = normalize((pY * uvX.s - pX * uvY.s) * (uvX.s * uvY.t - uvX.t * uvY.s));\n"
+  "  vec3 towards = normalize(cross(pX, pY));\n"
+  "  towards = towards.z < 0.0 ? -towards : towards;\n"
+  "  vec3 inTexture = texture(normalTex, tcoordVCVSOutput).xyz * 2.0 - 1.0;\n"
+  "  normalVCVSOutput = normalize(inTexture.x * alongU + inTexture.y * alongV + inTexture.z * towards);\n";
+
+vtkDataArray* FieldOf(vtkDataObject* block, const char* name)
+{
+  vtkFieldData* fields = block ? block->GetFieldData() : nullptr;
+  return fields ? fields->GetArray(name) : nullptr;
+}
+
+/// Columns and rows; 0 0 if an array does not tell them.
+std::array<int, 2> SizeOf(vtkDataArray* size)
+{
+  if (!size || size->GetNumberOfValues() != 2)
+  {
+    return { 0, 0 };
+  }
+  const double columns = size->GetVariantValue(0).ToDouble();
+  const double rows = size->GetVariantValue(1).ToDouble();
+  constexpr double most = 65536.0;
+  return columns >= 1.0 && columns <= most && rows >= 1.0 && rows <= most
+    ? std::array<int, 2>{ static_cast<int>(columns), static_cast<int>(rows) }
+    : std::array<int, 2>{ 0, 0 };
+}
+
+/// Whether an array is a picture of as many texels as its size says.
+bool IsPicture(vtkDataArray* texels, vtkDataArray* size, int components)
+{
+  const auto [columns, rows] = SizeOf(size);
+  return vtkUnsignedCharArray::SafeDownCast(texels) && texels->GetNumberOfComponents() == components && columns > 0 &&
+    texels->GetNumberOfTuples() == static_cast<vtkIdType>(columns) * rows;
+}
+
+}
+
+//----------------------------------------------------------------------------
+BlockActor::Picture::Picture()
+{
+  this->Texture->InterpolateOn();
+  this->Texture->MipmapOff(); // a mean of thin leaves and gaps has an alpha below 0.5
+  this->Texture->RepeatOff();
+  this->Texture->EdgeClampOn();
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::Picture::Show(vtkDataArray* texels, vtkDataArray* size)
+{
+  if (this->Texels == texels && this->Time == texels->GetMTime())
+  {
+    return;
+  }
+  this->Texels = texels;
+  this->Time = texels->GetMTime();
+  const auto [columns, rows] = SizeOf(size);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(columns, rows, 1);
+  image->GetPointData()->SetScalars(texels);
+  this->Texture->SetInputData(image);
+}
+
+//----------------------------------------------------------------------------
+BlockActor::BlockActor()
+{
+  this->Hide();
+}
+
+//----------------------------------------------------------------------------
+BlockActor::~BlockActor() = default;
+
+//----------------------------------------------------------------------------
+bool BlockActor::IsTextured(vtkDataObject* block)
+{
+  return IsPicture(FieldOf(block, TextureName), FieldOf(block, SizeName), 4);
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
+{
+  this->TakeMapper(part, mapper);
+  vtkNew<vtkMatrix4x4> matrix;
+  like->GetMatrix(matrix);
+  this->Actor->SetUserMatrix(matrix);
+  this->Actor->GetProperty()->DeepCopy(like->GetProperty());
+  this->Actor->SetPropertyKeys(like->GetPropertyKeys());
+  this->Actor->SetPickable(like->GetPickable());
+  this->Actor->SetVisibility(like->GetVisibility());
+  vtkProperty* property = like->GetProperty();
+  const bool hasNormals = isLit && property->GetLighting() && property->GetRepresentation() == VTK_SURFACE;
+  this->TakeTexture(part.Textured, like->GetShaderProperty(), hasNormals);
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::Hide()
+{
+  this->Actor->VisibilityOff();
+  this->Actor->SetMapper(nullptr);
+  this->Mapper = nullptr;
+}
+
+//----------------------------------------------------------------------------
+vtkProp* BlockActor::GetProp()
+{
+  return this->Actor;
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
+{
+  if (!this->Mapper)
+  {
+    this->Mapper = vtkSmartPointer<vtkMapper>::Take(like->NewInstance());
+    this->Actor->SetMapper(this->Mapper);
+  }
+  this->Mapper->ShallowCopy(like);
+  this->Mapper->SetSelection(like->GetSelection());
+  auto* own = CompositeMapper::SafeDownCast(this->Mapper);
+  auto* other = CompositeMapper::SafeDownCast(like);
+  if (own && other)
+  {
+    own->SetCompositeDataDisplayAttributes(part.Attributes);
+    own->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
+  }
+  this->Mapper->SetInputDataObject(part.Tree);
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit)
+{
+  const bool hasNormals = block && IsPicture(FieldOf(block, NormalsName), FieldOf(block, SizeName), 3);
+  const Shading textured = !isLit ? Shading::Unlit : hasNormals ? Shading::TextureWithNormals : Shading::Texture;
+  this->SetShading(block ? textured : Shading::Plain, given);
+  this->Actor->SetForceOpaque(block != nullptr);
+  this->Actor->SetTexture(block ? this->Colors.Texture.Get() : nullptr);
+  if (block)
+  {
+    this->Colors.Show(FieldOf(block, TextureName), FieldOf(block, SizeName));
+    this->TakeMean(block);
+  }
+  if (hasNormals && isLit)
+  {
+    this->Normals.Show(FieldOf(block, NormalsName), FieldOf(block, SizeName));
+    this->Actor->GetProperty()->SetTexture(NormalsUniform, this->Normals.Texture);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Any change of the replacements builds the shader anew. Those of the representation come last.
+void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
+{
+  const vtkMTimeType time = given->GetNumberOfShaderReplacements() > 0 ? given->GetShaderMTime() : 0;
+  if (this->Shaded == shading && this->GivenTime == time)
+  {
+    return;
+  }
+  this->Shaded = shading;
+  this->GivenTime = time;
+  vtkShaderProperty* shader = this->Actor->GetShaderProperty();
+  shader->ClearAllFragmentShaderReplacements();
+  if (shading != Shading::Plain)
+  {
+    shader->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true, ColorCode, false);
+  }
+  if (shading == Shading::Texture || shading == Shading::TextureWithNormals)
+  {
+    const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
+    shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, normals, false);
+  }
+  for (int k = 0; k < given->GetNumberOfShaderReplacements(); ++k)
+  {
+    std::string name, code;
+    bool isFirst = false, isAll = false;
+    given->GetNthShaderReplacement(k, name, isFirst, code, isAll);
+    if (given->GetNthShaderReplacementTypeAsString(k) == "Fragment")
+    {
+      shader->AddFragmentShaderReplacement(name, isFirst, code, isAll);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::TakeMean(vtkDataObject* block)
+{
+  vtkDataArray* given = FieldOf(block, MeanName);
+  std::array<float, 3> mean{ 1.0F, 1.0F, 1.0F };
+  for (int part = 0; given && given->GetNumberOfValues() == 3 && part < 3; ++part)
+  {
+    mean[part] = std::max(static_cast<float>(given->GetVariantValue(part).ToDouble()), 1.0F / 255.0F);
+  }
+  this->Actor->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("textureMean", mean.data());
+}
+
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralBlockActor_h
+#define LittoralBlockActor_h
+
+#include "vtkDataObject.h"   // for the block
+#include "vtkNew.h"          // for what is drawn
+#include "vtkSmartPointer.h" // for the mapper
+
+#include <array>
+
+class vtkActor;
+class vtkCompositeDataDisplayAttributes;
+class vtkDataArray;
+class vtkMapper;
+class vtkProp;
+class vtkShaderProperty;
+class vtkTexture;
+
+namespace littoral
+{
+
+/// Leaves of a tree of blocks, in a tree of the same branches, so that they keep their indices.
+struct PartOfTree
+{
+  vtkSmartPointer<vtkDataObject> Textured; ///< the only leaf, if it carries a texture; else null
+  vtkSmartPointer<vtkDataObject> Tree;
+  vtkSmartPointer<vtkCompositeDataDisplayAttributes> Attributes; ///< of its blocks
+};
+
+/**
+ * The actor of a block that carries a texture, or of all blocks that carry none.
+ *
+ * A texture is field data of its block: `Texture`, RGBA texels in rows from the bottom, and `TextureSize`, columns and
+ * rows. A fragment has the color of the surface times the texel, divided by `TextureMean`, 3 numbers above 0 to 1, if
+ * the block has one: so the points have the colors of the block as it is without a texture. Fragments with an alpha
+ * below 0.5 are discarded; the others are opaque and need no sorting. `NormalTexture`, RGB texels of the same size,
+ * holds normals in the frame of the texture: along u, along v and towards the viewer, -1 to 1 as 0 to 255.
+ */
+class BlockActor
+{
+public:
+  BlockActor();
+  ~BlockActor();
+  BlockActor(const BlockActor&) = delete;
+  BlockActor& operator=(const BlockActor&) = delete;
+
+  /// Whether a block carries a texture, of as many texels as it says.
+  static bool IsTextured(vtkDataObject* block);
+
+  /// Draws blocks as an actor with its mapper would, in a view with lights or without.
+  void Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit);
+
+  /// Draws nothing, and keeps nothing.
+  void Hide();
+
+  vtkProp* GetProp();
+
+private:
+  enum class Shading
+  {
+    Plain,
+    Unlit, ///< texture without lights, for which VTK makes no normals
+    Texture,
+    TextureWithNormals
+  };
+
+  /// A texture and the texels that it shows.
+  struct Picture
+  {
+    vtkNew<vtkTexture> Texture;
+    vtkSmartPointer<vtkDataArray> Texels;
+    vtkMTimeType Time = 0;
+
+    Picture();
+    void Show(vtkDataArray* texels, vtkDataArray* size);
+  };
+
+  void TakeMapper(const PartOfTree& part, vtkMapper* like);
+  void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
+  void SetShading(Shading shading, vtkShaderProperty* given);
+  void TakeMean(vtkDataObject* block);
+
+  vtkNew<vtkActor> Actor;
+  vtkSmartPointer<vtkMapper> Mapper;
+  Picture Colors;
+  Picture Normals;
+  Shading Shaded = Shading::Plain;
+  vtkMTimeType GivenTime = 0; ///< of the replacements in the shader that a user gave
+};
+
+}
+
+#endif

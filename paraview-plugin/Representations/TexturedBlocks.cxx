@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TexturedBlocks.h"
+
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkPVRenderView.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+
+namespace littoral
+{
+namespace
+{
+
+/// The branches of a tree, without its leaves.
+PartOfTree Branches(vtkDataObjectTree* tree)
+{
+  const auto branches = vtkSmartPointer<vtkDataObjectTree>::Take(tree->NewInstance());
+  branches->CopyStructure(tree);
+  return { nullptr, branches, vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New() };
+}
+
+/// Whether a light is on, or VTK will make one.
+bool HasLights(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+  {
+    if (light->GetSwitch())
+    {
+      return true;
+    }
+  }
+  return lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation();
+}
+
+/// A block with its texture coordinates active: ParaView passes them on by their name alone.
+vtkSmartPointer<vtkDataObject> WithCoordinates(vtkDataObject* block)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(block->NewInstance());
+  copy->ShallowCopy(block);
+  vtkDataSetAttributes* points = copy->GetAttributes(vtkDataObject::POINT);
+  if (points && !points->GetTCoords())
+  {
+    points->SetActiveTCoords("TCoords");
+  }
+  return copy;
+}
+
+}
+
+//----------------------------------------------------------------------------
+void TexturedBlocks::SetView(vtkPVRenderView* view, vtkPVDataRepresentation* representation)
+{
+  for (const auto& actor : this->Actors)
+  {
+    if (this->View)
+    {
+      this->View->GetRenderer()->RemoveViewProp(actor->GetProp());
+      this->View->UnRegisterPropForHardwareSelection(representation, actor->GetProp());
+    }
+  }
+  this->Actors.clear();
+  this->Parts.clear();
+  this->Data = nullptr;
+  this->View = view;
+  this->Representation = representation;
+}
+
+//----------------------------------------------------------------------------
+bool TexturedBlocks::Draw(
+  vtkDataObject* data, vtkActor* like, vtkMapper* mapper, bool attributesChanged, const TakeAttributes& take)
+{
+  const bool dataChanged = this->Data != data || this->DataTime != data->GetMTime();
+  if (dataChanged)
+  {
+    this->Split(data);
+  }
+  while (this->View && this->Actors.size() < this->Parts.size())
+  {
+    this->AddActor();
+  }
+  const bool hasLights = this->View && HasLights(this->View->GetRenderer());
+  for (std::size_t index = 0; index < this->Actors.size(); ++index)
+  {
+    if (index >= this->Parts.size())
+    {
+      this->Actors[index]->Hide();
+      continue;
+    }
+    const PartOfTree& part = this->Parts[index];
+    if (dataChanged || attributesChanged)
+    {
+      take(part.Attributes, part.Tree);
+    }
+    this->Actors[index]->Draw(part, like, mapper, hasLights);
+  }
+  return this->View && !this->Parts.empty();
+}
+
+//----------------------------------------------------------------------------
+void TexturedBlocks::Hide()
+{
+  for (const auto& actor : this->Actors)
+  {
+    actor->Hide();
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Each textured block becomes a part of its own, the others are the first; without textures there are no parts.
+void TexturedBlocks::Split(vtkDataObject* data)
+{
+  this->Data = data;
+  this->DataTime = data->GetMTime();
+  this->Parts.clear();
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return;
+  }
+  this->Parts.push_back(Branches(tree));
+  const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    vtkSmartPointer<vtkDataObject> block = leaf->GetCurrentDataObject();
+    const bool isTextured = BlockActor::IsTextured(block);
+    if (isTextured)
+    {
+      block = WithCoordinates(block);
+      this->Parts.push_back(Branches(tree));
+      this->Parts.back().Textured = block;
+    }
+    PartOfTree& part = isTextured ? this->Parts.back() : this->Parts.front();
+    vtkDataObjectTree::SafeDownCast(part.Tree)->SetDataSetFrom(leaf, block);
+  }
+  if (this->Parts.size() == 1)
+  {
+    this->Parts.clear();
+  }
+}
+
+//----------------------------------------------------------------------------
+void TexturedBlocks::AddActor()
+{
+  this->Actors.push_back(std::make_unique<BlockActor>());
+  this->View->GetRenderer()->AddViewProp(this->Actors.back()->GetProp());
+  this->View->RegisterPropForHardwareSelection(this->Representation, this->Actors.back()->GetProp());
+}
+
+}
