@@ -209,8 +209,16 @@ def check_fog(particles):
     assert np.isclose(points[-1, 0], fog.PointData["Extinction"].GetRange()[1])
 
 
+def check_textures():
+    """The images of a plant, its other outputs, are shown as images, without a message."""
+    for port in (1, 2):
+        shown = simple.Show(simple.OutputPort(simple.ReevesTree(NumberOfLeaves=50), port), empty_view())
+        assert shown.Representation != "Full Surface", port
+
+
 if RANKS == 1:
     check_others()
+    check_textures()
     check_forest_on_map()
     check_twin_on_raster()
     check_kelp_under_sea()

@@ -12,12 +12,14 @@
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMStringListDomain.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -103,6 +105,15 @@ void HideAll(vtkSMProxy* view)
     vtkSMPropertyHelper(one, "Visibility").Set(0);
     one->UpdateVTKObjects();
   }
+}
+
+/// Whether data can be shown in a way: an image has other ways than a surface.
+bool Offers(vtkSMProxy* representation, const char* way)
+{
+  vtkSMProperty* ways = representation->GetProperty("Representation");
+  auto* domain = ways ? ways->FindDomain<vtkSMStringListDomain>() : nullptr;
+  unsigned int index = 0;
+  return domain && domain->IsInDomain(way, index) != 0;
 }
 
 bool HasData(vtkPVDataInformation* data)
@@ -223,7 +234,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
   {
     this->WaitForData(representation, port);
   }
-  if (this->Hint("own-levels"))
+  if (this->Hint("own-levels") && Offers(representation, "Full Surface"))
   {
     vtkSMPropertyHelper(representation, "Representation").Set("Full Surface");
   }
