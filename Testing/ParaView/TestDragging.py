@@ -12,22 +12,11 @@ import shutil
 
 import numpy as np
 from paraview import simple
-from paraview.vtk.util.numpy_support import vtk_to_numpy
 from server import connected
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from window import colors
 
 PORT = 21530
 STEP = 12.0  # of the camera [m]
-
-
-def picture(view):
-    """The colors that the window shows, without another rendering."""
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(view.GetRenderWindow())
-    grab.ShouldRerenderOff()
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
 
 
 def apart(one, other):
@@ -61,17 +50,17 @@ def stand(view, step):
 
 def check_drag(view, where):
     """The same pictures while dragging and at rest."""
-    empty = picture(view)[-1]
+    empty = colors(view)[-1]
     view.LODThreshold = 0.0
     moving = []
     for step in range(4):
         stand(view, step)
         view.SMProxy.InteractiveRender()
-        moving.append(picture(view))
+        moving.append(colors(view))
     for step, seen in enumerate(moving):
         stand(view, step)
         simple.Render(view)
-        still = picture(view)
+        still = colors(view)
         covered = float((np.abs(still - empty).sum(axis=1) > 12).mean())
         assert covered > 0.1, f"{where}: the forest covers {covered:.3f} of the still picture"
         assert apart(seen, still) < 0.01, f"{where}, step {step}: {apart(seen, still):.3f} of the pixels differ"
@@ -87,14 +76,14 @@ def level_counts(forest):
 def check_coarser(view, forest, where, ranks):
     """Fewer plants in the first levels while dragging, the same in all; the forest covers as much of the view."""
     forest.InteractiveDetail = 0.4
-    empty = picture(view)[-1]
+    empty = colors(view)[-1]
     for step in range(3):
         stand(view, step)
         simple.Render(view)
-        full, still = level_counts(forest), picture(view)
+        full, still = level_counts(forest), colors(view)
         stand(view, step + 0.5)
         view.SMProxy.InteractiveRender()
-        coarse, moving = level_counts(forest), picture(view)
+        coarse, moving = level_counts(forest), colors(view)
         stand(view, step)
         simple.Render(view)
         assert level_counts(forest) == full, f"{where}: {level_counts(forest)} at rest, {full} before"

@@ -10,7 +10,7 @@ import numpy as np
 from paraview import simple
 from paraview.servermanager import Fetch
 from paraview.vtk.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from window import colors
 
 PLANT = 5
 
@@ -32,12 +32,7 @@ def points_by_plant(data):
 
 def picture(view):
     simple.Render(view)
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(view.GetRenderWindow())
-    grab.ShouldRerenderOff()
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
+    return colors(view)
 
 
 view = simple.CreateView("RenderView")

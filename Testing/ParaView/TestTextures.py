@@ -12,9 +12,8 @@ import shutil
 
 import numpy as np
 from paraview import simple
-from paraview.vtk.util.numpy_support import vtk_to_numpy
 from server import connected
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from window import colors
 
 PORT = 21533
 SIZE = 200  # of the window [pixels]; 10 units of the scene
@@ -67,13 +66,7 @@ for k, name in enumerate(("Plain", "Cut", "Round")):
 def picture(view):
     """The colors of the window, by row from the bottom."""
     simple.Render(view)
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(view.GetRenderWindow())
-    grab.ShouldRerenderOff()
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    seen = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
-    return seen.reshape(SIZE, SIZE, 3)
+    return colors(view).reshape(SIZE, SIZE, 3)
 
 
 def at(seen, x, y=1.0):

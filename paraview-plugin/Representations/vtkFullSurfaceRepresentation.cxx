@@ -36,19 +36,19 @@ int vtkFullSurfaceRepresentation::ProcessViewRequest(
   }
   const bool attributesChanged = this->BlockAttrChanged;
   const int isVisible = this->Superclass::ProcessViewRequest(request, in, out);
-  if (request == vtkPVView::REQUEST_RENDER())
+  if (request == vtkPVView::REQUEST_RENDER() && isVisible)
   {
-    this->DrawTextures(isVisible != 0, attributesChanged);
+    this->DrawTextures(attributesChanged);
   }
   return isVisible;
 }
 
 //----------------------------------------------------------------------------
 /// Leaves data with textures to their own actors.
-void vtkFullSurfaceRepresentation::DrawTextures(bool isVisible, bool attributesChanged)
+void vtkFullSurfaceRepresentation::DrawTextures(bool attributesChanged)
 {
   vtkMapper* mapper = this->Actor->GetEnableLOD() ? this->LODMapper : this->Mapper;
-  vtkDataObject* data = isVisible ? mapper->GetInputDataObject(0, 0) : nullptr;
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
   const auto take = [this](vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* blocks) {
     this->PopulateBlockAttributes(attributes, blocks);
   };

@@ -54,7 +54,7 @@ private:
   vtkFullSurfaceRepresentation(const vtkFullSurfaceRepresentation&) = delete;
   void operator=(const vtkFullSurfaceRepresentation&) = delete;
 
-  void DrawTextures(bool isVisible, bool attributesChanged);
+  void DrawTextures(bool attributesChanged);
 
   std::unique_ptr<littoral::TexturedBlocks> Textured;
 };
