@@ -94,6 +94,19 @@ bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
       [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
 }
 
+/// Whether nobody, and no script of a state, has placed the camera of a view.
+bool HasDefaultCamera(vtkSMProxy* view)
+{
+  return view->GetProperty("CameraPosition")->IsValueDefault() &&
+    view->GetProperty("CameraFocalPoint")->IsValueDefault();
+}
+
+/// Whether proxies are registered by a state file, or by undo and redo.
+bool IsLoadingState(vtkSMSessionProxyManager* manager)
+{
+  return manager->GetInLoadXMLState() || !manager->IsStateUpdateNotificationEnabled();
+}
+
 /// Clears a view for what replaces all that it shows.
 void HideAll(vtkSMProxy* view)
 {
@@ -170,7 +183,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
   if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName ||
-    std::strcmp(registered->GroupName, "representations") != 0 || this->Manager->GetInLoadXMLState())
+    std::strcmp(registered->GroupName, "representations") != 0 || IsLoadingState(this->Manager))
   {
     return;
   }
@@ -326,6 +339,10 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (extinction && mood)
   {
     FadeAway(representation, mood, std::atof(extinction));
+    if (AreParticles(data))
+    {
+      FadeSpritesAway(representation, mood, std::atof(extinction));
+    }
   }
   const char* array = this->Hint("color");
   if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
@@ -451,7 +468,7 @@ void NaturalDisplay::SetUpView(int port)
   }
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
-  if (place.IsFixed)
+  if (place.IsFixed && HasDefaultCamera(view))
   {
     // Filters that follow the camera have nothing to show before it is there.
     MoveCamera(view->GetActiveCamera(), place);

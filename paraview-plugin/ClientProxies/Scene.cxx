@@ -8,6 +8,7 @@
 #include "vtkPVXMLElement.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxySelectionModel.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
@@ -128,7 +129,8 @@ bool IsLastOfPipeline(vtkSMSourceProxy* source)
 {
   for (unsigned int k = 0; k < source->GetNumberOfConsumers(); ++k)
   {
-    const char* group = source->GetConsumerProxy(k)->GetXMLGroup();
+    vtkSMProxy* consumer = source->GetConsumerProxy(k); // null if it was deleted
+    const char* group = consumer ? consumer->GetXMLGroup() : nullptr;
     if (group && std::strcmp(group, "filters") == 0)
     {
       return false;
@@ -159,6 +161,11 @@ void MakeScene(vtkSMSourceProxy* source, vtkPVXMLElement* scene, vtkSMViewProxy*
       Show(part, look, view);
       SetFrames(part);
     }
+  }
+  // Each part became the active source in turn.
+  if (vtkSMProxySelectionModel* active = source->GetSessionProxyManager()->GetSelectionModel("ActiveSources"))
+  {
+    active->SetCurrentProxy(source, vtkSMProxySelectionModel::CLEAR_AND_SELECT);
   }
 }
 
