@@ -459,7 +459,7 @@ void NaturalDisplay::SetUpView(int port)
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
-  const bool isFromSide = !place.IsFixed && elevation && std::atof(elevation) < 90.0;
+  const bool isFromSide = place.IsFixed || (elevation && std::atof(elevation) < 90.0);
   place.IsOfFlatData = data && isFromSide && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
   place.IsOnMap = isMap && isFromSide;
   if (place.IsOnMap)
