@@ -225,6 +225,7 @@ void NaturalDisplay::MakeSceneOf(vtkSMProxy* representation)
   this->Look = nullptr;
   vtkSMPropertyHelper(representation, "Visibility").Set(0);
   representation->UpdateVTKObjects();
+  this->WaitForLegend(representation); // which is that of something hidden
   MakeScene(this->Owner, this->Scene, view);
 }
 
