@@ -169,8 +169,8 @@ def proxies_of_plugin():
     """Names of all sources and filters in the plugin's menus, without the ready-made landscapes."""
     folder = os.path.join(os.environ["LITTORAL_SOURCE_DIR"], "paraview-plugin")
     roots = [ElementTree.parse(path).getroot() for path in glob.glob(os.path.join(folder, "*.xml"))]
-    compound = {p.get("name") for root in roots for p in root.iter("LandscapeProxy")}
-    return {p.get("name") for root in roots for p in root.iterfind("./*/Category/Proxy")} - compound
+    scenes = {p.get("name") for root in roots for p in root.iterfind(".//Scene/..")}
+    return {p.get("name") for root in roots for p in root.iterfind("./*/Category/Proxy")} - scenes
 
 
 missing = proxies_of_plugin() - {mistake[0] for mistake in MISTAKES}

@@ -13,10 +13,8 @@ from paraview import simple
 
 def show_forest(view):
     """Trees and ground that follow the camera."""
-    forest = simple.Forest(TreesPerQuadrat=0.05)
-    assert forest.FollowCamera == 1
-    for port in range(2):
-        simple.Show(simple.OutputPort(forest, port), view)
+    simple.Show(simple.Forest(MeanPerQuadrat=0.05), view)
+    assert simple.FindSource("Trees").FollowCamera == 1
 
 
 def show_particles(view):

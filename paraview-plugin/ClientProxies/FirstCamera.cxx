@@ -127,7 +127,7 @@ void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
   if (!this->WasReset && !IsEmpty(this->View))
   {
     this->WasReset = true;
-    if (!this->Place.IsOfFlatData)
+    if (!this->Place.IsOfFlatData || this->Place.IsFixed)
     {
       MoveCamera(this->View->GetActiveCamera(), this->Place);
     }
@@ -147,8 +147,11 @@ void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
   vtkSMPropertyHelper(this->View, "CameraParallelProjection").Set(0);
   this->View->UpdateVTKObjects();
   MoveCamera(camera, this->Place);
-  this->View->ResetCamera(); // to what is drawn of it
-  camera->Dolly(this->Place.Closer);
+  if (!this->Place.IsFixed)
+  {
+    this->View->ResetCamera(); // to what is drawn of it
+    camera->Dolly(this->Place.Closer);
+  }
 }
 
 //----------------------------------------------------------------------------

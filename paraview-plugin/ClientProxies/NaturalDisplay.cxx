@@ -5,6 +5,7 @@
 #include "ColorHelper.h"
 #include "Daylight.h"
 #include "FirstLook.h"
+#include "Scene.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -93,6 +94,19 @@ bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
       [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
 }
 
+/// Whether nobody, and no script of a state, has placed the camera of a view.
+bool HasDefaultCamera(vtkSMProxy* view)
+{
+  return view->GetProperty("CameraPosition")->IsValueDefault() &&
+    view->GetProperty("CameraFocalPoint")->IsValueDefault();
+}
+
+/// Whether proxies are registered by a state file, or by undo and redo.
+bool IsLoadingState(vtkSMSessionProxyManager* manager)
+{
+  return manager->GetInLoadXMLState() || !manager->IsStateUpdateNotificationEnabled();
+}
+
 /// Clears a view for what replaces all that it shows.
 void HideAll(vtkSMProxy* view)
 {
@@ -144,28 +158,24 @@ void NaturalDisplay::Watch()
 }
 
 //----------------------------------------------------------------------------
-const char* NaturalDisplay::Hint(const char* name)
+void NaturalDisplay::SetLook(vtkPVXMLElement* look)
 {
-  vtkPVXMLElement* hints = this->Owner->GetHints();
-  vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("NaturalDisplay") : nullptr;
-  return hint ? hint->GetAttribute(name) : nullptr;
+  this->Look = look;
 }
 
 //----------------------------------------------------------------------------
-const char* NaturalDisplay::HintFor(int port, const char* name)
+void NaturalDisplay::SetScene(vtkPVXMLElement* scene)
+{
+  this->Scene = scene;
+}
+
+//----------------------------------------------------------------------------
+const char* NaturalDisplay::Hint(const char* name)
 {
   vtkPVXMLElement* hints = this->Owner->GetHints();
-  for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
-  {
-    vtkPVXMLElement* hint = hints->GetNestedElement(k);
-    int ofPort = -1;
-    if (std::strcmp(hint->GetName(), "NaturalDisplay") == 0 && hint->GetScalarAttribute("port", &ofPort) &&
-      ofPort == port && hint->GetAttribute(name))
-    {
-      return hint->GetAttribute(name);
-    }
-  }
-  return this->Hint(name);
+  vtkPVXMLElement* ofType = hints ? hints->FindNestedElementByName("NaturalDisplay") : nullptr;
+  vtkPVXMLElement* hint = this->Look ? this->Look.Get() : ofType;
+  return hint ? hint->GetAttribute(name) : nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -173,7 +183,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
   if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName ||
-    std::strcmp(registered->GroupName, "representations") != 0 || this->Manager->GetInLoadXMLState())
+    std::strcmp(registered->GroupName, "representations") != 0 || IsLoadingState(this->Manager))
   {
     return;
   }
@@ -183,7 +193,11 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     return;
   }
   const vtkSMPropertyHelper input(representation, "Input");
-  if (input.GetAsProxy() == this->Owner)
+  if (input.GetAsProxy() == this->Owner && this->Scene && IsLastOfPipeline(this->Owner))
+  {
+    this->MakeSceneOf(representation);
+  }
+  else if (input.GetAsProxy() == this->Owner)
   {
     this->Owner->UpdatePipelineInformation();
     vtkSMRenderViewProxy* view = this->ActiveView();
@@ -194,6 +208,25 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     this->Show(representation, input.GetOutputPort());
     this->SetUpView(input.GetOutputPort());
   }
+}
+
+//----------------------------------------------------------------------------
+/// What a scene begins with is hidden, as the input of a filter is, and the rest is shown.
+void NaturalDisplay::MakeSceneOf(vtkSMProxy* representation)
+{
+  this->Show(representation, 0);
+  vtkSMRenderViewProxy* view = this->ActiveView();
+  if (!view)
+  {
+    return;
+  }
+  this->Look = this->Scene;
+  this->SetUpView(0);
+  this->Look = nullptr;
+  vtkSMPropertyHelper(representation, "Visibility").Set(0);
+  representation->UpdateVTKObjects();
+  this->WaitForLegend(representation); // which is that of something hidden
+  MakeScene(this->Owner, this->Scene, view);
 }
 
 //----------------------------------------------------------------------------
@@ -244,7 +277,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
     {
       this->ShowBlocks(representation, data->GetArrayInformation("SiteId", vtkDataObject::FIELD) != nullptr);
     }
-    this->TakeColors(representation, data, port);
+    this->TakeColors(representation, data);
   }
   representation->UpdateVTKObjects();
 }
@@ -268,7 +301,7 @@ void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port)
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data)
 {
   if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
   {
@@ -283,13 +316,13 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
   }
-  if (const char* ambient = this->HintFor(port, "ambient"))
+  if (const char* ambient = this->Hint("ambient"))
   {
     ShadeAsWater(representation, std::atof(ambient));
   }
   if (AreParticles(data))
   {
-    const char* smallest = this->HintFor(port, "sprite");
+    const char* smallest = this->Hint("sprite");
     ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
   }
   if (const char* radius = this->Hint("disk-radius"))
@@ -307,6 +340,10 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (extinction && mood)
   {
     FadeAway(representation, mood, std::atof(extinction));
+    if (AreParticles(data))
+    {
+      FadeSpritesAway(representation, mood, std::atof(extinction));
+    }
   }
   const char* array = this->Hint("color");
   if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
@@ -422,17 +459,17 @@ void NaturalDisplay::SetUpView(int port)
   const char* closer = this->Hint("closer");
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
-  place.IsOfFlatData =
-    data && elevation && std::atof(elevation) < 90.0 && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
-  place.IsOnMap = isMap && elevation && std::atof(elevation) < 90.0;
+  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
+  const bool isFromSide = place.IsFixed || (elevation && std::atof(elevation) < 90.0);
+  place.IsOfFlatData = data && isFromSide && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
+  place.IsOnMap = isMap && isFromSide;
   if (place.IsOnMap)
   {
     HideAll(view);
   }
-  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
-  if (place.IsFixed)
+  if (place.IsFixed && HasDefaultCamera(view))
   {
     // Filters that follow the camera have nothing to show before it is there.
     MoveCamera(view->GetActiveCamera(), place);

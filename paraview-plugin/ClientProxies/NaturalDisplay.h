@@ -5,10 +5,12 @@
 
 #include "FirstCamera.h"
 
-#include "vtkWeakPointer.h" // for what is watched
+#include "vtkSmartPointer.h" // for the look of a part of a scene
+#include "vtkWeakPointer.h"  // for what is watched
 
 class vtkObject;
 class vtkPVDataInformation;
+class vtkPVXMLElement;
 class vtkSMProxy;
 class vtkSMRenderViewProxy;
 class vtkSMSessionProxyManager;
@@ -38,7 +40,7 @@ namespace littoral
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
  *
- * A second hint with `port` says `ambient` or `sprite` of that output alone.
+ * A source with a Scene brings the rest of a pipeline with it when it is first shown, and is hidden itself.
  *
  * Later changes by the user, and those of a state file, stay.
  */
@@ -56,14 +58,20 @@ public:
   /// To be called when the owner has a session.
   void Watch();
 
+  /// Attributes that take the place of the hint.
+  void SetLook(vtkPVXMLElement* look);
+
+  /// The rest of the pipeline, see MakeScene. Its attributes are for the view.
+  void SetScene(vtkPVXMLElement* scene);
+
 private:
   const char* Hint(const char* name);
-  const char* HintFor(int port, const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
+  void MakeSceneOf(vtkSMProxy* representation);
   void LookAtInput();
   void Show(vtkSMProxy* representation, int port);
   void ShowBlocks(vtkSMProxy* representation, bool isForest);
-  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port);
+  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();
@@ -73,6 +81,8 @@ private:
   void SetUpView(int port);
 
   vtkSMSourceProxy* Owner;
+  vtkSmartPointer<vtkPVXMLElement> Look;
+  vtkSmartPointer<vtkPVXMLElement> Scene;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
   vtkWeakPointer<vtkSMProxy> Empty; ///< what was shown without data

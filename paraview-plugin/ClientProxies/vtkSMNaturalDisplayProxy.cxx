@@ -3,9 +3,11 @@
 #include "vtkSMNaturalDisplayProxy.h"
 
 #include "NaturalDisplay.h"
+#include "Scene.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMProperty.h"
 #include "vtkSmartPointer.h"
 
 #include <cstring>
@@ -75,7 +77,30 @@ vtkSMNaturalDisplayProxy::~vtkSMNaturalDisplayProxy() = default;
 //----------------------------------------------------------------------------
 int vtkSMNaturalDisplayProxy::CreateSubProxiesAndProperties(vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
 {
-  return this->Superclass::CreateSubProxiesAndProperties(manager, element ? InOrderOfGroups(element).Get() : nullptr);
+  const int done =
+    this->Superclass::CreateSubProxiesAndProperties(manager, element ? InOrderOfGroups(element).Get() : nullptr);
+  if (vtkPVXMLElement* scene = element ? element->FindNestedElementByName("Scene") : nullptr)
+  {
+    this->Scene = scene;
+    this->Display->SetScene(scene);
+    littoral::SetValues(this, scene);
+  }
+  return done;
+}
+
+//----------------------------------------------------------------------------
+void vtkSMNaturalDisplayProxy::CreateVTKObjects()
+{
+  this->Superclass::CreateVTKObjects();
+  // Defaults are taken as known to the server.
+  for (unsigned int k = 0; this->Scene && this->ObjectsCreated && k < this->Scene->GetNumberOfNestedElements(); ++k)
+  {
+    const char* name = this->Scene->GetNestedElement(k)->GetAttribute("property");
+    if (vtkSMProperty* property = name ? this->GetProperty(name) : nullptr)
+    {
+      property->Modified();
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -83,6 +108,12 @@ void vtkSMNaturalDisplayProxy::UpdateVTKObjects()
 {
   this->Superclass::UpdateVTKObjects();
   this->Display->Watch();
+}
+
+//----------------------------------------------------------------------------
+void vtkSMNaturalDisplayProxy::SetLook(vtkPVXMLElement* look)
+{
+  this->Display->SetLook(look);
 }
 
 //----------------------------------------------------------------------------
