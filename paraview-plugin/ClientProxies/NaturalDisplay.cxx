@@ -127,6 +127,7 @@ bool HasData(vtkPVDataInformation* data)
 NaturalDisplay::~NaturalDisplay()
 {
   this->StopWaitingForLegend();
+  this->StopWatchingVisibility();
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -173,7 +174,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
   if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName ||
-    std::strcmp(registered->GroupName, "representations") != 0 || this->Manager->GetInLoadXMLState())
+    std::strcmp(registered->GroupName, "representations") != 0)
   {
     return;
   }
@@ -183,7 +184,12 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     return;
   }
   const vtkSMPropertyHelper input(representation, "Input");
-  if (input.GetAsProxy() == this->Owner)
+  if (input.GetAsProxy() != this->Owner)
+  {
+    return;
+  }
+  this->WatchVisibility(representation);
+  if (!this->Manager->GetInLoadXMLState())
   {
     this->Owner->UpdatePipelineInformation();
     vtkSMRenderViewProxy* view = this->ActiveView();
@@ -401,6 +407,36 @@ void NaturalDisplay::StopWaitingForLegend()
     this->LegendView->RemoveObserver(this->LegendObserver);
   }
   this->LegendView = nullptr;
+}
+
+//----------------------------------------------------------------------------
+/// ParaView shows a legend whenever a representation is shown again, though colors that are not mapped have none.
+void NaturalDisplay::WatchVisibility(vtkSMProxy* representation)
+{
+  this->StopWatchingVisibility();
+  this->Watched = representation;
+  this->VisibilityObserver = representation->GetProperty("Visibility")
+                               ->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility);
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnVisibility(vtkObject*, unsigned long, void*)
+{
+  if (this->Watched && vtkSMPropertyHelper(this->Watched, "Visibility").GetAsInt() != 0 &&
+    vtkSMPropertyHelper(this->Watched, "MapScalars").GetAsInt() == 0)
+  {
+    this->WaitForLegend(this->Watched);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::StopWatchingVisibility()
+{
+  if (this->Watched)
+  {
+    this->Watched->GetProperty("Visibility")->RemoveObserver(this->VisibilityObserver);
+  }
+  this->Watched = nullptr;
 }
 
 //----------------------------------------------------------------------------
