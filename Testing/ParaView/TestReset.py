@@ -36,8 +36,16 @@ def play(view):
     scene = simple.GetAnimationScene()
     scene.PlayMode = "Sequence"
     scene.NumberOfFrames = 3
-    scene.AddObserver("AnimationCueTickEvent", lambda *_: view.GetActiveCamera().Azimuth(5.0))
+    frames = []
+
+    def on_tick(*_):
+        frames.append(view.GetActiveCamera().Azimuth(5.0))
+
+    ticks = scene.GetClientSideObject()
+    tick = ticks.AddObserver("AnimationCueTickEvent", on_tick)
     scene.Play()
+    ticks.RemoveObserver(tick)
+    assert len(frames) == 3, f"the film had {len(frames)} frames"
 
 
 SHOWN = (show_forest, show_particles, show_tree)

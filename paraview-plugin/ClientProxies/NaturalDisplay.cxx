@@ -141,6 +141,7 @@ bool HasData(vtkPVDataInformation* data)
 NaturalDisplay::~NaturalDisplay()
 {
   this->StopWaitingForLegend();
+  this->StopWatchingVisibility();
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -183,7 +184,7 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
   if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName ||
-    std::strcmp(registered->GroupName, "representations") != 0 || IsLoadingState(this->Manager))
+    std::strcmp(registered->GroupName, "representations") != 0)
   {
     return;
   }
@@ -193,21 +194,28 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     return;
   }
   const vtkSMPropertyHelper input(representation, "Input");
-  if (input.GetAsProxy() == this->Owner && this->Scene && IsLastOfPipeline(this->Owner))
+  if (input.GetAsProxy() != this->Owner)
+  {
+    return;
+  }
+  this->WatchVisibility(representation);
+  if (IsLoadingState(this->Manager))
+  {
+    return;
+  }
+  if (this->Scene && IsLastOfPipeline(this->Owner))
   {
     this->MakeSceneOf(representation);
+    return;
   }
-  else if (input.GetAsProxy() == this->Owner)
+  this->Owner->UpdatePipelineInformation();
+  vtkSMRenderViewProxy* view = this->ActiveView();
+  if (view && IsEmpty(view))
   {
-    this->Owner->UpdatePipelineInformation();
-    vtkSMRenderViewProxy* view = this->ActiveView();
-    if (view && IsEmpty(view))
-    {
-      this->LookAtInput();
-    }
-    this->Show(representation, input.GetOutputPort());
-    this->SetUpView(input.GetOutputPort());
+    this->LookAtInput();
   }
+  this->Show(representation, input.GetOutputPort());
+  this->SetUpView(input.GetOutputPort());
 }
 
 //----------------------------------------------------------------------------
@@ -438,6 +446,36 @@ void NaturalDisplay::StopWaitingForLegend()
     this->LegendView->RemoveObserver(this->LegendObserver);
   }
   this->LegendView = nullptr;
+}
+
+//----------------------------------------------------------------------------
+/// ParaView shows a legend whenever a representation is shown again, though colors that are not mapped have none.
+void NaturalDisplay::WatchVisibility(vtkSMProxy* representation)
+{
+  this->StopWatchingVisibility();
+  this->Watched = representation;
+  this->VisibilityObserver = representation->GetProperty("Visibility")
+                               ->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility);
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnVisibility(vtkObject*, unsigned long, void*)
+{
+  if (this->Watched && vtkSMPropertyHelper(this->Watched, "Visibility").GetAsInt() != 0 &&
+    vtkSMPropertyHelper(this->Watched, "MapScalars").GetAsInt() == 0)
+  {
+    this->WaitForLegend(this->Watched);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::StopWatchingVisibility()
+{
+  if (this->Watched)
+  {
+    this->Watched->GetProperty("Visibility")->RemoveObserver(this->VisibilityObserver);
+  }
+  this->Watched = nullptr;
 }
 
 //----------------------------------------------------------------------------

@@ -78,6 +78,9 @@ private:
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject*, unsigned long, void*);
   void StopWaitingForLegend();
+  void WatchVisibility(vtkSMProxy* representation);
+  void OnVisibility(vtkObject*, unsigned long, void*);
+  void StopWatchingVisibility();
   void SetUpView(int port);
 
   vtkSMSourceProxy* Owner;
@@ -91,6 +94,8 @@ private:
   vtkWeakPointer<vtkSMProxy> Colored; ///< whose legend would mean nothing
   vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
   unsigned long LegendObserver = 0;
+  vtkWeakPointer<vtkSMProxy> Watched; ///< the newest representation
+  unsigned long VisibilityObserver = 0;
   FirstCamera Camera;
 };
 
