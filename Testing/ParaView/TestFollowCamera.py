@@ -5,7 +5,6 @@
 
 import math
 import os
-import subprocess
 
 from paraview import simple
 
@@ -122,23 +121,12 @@ def check_here(where):
     check_follows(forest, view, f"{where}, after a state")
 
 
-def check_server():
-    """The same in front of a server."""
-    server = subprocess.Popen(["pvserver", f"--server-port={PORT}"], stdout=subprocess.PIPE)
-    try:
-        for line in server.stdout:
-            if b"Accepting connection" in line:
-                break
-        simple.Connect("localhost", PORT)
-        check_here("server")
-        simple.Disconnect()
-    finally:
-        server.terminate()
-        server.wait()
-
-
 if os.environ.get("LITTORAL_CLIENT_SCRIPT"):
     check_here("window")
 else:
+    # In the window the folder of this script is not on the path.
+    from server import connected
+
     check_here("batch")
-    check_server()
+    with connected(PORT):
+        check_here("server")
