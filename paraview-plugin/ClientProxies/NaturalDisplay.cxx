@@ -292,9 +292,9 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     const char* smallest = this->HintFor(port, "sprite");
     ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
   }
-  if (const char* radius = this->Hint("disk-radius"))
+  if (const char* size = this->Hint("dots"))
   {
-    ShowAsDisks(representation, std::atof(radius));
+    ShowAsDots(representation, std::atof(size));
   }
   const char* fog = this->Hint("fog");
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))

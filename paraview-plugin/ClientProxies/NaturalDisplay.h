@@ -29,7 +29,8 @@ namespace littoral
  * there are data, `color` one that a color map shows, `color-map` a preset for it.
  *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water.
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
- * `sprite` [diagonals of the data]; points with `disk-radius` [m] are disks; the array of `fog` [1/m] is a volume.
+ * `sprite` [diagonals of the data]; points with `dots` are dots of that size [pixels]; the array of `fog`
+ * [1/m] is a volume.
  *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
