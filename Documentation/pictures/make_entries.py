@@ -163,6 +163,7 @@ def take_first_look(name, label):
         wait_until(place_of_apply)
         time.sleep(1.0)
         click(*place_of_apply())
+        wait_until(lambda: not place_of_apply())
         do("mousemove", SIZE[0] - 1, SIZE[1] - 1)
         save(grab_at_rest(), file_of(name), 60, "-quality", "85", "-crop", PART, "+repage", "-resize", "1000x")
 

@@ -89,6 +89,12 @@ void ShadeAsWater(vtkSMProxy* representation, double ambient)
 }
 
 //----------------------------------------------------------------------------
+void ShadeUnderSky(vtkSMProxy* representation, double share)
+{
+  vtkSMPropertyHelper(representation, "Ambient").Set(share);
+}
+
+//----------------------------------------------------------------------------
 void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset)
 {
   ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);

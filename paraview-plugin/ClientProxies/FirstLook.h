@@ -19,6 +19,9 @@ void ShadeSmoothly(vtkSMProxy* representation, const char* array);
 /// Lights a surface whose colors have the sky in them: a share of ambient light, the rest scattered, and glitter.
 void ShadeAsWater(vtkSMProxy* representation, double ambient);
 
+/// Light of the sky and of the ground from everywhere, added to that of the lights: no leaf is black.
+void ShadeUnderSky(vtkSMProxy* representation, double share);
+
 /// Colors by a point array. A color map that is still ParaView's own becomes a preset, unless `preset` is null.
 void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset);
 
