@@ -62,7 +62,7 @@ def prepare(name):
                     proxy.GetProperty(property_name).SetData(other)
 
     if others:
-        manager.SMProxyManager.GetActiveSessionProxyManager().AddObserver("RegisterEvent", connect)
+        manager.SMProxyManager.AddObserver("RegisterEvent", connect)
     say_ready()
 
 

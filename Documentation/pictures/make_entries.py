@@ -64,6 +64,14 @@ def read_entries():
     return entries
 
 
+def read_messages():
+    """What was said after a mistake with each entry."""
+    if not os.path.exists(MESSAGES):
+        return {}
+    with open(MESSAGES, encoding="utf-8") as file:
+        return json.load(file)
+
+
 # --- the window -----------------------------------------------------------------------------------
 
 
@@ -134,16 +142,16 @@ def save(picture, name, kilobytes, *options):
 @contextlib.contextmanager
 def window_of(name, role):
     """A client in which entry_in_window.py has played a role; the file of what it prints."""
-    ready = os.path.join(FOLDER, "ready")
-    with tempfile.TemporaryFile("w+") as log:
+    with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryFile("w+") as log:
+        ready = os.path.join(folder, "ready")
         client = subprocess.Popen(["paraview", "--dr", "--script=" + os.path.join(HERE, "entry_in_window.py")],
                                   env=dict(os.environ, LITTORAL_SOURCE_DIR=TOP, LITTORAL_ENTRY=name, LITTORAL_ROLE=role,
                                            LITTORAL_READY=ready), stdout=log, stderr=log)
         try:
             wait_until(lambda: os.path.exists(ready))
-            os.remove(ready)
+            wait_until(windows)
             do("search", "--onlyvisible", "--name", "ParaView", "windowmove", 0, 0, "windowsize", *SIZE)
-            time.sleep(1.0)
+            grab_at_rest()
             yield log
         finally:
             client.kill()
@@ -153,12 +161,12 @@ def window_of(name, role):
 def take_first_look(name, label):
     with window_of(name, "first look"):
         drag((296, 600), (400, 600))
-        click(150, 250)
+        click(900, 700)
         before = windows()
         do("key", "ctrl+space")
         wait_until(lambda: windows() != before)
         do("type", label)
-        time.sleep(0.5)
+        time.sleep(1.0)
         do("key", "Return")
         wait_until(place_of_apply)
         time.sleep(1.0)
@@ -200,10 +208,7 @@ def write_page(entries, said):
 
 def main():
     os.makedirs(FOLDER, exist_ok=True)
-    entries, said = read_entries(), {}
-    if os.path.exists(MESSAGES):
-        with open(MESSAGES, encoding="utf-8") as file:
-            said = json.load(file)
+    entries, said = read_entries(), read_messages()
     failed = []
     for _, name, label, _ in entries:
         if len(sys.argv) > 1 and name not in sys.argv:
@@ -217,7 +222,7 @@ def main():
             continue
         if len(sentences) != 1:
             failed.append(f"{name}: not one message but {sentences}")
-        said[name] = sentences[0] if sentences else ""
+        said = {**read_messages(), name: sentences[0] if sentences else ""}
         with open(MESSAGES, "w", encoding="utf-8") as file:
             json.dump(said, file, indent=1, sort_keys=True)
             file.write("\n")
