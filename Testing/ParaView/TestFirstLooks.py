@@ -105,7 +105,7 @@ def check_others():
         source = simple.FlowPrimitive(FlowType=flow)
         arrows = check(f"Flow Primitive {flow}", source, "Flow Arrows", "RGB", "water", least)
         assert arrows.mean(axis=0)[0] > 100, "arrows are not bright"
-    check("Quadrat Points", simple.QuadratPoints(), "Point Gaussian", None, "paper", 0.005, spread=0.0,
+    check("Quadrat Points", simple.QuadratPoints(), "Points", None, "paper", 0.005, spread=0.0,
           seen_from="above")
     check("Seaweed", simple.Seaweed(), "Surface", "RGB", "water", 0.02)
     for name in ("AonoKuniiTree", "ReevesTree", "GardnerPlant"):

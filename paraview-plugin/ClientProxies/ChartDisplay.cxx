@@ -259,9 +259,9 @@ void ChartDisplay::DrawSeries(vtkSMProxy* representation, vtkPVXMLElement* hint,
 /// Other data may have other series: the best models of another terrain.
 void ChartDisplay::OnData(vtkObject*, unsigned long, void*)
 {
-  if (vtkSMRenderViewProxy::SafeDownCast(this->ActiveView()))
+  if (vtkSMProxy* view = this->ViewOfScene())
   {
-    this->FormerView = this->ActiveView();
+    this->FormerView = view;
   }
   const auto isGone = [](const Chart& chart) { return !chart.Representation; };
   this->Charts.erase(std::remove_if(this->Charts.begin(), this->Charts.end(), isGone), this->Charts.end());
@@ -376,6 +376,25 @@ vtkSMProxy* ChartDisplay::ActiveView()
 {
   vtkSMProxySelectionModel* active = this->Manager->GetSelectionModel("ActiveView");
   return active ? active->GetCurrentProxy() : nullptr;
+}
+
+//----------------------------------------------------------------------------
+/// The active view, or the first one in three dimensions where a table or a chart is active.
+vtkSMProxy* ChartDisplay::ViewOfScene()
+{
+  if (vtkSMRenderViewProxy::SafeDownCast(this->ActiveView()))
+  {
+    return this->ActiveView();
+  }
+  for (unsigned int k = 0; k < this->Manager->GetNumberOfProxies("views"); ++k)
+  {
+    vtkSMProxy* view = this->Manager->GetProxy("views", this->Manager->GetProxyName("views", k));
+    if (vtkSMRenderViewProxy::SafeDownCast(view))
+    {
+      return view;
+    }
+  }
+  return nullptr;
 }
 
 //----------------------------------------------------------------------------

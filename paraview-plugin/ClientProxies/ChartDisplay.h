@@ -90,6 +90,7 @@ private:
   void HideColumns(vtkSMProxy* view, vtkPVXMLElement* hint, int port);
   void WaitForView(vtkSMProxy* representation, int port);
   vtkSMProxy* ActiveView();
+  vtkSMProxy* ViewOfScene();
   static void StopObserving(std::vector<Observation>& observed);
 
   vtkSMSourceProxy* Owner;
@@ -101,7 +102,7 @@ private:
   int HomelessPort = 0;
   std::vector<Observation> Views;        ///< to one of which it will be added
   std::vector<Observation> Pictures;     ///< first pictures of opened views
-  vtkWeakPointer<vtkSMProxy> FormerView; ///< render view that was active before
+  vtkWeakPointer<vtkSMProxy> FormerView; ///< render view to return to
 };
 
 }

@@ -15,16 +15,19 @@
 #include "vtkPVXMLElement.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -133,6 +136,23 @@ bool Offers(vtkSMProxy* representation, const char* way)
 bool HasData(vtkPVDataInformation* data)
 {
   return data && (data->GetNumberOfPoints() > 0 || data->GetNumberOfRows() > 0);
+}
+
+/// Leaves the named properties of a display in its panel, the others behind the gear.
+void ShortenPanel(vtkSMProxy* representation, const char* names)
+{
+  std::istringstream words(names);
+  const std::set<std::string> wanted{ std::istream_iterator<std::string>(words), {} };
+  auto properties = vtkSmartPointer<vtkSMPropertyIterator>::Take(representation->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    const char* visibility = properties->GetProperty()->GetPanelVisibility();
+    const bool isShown = !visibility || std::strcmp(visibility, "default") == 0;
+    if (isShown && wanted.count(properties->GetKey()) == 0)
+    {
+      properties->GetProperty()->SetPanelVisibility("advanced");
+    }
+  }
 }
 
 }
@@ -271,6 +291,10 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
 {
   this->Owner->UpdatePipeline();
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
+  if (const char* panel = this->Hint("panel"))
+  {
+    ShortenPanel(representation, panel);
+  }
   if (!HasData(data))
   {
     this->WaitForData(representation, port);
@@ -328,14 +352,18 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     ShadeAsWater(representation, std::atof(ambient));
   }
+  if (const char* sky = this->HintFor(port, "sky"))
+  {
+    ShadeUnderSky(representation, std::atof(sky));
+  }
   if (AreParticles(data))
   {
     const char* smallest = this->Hint("sprite");
     ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
   }
-  if (const char* radius = this->Hint("disk-radius"))
+  if (const char* size = this->Hint("dots"))
   {
-    ShowAsDisks(representation, std::atof(radius));
+    ShowAsDots(representation, std::atof(size));
   }
   const char* fog = this->Hint("fog");
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))

@@ -29,9 +29,12 @@ namespace littoral
  *
  *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
  * there are data, `color` one that a color map shows, `color-map` a preset for it.
- *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water.
+ *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water; a
+ *    share `sky` is added to that of the lights, for leaves in the shade.
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
- * `sprite` [diagonals of the data]; points with `disk-radius` [m] are disks; the array of `fog` [1/m] is a volume.
+ * `sprite` [diagonals of the data]; points with `dots` are dots of that size [pixels]; the array of `fog`
+ * [1/m] is a volume.
+ *  - Only the properties `panel` of the display are in its panel without the gear.
  *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
