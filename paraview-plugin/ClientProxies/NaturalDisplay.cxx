@@ -352,7 +352,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     ShadeAsWater(representation, std::atof(ambient));
   }
-  if (const char* sky = this->HintFor(port, "sky"))
+  if (const char* sky = this->Hint("sky"))
   {
     ShadeUnderSky(representation, std::atof(sky));
   }
