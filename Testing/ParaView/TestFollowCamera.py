@@ -114,7 +114,8 @@ def check_here(where):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [400, 300]
     forest = forest_in(view)
-    simple.Render(view)  # the first picture of a view resets its camera
+    simple.Render(view)  # the first picture of a view resets its camera, to what it shows
+    assert sum(counts(forest)) == NUMBER, f"{where}: {counts(forest)} plants in the first picture, not {NUMBER}"
     check_follows(forest, view, where)
     check_parallel(forest, view, where)
     check_horizontal(forest, view, where)

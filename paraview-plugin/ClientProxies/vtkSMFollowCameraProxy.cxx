@@ -10,6 +10,7 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
@@ -49,6 +50,19 @@ littoral::View ViewOf(vtkSMProxy* filter)
   view.Height = vtkSMPropertyHelper(filter, "ViewHeight").GetAsDouble();
   view.DetailFactor = vtkSMPropertyHelper(filter, "DetailFactor").GetAsDouble();
   return view;
+}
+
+/// Whether a view still has its first camera, before which a level of detail would show nothing: ParaView draws once,
+/// and places the camera by what it has drawn.
+bool HasFirstCamera(vtkSMRenderViewProxy* shown)
+{
+  const littoral::Vector3 position = GetVector(shown, "CameraPosition");
+  const littoral::Vector3 focus = GetVector(shown, "CameraFocalPoint");
+  vtkCamera* camera = shown->GetActiveCamera();
+  return shown->GetProperty("CameraPosition")->IsValueDefault() &&
+    shown->GetProperty("CameraFocalPoint")->IsValueDefault() &&
+    std::equal(&position.x, &position.x + 3, camera->GetPosition()) &&
+    std::equal(&focus.x, &focus.x + 3, camera->GetFocalPoint());
 }
 
 /// What the camera of a view shows; a view that has no size yet leaves that of another. A screenshot larger than the
@@ -150,7 +164,7 @@ void vtkSMFollowCameraProxy::OnActiveView()
 //----------------------------------------------------------------------------
 void vtkSMFollowCameraProxy::OnPicture(vtkObject*, unsigned long, void* isInteractive)
 {
-  if (!this->View || !this->View->GetActiveCamera() || this->IsTaking)
+  if (!this->View || !this->View->GetActiveCamera() || this->IsTaking || HasFirstCamera(this->View))
   {
     return;
   }
