@@ -34,7 +34,7 @@ class Session:
         self.module = os.path.splitext(os.path.basename(test))[0]
         self.folder = os.path.dirname(os.path.abspath(test))
         self.events = []
-        self.menu("menuTools", "actionTesting_Window_Size")
+        self.small_view()
 
     def event(self, widget, command="activate", arguments=""):
         self.events.append((widget, command, str(arguments)))
@@ -43,6 +43,10 @@ class Session:
         """Call a function of the test in the client."""
         self.event(SHELL, "executeCommand",
                    f"import player; player.call({self.module!r}, {function.__name__!r}, {arguments!r})")
+
+    def small_view(self):
+        """Make the views 300 by 300 pixels, or not again."""
+        self.menu("menuTools", "actionTesting_Window_Size")
 
     def menu(self, *names):
         self.event("/".join((WINDOW, "menubar", *names)))
@@ -66,7 +70,9 @@ class Session:
         self.menu("menu_Edit", "actionEditRedo")
 
     def reset(self):
-        self.event(f"{WINDOW}/MainControlsToolbar/actionReset_Session")
+        """Edit > Reset Session."""
+        self.menu("menu_Edit", "actionDelete_All")
+        self.event(f"{WINDOW}/CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")  # Yes
 
     def select(self, *rows):
         """Select an entry of the pipeline browser by its row below each other: 0, 1 is the second output of the first."""
@@ -100,7 +106,7 @@ class Session:
         self.menu("menu_File", "actionFileLoadServerState")
         self.event(f"{WINDOW}/FileLoadServerStateDialog", "filesSelected", os.path.abspath(file))
 
-    def play(self, timeout=240):
+    def play(self, timeout=90):
         """Play all steps in a client of its own."""
         write_events("steps.xml", self.events)
         paths = os.pathsep.join((self.folder, os.environ.get("PYTHONPATH", "")))
@@ -150,7 +156,7 @@ def picture(file):
 def drawn(file):
     """The part of a picture that is not of its most frequent color; the cross of the axes in its corner aside."""
     pixels = picture(file)
-    pixels[:80, :80] = pixels[-1, -1]
+    pixels[:len(pixels) * 3 // 10, :pixels.shape[1] * 3 // 10] = pixels[-1, -1]
     return (np.abs(pixels - np.median(pixels, axis=(0, 1))).max(axis=2) > 12).mean()
 
 
