@@ -2,10 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What make_entries.py does inside ParaView's window: the inputs of the entry LITTORAL_ENTRY, or a mistake with it."""
 
+import math
 import os
 import sys
+import tempfile
 
 from paraview import servermanager, simple
+
+def measured_spectrum():
+    """A table as of a buoy, S = 1e-4 f^-5 exp(-(0.1 / f)^4) [m^2 / Hz]."""
+    with tempfile.NamedTemporaryFile("w", suffix=".csv", delete=False) as file:
+        file.write("Frequency,Density\n")
+        for k in range(5, 60):
+            f = 0.01 * k
+            file.write(f"{f:.2f},{1e-4 * f ** -5 * math.exp(-((0.1 / f) ** 4)):.6g}\n")
+    return simple.CSVReader(FileName=[file.name])
+
 
 def usual_inputs(name):
     """Makes and applies what an entry is usually applied to, shown as a user's view has it: (input, other inputs)."""
@@ -20,7 +32,7 @@ def usual_inputs(name):
         "QuadratAnalysis": lambda: (simple.QuadratPoints(), {}),
         "QuadratPointsFromFits": lambda: (simple.QuadratAnalysis(Input=simple.QuadratPoints()), {}),
         "PlantScatter": lambda: (simple.QuadratPoints(Size=[200, 200]), {"Prototypes": simple.ReevesTree()}),
-        "MeasuredSeaState": lambda: (simple.SeaStatistics(Input=simple.SeaState()), {}),
+        "MeasuredSeaState": lambda: (measured_spectrum(), {}),
         "SeaStatistics": lambda: (simple.SeaState(), {}),
         "SeaSurface": lambda: (simple.SeaState(), {}),
         "SeaweedDeformation": lambda: (simple.Seaweed(),
@@ -50,42 +62,26 @@ def show(proxy):
     simple.SetActiveSource(proxy)
 
 
-def connect_when_made(name, others):
-    """Connects the other inputs of an entry when that is made."""
-    manager = servermanager.ProxyManager()
-
-    def connect(*_):
-        made = [proxy for proxy in manager.GetProxiesInGroup("sources").values() if proxy.GetXMLName() == name]
-        for proxy in made:
-            for property_name, other in others.items():
-                if not len(proxy.GetProperty(property_name)):
-                    proxy.GetProperty(property_name).SetData(other)
-
-    manager.SMProxyManager.AddObserver("RegisterEvent", connect)
-
-
 def prepare(name):
-    """The inputs of an entry, as a user has them; an entry that asks for two inputs in a dialog is made here, too."""
+    """A filter with its usual inputs, shown after them, in whose place it is; a source is made in the window."""
     first, others = usual_inputs(name)
-    for one in others.values():
-        one.UpdatePipeline()
-    if first:
-        show(first)
-        simple.ResetCamera(simple.GetActiveViewOrCreate("RenderView"))
-        simple.Render()
-    if name == "CurrentDrift":  # after half a minute of its film, in which the vortex shows
-        simple.Show(others["Currents"])
-        simple.GetAnimationScene().AnimationTime = 30.0
-        simple.SetActiveSource(first)
-    if name == "PlantScatter":
-        show(simple.PlantScatter(Sites=first, **others))
-        simple.Hide(first)
-        simple.Render()
-        say_ready("made")
+    if first is None:
+        say_ready()
         return
-    if others:
-        connect_when_made(name, others)
-    say_ready()
+    first.UpdatePipeline()
+    is_table = "Table" in first.GetDataInformation().GetDataSetTypeAsString()
+    view = simple.GetActiveViewOrCreate("RenderView")
+    if not is_table or name == "SeaStatistics":
+        show(first)
+        simple.ResetCamera(view)
+        simple.Render(view)
+    show(getattr(simple, name)(**{"Sites" if name == "PlantScatter" else "Input": first}, **others))
+    if is_table:
+        simple.ResetCamera(view)
+    else:
+        simple.Hide(first, view)
+    simple.RenderAllViews()
+    say_ready("made")
 
 
 def make_mistake(name):

@@ -5,7 +5,7 @@ and the message after a mistake; and the page Documentation/guide/entries.md, wh
 
     xvfb-run -s "-screen 0 1280x1060x24" ./littoral run python3 Documentation/pictures/make_entries.py [ENTRY ...]
 
-Inputs are made by script; the entry is then made as a user does, by its name, and Apply. Needs xdotool and ImageMagick.
+A source is made as a user does, by its name and Apply, a filter and its inputs by script. Needs xdotool and ImageMagick.
 """
 
 import contextlib
@@ -95,7 +95,7 @@ def grab(window="root"):
     return subprocess.run(["import", "-window", window, "-depth", "8", "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
 
 
-def grab_at_rest(window="root", least=2.0, most=60.0):
+def grab_at_rest(window="root", least=1.0, most=60.0):
     """What a window shows when it has not changed for a while."""
     time.sleep(least)
     before, same, end = grab(window), 0, time.time() + most
@@ -112,7 +112,7 @@ def windows():
     return subprocess.run(["xdotool", "search", "--onlyvisible", "--class", "paraview"], stdout=subprocess.PIPE).stdout
 
 
-def wait_until(is_so, most=60.0):
+def wait_until(is_so, most=180.0):
     end = time.time() + most
     while not is_so():
         if time.time() > end:
@@ -187,7 +187,7 @@ def take_mistake(name):
     """The window of messages, and the sentences in it."""
     with window_of(name, "mistake") as (_, log):
         messages = subprocess.run(["xdotool", "search", "--sync", "--onlyvisible", "--name", "Output Messages"],
-                                  check=True, stdout=subprocess.PIPE, text=True, timeout=30).stdout.split()[0]
+                                  check=True, stdout=subprocess.PIPE, text=True, timeout=180).stdout.split()[0]
         do("windowsize", messages, 700, 160)
         save(grab_at_rest(messages), file_of(name) + "-mistake", 25, "-quality", "80")
         log.seek(0)
@@ -203,9 +203,12 @@ def write_page(entries, said):
     for menu in ("Sources", "Filters"):
         text += [f"## {menu}", ""]
         for _, name, label, what in [entry for entry in entries if entry[0] == menu]:
-            text += [f"### {label}", "", what, "", f"![{label}](../pictures/window/{file_of(name)}.jpg)", "",
-                     f"*A mistake:* {said.get(name, '')}", "",
-                     f"![A mistake with {label}](../pictures/window/{file_of(name)}-mistake.jpg)", ""]
+            text += [f"### {label}", "", what, ""]
+            if os.path.exists(os.path.join(FOLDER, file_of(name) + ".jpg")):
+                text += [f"![{label}](../pictures/window/{file_of(name)}.jpg)", ""]
+            if name in said:
+                text += [f"*A mistake:* {said[name]}", "",
+                         f"![A mistake with {label}](../pictures/window/{file_of(name)}-mistake.jpg)", ""]
     contents = [f"- [{menu}](#{menu.lower()})\n" + "".join(
         f"  - [{label}](#{label.lower().replace(' ', '-')})\n" for kind, _, label, _ in entries if kind == menu)
         for menu in ("Sources", "Filters")]
