@@ -92,7 +92,7 @@ ArrayReader ArrayReader::OfFields(vtkDataObject* data, const std::string& owner,
   ArrayReader reader;
   reader.Arrays = data->GetFieldData();
   reader.Tuples = tuples;
-  reader.Kind = "field data";
+  reader.Kind = "field array";
   reader.Elements = tuples == 1 ? "number" : "numbers";
   reader.Owner = owner;
   return reader;
@@ -146,7 +146,7 @@ vtkDataArray* ArrayReader::Check(vtkAbstractArray* array, const char* name, int 
   {
     return nullptr;
   }
-  const std::string own = this->Kind + (" " + std::string(name ? name : "without a name"));
+  const std::string own = std::string("a ") + this->Kind + " " + (name ? name : "without a name");
   auto* numbers = vtkDataArray::SafeDownCast(array);
   if (!numbers)
   {
@@ -179,7 +179,7 @@ void ArrayReader::NeedFinite(vtkDataArray* array)
   const vtkIdType bad = FirstOutside(array, [](auto value) { return std::isfinite(static_cast<double>(value)); });
   if (bad >= 0)
   {
-    this->Complain(this->Kind + (" " + std::string(array->GetName() ? array->GetName() : "")) +
+    this->Complain(std::string("a ") + this->Kind + " " + (array->GetName() ? array->GetName() : "without a name") +
       " that is not finite at " + std::to_string(bad / array->GetNumberOfComponents()));
   }
 }

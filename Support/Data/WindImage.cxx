@@ -88,7 +88,7 @@ std::string ReadModel(vtkImageData* image, WindModel& model)
   reader("Spectrum", families[0]);
   reader("Coherence", families[1]);
   std::string reason = fields.Reason();
-  if (!reason.empty())
+  if (reason.find(" no ") != std::string::npos)
   {
     reason.back() = ';';
     return reason + " it must be the output of Wind Field.";

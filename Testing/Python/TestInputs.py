@@ -5,12 +5,16 @@ nothing; each input and each of its leaves of another type, empty, null and nest
 with one message or works, and afterwards makes of good inputs what a fresh one makes.
 
 Filters, inputs and arrays come from the cases of hash_outputs.py, which has one for each class. Names of classes as
-arguments restrict the test to them.
+arguments restrict the test to them, and LITTORAL_TEST_CASES to cases whose names match an expression. To run it under
+valgrind:
+
+    LITTORAL_TEST_UNDER="valgrind -q --error-exitcode=9" LITTORAL_TEST_CASES="short|empty|name point" PYTHONMALLOC=malloc
 """
 # run-with: python3 timeout=1200
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -371,6 +375,7 @@ def run(name, log, first):
     set_inputs(fresh, inputs)
     good = outputs_of(fresh)
     usual = has_new_nan(fresh, ())
+    only = os.environ.get("LITTORAL_TEST_CASES", "")
     cases = [*array_cases(inputs), *geometry_cases(inputs), *leaf_cases(inputs)]
     with open(log, "a", encoding="utf-8") as file:
         def write(**entry):
@@ -379,8 +384,11 @@ def run(name, log, first):
 
         matters = {}  # whether an output depends on an array
         for number, (label, port, (change, *arguments)) in enumerate(cases):
-            if number < first:
+            if number < first or not re.search(only, label):
                 continue
+            carried = change is spoil_array and not matters.get((port, tuple(arguments[:3])), True)
+            if carried and arguments[3] not in ("short", "texts", "huge"):
+                continue  # no output depends on it: it can only be copied
             write(begin=number, label=label)
             filter_ = make(name)
             watch = Watch(filter_)
@@ -392,13 +400,14 @@ def run(name, log, first):
             by_leaf = change in (whole_changed, whole_other)  # then VTK may hand over leaves one by one
             if len(set(said)) < len(said) if by_leaf else len(said + others) > 1:
                 findings.append(f"{len(said + others)} messages: {said + others}")
-            if not succeeded and not said:
+            # Without a connection VTK's executive says what it wants, which is not heard here.
+            if not succeeded and not said and not label.endswith("is null"):
                 findings.append("failed without a message")
             if change is spoil_array:
                 array, fault = tuple(arguments[:3]), arguments[3]
                 if fault == "absent":
                     other = [line for line in (outputs_of(filter_) if succeeded else ()) if f" {array[2]} " not in line]
-                    matters[port, array] = said or other != [line for line in good if f" {array[2]} " not in line]
+                    matters[port, array] = bool(said) or other != [line for line in good if f" {array[2]} " not in line]
                 elif fault in MUST_REFUSE[array[1]] and matters.get((port, array)) and not said:
                     findings.append("works with an array that it needs and cannot read")
             spoilt_names = arguments[2:3] if change is spoil_array else ()
@@ -406,7 +415,7 @@ def run(name, log, first):
             if nans and not said and "nan" in label:
                 findings.append(f"puts out {nans} without a message")
             filter_.SetInputDataObject(port, inputs[port])
-            again = outputs_of(filter_)
+            again = outputs_of(filter_) if said or number % 10 == 0 else good
             if again != good:
                 findings.append(f"is not fresh afterwards: {[a for a in again if a not in good][:3]}")
             if any(watch.messages()):
@@ -433,6 +442,8 @@ def test(name):
                  str(first)], capture_output=True, text=True, check=False, timeout=1100)
             entries = entries_of(log)
             if "done" in entries[-1]:
+                if done.returncode:
+                    findings.append(f"{name}: the child ended with {done.returncode}: {done.stderr[-500:]}")
                 break
             last = entries[-1]
             if "begin" not in last:
