@@ -8,7 +8,7 @@ Filters, inputs and arrays come from the cases of hash_outputs.py, which has one
 arguments restrict the test to them, and LITTORAL_TEST_CASES to cases whose names match an expression. To run it under
 valgrind:
 
-    LITTORAL_TEST_UNDER="valgrind -q --error-exitcode=9" LITTORAL_TEST_CASES="short|empty|name point" PYTHONMALLOC=malloc
+    PYTHONMALLOC=malloc LITTORAL_TEST_UNDER="valgrind -q --error-exitcode=9" LITTORAL_TEST_CASES="short|empty"
 """
 # run-with: python3 timeout=1200
 
