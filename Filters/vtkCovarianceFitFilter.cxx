@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCovarianceFitFilter.h"
 
+#include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
@@ -325,7 +326,13 @@ int vtkCovarianceFitFilter::RequestData(
   {
     return 1;
   }
-  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  std::string reason;
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
+  if (!image)
+  {
+    littoralErrorMacro("Cannot fit: " << reason);
+    return littoral::FailedRequest(this);
+  }
   vtkDataArray* array = this->CheckProperties() ? this->FindArray(image, inputVector) : nullptr;
   if (!array)
   {

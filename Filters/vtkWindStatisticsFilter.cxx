@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindStatisticsFilter.h"
 
+#include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Data/WindImage.h"
 #include "Numerics/ParameterCheck.h"
@@ -138,7 +139,9 @@ int vtkWindStatisticsFilter::RequestData(
   Places places{};
   if (check.IsGood())
   {
-    check.Require(littoral::ReadModelledWind(vtkImageData::GetData(inputVector[0]), wind));
+    std::string reason;
+    auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
+    check.Require(image ? littoral::ReadModelledWind(image, wind) : reason);
   }
   const littoral::WindGrid& grid = wind.Grid;
   if (check.IsGood())

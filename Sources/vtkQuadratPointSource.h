@@ -26,6 +26,8 @@
 
 #include <string> // for what is wrong with a property
 
+class vtkTable;
+
 class LITTORALSOURCES_EXPORT vtkQuadratPointSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -178,6 +180,7 @@ private:
   void operator=(const vtkQuadratPointSource&) = delete;
 
   class Recipe;
+  static std::string TakeFit(vtkTable* table, Recipe& recipe);
   bool MakeRecipe(vtkInformationVector* fits, Recipe& recipe);
   std::string WhyInvalid(const Recipe& recipe) const;
 };
