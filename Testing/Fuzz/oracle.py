@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 import classes
@@ -48,13 +48,15 @@ def is_executive(kind):
     return kind.endswith("Pipeline") or kind.startswith("vtkExecutive") or kind.startswith("vtkAlgorithm")
 
 
-def odd_names(data):
-    """Names of arrays, points among them, that are not finite."""
+def odd_names(data, gaps=False):
+    """Names of arrays, points among them, that are not finite; with gaps, NaN in a table stands for no value."""
     odd = set()
     for leaf in inputs.leaves(data):
         for name, array in hash_outputs.arrays(leaf):
             if isinstance(array, vtkDataArray) and array.GetDataType() in (10, 11):
-                if array.GetNumberOfValues() and not numpy.isfinite(vtk_to_numpy(array)).all():
+                numbers = vtk_to_numpy(array)
+                fine = numpy.isfinite(numbers) | (numpy.isnan(numbers) & (gaps and isinstance(leaf, vtkTable)))
+                if not fine.all():
                     odd.add(name)
         frame = []
         if isinstance(leaf, vtkImageData):
@@ -90,6 +92,7 @@ class Player:
     def __init__(self, name, rehearsal=False):
         self.rehearsal = rehearsal
         self.properties = {setter.name[3:].lower() for setter in classes.setters(name)}
+        self.gaps = "NaN" in (getattr(littoral, name).__doc__ or "")
         self.may_be_odd = set().union(*map(odd_names, recipes.results(name)))
         self.said = []  # since the last change
         self.heard = []  # at the last update
@@ -157,7 +160,7 @@ class Player:
         if self.said:
             return
         made = self.made
-        odd = set().union(*map(odd_names, outputs(made))) - self.may_be_odd
+        odd = set().union(*(odd_names(data, self.gaps) for data in outputs(made))) - self.may_be_odd
         for port in range(made.GetNumberOfInputPorts()):
             for index in range(made.GetNumberOfInputConnections(port)):
                 odd -= odd_names(made.GetInputDataObject(port, index))

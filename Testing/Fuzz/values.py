@@ -5,8 +5,8 @@
 inf = float("inf")
 nan = float("nan")
 
-EXTREME_DOUBLES = [0.0, -0.0, 1.0, -1.0, 5e-324, 1e-300, 1e-12, 1e-6, 1e6, 1e12, 1e300, 1.7e308, -1e-300, -1e300,
-                   inf, -inf, nan]
+EXTREME_DOUBLES = [0.0, -0.0, 1.0, -1.0, 5e-324, 1e-300, 1e-30, 1e-6, 1e6, 1e15, -1e15, 1e300, 1.7e308, -1e-300,
+                   -1e300, inf, -inf, nan]
 EXTREME_INTS = [0, 1, -1, 2, 100, 2147483647, 2147483646, -2147483648]
 STRINGS = ["", " ", "x", "Elevation", "NULL", "a b;c", "..", "%s%n%d", "ä\U0001f33f", "{}[](*+", "name.vdb", None]
 EXTREMES = 0.12  # share of extreme values
