@@ -22,7 +22,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
+#include <optional>
+#include <string>
 
 vtkStandardNewMacro(vtkVDBVolumeWriter);
 vtkCxxSetObjectMacro(vtkVDBVolumeWriter, Controller, vtkMultiProcessController);
@@ -32,18 +33,39 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Text, digits of the width, text.
-const std::regex SuffixForm("([^%]*)%([0-9]{0,2})d([^%]*)");
+/// Letters of a bad property that a message shows.
+constexpr std::size_t MostShown = 200;
 
+/// A suffix with one number like %d or %04d: text, digits of the width (two at most), text.
+struct SuffixParts
+{
+  std::string Before;
+  std::string Width;
+  std::string After;
+};
+
+std::optional<SuffixParts> PartsOf(const std::string& suffix)
+{
+  const std::size_t percent = suffix.find('%');
+  const std::size_t letter =
+    percent == std::string::npos ? percent : suffix.find_first_not_of("0123456789", percent + 1);
+  if (letter == std::string::npos || suffix[letter] != 'd' || letter > percent + 3 ||
+    suffix.find('%', letter) != std::string::npos)
+  {
+    return std::nullopt;
+  }
+  return SuffixParts{ suffix.substr(0, percent), suffix.substr(percent + 1, letter - percent - 1),
+    suffix.substr(letter + 1) };
+}
+
+/// The suffix of a step; the suffix is one of that form.
 std::string Numbered(const std::string& suffix, int number)
 {
-  std::smatch parts;
-  std::regex_match(suffix, parts, SuffixForm);
-  const std::string width = parts[2];
+  const SuffixParts parts = *PartsOf(suffix);
   std::string digits = std::to_string(number);
-  const std::size_t wanted = width.empty() ? 0 : std::stoul(width);
-  digits.insert(0, wanted > digits.size() ? wanted - digits.size() : 0, width[0] == '0' ? '0' : ' ');
-  return parts[1].str() + digits + parts[3].str();
+  const std::size_t wanted = parts.Width.empty() ? 0 : std::stoul(parts.Width);
+  digits.insert(0, wanted > digits.size() ? wanted - digits.size() : 0, parts.Width[0] == '0' ? '0' : ' ');
+  return parts.Before + digits + parts.After;
 }
 
 /// Memory of the grids, and of what becomes of them while they are written [bytes].
@@ -184,8 +206,8 @@ std::string vtkVDBVolumeWriter::WhyInvalid() const
 {
   littoral::ParameterCheck check;
   check.Require(this->Tolerance >= 0.0, "Tolerance", this->Tolerance, "", "0 or more");
-  check.Require(!this->WriteAllTimeSteps || std::regex_match(this->FileNameSuffix, SuffixForm),
-    "FileNameSuffix is '" + this->FileNameSuffix + "'; it must hold one number like %d or %04d.");
+  check.Require(!this->WriteAllTimeSteps || PartsOf(this->FileNameSuffix).has_value(),
+    "FileNameSuffix is '" + this->FileNameSuffix.substr(0, MostShown) + "'; it must hold one number like %d or %04d.");
   return check.Reason();
 }
 

@@ -50,9 +50,9 @@ class Writer:
 
     def change(self):
         """A line that changes a setting, or an input."""
-        if self.types and self.rng.random() < 0.4:
-            return self.input()
         names = [name for name in self.setters if name not in self.switches]
+        if self.types and (not names or self.rng.random() < 0.4):
+            return self.input()
         return self.setting(self.rng.choice(self.switches if self.switches and self.rng.random() < 0.1 else names))
 
     def switched(self, name):

@@ -104,7 +104,7 @@ TEST(ParameterCheck, EndsAreWithin)
   EXPECT_EQ(Reason([](auto& c) {
     c.Range("a", 0.0, 0.0, 1.0);
     c.Range("a", 1.0, 0.0, 1.0);
-    c.Positive("a", 5e-324);
+    c.Positive("a", 1e-30);
     c.Positive("a", 2.0, "", 2.0);
     c.NotNegative("a", 0.0);
     c.Choice("a", 0, 2);
