@@ -41,7 +41,7 @@ def fuzz(name, count, seed, first=0):
                       minimise.script(name, short), "", sep="\n", flush=True)
     print(f"{name}: {count} cases,", ", ".join(f"{times} {end}" for end, times in ends.most_common()), flush=True)
     # Cases that nearly all end in a refusal would show nothing.
-    return sum(times for end, times in ends.items() if end not in ("good", "refused")) + (ends["good"] < count // 2)
+    return sum(times for end, times in ends.items() if end not in ("good", "refused", "stopped")) + (ends["good"] < count // 2)
 
 
 def fuzz_all(count, seed):

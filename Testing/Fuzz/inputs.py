@@ -77,6 +77,7 @@ def reshape(data, name, components):
             other.SetNumberOfComponents(components)
             other.SetNumberOfTuples(array.GetNumberOfTuples())
             other.Fill(1.0)
+            place.RemoveArray(name)
             place.AddArray(other)
     return data
 
@@ -90,6 +91,7 @@ def retype(data, name, kind):
         other.SetNumberOfTuples(array.GetNumberOfTuples())
         for index in range(array.GetNumberOfValues()):
             other.SetVariantValue(index, array.GetVariantValue(index))
+        place.RemoveArray(name)
         place.AddArray(other)
     return data
 

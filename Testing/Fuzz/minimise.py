@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes a failing case short: lines are taken out while the same fault stays."""
 
+import ast
 import re
 
 import runner
@@ -28,6 +29,30 @@ def minimised(name, lines, fault):
             else:
                 at += size
         size = size if found and size == 1 else size // 2
+    return simplified(name, lines, wanted)
+
+
+def simpler(line):
+    """The line with one call less that spoils an input, in each way."""
+    def spoils(tree):
+        return [node for node in ast.walk(tree)
+                if isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Call)]
+
+    for index in range(len(spoils(ast.parse(line)))):
+        tree = ast.parse(line)
+        wanted = spoils(tree)[index]
+        inner = wanted.args[0]
+        wanted.func, wanted.args, wanted.keywords = inner.func, inner.args, inner.keywords
+        yield ast.unparse(tree)
+
+
+def simplified(name, lines, wanted):
+    """The lines with fewer spoils and the same fault."""
+    for at, line in enumerate(lines):
+        for other in simpler(line):
+            fewer = lines[:at] + [other] + lines[at + 1:]
+            if signature(runner.run(name, fewer)) == wanted:
+                return simplified(name, fewer, wanted)
     return lines
 
 

@@ -8,6 +8,7 @@ outputs are those of a fresh object, byte by byte. That it does not crash or han
 
 import re
 import sys
+import time
 from pathlib import Path
 
 import numpy
@@ -28,6 +29,9 @@ MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n
                      re.S | re.M)
 ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|plants?|sites|prototypes?|wind|"
                           r"sea state|current|terrain|leaf|leaves|cells?|skeleton|file|folder|memory|time)\b", re.I)
+
+
+PATIENCE = 3.0  # before a request is stopped, which large ones must allow [s of the processor]
 
 
 class Fault(Exception):
@@ -98,6 +102,7 @@ class Player:
         self.heard = []  # at the last update
         self.kept = []
         self.refused = ""  # the last update, and why
+        self.stopped = False  # the last update
         self.scope = {**vars(inputs), "littoral": littoral, "nan": numpy.nan, "inf": numpy.inf, "data": recipes.data,
                       "source": recipes.source, "update": self.update, "keep": self.keep, "finish": self.finish}
 
@@ -117,7 +122,7 @@ class Player:
             except (TypeError, ValueError, OverflowError):
                 pass  # Python refuses the value
 
-    def update(self, time=None, piece=None, extent=None):
+    def update(self, time=None, piece=None, extent=None):  # pylint: disable=redefined-outer-name
         """Asks for the outputs, and looks at them."""
         if self.rehearsal:
             return
@@ -126,13 +131,27 @@ class Player:
         self.listen()
         self.look()
 
-    def ask(self, time, piece, extent):
+    def watch(self):
+        """Stops the object's next request when it takes long."""
+        end = time.process_time() + PATIENCE
+
+        def stop(made, _):
+            if time.process_time() > end:
+                self.stopped = True
+                made.SetAbortExecute(1)
+
+        self.stopped = False
+        self.made.RemoveObservers("ProgressEvent")
+        self.made.AddObserver("ProgressEvent", stop)
+
+    def ask(self, moment, piece, extent):
         """The request itself."""
         made = self.made
+        self.watch()
         if hasattr(made, "Write"):
             made.Write()
-        elif time is not None:
-            made.UpdateTimeStep(time, *(piece or (-1, 1, 0)), *([extent] if extent else []))
+        elif moment is not None:
+            made.UpdateTimeStep(moment, *(piece or (-1, 1, 0)), *([extent] if extent else []))
         elif piece is not None:
             made.UpdatePiece(*piece, *([extent] if extent else []))
         elif extent is not None:
@@ -152,18 +171,22 @@ class Player:
             raise Fault("messages", " | ".join(ours))
         for said in ours:
             words = set(re.findall(r"\w+", said.lower()))
-            if not said.endswith(".") or not (words & self.properties or ABOUT_INPUTS.search(said)):
+            named = words & (self.properties | {name.lower() for data in self.given() for name in inputs.names(data)})
+            if not said.endswith(".") or not (named or ABOUT_INPUTS.search(said)):
                 raise Fault("unclear message", said)
+
+    def given(self):
+        """The data at the input ports."""
+        made = self.made
+        return [made.GetInputDataObject(port, index) for port in range(made.GetNumberOfInputPorts())
+                for index in range(made.GetNumberOfInputConnections(port))]
 
     def look(self):
         """Looks at the numbers in the outputs."""
         if self.said:
             return
-        made = self.made
-        odd = set().union(*(odd_names(data, self.gaps) for data in outputs(made))) - self.may_be_odd
-        for port in range(made.GetNumberOfInputPorts()):
-            for index in range(made.GetNumberOfInputConnections(port)):
-                odd -= odd_names(made.GetInputDataObject(port, index))
+        odd = set().union(*(odd_names(data, self.gaps) for data in outputs(self.made))) - self.may_be_odd
+        odd -= set().union(*map(odd_names, self.given()))
         if odd:
             raise Fault("not a number", ", ".join(sorted(odd)))
 
@@ -181,6 +204,7 @@ class Player:
     def finish(self):
         """The last update, of all there is at time 0."""
         messages()
+        self.watch()
         made = self.made
         if hasattr(made, "Write"):
             made.Write()
@@ -206,8 +230,8 @@ def play(name, lines, before=lambda number: None):
     before(len(lines))
     fresh = Player(name, rehearsal=True)
     fresh.play(lines)
-    if fresh.refused:
-        return "refused"
+    if fresh.refused or fresh.stopped or player.stopped:
+        return "refused" if fresh.refused else "stopped"
     if player.refused:
         raise Fault("no recovery", player.refused)
     differ = set(bytes_of(player.made)) ^ set(bytes_of(fresh.made))
