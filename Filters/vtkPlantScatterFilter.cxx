@@ -52,6 +52,8 @@ constexpr int PrototypesPort = 1;
 constexpr int TerrainPort = 2;
 constexpr double Degree = littoral::Pi / 180.0;
 constexpr double Gigabyte = 1e9;
+/// More prototypes than this have no weight of their own.
+constexpr int MostWeights = 1000000;
 
 /// The blocks in the order of the output.
 enum PartIndex
@@ -734,9 +736,10 @@ vtkPlantScatterFilter::~vtkPlantScatterFilter() = default;
 //----------------------------------------------------------------------------
 void vtkPlantScatterFilter::SetWeight(int prototype, double weight)
 {
-  if (prototype < 0)
+  if (prototype < 0 || prototype >= MostWeights)
   {
-    vtkErrorMacro("Weight " << prototype << ": prototypes are counted from 0.");
+    vtkErrorMacro(
+      "Weight " << prototype << ": prototypes are counted from 0, and there are at most " << MostWeights << ".");
     return;
   }
   if (this->GetWeight(prototype) != weight)

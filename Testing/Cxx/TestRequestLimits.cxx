@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What a request may take and what part of the data it gets: memory by the limits of the process and of its control
-// groups, pieces that cover the whole once, and none beyond the last.
+// groups, pieces that cover the whole once, and none beyond the last. What was refused leaves nothing behind.
 
 #include "Check.h"
+#include "ErrorCounter.h"
 #include "Pipeline/Pipeline.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPlantScatterFilter.h"
 #include "vtkPolyData.h"
 #include "vtkQuadratPointSource.h"
-#include "vtkSMPTools.h"
 #include "vtkTestUtilities.h"
+#include "vtkTurningBandsTerrainSource.h"
+#include "vtkWindFieldSource.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -113,6 +117,55 @@ bool TestPieces()
   return good;
 }
 
+/// A terrain and a wind that were refused are, made valid, what fresh ones are.
+bool TestRecovery()
+{
+  const double nan = std::nan("");
+  vtkNew<vtkTurningBandsTerrainSource> terrain;
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(terrain);
+  terrain->SetWholeExtent(0, 99, 0, 99, 0, 0);
+  terrain->SetNumberOfLines(2147483647);
+  bool good = errors->ExpectOneNaming("NumberOfLines");
+  terrain->SetNumberOfLines(16);
+  terrain->SetNumberOfHarmonics(2147483647);
+  good &= errors->ExpectOneNaming("NumberOfHarmonics");
+  terrain->SetNumberOfHarmonics(20);
+  terrain->SetSpacing(1.0, -1.0, nan);
+  good &= errors->ExpectOneNaming("Spacing[1]");
+  terrain->SetSpacing(1.0, 1.0, nan);
+  good &= errors->ExpectOneNaming("Spacing[2]");
+  terrain->SetSpacing(1.0, 1.0, 1.0);
+  terrain->SetOrigin(1e14, 0.0, 0.0);
+  good &= errors->ExpectOneNaming("Origin[0]");
+  terrain->SetOrigin(0.0, 0.0, 0.0);
+  terrain->SetSlope(1e300, 0.0);
+  good &= errors->ExpectOneNaming("Slope[0]");
+  terrain->SetSlope(0.0, 0.0);
+  terrain->SetWholeExtent(0, 9, 0, 9, 0, 0);
+  terrain->Update();
+  good &= Check(terrain->GetOutput()->GetNumberOfPoints() == 100, "a terrain keeps the extent of a refused one");
+
+  vtkNew<vtkWindFieldSource> wind;
+  vtkNew<ErrorCounter> gusts;
+  gusts->Watch(wind);
+  wind->SetDimensions(1 << 20, 1024, 1024);
+  good &= gusts->ExpectOneNaming("Dimensions");
+  wind->SetDimensions(16, 4, 4);
+  wind->SetReferenceHeight(5e-324);
+  good &= gusts->ExpectOneNaming("ReferenceHeight");
+  wind->SetReferenceHeight(10.0);
+  wind->Update();
+  good &= Check(wind->GetOutput()->GetNumberOfPoints() == 256, "a wind keeps the extent of a refused one");
+
+  vtkNew<vtkPlantScatterFilter> scatter;
+  vtkNew<ErrorCounter> weights;
+  weights->Watch(scatter);
+  scatter->SetWeight(2147483646, 2.0);
+  good &= Check(weights->Count == 1 && scatter->GetWeight(2147483646) == 1.0, "a weight without a prototype is taken");
+  return good;
+}
+
 bool TestExceptions()
 {
   bool caught = false;
@@ -142,5 +195,6 @@ int TestRequestLimits(int argc, char* argv[])
   good &= TestProcess();
   good &= TestPieces();
   good &= TestExceptions();
+  good &= TestRecovery();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
