@@ -58,10 +58,10 @@ std::optional<SuffixParts> PartsOf(const std::string& suffix)
     suffix.substr(letter + 1) };
 }
 
-/// The suffix of a step; the suffix is one of that form.
+/// The suffix of a step; of a suffix that is not of that form, for the message that says so, the number alone.
 std::string Numbered(const std::string& suffix, int number)
 {
-  const SuffixParts parts = *PartsOf(suffix);
+  const SuffixParts parts = PartsOf(suffix).value_or(SuffixParts{});
   std::string digits = std::to_string(number);
   const std::size_t wanted = parts.Width.empty() ? 0 : std::stoul(parts.Width);
   digits.insert(0, wanted > digits.size() ? wanted - digits.size() : 0, parts.Width[0] == '0' ? '0' : ' ');
