@@ -52,6 +52,8 @@ constexpr const char* PrototypesInput = "Prototypes";
 constexpr const char* TerrainInput = "Terrain";
 constexpr double Degree = littoral::Pi / 180.0;
 constexpr double Gigabyte = 1e9;
+/// More prototypes than this have no weight of their own.
+constexpr int MostWeights = 1000000;
 
 /// Sizes of the textures of crown and leaves.
 struct PrototypeTextures
@@ -155,9 +157,10 @@ vtkPlantScatterFilter::~vtkPlantScatterFilter() = default;
 //----------------------------------------------------------------------------
 void vtkPlantScatterFilter::SetWeight(int prototype, double weight)
 {
-  if (prototype < 0)
+  if (prototype < 0 || prototype >= MostWeights)
   {
-    vtkErrorMacro("Weight " << prototype << ": prototypes are counted from 0.");
+    vtkErrorMacro(
+      "Weight " << prototype << ": prototypes are counted from 0, and there are at most " << MostWeights << ".");
     return;
   }
   if (this->GetWeight(prototype) != weight)

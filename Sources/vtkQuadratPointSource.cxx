@@ -278,11 +278,9 @@ int vtkQuadratPointSource::RequestData(
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
   const std::vector<int> counts =
     littoral::QuadratCounts(recipe.Law, quadrats, static_cast<littoral::QuadratMode>(this->Mode), this->Seed);
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  const long long piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
-  const long long pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
-  PatternPiece pattern(recipe.Grid, this->Seed, counts, static_cast<std::size_t>(quadrats * piece / pieces),
-    static_cast<std::size_t>(quadrats * (piece + 1) / pieces));
+  const littoral::PieceRange part = littoral::RequestedPart(outputVector->GetInformationObject(0), quadrats);
+  PatternPiece pattern(
+    recipe.Grid, this->Seed, counts, static_cast<std::size_t>(part.Begin), static_cast<std::size_t>(part.End));
   if (littoral::RunWithProgress(this, pattern.GetNumberOfBatches(), 0.2, 1.0,
         [&](std::size_t batch) { pattern.Scatter(batch); })) // else aborted
   {
@@ -296,6 +294,13 @@ int vtkQuadratPointSource::RequestData(
 const char* vtkQuadratPointSource::GetLawAsString() const
 {
   return littoral::NameOfRow<littoral::QuadratLaw>(this->Law, littoral::NumberOfQuadratLaws);
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratPointSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -168,6 +168,13 @@ int vtkSeaStateSource::RequestData(
 }
 
 //----------------------------------------------------------------------------
+int vtkSeaStateSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
 void vtkSeaStateSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

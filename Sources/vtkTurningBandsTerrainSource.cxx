@@ -106,6 +106,8 @@ int vtkTurningBandsTerrainSource::RequestInformation(
   littoral::ParameterCheck check;
   check.Positive("Spacing[0]", this->Spacing[0]);
   check.Positive("Spacing[1]", this->Spacing[1]);
+  check.Finite("Spacing[2]", this->Spacing[2]);
+  check.Finite("Origin[2]", this->Origin[2]);
   if (!check.IsGood())
   {
     littoralErrorMacro(<< check.Reason());
@@ -409,6 +411,13 @@ int vtkTurningBandsTerrainSource::RequestData(
 const char* vtkTurningBandsTerrainSource::GetModelAsString() const
 {
   return littoral::NameOfRow<littoral::CovarianceModel>(this->Model, littoral::NumberOfCovarianceModels);
+}
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Mistakes.h"
 
+#include "Pipeline/Exceptions.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
@@ -115,6 +117,15 @@ void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before)
 int FailedRequest(vtkAlgorithm* algorithm)
 {
   return algorithm->GetExecutive()->IsA("vtkPVCompositeDataPipeline") ? 1 : 0;
+}
+
+int FailedBy(vtkAlgorithm* algorithm, const std::string& reason)
+{
+  if (IsNewMistake(algorithm, reason))
+  {
+    vtkErrorWithObjectMacro(algorithm, << reason);
+  }
+  return FailedRequest(algorithm);
 }
 
 int FailedInformation(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
