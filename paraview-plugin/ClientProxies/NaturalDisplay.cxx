@@ -97,13 +97,6 @@ bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
       [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
 }
 
-/// Whether nobody, and no script of a state, has placed the camera of a view.
-bool HasDefaultCamera(vtkSMProxy* view)
-{
-  return view->GetProperty("CameraPosition")->IsValueDefault() &&
-    view->GetProperty("CameraFocalPoint")->IsValueDefault();
-}
-
 /// Whether proxies are registered by a state file, or by undo and redo.
 bool IsLoadingState(vtkSMSessionProxyManager* manager)
 {
@@ -535,7 +528,7 @@ void NaturalDisplay::SetUpView(int port)
   }
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
-  if (place.IsFixed && HasDefaultCamera(view))
+  if (place.IsFixed && HasFirstCamera(view))
   {
     // Filters that follow the camera have nothing to show before it is there.
     MoveCamera(view->GetActiveCamera(), place);
