@@ -430,7 +430,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     vtkSMRenderViewProxy* view = this->ActiveView();
     if (view && IsEmpty(view) && this->Hint("light"))
     {
-      ShowDarkLegend(representation, view);
+      ShowDarkLegend(representation, view, this->Hint("legend"));
     }
   }
 }

@@ -28,7 +28,8 @@ namespace littoral
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" light="land" />
  *
  *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
- * there are data, `color` one that a color map shows, `color-map` a preset for it.
+ * there are data, `color` one that a color map shows, `color-map` a preset for it, `legend` the title of
+ * its legend.
  *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water; a
  *    share `sky` is added to that of the lights, for leaves in the shade.
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
