@@ -23,8 +23,8 @@ def usual_inputs(name):
     """Makes and applies what an entry is usually applied to, shown as a user's view has it: (input, other inputs)."""
     make = {
         "CurrentDrift": lambda: (
-            simple.SuspendedParticles(Bounds=[-3, 3, -3, 3, -6, 0], Density=30),
-            {"Currents": simple.FlowPrimitive(FlowType="Vortex", Center=[0, 0, -3], Axis=[0, 1, 0], Strength=0.5)}),
+            simple.SuspendedParticles(Bounds=[-4, 4, -2, 2, -5, 0], Density=30),
+            {"Currents": simple.FlowPrimitive(FlowType="Vortex", Center=[0, 0, -2.5], Axis=[0, 1, 0], Strength=0.5)}),
         "FlowArrows": lambda: (simple.FlowPrimitive(FlowType="Vortex"), {}),
         "ParticleOrbits": lambda: (simple.SuspendedParticles(), {"SeaState": simple.SeaState()}),
         "ParticleLevelOfDetail": lambda: (simple.SuspendedParticles(), {"SeaState": simple.SeaState()}),
@@ -55,31 +55,41 @@ def say_ready(word="ready"):
         file.write(word + "\n")
 
 
-def show(proxy):
-    """As Apply does."""
+def stays(proxy):
+    """Whether the inputs of a filter stay when it is shown."""
+    hints = proxy.SMProxy.GetHints()
+    visibility = hints.FindNestedElementByName("Visibility") if hints else None
+    return visibility is not None and visibility.GetAttribute("replace_input") == "0"
+
+
+def show(proxy, inputs=()):
+    """As Apply does: each output in the view that it prefers, there in the place of the inputs."""
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
-    controller.ShowInPreferredView(proxy.SMProxy, 0, simple.GetActiveViewOrCreate("RenderView").SMProxy)
+    active = simple.GetActiveView()
+    for port in range(proxy.SMProxy.GetNumberOfOutputPorts()):
+        view = controller.ShowInPreferredView(proxy.SMProxy, port, active.SMProxy)
+        if not view:
+            continue
+        controller.AssignViewToLayout(view)
+        if view != active.SMProxy or len([one for one in active.Representations if one.Visibility]) == 1:
+            simple.ResetCamera(servermanager._getPyProxy(view))  # pylint: disable=protected-access
+        for one in inputs if view == active.SMProxy and not stays(proxy) else ():
+            simple.Hide(one, active)
     simple.SetActiveSource(proxy)
 
 
 def prepare(name):
     """A filter with its usual inputs, shown after them, in whose place it is; a source is made in the window."""
+    simple.SetActiveView(simple.GetActiveViewOrCreate("RenderView"))
     first, others = usual_inputs(name)
     if first is None:
         say_ready()
         return
-    first.UpdatePipeline()
-    is_table = "Table" in first.GetDataInformation().GetDataSetTypeAsString()
-    view = simple.GetActiveViewOrCreate("RenderView")
-    if not is_table or name == "SeaStatistics":
-        show(first)
-        simple.ResetCamera(view)
-        simple.Render(view)
-    show(getattr(simple, name)(**{"Sites" if name == "PlantScatter" else "Input": first}, **others))
-    if is_table:
-        simple.ResetCamera(view)
-    else:
-        simple.Hide(first, view)
+    inputs = [first, *others.values()]
+    for one in [] if name.endswith("FromFits") else inputs:
+        show(one)
+        simple.RenderAllViews()
+    show(getattr(simple, name)(**{"Sites" if name == "PlantScatter" else "Input": first}, **others), inputs)
     simple.RenderAllViews()
     say_ready("made")
 
@@ -89,12 +99,12 @@ def make_mistake(name):
     sys.path.insert(0, os.path.join(os.environ["LITTORAL_SOURCE_DIR"], "Testing", "ParaView"))
     from mistakes import MISTAKES
 
-    given = {"Forest": {"TreesPerQuadrat": -1.0}, "SwayingForest": {"WindSpeed": -1.0},
+    given = {"Forest": {"MeanPerQuadrat": -1.0}, "SwayingForest": {"ReferenceSpeed": -1.0},
              "Sea": {"SignificantWaveHeight": -1.0}, "Underwater": {"WindSpeed": -1.0},
              "TwinOfAPlace": {"Range": -1.0}}
     arguments = given.get(name) or next(mistake[1] for mistake in MISTAKES if mistake[0] == name)()
-    proxy = getattr(simple, name)(**arguments)
-    show(proxy)
+    simple.SetActiveView(simple.GetActiveViewOrCreate("RenderView"))
+    show(getattr(simple, name)(**arguments))
     say_ready()
 
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartDisplay.h"
 
+#include "SceneView.h"
+
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
@@ -259,7 +261,7 @@ void ChartDisplay::DrawSeries(vtkSMProxy* representation, vtkPVXMLElement* hint,
 /// Other data may have other series: the best models of another terrain.
 void ChartDisplay::OnData(vtkObject*, unsigned long, void*)
 {
-  if (vtkSMProxy* view = this->ViewOfScene())
+  if (vtkSMProxy* view = ViewOfScene(this->Manager))
   {
     this->FormerView = view;
   }
@@ -376,25 +378,6 @@ vtkSMProxy* ChartDisplay::ActiveView()
 {
   vtkSMProxySelectionModel* active = this->Manager->GetSelectionModel("ActiveView");
   return active ? active->GetCurrentProxy() : nullptr;
-}
-
-//----------------------------------------------------------------------------
-/// The active view, or the first one in three dimensions where a table or a chart is active.
-vtkSMProxy* ChartDisplay::ViewOfScene()
-{
-  if (vtkSMRenderViewProxy::SafeDownCast(this->ActiveView()))
-  {
-    return this->ActiveView();
-  }
-  for (unsigned int k = 0; k < this->Manager->GetNumberOfProxies("views"); ++k)
-  {
-    vtkSMProxy* view = this->Manager->GetProxy("views", this->Manager->GetProxyName("views", k));
-    if (vtkSMRenderViewProxy::SafeDownCast(view))
-    {
-      return view;
-    }
-  }
-  return nullptr;
 }
 
 //----------------------------------------------------------------------------

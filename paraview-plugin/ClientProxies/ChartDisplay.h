@@ -90,7 +90,6 @@ private:
   void HideColumns(vtkSMProxy* view, vtkPVXMLElement* hint, int port);
   void WaitForView(vtkSMProxy* representation, int port);
   vtkSMProxy* ActiveView();
-  vtkSMProxy* ViewOfScene();
   static void StopObserving(std::vector<Observation>& observed);
 
   vtkSMSourceProxy* Owner;

@@ -107,7 +107,7 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
 }
 
 //----------------------------------------------------------------------------
-void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view)
+void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view, const char* title)
 {
   ColorHelper::SetScalarBarVisibility(representation, view, true);
   vtkSMProxy* map = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
@@ -118,6 +118,11 @@ void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view)
     const double ink[3] = { 0.10, 0.14, 0.20 };
     vtkSMPropertyHelper(legend, "TitleColor").Set(ink, 3);
     vtkSMPropertyHelper(legend, "LabelColor").Set(ink, 3);
+    if (title)
+    {
+      vtkSMPropertyHelper(legend, "Title").Set(title);
+      vtkSMPropertyHelper(legend, "ComponentTitle").Set("");
+    }
     legend->UpdateVTKObjects();
   }
 }

@@ -26,7 +26,7 @@ void ShadeUnderSky(vtkSMProxy* representation, double share);
 void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset);
 
 /// Shows the legend of a representation, in a dark color that can be read in front of a pale sky.
-void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view);
+void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view, const char* title);
 
 /// Radius of the largest particle in a view of all of the data, at least [diagonals].
 constexpr double SmallestSprite = 0.006;

@@ -6,6 +6,7 @@
 #include "Daylight.h"
 #include "FirstLook.h"
 #include "Scene.h"
+#include "SceneView.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -13,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
@@ -95,13 +97,6 @@ bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
   return (IsMap(view) || IsFlat(view)) && !visible.empty() &&
     std::all_of(visible.begin(), visible.end(),
       [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
-}
-
-/// Whether nobody, and no script of a state, has placed the camera of a view.
-bool HasDefaultCamera(vtkSMProxy* view)
-{
-  return view->GetProperty("CameraPosition")->IsValueDefault() &&
-    view->GetProperty("CameraFocalPoint")->IsValueDefault();
 }
 
 /// Whether proxies are registered by a state file, or by undo and redo.
@@ -203,8 +198,16 @@ const char* NaturalDisplay::Hint(const char* name)
 void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
-  if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName ||
-    std::strcmp(registered->GroupName, "representations") != 0)
+  if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName)
+  {
+    return;
+  }
+  if (registered->Proxy == this->Owner)
+  {
+    this->TakeView();
+    return;
+  }
+  if (std::strcmp(registered->GroupName, "representations") != 0)
   {
     return;
   }
@@ -236,6 +239,38 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
   }
   this->Show(representation, input.GetOutputPort());
   this->SetUpView(input.GetOutputPort());
+  this->HideReplaced();
+}
+
+//----------------------------------------------------------------------------
+/// ParaView shows in a new view what is not for the active one.
+void NaturalDisplay::TakeView()
+{
+  vtkPVXMLElement* hints = this->Owner->GetHints();
+  vtkPVXMLElement* view = hints ? hints->FindNestedElementByName("View") : nullptr;
+  const char* type = view ? view->GetAttribute("type") : nullptr;
+  if (type && std::strcmp(type, "RenderView") == 0 && !IsLoadingState(this->Manager))
+  {
+    ActivateViewOfScene(this->Manager);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::HideReplaced()
+{
+  const char* name = this->Hint("replaces");
+  vtkSMRenderViewProxy* view = this->ActiveView();
+  if (!name || !view)
+  {
+    return;
+  }
+  const vtkSMPropertyHelper replaced(this->Owner, name);
+  auto* producer = vtkSMSourceProxy::SafeDownCast(replaced.GetAsProxy());
+  if (producer && view->FindRepresentation(producer, replaced.GetOutputPort()))
+  {
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+    controller->Hide(producer, replaced.GetOutputPort(), view);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -388,7 +423,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     vtkSMRenderViewProxy* view = this->ActiveView();
     if (view && IsEmpty(view) && this->Hint("light"))
     {
-      ShowDarkLegend(representation, view);
+      ShowDarkLegend(representation, view, this->Hint("legend"));
     }
   }
 }
@@ -535,7 +570,7 @@ void NaturalDisplay::SetUpView(int port)
   }
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
-  if (place.IsFixed && HasDefaultCamera(view))
+  if (place.IsFixed && HasFirstCamera(view))
   {
     // Filters that follow the camera have nothing to show before it is there.
     MoveCamera(view->GetActiveCamera(), place);

@@ -28,12 +28,15 @@ namespace littoral
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" light="land" />
  *
  *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
- * there are data, `color` one that a color map shows, `color-map` a preset for it.
+ * there are data, `color` one that a color map shows, `color-map` a preset for it, `legend` the title of
+ * its legend.
  *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water; a
  *    share `sky` is added to that of the lights, for leaves in the shade.
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
  * `sprite` [diagonals of the data]; points with `dots` are dots of that size [pixels]; the array of `fog`
  * [1/m] is a volume.
+ *  - What is connected to the property `replaces` is hidden in the view, for a proxy with the hint
+ *    `<Visibility replace_input="0" />`, whose other inputs stay.
  *  - Only the properties `panel` of the display are in its panel without the gear.
  *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
@@ -42,6 +45,9 @@ namespace littoral
  *  - Where the source is the first thing in its view, the camera looks from `elevation` [degrees] above the horizon, z
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
+ *
+ * A source with the hint `<View type="RenderView" />` makes a render view the active one where a table or a chart is,
+ * when it is registered, so that Apply shows it in that view and not in a new one.
  *
  * A source with a Scene brings the rest of a pipeline with it when it is first shown, and is hidden itself.
  *
@@ -70,6 +76,8 @@ public:
 private:
   const char* Hint(const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
+  void TakeView();
+  void HideReplaced();
   void MakeSceneOf(vtkSMProxy* representation);
   void LookAtInput();
   void Show(vtkSMProxy* representation, int port);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMFollowCameraProxy.h"
 
+#include "FirstCamera.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Constants.h"
 #include "Pipeline/CameraView.h"
@@ -10,7 +11,6 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
-#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
@@ -50,19 +50,6 @@ littoral::View ViewOf(vtkSMProxy* filter)
   view.Height = vtkSMPropertyHelper(filter, "ViewHeight").GetAsDouble();
   view.DetailFactor = vtkSMPropertyHelper(filter, "DetailFactor").GetAsDouble();
   return view;
-}
-
-/// Whether a view still has its first camera, before which a level of detail would show nothing: ParaView draws once,
-/// and places the camera by what it has drawn.
-bool HasFirstCamera(vtkSMRenderViewProxy* shown)
-{
-  const littoral::Vector3 position = GetVector(shown, "CameraPosition");
-  const littoral::Vector3 focus = GetVector(shown, "CameraFocalPoint");
-  vtkCamera* camera = shown->GetActiveCamera();
-  return shown->GetProperty("CameraPosition")->IsValueDefault() &&
-    shown->GetProperty("CameraFocalPoint")->IsValueDefault() &&
-    std::equal(&position.x, &position.x + 3, camera->GetPosition()) &&
-    std::equal(&focus.x, &focus.x + 3, camera->GetFocalPoint());
 }
 
 /// What the camera of a view shows; a view that has no size yet leaves that of another. A screenshot larger than the
@@ -164,7 +151,8 @@ void vtkSMFollowCameraProxy::OnActiveView()
 //----------------------------------------------------------------------------
 void vtkSMFollowCameraProxy::OnPicture(vtkObject*, unsigned long, void* isInteractive)
 {
-  if (!this->View || !this->View->GetActiveCamera() || this->IsTaking || HasFirstCamera(this->View))
+  // Before its first camera a level of detail would show nothing: ParaView draws once, and places the camera by that.
+  if (!this->View || !this->View->GetActiveCamera() || this->IsTaking || littoral::HasFirstCamera(this->View))
   {
     return;
   }
