@@ -27,8 +27,8 @@ MESSAGES = os.path.join(FOLDER, "messages.json")
 SIZE = (1400, 1060)
 # The window without its toolbars and its status line.
 PART = "1400x890+0+140"
-# The edge between the panel and the view, beside the panel's tabs, and where it gives labels their room.
-EDGE, WIDE_EDGE = (296, 476), (440, 476)
+# The column of the edge between the panel and the view that gives labels their room, and the row of the panel's tabs.
+EDGE, TABS = 440, 476
 HEAD = """# The entries in pictures
 
 {contents}
@@ -83,17 +83,6 @@ def do(*keys):
 
 def click(x, y):
     do("mousemove", x, y, "click", 1)
-
-
-def drag(from_place, to_place):
-    do("mousemove", *from_place)
-    time.sleep(0.5)
-    do("mousedown", 1)
-    for step in range(1, 6):
-        time.sleep(0.1)
-        do("mousemove", *[round(a + (b - a) * step / 5) for a, b in zip(from_place, to_place)])
-    time.sleep(0.1)
-    do("mouseup", 1)
 
 
 def grab(window="root"):
@@ -172,14 +161,30 @@ def window_of(name, role):
             client.wait()
 
 
-def widen_panel(client):
-    """Under load the window may miss a drag."""
-    before = grab_at_rest(client)
+def edge_of_panel():
+    """The column where the view begins, seen beside the panel's tabs."""
+    picture = grab()
+    columns, rows = map(int, picture.split(b"\n", 3)[1].split())
+    row = picture[-3 * columns * rows:][3 * columns * TABS:3 * columns * (TABS + 1)]
+    blank = row[3 * 200:3 * 201]
+    return next(x for x in range(200, columns) if row[3 * x:3 * (x + 1)] != blank)
+
+
+def move_edge(client, column):
+    """Drags the edge between the panel and the view. Qt forgets a move that it has not drawn yet."""
     for _ in range(5):
-        drag(EDGE, WIDE_EDGE)
-        if grab_at_rest(client) != before:
+        grab_at_rest(client)
+        edge = edge_of_panel()
+        if abs(edge - column) < 4:
             return
-    raise RuntimeError("The panel cannot be widened.")
+        do("mousemove", edge - 2, TABS)
+        time.sleep(0.5)
+        do("mousedown", 1, "mousemove", (edge + column) // 2, TABS)
+        time.sleep(0.5)
+        do("mousemove", column, TABS)
+        grab_at_rest(client)
+        do("mouseup", 1)
+    raise RuntimeError("The panel does not get wider.")
 
 
 def make_entry(label):
@@ -199,9 +204,10 @@ def make_entry(label):
 
 def take_first_look(name, label):
     with window_of(name, "first look") as (client, word, _):
-        widen_panel(client)
+        move_edge(client, EDGE)
         if word != "made":
             make_entry(label)
+            move_edge(client, EDGE + 8)  # the panel of a scene has the width of one of its parts
         do("mousemove", SIZE[0] - 1, SIZE[1] - 1)
         save(grab_at_rest(client), file_of(name), 60, "-quality", "85", "-crop", PART, "+repage", "-resize", "1000x")
 
