@@ -27,7 +27,7 @@ def orbits(height=None):
 
 
 def scene(make, name):
-    """A ready scene, which is its own source of the property."""
+    """A ready scene, whose first source has the property."""
 
     def build(value=None):
         entry = make(**({name: value} if value else {}))
@@ -38,21 +38,28 @@ def scene(make, name):
 
 # What is shown, the property that changes, its new value.
 CHANGES = {
-    "Forest": (scene(simple.Forest, "TreesPerQuadrat"), "TreesPerQuadrat", 0.2),
-    "Swaying Forest": (scene(simple.SwayingForest, "WindSpeed"), "WindSpeed", 18.0),
+    "Forest": (scene(simple.Forest, "MeanPerQuadrat"), "MeanPerQuadrat", 0.2),
+    "Swaying Forest": (scene(simple.SwayingForest, "ReferenceSpeed"), "ReferenceSpeed", 18.0),
     "Sea": (scene(simple.Sea, "SignificantWaveHeight"), "SignificantWaveHeight", 1.0),
     "Orbits": (orbits, "SignificantWaveHeight", 3.0),
 }
 
 
-def show(output):
-    """Show all outputs in a small view."""
+def show(output, place=None):
+    """Show all outputs in a small view, from a place that is there before them, or from the first camera."""
     view = simple.GetActiveViewOrCreate("RenderView")
     simple.GetLayout(view).PreviewMode = SIZE
     view.OrientationAxesVisibility = 0
+    for item, numbers in zip(CAMERA, place or ()):
+        setattr(view, item, numbers)
     for port in range(output.SMProxy.GetNumberOfOutputPorts()):
         simple.Show(simple.OutputPort(output, port), view)
-    simple.ResetCamera(view)
+    if not place:
+        simple.ResetCamera(view)
+    simple.Render(view)
+    for display in view.Representations:
+        if getattr(display, "Representation", None) == "Point Gaussian":
+            display.GaussianRadius = 10.0  # by default it follows the first data
     simple.Render(view)
     return view
 
@@ -99,9 +106,7 @@ def check(name, build, key, value):
     assert frames[-1] == END, f"{name}: the film has the frames {frames}"
     seen, place = keep_picture(view, "seen.png"), camera(view)
     simple.ResetSession()
-    view = show(build(value)[1])
-    for item, numbers in zip(CAMERA, place):
-        setattr(view, item, numbers)
+    view = show(build(value)[1], place)
     film().AnimationTime = END
     simple.Render(view)
     other = difference(seen, keep_picture(view, "wanted.png"))
