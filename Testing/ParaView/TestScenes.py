@@ -173,6 +173,22 @@ def check_murk(part, extinction):
     simple.ResetSession()
 
 
+def check_defaults(name, prop, value):
+    """Restore Defaults brings back what the scene begins with, also to the data."""
+    scene, fresh = getattr(simple, name)(), getattr(simple, name)()
+    fresh.UpdatePipeline()
+    first = fresh.GetPropertyValue(prop)
+    scene.SetPropertyWithName(prop, value)
+    scene.UpdatePipeline()
+    scene.GetProperty(prop).SMProperty.ResetToDefault()
+    scene.UpdateVTKObjects()
+    scene.UpdatePipeline()
+    assert scene.GetPropertyValue(prop) == first != value, f"{name}: {prop} is restored to {scene.GetPropertyValue(prop)}"
+    numbers = [proxy.GetDataInformation().GetBounds() for proxy in (scene, fresh)]
+    assert numbers[0] == numbers[1], f"{name}: bounds {numbers[0]}, not {numbers[1]}"
+    simple.ResetSession()
+
+
 def check_foam():
     """There is some foam on the sea, but not much."""
     view = empty_view()
@@ -194,3 +210,6 @@ check_murk("Kelp", 0.085)
 check_murk("Bed", 0.085)
 check_murk("Particles", 0.085)
 check_foam()
+check_defaults("SwayingForest", "Dimensions", [200, 16, 8])
+check_defaults("Sea", "PeakPeriod", 10.0)
+check_defaults("TwinOfAPlace", "Spacing", [50.0, 50.0, 1.0])
