@@ -25,9 +25,11 @@ def write_raster(file):
 
 def twin(view):
     place = simple.XMLImageDataReader(FileName=["place.vti"])
+    simple.Show(place, view)
     fits = simple.OutputPort(simple.CovarianceFit(Input=place), 0)
     grown = simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 60, 0, 40, 0, 0], Spacing=[10.0, 10.0, 1.0])
     simple.Show(grown, view)
+    simple.Hide(place, view)
     return place, grown
 
 

@@ -4,6 +4,7 @@
 """The guide's lists of the macros, in the window: a forest of a table, and a twin of a terrain."""
 
 import os
+import shutil
 
 from paraview import simple
 
@@ -42,6 +43,7 @@ def forest(view):
     sites = simple.TableToPoints(Input=simple.CSVReader(FileName=["sites.csv"]), XColumn="x", YColumn="y", a2DPoints=1)
     plants = simple.PlantScatter(Sites=sites, Prototypes=trees, ScaleVariation=0)
     simple.Show(plants, view)
+    simple.ResetCamera(view)  # the bounds are those of the trees as seen
     x0, x1, y0, y1, z0, _ = plants.GetDataInformation().GetBounds()
     margin = 0.03 * (x1 - x0 + y1 - y0)
     meadow = simple.Plane(Origin=[x0 - margin, y0 - margin, z0], Point1=[x1 + margin, y0 - margin, z0],
@@ -57,6 +59,7 @@ def twin(view):
 
 
 def main():
+    shutil.rmtree("settings", ignore_errors=True)
     os.environ["XDG_CONFIG_HOME"] = os.path.abspath("settings")  # where ParaView keeps an imported macro
     with open("trees.csv", "w", encoding="utf-8") as table:
         table.write("x,y,species,height\n" + "".join(f"{x},{y},{kind.lower()},{h}\n" for x, y, kind, h in TREES))

@@ -18,15 +18,13 @@ TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 GUIDE = os.path.join(TOP, "Documentation", "guide")
 SIZE = [300, 300]
 DIALOG = f"{WINDOW}/SelectInputDialog"
-CAMERA = ("CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle", "CameraParallelProjection",
-          "CameraParallelScale")
+CAMERA = ("InteractionMode", "CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle",
+          "CameraParallelProjection", "CameraParallelScale")
 #: ParaView's own entries, as the guide names them: menu and action.
 ENTRIES = {
-    "Edit > Reset Session": ("menu_Edit", "actionDelete_All"),
     "File > Open": ("menu_File", "actionFileOpen"),
     "File > Save Data": ("menu_File", "actionFileSaveData"),
     "Filters > Alphabetical > Table To Points": ("menuFilters/Alphabetical", "Table To Points"),
-    "Macros > Import new macro": ("menu_Macros", "actionMacroCreate"),
     "View > Animation View": ("menu_View", "Animation View"),
 }
 
