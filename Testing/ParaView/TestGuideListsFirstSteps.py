@@ -25,18 +25,18 @@ def write_raster(file):
 
 def twin(view):
     place = simple.XMLImageDataReader(FileName=["place.vti"])
-    simple.Show(place, view)
     fits = simple.OutputPort(simple.CovarianceFit(Input=place), 0)
     grown = simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 60, 0, 40, 0, 0], Spacing=[10.0, 10.0, 1.0])
     simple.Show(grown, view)
-    simple.Hide(place, view)
     return place, grown
 
 
 def relief(view):
     place, grown = twin(view)
     simple.Hide(grown, view)
-    simple.Show(place, view).SetRepresentationType("Relief")
+    shown = simple.Show(place, view)
+    shown.SetRepresentationType("Relief")
+    shown.RescaleTransferFunctionToDataRange(False, True)  # the colors of the map are those of its own heights
 
 
 def main():
