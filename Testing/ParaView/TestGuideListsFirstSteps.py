@@ -34,9 +34,9 @@ def twin(view):
 def relief(view):
     place, grown = twin(view)
     simple.Hide(grown, view)
-    shown = simple.Show(place, view)
-    shown.SetRepresentationType("Relief")
-    shown.RescaleTransferFunctionToDataRange(False, True)  # the colors of the map are those of its own heights
+    simple.Show(place, view).SetRepresentationType("Relief")
+    heights = grown.PointData["Elevation"].GetRange()  # the last Apply fits the colors to what it shows, the twin
+    simple.GetColorTransferFunction("Elevation").RescaleTransferFunction(*heights)
 
 
 def main():
