@@ -87,7 +87,8 @@ class Walk(Session):
     def named(self, label):
         """The name of an entry or property of the plugin by its label."""
         name = label.replace(" ", "")
-        assert re.search(f'name="{name}"(\\s+label="{label}")?[\\s/>]', self.panels), f"{self.page}: the plugin has no {label!r}"
+        known = re.search(f'name="{name}"(\\s+label="{label}")?[\\s/>]', self.panels)
+        assert known, f"{self.page}: the plugin has no {label!r}"
         return name
 
     def entry(self, words):
