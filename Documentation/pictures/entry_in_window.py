@@ -71,7 +71,8 @@ def show(proxy, inputs=()):
         if not view:
             continue
         controller.AssignViewToLayout(view)
-        if view != active.SMProxy or len([one for one in active.Representations if one.Visibility]) == 1:
+        visible = [one for one in active.Representations if hasattr(one, "Input") and one.Visibility]
+        if view != active.SMProxy or len(visible) == 1:
             simple.ResetCamera(servermanager._getPyProxy(view))  # pylint: disable=protected-access
         for one in inputs if view == active.SMProxy and not stays(proxy) else ():
             simple.Hide(one, active)
