@@ -200,6 +200,9 @@ public:
   /// Connects the wind, port 1.
   void SetWindConnection(vtkAlgorithmOutput* wind) { this->SetInputConnection(1, wind); }
 
+  /// Removes the connection of port 1, the wind.
+  void RemoveWind() { this->RemoveAllInputConnections(1); }
+
   /// Adds a prototype, to port 2.
   void AddPrototypeConnection(vtkAlgorithmOutput* prototype) { this->AddInputConnection(2, prototype); }
 

@@ -81,6 +81,18 @@ def check(name, arguments, word):
     return True
 
 
+def check_removal(name, key, source):
+    """An input that is taken away leaves nothing of it."""
+    valid = {other: value for other, value in VALID[name]().items() if other != key}
+    proxy = getattr(simple, name)(**valid)
+    fresh = digest(proxy)
+    assert fresh[0] > 0, f"{name}: nothing without {key}"
+    proxy.SetPropertyWithName(key, source)
+    assert digest(proxy) != fresh, f"{name}: {key} changes nothing"
+    proxy.SetPropertyWithName(key, None)
+    assert digest(proxy) == fresh, f"{name}: {key} stays connected"
+
+
 def check_scene():
     """Giant kelp, which is higher than the sea is deep, and sugar kelp again."""
     view = simple.CreateView("RenderView")
@@ -105,4 +117,6 @@ for name, arguments, word, _ in MISTAKES:
     if check(name, arguments, word):
         print(f"{name} recovers from {word}", flush=True)
     simple.ResetSession()
+check_removal("PlantScatter", "Terrain", simple.TurningBandsTerrain())
+simple.ResetSession()
 check_scene()
