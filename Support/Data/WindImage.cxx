@@ -160,14 +160,15 @@ FrozenWindGrid GridOf(vtkImageData* image)
 
 std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& wind)
 {
-  WindTimes times;
-  std::string reason = ReadTimes(image, times);
-  if (!reason.empty())
+  std::string reason;
+  const vtkSmartPointer<vtkFloatArray> velocity = ReadVelocity(image, reason);
+  if (!velocity)
   {
     return reason;
   }
-  const vtkSmartPointer<vtkFloatArray> velocity = ReadVelocity(image, reason);
-  if (!velocity)
+  WindTimes times;
+  reason = ReadTimes(image, times);
+  if (!reason.empty())
   {
     return reason;
   }
