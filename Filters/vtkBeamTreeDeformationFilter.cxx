@@ -272,6 +272,13 @@ int vtkBeamTreeDeformationFilter::RequestData(
 }
 
 //----------------------------------------------------------------------------
+int vtkBeamTreeDeformationFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
 void vtkBeamTreeDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

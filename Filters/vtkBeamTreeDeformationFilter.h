@@ -56,6 +56,9 @@ public:
   vtkTypeMacro(vtkBeamTreeDeformationFilter, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Number of bending modes per branch, 1 to 10; default 1, as in the paper.

@@ -179,7 +179,7 @@ int vtkFlowArrowFilter::RequestData(
   for (const littoral::FlowPrimitive& primitive : primitives)
   {
     const double size = littoral::DrawingRadius(primitive);
-    reason = reason.empty() && size > LargestDrawing ? "the influence of a primitive reaches " +
+    reason = reason.empty() && size > LargestDrawing ? "the influence of a flow primitive reaches " +
         littoral::TextOf(size) + " m; arrows reach at most " + littoral::TextOf(LargestDrawing) + " m."
                                                      : reason;
   }
@@ -210,6 +210,13 @@ int vtkFlowArrowFilter::RequestData(
   output->ShallowCopy(all->GetOutput());
   Paint(output);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkFlowArrowFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -128,6 +128,10 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
   output->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   output->SetOrigin(&grid.Origin.x);
   output->SetSpacing(&grid.Spacing.x);
+  if (extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4])
+  {
+    return; // a rank with nothing to do
+  }
   vtkNew<vtkFloatArray> extinction;
   extinction->SetName(littoral::sea::Extinction);
   extinction->SetNumberOfValues(output->GetNumberOfPoints());
@@ -332,6 +336,13 @@ int vtkParticleFogFilter::RequestData(
   littoral::AddField(output, "CrossSection", { littoral::TotalCrossSection(grid, fog.GetExtinction()) });
   this->UpdateProgress(1.0);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleFogFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

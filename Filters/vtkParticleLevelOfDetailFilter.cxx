@@ -296,6 +296,8 @@ vtkParticleLevelOfDetailFilter::~vtkParticleLevelOfDetailFilter() = default;
 int vtkParticleLevelOfDetailFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkTable");
+  // Whole, not a block at a time: levels of several blocks do not go into one output, which is then said once.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   if (port == 1)
   {
     // So that its absence gets a message of ours.

@@ -269,6 +269,13 @@ int vtkQuadratAnalysisFilter::RequestData(
 }
 
 //----------------------------------------------------------------------------
+int vtkQuadratAnalysisFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
 void vtkQuadratAnalysisFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -105,6 +105,13 @@ int vtkSeaStatisticsFilter::RequestData(
 }
 
 //----------------------------------------------------------------------------
+int vtkSeaStatisticsFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
 void vtkSeaStatisticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

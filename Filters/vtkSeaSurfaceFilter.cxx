@@ -226,6 +226,13 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
 }
 
 //----------------------------------------------------------------------------
+int vtkSeaSurfaceFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
 void vtkSeaSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

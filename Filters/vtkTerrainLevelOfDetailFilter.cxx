@@ -366,6 +366,8 @@ vtkTerrainLevelOfDetailFilter::~vtkTerrainLevelOfDetailFilter() = default;
 int vtkTerrainLevelOfDetailFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // Whole, not a block at a time: levels of several blocks do not go into one output, which is then said once.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 

@@ -176,11 +176,15 @@ vtkDataArray* ArrayReader::Check(vtkAbstractArray* array, const char* name, int 
 
 void ArrayReader::NeedFinite(vtkDataArray* array)
 {
-  const vtkIdType bad = FirstOutside(array, [](auto value) { return std::isfinite(static_cast<double>(value)); });
+  const auto isSmall = [](auto value) { return std::abs(static_cast<double>(value)) <= LargestMagnitude; };
+  const vtkIdType bad = FirstOutside(array, isSmall);
   if (bad >= 0)
   {
+    const vtkIdType tuple = bad / array->GetNumberOfComponents();
+    const int component = static_cast<int>(bad % array->GetNumberOfComponents());
+    const bool isFinite = std::isfinite(array->GetComponent(tuple, component));
     this->Complain(std::string("a ") + this->Kind + " " + (array->GetName() ? array->GetName() : "without a name") +
-      " that is not finite at " + std::to_string(bad / array->GetNumberOfComponents()));
+      " that is " + (isFinite ? "beyond " + TextOf(LargestMagnitude) : "not finite") + " at " + std::to_string(tuple));
   }
 }
 

@@ -69,7 +69,7 @@ public:
   /// Whether there is an array of the name, be it of numbers or not.
   bool Has(const char* name) const;
 
-  /// Keeps a reason if a number of an array is not finite; null is good.
+  /// Keeps a reason if a number of an array is not finite or of no sensible magnitude; null is good.
   void NeedFinite(vtkDataArray* array);
 
   /// Keeps a reason if a number of an array is none of 0 ... count-1, or of `lowest` ... count-1, in the word for what

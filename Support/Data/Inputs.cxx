@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Inputs.h"
 
+#include "Numerics/ParameterCheck.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -31,6 +33,19 @@ std::string WhyUnfit(vtkFieldData* arrays, vtkIdType tuples, const char* element
     }
   }
   return {};
+}
+
+/// Why an image is nowhere: a number of its frame that is not sensible.
+std::string WhyUnfitFrame(vtkImageData* image, const std::string& owner)
+{
+  ParameterCheck check;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::string index = "[" + std::to_string(axis) + "]";
+    check.Finite("Origin" + index + " of " + owner, image->GetOrigin()[axis]);
+    check.Finite("Spacing" + index + " of " + owner, image->GetSpacing()[axis]);
+  }
+  return check.Reason();
 }
 
 /// Why the points of a grid are not as many as its dimensions tell.
@@ -67,7 +82,8 @@ std::string WhyUnfitLeaf(vtkDataObject* leaf, const std::string& owner)
   {
     return {};
   }
-  std::string reason = WhyUnfitGrid(data, owner);
+  auto* image = vtkImageData::SafeDownCast(data);
+  std::string reason = image ? WhyUnfitFrame(image, owner) : WhyUnfitGrid(data, owner);
   reason = reason.empty() ? WhyUnfit(data->GetPointData(), data->GetNumberOfPoints(), "points", owner) : reason;
   return reason.empty() ? WhyUnfit(data->GetCellData(), data->GetNumberOfCells(), "cells", owner) : reason;
 }

@@ -48,7 +48,7 @@ constexpr const char* WordsForType()
 std::string WhyOtherType(vtkDataObject* data, const char* input, const char* words);
 
 /// Why parts of a data set, or of the leaves of a composite, do not fit each other: an array that has not a tuple for
-/// each point or cell, points that are fewer than the grid has. Empty if they do.
+/// each point or cell, points that are fewer than the grid has, an image at no place. Empty if they do.
 std::string WhyUnfit(vtkDataObject* data, const char* input);
 
 /**

@@ -33,14 +33,14 @@ vtkPolyData* FindPart(vtkMultiBlockDataSet* plants, const BlockName& name, std::
   if (data && name.Part)
   {
     auto* level = vtkMultiBlockDataSet::SafeDownCast(data);
-    reason = level ? "" : WhyOtherType(data, name.Level, "blocks (vtkMultiBlockDataSet)");
+    reason = level ? "" : WhyOtherType(data, ("Block " + path).c_str(), "blocks (vtkMultiBlockDataSet)");
     data = FindBlock(level, name.Part);
     path += std::string("/") + name.Part;
   }
   auto* part = vtkPolyData::SafeDownCast(data);
   if (data && !part)
   {
-    reason = WhyOtherType(data, path.c_str(), WordsForType<vtkPolyData>());
+    reason = WhyOtherType(data, ("Block " + path).c_str(), WordsForType<vtkPolyData>());
   }
   return part;
 }

@@ -8,11 +8,24 @@
 #include "ErrorCounter.h"
 #include "Pipeline/Pipeline.h"
 
+#include "vtkCovarianceFitFilter.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkImageSectionFilter.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkParticleFogFilter.h"
+#include "vtkParticleLevelOfDetailFilter.h"
+#include "vtkParticleOrbitFilter.h"
 #include "vtkPlantScatterFilter.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkQuadratPointSource.h"
+#include "vtkSeaStateSource.h"
+#include "vtkSuspendedParticleSource.h"
+#include "vtkTerrainLevelOfDetailFilter.h"
 #include "vtkTestUtilities.h"
 #include "vtkTurningBandsTerrainSource.h"
 #include "vtkWindFieldSource.h"
@@ -22,6 +35,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -166,6 +180,106 @@ bool TestRecovery()
   return good;
 }
 
+/// Inputs at no place, or beyond any, are refused by name; a grid whose extent is inverted is an empty one.
+bool TestPlaces()
+{
+  const auto move = [](vtkImageData* image, double origin, double spacing) {
+    image->SetOrigin(origin, 0.0, 0.0);
+    image->SetSpacing(spacing, 1.0, 1.0);
+  };
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(20, 20, 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->GetPointData()->GetScalars()->Fill(1.0);
+  vtkNew<vtkCovarianceFitFilter> fit;
+  vtkNew<ErrorCounter> fits;
+  fits->Watch(fit);
+  fit->SetInputData(image);
+  move(image, 0.0, -1.0);
+  bool good = fits->ExpectOneNaming("Spacing[0] of the image");
+  move(image, 0.0, 1e300);
+  good &= fits->ExpectOneNaming("Spacing[0] of Input");
+
+  vtkNew<vtkImageSectionFilter> sections;
+  vtkNew<ErrorCounter> cuts;
+  cuts->Watch(sections);
+  sections->SetInputData(image);
+  move(image, std::nan(""), 1.0);
+  good &= cuts->ExpectOneNaming("Origin[0] of Input");
+  move(image, 0.0, -1.0); // sections may be mirrored
+  sections->Update();
+  good &= Check(sections->GetOutput()->GetNumberOfPoints() == 400, "no section after a refused one");
+
+  vtkNew<vtkSuspendedParticleSource> water;
+  water->SetDensity(0.02);
+  water->Update();
+  vtkNew<vtkPolyData> particles;
+  particles->DeepCopy(water->GetOutputDataObject(0));
+  vtkNew<vtkSeaStateSource> sea;
+  vtkNew<vtkParticleOrbitFilter> orbits;
+  vtkNew<ErrorCounter> waves;
+  waves->Watch(orbits);
+  orbits->SetInputData(particles);
+  orbits->SetInputConnection(1, sea->GetOutputPort());
+  particles->GetPoints()->SetPoint(0, 3e15, 0.0, 0.0);
+  good &= waves->ExpectOneNaming("beyond 1e+15 at 0");
+
+  vtkNew<vtkParticleFogFilter> fog;
+  fog->SetDimensions(6, 5, 4);
+  fog->SetInputConnection(water->GetOutputPort());
+  const int inverted[6] = { 5, 2, 0, 3, 0, 0 };
+  fog->UpdateExtent(inverted);
+  good &= Check(!fog->GetOutput()->GetPointData()->GetScalars(), "fog in an inverted extent");
+  fog->UpdateWholeExtent();
+  good &= Check(fog->GetOutput()->GetNumberOfPoints() == 120, "no fog after an inverted extent");
+  return good;
+}
+
+/// Levels of several blocks do not go into one output, which is said once.
+bool TestBlocks()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 5, 1);
+  vtkNew<vtkPolyData> particles;
+  vtkNew<vtkSeaStateSource> sea;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  vtkNew<vtkTerrainLevelOfDetailFilter> terrain;
+  vtkNew<ErrorCounter> tiles;
+  tiles->Watch(terrain);
+  terrain->SetInputDataObject(0, blocks);
+  bool good = tiles->ExpectOneNaming("Input is a vtkMultiBlockDataSet; it must be an image");
+  vtkNew<vtkParticleLevelOfDetailFilter> levels;
+  vtkNew<ErrorCounter> details;
+  details->Watch(levels);
+  blocks->SetBlock(0, particles);
+  levels->SetInputDataObject(0, blocks);
+  levels->SetInputConnection(1, sea->GetOutputPort());
+  good &= details->ExpectOneNaming("Input is a vtkMultiBlockDataSet; it must be points");
+  return good;
+}
+
+/// A filter whose request ends by an exception.
+class ThrowingOrbits : public vtkParticleOrbitFilter
+{
+public:
+  static ThrowingOrbits* New() { VTK_STANDARD_NEW_BODY(ThrowingOrbits); }
+  vtkTypeMacro(ThrowingOrbits, vtkParticleOrbitFilter);
+
+protected:
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override { throw std::bad_alloc(); }
+};
+
+bool TestExceptionOfFilter()
+{
+  vtkNew<ThrowingOrbits> orbits;
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(orbits);
+  vtkNew<vtkPolyData> particles;
+  orbits->SetInputData(particles);
+  return errors->ExpectOneNaming("not enough memory");
+}
+
 bool TestExceptions()
 {
   bool caught = false;
@@ -194,7 +308,10 @@ int TestRequestLimits(int argc, char* argv[])
   delete[] folder;
   good &= TestProcess();
   good &= TestPieces();
+  good &= TestPlaces();
+  good &= TestBlocks();
   good &= TestExceptions();
+  good &= TestExceptionOfFilter();
   good &= TestRecovery();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

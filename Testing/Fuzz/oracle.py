@@ -28,7 +28,8 @@ import hash_outputs  # noqa: E402
 MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n(?:(\w+) \(0x[0-9a-f]+\): )?(.*?)\n\n",
                      re.S | re.M)
 ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|plants?|sites|prototypes?|wind|"
-                          r"sea state|current|terrain|leaf|leaves|cells?|skeleton|file|folder|memory|time)\b", re.I)
+                          r"sea state|current|flow primitives?|terrain|leaf|leaves|cells?|skeleton|file|folder|"
+                          r"memory|time)\b", re.I)
 
 
 PATIENCE = 3.0  # before a request is stopped, which large ones must allow [s of the processor]
