@@ -3,6 +3,7 @@
 #include "vtkVDBVolumeWriter.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "VolumeFile.h"
 #include "VolumeGather.h"
@@ -188,7 +189,8 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
     request->Remove(Pipeline::CONTINUE_EXECUTING());
     this->CurrentStep = 0;
   }
-  return 1; // the error code tells of a failure; the executive would report it a second time
+  // An abort is no failure.
+  return written || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
 }
 
 //----------------------------------------------------------------------------

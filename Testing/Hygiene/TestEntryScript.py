@@ -187,6 +187,16 @@ class EntryScript(unittest.TestCase):
                 self.assertEqual("configure: done" in printed.stdout, anew, printed.stdout)
                 self.assertEqual(os.path.exists(self.path("build", "CMakeCache.txt")), not anew)
 
+    def test_a_tree_of_links_has_the_build_of_the_tree(self):
+        self.all_packages_are_there()
+        home = self.path("home")
+        self.write("home/CMakeLists.txt", "")
+        os.symlink(os.path.join(home, "CMakeLists.txt"), self.path("CMakeLists.txt"))
+        self.write("build/build.ninja", "")
+        self.write("build/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={home}\n")
+        self.assertNotIn("configure", self.run_script("build").stdout)
+        self.assertTrue(os.path.exists(self.path("build", "CMakeCache.txt")))
+
     def test_a_copied_checkout_does_not_run_the_programs_of_the_other(self):
         self.all_packages_are_there()
         self.write("build/build.ninja", "")
