@@ -8,30 +8,10 @@ A missing second input leaves the first one as it is where the filter moves it; 
 
 import glob
 import os
-import sys
-import tempfile
 import xml.etree.ElementTree as ElementTree
 
-from mistakes import EMPTY, MISTAKES, UNMOVED
+from mistakes import EMPTY, MISTAKES, UNMOVED, Messages
 from paraview import simple
-
-
-class Messages:
-    """What is printed meanwhile: VTK, ParaView and its window write to file descriptor 2."""
-
-    def __enter__(self):
-        self.file = tempfile.TemporaryFile()
-        self.before = os.dup(2)
-        os.dup2(self.file.fileno(), 2)
-        return self
-
-    def __exit__(self, *_):
-        sys.stderr.flush()
-        os.dup2(self.before, 2)
-        os.close(self.before)
-        self.file.seek(0)
-        lines = self.file.read().decode(errors="replace").splitlines()
-        self.lines = [line for line in lines if any(word in line for word in ("ERR|", "WARN|", "ERROR:", "Warning:"))]
 
 
 def shown(data):

@@ -8,7 +8,7 @@ import hashlib
 
 import numpy as np
 import window
-from mistakes import MISTAKES, SMALL_WIND, particles, sites, tree
+from mistakes import MISTAKES, SMALL_WIND, Messages, particles, sites, tree
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -103,7 +103,8 @@ def check_scene():
     pictures, points = [], []
     for preset in ("Sugar Kelp", "Giant Kelp", "Sugar Kelp"):
         plant.Preset = preset
-        simple.Render(view)
+        with Messages():
+            simple.Render(view)
         pictures.append(window.colors(view))
         points.append(kelp.GetDataInformation().GetNumberOfPoints())
     assert points[1] == 0 and points[2] == points[0] > 0, f"Underwater: kelp has {points} points"
@@ -114,7 +115,9 @@ def check_scene():
 
 
 for name, arguments, word, _ in MISTAKES:
-    if check(name, arguments, word):
+    with Messages():  # which TestMistakes looks at
+        recovers = check(name, arguments, word)
+    if recovers:
         print(f"{name} recovers from {word}", flush=True)
     simple.ResetSession()
 check_removal("PlantScatter", "Terrain", simple.TurningBandsTerrain())

@@ -2,10 +2,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mistakes with each entry of the plugin's menus, the typical one of an entry first."""
 
+import os
+import sys
+import tempfile
+
 from paraview import simple
 
 SMALL_WIND = dict(Dimensions=[100, 16, 8])
 UNMOVED, EMPTY = "unmoved", "empty"
+
+
+class Messages:
+    """What is printed meanwhile: VTK, ParaView and its window write to file descriptor 2."""
+
+    def __enter__(self):
+        self.file = tempfile.TemporaryFile()
+        self.before = os.dup(2)
+        os.dup2(self.file.fileno(), 2)
+        return self
+
+    def __exit__(self, *_):
+        sys.stderr.flush()
+        os.dup2(self.before, 2)
+        os.close(self.before)
+        self.file.seek(0)
+        lines = self.file.read().decode(errors="replace").splitlines()
+        self.lines = [line for line in lines if any(word in line for word in ("ERR|", "WARN|", "ERROR:", "Warning:"))]
 
 
 def tree():
