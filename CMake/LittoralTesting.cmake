@@ -82,8 +82,10 @@ function (littoral_add_script_test label script runner)
       TIMEOUT "${timeout}"
       SKIP_RETURN_CODE 125
       FAIL_REGULAR_EXPRESSION "${LITTORAL_COMPLAINTS}"
-      ENVIRONMENT
-        "LITTORAL_SOURCE_DIR=${PROJECT_SOURCE_DIR};LITTORAL_CLIENT_SCRIPT=${script}")
+      ENVIRONMENT "LITTORAL_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+    if (runner STREQUAL "client")
+      set_property(TEST "${test}" APPEND PROPERTY ENVIRONMENT "LITTORAL_CLIENT_SCRIPT=${script}")
+    endif ()
     if (before)
       set_tests_properties("${test}" PROPERTIES DEPENDS "${before}")
     endif ()

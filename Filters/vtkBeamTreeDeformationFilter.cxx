@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBeamTreeDeformationFilter.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Blocks.h"
+#include "Data/Inputs.h"
 #include "Data/SwayBlocks.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
@@ -124,11 +126,11 @@ int vtkBeamTreeDeformationFilter::RequestInformation(
   if (!output->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()))
   {
     double range[2] = { 0.0, 600.0 };
-    auto* image = vtkImageData::GetData(wind);
-    vtkDataArray* period = image ? image->GetFieldData()->GetArray("Period") : nullptr;
-    if (period && period->GetNumberOfTuples() > 0 && period->GetTuple1(0) > 0.0)
+    vtkDataObject* image = wind ? vtkDataObject::GetData(wind) : nullptr;
+    vtkDataArray* period = image ? littoral::ArrayReader::OfFields(image, "the wind", 1).Find("Period", 1) : nullptr;
+    if (period && period->GetComponent(0, 0) > 0.0 && std::isfinite(period->GetComponent(0, 0)))
     {
-      range[1] = period->GetTuple1(0);
+      range[1] = period->GetComponent(0, 0);
     }
     output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   }
@@ -212,7 +214,7 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
       internals->Inputs.emplace_back(data, littoral::LastChange(data));
       if (port == PrototypesPort)
       {
-        prototypes.push_back(littoral::BlocksOf(data, reason));
+        prototypes.push_back(littoral::BlocksOf(data, "Prototypes", reason));
       }
     }
   }
@@ -223,12 +225,17 @@ std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputV
   }
   if (!reason.empty())
   {
-    return "Of Prototypes: " + reason;
+    return reason;
+  }
+  auto* wind = littoral::InputOf<vtkImageData>(inputVector[WindPort], "Wind", reason);
+  if (!wind)
+  {
+    return reason;
   }
   this->Internals = std::move(internals);
   this->SetProgressText("Reading plants");
-  return this->Internals->Plants.Read(plants, { prototypes.begin(), prototypes.end() },
-    vtkImageData::GetData(inputVector[WindPort]), this->MakeSettings(), this);
+  return this->Internals->Plants.Read(
+    plants, { prototypes.begin(), prototypes.end() }, wind, this->MakeSettings(), this);
 }
 
 //----------------------------------------------------------------------------
@@ -237,7 +244,7 @@ int vtkBeamTreeDeformationFilter::RequestData(
 {
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   std::string reason = this->WhyInvalid(time);
-  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
+  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), "Input", reason);
   if (reason.empty() && inputVector[WindPort]->GetNumberOfInformationObjects() == 0)
   {
     littoralErrorMacro("There is no wind: connect a wind field to Wind. The plants stay as they are.");
@@ -262,6 +269,13 @@ int vtkBeamTreeDeformationFilter::RequestData(
   }
   this->UpdateProgress(1.0);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkBeamTreeDeformationFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

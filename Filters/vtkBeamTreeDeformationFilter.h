@@ -56,6 +56,9 @@ public:
   vtkTypeMacro(vtkBeamTreeDeformationFilter, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Number of bending modes per branch, 1 to 10; default 1, as in the paper.
@@ -199,6 +202,9 @@ public:
 
   /// Connects the wind, port 1.
   void SetWindConnection(vtkAlgorithmOutput* wind) { this->SetInputConnection(1, wind); }
+
+  /// Removes the connection of port 1, the wind.
+  void RemoveWind() { this->RemoveAllInputConnections(1); }
 
   /// Adds a prototype, to port 2.
   void AddPrototypeConnection(vtkAlgorithmOutput* prototype) { this->AddInputConnection(2, prototype); }

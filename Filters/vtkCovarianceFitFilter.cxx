@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCovarianceFitFilter.h"
 
+#include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
@@ -245,6 +246,14 @@ vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformat
                                         << SmallestSide << ".");
     return nullptr;
   }
+  littoral::ParameterCheck check;
+  check.Positive("Spacing[0] of the image", image->GetSpacing()[0]);
+  check.Positive("Spacing[1] of the image", image->GetSpacing()[1]);
+  if (!check.IsGood())
+  {
+    littoralErrorMacro(<< check.Reason());
+    return nullptr;
+  }
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
   vtkInformation* choice = this->GetInputArrayInformation(0);
   if (!array && littoral::NamesDefaultElevation(choice))
@@ -277,9 +286,9 @@ bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, D
   const littoral::SampleMoments& moments = field.Moments;
   if (moments.Count < static_cast<std::size_t>(SmallestSide * SmallestSide))
   {
-    littoralErrorMacro("Only " << moments.Count << " of " << samples.Values.size()
-                               << " values are there, the others are NaN or no-data; a fit needs at least "
-                               << SmallestSide * SmallestSide << ".");
+    littoralErrorMacro("The image has only " << moments.Count << " of " << samples.Values.size()
+                                             << " values, the others are NaN or no-data; a fit needs at least "
+                                             << SmallestSide * SmallestSide << ".");
     return false;
   }
   if (this->RemoveTrend)
@@ -325,7 +334,13 @@ int vtkCovarianceFitFilter::RequestData(
   {
     return 1;
   }
-  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  std::string reason;
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
+  if (!image)
+  {
+    littoralErrorMacro("Cannot fit: " << reason);
+    return littoral::FailedRequest(this);
+  }
   vtkDataArray* array = this->CheckProperties() ? this->FindArray(image, inputVector) : nullptr;
   if (!array)
   {
@@ -373,6 +388,13 @@ int vtkCovarianceFitFilter::RequestData(
   AddDimensions(field.Samples, map, table);
   this->UpdateProgress(1.0);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkCovarianceFitFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

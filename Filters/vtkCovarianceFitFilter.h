@@ -55,6 +55,9 @@ public:
   vtkTypeMacro(vtkCovarianceFitFilter, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Maximum lag distance [m], not negative; default 0, half the shorter side of the image.

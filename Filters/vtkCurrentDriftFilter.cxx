@@ -6,6 +6,7 @@
 #include "Data/Arrays.h"
 #include "Data/CurrentInputs.h"
 #include "Data/Followers.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
@@ -46,32 +47,6 @@ using littoral::Vector3;
 
 /// Points that one thread carries at a time.
 constexpr std::size_t PointsAtOnce = 1 << 10;
-
-/// The leaves of an input that have points.
-std::vector<vtkPointSet*> LeavesOf(vtkDataObject* data)
-{
-  std::vector<vtkPointSet*> leaves;
-  const auto add = [&](vtkDataObject* leaf) {
-    auto* points = vtkPointSet::SafeDownCast(leaf);
-    if (points && points->GetPoints() && points->GetNumberOfPoints() > 0)
-    {
-      leaves.push_back(points);
-    }
-  };
-  if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
-  {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      add(iterator->GetCurrentDataObject());
-    }
-  }
-  else
-  {
-    add(data);
-  }
-  return leaves;
-}
 
 /// Adds the points of a leaf where they start. Why there are no such points, in words for a user; empty if there are.
 std::string AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::Drifters& points)
@@ -238,7 +213,14 @@ std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector
 //----------------------------------------------------------------------------
 std::string vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
 {
-  const std::vector<vtkPointSet*> leaves = LeavesOf(input);
+  std::string reason;
+  std::vector<vtkPointSet*> leaves = littoral::PointSetsOf(input, "Input", reason);
+  const auto isEmpty = [](vtkPointSet* leaf) { return !leaf->GetPoints() || leaf->GetNumberOfPoints() == 0; };
+  leaves.erase(std::remove_if(leaves.begin(), leaves.end(), isEmpty), leaves.end());
+  if (!reason.empty())
+  {
+    return reason;
+  }
   double count = 0.0;
   for (vtkPointSet* leaf : leaves)
   {
@@ -252,7 +234,7 @@ std::string vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
   littoral::Drifters start;
   for (vtkPointSet* leaf : leaves)
   {
-    const std::string reason = AddPoints(leaf, this->Internals->Scene.Currents.Layer, start);
+    reason = AddPoints(leaf, this->Internals->Scene.Currents.Layer, start);
     if (!reason.empty())
     {
       return reason;
@@ -331,7 +313,7 @@ bool vtkCurrentDriftFilter::WriteAll(vtkDataObject* input, vtkDataObject* output
   if (!blocks)
   {
     output->ShallowCopy(input);
-    return this->WriteLeaf(vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output), first);
+    return this->WriteLeaf(littoral::PointsIn(input), littoral::PointsIn(output), first);
   }
   auto* moved = vtkDataObjectTree::SafeDownCast(output);
   moved->CopyStructure(blocks);
@@ -342,12 +324,12 @@ bool vtkCurrentDriftFilter::WriteAll(vtkDataObject* input, vtkDataObject* output
     auto copy = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
     copy->ShallowCopy(leaf);
     moved->SetDataSet(iterator, copy);
-    auto* points = vtkPointSet::SafeDownCast(leaf);
-    if (points && !this->WriteLeaf(points, vtkPointSet::SafeDownCast(copy), first))
+    auto* points = littoral::PointsIn(leaf);
+    if (!this->WriteLeaf(points, littoral::PointsIn(copy), first))
     {
       return false;
     }
-    first += points && points->GetPoints() ? static_cast<std::size_t>(points->GetNumberOfPoints()) : 0;
+    first += points->GetPoints() ? static_cast<std::size_t>(points->GetNumberOfPoints()) : 0;
   }
   return true;
 }
@@ -416,6 +398,13 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
     output->GetPointData()->AddArray(flow);
   }
   return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkCurrentDriftFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -3,10 +3,13 @@
 #include "vtkFlowArrowFilter.h"
 
 #include "Currents/FlowArrows.h"
+#include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/FlowPrimitiveData.h"
+#include "Data/Inputs.h"
 #include "Geometry/TextureImage.h"
 #include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
@@ -36,6 +39,7 @@ vtkStandardNewMacro(vtkFlowArrowFilter);
 namespace
 {
 
+constexpr double LargestDrawing = 1e9; // [m], whose fourth power is a number in single precision
 constexpr int CornersOfRing = 72;
 constexpr double RingThickness = 0.008; ///< radius of its tube, of the drawing radius
 
@@ -52,7 +56,11 @@ littoral::Color ArrowColor(double share)
 /// The array RGB of a drawing: by speed, and one color for rings.
 void Paint(vtkPolyData* drawn)
 {
-  vtkDataArray* speeds = drawn->GetPointData()->GetArray("Speed");
+  vtkDataArray* speeds = littoral::ArrayReader::OfPoints(drawn, "the drawing").Find("Speed", 1);
+  if (!speeds)
+  {
+    return; // nothing is drawn
+  }
   const double fastest = std::max(1e-300, speeds->GetRange()[1]);
   auto colors = littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, drawn->GetNumberOfPoints());
   for (vtkIdType i = 0; i < drawn->GetNumberOfPoints(); ++i)
@@ -100,7 +108,7 @@ vtkSmartPointer<vtkPolyData> DrawArrows(const std::vector<littoral::FlowArrow>& 
   vtkNew<vtkPolyData> drawn;
   drawn->CopyStructure(solid);
   drawn->GetPointData()->SetNormals(solid->GetPointData()->GetNormals());
-  if (vtkDataArray* colors = solid->GetPointData()->GetArray("Speed"))
+  if (vtkDataArray* colors = littoral::ArrayReader::OfPoints(solid, "the arrows").Find("Speed", 1))
   {
     drawn->GetPointData()->SetScalars(colors);
   }
@@ -159,14 +167,21 @@ int vtkFlowArrowFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVecto
 int vtkFlowArrowFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  std::vector<littoral::FlowPrimitive> primitives;
   std::string reason;
-  if (input->GetNumberOfPoints() > 0)
+  auto* input = littoral::InputOf<vtkPolyData>(inputVector[0], "Input", reason);
+  std::vector<littoral::FlowPrimitive> primitives;
+  if (input && input->GetNumberOfPoints() > 0)
   {
     reason = littoral::HoldsFlowPrimitives(input)
       ? littoral::ReadFlowPrimitives(input, primitives)
       : "the input holds no flow primitives; it needs the point array FlowType.";
+  }
+  for (const littoral::FlowPrimitive& primitive : primitives)
+  {
+    const double size = littoral::DrawingRadius(primitive);
+    reason = reason.empty() && size > LargestDrawing ? "the influence of a flow primitive reaches " +
+        littoral::TextOf(size) + " m; arrows reach at most " + littoral::TextOf(LargestDrawing) + " m."
+                                                     : reason;
   }
   if (!reason.empty())
   {
@@ -195,6 +210,13 @@ int vtkFlowArrowFilter::RequestData(
   output->ShallowCopy(all->GetOutput());
   Paint(output);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkFlowArrowFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

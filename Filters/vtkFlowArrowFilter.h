@@ -29,6 +29,9 @@ public:
   vtkTypeMacro(vtkFlowArrowFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkFlowArrowFilter();
   ~vtkFlowArrowFilter() override;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImageSectionFilter.h"
 
+#include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -121,14 +122,16 @@ int vtkImageSectionFilter::RequestUpdateExtent(
 int vtkImageSectionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  std::string reason;
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
   littoral::ParameterCheck check;
   check.Count("CrossSections", this->CrossSections, 0, 100);
+  check.Require(reason);
   if (!check.IsGood())
   {
     littoralErrorMacro("Cannot cut sections: " << check.Reason());
     return littoral::FailedRequest(this);
   }
-  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   if (image->GetNumberOfPoints() == 0 ||
     outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -158,6 +161,13 @@ int vtkImageSectionFilter::RequestData(
   }
   sections.Write(vtkPolyData::GetData(outputVector));
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkImageSectionFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleFogFilter.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Blocks.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
@@ -11,8 +13,6 @@
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -45,26 +45,16 @@ constexpr double BytesAParticle = 150.0;
 constexpr double BytesASample = 24.0;
 constexpr double MostSamplesAlong = 1e6;
 
-/// The point sets that become fog.
-std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* input)
+/// The point sets that become fog: those of the block Far if there is one, else all.
+std::vector<vtkPointSet*> FogOf(vtkDataObject* input, std::string& reason)
 {
-  std::vector<vtkPointSet*> sets;
   vtkDataObject* far = littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(input), littoral::sea::Far);
   if (!far)
   {
     far = littoral::FindDataSet(vtkPartitionedDataSetCollection::SafeDownCast(input), littoral::sea::Far);
   }
-  vtkDataObject* counts = far ? far : input;
-  sets.push_back(vtkPointSet::SafeDownCast(counts));
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(counts))
-  {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      sets.push_back(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()));
-    }
-  }
-  const auto isEmpty = [](vtkPointSet* set) { return !set || !set->GetPoints() || set->GetNumberOfPoints() == 0; };
+  std::vector<vtkPointSet*> sets = littoral::PointSetsOf(far ? far : input, "Input", reason);
+  const auto isEmpty = [](vtkPointSet* set) { return !set->GetPoints() || set->GetNumberOfPoints() == 0; };
   sets.erase(std::remove_if(sets.begin(), sets.end(), isEmpty), sets.end());
   return sets;
 }
@@ -90,8 +80,13 @@ std::string WhyBadPoint(vtkIdType n, const littoral::Vector3& place, double radi
 std::string AddParticles(
   vtkPointSet* set, double defaultRadius, double efficiency, std::vector<littoral::FogParticle>& particles)
 {
-  vtkDataArray* radii = set->GetPointData()->GetArray(littoral::sea::Radius);
-  vtkDataArray* alphas = set->GetPointData()->GetArray(littoral::sea::Alpha);
+  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
+  vtkDataArray* radii = points.Find(littoral::sea::Radius, 1);
+  vtkDataArray* alphas = points.Find(littoral::sea::Alpha, 1);
+  if (!points.IsGood())
+  {
+    return points.Reason();
+  }
   for (vtkIdType n = 0; n < set->GetNumberOfPoints(); ++n)
   {
     littoral::FogParticle particle;
@@ -133,6 +128,10 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
   output->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   output->SetOrigin(&grid.Origin.x);
   output->SetSpacing(&grid.Spacing.x);
+  if (extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4])
+  {
+    return; // a rank with nothing to do
+  }
   vtkNew<vtkFloatArray> extinction;
   extinction->SetName(littoral::sea::Extinction);
   extinction->SetNumberOfValues(output->GetNumberOfPoints());
@@ -294,13 +293,13 @@ int vtkParticleFogFilter::RequestData(
   {
     return littoral::FailedRequest(this);
   }
-  const std::vector<vtkPointSet*> sets = PointSetsOf(vtkDataObject::GetData(inputVector[0]));
+  std::string reason;
+  const std::vector<vtkPointSet*> sets = FogOf(vtkDataObject::GetData(inputVector[0]), reason);
   double count = 0.0;
   for (vtkPointSet* set : sets)
   {
     count += static_cast<double>(set->GetNumberOfPoints());
   }
-  std::string reason;
   if (BytesAParticle * count > littoral::AvailableMemory())
   {
     reason = "the particles need more memory than there is.";
@@ -337,6 +336,13 @@ int vtkParticleFogFilter::RequestData(
   littoral::AddField(output, "CrossSection", { littoral::TotalCrossSection(grid, fog.GetExtinction()) });
   this->UpdateProgress(1.0);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleFogFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleLevelOfDetailFilter.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
@@ -127,7 +129,7 @@ void CarryArrays(vtkPointSet* input, const std::vector<littoral::ShownParticle>&
   to->CopyAllOn();
   to->CopyAllocate(carried, count);
   to->CopyData(carried, from, places);
-  if (!input->GetPointData()->GetAbstractArray(littoral::sea::ParticleId))
+  if (!littoral::ArrayReader::OfPoints(input, "").Has(littoral::sea::ParticleId))
   {
     auto* ids = AddArray<vtkIdTypeArray>(to, littoral::sea::ParticleId, 1, count);
     ForEach(count, [&](vtkIdType n) { ids->SetValue(n, level[n].Particle); });
@@ -294,6 +296,8 @@ vtkParticleLevelOfDetailFilter::~vtkParticleLevelOfDetailFilter() = default;
 int vtkParticleLevelOfDetailFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkTable");
+  // Whole, not a block at a time: levels of several blocks do not go into one output, which is then said once.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   if (port == 1)
   {
     // So that its absence gets a message of ours.
@@ -413,16 +417,18 @@ littoral::ParticleLevelOptions vtkParticleLevelOfDetailFilter::MakeOptions() con
 int vtkParticleLevelOfDetailFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  std::string reason;
+  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input", reason);
   const littoral::ParticleLevelOptions options = this->MakeOptions();
   littoral::SeaState state;
-  std::string reason = littoral::WhyInvalid(options);
+  reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
   reason = reason.empty() ? this->WhyBadProperties() : reason;
   if (reason.empty() && inputVector[1]->GetNumberOfInformationObjects() == 0)
   {
     reason = "there is no sea state; connect one to Sea State.";
   }
-  reason = reason.empty() ? littoral::ReadSeaState(vtkTable::GetData(inputVector[1]), state) : reason;
+  auto* sea = reason.empty() ? littoral::InputOf<vtkTable>(inputVector[1], "Sea State", reason) : nullptr;
+  reason = sea ? littoral::ReadSeaState(sea, state) : reason;
   reason = reason.empty() ? this->RememberGroups(input) : reason;
   if (!reason.empty())
   {

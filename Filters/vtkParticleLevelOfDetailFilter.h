@@ -196,6 +196,9 @@ public:
   /// Connects the sea state, port 1.
   void SetSeaStateConnection(vtkAlgorithmOutput* sea) { this->SetInputConnection(1, sea); }
 
+  /// Removes the connection of port 1, the sea state.
+  void RemoveSeaState() { this->RemoveAllInputConnections(1); }
+
 protected:
   vtkParticleLevelOfDetailFilter();
   ~vtkParticleLevelOfDetailFilter() override;

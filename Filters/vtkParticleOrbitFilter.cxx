@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkParticleOrbitFilter.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Followers.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
@@ -19,7 +21,6 @@
 #include "vtkDataObject.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -59,19 +60,16 @@ bool IsAtSeaLevel(vtkPoints* points, double level)
 
 std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
 {
-  vtkDataArray* array = input->GetPointData()->GetArray(littoral::sea::TrainCount);
+  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(input, "a set of particles");
+  vtkDataArray* array = points.Find(littoral::sea::TrainCount, 1);
   if (!array)
   {
-    return "";
-  }
-  if (array->GetNumberOfComponents() != 1)
-  {
-    return "the point array TrainCount must have one component.";
+    return points.Reason();
   }
   counts.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t id = 0; id < counts.size(); ++id)
   {
-    const double count = array->GetTuple1(static_cast<vtkIdType>(id));
+    const double count = array->GetComponent(static_cast<vtkIdType>(id), 0);
     if (!(count >= 0.0))
     {
       return "the point array TrainCount is negative at point " + std::to_string(id) + ".";
@@ -84,10 +82,16 @@ std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
 /// The order in which trains are taken; empty where they come as they are.
 std::string ReadTrainOrder(vtkPointSet* input, std::size_t trains, std::vector<int>& order)
 {
-  vtkDataArray* array = input->GetFieldData()->GetArray(littoral::sea::TrainOrder);
+  littoral::ArrayReader fields = littoral::ArrayReader::OfFields(input, "a set of particles");
+  vtkDataArray* array = fields.Find(littoral::sea::TrainOrder, 1);
+  std::string reason = fields.Reason();
   for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
   {
-    order.push_back(static_cast<int>(array->GetComponent(n, 0)));
+    littoral::ReadWhole("TrainOrder", array->GetComponent(n, 0), 0, VTK_INT_MAX, order.emplace_back(), reason);
+  }
+  if (!reason.empty())
+  {
+    return reason;
   }
   if (!order.empty() && (order.size() != trains || !littoral::IsPermutation(order)))
   {
@@ -340,7 +344,10 @@ int vtkParticleOrbitFilter::RequestData(
   }
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   littoral::SeaState state;
-  std::string reason = littoral::ReadSeaState(vtkTable::GetData(inputVector[1]), state);
+  std::string reason;
+  auto* sea = littoral::InputOf<vtkTable>(inputVector[1], "Sea State", reason);
+  reason = reason.empty() ? littoral::ReadSeaState(sea, state) : reason;
+  littoral::PointSetsOf(vtkDataObject::GetData(inputVector[0]), "Input", reason);
   reason = reason.empty() ? this->WhyBadProperties(time) : reason;
   if (!reason.empty())
   {
@@ -374,7 +381,7 @@ bool vtkParticleOrbitFilter::MoveAll(const Sea& sea, vtkDataObject* input, vtkDa
   if (!blocks)
   {
     output->ShallowCopy(input);
-    return this->Move(sea, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output));
+    return this->Move(sea, littoral::PointsIn(input), littoral::PointsIn(output));
   }
   auto* moved = vtkDataObjectTree::SafeDownCast(output);
   moved->CopyStructure(blocks);
@@ -385,8 +392,7 @@ bool vtkParticleOrbitFilter::MoveAll(const Sea& sea, vtkDataObject* input, vtkDa
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
     auto copy = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
     copy->ShallowCopy(leaf);
-    auto* points = vtkPointSet::SafeDownCast(leaf);
-    good = !points || this->Move(sea, points, vtkPointSet::SafeDownCast(copy));
+    good = this->Move(sea, littoral::PointsIn(leaf), littoral::PointsIn(copy));
     moved->SetDataSet(iterator, copy);
   }
   return good;
@@ -400,7 +406,9 @@ bool vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSe
     return true;
   }
   std::vector<int> order;
-  const std::string reason = ReadTrainOrder(input, sea.State.Trains.size(), order);
+  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(input, "a set of particles");
+  points.NeedFinite(input->GetPoints()->GetData());
+  const std::string reason = points.IsGood() ? ReadTrainOrder(input, sea.State.Trains.size(), order) : points.Reason();
   if (!reason.empty())
   {
     littoralErrorMacro("Cannot move points: " << reason);
@@ -462,6 +470,13 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
     littoralWarningMacro("The surface folds over itself (smallest Jacobian " << folded << "): take less Choppiness.");
   }
   return true;
+}
+
+//----------------------------------------------------------------------------
+int vtkParticleOrbitFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

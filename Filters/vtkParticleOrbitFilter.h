@@ -42,6 +42,9 @@ public:
   vtkTypeMacro(vtkParticleOrbitFilter, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Stokes drift of the centers, to second order in the wave amplitudes; default off. The model of the paper has none.
@@ -117,6 +120,9 @@ public:
 
   /// Connects the sea state, port 1.
   void SetSeaStateConnection(vtkAlgorithmOutput* sea) { this->SetInputConnection(1, sea); }
+
+  /// Removes the connection of port 1, the sea state.
+  void RemoveSeaState() { this->RemoveAllInputConnections(1); }
 
 protected:
   vtkParticleOrbitFilter();

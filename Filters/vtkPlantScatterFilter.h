@@ -159,6 +159,9 @@ public:
   /// Connects the terrain, port 2.
   void SetTerrainConnection(vtkAlgorithmOutput* terrain) { this->SetInputConnection(2, terrain); }
 
+  /// Removes the connection of port 2, the terrain.
+  void RemoveTerrain() { this->RemoveAllInputConnections(2); }
+
   /// Adds a prototype, to port 1.
   void AddPrototypeConnection(vtkAlgorithmOutput* prototype) { this->AddInputConnection(1, prototype); }
 

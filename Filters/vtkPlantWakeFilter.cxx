@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPlantWakeFilter.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Blocks.h"
 #include "Data/FlowPrimitiveData.h"
 #include "Data/PlantBlocks.h"
+#include "Data/PlantForm.h"
 #include "Data/SeaweedBlocks.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
@@ -24,33 +26,32 @@ vtkStandardNewMacro(vtkPlantWakeFilter);
 namespace
 {
 
+using littoral::ArrayReader;
 using littoral::MovingPoint;
 
 /// The nodes of a skeleton by plant, plants in the order in which they come. The reason why there are none, or nothing.
 std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>& plants, std::vector<int>& plantIds)
 {
-  const auto find = [bones](const char* name, int components) -> vtkDataArray* {
-    vtkDataArray* array = bones->GetPointData()->GetArray(name);
-    return array && array->GetNumberOfComponents() == components ? array : nullptr;
-  };
-  vtkDataArray* velocity = find("Velocity", 3);
-  vtkDataArray* acceleration = find("Acceleration", 3);
-  vtkDataArray* radius = find(littoral::plant::Radius, 1);
-  vtkDataArray* length = find(littoral::seaweed::Length, 1);
-  vtkDataArray* density = find(littoral::seaweed::Density, 1);
-  if (!velocity || !acceleration)
+  ArrayReader points = ArrayReader::OfPoints(bones, "High/Skeleton of the plants");
+  if (!points.Has("Velocity") || !points.Has("Acceleration"))
   {
     return "High/Skeleton has no point arrays Velocity[3] and Acceleration[3]; switch on GenerateMotion of the "
            "deformation filter.";
   }
-  if (!radius || !length || !density)
+  vtkDataArray* velocity = points.Need("Velocity", 3);
+  vtkDataArray* acceleration = points.Need("Acceleration", 3);
+  vtkDataArray* radius = points.Need(littoral::plant::Radius, 1);
+  vtkDataArray* length = points.Need(littoral::seaweed::Length, 1);
+  vtkDataArray* density = points.Need(littoral::seaweed::Density, 1);
+  vtkDataArray* ids = points.Find(littoral::plant::PlantId, 1);
+  std::string reason = points.Reason();
+  for (vtkIdType node = 0; reason.empty() && node < bones->GetNumberOfPoints(); ++node)
   {
-    return "High/Skeleton has no point arrays Radius, Length and Density, as seaweeds have.";
-  }
-  vtkDataArray* ids = find(littoral::plant::PlantId, 1);
-  for (vtkIdType node = 0; node < bones->GetNumberOfPoints(); ++node)
-  {
-    const int id = ids ? static_cast<int>(ids->GetTuple1(node)) : 0;
+    int id = 0;
+    if (ids && !littoral::ReadWhole("PlantId", ids->GetComponent(node, 0), VTK_INT_MIN, VTK_INT_MAX, id, reason))
+    {
+      return reason;
+    }
     if (plants.empty() || plantIds.back() != id)
     {
       plants.emplace_back();
@@ -60,9 +61,9 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
     bones->GetPoint(node, &point.Place.x);
     velocity->GetTuple(node, &point.Velocity.x);
     acceleration->GetTuple(node, &point.Acceleration.x);
-    const double r = radius->GetTuple1(node);
-    point.Volume = littoral::Pi * r * r * length->GetTuple1(node);
-    point.Weight = density->GetTuple1(node) * point.Volume;
+    const double r = radius->GetComponent(node, 0);
+    point.Volume = littoral::Pi * r * r * length->GetComponent(node, 0);
+    point.Weight = density->GetComponent(node, 0) * point.Volume;
     if (!littoral::IsFinite(point.Place) || !littoral::IsFinite(point.Velocity) ||
       !littoral::IsFinite(point.Acceleration) || !(point.Weight >= 0.0))
     {
@@ -70,7 +71,7 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
     }
     plants.back().push_back(point);
   }
-  return {};
+  return reason;
 }
 
 }
@@ -115,7 +116,8 @@ int vtkPlantWakeFilter::RequestData(
   check.Choice("Primitive", this->Primitive, { "source", "doublet" });
   check.Require(littoral::WhyInvalid(options));
   std::string reason = check.Reason();
-  const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), reason);
+  const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), "Input", reason);
+  reason = reason.empty() ? littoral::WhyNoPlants(blocks) : reason;
   vtkPolyData* bones = littoral::PlantPartOf(blocks, littoral::plant::High, littoral::plant::Skeleton);
   if (reason.empty() && !bones)
   {
@@ -152,6 +154,13 @@ int vtkPlantWakeFilter::RequestData(
   littoral::WriteFlowPrimitives(primitives, output);
   output->GetPointData()->AddArray(ids);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkPlantWakeFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

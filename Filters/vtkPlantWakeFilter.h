@@ -33,6 +33,9 @@ public:
   vtkTypeMacro(vtkPlantWakeFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   enum PrimitiveType
   {
     Source = 0,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQuadratAnalysisFilter.h"
 
+#include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Patterns/QuadratFit.h"
 #include "Patterns/QuadratPattern.h"
@@ -233,7 +234,13 @@ int vtkQuadratAnalysisFilter::RequestData(
   {
     return 1;
   }
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  std::string reason;
+  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input", reason);
+  if (!input)
+  {
+    littoralErrorMacro("Cannot analyse: " << reason);
+    return littoral::FailedRequest(this);
+  }
   const vtkIdType points = input->GetNumberOfPoints();
   if (points < FewestPoints)
   {
@@ -259,6 +266,13 @@ int vtkQuadratAnalysisFilter::RequestData(
   AddPattern(littoral::MomentsOfCounts(frequencies), grid, table);
   this->UpdateProgress(1.0);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratAnalysisFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -45,6 +45,9 @@ public:
   vtkTypeMacro(vtkQuadratAnalysisFilter, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Lower left corner of the study area [m]; default 0 0. Used only if Size is not 0 0.

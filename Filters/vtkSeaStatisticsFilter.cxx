@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSeaStatisticsFilter.h"
 
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
@@ -75,13 +76,14 @@ int vtkSeaStatisticsFilter::RequestData(
   {
     return 1;
   }
-  vtkTable* input = vtkTable::GetData(inputVector[0]);
+  std::string reason;
+  auto* input = littoral::InputOf<vtkTable>(inputVector[0], "Input", reason);
   littoral::SeaState sea;
   littoral::SampledSpectrum spectrum;
   littoral::ParameterCheck check;
   check.Count("NumberOfSectors", this->NumberOfSectors, 4, 3600);
-  check.Require(littoral::ReadSeaState(input, sea));
-  check.Require(littoral::ReadSpectrum(input, spectrum));
+  check.Require(input ? littoral::ReadSeaState(input, sea) : reason);
+  check.Require(input ? littoral::ReadSpectrum(input, spectrum) : reason);
   if (!check.IsGood())
   {
     littoralErrorMacro("Cannot analyze: " << check.Reason());
@@ -100,6 +102,13 @@ int vtkSeaStatisticsFilter::RequestData(
     littoral::AddField(table, "MeanDirection", { direction });
   }
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaStatisticsFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

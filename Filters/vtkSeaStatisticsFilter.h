@@ -32,6 +32,9 @@ public:
   vtkTypeMacro(vtkSeaStatisticsFilter, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Number of sectors of direction over a turn, 4 to 3600; default 24.

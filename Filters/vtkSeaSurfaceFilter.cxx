@@ -3,6 +3,7 @@
 #include "vtkSeaSurfaceFilter.h"
 
 #include "Data/Arrays.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
@@ -176,7 +177,9 @@ int vtkSeaSurfaceFilter::RequestData(
   vtkInformation* information = outputVector->GetInformationObject(0);
   const double time = littoral::RequestedTime(information);
   littoral::SeaState sea;
-  std::string reason = littoral::ReadSeaState(vtkTable::GetData(inputVector[0]), sea);
+  std::string reason;
+  auto* table = littoral::InputOf<vtkTable>(inputVector[0], "Input", reason);
+  reason = table ? littoral::ReadSeaState(table, sea) : reason;
   reason = reason.empty() ? this->WhyBadProperties(time) : reason;
   if (!reason.empty())
   {
@@ -220,6 +223,13 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
   {
     output->GetPointData()->SetScalars(arrays.Colors);
   }
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaSurfaceFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

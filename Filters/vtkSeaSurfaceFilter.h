@@ -38,6 +38,9 @@ public:
   vtkTypeMacro(vtkSeaSurfaceFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Center of the disk in the horizontal plane, where the waves are finest [m]; default 0 0.

@@ -4,6 +4,7 @@
 
 #include "Data/Blocks.h"
 #include "Data/CurrentInputs.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Data/SeaweedSceneBlocks.h"
 #include "Numerics/Constants.h"
@@ -244,7 +245,8 @@ std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, 
   std::string reason;
   if (seas->GetNumberOfInformationObjects() > 0)
   {
-    reason = littoral::ReadSeaState(vtkTable::GetData(seas), sea);
+    auto* table = littoral::InputOf<vtkTable>(seas, "Sea State", reason);
+    reason = table ? littoral::ReadSeaState(table, sea) : reason;
   }
   if (!reason.empty())
   {
@@ -300,7 +302,7 @@ int vtkSeaweedDeformationFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   std::string reason;
-  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), reason);
+  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), "Input", reason);
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
   littoral::SeaweedLevels levels;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainLevelOfDetailFilter.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
+#include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
@@ -110,13 +112,21 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
   return carried;
 }
 
+/// Why the reflectance of an image cannot color the ground; empty if it can, or if there is none.
+std::string WhyBadReflectance(vtkImageData* image)
+{
+  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "the image");
+  points.NeedFinite(points.Find("Reflectance", 1));
+  return points.Reason();
+}
+
 /// Colors of the ground, or nothing where the image has its own or none are wanted.
 class GroundPainter
 {
 public:
   GroundPainter(const littoral::TerrainPyramid& pyramid, vtkImageData* image, bool paints)
     : Pyramid(pyramid)
-    , Reflectance(image->GetPointData()->GetArray("Reflectance"))
+    , Reflectance(littoral::ArrayReader::OfPoints(image, "The image").Find("Reflectance", 1))
     , Paints(paints && !image->GetPointData()->HasArray("RGB"))
   {
     const std::vector<float>& heights = pyramid.GetSamples().Values;
@@ -356,6 +366,8 @@ vtkTerrainLevelOfDetailFilter::~vtkTerrainLevelOfDetailFilter() = default;
 int vtkTerrainLevelOfDetailFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // Whole, not a block at a time: levels of several blocks do not go into one output, which is then said once.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -399,8 +411,8 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   const bool isNamed = name && !littoral::NamesNoArray(choice);
   const bool isChosen = isNamed || (!name && choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
-  vtkDataArray* heights =
-    isChosen ? this->GetInputArrayToProcess(0, inputVector) : image->GetPointData()->GetArray("Elevation");
+  vtkDataArray* heights = isChosen ? this->GetInputArrayToProcess(0, inputVector)
+                                   : littoral::ArrayReader::OfPoints(image, "The image").Any("Elevation");
   if (!heights && (!isChosen || littoral::NamesDefaultElevation(choice)))
   {
     heights = image->GetPointData()->GetScalars();
@@ -493,7 +505,14 @@ littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
 int vtkTerrainLevelOfDetailFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  std::string reason;
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
+  reason = image && this->GroundColors ? WhyBadReflectance(image) : reason;
+  if (!reason.empty())
+  {
+    littoralErrorMacro("Cannot make levels: " << reason);
+    return littoral::FailedRequest(this);
+  }
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   littoral::View seen;
   if (!this->CheckProperties() || !this->GetView(seen))

@@ -6,6 +6,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/CameraView.h"
+#include "Pipeline/Exceptions.h"
 #include "Pipeline/Mistakes.h"
 
 #include "vtkCamera.h"
@@ -216,6 +217,13 @@ void vtkViewDependentAlgorithm::TakeRenderer()
 {
   const int* size = this->Renderer->GetSize();
   this->Take(littoral::ViewOfCamera(this->Renderer->GetActiveCamera(), size[0], size[1], this->UnroundedView()));
+}
+
+//----------------------------------------------------------------------------
+int vtkViewDependentAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

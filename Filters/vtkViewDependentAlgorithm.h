@@ -37,6 +37,9 @@ public:
   vtkTypeMacro(vtkViewDependentAlgorithm, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Position of the camera [m]; default 0 -100 20. In a parallel projection, any point of the plane from which the rays

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindStatisticsFilter.h"
 
+#include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Data/WindImage.h"
 #include "Numerics/ParameterCheck.h"
@@ -138,7 +139,9 @@ int vtkWindStatisticsFilter::RequestData(
   Places places{};
   if (check.IsGood())
   {
-    check.Require(littoral::ReadModelledWind(vtkImageData::GetData(inputVector[0]), wind));
+    std::string reason;
+    auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
+    check.Require(image ? littoral::ReadModelledWind(image, wind) : reason);
   }
   const littoral::WindGrid& grid = wind.Grid;
   if (check.IsGood())
@@ -167,6 +170,13 @@ int vtkWindStatisticsFilter::RequestData(
   }
   this->UpdateProgress(1.0);
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkWindStatisticsFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -34,6 +34,9 @@ public:
   vtkTypeMacro(vtkWindStatisticsFilter, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   ///@{
   /**
    * Height above the ground of spectra and coherence [m], a finite number; default 10. The nearest layer is taken.

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace littoral
@@ -17,12 +18,51 @@ namespace littoral
 namespace
 {
 
+constexpr const char* PartPrefix = ".littoral-";
+constexpr const char* PartSuffix = ".part";
+
+/// A name beside the target, of its own and short: names of files end at 255 bytes.
 std::string TemporaryName(const std::filesystem::path& target)
 {
   static std::atomic<unsigned> counter{ 0 };
-  const std::string own =
-    "." + target.filename().string() + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+  const std::string own = PartPrefix + std::to_string(::getpid()) + "-" + std::to_string(counter++) + PartSuffix;
   return (target.parent_path() / own).string();
+}
+
+/// The folder of a file; the current one is ".".
+std::string FolderOf(const std::filesystem::path& file)
+{
+  return file.has_parent_path() ? file.parent_path().string() : ".";
+}
+
+bool IsPart(const std::string& name)
+{
+  const std::string suffix = PartSuffix;
+  return name.rfind(PartPrefix, 0) == 0 && name.size() > suffix.size() &&
+    name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+/// Removes what killed processes have left in a folder: new files that nobody holds.
+void RemoveLeft(const std::string& folder)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    if (!IsPart(entry->path().filename().string()))
+    {
+      continue;
+    }
+    const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+    {
+      ::unlink(entry->path().c_str());
+    }
+    if (descriptor >= 0)
+    {
+      ::close(descriptor);
+    }
+  }
 }
 
 /// Where symbolic links lead, also if nothing is there yet.
@@ -30,7 +70,7 @@ std::string Followed(std::filesystem::path path)
 {
   namespace fs = std::filesystem;
   std::error_code error;
-  for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(path, error)); ++links)
+  while (fs::is_symlink(fs::symlink_status(path, error)))
   {
     path = path.parent_path() / fs::read_symlink(path, error);
   }
@@ -79,6 +119,11 @@ ReplacedFile::ReplacedFile(const std::string& target)
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
+  if (status.type() == fs::file_type::none) // such as a loop of links
+  {
+    this->Fail(error.value());
+    return;
+  }
   if (fs::is_directory(status))
   {
     this->Fail(EISDIR);
@@ -91,19 +136,12 @@ ReplacedFile::ReplacedFile(const std::string& target)
   }
   this->Target = Followed(target);
   this->Temporary = TemporaryName(this->Target);
-  const int descriptor = ::open(this->Temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0)
+  RemoveLeft(FolderOf(this->Target));
+  if (!this->CreateWithoutName() && !this->CreateWithName())
   {
-    this->Fail(errno);
     return;
   }
-  this->Exists = true;
-  ::close(descriptor);
-  if (!this->Buffer.open(this->Temporary, std::ios_base::out | std::ios_base::binary | std::ios_base::trunc))
-  {
-    this->Fail(errno);
-    return;
-  }
+  ::flock(this->Descriptor, LOCK_EX); // tells the new file from one that was left
   this->Output.exceptions(std::ios_base::badbit | std::ios_base::failbit);
 }
 
@@ -112,39 +150,84 @@ ReplacedFile::~ReplacedFile()
   this->Output.exceptions(std::ios_base::goodbit);
   this->Buffer.Watch = nullptr;
   this->Buffer.close();
-  if (this->Exists)
+  if (this->Descriptor >= 0)
+  {
+    ::close(this->Descriptor);
+  }
+  if (this->HasName)
   {
     std::remove(this->Temporary.c_str());
   }
 }
 
-void ReplacedFile::Fail(int error)
+bool ReplacedFile::Fail(int error)
 {
   if (this->Reason.empty())
   {
     this->Reason = std::system_category().message(error);
   }
+  return false;
+}
+
+bool ReplacedFile::CreateWithoutName()
+{
+#ifdef O_TMPFILE
+  this->Descriptor = ::open(FolderOf(this->Target).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+  this->Opened = "/proc/self/fd/" + std::to_string(this->Descriptor);
+  return this->Descriptor >= 0 &&
+    this->Buffer.open(this->Opened, std::ios_base::out | std::ios_base::binary | std::ios_base::trunc);
+#else
+  return false;
+#endif
+}
+
+bool ReplacedFile::CreateWithName()
+{
+  if (this->Descriptor >= 0)
+  {
+    ::close(this->Descriptor);
+  }
+  this->Opened = this->Temporary;
+  this->Descriptor = ::open(this->Opened.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  this->HasName = this->Descriptor >= 0;
+  return (this->HasName &&
+           this->Buffer.open(this->Opened, std::ios_base::out | std::ios_base::binary | std::ios_base::trunc)) ||
+    this->Fail(errno);
 }
 
 bool ReplacedFile::Close()
 {
   this->Output.exceptions(std::ios_base::goodbit);
   const bool whole = this->Output.good() && this->Buffer.close();
-  if (!whole)
-  {
-    this->Fail(this->Buffer.Error ? this->Buffer.Error : errno);
-  }
-  return whole;
+  return whole || this->Fail(this->Buffer.Error ? this->Buffer.Error : errno);
 }
 
 bool ReplacedFile::Commit()
 {
+  // The file reaches the disk before its name does: after a power cut the name leads to a whole file.
+  if (::fsync(this->Descriptor) != 0)
+  {
+    return this->Fail(errno);
+  }
+  if (!this->HasName)
+  {
+    this->HasName = ::linkat(AT_FDCWD, this->Opened.c_str(), AT_FDCWD, this->Temporary.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    if (!this->HasName)
+    {
+      return this->Fail(errno);
+    }
+  }
   if (std::rename(this->Temporary.c_str(), this->Target.c_str()) != 0)
   {
-    this->Fail(errno);
-    return false;
+    return this->Fail(errno);
   }
-  this->Exists = false;
+  this->HasName = false;
+  const int folder = ::open(FolderOf(this->Target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0)
+  {
+    ::fsync(folder); // some file systems cannot; the file is whole in any case
+    ::close(folder);
+  }
   return true;
 }
 

@@ -12,8 +12,9 @@ namespace littoral
 {
 
 /**
- * A file that takes its place only when it is whole. It is written beside the target under a name of its own; Commit
- * moves it there. Before that the target is untouched, and the new file goes with this object.
+ * A file that takes its place only when it is whole. It is written in the folder of the target, without a name where
+ * the file system can do that, and else under a name of its own. Commit moves it to the target. Before that the target
+ * is untouched, and the new file goes with this object. What a killed process has left goes with the next file.
  */
 class ReplacedFile
 {
@@ -32,8 +33,8 @@ public:
   void OnWrite(std::function<void(std::size_t)> watch) { this->Buffer.Watch = std::move(watch); }
   /// Ends the writing; the new file can then be read at Path(). False if it is not whole.
   bool Close();
-  const std::string& Path() const { return this->Temporary; }
-  /// Moves the closed file to the target. False, with the target as it was, if that fails.
+  const std::string& Path() const { return this->Opened; }
+  /// Moves the closed file to the target once the disk has it. False, with the target as it was, if that fails.
   bool Commit();
 
 private:
@@ -55,12 +56,17 @@ private:
     Result Note(Result result, bool failed);
   };
 
-  void Fail(int error);
+  /// Keeps the first error; false.
+  bool Fail(int error);
+  bool CreateWithoutName();
+  bool CreateWithName();
 
   std::string Target;
-  std::string Temporary;
+  std::string Temporary; // name beside the target
+  std::string Opened;    // where to open the new file: the same, or the descriptor of a file without a name
   std::string Reason;
-  bool Exists = false;
+  int Descriptor = -1;
+  bool HasName = false;
   NotingBuffer Buffer;
   std::ostream Output;
 };

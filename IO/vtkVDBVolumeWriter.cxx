@@ -3,6 +3,7 @@
 #include "vtkVDBVolumeWriter.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "VolumeFile.h"
 #include "VolumeGather.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 vtkStandardNewMacro(vtkVDBVolumeWriter);
 vtkCxxSetObjectMacro(vtkVDBVolumeWriter, Controller, vtkMultiProcessController);
@@ -32,19 +32,38 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Text, digits of the width, text.
-const std::regex SuffixForm("([^%]*)%([0-9]{0,2})d([^%]*)");
-
-std::string Numbered(const std::string& suffix, int number)
+/// A suffix of files with the place of a number: text, `%`, at most two digits of its width, `d`, text without `%`.
+class NumberedSuffix
 {
-  std::smatch parts;
-  std::regex_match(suffix, parts, SuffixForm);
-  const std::string width = parts[2];
-  std::string digits = std::to_string(number);
-  const std::size_t wanted = width.empty() ? 0 : std::stoul(width);
-  digits.insert(0, wanted > digits.size() ? wanted - digits.size() : 0, width[0] == '0' ? '0' : ' ');
-  return parts[1].str() + digits + parts[3].str();
-}
+public:
+  explicit NumberedSuffix(const std::string& suffix)
+  {
+    const std::size_t percent = suffix.find('%');
+    const std::size_t letter = percent == std::string::npos ? percent : suffix.find('d', percent);
+    this->IsValid = letter != std::string::npos && letter - percent <= 3 &&
+      suffix.find_first_not_of("0123456789", percent + 1) == letter && suffix.find('%', letter) == std::string::npos;
+    if (this->IsValid)
+    {
+      this->Before = suffix.substr(0, percent);
+      this->Width = suffix.substr(percent + 1, letter - percent - 1);
+      this->After = suffix.substr(letter + 1);
+    }
+  }
+  std::string With(int number) const
+  {
+    std::string digits = std::to_string(number);
+    const std::size_t wanted = this->Width.empty() ? 0 : std::stoul(this->Width);
+    digits.insert(0, wanted > digits.size() ? wanted - digits.size() : 0, this->Width[0] == '0' ? '0' : ' ');
+    return this->Before + digits + this->After;
+  }
+
+  bool IsValid = false;
+
+private:
+  std::string Before;
+  std::string Width;
+  std::string After;
+};
 
 /// Memory of the grids, and of what becomes of them while they are written [bytes].
 double GridBytes(const std::vector<littoral::Volume>& volumes)
@@ -170,7 +189,8 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
     request->Remove(Pipeline::CONTINUE_EXECUTING());
     this->CurrentStep = 0;
   }
-  return written || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : 0; // an abort is no failure
+  // An abort is no failure.
+  return written || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
 }
 
 //----------------------------------------------------------------------------
@@ -184,8 +204,11 @@ std::string vtkVDBVolumeWriter::WhyInvalid() const
 {
   littoral::ParameterCheck check;
   check.Require(this->Tolerance >= 0.0, "Tolerance", this->Tolerance, "", "0 or more");
-  check.Require(!this->WriteAllTimeSteps || std::regex_match(this->FileNameSuffix, SuffixForm),
-    "FileNameSuffix is '" + this->FileNameSuffix + "'; it must hold one number like %d or %04d.");
+  constexpr std::size_t longest = 255; // name of a file [bytes]
+  check.Require(!this->WriteAllTimeSteps ||
+      (this->FileNameSuffix.size() <= longest && NumberedSuffix(this->FileNameSuffix).IsValid),
+    "FileNameSuffix is '" + this->FileNameSuffix.substr(0, longest) +
+      "'; it must hold one number like %d or %04d, in at most 255 characters.");
   return check.Reason();
 }
 
@@ -198,7 +221,7 @@ std::string vtkVDBVolumeWriter::StepFileName() const
   }
   const std::filesystem::path whole(this->FileName);
   const std::string name =
-    whole.stem().string() + Numbered(this->FileNameSuffix, this->CurrentStep) + whole.extension().string();
+    whole.stem().string() + NumberedSuffix(this->FileNameSuffix).With(this->CurrentStep) + whole.extension().string();
   return (whole.parent_path() / name).string();
 }
 

@@ -72,6 +72,13 @@ const char* vtkFlowPrimitiveSource::GetFlowTypeAsString() const
 }
 
 //----------------------------------------------------------------------------
+int vtkFlowPrimitiveSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
 void vtkFlowPrimitiveSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

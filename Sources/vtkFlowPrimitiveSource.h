@@ -34,6 +34,9 @@ public:
   vtkTypeMacro(vtkFlowPrimitiveSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   enum PrimitiveType
   {
     Uniform = 0,

@@ -122,6 +122,13 @@ int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInfo
 }
 
 //----------------------------------------------------------------------------
+int vtkPlantSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
 void vtkPlantSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -57,6 +57,9 @@ public:
   vtkTypeMacro(vtkPlantSource, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   /// Sizes of the textures that the blocks of a plant will carry, before any data are made: a vtkDataObject whose field
   /// arrays `Crown` and `Leaves` hold columns and rows [texels]. The pipeline copies it to all filters downstream.
   static vtkInformationDataObjectMetaDataKey* TEXTURE_SIZES();

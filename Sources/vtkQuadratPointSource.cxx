@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQuadratPointSource.h"
 
+#include "Data/ArrayReader.h"
+#include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
 #include "Pipeline/Mistakes.h"
@@ -10,7 +12,6 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,7 +22,6 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <cmath>
 #include <numeric>
@@ -64,7 +64,7 @@ public:
   /// Places the points of a batch of quadrats, in any order on any threads.
   void Scatter(std::size_t batch)
   {
-    double* xyz = vtkDoubleArray::SafeDownCast(this->Positions->GetData())->GetPointer(0);
+    double* xyz = static_cast<double*>(this->Positions->GetVoidPointer(0));
     const std::size_t begin = this->First + batch * QuadratsAtOnce;
     const std::size_t end = std::min(begin + QuadratsAtOnce, this->End);
     for (std::size_t quadrat = begin; quadrat < end; ++quadrat)
@@ -169,6 +169,56 @@ int vtkQuadratPointSource::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
+/// Takes over the first row of a table of fits. The reason why it cannot be, or nothing.
+std::string vtkQuadratPointSource::TakeFit(vtkTable* table, Recipe& recipe)
+{
+  littoral::ArrayReader rows = littoral::ArrayReader::OfRows(table, "the table of fits");
+  if (table->GetNumberOfRows() == 0 || !rows.Has("LawId"))
+  {
+    return "the table of fits has no row with a LawId; connect the first output of a quadrat analysis.";
+  }
+  littoral::QuadratLawParameters& law = recipe.Law;
+  vtkDataArray* ids = rows.Need("LawId", 1);
+  std::string reason = rows.Reason();
+  if (ids)
+  {
+    littoral::ReadWhole("LawId", ids->GetComponent(0, 0), 0, littoral::NumberOfQuadratLaws - 1, law.Law, reason);
+  }
+  littoral::ParameterCheck check;
+  for (const auto* parameter : littoral::AllQuadratLawParameters())
+  {
+    vtkDataArray* column = rows.Find(parameter->Name, 1);
+    const double number = column ? column->GetComponent(0, 0) : std::nan("");
+    if (std::isfinite(number)) // NaN: the law has no such parameter
+    {
+      check.Within(parameter->Name, number, parameter->Allowed, parameter->Unit);
+      check.Range(parameter->Name, number, -VTK_INT_MAX, VTK_INT_MAX); // some are whole
+    }
+    if (std::isfinite(number) && check.IsGood())
+    {
+      parameter->Set(law, number);
+    }
+  }
+  littoral::ArrayReader fields = littoral::ArrayReader::OfFields(table, "the table of fits", 1);
+  vtkDataArray* origin = fields.Find("Origin", 2);
+  vtkDataArray* size = fields.Find("Size", 2);
+  vtkDataArray* quadrats = fields.Find("Quadrats", 2);
+  check.Require(rows.Reason());
+  check.Require(fields.Reason());
+  reason = reason.empty() ? check.Reason() : reason;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    recipe.Grid.Origin[axis] = origin ? origin->GetComponent(0, axis) : recipe.Grid.Origin[axis];
+    recipe.Grid.Size[axis] = size ? size->GetComponent(0, axis) : recipe.Grid.Size[axis];
+    if (quadrats)
+    {
+      littoral::ReadWhole("Quadrats", quadrats->GetComponent(0, axis), 1, VTK_INT_MAX, recipe.Grid.Count[axis], reason);
+    }
+  }
+  return reason;
+}
+
+//----------------------------------------------------------------------------
 bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recipe)
 {
   littoral::QuadratLawParameters& law = recipe.Law;
@@ -180,47 +230,14 @@ bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recip
   law.ClusterSuccess = this->ClusterSuccess;
   recipe.Grid = { { this->Origin[0], this->Origin[1] }, { this->Size[0], this->Size[1] },
     { this->Quadrats[0], this->Quadrats[1] } };
-  vtkTable* table = vtkTable::GetData(fits);
-  if (!table)
+  std::string reason;
+  auto* table = littoral::OptionalInputOf<vtkTable>(fits, "Input", reason);
+  reason = table ? TakeFit(table, recipe) : reason;
+  if (!reason.empty())
   {
-    return true;
+    littoralErrorMacro("Cannot scatter points: " << reason);
   }
-  if (table->GetNumberOfRows() == 0 || !table->GetColumnByName("LawId"))
-  {
-    littoralErrorMacro("The table of fits has no row with a LawId; connect the first output of a quadrat analysis.");
-    return false;
-  }
-  const auto take = [table](const char* column, const auto& set) {
-    if (table->GetColumnByName(column))
-    {
-      const double number = table->GetValueByName(0, column).ToDouble();
-      if (std::isfinite(number)) // NaN: the law has no such parameter
-      {
-        set(number);
-      }
-    }
-  };
-  int id = -1;
-  take("LawId", [&](double number) { id = static_cast<int>(number); });
-  law.Law = static_cast<littoral::QuadratLaw>(id);
-  for (const auto* parameter : littoral::AllQuadratLawParameters())
-  {
-    take(parameter->Name, [&](double number) { parameter->Set(law, number); });
-  }
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const auto measured = [&](const char* name, auto& value) {
-      vtkDataArray* array = table->GetFieldData()->GetArray(name);
-      if (array && array->GetNumberOfComponents() == 2 && array->GetNumberOfTuples() == 1)
-      {
-        value = static_cast<std::decay_t<decltype(value)>>(array->GetComponent(0, axis));
-      }
-    };
-    measured("Origin", recipe.Grid.Origin[axis]);
-    measured("Size", recipe.Grid.Size[axis]);
-    measured("Quadrats", recipe.Grid.Count[axis]);
-  }
-  return true;
+  return reason.empty();
 }
 
 //----------------------------------------------------------------------------
@@ -261,11 +278,9 @@ int vtkQuadratPointSource::RequestData(
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
   const std::vector<int> counts =
     littoral::QuadratCounts(recipe.Law, quadrats, static_cast<littoral::QuadratMode>(this->Mode), this->Seed);
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  const long long piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
-  const long long pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
-  PatternPiece pattern(recipe.Grid, this->Seed, counts, static_cast<std::size_t>(quadrats * piece / pieces),
-    static_cast<std::size_t>(quadrats * (piece + 1) / pieces));
+  const littoral::PieceRange part = littoral::RequestedPart(outputVector->GetInformationObject(0), quadrats);
+  PatternPiece pattern(
+    recipe.Grid, this->Seed, counts, static_cast<std::size_t>(part.Begin), static_cast<std::size_t>(part.End));
   if (littoral::RunWithProgress(this, pattern.GetNumberOfBatches(), 0.2, 1.0,
         [&](std::size_t batch) { pattern.Scatter(batch); })) // else aborted
   {
@@ -279,6 +294,13 @@ int vtkQuadratPointSource::RequestData(
 const char* vtkQuadratPointSource::GetLawAsString() const
 {
   return littoral::NameOfRow<littoral::QuadratLaw>(this->Law, littoral::NumberOfQuadratLaws);
+}
+
+//----------------------------------------------------------------------------
+int vtkQuadratPointSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

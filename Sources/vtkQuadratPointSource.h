@@ -26,12 +26,17 @@
 
 #include <string> // for what is wrong with a property
 
+class vtkTable;
+
 class LITTORALSOURCES_EXPORT vtkQuadratPointSource : public vtkPolyDataAlgorithm
 {
 public:
   static vtkQuadratPointSource* New();
   vtkTypeMacro(vtkQuadratPointSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   enum LawType
   {
@@ -178,6 +183,7 @@ private:
   void operator=(const vtkQuadratPointSource&) = delete;
 
   class Recipe;
+  static std::string TakeFit(vtkTable* table, Recipe& recipe);
   bool MakeRecipe(vtkInformationVector* fits, Recipe& recipe);
   std::string WhyInvalid(const Recipe& recipe) const;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSeaStateSource.h"
 
+#include "Data/ArrayReader.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
@@ -33,10 +35,10 @@ constexpr double EnergyLeftOutInSilence = 0.02;
 std::vector<double> ColumnOf(vtkTable* table, const char* name)
 {
   std::vector<double> values;
-  vtkDataArray* array = vtkDataArray::SafeDownCast(table->GetColumnByName(name));
-  for (vtkIdType row = 0; array && array->GetNumberOfComponents() == 1 && row < array->GetNumberOfTuples(); ++row)
+  vtkDataArray* array = littoral::ArrayReader::OfRows(table, "the table of the spectrum").Find(name, 1);
+  for (vtkIdType row = 0; array && row < array->GetNumberOfTuples(); ++row)
   {
-    values.push_back(array->GetTuple1(row));
+    values.push_back(array->GetComponent(row, 0));
   }
   return values;
 }
@@ -123,14 +125,16 @@ int vtkSeaStateSource::RequestData(
   {
     return 1;
   }
-  const SpectrumParameters spectrum = this->MakeSpectrum(vtkTable::GetData(inputVector[0]));
+  std::string reason;
+  const SpectrumParameters spectrum = this->MakeSpectrum(OptionalInputOf<vtkTable>(inputVector[0], "Input", reason));
   const TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
+  check.Require(reason);
   check.Require(WhyInvalid(spectrum));
   check.Choice("SeaBy", this->SeaBy, 2);
   check.Finite("SeaLevel", this->SeaLevel, "m");
   check.Require(WhyInvalid(cut));
-  std::string reason = check.Reason();
+  reason = check.Reason();
   SeaState state;
   double peakPeriod = 0.0;
   double energy = 0.0;
@@ -161,6 +165,13 @@ int vtkSeaStateSource::RequestData(
     littoralWarningMacro("FrequencyRange leaves out " << 100.0 * leftOut << " % of the energy of the spectrum.");
   }
   return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSeaStateSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

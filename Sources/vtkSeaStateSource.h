@@ -46,6 +46,9 @@ public:
   vtkTypeMacro(vtkSeaStateSource, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   enum SpectrumType
   {
     PiersonMoskowitz = 0,

@@ -337,7 +337,7 @@ std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
   {
     const double* b = this->Bounds;
     if (!(b[0] < b[1] && b[2] < b[3] && b[4] < b[5]) ||
-      !std::all_of(b, b + 6, [](double x) { return std::isfinite(x); }))
+      !std::all_of(b, b + 6, [](double x) { return littoral::IsSensible(x); }))
     {
       return "Bounds must be finite and increasing along each axis.";
     }
@@ -394,14 +394,7 @@ int vtkSuspendedParticleSource::RequestData(vtkInformation*, vtkInformationVecto
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   Recipe recipe;
   std::string reason = this->MakeRecipe(recipe);
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  const int piece = std::max(0, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()));
-  const int pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
-  const auto bound = [&](int part) {
-    return static_cast<long long>(static_cast<double>(recipe.First.back()) * part / pieces);
-  };
-  const long long first = bound(std::min(piece, pieces));
-  const long long last = bound(std::min(piece + 1, pieces));
+  const auto [first, last] = littoral::RequestedPart(outputVector->GetInformationObject(0), recipe.First.back());
   const double bytes = this->Mode == Quads ? 5.0 * 88.0 + 40.0 : 64.0;
   if (reason.empty() && bytes * static_cast<double>(last - first) > littoral::AvailableMemory())
   {
@@ -464,6 +457,13 @@ const char* vtkSuspendedParticleSource::GetPresetAsString() const
   return this->Preset == Custom ? "Custom"
                                 : littoral::NameOfRow<littoral::ParticleScene>(
                                     this->Preset, littoral::NumberOfParticleScenes + 1, littoral::ParticleSceneName);
+}
+
+//----------------------------------------------------------------------------
+int vtkSuspendedParticleSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTurningBandsTerrainSource.h"
 
+#include "Data/ArrayReader.h"
+#include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -19,7 +21,6 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <algorithm>
 #include <array>
@@ -105,6 +106,8 @@ int vtkTurningBandsTerrainSource::RequestInformation(
   littoral::ParameterCheck check;
   check.Positive("Spacing[0]", this->Spacing[0]);
   check.Positive("Spacing[1]", this->Spacing[1]);
+  check.Finite("Spacing[2]", this->Spacing[2]);
+  check.Finite("Origin[2]", this->Origin[2]);
   if (!check.IsGood())
   {
     littoralErrorMacro(<< check.Reason());
@@ -179,21 +182,21 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
     return false;
   }
   littoral::TurningBandsParameters& bands = recipe.Bands;
-  const auto take = [fits](const char* column, double& value) {
-    if (fits->GetColumnByName(column))
-    {
-      value = fits->GetValueByName(0, column).ToDouble();
-    }
+  littoral::ArrayReader rows = littoral::ArrayReader::OfRows(fits, "The table of fits");
+  const auto take = [&rows](const char* column, double& value) {
+    vtkDataArray* array = rows.Find(column, 1);
+    value = array ? array->GetComponent(0, 0) : value;
   };
   double model = -1.0;
   take("ModelId", model);
-  if (!(model >= 0.0))
+  if (!(model >= 0.0) && rows.IsGood())
   {
     littoralErrorMacro(
       "The table of fits has no column ModelId with a model; connect the first output of a covariance fit.");
     return false;
   }
-  bands.Field.Model = static_cast<littoral::CovarianceModel>(static_cast<int>(model));
+  std::string reason = rows.Reason();
+  littoral::ReadWhole("ModelId", model, 0, littoral::NumberOfCovarianceModels - 1, bands.Field.Model, reason);
   take("Variance", bands.Field.Variance);
   take("Range", bands.Field.Range);
   take("SecondRange", bands.Field.SecondRange);
@@ -205,7 +208,12 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
   take("SlopeY", recipe.Slope[1]);
   take("TrendWidth", recipe.TrendSides[0]);
   take("TrendHeight", recipe.TrendSides[1]);
-  return true;
+  reason = reason.empty() ? rows.Reason() : reason;
+  if (!reason.empty())
+  {
+    littoralErrorMacro("Cannot grow " << recipe.Name << ": " << reason);
+  }
+  return reason.empty();
 }
 
 //----------------------------------------------------------------------------
@@ -362,7 +370,13 @@ int vtkTurningBandsTerrainSource::RequestData(
 
   Recipe elevation = this->ElevationRecipe();
   Recipe reflectance = this->ReflectanceRecipe();
-  vtkTable* fits = vtkTable::GetData(inputVector[0]);
+  std::string reason;
+  auto* fits = littoral::OptionalInputOf<vtkTable>(inputVector[0], "Input", reason);
+  if (!reason.empty())
+  {
+    littoralErrorMacro("Cannot grow " << elevation.Name << ": " << reason);
+    return littoral::FailedRequest(this);
+  }
   if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
     (this->Reflectance && !this->CheckRecipe(reflectance)))
   {
@@ -397,6 +411,13 @@ int vtkTurningBandsTerrainSource::RequestData(
 const char* vtkTurningBandsTerrainSource::GetModelAsString() const
 {
   return littoral::NameOfRow<littoral::CovarianceModel>(this->Model, littoral::NumberOfCovarianceModels);
+}
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

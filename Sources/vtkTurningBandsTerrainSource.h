@@ -41,6 +41,9 @@ public:
   vtkTypeMacro(vtkTurningBandsTerrainSource, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
   enum ModelType
   {
     Fractal = 0,

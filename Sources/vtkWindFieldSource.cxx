@@ -281,6 +281,7 @@ void vtkWindFieldSource::CopyVelocities(
 int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
+  littoral::ForgetExtent(info);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
   if (littoral::IsAnnouncedEmpty(info))
@@ -341,6 +342,13 @@ const char* vtkWindFieldSource::GetSpectrumAsString() const
 const char* vtkWindFieldSource::GetCoherenceAsString() const
 {
   return littoral::NameOfRow<littoral::WindCoherenceModel>(this->Coherence, littoral::NumberOfWindCoherences);
+}
+
+//----------------------------------------------------------------------------
+int vtkWindFieldSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -210,16 +210,19 @@ std::string WhyInvalid(const FlowPrimitive& primitive)
   {
     return check.Reason();
   }
-  const auto isLength = [](double value) { return value >= 0.0 && std::isfinite(value); };
+  const auto isLength = [](double value) { return value >= 0.0 && IsSensible(value); };
   const FlowTraits& traits = TraitsOf(primitive.Type);
   check.Finite("Strength", primitive.Strength);
-  check.Require(IsFinite(primitive.Center), "Center must be finite.");
-  check.Require(!traits.HasAxis || (IsFinite(primitive.Axis) && glm::length(primitive.Axis) > 0.0),
+  check.Require(IsSensible(primitive.Center), "Center must be finite, and below 1e15 m.");
+  check.Require(!traits.HasAxis || (IsSensible(primitive.Axis) && glm::length(primitive.Axis) > 0.0),
     "Axis must be finite and not of length 0.");
   if (traits.HasCore)
   {
     check.Positive("CoreRadius", primitive.CoreRadius, "m");
   }
+  // What does not count is still written into the output.
+  check.Finite("CoreRadius", primitive.CoreRadius, "m");
+  check.Require(IsSensible(primitive.Axis), "Axis must be finite.");
   constexpr const char* wanted = "positive and finite, or 0 for none";
   check.Require(isLength(primitive.InfluenceRadius), "InfluenceRadius", primitive.InfluenceRadius, "m", wanted);
   check.Require(isLength(primitive.InfluenceMargin), "InfluenceMargin", primitive.InfluenceMargin, "m", wanted);

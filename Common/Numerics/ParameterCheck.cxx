@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace littoral
 {
@@ -31,12 +32,18 @@ std::string TextOf(double value)
   for (int digits = 6; digits <= 17; ++digits)
   {
     std::snprintf(text, sizeof(text), "%.*g", digits, value);
-    if (!std::isfinite(value) || std::stod(text) == value)
+    if (!std::isfinite(value) || std::strtod(text, nullptr) == value) // std::stod() refuses denormal numbers
     {
       break;
     }
   }
   return text;
+}
+
+bool IsSensible(double value)
+{
+  const double magnitude = std::abs(value);
+  return value == 0.0 || (magnitude >= SmallestMagnitude && magnitude <= LargestMagnitude);
 }
 
 bool ValueInterval::Contains(double value) const
@@ -93,6 +100,8 @@ void ParameterCheck::Within(std::string_view name, double value, const ValueInte
   {
     this->Require(false, Sentence(name, TextOf(value), unit, allowed.Words(unit)));
   }
+  this->Require(IsSensible(value), name, value, unit,
+    "of a magnitude from " + TextOf(SmallestMagnitude) + " to " + WithUnit(LargestMagnitude, unit));
 }
 
 void ParameterCheck::Range(std::string_view name, double value, double low, double high, const char* unit)

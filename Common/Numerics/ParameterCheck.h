@@ -11,6 +11,14 @@
 namespace littoral
 {
 
+/// Magnitudes that a parameter in any unit can sensibly have, besides 0. Beyond them products of a few parameters
+/// overflow, or vanish where they divide.
+constexpr double SmallestMagnitude = 1e-30;
+constexpr double LargestMagnitude = 1e15;
+
+/// Whether a number is 0 or of a sensible magnitude; NaN and infinity are not.
+bool IsSensible(double value);
+
 /// Interval of allowed values. Values that are not finite are never allowed.
 struct ValueInterval
 {
@@ -40,7 +48,7 @@ struct ValueInterval
 
 /**
  * Checks of parameters, in one wording: "TimeStep is 2 s; it must be from 1e-05 to 1 s." The first bad one counts;
- * those after it are not looked at. Numbers that are not finite are bad.
+ * those after it are not looked at. Numbers that are not sensible are bad, whatever the interval.
  *
  *   ParameterCheck check;
  *   check.Choice("Method", method, 2);

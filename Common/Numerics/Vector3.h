@@ -3,6 +3,8 @@
 #ifndef LittoralVector3_h
 #define LittoralVector3_h
 
+#include "Numerics/ParameterCheck.h"
+
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -17,6 +19,12 @@ using Vector3 = glm::dvec3;
 inline bool IsFinite(const Vector3& a)
 {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+/// Whether each part is 0 or of a magnitude that a parameter can have.
+inline bool IsSensible(const Vector3& a)
+{
+  return IsSensible(a.x) && IsSensible(a.y) && IsSensible(a.z);
 }
 
 /// The direction of a vector; up for the zero vector.

@@ -213,8 +213,8 @@ std::string WhyInvalid(const ParticleBox& box, int index)
     box.Lower.x < box.Upper.x && box.Lower.y < box.Upper.y && box.Lower.z < box.Upper.z; // false for NaN
   const std::string name = "box " + std::to_string(index);
   ParameterCheck check;
-  check.Require(
-    upright && IsFinite(box.Lower) && IsFinite(box.Upper), name + " has bounds that are not finite and increasing.");
+  check.Require(upright && IsSensible(box.Lower) && IsSensible(box.Upper),
+    name + " has bounds that are not finite and increasing.");
   check.Choice(name + ": kind", static_cast<int>(box.Kind), ParticleKinds);
   check.Positive(name + ": diameter", box.Diameter, "m", 10.0);
   check.NotNegative(name + ": amount", box.Amount);

@@ -70,12 +70,13 @@ WaveTrain RegularWave(const SeaSpectrum& spectrum, double depth, double directio
   return { std::sqrt(2.0 * spectrum.TotalEnergy()), frequency, WaveNumber(frequency, depth), direction, Pi };
 }
 
+/// Amplitudes may be as small as they come: they are sums, and divide nothing.
 bool IsGood(const WaveTrain& train)
 {
-  return train.Amplitude >= 0.0 && std::isfinite(train.Amplitude) &&
+  return train.Amplitude >= 0.0 && train.Amplitude <= LargestMagnitude &&
     ValueInterval::Positive().Contains(train.AngularFrequency) &&
-    ValueInterval::Positive().Contains(train.WaveNumber) && std::isfinite(train.Direction) &&
-    std::isfinite(train.Phase);
+    ValueInterval::Positive().Contains(train.WaveNumber) && std::abs(train.Direction) <= LargestMagnitude &&
+    std::abs(train.Phase) <= LargestMagnitude;
 }
 
 /// Whether frequency and wave number obey w^2 = g k tanh kh.

@@ -30,6 +30,13 @@ constexpr double MostPhaseStep = 0.5 * Pi;
 /// Most nodes of a table for a step of the grid; on lines that would need more, harmonics end earlier.
 constexpr int MostNodesPerStep = 64;
 
+/// More lines or harmonics than this show nothing more, and take hours.
+constexpr int MostLinesGiven = 100000;
+constexpr int MostHarmonics = 100000;
+
+/// Spacings between 0 and the origin beyond which points are not told apart.
+constexpr double FarthestOrigin = 1e12;
+
 /// Draw index of the random turn of all lines and of the random shift of each line's nodes, far from those of the
 /// harmonics.
 constexpr std::uint64_t PlaceDraw = 0xffffffffu;
@@ -378,10 +385,9 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
   }
   const bool hasLargestWave = LowestWaveNumber(parameters.Field) > 0.0;
   ParameterCheck check;
-  check.Count("NumberOfLines", parameters.NumberOfLines, 1, std::numeric_limits<int>::max());
-  check.Count("NumberOfHarmonics", parameters.NumberOfHarmonics, 1, std::numeric_limits<int>::max());
-  check.Require(std::isfinite(parameters.AnisotropyRatio) && parameters.AnisotropyRatio >= 1.0,
-    "AnisotropyRatio is " + TextOf(parameters.AnisotropyRatio) + "; it must be finite and at least 1.");
+  check.Count("NumberOfLines", parameters.NumberOfLines, 1, MostLinesGiven);
+  check.Count("NumberOfHarmonics", parameters.NumberOfHarmonics, 1, MostHarmonics);
+  check.Within("AnisotropyRatio", parameters.AnisotropyRatio, ValueInterval::AtLeast(1.0));
   check.Finite("AnisotropyAngle", parameters.AnisotropyAngle);
   check.NotNegative("ShortestWavelength", parameters.ShortestWavelength);
   check.Require(!hasLargestWave || parameters.Field.Range > parameters.ShortestWavelength,
@@ -390,8 +396,13 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
       ".");
   check.Positive("Spacing[0]", grid.Spacing[0]);
   check.Positive("Spacing[1]", grid.Spacing[1]);
-  check.Finite("Origin[0]", grid.Origin[0]);
-  check.Finite("Origin[1]", grid.Origin[1]);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const std::string name = "Origin[" + std::to_string(axis) + "]";
+    check.Finite(name, grid.Origin[axis]);
+    check.Within(name, grid.Origin[axis],
+      ValueInterval::From(-FarthestOrigin * grid.Spacing[axis], FarthestOrigin * grid.Spacing[axis]));
+  }
   return check.Reason();
 }
 

@@ -119,7 +119,8 @@ std::string WhyInvalid(const WindModel& model, const WindGrid& grid)
   check.Positive("TimeStep", grid.TimeStep, "s");
   check.Positive("LateralSpacing", grid.LateralSpacing, "m");
   check.Positive("VerticalSpacing", grid.VerticalSpacing, "m");
-  check.Require(grid.BottomHeight > model.RoughnessLength && std::isfinite(grid.BottomHeight),
+  check.Finite("BottomHeight", grid.BottomHeight, "m");
+  check.Require(grid.BottomHeight > model.RoughnessLength,
     "BottomHeight is " + TextOf(grid.BottomHeight) + " m; it must be above the RoughnessLength of " +
       TextOf(model.RoughnessLength) + " m, below which there is no wind.");
   return check.Reason();

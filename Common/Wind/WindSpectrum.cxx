@@ -138,10 +138,11 @@ std::string WhyInvalid(const WindModel& model)
   ParameterCheck check;
   check.Positive("ReferenceSpeed", model.ReferenceSpeed, "m/s", FastestWind);
   check.Positive("RoughnessLength", model.RoughnessLength, "m");
-  check.Require(model.ReferenceHeight > model.RoughnessLength && std::isfinite(model.ReferenceHeight),
-    "ReferenceHeight", model.ReferenceHeight, "m",
+  check.Finite("ReferenceHeight", model.ReferenceHeight, "m");
+  check.Require(model.ReferenceHeight > model.RoughnessLength, "ReferenceHeight", model.ReferenceHeight, "m",
     "finite and above the RoughnessLength of " + TextOf(model.RoughnessLength) + " m");
   check.Within("RoughnessLength", model.RoughnessLength, ValueInterval::Between(0.0, CoherenceHeight), "m");
+  check.Finite("TurbulenceIntensity", model.TurbulenceIntensity); // also where it does not count: it is written
   check.Require(WhyNoFamily(model));
   if (!check.IsGood())
   {

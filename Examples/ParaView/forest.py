@@ -21,7 +21,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import littoral
-from littoral import landscape
+from littoral import files, landscape
 from littoral.elevation import write_vti
 from littoral.film import folder_size_frames, save_film
 
@@ -59,8 +59,7 @@ def write_polydata(data, filename):
     writer = vtkXMLPolyDataWriter()
     writer.SetInputData(data)
     writer.SetDataModeToBinary()
-    writer.SetFileName(filename)
-    writer.Write()
+    files.write(writer, filename)
 
 
 def reader(kind, name, filename):
@@ -151,7 +150,7 @@ def build(folder, view):
     for part in landscape.TEXTURED_PARTS:
         landscape.show_textured(sway, view, part, file(part.split("/")[-1].lower() + ".png"))
     if hasattr(littoral, "vtkVDBVolumeWriter"):
-        simple.SaveData(os.path.join(folder, "wind.vdb"), wind)
+        landscape.save_volume(os.path.join(folder, "wind.vdb"), wind)
     return country
 
 
@@ -185,7 +184,7 @@ def film_walk(country, view, folder, frames, told):
         look(country, view, frame / max(1, frames - 1))
         view.ViewTime = frame / RATE
         pictures.append(os.path.join(folder, f"walk.{frame:04d}.png"))
-        simple.SaveScreenshot(pictures[-1], view)
+        landscape.save_view(pictures[-1], view)
     save_film(os.path.join(folder, "walk.ogv"), pictures, RATE)
 
 
@@ -197,7 +196,7 @@ def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
     view.ViewSize = list(size)
     country = build(folder, view)
     plan_walk(country, view, frames or 120)
-    simple.SaveScreenshot(os.path.join(folder, "forest.png"), view)
+    landscape.save_view(os.path.join(folder, "forest.png"), view)
     if frames:
         film_walk(country, view, folder, frames, told)
 

@@ -18,7 +18,7 @@ from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import littoral
-from littoral import underwater
+from littoral import files, landscape, underwater
 from littoral.film import folder_size_frames, save_film
 
 DEPTH = 9.5  # water depth [m]
@@ -42,8 +42,7 @@ def reader(name, data, folder):
     writer = vtkXMLPolyDataWriter()
     writer.SetInputData(data)
     writer.SetDataModeToBinary()
-    writer.SetFileName(filename)
-    writer.Write()
+    files.write(writer, filename)
     return simple.XMLPolyDataReader(registrationName=name, FileName=[filename], TimeArray="None")
 
 
@@ -111,7 +110,7 @@ def film(shaded, view, folder, frames, told):
         for shown in shaded:
             underwater.set_time(shown, view.ViewTime)
         pictures.append(os.path.join(folder, f"underwater.{frame:04d}.png"))
-        simple.SaveScreenshot(pictures[-1], view)
+        landscape.save_view(pictures[-1], view)
     save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
 
 
@@ -122,9 +121,9 @@ def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
     shaded = build(folder, view)
-    simple.SaveScreenshot(os.path.join(folder, "underwater.png"), view)
+    landscape.save_view(os.path.join(folder, "underwater.png"), view)
     if hasattr(littoral, "vtkVDBVolumeWriter"):
-        simple.SaveData(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
+        landscape.save_volume(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
     if frames > 0:
         film(shaded, view, folder, frames, told)
 

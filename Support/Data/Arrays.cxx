@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Arrays.h"
 
-#include "vtkDataObject.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 
@@ -20,14 +18,6 @@ vtkSmartPointer<vtkPoints> PointsOf(const std::vector<Vector3>& positions)
 vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other)
 {
   return NewArray<vtkFloatArray>(other->GetName(), other->GetNumberOfComponents(), other->GetNumberOfTuples());
-}
-
-vtkDataArray* FieldArray(vtkDataObject* data, const char* name, int components, vtkIdType tuples)
-{
-  vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  const bool fits =
-    array && array->GetNumberOfComponents() == components && (tuples < 0 || array->GetNumberOfTuples() == tuples);
-  return fits ? array : nullptr;
 }
 
 }

@@ -13,8 +13,6 @@
 #include <type_traits>
 #include <vector>
 
-class vtkDataArray;
-class vtkDataObject;
 class vtkFloatArray;
 class vtkPoints;
 
@@ -53,9 +51,6 @@ vtkSmartPointer<vtkPoints> PointsOf(const std::vector<Vector3>& positions);
 
 /// An array of the same name and size, not filled.
 vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other);
-
-/// A field array with as many components and tuples (negative: any number); null where there is none.
-vtkDataArray* FieldArray(vtkDataObject* data, const char* name, int components, vtkIdType tuples);
 
 }
 

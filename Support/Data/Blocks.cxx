@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Blocks.h"
 
+#include "Data/Inputs.h"
+
 #include "vtkCompositeDataSet.h"
 #include "vtkDataAssembly.h"
 #include "vtkFieldData.h"
@@ -35,7 +37,7 @@ vtkDataObject* OnlyPartition(vtkPartitionedDataSet* parts, const std::string& na
     vtkDataObject* one = parts->GetPartitionAsDataObject(part);
     if (only && one)
     {
-      reason = "the data set '" + name + "' of the collection is in several partitions; it must be in one";
+      reason = "the data set '" + name + "' of the collection is in several partitions; it must be in one.";
     }
     only = only ? only : one;
   }
@@ -130,12 +132,17 @@ vtkPartitionedDataSet* FindDataSet(vtkPartitionedDataSetCollection* collection, 
   return nullptr;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, std::string& reason)
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, const char* input, std::string& reason)
 {
   auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data);
+  auto* multiblock = vtkMultiBlockDataSet::SafeDownCast(data);
+  if (!collection && !multiblock && reason.empty())
+  {
+    reason = WhyOtherType(data, input, "blocks (vtkMultiBlockDataSet)");
+  }
   if (!collection)
   {
-    return vtkMultiBlockDataSet::SafeDownCast(data);
+    return multiblock;
   }
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   blocks->GetFieldData()->ShallowCopy(collection->GetFieldData());

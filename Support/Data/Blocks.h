@@ -32,10 +32,11 @@ void EmptyBlocks(vtkMultiBlockDataSet* blocks);
 vtkPartitionedDataSet* FindDataSet(vtkPartitionedDataSetCollection* collection, const char* name);
 
 /**
- * Input in blocks: a multiblock as it is, a collection as its assembly orders it, or in a row if it has none; null of
- * anything else. The reason says which data set is in several partitions.
+ * Input in blocks: a multiblock as it is, a collection as its assembly orders it, or in a row if it has none. Null of
+ * anything else, with the reason, which names the input as in the panel. The reason also says which data set is in
+ * several partitions.
  */
-vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, std::string& reason);
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, const char* input, std::string& reason);
 
 }
 

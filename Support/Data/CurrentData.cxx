@@ -3,20 +3,19 @@
 #include "Data/CurrentData.h"
 
 #include "Currents/SplineVelocity.h"
+#include "Data/ArrayReader.h"
+#include "Data/Cells.h"
 #include "Data/FlowPrimitiveData.h"
+#include "Data/Inputs.h"
 #include "Pipeline/Pipeline.h"
 
-#include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
@@ -231,7 +230,7 @@ public:
     {
       for (vtkIdType id = 0; id < axes[axis]->GetNumberOfTuples(); ++id)
       {
-        this->Coordinates[axis].push_back(axes[axis]->GetTuple1(id));
+        this->Coordinates[axis].push_back(axes[axis]->GetComponent(id, 0));
       }
       this->Samples[axis] = static_cast<int>(this->Coordinates[axis].size());
     }
@@ -406,44 +405,28 @@ bool HasCells(vtkDataSet* data)
 /// The array of velocities; null with a reason if there is none.
 vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name, std::string& reason)
 {
-  vtkPointData* arrays = data->GetPointData();
-  vtkDataArray* found = arrays->GetArray(name.empty() ? "Velocity" : name.c_str());
-  if (!found && name.empty())
+  ArrayReader points = ArrayReader::OfPoints(data, "a current (VelocityArray)");
+  vtkDataArray* found = points.Find(name.empty() ? "Velocity" : name.c_str(), 3);
+  if (!found && name.empty() && points.IsGood())
   {
-    int vectors = 0;
-    for (int index = 0; index < arrays->GetNumberOfArrays(); ++index)
-    {
-      vtkDataArray* array = arrays->GetArray(index);
-      if (array && array->GetNumberOfComponents() == 3)
-      {
-        found = array;
-        ++vectors;
-      }
-    }
+    const std::vector<vtkDataArray*> all = points.All(3);
+    const std::size_t vectors = all.size();
+    found = all.empty() ? nullptr : all.back();
     if (vectors > 1)
     {
       reason = "a current has more than one point array of three components; name one in VelocityArray.";
       return nullptr;
     }
   }
-  const std::string wanted = name.empty() ? "of velocities" : "'" + name + "'";
-  if (!found)
+  if (!found && !(name.empty() ? points.Has("Velocity") : points.Has(name.c_str())))
   {
-    const bool onCells = !name.empty() && data->GetCellData()->GetArray(name.c_str());
-    reason = "a current has no point array " + wanted +
+    const bool onCells = !name.empty() && ArrayReader::OfCells(data, "").Has(name.c_str());
+    reason = "a current has no point array " + (name.empty() ? "of velocities" : "'" + name + "'") +
       (onCells ? "; it is on cells: bring it to the points first." : " (VelocityArray), and is no flow primitive.");
   }
-  else if (found->GetNumberOfComponents() != 3)
+  else if (!found)
   {
-    reason = "the point array " + wanted + " (VelocityArray) has " + std::to_string(found->GetNumberOfComponents()) +
-      " components; a velocity has three.";
-    found = nullptr;
-  }
-  else if (found->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    reason = "the point array " + wanted + " (VelocityArray) has " + std::to_string(found->GetNumberOfTuples()) +
-      " values for " + std::to_string(data->GetNumberOfPoints()) + " points.";
-    found = nullptr;
+    reason = points.Reason();
   }
   return found;
 }
@@ -466,7 +449,8 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInter
   }
   std::string reason;
   vtkDataArray* velocities = FindVelocities(data, name, reason);
-  if (!velocities)
+  reason = reason.empty() ? WhyBadCells(data, "a current") : reason;
+  if (!reason.empty())
   {
     return reason;
   }
@@ -497,20 +481,13 @@ std::string ReadCurrent(vtkDataObject* data, const std::string& array, const Wat
   std::vector<FlowPrimitive> primitives;
   std::vector<std::shared_ptr<const VelocityGrid>> grids;
   std::string reason;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  for (vtkDataObject* leaf : LeavesOf(data))
   {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); reason.empty() && !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        reason = TakeDataSet(leaf, array, interpolation, primitives, grids);
-      }
-    }
-  }
-  else if (auto* single = vtkDataSet::SafeDownCast(data))
-  {
-    reason = TakeDataSet(single, array, interpolation, primitives, grids);
+    auto* leafData = vtkDataSet::SafeDownCast(leaf);
+    reason = !reason.empty() ? reason
+      : leafData             ? WhyUnfit(leaf, "Currents")
+                             : WhyOtherType(leaf, "Currents", "points or a grid (vtkDataSet)");
+    reason = reason.empty() ? TakeDataSet(leafData, array, interpolation, primitives, grids) : reason;
   }
   current = CurrentSnapshot(std::move(primitives), std::move(grids), layer);
   return reason;

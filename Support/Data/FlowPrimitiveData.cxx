@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/FlowPrimitiveData.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/SeaStateTable.h"
 
 #include "vtkCellArray.h"
@@ -16,29 +17,6 @@
 
 namespace littoral
 {
-
-namespace
-{
-
-/// Why a point array of some components is missing, in words for a user; empty if it is there.
-std::string WhyMissing(vtkDataSet* data, const char* name, int components)
-{
-  vtkDataArray* array = data->GetPointData()->GetArray(name);
-  if (!array || array->GetNumberOfComponents() != components)
-  {
-    return std::string("the flow primitives have no point array ") + name + " of " + std::to_string(components) +
-      (components > 1 ? " components." : " component.");
-  }
-  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    return std::string("the flow primitives' point array ") + name + " has " +
-      std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(data->GetNumberOfPoints()) +
-      " points.";
-  }
-  return "";
-}
-
-}
 
 void WriteFlowPrimitives(const std::vector<FlowPrimitive>& primitives, vtkPolyData* data)
 {
@@ -87,53 +65,42 @@ void WriteFlowPrimitives(const std::vector<FlowPrimitive>& primitives, vtkPolyDa
 
 bool HoldsFlowPrimitives(vtkDataSet* data)
 {
-  return vtkPointSet::SafeDownCast(data) && data->GetPointData()->GetArray(sea::FlowType);
+  return vtkPointSet::SafeDownCast(data) && ArrayReader::OfPoints(data, "").Has(sea::FlowType);
 }
 
 std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& primitives)
 {
-  const auto array = [data](const char* name) { return data->GetPointData()->GetArray(name); };
-  const bool hasBoxes = array(sea::InfluenceBox) || array(sea::InfluenceMargin);
-  const struct
-  {
-    const char* Name;
-    int Components;
-    bool IsNeeded;
-  } arrays[] = { { sea::FlowType, 1, true }, { sea::Strength, 1, true }, { sea::Axis, 3, true },
-    { sea::CoreRadius, 1, true }, { sea::InfluenceRadius, 1, true }, { sea::InfluenceBox, 6, hasBoxes },
-    { sea::InfluenceMargin, 1, hasBoxes } };
-  for (const auto& one : arrays)
-  {
-    const std::string reason = one.IsNeeded ? WhyMissing(data, one.Name, one.Components) : "";
-    if (!reason.empty())
-    {
-      return reason;
-    }
-  }
-  for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
+  ArrayReader points = ArrayReader::OfPoints(data, "a set of flow primitives");
+  const bool hasBoxes = points.Has(sea::InfluenceBox) || points.Has(sea::InfluenceMargin);
+  vtkDataArray* types = points.Need(sea::FlowType, 1);
+  vtkDataArray* strengths = points.Need(sea::Strength, 1);
+  vtkDataArray* axes = points.Need(sea::Axis, 3);
+  vtkDataArray* cores = points.Need(sea::CoreRadius, 1);
+  vtkDataArray* radii = points.Need(sea::InfluenceRadius, 1);
+  vtkDataArray* boxes = hasBoxes ? points.Need(sea::InfluenceBox, 6) : nullptr;
+  vtkDataArray* margins = hasBoxes ? points.Need(sea::InfluenceMargin, 1) : nullptr;
+  std::string reason = points.Reason();
+  for (vtkIdType id = 0; id < data->GetNumberOfPoints() && reason.empty(); ++id)
   {
     FlowPrimitive primitive;
-    const double type = array(sea::FlowType)->GetTuple1(id);
-    primitive.Type = static_cast<FlowType>(type >= 0.0 && type < NumberOfFlowTypes ? static_cast<int>(type) : -1);
-    primitive.Strength = array(sea::Strength)->GetTuple1(id);
+    const std::string name = "flow primitive " + std::to_string(id) + ": ";
+    ReadWhole(name + sea::FlowType, types->GetComponent(id, 0), 0, NumberOfFlowTypes - 1, primitive.Type, reason);
+    primitive.Strength = strengths->GetComponent(id, 0);
     data->GetPoint(id, &primitive.Center[0]);
-    array(sea::Axis)->GetTuple(id, &primitive.Axis[0]);
-    primitive.CoreRadius = array(sea::CoreRadius)->GetTuple1(id);
-    primitive.InfluenceRadius = array(sea::InfluenceRadius)->GetTuple1(id);
+    axes->GetTuple(id, &primitive.Axis[0]);
+    primitive.CoreRadius = cores->GetComponent(id, 0);
+    primitive.InfluenceRadius = radii->GetComponent(id, 0);
     for (int side = 0; hasBoxes && side < 6; ++side)
     {
       Box& box = primitive.InfluenceBox;
-      (side % 2 ? box.High : box.Low)[side / 2] = array(sea::InfluenceBox)->GetComponent(id, side);
+      (side % 2 ? box.High : box.Low)[side / 2] = boxes->GetComponent(id, side);
     }
-    primitive.InfluenceMargin = hasBoxes ? array(sea::InfluenceMargin)->GetTuple1(id) : 0.0;
-    const std::string reason = WhyInvalid(primitive);
-    if (!reason.empty())
-    {
-      return "flow primitive " + std::to_string(id) + ": " + reason;
-    }
+    primitive.InfluenceMargin = hasBoxes ? margins->GetComponent(id, 0) : 0.0;
+    const std::string why = reason.empty() ? WhyInvalid(primitive) : "";
+    reason = why.empty() ? reason : name + why;
     primitives.push_back(primitive);
   }
-  return "";
+  return reason;
 }
 
 }

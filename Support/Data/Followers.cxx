@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Followers.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/SeaStateTable.h"
 
 #include "vtkDataArray.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
 
 namespace littoral
@@ -13,25 +13,19 @@ namespace littoral
 
 std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
 {
-  vtkDataArray* master = input->GetPointData()->GetArray(sea::MasterId);
-  if (!master)
+  ArrayReader arrays = ArrayReader::OfPoints(input, "a set of particles");
+  vtkDataArray* master = arrays.Find(sea::MasterId, 1);
+  slaves.Offset = master ? arrays.Need(sea::Offset, 3) : nullptr;
+  arrays.NeedFinite(slaves.Offset);
+  if (!master || !arrays.IsGood())
   {
-    return "";
-  }
-  slaves.Offset = input->GetPointData()->GetArray(sea::Offset);
-  if (master->GetNumberOfComponents() != 1)
-  {
-    return "the point array MasterId must have one component.";
-  }
-  if (!slaves.Offset || slaves.Offset->GetNumberOfComponents() != 3)
-  {
-    return "the point array MasterId needs an array Offset of three components beside it.";
+    return arrays.Reason();
   }
   const vtkIdType points = input->GetNumberOfPoints();
   slaves.Master.resize(static_cast<std::size_t>(points));
   for (vtkIdType id = 0; id < points; ++id)
   {
-    const double value = master->GetTuple1(id);
+    const double value = master->GetComponent(id, 0);
     if (!(value < static_cast<double>(points)))
     {
       return "MasterId of point " + std::to_string(id) + " is no point of its data set.";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/PlantBlocks.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/SeaweedBlocks.h"
 
 #include "vtkCellArray.h"
@@ -46,7 +47,7 @@ void AttachImpostor(vtkDataObject* low, const PlantImpostor& impostor)
   low->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(plant::ImpostorAreas, 1, areas));
 }
 
-/// Adds a line of nodes as a branch.
+/// Adds a line of nodes, all of which there are, as a branch.
 void AddBranch(vtkIdList* line, Skeleton& skeleton)
 {
   const int index = static_cast<int>(skeleton.Branches.size());
@@ -214,11 +215,12 @@ vtkFloatArray* FloatPointsOf(vtkPolyData* block)
 
 std::string ReadSkeleton(vtkPolyData* block, Skeleton& skeleton)
 {
-  auto* parents = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::ParentId));
-  auto* radii = vtkFloatArray::SafeDownCast(block->GetPointData()->GetArray(plant::Radius));
-  if (!parents || !radii)
+  ArrayReader points = ArrayReader::OfPoints(block, "High/Skeleton of the plants");
+  auto* parents = points.Need<vtkIntArray>(plant::ParentId, 1);
+  auto* radii = points.Need<vtkFloatArray>(plant::Radius, 1);
+  if (!points.IsGood())
   {
-    return "High/Skeleton of the plants has no point arrays ParentId (int) and Radius (float).";
+    return points.Reason();
   }
   const vtkIdType nodes = block->GetNumberOfPoints();
   skeleton.Nodes.resize(static_cast<std::size_t>(nodes));
@@ -242,23 +244,38 @@ std::string ReadSkeleton(vtkPolyData* block, Skeleton& skeleton)
 
 std::string WhyBadSkin(vtkPolyData* block, const char* name, std::size_t joints)
 {
-  auto* ids = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointIds));
-  auto* weights = vtkFloatArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointWeights));
-  const bool four = ids && weights && ids->GetNumberOfComponents() == 4 && weights->GetNumberOfComponents() == 4;
-  if (block->GetNumberOfPoints() > 0 &&
-    (!four || !FloatPointsOf(block) || !vtkFloatArray::SafeDownCast(block->GetPointData()->GetNormals())))
+  if (block->GetNumberOfPoints() == 0)
   {
-    return std::string("High/") + name +
-      " of the plants has no points, normals, JointIds[4] and JointWeights[4] of int and float.";
+    return {};
   }
-  for (vtkIdType i = 0; four && i < ids->GetNumberOfValues(); ++i)
-  {
-    if (ids->GetValue(i) < 0 || static_cast<std::size_t>(ids->GetValue(i)) >= joints)
-    {
-      return std::string("JointIds of High/") + name + " of the plants point to no node of Skeleton.";
-    }
-  }
-  return {};
+  const std::string owner = std::string("High/") + name + " of the plants";
+  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  points.NeedIds(points.Need<vtkIntArray>(plant::JointIds, 4), static_cast<vtkIdType>(joints), "node");
+  points.Need<vtkFloatArray>(plant::JointWeights, 4);
+  const bool isSingle = FloatPointsOf(block) && FindNormals(block);
+  return points.IsGood() && !isSingle ? owner + " has no points and normals of float." : points.Reason();
+}
+
+vtkFloatArray* FindNormals(vtkPolyData* block)
+{
+  return ArrayReader::OfPoints(block, "a skin").Fit<vtkFloatArray>(block->GetPointData()->GetNormals(), 3);
+}
+
+RestSkin ReadSkin(vtkPolyData* block)
+{
+  ArrayReader points = ArrayReader::OfPoints(block, "a skin");
+  vtkFloatArray* normals = FindNormals(block);
+  return { FloatPointsOf(block)->GetPointer(0), normals ? normals->GetPointer(0) : nullptr,
+    points.Need<vtkIntArray>(plant::JointIds, 4)->GetPointer(0),
+    points.Need<vtkFloatArray>(plant::JointWeights, 4)->GetPointer(0) };
+}
+
+vtkIntArray* FindPlantIds(vtkPolyData* block, std::string& reason)
+{
+  ArrayReader points = ArrayReader::OfPoints(block, "a block of the plants");
+  auto* ids = points.Find<vtkIntArray>(plant::PlantId, 1);
+  reason = reason.empty() ? points.Reason() : reason;
+  return ids;
 }
 
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
@@ -268,7 +285,7 @@ std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
   {
     return leaves;
   }
-  auto* ids = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointIds));
+  const RestSkin skin = ReadSkin(block);
   vtkNew<vtkIdList> cell;
   for (vtkIdType leaf = 0; leaf < block->GetNumberOfPolys(); ++leaf)
   {
@@ -284,7 +301,7 @@ std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
       one.Corners[i] = static_cast<int>(cell->GetId(i));
       block->GetPoint(cell->GetId(i), &corners[i].x);
     }
-    one.Node = ids->GetValue(4 * one.Corners[0]);
+    one.Node = skin.JointIds[4 * one.Corners[0]];
     one.Area = 0.5 * glm::length(glm::cross(corners[2] - corners[0], corners[3] - corners[1]));
     leaves.push_back(one);
   }
@@ -293,7 +310,7 @@ std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
 
 bool ReadWood(vtkDataObject* plant, WoodParameters& wood)
 {
-  vtkDataArray* numbers = FieldArray(plant, plant::Wood, 3, 1);
+  vtkDataArray* numbers = ArrayReader::OfFields(plant, "a plant", 1).Find(plant::Wood, 3);
   if (numbers)
   {
     wood = { numbers->GetComponent(0, 0), numbers->GetComponent(0, 1), numbers->GetComponent(0, 2) };
@@ -301,21 +318,42 @@ bool ReadWood(vtkDataObject* plant, WoodParameters& wood)
   return numbers != nullptr;
 }
 
+std::array<int, 2> ReadTextureSize(vtkDataArray* size)
+{
+  std::array<int, 2> sides{ 0, 0 };
+  std::string reason;
+  const int components = size ? size->GetNumberOfComponents() : 1;
+  for (int side = 0; size && size->GetNumberOfValues() == 2 && side < 2; ++side)
+  {
+    const double number = size->GetComponent(side / components, side % components);
+    ReadWhole(plant::TextureSize, number, 1, VTK_INT_MAX, sides[side], reason);
+  }
+  const bool fits = reason.empty() && static_cast<long long>(sides[0]) * sides[1] <= VTK_INT_MAX;
+  return fits ? sides : std::array<int, 2>{ 0, 0 };
+}
+
+std::array<int, 2> ReadTextureSize(vtkPolyData* block)
+{
+  if (!block)
+  {
+    return { 0, 0 };
+  }
+  auto* texels = ArrayReader::OfFields(block, "a block").Find<vtkUnsignedCharArray>(plant::Texture, 4);
+  const std::array<int, 2> size =
+    ReadTextureSize(ArrayReader::OfFields(block, "a block", 2).Find(plant::TextureSize, 1));
+  const bool fits = texels && static_cast<vtkIdType>(size[0]) * size[1] == texels->GetNumberOfTuples();
+  return fits ? size : std::array<int, 2>{ 0, 0 };
+}
+
 TextureImage ReadTexture(vtkPolyData* block)
 {
-  auto* texels = block ? vtkUnsignedCharArray::SafeDownCast(block->GetFieldData()->GetArray(plant::Texture)) : nullptr;
-  vtkDataArray* size = block ? block->GetFieldData()->GetArray(plant::TextureSize) : nullptr;
-  if (!texels || !size || texels->GetNumberOfComponents() != 4 || size->GetNumberOfValues() != 2)
+  const std::array<int, 2> size = ReadTextureSize(block);
+  if (size[0] == 0)
   {
     return {};
   }
-  const int columns = size->GetVariantValue(0).ToInt();
-  const int rows = size->GetVariantValue(1).ToInt();
-  if (columns < 1 || rows < 1 || static_cast<vtkIdType>(columns) * rows != texels->GetNumberOfTuples())
-  {
-    return {};
-  }
-  TextureImage image(columns, rows);
+  auto* texels = ArrayReader::OfFields(block, "a block").Need<vtkUnsignedCharArray>(plant::Texture, 4);
+  TextureImage image(size[0], size[1]);
   std::copy_n(texels->GetPointer(0), 4 * image.Texels.size(), image.Texels.front().data());
   return image;
 }
@@ -323,7 +361,7 @@ TextureImage ReadTexture(vtkPolyData* block)
 ColorSum ReadTextureMean(vtkPolyData* block)
 {
   ColorSum mean{ 1.0f, 1.0f, 1.0f };
-  vtkDataArray* numbers = block ? FieldArray(block, plant::TextureMean, 3, 1) : nullptr;
+  vtkDataArray* numbers = block ? ArrayReader::OfFields(block, "a block", 1).Find(plant::TextureMean, 3) : nullptr;
   for (int channel = 0; numbers && channel < 3; ++channel)
   {
     const double number = numbers->GetComponent(0, channel);
@@ -334,17 +372,21 @@ ColorSum ReadTextureMean(vtkPolyData* block)
 
 bool IsEnvelope(vtkPolyData* crown)
 {
-  return crown && FieldArray(crown, plant::Envelope, 1, 1);
+  return crown && ArrayReader::OfFields(crown, "a crown", 1).Find(plant::Envelope, 1);
 }
 
 PlantImpostor ReadImpostor(vtkPolyData* low)
 {
   PlantImpostor impostor;
   constexpr int side = ImpostorSide * ImpostorSize;
-  vtkDataArray* extent = low ? FieldArray(low, plant::ImpostorExtent, 3, 1) : nullptr;
-  vtkDataArray* areas = low ? FieldArray(low, plant::ImpostorAreas, 1, ImpostorViews) : nullptr;
-  auto* normals =
-    low ? vtkUnsignedCharArray::SafeDownCast(FieldArray(low, plant::NormalTexture, 3, side * side)) : nullptr;
+  if (!low)
+  {
+    return impostor;
+  }
+  const std::string owner = "a card";
+  vtkDataArray* extent = ArrayReader::OfFields(low, owner, 1).Find(plant::ImpostorExtent, 3);
+  vtkDataArray* areas = ArrayReader::OfFields(low, owner, ImpostorViews).Find(plant::ImpostorAreas, 1);
+  auto* normals = ArrayReader::OfFields(low, owner, side * side).Find<vtkUnsignedCharArray>(plant::NormalTexture, 3);
   TextureImage pictures = extent && areas && normals ? ReadTexture(low) : TextureImage();
   if (pictures.Columns != side || pictures.Rows != side)
   {
@@ -359,7 +401,7 @@ PlantImpostor ReadImpostor(vtkPolyData* low)
   {
     impostor.Shape.Areas[view] = areas->GetComponent(view, 0);
   }
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(low->GetPointData()->GetArray(plant::RGB));
+  auto* colors = ArrayReader::OfPoints(low, owner).Find<vtkUnsignedCharArray>(plant::RGB, 3);
   for (int channel = 0; colors && colors->GetNumberOfTuples() > 0 && channel < 3; ++channel)
   {
     impostor.Mean[channel] = colors->GetTypedComponent(0, channel);
@@ -370,7 +412,7 @@ PlantImpostor ReadImpostor(vtkPolyData* low)
 PlantMesh ReadMesh(vtkPolyData* block)
 {
   PlantMesh mesh;
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(block->GetPointData()->GetArray(plant::RGB));
+  auto* colors = ArrayReader::OfPoints(block, "leaves").Find<vtkUnsignedCharArray>(plant::RGB, 3);
   vtkDataArray* places = block->GetPointData()->GetTCoords();
   for (vtkIdType point = 0; point < block->GetNumberOfPoints(); ++point)
   {

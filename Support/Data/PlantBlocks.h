@@ -20,6 +20,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -83,7 +84,7 @@ void AttachNormalTexture(vtkDataObject* block, const std::vector<Color>& normals
 /// A texture as an image, for vtkTexture.
 void CopyToImage(const TextureImage& texture, vtkImageData* image);
 
-// Blocks to plants.
+// Blocks to plants, which must have the form that PlantForm.h checks.
 
 /// A part of a level; null where there is none.
 vtkPolyData* PlantPartOf(vtkMultiBlockDataSet* plants, const char* level, const char* part);
@@ -97,11 +98,26 @@ std::string ReadSkeleton(vtkPolyData* block, Skeleton& skeleton);
 /// Why the joints of a skin or of leaves are bad; empty when they are not.
 std::string WhyBadSkin(vtkPolyData* block, const char* name, std::size_t joints);
 
+/// The normals of a block in single precision; null where it has others or none.
+vtkFloatArray* FindNormals(vtkPolyData* block);
+
+/// The skin of a block, which is good; valid as long as the block.
+RestSkin ReadSkin(vtkPolyData* block);
+
+/// The plants of points; null if they do not tell, and the reason if they do so in another form.
+vtkIntArray* FindPlantIds(vtkPolyData* block, std::string& reason);
+
 /// The leaves of a block, whose skin is good.
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block);
 
 /// The wood that a plant says it is of, as field data `Wood`; false where it does not.
 bool ReadWood(vtkDataObject* plant, WoodParameters& wood);
+
+/// Columns and rows as an array tells them; 0 0 if it does not.
+std::array<int, 2> ReadTextureSize(vtkDataArray* size);
+
+/// Columns and rows of the picture that a block carries; 0 0 if it has none.
+std::array<int, 2> ReadTextureSize(vtkPolyData* block);
 
 /// The picture that a block carries; empty if it has none.
 TextureImage ReadTexture(vtkPolyData* block);

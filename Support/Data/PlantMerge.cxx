@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/PlantMerge.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/PlantBlocks.h"
 #include "Data/SeaweedBlocks.h"
 
@@ -119,6 +120,13 @@ vtkDataSetAttributes* AttributesOf(vtkPolyData* block, bool ofCells)
   return ofCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData();
 }
 
+/// An array of numbers of any components; null if there is none.
+vtkDataArray* FindAny(vtkPolyData* block, bool ofCells, const char* name)
+{
+  const ArrayReader reader = ofCells ? ArrayReader::OfCells(block, "") : ArrayReader::OfPoints(block, "");
+  return reader.Any(name);
+}
+
 /// All common arrays but one.
 void AddCommonArrays(
   const std::vector<vtkPolyData*>& blocks, bool ofCells, const char* but, std::vector<PartArray>& parts)
@@ -139,9 +147,7 @@ void AddCommonArrays(
     std::vector<vtkDataArray*> ofSpecies;
     for (vtkPolyData* block : blocks)
     {
-      vtkDataArray* array = IsEmpty(block) ? nullptr : AttributesOf(block, ofCells)->GetArray(name);
-      const vtkIdType tuples = IsEmpty(block) ? 0 : ofCells ? block->GetNumberOfCells() : block->GetNumberOfPoints();
-      ofSpecies.push_back(array && array->GetNumberOfTuples() == tuples ? array : nullptr);
+      ofSpecies.push_back(IsEmpty(block) ? nullptr : FindAny(block, ofCells, name));
     }
     AddIfCommon(name, blocks, ofSpecies, parts);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/PlantTable.h"
 
-#include "Data/Arrays.h"
+#include "Data/ArrayReader.h"
 #include "Data/PlantBlocks.h"
 
 #include <algorithm>
@@ -16,33 +16,45 @@ int PlantTable::RowOf(int plant) const
   return found != this->Rows.end() && found->first == plant ? found->second : -1;
 }
 
-bool ReadTable(vtkDataObject* forest, PlantTable& table)
+std::string ReadTable(vtkDataObject* forest, PlantTable& table)
 {
-  vtkDataArray* plants = FieldArray(forest, plant::PlantId, 1, -1);
-  const vtkIdType count = plants ? plants->GetNumberOfTuples() : 0;
-  vtkDataArray* species = FieldArray(forest, "Species", 1, count);
-  vtkDataArray* scales = FieldArray(forest, "Scale", 1, count);
-  vtkDataArray* azimuths = FieldArray(forest, "Azimuth", 1, count);
-  vtkDataArray* positions = FieldArray(forest, "Position", 3, count);
-  vtkDataArray* levels = FieldArray(forest, "Level", 1, count);
-  if (!plants || !species || !scales || !azimuths || !positions || !levels)
+  const std::string owner = "the forest";
+  ArrayReader first = ArrayReader::OfFields(forest, owner);
+  vtkDataArray* plants = first.Find(plant::PlantId, 1);
+  if (!plants)
   {
-    return false;
+    return first.Reason();
   }
-  for (vtkIdType row = 0; row < count; ++row)
+  table.IsThere = true;
+  const vtkIdType count = plants->GetNumberOfTuples();
+  ArrayReader columns = ArrayReader::OfFields(forest, owner, count);
+  vtkDataArray* species = columns.Need("Species", 1);
+  vtkDataArray* scales = columns.Need("Scale", 1);
+  vtkDataArray* azimuths = columns.Need("Azimuth", 1);
+  vtkDataArray* positions = columns.Need("Position", 3);
+  vtkDataArray* levels = columns.Need("Level", 1);
+  for (vtkDataArray* column : { scales, azimuths, positions })
   {
+    columns.NeedFinite(column);
+  }
+  std::string reason = columns.Reason();
+  for (vtkIdType row = 0; row < count && reason.empty(); ++row)
+  {
+    const std::string ofPlant = " of plant " + std::to_string(row);
     PlantPlace place;
-    place.Site = static_cast<int>(plants->GetTuple1(row));
-    place.Species = static_cast<int>(species->GetTuple1(row));
-    place.Scale = scales->GetTuple1(row);
-    place.Azimuth = azimuths->GetTuple1(row);
+    PlantLevel level = PlantLevel::Low;
+    ReadWhole(plant::PlantId + ofPlant, plants->GetComponent(row, 0), 0, VTK_INT_MAX, place.Site, reason);
+    ReadWhole("Species" + ofPlant, species->GetComponent(row, 0), VTK_INT_MIN, VTK_INT_MAX, place.Species, reason);
+    ReadWhole("Level" + ofPlant, levels->GetComponent(row, 0), 0, 2, level, reason);
+    place.Scale = scales->GetComponent(row, 0);
+    place.Azimuth = azimuths->GetComponent(row, 0);
     positions->GetTuple(row, &place.Foot.x);
     table.Rows.emplace_back(place.Site, static_cast<int>(row));
     table.Places.push_back(place);
-    table.Levels.push_back(static_cast<PlantLevel>(static_cast<int>(levels->GetTuple1(row))));
+    table.Levels.push_back(level);
   }
   std::sort(table.Rows.begin(), table.Rows.end());
-  return true;
+  return reason;
 }
 
 }

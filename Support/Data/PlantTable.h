@@ -7,6 +7,7 @@
 
 #include "Plants/PlantScatter.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace littoral
 /// The table of a scattered forest: its plants, but for their tints, with their levels.
 struct PlantTable
 {
+  bool IsThere = false; ///< whether plants are scattered
   std::vector<PlantPlace> Places;
   std::vector<PlantLevel> Levels;
 
@@ -25,12 +27,12 @@ struct PlantTable
   int RowOf(int plant) const;
 
 private:
-  friend bool ReadTable(vtkDataObject* forest, PlantTable& table);
+  friend std::string ReadTable(vtkDataObject* forest, PlantTable& table);
   std::vector<std::pair<int, int>> Rows; // by PlantId
 };
 
-/// False where plants are not scattered.
-bool ReadTable(vtkDataObject* forest, PlantTable& table);
+/// Reads the table. Why it cannot be read, in words for a user; empty when it was, or where plants are not scattered.
+std::string ReadTable(vtkDataObject* forest, PlantTable& table);
 
 }
 

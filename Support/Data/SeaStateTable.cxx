@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SeaStateTable.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 
@@ -70,8 +71,10 @@ void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameter
 
 std::string ReadSpectrum(vtkTable* table, SampledSpectrum& spectrum)
 {
-  const auto read = [table](const char* name, std::vector<double>& values) {
-    auto* array = vtkDoubleArray::SafeDownCast(table->GetFieldData()->GetArray(name));
+  ArrayReader fields = ArrayReader::OfFields(table, "the sea state");
+  const auto read = [&fields](const char* name, std::vector<double>& values) {
+    auto* array = fields.Find<vtkDoubleArray>(name, 1);
+    fields.NeedFinite(array);
     if (array)
     {
       values.assign(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
@@ -79,6 +82,10 @@ std::string ReadSpectrum(vtkTable* table, SampledSpectrum& spectrum)
   };
   read(sea::BinEdges, spectrum.Edges);
   read(sea::SpectralDensity, spectrum.Densities);
+  if (!fields.IsGood())
+  {
+    return fields.Reason();
+  }
   const std::size_t edges = spectrum.Edges.size();
   const std::size_t densities = spectrum.Densities.size();
   if (edges < 2 || densities < edges || (densities - 1) % (edges - 1) != 0 ||
@@ -105,29 +112,25 @@ std::string ReadSeaState(vtkTable* table, SeaState& state)
   } columns[] = { { sea::Amplitude, &WaveTrain::Amplitude }, { sea::AngularFrequency, &WaveTrain::AngularFrequency },
     { sea::WaveNumber, &WaveTrain::WaveNumber }, { sea::Direction, &WaveTrain::Direction },
     { sea::Phase, &WaveTrain::Phase } };
+  ArrayReader rows = ArrayReader::OfRows(table, "the sea state");
   for (const auto& column : columns)
   {
-    vtkDataArray* array = vtkDataArray::SafeDownCast(table->GetColumnByName(column.Name));
-    if (!array || array->GetNumberOfComponents() != 1)
+    vtkDataArray* array = rows.Need(column.Name, 1);
+    for (std::size_t row = 0; array && row < state.Trains.size(); ++row)
     {
-      return std::string("the sea state has no column of numbers ") + column.Name + ".";
-    }
-    for (std::size_t row = 0; row < state.Trains.size(); ++row)
-    {
-      state.Trains[row].*column.Member = array->GetTuple1(static_cast<vtkIdType>(row));
+      state.Trains[row].*column.Member = array->GetComponent(static_cast<vtkIdType>(row), 0);
     }
   }
-  const auto field = [table](const char* name, double& value) {
-    vtkDataArray* array = table->GetFieldData()->GetArray(name);
-    if (array && array->GetNumberOfValues() == 1)
-    {
-      value = array->GetTuple1(0);
-    }
+  ArrayReader fields = ArrayReader::OfFields(table, "the sea state", 1);
+  const auto field = [&fields](const char* name, double& value) {
+    vtkDataArray* array = fields.Find(name, 1);
+    value = array ? array->GetComponent(0, 0) : value;
   };
   field(sea::WaterDepth, state.Depth);
   field(sea::SeaLevel, state.SeaLevel);
   field(sea::Period, state.Period);
-  return WhyInvalid(state);
+  const std::string reason = rows.IsGood() ? fields.Reason() : rows.Reason();
+  return reason.empty() ? WhyInvalid(state) : reason;
 }
 
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SeaweedBlocks.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Seaweed/SegmentAngles.h"
 
@@ -59,11 +60,7 @@ std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segmen
 {
   const vtkIdType nodes = block->GetNumberOfPoints();
   segments.assign(static_cast<std::size_t>(nodes), SeaweedSegment{});
-  const auto find = [&](const char* name, int components) -> vtkDataArray* {
-    vtkDataArray* array = block->GetPointData()->GetArray(name);
-    return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == nodes ? array
-                                                                                                        : nullptr;
-  };
+  ArrayReader points = ArrayReader::OfPoints(block, "High/Skeleton");
   const struct
   {
     const char* Name;
@@ -73,34 +70,25 @@ std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segmen
     { seaweed::Density, &SeaweedSegment::Density } };
   for (const auto& number : numbers)
   {
-    vtkDataArray* array = find(number.Name, 1);
-    if (!array)
-    {
-      return std::string("High/Skeleton has no point array ") + number.Name + " of one number, as seaweeds have.";
-    }
-    for (vtkIdType node = 0; node < nodes; ++node)
+    vtkDataArray* array = points.Need(number.Name, 1);
+    for (vtkIdType node = 0; array && node < nodes; ++node)
     {
       segments[static_cast<std::size_t>(node)].*number.Member = array->GetComponent(node, 0);
     }
   }
-  vtkDataArray* across = find(seaweed::Across, 3);
-  vtkDataArray* tissue = find(seaweed::Tissue, 1);
-  if (!across || !tissue)
-  {
-    return "High/Skeleton has no point arrays Across[3] and Tissue, as seaweeds have.";
-  }
-  for (vtkIdType node = 0; node < nodes; ++node)
+  vtkDataArray* across = points.Need(seaweed::Across, 3);
+  vtkDataArray* tissue = points.Need(seaweed::Tissue, 1);
+  std::string reason = points.Reason();
+  for (vtkIdType node = 0; node < nodes && reason.empty(); ++node)
   {
     SeaweedSegment& segment = segments[static_cast<std::size_t>(node)];
+    const std::string ofNode = "node " + std::to_string(node) + " of High/Skeleton: ";
     across->GetTuple(node, &segment.Across.x);
-    segment.Tissue = static_cast<SeaweedTissue>(static_cast<int>(tissue->GetComponent(node, 0)));
-    const std::string reason = WhyInvalid(segment);
-    if (!reason.empty())
-    {
-      return "node " + std::to_string(node) + " of High/Skeleton: " + reason;
-    }
+    ReadWhole(ofNode + seaweed::Tissue, tissue->GetComponent(node, 0), 0, 3, segment.Tissue, reason);
+    const std::string why = reason.empty() ? WhyInvalid(segment) : "";
+    reason = why.empty() ? reason : ofNode + why;
   }
-  return {};
+  return reason;
 }
 
 }

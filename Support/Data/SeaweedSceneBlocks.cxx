@@ -3,6 +3,7 @@
 #include "Data/SeaweedSceneBlocks.h"
 
 #include "Data/PlantBlocks.h"
+#include "Data/PlantForm.h"
 #include "Data/SeaweedBlocks.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
@@ -28,14 +29,10 @@ struct MovedSkin
 
   explicit MovedSkin(vtkPolyData* rest)
   {
-    vtkPointData* arrays = rest->GetPointData();
-    auto* normals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
-    auto* ids = vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds));
-    auto* weights = vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights));
-    this->Rest = { FloatPointsOf(rest)->GetPointer(0), normals->GetPointer(0), ids->GetPointer(0),
-      weights->GetPointer(0) };
+    this->Rest = ReadSkin(rest);
     this->Points = FloatsLike(FloatPointsOf(rest));
-    this->Normals = FloatsLike(normals);
+    this->Normals =
+      NewArray<vtkFloatArray>(rest->GetPointData()->GetNormals()->GetName(), 3, rest->GetNumberOfPoints());
   }
 
   /// Moves a run of vertices; adds to the ranges of its points and normals.
@@ -136,9 +133,8 @@ std::string ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedStand& stand, s
     {
       return reason;
     }
-    auto* ids = vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::JointIds));
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
-    skins.push_back({ name, block, SeaweedSkin(ids->GetPointer(0), vertices, stand) });
+    skins.push_back({ name, block, SeaweedSkin(ReadSkin(block).JointIds, vertices, stand) });
   }
   return {};
 }
@@ -154,9 +150,9 @@ std::string ReadBones(vtkPolyData* bones, const SeaweedOptions& options, const S
   {
     return reason;
   }
-  auto* ids = vtkIntArray::SafeDownCast(bones->GetPointData()->GetArray(plant::PlantId));
-  const bool hasIds = ids && ids->GetNumberOfValues() == bones->GetNumberOfPoints();
-  return scene.SetPlants(std::move(rest), segments, hasIds ? ids->GetPointer(0) : nullptr, options, sea);
+  vtkIntArray* ids = FindPlantIds(bones, reason);
+  return reason.empty() ? scene.SetPlants(std::move(rest), segments, ids ? ids->GetPointer(0) : nullptr, options, sea)
+                        : reason;
 }
 
 }
@@ -166,6 +162,11 @@ std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& opt
   SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins)
 {
   skins.clear();
+  std::string reason = WhyNoPlants(plants);
+  if (!reason.empty())
+  {
+    return reason;
+  }
   vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
   if (!bones)
   {
@@ -180,7 +181,7 @@ std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& opt
   {
     return "the plants need " + std::to_string(static_cast<long long>(bytes / 1e6)) + " MB to move; take fewer.";
   }
-  const std::string reason = ReadBones(bones, options, sea, scene);
+  reason = ReadBones(bones, options, sea, scene);
   return reason.empty() ? ReadSkins(plants, scene.GetStand(), skins) : reason;
 }
 

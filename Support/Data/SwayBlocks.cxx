@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SwayBlocks.h"
 
+#include "Data/PlantForm.h"
 #include "Data/SwayPrototype.h"
 #include "Data/WindImage.h"
 #include "Pipeline/Pipeline.h"
@@ -57,18 +58,14 @@ std::vector<TextureImage> PicturesOf(
   return pictures;
 }
 
-vtkIntArray* PlantIdsOf(vtkPolyData* block)
-{
-  return block ? vtkIntArray::SafeDownCast(block->GetPointData()->GetArray(plant::PlantId)) : nullptr;
-}
-
 }
 
 //----------------------------------------------------------------------------
 std::string SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
   vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress)
 {
-  std::string reason = this->MakeScene(plants, prototypes, wind, settings, progress);
+  std::string reason = WhyNoPlants(plants);
+  reason = reason.empty() ? this->MakeScene(plants, prototypes, wind, settings, progress) : reason;
   reason = reason.empty() ? this->ReadHigh(plants, progress) : reason;
   reason = reason.empty() ? this->ReadMedium(plants) : reason;
   this->Whole = reason.empty() && !IsAborted(progress);
@@ -92,7 +89,12 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
   {
     return reason;
   }
-  this->Scattered = ReadTable(plants, this->Table);
+  reason = ReadTable(plants, this->Table);
+  this->Scattered = this->Table.IsThere;
+  if (!reason.empty())
+  {
+    return reason;
+  }
   if (!this->Scattered)
   {
     this->Table.Places.assign(1, PlantPlace());
@@ -102,7 +104,8 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
   std::vector<SwaySpecies> species;
   for (std::size_t index = 0; index < read.size(); ++index)
   {
-    reason = read[index].Read(this->Scattered ? prototypes[index] : plants, settings);
+    reason = this->Scattered ? WhyNoPlants(prototypes[index]) : "";
+    reason = !reason.empty() ? reason : read[index].Read(this->Scattered ? prototypes[index] : plants, settings);
     if (reason.empty() && this->Scattered && read[index].Species.Rest.Nodes.empty())
     {
       reason = "there is no block High/Skeleton, as plants have.";
@@ -185,7 +188,8 @@ std::string SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* pro
     bytes += PlantSway::BytesOf(one.Branches.size(), this->Scene->GetSettings().Options);
   }
   reason = reason.empty() ? WhyTooLarge(bytes) : reason;
-  return reason.empty() ? this->AddPlants(skeletons, PlantIdsOf(bones), leafAreas, progress) : reason;
+  vtkIntArray* plantIds = FindPlantIds(bones, reason);
+  return reason.empty() ? this->AddPlants(skeletons, plantIds, leafAreas, progress) : reason;
 }
 
 //----------------------------------------------------------------------------
@@ -212,7 +216,8 @@ std::string SwayBlocks::ReadHighSkins(
     plantOf.insert(plantOf.end(), skeletons[index].Nodes.size(), static_cast<int>(index));
   }
   vtkPolyData* leaves = PlantPartOf(plants, plant::High, plant::Leaves);
-  vtkIntArray* plantIds = PlantIdsOf(leaves);
+  std::string reason;
+  vtkIntArray* plantIds = leaves ? FindPlantIds(leaves, reason) : nullptr;
   for (const LeafCorners& leaf : ReadLeaves(leaves))
   {
     leafAreas[leaf.Node] += leaf.Area;
@@ -221,7 +226,7 @@ std::string SwayBlocks::ReadHighSkins(
     const auto identity = static_cast<std::uint64_t>(plantIds ? plantIds->GetValue(leaf.Corners[0]) : own);
     this->Scene->AddLeaf(leaf.Corners, own, identity);
   }
-  return {};
+  return reason;
 }
 
 //----------------------------------------------------------------------------
@@ -272,7 +277,8 @@ std::string SwayBlocks::ReadMedium(vtkMultiBlockDataSet* plants)
 //----------------------------------------------------------------------------
 std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
 {
-  vtkIntArray* plantIds = PlantIdsOf(block);
+  std::string reason;
+  vtkIntArray* plantIds = FindPlantIds(block, reason);
   vtkFloatArray* points = FloatPointsOf(block);
   if (!points || (this->Scattered && !plantIds))
   {
@@ -294,7 +300,7 @@ std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
       ++end;
     }
     int plant = -1;
-    const std::string reason = this->Scene->FindTrunk(row, plant);
+    reason = this->Scene->FindTrunk(row, plant);
     if (!reason.empty())
     {
       return reason;
@@ -380,16 +386,14 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones) const
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
 {
-  vtkPointData* arrays = skin.Rest->GetPointData();
-  auto* restNormals = vtkFloatArray::SafeDownCast(arrays->GetNormals());
+  vtkFloatArray* restNormals = FindNormals(skin.Rest);
   const auto points = FloatsLike(FloatPointsOf(skin.Rest));
   const auto normals = restNormals ? FloatsLike(restNormals) : nullptr;
   RestSkin rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals ? restNormals->GetPointer(0) : nullptr,
     skin.Joints.data(), skin.Weights.data() };
   if (skin.Joints.empty())
   {
-    rest.JointIds = vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds))->GetPointer(0);
-    rest.JointWeights = vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights))->GetPointer(0);
+    rest = ReadSkin(skin.Rest);
   }
   float* p = points->GetPointer(0);
   float* n = normals ? normals->GetPointer(0) : nullptr;
@@ -429,9 +433,10 @@ void SwayBlocks::ShowPictures(vtkPolyData* crowns) const
   crowns->GetPointData()->SetTCoords(tcoords);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(crowns->GetFieldData());
-  for (const char* name : { plant::Texture, plant::TextureSize, plant::TextureMean })
+  vtkFieldData* pictures = this->PictureFields->GetFieldData();
+  for (int index = 0; index < pictures->GetNumberOfArrays(); ++index)
   {
-    fields->AddArray(this->PictureFields->GetFieldData()->GetArray(name));
+    fields->AddArray(pictures->GetAbstractArray(index));
   }
   crowns->SetFieldData(fields);
 }

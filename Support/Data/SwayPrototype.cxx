@@ -68,12 +68,10 @@ CrownModel SwayPrototype::MakeCrown() const
   model.StillPicture = ReadTexture(this->Crown);
   if (!this->Species.Leaves.empty())
   {
-    vtkPointData* arrays = this->Leaves->GetPointData();
     model.Leaves = ReadMesh(this->Leaves);
     model.LeafTexture = ReadTexture(this->Leaves);
-    model.LeafSkin = { FloatPointsOf(this->Leaves)->GetPointer(0), nullptr,
-      vtkIntArray::SafeDownCast(arrays->GetArray(plant::JointIds))->GetPointer(0),
-      vtkFloatArray::SafeDownCast(arrays->GetArray(plant::JointWeights))->GetPointer(0) };
+    model.LeafSkin = ReadSkin(this->Leaves);
+    model.LeafSkin.Normals = nullptr;
   }
   return model;
 }

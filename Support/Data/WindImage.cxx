@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/WindImage.h"
 
-#include "Data/Arrays.h"
+#include "Data/ArrayReader.h"
 #include "Data/Tables.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -24,13 +23,6 @@ namespace littoral
 
 namespace
 {
-
-/// The first number of a field array; 0 where there is none.
-double FieldNumber(vtkDataObject* data, const char* name)
-{
-  vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetTuple1(0) : 0.0;
-}
 
 vtkSmartPointer<vtkFloatArray> FloatsOf(vtkDataArray* array)
 {
@@ -58,27 +50,20 @@ void ForEachParameter(Model& model, const Visit& visit)
   }
 }
 
-/// Sets parameters of a model from field data, and remembers the name of one that is missing.
+/// Sets parameters of a model from field data.
 struct ParameterReader
 {
-  vtkDataObject* Data;
-  std::string* Missing;
+  ArrayReader& Fields;
 
-  const double* Find(const char* name, int components) const
-  {
-    auto* array = vtkDoubleArray::SafeDownCast(FieldArray(this->Data, name, components, 1));
-    *this->Missing = array ? *this->Missing : name;
-    return array ? array->GetPointer(0) : nullptr;
-  }
   void operator()(const char* name, double& value) const
   {
-    const double* found = this->Find(name, 1);
-    value = found ? *found : value;
+    vtkDataArray* found = this->Fields.Need(name, 1);
+    value = found ? found->GetComponent(0, 0) : value;
   }
   void operator()(const char* name, WindDecay& decay) const
   {
-    const double* found = this->Find(name, 2);
-    decay = found ? WindDecay{ found[0], found[1] } : decay;
+    vtkDataArray* found = this->Fields.Need(name, 2);
+    decay = found ? WindDecay{ found->GetComponent(0, 0), found->GetComponent(0, 1) } : decay;
   }
 };
 
@@ -93,9 +78,36 @@ struct ParameterWriter
   }
 };
 
+/// Reads the field data of WriteWindModel.
+std::string ReadModel(vtkImageData* image, WindModel& model)
+{
+  ArrayReader fields = ArrayReader::OfFields(image, "The wind", 1);
+  const ParameterReader reader{ fields };
+  ForEachParameter(model, reader);
+  double families[2] = { 0.0, 0.0 };
+  reader("Spectrum", families[0]);
+  reader("Coherence", families[1]);
+  std::string reason = fields.Reason();
+  if (reason.find(" no ") != std::string::npos)
+  {
+    reason.back() = ';';
+    return reason + " it must be the output of Wind Field.";
+  }
+  ReadWhole("Spectrum of the wind", families[0], 0, NumberOfWindSpectra - 1, model.Spectrum, reason);
+  ReadWhole("Coherence of the wind", families[1], 0, NumberOfWindCoherences - 1, model.Coherence, reason);
+  return reason;
+}
+
 std::string ReadTimes(vtkImageData* image, WindTimes& times)
 {
-  const double convection = FieldNumber(image, "ConvectionSpeed");
+  ArrayReader fields = ArrayReader::OfFields(image, "The wind", 1);
+  vtkDataArray* speed = fields.Need("ConvectionSpeed", 1);
+  vtkDataArray* told = fields.Find("Period", 1);
+  if (!fields.IsGood())
+  {
+    return fields.Reason();
+  }
+  const double convection = speed->GetComponent(0, 0);
   if (!(convection > 0.0) || !std::isfinite(convection))
   {
     return "The wind has no field data ConvectionSpeed that is positive.";
@@ -107,13 +119,23 @@ std::string ReadTimes(vtkImageData* image, WindTimes& times)
     return "The wind has no duration: it needs at least four samples along x, and a positive Spacing.";
   }
   times.Samples = static_cast<std::size_t>(samples);
-  const bool told = image->GetFieldData()->GetArray("Period") != nullptr;
-  const double period = FieldNumber(image, "Period");
+  const double period = told ? told->GetComponent(0, 0) : 0.0;
   if (told && !(std::abs(period - times.Period()) < 1e-3 * times.Period()))
   {
     return "Period of the wind is not the length of its image over ConvectionSpeed.";
   }
   return {};
+}
+
+/// The velocities of a wind; null with a reason if there are none, or some that are not finite.
+vtkSmartPointer<vtkFloatArray> ReadVelocity(vtkImageData* image, std::string& reason)
+{
+  ArrayReader points = ArrayReader::OfPoints(image, "The wind");
+  vtkDataArray* velocity = points.Need("Velocity", WindComponents);
+  const vtkSmartPointer<vtkFloatArray> floats = velocity ? FloatsOf(velocity) : nullptr;
+  points.NeedFinite(floats);
+  reason = points.Reason();
+  return reason.empty() ? floats : nullptr;
 }
 
 FrozenWindGrid GridOf(vtkImageData* image)
@@ -138,22 +160,17 @@ FrozenWindGrid GridOf(vtkImageData* image)
 
 std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& wind)
 {
-  vtkDataArray* velocity = image->GetPointData()->GetArray("Velocity");
-  if (!velocity || velocity->GetNumberOfComponents() != 3)
-  {
-    return "The wind has no point array Velocity of three components.";
-  }
-  WindTimes times;
-  const std::string reason = ReadTimes(image, times);
-  if (!reason.empty())
+  std::string reason;
+  const vtkSmartPointer<vtkFloatArray> velocity = ReadVelocity(image, reason);
+  if (!velocity)
   {
     return reason;
   }
-  const vtkSmartPointer<vtkFloatArray> floats = FloatsOf(velocity);
-  const float* values = floats->GetPointer(0);
-  if (!std::all_of(values, values + floats->GetNumberOfValues(), [](float value) { return std::isfinite(value); }))
+  WindTimes times;
+  reason = ReadTimes(image, times);
+  if (!reason.empty())
   {
-    return "Velocity of the wind has values that are not finite.";
+    return reason;
   }
   const FrozenWindGrid grid = GridOf(image);
   const double bytes = WindLines::BytesOf(grid.Size);
@@ -162,7 +179,7 @@ std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& win
     return "The waves of the wind need " + std::to_string(static_cast<long long>(bytes / 1e6)) +
       " MB, more than this machine has free.";
   }
-  wind = std::make_shared<const FrozenWind>(grid, times, values, SmpFor);
+  wind = std::make_shared<const FrozenWind>(grid, times, velocity->GetPointer(0), SmpFor);
   return {};
 }
 
@@ -175,25 +192,11 @@ void WriteWindModel(const WindModel& model, vtkDataObject* data)
 
 std::string ReadModelledWind(vtkImageData* image, ModelledWind& wind)
 {
-  vtkDataArray* velocity = image->GetPointData()->GetArray("Velocity");
-  if (!velocity || velocity->GetNumberOfComponents() != WindComponents)
-  {
-    return "The wind has no point array Velocity of three components.";
-  }
-  std::string missing;
-  const ParameterReader reader{ image, &missing };
-  ForEachParameter(wind.Model, reader);
-  double families[2] = { 0.0, 0.0 };
-  reader("Spectrum", families[0]);
-  reader("Coherence", families[1]);
-  if (!missing.empty())
-  {
-    return "The wind has no field data " + missing + "; it must be the output of Wind Field.";
-  }
-  wind.Model.Spectrum = static_cast<WindSpectrumModel>(families[0]);
-  wind.Model.Coherence = static_cast<WindCoherenceModel>(families[1]);
+  std::string reason;
+  const vtkSmartPointer<vtkFloatArray> floats = ReadVelocity(image, reason);
+  reason = reason.empty() ? ReadModel(image, wind.Model) : reason;
   WindTimes times;
-  std::string reason = ReadTimes(image, times);
+  reason = reason.empty() ? ReadTimes(image, times) : reason;
   if (!reason.empty())
   {
     return reason;
@@ -212,7 +215,6 @@ std::string ReadModelledWind(vtkImageData* image, ModelledWind& wind)
   const vtkMatrix3x3* axes = image->GetDirectionMatrix();
   const double cosine = axes->GetElement(0, 0);
   const double sine = axes->GetElement(1, 0);
-  const vtkSmartPointer<vtkFloatArray> floats = FloatsOf(velocity);
   const float* values = floats->GetPointer(0);
   wind.Velocities.assign(values, values + floats->GetNumberOfValues());
   for (std::size_t n = 0; n < wind.Velocities.size(); n += WindComponents)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Mistakes.h"
 
+#include "Pipeline/Exceptions.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
@@ -29,7 +31,7 @@ Key* SharedKey(const char* name)
   return key ? static_cast<Key*>(key) : Key::MakeKey(name, "littoral");
 }
 
-/// The messages that an algorithm has printed, a line each, without their numbers.
+/// The messages that an algorithm has printed, a line each, without their numbers and types of data.
 vtkInformationStringKey* Mistakes()
 {
   static auto* key = SharedKey<vtkInformationStringKey>("MISTAKES");
@@ -43,8 +45,15 @@ vtkInformationIdTypeKey* MistakesTime()
   return key;
 }
 
-std::string WithoutNumbers(std::string text)
+/// A message without its numbers and names of VTK's types, in which those of the leaves of a composite differ.
+std::string Essence(std::string text)
 {
+  for (std::size_t at = text.find(" vtk"); at != std::string::npos; at = text.find(" vtk", at))
+  {
+    const auto end =
+      std::find_if_not(text.begin() + at + 1, text.end(), [](unsigned char letter) { return std::isalnum(letter); });
+    text.erase(text.begin() + at, end);
+  }
   const auto isNumber = [](unsigned char letter) {
     return std::isdigit(letter) || letter == '.' || letter == '-' || letter == '+';
   };
@@ -92,7 +101,7 @@ bool IsDueToUpstream(vtkAlgorithm* algorithm)
 bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message)
 {
   vtkInformation* info = algorithm->GetInformation();
-  const std::string line = WithoutNumbers(message) + "\n";
+  const std::string line = Essence(message) + "\n";
   const std::string printed = HasMistakes(algorithm) ? info->Get(Mistakes()) : "";
   if (printed.find(line) != std::string::npos || IsDueToUpstream(algorithm))
   {
@@ -115,6 +124,15 @@ void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before)
 int FailedRequest(vtkAlgorithm* algorithm)
 {
   return algorithm->GetExecutive()->IsA("vtkPVCompositeDataPipeline") ? 1 : 0;
+}
+
+int FailedBy(vtkAlgorithm* algorithm, const std::string& reason)
+{
+  if (IsNewMistake(algorithm, reason))
+  {
+    vtkErrorWithObjectMacro(algorithm, << reason);
+  }
+  return FailedRequest(algorithm);
 }
 
 int FailedInformation(vtkAlgorithm* algorithm, vtkInformationVector* outputs)

@@ -21,7 +21,7 @@ namespace littoral
 
 /**
  * Whether a message is to be printed: the first time since the algorithm was modified. Messages that differ in numbers
- * alone are the same. What follows from an upstream algorithm that has reported a mistake and has no output is not
+ * and names of types alone are the same. What follows from an upstream algorithm that has reported a mistake and has no output is not
  * printed.
  */
 bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message);

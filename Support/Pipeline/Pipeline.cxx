@@ -5,9 +5,6 @@
 #include "vtkDataObject.h"
 #include "vtkVersionMacros.h"
 
-#include <vtksys/SystemInformation.hxx>
-
-#include <limits>
 #include <string>
 
 namespace littoral
@@ -15,8 +12,11 @@ namespace littoral
 
 void SmpFor(std::size_t count, const RangeTask& task)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-    [&](vtkIdType begin, vtkIdType end) { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+  FirstException first;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
+    first.Catch([&] { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+  });
+  first.Rethrow();
 }
 
 bool IsAborted(vtkAlgorithm* algorithm)
@@ -62,6 +62,19 @@ vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection)
   return executive ? executive->GetPipelineMTime() : 0;
 }
 
+PieceRange RequestedPart(vtkInformation* output, long long count)
+{
+  const int piece = output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const int pieces = std::max(1, output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
+  const auto bound = [&](long long part) {
+    const long long within = std::clamp<long long>(part, 0, pieces);
+    // count * within / pieces, without overflow
+    return count / pieces * within + count % pieces * within / pieces;
+  };
+  // VTK asks for piece -1 where it knows of none.
+  return { bound(std::max(0, piece)), bound(std::max(0, piece) + 1ll) };
+}
+
 void RequestAll(vtkInformation* input)
 {
   if (input)
@@ -82,14 +95,6 @@ void ForgetExtent(vtkInformation* output)
 {
   int none[6] = { 0, -1, 0, -1, 0, -1 };
   output->Set(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT(), none, 6);
-}
-
-double AvailableMemory()
-{
-  vtksys::SystemInformation system;
-  const auto total = static_cast<double>(system.GetHostMemoryTotal());
-  const auto used = static_cast<double>(system.GetHostMemoryUsed());
-  return total > 0.0 ? 0.9 * 1024.0 * (total - used) : std::numeric_limits<double>::infinity();
 }
 
 }

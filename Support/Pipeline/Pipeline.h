@@ -6,6 +6,8 @@
 // What the VTK classes share between the numerics and the pipeline. Private: never installed, never wrapped.
 
 #include "Numerics/Parallel.h"
+#include "Pipeline/Exceptions.h"
+#include "Pipeline/Memory.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
@@ -40,12 +42,16 @@ bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, d
     }
     algorithm->UpdateProgress(first + (last - first) * done / count);
     const std::size_t end = std::min(count, done + batch);
+    FirstException first;
     vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), 1, [&](vtkIdType a, vtkIdType b) {
-      for (vtkIdType piece = a; piece < b; ++piece)
-      {
-        task(static_cast<std::size_t>(piece));
-      }
+      first.Catch([&] {
+        for (vtkIdType piece = a; piece < b; ++piece)
+        {
+          task(static_cast<std::size_t>(piece));
+        }
+      });
     });
+    first.Rethrow();
   }
   return true;
 }
@@ -66,6 +72,16 @@ bool NamesDefaultElevation(vtkInformation* choice);
 /// When what is upstream of a connection changed last.
 vtkMTimeType PipelineTime(vtkAlgorithm* algorithm, int port, int connection);
 
+/// Some of a row of things: from Begin up to End, which does not belong to it.
+struct PieceRange
+{
+  long long Begin;
+  long long End;
+};
+
+/// The part of `count` things that is asked of an output; none beyond the last piece.
+PieceRange RequestedPart(vtkInformation* output, long long count);
+
 /// Asks an input for all of its data, whatever piece is asked of the algorithm. Null (no input) is allowed.
 void RequestAll(vtkInformation* input);
 
@@ -74,10 +90,6 @@ void RequestAll(vtkInformation* input);
  * which may lie beyond what there is by then. For the beginning of RequestData.
  */
 void ForgetExtent(vtkInformation* output);
-
-/// Memory that can be taken without driving others out [bytes]; infinite where the system does not tell, as without
-/// /proc.
-double AvailableMemory();
 
 }
 

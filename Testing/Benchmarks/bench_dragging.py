@@ -32,8 +32,8 @@ def seconds(render):
     return time.perf_counter() - begin
 
 
-def shown(forest, name):
-    fields = forest.GetDataInformation(0).DataInformation.GetFieldDataInformation()
+def shown(trees, name):
+    fields = trees.GetDataInformation(0).DataInformation.GetFieldDataInformation()
     return fields.GetArrayInformation(name).GetComponentRange(0)[0]
 
 
@@ -48,9 +48,9 @@ def main():
     view = simple.CreateView("RenderView")
     view.ViewSize = SIZE
     forest = simple.Forest()
-    for port in (0, 1):
-        simple.Show(simple.OutputPort(forest, port), view)
+    simple.Show(forest, view)
     simple.Render(view)
+    trees, ground = simple.FindSource("Trees"), simple.FindSource("Ground")
     print("place      drag [s]  fixed [s]  still [s]  memory [MB]  polygons")
     for place in PLACES:
         look(view, place)
@@ -61,9 +61,9 @@ def main():
             drags.append(seconds(view.SMProxy.InteractiveRender))
         fixed = statistics.median(seconds(view.SMProxy.InteractiveRender) for _ in range(6))
         still = seconds(lambda: simple.Render(view))
-        memory = sum(forest.GetDataInformation(port).GetMemorySize() for port in (0, 1)) / 1024.0
+        memory = sum(part.GetDataInformation(0).GetMemorySize() for part in (trees, ground)) / 1024.0
         print(f"{place:10} {statistics.median(drags):8.2f}  {fixed:9.2f}  {still:9.2f}  {memory:11.0f}  "
-              f"{shown(forest, 'PolygonsShown'):8.0f}", flush=True)
+              f"{shown(trees, 'PolygonsShown'):8.0f}", flush=True)
 
 
 main()

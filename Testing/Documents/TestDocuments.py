@@ -15,6 +15,9 @@ sys.dont_write_bytecode = True
 TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "Documentation" / "site"))
 
+sys.path.insert(0, str(TOP / "Documentation" / "pictures"))
+
+import make_entries  # noqa: E402
 import make_site  # noqa: E402
 
 NAMED = re.compile(r"\b(?:Documentation|Examples|Testing|Common|Support|CMake|packaging|paraview-plugin|Wrapping)"
@@ -115,6 +118,28 @@ class Documents(unittest.TestCase):
             self.assertEqual(fresh.read_text(encoding="utf-8"),
                              (pictures / "architecture.svg").read_text(encoding="utf-8"),
                              "call Documentation/pictures/make_architecture.py")
+
+
+class Entries(unittest.TestCase):
+    """The entries of ParaView's menus in pictures."""
+
+    FOLDER = TOP / "Documentation" / "pictures" / "window"
+
+    def test_each_entry_has_its_pictures(self):
+        page = (TOP / "Documentation" / "guide" / "entries.md").read_text(encoding="utf-8")
+        entries = make_entries.read_entries()
+        self.assertGreater(len(entries), 30)
+        known = set()
+        for _, name, label, what in entries:
+            self.assertIn(f"### {label}\n\n{what}\n", page)
+            for picture, most in ((make_entries.file_of(name), 60), (make_entries.file_of(name) + "-mistake", 25)):
+                path = self.FOLDER / (picture + ".jpg")
+                known.add(path.name)
+                self.assertTrue(path.is_file(), f"call Documentation/pictures/make_entries.py {name}")
+                self.assertLessEqual(path.stat().st_size, most * 1024, picture)
+                self.assertIn(f"](../pictures/window/{path.name})", page)
+            self.assertIn(f"*A mistake:* {make_entries.read_messages()[name]}\n", page)
+        self.assertEqual({path.name for path in self.FOLDER.glob("*.jpg")} - known, set())
 
 
 class SiteTables(unittest.TestCase):

@@ -16,7 +16,8 @@ import tempfile
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPolyData, vtkTable, vtkUnstructuredGrid)
+    vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPartitionedDataSetCollection, vtkPolyData, vtkTable,
+    vtkUnstructuredGrid)
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
@@ -160,6 +161,12 @@ def leaves(data, path=""):
     if not isinstance(data, vtkCompositeDataSet):
         yield path or "/", data
         return
+    if isinstance(data, vtkPartitionedDataSetCollection):
+        for index in range(data.GetNumberOfPartitionedDataSets()):
+            for part in range(data.GetNumberOfPartitions(index)):
+                if data.GetPartitionAsDataObject(index, part):
+                    yield f"{path}/{index}.{part}", data.GetPartitionAsDataObject(index, part)
+        return
     for index in range(data.GetNumberOfBlocks()):
         block = data.GetBlock(index)
         name = str(index)
@@ -169,8 +176,8 @@ def leaves(data, path=""):
             yield from leaves(block, f"{path}/{name}")
 
 
-def print_outputs(algorithm, label):
-    """All arrays of all ports at all times, one a line; returns them."""
+def outputs_of(algorithm):
+    """All arrays of all ports at all times, a line each."""
     lines = []
     algorithm.UpdateInformation()
     timed = algorithm.GetOutputInformation(0).Has(vtkStreamingDemandDrivenPipeline.TIME_RANGE())
@@ -185,6 +192,12 @@ def print_outputs(algorithm, label):
                     lines.append(f"{path} grid {leaf.GetExtent()} {leaf.GetOrigin()} {leaf.GetSpacing()}")
                 for name, array in sorted(arrays(leaf), key=lambda pair: pair[0]):
                     lines.append(f"{time} {port} {path} {name} {digest(array)}")
+    return lines
+
+
+def print_outputs(algorithm, label):
+    """All arrays of all ports at all times, one a line; returns them."""
+    lines = outputs_of(algorithm)
     for line in lines:
         print(label, line)
     return lines

@@ -11,6 +11,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -68,6 +69,17 @@ class EntryScript(unittest.TestCase):
         self.environment = dict(
             os.environ, PATH=self.path("bin") + ":" + os.environ["PATH"], NOTES=self.path("notes"),
             LITTORAL_OS_RELEASE=self.path("os-release"))
+
+    def all_packages_are_there(self):
+        """Make the script believe it, on Debian 12."""
+        self.release("Debian 12")
+        with open(self.path("bin", "dpkg-query"), "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\n" + "".join(f"echo ii  {name}\n" for part in words("debian-12").values() for name in part))
+
+    def write(self, name, text):
+        os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
 
     def path(self, *parts):
         return os.path.join(self.folder, *parts)
@@ -153,15 +165,9 @@ class EntryScript(unittest.TestCase):
         self.assertTrue(all("s left" in line for line in lines[1:]), lines)
 
     def test_build_tells_the_time_left(self):
-        self.release("Debian 12")
+        self.all_packages_are_there()
         self.environment["PACE"] = "1.2"
-        os.makedirs(self.path("build"))
-        with open(self.path("build", "build.ninja"), "w", encoding="utf-8"):
-            pass
-        # All packages are there.
-        with open(self.path("bin", "dpkg-query"), "w", encoding="utf-8") as file:
-            file.write("#!/bin/sh\n" + "".join(
-                f"echo ii  {name}\n" for part in ("run", "build") for name in words("debian-12")[part]))
+        self.write("build/build.ninja", "")
         lines = [line for line in self.run_on_terminal("build") if line.startswith("build: ")]
         self.assertGreaterEqual(len(lines), 3)
         for line in lines:  # four steps of equal weight; one may end while the line is written
@@ -169,6 +175,81 @@ class EntryScript(unittest.TestCase):
             self.assertTrue(any(abs(gone + left - gone * 4 / step) <= 0.5 for step in (done, done - 1) if step), line)
         self.assertIn("[3/4]", lines[-1])
         self.assertFalse(os.path.exists(self.path("build", "plan.ninja")))
+
+    def test_the_build_of_a_copied_checkout_is_configured_anew(self):
+        self.all_packages_are_there()
+        for home, anew in ((self.folder, False), ("/somewhere/else", True)):
+            with self.subTest(home=home):
+                self.write("build/build.ninja", "")
+                self.write("build/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={home}\n")
+                printed = self.run_script("build")
+                self.assertEqual(printed.returncode, 0, printed.stderr)
+                self.assertEqual("configure: done" in printed.stdout, anew, printed.stdout)
+                self.assertEqual(os.path.exists(self.path("build", "CMakeCache.txt")), not anew)
+
+    def test_a_tree_of_links_has_the_build_of_the_tree(self):
+        self.all_packages_are_there()
+        home = self.path("home")
+        self.write("home/CMakeLists.txt", "")
+        os.symlink(os.path.join(home, "CMakeLists.txt"), self.path("CMakeLists.txt"))
+        self.write("build/build.ninja", "")
+        self.write("build/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={home}\n")
+        self.assertNotIn("configure", self.run_script("build").stdout)
+        self.assertTrue(os.path.exists(self.path("build", "CMakeCache.txt")))
+
+    def test_a_copied_checkout_does_not_run_the_programs_of_the_other(self):
+        self.all_packages_are_there()
+        self.write("build/build.ninja", "")
+        self.write("build/bin/littoral-env", "#!/bin/sh\necho of $0\n")
+        os.chmod(self.path("build", "bin", "littoral-env"), 0o755)
+        for home, anew in ((self.folder, False), ("/somewhere/else", True)):
+            self.write("build/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={home}\n")
+            self.assertEqual("build: compiling" in self.run_script("run", "true").stderr, anew)
+
+    def test_two_builds_take_turns(self):
+        self.all_packages_are_there()
+        self.write("bin/cmake", 'echo begin >>"$NOTES"; sleep 1; echo end >>"$NOTES"')
+        self.write("build/build.ninja", "")
+        with subprocess.Popen(["bash", self.script, "build"], env=self.environment, stdout=subprocess.DEVNULL) as first:
+            while not os.path.exists(self.path("notes")):
+                time.sleep(0.05)
+            printed = self.run_script("build")
+            self.assertEqual((first.wait(), printed.returncode), (0, 0))
+        self.assertIn("waiting for the end of another one", printed.stdout)
+        with open(self.path("notes"), encoding="utf-8") as file:
+            self.assertEqual(file.read().split(), ["begin", "end"] * 2)
+
+    def test_without_rights_nothing_old_is_shown(self):
+        self.all_packages_are_there()
+        self.write("build/build.ninja", "")
+        self.write("build/logs/build.log", "an old error")
+        command, user = ["bash", self.script, "build"], None
+        os.chmod(self.folder, 0o755)
+        if os.getuid() == 0:  # root writes everywhere
+            user = 65534
+        else:
+            os.chmod(self.path("build", "logs"), 0o500)
+            self.addCleanup(os.chmod, self.path("build", "logs"), 0o700)
+        printed = subprocess.run(
+            command, env=self.environment, capture_output=True, text=True, check=False, user=user)
+        self.assertEqual(printed.returncode, 1)
+        self.assertNotIn("an old error", printed.stdout + printed.stderr)
+        self.assertRegex(printed.stderr, "needs to write into .*build, and .* cannot")
+
+    def test_tests_without_a_display_say_what_is_missing(self):
+        self.all_packages_are_there()
+        self.write("build/build.ninja", "")
+        self.write("build/CMakeCache.txt",
+                   f"CMAKE_HOME_DIRECTORY:INTERNAL={self.folder}\nLITTORAL_BUILD_TESTING:BOOL=ON\n")
+        for tool in ("bash", "awk", "cat", "comm", "cp", "cut", "date", "dirname", "echo", "env", "fold", "flock", "git",
+                     "grep", "head", "id", "mkdir", "nproc", "readlink", "rm", "sed", "seq", "sh", "sleep", "sort",
+                     "tail", "tee", "tr", "true", "wc"):
+            if not os.path.exists(self.path("bin", tool)):
+                os.symlink(shutil.which(tool), self.path("bin", tool))
+        self.environment["PATH"] = self.path("bin")
+        printed = self.run_script("test")
+        self.assertEqual(printed.returncode, 1)
+        self.assertIn("xvfb-run, the display for tests, is missing", printed.stderr)
 
 
 if __name__ == "__main__":

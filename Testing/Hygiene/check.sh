@@ -104,8 +104,18 @@ case "${1:-}" in
       python3 -c 'import ast; ast.parse(open("packaging/spack/package.py").read())' || exit 1
     fi
     ;;
+  readers)
+    # Inputs, arrays and table columns come from Support/Data/Inputs.h and ArrayReader.h, which check them. Arrays by index
+    # are an algorithm's own, or carried along.
+    grep -rnE 'GetColumnByName|GetValueByName|GetVariantValue|GetTuple1\(|[>.]Get(Abstract)?Array\(([a-z]+::)*["A-Za-z]' \
+      --include='*.cxx' --include='*.h' Support Filters Sources |
+      grep -vE 'Support/Data/ArrayReader\.cxx|Get(Abstract)?Array\((i|index|k)\)' |
+      fail_if_found "Arrays that come not from an ArrayReader:"
+    grep -rnE 'vtk(ImageData|PointSet|PolyData|Table|MultiBlockDataSet)::GetData\(inputs?(Vector)?\b' Filters Sources |
+      fail_if_found "Inputs that are not fetched by InputOf, PointSetsOf or BlocksOf:"
+    ;;
   *)
-    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|stray-files|headers-without-using|text-files|versions|recipes"
+    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|stray-files|headers-without-using|text-files|versions|recipes|readers"
     exit 2
     ;;
 esac

@@ -8,11 +8,11 @@ view = simple.CreateView("RenderView")
 view.ViewSize = [300, 200]
 simple.SetActiveView(view)
 
-forest = simple.Forest()
-for port in range(2):
-    shown = simple.Show(simple.OutputPort(forest, port), view)
+simple.Show(simple.Forest(), view)
+for part in ("Trees", "Ground"):
+    shown = simple.GetDisplayProperties(simple.FindSource(part), view)
     assert shown.ColorArrayName[1] == "RGB" and shown.MapScalars == 0, "no natural colors"
-    if port == 0:
+    if part == "Trees":
         assert "/Root/High/Skin" in shown.BlockSelectors
         assert not any("Skeleton" in block for block in shown.BlockSelectors)
 simple.Render(view)

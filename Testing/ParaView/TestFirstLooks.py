@@ -105,7 +105,7 @@ def check_others():
         source = simple.FlowPrimitive(FlowType=flow)
         arrows = check(f"Flow Primitive {flow}", source, "Flow Arrows", "RGB", "water", least)
         assert arrows.mean(axis=0)[0] > 100, "arrows are not bright"
-    check("Quadrat Points", simple.QuadratPoints(), "Point Gaussian", None, "paper", 0.005, spread=0.0,
+    check("Quadrat Points", simple.QuadratPoints(), "Points", None, "paper", 0.005, spread=0.0,
           seen_from="above")
     check("Seaweed", simple.Seaweed(), "Surface", "RGB", "water", 0.02)
     for name in ("AonoKuniiTree", "ReevesTree", "GardnerPlant"):
@@ -198,6 +198,48 @@ def check_particles():
     return particles
 
 
+def check_drift_beside_currents():
+    """Points that drift take the place of the points where they start, and the currents stay."""
+    view = empty_view()
+    particles = simple.SuspendedParticles()
+    currents = simple.FlowPrimitive(FlowType="Vortex")
+    start, arrows = simple.Show(particles, view), simple.Show(currents, view)
+    drift = simple.CurrentDrift(Input=particles, Currents=[currents])
+    drifting = simple.Show(drift, view)
+    simple.Render(view)
+    assert (start.Visibility, arrows.Visibility, drifting.Visibility) == (0, 1, 1)
+    # Else the window's Apply hides all inputs.
+    assert drift.GetHints().FindNestedElementByName("Visibility").GetAttribute("replace_input") == "0"
+    start.Visibility = 1
+    simple.Show(drift, view)
+    assert start.Visibility == 1, "a choice of the user is undone"
+    simple.Delete(view)
+
+
+def check_view_after_table():
+    """What a filter makes of a table is shown where the scene is, not in a view of its own beside the table."""
+    scene = empty_view()
+    sheet = simple.CreateView("SpreadSheetView")
+    simple.SetActiveView(sheet)
+    simple.SeaStatistics(Input=sea_state)
+    assert simple.GetActiveView() == sheet, "a chart goes where it is best"
+    measured = simple.MeasuredSeaState(Input=sea_state)
+    assert simple.GetActiveView().SMProxy.GetXMLName() == "RenderView"
+    simple.Delete(measured)
+    simple.Delete(sheet)
+    simple.Delete(scene)
+
+
+def check_legend():
+    """The legend of a wind has words and a unit."""
+    view = empty_view()
+    shown = simple.Show(simple.WindField(Dimensions=[60, 24, 12]), view)
+    simple.Render(view)
+    legend = simple.GetScalarBar(shown.LookupTable, view)
+    assert (legend.Title, legend.ComponentTitle) == ("Wind speed [m/s]", ""), (legend.Title, legend.ComponentTitle)
+    simple.Delete(view)
+
+
 def check_fog(particles):
     """Fog absorbs as 1 - exp(-F s U) over the unit distance U, for one factor F."""
     fog = simple.ParticleFog(Input=particles, Dimensions=[24, 24, 24])
@@ -222,5 +264,8 @@ if RANKS == 1:
     check_forest_on_map()
     check_twin_on_raster()
     check_kelp_under_sea()
+    check_drift_beside_currents()
+    check_view_after_table()
+    check_legend()
     check_fog(check_particles())
 os.remove("look.png")

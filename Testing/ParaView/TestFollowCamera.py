@@ -5,7 +5,6 @@
 
 import math
 import os
-import subprocess
 
 from paraview import simple
 
@@ -95,15 +94,32 @@ def check_horizontal(forest, view, where):
     assert abs(forest.ViewAngle - camera.GetViewAngle()) < 1e-6, f"{where}: it does not come back to a vertical angle"
 
 
+def check_screenshot(forest, view, where):
+    """A screenshot larger than the view, which is drawn in tiles, has the levels of a view of its size."""
+    size = list(view.ViewSize)
+    stand(view, 20.0)
+    for wide, tall in ([2 * size[0], 2 * size[1]], [3 * size[0], size[1]]):
+        simple.SaveScreenshot(os.path.abspath("tiles.png"), view, ImageResolution=[wide, tall])
+        seen, height = counts(forest), forest.ViewHeight
+        assert height == tall, f"{where}: levels for {height} pixels in a screenshot {tall} high"
+        view.ViewSize = [wide, tall]
+        stand(view, 20.0)
+        assert seen == counts(forest), f"{where}: {seen} in a screenshot of {wide} x {tall}, not {counts(forest)}"
+        view.ViewSize = size
+        stand(view, 20.0)
+
+
 def check_here(where):
     """Ticked, not ticked, and after a state file."""
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [400, 300]
     forest = forest_in(view)
-    simple.Render(view)  # the first picture of a view resets its camera
+    simple.Render(view)  # the first picture of a view resets its camera, to what it shows
+    assert sum(counts(forest)) == NUMBER, f"{where}: {counts(forest)} plants in the first picture, not {NUMBER}"
     check_follows(forest, view, where)
     check_parallel(forest, view, where)
     check_horizontal(forest, view, where)
+    check_screenshot(forest, view, where)
 
     forest.FollowCamera = 0
     stand(view, 20.0)
@@ -122,23 +138,12 @@ def check_here(where):
     check_follows(forest, view, f"{where}, after a state")
 
 
-def check_server():
-    """The same in front of a server."""
-    server = subprocess.Popen(["pvserver", f"--server-port={PORT}"], stdout=subprocess.PIPE)
-    try:
-        for line in server.stdout:
-            if b"Accepting connection" in line:
-                break
-        simple.Connect("localhost", PORT)
-        check_here("server")
-        simple.Disconnect()
-    finally:
-        server.terminate()
-        server.wait()
-
-
 if os.environ.get("LITTORAL_CLIENT_SCRIPT"):
     check_here("window")
 else:
+    # In the window the folder of this script is not on the path.
+    from server import connected
+
     check_here("batch")
-    check_server()
+    with connected(PORT):
+        check_here("server")

@@ -11,8 +11,8 @@ LIMIT = 200.0  # [MB]
 
 view = simple.CreateView("RenderView")
 view.ViewSize = [160, 100]
-forest = simple.Forest()
-simple.Show(forest, view)
+simple.Show(simple.Forest(), view)
+trees = simple.FindSource("Trees")
 simple.Render(view)
 largest = 0.0
 for k in range(40):
@@ -24,6 +24,6 @@ for k in range(40):
     view.CameraViewUp = [0.0, 0.0, 1.0]
     view.CameraViewAngle = 90.0 if k % 2 else 30.0
     simple.Render(view)
-    largest = max(largest, forest.GetDataInformation(0).GetMemorySize() / 1024.0)
+    largest = max(largest, trees.GetDataInformation(0).GetMemorySize() / 1024.0)
 assert 5.0 < largest < LIMIT, f"up to {largest:.0f} MB"
 print(f"up to {largest:.0f} MB")

@@ -5,6 +5,8 @@
 
 import os
 import runpy
+import sys
 
 here = os.path.dirname(os.path.abspath(os.environ["LITTORAL_CLIENT_SCRIPT"]))
+sys.path.insert(0, here)
 runpy.run_path(os.path.join(here, "TestMistakes.py"))

@@ -38,6 +38,12 @@ def properties_of(proxy, proxies):
     return {name: one for name, one in properties.items() if one.get("panel_visibility") != "never"}
 
 
+def groups_of(proxy, proxies):
+    """The groups of a panel, which a scene has from its first source."""
+    base = proxies.get(proxy.get("base_proxyname"))
+    return proxy.findall("PropertyGroup") or (groups_of(base, proxies) if base is not None else [])
+
+
 def text_of(one):
     """The documentation of a property."""
     found = one.find("Documentation")
@@ -60,10 +66,10 @@ def check_labels(proxy, properties):
             yield f"the label of {one.get('name')} is '{label}', not words"
 
 
-def check_groups(proxy, properties):
+def check_groups(panel_groups, properties):
     """Each property but inputs belongs to one group; titles are words, with units in brackets."""
     groups = {}
-    for group in proxy.iterfind("PropertyGroup"):
+    for group in panel_groups:
         if not re.fullmatch(r"[A-Z][A-Za-z ]+( \([A-Za-z0-9/, ]+\))?", group.get("label", "")):
             yield f"the title of a group is '{group.get('label')}'"
         for member in group.iterfind("Property"):
@@ -123,10 +129,10 @@ def panel_order(name):
     return names
 
 
-def check_order(proxy):
+def check_order(name, panel_groups):
     """The panel has the groups in the order of the XML: a group stands where its first property does."""
-    groups = {p.get("name"): g.get("label") for g in proxy.iterfind("PropertyGroup") for p in g.iterfind("Property")}
-    shown = list(dict.fromkeys(groups[name] for name in panel_order(proxy.get("name")) if name in groups))
+    groups = {p.get("name"): g.get("label") for g in panel_groups for p in g.iterfind("Property")}
+    shown = list(dict.fromkeys(groups[one] for one in panel_order(name) if one in groups))
     if shown != list(dict.fromkeys(groups.values())):
         yield f"the groups of the panel are {shown}"
 
@@ -135,11 +141,11 @@ def check(proxy, proxies):
     """All complaints about the panel of a proxy."""
     properties = properties_of(proxy, proxies)
     yield from check_labels(proxy, properties)
-    yield from check_groups(proxy, properties)
+    yield from check_groups(groups_of(proxy, proxies), properties)
     yield from check_units(properties)
     yield from check_inputs(properties)
     yield from check_decorators(properties)
-    yield from check_order(proxy)
+    yield from check_order(proxy.get("name"), groups_of(proxy, proxies))
 
 
 simple.GetActiveViewOrCreate("RenderView")  # which connects

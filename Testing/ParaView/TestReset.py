@@ -13,10 +13,8 @@ from paraview import simple
 
 def show_forest(view):
     """Trees and ground that follow the camera."""
-    forest = simple.Forest(TreesPerQuadrat=0.05)
-    assert forest.FollowCamera == 1
-    for port in range(2):
-        simple.Show(simple.OutputPort(forest, port), view)
+    simple.Show(simple.Forest(MeanPerQuadrat=0.05), view)
+    assert simple.FindSource("Trees").FollowCamera == 1
 
 
 def show_particles(view):
@@ -38,8 +36,16 @@ def play(view):
     scene = simple.GetAnimationScene()
     scene.PlayMode = "Sequence"
     scene.NumberOfFrames = 3
-    scene.AddObserver("AnimationCueTickEvent", lambda *_: view.GetActiveCamera().Azimuth(5.0))
+    frames = []
+
+    def on_tick(*_):
+        frames.append(view.GetActiveCamera().Azimuth(5.0))
+
+    ticks = scene.GetClientSideObject()
+    tick = ticks.AddObserver("AnimationCueTickEvent", on_tick)
     scene.Play()
+    ticks.RemoveObserver(tick)
+    assert len(frames) == 3, f"the film had {len(frames)} frames"
 
 
 SHOWN = (show_forest, show_particles, show_tree)

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes: each entry is created, shows a picture, plays where it should, and comes back from a state file; what is
-inside can be changed. Underwater fades into its background; the sea has foam."""
+"""Scenes: each entry becomes an ordinary pipeline with its parts in the browser, shows a picture, plays where it should,
+and comes back from state files of both kinds; each part can be changed. Underwater fades into its background; the sea
+has foam."""
 import os
 import tempfile
 
 import numpy as np
-from paraview import simple
+from paraview import simple, smstate
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
@@ -36,9 +37,16 @@ def empty_view():
     return view
 
 
-def show_all(scene, view):
-    for port in range(scene.SMProxy.GetNumberOfOutputPorts()):
-        simple.Show(simple.OutputPort(scene, port), view)
+def sources():
+    """Names and types of what is in the pipeline browser."""
+    return sorted((key[0], source.GetXMLName()) for key, source in simple.GetSources().items())
+
+
+def visible(view):
+    """Names of what the view shows."""
+    shown = [display for display in view.Representations if hasattr(display, "Input") and display.Visibility]
+    names = {source.GetGlobalIDAsString(): key[0] for key, source in simple.GetSources().items()}
+    return sorted(names[display.Input.GetGlobalIDAsString()] for display in shown)
 
 
 def difference(first, second):
@@ -46,15 +54,40 @@ def difference(first, second):
     return (np.abs(first - second).max(axis=2) > 12.0).mean()
 
 
-def check(name, outputs, last_time):
+def check_states(name, view):
+    """State files of both kinds bring back the pipeline, no part twice, and the picture."""
+    parts, shown, first = sources(), visible(view), picture(view)
+    time = view.ViewTime
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "scene.pvsm")
+        simple.SaveState(file)
+        script = smstate.get_state()
+        loads = {".pvsm": lambda: simple.LoadState(file), ".py": lambda: exec(script, {})}
+        for kind, load in loads.items():
+            simple.ResetSession()
+            load()
+            view = simple.GetActiveViewOrCreate("RenderView")
+            view.ViewSize = SIZE
+            view.ViewTime = time
+            back = difference(picture(view), first)
+            assert sources() == parts, f"{name}: {sources()} from {kind}, not {parts}"
+            assert visible(view) == shown, f"{name}: {visible(view)} visible from {kind}, not {shown}"
+            assert back < 0.002, f"{name}: {back:.2%} of the picture is another from {kind}"
+    return view
+
+
+def check(name, parts, shown, last_time, change):
+    """A scene with its parts by name, what of them is shown, the end of its time, and a change of a part."""
     view = empty_view()
     blank = picture(view)
     simple.Delete(view)
     view = empty_view()
     scene = getattr(simple, name)()
-    assert [scene.SMProxy.GetOutputPortName(k) for k in range(len(outputs))] == outputs
-    show_all(scene, view)
-    simple.ResetCamera(view)  # as the window does when the first source is applied
+    assert len(simple.GetSources()) == 1, f"{name}: parts before it is shown"
+    simple.Show(scene, view)
+    names = [key[0] for key in simple.GetSources()]
+    assert sorted(names) == sorted([f"{name}1", *parts]), f"{name}: consists of {names}"
+    assert visible(view) == sorted(shown), f"{name}: shows {visible(view)}"
     first = picture(view)
     covered = difference(first, blank)
     assert covered > 0.3, f"{name}: the picture shows {covered:.1%}"
@@ -76,25 +109,22 @@ def check(name, outputs, last_time):
     else:
         moved = 0.0
 
-    # What is inside can be changed.
-    seed = scene.Seed
-    scene.Seed = seed + 3
+    # The source and each other part can be changed.
+    source, prop, value = change
+    part = simple.FindSource(source)
+    former = part.GetPropertyValue(prop)
+    part.SetPropertyWithName(prop, value)
     changed = difference(picture(view), first)
-    assert changed > 0.01, f"{name}: another seed changes {changed:.2%}"
-    scene.Seed = seed
+    assert changed > 0.01, f"{name}: {prop} of {source} changes {changed:.2%}"
+    part.SetPropertyWithName(prop, former)
+    assert difference(picture(view), first) < 0.001, f"{name}: {prop} of {source} cannot be undone"
 
-    # A state brings back the same picture.
-    first = picture(view)
-    with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, "scene.pvsm")
-        simple.SaveState(file)
-        simple.ResetSession()
-        simple.LoadState(file)
-    view = simple.GetActiveViewOrCreate("RenderView")
-    view.ViewSize = SIZE
-    back = difference(picture(view), first)
-    assert back < 0.002, f"{name}: {back:.2%} of the picture is another after a state was loaded"
-    print(f"{name}: {covered:.0%} covered, {moved:.1%} moves in a second, {changed:.0%} changes with another seed")
+    view = check_states(name, view)
+    # A scene that has its parts does not get them again in another view.
+    number = len(simple.GetSources())
+    simple.Show(simple.FindSource(f"{name}1"), empty_view())
+    assert len(simple.GetSources()) == number, f"{name}: parts twice"
+    print(f"{name}: {covered:.0%} covered, {moved:.1%} moves in a second, {changed:.0%} changes with {prop} of {source}")
     simple.ResetSession()
 
 
@@ -112,26 +142,50 @@ def depths(view):
     return 2.0 * near * far / (far + near - z * (far - near))
 
 
-def check_murk(port, extinction):
-    """An output of Underwater fades into the background by exp(-k d), d from the z-buffer."""
+def check_murk(part, extinction):
+    """A part of Underwater fades into the background by exp(-k d), d from the z-buffer."""
     view = empty_view()
-    scene = simple.Underwater()
-    display = simple.Show(simple.OutputPort(scene, port), view)
-    simple.ResetCamera(view)
+    simple.Show(simple.Underwater(), view)
+    for name in visible(view):
+        if name != part:
+            simple.Hide(simple.FindSource(name), view)
+    display = simple.GetDisplayProperties(simple.FindSource(part), view)
+    if part == "Particles":
+        # Few, so that they do not touch, and large enough to be measured.
+        simple.FindSource("Water").Density = 0.1
+        display.GaussianRadius = 20.0 * display.GaussianRadius
     murky = picture(view)
     display.UseShaderReplacements = 0
+    display.ShaderPreset = "Sphere"
     clear = picture(view)
     depth = depths(view)
     background = 255.0 * np.array(view.Background)
     expected = background + (clear - background) * np.exp(-extinction * depth)[..., None]
     # Edges are mixtures of what is near and far.
-    steps = np.max([np.abs(depth - np.roll(depth, step, axis)) for step in (-1, 1) for axis in (0, 1)], axis=0)
+    steps = np.max([np.abs(depth - np.roll(depth, step, axis)) for step in (-2, -1, 1, 2) for axis in (0, 1)], axis=0)
     shown = (depth < 0.9 * depth.max()) & (steps < 0.05 * depth)
-    shown[[0, -1], :] = shown[:, [0, -1]] = False
+    shown &= clear.max(axis=2) < 250.0  # what is brighter than white is cut off in the clear picture alone
+    shown[[0, 1, -2, -1], :] = shown[:, [0, 1, -2, -1]] = False
     error = np.abs(expected - murky).max(axis=2)[shown]
-    assert shown.mean() > 0.005 and difference(murky, clear) > 0.01, f"Underwater: output {port} does not fade"
-    print(f"Underwater: output {port} fades with an error of {np.quantile(error, 0.9):.1f} in {shown.mean():.1%}")
-    assert np.quantile(error, 0.9) < 3.0, f"Underwater: output {port} fades with an error"
+    assert shown.mean() > 0.005 and difference(murky, clear) > 0.01, f"Underwater: {part} does not fade"
+    print(f"Underwater: {part} fades with an error of {np.quantile(error, 0.9):.1f} in {shown.mean():.1%}")
+    assert np.quantile(error, 0.9) < 3.0, f"Underwater: {part} fades with an error"
+    simple.ResetSession()
+
+
+def check_defaults(name, prop, value):
+    """Restore Defaults brings back what the scene begins with, also to the data."""
+    scene, fresh = getattr(simple, name)(), getattr(simple, name)()
+    fresh.UpdatePipeline()
+    first = fresh.GetPropertyValue(prop)
+    scene.SetPropertyWithName(prop, value)
+    scene.UpdatePipeline()
+    scene.GetProperty(prop).SMProperty.ResetToDefault()
+    scene.UpdateVTKObjects()
+    scene.UpdatePipeline()
+    assert scene.GetPropertyValue(prop) == first != value, f"{name}: {prop} is restored to {scene.GetPropertyValue(prop)}"
+    numbers = [proxy.GetDataInformation().GetBounds() for proxy in (scene, fresh)]
+    assert numbers[0] == numbers[1], f"{name}: bounds {numbers[0]}, not {numbers[1]}"
     simple.ResetSession()
 
 
@@ -139,17 +193,23 @@ def check_foam():
     """There is some foam on the sea, but not much."""
     view = empty_view()
     simple.Show(simple.Sea(), view)
-    simple.ResetCamera(view)
     white = (picture(view)[: SIZE[1] // 2].min(axis=2) > 200.0).mean()  # the lower half; rows from below
     assert 0.001 < white < 0.1, f"Sea: foam on {white:.2%}"
     simple.ResetSession()
 
 
-check("Forest", ["Trees", "Ground"], 1.0)
-check("SwayingForest", ["Trees", "Ground"], 59.9)
-check("Sea", ["Surface"], 60.0)
-check("Underwater", ["Kelp", "Bed", "Particles", "Surface"], 60.0)
-check("TwinOfAPlace", ["Ground"], 1.0)
-check_murk(0, 0.085)
-check_murk(1, 0.085)
+check("Forest", ["Hills", "Pine", "Oak", "Birch", "Trees", "Ground"], ["Trees", "Ground"], 1.0,
+      ("Hills", "StandardDeviation", 30.0))
+check("SwayingForest", ["Hill", "Sites", "Birch", "Pine", "Wood", "Trees", "Ground"], ["Trees", "Ground"], 59.9,
+      ("Sites", "MeanPerQuadrat", 1.5))
+check("Sea", ["Surface"], ["Surface"], 60.0, ("Sea1", "PeakPeriod", 10.0))
+check("Underwater", ["Relief", "Sites", "Sugar Kelp", "Eelgrass", "Plants", "Kelp", "Bed", "Water", "Particles", "Surface"],
+      ["Kelp", "Bed", "Particles", "Surface"], 60.0, ("Water", "Density", 20.0))
+check("TwinOfAPlace", ["Ground"], ["Ground"], 1.0, ("TwinOfAPlace1", "Seed", 7))
+check_murk("Kelp", 0.085)
+check_murk("Bed", 0.085)
+check_murk("Particles", 0.085)
 check_foam()
+check_defaults("SwayingForest", "Dimensions", [200, 16, 8])
+check_defaults("Sea", "PeakPeriod", 10.0)
+check_defaults("TwinOfAPlace", "Spacing", [50.0, 50.0, 1.0])

@@ -78,7 +78,8 @@ def near(color, expected, what):
     assert np.abs(np.array(color) - np.array(expected)).max() <= 3, f"{what}: {color}, not {expected}"
 
 
-def scene(ambient, sun=(1.0, 0.0, 0.0)):
+def scene():
+    """A view of the squares and its light."""
     view = simple.CreateView("RenderView")
     view.ViewSize = [SIZE, SIZE]
     view.OrientationAxesVisibility = 0
@@ -87,23 +88,23 @@ def scene(ambient, sun=(1.0, 0.0, 0.0)):
     view.UseLight = 0
     light = simple.AddLight(view=view)
     light.Coords, light.Type = "Scene", "Directional"
-    light.Position, light.FocalPoint = sun, [0.0, 0.0, 0.0]
+    light.Position, light.FocalPoint = [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]
     squares = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=SQUARES)
     shown = simple.Show(squares, view)
     shown.SetRepresentationType("Full Surface")
     simple.ColorBy(shown, ("POINTS", "RGB"))
     shown.MapScalars = 0
-    shown.Ambient, shown.Diffuse, shown.Specular = ambient, 1.0 - ambient, 0.0
+    shown.Specular = 0.0
     simple.Render(view)  # resets the camera
     view.CameraParallelProjection = 1
     view.CameraParallelScale = 5.0
     view.CameraPosition = [5.0, 1.0, 20.0]
     view.CameraFocalPoint = [5.0, 1.0, 0.0]
-    return view, squares, shown
+    return view, squares, shown, light
 
 
-def check_colors(where):
-    view, squares, shown = scene(1.0)
+def check_colors(view, squares, shown, where):
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
     seen = picture(view)
     near(at(seen, 1.0), (200, 100, 50), f"{where}: no texture")
     near(at(seen, 3.3), (200, 50, 0), f"{where}: points times texel over mean")
@@ -129,23 +130,23 @@ def check_colors(where):
     seen = picture(view)
     near(at(seen, 4.7), (100, 100, 100), f"{where}: a surface without textures")
     near(at(seen, 3.3), (100, 100, 100), f"{where}: nothing left of the texture")
-    simple.Delete(view)
+    shown.SetRepresentationType("Full Surface")
 
 
-def check_light(where):
+def check_light(view, shown, light, where):
     """Light along -x and along -y meets the normals of the texture that look to it, and no others."""
+    shown.Ambient, shown.Diffuse = 0.0, 1.0
     for sun, lit, dark in (((1.0, 0.0, 0.0), 6.3, 7.7), ((0.0, 1.0, 0.0), 7.7, 6.3)):
-        view = scene(0.0, sun)[0]
+        light.Position = sun
         seen = picture(view)
         assert at(seen, lit).min() > 150, f"{where}: {at(seen, lit)} towards the light {sun}"
         assert at(seen, dark).max() < 20, f"{where}: {at(seen, dark)} across the light {sun}"
         assert at(seen, 1.0).max() < 20, f"{where}: {at(seen, 1.0)} across the light, without a texture"
-        simple.Delete(view)
 
 
-def check_picking(where):
+def check_picking(view, squares, shown, where):
     """Rectangles over a block select its cell, where it is not transparent."""
-    view, squares, _ = scene(1.0)
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
     picture(view)
     for x, expected in ((3.3, 1), (4.7, 0), (1.0, 1), (7.0, 1)):
         column, row = int(SIZE * x / 10.0), int(SIZE * 0.5)
@@ -158,19 +159,17 @@ def check_picking(where):
         cells = selected.GetDataInformation().GetNumberOfCells()
         assert cells == expected, f"{where}: {cells} cells selected at x = {x}"
         simple.Delete(selected)
-    simple.Delete(view)
 
 
-def check(where):
-    check_colors(where)
-    check_light(where)
-    check_picking(where)
-
-
-check("alone")
+view, squares, shown, light = scene()
+check_colors(view, squares, shown, "alone")
+check_light(view, shown, light, "alone")
+check_picking(view, squares, shown, "alone")
 for ranks in (1, 2) if shutil.which("mpirun") else (1,):
     with connected(PORT + ranks, ranks):
+        # One view a server: VTK 9.6 warns of textures when a view of blocks ends before its server, textured or not.
+        view, squares, shown, light = scene()
         for threshold, where in ((0.0, "rendered by the server"), (1e5, "rendered by the client")):
             simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = threshold
-            check_colors(f"{where}, {ranks} ranks")
-            check_light(f"{where}, {ranks} ranks")
+            check_colors(view, squares, shown, f"{where}, {ranks} ranks")
+            check_light(view, shown, light, f"{where}, {ranks} ranks")

@@ -17,8 +17,7 @@ import time as clock
 import numpy as np
 from paraview import simple
 from server import connected
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from window import colors
 
 PORT = 21541
 LIMIT = 60  # of an entry [s]
@@ -115,12 +114,7 @@ def check_picture(output, name, opacity):
         view.ViewTime = time
         simple.ResetCamera(view)
         simple.Render(view)
-        grab = vtkWindowToImageFilter()
-        grab.SetInput(view.GetRenderWindow())
-        grab.ShouldRerenderOff()
-        grab.Update()
-        pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
-        covered = (np.abs(pixels - (0, 0, 255)).max(axis=1) > 20).mean()
+        covered = (np.abs(colors(view) - (0, 0, 255)).max(axis=1) > 20).mean()
         assert covered > 0.001, f"{name}: {covered:.2%} of the picture is drawn at {time} s with opacity {opacity}"
     simple.Delete(view)
 

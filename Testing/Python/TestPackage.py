@@ -2,6 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package gives the classes; properties have the defaults that the documentation says."""
 
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
 import littoral
 from littoral import vtkCovarianceFitFilter, vtkTurningBandsTerrainSource
 
@@ -17,3 +23,17 @@ assert high - low > 50.0, "the default terrain has no relief"
 assert "FractalDimension" in str(source)
 assert vtkCovarianceFitFilter().GetNumberOfOutputPorts() == 2
 assert hasattr(littoral, "vtkTurningBandsTerrainSource")
+
+# Without the library of the volume writer, all other classes are there.
+with tempfile.TemporaryDirectory() as folder:
+    shutil.copytree(os.path.dirname(littoral.__file__), os.path.join(folder, "littoral"))
+    module = os.path.join(folder, "littoral", "LittoralIO.so")
+    if os.path.exists(module):
+        with open(module, "wb"):
+            pass
+        script = ("import littoral; littoral.vtkReevesTreeSource()\n"
+                  "try: littoral.vtkVDBVolumeWriter\nexcept ImportError as error: print(error)")
+        search = os.pathsep.join((folder, os.environ["PYTHONPATH"]))
+        ran = subprocess.run([sys.executable, "-c", script], env=dict(os.environ, PYTHONPATH=search), capture_output=True,
+                             text=True, check=True)
+        assert ran.stdout.startswith("There is no vtkVDBVolumeWriter: its library cannot be loaded: "), ran.stdout

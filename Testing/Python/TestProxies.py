@@ -19,7 +19,7 @@ OTHER_DEFAULTS = {
 }
 # Choices of a class that a proxy leaves out on purpose, with the reason.
 LEFT_OUT = {
-    ("SeaState", "Spectrum"): {"table": "MeasuredSeaState has it"},
+    (name, "Spectrum"): {"table": "MeasuredSeaState has it"} for name in ("SeaState", "Sea", "Underwater")
 }
 # Choices whose enumeration has another name than that of the property with Type.
 OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "ReflectanceModel": "ModelType"}

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartDisplay.h"
 
+#include "SceneView.h"
+
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
@@ -259,9 +261,9 @@ void ChartDisplay::DrawSeries(vtkSMProxy* representation, vtkPVXMLElement* hint,
 /// Other data may have other series: the best models of another terrain.
 void ChartDisplay::OnData(vtkObject*, unsigned long, void*)
 {
-  if (vtkSMRenderViewProxy::SafeDownCast(this->ActiveView()))
+  if (vtkSMProxy* view = ViewOfScene(this->Manager))
   {
-    this->FormerView = this->ActiveView();
+    this->FormerView = view;
   }
   const auto isGone = [](const Chart& chart) { return !chart.Representation; };
   this->Charts.erase(std::remove_if(this->Charts.begin(), this->Charts.end(), isGone), this->Charts.end());

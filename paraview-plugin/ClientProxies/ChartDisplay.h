@@ -101,7 +101,7 @@ private:
   int HomelessPort = 0;
   std::vector<Observation> Views;        ///< to one of which it will be added
   std::vector<Observation> Pictures;     ///< first pictures of opened views
-  vtkWeakPointer<vtkSMProxy> FormerView; ///< render view that was active before
+  vtkWeakPointer<vtkSMProxy> FormerView; ///< render view to return to
 };
 
 }

@@ -46,6 +46,19 @@ constexpr const char* Choices[] = { "UseColorPaletteForBackground", "BackgroundC
 /// Marks a view that was lit once.
 constexpr const char* Mark = "Littoral.Daylight";
 
+/// The mood of a name; null if there is none.
+const Mood* Find(const char* name)
+{
+  for (const Mood& mood : Moods)
+  {
+    if (std::strcmp(mood.Name, name) == 0)
+    {
+      return &mood;
+    }
+  }
+  return nullptr;
+}
+
 /// The color halfway up a background, as a vector of the shading language.
 std::string Middle(const Mood& mood)
 {
@@ -113,43 +126,62 @@ bool IsMap(vtkSMProxy* view)
 //----------------------------------------------------------------------------
 void LightView(vtkSMProxy* view, const char* name)
 {
-  for (const Mood& mood : Moods)
+  const Mood* mood = Find(name);
+  if (!mood || (!IsMap(view) && (view->HasAnnotation(Mark) || !IsAsByDefault(view))))
   {
-    if (std::strcmp(mood.Name, name) != 0 || (!IsMap(view) && (view->HasAnnotation(Mark) || !IsAsByDefault(view))))
-    {
-      continue;
-    }
-    view->SetAnnotation(Mark, mood.Name);
-    vtkSMPropertyHelper(view, "UseColorPaletteForBackground").Set(0);
-    vtkSMPropertyHelper(view, "BackgroundColorMode").Set("Gradient");
-    vtkSMPropertyHelper(view, "Background").Set(mood.Bottom, 3);
-    vtkSMPropertyHelper(view, "Background2").Set(mood.Top, 3);
-    vtkSMPropertyHelper(view, "KeyLightIntensity").Set(mood.SkyIntensity);
-    if (mood.SunIntensity > 0.0)
-    {
-      AddSun(view, mood);
-    }
-    view->UpdateVTKObjects();
+    return;
   }
+  view->SetAnnotation(Mark, mood->Name);
+  vtkSMPropertyHelper(view, "UseColorPaletteForBackground").Set(0);
+  vtkSMPropertyHelper(view, "BackgroundColorMode").Set("Gradient");
+  vtkSMPropertyHelper(view, "Background").Set(mood->Bottom, 3);
+  vtkSMPropertyHelper(view, "Background2").Set(mood->Top, 3);
+  vtkSMPropertyHelper(view, "KeyLightIntensity").Set(mood->SkyIntensity);
+  if (mood->SunIntensity > 0.0)
+  {
+    AddSun(view, *mood);
+  }
+  view->UpdateVTKObjects();
 }
 
 //----------------------------------------------------------------------------
 void FadeAway(vtkSMProxy* representation, const char* name, double extinction)
 {
-  for (const Mood& mood : Moods)
+  const Mood* mood = Find(name);
+  if (!mood || !representation->GetProperty("ShaderReplacements"))
   {
-    if (std::strcmp(mood.Name, name) != 0 || !representation->GetProperty("ShaderReplacements"))
-    {
-      continue;
-    }
-    // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture
-    std::ostringstream code;
-    code << R"([{"type": "fragment", "original": "//VTK::DepthPeeling::Impl", "replacement": ")"
-         << "gl_FragData[0].rgb = mix(" << Middle(mood) << ", gl_FragData[0].rgb, exp(-" << extinction
-         << R"( / gl_FragCoord.w));\n  //VTK::DepthPeeling::Impl"}])";
-    vtkSMPropertyHelper(representation, "ShaderReplacements").Set(code.str().c_str());
-    vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
+    return;
   }
+  // c = mix(b, c, exp(-k d)), with the depth d = 1 / w of the fragment; after light and texture
+  std::ostringstream code;
+  code << R"([{"type": "fragment", "original": "//VTK::DepthPeeling::Impl", "replacement": ")"
+       << "gl_FragData[0].rgb = mix(" << Middle(*mood) << ", gl_FragData[0].rgb, exp(-" << extinction
+       << R"( / gl_FragCoord.w));\n  //VTK::DepthPeeling::Impl"}])";
+  vtkSMPropertyHelper(representation, "ShaderReplacements").Set(code.str().c_str());
+  vtkSMPropertyHelper(representation, "UseShaderReplacements").Set(1);
+}
+
+//----------------------------------------------------------------------------
+void FadeSpritesAway(vtkSMProxy* representation, const char* name, double extinction)
+{
+  const Mood* mood = Find(name);
+  if (!mood || !representation->GetProperty("CustomShader"))
+  {
+    return;
+  }
+  // The sphere of ParaView, with the share f = exp(-k d) of its color, d = 1 / w, and 1 - f of the background's: what
+  // is ambient is added after light.
+  std::ostringstream code;
+  code << "//VTK::Color::Impl\n"
+       << "float dist = dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy);\n"
+       << "if (dist > 1.0) {\n"
+       << "  discard;\n"
+       << "}\n"
+       << "float share = exp(-" << extinction << " / gl_FragCoord.w);\n"
+       << "diffuseColor *= share * (1.0 - dist);\n"
+       << "ambientColor = share * (1.0 - dist) * ambientColor + (1.0 - share) * " << Middle(*mood) << ";\n";
+  vtkSMPropertyHelper(representation, "CustomShader").Set(code.str().c_str());
+  vtkSMPropertyHelper(representation, "ShaderPreset").Set("Custom");
 }
 
 }

@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkPVRenderView.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 
@@ -23,6 +24,18 @@ constexpr double EyeAzimuth = -0.62 * Pi;
 
 /// Priority of an observer before those that take the camera.
 constexpr float BeforeOthers = 10.0f;
+
+/// Whether a camera, from above, shows just the cube of edge 2 around the origin, which is ParaView's for an empty
+/// view.
+bool ShowsEmptyView(vtkCamera* camera, double aspectRatio)
+{
+  constexpr double Radius = 1.7320508075688772; // of the sphere around the cube
+  const double* eye = camera->GetPosition();
+  const double* focus = camera->GetFocalPoint();
+  const double halfAngle = std::atan(std::min(1.0, aspectRatio) * std::tan(0.5 * camera->GetViewAngle() * Pi / 180.0));
+  return eye[0] == 0.0 && eye[1] == 0.0 && focus[0] == 0.0 && focus[1] == 0.0 && focus[2] == 0.0 &&
+    std::abs(eye[2] * std::sin(halfAngle) - Radius) < 1e-6;
+}
 
 /// Whether a camera looks along x, y or z, as ParaView looks at flat data.
 bool LooksAlongAxis(vtkCamera* camera)
@@ -52,6 +65,25 @@ bool IsEmpty(vtkSMProxy* view)
 bool IsFlat(vtkSMProxy* view)
 {
   return vtkSMPropertyHelper(view, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
+}
+
+//----------------------------------------------------------------------------
+bool HasFirstCamera(vtkSMRenderViewProxy* view)
+{
+  vtkCamera* camera = view->GetActiveCamera();
+  int size[2] = { 1, 1 };
+  vtkSMPropertyHelper(view, "ViewSize").Get(size, 2);
+  if (ShowsEmptyView(camera, static_cast<double>(size[0]) / std::max(1, size[1])))
+  {
+    return true;
+  }
+  double position[3];
+  double focus[3];
+  vtkSMPropertyHelper(view, "CameraPosition").Get(position, 3);
+  vtkSMPropertyHelper(view, "CameraFocalPoint").Get(focus, 3);
+  return view->GetProperty("CameraPosition")->IsValueDefault() &&
+    view->GetProperty("CameraFocalPoint")->IsValueDefault() &&
+    std::equal(position, position + 3, camera->GetPosition()) && std::equal(focus, focus + 3, camera->GetFocalPoint());
 }
 
 //----------------------------------------------------------------------------
@@ -127,7 +159,7 @@ void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
   if (!this->WasReset && !IsEmpty(this->View))
   {
     this->WasReset = true;
-    if (!this->Place.IsOfFlatData)
+    if (!this->Place.IsOfFlatData || this->Place.IsFixed)
     {
       MoveCamera(this->View->GetActiveCamera(), this->Place);
     }
@@ -147,8 +179,11 @@ void FirstCamera::OnStart(vtkObject*, unsigned long, void*)
   vtkSMPropertyHelper(this->View, "CameraParallelProjection").Set(0);
   this->View->UpdateVTKObjects();
   MoveCamera(camera, this->Place);
-  this->View->ResetCamera(); // to what is drawn of it
-  camera->Dolly(this->Place.Closer);
+  if (!this->Place.IsFixed)
+  {
+    this->View->ResetCamera(); // to what is drawn of it
+    camera->Dolly(this->Place.Closer);
+  }
 }
 
 //----------------------------------------------------------------------------

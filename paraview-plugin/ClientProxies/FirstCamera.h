@@ -21,6 +21,10 @@ bool IsEmpty(vtkSMProxy* view);
 /// Whether a view is in ParaView's mode of two dimensions.
 bool IsFlat(vtkSMProxy* view);
 
+/// Whether nobody, and no script of a state, has placed the camera of a view: it is ParaView's, or that of a picture
+/// that shows nothing, before which ParaView resets it too.
+bool HasFirstCamera(vtkSMRenderViewProxy* view);
+
 /// Where the eye is when a source is the first thing in its view.
 struct CameraPlace
 {

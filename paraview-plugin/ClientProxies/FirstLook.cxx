@@ -89,6 +89,12 @@ void ShadeAsWater(vtkSMProxy* representation, double ambient)
 }
 
 //----------------------------------------------------------------------------
+void ShadeUnderSky(vtkSMProxy* representation, double share)
+{
+  vtkSMPropertyHelper(representation, "Ambient").Set(share);
+}
+
+//----------------------------------------------------------------------------
 void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset)
 {
   ColorHelper::SetScalarColoring(representation, array, vtkDataObject::POINT);
@@ -101,7 +107,7 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
 }
 
 //----------------------------------------------------------------------------
-void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view)
+void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view, const char* title)
 {
   ColorHelper::SetScalarBarVisibility(representation, view, true);
   vtkSMProxy* map = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
@@ -112,6 +118,11 @@ void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view)
     const double ink[3] = { 0.10, 0.14, 0.20 };
     vtkSMPropertyHelper(legend, "TitleColor").Set(ink, 3);
     vtkSMPropertyHelper(legend, "LabelColor").Set(ink, 3);
+    if (title)
+    {
+      vtkSMPropertyHelper(legend, "Title").Set(title);
+      vtkSMPropertyHelper(legend, "ComponentTitle").Set("");
+    }
     legend->UpdateVTKObjects();
   }
 }
@@ -136,12 +147,14 @@ void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, doubl
 }
 
 //----------------------------------------------------------------------------
-void ShowAsDisks(vtkSMProxy* representation, double radius)
+void ShowAsDots(vtkSMProxy* representation, double size)
 {
   const double color[3] = { 0.16, 0.42, 0.30 };
-  vtkSMPropertyHelper(representation, "Representation").Set("Point Gaussian");
-  vtkSMPropertyHelper(representation, "ShaderPreset").Set("Plain circle");
-  vtkSMPropertyHelper(representation, "GaussianRadius").Set(radius);
+  vtkSMPropertyHelper(representation, "Representation").Set("Points");
+  vtkSMPropertyHelper(representation, "RenderPointsAsSpheres").Set(1);
+  vtkSMPropertyHelper(representation, "PointSize").Set(size);
+  vtkSMPropertyHelper(representation, "Ambient").Set(1.0); // all of one color, as ink is
+  vtkSMPropertyHelper(representation, "Diffuse").Set(0.0);
   vtkSMPropertyHelper(representation, "AmbientColor").Set(color, 3);
   vtkSMPropertyHelper(representation, "DiffuseColor").Set(color, 3);
 }

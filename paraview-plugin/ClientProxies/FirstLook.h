@@ -19,11 +19,14 @@ void ShadeSmoothly(vtkSMProxy* representation, const char* array);
 /// Lights a surface whose colors have the sky in them: a share of ambient light, the rest scattered, and glitter.
 void ShadeAsWater(vtkSMProxy* representation, double ambient);
 
+/// Light of the sky and of the ground from everywhere, added to that of the lights: no leaf is black.
+void ShadeUnderSky(vtkSMProxy* representation, double share);
+
 /// Colors by a point array. A color map that is still ParaView's own becomes a preset, unless `preset` is null.
 void ColorByArray(vtkSMProxy* representation, const char* array, const char* preset);
 
 /// Shows the legend of a representation, in a dark color that can be read in front of a pale sky.
-void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view);
+void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view, const char* title);
 
 /// Radius of the largest particle in a view of all of the data, at least [diagonals].
 constexpr double SmallestSprite = 0.006;
@@ -33,8 +36,8 @@ constexpr double SmallestSprite = 0.006;
 bool AreParticles(vtkPVDataInformation* data);
 void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest);
 
-/// Points as disks of a radius [m].
-void ShowAsDisks(vtkSMProxy* representation, double radius);
+/// Points as round dots of a size [pixels], which is the same in a survey of any extent and near the eye.
+void ShowAsDots(vtkSMProxy* representation, double size);
 
 /**
  * An image of extinction s [1/m] as a volume. Opacity is 1 - exp(-F s U) over the unit distance U, so that light is

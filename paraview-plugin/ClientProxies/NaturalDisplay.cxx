@@ -5,6 +5,8 @@
 #include "ColorHelper.h"
 #include "Daylight.h"
 #include "FirstLook.h"
+#include "Scene.h"
+#include "SceneView.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -12,18 +14,22 @@
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -93,6 +99,12 @@ bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
       [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
 }
 
+/// Whether proxies are registered by a state file, or by undo and redo.
+bool IsLoadingState(vtkSMSessionProxyManager* manager)
+{
+  return manager->GetInLoadXMLState() || !manager->IsStateUpdateNotificationEnabled();
+}
+
 /// Clears a view for what replaces all that it shows.
 void HideAll(vtkSMProxy* view)
 {
@@ -121,12 +133,30 @@ bool HasData(vtkPVDataInformation* data)
   return data && (data->GetNumberOfPoints() > 0 || data->GetNumberOfRows() > 0);
 }
 
+/// Leaves the named properties of a display in its panel, the others behind the gear.
+void ShortenPanel(vtkSMProxy* representation, const char* names)
+{
+  std::istringstream words(names);
+  const std::set<std::string> wanted{ std::istream_iterator<std::string>(words), {} };
+  auto properties = vtkSmartPointer<vtkSMPropertyIterator>::Take(representation->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    const char* visibility = properties->GetProperty()->GetPanelVisibility();
+    const bool isShown = !visibility || std::strcmp(visibility, "default") == 0;
+    if (isShown && wanted.count(properties->GetKey()) == 0)
+    {
+      properties->GetProperty()->SetPanelVisibility("advanced");
+    }
+  }
+}
+
 }
 
 //----------------------------------------------------------------------------
 NaturalDisplay::~NaturalDisplay()
 {
   this->StopWaitingForLegend();
+  this->StopWatchingVisibility();
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -144,36 +174,40 @@ void NaturalDisplay::Watch()
 }
 
 //----------------------------------------------------------------------------
-const char* NaturalDisplay::Hint(const char* name)
+void NaturalDisplay::SetLook(vtkPVXMLElement* look)
 {
-  vtkPVXMLElement* hints = this->Owner->GetHints();
-  vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName("NaturalDisplay") : nullptr;
-  return hint ? hint->GetAttribute(name) : nullptr;
+  this->Look = look;
 }
 
 //----------------------------------------------------------------------------
-const char* NaturalDisplay::HintFor(int port, const char* name)
+void NaturalDisplay::SetScene(vtkPVXMLElement* scene)
+{
+  this->Scene = scene;
+}
+
+//----------------------------------------------------------------------------
+const char* NaturalDisplay::Hint(const char* name)
 {
   vtkPVXMLElement* hints = this->Owner->GetHints();
-  for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
-  {
-    vtkPVXMLElement* hint = hints->GetNestedElement(k);
-    int ofPort = -1;
-    if (std::strcmp(hint->GetName(), "NaturalDisplay") == 0 && hint->GetScalarAttribute("port", &ofPort) &&
-      ofPort == port && hint->GetAttribute(name))
-    {
-      return hint->GetAttribute(name);
-    }
-  }
-  return this->Hint(name);
+  vtkPVXMLElement* ofType = hints ? hints->FindNestedElementByName("NaturalDisplay") : nullptr;
+  vtkPVXMLElement* hint = this->Look ? this->Look.Get() : ofType;
+  return hint ? hint->GetAttribute(name) : nullptr;
 }
 
 //----------------------------------------------------------------------------
 void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(information);
-  if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName ||
-    std::strcmp(registered->GroupName, "representations") != 0 || this->Manager->GetInLoadXMLState())
+  if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || !registered->GroupName)
+  {
+    return;
+  }
+  if (registered->Proxy == this->Owner)
+  {
+    this->TakeView();
+    return;
+  }
+  if (std::strcmp(registered->GroupName, "representations") != 0)
   {
     return;
   }
@@ -183,17 +217,79 @@ void NaturalDisplay::OnRegister(vtkObject*, unsigned long, void* information)
     return;
   }
   const vtkSMPropertyHelper input(representation, "Input");
-  if (input.GetAsProxy() == this->Owner)
+  if (input.GetAsProxy() != this->Owner)
   {
-    this->Owner->UpdatePipelineInformation();
-    vtkSMRenderViewProxy* view = this->ActiveView();
-    if (view && IsEmpty(view))
-    {
-      this->LookAtInput();
-    }
-    this->Show(representation, input.GetOutputPort());
-    this->SetUpView(input.GetOutputPort());
+    return;
   }
+  this->WatchVisibility(representation);
+  if (IsLoadingState(this->Manager))
+  {
+    return;
+  }
+  if (this->Scene && IsLastOfPipeline(this->Owner))
+  {
+    this->MakeSceneOf(representation);
+    return;
+  }
+  this->Owner->UpdatePipelineInformation();
+  vtkSMRenderViewProxy* view = this->ActiveView();
+  if (view && IsEmpty(view))
+  {
+    this->LookAtInput();
+  }
+  this->Show(representation, input.GetOutputPort());
+  this->SetUpView(input.GetOutputPort());
+  this->HideReplaced();
+}
+
+//----------------------------------------------------------------------------
+/// ParaView shows in a new view what is not for the active one.
+void NaturalDisplay::TakeView()
+{
+  vtkPVXMLElement* hints = this->Owner->GetHints();
+  vtkPVXMLElement* view = hints ? hints->FindNestedElementByName("View") : nullptr;
+  const char* type = view ? view->GetAttribute("type") : nullptr;
+  if (type && std::strcmp(type, "RenderView") == 0 && !IsLoadingState(this->Manager))
+  {
+    ActivateViewOfScene(this->Manager);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::HideReplaced()
+{
+  const char* name = this->Hint("replaces");
+  vtkSMRenderViewProxy* view = this->ActiveView();
+  if (!name || !view)
+  {
+    return;
+  }
+  const vtkSMPropertyHelper replaced(this->Owner, name);
+  auto* producer = vtkSMSourceProxy::SafeDownCast(replaced.GetAsProxy());
+  if (producer && view->FindRepresentation(producer, replaced.GetOutputPort()))
+  {
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+    controller->Hide(producer, replaced.GetOutputPort(), view);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// What a scene begins with is hidden, as the input of a filter is, and the rest is shown.
+void NaturalDisplay::MakeSceneOf(vtkSMProxy* representation)
+{
+  this->Show(representation, 0);
+  vtkSMRenderViewProxy* view = this->ActiveView();
+  if (!view)
+  {
+    return;
+  }
+  this->Look = this->Scene;
+  this->SetUpView(0);
+  this->Look = nullptr;
+  vtkSMPropertyHelper(representation, "Visibility").Set(0);
+  representation->UpdateVTKObjects();
+  this->WaitForLegend(representation); // which is that of something hidden
+  MakeScene(this->Owner, this->Scene, view);
 }
 
 //----------------------------------------------------------------------------
@@ -230,6 +326,10 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
 {
   this->Owner->UpdatePipeline();
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
+  if (const char* panel = this->Hint("panel"))
+  {
+    ShortenPanel(representation, panel);
+  }
   if (!HasData(data))
   {
     this->WaitForData(representation, port);
@@ -244,7 +344,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
     {
       this->ShowBlocks(representation, data->GetArrayInformation("SiteId", vtkDataObject::FIELD) != nullptr);
     }
-    this->TakeColors(representation, data, port);
+    this->TakeColors(representation, data);
   }
   representation->UpdateVTKObjects();
 }
@@ -268,7 +368,7 @@ void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port)
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data)
 {
   if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
   {
@@ -283,18 +383,22 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
   }
-  if (const char* ambient = this->HintFor(port, "ambient"))
+  if (const char* ambient = this->Hint("ambient"))
   {
     ShadeAsWater(representation, std::atof(ambient));
   }
+  if (const char* sky = this->Hint("sky"))
+  {
+    ShadeUnderSky(representation, std::atof(sky));
+  }
   if (AreParticles(data))
   {
-    const char* smallest = this->HintFor(port, "sprite");
+    const char* smallest = this->Hint("sprite");
     ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
   }
-  if (const char* radius = this->Hint("disk-radius"))
+  if (const char* size = this->Hint("dots"))
   {
-    ShowAsDisks(representation, std::atof(radius));
+    ShowAsDots(representation, std::atof(size));
   }
   const char* fog = this->Hint("fog");
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
@@ -307,6 +411,10 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (extinction && mood)
   {
     FadeAway(representation, mood, std::atof(extinction));
+    if (AreParticles(data))
+    {
+      FadeSpritesAway(representation, mood, std::atof(extinction));
+    }
   }
   const char* array = this->Hint("color");
   if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
@@ -315,7 +423,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     vtkSMRenderViewProxy* view = this->ActiveView();
     if (view && IsEmpty(view) && this->Hint("light"))
     {
-      ShowDarkLegend(representation, view);
+      ShowDarkLegend(representation, view, this->Hint("legend"));
     }
   }
 }
@@ -404,6 +512,36 @@ void NaturalDisplay::StopWaitingForLegend()
 }
 
 //----------------------------------------------------------------------------
+/// ParaView shows a legend whenever a representation is shown again, though colors that are not mapped have none.
+void NaturalDisplay::WatchVisibility(vtkSMProxy* representation)
+{
+  this->StopWatchingVisibility();
+  this->Watched = representation;
+  this->VisibilityObserver = representation->GetProperty("Visibility")
+                               ->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility);
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::OnVisibility(vtkObject*, unsigned long, void*)
+{
+  if (this->Watched && vtkSMPropertyHelper(this->Watched, "Visibility").GetAsInt() != 0 &&
+    vtkSMPropertyHelper(this->Watched, "MapScalars").GetAsInt() == 0)
+  {
+    this->WaitForLegend(this->Watched);
+  }
+}
+
+//----------------------------------------------------------------------------
+void NaturalDisplay::StopWatchingVisibility()
+{
+  if (this->Watched)
+  {
+    this->Watched->GetProperty("Visibility")->RemoveObserver(this->VisibilityObserver);
+  }
+  this->Watched = nullptr;
+}
+
+//----------------------------------------------------------------------------
 void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
@@ -422,17 +560,17 @@ void NaturalDisplay::SetUpView(int port)
   const char* closer = this->Hint("closer");
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
-  place.IsOfFlatData =
-    data && elevation && std::atof(elevation) < 90.0 && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
-  place.IsOnMap = isMap && elevation && std::atof(elevation) < 90.0;
+  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
+  const bool isFromSide = place.IsFixed || (elevation && std::atof(elevation) < 90.0);
+  place.IsOfFlatData = data && isFromSide && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
+  place.IsOnMap = isMap && isFromSide;
   if (place.IsOnMap)
   {
     HideAll(view);
   }
-  place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
   place.Elevation = elevation ? std::atof(elevation) : 0.0;
   place.Closer = closer ? std::atof(closer) : 1.0;
-  if (place.IsFixed)
+  if (place.IsFixed && HasFirstCamera(view))
   {
     // Filters that follow the camera have nothing to show before it is there.
     MoveCamera(view->GetActiveCamera(), place);

@@ -5,10 +5,12 @@
 
 #include "FirstCamera.h"
 
-#include "vtkWeakPointer.h" // for what is watched
+#include "vtkSmartPointer.h" // for the look of a part of a scene
+#include "vtkWeakPointer.h"  // for what is watched
 
 class vtkObject;
 class vtkPVDataInformation;
+class vtkPVXMLElement;
 class vtkSMProxy;
 class vtkSMRenderViewProxy;
 class vtkSMSessionProxyManager;
@@ -26,10 +28,16 @@ namespace littoral
  *     <NaturalDisplay blocks="/Root/High/Skin /Root/High/Leaves" elevation="12" closer="2" light="land" />
  *
  *  - The point array RGB of the data is taken as it is; `direct-color` names an array of which that is known before
- * there are data, `color` one that a color map shows, `color-map` a preset for it.
- *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water.
+ * there are data, `color` one that a color map shows, `color-map` a preset for it, `legend` the title of
+ * its legend.
+ *  - A share `ambient` of the light comes from everywhere, for colors that have the sky in them, as those of water; a
+ *    share `sky` is added to that of the lights, for leaves in the shade.
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
- * `sprite` [diagonals of the data]; points with `disk-radius` [m] are disks; the array of `fog` [1/m] is a volume.
+ * `sprite` [diagonals of the data]; points with `dots` are dots of that size [pixels]; the array of `fog`
+ * [1/m] is a volume.
+ *  - What is connected to the property `replaces` is hidden in the view, for a proxy with the hint
+ *    `<Visibility replace_input="0" />`, whose other inputs stay.
+ *  - Only the properties `panel` of the display are in its panel without the gear.
  *  - Surfaces fade into the background of `light` with the extinction `murk` [1/m], see FadeAway.
  *  - `blocks` are the only ones that are shown at first, of the first output; of a scattered forest (field data SiteId)
  *    those of `forest-blocks`, if there are any. With `own-levels` the surface is not decimated while the camera moves:
@@ -38,7 +46,10 @@ namespace littoral
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
  *
- * A second hint with `port` says `ambient` or `sprite` of that output alone.
+ * A source with the hint `<View type="RenderView" />` makes a render view the active one where a table or a chart is,
+ * when it is registered, so that Apply shows it in that view and not in a new one.
+ *
+ * A source with a Scene brings the rest of a pipeline with it when it is first shown, and is hidden itself.
  *
  * Later changes by the user, and those of a state file, stay.
  */
@@ -56,23 +67,36 @@ public:
   /// To be called when the owner has a session.
   void Watch();
 
+  /// Attributes that take the place of the hint.
+  void SetLook(vtkPVXMLElement* look);
+
+  /// The rest of the pipeline, see MakeScene. Its attributes are for the view.
+  void SetScene(vtkPVXMLElement* scene);
+
 private:
   const char* Hint(const char* name);
-  const char* HintFor(int port, const char* name);
   void OnRegister(vtkObject*, unsigned long, void* information);
+  void TakeView();
+  void HideReplaced();
+  void MakeSceneOf(vtkSMProxy* representation);
   void LookAtInput();
   void Show(vtkSMProxy* representation, int port);
   void ShowBlocks(vtkSMProxy* representation, bool isForest);
-  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port);
+  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject*, unsigned long, void*);
   void StopWaitingForLegend();
+  void WatchVisibility(vtkSMProxy* representation);
+  void OnVisibility(vtkObject*, unsigned long, void*);
+  void StopWatchingVisibility();
   void SetUpView(int port);
 
   vtkSMSourceProxy* Owner;
+  vtkSmartPointer<vtkPVXMLElement> Look;
+  vtkSmartPointer<vtkPVXMLElement> Scene;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;
   unsigned long RegisterObserver = 0;
   vtkWeakPointer<vtkSMProxy> Empty; ///< what was shown without data
@@ -81,6 +105,8 @@ private:
   vtkWeakPointer<vtkSMProxy> Colored; ///< whose legend would mean nothing
   vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
   unsigned long LegendObserver = 0;
+  vtkWeakPointer<vtkSMProxy> Watched; ///< the newest representation
+  unsigned long VisibilityObserver = 0;
   FirstCamera Camera;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMFollowCameraProxy.h"
 
+#include "FirstCamera.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/Constants.h"
 #include "Pipeline/CameraView.h"
@@ -9,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
@@ -50,12 +52,24 @@ littoral::View ViewOf(vtkSMProxy* filter)
   return view;
 }
 
-/// What the camera of a view shows; a view that has no size yet leaves that of another.
+/// What the camera of a view shows; a view that has no size yet leaves that of another. A screenshot larger than the
+/// view is drawn in tiles, each with a camera of its own: all of them leave the other view, at the height of the whole.
 littoral::View ViewOf(vtkSMRenderViewProxy* shown, const littoral::View& other)
 {
   int size[2] = { 0, 0 };
   vtkSMPropertyHelper(shown, "ViewSize").Get(size, 2);
-  return littoral::ViewOfCamera(shown->GetActiveCamera(), size[0], size[1], other);
+  int tiles[2] = { 1, 1 };
+  if (vtkRenderWindow* window = shown->GetRenderWindow())
+  {
+    window->GetTileScale(tiles);
+  }
+  if (tiles[0] <= 1 && tiles[1] <= 1)
+  {
+    return littoral::ViewOfCamera(shown->GetActiveCamera(), size[0], size[1], other);
+  }
+  littoral::View view = other;
+  view.Height = static_cast<double>(size[1]) * tiles[1];
+  return view;
 }
 }
 
@@ -137,7 +151,8 @@ void vtkSMFollowCameraProxy::OnActiveView()
 //----------------------------------------------------------------------------
 void vtkSMFollowCameraProxy::OnPicture(vtkObject*, unsigned long, void* isInteractive)
 {
-  if (!this->View || !this->View->GetActiveCamera() || this->IsTaking)
+  // Before its first camera a level of detail would show nothing: ParaView draws once, and places the camera by that.
+  if (!this->View || !this->View->GetActiveCamera() || this->IsTaking || littoral::HasFirstCamera(this->View))
   {
     return;
   }

@@ -14,6 +14,7 @@
 
 #include "LittoralClientProxiesModule.h" // for export macro
 #include "vtkSMSourceProxy.h"
+#include "vtkSmartPointer.h" // for the scene
 
 #include <memory> // for the display
 
@@ -31,10 +32,16 @@ public:
 
   void UpdateVTKObjects() override;
 
+  /**
+   * Attributes that take the place of the hint NaturalDisplay of the type, for a part of a scene.
+   */
+  void SetLook(vtkPVXMLElement* look);
+
 protected:
   vtkSMNaturalDisplayProxy();
   ~vtkSMNaturalDisplayProxy() override;
 
+  void CreateVTKObjects() override;
   int CreateSubProxiesAndProperties(vtkSMSessionProxyManager* manager, vtkPVXMLElement* element) override;
 
 private:
@@ -42,6 +49,7 @@ private:
   void operator=(const vtkSMNaturalDisplayProxy&) = delete;
 
   std::unique_ptr<littoral::NaturalDisplay> Display;
+  vtkSmartPointer<vtkPVXMLElement> Scene; ///< that begins with this, if any
 };
 
 #endif

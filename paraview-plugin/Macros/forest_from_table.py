@@ -39,6 +39,16 @@ def render_view():
     return view
 
 
+def ground_under(plants, view):
+    """A level meadow below the plants, a little wider than they stand."""
+    x0, x1, y0, y1, z0, _ = plants.GetDataInformation().GetBounds()
+    margin = 0.03 * (x1 - x0 + y1 - y0)
+    ground = simple.Plane(registrationName="Ground", Origin=[x0 - margin, y0 - margin, z0],
+                          Point1=[x1 + margin, y0 - margin, z0], Point2=[x0 - margin, y1 + margin, z0])
+    shown = simple.Show(ground, view)
+    shown.AmbientColor = shown.DiffuseColor = [0.42, 0.40, 0.22]
+
+
 def main():
     """A forest of the active table, shown in a render view."""
     table = simple.GetActiveSource()
@@ -58,6 +68,7 @@ def main():
     view = render_view()
     simple.Show(forest, view)
     simple.ResetCamera(view)
+    ground_under(forest, view)
     simple.SetActiveSource(forest)
     simple.Render(view)
 

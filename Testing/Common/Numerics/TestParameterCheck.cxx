@@ -39,6 +39,26 @@ TEST(ParameterCheck, HasOneWording)
   EXPECT_EQ(Reason([](auto& c) { c.Finite("SeaLevel", std::nan("")); }), "SeaLevel is nan; it must be finite.");
 }
 
+TEST(ParameterCheck, RefusesMagnitudesThatOverflowOrVanish)
+{
+  EXPECT_EQ(Reason([](auto& c) { c.Finite("Slope", -1e300); }),
+    "Slope is -1e+300; it must be of a magnitude from 1e-30 to 1e+15.");
+  EXPECT_EQ(Reason([](auto& c) { c.Positive("Depth", 5e-324, "m"); }),
+    "Depth is 4.94066e-324 m; it must be of a magnitude from 1e-30 to 1e+15 m.");
+  EXPECT_EQ(Reason([](auto& c) { c.Range("Share", 1e-300, 0.0, 1.0); }),
+    "Share is 1e-300; it must be of a magnitude from 1e-30 to 1e+15.");
+  for (const double good : { 0.0, -0.0, 1e-30, -1e-30, 6e-17, 1e15, -1e15 })
+  {
+    EXPECT_TRUE(IsSensible(good)) << good;
+    EXPECT_EQ(Reason([&](auto& c) { c.Finite("Center", good); }), "");
+  }
+  for (const double bad : { 0.9e-30, 1.1e15, std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    EXPECT_FALSE(IsSensible(bad)) << bad;
+    EXPECT_FALSE(IsSensible(-bad)) << bad;
+  }
+}
+
 TEST(ParameterCheck, NamesChoicesCountsAndColors)
 {
   EXPECT_EQ(Reason([](auto& c) {
@@ -84,7 +104,7 @@ TEST(ParameterCheck, EndsAreWithin)
   EXPECT_EQ(Reason([](auto& c) {
     c.Range("a", 0.0, 0.0, 1.0);
     c.Range("a", 1.0, 0.0, 1.0);
-    c.Positive("a", 5e-324);
+    c.Positive("a", 1e-30);
     c.Positive("a", 2.0, "", 2.0);
     c.NotNegative("a", 0.0);
     c.Choice("a", 0, 2);

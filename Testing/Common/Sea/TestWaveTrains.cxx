@@ -463,6 +463,25 @@ TEST(WaveDirections, OfFewOrUnequalTrains)
   }
 }
 
+TEST(WaveTrains, NumbersOfNoSeaAreRefusedByName)
+{
+  SeaState sea;
+  sea.Depth = 8.0;
+  WaveTrain train{};
+  train.Amplitude = 1e-40; // as in the tail of a narrow spectrum
+  train.WaveNumber = 0.1;
+  train.AngularFrequency = std::sqrt(9.81 * train.WaveNumber * std::tanh(train.WaveNumber * sea.Depth));
+  sea.Trains = { train };
+  EXPECT_EQ(WhyInvalid(sea), "");
+  for (double WaveTrain::*number : { &WaveTrain::Amplitude, &WaveTrain::Direction, &WaveTrain::Phase })
+  {
+    sea.Trains = { train, train };
+    sea.Trains[0].Amplitude = sea.Trains[1].Amplitude = 0.3;
+    sea.Trains[1].*number = 1e300;
+    EXPECT_NE(WhyInvalid(sea).find("of train 1"), std::string::npos) << WhyInvalid(sea);
+  }
+}
+
 TEST(WaveTrains, TablesMayRoundGravityButNotDepth)
 {
   // w2 = g k tanh kh, with the gravity that other programs take, in 8 m of water, where the depth counts.

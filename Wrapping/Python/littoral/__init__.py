@@ -35,7 +35,7 @@ try:
 except ModuleNotFoundError:
     _absent["vtkVDBVolumeWriter"] = "this Littoral was built without OpenVDB"
 except ImportError as error:
-    _absent["vtkVDBVolumeWriter"] = f"OpenVDB cannot be loaded: {error}"
+    _absent["vtkVDBVolumeWriter"] = f"its library cannot be loaded: {error}"
 
 
 def __getattr__(name):

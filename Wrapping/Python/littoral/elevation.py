@@ -7,10 +7,13 @@ in metres.
 """
 
 import os
+import zipfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+
+from . import files
 
 #: Jacksboro fault, Tennessee: US Geological Survey, public domain, in Debian's package
 #: python-matplotlib-data.
@@ -56,10 +59,13 @@ def array_from_image(image, name="Elevation"):
 
 
 def read_elevation(filename=JACKSBORO):
-    """Read `.npz`, `.vti` or `.dem`, or else any raster that GDAL knows."""
-    if not os.path.isfile(filename):
-        raise FileNotFoundError(filename)
-    readers = {".npz": read_npz, ".vti": read_vti, ".dem": read_dem}
+    """Read `.npz` or `.vti`, or else any raster that GDAL knows.
+
+    Raises OSError for a file that cannot be opened, and ValueError for one that is damaged or holds no heights.
+    """
+    with open(filename, "rb"):  # missing, a folder, or not to be read
+        pass
+    readers = {".npz": read_npz, ".vti": read_vti}
     return readers.get(os.path.splitext(filename)[1].lower(), read_raster)(filename)
 
 
@@ -68,24 +74,36 @@ def read_npz(filename):
 
     `elevation` [m] has its rows from north to south; `dx`, `dy`, `ymin`, `ymax` are in degrees.
     """
-    with np.load(filename) as data:
-        east, north = metres_per_degree(0.5 * (float(data["ymin"]) + float(data["ymax"])))
-        spacing = abs(float(data["dx"])) * east, abs(float(data["dy"])) * north
-        return image_from_array(data["elevation"][::-1], spacing)
+    try:
+        with np.load(filename) as data:
+            east, north = metres_per_degree(0.5 * (float(data["ymin"]) + float(data["ymax"])))
+            spacing = abs(float(data["dx"])) * east, abs(float(data["dy"])) * north
+            return image_from_array(data["elevation"][::-1], spacing)
+    except (AttributeError, EOFError, KeyError, TypeError, ValueError, zipfile.BadZipFile) as error:
+        raise ValueError(f"{filename}: no NumPy archive of heights ({error})") from None
 
 
 def read_vti(filename):
     """Read a VTK image; without an array `Elevation` its scalars are renamed to it."""
+    from vtkmodules.vtkCommonCore import vtkEventForwarderCommand
     from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
-    return _read(vtkXMLImageDataReader(), filename)
-
-
-def read_dem(filename):
-    """Read an elevation model in the ASCII format of the US Geological Survey."""
-    from vtkmodules.vtkIOImage import vtkDEMReader
-
-    return _read(vtkDEMReader(), filename)
+    reader, parser, errors = vtkXMLImageDataReader(), vtkEventForwarderCommand(), []
+    for watched in (reader, reader.GetExecutive()):
+        watched.AddObserver("ErrorEvent", lambda *_: errors.append(True))  # in place of VTK's own messages
+    parser.SetTarget(reader)
+    reader.SetParserErrorObserver(parser)
+    reader.SetFileName(filename)
+    reader.Update()
+    image = reader.GetOutput()
+    if errors or reader.GetErrorCode():
+        raise ValueError(f"{filename}: no whole VTK image")
+    data = image.GetPointData()
+    if data.GetArray("Elevation") is None:
+        if data.GetScalars() is None:
+            raise ValueError(f"{filename}: no point scalars to take as elevation")
+        data.GetScalars().SetName("Elevation")
+    return image
 
 
 def read_raster(filename):
@@ -93,45 +111,40 @@ def read_raster(filename):
 
     The centers of the pixels become the points; pixels without data become NaN.
     """
-    from vtkmodules.vtkIOGDAL import vtkGDALRasterReader
-
-    if filename.lower().endswith(".asc"):
-        raise ValueError(f"{filename}: VTK cannot read ASCII grids; convert it to GeoTIFF")
-    reader = vtkGDALRasterReader()
-    reader.SetFileName(filename)
-    reader.Update()
-    raster = reader.GetOutput()
-    values = raster.GetCellData().GetArray("Elevation")
-    if values is None:
-        raise ValueError(f"{filename}: no raster of heights")
-    heights = vtk_to_numpy(values).astype(np.float32)
-    ghosts = raster.GetCellGhostArray()
-    if ghosts is not None:
-        heights[vtk_to_numpy(ghosts) != 0] = np.nan
-    columns, rows, _ = raster.GetDimensions()
-    spacing, origin = raster.GetSpacing(), raster.GetOrigin()
-    center = origin[0] + 0.5 * spacing[0], origin[1] + 0.5 * spacing[1]
-    return image_from_array(heights.reshape(rows - 1, columns - 1), spacing, center)
+    try:
+        from osgeo import gdal
+    except ImportError as error:
+        raise ImportError(f"{filename}: reading rasters takes Debian's package python3-gdal ({error})") from None
+    raising = gdal.GetUseExceptions()
+    gdal.UseExceptions()
+    try:
+        raster = gdal.Open(filename)
+        band = raster.GetRasterBand(1)
+        heights = band.ReadAsArray().astype(np.float32)
+        heights[band.GetMaskBand().ReadAsArray() == 0] = np.nan
+        west, east, row_east, north, column_north, south = raster.GetGeoTransform()
+    except (AttributeError, RuntimeError) as error:
+        raise ValueError(f"{filename}: no whole raster of heights ({error})") from None
+    finally:
+        if not raising:
+            gdal.DontUseExceptions()
+    place = raster.GetSpatialRef()
+    if place is not None and place.IsGeographic():
+        raise ValueError(f"{filename}: its coordinates are degrees; project it to metres first, as by gdalwarp")
+    if row_east or column_north or east <= 0.0 or south == 0.0:
+        raise ValueError(f"{filename}: its rows do not run from west to east; warp it first, as by gdalwarp")
+    if south > 0.0:  # the first row is the southernmost, or the raster has no place
+        return image_from_array(heights, (east, south), (west + 0.5 * east, north + 0.5 * south))
+    lowest = north + (len(heights) - 0.5) * south
+    return image_from_array(heights[::-1], (east, -south), (west + 0.5 * east, lowest))
 
 
 def write_vti(image, filename):
-    """Write an image as a VTK XML file."""
+    """Write an image as a VTK XML file. Raises OSError, with an old file as it was."""
     from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
     writer = vtkXMLImageDataWriter()
     writer.SetInputData(image)
     # Inline data: with some versions of expat VTK cannot read appended data.
     writer.SetDataModeToBinary()
-    writer.SetFileName(filename)
-    writer.Write()
-
-
-def _read(reader, filename):
-    reader.SetFileName(filename)
-    reader.Update()
-    data = reader.GetOutput().GetPointData()
-    if data.GetArray("Elevation") is None:
-        if data.GetScalars() is None:
-            raise ValueError(f"{filename}: no point scalars to take as elevation")
-        data.GetScalars().SetName("Elevation")
-    return reader.GetOutput()
+    files.write(writer, filename)

@@ -7,24 +7,27 @@ import tempfile
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 
+from . import files
+
 
 def save_film(filename, pictures, frames_per_second=24):
     """Write PNG files of one size as an Ogg Theora film (`.ogv`), which browsers and VLC show."""
     reader, writer = vtkPNGReader(), vtkOggTheoraWriter()
     writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetFileName(filename)
     writer.SetRate(frames_per_second)
     writer.SetQuality(2)
     writer.SubsamplingOff()
-    for number, picture in enumerate(pictures):
-        reader.SetFileName(picture)
-        reader.Update()
-        if number == 0:
-            writer.Start()
-        writer.Write()
-    writer.End()
-    if writer.GetError():
-        raise OSError(f"{filename} cannot be written.")
+    with files.replaced(filename) as path:
+        writer.SetFileName(path)
+        for number, picture in enumerate(pictures):
+            reader.SetFileName(picture)
+            reader.Update()
+            if number == 0:
+                writer.Start()
+            writer.Write()
+        writer.End()
+        if writer.GetError():
+            raise OSError(f"{filename} cannot be written.")
 
 
 def folder_size_frames(arguments, size=(960, 540)):

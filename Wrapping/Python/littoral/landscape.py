@@ -6,6 +6,7 @@ Everything works with the rasterizer of any ParaView, without ray tracing. Lengt
 z up; azimuths are measured from north to east.
 """
 
+import errno
 import json
 import os
 
@@ -17,7 +18,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from . import scene
+from . import files, scene
 from .elevation import array_from_image, image_from_array, read_elevation
 from .versions import create_texture
 from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
@@ -317,11 +318,32 @@ def _write_png(filename, pixels):
         numpy_to_vtk(pixels.reshape(-1, pixels.shape[2]), deep=True))
     writer = vtkPNGWriter()
     writer.SetInputData(image)
-    writer.SetFileName(filename)
-    writer.Write()
+    files.write(writer, filename)
 
 
 # Views --------------------------------------------------------------------------------------------
+
+
+def save_view(filename, view):
+    """Write the picture of a view as a PNG. Raises OSError, with an old file as it was."""
+    simple.Render(view)
+    writer = vtkPNGWriter()
+    writer.SetInputData(view.SMProxy.CaptureWindow(1))
+    files.write(writer, filename)
+
+
+def save_volume(filename, source):
+    """Write the images of a source as an OpenVDB volume, by a server on this machine.
+
+    Raises OSError, with an old file as it was.
+    """
+    def state():
+        return os.path.exists(filename) and (os.stat(filename).st_ino, os.stat(filename).st_mtime_ns)
+
+    before = state()
+    simple.SaveData(filename, source)
+    if state() == before:
+        raise OSError(errno.EIO, "The volume cannot be written", filename)
 
 
 def prepare_view(view):
@@ -394,9 +416,8 @@ def show_textured(source, view, selector, picture):
     image.SetDimensions(*(int(size) for size in vtk_to_numpy(fields.GetArray("TextureSize"))), 1)
     image.GetPointData().SetScalars(fields.GetArray("Texture"))
     writer = vtkPNGWriter()
-    writer.SetFileName(picture)
     writer.SetInputData(image)
-    writer.Write()
+    files.write(writer, picture)
     shown = _show_colored(block, view)
     shown.Ambient = 0.35
     shown.Texture = create_texture(picture)

@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
     vtkWindowToImageFilter)
 
-from . import scene
+from . import files, scene
 
 INK = (0.16, 0.18, 0.22)
 FAINT = (0.40, 0.43, 0.48)
@@ -108,8 +108,7 @@ def _write(writer, window, filename, size, oversampling):
     shrink.SetInputConnection(grab.GetOutputPort())
     shrink.SetOutputDimensions(size[0], size[1], 1)
     writer.SetInputConnection(shrink.GetOutputPort())
-    writer.SetFileName(filename)
-    writer.Write()
+    files.write(writer, filename)
 
 
 def _save_blocks(filename, images, exaggeration, coloring, texts, size):

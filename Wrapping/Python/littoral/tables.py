@@ -7,6 +7,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkIOCore import vtkDelimitedTextWriter
 
+from . import files
+
 
 def column(table, name):
     """A column of numbers as an array."""
@@ -45,8 +47,7 @@ def one_model(fits, model):
 
 
 def write_csv(table, filename):
-    """Write a table as comma-separated values."""
+    """Write a table as comma-separated values. Raises OSError, with an old file as it was."""
     writer = vtkDelimitedTextWriter()
     writer.SetInputData(table)
-    writer.SetFileName(filename)
-    writer.Write()
+    files.write(writer, filename)

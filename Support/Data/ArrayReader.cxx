@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/ArrayReader.h"
+
+#include "Numerics/ParameterCheck.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// The first number of an array that is not good; negative if all are, or for null.
+template <typename IsGood>
+vtkIdType FirstOutside(vtkDataArray* array, const IsGood& isGood)
+{
+  vtkIdType first = -1;
+  const auto look = [&](auto* typed) {
+    const auto* begin = typed ? typed->GetPointer(0) : nullptr;
+    const auto* end = typed ? begin + typed->GetNumberOfValues() : nullptr;
+    const auto* found = std::find_if_not(begin, end, isGood);
+    first = found == end ? first : found - begin;
+    return typed != nullptr;
+  };
+  if (look(vtkFloatArray::FastDownCast(array)) || look(vtkDoubleArray::FastDownCast(array)) ||
+    look(vtkIntArray::FastDownCast(array)))
+  {
+    return first;
+  }
+  const int components = array ? array->GetNumberOfComponents() : 1;
+  for (vtkIdType value = 0; array && first < 0 && value < array->GetNumberOfValues(); ++value)
+  {
+    first = isGood(array->GetComponent(value / components, static_cast<int>(value % components))) ? first : value;
+  }
+  return first;
+}
+
+std::string Components(int count)
+{
+  return std::to_string(count) + (count == 1 ? " component" : " components");
+}
+
+}
+
+ArrayReader ArrayReader::OfPoints(vtkDataSet* data, const std::string& owner)
+{
+  ArrayReader reader;
+  reader.Arrays = data->GetPointData();
+  reader.Tuples = data->GetNumberOfPoints();
+  reader.Kind = "point array";
+  reader.Elements = "points";
+  reader.Owner = owner;
+  return reader;
+}
+
+ArrayReader ArrayReader::OfCells(vtkDataSet* data, const std::string& owner)
+{
+  ArrayReader reader;
+  reader.Arrays = data->GetCellData();
+  reader.Tuples = data->GetNumberOfCells();
+  reader.Kind = "cell array";
+  reader.Elements = "cells";
+  reader.Owner = owner;
+  return reader;
+}
+
+ArrayReader ArrayReader::OfRows(vtkTable* table, const std::string& owner)
+{
+  ArrayReader reader;
+  reader.Arrays = table->GetRowData();
+  reader.Tuples = table->GetNumberOfRows();
+  reader.Kind = "column";
+  reader.Elements = "rows";
+  reader.Owner = owner;
+  return reader;
+}
+
+ArrayReader ArrayReader::OfFields(vtkDataObject* data, const std::string& owner, vtkIdType tuples)
+{
+  ArrayReader reader;
+  reader.Arrays = data->GetFieldData();
+  reader.Tuples = tuples;
+  reader.Kind = "field array";
+  reader.Elements = tuples == 1 ? "number" : "numbers";
+  reader.Owner = owner;
+  return reader;
+}
+
+void ArrayReader::Complain(const std::string& predicate)
+{
+  this->First = this->First.empty() ? this->Owner + " has " + predicate + "." : this->First;
+}
+
+std::vector<vtkDataArray*> ArrayReader::All(int components) const
+{
+  std::vector<vtkDataArray*> all;
+  for (int index = 0; index < this->Arrays->GetNumberOfArrays(); ++index)
+  {
+    ArrayReader reader = *this;
+    vtkAbstractArray* array = this->Arrays->GetAbstractArray(index);
+    if (vtkDataArray* numbers = reader.Check(array, array->GetName(), components, VTK_VOID))
+    {
+      all.push_back(numbers);
+    }
+  }
+  return all;
+}
+
+vtkDataArray* ArrayReader::Any(const char* name) const
+{
+  vtkAbstractArray* array = this->Arrays->GetAbstractArray(name);
+  ArrayReader reader = *this;
+  return array ? reader.Check(array, name, array->GetNumberOfComponents(), VTK_VOID) : nullptr;
+}
+
+bool ArrayReader::Has(const char* name) const
+{
+  return this->Arrays && this->Arrays->GetAbstractArray(name);
+}
+
+vtkDataArray* ArrayReader::Take(const char* name, int components, int type, bool isNeeded)
+{
+  vtkAbstractArray* array = this->Arrays ? this->Arrays->GetAbstractArray(name) : nullptr;
+  if (!array && isNeeded)
+  {
+    this->Complain(std::string("no ") + this->Kind + " " + name + " of " + Components(components));
+  }
+  return this->Check(array, name, components, type);
+}
+
+vtkDataArray* ArrayReader::Check(vtkAbstractArray* array, const char* name, int components, int type)
+{
+  if (!array)
+  {
+    return nullptr;
+  }
+  const std::string own = std::string("a ") + this->Kind + " " + (name ? name : "without a name");
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers)
+  {
+    this->Complain(own + " that holds no numbers");
+  }
+  else if (array->GetNumberOfComponents() != components)
+  {
+    this->Complain(
+      own + " of " + Components(array->GetNumberOfComponents()) + "; it must have " + std::to_string(components));
+  }
+  else if (this->Tuples >= 0 && array->GetNumberOfTuples() != this->Tuples)
+  {
+    this->Complain(own + " of " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+      std::to_string(this->Tuples) + " " + this->Elements);
+  }
+  else if (type != VTK_VOID && (array->GetDataType() != type || !array->HasStandardMemoryLayout()))
+  {
+    this->Complain(
+      own + " of " + array->GetDataTypeAsString() + "; it must be of " + vtkImageScalarTypeNameMacro(type));
+  }
+  else
+  {
+    return numbers;
+  }
+  return nullptr;
+}
+
+void ArrayReader::NeedFinite(vtkDataArray* array)
+{
+  const auto isSmall = [](auto value) { return std::abs(static_cast<double>(value)) <= LargestMagnitude; };
+  const vtkIdType bad = FirstOutside(array, isSmall);
+  if (bad >= 0)
+  {
+    const vtkIdType tuple = bad / array->GetNumberOfComponents();
+    const int component = static_cast<int>(bad % array->GetNumberOfComponents());
+    const bool isFinite = std::isfinite(array->GetComponent(tuple, component));
+    this->Complain(std::string("a ") + this->Kind + " " + (array->GetName() ? array->GetName() : "without a name") +
+      " that is " + (isFinite ? "beyond " + TextOf(LargestMagnitude) : "not finite") + " at " + std::to_string(tuple));
+  }
+}
+
+void ArrayReader::NeedIds(vtkDataArray* array, vtkIdType count, const char* of, vtkIdType lowest)
+{
+  const vtkIdType bad = FirstOutside(array, [lowest, count](auto id) { return id >= lowest && id < count; });
+  if (bad >= 0)
+  {
+    const int components = array->GetNumberOfComponents();
+    const double id = array->GetComponent(bad / components, static_cast<int>(bad % components));
+    this->First = this->First.empty()
+      ? array->GetName() + (" of " + this->Owner) + " names " + of + " " + TextOf(id) + ", which does not exist."
+      : this->First;
+  }
+}
+
+bool ReadWhole(
+  const std::string& name, double number, long long low, long long high, long long& whole, std::string& reason)
+{
+  const bool isGood = number >= static_cast<double>(low) && number <= static_cast<double>(high) &&
+    number == std::floor(number) && std::abs(number) < 9e18;
+  if (isGood)
+  {
+    whole = static_cast<long long>(number);
+    return true;
+  }
+  ParameterCheck check;
+  check.Require(false, name, number, "", "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  reason = reason.empty() ? check.Reason() : reason;
+  return false;
+}
+
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportInputs_h
+#define LittoralSupportInputs_h
+
+// Inputs by their types. VTK checks the type of an input that is no composite, and of none of the leaves that it hands
+// to a filter one by one; nor does it check that arrays have a tuple for each point. Private: never installed, never
+// wrapped.
+
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformationVector.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace littoral
+{
+
+/// A type of data in words for a user.
+template <typename Type>
+constexpr const char* WordsForType()
+{
+  if constexpr (std::is_same_v<Type, vtkImageData>)
+  {
+    return "an image (vtkImageData)";
+  }
+  else if constexpr (std::is_same_v<Type, vtkTable>)
+  {
+    return "a table (vtkTable)";
+  }
+  else if constexpr (std::is_same_v<Type, vtkPolyData>)
+  {
+    return "polygonal data (vtkPolyData)";
+  }
+  else
+  {
+    static_assert(std::is_same_v<Type, vtkPointSet>, "a type without words");
+    return "points (vtkPointSet)";
+  }
+}
+
+/// Why an input is not of a type, in words for a user: "Terrain is a vtkTable; it must be an image (vtkImageData)."
+std::string WhyOtherType(vtkDataObject* data, const char* input, const char* words);
+
+/// Why parts of a data set, or of the leaves of a composite, do not fit each other: an array that has not a tuple for
+/// each point or cell, points that are fewer than the grid has, an image at no place. Empty if they do.
+std::string WhyUnfit(vtkDataObject* data, const char* input);
+
+/**
+ * The input of a port, named as in the panel. Null with the reason, unless there is one already, if it is of another
+ * type, if there is none, or if its parts do not fit each other.
+ */
+template <typename Type>
+Type* InputOf(vtkInformationVector* inputs, const char* input, std::string& reason)
+{
+  vtkDataObject* data = vtkDataObject::GetData(inputs);
+  auto* typed = Type::SafeDownCast(data);
+  const std::string own = typed ? WhyUnfit(typed, input) : WhyOtherType(data, input, WordsForType<Type>());
+  reason = reason.empty() ? own : reason;
+  return own.empty() ? typed : nullptr;
+}
+
+/// The same of a port to which nothing needs to be connected: null without a reason if nothing is.
+template <typename Type>
+Type* OptionalInputOf(vtkInformationVector* inputs, const char* input, std::string& reason)
+{
+  return inputs->GetNumberOfInformationObjects() > 0 ? InputOf<Type>(inputs, input, reason) : nullptr;
+}
+
+/// All leaves of a composite that have data; else the data themselves.
+std::vector<vtkDataObject*> LeavesOf(vtkDataObject* data);
+
+/// The leaves of an input that is a composite, else the input itself; leaves without data are left out. None, with the
+/// reason, if one has another type, or parts that do not fit each other.
+std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* data, const char* input, std::string& reason);
+
+/// Data that PointSetsOf() has let pass, or a copy of them.
+inline vtkPointSet* PointsIn(vtkDataObject* data)
+{
+  return vtkPointSet::SafeDownCast(data);
+}
+
+}
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/PlantForm.h"
+
+#include "Data/ArrayReader.h"
+#include "Data/Cells.h"
+#include "Data/Inputs.h"
+#include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
+
+namespace littoral
+{
+
+namespace
+{
+
+/// A block of plants.
+struct BlockName
+{
+  const char* Level;
+  const char* Part; ///< null: the level is the block
+};
+
+constexpr BlockName BlockNames[] = { { plant::High, plant::Skeleton }, { plant::High, plant::Skin },
+  { plant::High, plant::Leaves }, { plant::Medium, plant::Trunk }, { plant::Medium, plant::Crown },
+  { plant::Low, nullptr } };
+
+/// Finds a block; null if there is none, with the reason if there are other data.
+vtkPolyData* FindPart(vtkMultiBlockDataSet* plants, const BlockName& name, std::string& reason)
+{
+  vtkDataObject* data = FindBlock(plants, name.Level);
+  std::string path = name.Level;
+  if (data && name.Part)
+  {
+    auto* level = vtkMultiBlockDataSet::SafeDownCast(data);
+    reason = level ? "" : WhyOtherType(data, ("Block " + path).c_str(), "blocks (vtkMultiBlockDataSet)");
+    data = FindBlock(level, name.Part);
+    path += std::string("/") + name.Part;
+  }
+  auto* part = vtkPolyData::SafeDownCast(data);
+  if (data && !part)
+  {
+    reason = WhyOtherType(data, ("Block " + path).c_str(), WordsForType<vtkPolyData>());
+  }
+  return part;
+}
+
+/// Why arrays that tell how a block is drawn are bad.
+std::string WhyBadLook(vtkPolyData* block, const std::string& owner)
+{
+  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  points.NeedFinite(block->GetPoints() ? block->GetPoints()->GetData() : nullptr);
+  points.Find(plant::RGB, 3);
+  points.NeedFinite(points.Fit(block->GetPointData()->GetNormals(), 3));
+  points.NeedFinite(points.Find("Normals", 3));
+  vtkDataArray* places = block->GetPointData()->GetTCoords();
+  const int axes = places && places->GetNumberOfComponents() == 3 ? 3 : 2;
+  points.NeedFinite(points.Fit(places, axes));
+  points.NeedFinite(points.Find("TCoords", axes));
+  points.Find(plant::PlantId, 1);
+  return points.Reason();
+}
+
+/// Why arrays that tell how a block moves are bad.
+std::string WhyBadMotion(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
+{
+  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  points.NeedIds(points.Find<vtkIntArray>(plant::JointIds, 4), nodes, "node");
+  points.NeedFinite(points.Find<vtkFloatArray>(plant::JointWeights, 4));
+  points.NeedIds(points.Find<vtkIntArray>(plant::ParentId, 1), nodes, "node", -1);
+  points.Find<vtkFloatArray>(plant::Radius, 1);
+  points.NeedFinite(points.Find(seaweed::Across, 3));
+  for (const char* name : { seaweed::Tissue, seaweed::Width, seaweed::Thickness, seaweed::YoungModulus,
+         seaweed::DampingRatio, seaweed::Density, seaweed::Length, seaweed::Attachment })
+  {
+    points.NeedFinite(points.Find(name, 1));
+  }
+  return points.Reason();
+}
+
+/// Why the texture of a block is bad.
+std::string WhyBadTexture(vtkPolyData* block, const std::string& owner)
+{
+  ArrayReader fields = ArrayReader::OfFields(block, owner);
+  ArrayReader single = ArrayReader::OfFields(block, owner, 1);
+  auto* texels = fields.Find<vtkUnsignedCharArray>(plant::Texture, 4);
+  ArrayReader normals = ArrayReader::OfFields(block, owner, texels ? texels->GetNumberOfTuples() : -1);
+  normals.Find<vtkUnsignedCharArray>(plant::NormalTexture, 3);
+  ArrayReader views = ArrayReader::OfFields(block, owner, ImpostorViews);
+  views.NeedFinite(views.Find(plant::ImpostorAreas, 1));
+  single.NeedFinite(single.Find(plant::TextureMean, 3));
+  single.NeedFinite(single.Find(plant::ImpostorExtent, 3));
+  single.Find(plant::Envelope, 1);
+  ArrayReader pair = ArrayReader::OfFields(block, owner, 2);
+  vtkDataArray* size = texels ? pair.Need(plant::TextureSize, 1) : pair.Find(plant::TextureSize, 1);
+  for (const ArrayReader* reader : { &fields, &normals, &views, &single, &pair })
+  {
+    if (!reader->IsGood())
+    {
+      return reader->Reason();
+    }
+  }
+  if (!texels)
+  {
+    return {};
+  }
+  std::string reason;
+  int sides[2] = { 0, 0 };
+  for (int side = 0; side < 2; ++side)
+  {
+    ReadWhole("TextureSize of " + owner, size->GetComponent(side, 0), 1, VTK_INT_MAX, sides[side], reason);
+  }
+  const bool fits = static_cast<vtkIdType>(sides[0]) * sides[1] == texels->GetNumberOfTuples();
+  return reason.empty() && !fits ? "Texture of " + owner + " has not as many texels as TextureSize tells." : reason;
+}
+
+std::string WhyBadBlock(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
+{
+  std::string reason = WhyUnfit(block, owner.c_str());
+  reason = reason.empty() ? WhyBadCells(block, owner) : reason;
+  reason = reason.empty() ? WhyBadLook(block, owner) : reason;
+  reason = reason.empty() ? WhyBadMotion(block, nodes, owner) : reason;
+  return reason.empty() ? WhyBadTexture(block, owner) : reason;
+}
+
+}
+
+std::string WhyNoPlants(vtkMultiBlockDataSet* plants)
+{
+  ArrayReader fields = ArrayReader::OfFields(plants, "The plants", 1);
+  fields.NeedFinite(fields.Find(plant::Wood, 3));
+  std::string reason = fields.Reason();
+  vtkIdType nodes = 0;
+  for (const BlockName& name : BlockNames)
+  {
+    vtkPolyData* block = reason.empty() ? FindPart(plants, name, reason) : nullptr;
+    nodes = &name == BlockNames && block ? block->GetNumberOfPoints() : nodes;
+    if (block)
+    {
+      const std::string path = name.Part ? std::string(name.Level) + "/" + name.Part : name.Level;
+      reason = WhyBadBlock(block, nodes, path + " of the plants");
+    }
+  }
+  return reason;
+}
+
+}

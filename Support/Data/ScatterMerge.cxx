@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/ScatterMerge.h"
+
+#include "Data/Blocks.h"
+#include "Data/ScatterTable.h"
+
+#include "vtkNew.h"
+
+#include <algorithm>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Plants that one thread copies at a time.
+constexpr std::size_t PlantsAtOnce = 64;
+
+}
+
+ScatterMerge::ScatterMerge(const ScatterPrototypes& prototypes, const std::vector<PlantPlace>& places,
+  const std::vector<ShownPlant>& shown, const View* facing)
+  : Species(prototypes)
+  , Places(places)
+  , Facing(facing)
+{
+  for (const ShownPlant& plant : shown)
+  {
+    this->Shown[static_cast<int>(plant.Level)].push_back(plant.Place);
+  }
+  this->Merges.reserve(NumberOfParts);
+  this->Bytes = TableBytes * static_cast<double>(shown.size());
+  for (int part = 0; part < NumberOfParts; ++part)
+  {
+    const bool isCards = part == LowPart && facing;
+    this->Merges.emplace_back(isCards ? prototypes.FacingLow : prototypes.Parts[part], places,
+      this->Shown[static_cast<int>(LevelOfPart[part])]);
+    this->Bytes += this->Merges.back().GetBytes();
+  }
+  for (int part : { SkeletonPart, SkinPart, LeavesPart })
+  {
+    this->Merges[part].SetSkeleton(&this->Merges[SkeletonPart]);
+  }
+}
+
+double ScatterMerge::GetNumberOfPolygons() const
+{
+  double polygons = 0.0;
+  for (int part = 0; part < NumberOfParts; ++part)
+  {
+    polygons += PartKinds[part].HasLines ? 0.0 : static_cast<double>(this->Merges[part].GetNumberOfCells());
+  }
+  return polygons;
+}
+
+std::size_t ScatterMerge::Begin()
+{
+  for (int part = 0; part < NumberOfParts; ++part)
+  {
+    this->Merges[part].Allocate();
+    for (std::size_t plant = 0; plant < this->Merges[part].GetNumberOfPlants(); plant += PlantsAtOnce)
+    {
+      this->Jobs.emplace_back(part, plant);
+    }
+  }
+  return this->Jobs.size();
+}
+
+void ScatterMerge::Do(std::size_t job)
+{
+  const auto [part, plant] = this->Jobs[job];
+  PlantMerge& merge = this->Merges[part];
+  const std::size_t end = std::min(plant + PlantsAtOnce, merge.GetNumberOfPlants());
+  merge.Fill(plant, end);
+  for (std::size_t index = plant; part == LowPart && this->Facing && index < end; ++index)
+  {
+    this->PlaceCard(index);
+  }
+}
+
+void ScatterMerge::AddTo(vtkMultiBlockDataSet* output) const
+{
+  vtkNew<vtkMultiBlockDataSet> high;
+  vtkNew<vtkMultiBlockDataSet> medium;
+  AddBlock(output, plant::High, high);
+  AddBlock(output, plant::Medium, medium);
+  vtkMultiBlockDataSet* const levels[] = { high, medium, output };
+  for (int part = 0; part < NumberOfParts; ++part)
+  {
+    const char* name = PartKinds[part].Name ? PartKinds[part].Name : PartKinds[part].Level;
+    vtkPolyData* block = this->Merges[part].GetOutput();
+    if (this->Species.Textures[part])
+    {
+      block->GetFieldData()->ShallowCopy(this->Species.Textures[part]);
+    }
+    AddBlock(levels[static_cast<int>(LevelOfPart[part])], name, block);
+  }
+}
+
+void ScatterMerge::PlaceCard(std::size_t plant)
+{
+  const PlantMerge& merge = this->Merges[LowPart];
+  const PlantPlace& place = this->Places[this->Shown[static_cast<int>(PlantLevel::Low)][plant]];
+  if (!this->Species.Shapes[place.Species])
+  {
+    return;
+  }
+  const ImpostorCard card = FacingCard(*this->Species.Shapes[place.Species], place, *this->Facing);
+  const auto ofPicture = CardTCoords(card.View);
+  vtkPointData* arrays = merge.GetOutput()->GetPointData();
+  auto* points = vtkFloatArray::FastDownCast(merge.GetOutput()->GetPoints()->GetData());
+  auto* normals = vtkFloatArray::FastDownCast(arrays->GetNormals());
+  auto* tcoords = vtkFloatArray::FastDownCast(arrays->GetTCoords());
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const auto at = static_cast<vtkIdType>(merge.GetFirstPoint(plant)) + corner;
+    const auto inAtlas = this->Species.LowAreas[place.Species].Map(ofPicture[corner][0], ofPicture[corner][1]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      points->SetTypedComponent(at, axis, static_cast<float>(card.Corners[corner][axis]));
+      if (normals) // all species have them
+      {
+        normals->SetTypedComponent(at, axis, static_cast<float>(card.Normals[corner][axis]));
+      }
+      if (axis < 2)
+      {
+        tcoords->SetTypedComponent(at, axis, static_cast<float>(inAtlas[axis]));
+      }
+    }
+  }
+}
+
+}

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/ScatterPrototypes.h"
+
+#include "Data/ArrayReader.h"
+#include "Data/Blocks.h"
+
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// What is wrong with the cells of a block; empty if nothing is.
+std::string WhyBadCells(vtkPolyData* block, const PartKind& kind)
+{
+  const vtkIdType cells = kind.HasLines ? block->GetNumberOfLines() : block->GetNumberOfPolys();
+  return cells == block->GetNumberOfCells() ? std::string()
+                                            : std::string("its ") + (kind.Name ? kind.Name : kind.Level) +
+      " has cells that are not " + (kind.HasLines ? "lines." : "polygons.");
+}
+
+/// The cylinder that holds all levels of a prototype. Cards have transparent corners beyond it.
+PlantExtent ExtentOf(const PrototypeBlocks& blocks)
+{
+  PlantExtent extent;
+  for (vtkPolyData* block : blocks)
+  {
+    const bool isCards = block && block == blocks[LowPart] && block->GetFieldData()->HasArray(plant::ImpostorExtent);
+    for (vtkIdType point = 0; block && !isCards && point < block->GetNumberOfPoints(); ++point)
+    {
+      double position[3];
+      block->GetPoint(point, position);
+      extent.Radius = std::max(extent.Radius, std::hypot(position[0], position[1]));
+      extent.Low = std::min(extent.Low, position[2]);
+      extent.High = std::max(extent.High, position[2]);
+    }
+  }
+  return extent;
+}
+
+/// A block that is one card, to be placed.
+vtkSmartPointer<vtkPolyData> CardBlock(const PlantImpostor& impostor)
+{
+  PlantMesh mesh;
+  mesh.Points.resize(4);
+  mesh.Normals.resize(4);
+  mesh.TCoords.resize(4);
+  mesh.Colors.assign(4, impostor.Mean);
+  mesh.AddPolygon(std::array<int, 4>{ 0, 1, 2, 3 });
+  return PolyDataOf(mesh);
+}
+
+/// Joins the textures of a part, which become its field data.
+TextureAtlas JoinTextures(const std::vector<PrototypeBlocks>& blocks, PartIndex part, ScatterPrototypes& prototypes)
+{
+  std::vector<TextureImage> textures;
+  std::vector<ColorSum> means;
+  for (const PrototypeBlocks& each : blocks)
+  {
+    textures.push_back(ReadTexture(each[part]));
+    means.push_back(ReadTextureMean(each[part]));
+  }
+  const ColorSum mean = ShareMean(textures, means);
+  TextureAtlas atlas = StackTextures(textures);
+  vtkNew<vtkPolyData> carrier;
+  AttachTexture(carrier, atlas.Image);
+  if (mean != ColorSum{ 1.0f, 1.0f, 1.0f })
+  {
+    AttachTextureMean(carrier, mean);
+  }
+  prototypes.Textures[part] = carrier->GetFieldData();
+  return atlas;
+}
+
+/// Joins the normals of impostors; flat where there are none.
+void JoinNormals(const std::vector<PlantImpostor>& impostors, ScatterPrototypes& prototypes)
+{
+  std::vector<TextureImage> textures;
+  for (const PlantImpostor& impostor : impostors)
+  {
+    TextureImage& normals = textures.emplace_back(impostor.Pictures.Columns, impostor.Pictures.Rows);
+    std::transform(impostor.Normals.begin(), impostor.Normals.end(), normals.Texels.begin(), [](const Color& n) {
+      return Texel{ n[0], n[1], n[2], 255 };
+    });
+  }
+  const TextureImage atlas = StackTextures(textures).Image;
+  std::vector<Color> normals;
+  normals.reserve(atlas.Texels.size());
+  for (const Texel& texel : atlas.Texels)
+  {
+    normals.push_back({ texel[0], texel[1], texel[2] });
+  }
+  vtkNew<vtkPolyData> carrier;
+  carrier->SetFieldData(prototypes.Textures[LowPart]);
+  AttachNormalTexture(carrier, normals);
+}
+
+/// Takes the lowest level, both as it is and as cards.
+void TakeLow(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& prototypes)
+{
+  std::vector<PlantImpostor> impostors;
+  std::vector<vtkPolyData*> own;
+  std::vector<vtkPolyData*> facing;
+  std::vector<vtkSmartPointer<vtkPolyData>> cards;
+  bool hasPictures = false;
+  for (const PrototypeBlocks& each : blocks)
+  {
+    const PlantImpostor& impostor = impostors.emplace_back(ReadImpostor(each[LowPart]));
+    const bool isCard = !impostor.Pictures.Texels.empty();
+    hasPictures |= isCard;
+    prototypes.Shapes.push_back(isCard ? std::optional(impostor.Shape) : std::nullopt);
+    cards.push_back(isCard ? CardBlock(impostor) : nullptr);
+    own.push_back(each[LowPart]);
+    facing.push_back(isCard ? cards.back().Get() : each[LowPart]);
+  }
+  TextureAtlas atlas;
+  if (hasPictures)
+  {
+    atlas = JoinTextures(blocks, LowPart, prototypes);
+    JoinNormals(impostors, prototypes);
+  }
+  prototypes.Parts.push_back(MakePart(PartKinds[LowPart], own, hasPictures ? &atlas : nullptr));
+  prototypes.FacingLow = MakePart(PartKinds[LowPart], facing, hasPictures ? &atlas : nullptr);
+  prototypes.LowAreas = std::move(atlas.Areas);
+}
+
+}
+
+vtkPolyData* PartOf(vtkMultiBlockDataSet* prototype, const PartKind& kind)
+{
+  vtkDataObject* level = FindBlock(prototype, kind.Level);
+  return vtkPolyData::SafeDownCast(kind.Name ? FindBlock(vtkMultiBlockDataSet::SafeDownCast(level), kind.Name) : level);
+}
+
+PrototypeBlocks PartsOf(vtkMultiBlockDataSet* prototype)
+{
+  PrototypeBlocks blocks{};
+  std::transform(std::begin(PartKinds), std::end(PartKinds), blocks.begin(),
+    [prototype](const PartKind& kind) { return PartOf(prototype, kind); });
+  return blocks;
+}
+
+/// What a prototype lacks; empty if nothing. A level needs a polygon, though not in each of its blocks: a bare tree has
+/// no leaves.
+std::string WhyNoPrototype(const PrototypeBlocks& blocks)
+{
+  std::array<vtkIdType, 3> polygons{ 0, 0, 0 };
+  std::string reason;
+  for (int part = 0; part < NumberOfParts && reason.empty(); ++part)
+  {
+    if (blocks[part])
+    {
+      reason = WhyBadCells(blocks[part], PartKinds[part]);
+      polygons[static_cast<int>(LevelOfPart[part])] += blocks[part]->GetNumberOfPolys();
+    }
+  }
+  for (int part : { SkeletonPart, TrunkPart, LowPart })
+  {
+    if (reason.empty() && polygons[static_cast<int>(LevelOfPart[part])] == 0)
+    {
+      reason = std::string("its level ") + PartKinds[part].Level + " is missing or empty.";
+    }
+  }
+  if (reason.empty() && blocks[SkeletonPart])
+  {
+    ArrayReader points = ArrayReader::OfPoints(blocks[SkeletonPart], "its Skeleton");
+    points.NeedFinite(points.Find(plant::Radius, 1));
+    reason = points.Reason();
+  }
+  return reason;
+}
+
+void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& prototypes)
+{
+  for (const PrototypeBlocks& each : blocks)
+  {
+    prototypes.Extents.push_back(ExtentOf(each));
+  }
+  TextureAtlas crownAtlas = JoinTextures(blocks, CrownPart, prototypes);
+  TextureAtlas leafAtlas = JoinTextures(blocks, LeavesPart, prototypes);
+  for (int part = 0; part < LowPart; ++part)
+  {
+    std::vector<vtkPolyData*> own;
+    for (const PrototypeBlocks& each : blocks)
+    {
+      own.push_back(each[part]);
+    }
+    const TextureAtlas* atlas = part == CrownPart ? &crownAtlas : part == LeavesPart ? &leafAtlas : nullptr;
+    prototypes.Parts.push_back(MakePart(PartKinds[part], own, atlas));
+  }
+  TakeLow(blocks, prototypes);
+  prototypes.CrownAtlas = std::move(crownAtlas.Image);
+  prototypes.LeafAtlas = std::move(leafAtlas.Image);
+}
+
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/ScatterSites.h"
+
+#include "Data/ArrayReader.h"
+#include "Geometry/HeightGrid.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr double LargestIdentity = 9007199254740992.0; // 2^53: whole numbers up to there are told apart
+
+/// The optional arrays of the sites.
+struct SiteArrays
+{
+  vtkDataArray* SiteId = nullptr;
+  vtkDataArray* Species = nullptr;
+  vtkDataArray* Scale = nullptr;
+  vtkDataArray* Azimuth = nullptr;
+
+  SiteArrays(vtkPointSet* sites, std::string& reason)
+  {
+    ArrayReader points = ArrayReader::OfPoints(sites, "a set of sites");
+    this->SiteId = points.Find("SiteId", 1);
+    this->Species = points.Find("Species", 1);
+    this->Scale = points.Find("Scale", 1);
+    this->Azimuth = points.Find("Azimuth", 1);
+    reason = points.Reason();
+  }
+};
+
+/// Whether a number identifies a site. Its fraction does not count.
+bool IsIdentity(double siteId)
+{
+  return std::abs(siteId) <= LargestIdentity;
+}
+
+/// Why a site holds no plant, in words for a user.
+std::string WhyBadSite(const PlantPlace& place, double siteId, double kind, int species)
+{
+  const std::string ofSite = " of site " + std::to_string(place.Site);
+  ParameterCheck check;
+  if (!IsFinite(place.Foot))
+  {
+    std::ostringstream text;
+    text << "site " << place.Site << " lies at (" << place.Foot.x << ", " << place.Foot.y << ", " << place.Foot.z
+         << "); positions must be finite.";
+    check.Require(text.str());
+  }
+  check.Range("SiteId" + ofSite, siteId, -LargestIdentity, LargestIdentity);
+  check.Require(kind >= 0.0 && kind < species && kind == std::floor(kind), "Species" + ofSite, kind, "",
+    "a whole number from 0 to " + std::to_string(species - 1));
+  check.Positive("Scale" + ofSite, place.Scale);
+  check.Finite("Azimuth" + ofSite, place.Azimuth);
+  return check.Reason();
+}
+
+/// The plant at a site, on no terrain yet. False, with the reason, if a number is bad.
+bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDraws& draws, int species, vtkIdType site,
+  PlantPlace& place, std::string& reason)
+{
+  double position[3];
+  sites->GetPoint(site, position);
+  place.Foot = { position[0], position[1], position[2] };
+  place.Site = static_cast<int>(site);
+  const double drawnBy = arrays.SiteId ? arrays.SiteId->GetComponent(site, 0) : static_cast<double>(site);
+  place.SiteId = IsIdentity(drawnBy) ? static_cast<long long>(drawnBy) : 0;
+  const double kind = arrays.Species ? arrays.Species->GetComponent(site, 0) : draws.Species(place.SiteId);
+  place.Scale = arrays.Scale ? arrays.Scale->GetComponent(site, 0) : draws.Scale(place.SiteId);
+  place.Azimuth = arrays.Azimuth ? arrays.Azimuth->GetComponent(site, 0) : draws.Azimuth(place.SiteId);
+  const bool isSpecies = kind >= 0.0 && kind < species && kind == std::floor(kind);
+  if (!IsFinite(place.Foot) || !IsIdentity(drawnBy) || !isSpecies || !ValueInterval::Positive().Contains(place.Scale) ||
+    !std::isfinite(place.Azimuth))
+  {
+    reason = WhyBadSite(place, drawnBy, kind, species);
+    return false;
+  }
+  place.Species = static_cast<int>(kind);
+  place.Tint = draws.Tint(place.SiteId);
+  return true;
+}
+
+/// The terrain as the numerics see it. False, with the reason, if it is none.
+bool MakeGrid(vtkImageData* terrain, HeightGrid& grid, std::string& reason)
+{
+  ArrayReader points = ArrayReader::OfPoints(terrain, "the Terrain");
+  vtkDataArray* heights =
+    points.Has("Elevation") ? points.Find("Elevation", 1) : points.Fit(terrain->GetPointData()->GetScalars(), 1);
+  int extent[6];
+  terrain->GetExtent(extent);
+  if (extent[5] != extent[4] || extent[1] <= extent[0] || extent[3] <= extent[2])
+  {
+    reason = "the Terrain must be one layer of at least 2 x 2 points.";
+    return false;
+  }
+  if (!points.IsGood())
+  {
+    reason = points.Reason();
+    return false;
+  }
+  if (!heights)
+  {
+    reason = "the Terrain has neither a point array Elevation nor active scalars.";
+    return false;
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    grid.Spacing[axis] = terrain->GetSpacing()[axis];
+    grid.Origin[axis] = terrain->GetOrigin()[axis] + extent[2 * axis] * grid.Spacing[axis];
+    grid.Count[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    if (!(grid.Spacing[axis] > 0.0))
+    {
+      reason = "the spacing of the Terrain must be positive.";
+      return false;
+    }
+  }
+  grid.HeightOf = [heights](long long point) { return heights->GetComponent(static_cast<vtkIdType>(point), 0); };
+  return true;
+}
+
+}
+
+std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
+  const GroundLimits& limits, std::vector<PlantPlace>& places)
+{
+  const vtkIdType count = sites->GetNumberOfPoints();
+  const double bytes = sizeof(PlantPlace) + 2.0 * sizeof(Box);
+  if (count > std::numeric_limits<int>::max() || static_cast<double>(count) * bytes > AvailableMemory())
+  {
+    return std::to_string(count) + " sites are more than this machine has memory for.";
+  }
+  places.resize(static_cast<std::size_t>(count));
+  std::string reason;
+  const SiteArrays arrays(sites, reason);
+  const PlantDraws draws(options);
+  const int species = static_cast<int>(options.Weights.size());
+  for (vtkIdType site = 0; site < count && reason.empty(); ++site)
+  {
+    MakePlace(sites, arrays, draws, species, site, places[site], reason);
+  }
+  HeightGrid grid;
+  if (reason.empty() && terrain && MakeGrid(terrain, grid, reason))
+  {
+    reason = PutOnGround(grid, limits, places);
+  }
+  else if (reason.empty())
+  {
+    DropOutside(limits, places);
+  }
+  return reason;
+}
+
+}

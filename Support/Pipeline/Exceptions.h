@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportExceptions_h
+#define LittoralSupportExceptions_h
+
+// No exception leaves a request, or a thread of one: it would end the program. Private: never installed, never wrapped.
+
+#include "Pipeline/Mistakes.h"
+
+#include <exception>
+#include <mutex>
+#include <new>
+#include <string>
+
+namespace littoral
+{
+
+/// Keeps the first exception of several threads for the one that waits for them.
+class FirstException
+{
+public:
+  template <typename Task>
+  void Catch(const Task& task) noexcept
+  {
+    try
+    {
+      task();
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> guard(this->Mutex);
+      this->First = this->First ? this->First : std::current_exception();
+    }
+  }
+
+  void Rethrow() const
+  {
+    if (this->First)
+    {
+      std::rethrow_exception(this->First);
+    }
+  }
+
+private:
+  std::mutex Mutex;
+  std::exception_ptr First;
+};
+
+/// Reports an exception as a mistake of the algorithm, and returns FailedRequest().
+int FailedBy(vtkAlgorithm* algorithm, const std::string& reason);
+
+/// What a request returns; FailedBy() if it ends by an exception.
+template <typename Request>
+int WithoutExceptions(vtkAlgorithm* algorithm, const Request& request)
+{
+  try
+  {
+    return request();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return FailedBy(algorithm, "There is not enough memory for the output.");
+  }
+  catch (const std::exception& error)
+  {
+    return FailedBy(algorithm, "The input or a property leads to an error (" + std::string(error.what()) + ").");
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/Memory.h"
+
+#include <vtksys/SystemInformation.hxx>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+#ifndef _WIN32
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
+
+/// Of what is free: the rest is for what no estimate counts.
+constexpr double UsableShare = 0.9;
+
+double HostMemory()
+{
+  vtksys::SystemInformation system;
+  const auto total = static_cast<double>(system.GetHostMemoryTotal());
+  const auto used = static_cast<double>(system.GetHostMemoryUsed());
+  return total > 0.0 ? 1024.0 * (total - used) : Unlimited;
+}
+
+/// The number in a file; `otherwise` if there is none, as in memory.max with its "max".
+double NumberIn(const std::string& file, double otherwise)
+{
+  std::ifstream stream(file);
+  double number = 0.0;
+  return stream >> number ? number : otherwise;
+}
+
+/// The number behind a word that begins a line of a file; 0 if there is none.
+double NumberAfter(const std::string& file, const std::string& wanted)
+{
+  std::ifstream stream(file);
+  std::string word;
+  double number = 0.0;
+  while (stream >> word >> number)
+  {
+    if (word == wanted)
+    {
+      return number;
+    }
+  }
+  return 0.0;
+}
+
+/// What one group leaves; files that were read and can be dropped do not count as used.
+double LeftIn(const std::string& folder, const char* limit, const char* usage, const char* droppable)
+{
+  const double most = NumberIn(folder + limit, Unlimited);
+  const double used = NumberIn(folder + usage, 0.0) - NumberAfter(folder + "/memory.stat", droppable);
+  return std::max(0.0, most - std::max(0.0, used));
+}
+
+}
+
+double LimitedMemory()
+{
+  double left = Unlimited;
+#ifndef _WIN32
+  // Pages: size of the address space, ..., the sixth number is data and stack
+  std::ifstream stream("/proc/self/statm");
+  double pages[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  std::copy_n(std::istream_iterator<double>(stream), stream.good() ? 6 : 0, pages);
+  const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+  const auto take = [&](auto resource, double used) {
+    rlimit limit;
+    if (getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    {
+      left = std::min(left, std::max(0.0, static_cast<double>(limit.rlim_cur) - page * used));
+    }
+  };
+  take(RLIMIT_AS, pages[0]);
+  take(RLIMIT_DATA, pages[5]);
+#endif
+  return left;
+}
+
+double GroupMemory(const std::string& membership, const std::string& root)
+{
+  double left = Unlimited;
+  std::istringstream lines(membership);
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    // "0::/path" in version 2, "7:memory:/path" in version 1
+    const std::size_t first = line.find(':');
+    const std::size_t second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos)
+    {
+      continue;
+    }
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const bool isOld = controllers.find(",memory,") != std::string::npos;
+    if (!isOld && controllers != ",,")
+    {
+      continue;
+    }
+    // The group itself and all around it; in a container, the path may not be there, but the root is.
+    for (std::string path = line.substr(second + 1);; path.resize(path.rfind('/')))
+    {
+      left = std::min(left,
+        isOld
+          ? LeftIn(root + "/memory" + path, "/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file")
+          : LeftIn(root + path, "/memory.max", "/memory.current", "inactive_file"));
+      if (path.find('/') == std::string::npos)
+      {
+        break;
+      }
+    }
+  }
+  return left;
+}
+
+double AvailableMemory()
+{
+  std::ifstream groups("/proc/self/cgroup");
+  const std::string membership{ std::istreambuf_iterator<char>(groups), std::istreambuf_iterator<char>() };
+  return UsableShare * std::min({ HostMemory(), LimitedMemory(), GroupMemory(membership, "/sys/fs/cgroup") });
+}
+
+}

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The fuzzer finds faults that are made on purpose, makes them short, and repeats a case by its number alone."""
+
+import os
+import subprocess
+import sys
+import unittest
+
+os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
+sys.dont_write_bytecode = True
+
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
+
+import cases  # noqa: E402
+import classes  # noqa: E402
+import littoral  # noqa: E402
+import minimise  # noqa: E402
+import oracle  # noqa: E402
+import recipes  # noqa: E402
+import runner  # noqa: E402
+
+NAME = "vtkTurningBandsTerrainSource"
+ARRAY = "made.GetOutput().GetPointData().GetArray('Elevation')"
+
+
+def fault(*lines, name=NAME):
+    """The kind of fault of a case with these lines between opening and end."""
+    return runner.run(name, cases.opening(name) + [*lines, "finish()"])[0]
+
+
+def heard(text):
+    """The kind of fault of a message of the terrain's."""
+    player = oracle.Player(NAME)
+    player.play(cases.opening(NAME))
+    oracle.messages()
+    for part in text.split("|"):
+        vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: In x.cxx, line 1\n{NAME} (0x1): {part}\n\n")
+    try:
+        player.listen()
+    except oracle.Fault as found:
+        return found.args[0]
+    return ""
+
+
+class Fuzzer(unittest.TestCase):
+    """Each rule of the oracle, with a case that breaks it and one that does not."""
+
+    @classmethod
+    def setUpClass(cls):
+        vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+
+    def test_a_good_case(self):
+        self.assertEqual(fault("update()", "made.SetRange(30.0)", "keep()", "made.SetRange(0.0)", "update()",
+                               "made.SetRange(30.0)"), "")
+        self.assertEqual(runner.run(NAME, cases.opening(NAME) + ["made.SetRange(0.0)", "finish()"]), ("", "refused"))
+
+    def test_crash_and_hang(self):
+        self.assertEqual(fault("__import__('os').abort()"), "crash")
+        runner.PROCESSOR = 0.5
+        self.assertEqual(fault("while True: pass"), "hang")
+        runner.PROCESSOR = 20.0
+        self.assertEqual(fault("bytearray(4 << 30)"), "exception")
+
+    def test_numbers(self):
+        for number in "nan", "inf":
+            self.assertEqual(fault("update()", f"{ARRAY}.SetValue(3, {number})", "update()"), "not a number")
+
+    def test_bytes_of_a_fresh_object(self):
+        self.assertEqual(fault("update()", f"{ARRAY} and {ARRAY}.SetValue(3, 7.0)"), "other bytes")
+        self.assertEqual(fault("keep()", f"{ARRAY}.SetValue(3, 7.0)", "made.Modified()"), "kept output")
+
+    def test_messages(self):
+        self.assertEqual(heard("Range is 0; it must be positive."), "")
+        self.assertEqual(heard("Range is 0; it must be positive"), "unclear message")
+        self.assertEqual(heard("Something is wrong."), "unclear message")
+        self.assertEqual(heard("Range is 0.|Range is still 0."), "messages")
+
+    def test_short_cases(self):
+        lines = cases.opening(NAME) + ["made.SetRange(3.0)", "update()", "made.SetSeed(3)", "__import__('os').abort()",
+                                       "made.SetSeed(4)", "update(time=1.0)", "finish()"]
+        self.assertEqual(minimise.minimised(NAME, lines, runner.run(NAME, lines)),
+                         [lines[0], "__import__('os').abort()", "finish()"])
+        self.assertEqual(list(minimise.simpler("made.f(0, drop(move(data('a'), 1.0), 'b'))")),
+                         ["made.f(0, move(data('a'), 1.0))", "made.f(0, drop(data('a'), 'b'))"])
+
+    def test_a_case_follows_from_its_number(self):
+        script = f"import cases; print(cases.lines_of({NAME!r}, 5, 17))"
+        output = subprocess.run([sys.executable, "-B", "-c", script], check=True, capture_output=True, text=True,
+                                cwd=os.path.dirname(os.path.abspath(__file__)), env={**os.environ, "PYTHONHASHSEED": "7"})
+        self.assertEqual(output.stdout.strip(), str(cases.lines_of(NAME, 5, 17)))
+        self.assertNotEqual(cases.lines_of(NAME, 5, 17), cases.lines_of(NAME, 5, 18))
+
+    def test_classes_and_setters(self):
+        names = classes.all_classes()
+        self.assertEqual(sorted(names), sorted(recipes.RECIPES))
+        self.assertNotIn("vtkPlantSource", names)
+        setters = {setter.name: setter for setter in classes.setters(NAME)}
+        self.assertEqual(setters["SetWholeExtent"].types, ("int",) * 6)
+        self.assertEqual(setters["SetModel"].choices, 7)
+        self.assertEqual(classes.present(littoral.vtkTurningBandsTerrainSource(), setters["SetSlope"]), (0.0, 0.0))
+
+
+if __name__ == "__main__":
+    unittest.main()

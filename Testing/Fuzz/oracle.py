@@ -1,0 +1,241 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What an object may do, whatever is done to it: the faults are raised as Fault.
+
+Its outputs hold numbers only, or there is a message; a message is one clear sentence; and after valid settings the
+outputs are those of a fresh object, byte by byte. That it does not crash or hang, the parent process sees.
+"""
+
+import re
+import sys
+import time
+from pathlib import Path
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+
+import classes
+import inputs
+import littoral
+import recipes
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Hashes"))
+import hash_outputs  # noqa: E402
+
+MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n(?:(\w+) \(0x[0-9a-f]+\): )?(.*?)\n\n",
+                     re.S | re.M)
+ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|plants?|sites|prototypes?|wind|"
+                          r"sea state|current|flow primitives?|terrain|leaf|leaves|cells?|skeleton|file|folder|"
+                          r"memory|time)\b", re.I)
+
+
+PATIENCE = 3.0  # before a request is stopped, which large ones must allow [s of the processor]
+
+
+class Fault(Exception):
+    """Something that an object must not do: the kind, and what it was."""
+
+
+def messages():
+    """What VTK has written since the last call: (class, text) of each message. What executives say is not ours."""
+    window = vtkOutputWindow.GetInstance()
+    text = window.GetOutput() if isinstance(window, vtkStringOutputWindow) else ""
+    vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+    found = MESSAGE.findall(text + "\n\n")
+    return [(kind or file.rsplit("/", 1)[-1], " ".join(said.split())) for _, file, kind, said in found]
+
+
+def is_executive(kind):
+    """Whether a message is of VTK's pipeline, which repeats ours or refuses a wrong type of input."""
+    return kind.endswith("Pipeline") or kind.startswith("vtkExecutive") or kind.startswith("vtkAlgorithm")
+
+
+def odd_names(data, gaps=False):
+    """Names of arrays, points among them, that are not finite; with gaps, NaN in a table stands for no value."""
+    odd = set()
+    for leaf in inputs.leaves(data):
+        for name, array in hash_outputs.arrays(leaf):
+            if isinstance(array, vtkDataArray) and array.GetDataType() in (10, 11):
+                numbers = vtk_to_numpy(array)
+                fine = numpy.isfinite(numbers) | (numpy.isnan(numbers) & (gaps and isinstance(leaf, vtkTable)))
+                if not fine.all():
+                    odd.add(name)
+        frame = []
+        if isinstance(leaf, vtkImageData):
+            frame = [*leaf.GetOrigin(), *leaf.GetSpacing()]
+        if isinstance(leaf, vtkDataSet) and leaf.GetNumberOfPoints() and "points" not in odd:
+            frame += leaf.GetBounds()
+        if not numpy.isfinite(frame).all():
+            odd.add("frame")
+    return odd
+
+
+def outputs(made):
+    """The data of all output ports."""
+    return [made.GetOutputDataObject(port) for port in range(made.GetNumberOfOutputPorts())]
+
+
+def bytes_of(made):
+    """Names and hashes of all that an object puts out."""
+    found = []
+    for port, data in enumerate(outputs(made)):
+        for path, leaf in hash_outputs.leaves(data):
+            if isinstance(leaf, vtkImageData):
+                found.append(f"{port} {path} grid {leaf.GetExtent()} {leaf.GetOrigin()} {leaf.GetSpacing()}")
+            if leaf:
+                found += [f"{port} {path} {name} {hash_outputs.digest(array)}"
+                          for name, array in hash_outputs.arrays(leaf)]
+    return sorted(found)
+
+
+class Player:
+    """Runs the lines of a case, with what they call. A rehearsal leaves out all updates but the last."""
+
+    def __init__(self, name, rehearsal=False):
+        self.rehearsal = rehearsal
+        self.properties = {setter.name[3:].lower() for setter in classes.setters(name)}
+        self.gaps = "NaN" in (getattr(littoral, name).__doc__ or "")
+        self.may_be_odd = set().union(*map(odd_names, recipes.results(name)))
+        self.said = []  # since the last change
+        self.heard = []  # at the last update
+        self.kept = []
+        self.refused = ""  # the last update, and why
+        self.stopped = False  # the last update
+        self.scope = {**vars(inputs), "littoral": littoral, "nan": numpy.nan, "inf": numpy.inf, "data": recipes.data,
+                      "source": recipes.source, "update": self.update, "keep": self.keep, "finish": self.finish}
+
+    @property
+    def made(self):
+        """The object of the case."""
+        return self.scope["made"]
+
+    def play(self, lines, before=lambda number: None):
+        """Runs the lines; `before` is called with the number of each."""
+        for number, line in enumerate(lines):
+            before(number)
+            if line.startswith("made."):
+                self.said = []
+            try:
+                exec(line, self.scope)  # pylint: disable=exec-used
+            except (TypeError, ValueError, OverflowError):
+                pass  # Python refuses the value
+
+    def update(self, time=None, piece=None, extent=None):  # pylint: disable=redefined-outer-name
+        """Asks for the outputs, and looks at them."""
+        if self.rehearsal:
+            return
+        messages()
+        self.ask(time, piece, extent)
+        self.listen()
+        self.look()
+
+    def watch(self):
+        """Stops the object's next request when it takes long."""
+        end = time.process_time() + PATIENCE
+
+        def stop(made, _):
+            if time.process_time() > end:
+                self.stopped = True
+                made.SetAbortExecute(1)
+
+        self.stopped = False
+        self.made.RemoveObservers("ProgressEvent")
+        self.made.AddObserver("ProgressEvent", stop)
+
+    def ask(self, moment, piece, extent):
+        """The request itself."""
+        made = self.made
+        self.watch()
+        if hasattr(made, "Write"):
+            made.Write()
+        elif moment is not None:
+            made.UpdateTimeStep(moment, *(piece or (-1, 1, 0)), *([extent] if extent else []))
+        elif piece is not None:
+            made.UpdatePiece(*piece, *([extent] if extent else []))
+        elif extent is not None:
+            made.UpdateExtent(extent)
+        else:
+            made.Update()
+
+    def listen(self):
+        """Looks at the messages of an update."""
+        self.heard = all_said = messages()
+        foreign = [pair for pair in all_said if pair[0] not in littoral.__all__ and not is_executive(pair[0])]
+        if foreign:
+            raise Fault("foreign message", f"{foreign[0][0]}: {foreign[0][1]}")
+        ours = [said for kind, said in all_said if kind in littoral.__all__]
+        self.said += all_said
+        if len(ours) > 1:
+            raise Fault("messages", " | ".join(ours))
+        for said in ours:
+            words = set(re.findall(r"\w+", said.lower()))
+            named = words & (self.properties | {name.lower() for data in self.given() for name in inputs.names(data)})
+            if not said.endswith(".") or not (named or ABOUT_INPUTS.search(said)):
+                raise Fault("unclear message", said)
+
+    def given(self):
+        """The data at the input ports."""
+        made = self.made
+        return [made.GetInputDataObject(port, index) for port in range(made.GetNumberOfInputPorts())
+                for index in range(made.GetNumberOfInputConnections(port))]
+
+    def look(self):
+        """Looks at the numbers in the outputs."""
+        if self.said:
+            return
+        odd = set().union(*(odd_names(data, self.gaps) for data in outputs(self.made))) - self.may_be_odd
+        odd -= set().union(*map(odd_names, self.given()))
+        if odd:
+            raise Fault("not a number", ", ".join(sorted(odd)))
+
+    def keep(self):
+        """An update whose outputs are handed on; nothing may write into them later."""
+        if self.rehearsal:
+            return
+        self.update()
+        for data in outputs(self.made):
+            copy = data.NewInstance()
+            copy.ShallowCopy(data)
+            self.kept.append((copy, [hash_outputs.digest(array) for leaf in inputs.leaves(copy)
+                                     for _, array in hash_outputs.arrays(leaf)]))
+
+    def finish(self):
+        """The last update, of all there is at time 0."""
+        messages()
+        self.watch()
+        made = self.made
+        if hasattr(made, "Write"):
+            made.Write()
+        else:
+            made.UpdateInformation()
+            info = made.GetOutputInformation(0)
+            pipeline = vtkStreamingDemandDrivenPipeline
+            whole = info.Get(pipeline.WHOLE_EXTENT()) if info.Has(pipeline.WHOLE_EXTENT()) else None
+            made.UpdateTimeStep(0.0, 0, 1, 0, *([whole] if whole else []))
+        self.listen()
+        self.look()
+        self.refused = self.heard[0][1] if self.heard else ""
+        for copy, before in self.kept:
+            if before != [hash_outputs.digest(array) for leaf in inputs.leaves(copy)
+                          for _, array in hash_outputs.arrays(leaf)]:
+                raise Fault("kept output", "outputs that were handed on have changed")
+
+
+def play(name, lines, before=lambda number: None):
+    """Runs a case and compares its end with that of a fresh object; how it ended."""
+    player = Player(name)
+    player.play(lines, before)
+    before(len(lines))
+    fresh = Player(name, rehearsal=True)
+    fresh.play(lines)
+    if fresh.refused or fresh.stopped or player.stopped:
+        return "refused" if fresh.refused else "stopped"
+    if player.refused:
+        raise Fault("no recovery", player.refused)
+    differ = set(bytes_of(player.made)) ^ set(bytes_of(fresh.made))
+    if differ:
+        raise Fault("other bytes", ", ".join(sorted({line.rsplit(" ", 1)[0] for line in differ})[:3]))
+    return "good"

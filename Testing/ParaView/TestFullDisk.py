@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""On a full disk the demo ends at once, and pictures and volumes end in one sentence."""
+
+import errno
+import os
+import subprocess
+import sys
+import tempfile
+
+from paraview import simple
+
+import littoral
+from littoral import landscape
+
+SOURCE = os.environ["LITTORAL_SOURCE_DIR"]
+
+SAVE = """
+import sys
+from paraview import simple
+from littoral import landscape
+try:
+    landscape.save_volume(sys.argv[1], simple.Wavelet())
+except OSError as error:
+    print("refused", error.filename)
+"""
+
+with tempfile.TemporaryDirectory() as folder:
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", folder], check=False).returncode != 0:
+        print("skipped: only root can mount a small disk")
+        sys.exit(125)
+    try:
+        demo = os.path.join(SOURCE, "Examples", "ParaView", "demo.py")
+        ran = subprocess.run(["pvbatch", demo, folder], capture_output=True, text=True, check=False)
+        assert ran.returncode == 1, ran
+        assert ran.stdout == "", ran.stdout  # before anything is computed
+        lines = [line for line in ran.stderr.splitlines() if folder in line]
+        assert len(lines) == 1 and "MB are free" in lines[0], ran.stderr
+
+        view = simple.CreateRenderView(ViewSize=[300, 300])
+        simple.Show(simple.Wavelet(), view).SetRepresentationType("Outline")
+        picture = os.path.join(folder, "picture.png")
+        landscape.save_view(picture, view)
+        with open(picture, "rb") as file:
+            before = file.read()
+        with open(os.path.join(folder, "rest"), "wb") as file:
+            try:
+                file.write(bytes(100000))
+                file.flush()
+            except OSError:
+                pass
+        try:
+            landscape.save_view(picture, view)
+        except OSError as error:
+            assert (error.errno, error.filename) == (errno.ENOSPC, picture), error
+        else:
+            raise AssertionError("a picture on a full disk")
+        with open(picture, "rb") as file:
+            assert file.read() == before
+        if hasattr(littoral, "vtkVDBVolumeWriter"):
+            volume = os.path.join(folder, "fog.vdb")
+            ran = subprocess.run(["pvpython", "-c", SAVE, volume], capture_output=True, text=True, check=False)
+            assert ran.stdout == f"refused {volume}\n", ran
+            assert ran.stderr.count("ERR|") == 1 and "No space left on device" in ran.stderr, ran.stderr
+        assert sorted(os.listdir(folder)) == ["picture.png", "rest"]
+    finally:
+        subprocess.run(["umount", folder], check=True)

@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython timeout=600
+"""The guide's list from a raster of heights to a terrain like it, in the window, with a small raster of the test."""
+
+import os
+import runpy
+
+from paraview import simple
+
+from guide import TOP, WINDOW, Walk, compare
+from player import difference
+
+
+def open_example():
+    """In the client: what `./littoral gui` gives to ParaView."""
+    runpy.run_path(os.path.join(TOP, "Examples", "ParaView", "scene.py"))
+
+
+def write_raster(file):
+    place = simple.TurningBandsTerrain(WholeExtent=[0, 60, 0, 40, 0, 0], Spacing=[10.0, 10.0, 1.0], Seed=3)
+    simple.SaveData(file, proxy=place)
+    simple.ResetSession()
+
+
+def twin(view):
+    place = simple.XMLImageDataReader(FileName=["place.vti"])
+    fits = simple.OutputPort(simple.CovarianceFit(Input=place), 0)
+    grown = simple.TurningBandsTerrainFromFits(Input=fits, WholeExtent=[0, 60, 0, 40, 0, 0], Spacing=[10.0, 10.0, 1.0])
+    simple.Show(grown, view)
+    return place, grown
+
+
+def relief(view):
+    place, grown = twin(view)
+    simple.Hide(grown, view)
+    simple.Show(place, view).SetRepresentationType("Relief")
+    heights = grown.PointData["Elevation"].GetRange()  # the last Apply fits the colors to what it shows, the twin
+    simple.GetColorTransferFunction("Elevation").RescaleTransferFunction(*heights)
+
+
+def main():
+    write_raster("place.vti")
+    walk = Walk(__file__, "first-steps")
+    walk.next("./littoral gui")
+    walk.call(open_example)
+    walk.say("Edit > Reset Session")
+    walk.reset()
+    walk.small_view()  # for the old view: off
+    walk.small_view()
+    walk.next(".dem", "GDAL Raster Reader", "Filters > Alphabetical > Cell Data to Point Data")
+    walk.say(".vti")
+    walk.open("place.vti")
+    walk.apply()
+    walk.next("Use No Data Value")
+    walk.entry("Filters > Littoral > Covariance Fit")
+    walk.apply()
+    walk.next("Information", "Seed")
+    walk.say("Fits")
+    walk.select(0, 0, 0)
+    walk.entry("Filters > Littoral > Turning Bands Terrain From Fits")
+    walk.set("Whole Extent", [0, 60, 0, 40, 0, 0], widget="LineEdit")
+    walk.set("Spacing", [10, 10, 1])
+    walk.apply()
+    walk.say("Relief")
+    walk.look("twin")
+    walk.next("Filters > Common > Warp By Scalar", "Scale Factor")
+    walk.say("show it and then hide the twin by their eyes")
+    walk.eye(0)
+    walk.eye(0, 0, 0, 0)
+    walk.select(0)
+    walk.say("Relief")
+    walk.event(f"{WINDOW}/representationToolbar/displayRepresentation/comboBox", "set_string", "Relief")
+    walk.look("relief")
+    walk.end()
+    kept = compare("twin", twin, 0.2)
+    assert {"XYChartView", "SpreadSheetView"} <= set(kept["views"]), f"the views are {kept['views']}"
+    compare("relief", relief, 0.2)
+    part = difference("relief.png", "twin.png")
+    assert part > 0.2, f"the twin is still shown: {part:.1%} of the picture have changed"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene.h"
+
+#include "vtkSMNaturalDisplayProxy.h"
+
+#include "vtkNew.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxySelectionModel.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
+
+#include <cstring>
+#include <map>
+#include <sstream>
+#include <string>
+
+namespace littoral
+{
+namespace
+{
+
+constexpr int DefaultFrames = 10;        // of ParaView
+constexpr double FramesPerSecond = 12.0; // of a film instead
+
+using Parts = std::map<std::string, vtkSMSourceProxy*>;
+
+std::string Attribute(vtkPVXMLElement* element, const char* name)
+{
+  const char* text = element->GetAttribute(name);
+  return text ? text : "";
+}
+
+bool IsCalled(vtkPVXMLElement* element, const char* name)
+{
+  return std::strcmp(element->GetName(), name) == 0;
+}
+
+/// The inputs of a part, in their order.
+void SetInputs(vtkSMProxy* part, vtkPVXMLElement* description, const Parts& parts)
+{
+  for (unsigned int k = 0; k < description->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* one = description->GetNestedElement(k);
+    if (IsCalled(one, "Connect"))
+    {
+      vtkSMPropertyHelper(part, Attribute(one, "property").c_str()).Add(parts.at(Attribute(one, "to")), 0);
+    }
+  }
+}
+
+/// A registered part; null if its type is not known.
+vtkSMSourceProxy* Make(vtkSMSessionProxyManager* manager, vtkPVXMLElement* description, const Parts& parts)
+{
+  const char* group = IsCalled(description, "Source") ? "sources" : "filters";
+  const auto proxy =
+    vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy(group, Attribute(description, "type").c_str()));
+  auto* part = vtkSMSourceProxy::SafeDownCast(proxy);
+  if (!part)
+  {
+    return nullptr; // of which the manager has told
+  }
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  controller->PreInitializeProxy(part);
+  SetValues(part, description);
+  SetInputs(part, description, parts);
+  controller->PostInitializeProxy(part);
+  const std::string name = manager->GetUniqueProxyName("sources", Attribute(description, "name").c_str(), false);
+  controller->RegisterPipelineProxy(part, name.c_str());
+  return part;
+}
+
+void Show(vtkSMSourceProxy* part, vtkPVXMLElement* look, vtkSMViewProxy* view)
+{
+  if (auto* natural = vtkSMNaturalDisplayProxy::SafeDownCast(part))
+  {
+    natural->SetLook(look);
+  }
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  controller->Show(part, 0, view);
+}
+
+/// Gives a range of times without time steps the frames of a film, unless someone has chosen their number.
+void SetFrames(vtkSMSourceProxy* part)
+{
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  vtkSMProxy* animation = controller->FindAnimationScene(part->GetSession());
+  vtkSMProperty* range = part->GetProperty("TimeRange");
+  if (!animation || !range || !animation->GetProperty("NumberOfFrames"))
+  {
+    return;
+  }
+  vtkSMPropertyHelper frames(animation, "NumberOfFrames");
+  const vtkSMPropertyHelper times(range);
+  if (frames.GetAsInt() == DefaultFrames && times.GetNumberOfElements() == 2)
+  {
+    frames.Set(static_cast<int>(FramesPerSecond * (times.GetAsDouble(1) - times.GetAsDouble(0))) + 1);
+    animation->UpdateVTKObjects();
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
+void SetValues(vtkSMProxy* proxy, vtkPVXMLElement* description)
+{
+  for (unsigned int k = 0; k < description->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* one = description->GetNestedElement(k);
+    if (IsCalled(one, "Set"))
+    {
+      vtkSMPropertyHelper property(proxy, Attribute(one, "property").c_str());
+      std::istringstream values(Attribute(one, "values"));
+      double value = 0.0;
+      for (unsigned int n = 0; values >> value; ++n)
+      {
+        property.Set(n, value);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+bool IsLastOfPipeline(vtkSMSourceProxy* source)
+{
+  for (unsigned int k = 0; k < source->GetNumberOfConsumers(); ++k)
+  {
+    vtkSMProxy* consumer = source->GetConsumerProxy(k); // null if it was deleted
+    const char* group = consumer ? consumer->GetXMLGroup() : nullptr;
+    if (group && std::strcmp(group, "filters") == 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void MakeScene(vtkSMSourceProxy* source, vtkPVXMLElement* scene, vtkSMViewProxy* view)
+{
+  Parts parts = { { source->GetXMLName(), source } };
+  for (unsigned int k = 0; k < scene->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* description = scene->GetNestedElement(k);
+    if (IsCalled(description, "Set"))
+    {
+      continue; // of the source
+    }
+    vtkSMSourceProxy* part = Make(source->GetSessionProxyManager(), description, parts);
+    if (!part)
+    {
+      return;
+    }
+    parts[Attribute(description, "name")] = part;
+    if (vtkPVXMLElement* look = description->FindNestedElementByName("NaturalDisplay"))
+    {
+      Show(part, look, view);
+      SetFrames(part);
+    }
+  }
+  // Each part became the active source in turn.
+  if (vtkSMProxySelectionModel* active = source->GetSessionProxyManager()->GetSelectionModel("ActiveSources"))
+  {
+    active->SetCurrentProxy(source, vtkSMProxySelectionModel::CLEAR_AND_SELECT);
+  }
+}
+
+}

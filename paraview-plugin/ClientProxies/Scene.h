@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralScene_h
+#define LittoralScene_h
+
+class vtkPVXMLElement;
+class vtkSMProxy;
+class vtkSMSourceProxy;
+class vtkSMViewProxy;
+
+namespace littoral
+{
+
+/**
+ * A pipeline that begins with a source, described by an element of the source's definition:
+ *
+ *     <Scene eye="40 -30 62" target="230 260 0" light="land">
+ *       <Set property="Size" values="400 400" />
+ *       <Source name="Hills" type="TurningBandsTerrain"><Set property="Range" values="400" /></Source>
+ *       <Filter name="Ground" type="TerrainLevelOfDetail">
+ *         <Connect property="Input" to="Hills" />
+ *         <NaturalDisplay own-levels="1" />
+ *       </Filter>
+ *     </Scene>
+ *
+ * The attributes are those of NaturalDisplay, for the view. The source has the values of Set from the start. The rest
+ * are ordinary sources and filters, made when the source is first shown; `to` names one before it, or the source by the
+ * name of its type. Those with a NaturalDisplay are shown, in that way, which goes before the hint of their type.
+ */
+
+/// Sets the properties of a proxy to the values of a description.
+void SetValues(vtkSMProxy* proxy, vtkPVXMLElement* description);
+
+/// Whether no filter has a source as input.
+bool IsLastOfPipeline(vtkSMSourceProxy* source);
+
+/// Registers the parts behind a source, shows them in a view, and gives the animation the frames of a film if it still
+/// has ParaView's.
+void MakeScene(vtkSMSourceProxy* source, vtkPVXMLElement* scene, vtkSMViewProxy* view);
+
+}
+
+#endif
