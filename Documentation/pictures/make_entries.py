@@ -27,9 +27,8 @@ MESSAGES = os.path.join(FOLDER, "messages.json")
 SIZE = (1400, 1060)
 # The window without its toolbars and its status line.
 PART = "1400x890+0+140"
-# The column of the edge between the panel and the view that gives labels their room, also in wider panels, and the row
-# of the panel's tabs.
-EDGE, WIDER, TABS = 440, {"Sea": 550, "Underwater": 550}, 476
+# The column of the edge between the panel and the view that gives labels their room, and the row of the panel's tabs.
+EDGE, TABS = 440, 476
 HEAD = """# The entries in pictures
 
 {contents}
@@ -205,7 +204,7 @@ def make_entry(label):
 
 def take_first_look(name, label):
     with window_of(name, "first look") as (client, word, _):
-        move_edge(client, WIDER.get(name, EDGE))
+        move_edge(client, EDGE)
         if word != "made":
             make_entry(label)
         do("mousemove", SIZE[0] - 1, SIZE[1] - 1)
