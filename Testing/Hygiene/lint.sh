@@ -2,35 +2,23 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Faults that a tool finds by reading C++. Run from the top folder:
+# Faults that tools find by reading C++. Run from the top folder:
 #
-#   Testing/Hygiene/lint.sh clang-tidy|cppcheck BUILD          files of the latest work
-#   Testing/Hygiene/lint.sh clang-tidy|cppcheck BUILD all      all files, which takes long
-#   Testing/Hygiene/lint.sh clang-tidy|cppcheck BUILD FILE...
+#   Testing/Hygiene/lint.sh cppcheck                     all code but the tests
+#   Testing/Hygiene/lint.sh clang-tidy BUILD             lines of the latest work, in the two sources that changed most
+#   Testing/Hygiene/lint.sh clang-tidy BUILD FILE...     whole files
 #
-# BUILD is a build tree with compile_commands.json. The latest work is what differs from where the branch left main; on
-# main itself, from the commit before the last; and what is not committed. Of that, the sources that changed most are
-# read: two by clang-tidy, which takes some 10 s for each, ten by cppcheck. Headers are read with the sources that
-# include them. Ends with 125 (skipped) where the tool, the build or the history is missing.
+# BUILD is a build tree. The latest work is what differs from where the branch left main; on main itself, from the commit
+# before the last; and what is not committed. clang-tidy takes some 10 s for a source, which is why it reads two. Ends
+# with 125 (skipped) where the tool, the build or the history is missing.
 set -euo pipefail
 
 skip() {
-  echo "skipped: $1"
+  echo "skipped: $1" >&2
   exit 125
 }
 
-tool=${1:?a tool}
-build=${2:?a build tree}
-shift 2
-case "$tool" in
-  clang-tidy) most=2 ;;
-  cppcheck) most=10 ;;
-  *) skip "there is no tool '$tool' here" ;;
-esac
-command -v "$tool" >/dev/null || skip "$tool is not installed"
-[ -f "$build/compile_commands.json" ] || skip "there is no $build/compile_commands.json"
-
-# Where the latest work begins.
+# The commit where the latest work begins.
 base() {
   local main
   for main in origin/main main; do
@@ -43,35 +31,60 @@ base() {
   git rev-parse -q --verify 'HEAD^' || skip "there is no commit before the last one here"
 }
 
-if [ "${1:-}" = all ]; then
-  mapfile -t files < <(git ls-files '*.cxx')
-elif [ $# -gt 0 ]; then
-  files=("$@")
-else
-  git rev-parse -q --verify HEAD >/dev/null || skip "this is no git repository"
-  from=$(base) || { echo "$from"; exit 125; }
-  mapfile -t files < <(git diff --numstat --diff-filter=d "$from" -- '*.cxx' | sort -k1,1nr -k3 | head -n "$most" | cut -f3)
-  echo "latest work: since $(git log -1 --format='%h, %s' "$from")"
-fi
-# Sources that this build leaves out have no command there.
-known=()
-for file in "${files[@]}"; do
-  if grep -qF "\"$PWD/$file\"" "$build/compile_commands.json"; then
-    known+=("$file")
-  fi
-done
-echo "$tool: ${#known[@]} files"
-[ "${#known[@]}" -gt 0 ] || exit 0
+# line_filter COMMIT: the lines that are new since then, as clang-tidy wants to be told.
+line_filter() {
+  git diff -U0 --diff-filter=d --no-color --no-ext-diff "$1" -- '*.cxx' '*.h' | awk '
+    /^\+\+\+ b\// { name = substr($0, 7); next }
+    /^@@ / {
+      split(substr($3, 2), range, ",")
+      count = range[2] == "" ? 1 : range[2]
+      if (count > 0)
+        lines[name] = lines[name] (lines[name] ? "," : "") "[" range[1] "," range[1] + count - 1 "]"
+    }
+    END {
+      printf "["
+      for (name in lines)
+        printf "%s{\"name\":\"%s\",\"lines\":[%s]}", many++ ? "," : "", name, lines[name]
+      print "]"
+    }'
+}
 
+# Sources of which a build tree knows how to compile them.
+known_to() { # BUILD, names on standard input
+  while read -r name; do
+    grep -qF "\"$PWD/$name\"" "$1/compile_commands.json" && echo "$name"
+  done || true
+}
+
+run_clang_tidy() { # BUILD [FILE...]
+  local build=${1:?a build tree} from filter files
+  shift
+  [ -f "$build/compile_commands.json" ] || skip "there is no $build/compile_commands.json"
+  if [ $# -gt 0 ]; then
+    printf '%s\n' "$@" | xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet
+    return
+  fi
+  git rev-parse -q --verify HEAD >/dev/null 2>&1 || skip "this is no git repository"
+  from=$(base)
+  filter=$(line_filter "$from")
+  files=$(git diff --numstat --diff-filter=d "$from" -- '*.cxx' | sort -k1,1nr -k3 | cut -f3 | known_to "$build" |
+    sed -n 1,2p)
+  echo "since $(git log -1 --format='%h, %s' "$from"):" ${files:-no sources}
+  [ -z "$files" ] || xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet --line-filter="$filter" <<<"$files"
+}
+
+run_cppcheck() {
+  # Headers of libraries are not read: their macros are unknown, their functions may do anything.
+  git ls-files -- '*.cxx' ':!Testing' | xargs cppcheck --quiet --std=c++17 --language=c++ -j "$(nproc)" \
+    --enable=warning,performance,portability --suppressions-list=Testing/Hygiene/cppcheck.txt --error-exitcode=1 \
+    -ICommon -ISupport -ISources -IFilters -IIO -Iparaview-plugin/ClientProxies -Iparaview-plugin/Representations
+}
+
+tool=${1:?cppcheck or clang-tidy}
+shift
+command -v "$tool" >/dev/null || skip "$tool is not installed"
 case "$tool" in
-  clang-tidy)
-    # Checks and reasons are in .clang-tidy.
-    printf '%s\n' "${known[@]}" | xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet 2>/dev/null
-    ;;
-  cppcheck)
-    # Headers of libraries are not read: their macros are unknown, their functions may do anything.
-    cppcheck --quiet --std=c++17 --language=c++ --inline-suppr --error-exitcode=1 -j "$(nproc)" \
-      --enable=warning,performance,portability --suppressions-list=Testing/Hygiene/cppcheck.txt \
-      -ICommon -ISupport -ISources -IFilters -IIO --library=googletest "${known[@]}"
-    ;;
+  cppcheck) run_cppcheck ;;
+  clang-tidy) run_clang_tidy "$@" ;;
+  *) skip "there is no tool '$tool' here" ;;
 esac
