@@ -40,18 +40,18 @@ bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, d
     {
       return false;
     }
-    algorithm->UpdateProgress(first + (last - first) * done / count);
+    algorithm->UpdateProgress(first + (last - first) * static_cast<double>(done) / static_cast<double>(count));
     const std::size_t end = std::min(count, done + batch);
-    FirstException first;
+    FirstException exception;
     vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), 1, [&](vtkIdType a, vtkIdType b) {
-      first.Catch([&] {
+      exception.Catch([&] {
         for (vtkIdType piece = a; piece < b; ++piece)
         {
           task(static_cast<std::size_t>(piece));
         }
       });
     });
-    first.Rethrow();
+    exception.Rethrow();
   }
   return true;
 }

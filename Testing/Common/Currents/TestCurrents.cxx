@@ -427,7 +427,7 @@ TEST_P(AllFlows, GoThroughNoWall)
 }
 
 INSTANTIATE_TEST_SUITE_P(FlowPrimitives, AllFlows, testing::Range(0, NumberOfFlowTypes),
-  [](const auto& info) { return TraitsOf(static_cast<FlowType>(info.param)).Name; });
+  [](const auto& one) { return TraitsOf(static_cast<FlowType>(one.param)).Name; });
 
 TEST(FlowPrimitives, Add)
 {
@@ -646,7 +646,7 @@ TEST(Particles, PicturesAreOpaqueWithinAndEmptyAtTheEdge)
     }
     for (const Texel& texel : picture.Texels)
     {
-      covered += texel[3] / 255.0 / picture.Texels.size();
+      covered += texel[3] / 255.0 / static_cast<double>(picture.Texels.size());
     }
     EXPECT_TRUE(covered > 0.1 && covered < 0.8) << covered;
   }

@@ -325,9 +325,10 @@ TEST(Orbits, SinglePrecisionFollowsDoublePrecision)
     std::vector<int> counts(count);
     for (int n = 0; n < count; ++n)
     {
-      centers[3 * n] = 1.5e5f + 13.7f * n;
-      centers[3 * n + 1] = -3.1f * n;
-      centers[3 * n + 2] = -0.002f * n * static_cast<float>(std::min(depth, 20.0));
+      const auto number = static_cast<float>(n);
+      centers[3 * n] = 1.5e5f + 13.7f * number;
+      centers[3 * n + 1] = -3.1f * number;
+      centers[3 * n + 2] = -0.002f * number * static_cast<float>(std::min(depth, 20.0));
       counts[n] = n % 33;
     }
     exactCenters.assign(centers.begin(), centers.end());

@@ -92,7 +92,7 @@ TEST(SeaSurface, WavesEndWhereTheyWouldAlias)
     EXPECT_FALSE(spacing > 0.25 * length && isMoved) << i;
   }
   EXPECT_GT(near, 3000u);
-  EXPECT_GT(moved, 0.95 * near);
+  EXPECT_GT(moved, 0.95 * static_cast<double>(near));
   EXPECT_GT(still, 500u);
 }
 
