@@ -194,6 +194,18 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
 }
 
 //----------------------------------------------------------------------------
+int vtkVDBVolumeWriter::Write()
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    return this->Superclass::Write();
+  }
+  this->Refuse("there is no input.");
+  this->SetErrorCode(vtkErrorCode::UnknownError);
+  return 0;
+}
+
+//----------------------------------------------------------------------------
 bool vtkVDBVolumeWriter::HasFileName() const
 {
   return this->FileName && *this->FileName;
@@ -230,7 +242,8 @@ void vtkVDBVolumeWriter::Refuse(const std::string& reason)
 {
   if (littoral::IsFirstRank(this->Controller))
   {
-    vtkErrorMacro("Cannot write " << (this->HasFileName() ? this->StepFileName() : "a volume") << ": " << reason);
+    vtkErrorMacro("Cannot write " << (this->HasFileName() ? "the file " + this->StepFileName() : "a volume") << ": "
+                                  << reason << (reason.back() == '.' ? "" : "."));
   }
 }
 

@@ -49,13 +49,14 @@ private:
 /// Reports an exception as a mistake of the algorithm, and returns FailedRequest().
 int FailedBy(vtkAlgorithm* algorithm, const std::string& reason);
 
-/// What a request returns; FailedBy() if it ends by an exception.
-template <typename Request>
-int WithoutExceptions(vtkAlgorithm* algorithm, const Request& request)
+/// What the answer to a request returns; FailedBy() if it ends by an exception.
+template <typename Answer>
+int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, const Answer& answer)
 {
+  const AnsweredRequest answered(algorithm, request);
   try
   {
-    return request();
+    return answer();
   }
   catch (const std::bad_alloc&)
   {

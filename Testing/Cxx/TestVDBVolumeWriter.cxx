@@ -546,7 +546,7 @@ const BadCase BadCases[] = {
   { "Tolerance", [](vtkImageData*, Writer* writer) { writer->SetTolerance(std::nan("")); } },
   { "nowhere/x.vdb: No such file or directory",
     [](vtkImageData*, Writer* writer) { writer->SetFileName(InFolder("nowhere/x.vdb").c_str()); } },
-  { "Cannot write /proc/x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
+  { "Cannot write the file /proc/x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
   { "Is a directory", [](vtkImageData*, Writer* writer) { writer->SetFileName(folder.string().c_str()); } },
   { "/dev/null: it is not a regular file", [](vtkImageData*, Writer* writer) { writer->SetFileName("/dev/null"); } },
 };

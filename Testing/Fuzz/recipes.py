@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A small working object of each class: what the cases vary, and what they hand to other classes as inputs."""
 
+import re
+
 import littoral
 
 TREE = {"SetNumberOfLeaves": (40,), "SetTextureSize": (16, 8)}
@@ -71,6 +73,13 @@ def results(name):
     made = source(name)
     made.Update()
     return [made.GetOutputDataObject(port) for port in range(made.GetNumberOfOutputPorts())]
+
+
+def warm(name, lines):
+    """Updates what a case takes its inputs from, for all processes that are forked later."""
+    for other in {*inputs(name), *re.findall(r"(?:data|source)\('(\w+)'\)", " ".join(lines))}:
+        if source(other).GetNumberOfOutputPorts():
+            source(other).Update()
 
 
 def data(name):
