@@ -54,11 +54,11 @@ vtkInformationObjectBaseKey* CurrentRequest()
   return key;
 }
 
-/// Whether a request has asked for other things than data before. VTK makes such ones alone: for a loop over the leaves
-/// of a composite, where it asks for the information and the data of one leaf after the other.
-vtkInformationIntegerKey* HasAskedBefore()
+/// Whether a request has asked for information before. VTK has a request for information and another for data, but one
+/// for both in its loop over the leaves of a composite: a new one for each loop.
+vtkInformationIntegerKey* HasInformed()
 {
-  static auto* key = SharedKey<vtkInformationIntegerKey>("HAS_ASKED_BEFORE");
+  static auto* key = SharedKey<vtkInformationIntegerKey>("HAS_INFORMED");
   return key;
 }
 
@@ -73,8 +73,7 @@ vtkInformationIntegerKey* HasFailed()
 vtkInformation* LoopOf(vtkAlgorithm* algorithm)
 {
   auto* request = vtkInformation::SafeDownCast(algorithm->GetInformation()->Get(CurrentRequest()));
-  const bool isLoop =
-    request && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && request->Has(HasAskedBefore());
+  const bool isLoop = request && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && request->Has(HasInformed());
   return isLoop ? request : nullptr;
 }
 
@@ -134,9 +133,9 @@ bool IsDueToUpstream(vtkAlgorithm* algorithm)
 AnsweredRequest::AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request)
   : Algorithm(algorithm)
 {
-  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
-    request->Set(HasAskedBefore(), 1);
+    request->Set(HasInformed(), 1);
   }
   algorithm->GetInformation()->Set(CurrentRequest(), request);
 }

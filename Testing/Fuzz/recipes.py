@@ -76,8 +76,8 @@ def results(name):
 
 
 def warm(name, lines):
-    """Updates what a case takes its inputs from, for all processes that are forked later."""
-    for other in {*inputs(name), *re.findall(r"(?:data|source)\('(\w+)'\)", " ".join(lines))}:
+    """Updates the objects that a case needs, for all processes that are forked later."""
+    for other in {name, *inputs(name), *re.findall(r"(?:data|source)\('(\w+)'\)", " ".join(lines))}:
         if source(other).GetNumberOfOutputPorts():
             source(other).Update()
 

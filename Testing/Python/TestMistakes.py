@@ -3,7 +3,8 @@
 """Mistakes in VTK without ParaView: a failed update, and one message until the filter is modified."""
 
 from littoral import vtkBeamTreeDeformationFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
-from littoral import vtkReevesTreeSource, vtkSuspendedParticleSource
+from littoral import vtkReevesTreeSource, vtkSeaSurfaceFilter, vtkSuspendedParticleSource
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 
 MESSAGES = []
 
@@ -69,3 +70,22 @@ assert not MESSAGES, MESSAGES
 # Sites are points, not the blocks of a plant.
 trees.SetInputConnection(0, tree.GetOutputPort())
 assert messages_of(trees.GetExecutive().Update) == 1 and "The sites are blocks" in MESSAGES[0], MESSAGES
+
+# VTK hands blocks to the filter one by one; the first bad one is reported, and again after a change.
+blocks = vtkMultiBlockDataSet()
+for index, block in enumerate((vtkPolyData(), vtkTable(), vtkImageData())):
+    blocks.SetBlock(index, block)
+surface = watched(vtkSeaSurfaceFilter())
+surface.SetInputDataObject(blocks)
+for _ in range(2):
+    MESSAGES.clear()
+    surface.Update()
+    assert len(MESSAGES) == 1 and "Input is a vtkPolyData" in MESSAGES[0], MESSAGES
+    MESSAGES.clear()
+    surface.UpdateTimeStep(1.0)
+    assert not MESSAGES, MESSAGES
+    surface.Modified()
+surface.SetInputDataObject(vtkTable())
+for _ in range(2):
+    assert messages_of(surface.GetExecutive().Update) == 1 and "has no wave trains" in MESSAGES[0], MESSAGES
+    surface.Modified()
