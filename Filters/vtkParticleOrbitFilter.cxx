@@ -291,6 +291,7 @@ int vtkParticleOrbitFilter::FillInputPortInformation(int port, vtkInformation* i
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet"); // whole, to say once that it is none
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // no sea state: our own message, once
     return 1;
   }

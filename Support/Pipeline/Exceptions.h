@@ -56,7 +56,8 @@ int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, const An
   const AnsweredRequest answered(algorithm, request);
   try
   {
-    return answer();
+    const int result = answer();
+    return result != 0 ? result : answered.Failed();
   }
   catch (const std::bad_alloc&)
   {

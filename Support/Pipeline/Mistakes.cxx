@@ -132,12 +132,23 @@ bool IsDueToUpstream(vtkAlgorithm* algorithm)
 
 AnsweredRequest::AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request)
   : Algorithm(algorithm)
+  , Request(request)
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     request->Set(HasInformed(), 1);
   }
   algorithm->GetInformation()->Set(CurrentRequest(), request);
+}
+
+int AnsweredRequest::Failed() const
+{
+  if (this->Request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) &&
+    this->Algorithm->GetNumberOfInputConnections(0) == 0)
+  {
+    FailedBy(this->Algorithm, "There is no input.");
+  }
+  return 0;
 }
 
 AnsweredRequest::~AnsweredRequest()

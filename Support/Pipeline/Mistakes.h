@@ -32,11 +32,16 @@ class AnsweredRequest
 public:
   AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request);
   ~AnsweredRequest();
+
+  /// 0, after a message if there is no input that the type of the output could follow from. VTK has none for that.
+  int Failed() const;
+
   AnsweredRequest(const AnsweredRequest&) = delete;
   AnsweredRequest& operator=(const AnsweredRequest&) = delete;
 
 private:
   vtkAlgorithm* Algorithm;
+  vtkInformation* Request;
 };
 
 /// Carries the printed messages over a modification since the time `before` that mends nothing, such as another view.

@@ -29,7 +29,7 @@ MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n
                      re.S | re.M)
 FAILURE = re.compile(r"Algorithm vtk\w+ \(0x[0-9a-f]+\) returned failure for request")
 ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|plants?|sites|prototypes?|wind|"
-                          r"sea state|current|flow primitives?|terrain|leaf|leaves|cells?|skeleton|file|folder|"
+                          r"sea state|currents?|flow primitives?|terrain|leaf|leaves|cells?|skeleton|file|folder|"
                           r"memory|time)\b", re.I)
 
 
@@ -52,6 +52,12 @@ def messages():
 def is_executive(kind):
     """Whether a message is of VTK's pipeline, which repeats ours or refuses a wrong type of input."""
     return kind.endswith("Pipeline") or kind.startswith("vtkExecutive") or kind.startswith("vtkAlgorithm")
+
+
+def is_of_loop(said):
+    """Whether a message is of VTK's loop over leaves, which does not make another output when the type of the composite
+    changes."""
+    return "CopyStructure" in said
 
 
 def odd_names(data, gaps=False):
@@ -106,6 +112,7 @@ class Player:
         self.refused = ""  # the last update, and why
         self.stopped = False  # the last update
         self.told = None  # when the object was changed before it last spoke
+        self.excused = False  # from telling why an update failed
         self.scope = {**vars(inputs), "littoral": littoral, "nan": numpy.nan, "inf": numpy.inf, "data": recipes.data,
                       "source": recipes.source, "update": self.update, "keep": self.keep, "finish": self.finish}
 
@@ -165,16 +172,20 @@ class Player:
     def listen(self):
         """Looks at the messages of an update."""
         self.heard = all_said = messages()
-        foreign = [pair for pair in all_said if pair[0] not in littoral.__all__ and not is_executive(pair[0])]
+        foreign = [pair for pair in all_said if pair[0] not in littoral.__all__ and not is_executive(pair[0])
+                   and not is_of_loop(pair[1])]
         if foreign:
             raise Fault("foreign message", f"{foreign[0][0]}: {foreign[0][1]}")
         ours = [said for kind, said in all_said if kind in littoral.__all__]
         self.said += all_said
         if len(ours) > 1:
             raise Fault("messages", " | ".join(ours))
-        if ours or hasattr(self.made, "SetViewPoint"):  # a change of the view is none that a message is repeated for
+        # Changes of the view do not repeat a message, and who gets nothing from an input that told why is silent.
+        self.excused = self.excused or hasattr(self.made, "SetViewPoint") or {kind for kind, _ in all_said} & (
+            {*littoral.__all__} - {type(self.made).__name__})
+        if ours:
             self.told = self.made.GetMTime()
-        elif self.told != self.made.GetMTime() and any(FAILURE.match(said) for _, said in all_said):
+        elif not self.excused and self.told != self.made.GetMTime() and any(FAILURE.match(said) for _, said in all_said):
             raise Fault("silence", all_said[0][1])
         for said in ours:
             words = set(re.findall(r"\w+", said.lower()))

@@ -26,7 +26,7 @@ RECIPES = {
     "vtkSuspendedParticleSource": ((), {"SetDensity": (0.02,)}),
     "vtkFlowPrimitiveSource": ((), {}),
     "vtkWindFieldSource": ((), {"SetDimensions": (16, 4, 4)}),
-    "vtkCovarianceFitFilter": (("vtkTurningBandsTerrainSource",), {"SetNumberOfLags": (8,),
+    "vtkCovarianceFitFilter": (("vtkTurningBandsTerrainSource",), {"SetNumberOfLags": (6,),
                                                                    "SetNumberOfDirections": (4,), "SetFitNugget": (False,),
                                                                    "SetFitAnisotropy": (False,)}),
     "vtkWindStatisticsFilter": (("vtkWindFieldSource",), {}),

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mistakes in VTK without ParaView: a failed update, and one message until the filter is modified."""
 
-from littoral import vtkBeamTreeDeformationFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
-from littoral import vtkReevesTreeSource, vtkSeaSurfaceFilter, vtkSuspendedParticleSource
+from littoral import vtkBeamTreeDeformationFilter, vtkCurrentDriftFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
+from littoral import vtkQuadratPointSource, vtkReevesTreeSource, vtkSeaSurfaceFilter, vtkSuspendedParticleSource
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 MESSAGES = []
 
@@ -70,6 +71,38 @@ assert not MESSAGES, MESSAGES
 # Sites are points, not the blocks of a plant.
 trees.SetInputConnection(0, tree.GetOutputPort())
 assert messages_of(trees.GetExecutive().Update) == 1 and "The sites are blocks" in MESSAGES[0], MESSAGES
+
+# No input at all, and blocks at an input that is not the first.
+for kind in vtkCurrentDriftFilter, vtkParticleOrbitFilter:
+    assert messages_of(watched(kind()).GetExecutive().Update) == 1 and "There is no input." in MESSAGES[0], MESSAGES
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(1, vtkImageData())
+sites = vtkQuadratPointSource()
+trees = watched(vtkPlantScatterFilter())
+trees.SetInputConnection(0, sites.GetOutputPort())
+trees.SetInputConnection(1, tree.GetOutputPort())
+trees.SetInputDataObject(2, blocks)
+assert messages_of(trees.GetExecutive().Update) == 1 and "Terrain is a vtkMultiBlockDataSet" in MESSAGES[0], MESSAGES
+orbits = watched(vtkParticleOrbitFilter())
+orbits.SetInputConnection(0, particles.GetOutputPort())
+orbits.SetInputDataObject(1, blocks)
+assert messages_of(orbits.GetExecutive().Update) == 1 and "Sea State is a vtkMultiBlockDataSet" in MESSAGES[0], MESSAGES
+
+# Textures lie at the origin, wherever an image lay that was connected before.
+image = vtkImageData()
+image.SetDimensions(3, 3, 1)
+image.SetOrigin(7.0, 8.0, 9.0)
+moved = vtkTrivialProducer()
+moved.SetOutput(image)
+trees = vtkPlantScatterFilter()
+trees.AddObserver("ErrorEvent", lambda *_: None)
+trees.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+trees.SetInputConnection(0, moved.GetOutputPort())
+trees.Update()
+trees.SetInputConnection(0, sites.GetOutputPort())
+trees.SetInputConnection(1, tree.GetOutputPort())
+trees.Update()
+assert trees.GetOutputDataObject(1).GetOrigin() == (0.0, 0.0, 0.0), trees.GetOutputDataObject(1).GetOrigin()
 
 # VTK hands blocks to the filter one by one; the first bad one is reported, and again after a change.
 blocks = vtkMultiBlockDataSet()
