@@ -213,7 +213,7 @@ class Player:
         if self.rehearsal:
             return
         self.update()
-        for data in outputs(self.made):
+        for data in filter(None, outputs(self.made)):  # without an input that it follows from there is none
             copy = data.NewInstance()
             copy.ShallowCopy(data)
             self.kept.append((copy, [hash_outputs.digest(array) for leaf in inputs.leaves(copy)

@@ -3,6 +3,7 @@
 // Currents: flow primitives, and images of velocities.
 
 #include "Data/CurrentData.h"
+#include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Expect.h"
 #include "RandomData.h"
@@ -67,7 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string name = data.ConsumeBool() ? "" : "Velocity";
   const WaterLayer layer = data.ConsumeBool() ? WaterLayer{} : WaterLayer{ -10.0, 0.0 };
   CurrentSnapshot current;
-  const std::string reason = ReadCurrent(blocks, name, layer, interpolation, current);
+  std::string reason = WhyUnfit(blocks, "Currents");
+  reason = reason.empty() ? ReadCurrent(blocks, name, layer, interpolation, current) : reason;
   ExpectSentence(reason);
   if (reason.empty())
   {
