@@ -3,7 +3,9 @@
 """Mistakes in VTK without ParaView: a failed update, and one message until the filter is modified."""
 
 from littoral import vtkBeamTreeDeformationFilter, vtkCurrentDriftFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
-from littoral import vtkQuadratPointSource, vtkReevesTreeSource, vtkSeaSurfaceFilter, vtkSuspendedParticleSource
+from littoral import vtkPlantWakeFilter, vtkQuadratPointSource, vtkReevesTreeSource, vtkSeaStateSource
+from littoral import vtkSeaSurfaceFilter, vtkSeaweedDeformationFilter, vtkSeaweedSource, vtkSuspendedParticleSource
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
@@ -103,6 +105,45 @@ trees.SetInputConnection(0, sites.GetOutputPort())
 trees.SetInputConnection(1, tree.GetOutputPort())
 trees.Update()
 assert trees.GetOutputDataObject(1).GetOrigin() == (0.0, 0.0, 0.0), trees.GetOutputDataObject(1).GetOrigin()
+
+# A current is at rest where its numbers are as large as those that ocean models write on land.
+flow = vtkImageData()
+flow.SetDimensions(2, 2, 2)
+flow.SetOrigin(-20.0, -20.0, -20.0)
+flow.SetSpacing(40.0, 40.0, 40.0)
+land = vtkDoubleArray()
+land.SetName("Velocity")
+land.SetNumberOfComponents(3)
+land.SetNumberOfTuples(8)
+land.Fill(9.96921e36)
+flow.GetPointData().AddArray(land)
+drift = watched(vtkCurrentDriftFilter())
+drift.SetInputConnection(0, particles.GetOutputPort())
+drift.SetInputDataObject(1, flow)
+MESSAGES.clear()
+drift.UpdateTimeStep(1.0)
+assert not MESSAGES and drift.GetOutputDataObject(0).GetBounds() == particles.GetOutputDataObject(0).GetBounds(), MESSAGES
+
+# A wake needs finite radii.
+weed = vtkSeaweedSource()
+sea = vtkSeaStateSource()
+sea.SetSeaLevel(4.0)
+moving = vtkSeaweedDeformationFilter()
+moving.SetGenerateMotion(True)
+moving.SetInputConnection(0, weed.GetOutputPort())
+moving.SetInputConnection(1, sea.GetOutputPort())
+moving.Update()
+spoilt = vtkMultiBlockDataSet()
+spoilt.DeepCopy(moving.GetOutputDataObject(0))
+leaves = spoilt.NewIterator()
+while not leaves.IsDoneWithTraversal():
+    radii = leaves.GetCurrentDataObject().GetPointData().GetArray("Radius")
+    if radii:
+        radii.SetComponent(1, 0, float("inf"))
+    leaves.GoToNextItem()
+wake = watched(vtkPlantWakeFilter())
+wake.SetInputDataObject(0, spoilt)
+assert messages_of(wake.GetExecutive().Update) == 1 and "Radius" in MESSAGES[0], MESSAGES
 
 # VTK hands blocks to the filter one by one; the first bad one is reported, and again after a change.
 blocks = vtkMultiBlockDataSet()
