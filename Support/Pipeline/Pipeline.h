@@ -15,6 +15,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace littoral
@@ -90,6 +91,10 @@ void RequestAll(vtkInformation* input);
  * which may lie beyond what there is by then. For the beginning of RequestData.
  */
 void ForgetExtent(vtkInformation* output);
+
+/// The extent that is asked of an image. All that have no points are the same empty one: of others VTK computes numbers
+/// of points below 0.
+std::array<int, 6> RequestedExtent(vtkInformation* output);
 
 }
 

@@ -506,6 +506,16 @@ bool CheckSeries()
   errors->Watch(writer);
   writer->SetFileNameSuffix("_%s");
   good &= errors->ExpectOneNaming("FileNameSuffix");
+  for (const char* number : { "", "%d", "%04d" })
+  {
+    writer->SetFileNameSuffix(std::string(100000, 'x') + number);
+    good &= errors->ExpectOneNaming("FileNameSuffix");
+  }
+  // The whole name is too long, not the suffix; and letters stand between "%" and "d", of any number.
+  writer->SetFileNameSuffix(std::string(250, 'x') + "%d");
+  good &= errors->ExpectOneNaming("File name too long.");
+  writer->SetFileNameSuffix("%" + std::string(100000, '0') + "d");
+  good &= errors->ExpectOneNaming("FileNameSuffix");
   writer->SetFileNameSuffix("-%d.x");
   good &= Check(writer->Write() == 1 && fs::exists(InFolder("wind-7.x.vdb")), "Another suffix");
   return good;
@@ -552,7 +562,7 @@ const BadCase BadCases[] = {
   { "Tolerance", [](vtkImageData*, Writer* writer) { writer->SetTolerance(std::nan("")); } },
   { "nowhere/x.vdb: No such file or directory",
     [](vtkImageData*, Writer* writer) { writer->SetFileName(InFolder("nowhere/x.vdb").c_str()); } },
-  { "Cannot write /proc/x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
+  { "Cannot write the file /proc/x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
   { "Is a directory", [](vtkImageData*, Writer* writer) { writer->SetFileName(folder.string().c_str()); } },
   { "/dev/null: it is not a regular file", [](vtkImageData*, Writer* writer) { writer->SetFileName("/dev/null"); } },
 };
@@ -578,6 +588,13 @@ bool CheckBadInput()
     good &= Check(BytesOf(InFolder("old.vdb")) == "the old file" && FilesInFolder() == before,
       std::string("The old file has changed, or another is left: ") + bad.Word);
   }
+  vtkNew<Writer> empty;
+  empty->SetFileName(InFolder("old.vdb").c_str());
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(empty);
+  good &=
+    Check(empty->Write() == 0 && errors->Count == 1 && errors->Last.find("there is no input.") != std::string::npos,
+      "A writer without input: " + errors->Last);
   return good;
 }
 
