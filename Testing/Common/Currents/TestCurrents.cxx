@@ -323,6 +323,29 @@ TEST(PlantWake, PushesAwayWhileThePlantGetsFaster)
   EXPECT_FALSE(FlowField(WakeOf(Stem({ 0.4, 0.0, 0.0 }, Vector3(0.0)), doublet)).HasSinks());
 }
 
+TEST(PlantWake, DoubletHasTheMomentOfASphereOfThePlantsVolume)
+{
+  std::vector<MovingPoint> points(2);
+  points[0].Place = Vector3(1.0, 0.0, 0.0);
+  points[1].Place = Vector3(1.0, 0.4, 0.8);
+  for (MovingPoint& point : points)
+  {
+    point.Velocity = Vector3(0.0, 0.3, 0.4);
+    point.Weight = 3.0;
+    point.Volume = 0.02;
+  }
+  const MovingPlant plant = PlantOf(points);
+  EXPECT_NEAR(plant.Volume, 0.04, 1e-15);
+  WakeOptions options;
+  options.Kind = WakeKind::Doublet;
+  options.Strength = 2.0;
+  const std::vector<FlowPrimitive> wake = WakeOf(plant, options);
+  ASSERT_EQ(wake.size(), 2u);
+  // 2 pi R^3 v, with the volume 4 pi R^3 / 3
+  const Vector3 moment = wake[0].Strength * wake[0].Center + wake[1].Strength * wake[1].Center;
+  EXPECT_LT(glm::length(moment - 2.0 * 1.5 * 0.04 * Vector3(0.0, 0.3, 0.4)), 1e-14);
+}
+
 TEST(PlantWake, SaysWhatIsWrong)
 {
   const auto named = [](double WakeOptions::*member, double value, const char* word) {
@@ -558,7 +581,9 @@ TEST(Drift, IsCapturedBySinks)
   to = Vector3(6.0, 0.3, 0.0);
   EXPECT_FALSE(field.Capture({ 4.0, 0.3, 0.0 }, to));
   EXPECT_EQ(to, Vector3(6.0, 0.3, 0.0));
-  to = Vector3(7.0, 0.0, 0.0); // the core lies behind, on the way's line
+  to = Vector3(4.5, 0.0, 0.0); // the core lies ahead, on the way's line
+  EXPECT_FALSE(field.Capture({ 3.0, 0.0, 0.0 }, to));
+  to = Vector3(7.0, 0.0, 0.0); // behind
   EXPECT_FALSE(field.Capture({ 5.5, 0.0, 0.0 }, to));
   EXPECT_EQ(to, Vector3(7.0, 0.0, 0.0));
   to = Vector3(0.0, 0.0, 0.0); // the core of a source holds nothing
