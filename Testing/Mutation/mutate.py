@@ -122,7 +122,7 @@ def prepare(mutations, rooms):
     for entry in os.scandir(SOURCE):
         if entry.is_file():
             shutil.copy2(entry, COPY)
-        elif entry.name not in (".git", "build"):
+        elif entry.name != ".git" and not entry.name.startswith("build"):
             shutil.copytree(entry, os.path.join(COPY, entry.name))
     for mutation in read_all():  # as an earlier run may have left them broken, and built
         os.utime(os.path.join(COPY, mutation.file))
