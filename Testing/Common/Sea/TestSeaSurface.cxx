@@ -119,6 +119,21 @@ TEST(SeaSurface, DiskIsCoveredOnce)
   EXPECT_DOUBLE_EQ(grid.GetRadii().back(), 400.0);
 }
 
+TEST(SeaSurface, CellsAreSquareWherePointsOnARingAreFarApart)
+{
+  const SeaSurfaceParameters disk = SmallDisk();
+  const SeaSurfaceGrid grid(disk);
+  const std::vector<double>& radii = grid.GetRadii();
+  const double even = disk.Spacing * disk.Sectors / (2.0 * Pi);
+  ASSERT_LT(even, 0.5 * disk.Radius);
+  for (std::size_t ring = 1; ring + 1 < radii.size(); ++ring)
+  {
+    const double inner = radii[ring - 1];
+    const double square = 2.0 * Pi * inner / disk.Sectors;
+    EXPECT_NEAR(radii[ring] - inner, inner < even ? disk.Spacing : square, 1e-9 * radii[ring]);
+  }
+}
+
 TEST(SeaSurface, RangesDoNotMatter)
 {
   const SeaSurfaceParameters disk = SmallDisk();
