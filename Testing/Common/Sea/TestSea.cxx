@@ -633,15 +633,16 @@ TEST(Spectrum, TrainsHavePhasesOfAWholeTurnAndTheHighestIsFirst)
   TrainParameters cut;
   cut.Count = 4000;
   const std::vector<WaveTrain> trains = TrainsOf(SeaSpectrum(SpectrumParameters{}), Infinity, cut);
+  const auto count = static_cast<double>(trains.size());
   double cosine = 0.0;
   double sine = 0.0;
   for (std::size_t n = 0; n < trains.size(); ++n)
   {
-    cosine += std::cos(trains[n].Phase) / trains.size();
-    sine += std::sin(trains[n].Phase) / trains.size();
+    cosine += std::cos(trains[n].Phase) / count;
+    sine += std::sin(trains[n].Phase) / count;
     EXPECT_TRUE(n == 0 || trains[n].Amplitude <= trains[n - 1].Amplitude);
   }
   // Means of uniform phases: 0, with a standard deviation of (2 n)^-1/2.
-  EXPECT_NEAR(cosine, 0.0, 4.0 / std::sqrt(2.0 * trains.size()));
-  EXPECT_NEAR(sine, 0.0, 4.0 / std::sqrt(2.0 * trains.size()));
+  EXPECT_NEAR(cosine, 0.0, 4.0 / std::sqrt(2.0 * count));
+  EXPECT_NEAR(sine, 0.0, 4.0 / std::sqrt(2.0 * count));
 }
