@@ -91,7 +91,7 @@ vtkSmartPointer<Array> Numbers(const char* name, vtkIdType tuples, int component
   array->SetNumberOfTuples(tuples);
   for (vtkIdType n = 0; n < tuples * components; ++n)
   {
-    array->SetValue(n, static_cast<unsigned char>(3.0f * Noise(static_cast<int>(n))));
+    array->SetValue(n, static_cast<typename Array::ValueType>(3.0f * Noise(static_cast<int>(n))));
   }
   return array;
 }
