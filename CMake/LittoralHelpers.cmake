@@ -6,7 +6,11 @@
 # every machine and at every vector width.
 function (littoral_compile_options target)
   if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    target_compile_options("${target}" PRIVATE -Wall -Wextra -ffp-contract=off)
+    # Clang counts changes of sign to conversions, GCC does not; here neither does.
+    target_compile_options("${target}" PRIVATE -Wall -Wextra -Wconversion -Wno-sign-conversion -Wshadow -ffp-contract=off)
+    if (LITTORAL_WARNINGS_AS_ERRORS)
+      target_compile_options("${target}" PRIVATE -Werror)
+    endif ()
   endif ()
 endfunction ()
 

@@ -289,7 +289,9 @@ int vtkParticleFogFilter::RequestUpdateExtent(
 int vtkParticleFogFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (littoral::IsAnnouncedEmpty(outputVector->GetInformationObject(0)))
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  littoral::ForgetExtent(info);
+  if (littoral::IsAnnouncedEmpty(info))
   {
     return littoral::FailedRequest(this);
   }
@@ -326,11 +328,9 @@ int vtkParticleFogFilter::RequestData(
   const littoral::ParticleFog fog(grid, particles, littoral::SmpFor);
   this->UpdateProgress(0.8);
 
-  vtkInformation* info = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(info);
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  CopyExtinction(grid, fog, static_cast<float>(this->WaterExtinction), extent, output);
+  const std::array<int, 6> extent = littoral::RequestedExtent(info);
+  CopyExtinction(grid, fog, static_cast<float>(this->WaterExtinction), extent.data(), output);
   littoral::AddField(output, "ParticlesInFog", { count - static_cast<double>(fog.GetOutside()) });
   littoral::AddField(output, "ParticlesOutside", { static_cast<double>(fog.GetOutside()) });
   littoral::AddField(output, "CrossSection", { littoral::TotalCrossSection(grid, fog.GetExtinction()) });
@@ -342,7 +342,8 @@ int vtkParticleFogFilter::RequestData(
 int vtkParticleFogFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

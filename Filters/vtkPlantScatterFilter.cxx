@@ -192,9 +192,9 @@ int vtkPlantScatterFilter::FillInputPortInformation(int port, vtkInformation* in
 {
   const char* types[] = { "vtkPointSet", "vtkMultiBlockDataSet", "vtkImageData" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
-  if (port == SitesPort)
+  if (port != PrototypesPort)
   {
-    // Whole, not a block at a time: a plant is no set of sites, which is then said once.
+    // Whole, not a block at a time: a plant is no set of sites and no terrain, which is then said once.
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
   if (port == PrototypesPort)

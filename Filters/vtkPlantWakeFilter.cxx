@@ -44,6 +44,10 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
   vtkDataArray* length = points.Need(littoral::seaweed::Length, 1);
   vtkDataArray* density = points.Need(littoral::seaweed::Density, 1);
   vtkDataArray* ids = points.Find(littoral::plant::PlantId, 1);
+  for (vtkDataArray* numbers : { velocity, acceleration, radius, length, density })
+  {
+    points.NeedFinite(numbers);
+  }
   std::string reason = points.Reason();
   for (vtkIdType node = 0; reason.empty() && node < bones->GetNumberOfPoints(); ++node)
   {
@@ -160,7 +164,8 @@ int vtkPlantWakeFilter::RequestData(
 int vtkPlantWakeFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -486,7 +486,7 @@ openvdb::GridCPtrVec MakeGrids(const std::vector<Volume>& volumes, const VolumeF
   openvdb::GridCPtrVec grids;
   for (const Volume& volume : volumes)
   {
-    if (!progress(MakingShare * grids.size() / volumes.size()))
+    if (!progress(MakingShare * static_cast<double>(grids.size()) / static_cast<double>(volumes.size())))
     {
       throw Stopped();
     }
@@ -506,7 +506,7 @@ std::function<void(std::size_t)> WriteWatch(
     bytes += (options.Half ? 2.0 : 4.0) * components * static_cast<double>(grid->activeVoxelCount());
   }
   return [=, next = 0.0](std::size_t written) mutable {
-    const double share = std::min(1.0, written / bytes);
+    const double share = std::min(1.0, static_cast<double>(written) / bytes);
     if (share >= next)
     {
       next = share + 0.05;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBVolumeWriter.h"
 
+#include "NumberedSuffix.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -31,39 +32,6 @@ namespace
 {
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-/// A suffix of files with the place of a number: text, `%`, at most two digits of its width, `d`, text without `%`.
-class NumberedSuffix
-{
-public:
-  explicit NumberedSuffix(const std::string& suffix)
-  {
-    const std::size_t percent = suffix.find('%');
-    const std::size_t letter = percent == std::string::npos ? percent : suffix.find('d', percent);
-    this->IsValid = letter != std::string::npos && letter - percent <= 3 &&
-      suffix.find_first_not_of("0123456789", percent + 1) == letter && suffix.find('%', letter) == std::string::npos;
-    if (this->IsValid)
-    {
-      this->Before = suffix.substr(0, percent);
-      this->Width = suffix.substr(percent + 1, letter - percent - 1);
-      this->After = suffix.substr(letter + 1);
-    }
-  }
-  std::string With(int number) const
-  {
-    std::string digits = std::to_string(number);
-    const std::size_t wanted = this->Width.empty() ? 0 : std::stoul(this->Width);
-    digits.insert(0, wanted > digits.size() ? wanted - digits.size() : 0, this->Width[0] == '0' ? '0' : ' ');
-    return this->Before + digits + this->After;
-  }
-
-  bool IsValid = false;
-
-private:
-  std::string Before;
-  std::string Width;
-  std::string After;
-};
 
 /// Memory of the grids, and of what becomes of them while they are written [bytes].
 double GridBytes(const std::vector<littoral::Volume>& volumes)
@@ -194,6 +162,18 @@ int vtkVDBVolumeWriter::RequestData(vtkInformation* request, vtkInformationVecto
 }
 
 //----------------------------------------------------------------------------
+int vtkVDBVolumeWriter::Write()
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    return this->Superclass::Write();
+  }
+  this->Refuse("there is no input.");
+  this->SetErrorCode(vtkErrorCode::UnknownError);
+  return 0;
+}
+
+//----------------------------------------------------------------------------
 bool vtkVDBVolumeWriter::HasFileName() const
 {
   return this->FileName && *this->FileName;
@@ -206,7 +186,7 @@ std::string vtkVDBVolumeWriter::WhyInvalid() const
   check.Require(this->Tolerance >= 0.0, "Tolerance", this->Tolerance, "", "0 or more");
   constexpr std::size_t longest = 255; // name of a file [bytes]
   check.Require(!this->WriteAllTimeSteps ||
-      (this->FileNameSuffix.size() <= longest && NumberedSuffix(this->FileNameSuffix).IsValid),
+      (this->FileNameSuffix.size() <= longest && littoral::NumberedSuffix(this->FileNameSuffix).IsValid),
     "FileNameSuffix is '" + this->FileNameSuffix.substr(0, longest) +
       "'; it must hold one number like %d or %04d, in at most 255 characters.");
   return check.Reason();
@@ -220,8 +200,8 @@ std::string vtkVDBVolumeWriter::StepFileName() const
     return this->FileName;
   }
   const std::filesystem::path whole(this->FileName);
-  const std::string name =
-    whole.stem().string() + NumberedSuffix(this->FileNameSuffix).With(this->CurrentStep) + whole.extension().string();
+  const std::string name = whole.stem().string() +
+    littoral::NumberedSuffix(this->FileNameSuffix).With(this->CurrentStep) + whole.extension().string();
   return (whole.parent_path() / name).string();
 }
 
@@ -230,7 +210,8 @@ void vtkVDBVolumeWriter::Refuse(const std::string& reason)
 {
   if (littoral::IsFirstRank(this->Controller))
   {
-    vtkErrorMacro("Cannot write " << (this->HasFileName() ? this->StepFileName() : "a volume") << ": " << reason);
+    vtkErrorMacro("Cannot write " << (this->HasFileName() ? "the file " + this->StepFileName() : "a volume") << ": "
+                                  << reason << (reason.back() == '.' ? "" : "."));
   }
 }
 

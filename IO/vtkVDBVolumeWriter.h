@@ -129,6 +129,11 @@ public:
   ///@}
 
   /**
+   * Writes the file; 0 where that fails, after a message.
+   */
+  int Write() override;
+
+  /**
    * Modification time, including that of the array selections.
    */
   vtkMTimeType GetMTime() override;

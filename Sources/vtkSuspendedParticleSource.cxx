@@ -47,15 +47,18 @@ constexpr long long ParticlesAtOnce = 1 << 13;
 constexpr int QuadPoints = 5;
 constexpr int Corners[QuadPoints - 1][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
 
-/// The pictures of all kinds in one.
-littoral::TextureAtlas Pictures()
+/// The pictures of all kinds in one, which are always the same.
+const littoral::TextureAtlas& Pictures()
 {
-  std::vector<littoral::TextureImage> pictures;
-  for (int kind = 0; kind < littoral::ParticleKinds; ++kind)
-  {
-    pictures.push_back(littoral::ParticlePicture(static_cast<littoral::ParticleKind>(kind)));
-  }
-  return littoral::StackTextures(pictures);
+  static const littoral::TextureAtlas atlas = [] {
+    std::vector<littoral::TextureImage> pictures;
+    for (int kind = 0; kind < littoral::ParticleKinds; ++kind)
+    {
+      pictures.push_back(littoral::ParticlePicture(static_cast<littoral::ParticleKind>(kind)));
+    }
+    return littoral::StackTextures(pictures);
+  }();
+  return atlas;
 }
 
 std::array<long long, 2> PicturesSize()
@@ -463,7 +466,8 @@ const char* vtkSuspendedParticleSource::GetPresetAsString() const
 int vtkSuspendedParticleSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -383,13 +383,12 @@ int vtkTurningBandsTerrainSource::RequestData(
     return littoral::FailedRequest(this);
   }
 
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  if (!this->CheckMemory(extent))
+  std::array<int, 6> extent = littoral::RequestedExtent(info);
+  if (!this->CheckMemory(extent.data()))
   {
     return littoral::FailedRequest(this);
   }
-  output->SetExtent(extent);
+  output->SetExtent(extent.data());
   output->SetOrigin(this->Origin);
   output->SetSpacing(this->Spacing);
   if (extent[1] < extent[0] || extent[3] < extent[2])
@@ -397,7 +396,7 @@ int vtkTurningBandsTerrainSource::RequestData(
     return 1; // a rank with nothing to do
   }
   this->SetProgressText("Growing terrain");
-  if (!this->GrowAll(elevation, reflectance, extent, output)) // aborted
+  if (!this->GrowAll(elevation, reflectance, extent.data(), output)) // aborted
   {
     output->Initialize();
     return 1;
@@ -417,7 +416,8 @@ const char* vtkTurningBandsTerrainSource::GetModelAsString() const
 int vtkTurningBandsTerrainSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -291,9 +291,8 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   const Recipe recipe = this->MakeRecipe();
   const littoral::WindGrid& grid = recipe.Grid;
   const bool fresh = this->Internals && this->Internals->Made.GetMTime() > this->GetMTime();
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  const double points = NumberOfPoints(extent);
+  std::array<int, 6> extent = littoral::RequestedExtent(info);
+  const double points = NumberOfPoints(extent.data());
   const double bytes =
     points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
   if (bytes > littoral::AvailableMemory())
@@ -308,7 +307,7 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
     return 1; // aborted
   }
   double place[9];
-  output->SetExtent(extent);
+  output->SetExtent(extent.data());
   info->Get(vtkDataObject::ORIGIN(), place);
   output->SetOrigin(place);
   info->Get(vtkDataObject::SPACING(), place);
@@ -348,7 +347,8 @@ const char* vtkWindFieldSource::GetCoherenceAsString() const
 int vtkWindFieldSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(this, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

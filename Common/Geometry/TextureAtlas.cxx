@@ -94,6 +94,8 @@ TextureAtlas StackTextures(const std::vector<TextureImage>& textures)
     sizes.push_back(FilledSize({ texture.Columns, texture.Rows }));
   }
   const std::array<long long, 2> all = AtlasSize(sizes);
+  const auto width = static_cast<double>(all[0]);
+  const auto height = static_cast<double>(all[1]);
   TextureAtlas atlas;
   atlas.Image = TextureImage(static_cast<int>(all[0]), static_cast<int>(all[1]));
   int firstRow = Border;
@@ -102,10 +104,10 @@ TextureAtlas StackTextures(const std::vector<TextureImage>& textures)
     const auto [columns, rows] = sizes[i];
     CopyWithBorder(textures[i], columns, rows, firstRow, atlas.Image);
     AtlasArea area;
-    area.Corner[0] = static_cast<double>(Border) / all[0];
-    area.Corner[1] = static_cast<double>(firstRow) / all[1];
-    area.Size[0] = static_cast<double>(columns) / all[0];
-    area.Size[1] = static_cast<double>(rows) / all[1];
+    area.Corner[0] = Border / width;
+    area.Corner[1] = firstRow / height;
+    area.Size[0] = columns / width;
+    area.Size[1] = rows / height;
     atlas.Areas.push_back(area);
     firstRow += rows + 2 * Border;
   }

@@ -310,7 +310,8 @@ ColorSum MeanOf(const TextureImage& texture)
   }
   for (int channel = 0; channel < 3; ++channel)
   {
-    sum[channel] = count > 0 && sums[channel] > 0.0 ? static_cast<float>(sums[channel] / count) : 1.0f;
+    sum[channel] =
+      count > 0 && sums[channel] > 0.0 ? static_cast<float>(sums[channel] / static_cast<double>(count)) : 1.0f;
   }
   return sum;
 }

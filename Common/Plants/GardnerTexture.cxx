@@ -42,19 +42,47 @@ GardnerTexture::GardnerTexture(const GardnerTextureParameters& parameters)
 
 double GardnerTexture::At(double x, double y) const
 {
-  x += this->P.Origin[0];
-  y += this->P.Origin[1];
-  double alongX = 0.0;
-  double alongY = 0.0;
-  for (const Term& term : this->Terms)
+  return this->OnGrid({ x }, { y }).front();
+}
+
+std::vector<double> GardnerTexture::OnGrid(const std::vector<double>& x, const std::vector<double>& y) const
+{
+  // PX_i = pi/2 sin(FY_(i-1) y) of each row, and the same for y of each column
+  const auto phasesOf = [this](const std::vector<double>& places, double origin, double Term::*frequency) {
+    std::vector<double> phases;
+    for (const double place : places)
+    {
+      for (const Term& term : this->Terms)
+      {
+        phases.push_back(0.5 * Pi * std::sin(term.*frequency * (place + origin)));
+      }
+    }
+    return phases;
+  };
+  const std::vector<double> rows = phasesOf(y, this->P.Origin[1], &Term::YBefore);
+  const std::vector<double> columns = phasesOf(x, this->P.Origin[0], &Term::XBefore);
+  std::vector<double> values;
+  values.reserve(x.size() * y.size());
+  const std::size_t terms = this->Terms.size();
+  for (std::size_t row = 0; row < y.size(); ++row)
   {
-    // C_i [sin(FX_i x + PX_i) + T0], PX_i = pi/2 sin(FY_(i-1) y); the same for y
-    const double phaseX = 0.5 * Pi * std::sin(term.YBefore * y);
-    const double phaseY = 0.5 * Pi * std::sin(term.XBefore * x);
-    alongX += term.Amplitude * (std::sin(term.X * x + phaseX) + this->P.Offset);
-    alongY += term.Amplitude * (std::sin(term.Y * y + phaseY) + this->P.Offset);
+    for (std::size_t column = 0; column < x.size(); ++column)
+    {
+      double alongX = 0.0;
+      double alongY = 0.0;
+      for (std::size_t i = 0; i < terms; ++i)
+      {
+        // C_i [sin(FX_i x + PX_i) + T0]; the same for y
+        const Term& term = this->Terms[i];
+        const double placeX = term.X * (x[column] + this->P.Origin[0]) + rows[row * terms + i];
+        const double placeY = term.Y * (y[row] + this->P.Origin[1]) + columns[column * terms + i];
+        alongX += term.Amplitude * (std::sin(placeX) + this->P.Offset);
+        alongY += term.Amplitude * (std::sin(placeY) + this->P.Offset);
+      }
+      values.push_back(this->Scale * alongX * alongY);
+    }
   }
-  return this->Scale * alongX * alongY;
+  return values;
 }
 
 double GardnerTexture::Threshold(double profile) const
@@ -81,18 +109,46 @@ Texel TexelOf(const GardnerTexture& texture, double value, double profile)
   return texel;
 }
 
+/// Numbers in the middles of equal steps from 0 to an end.
+std::vector<double> Middles(double end, int count)
+{
+  std::vector<double> middles;
+  for (int step = 0; step < count; ++step)
+  {
+    middles.push_back(end * (step + 0.5) / count);
+  }
+  return middles;
+}
+
 void AddSections(const GardnerTexture& texture, TextureImage& picture)
 {
   const int half = GardnerColumns / 2;
+  std::vector<double> across = Middles(2.0, half);
+  std::vector<double> up = Middles(2.0, SectionRows);
+  std::vector<double> x;
+  std::vector<double> y;
+  for (double& place : across)
+  {
+    place -= 1.0;
+    x.push_back(place);
+  }
+  for (const double place : across) // the other section shows what lies on the other side
+  {
+    x.push_back(Pi + place);
+  }
+  for (double& place : up)
+  {
+    place -= 1.0;
+    y.push_back(0.5 * Pi + place);
+  }
+  const std::vector<double> values = texture.OnGrid(x, y);
   for (int row = 0; row < SectionRows; ++row)
   {
     for (int column = 0; column < GardnerColumns; ++column)
     {
-      const double across = 2.0 * (column % half + 0.5) / half - 1.0;
-      const double up = 2.0 * (row + 0.5) / SectionRows - 1.0;
-      // The other section shows what lies on the other side.
-      const double value = texture.At((column < half ? 0.0 : Pi) + across, 0.5 * Pi + up);
-      picture.At(column, row) = TexelOf(texture, value, 1.0 - across * across - up * up);
+      const double outwards = across[column % half];
+      picture.At(column, row) =
+        TexelOf(texture, values[row * GardnerColumns + column], 1.0 - outwards * outwards - up[row] * up[row]);
     }
   }
 }
@@ -100,15 +156,15 @@ void AddSections(const GardnerTexture& texture, TextureImage& picture)
 void AddShells(const GardnerTexture& texture, int shells, TextureImage& picture)
 {
   const int stripRows = StripRows(shells);
+  const std::vector<double> values = texture.OnGrid(Middles(TwoPi, GardnerColumns), Middles(Pi, stripRows));
   for (int row = 0; row < stripRows; ++row)
   {
     for (int column = 0; column < GardnerColumns; ++column)
     {
-      const double value = texture.At(TwoPi * (column + 0.5) / GardnerColumns, Pi * (row + 0.5) / stripRows);
       for (int shell = 0; shell < shells; ++shell)
       {
         picture.At(column, SectionRows + shell * stripRows + row) =
-          TexelOf(texture, value, ShellProfile(shell, shells));
+          TexelOf(texture, values[row * GardnerColumns + column], ShellProfile(shell, shells));
       }
     }
   }

@@ -36,6 +36,9 @@ public:
   /// T, at most 1; x and y in radians, with the period 2 pi in x.
   double At(double x, double y) const;
 
+  /// T at all pairs of an x and a y, row by row of one y each.
+  std::vector<double> OnGrid(const std::vector<double>& x, const std::vector<double>& y) const;
+
   /// Opaque is what lies above this: T1 + (T2 - T1) (1 - g). The profile g is 1 in the middle of a quadric's outline
   /// and 0 at its silhouette.
   double Threshold(double profile) const;

@@ -140,7 +140,7 @@ std::vector<double> PeriodicResponse(const Oscillator& oscillator, double step, 
 {
   const std::size_t count = load.size();
   const OscillatorStep advance(oscillator, step);
-  const Matrix free = FreeOver(oscillator.Frequency * step * count, oscillator.DampingRatio);
+  const Matrix free = FreeOver(oscillator.Frequency * step * static_cast<double>(count), oscillator.DampingRatio);
   std::vector<double> places(count);
   OscillatorState first;
   // y_0 += (I - A^N)^-1 (y_N - y_0): the first run from rest finds the steady state but for rounding, the second the

@@ -34,7 +34,7 @@ public:
   void Settle(std::size_t column, std::size_t samples);
 
   /// Displacements along an axis, one an oscillator.
-  const double* Displacements(int axis) const { return &this->State[(2 * axis) * this->Columns]; }
+  const double* Displacements(std::size_t axis) const { return &this->State[(2 * axis) * this->Columns]; }
 
 private:
   std::size_t Columns;

@@ -371,7 +371,7 @@ void PlantSway::TabulateShared(long long first)
   }
   for (std::size_t row = 0; row < TableRows; ++row)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
       std::copy_n(bank.Displacements(axis), columns, &this->Table[(3 * row + axis) * columns]);
     }

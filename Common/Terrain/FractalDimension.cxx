@@ -35,8 +35,8 @@ Slope FitSlope(const std::vector<double>& x, const std::vector<double>& y)
   double meanY = 0.0;
   for (std::size_t i = 0; i < n; ++i)
   {
-    meanX += x[i] / n;
-    meanY += y[i] / n;
+    meanX += x[i] / static_cast<double>(n);
+    meanY += y[i] / static_cast<double>(n);
   }
   double xx = 0.0;
   double xy = 0.0;
@@ -48,7 +48,7 @@ Slope FitSlope(const std::vector<double>& x, const std::vector<double>& y)
     yy += (y[i] - meanY) * (y[i] - meanY);
   }
   slope.Value = xy / xx;
-  slope.StandardError = std::sqrt(std::max(0.0, yy - slope.Value * xy) / ((n - 2) * xx));
+  slope.StandardError = std::sqrt(std::max(0.0, yy - slope.Value * xy) / (static_cast<double>(n - 2) * xx));
   return slope;
 }
 

@@ -42,11 +42,11 @@ SampleMoments Moments(const GridSamples& samples)
   {
     return moments;
   }
-  moments.Mean = sum / moments.Count;
+  moments.Mean = sum / static_cast<double>(moments.Count);
   double squares = 0.0;
   ForEachValue(
     samples, [&](double, double, double value) { squares += (value - moments.Mean) * (value - moments.Mean); });
-  moments.Variance = squares / moments.Count;
+  moments.Variance = squares / static_cast<double>(moments.Count);
   return moments;
 }
 

@@ -438,7 +438,7 @@ std::vector<VariogramFit> FitAllModels(
     const auto byCriterion = [](const VariogramFit& a, const VariogramFit& b) { return a.AICc < b.AICc; };
     return std::min_element(of.begin(), of.end(), byCriterion)->AICc;
   };
-  const bool noisy = options.Nugget && least(fits[1]) < least(fits[0]) - NuggetGain * used.size();
+  const bool noisy = options.Nugget && least(fits[1]) < least(fits[0]) - NuggetGain * static_cast<double>(used.size());
   std::vector<VariogramFit>& ranked = fits[noisy ? 1 : 0];
   // A fit that failed has an infinite criterion and comes last.
   const auto rank = [](

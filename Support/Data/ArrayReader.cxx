@@ -190,7 +190,9 @@ void ArrayReader::NeedFinite(vtkDataArray* array)
 
 void ArrayReader::NeedIds(vtkDataArray* array, vtkIdType count, const char* of, vtkIdType lowest)
 {
-  const vtkIdType bad = FirstOutside(array, [lowest, count](auto id) { return id >= lowest && id < count; });
+  const auto low = static_cast<double>(lowest);
+  const auto high = static_cast<double>(count);
+  const vtkIdType bad = FirstOutside(array, [low, high](double id) { return id >= low && id < high; });
   if (bad >= 0)
   {
     const int components = array->GetNumberOfComponents();

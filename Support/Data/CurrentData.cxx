@@ -7,6 +7,7 @@
 #include "Data/Cells.h"
 #include "Data/FlowPrimitiveData.h"
 #include "Data/Inputs.h"
+#include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellType.h"
@@ -59,13 +60,14 @@ public:
 
   bool IsSingle() const { return this->Single != nullptr; }
 
-  /// Velocity of a point; none where it is no number.
+  /// Velocity of a point; none where it is no number, or as large as what ocean models write on land.
   Vector3 At(vtkIdType id) const
   {
     const Vector3 value = this->Single
       ? Vector3(this->Single[3 * id], this->Single[3 * id + 1], this->Single[3 * id + 2])
       : Vector3(this->Double[3 * id], this->Double[3 * id + 1], this->Double[3 * id + 2]);
-    return IsFinite(value) ? value : Vector3(0.0);
+    const double largest = std::max({ std::abs(value.x), std::abs(value.y), std::abs(value.z) });
+    return IsFinite(value) && largest <= LargestMagnitude ? value : Vector3(0.0);
   }
 
 private:

@@ -162,6 +162,8 @@ void AttachNormalTexture(vtkDataObject* block, const std::vector<Color>& normals
 void CopyToImage(const TextureImage& texture, vtkImageData* image)
 {
   image->SetExtent(0, texture.Columns - 1, 0, texture.Rows - 1, 0, 0);
+  image->SetOrigin(0.0, 0.0, 0.0); // VTK would pass on those of an image that was an input once
+  image->SetSpacing(1.0, 1.0, 1.0);
   image->GetPointData()->SetScalars(ArrayOf<vtkUnsignedCharArray>(plant::Texture, 4, texture.Texels));
 }
 

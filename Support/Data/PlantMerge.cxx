@@ -272,7 +272,8 @@ double PlantMerge::GetBytes() const
   {
     cellBytes += static_cast<double>(array.TupleBytes());
   }
-  return pointBytes * end.Point + cellBytes * end.Cell + idBytes * end.Corner;
+  return pointBytes * static_cast<double>(end.Point) + cellBytes * static_cast<double>(end.Cell) +
+    idBytes * static_cast<double>(end.Corner);
 }
 
 vtkSmartPointer<vtkDataArray> PlantMerge::Add(const PartArray& array, std::size_t tuples, std::vector<Target>& targets)

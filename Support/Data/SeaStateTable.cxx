@@ -62,7 +62,8 @@ void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameter
     frequencies->InsertNextValue(edges[bin] / TwoPi);
     for (std::size_t step = 0; step < steps; ++step)
     {
-      densities->InsertNextValue(densityAt(edges[bin] + (edges[bin + 1] - edges[bin]) * step / steps));
+      densities->InsertNextValue(
+        densityAt(edges[bin] + (edges[bin + 1] - edges[bin]) * static_cast<double>(step) / static_cast<double>(steps)));
     }
   }
   frequencies->InsertNextValue(edges.back() / TwoPi);

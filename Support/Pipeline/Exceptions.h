@@ -49,13 +49,15 @@ private:
 /// Reports an exception as a mistake of the algorithm, and returns FailedRequest().
 int FailedBy(vtkAlgorithm* algorithm, const std::string& reason);
 
-/// What a request returns; FailedBy() if it ends by an exception.
-template <typename Request>
-int WithoutExceptions(vtkAlgorithm* algorithm, const Request& request)
+/// What the answer to a request returns; FailedBy() if it ends by an exception.
+template <typename Answer>
+int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, const Answer& answer)
 {
+  const AnsweredRequest answered(algorithm, request);
   try
   {
-    return request();
+    const int result = answer();
+    return result != 0 ? result : answered.Failed();
   }
   catch (const std::bad_alloc&)
   {

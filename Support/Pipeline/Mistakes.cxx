@@ -9,7 +9,9 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationIdTypeKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationKeyLookup.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -43,6 +45,36 @@ vtkInformationIdTypeKey* MistakesTime()
 {
   static auto* key = SharedKey<vtkInformationIdTypeKey>("MISTAKES_TIME");
   return key;
+}
+
+/// The request that an algorithm answers.
+vtkInformationObjectBaseKey* CurrentRequest()
+{
+  static auto* key = SharedKey<vtkInformationObjectBaseKey>("CURRENT_REQUEST");
+  return key;
+}
+
+/// Whether a request has asked for information before. VTK has a request for information and another for data, but one
+/// for both in its loop over the leaves of a composite: a new one for each loop.
+vtkInformationIntegerKey* HasInformed()
+{
+  static auto* key = SharedKey<vtkInformationIntegerKey>("HAS_INFORMED");
+  return key;
+}
+
+/// Whether a leaf of such a loop was a mistake.
+vtkInformationIntegerKey* HasFailed()
+{
+  static auto* key = SharedKey<vtkInformationIntegerKey>("HAS_FAILED");
+  return key;
+}
+
+/// The request of the loop that the algorithm is in; null if it is in none.
+vtkInformation* LoopOf(vtkAlgorithm* algorithm)
+{
+  auto* request = vtkInformation::SafeDownCast(algorithm->GetInformation()->Get(CurrentRequest()));
+  const bool isLoop = request && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && request->Has(HasInformed());
+  return isLoop ? request : nullptr;
 }
 
 /// A message without its numbers and names of VTK's types, in which those of the leaves of a composite differ.
@@ -98,12 +130,44 @@ bool IsDueToUpstream(vtkAlgorithm* algorithm)
 
 }
 
-bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message)
+AnsweredRequest::AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request)
+  : Algorithm(algorithm)
+  , Request(request)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    request->Set(HasInformed(), 1);
+  }
+  algorithm->GetInformation()->Set(CurrentRequest(), request);
+}
+
+int AnsweredRequest::Failed() const
+{
+  if (this->Request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) &&
+    this->Algorithm->GetNumberOfInputConnections(0) == 0)
+  {
+    FailedBy(this->Algorithm, "There is no input.");
+  }
+  return 0;
+}
+
+AnsweredRequest::~AnsweredRequest()
+{
+  this->Algorithm->GetInformation()->Remove(CurrentRequest());
+}
+
+bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message, bool isError)
 {
   vtkInformation* info = algorithm->GetInformation();
+  vtkInformation* loop = LoopOf(algorithm);
+  const bool isFurther = loop && loop->Has(HasFailed());
+  if (loop && isError)
+  {
+    loop->Set(HasFailed(), 1);
+  }
   const std::string line = Essence(message) + "\n";
   const std::string printed = HasMistakes(algorithm) ? info->Get(Mistakes()) : "";
-  if (printed.find(line) != std::string::npos || IsDueToUpstream(algorithm))
+  if (isFurther || printed.find(line) != std::string::npos || IsDueToUpstream(algorithm))
   {
     return false;
   }

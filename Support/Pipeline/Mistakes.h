@@ -21,10 +21,28 @@ namespace littoral
 
 /**
  * Whether a message is to be printed: the first time since the algorithm was modified. Messages that differ in numbers
- * and names of types alone are the same. What follows from an upstream algorithm that has reported a mistake and has no output is not
- * printed.
+ * and names of types alone are the same. What follows from an upstream algorithm that has reported a mistake and has no
+ * output is not printed; nor is a second error while VTK hands the leaves of a composite to the algorithm one by one.
  */
-bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message);
+bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message, bool isError = true);
+
+/// Lets mistakes be told by the request that they belong to, as long as it is answered.
+class AnsweredRequest
+{
+public:
+  AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request);
+  ~AnsweredRequest();
+
+  /// 0, after a message if there is no input that the type of the output could follow from. VTK has none for that.
+  int Failed() const;
+
+  AnsweredRequest(const AnsweredRequest&) = delete;
+  AnsweredRequest& operator=(const AnsweredRequest&) = delete;
+
+private:
+  vtkAlgorithm* Algorithm;
+  vtkInformation* Request;
+};
 
 /// Carries the printed messages over a modification since the time `before` that mends nothing, such as another view.
 void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before);
@@ -62,7 +80,7 @@ bool IsAnnouncedEmpty(vtkInformation* output);
   {                                                                                                                    \
     std::ostringstream littoralMessage;                                                                                \
     littoralMessage << "" x;                                                                                           \
-    if (littoral::IsNewMistake(this, littoralMessage.str()))                                                           \
+    if (littoral::IsNewMistake(this, littoralMessage.str(), false))                                                    \
     {                                                                                                                  \
       vtkWarningMacro(<< littoralMessage.str());                                                                       \
     }                                                                                                                  \

@@ -97,4 +97,12 @@ void ForgetExtent(vtkInformation* output)
   output->Set(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT(), none, 6);
 }
 
+std::array<int, 6> RequestedExtent(vtkInformation* output)
+{
+  std::array<int, 6> extent;
+  output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  const bool isEmpty = extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
+  return isEmpty ? std::array<int, 6>{ 0, -1, 0, -1, 0, -1 } : extent;
+}
+
 }

@@ -15,6 +15,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace littoral
@@ -40,18 +41,18 @@ bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, d
     {
       return false;
     }
-    algorithm->UpdateProgress(first + (last - first) * done / count);
+    algorithm->UpdateProgress(first + (last - first) * static_cast<double>(done) / static_cast<double>(count));
     const std::size_t end = std::min(count, done + batch);
-    FirstException first;
+    FirstException exception;
     vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), 1, [&](vtkIdType a, vtkIdType b) {
-      first.Catch([&] {
+      exception.Catch([&] {
         for (vtkIdType piece = a; piece < b; ++piece)
         {
           task(static_cast<std::size_t>(piece));
         }
       });
     });
-    first.Rethrow();
+    exception.Rethrow();
   }
   return true;
 }
@@ -90,6 +91,10 @@ void RequestAll(vtkInformation* input);
  * which may lie beyond what there is by then. For the beginning of RequestData.
  */
 void ForgetExtent(vtkInformation* output);
+
+/// The extent that is asked of an image. All that have no points are the same empty one: of others VTK computes numbers
+/// of points below 0.
+std::array<int, 6> RequestedExtent(vtkInformation* output);
 
 }
 

@@ -48,7 +48,7 @@ void AddParticles(vtkCurrentDriftFilter* drift)
 /// Steps of a current without an end; each time asked for is one step later.
 void TakeSteps(benchmark::State& state, vtkCurrentDriftFilter* drift)
 {
-  long step = 0;
+  int step = 0;
   drift->UpdateTimeStep(0.0);
   for (auto _ : state)
   {

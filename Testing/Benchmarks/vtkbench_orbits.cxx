@@ -47,7 +47,8 @@ SeaState Sea(double depth)
 template <typename Real>
 void MoveMillion(benchmark::State& state)
 {
-  const double depth = state.range(0) == 0 ? std::numeric_limits<double>::infinity() : state.range(0);
+  const double depth =
+    state.range(0) == 0 ? std::numeric_limits<double>::infinity() : static_cast<double>(state.range(0));
   const SeaState sea = Sea(depth);
   const std::vector<Real> centers = Centers<Real>();
   std::vector<Real> moved(3 * Count);
@@ -77,7 +78,7 @@ void FunctionsAlone(benchmark::State& state)
     {
       for (int train = 0; train < 30; ++train)
       {
-        const float x = 1e-6f * n + 0.1f * train;
+        const float x = 1e-6f * static_cast<float>(n) + 0.1f * static_cast<float>(train);
         sum += std::sin(x) + std::cos(x) + std::exp(-x) + std::exp(-2.0f * x);
       }
     }

@@ -91,7 +91,8 @@ void AllInFull(benchmark::State& state)
     }
   }
   forest.Report(state);
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * state.counters["OutputBytes"].value));
+  state.SetBytesProcessed(
+    static_cast<std::int64_t>(static_cast<double>(state.iterations()) * state.counters["OutputBytes"].value));
 }
 BENCHMARK(AllInFull)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(3);
 

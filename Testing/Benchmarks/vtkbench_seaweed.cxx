@@ -117,7 +117,7 @@ struct Scene
 void StepForest(benchmark::State& state)
 {
   Scene scene(static_cast<int>(state.range(0)), { littoral::plant::Skeleton });
-  long step = 0;
+  int step = 0;
   // Many steps a picture: the rest is small beside them.
   constexpr int Steps = 20;
   for (auto _ : state)
@@ -162,7 +162,7 @@ void Pictures(benchmark::State& state)
   Scene scene(300, { littoral::plant::Skeleton, littoral::plant::Skin });
   scene.Move->SetMethod(static_cast<int>(state.range(0)));
   scene.Move->UpdateTimeStep(0.0);
-  long step = 0;
+  int step = 0;
   for (auto _ : state)
   {
     scene.Move->UpdateTimeStep(++step / 48.0);

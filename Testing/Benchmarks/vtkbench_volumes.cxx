@@ -42,10 +42,12 @@ vtkSmartPointer<vtkImageData> Cloud()
     density->SetNumberOfTuples(image->GetNumberOfPoints());
     for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
     {
-      const double x = n % side, y = n / side % side, z = n / (side * side);
+      const double x = static_cast<double>(n % side);
+      const double y = static_cast<double>(n / side % side);
+      const double z = static_cast<double>(n / (side * side));
       density->SetValue(n,
-        static_cast<float>(
-          1.5 + std::sin(0.11 * x) * std::sin(0.07 * y) * std::sin(0.05 * z) + 1e-3 * (n * 7919 % 1009)));
+        static_cast<float>(1.5 + std::sin(0.11 * x) * std::sin(0.07 * y) * std::sin(0.05 * z) +
+          1e-3 * static_cast<double>(n * 7919 % 1009)));
     }
     image->GetPointData()->SetScalars(density);
   }
@@ -94,7 +96,7 @@ void Writer(benchmark::State& state, vtkImageData* image)
   {
     writer->Write();
   }
-  state.counters["MB"] = std::filesystem::file_size(Path("littoral-writer.vdb")) / 1e6;
+  state.counters["MB"] = static_cast<double>(std::filesystem::file_size(Path("littoral-writer.vdb"))) / 1e6;
   std::filesystem::remove(Path("littoral-writer.vdb"));
 }
 

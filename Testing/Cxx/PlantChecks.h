@@ -51,7 +51,7 @@ inline bool HasArrays(vtkAlgorithm* source, const char* path, std::initializer_l
 /// Each vertex belongs to nodes of the skeleton, with weights that sum to 1.
 inline bool Joints(vtkAlgorithm* source, const char* path)
 {
-  const vtkIdType nodes = PartOf(source, "High/Skeleton")->GetNumberOfPoints();
+  const auto nodes = static_cast<double>(PartOf(source, "High/Skeleton")->GetNumberOfPoints());
   vtkPointData* arrays = PartOf(source, path)->GetPointData();
   vtkDataArray* ids = arrays->GetArray("JointIds");
   vtkDataArray* weights = arrays->GetArray("JointWeights");

@@ -58,21 +58,23 @@ bool Levels()
 bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  return Fails<Source>("Preset", [](Source* s) { s->SetPreset(13); }) &
-    Fails<Source>("Branching", [](Source* s) { s->SetBranching(3); }) &
-    Fails<Source>("Iterations", [](Source* s) { s->SetIterations(0); }) &
-    Fails<Source>("Iterations", [](Source* s) { s->SetIterations(40); }) &
-    Fails<Source>("LengthRatio1", [=](Source* s) { s->SetLengthRatio1(nan); }) &
-    Fails<Source>("Angle2", [](Source* s) { s->SetAngle2(180.0); }) &
-    Fails<Source>("Tropism", [=](Source* s) { s->SetTropism(0.0, nan, 0.0); }) &
-    Fails<Source>("TrunkLength", [](Source* s) { s->SetTrunkLength(0.0); }) &
-    Fails<Source>("Variation", [](Source* s) { s->SetVariation(0.6); }) &
-    Fails<Source>("NumberOfLeaves", [](Source* s) { s->SetNumberOfLeaves(-1); }) &
-    Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); }) &
-    Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); }) &
-    Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); }) &
-    Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); }) &
-    Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
+  bool good = true;
+  good &= Fails<Source>("Preset", [](Source* s) { s->SetPreset(13); });
+  good &= Fails<Source>("Branching", [](Source* s) { s->SetBranching(3); });
+  good &= Fails<Source>("Iterations", [](Source* s) { s->SetIterations(0); });
+  good &= Fails<Source>("Iterations", [](Source* s) { s->SetIterations(40); });
+  good &= Fails<Source>("LengthRatio1", [=](Source* s) { s->SetLengthRatio1(nan); });
+  good &= Fails<Source>("Angle2", [](Source* s) { s->SetAngle2(180.0); });
+  good &= Fails<Source>("Tropism", [=](Source* s) { s->SetTropism(0.0, nan, 0.0); });
+  good &= Fails<Source>("TrunkLength", [](Source* s) { s->SetTrunkLength(0.0); });
+  good &= Fails<Source>("Variation", [](Source* s) { s->SetVariation(0.6); });
+  good &= Fails<Source>("NumberOfLeaves", [](Source* s) { s->SetNumberOfLeaves(-1); });
+  good &= Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); });
+  good &= Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); });
+  good &= Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
+  good &= Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); });
+  good &= Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
+  return good;
 }
 
 }

@@ -102,10 +102,12 @@ bool Views(bool isHorizontal)
     }
   }
   const std::string angle = isHorizontal ? "horizontal" : "vertical";
-  return Check(planes, "planes are not those of the camera, " + angle + " angle") &
-    Check(wrong == 0, std::to_string(wrong) + " places are misjudged, " + angle + " angle") &
-    Check(count[0] > 1000 && count[1] > 1000, "too few places are seen or unseen, " + angle + " angle") &
+  bool good = Check(planes, "planes are not those of the camera, " + angle + " angle");
+  good &= Check(wrong == 0, std::to_string(wrong) + " places are misjudged, " + angle + " angle");
+  good &= Check(count[0] > 1000 && count[1] > 1000, "too few places are seen or unseen, " + angle + " angle");
+  good &=
     Check((otherwise > 300) == isHorizontal, std::to_string(otherwise) + " places depend on the side of the angle");
+  return good;
 }
 
 /// A filter that follows a renderer has the vertical angle of its picture.
@@ -138,6 +140,9 @@ bool Follows(const std::array<int, 2>& size)
 
 int TestCameraView(int, char*[])
 {
-  const bool good = Views(true) & Views(false) & Follows(Windows[0]) & Follows(Windows[1]);
+  bool good = Views(true);
+  good &= Views(false);
+  good &= Follows(Windows[0]);
+  good &= Follows(Windows[1]);
   return good ? 0 : 1;
 }

@@ -46,7 +46,7 @@ vtkNew<vtkImageData> Image(int nx, int ny, int nz, const std::function<float(int
   image->SetDimensions(nx, ny, nz);
   vtkNew<vtkFloatArray> values;
   values->SetName("Elevation");
-  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
+  for (int n = 0; n < nx * ny * nz; ++n)
   {
     values->InsertNextValue(valueAt(n % nx, n / nx % ny));
   }
@@ -79,7 +79,7 @@ bool CheckBadInput()
   const auto rough = [](int i, int j) { return static_cast<float>((i * 7919 + j * 104729) % 101); };
   bool good = true;
   good &= Fails("constant", Image(20, 20, 1, [](int, int) { return 5.0f; }));
-  good &= Fails("plane", Image(20, 20, 1, [](int i, int j) { return 5.0f + i - 2.0f * j; }));
+  good &= Fails("plane", Image(20, 20, 1, [](int i, int j) { return static_cast<float>(5 + i - 2 * j); }));
   good &= Fails("NaN", Image(20, 20, 1, [=](int, int) { return nan; }));
   good &= Fails("NaN", Image(20, 20, 1, [](int, int) { return -9999.0f; }),
     [](vtkCovarianceFitFilter* fit) { fit->UseNoDataValueOn(); });
@@ -162,12 +162,12 @@ struct Plane
     const vtkIdType count = image->GetNumberOfPoints();
     double squares[2] = { 0.0, 0.0 };
     const auto place = [&](vtkIdType n, int axis) {
-      const double index = axis == 0 ? n % size[0] : n / size[0]; // NOLINT
+      const auto index = static_cast<double>(axis == 0 ? n % size[0] : n / size[0]);
       return (index - 0.5 * (size[axis] - 1)) * image->GetSpacing()[axis];
     };
     for (vtkIdType n = 0; n < count; ++n)
     {
-      this->Mean += values->GetTuple1(n) / count;
+      this->Mean += values->GetTuple1(n) / static_cast<double>(count);
       for (int axis : { 0, 1 })
       {
         this->Slope[axis] += place(n, axis) * values->GetTuple1(n);
@@ -180,7 +180,7 @@ struct Plane
     {
       const double rest =
         values->GetTuple1(n) - this->Mean - this->Slope[0] * place(n, 0) - this->Slope[1] * place(n, 1);
-      this->Variance += rest * rest / count;
+      this->Variance += rest * rest / static_cast<double>(count);
     }
   }
 };

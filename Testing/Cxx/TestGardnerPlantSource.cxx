@@ -98,22 +98,24 @@ bool Levels()
 bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  return Fails<Source>("Preset", [](Source* s) { s->SetPreset(9); }) &
-    Fails<Source>("Height", [](Source* s) { s->SetHeight(0.0); }) &
-    Fails<Source>("Height", [=](Source* s) { s->SetHeight(nan); }) &
-    Fails<Source>("CrownBase", [](Source* s) { s->SetCrownBase(100.0); }) &
-    Fails<Source>("NumberOfQuadrics", [](Source* s) { s->SetNumberOfQuadrics(0); }) &
-    Fails<Source>("Shells", [](Source* s) { s->SetShells(9); }) &
-    Fails<Source>("Terms", [](Source* s) { s->SetTerms(3); }) &
-    Fails<Source>("Frequency", [](Source* s) { s->SetFrequency(5); }) &
-    Fails<Source>("Offset", [=](Source* s) { s->SetOffset(nan); }) &
-    Fails<Source>("CenterThreshold", [](Source* s) { s->SetCenterThreshold(0.9); }) &
-    Fails<Source>("SilhouetteThreshold", [](Source* s) { s->SetSilhouetteThreshold(1.1); }) &
-    Fails<Source>("Variation", [](Source* s) { s->SetVariation(-0.1); }) &
-    Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); }) &
-    Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); }) &
-    Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); }) &
-    Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
+  bool good = true;
+  good &= Fails<Source>("Preset", [](Source* s) { s->SetPreset(9); });
+  good &= Fails<Source>("Height", [](Source* s) { s->SetHeight(0.0); });
+  good &= Fails<Source>("Height", [=](Source* s) { s->SetHeight(nan); });
+  good &= Fails<Source>("CrownBase", [](Source* s) { s->SetCrownBase(100.0); });
+  good &= Fails<Source>("NumberOfQuadrics", [](Source* s) { s->SetNumberOfQuadrics(0); });
+  good &= Fails<Source>("Shells", [](Source* s) { s->SetShells(9); });
+  good &= Fails<Source>("Terms", [](Source* s) { s->SetTerms(3); });
+  good &= Fails<Source>("Frequency", [](Source* s) { s->SetFrequency(5); });
+  good &= Fails<Source>("Offset", [=](Source* s) { s->SetOffset(nan); });
+  good &= Fails<Source>("CenterThreshold", [](Source* s) { s->SetCenterThreshold(0.9); });
+  good &= Fails<Source>("SilhouetteThreshold", [](Source* s) { s->SetSilhouetteThreshold(1.1); });
+  good &= Fails<Source>("Variation", [](Source* s) { s->SetVariation(-0.1); });
+  good &= Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); });
+  good &= Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
+  good &= Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); });
+  good &= Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
+  return good;
 }
 
 }

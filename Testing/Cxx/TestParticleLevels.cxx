@@ -161,7 +161,8 @@ bool CheckArrays()
         double b[3];
         block->GetPoint(n, a);
         particles->GetPoint(id, b);
-        good &= a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && arrays->GetScalars()->GetTuple1(n) == id;
+        good &=
+          a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && arrays->GetScalars()->GetTuple1(n) == static_cast<double>(id);
       }
     }
     good &= Check(good, "a particle has another's place or number");

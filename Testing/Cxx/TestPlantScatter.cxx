@@ -51,17 +51,18 @@ bool Blocks()
   }
   for (const char* name : { "SiteId", "Species", "Scale", "Azimuth", "Position", "Level" })
   {
-    good &= Check(fields->GetArray(name)->GetNumberOfTuples() == forest.Counter("PlantsShown"), name);
+    good &=
+      Check(static_cast<double>(fields->GetArray(name)->GetNumberOfTuples()) == forest.Counter("PlantsShown"), name);
   }
   double bytes = 0.0;
   for (const char* path : Parts)
   {
     vtkPolyData* part = forest.Part(path);
-    bytes += 1024.0 * (part->GetActualMemorySize() - part->GetFieldData()->GetActualMemorySize());
+    bytes += 1024.0 * static_cast<double>(part->GetActualMemorySize() - part->GetFieldData()->GetActualMemorySize());
   }
   good &= Check(std::abs(bytes / forest.Counter("OutputBytes") - 1.0) < 0.05,
     "OutputBytes " + std::to_string(forest.Counter("OutputBytes")) + " for " + std::to_string(bytes));
-  double polygons = 0.0;
+  vtkIdType polygonsInParts = 0;
   for (int part = 0; part < 6; ++part)
   {
     vtkDataArray* ids = forest.Array(Parts[part], "PlantId");
@@ -79,7 +80,7 @@ bool Blocks()
       }
     }
     good &= Check(found == wanted, std::string("plants of ") + Parts[part]);
-    polygons += forest.Part(Parts[part])->GetNumberOfPolys();
+    polygonsInParts += forest.Part(Parts[part])->GetNumberOfPolys();
     // No polygon joins two plants.
     vtkPolyData* data = forest.Part(Parts[part]);
     for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
@@ -96,6 +97,7 @@ bool Blocks()
       }
     }
   }
+  const auto polygons = static_cast<double>(polygonsInParts);
   good &= Check(polygons == forest.Counter("PolygonsShown"), "PolygonsShown");
   good &= Check(polygons < forest.Counter("PolygonsInAll"), "PolygonsInAll");
   return good;
@@ -135,7 +137,8 @@ bool Joints()
   }
   vtkDataArray* ofBranch = forest.Part("High/Skeleton")->GetCellData()->GetArray("PlantId");
   good = good && ofBranch && ofBranch->GetNumberOfTuples() == forest.Part("High/Skeleton")->GetNumberOfLines();
-  return Check(good && rooted.size() == forest.Counter("PlantsHigh"), "joints, parents or roots of another plant");
+  return Check(good && static_cast<double>(rooted.size()) == forest.Counter("PlantsHigh"),
+    "joints, parents or roots of another plant");
 }
 
 /// The lowest point of a plant's trunk stands on the terrain, at the site.

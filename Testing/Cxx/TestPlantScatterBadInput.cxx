@@ -64,48 +64,47 @@ void Drop(Forest& forest, const char* name)
 
 bool BadInput()
 {
-  return Fails("no prototypes", [](Forest& f) { f.Filter->RemoveAllInputConnections(1); }) &
-    Fails("Prototype 1 cannot be scattered: its level High", [](Forest& f) { Drop(f, "High"); }) &
-    Fails("Prototype 1 cannot be scattered: its level Medium", [](Forest& f) { Drop(f, "Medium"); }) &
-    Fails("Prototype 1 cannot be scattered: its level Low", [](Forest& f) { Drop(f, "Low"); }) &
-    Fails("site 4 lies at", [](Forest& f) { f.Sites->GetPoints()->SetPoint(4, 0.0, NaN, 0.0); }) &
-    Fails("Weight 1", [](Forest& f) { f.Filter->SetWeight(1, -1.0); }) &
-    Fails("Weights",
-      [](Forest& f) {
-        f.Filter->SetWeight(0, 0.0);
-        f.Filter->SetWeight(1, 0.0);
-      }) &
-    Fails("Species of site 7 is 2", [](Forest& f) { SetSiteArray(f, "Species", 2.0); }) &
-    Fails("Species of site 7 is 0.5", [](Forest& f) { SetSiteArray(f, "Species", 0.5); }) &
-    Fails("Scale of site 7", [](Forest& f) { SetSiteArray(f, "Scale", 0.0); }) &
-    Fails("Azimuth of site 7", [](Forest& f) { SetSiteArray(f, "Azimuth", NaN); }) &
-    Fails("of 60 sites, 2 lie outside",
-      [](Forest& f) {
-        f.AddTerrain();
-        f.Sites->GetPoints()->SetPoint(1, 41.0, 0.0, 0.0);
-        f.Sites->GetPoints()->SetPoint(2, 0.0, 91.0, 0.0);
-      }) &
-    Fails("no height",
-      [](Forest& f) {
-        f.AddTerrain();
-        f.Terrain->GetPointData()->GetScalars()->FillComponent(0, NaN);
-      }) &
-    Fails("Terrain",
-      [](Forest& f) {
-        f.AddTerrain();
-        f.Terrain->GetPointData()->Initialize();
-      }) &
-    Fails("ScaleVariation", [](Forest& f) { f.Filter->SetScaleVariation(0.6); }) &
-    Fails("TintVariation", [](Forest& f) { f.Filter->SetTintVariation(NaN); }) &
-    Fails("SlopeLimit", [](Forest& f) { f.Filter->SetSlopeLimit(-1.0); }) &
-    Fails("HeightRange", [](Forest& f) { f.Filter->SetHeightRange(2.0, 1.0); }) &
-    Fails("PlantsPerCell", [](Forest& f) { f.Filter->SetPlantsPerCell(0.0); }) &
-    Fails("VisibleDistance", [](Forest& f) { f.Filter->SetVisibleDistance(-1.0); }) &
-    Fails("NearDistance", [](Forest& f) { f.Filter->SetNearDistance(300.0); }) &
-    Fails("ViewAngle", [](Forest& f) { f.Filter->SetViewAngle(0.0); }) & Fails("ParallelScale", [](Forest& f) {
-      f.Filter->ParallelProjectionOn();
-      f.Filter->SetParallelScale(0.0);
-    });
+  bool good = true;
+  good &= Fails("no prototypes", [](Forest& f) { f.Filter->RemoveAllInputConnections(1); });
+  good &= Fails("Prototype 1 cannot be scattered: its level High", [](Forest& f) { Drop(f, "High"); });
+  good &= Fails("Prototype 1 cannot be scattered: its level Medium", [](Forest& f) { Drop(f, "Medium"); });
+  good &= Fails("Prototype 1 cannot be scattered: its level Low", [](Forest& f) { Drop(f, "Low"); });
+  good &= Fails("site 4 lies at", [](Forest& f) { f.Sites->GetPoints()->SetPoint(4, 0.0, NaN, 0.0); });
+  good &= Fails("Weight 1", [](Forest& f) { f.Filter->SetWeight(1, -1.0); });
+  good &= Fails("Weights", [](Forest& f) {
+    f.Filter->SetWeight(0, 0.0);
+    f.Filter->SetWeight(1, 0.0);
+  });
+  good &= Fails("Species of site 7 is 2", [](Forest& f) { SetSiteArray(f, "Species", 2.0); });
+  good &= Fails("Species of site 7 is 0.5", [](Forest& f) { SetSiteArray(f, "Species", 0.5); });
+  good &= Fails("Scale of site 7", [](Forest& f) { SetSiteArray(f, "Scale", 0.0); });
+  good &= Fails("Azimuth of site 7", [](Forest& f) { SetSiteArray(f, "Azimuth", NaN); });
+  good &= Fails("of 60 sites, 2 lie outside", [](Forest& f) {
+    f.AddTerrain();
+    f.Sites->GetPoints()->SetPoint(1, 41.0, 0.0, 0.0);
+    f.Sites->GetPoints()->SetPoint(2, 0.0, 91.0, 0.0);
+  });
+  good &= Fails("no height", [](Forest& f) {
+    f.AddTerrain();
+    f.Terrain->GetPointData()->GetScalars()->FillComponent(0, NaN);
+  });
+  good &= Fails("Terrain", [](Forest& f) {
+    f.AddTerrain();
+    f.Terrain->GetPointData()->Initialize();
+  });
+  good &= Fails("ScaleVariation", [](Forest& f) { f.Filter->SetScaleVariation(0.6); });
+  good &= Fails("TintVariation", [](Forest& f) { f.Filter->SetTintVariation(NaN); });
+  good &= Fails("SlopeLimit", [](Forest& f) { f.Filter->SetSlopeLimit(-1.0); });
+  good &= Fails("HeightRange", [](Forest& f) { f.Filter->SetHeightRange(2.0, 1.0); });
+  good &= Fails("PlantsPerCell", [](Forest& f) { f.Filter->SetPlantsPerCell(0.0); });
+  good &= Fails("VisibleDistance", [](Forest& f) { f.Filter->SetVisibleDistance(-1.0); });
+  good &= Fails("NearDistance", [](Forest& f) { f.Filter->SetNearDistance(300.0); });
+  good &= Fails("ViewAngle", [](Forest& f) { f.Filter->SetViewAngle(0.0); });
+  good &= Fails("ParallelScale", [](Forest& f) {
+    f.Filter->ParallelProjectionOn();
+    f.Filter->SetParallelScale(0.0);
+  });
+  return good;
 }
 
 /// More plants in full than any memory holds: an error before any of it is asked for.

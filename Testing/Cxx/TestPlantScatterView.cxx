@@ -83,9 +83,10 @@ bool Culling()
   }
   const std::string counts = std::to_string(seen[0]) + " and " + std::to_string(seen[1]) + " plants are seen, " +
     std::to_string(left) + " left out";
-  return Check(seen[0] > 300 && seen[1] > 300 && left > 1200, counts) &
-    Check(lost[0] == 0, std::to_string(lost[0]) + " plants are lost in perspective; " + counts) &
-    Check(lost[1] == 0, std::to_string(lost[1]) + " plants are lost in parallel projection; " + counts);
+  bool good = Check(seen[0] > 300 && seen[1] > 300 && left > 1200, counts);
+  good &= Check(lost[0] == 0, std::to_string(lost[0]) + " plants are lost in perspective; " + counts);
+  good &= Check(lost[1] == 0, std::to_string(lost[1]) + " plants are lost in parallel projection; " + counts);
+  return good;
 }
 
 /// In parallel projection all plants are as large as in a perspective of the same angle at one distance.

@@ -136,7 +136,7 @@ int TestQuadratPatterns(int, char*[])
       double b[3];
       part->GetOutput()->GetPoint(n, a);
       whole->GetPoint(id, b);
-      if (site->GetTuple1(n) != id || a[0] != b[0] || a[1] != b[1])
+      if (site->GetTuple1(n) != static_cast<double>(id) || a[0] != b[0] || a[1] != b[1])
       {
         return !Check(false, "a piece differs from the whole");
       }

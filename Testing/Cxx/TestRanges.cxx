@@ -50,7 +50,8 @@ void Fill(Array* array, int components, vtkIdType tuples)
   array->SetNumberOfTuples(tuples);
   for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k)
   {
-    array->SetValue(k, static_cast<typename Array::ValueType>(100.0 * std::sin(0.37 * k + k % components) + 100.0));
+    const double angle = 0.37 * static_cast<double>(k) + static_cast<double>(k % components);
+    array->SetValue(k, static_cast<typename Array::ValueType>(100.0 * std::sin(angle) + 100.0));
   }
 }
 

@@ -32,19 +32,21 @@ bool Levels()
 bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  return Fails<Source>("Preset", [](Source* s) { s->SetPreset(9); }) &
-    Fails<Source>("SpeciesHeight", [](Source* s) { s->SetSpeciesHeight(0.01); }) &
-    Fails<Source>("SpeciesDiameter", [](Source* s) { s->SetSpeciesDiameter(0.001); }) &
-    Fails<Source>("Height", [](Source* s) { s->SetHeight(0.0); }) &
-    Fails<Source>("Height", [=](Source* s) { s->SetHeight(nan); }) &
-    Fails<Source>("CrownBase", [](Source* s) { s->SetCrownBase(100.0); }) &
-    Fails<Source>("CrownShape", [](Source* s) { s->SetCrownShape(2); }) &
-    Fails<Source>("NumberOfLeaves", [](Source* s) { s->SetNumberOfLeaves(-1); }) &
-    Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); }) &
-    Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); }) &
-    Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); }) &
-    Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); }) &
-    Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
+  bool good = true;
+  good &= Fails<Source>("Preset", [](Source* s) { s->SetPreset(9); });
+  good &= Fails<Source>("SpeciesHeight", [](Source* s) { s->SetSpeciesHeight(0.01); });
+  good &= Fails<Source>("SpeciesDiameter", [](Source* s) { s->SetSpeciesDiameter(0.001); });
+  good &= Fails<Source>("Height", [](Source* s) { s->SetHeight(0.0); });
+  good &= Fails<Source>("Height", [=](Source* s) { s->SetHeight(nan); });
+  good &= Fails<Source>("CrownBase", [](Source* s) { s->SetCrownBase(100.0); });
+  good &= Fails<Source>("CrownShape", [](Source* s) { s->SetCrownShape(2); });
+  good &= Fails<Source>("NumberOfLeaves", [](Source* s) { s->SetNumberOfLeaves(-1); });
+  good &= Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); });
+  good &= Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); });
+  good &= Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
+  good &= Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); });
+  good &= Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
+  return good;
 }
 
 }

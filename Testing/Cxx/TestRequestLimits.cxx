@@ -232,6 +232,23 @@ bool TestPlaces()
   good &= Check(!fog->GetOutput()->GetPointData()->GetScalars(), "fog in an inverted extent");
   fog->UpdateWholeExtent();
   good &= Check(fog->GetOutput()->GetNumberOfPoints() == 120, "no fog after an inverted extent");
+  // With ghosts VTK makes an array for the points of an extent: none, not -8.
+  fog->UpdatePiece(2, 3, 9, inverted);
+  good &= Check(fog->GetOutput()->GetNumberOfPoints() == 0, "points in an inverted extent");
+
+  // What was asked while it was refused does not widen the next request.
+  vtkNew<vtkPolyData> nothing;
+  nothing->DeepCopy(water->GetOutput());
+  nothing->SetPoints(vtkSmartPointer<vtkPoints>::New());
+  fog->SetDimensions(9, 5, 6);
+  fog->SetInputData(nothing);
+  vtkNew<ErrorCounter> refused;
+  refused->Watch(fog);
+  good &= refused->ExpectOneNaming("Input has an array");
+  fog->SetInputConnection(water->GetOutputPort());
+  fog->SetDimensions(6, 5, 4);
+  fog->UpdateWholeExtent();
+  good &= Check(fog->GetOutput()->GetNumberOfPoints() == 120, "another grid after a refused one");
   return good;
 }
 

@@ -116,29 +116,31 @@ bool Resolution()
 bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  return Fails<Source>("Preset", [](Source* s) { s->SetPreset(4); }) &
-    Fails<Source>("Form", [](Source* s) { s->SetForm(-1); }) &
-    Fails<Source>("NumberOfFronds", [](Source* s) { s->SetNumberOfFronds(0); }) &
-    Fails<Source>("HoldfastRadius", [](Source* s) { s->SetHoldfastRadius(0.0); }) &
-    Fails<Source>("SpreadAngle", [](Source* s) { s->SetSpreadAngle(90.0); }) &
-    Fails<Source>("StipeLength", [=](Source* s) { s->SetStipeLength(nan); }) &
-    Fails<Source>("StipeRadius", [](Source* s) { s->SetStipeRadius(-1.0); }) &
-    Fails<Source>("BladeLength", [](Source* s) { s->SetBladeLength(0.0); }) &
-    Fails<Source>("BladeWidth", [](Source* s) { s->SetBladeWidth(0.0); }) &
-    Fails<Source>("BladeThickness", [](Source* s) { s->SetBladeThickness(0.0); }) &
-    Fails<Source>("BladeSpacing", [](Source* s) { s->SetBladeSpacing(0.0); }) &
-    Fails<Source>("FloatRadius", [](Source* s) { s->SetFloatRadius(-0.1); }) &
-    Fails<Source>("Ruffle", [](Source* s) { s->SetRuffle(1.5); }) &
-    Fails<Source>("SegmentsPerBranch", [](Source* s) { s->SetSegmentsPerBranch(1); }) &
-    Fails<Source>("StipeModulus", [](Source* s) { s->SetStipeModulus(-1e7); }) &
-    Fails<Source>("BladeModulus", [=](Source* s) { s->SetBladeModulus(nan); }) &
-    Fails<Source>("DampingRatio", [](Source* s) { s->SetDampingRatio(-0.1); }) &
-    Fails<Source>("StipeDensity", [](Source* s) { s->SetStipeDensity(0.0); }) &
-    Fails<Source>("BladeDensity", [](Source* s) { s->SetBladeDensity(0.0); }) &
-    Fails<Source>("FloatDensity", [](Source* s) { s->SetFloatDensity(0.0); }) &
-    Fails<Source>("Variation", [](Source* s) { s->SetVariation(0.6); }) &
-    Fails<Source>("BladeColor", [](Source* s) { s->SetBladeColor(2.0, 0.0, 0.0); }) &
-    Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
+  bool good = true;
+  good &= Fails<Source>("Preset", [](Source* s) { s->SetPreset(4); });
+  good &= Fails<Source>("Form", [](Source* s) { s->SetForm(-1); });
+  good &= Fails<Source>("NumberOfFronds", [](Source* s) { s->SetNumberOfFronds(0); });
+  good &= Fails<Source>("HoldfastRadius", [](Source* s) { s->SetHoldfastRadius(0.0); });
+  good &= Fails<Source>("SpreadAngle", [](Source* s) { s->SetSpreadAngle(90.0); });
+  good &= Fails<Source>("StipeLength", [=](Source* s) { s->SetStipeLength(nan); });
+  good &= Fails<Source>("StipeRadius", [](Source* s) { s->SetStipeRadius(-1.0); });
+  good &= Fails<Source>("BladeLength", [](Source* s) { s->SetBladeLength(0.0); });
+  good &= Fails<Source>("BladeWidth", [](Source* s) { s->SetBladeWidth(0.0); });
+  good &= Fails<Source>("BladeThickness", [](Source* s) { s->SetBladeThickness(0.0); });
+  good &= Fails<Source>("BladeSpacing", [](Source* s) { s->SetBladeSpacing(0.0); });
+  good &= Fails<Source>("FloatRadius", [](Source* s) { s->SetFloatRadius(-0.1); });
+  good &= Fails<Source>("Ruffle", [](Source* s) { s->SetRuffle(1.5); });
+  good &= Fails<Source>("SegmentsPerBranch", [](Source* s) { s->SetSegmentsPerBranch(1); });
+  good &= Fails<Source>("StipeModulus", [](Source* s) { s->SetStipeModulus(-1e7); });
+  good &= Fails<Source>("BladeModulus", [=](Source* s) { s->SetBladeModulus(nan); });
+  good &= Fails<Source>("DampingRatio", [](Source* s) { s->SetDampingRatio(-0.1); });
+  good &= Fails<Source>("StipeDensity", [](Source* s) { s->SetStipeDensity(0.0); });
+  good &= Fails<Source>("BladeDensity", [](Source* s) { s->SetBladeDensity(0.0); });
+  good &= Fails<Source>("FloatDensity", [](Source* s) { s->SetFloatDensity(0.0); });
+  good &= Fails<Source>("Variation", [](Source* s) { s->SetVariation(0.6); });
+  good &= Fails<Source>("BladeColor", [](Source* s) { s->SetBladeColor(2.0, 0.0, 0.0); });
+  good &= Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
+  return good;
 }
 
 /// A bed of two kinds: lengths scale with the plant, material does not, the width turns with it.
@@ -206,8 +208,9 @@ bool Bed()
     good &= Check(std::abs(at(all, "Across", larger, 0) + at(own, "Across", node, 1)) < 1e-5 &&
         std::abs(at(all, "Across", larger, 1) - at(own, "Across", node, 0)) < 1e-5,
       "the width does not turn with the plant");
-    const double parent = at(own, "ParentId", node);
-    good &= Check(at(all, "ParentId", larger) == (parent < 0.0 ? -1.0 : parent + 3.0 * nodes), "ParentId");
+    const auto parent = static_cast<vtkIdType>(at(own, "ParentId", node));
+    const vtkIdType wanted = parent < 0 ? -1 : parent + 3 * nodes;
+    good &= Check(static_cast<vtkIdType>(at(all, "ParentId", larger)) == wanted, "ParentId");
   }
   bed->SetUseLevels(true);
   bed->SetNearDistance(0.001);

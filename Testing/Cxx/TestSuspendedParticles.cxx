@@ -80,7 +80,8 @@ bool CheckPresets()
     {
       const double z = output->GetPoint(id)[2];
       const double kind = type->GetTuple1(id);
-      good &= (kind != 2.0 || z < -4.9) && output->GetPointData()->GetArray("ParticleId")->GetTuple1(id) == id;
+      good &= (kind != 2.0 || z < -4.9) &&
+        output->GetPointData()->GetArray("ParticleId")->GetTuple1(id) == static_cast<double>(id);
       good &= kind != 0.0 || preset == Source::OpenOcean || z > -4.1;
     }
     Check(good, "kinds where they do not live");

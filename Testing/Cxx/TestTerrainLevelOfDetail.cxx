@@ -63,7 +63,7 @@ vtkSmartPointer<vtkImageData> Hills(int width = Width, int height = Height, int 
     const double y = static_cast<double>(i / width % height);
     heights->InsertNextValue(static_cast<float>(
       120.0 * std::sin(0.05 * x) * std::cos(0.07 * y) + 15.0 * std::sin(0.6 * x + 0.2 * y) * std::sin(0.5 * y)));
-    colors->InsertNextTuple3(i % 251, i % 7, 100);
+    colors->InsertNextTuple3(static_cast<double>(i % 251), static_cast<double>(i % 7), 100);
   }
   image->GetPointData()->AddArray(colors);
   image->GetPointData()->SetScalars(heights);
@@ -105,7 +105,8 @@ bool PointsAreThoseOfTheImage(vtkPolyData* block, vtkImageData* image)
     const double* tcoords = arrays->GetTCoords()->GetTuple2(i);
     good &= point[2] == heights->GetTuple1(sample) && arrays->GetArray("Elevation")->GetTuple1(i) == point[2];
     good &= arrays->GetArray("RGB")->GetComponent(i, 0) == colors->GetComponent(sample, 0);
-    good &= std::abs(tcoords[0] - x / (Width - 1.0)) < 1e-6 && std::abs(tcoords[1] - y / (Height - 1.0)) < 1e-6;
+    good &= std::abs(tcoords[0] - static_cast<double>(x) / (Width - 1.0)) < 1e-6 &&
+      std::abs(tcoords[1] - static_cast<double>(y) / (Height - 1.0)) < 1e-6;
     const double* normal = arrays->GetNormals()->GetTuple3(i);
     good &= normal[2] > 0.0 && std::abs(std::hypot(std::hypot(normal[0], normal[1]), normal[2]) - 1.0) < 1e-6;
   }

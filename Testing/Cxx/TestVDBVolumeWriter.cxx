@@ -59,6 +59,12 @@ std::string InFolder(const std::string& name)
   return (folder / name).string();
 }
 
+/// The size of a file in the folder [bytes].
+double SizeOf(const std::string& name)
+{
+  return static_cast<double>(fs::file_size(folder / name));
+}
+
 std::string BytesOf(const fs::path& path)
 {
   std::ifstream file(path, std::ios::binary);
@@ -85,7 +91,7 @@ vtkSmartPointer<Array> Numbers(const char* name, vtkIdType tuples, int component
   array->SetNumberOfTuples(tuples);
   for (vtkIdType n = 0; n < tuples * components; ++n)
   {
-    array->SetValue(n, 3.0f * Noise(static_cast<int>(n)));
+    array->SetValue(n, static_cast<typename Array::ValueType>(3.0f * Noise(static_cast<int>(n))));
   }
   return array;
 }
@@ -305,8 +311,8 @@ bool CheckHalfSize()
   bool good = Write(writer, image, "single.vdb");
   writer->HalfFloatOn();
   good &= Write(writer, image, "half.vdb");
-  const auto single = static_cast<double>(fs::file_size(InFolder("single.vdb")));
-  return good & Check(fs::file_size(InFolder("half.vdb")) < 0.6 * single, "Half precision does not make small files");
+  const double single = SizeOf("single.vdb");
+  return good & Check(SizeOf("half.vdb") < 0.6 * single, "Half precision does not make small files");
 }
 
 bool CheckHalf()
@@ -365,7 +371,7 @@ bool CheckTolerance()
   good &= Check(sparse->activeVoxelCount() == inside, "The tolerance leaves other samples than the ball");
   good &= Check(LargestDifference(image, *sparse, values, false) <= 0.25, "The tolerance is exceeded");
   good &= Check(sparse->tree().activeTileCount() > 0, "Equal samples are not joined");
-  good &= Check(fs::file_size(InFolder("sparse.vdb")) < 0.2 * fs::file_size(InFolder("dense.vdb")), "Not sparse");
+  good &= Check(SizeOf("sparse.vdb") < 0.2 * SizeOf("dense.vdb"), "Not sparse");
 
   // Blanked points are left out, and their values do not matter.
   auto ghosts = Numbers<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), side * side * side, 1);
@@ -500,6 +506,16 @@ bool CheckSeries()
   errors->Watch(writer);
   writer->SetFileNameSuffix("_%s");
   good &= errors->ExpectOneNaming("FileNameSuffix");
+  for (const char* number : { "", "%d", "%04d" })
+  {
+    writer->SetFileNameSuffix(std::string(100000, 'x') + number);
+    good &= errors->ExpectOneNaming("FileNameSuffix");
+  }
+  // The whole name is too long, not the suffix; and letters stand between "%" and "d", of any number.
+  writer->SetFileNameSuffix(std::string(250, 'x') + "%d");
+  good &= errors->ExpectOneNaming("File name too long.");
+  writer->SetFileNameSuffix("%" + std::string(100000, '0') + "d");
+  good &= errors->ExpectOneNaming("FileNameSuffix");
   writer->SetFileNameSuffix("-%d.x");
   good &= Check(writer->Write() == 1 && fs::exists(InFolder("wind-7.x.vdb")), "Another suffix");
   return good;
@@ -546,7 +562,7 @@ const BadCase BadCases[] = {
   { "Tolerance", [](vtkImageData*, Writer* writer) { writer->SetTolerance(std::nan("")); } },
   { "nowhere/x.vdb: No such file or directory",
     [](vtkImageData*, Writer* writer) { writer->SetFileName(InFolder("nowhere/x.vdb").c_str()); } },
-  { "Cannot write /proc/x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
+  { "Cannot write the file /proc/x.vdb", [](vtkImageData*, Writer* writer) { writer->SetFileName("/proc/x.vdb"); } },
   { "Is a directory", [](vtkImageData*, Writer* writer) { writer->SetFileName(folder.string().c_str()); } },
   { "/dev/null: it is not a regular file", [](vtkImageData*, Writer* writer) { writer->SetFileName("/dev/null"); } },
 };
@@ -572,6 +588,13 @@ bool CheckBadInput()
     good &= Check(BytesOf(InFolder("old.vdb")) == "the old file" && FilesInFolder() == before,
       std::string("The old file has changed, or another is left: ") + bad.Word);
   }
+  vtkNew<Writer> empty;
+  empty->SetFileName(InFolder("old.vdb").c_str());
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(empty);
+  good &=
+    Check(empty->Write() == 0 && errors->Count == 1 && errors->Last.find("there is no input.") != std::string::npos,
+      "A writer without input: " + errors->Last);
   return good;
 }
 

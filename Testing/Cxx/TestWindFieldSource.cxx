@@ -142,7 +142,7 @@ bool CheckBetweenSteps()
   Prepare(source);
   const std::vector<float> start = Velocities(source, 0.0);
   const auto variances = [](const std::vector<float>& image) {
-    std::array<double, 24> variances{}; // by layer and component
+    std::array<double, 24> sums{}; // by layer and component
     for (std::size_t n = 0; n < image.size(); ++n)
     {
       const std::size_t line = n / 720;
@@ -153,10 +153,10 @@ bool CheckBetweenSteps()
       }
       for (std::size_t i = 0; i < 720 && n % 720 < 3; i += 3)
       {
-        variances[3 * (line / 12) + n % 3] += std::pow(image[720 * line + i + n % 3] - mean, 2.0);
+        sums[3 * (line / 12) + n % 3] += std::pow(image[720 * line + i + n % 3] - mean, 2.0);
       }
     }
-    return variances;
+    return sums;
   };
   const std::array<double, 24> wants = variances(start);
   double worst = 0.0;

@@ -29,13 +29,13 @@ def fault(*lines, name=NAME):
     return runner.run(name, cases.opening(name) + [*lines, "finish()"])[0]
 
 
-def heard(text):
-    """The kind of fault of a message of the terrain's."""
+def heard(text, kind=NAME):
+    """The kind of fault of messages of the terrain's, or of another class's."""
     player = oracle.Player(NAME)
     player.play(cases.opening(NAME))
     oracle.messages()
     for part in text.split("|"):
-        vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: In x.cxx, line 1\n{NAME} (0x1): {part}\n\n")
+        vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: In x.cxx, line 1\n{kind} (0x1): {part}\n\n")
     try:
         player.listen()
     except oracle.Fault as found:
@@ -69,12 +69,19 @@ class Fuzzer(unittest.TestCase):
     def test_bytes_of_a_fresh_object(self):
         self.assertEqual(fault("update()", f"{ARRAY} and {ARRAY}.SetValue(3, 7.0)"), "other bytes")
         self.assertEqual(fault("keep()", f"{ARRAY}.SetValue(3, 7.0)", "made.Modified()"), "kept output")
+        # Settings that differ from the working object's are compared with a fresh object that has them too.
+        self.assertEqual(fault("update()", "made.SetRange(7.0)"), "")
+        self.assertEqual(fault("update()", "made.SetRange(7.0)", "update()", f"{ARRAY} and {ARRAY}.SetValue(3, 7.0)"),
+                         "other bytes")
 
     def test_messages(self):
         self.assertEqual(heard("Range is 0; it must be positive."), "")
         self.assertEqual(heard("Range is 0; it must be positive"), "unclear message")
         self.assertEqual(heard("Something is wrong."), "unclear message")
         self.assertEqual(heard("Range is 0.|Range is still 0."), "messages")
+        self.assertEqual(heard("It is not ours.", "vtkImageData"), "foreign message")
+        self.assertEqual(heard(f"Algorithm {NAME} (0x1) returned failure for request: it", "vtkDemandDrivenPipeline"),
+                         "silence")
 
     def test_short_cases(self):
         lines = cases.opening(NAME) + ["made.SetRange(3.0)", "update()", "made.SetSeed(3)", "__import__('os').abort()",

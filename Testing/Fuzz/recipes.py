@@ -2,27 +2,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A small working object of each class: what the cases vary, and what they hand to other classes as inputs."""
 
+import re
+
 import littoral
 
-TREE = {"SetNumberOfLeaves": (40,), "SetTextureSize": (16, 8)}
+TREE = {"SetNumberOfLeaves": (12,), "SetTextureSize": (16, 8)}
 WOOD = ("vtkReevesTreeSource",)
 SEA = ("vtkSeaStateSource",)
 WATER = ("vtkSuspendedParticleSource",)
 FLOW = ("vtkFlowPrimitiveSource",)
 # class: (the classes that its ports get their inputs from, settings). A class without a line takes what its ports want.
 RECIPES = {
-    "vtkTurningBandsTerrainSource": ((), {"SetWholeExtent": (0, 20, 0, 16, 0, 0), "SetNumberOfLines": (16,),
-                                          "SetNumberOfHarmonics": (20,)}),
+    "vtkTurningBandsTerrainSource": ((), {"SetWholeExtent": (0, 12, 0, 10, 0, 0), "SetSpacing": (1.7, 1.7, 1.0),
+                                          "SetNumberOfLines": (16,), "SetNumberOfHarmonics": (20,)}),
     "vtkQuadratPointSource": ((), {"SetQuadrats": (6, 5), "SetOrigin": (1.0, 1.0), "SetSize": (18.0, 14.0)}),
-    "vtkReevesTreeSource": ((), {"SetPreset": (0,), "SetOrders": (2,), "SetMainBranches": (6,), "SetSideBranches": (3,), **TREE}),
+    "vtkReevesTreeSource": ((), {"SetPreset": (0,), "SetOrders": (2,), "SetMainBranches": (3,), "SetSideBranches": (2,), **TREE}),
     "vtkAonoKuniiTreeSource": ((), {"SetPreset": (0,), "SetIterations": (3,), **TREE}),
-    "vtkGardnerPlantSource": ((), {"SetPreset": (0,), "SetNumberOfQuadrics": (2,), "SetShells": (2,), "SetTerms": (4,), "SetTextureSize": (16, 8)}),
+    "vtkGardnerPlantSource": ((), {"SetPreset": (0,), "SetHeight": (40.0,), "SetCrownBase": (35.0,),
+                                   "SetCrownRadius": (1.0,), "SetNumberOfQuadrics": (2,), "SetShells": (2,),
+                                   "SetTerms": (4,), "SetTextureSize": (16, 8)}),
     "vtkSeaweedSource": ((), {"SetSegmentsPerBranch": (4,), "SetTextureSize": (16, 8)}),
     "vtkSeaStateSource": ((), {"SetNumberOfTrains": (8,), "SetSeaLevel": (4.0,)}),
     "vtkSuspendedParticleSource": ((), {"SetDensity": (0.02,)}),
     "vtkFlowPrimitiveSource": ((), {}),
     "vtkWindFieldSource": ((), {"SetDimensions": (16, 4, 4)}),
-    "vtkCovarianceFitFilter": (("vtkTurningBandsTerrainSource",), {"SetNumberOfLags": (8,),
+    "vtkCovarianceFitFilter": (("vtkTurningBandsTerrainSource",), {"SetNumberOfLags": (6,),
                                                                    "SetNumberOfDirections": (4,), "SetFitNugget": (False,),
                                                                    "SetFitAnisotropy": (False,)}),
     "vtkWindStatisticsFilter": (("vtkWindFieldSource",), {}),
@@ -71,6 +75,13 @@ def results(name):
     made = source(name)
     made.Update()
     return [made.GetOutputDataObject(port) for port in range(made.GetNumberOfOutputPorts())]
+
+
+def warm(name, lines):
+    """Updates the objects that a case needs, for all processes that are forked later."""
+    for other in {name, *inputs(name), *re.findall(r"(?:data|source)\('(\w+)'\)", " ".join(lines))}:
+        if source(other).GetNumberOfOutputPorts():
+            source(other).Update()
 
 
 def data(name):

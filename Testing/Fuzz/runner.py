@@ -12,6 +12,7 @@ import tempfile
 import time
 
 import oracle
+import recipes
 
 MEMORY = 3 << 30  # of addresses [bytes]
 PROCESSOR = 20.0  # time of the processor, which does not depend on other programs [s]
@@ -56,6 +57,7 @@ def listen(answer, process):
 
 def run(name, lines):
     """Plays a case: the kind of fault, "" if there is none, and what it was."""
+    recipes.warm(name, lines)
     answer, to_answer = os.pipe()
     with tempfile.TemporaryFile() as errors:
         sys.stdout.flush()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Break formulas one by one: do the tests notice?
 
-    ./littoral mutate [WORD...]
+    ./littoral mutate [--rooms] [WORD...]
 
 builds and tests each mutation of the lists `*.txt` beside this file, or those whose file or text holds one of the words,
 in a copy of the tree. A mutation is killed by a build that fails or a test that fails; a survivor shows a formula that
@@ -14,9 +14,10 @@ no test looks at. A list names a file and its mutations:
     ? common.(WaveNumber|SeaState)
 
 `-` is a piece of a line that stands once in the file, or the whole line, and `+` what stands there instead. First the
-tests of that room of Common are asked, and then, unless one of them fails, all of `ctest -L "common|cxx"`, or those of a
-line `?` with a regular expression. A mutation that no test can notice, since the results are the same, has a line `=`
-with the reason.
+tests of that room of Common are asked, and those elsewhere that include the file's header; then, unless one of them
+fails, all of `ctest -L "common|cxx"`, or those of a line `?` with a regular expression. With `--rooms` these are not
+asked, and the copy is built without VTK. A mutation that no test can notice, since the results are the same, has a line
+`=` with the reason.
 """
 
 import collections
@@ -33,6 +34,10 @@ COPY = os.environ.get("LITTORAL_MUTATION", os.path.join(SOURCE, "build", "mutati
 
 #: Time after which a program counts as failed [s].
 LONGEST = 1800
+
+#: What is built, and with which options, for the tests of the rooms alone.
+ROOMS = ("build-rooms", ["-DLITTORAL_WITH_VTK=OFF", "-DLITTORAL_BUILD_BENCHMARKS=OFF"])
+ALL = ("build", [])
 
 Mutation = collections.namedtuple("Mutation", "file old new tests reason")
 
@@ -82,9 +87,19 @@ def why_unfit(mutation, source=SOURCE):
 
 
 def room_tests(mutation):
-    """The programs that test the room of a file in Common; none elsewhere."""
-    room = os.path.join(COPY, "Testing", os.path.dirname(mutation.file))
-    return [os.path.splitext(os.path.basename(name))[0] for name in sorted(glob.glob(os.path.join(room, "Test*.cxx")))]
+    """The programs that test a file in Common: those with its name, those that include it, the others of its room."""
+    room, name = os.path.split(mutation.file)
+    stem = os.path.splitext(name)[0]
+    header = f'#include "{os.path.basename(room)}/{stem}.h"'
+    ranks = {}
+    for path in sorted(glob.glob(os.path.join(COPY, "Testing", "Common", "*", "Test*.cxx"))):
+        with open(path, encoding="utf-8") as file:
+            includes = header in file.read()
+        own = os.path.relpath(os.path.dirname(path), os.path.join(COPY, "Testing")) == room
+        program = os.path.splitext(os.path.basename(path))[0]
+        if own or includes:
+            ranks[program] = (program != "Test" + stem, not includes, not own)
+    return sorted(ranks, key=ranks.get) if room.startswith("Common") else []
 
 
 def run(command, log):
@@ -97,42 +112,55 @@ def run(command, log):
             return False
 
 
-def prepare():
+def prepare(mutations, rooms):
     """A copy of the tree as it is, with its own build."""
+    folder, options = ROOMS if rooms else ALL
     os.makedirs(COPY, exist_ok=True)
     for entry in os.scandir(COPY):
-        if entry.is_dir() and entry.name != "build":
+        if entry.is_dir() and entry.name not in (ROOMS[0], ALL[0]):
             shutil.rmtree(entry)
     for entry in os.scandir(SOURCE):
         if entry.is_file():
             shutil.copy2(entry, COPY)
-        elif entry.name not in (".git", "build"):
+        elif entry.name != ".git" and not entry.name.startswith("build"):
             shutil.copytree(entry, os.path.join(COPY, entry.name))
+    for mutation in read_all():  # as an earlier run may have left them broken, and built
+        os.utime(os.path.join(COPY, mutation.file))
     log = os.path.join(COPY, "build-mutation.log")
-    if not run(["cmake", "--preset", "release", "-DLITTORAL_BUILD_HELP=OFF"], log) or not build(log):
+    # Programs are not linked again when a library changes.
+    configure = ["cmake", "--preset", "release", "-B", folder, "-DLITTORAL_BUILD_HELP=OFF",
+                 "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON", *options]
+    programs = sorted({program for mutation in mutations for program in room_tests(mutation)})
+    if not run(configure, log) or not build(log, rooms, programs if rooms else ["all"]):
         sys.exit(f"The tree does not build, see {log}")
 
 
-def build(log, targets=("all",)):
-    return run(["cmake", "--build", "build", "--target", *targets], log)
+def build(log, rooms, targets):
+    return run(["cmake", "--build", (ROOMS if rooms else ALL)[0], "--target", *targets], log)
 
 
-def fails_a_test(mutation, log):
-    """Whether one of the tests fails, those of the room first."""
-    environment = os.path.join(COPY, "build", "bin", "littoral-env")
+def failing_test(mutation, rooms, log):
+    """What fails, the tests of the room first: the build, a program or ctest; empty if nothing does."""
+    folder = (ROOMS if rooms else ALL)[0]
+    environment = os.path.join(COPY, folder, "bin", "littoral-env")
     programs = room_tests(mutation)
-    if programs and (not build(log, programs) or any(
-            not run([environment, os.path.join("build", "bin", program), "--gtest_fail_fast"], log)
-            for program in programs)):
-        return True
+    if programs and not build(log, rooms, programs):
+        return "the build"
+    for program in programs:
+        if not run([environment, os.path.join(folder, "bin", program), "--gtest_fail_fast"], log):
+            return program
+    if rooms:
+        return ""
+    if not build(log, rooms, ["all"]):
+        return "the build"
     chosen = ["-R", mutation.tests] if mutation.tests else ["-L", "common|cxx"]
-    return not build(log) or not run(
-        [environment, "xvfb-run", "-a", "ctest", "--test-dir", "build", "--stop-on-failure", "--no-tests=error",
-         "--parallel", str(os.cpu_count()), *chosen], log)
+    return "" if run(
+        [environment, "xvfb-run", "-a", "ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error",
+         "--parallel", str(os.cpu_count()), *chosen], log) else "ctest"
 
 
-def is_killed(mutation):
-    """Whether the build or a test fails once a mutation is made."""
+def killer_of(mutation, rooms):
+    """What fails once a mutation is made; empty if nothing does."""
     name, log = os.path.join(COPY, mutation.file), os.path.join(COPY, "build-mutation.log")
     with open(name, encoding="utf-8") as file:
         whole = file.read()
@@ -140,7 +168,7 @@ def is_killed(mutation):
     try:
         with open(name, "w", encoding="utf-8") as file:
             file.write(whole[:at] + mutation.new + whole[at + len(mutation.old):])
-        return fails_a_test(mutation, log)
+        return failing_test(mutation, rooms, log)
     finally:
         with open(name, "w", encoding="utf-8") as file:
             file.write(whole)
@@ -148,19 +176,22 @@ def is_killed(mutation):
 
 def main(words):
     """Try all mutations with one of the words; exit code 1 if one survives that should not."""
+    rooms = "--rooms" in words
+    words = [word for word in words if word != "--rooms"]
     mutations = [one for one in read_all()
                  if not words or any(word in one.file or word in one.old for word in words)]
     unfit = [reason for reason in map(why_unfit, mutations) if reason]
     if unfit:
         sys.exit("\n".join(unfit))
-    prepare()
+    prepare(mutations, rooms)
     begin, survivors, killed = time.time(), [], 0
     for number, mutation in enumerate(mutations):
-        dead = is_killed(mutation)
+        killer = killer_of(mutation, rooms)
+        dead = killer != ""
         killed += dead
         if dead == bool(mutation.reason):
             survivors.append(mutation)
-        word = "killed" if dead else "the same" if mutation.reason else "SURVIVED"
+        word = f"killed by {killer}" if dead else "the same" if mutation.reason else "SURVIVED"
         left = (time.time() - begin) / (number + 1) * (len(mutations) - number - 1)
         print(f"[{number + 1} of {len(mutations)}, about {left / 60:.0f} min left] {word}: {mutation.file}: "
               f"{mutation.old.strip()}  ->  {mutation.new.strip()}", flush=True)

@@ -2,8 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mistakes in VTK without ParaView: a failed update, and one message until the filter is modified."""
 
-from littoral import vtkBeamTreeDeformationFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
-from littoral import vtkReevesTreeSource, vtkSuspendedParticleSource
+from littoral import vtkBeamTreeDeformationFilter, vtkCurrentDriftFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
+from littoral import vtkPlantWakeFilter, vtkQuadratPointSource, vtkReevesTreeSource, vtkSeaStateSource
+from littoral import vtkSeaSurfaceFilter, vtkSeaweedDeformationFilter, vtkSeaweedSource, vtkSuspendedParticleSource
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 MESSAGES = []
 
@@ -69,3 +73,93 @@ assert not MESSAGES, MESSAGES
 # Sites are points, not the blocks of a plant.
 trees.SetInputConnection(0, tree.GetOutputPort())
 assert messages_of(trees.GetExecutive().Update) == 1 and "The sites are blocks" in MESSAGES[0], MESSAGES
+
+# No input at all, and blocks at an input that is not the first.
+for kind in vtkCurrentDriftFilter, vtkParticleOrbitFilter:
+    assert messages_of(watched(kind()).GetExecutive().Update) == 1 and "There is no input." in MESSAGES[0], MESSAGES
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(1, vtkImageData())
+sites = vtkQuadratPointSource()
+trees = watched(vtkPlantScatterFilter())
+trees.SetInputConnection(0, sites.GetOutputPort())
+trees.SetInputConnection(1, tree.GetOutputPort())
+trees.SetInputDataObject(2, blocks)
+assert messages_of(trees.GetExecutive().Update) == 1 and "Terrain is a vtkMultiBlockDataSet" in MESSAGES[0], MESSAGES
+orbits = watched(vtkParticleOrbitFilter())
+orbits.SetInputConnection(0, particles.GetOutputPort())
+orbits.SetInputDataObject(1, blocks)
+assert messages_of(orbits.GetExecutive().Update) == 1 and "Sea State is a vtkMultiBlockDataSet" in MESSAGES[0], MESSAGES
+
+# Textures lie at the origin, wherever an image lay that was connected before.
+image = vtkImageData()
+image.SetDimensions(3, 3, 1)
+image.SetOrigin(7.0, 8.0, 9.0)
+moved = vtkTrivialProducer()
+moved.SetOutput(image)
+trees = vtkPlantScatterFilter()
+trees.AddObserver("ErrorEvent", lambda *_: None)
+trees.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+trees.SetInputConnection(0, moved.GetOutputPort())
+trees.Update()
+trees.SetInputConnection(0, sites.GetOutputPort())
+trees.SetInputConnection(1, tree.GetOutputPort())
+trees.Update()
+assert trees.GetOutputDataObject(1).GetOrigin() == (0.0, 0.0, 0.0), trees.GetOutputDataObject(1).GetOrigin()
+
+# A current is at rest where its numbers are as large as those that ocean models write on land.
+flow = vtkImageData()
+flow.SetDimensions(2, 2, 2)
+flow.SetOrigin(-20.0, -20.0, -20.0)
+flow.SetSpacing(40.0, 40.0, 40.0)
+land = vtkDoubleArray()
+land.SetName("Velocity")
+land.SetNumberOfComponents(3)
+land.SetNumberOfTuples(8)
+land.Fill(9.96921e36)
+flow.GetPointData().AddArray(land)
+drift = watched(vtkCurrentDriftFilter())
+drift.SetInputConnection(0, particles.GetOutputPort())
+drift.SetInputDataObject(1, flow)
+MESSAGES.clear()
+drift.UpdateTimeStep(1.0)
+assert not MESSAGES and drift.GetOutputDataObject(0).GetBounds() == particles.GetOutputDataObject(0).GetBounds(), MESSAGES
+
+# A wake needs finite radii.
+weed = vtkSeaweedSource()
+sea = vtkSeaStateSource()
+sea.SetSeaLevel(4.0)
+moving = vtkSeaweedDeformationFilter()
+moving.SetGenerateMotion(True)
+moving.SetInputConnection(0, weed.GetOutputPort())
+moving.SetInputConnection(1, sea.GetOutputPort())
+moving.Update()
+spoilt = vtkMultiBlockDataSet()
+spoilt.DeepCopy(moving.GetOutputDataObject(0))
+leaves = spoilt.NewIterator()
+while not leaves.IsDoneWithTraversal():
+    radii = leaves.GetCurrentDataObject().GetPointData().GetArray("Radius")
+    if radii:
+        radii.SetComponent(1, 0, float("inf"))
+    leaves.GoToNextItem()
+wake = watched(vtkPlantWakeFilter())
+wake.SetInputDataObject(0, spoilt)
+assert messages_of(wake.GetExecutive().Update) == 1 and "Radius" in MESSAGES[0], MESSAGES
+
+# VTK hands blocks to the filter one by one; the first bad one is reported, and again after a change.
+blocks = vtkMultiBlockDataSet()
+for index, block in enumerate((vtkPolyData(), vtkTable(), vtkImageData())):
+    blocks.SetBlock(index, block)
+surface = watched(vtkSeaSurfaceFilter())
+surface.SetInputDataObject(blocks)
+for _ in range(2):
+    MESSAGES.clear()
+    surface.Update()
+    assert len(MESSAGES) == 1 and "Input is a vtkPolyData" in MESSAGES[0], MESSAGES
+    MESSAGES.clear()
+    surface.UpdateTimeStep(1.0)
+    assert not MESSAGES, MESSAGES
+    surface.Modified()
+surface.SetInputDataObject(vtkTable())
+for _ in range(2):
+    assert messages_of(surface.GetExecutive().Update) == 1 and "has no wave trains" in MESSAGES[0], MESSAGES
+    surface.Modified()

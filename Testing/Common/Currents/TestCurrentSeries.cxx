@@ -39,6 +39,15 @@ private:
   double Time;
 };
 
+/// A grid that ends a meter short of the walls of a layer, with the same velocity all over.
+class ShortGrid : public VelocityGrid
+{
+public:
+  GridHeights Heights() const override { return { -9.0, -1.0, 1.5, 1.5 }; }
+  bool IsLevelAt(double) const override { return false; }
+  Vector3 Velocity(const Vector3&) const override { return { 0.3, -0.2, 0.4 }; }
+};
+
 std::shared_ptr<const CurrentSnapshot> SnapshotOf(double time)
 {
   return std::make_shared<CurrentSnapshot>(
@@ -270,4 +279,21 @@ TEST(WalledVelocity, NothingFlowsThroughWalls)
     EXPECT_NEAR(walled.Velocity({ 3.0, 1.0, z }).z, 0.0, 1e-15);
     EXPECT_EQ(walled.Velocity({ 3.0, 1.0, z }).x, ClosedForm({ 3.0, 1.0, z }, 2.0).x);
   }
+}
+
+TEST(WalledVelocity, FallsToZeroEvenlyBetweenAGridAndAWall)
+{
+  WaterLayer layer;
+  layer.Bed = -10.0;
+  layer.Surface = 0.0;
+  const WalledVelocity walled(std::make_shared<ShortGrid>(), layer);
+  // Linear over the last meter: the water that is pushed out evenly leaves no gap.
+  for (const double fromWall : { 0.0, 0.25, 0.5, 0.9, 1.0 })
+  {
+    for (const double z : { -10.0 + fromWall, -fromWall })
+    {
+      ExpectNear(walled.Velocity({ 3.0, 1.0, z }), { 0.3, -0.2, 0.4 * fromWall }, 1e-14);
+    }
+  }
+  ExpectNear(walled.Velocity({ 3.0, 1.0, -5.0 }), { 0.3, -0.2, 0.4 }, 1e-14);
 }

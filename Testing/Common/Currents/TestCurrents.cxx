@@ -113,6 +113,13 @@ TEST(FlowPrimitives, EndSmoothlyAtTheirInfluence)
     // Velocity and slope: both go to 0 at the end.
     EXPECT_LT(glm::length(field.Velocity({ 2.0 - 1e-4, 0.0, 0.0 })), 1e-7);
     EXPECT_GT(glm::length(field.Velocity({ 1.0, 0.0, 0.0 })), 0.01);
+    // (1 - (R / radius)^2)^2 of a flow without end, in any direction.
+    const FlowField endless({ Primitive(type, 3.0, 0.3) });
+    for (const Vector3& place : { Vector3(0.2, 0.1, 0.0), Vector3(-0.6, 0.8, 0.0), Vector3(0.9, -1.0, 0.7) })
+    {
+      const double share = 1.0 - glm::dot(place, place) / 4.0;
+      EXPECT_LT(glm::length(field.Velocity(place) - share * share * endless.Velocity(place)), 1e-14);
+    }
   }
 }
 
@@ -316,6 +323,29 @@ TEST(PlantWake, PushesAwayWhileThePlantGetsFaster)
   EXPECT_FALSE(FlowField(WakeOf(Stem({ 0.4, 0.0, 0.0 }, Vector3(0.0)), doublet)).HasSinks());
 }
 
+TEST(PlantWake, DoubletHasTheMomentOfASphereOfThePlantsVolume)
+{
+  std::vector<MovingPoint> points(2);
+  points[0].Place = Vector3(1.0, 0.0, 0.0);
+  points[1].Place = Vector3(1.0, 0.4, 0.8);
+  for (MovingPoint& point : points)
+  {
+    point.Velocity = Vector3(0.0, 0.3, 0.4);
+    point.Weight = 3.0;
+    point.Volume = 0.02;
+  }
+  const MovingPlant plant = PlantOf(points);
+  EXPECT_NEAR(plant.Volume, 0.04, 1e-15);
+  WakeOptions options;
+  options.Kind = WakeKind::Doublet;
+  options.Strength = 2.0;
+  const std::vector<FlowPrimitive> wake = WakeOf(plant, options);
+  ASSERT_EQ(wake.size(), 2u);
+  // 2 pi R^3 v, with the volume 4 pi R^3 / 3
+  const Vector3 moment = wake[0].Strength * wake[0].Center + wake[1].Strength * wake[1].Center;
+  EXPECT_LT(glm::length(moment - 2.0 * 1.5 * 0.04 * Vector3(0.0, 0.3, 0.4)), 1e-14);
+}
+
 TEST(PlantWake, SaysWhatIsWrong)
 {
   const auto named = [](double WakeOptions::*member, double value, const char* word) {
@@ -427,7 +457,7 @@ TEST_P(AllFlows, GoThroughNoWall)
 }
 
 INSTANTIATE_TEST_SUITE_P(FlowPrimitives, AllFlows, testing::Range(0, NumberOfFlowTypes),
-  [](const auto& info) { return TraitsOf(static_cast<FlowType>(info.param)).Name; });
+  [](const auto& one) { return TraitsOf(static_cast<FlowType>(one.param)).Name; });
 
 TEST(FlowPrimitives, Add)
 {
@@ -551,6 +581,11 @@ TEST(Drift, IsCapturedBySinks)
   to = Vector3(6.0, 0.3, 0.0);
   EXPECT_FALSE(field.Capture({ 4.0, 0.3, 0.0 }, to));
   EXPECT_EQ(to, Vector3(6.0, 0.3, 0.0));
+  to = Vector3(4.5, 0.0, 0.0); // the core lies ahead, on the way's line
+  EXPECT_FALSE(field.Capture({ 3.0, 0.0, 0.0 }, to));
+  to = Vector3(7.0, 0.0, 0.0); // behind
+  EXPECT_FALSE(field.Capture({ 5.5, 0.0, 0.0 }, to));
+  EXPECT_EQ(to, Vector3(7.0, 0.0, 0.0));
   to = Vector3(0.0, 0.0, 0.0); // the core of a source holds nothing
   EXPECT_FALSE(field.Capture(to, to));
   to = sink.Center;
@@ -565,7 +600,12 @@ TEST(Particles, FillTheirBox)
   box.Amount = 40.0;
   EXPECT_EQ(NumberIn(box, false), 40.0 * 800.0);
   EXPECT_EQ(NumberIn(box, true), 40.0);
+  box.Amount = 2.6 / 800.0; // the nearest whole number
+  EXPECT_EQ(NumberIn(box, false), 3.0);
+  box.Amount = 2.4 / 800.0;
+  EXPECT_EQ(NumberIn(box, false), 2.0);
   Vector3 mean(0.0);
+  Vector3 crossed(0.0); // xy, yz, zx
   double logarithm = 0.0;
   const int count = 20000;
   for (int n = 0; n < count; ++n)
@@ -577,12 +617,18 @@ TEST(Particles, FillTheirBox)
       ASSERT_TRUE(part[axis] > 0.0 && part[axis] < 1.0);
     }
     mean += part / static_cast<double>(count);
+    const Vector3 off = part - 0.5;
+    crossed += off * Vector3(off.y, off.z, off.x) / static_cast<double>(count);
     logarithm += std::log(2.0 * particle.Radius / box.Diameter) / count;
   }
   const double bound = 4.0 / std::sqrt(12.0 * count);
   EXPECT_NEAR(mean.x, 0.5, bound);
   EXPECT_NEAR(mean.y, 0.5, bound);
   EXPECT_NEAR(mean.z, 0.5, bound);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(crossed[axis], 0.0, 4.0 / (12.0 * std::sqrt(1.0 * count)));
+  }
   EXPECT_NEAR(logarithm, 0.0, 4.0 * 0.3 / std::sqrt(1.0 * count));
   EXPECT_EQ(ParticleOf(box, 3, 5, 0.0, 7).Radius, 0.5 * box.Diameter);
   EXPECT_NE(ParticleOf(box, 3, 5, 0.3, 7).Place, ParticleOf(box, 4, 5, 0.3, 7).Place);
@@ -646,7 +692,7 @@ TEST(Particles, PicturesAreOpaqueWithinAndEmptyAtTheEdge)
     }
     for (const Texel& texel : picture.Texels)
     {
-      covered += texel[3] / 255.0 / picture.Texels.size();
+      covered += texel[3] / 255.0 / static_cast<double>(picture.Texels.size());
     }
     EXPECT_TRUE(covered > 0.1 && covered < 0.8) << covered;
   }

@@ -53,7 +53,7 @@ TEST(FlowArrows, Source)
     EXPECT_NEAR(glm::dot(from, arrow.Arm), r * glm::length(arrow.Arm), 1e-9);
     sum += from / r;
   }
-  EXPECT_LT(glm::length(sum), 0.02 * arrows.size()) << "directions are not spread evenly";
+  EXPECT_LT(glm::length(sum), 0.02 * static_cast<double>(arrows.size())) << "directions are not spread evenly";
 }
 
 TEST(FlowArrows, SinkPointsInwards)

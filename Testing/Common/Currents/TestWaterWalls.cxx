@@ -57,7 +57,7 @@ FlowPrimitive Uniform(const Vector3& axis, double speed, double reach = 0.0)
 class Numbers
 {
 public:
-  explicit Numbers(std::uint64_t seed)
+  explicit Numbers(int seed)
     : Random(seed, RandomPurpose::ParticlePositions)
   {
   }

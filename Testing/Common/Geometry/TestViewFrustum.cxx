@@ -196,6 +196,33 @@ TEST(ViewFrustum, ARoundedViewHoldsThePictureOfAnyView)
   EXPECT_GT(rejected, 100000);
 }
 
+// Rays of the rim, corners and all, turned by the whole margin in any direction.
+TEST(ViewFrustum, AnAngleMarginHoldsWhatATurnPutsOnThePicture)
+{
+  std::mt19937 random(24);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int n = 0; n < 300; ++n)
+  {
+    View view = RandomView(random);
+    view.Angle = 0.3 + uniform(random);
+    view.AngleMargin = 0.2 * uniform(random);
+    const ViewFrustum frustum(view);
+    const Vector3 ahead = glm::normalize(view.Direction);
+    const Vector3 right = glm::normalize(glm::cross(ahead, view.Up));
+    const Vector3 up = glm::cross(right, ahead);
+    const double tangent = std::tan(0.5 * view.Angle);
+    for (int k = 0; k < 200; ++k)
+    {
+      const double x = (k & 1 ? 1.0 : -1.0) * view.AspectRatio * tangent;
+      const double y = (k & 2 ? 1.0 : -1.0) * (k & 4 ? 1.0 : uniform(random)) * tangent;
+      const Vector3 ray = glm::normalize(ahead + x * right + y * up);
+      const Vector3 aside = glm::normalize(glm::cross(ray, RandomVector(random, 1.0)));
+      const double turn = (1.0 - 1e-9) * view.AngleMargin;
+      ASSERT_TRUE(frustum.MayShow(view.Point + std::cos(turn) * ray + std::sin(turn) * aside, 1e-12)) << n;
+    }
+  }
+}
+
 // Whatever view of those that round to one, wherever on its picture. Small boxes on the picture get 1 % more on
 // average.
 TEST(ViewFrustum, ARiseIsNowhereTallerOnThePicture)
@@ -239,6 +266,10 @@ TEST(ViewFrustum, ARiseIsNowhereTallerOnThePicture)
       }
     }
     finite += std::isfinite(bound) && tallest > 0.0;
+    if (view.IsParallel && !rounds && tallest > 0.0) // there a rise is as tall anywhere
+    {
+      ASSERT_NEAR(bound, tallest, 1e-6 * tallest + 1e-9);
+    }
     if (all && !rounds && 20.0 * size < SightDistance(view, box) && !view.IsParallel)
     {
       waste += bound / tallest - 1.0;
@@ -266,6 +297,15 @@ TEST(ViewFrustum, DistancesInParallelProjection)
   EXPECT_DOUBLE_EQ(SightDistance(view, place), 3.0);
   EXPECT_DOUBLE_EQ(SightDistance(view, Box{ { -9.0, -8.5, 0.0 }, place }), 1.5);
   EXPECT_DOUBLE_EQ(ViewFrustum(view).PixelsOf(50.0, 7.0), view.Height);
+  // What fills the parallel picture fills the perspective one of the same angle at that distance.
+  for (const double angle : { 0.3, 1.0, 2.0 })
+  {
+    view.IsParallel = true;
+    view.Angle = angle;
+    const double distance = LevelDistance(view, place);
+    view.IsParallel = false;
+    EXPECT_NEAR(ViewFrustum(view).PixelsOf(50.0, distance), view.Height, 1e-9 * view.Height);
+  }
 }
 
 TEST(ViewFrustum, DetailFactorLengthensDistancesOfLevels)

@@ -94,8 +94,8 @@ TEST(LineFourier, ForwardUndoesBackward)
     fourier.Backward(pack);
     for (std::size_t n = 0; n < static_cast<std::size_t>(length / 2 * FourierLanes); ++n)
     {
-      ASSERT_NEAR(pack.Re[n] / length, start.Re[n], 8e-6);
-      ASSERT_NEAR(pack.Im[n] / length, start.Im[n], 8e-6);
+      ASSERT_NEAR(pack.Re[n] / static_cast<float>(length), start.Re[n], 8e-6);
+      ASSERT_NEAR(pack.Im[n] / static_cast<float>(length), start.Im[n], 8e-6);
     }
   }
 }
@@ -118,7 +118,9 @@ TEST(PeriodFourier, AnyLengthByDefinition)
       std::complex<double> wants(0.0);
       for (int n = 0; n < length; ++n)
       {
-        wants += line[n] * std::polar(1.0, -2.0 * std::acos(-1.0) * (static_cast<long long>(k) * n % length) / length);
+        wants += line[n] *
+          std::polar(
+            1.0, -2.0 * std::acos(-1.0) * static_cast<double>(static_cast<long long>(k) * n % length) / length);
       }
       worst =
         std::max({ worst, std::abs(spectrum[k] - wants), std::abs(back[k] / static_cast<double>(length) - line[k]) });

@@ -76,3 +76,15 @@ TEST(RandomStream, UniformAndNormalMomentsAreRight)
   EXPECT_NEAR(fourth, 3.0, 0.1);
   EXPECT_NEAR(crossed, 0.0, 0.01);
 }
+
+TEST(RandomStream, UniformNumbersAreMiddlesOfCells)
+{
+  const RandomStream random(3, RandomPurpose::PlantScale);
+  for (std::uint64_t object = 0; object < 1000; ++object)
+  {
+    for (const double u : random.UniformPair(object, 1))
+    {
+      EXPECT_EQ(std::fmod(u * 0x1p53, 2.0), 1.0); // half of a cell of 2^-52: neither 0 nor 1 can be drawn
+    }
+  }
+}

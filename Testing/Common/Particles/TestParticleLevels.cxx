@@ -198,6 +198,44 @@ TEST(TrainSelection, TailSumBoundsTheErrorOnTheScreen)
   }
 }
 
+TEST(TrainSelection, WhatIsLeftOutStaysBelowTheScreenErrorAtTheNearEndOfOrbits)
+{
+  const SeaState sea = Sea(1e9);
+  const View view = Look({ 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+  const double tangent = std::tan(0.5 * view.Angle);
+  // Pixels of a metre across the ray to a corner of the picture, a metre ahead.
+  const double pixels =
+    view.Height / (2.0 * tangent) * (1.0 + tangent * tangent * (1.0 + view.AspectRatio * view.AspectRatio));
+  const TrainTable table(sea, -20.0, 0.0, view, TrainRule::TailSum, 1.0);
+  for (const double height : { 0.0, -2.0, -9.0 })
+  {
+    const double reach = table.AmplitudeAt(height);
+    for (double away = 0.01; away < 1000.0; away *= 1.1)
+    {
+      const int trains = table.CountAt(reach + away, height);
+      EXPECT_LE(table.TailAt(trains, height) * pixels / away, 1.0 + 1e-9) << away;
+    }
+    EXPECT_LE(table.SlaveError(1e6, height), 2.0 * reach); // two orbits, however far apart
+    EXPECT_LT(table.SlaveError(1e-3, height), 1e-2 * reach);
+  }
+}
+
+TEST(TrainSelection, AMarginLetsTheEyeComeNearer)
+{
+  const SeaState sea = Sea(1e9);
+  View view = Look({ 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+  const TrainTable exact(sea, -20.0, 0.0, view, TrainRule::TailSum, 1.0);
+  view.Margin = 5.0;
+  const TrainTable rounded(sea, -20.0, 0.0, view, TrainRule::TailSum, 1.0);
+  for (double distance = 0.05 * (1.0 + 1e-6); distance < 1000.0; distance *= std::exp2(1.0 / 6.0)) // of the table
+  {
+    for (const double height : { 0.0, -3.0, -12.0 })
+    {
+      EXPECT_GE(rounded.CountAt(distance + view.Margin, height), exact.CountAt(distance, height));
+    }
+  }
+}
+
 TEST(TrainSelection, FewerFarAndDeep)
 {
   const SeaState sea = Sea(1e9);
@@ -573,6 +611,21 @@ TEST(ParticleFog, KeepsTheSumOfCrossSections)
   const ParticleFog again(grid, particles, two);
   EXPECT_EQ(again.GetOutside(), 1);
   EXPECT_EQ(again.GetExtinction(), fog.GetExtinction());
+}
+
+TEST(ParticleFog, SpreadsParticlesOverTheVolumeOfTheirSample)
+{
+  // On a sample, its cross section over the part of the cells around that is in the grid.
+  const FogGrid grid{ { 0.0, 0.0, 0.0 }, { 0.5, 0.25, 1.0 }, { 5, 5, 5 } };
+  for (int faces = 0; faces <= 3; ++faces)
+  {
+    const int i = faces > 0 ? 0 : 2;
+    const int j = faces > 1 ? 4 : 2;
+    const int k = faces > 2 ? 4 : 2;
+    const ParticleFog fog(grid, { { { 0.5 * i, 0.25 * j, 1.0 * k }, 2e-3 } });
+    const double volume = 0.125 * std::pow(0.5, faces);
+    EXPECT_NEAR(fog.GetExtinction()[(static_cast<std::size_t>(k) * 5 + j) * 5 + i] * volume, 2e-3, 1e-9);
+  }
 }
 
 TEST(ParticleFog, HidesAsMuchAsItsParticlesDo)

@@ -124,8 +124,8 @@ TEST_P(AllLaws, MomentsAreRightAlsoAtAMeanOf2000)
     {
       ASSERT_TRUE(std::isfinite(mass[r]) && mass[r] >= 0.0);
       total += mass[r];
-      first += r * mass[r];
-      second += (r - mean) * (r - mean) * mass[r];
+      first += static_cast<double>(r) * mass[r];
+      second += std::pow(static_cast<double>(r) - mean, 2) * mass[r];
     }
     EXPECT_NEAR(total, 1.0, 1e-10);
     EXPECT_NEAR(first, mean, 1e-9 * mean);
@@ -153,7 +153,7 @@ TEST_P(AllLaws, SamplingFollowsTheLaw)
     for (std::size_t r = 0; r < mass.size(); ++r)
     {
       expected += quadrats * mass[r];
-      observed += frequencies[r];
+      observed += static_cast<double>(frequencies[r]);
       rest -= quadrats * mass[r];
       if ((expected >= 8.0 && rest >= 8.0) || r + 1 == mass.size())
       {
@@ -249,7 +249,7 @@ TEST_P(AllLaws, BadParametersAreNamed)
 }
 
 INSTANTIATE_TEST_SUITE_P(QuadratLaws, AllLaws, testing::Range(0, NumberOfQuadratLaws),
-  [](const auto& info) { return QuadratLawName(static_cast<QuadratLaw>(info.param)); });
+  [](const auto& one) { return QuadratLawName(static_cast<QuadratLaw>(one.param)); });
 
 TEST(QuadratLaws, ParametersOfEachLawAreChecked)
 {
@@ -397,7 +397,7 @@ void ExpectIs(const QuadratLawParameters& law, const Distribution& exact)
   for (std::size_t r = 0; r < mass.size(); ++r)
   {
     total += mass[r];
-    const bool looks = r % 37 == 0 && r <= boost::math::support(exact).second;
+    const bool looks = r % 37 == 0 && static_cast<double>(r) <= boost::math::support(exact).second;
     const double wanted = looks ? boost::math::pdf(exact, static_cast<double>(r)) : 0.0;
     if (wanted > 1e-30)
     {
@@ -428,7 +428,7 @@ TEST_P(LargeLaws, MassFunctionIsTheTransformOfItsGeneratingFunction)
     Complex sum = 0.0;
     for (int j = 0; j < n; ++j)
     {
-      sum += values[j] * std::polar(1.0 / n, -TwoPi * ((static_cast<long long>(j) * r) % n) / n);
+      sum += values[j] * std::polar(1.0 / n, -TwoPi * static_cast<double>(static_cast<long long>(j) * r % n) / n);
     }
     EXPECT_NEAR(mass[r], sum.real(), 1e-12) << r;
   }
@@ -494,7 +494,7 @@ TEST_P(LargeLaws, FitsFindTheLaw)
 }
 
 INSTANTIATE_TEST_SUITE_P(QuadratLaws, LargeLaws, testing::Range(0, NumberOfQuadratLaws),
-  [](const auto& info) { return QuadratLawName(static_cast<QuadratLaw>(info.param)); });
+  [](const auto& one) { return QuadratLawName(static_cast<QuadratLaw>(one.param)); });
 
 TEST(QuadratLaws, AreThoseOfBoostUpToThousandsOfPoints)
 {
@@ -526,4 +526,37 @@ TEST(QuadratLaws, LawsThatAreTooLongAreRefused)
   law.Law = QuadratLaw::PoissonPoisson;
   law.ClusterMean = 5e4;
   EXPECT_NE(WhyInvalid(law).find("in clusters"), std::string::npos);
+}
+
+TEST(QuadratFit, NumbersOfASampleByHand)
+{
+  // 10 quadrats with 0, 1, 2 and 3 points, of mean 1: squares off the mean add up to 10, cubes to 6.
+  const QuadratMoments moments = MomentsOfCounts({ 4, 3, 2, 1 });
+  EXPECT_NEAR(moments.Mean, 1.0, 1e-14);
+  EXPECT_NEAR(moments.Variance, 10.0 / 9.0, 1e-14);
+  EXPECT_NEAR(moments.ThirdMoment, 0.6, 1e-14);
+  // P(chi^2 > 10) of 9 degrees of freedom by the normal law (Abramowitz and Stegun 26.4.4), and as much on the far
+  // side.
+  double terms = 0.0;
+  double term = std::sqrt(10.0);
+  for (int r = 1; r <= 4; term *= 10.0 / (2 * r + 1), ++r)
+  {
+    terms += term;
+  }
+  const double above = std::erfc(std::sqrt(5.0)) + 2.0 * std::exp(-5.0) / std::sqrt(2.0 * std::acos(-1.0)) * terms;
+  EXPECT_NEAR(moments.DispersionPValue, 2.0 * above, 1e-10);
+
+  // Ten times as many: Poisson's law expects 100 / e, 100 / e, 50 / e and the rest, of which 1 + 1 tell the fit
+  // nothing.
+  const QuadratFit fit = FitQuadratLaw(QuadratLaw::Poisson, { 40, 30, 20, 10 });
+  EXPECT_NEAR(fit.LogLikelihood, -100.0 - 20.0 * std::log(2.0) - 10.0 * std::log(6.0), 1e-9);
+  EXPECT_NEAR(fit.AIC, 2.0 - 2.0 * fit.LogLikelihood, 1e-9);
+  const double first = 100.0 * std::exp(-1.0);
+  const double rest = 100.0 - 2.5 * first;
+  EXPECT_NEAR(fit.ChiSquare,
+    (std::pow(40.0 - first, 2) + std::pow(30.0 - first, 2)) / first + std::pow(20.0 - 0.5 * first, 2) / (0.5 * first) +
+      std::pow(10.0 - rest, 2) / rest,
+    1e-9);
+  EXPECT_EQ(fit.DegreesOfFreedom, 2);
+  EXPECT_NEAR(fit.PValue, std::exp(-0.5 * fit.ChiSquare), 1e-12); // of 2 degrees
 }

@@ -277,7 +277,7 @@ TEST(AonoKuniiTree, SympodialForksByBothAngles)
   for (const SkeletonBranch& branch : wood.Branches)
   {
     const int parent = wood.Nodes[branch.First].Parent;
-    if (parent < 0)
+    if (parent < 1)
     {
       continue;
     }

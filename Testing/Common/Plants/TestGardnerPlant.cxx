@@ -366,7 +366,7 @@ std::vector<GardnerPreset> AllKinds()
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Kinds, GardnerPresets, testing::ValuesIn(AllKinds()), [](const auto& info) { return TraitsOf(info.param).Name; });
+  Kinds, GardnerPresets, testing::ValuesIn(AllKinds()), [](const auto& one) { return TraitsOf(one.param).Name; });
 
 TEST(GardnerPlant, ShellsAreNested)
 {

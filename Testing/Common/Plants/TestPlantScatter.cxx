@@ -405,7 +405,9 @@ TEST(HeightGrid, IsExactOnABilinearSurface)
   grid.Count[0] = 6;
   grid.Count[1] = 4;
   const auto surface = [](double x, double y) { return 3.0 + 0.5 * x - 0.25 * y + 0.125 * x * y; };
-  grid.HeightOf = [&](long long point) { return surface(10.0 + point % 6 * 2.0, -5.0 + point / 6 * 3.0); };
+  grid.HeightOf = [&](long long point) {
+    return surface(10.0 + 2.0 * static_cast<double>(point % 6), -5.0 + 3.0 * static_cast<double>(point / 6));
+  };
   for (double x = 10.0; x <= 20.0; x += 0.37)
   {
     for (double y = -5.0; y <= 4.0; y += 0.41)

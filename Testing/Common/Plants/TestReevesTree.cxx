@@ -269,7 +269,7 @@ std::vector<TreePreset> AllSpecies()
 }
 
 INSTANTIATE_TEST_SUITE_P(Species, ReevesTreePresets, testing::ValuesIn(AllSpecies()),
-  [](const auto& info) { return TraitsOf(info.param).Name; });
+  [](const auto& one) { return TraitsOf(one.param).Name; });
 
 TEST(ReevesTree, IndividualsVary)
 {

@@ -93,6 +93,8 @@ TEST(Dispersion, HasNoNaNAtAnyDepth)
   }
   EXPECT_EQ(WaveNumber(0.0, 5.0), 0.0);
   EXPECT_EQ(WaveNumber(-1.0, 5.0), 0.0);
+  // w^2 h / g is no normal number: all waves run at sqrt(g h).
+  EXPECT_NEAR(1e-100 / WaveNumber(1e-100, 1e-110) / std::sqrt(Gravity * 1e-110), 1.0, 1e-12);
 }
 
 TEST(Dispersion, GroupVelocityIsTheSlope)
@@ -170,6 +172,7 @@ TEST(Orbits, DoNotJumpBetweenRegimes)
   }
   EXPECT_EQ(RegimeOf(1.01 * Pi, 1.0), DepthRegime::Deep);
   EXPECT_EQ(RegimeOf(0.99 * Pi, 1.0), DepthRegime::Intermediate);
+  EXPECT_EQ(RegimeOf(0.101 * Pi, 1.0), DepthRegime::Intermediate);
   EXPECT_EQ(RegimeOf(0.099 * Pi, 1.0), DepthRegime::Shallow);
 }
 
@@ -325,9 +328,10 @@ TEST(Orbits, SinglePrecisionFollowsDoublePrecision)
     std::vector<int> counts(count);
     for (int n = 0; n < count; ++n)
     {
-      centers[3 * n] = 1.5e5f + 13.7f * n;
-      centers[3 * n + 1] = -3.1f * n;
-      centers[3 * n + 2] = -0.002f * n * static_cast<float>(std::min(depth, 20.0));
+      const auto number = static_cast<float>(n);
+      centers[3 * n] = 1.5e5f + 13.7f * number;
+      centers[3 * n + 1] = -3.1f * number;
+      centers[3 * n + 2] = -0.002f * number * static_cast<float>(std::min(depth, 20.0));
       counts[n] = n % 33;
     }
     exactCenters.assign(centers.begin(), centers.end());
@@ -606,4 +610,39 @@ TEST(Spectrum, WithoutSpreadingAllTrainsGoOneWay)
   {
     EXPECT_EQ(train.Direction, 0.4);
   }
+}
+
+TEST(Spectrum, ARegularWaveIsAsHighAsGiven)
+{
+  SpectrumParameters parameters;
+  parameters.Kind = SpectrumKind::Regular;
+  parameters.FromWind = false;
+  parameters.SignificantHeight = 3.0;
+  parameters.PeakPeriod = 8.0;
+  const SeaSpectrum spectrum(parameters);
+  EXPECT_NEAR(spectrum.TotalEnergy(), 3.0 * 3.0 / 8.0, 1e-14); // mean square of a sine of amplitude H/2
+  const std::vector<WaveTrain> trains = TrainsOf(spectrum, 50.0, {});
+  ASSERT_EQ(trains.size(), 1u);
+  EXPECT_NEAR(trains[0].Amplitude, 1.5, 1e-14);
+  EXPECT_NEAR(trains[0].AngularFrequency, TwoPi / 8.0, 1e-14);
+  EXPECT_NEAR(-trains[0].Amplitude * std::cos(trains[0].Phase), 1.5, 1e-14); // a crest at the origin at time 0
+}
+
+TEST(Spectrum, TrainsHavePhasesOfAWholeTurnAndTheHighestIsFirst)
+{
+  TrainParameters cut;
+  cut.Count = 4000;
+  const std::vector<WaveTrain> trains = TrainsOf(SeaSpectrum(SpectrumParameters{}), Infinity, cut);
+  const auto count = static_cast<double>(trains.size());
+  double cosine = 0.0;
+  double sine = 0.0;
+  for (std::size_t n = 0; n < trains.size(); ++n)
+  {
+    cosine += std::cos(trains[n].Phase) / count;
+    sine += std::sin(trains[n].Phase) / count;
+    EXPECT_TRUE(n == 0 || trains[n].Amplitude <= trains[n - 1].Amplitude);
+  }
+  // Means of uniform phases: 0, with a standard deviation of (2 n)^-1/2.
+  EXPECT_NEAR(cosine, 0.0, 4.0 / std::sqrt(2.0 * count));
+  EXPECT_NEAR(sine, 0.0, 4.0 / std::sqrt(2.0 * count));
 }

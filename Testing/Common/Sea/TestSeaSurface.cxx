@@ -92,7 +92,7 @@ TEST(SeaSurface, WavesEndWhereTheyWouldAlias)
     EXPECT_FALSE(spacing > 0.25 * length && isMoved) << i;
   }
   EXPECT_GT(near, 3000u);
-  EXPECT_GT(moved, 0.95 * near);
+  EXPECT_GT(moved, 0.95 * static_cast<double>(near));
   EXPECT_GT(still, 500u);
 }
 
@@ -117,6 +117,21 @@ TEST(SeaSurface, DiskIsCoveredOnce)
   // The regular polygon of 90 corners in the circle.
   EXPECT_NEAR(area, 0.5 * 90 * 400.0 * 400.0 * std::sin(2.0 * Pi / 90.0), 1e-6 * area);
   EXPECT_DOUBLE_EQ(grid.GetRadii().back(), 400.0);
+}
+
+TEST(SeaSurface, CellsAreSquareWherePointsOnARingAreFarApart)
+{
+  const SeaSurfaceParameters disk = SmallDisk();
+  const SeaSurfaceGrid grid(disk);
+  const std::vector<double>& radii = grid.GetRadii();
+  const double even = disk.Spacing * disk.Sectors / (2.0 * Pi);
+  ASSERT_LT(even, 0.5 * disk.Radius);
+  for (std::size_t ring = 1; ring + 1 < radii.size(); ++ring)
+  {
+    const double inner = radii[ring - 1];
+    const double square = 2.0 * Pi * inner / disk.Sectors;
+    EXPECT_NEAR(radii[ring] - inner, inner < even ? disk.Spacing : square, 1e-9 * radii[ring]);
+  }
 }
 
 TEST(SeaSurface, RangesDoNotMatter)

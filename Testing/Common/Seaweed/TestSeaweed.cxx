@@ -413,7 +413,7 @@ std::vector<SeaweedPreset> AllSpecies()
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Species, SeaweedPresets, testing::ValuesIn(AllSpecies()), [](const auto& info) { return TraitsOf(info.param).Name; });
+  Species, SeaweedPresets, testing::ValuesIn(AllSpecies()), [](const auto& one) { return TraitsOf(one.param).Name; });
 
 TEST(Seaweed, SizesAreThoseOfTheSpecies)
 {

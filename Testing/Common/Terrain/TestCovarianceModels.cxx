@@ -227,7 +227,7 @@ TEST(Covariance, RowsHaveNamesOfTheirOwnAndNothingElseIsAModel)
 }
 
 INSTANTIATE_TEST_SUITE_P(Covariance, AllModels, testing::Range(0, NumberOfCovarianceModels),
-  [](const auto& info) { return CovarianceModelName(static_cast<CovarianceModel>(info.param)); });
+  [](const auto& one) { return CovarianceModelName(static_cast<CovarianceModel>(one.param)); });
 
 TEST(Covariance, FractalDimensionOutsideTwoToThreeIsNamed)
 {

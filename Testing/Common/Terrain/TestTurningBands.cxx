@@ -82,7 +82,7 @@ double MeanSquare(const std::vector<float>& values)
   {
     sum += static_cast<double>(value) * value;
   }
-  return sum / values.size();
+  return sum / static_cast<double>(values.size());
 }
 
 class StationaryModels : public testing::TestWithParam<int>
@@ -136,7 +136,7 @@ TEST_P(StationaryModels, EnsembleCovarianceIsTheModels)
 }
 
 INSTANTIATE_TEST_SUITE_P(TurningBands, StationaryModels, testing::Range(1, NumberOfCovarianceModels),
-  [](const auto& info) { return CovarianceModelName(static_cast<CovarianceModel>(info.param)); });
+  [](const auto& one) { return CovarianceModelName(static_cast<CovarianceModel>(one.param)); });
 
 // The covariance of the method itself, without chance: a harmonic on a line of any direction has A^2/2 J0(w r), short
 // waves that of their average. The truth is each model's closed form over distance, of which the method uses the

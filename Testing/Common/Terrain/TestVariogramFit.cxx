@@ -144,7 +144,7 @@ TEST_P(EveryModel, ExactVariogramPicksItsModel)
 }
 
 INSTANTIATE_TEST_SUITE_P(VariogramFit, EveryModel, testing::Range(0, NumberOfCovarianceModels),
-  [](const auto& info) { return CovarianceModelName(static_cast<CovarianceModel>(info.param)); });
+  [](const auto& one) { return CovarianceModelName(static_cast<CovarianceModel>(one.param)); });
 
 TEST(VariogramFit, GrownFieldsGiveBackModelAndParameters)
 {

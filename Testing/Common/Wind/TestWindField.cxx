@@ -36,7 +36,7 @@ PlaneSpectrum PlaneMean(
   const std::vector<float>& field, const WindGrid& grid, int component, const WindModel& model = {})
 {
   const auto spectra = Spectra(field, grid, component);
-  const double factor = 2.0 * grid.Period() / std::pow(grid.Count[0], 2.0) / grid.NumberOfLines();
+  const double factor = 2.0 * grid.Period() / std::pow(grid.Count[0], 2.0) / static_cast<double>(grid.NumberOfLines());
   PlaneSpectrum mean{ std::vector<double>(spectra[0].size(), 0.0), std::vector<double>(spectra[0].size(), 0.0) };
   for (std::size_t k = 1; k < spectra[0].size(); ++k)
   {
@@ -44,7 +44,8 @@ PlaneSpectrum PlaneMean(
     {
       const double height = grid.Height(static_cast<int>(line) / grid.Count[1]);
       mean.Has[k] += factor * std::norm(spectra[line][k]);
-      mean.Wants[k] += SpectralDensity(model, component, k / grid.Period(), height) / grid.NumberOfLines();
+      mean.Wants[k] += SpectralDensity(model, component, static_cast<double>(k) / grid.Period(), height) /
+        static_cast<double>(grid.NumberOfLines());
     }
   }
   return mean;
@@ -61,7 +62,7 @@ double WorstBand(const PlaneSpectrum& spectrum, const WindGrid& grid, double low
     double wants = 0.0;
     for (std::size_t k = 1; k < spectrum.Has.size(); ++k)
     {
-      const double hertz = k / grid.Period();
+      const double hertz = static_cast<double>(k) / grid.Period();
       if (hertz >= begin && hertz < end)
       {
         has += spectrum.Has[k];
@@ -86,7 +87,7 @@ double Slope(const std::vector<double>& density, const WindGrid& grid, double lo
   double xy = 0.0;
   for (std::size_t k = 1; k < density.size(); ++k)
   {
-    const double hertz = k / grid.Period();
+    const double hertz = static_cast<double>(k) / grid.Period();
     if (hertz >= low && hertz <= high)
     {
       const double x = std::log(hertz);
@@ -119,7 +120,7 @@ struct CoherenceBands
     const int layers = grid.Count[2] - up;
     for (std::size_t k = 1; k + 1 < spectra[0].size(); ++k)
     {
-      const double hertz = k / grid.Period();
+      const double hertz = static_cast<double>(k) / grid.Period();
       const int band = static_cast<int>(std::floor(std::log2(hertz / Lowest)));
       if (band < 0 || band >= Bands)
       {
@@ -166,7 +167,8 @@ std::vector<std::vector<std::complex<double>>> ScaledSpectra(
   {
     for (std::size_t k = 1; k < spectra[0].size(); ++k)
     {
-      const double scale = unit / std::sqrt(SpectralDensity({}, component, k / grid.Period(), grid.Height(layer)));
+      const double scale =
+        unit / std::sqrt(SpectralDensity({}, component, static_cast<double>(k) / grid.Period(), grid.Height(layer)));
       for (int column = 0; column < grid.Count[1]; ++column)
       {
         spectra[layer * grid.Count[1] + column][k] *= scale;
@@ -224,7 +226,7 @@ TEST(WindField, MeanIsTheLogarithmicLaw)
     {
       for (int component = 0; component < 3; ++component)
       {
-        sum[component] += field[(layer * count + n) * 3 + component] / count;
+        sum[component] += field[(layer * count + n) * 3 + component] / static_cast<float>(count);
       }
     }
     const double law = MeanSpeed({}, grid.Height(layer));
@@ -468,8 +470,8 @@ TEST(WindField, GaussianAmplitudesHaveUnitPower)
   for (std::size_t n = 0; n < re.size(); ++n)
   {
     const double square = static_cast<double>(re[n]) * re[n] + static_cast<double>(im[n]) * im[n];
-    power += square / re.size();
-    fourth += square * square / re.size();
+    power += square / static_cast<double>(re.size());
+    fourth += square * square / static_cast<double>(re.size());
   }
   EXPECT_NEAR(power, 1.0, 0.02);
   EXPECT_NEAR(fourth, 2.0, 0.1);

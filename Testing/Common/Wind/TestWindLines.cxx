@@ -125,16 +125,16 @@ TEST(WindLines, VarianceAndSpectrumBetweenLines)
       const auto density = [&](int k, double layer) {
         return SpectralDensity({}, component, k / 60.0, grid.BottomHeight + layer * grid.VerticalSpacing);
       };
-      double lines = 0.0;
+      double sum = 0.0;
       for (int k = 60; k < 300; ++k)
       {
         for (int line = 0; line < 130; ++line)
         {
           const int layer = 1 + line / 65;
-          lines += 2.0 * std::norm(spectra[65 + line][k] / 600.0) / 130.0 * density(k, 1.5) / density(k, layer);
+          sum += 2.0 * std::norm(spectra[65 + line][k] / 600.0) / 130.0 * density(k, 1.5) / density(k, layer);
         }
       }
-      fast[component] /= lines;
+      fast[component] /= sum;
     }
     for (int component = 0; component < 3; ++component)
     {

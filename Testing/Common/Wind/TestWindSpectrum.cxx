@@ -120,10 +120,10 @@ TEST_P(AllCoherences, FallFromOneWithDistanceAndFrequency)
 }
 
 INSTANTIATE_TEST_SUITE_P(Wind, AllSpectra, testing::Range(0, NumberOfWindSpectra),
-  [](const auto& info) { return TraitsOf(static_cast<WindSpectrumModel>(info.param)).Name; });
+  [](const auto& one) { return TraitsOf(static_cast<WindSpectrumModel>(one.param)).Name; });
 
 INSTANTIATE_TEST_SUITE_P(Wind, AllCoherences, testing::Range(0, NumberOfWindCoherences),
-  [](const auto& info) { return TraitsOf(static_cast<WindCoherenceModel>(info.param)).Name; });
+  [](const auto& one) { return TraitsOf(static_cast<WindCoherenceModel>(one.param)).Name; });
 
 TEST(WindSpectrum, NothingBeyondTheRowsIsAFamily)
 {

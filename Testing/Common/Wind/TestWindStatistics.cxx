@@ -49,7 +49,7 @@ TEST(WindStatistics, OneWaveHasItsVarianceAtItsFrequency)
     ASSERT_EQ(bands.size(), 29u);
     for (std::size_t k = 0; k < bands.size(); ++k)
     {
-      EXPECT_NEAR(bands[k].Frequency, (k + 1.0) / 3.0, 1e-12); // a period of 3 s
+      EXPECT_NEAR(bands[k].Frequency, static_cast<double>(k + 1) / 3.0, 1e-12); // a period of 3 s
       EXPECT_NEAR(bands[k].Measured[component] / 3.0, k == 4 ? 2.0 : 0.0, 1e-5);
     }
     const WindLayer layer = statistics.Profile()[1];
