@@ -112,10 +112,10 @@ Texel TexelOf(const GardnerTexture& texture, double value, double profile)
 /// Numbers in the middles of equal steps from 0 to an end.
 std::vector<double> Middles(double end, int count)
 {
-  std::vector<double> middles;
+  std::vector<double> middles(static_cast<std::size_t>(std::max(0, count)));
   for (int step = 0; step < count; ++step)
   {
-    middles.push_back(end * (step + 0.5) / count);
+    middles[static_cast<std::size_t>(step)] = end * (step + 0.5) / count;
   }
   return middles;
 }

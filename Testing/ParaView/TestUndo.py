@@ -38,6 +38,8 @@ def pipeline(file):
             kept = ("Element",) if display else ("Element", "Proxy")
             for item in proxy.findall("Property"):
                 values = [child.get("value") for child in item if child.tag in kept]
+                if item.get("name") == "DetailFactor":
+                    continue  # of the latest picture: coarser while the camera moves
                 found[proxy.get("type"), proxy.get("id"), item.get("name")] = values
     return found
 
