@@ -8,7 +8,7 @@ import littoral
 
 
 class Part(NamedTuple):
-    """An object of a scene. Inputs are names of parts, with the number of an output behind a colon."""
+    """An object of a scene. Inputs are the names of parts, by the order of the ports."""
 
     kind: str
     inputs: tuple = ()
