@@ -195,4 +195,18 @@ bool Fails(const char* word, const std::function<void(Source*)>& spoil)
   return Check(errors->ExpectOneNaming(word) && !PartOf(source, "High/Skin"), word);
 }
 
+/// Properties of leaves and of the levels that show them, which trees share.
+template <typename Source>
+bool RefusesBadLeaves()
+{
+  bool good = true;
+  good &= Fails<Source>("NumberOfLeaves", [](Source* s) { s->SetNumberOfLeaves(-1); });
+  good &= Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); });
+  good &= Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); });
+  good &= Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
+  good &= Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); });
+  good &= Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
+  return good;
+}
+
 #endif

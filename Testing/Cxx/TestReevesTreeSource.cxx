@@ -40,13 +40,7 @@ bool BadInput()
   good &= Fails<Source>("Height", [=](Source* s) { s->SetHeight(nan); });
   good &= Fails<Source>("CrownBase", [](Source* s) { s->SetCrownBase(100.0); });
   good &= Fails<Source>("CrownShape", [](Source* s) { s->SetCrownShape(2); });
-  good &= Fails<Source>("NumberOfLeaves", [](Source* s) { s->SetNumberOfLeaves(-1); });
-  good &= Fails<Source>("LeafForm", [](Source* s) { s->SetLeafForm(5); });
-  good &= Fails<Source>("LeafColor", [](Source* s) { s->SetLeafColor(2.0, 0.0, 0.0); });
-  good &= Fails<Source>("TextureSize", [](Source* s) { s->SetTextureSize(0, 64); });
-  good &= Fails<Source>("MediumCrown", [](Source* s) { s->SetMediumCrown(2); });
-  good &= Fails<Source>("CrownJitter", [](Source* s) { s->SetCrownJitter(-0.1); });
-  return good;
+  return RefusesBadLeaves<Source>() && good;
 }
 
 }
