@@ -99,9 +99,10 @@ void WriteFits(const std::vector<littoral::VariogramFit>& fits, const RemovedTre
 }
 
 /// Fractal dimensions by two methods, as field data.
-void AddDimensions(const littoral::GridSamples& samples, const littoral::VariogramMap& map, vtkTable* table)
+void AddDimensions(const littoral::GridSamples& samples, const littoral::VariogramMap& map,
+  const littoral::ParallelFor& parallel, vtkTable* table)
 {
-  const littoral::DimensionEstimate periodogram = littoral::DimensionFromPeriodogram(samples, littoral::SmpFor);
+  const littoral::DimensionEstimate periodogram = littoral::DimensionFromPeriodogram(samples, parallel);
   const littoral::DimensionEstimate slope = littoral::DimensionFromVariogram(map);
   littoral::AddField(table, "PeriodogramDimension", { periodogram.Dimension, periodogram.StandardError });
   littoral::AddField(table, "VariogramDimension", { slope.Dimension, slope.StandardError });
@@ -312,7 +313,7 @@ bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, D
 
 //----------------------------------------------------------------------------
 littoral::VariogramFitOptions vtkCovarianceFitFilter::MakeOptions(
-  const Detrended& field, const littoral::DetrendedWindow& window, double maximumLag) const
+  const Detrended& field, const littoral::DetrendedWindow& window, double maximumLag)
 {
   const double longestSide = std::max(field.Side(0), field.Side(1));
   littoral::VariogramFitOptions options;
@@ -323,6 +324,7 @@ littoral::VariogramFitOptions vtkCovarianceFitFilter::MakeOptions(
   options.Window = &window;
   options.SampleVariance = field.Variance;
   options.Directions = this->FitAnisotropy ? this->NumberOfDirections : 1;
+  options.OnTrial = littoral::PollOf(this);
   return options;
 }
 
@@ -353,7 +355,8 @@ int vtkCovarianceFitFilter::RequestData(
     return littoral::FailedRequest(this);
   }
   const double maximumLag = this->MaximumLag > 0.0 ? this->MaximumLag : 0.5 * std::min(field.Side(0), field.Side(1));
-  const littoral::VariogramMap map = littoral::ComputeVariogramMap(field.Samples, maximumLag, littoral::SmpFor);
+  const littoral::VariogramMap map =
+    littoral::ComputeVariogramMap(field.Samples, maximumLag, littoral::AbortableFor(this));
   this->UpdateProgress(0.3);
   if (littoral::IsAborted(this))
   {
@@ -385,7 +388,7 @@ int vtkCovarianceFitFilter::RequestData(
   WriteVariogram(variogram, fits, window, vtkTable::GetData(outputVector, 1));
   littoral::AddField(table, "SampleVariance", { field.Variance });
   littoral::AddField(table, "NumberOfValues", { static_cast<double>(field.Moments.Count) });
-  AddDimensions(field.Samples, map, table);
+  AddDimensions(field.Samples, map, littoral::AbortableFor(this), table);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -174,7 +174,7 @@ private:
   vtkDataArray* FindArray(vtkImageData* image, vtkInformationVector** inputVector);
   bool Detrend(vtkImageData* image, vtkDataArray* array, Detrended& field);
   littoral::VariogramFitOptions MakeOptions(
-    const Detrended& field, const littoral::DetrendedWindow& window, double maximumLag) const;
+    const Detrended& field, const littoral::DetrendedWindow& window, double maximumLag);
 };
 
 #endif

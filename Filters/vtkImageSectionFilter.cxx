@@ -21,6 +21,7 @@
 
 #include <array>
 #include <set>
+#include <utility>
 
 vtkStandardNewMacro(vtkImageSectionFilter);
 
@@ -31,8 +32,9 @@ namespace
 class Sections
 {
 public:
-  explicit Sections(vtkImageData* image)
+  Sections(vtkImageData* image, littoral::Poll onRow)
     : Image(image)
+    , OnRow(std::move(onRow))
   {
     image->GetExtent(this->Extent.data());
     this->Points->SetDataTypeToDouble();
@@ -49,6 +51,7 @@ public:
     sample[axis] = index;
     for (sample[v] = this->Extent[2 * v]; sample[v] <= this->Extent[2 * v + 1]; ++sample[v])
     {
+      this->OnRow();
       for (sample[u] = this->Extent[2 * u]; sample[u] <= this->Extent[2 * u + 1]; ++sample[u])
       {
         const vtkIdType id = this->Image->ComputePointId(sample);
@@ -86,6 +89,7 @@ public:
 
 private:
   vtkImageData* Image;
+  littoral::Poll OnRow;
   std::array<int, 6> Extent;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Quads;
@@ -137,7 +141,7 @@ int vtkImageSectionFilter::RequestData(
   {
     return 1;
   }
-  Sections sections(image);
+  Sections sections(image, littoral::PollOf(this));
   const auto isLayer = [&](int axis) { return sections.First(axis) == sections.Last(axis); };
   if (isLayer(0) || isLayer(1) || isLayer(2))
   {

@@ -77,8 +77,8 @@ std::string WhyBadPoint(vtkIdType n, const littoral::Vector3& place, double radi
 }
 
 /// Adds the particles of a point set. Why it cannot be done, in words for a user; empty when it was.
-std::string AddParticles(
-  vtkPointSet* set, double defaultRadius, double efficiency, std::vector<littoral::FogParticle>& particles)
+std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficiency,
+  std::vector<littoral::FogParticle>& particles, const littoral::Poll& poll)
 {
   littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
   vtkDataArray* radii = points.Find(littoral::sea::Radius, 1);
@@ -87,8 +87,10 @@ std::string AddParticles(
   {
     return points.Reason();
   }
+  littoral::SteppedPoll steps(poll);
   for (vtkIdType n = 0; n < set->GetNumberOfPoints(); ++n)
   {
+    steps.Step();
     littoral::FogParticle particle;
     set->GetPoint(n, &particle.Place.x);
     const double radius = radii ? radii->GetComponent(n, 0) : defaultRadius;
@@ -123,7 +125,7 @@ void BoxOf(const std::vector<littoral::FogParticle>& particles, double thickness
 
 /// The samples of an extent, with the extinction of the water itself.
 void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& fog, float water, const int extent[6],
-  vtkImageData* output)
+  vtkImageData* output, const littoral::Poll& onRow)
 {
   output->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   output->SetOrigin(&grid.Origin.x);
@@ -140,6 +142,7 @@ void CopyExtinction(const littoral::FogGrid& grid, const littoral::ParticleFog& 
   {
     for (int j = extent[2]; j <= extent[3]; ++j)
     {
+      onRow();
       const std::size_t row = (static_cast<std::size_t>(k) * grid.Count[1] + j) * grid.Count[0];
       for (int i = extent[0]; i <= extent[1]; ++i)
       {
@@ -310,7 +313,9 @@ int vtkParticleFogFilter::RequestData(
   std::vector<littoral::FogParticle> particles;
   for (vtkPointSet* set : sets)
   {
-    reason = reason.empty() ? AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles) : reason;
+    reason = reason.empty()
+      ? AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles, littoral::PollOf(this))
+      : reason;
   }
   if (!reason.empty())
   {
@@ -325,15 +330,16 @@ int vtkParticleFogFilter::RequestData(
     BoxOf(particles, 2.0 * this->ParticleRadius, box);
   }
   const littoral::FogGrid grid = this->MakeGrid(box);
-  const littoral::ParticleFog fog(grid, particles, littoral::SmpFor);
+  const littoral::ParticleFog fog(grid, particles, littoral::AbortableFor(this), littoral::PollOf(this));
   this->UpdateProgress(0.8);
 
   vtkImageData* output = vtkImageData::GetData(info);
   const std::array<int, 6> extent = littoral::RequestedExtent(info);
-  CopyExtinction(grid, fog, static_cast<float>(this->WaterExtinction), extent.data(), output);
+  CopyExtinction(grid, fog, static_cast<float>(this->WaterExtinction), extent.data(), output, littoral::PollOf(this));
   littoral::AddField(output, "ParticlesInFog", { count - static_cast<double>(fog.GetOutside()) });
   littoral::AddField(output, "ParticlesOutside", { static_cast<double>(fog.GetOutside()) });
-  littoral::AddField(output, "CrossSection", { littoral::TotalCrossSection(grid, fog.GetExtinction()) });
+  littoral::AddField(
+    output, "CrossSection", { littoral::TotalCrossSection(grid, fog.GetExtinction(), littoral::PollOf(this)) });
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -373,8 +373,11 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
     return reason;
   }
   std::vector<littoral::Vector3> places(static_cast<std::size_t>(count));
+  const littoral::Poll poll = littoral::PollOf(this);
+  littoral::SteppedPoll steps(poll);
   for (vtkIdType n = 0; n < count; ++n)
   {
+    steps.Step();
     points->GetTuple(n, &places[n].x);
     if (!littoral::IsFinite(places[n]))
     {
@@ -382,8 +385,8 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
     }
     internals.MeanHeight += places[n].z / static_cast<double>(count);
   }
-  internals.Groups = std::make_unique<littoral::ParticleGroups>(
-    places, options, static_cast<std::size_t>(this->ParticlesPerCell), littoral::SmpFor);
+  internals.Groups = std::make_unique<littoral::ParticleGroups>(places, options,
+    static_cast<std::size_t>(this->ParticlesPerCell), littoral::AbortableFor(this), littoral::PollOf(this));
   internals.Lowest = std::numeric_limits<double>::infinity();
   internals.Highest = -internals.Lowest;
   for (const littoral::ParticleGroups::Cell& cell : internals.Groups->GetCells())
@@ -447,7 +450,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
     static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError / this->DetailFactor);
   const Piece piece(outputVector->GetInformationObject(0), internals.Groups->GetCells().size());
   const littoral::ParticleSelection selection = littoral::SelectParticles(internals.Places, *internals.Groups, table,
-    littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::SmpFor);
+    littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::AbortableFor(this));
   this->UpdateProgress(0.5);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
@@ -462,7 +465,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   addLevel(littoral::sea::MasterSlave, LevelKind::Middle, selection.Middle);
   addLevel(littoral::sea::Far, LevelKind::Far, selection.Far);
   AddCounters(output, selection, piece.NumberOfParticles(*internals.Groups), state.Trains.size());
-  littoral::KeepRanges(output);
+  littoral::KeepRanges(output, littoral::PollOf(this));
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -370,7 +370,7 @@ int vtkParticleOrbitFilter::RequestData(
   }
   AddRegimes(state, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-  littoral::KeepRanges(output);
+  littoral::KeepRanges(output, littoral::PollOf(this));
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -456,7 +456,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   write("PolygonsShown", merge.GetNumberOfPolygons());
   write("PolygonsInAll", polygonsInAll);
   write("OutputBytes", merge.GetBytes());
-  littoral::KeepRanges(output);
+  littoral::KeepRanges(output, littoral::PollOf(this));
   return true;
 }
 

@@ -90,14 +90,16 @@ struct Arrays
   }
 };
 
-vtkSmartPointer<vtkCellArray> TrianglesOf(const littoral::SeaSurfaceGrid& grid)
+vtkSmartPointer<vtkCellArray> TrianglesOf(const littoral::SeaSurfaceGrid& grid, const littoral::Poll& poll)
 {
-  const std::vector<int> corners = grid.MakeTriangles();
+  const std::vector<int> corners = grid.MakeTriangles(poll);
   const vtkIdType count = static_cast<vtkIdType>(corners.size() / 3);
   auto offsets = littoral::NewArray<vtkIdTypeArray>("Offsets", 1, count + 1);
   auto connectivity = littoral::NewArray<vtkIdTypeArray>("Connectivity", 1, 3 * count);
+  littoral::SteppedPoll steps(poll);
   for (vtkIdType i = 0; i <= count; ++i)
   {
+    steps.Step();
     offsets->SetValue(i, 3 * i);
   }
   std::copy(corners.begin(), corners.end(), connectivity->GetPointer(0));
@@ -192,7 +194,7 @@ int vtkSeaSurfaceFilter::RequestData(
     this->MakeSurface(sea, time, output);
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-  littoral::KeepRanges(output);
+  littoral::KeepRanges(output, littoral::PollOf(this));
   return 1;
 }
 
@@ -204,19 +206,20 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
   const double waveHeight = std::max(1e-9, 4.0 * std::sqrt(littoral::EnergyOf(sea.Trains)));
   const double center[3] = { this->Center[0], this->Center[1], sea.SeaLevel };
   Arrays arrays(static_cast<vtkIdType>(grid.GetNumberOfPoints()), this->WaterColors);
-  littoral::ForRanges(littoral::SmpFor, grid.GetNumberOfPoints(), RangeLength, [&](std::size_t begin, std::size_t end) {
-    const littoral::SeaSurfacePoints points =
-      littoral::SurfaceOf(sea, parameters, grid, this->Choppiness, time, begin, end);
-    arrays.Take(points, begin, center);
-    if (this->WaterColors)
-    {
-      arrays.Paint(points, begin, waveHeight, this->FoamThreshold);
-    }
-  });
+  littoral::ForRanges(
+    littoral::AbortableFor(this), grid.GetNumberOfPoints(), RangeLength, [&](std::size_t begin, std::size_t end) {
+      const littoral::SeaSurfacePoints points =
+        littoral::SurfaceOf(sea, parameters, grid, this->Choppiness, time, begin, end);
+      arrays.Take(points, begin, center);
+      if (this->WaterColors)
+      {
+        arrays.Paint(points, begin, waveHeight, this->FoamThreshold);
+      }
+    });
   vtkNew<vtkPoints> points;
   points->SetData(arrays.Places);
   output->SetPoints(points);
-  output->SetPolys(TrianglesOf(grid));
+  output->SetPolys(TrianglesOf(grid, littoral::PollOf(this)));
   output->GetPointData()->SetNormals(arrays.Normals);
   output->GetPointData()->AddArray(arrays.Jacobians);
   if (this->WaterColors)

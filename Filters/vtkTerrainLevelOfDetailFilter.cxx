@@ -477,11 +477,14 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   samples.Origin = { corner[0], corner[1] };
   samples.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
   samples.Values.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  const littoral::Poll poll = littoral::PollOf(this);
+  littoral::SteppedPoll steps(poll);
   for (std::size_t i = 0; i < samples.Values.size(); ++i)
   {
+    steps.Step();
     samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
   }
-  internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::SmpFor);
+  internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::AbortableFor(this));
   internals.ImageTime = image->GetMTime();
   internals.HeightsTime = heights->GetMTime();
   internals.TileSize = this->TileSize;
@@ -550,6 +553,11 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   double polygons = 0.0;
   for (std::size_t block = 0; block < blocks; ++block)
   {
+    if (littoral::IsAborted(this))
+    {
+      output->Initialize();
+      return 1;
+    }
     const std::string name = BlockName(static_cast<int>(block), pyramid.GetLevels());
     littoral::AddBlock(output, name.c_str(), MakeBlock(shown.Layouts[block], pyramid, painter, image, heights));
     polygons += static_cast<double>(shown.Layouts[block].Triangles);
@@ -561,7 +569,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   AddCount(output, "PolygonsShown", polygons);
   AddCount(output, "PolygonsAtFullDetail", 2.0 * (samples.Width - 1) * (samples.Height - 1));
   AddCount(output, "LargestScreenError", shown.LargestError);
-  littoral::KeepRanges(output);
+  littoral::KeepRanges(output, littoral::PollOf(this));
   return 1;
 }
 

@@ -154,7 +154,7 @@ int vtkWindStatisticsFilter::RequestData(
     return littoral::FailedRequest(this);
   }
   this->SetProgressText("Measuring wind");
-  const littoral::WindStatistics statistics(wind.Velocities.data(), grid, wind.Model);
+  const littoral::WindStatistics statistics(wind.Velocities.data(), grid, wind.Model, littoral::PollOf(this));
   WriteBands(statistics.Spectra(places.Layer, this->NumberOfBands), vtkTable::GetData(outputVector, 0));
   this->UpdateProgress(0.4);
   WriteBands(statistics.Coherence(places.Layer, places.Columns, places.Layers, this->NumberOfBands),

@@ -78,7 +78,7 @@ bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, li
     littoralErrorMacro(<< reason);
     return false;
   }
-  prototype = littoral::LevelsOf(littoral::GrowAonoKuniiTree(p), options);
+  prototype = littoral::LevelsOf(littoral::GrowAonoKuniiTree(p, options.OnStep), options);
   return true;
 }
 

@@ -90,7 +90,8 @@ bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
   options.TextureColumns = this->TextureSize[0];
   options.TextureRows = this->TextureSize[1];
   options.CrownJitter = this->CrownJitter;
-  options.Parallel = littoral::SmpFor;
+  options.Parallel = littoral::AbortableFor(this);
+  options.OnStep = littoral::PollOf(this);
   const std::string reason = littoral::WhyInvalid(options);
   if (!reason.empty())
   {
@@ -115,7 +116,7 @@ int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInfo
   {
     littoral::EmptyBlocks(output);
   }
-  littoral::KeepRanges(output);
+  littoral::KeepRanges(output, littoral::PollOf(this));
   littoral::CopyToImage(prototype.CrownTexture, vtkImageData::GetData(outputVector, 1));
   littoral::CopyToImage(prototype.LeafTexture, vtkImageData::GetData(outputVector, 2));
   return 1;

@@ -276,8 +276,8 @@ int vtkQuadratPointSource::RequestData(
   }
   this->SetProgressText("Scattering points");
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
-  const std::vector<int> counts =
-    littoral::QuadratCounts(recipe.Law, quadrats, static_cast<littoral::QuadratMode>(this->Mode), this->Seed);
+  const std::vector<int> counts = littoral::QuadratCounts(
+    recipe.Law, quadrats, static_cast<littoral::QuadratMode>(this->Mode), this->Seed, littoral::PollOf(this));
   const littoral::PieceRange part = littoral::RequestedPart(outputVector->GetInformationObject(0), quadrats);
   PatternPiece pattern(
     recipe.Grid, this->Seed, counts, static_cast<std::size_t>(part.Begin), static_cast<std::size_t>(part.End));

@@ -84,7 +84,7 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     littoralErrorMacro(<< reason);
     return false;
   }
-  prototype = littoral::LevelsOf(littoral::GrowReevesTree(p), options);
+  prototype = littoral::LevelsOf(littoral::GrowReevesTree(p, options.OnStep), options);
   prototype.Timber = littoral::ParametersOf(littoral::TraitsOf(static_cast<littoral::TreePreset>(this->Preset)).Wood);
   return true;
 }

@@ -24,8 +24,37 @@ inline void SerialFor(std::size_t count, const RangeTask& task)
   task(0, count);
 }
 
-/// The same in ranges of a length [elements], the last one shorter. What is no longer than one runs at once: threads
-/// cost some 0.1 ms to call.
+/// What long work on one thread calls now and then, so that its caller can report, or end the work by an exception.
+using Poll = std::function<void()>;
+
+inline void NoPoll() {}
+
+/// Calls a poll at each of so many steps of a loop.
+class SteppedPoll
+{
+public:
+  explicit SteppedPoll(const Poll& poll, std::size_t steps = 4096)
+    : Called(poll)
+    , Steps(steps)
+  {
+  }
+
+  void Step()
+  {
+    if (++this->Done % this->Steps == 0)
+    {
+      this->Called();
+    }
+  }
+
+private:
+  const Poll& Called;
+  std::size_t Steps;
+  std::size_t Done = 0;
+};
+
+/// A parallel loop in ranges of a length [elements], the last one shorter. What is no longer than one runs at once:
+/// threads cost some 0.1 ms to call.
 inline void ForRanges(const ParallelFor& parallel, std::size_t count, std::size_t length, const RangeTask& task)
 {
   const std::size_t size = std::max<std::size_t>(1, length);

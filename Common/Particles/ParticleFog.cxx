@@ -85,14 +85,17 @@ void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int si
 
 }
 
-ParticleFog::ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
+ParticleFog::ParticleFog(
+  const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor, const Poll& poll)
   : Extinction(grid.NumberOfSamples(), 0.0f)
 {
   // Layers of cells keep the order of the particles; a layer of samples adds the cells below, then those above. So the
   // order of sums is that of the particles, on any threads.
   std::vector<std::vector<Located>> layers(grid.Count[2] - 1);
+  SteppedPoll steps(poll);
   for (const FogParticle& particle : particles)
   {
+    steps.Step();
     Location where;
     if (Locate(grid, particle.Place, where))
     {
@@ -129,13 +132,14 @@ ParticleFog::ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& pa
   });
 }
 
-double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction)
+double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction, const Poll& onRow)
 {
   double total = 0.0;
   for (int k = 0; k < grid.Count[2]; ++k)
   {
     for (int j = 0; j < grid.Count[1]; ++j)
     {
+      onRow();
       for (int i = 0; i < grid.Count[0]; ++i)
       {
         total += VolumeOf(grid, i, j, k) * extinction[SampleOf(grid, i, j, k)];

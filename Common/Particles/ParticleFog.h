@@ -42,8 +42,8 @@ struct FogParticle
 class ParticleFog
 {
 public:
-  ParticleFog(
-    const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor = SerialFor);
+  ParticleFog(const FogGrid& grid, const std::vector<FogParticle>& particles,
+    const ParallelFor& parallelFor = SerialFor, const Poll& poll = NoPoll);
 
   /// x fastest [1/m].
   const std::vector<float>& GetExtinction() const { return this->Extinction; }
@@ -56,7 +56,7 @@ private:
 };
 
 /// Integral of the extinction, linear between samples, over the grid [m2].
-double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction);
+double TotalCrossSection(const FogGrid& grid, const std::vector<float>& extinction, const Poll& onRow = NoPoll);
 
 }
 

@@ -65,7 +65,7 @@ struct ParticleGroups::Item
 };
 
 ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options,
-  std::size_t particlesPerCell, const ParallelFor& parallelFor)
+  std::size_t particlesPerCell, const ParallelFor& parallelFor, const Poll& poll)
   : GroupSize(static_cast<std::size_t>(options.Slaves) + 1)
   , Order(places.size())
   , Masters(places.size())
@@ -84,17 +84,17 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
   const std::size_t cell = std::max(group, particlesPerCell);
   // A few large parts one after the other, each of them by a thread.
   std::vector<Cell> parts;
-  Split(items, 0, items.size(), group, std::max(cell, items.size() / 32), parts);
+  Split(items, 0, items.size(), group, std::max(cell, items.size() / 32), parts, poll);
   std::vector<std::vector<Cell>> cells(parts.size());
   parallelFor(parts.size(), [&](std::size_t first, std::size_t last) {
     std::vector<Cell> groups;
     for (std::size_t part = first; part < last; ++part)
     {
-      Split(items, parts[part].Begin, parts[part].End, group, cell, cells[part]);
+      Split(items, parts[part].Begin, parts[part].End, group, cell, cells[part], NoPoll);
       for (Cell& each : cells[part])
       {
         groups.clear();
-        Split(items, each.Begin, each.End, group, group, groups);
+        Split(items, each.Begin, each.End, group, group, groups, NoPoll);
         for (const Cell& one : groups)
         {
           this->Arrange(items, options, one.Begin, one.End);
@@ -112,8 +112,9 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
 }
 
 void ParticleGroups::Split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::size_t group,
-  std::size_t cell, std::vector<Cell>& cells)
+  std::size_t cell, std::vector<Cell>& cells, const Poll& poll)
 {
+  poll();
   Box bounds{ items[begin].Place, items[begin].Place };
   for (std::size_t n = begin + 1; n < end; ++n)
   {
@@ -132,8 +133,8 @@ void ParticleGroups::Split(std::vector<Item>& items, std::size_t begin, std::siz
   std::nth_element(at(begin), at(middle), at(end), [axis](const Item& a, const Item& b) {
     return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Particle < b.Particle;
   });
-  Split(items, begin, middle, group, cell, cells);
-  Split(items, middle, end, group, cell, cells);
+  Split(items, begin, middle, group, cell, cells, poll);
+  Split(items, middle, end, group, cell, cells, poll);
 }
 
 void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end)

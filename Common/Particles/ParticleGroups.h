@@ -39,7 +39,7 @@ class ParticleGroups
 public:
   /// About as many particles as asked for, at least one group, in a cell. Options must be valid, places finite.
   ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options, std::size_t particlesPerCell,
-    const ParallelFor& parallelFor = SerialFor);
+    const ParallelFor& parallelFor = SerialFor, const Poll& poll = NoPoll);
 
   /// Particles from begin up to end in the order, and the box that holds them, at their own places and as slaves.
   struct Cell
@@ -67,7 +67,7 @@ private:
   struct Item; ///< a particle with its place beside it
 
   static void Split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::size_t group, std::size_t cell,
-    std::vector<Cell>& cells);
+    std::vector<Cell>& cells, const Poll& poll);
   void Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end);
 
   std::size_t GroupSize;

@@ -16,7 +16,7 @@ namespace littoral
 namespace
 {
 
-std::vector<int> SampledCounts(const QuadratLawParameters& law, long long quadrats, int seed)
+std::vector<int> SampledCounts(const QuadratLawParameters& law, long long quadrats, int seed, SteppedPoll poll)
 {
   std::vector<double> cumulative = MassFunction(law);
   std::partial_sum(cumulative.begin(), cumulative.end(), cumulative.begin());
@@ -25,13 +25,14 @@ std::vector<int> SampledCounts(const QuadratLawParameters& law, long long quadra
   for (std::size_t q = 0; q < counts.size(); ++q)
   {
     const double u = random.UniformPair(q, 0)[0] * cumulative.back();
+    poll.Step();
     counts[q] = static_cast<int>(std::upper_bound(cumulative.begin(), cumulative.end(), u) - cumulative.begin());
   }
   return counts;
 }
 
 /// Counts in a random order of the quadrats (Fisher and Yates).
-std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats, int seed)
+std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats, int seed, SteppedPoll poll)
 {
   const std::vector<long long> frequency = QuotaFrequencies(law, quadrats);
   std::vector<int> counts;
@@ -43,6 +44,7 @@ std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats
   const RandomStream random(seed, RandomPurpose::QuadratOrder);
   for (std::size_t q = counts.size(); q > 1; --q)
   {
+    poll.Step();
     const auto other = static_cast<std::size_t>(random.UniformPair(q, 0)[0] * static_cast<double>(q));
     std::swap(counts[q - 1], counts[std::min(other, q - 1)]);
   }
@@ -94,9 +96,12 @@ std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long lo
   return below;
 }
 
-std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed)
+std::vector<int> QuadratCounts(
+  const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed, const Poll& poll)
 {
-  return mode == QuadratMode::Quota ? QuotaCounts(law, quadrats, seed) : SampledCounts(law, quadrats, seed);
+  const SteppedPoll steps(poll);
+  return mode == QuadratMode::Quota ? QuotaCounts(law, quadrats, seed, steps)
+                                    : SampledCounts(law, quadrats, seed, steps);
 }
 
 std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat, int index, int seed)

@@ -3,6 +3,7 @@
 #ifndef LittoralQuadratPattern_h
 #define LittoralQuadratPattern_h
 
+#include "Numerics/Parallel.h"
 #include "Patterns/QuadratLaws.h"
 
 #include <array>
@@ -40,7 +41,8 @@ enum class QuadratMode
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats);
 
 /// The number of points in each quadrat.
-std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed);
+std::vector<int> QuadratCounts(
+  const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed, const Poll& poll = NoPoll);
 
 /// The position [m] of a point, uniform in its quadrat: a function of the seed, the quadrat and the point's index in
 /// it.

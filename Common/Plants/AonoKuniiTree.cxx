@@ -111,11 +111,12 @@ struct Bud
 class Forker
 {
 public:
-  explicit Forker(const AonoKuniiParameters& parameters)
+  Forker(const AonoKuniiParameters& parameters, const Poll& poll)
     : P(parameters)
     , Towards(glm::length(parameters.Tropism) > 0.0 ? glm::normalize(parameters.Tropism) : Vector3(0.0, 0.0, 0.0))
     , Branches(parameters.Seed, RandomPurpose::ForkBranches)
     , Leafing(parameters.Seed, RandomPurpose::ForkLeaves)
+    , Steps(poll)
   {
   }
 
@@ -149,6 +150,7 @@ private:
   Vector3 Towards;
   RandomStream Branches;
   RandomStream Leafing;
+  SteppedPoll Steps;
   Plant Tree;
   std::deque<Bud> Buds;
   std::vector<int> Twigs; ///< nodes at the feet of the last segments
@@ -171,6 +173,7 @@ private:
   /// Adds a segment to the last branch, bends the tip after it, and returns the node at its foot.
   int Lengthen(Bud& tip, double radiusAbove, std::uint64_t draw)
   {
+    this->Steps.Step();
     const auto sway = this->Branches.NormalPair(tip.Id, draw);
     const double amount = tip.Id == 1 ? 0.25 * Sway : Sway;
     tip.Frame = TurnedLeft(tip.Frame, amount * this->P.Variation * std::clamp(sway[0], -2.0, 2.0));
@@ -275,6 +278,7 @@ private:
     this->Tree.Leaves.resize(static_cast<std::size_t>(this->P.NumberOfLeaves));
     for (std::size_t index = 0; index < this->Tree.Leaves.size(); ++index)
     {
+      this->Steps.Step();
       LeafParticle& leaf = this->Tree.Leaves[index];
       const auto place = this->Leafing.UniformPair(index, 0);
       const auto across = this->Leafing.NormalPair(index, 1);
@@ -315,6 +319,7 @@ private:
     this->Tree.Crown = this->Around();
     for (std::size_t index = 0; index < this->Tree.Leaves.size(); ++index)
     {
+      this->Steps.Step();
       LeafParticle& leaf = this->Tree.Leaves[index];
       FinishLeaf(leaf, this->Tree, this->Leafing, index, static_cast<std::uint64_t>(leaf.Node));
     }
@@ -463,9 +468,9 @@ std::string WhyInvalid(const AonoKuniiParameters& p)
   return check.Reason();
 }
 
-Plant GrowAonoKuniiTree(const AonoKuniiParameters& parameters)
+Plant GrowAonoKuniiTree(const AonoKuniiParameters& parameters, const Poll& poll)
 {
-  return Forker(parameters).Run();
+  return Forker(parameters, poll).Run();
 }
 
 }

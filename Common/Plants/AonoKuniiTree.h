@@ -3,6 +3,7 @@
 #ifndef LittoralAonoKuniiTree_h
 #define LittoralAonoKuniiTree_h
 
+#include "Numerics/Parallel.h"
 #include "Plants/Plant.h"
 
 #include <string>
@@ -76,7 +77,7 @@ std::string WhyInvalid(const AonoKuniiParameters& parameters);
  * fork, and again. Without variation it is the tree of the rules exactly. The node at the foot of a segment has the
  * segment's radius; leaves stand on the segments of the last iteration. The parameters must be valid.
  */
-Plant GrowAonoKuniiTree(const AonoKuniiParameters& parameters);
+Plant GrowAonoKuniiTree(const AonoKuniiParameters& parameters, const Poll& poll = NoPoll);
 
 }
 

@@ -50,8 +50,9 @@ public:
     }
   }
 
-  void Cast(const TexturedMesh& textured)
+  void Cast(const TexturedMesh& textured, const Poll& poll)
   {
+    SteppedPoll steps(poll, 256);
     const PlantMesh& mesh = textured.Mesh;
     const auto cornerOf = [&](int index) {
       const int point = mesh.Corners[index];
@@ -60,6 +61,7 @@ public:
     };
     for (int polygon = 0; polygon < mesh.NumberOfPolygons(); ++polygon)
     {
+      steps.Step();
       const int first = mesh.Offsets[polygon];
       for (int second = first + 1; second + 1 < mesh.Offsets[polygon + 1]; ++second)
       {
@@ -68,11 +70,12 @@ public:
     }
   }
 
-  TextureImage Picture() const
+  TextureImage Picture(const Poll& poll) const
   {
     TextureImage picture(this->Columns / RaysAlongEdge, this->Rows / RaysAlongEdge);
     for (int row = 0; row < picture.Rows; ++row)
     {
+      poll();
       for (int column = 0; column < picture.Columns; ++column)
       {
         picture.At(column, row) = this->TexelAt(column, row);
@@ -236,11 +239,12 @@ void SpreadColors(TextureImage& picture)
 
 }
 
-TextureImage CylindricalProjection(const TexturedMesh& leaves, const CrownVolume& crown, int columns, int rows)
+TextureImage CylindricalProjection(
+  const TexturedMesh& leaves, const CrownVolume& crown, int columns, int rows, const Poll& poll)
 {
   Caster caster(crown, columns, rows);
-  caster.Cast(leaves);
-  TextureImage picture = caster.Picture();
+  caster.Cast(leaves, poll);
+  TextureImage picture = caster.Picture(poll);
   SpreadColors(picture);
   return picture;
 }

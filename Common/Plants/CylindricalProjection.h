@@ -4,6 +4,7 @@
 #define LittoralCylindricalProjection_h
 
 #include "Geometry/TextureImage.h"
+#include "Numerics/Parallel.h"
 #include "Plants/Plant.h"
 
 namespace littoral
@@ -21,7 +22,8 @@ struct TexturedMesh
  * rays towards the axis, horizontal, from the direction 2 pi u and at the height v of the crown. It has the mean color
  * of the outermost leaves that the rays hit before they reach the axis, and is opaque in the share of rays that hit.
  */
-TextureImage CylindricalProjection(const TexturedMesh& leaves, const CrownVolume& crown, int columns, int rows);
+TextureImage CylindricalProjection(
+  const TexturedMesh& leaves, const CrownVolume& crown, int columns, int rows, const Poll& poll = NoPoll);
 
 }
 

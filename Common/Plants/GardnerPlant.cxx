@@ -615,7 +615,9 @@ PlantPrototype LevelsOf(const GardnerPlant& plant, const PlantLevelOptions& opti
   prototype.Wood = plant.Wood;
   prototype.Skin = SkinOf(plant.Wood, skin);
   prototype.LeafTexture = GardnerPicture(GardnerTexture(p.Texture), p.Shells);
+  options.OnStep();
   prototype.Leaves = QuadricMesh(plant, prototype.LeafTexture);
+  options.OnStep();
   AddLowerLevels(prototype, { SeenCrown(plant, prototype.LeafTexture), p.Bark }, options,
     [&] { return SectionCards(plant, prototype.LeafTexture, options.TextureColumns, options.TextureRows); });
   return prototype;

@@ -47,14 +47,16 @@ double NeedleShade(double across, double along)
 
 }
 
-PlantMesh LeafCards(const Plant& plant)
+PlantMesh LeafCards(const Plant& plant, const Poll& poll)
 {
   PlantMesh mesh;
   const std::size_t vertices = 4 * plant.Leaves.size();
   mesh.Points.reserve(vertices);
   mesh.Normals.reserve(vertices);
+  SteppedPoll steps(poll);
   for (const LeafParticle& leaf : plant.Leaves)
   {
+    steps.Step();
     const Vector3 side = glm::cross(leaf.Axis, leaf.Facing);
     const int first = static_cast<int>(mesh.Points.size());
     const double half = 0.5 * leaf.Width * leaf.Size;

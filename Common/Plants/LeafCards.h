@@ -4,6 +4,7 @@
 #define LittoralLeafCards_h
 
 #include "Geometry/TextureImage.h"
+#include "Numerics/Parallel.h"
 #include "Plants/Plant.h"
 
 namespace littoral
@@ -11,7 +12,7 @@ namespace littoral
 
 /// A card for each leaf: a kite in the leaf's outline, with its corners at the middles of the texture's edges and its
 /// foot at v = 0. All of a card follows the joint of the node that carries the leaf.
-PlantMesh LeafCards(const Plant& plant);
+PlantMesh LeafCards(const Plant& plant, const Poll& poll = NoPoll);
 
 /// Columns and rows of the picture on a leaf.
 inline constexpr int LeafPictureSize = 64;

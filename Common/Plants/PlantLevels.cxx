@@ -191,7 +191,7 @@ void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, cons
     prototype.Trunk = TrunkCone(prototype.Wood, outline.Bark);
     prototype.Crown = CrownEnvelope(outline.Crown, options);
     prototype.CrownTexture = CylindricalProjection(
-      { prototype.Leaves, leafTexture }, outline.Crown, options.TextureColumns, options.TextureRows);
+      { prototype.Leaves, leafTexture }, outline.Crown, options.TextureColumns, options.TextureRows, options.OnStep);
     prototype.CrownTextureMean = MeanOf(prototype.CrownTexture);
     prototype.Crown.Colors.assign(prototype.Crown.Points.size(), ColorOf(prototype.CrownTextureMean));
   }
@@ -204,6 +204,7 @@ void AddLowerLevels(PlantPrototype& prototype, const PlantOutline& outline, cons
     prototype.CrownTexture = std::move(cards.Texture);
     prototype.CrownTextureMean.fill(CardTextureMean);
   }
+  options.OnStep();
   prototype.Impostor = ImpostorOf(full, extent, options.Parallel);
   prototype.Low = CrossedCards(prototype.Impostor);
 }
@@ -215,7 +216,7 @@ PlantPrototype LevelsOf(const Plant& plant, const PlantLevelOptions& options)
   skin.Bark = plant.Bark;
   prototype.Wood = plant.Wood;
   prototype.Skin = SkinOf(plant.Wood, skin);
-  prototype.Leaves = LeafCards(plant);
+  prototype.Leaves = LeafCards(plant, options.OnStep);
   prototype.LeafTexture = LeafPicture(plant.Form);
   AddLowerLevels(prototype, { plant.Crown, plant.Bark }, options, [&] {
     CrownCards cards{ TuftCards(prototype.Leaves, options.Seed), {} };

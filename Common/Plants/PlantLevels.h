@@ -30,6 +30,7 @@ struct PlantLevelOptions
   double CrownJitter = 0.0; ///< by which the envelope's vertices move inwards at most, as part of the radius
   int Seed = 1;             ///< of the jitter and the cards
   ParallelFor Parallel = SerialFor;
+  Poll OnStep = NoPoll;
 };
 
 /// Why there are no such levels, with the name of the property; empty when there are.

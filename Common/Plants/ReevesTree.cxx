@@ -36,11 +36,12 @@ struct Bud
 class Grower
 {
 public:
-  explicit Grower(const ReevesTreeParameters& parameters)
+  Grower(const ReevesTreeParameters& parameters, const Poll& poll)
     : P(parameters)
     , Crown(CrownOf(parameters))
     , Branching(parameters.Seed, RandomPurpose::TreeBranches)
     , Leafing(parameters.Seed, RandomPurpose::TreeLeaves)
+    , Steps(poll)
   {
   }
 
@@ -62,6 +63,7 @@ private:
   CrownVolume Crown;
   RandomStream Branching;
   RandomStream Leafing;
+  SteppedPoll Steps;
   Plant Tree;
 
   /// A factor of mean 1, never far from it.
@@ -162,6 +164,7 @@ private:
         const int count = order == 1 ? this->P.MainBranches : this->P.SideBranches;
         for (int index = 0; index < count; ++index)
         {
+          this->Steps.Step();
           this->GrowBranch(this->MakeBud(branch, index, count));
         }
       }
@@ -246,6 +249,7 @@ private:
     this->Tree.Leaves.reserve(static_cast<std::size_t>(this->P.NumberOfLeaves));
     for (int leaf = 0; leaf < this->P.NumberOfLeaves; ++leaf)
     {
+      this->Steps.Step();
       const std::uint64_t index = static_cast<std::uint64_t>(leaf);
       const int twig = twigs[index % twigs.size()];
       const auto place = this->Leafing.UniformPair(index, 0);
@@ -425,9 +429,9 @@ CrownVolume CrownOf(const ReevesTreeParameters& p)
   return { p.Shape, { 0.0, 0.0, p.CrownBase }, p.Height - p.CrownBase, p.CrownRadius };
 }
 
-Plant GrowReevesTree(const ReevesTreeParameters& parameters)
+Plant GrowReevesTree(const ReevesTreeParameters& parameters, const Poll& poll)
 {
-  return Grower(parameters).Run();
+  return Grower(parameters, poll).Run();
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef LittoralReevesTree_h
 #define LittoralReevesTree_h
 
+#include "Numerics/Parallel.h"
 #include "Plants/Plant.h"
 #include "Plants/WoodParameters.h"
 
@@ -82,7 +83,7 @@ CrownVolume CrownOf(const ReevesTreeParameters& parameters);
  * rule with lengths cut by the bounding volume, leaves as particles on the branches of the highest order. Each number
  * is a function of the seed and of the branch or leaf it belongs to. The parameters must be valid.
  */
-Plant GrowReevesTree(const ReevesTreeParameters& parameters);
+Plant GrowReevesTree(const ReevesTreeParameters& parameters, const Poll& poll = NoPoll);
 
 }
 

@@ -96,7 +96,7 @@ void SeaSurfaceGrid::PlaceAt(std::size_t point, double& x, double& y) const
   y = radius * std::sin(angle);
 }
 
-std::vector<int> SeaSurfaceGrid::MakeTriangles() const
+std::vector<int> SeaSurfaceGrid::MakeTriangles(const Poll& onRing) const
 {
   std::vector<int> corners;
   corners.reserve(3 * this->Sectors * (2 * this->Radii.size() - 1));
@@ -106,6 +106,7 @@ std::vector<int> SeaSurfaceGrid::MakeTriangles() const
   }
   for (std::size_t ring = 1; ring < this->Radii.size(); ++ring)
   {
+    onRing();
     const int inner = 1 + static_cast<int>(ring - 1) * this->Sectors;
     const int outer = inner + this->Sectors;
     for (int i = 0; i < this->Sectors; ++i)

@@ -3,6 +3,7 @@
 #ifndef LittoralSeaSurface_h
 #define LittoralSeaSurface_h
 
+#include "Numerics/Parallel.h"
 #include "Sea/WaveOrbits.h"
 
 #include <cstddef>
@@ -45,7 +46,7 @@ public:
   /// Where a point is at rest, from the center [m].
   void PlaceAt(std::size_t point, double& x, double& y) const;
   /// Corners of all triangles, counterclockwise from above.
-  std::vector<int> MakeTriangles() const;
+  std::vector<int> MakeTriangles(const Poll& onRing = NoPoll) const;
 
 private:
   std::vector<double> Radii;

@@ -215,12 +215,14 @@ struct Residuals
   const Expectation& Expected;
   const std::vector<LagBin>& Bins;
   const std::vector<double>& RootWeights;
+  const Poll& OnTrial;
 
   int inputs() const { return this->Map.Count(); }
   int values() const { return static_cast<int>(this->Bins.size()); }
 
   int operator()(const Eigen::VectorXd& unknowns, Eigen::VectorXd& residuals) const
   {
+    this->OnTrial();
     VariogramFit fit = this->Map.Unpack(unknowns);
     std::vector<double> model;
     this->Expected.Evaluate(fit, model);
@@ -326,7 +328,7 @@ Eigen::VectorXd BestUnknowns(const Unknowns& map, const std::vector<LagBin>& bin
 {
   const std::vector<double> rootWeights = RootWeights(bins);
   using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
-  Problem problem(Residuals{ map, expected, bins, rootWeights });
+  Problem problem(Residuals{ map, expected, bins, rootWeights, options.OnTrial });
   Eigen::VectorXd found;
   for (int start = 0; start < NumberOfStarts; ++start)
   {

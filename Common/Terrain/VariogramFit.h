@@ -3,6 +3,7 @@
 #ifndef LittoralVariogramFit_h
 #define LittoralVariogramFit_h
 
+#include "Numerics/Parallel.h"
 #include "Terrain/CovarianceModels.h"
 #include "Terrain/Variogram.h"
 
@@ -30,6 +31,7 @@ struct VariogramFitOptions
   const DetrendedWindow* Window = nullptr;
   double SampleVariance = 1.0; ///< variance of the values less their trend [unit of the field squared]
   int Directions = 1;          ///< sectors of the lags; 1: all directions together
+  Poll OnTrial = NoPoll;       ///< called whenever a model is compared with the lags
 };
 
 /// One model, fitted.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace littoral
 {
@@ -69,10 +70,11 @@ private:
   int Number;
 };
 
-WindStatistics::WindStatistics(const float* velocities, const WindGrid& grid, const WindModel& model)
+WindStatistics::WindStatistics(const float* velocities, const WindGrid& grid, const WindModel& model, Poll onLine)
   : Velocities(velocities)
   , Grid(grid)
   , Model(model)
+  , OnLine(std::move(onLine))
 {
 }
 
@@ -85,6 +87,7 @@ double WindStatistics::At(int sample, int column, int layer, int component) cons
 /// X_k, k = 0, 1 ... (N - 1) / 2, of a line.
 WindStatistics::Amplitudes WindStatistics::AmplitudesOf(int column, int layer, int component) const
 {
+  this->OnLine();
   const int length = this->Grid.Count[0];
   PeriodFourier::Line line(length);
   for (int sample = 0; sample < length; ++sample)
@@ -197,6 +200,7 @@ std::vector<WindLayer> WindStatistics::Profile() const
       double total = 0.0;
       for (int column = 0; column < this->Grid.Count[1]; ++column)
       {
+        this->OnLine();
         double sum = 0.0;
         for (int sample = 0; sample < samples; ++sample)
         {

@@ -3,6 +3,7 @@
 #ifndef LittoralWindStatistics_h
 #define LittoralWindStatistics_h
 
+#include "Numerics/Parallel.h"
 #include "Wind/WindField.h"
 
 #include <array>
@@ -41,8 +42,9 @@ struct WindLayer
 class WindStatistics
 {
 public:
-  /// Velocities as WindField::Make gives them, which must outlive this; model and grid must be valid.
-  WindStatistics(const float* velocities, const WindGrid& grid, const WindModel& model);
+  /// Velocities as WindField::Make gives them, which must outlive this; model and grid must be valid. `onLine` is
+  /// called at each line.
+  WindStatistics(const float* velocities, const WindGrid& grid, const WindModel& model, Poll onLine = NoPoll);
 
   /// One-sided spectral densities of a layer [m2/s2/Hz], mean over its lines, in bands of equal ratio of frequencies.
   /// Bands that hold no frequency are left out.
@@ -66,6 +68,7 @@ private:
   const float* Velocities;
   WindGrid Grid;
   WindModel Model;
+  Poll OnLine;
 };
 
 }

@@ -15,8 +15,8 @@ namespace littoral
 namespace
 {
 
-/// Plants that one thread copies at a time.
-constexpr std::size_t PlantsAtOnce = 64;
+/// Polygons that one thread copies at a time, in whole plants.
+constexpr std::size_t PolygonsAtOnce = 100000;
 
 }
 
@@ -60,9 +60,12 @@ std::size_t ScatterMerge::Begin()
   for (int part = 0; part < NumberOfParts; ++part)
   {
     this->Merges[part].Allocate();
-    for (std::size_t plant = 0; plant < this->Merges[part].GetNumberOfPlants(); plant += PlantsAtOnce)
+    const std::size_t plants = this->Merges[part].GetNumberOfPlants();
+    const std::size_t polygons = std::max<std::size_t>(1, this->Merges[part].GetNumberOfCells());
+    const std::size_t atOnce = std::clamp<std::size_t>(PolygonsAtOnce * plants / polygons, 1, 1024);
+    for (std::size_t plant = 0; plant < plants; plant += atOnce)
     {
-      this->Jobs.emplace_back(part, plant);
+      this->Jobs.push_back({ part, plant, std::min(plant + atOnce, plants) });
     }
   }
   return this->Jobs.size();
@@ -70,10 +73,8 @@ std::size_t ScatterMerge::Begin()
 
 void ScatterMerge::Do(std::size_t job)
 {
-  const auto [part, plant] = this->Jobs[job];
-  PlantMerge& merge = this->Merges[part];
-  const std::size_t end = std::min(plant + PlantsAtOnce, merge.GetNumberOfPlants());
-  merge.Fill(plant, end);
+  const auto [part, plant, end] = this->Jobs[job];
+  this->Merges[part].Fill(plant, end);
   for (std::size_t index = plant; part == LowPart && this->Facing && index < end; ++index)
   {
     this->PlaceCard(index);

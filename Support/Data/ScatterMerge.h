@@ -50,7 +50,14 @@ private:
   const View* Facing;
   std::array<std::vector<int>, 3> Shown; ///< places, of each level
   std::vector<PlantMerge> Merges;
-  std::vector<std::pair<int, std::size_t>> Jobs; ///< a part, and the first of some of its plants
+  /// Some plants of a part.
+  struct Job
+  {
+    int Part;
+    std::size_t First;
+    std::size_t End;
+  };
+  std::vector<Job> Jobs;
   double Bytes = 0.0;
 
   /// Points, normals and texture coordinates of the card of a far plant.

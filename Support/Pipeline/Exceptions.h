@@ -15,6 +15,11 @@
 namespace littoral
 {
 
+/// Ends a request that the user asked to stop, from where no false can be handed back.
+struct Aborted
+{
+};
+
 /// Keeps the first exception of several threads for the one that waits for them.
 class FirstException
 {
@@ -49,7 +54,7 @@ private:
 /// Reports an exception as a mistake of the algorithm, and returns FailedRequest().
 int FailedBy(vtkAlgorithm* algorithm, const std::string& reason);
 
-/// What the answer to a request returns; FailedBy() if it ends by an exception.
+/// What the answer to a request returns; FailedBy() if it ends by an exception, 1 if by an abort.
 template <typename Answer>
 int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, const Answer& answer)
 {
@@ -58,6 +63,10 @@ int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, const An
   {
     const int result = answer();
     return result != 0 ? result : answered.Failed();
+  }
+  catch (const Aborted&)
+  {
+    return 1;
   }
   catch (const std::bad_alloc&)
   {

@@ -5,6 +5,7 @@
 #include "vtkDataObject.h"
 #include "vtkVersionMacros.h"
 
+#include <chrono>
 #include <string>
 
 namespace littoral
@@ -26,6 +27,72 @@ bool IsAborted(vtkAlgorithm* algorithm)
 #else
   return algorithm->GetAbortExecute() != 0;
 #endif
+}
+
+bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& proceeds, const RangeTask& task)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::duration<double> longest(0.05);
+  const auto smallest = static_cast<std::size_t>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+  std::size_t batch = smallest;
+  for (std::size_t done = 0; done < count;)
+  {
+    if (!proceeds(done))
+    {
+      return false;
+    }
+    const std::size_t end = done + std::min(batch, count - done);
+    // Small parts, for pieces of the same batch can take unlike times.
+    const auto grain = static_cast<vtkIdType>(std::max<std::size_t>(1, (end - done) / (8 * smallest)));
+    const Clock::time_point begin = Clock::now();
+    FirstException first;
+    vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), grain, [&](vtkIdType a, vtkIdType b) {
+      first.Catch([&] { task(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });
+    });
+    first.Rethrow();
+    const auto elapsed = Clock::now() - begin;
+    batch = elapsed > longest ? std::max(smallest, batch / 2) : elapsed < longest / 3 ? 2 * batch : batch;
+    done = end;
+  }
+  return true;
+}
+
+namespace
+{
+
+void EndIfAborted(vtkAlgorithm* algorithm)
+{
+  algorithm->UpdateProgress(algorithm->GetProgress()); // lets the user ask
+  if (IsAborted(algorithm))
+  {
+    throw Aborted();
+  }
+}
+
+}
+
+ParallelFor AbortableFor(vtkAlgorithm* algorithm)
+{
+  return [algorithm](std::size_t count, const RangeTask& task) {
+    const auto proceeds = [algorithm](std::size_t) {
+      EndIfAborted(algorithm);
+      return true;
+    };
+    ForBatches(count, proceeds, task);
+  };
+}
+
+Poll PollOf(vtkAlgorithm* algorithm)
+{
+  using Clock = std::chrono::steady_clock;
+  return [algorithm, last = Clock::now()]() mutable {
+    const Clock::time_point now = Clock::now();
+    if (algorithm->GetAbortExecute() || now - last > std::chrono::milliseconds(10))
+    {
+      last = now;
+      EndIfAborted(algorithm);
+    }
+  };
 }
 
 double RequestedTime(vtkInformation* output)

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 
 namespace littoral
 {
@@ -28,33 +29,32 @@ void SmpFor(std::size_t count, const RangeTask& task);
 bool IsAborted(vtkAlgorithm* algorithm);
 
 /**
- * Runs pieces 0 ... count-1 on all threads, in a few batches, between which progress is reported from first to last
- * and an abort is noticed. False when aborted.
+ * Runs a task on 0 ... count-1 on all threads, in batches that take about 0.05 s each, for a user is to be heard ten
+ * times a second. `proceeds(done)` is asked before each batch and stops the work by false; so does this function then.
  */
+bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& proceeds, const RangeTask& task);
+
+/// SmpFor() that stops by Aborted when the user asks for it: for what takes long, not for the short steps of many.
+ParallelFor AbortableFor(vtkAlgorithm* algorithm);
+
+/// Hears the user a hundred times a second, and ends the work by Aborted. Must be called by the thread of the request.
+Poll PollOf(vtkAlgorithm* algorithm);
+
+/// Runs pieces 0 ... count-1 in batches, between which progress is reported from first to last and an abort is noticed.
+/// False when aborted.
 template <typename Task>
 bool RunWithProgress(vtkAlgorithm* algorithm, std::size_t count, double first, double last, const Task& task)
 {
-  const std::size_t batch = std::max<std::size_t>(8, (count + 15) / 16);
-  for (std::size_t done = 0; done < count; done += batch)
-  {
-    if (IsAborted(algorithm))
-    {
-      return false;
-    }
+  const auto proceeds = [&](std::size_t done) {
     algorithm->UpdateProgress(first + (last - first) * static_cast<double>(done) / static_cast<double>(count));
-    const std::size_t end = std::min(count, done + batch);
-    FirstException exception;
-    vtkSMPTools::For(static_cast<vtkIdType>(done), static_cast<vtkIdType>(end), 1, [&](vtkIdType a, vtkIdType b) {
-      exception.Catch([&] {
-        for (vtkIdType piece = a; piece < b; ++piece)
-        {
-          task(static_cast<std::size_t>(piece));
-        }
-      });
-    });
-    exception.Rethrow();
-  }
-  return true;
+    return !IsAborted(algorithm);
+  };
+  return ForBatches(count, proceeds, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t piece = begin; piece < end; ++piece)
+    {
+      task(piece);
+    }
+  });
 }
 
 /// The time that is asked of an output [s]; 0 where none is.

@@ -127,14 +127,14 @@ void KeepRanges(vtkDataArray* array)
   }
 }
 
-void KeepRanges(vtkDataObject* data)
+void KeepRanges(vtkDataObject* data, const Poll& onArray)
 {
   if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
   {
     auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
     for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
     {
-      KeepRanges(each->GetCurrentDataObject());
+      KeepRanges(each->GetCurrentDataObject(), onArray);
     }
     return;
   }
@@ -152,6 +152,7 @@ void KeepRanges(vtkDataObject* data)
   {
     for (int k = 0; k < fields->GetNumberOfArrays(); ++k)
     {
+      onArray();
       KeepRanges(fields->GetArray(k));
     }
   }

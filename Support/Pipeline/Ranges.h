@@ -3,6 +3,7 @@
 #ifndef LittoralSupportRanges_h
 #define LittoralSupportRanges_h
 
+#include "Numerics/Parallel.h"
 #include "Numerics/VectorRange.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ void KeepRanges(vtkDataArray* array, const TupleRanges& ranges);
 void KeepRanges(vtkDataArray* array);
 
 /// Finds the ranges of all arrays and of the points of data that are complete: points, polygons, blocks of them.
-void KeepRanges(vtkDataObject* data);
+void KeepRanges(vtkDataObject* data, const Poll& onArray = NoPoll);
 
 }
 
