@@ -4,7 +4,7 @@
 nothing; each input and each of its leaves of another type, empty, null and nested. No filter may crash; each refuses
 with one message or works, and afterwards makes of good inputs what a fresh one makes.
 
-Filters, inputs and arrays come from the cases of hash_outputs.py, which has one for each class. Names of classes as
+Filters and inputs are the small working objects of the fuzzer, one for each class (Testing/Fuzz/recipes.py). Names of classes as
 arguments restrict the test to them, and LITTORAL_TEST_CASES to cases whose names match an expression. To run it under
 valgrind:
 
@@ -21,9 +21,12 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Hashes"))
+for folder in "Hashes", "Fuzz":
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1] / folder))
 # pylint: disable=wrong-import-position
-from hash_outputs import CASES, leaves, make, outputs_of
+import hash_outputs
+import recipes
+from hash_outputs import leaves, outputs_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkOutputWindow, vtkPoints, vtkStringArray, vtkStringOutputWindow
@@ -31,19 +34,20 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSetCollection,
     vtkPointSet, vtkPolyData, vtkTable)
 
+import littoral
 import numpy
 
 
 
 # Inputs and their copies ----------------------------------------------------------------------------------------------
 def good_inputs(name):
-    """What the sources of a class's case put out, by ports."""
-    inputs = []
-    for source in CASES[name][0]():
-        if source is not None:
-            source.Update()
-        inputs.append(source and source.GetOutputDataObject(0))
-    return inputs
+    """What feeds a class's working object, by ports."""
+    return [recipes.results(other)[0] for other in recipes.inputs(name)]
+
+
+def make(name):
+    """A working object without inputs."""
+    return hash_outputs.make(name, **recipes.settings(name))
 
 
 def copy_of(data):
@@ -463,7 +467,8 @@ def test(name):
 
 
 def main(wanted):
-    names = wanted or [name for name, (inputs, _) in CASES.items() if inputs()]
+    names = wanted or [name for name in recipes.RECIPES if recipes.inputs(name) and hasattr(littoral, name)
+                       and getattr(littoral, name)().GetNumberOfOutputPorts()]
     assert wanted or len(names) > 12, names
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(test, names))
