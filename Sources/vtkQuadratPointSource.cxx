@@ -253,8 +253,8 @@ std::string vtkQuadratPointSource::WhyInvalid(const Recipe& recipe) const
   if (reason.empty() &&
     (quadrats > MostQuadrats || 48.0 * points + 8.0 * static_cast<double>(quadrats) > littoral::AvailableMemory()))
   {
-    reason = "about " + std::to_string(static_cast<long long>(points)) + " points in " + std::to_string(quadrats) +
-      " quadrats are more than this machine has memory for.";
+    reason = "Quadrats (" + std::to_string(quadrats) + ") of MeanPerQuadrat (" + littoral::TextOf(recipe.Law.Mean) +
+      ") points are more than this machine has memory for.";
   }
   return reason;
 }

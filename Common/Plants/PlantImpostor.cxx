@@ -93,8 +93,10 @@ float ThresholdOf(const std::vector<SeenTexel>& picture, std::vector<float> smoo
     covered += texel.Coverage;
   }
   const auto count = std::min(smooth.size() - 1, static_cast<std::size_t>(std::lround(covered)));
-  std::sort(smooth.begin(), smooth.end(), std::greater<>());
-  return std::max(1e-3f, 0.5f * (smooth[count > 0 ? count - 1 : 0] + smooth[count]));
+  const auto next = smooth.begin() + static_cast<std::ptrdiff_t>(count);
+  std::nth_element(smooth.begin(), next, smooth.end(), std::greater<>());
+  const float above = count > 0 ? *std::min_element(smooth.begin(), next) : *next;
+  return std::max(1e-3f, 0.5f * (above + *next));
 }
 
 /// Draws all views into an atlas.

@@ -9,6 +9,7 @@ outputs are those of a fresh object, byte by byte. That it does not crash or han
 import re
 import sys
 import time
+from math import inf
 from pathlib import Path
 
 import numpy
@@ -132,32 +133,33 @@ class Player:
             except (TypeError, ValueError, OverflowError):
                 pass  # Python refuses the value
 
-    def update(self, time=None, piece=None, extent=None):  # pylint: disable=redefined-outer-name
-        """Asks for the outputs, and looks at them."""
+    def update(self, time=None, piece=None, extent=None, stop=inf):  # pylint: disable=redefined-outer-name
+        """Asks for the outputs, and looks at them; the request is stopped when its progress is above `stop`."""
         if self.rehearsal:
             return
         messages()
+        self.watch(stop)
         self.ask(time, piece, extent)
         self.listen()
         self.look()
 
-    def watch(self):
-        """Stops the object's next request when it takes long."""
+    def watch(self, share=inf):
+        """Stops the object's next request when it takes long, or when its progress is above a share but not at its end."""
         end = time.process_time() + PATIENCE
 
         def stop(made, _):
-            if time.process_time() > end:
+            if made.GetProgress() < 1.0 and (time.process_time() > end or made.GetProgress() > share):
                 self.stopped = True
                 made.SetAbortExecute(1)
 
         self.stopped = False
+        self.made.SetAbortExecute(0)  # VTK leaves that to the one who stopped
         self.made.RemoveObservers("ProgressEvent")
         self.made.AddObserver("ProgressEvent", stop)
 
     def ask(self, moment, piece, extent):
         """The request itself."""
         made = self.made
-        self.watch()
         if hasattr(made, "Write"):
             made.Write()
         elif moment is not None:
@@ -264,12 +266,14 @@ def play(name, lines, before=lambda number: None):
     if these differ from the working object's; how it ended."""
     player = Player(name)
     player.play(lines, before)
-    if not (player.refused or player.stopped) and is_as_working(player.made, name, lines):
+    if player.stopped:
+        return "stopped"
+    if not player.refused and is_as_working(player.made, name, lines):
         return "good"
     before(len(lines))
     fresh = Player(name, rehearsal=True)
     fresh.play(lines)
-    if fresh.refused or fresh.stopped or player.stopped:
+    if fresh.refused or fresh.stopped:
         return "refused" if fresh.refused else "stopped"
     if player.refused:
         raise Fault("no recovery", player.refused)
