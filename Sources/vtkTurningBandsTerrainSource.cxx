@@ -3,6 +3,7 @@
 #include "vtkTurningBandsTerrainSource.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
@@ -350,7 +351,7 @@ bool vtkTurningBandsTerrainSource::GrowAll(
   const auto grow = [&](const Recipe& recipe, double first, double last) {
     vtkNew<vtkFloatArray> values;
     values->SetName(recipe.Name);
-    values->SetNumberOfValues(count);
+    littoral::SetTuples(values, count);
     output->GetPointData()->AddArray(values);
     vtkNew<vtkIntArray> lines;
     lines->SetName((std::string(recipe.Name) + "Lines").c_str());
