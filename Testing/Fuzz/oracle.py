@@ -127,6 +127,7 @@ class Player:
         self.refused = ""  # the last update, and why
         self.stopped = False  # the last update
         self.told = None  # when the object was changed before it last spoke
+        self.asked = None  # when it was changed before the last request; to stop it changes it too
         self.excused = False  # from telling why an update failed
         self.scope = {**vars(inputs), "littoral": littoral, "nan": numpy.nan, "inf": numpy.inf, "data": recipes.data,
                       "source": recipes.source, "update": self.update, "keep": self.keep, "finish": self.finish}
@@ -168,6 +169,7 @@ class Player:
 
         self.stopped = False
         self.made.SetAbortExecute(0)  # VTK leaves that to the one who stopped
+        self.asked = self.made.GetMTime()
         self.made.RemoveObservers("ProgressEvent")
         self.made.AddObserver("ProgressEvent", stop)
 
@@ -201,7 +203,7 @@ class Player:
             {*littoral.__all__} - {type(self.made).__name__})
         if ours:
             self.told = self.made.GetMTime()
-        elif not self.excused and self.told != self.made.GetMTime() and any(FAILURE.match(said) for _, said in all_said):
+        elif not self.excused and self.told != self.asked and any(FAILURE.match(said) for _, said in all_said):
             raise Fault("silence", all_said[0][1])
         for said in ours:
             words = set(re.findall(r"\w+", said.lower()))
