@@ -126,7 +126,7 @@ class Player:
         self.kept = []
         self.refused = ""  # the last update, and why
         self.stopped = False  # the last update
-        self.told = None  # when the object was changed before it last spoke
+        self.told = 0  # when the object was changed before it last spoke
         self.asked = None  # when it was changed before the last request; to stop it changes it too
         self.excused = False  # from telling why an update failed
         self.scope = {**vars(inputs), "littoral": littoral, "nan": numpy.nan, "inf": numpy.inf, "data": recipes.data,
