@@ -95,8 +95,8 @@ vtkSmartPointer<vtkCellArray> VerticesOf(vtkIdType count)
 {
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> connectivity;
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(count);
+  littoral::SetTuples(offsets, count + 1);
+  littoral::SetTuples(connectivity, count);
   ForEach(count, [&](vtkIdType n) {
     offsets->SetValue(n, n);
     connectivity->SetValue(n, n);
@@ -145,7 +145,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const std::vector<littoral::ShownParticle>& 
   const vtkIdType count = static_cast<vtkIdType>(level.size());
   vtkNew<Array> points;
   points->SetNumberOfComponents(3);
-  points->SetNumberOfTuples(count);
+  littoral::SetTuples(points, count);
   Real* values = points->GetPointer(0);
   ForEach(count, [&](vtkIdType n) {
     const littoral::ShownParticle& particle = level[n];

@@ -105,7 +105,7 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
       copy.TakeReference(array->NewInstance());
       copy->SetName(array->GetName());
       copy->SetNumberOfComponents(array->GetNumberOfComponents());
-      copy->SetNumberOfTuples(tuples);
+      littoral::SetTuples(copy, tuples);
       carried.emplace_back(array, copy);
     }
   }

@@ -3,6 +3,7 @@
 #include "vtkQuadratPointSource.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
@@ -87,10 +88,10 @@ public:
   {
     const vtkIdType count = this->GetNumberOfPoints();
     vtkNew<vtkIdTypeArray> offsets;
-    offsets->SetNumberOfValues(count + 1);
+    littoral::SetTuples(offsets, count + 1);
     std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, vtkIdType{ 0 });
     vtkNew<vtkIdTypeArray> corners;
-    corners->SetNumberOfValues(count);
+    littoral::SetTuples(corners, count);
     std::iota(corners->GetPointer(0), corners->GetPointer(0) + count, vtkIdType{ 0 });
     vtkNew<vtkCellArray> vertices;
     vertices->SetData(offsets, corners);
@@ -253,8 +254,8 @@ std::string vtkQuadratPointSource::WhyInvalid(const Recipe& recipe) const
   if (reason.empty() &&
     (quadrats > MostQuadrats || 48.0 * points + 8.0 * static_cast<double>(quadrats) > littoral::AvailableMemory()))
   {
-    reason = "about " + std::to_string(static_cast<long long>(points)) + " points in " + std::to_string(quadrats) +
-      " quadrats are more than this machine has memory for.";
+    reason = "Quadrats (" + std::to_string(quadrats) + ") of MeanPerQuadrat (" + littoral::TextOf(recipe.Law.Mean) +
+      ") points are more than this machine has memory for.";
   }
   return reason;
 }

@@ -71,9 +71,9 @@ std::array<long long, 2> PicturesSize()
 vtkSmartPointer<vtkCellArray> EvenCells(vtkIdType cells, int size, int stride, int skip)
 {
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(cells + 1);
+  littoral::SetTuples(offsets, cells + 1);
   vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(cells * size);
+  littoral::SetTuples(corners, cells * size);
   for (vtkIdType cell = 0; cell <= cells; ++cell)
   {
     offsets->SetValue(cell, cell * size);

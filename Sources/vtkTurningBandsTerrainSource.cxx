@@ -3,6 +3,7 @@
 #include "vtkTurningBandsTerrainSource.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
@@ -24,7 +25,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ namespace
 {
 /// Rows that one thread fills at a time: enough for long runs along the lines that are closer to y.
 constexpr int RowsAtOnce = 128;
+
+/// Standard deviations whose squares are sensible, besides 0.
+constexpr littoral::ValueInterval Deviations = littoral::ValueInterval::From(1e-15, 3e7);
 }
 
 /// One field in full: the numerics' parameters, and what is added to them.
@@ -45,6 +49,9 @@ public:
   double Slope[2] = { 0.0, 0.0 };
   double TrendSides[2] = { 0.0, 0.0 }; ///< [m], of the rectangle over which mean and slope are all the trend there is
   const char* Name = "";
+  std::string Prefix;              ///< of the properties that each field has for itself
+  const char* Unit = "";           ///< of its values
+  std::optional<double> Deviation; ///< the standard deviation; none where a table gives the variance
 };
 
 //----------------------------------------------------------------------------
@@ -136,12 +143,14 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ElevationReci
 {
   Recipe recipe;
   recipe.Name = "Elevation";
+  recipe.Unit = "m";
+  recipe.Deviation = this->StandardDeviation;
   recipe.Mean = this->Mean;
   recipe.Slope[0] = this->Slope[0];
   recipe.Slope[1] = this->Slope[1];
   littoral::TurningBandsParameters& bands = recipe.Bands;
   bands.Field.Model = static_cast<littoral::CovarianceModel>(this->Model);
-  bands.Field.Variance = this->StandardDeviation * std::abs(this->StandardDeviation); // keeps a wrong sign visible
+  bands.Field.Variance = this->StandardDeviation * this->StandardDeviation;
   bands.Field.Range = this->Range;
   bands.Field.SecondRange = this->SecondRange;
   bands.Field.FractalDimension = this->FractalDimension;
@@ -161,13 +170,16 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ReflectanceRe
 {
   Recipe recipe = this->ElevationRecipe();
   recipe.Name = "Reflectance";
+  recipe.Prefix = recipe.Name;
+  recipe.Unit = "";
+  recipe.Deviation = this->ReflectanceStandardDeviation;
   recipe.Mean = this->ReflectanceMean;
   recipe.Slope[0] = recipe.Slope[1] = 0.0;
   littoral::TurningBandsParameters& bands = recipe.Bands;
   bands.Field.Model = static_cast<littoral::CovarianceModel>(this->ReflectanceModel);
-  bands.Field.Variance = this->ReflectanceStandardDeviation * std::abs(this->ReflectanceStandardDeviation);
+  bands.Field.Variance = this->ReflectanceStandardDeviation * this->ReflectanceStandardDeviation;
   bands.Field.Range = this->ReflectanceRange;
-  bands.Field.SecondRange = 0.1 * this->ReflectanceRange;
+  bands.Field.SecondRange = std::max(0.1 * this->ReflectanceRange, littoral::SmallestMagnitude);
   bands.AnisotropyRatio = 1.0;
   bands.Purpose = littoral::RandomPurpose::ReflectanceLines;
   return recipe;
@@ -198,6 +210,7 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
   std::string reason = rows.Reason();
   littoral::ReadWhole("ModelId", model, 0, littoral::NumberOfCovarianceModels - 1, bands.Field.Model, reason);
   take("Variance", bands.Field.Variance);
+  recipe.Deviation = fits->GetColumnByName("Variance") ? std::nullopt : recipe.Deviation;
   take("Range", bands.Field.Range);
   take("SecondRange", bands.Field.SecondRange);
   take("FractalDimension", bands.Field.FractalDimension);
@@ -223,7 +236,10 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   littoral::TurningBandsParameters& bands = recipe.Bands;
   const bool automatic = bands.NumberOfLines == 0;
   bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
+  const double deviation = recipe.Deviation.value_or(0.0);
   littoral::ParameterCheck check;
+  check.Require(deviation == 0.0 || Deviations.Contains(deviation), recipe.Prefix + "StandardDeviation", deviation,
+    recipe.Unit, "0, or " + Deviations.Words(recipe.Unit));
   check.Require(bands.NumberOfLines > 0, "NumberOfLines", bands.NumberOfLines, "", "positive, or 0 for enough");
   check.Require(littoral::WhyInvalid(bands, grid));
   check.Finite("Mean", recipe.Mean);
@@ -233,7 +249,9 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   check.NotNegative("TrendHeight", recipe.TrendSides[1]);
   if (!check.IsGood())
   {
-    littoralErrorMacro("Cannot grow " << recipe.Name << ": " << check.Reason());
+    const auto begins = [&](const char* word) { return check.Reason().rfind(word, 0) == 0; };
+    const bool isOwn = begins("Model ") || begins("Range ") || begins("Mean ");
+    littoralErrorMacro("Cannot grow " << recipe.Name << ": " << (isOwn ? recipe.Prefix : "") << check.Reason());
     return false;
   }
   if (automatic)
@@ -333,7 +351,7 @@ bool vtkTurningBandsTerrainSource::GrowAll(
   const auto grow = [&](const Recipe& recipe, double first, double last) {
     vtkNew<vtkFloatArray> values;
     values->SetName(recipe.Name);
-    values->SetNumberOfValues(count);
+    littoral::SetTuples(values, count);
     output->GetPointData()->AddArray(values);
     vtkNew<vtkIntArray> lines;
     lines->SetName((std::string(recipe.Name) + "Lines").c_str());

@@ -16,6 +16,10 @@ namespace
 /// Cells along each side of a tile.
 constexpr int TileSide = 16;
 
+/// Cells for each object at most: more would part nothing, and take memory.
+constexpr double MostCellsPerObject = 64.0;
+constexpr double MostCells = 1e9; ///< of all objects
+
 /// Grows a box to hold another; the first one replaces it.
 void Unite(Box& box, const Box& other, bool isFirst)
 {
@@ -47,7 +51,8 @@ SceneCells::SceneCells(const std::vector<Vector3>& feet, const std::vector<Box>&
   {
     Unite(ground, { foot, foot }, false);
   }
-  const double wanted = std::max(1.0, static_cast<double>(feet.size()) / objectsPerCell);
+  const auto objects = static_cast<double>(feet.size());
+  const double wanted = std::clamp(objects / objectsPerCell, 1.0, std::min(MostCellsPerObject * objects, MostCells));
   const Vector3 size = ground.High - ground.Low;
   this->Columns = CellsAlong(size.x, size.y, wanted);
   this->Rows = CellsAlong(size.y, size.x, wanted);

@@ -532,7 +532,9 @@ std::string WhyInvalid(const GardnerPlantParameters& p)
   check.Count("Frequency", t.Frequency, 2, 16);
   check.Range("Offset", t.Offset, 0.0, 3.0);
   check.Range("SilhouetteThreshold", t.SilhouetteThreshold, 0.0, 1.0);
-  check.Range("CenterThreshold", t.CenterThreshold, 0.0, t.SilhouetteThreshold);
+  check.Range("CenterThreshold", t.CenterThreshold, 0.0, 1.0);
+  check.Require(t.CenterThreshold <= t.SilhouetteThreshold, "CenterThreshold", t.CenterThreshold, "",
+    "at most SilhouetteThreshold, " + TextOf(t.SilhouetteThreshold));
   check.Range("Variation", p.Variation, 0.0, 0.5);
   check.Require(t.Frequency % 2 == 0,
     "Frequency is " + std::to_string(t.Frequency) +

@@ -64,24 +64,50 @@ int NearestView(const Vector3& towards)
 std::vector<float> Smoothed(const std::vector<SeenTexel>& picture)
 {
   constexpr int n = ImpostorSize;
+  std::vector<float> covered(picture.size());
+  std::transform(
+    picture.begin(), picture.end(), covered.begin(), [](const SeenTexel& texel) { return texel.Coverage; });
   std::vector<float> smooth(picture.size(), 0.0f);
   for (int row = 1; row + 1 < n; ++row)
   {
+    std::array<float, n> sums{};
+    for (int other = 0; other < 9; ++other)
+    {
+      const int i = other / 3 - 1;
+      const int j = other % 3 - 1;
+      const float weight = (i == 0 ? 2.0f : 1.0f) * (j == 0 ? 2.0f : 1.0f) / 16.0f;
+      const float* beside = &covered[static_cast<std::size_t>(row + i) * n];
+      for (int column = 1; column + 1 < n; ++column)
+      {
+        sums[column] += weight * beside[column + j];
+      }
+    }
     for (int column = 1; column + 1 < n; ++column)
     {
-      float sum = 0.0f;
-      for (int other = 0; other < 9; ++other)
-      {
-        const int i = other / 3 - 1;
-        const int j = other % 3 - 1;
-        const float weight = (i == 0 ? 2.0f : 1.0f) * (j == 0 ? 2.0f : 1.0f) / 16.0f;
-        sum += weight * picture[static_cast<std::size_t>(row + i) * n + column + j].Coverage;
-      }
       const std::size_t at = static_cast<std::size_t>(row) * n + column;
-      smooth[at] = (1.0f - Smoothing) * picture[at].Coverage + Smoothing * sum;
+      smooth[at] = (1.0f - Smoothing) * covered[at] + Smoothing * sums[column];
     }
   }
   return smooth;
+}
+
+/// Marks of a picture's texels where one of the nine around, itself among them, is marked.
+std::vector<char> Around(const std::vector<char>& marks)
+{
+  constexpr int n = ImpostorSize;
+  std::vector<char> wide = marks;
+  for (std::size_t at = 0; at + 1 < marks.size(); ++at) // over the edges too, where it marks a few more
+  {
+    wide[at] = static_cast<char>(wide[at] | marks[at + 1]);
+    wide[at + 1] = static_cast<char>(wide[at + 1] | marks[at]);
+  }
+  std::vector<char> around = wide;
+  for (std::size_t at = 0; at + n < marks.size(); ++at)
+  {
+    around[at] = static_cast<char>(around[at] | wide[at + n]);
+    around[at + n] = static_cast<char>(around[at + n] | wide[at]);
+  }
+  return around;
 }
 
 /// The smooth coverage from which on as many texels lie as the picture covers.
@@ -93,8 +119,10 @@ float ThresholdOf(const std::vector<SeenTexel>& picture, std::vector<float> smoo
     covered += texel.Coverage;
   }
   const auto count = std::min(smooth.size() - 1, static_cast<std::size_t>(std::lround(covered)));
-  std::sort(smooth.begin(), smooth.end(), std::greater<>());
-  return std::max(1e-3f, 0.5f * (smooth[count > 0 ? count - 1 : 0] + smooth[count]));
+  const auto next = smooth.begin() + static_cast<std::ptrdiff_t>(count);
+  std::nth_element(smooth.begin(), next, smooth.end(), std::greater<>());
+  const float above = count > 0 ? *std::min_element(smooth.begin(), next) : *next;
+  return std::max(1e-3f, 0.5f * (above + *next));
 }
 
 /// Draws all views into an atlas.
@@ -174,11 +202,16 @@ private:
     for (int round = 0; round < Spread; ++round)
     {
       const std::vector<char> before = known;
+      const std::vector<char> reached = Around(before);
       for (int at = 0; at < n * n; ++at)
       {
+        if (before[at] || !reached[at])
+        {
+          continue;
+        }
         SeenTexel sum;
         int count = 0;
-        for (int other = 0; other < 9 && !before[at]; ++other)
+        for (int other = 0; other < 9; ++other)
         {
           const int row = at / n + other / 3 - 1;
           const int column = at % n + other % 3 - 1;
@@ -206,19 +239,29 @@ private:
   {
     PictureSum all;
     all.Add(picture);
-    std::vector<SeenTexel> left = picture;
-    for (std::size_t at = 0; at < left.size(); ++at)
-    {
-      left[at].Coverage = smooth[at] >= threshold && left[at].Coverage > 0.0f ? 1.0f : 0.0f;
-    }
     PictureSum seen;
-    seen.Add(left);
+    for (std::size_t at = 0; at < picture.size(); ++at)
+    {
+      if (smooth[at] >= threshold && picture[at].Coverage > 0.0f)
+      {
+        seen.Coverage += 1.0;
+        std::transform(
+          seen.Color.begin(), seen.Color.end(), picture[at].Color.begin(), seen.Color.begin(), std::plus<>());
+      }
+    }
     ColorSum gains{ 1.0f, 1.0f, 1.0f };
     for (int channel = 0; channel < 3 && seen.Color[channel] > 0.0; ++channel)
     {
       gains[channel] = static_cast<float>(all.Color[channel] / all.Coverage * seen.Coverage / seen.Color[channel]);
     }
     return gains;
+  }
+
+  /// A part of a texel that is brighter than the mean by a factor.
+  unsigned char TexelPart(int channel, double relative) const
+  {
+    const double value = 255.0 * this->Result.TextureMean[channel] * relative;
+    return static_cast<unsigned char>(std::lround(std::min(255.0, value)));
   }
 
   void Write(int view)
@@ -230,6 +273,7 @@ private:
     std::vector<char> known(picture.size());
     std::transform(picture.begin(), picture.end(), known.begin(), [](const SeenTexel& t) { return t.Coverage > 0.0f; });
     SpreadOut(picture, known);
+    const Texel unseen{ this->TexelPart(0, 1.0), this->TexelPart(1, 1.0), this->TexelPart(2, 1.0), 0 };
     const int corner[2] = { view % ImpostorSide * ImpostorSize, view / ImpostorSide * ImpostorSize };
     for (int at = 0; at < ImpostorSize * ImpostorSize; ++at)
     {
@@ -238,17 +282,20 @@ private:
       const int row = corner[1] + at / ImpostorSize;
       Texel& texel = this->Result.Pictures.At(column, row);
       Color& normal = this->Result.Normals[static_cast<std::size_t>(row) * this->Result.Pictures.Columns + column];
-      const Vector3 facing = known[at] ? Normalised(seen.Normal) : Vector3(0.0, 0.0, 1.0);
-      for (int channel = 0; channel < 3; ++channel)
+      texel = unseen;
+      normal = { 128, 128, 255 }; // towards the eye
+      const Vector3 facing = known[at] ? Normalised(seen.Normal) : Vector3(0.0);
+      for (int channel = 0; channel < 3 && known[at]; ++channel)
       {
-        const double relative =
-          known[at] ? 255.0 * gains[channel] * seen.Color[channel] / this->Result.Mean[channel] : 1.0;
-        const double value = 255.0 * this->Result.TextureMean[channel] * relative;
-        texel[channel] = static_cast<unsigned char>(std::lround(std::min(255.0, value)));
+        texel[channel] =
+          this->TexelPart(channel, 255.0 * gains[channel] * seen.Color[channel] / this->Result.Mean[channel]);
         normal[channel] = static_cast<unsigned char>(std::lround(127.5 * (1.0 + facing[channel])));
       }
       // The threshold becomes a half.
-      texel[3] = static_cast<unsigned char>(std::lround(std::min(255.0f, 127.5f * smooth[at] / threshold)));
+      if (smooth[at] > 0.0f)
+      {
+        texel[3] = static_cast<unsigned char>(std::lround(std::min(255.0f, 127.5f * smooth[at] / threshold)));
+      }
     }
   }
 };

@@ -57,19 +57,25 @@ public:
   {
     const int columns = this->Columns / PictureSamples;
     std::vector<SeenTexel> picture(this->Samples.size() / (PictureSamples * PictureSamples));
-    for (std::size_t at = 0; at < this->Samples.size(); ++at)
+    const Sample* sample = this->Samples.data();
+    for (int row = 0; row < this->Rows; ++row)
     {
-      const Sample& sample = this->Samples[at];
-      if (sample.Mesh >= 0)
+      SeenTexel* texels = &picture[static_cast<std::size_t>(row / PictureSamples) * columns];
+      for (int column = 0; column < this->Columns; ++column, ++sample)
       {
-        const std::size_t row = at / this->Columns / PictureSamples;
-        const std::size_t column = at % this->Columns / PictureSamples;
-        this->Shade(meshes[sample.Mesh], sample, picture[row * columns + column]);
+        if (sample->Mesh >= 0)
+        {
+          this->Shade(meshes[sample->Mesh], *sample, texels[column / PictureSamples]);
+        }
       }
     }
     for (SeenTexel& texel : picture)
     {
-      const float hits = std::max(1.0f, texel.Coverage);
+      if (texel.Coverage == 0.0f)
+      {
+        continue;
+      }
+      const float hits = texel.Coverage;
       for (float& part : texel.Color)
       {
         part /= 255.0f * hits;
@@ -265,7 +271,7 @@ void PictureSum::Add(const std::vector<SeenTexel>& picture)
   for (const SeenTexel& texel : picture)
   {
     this->Coverage += texel.Coverage;
-    for (int channel = 0; channel < 3; ++channel)
+    for (int channel = 0; channel < 3 && texel.Coverage > 0.0f; ++channel)
     {
       this->Color[channel] += texel.Coverage * texel.Color[channel];
     }

@@ -33,6 +33,8 @@ constexpr double EnergyAboveRange = 0.01;
 constexpr double EndOfYoungPeak = 2.0;
 /// Relative depth w2 h / g from which on depth takes nothing.
 constexpr double DeepRelativeDepth = 20.0;
+/// Below it wave numbers are beyond all measure [m].
+constexpr double ShallowestDepth = 1e-6;
 
 /// What finite depth leaves of a wave's energy, after Kitaigorodskii.
 double DepthFactor(double frequency, double depth)
@@ -80,8 +82,8 @@ std::string WhyInvalid(const SpectrumParameters& parameters)
   const bool hasPeakEnhancement = parameters.Kind == SpectrumKind::Jonswap || parameters.Kind == SpectrumKind::Tma;
   ParameterCheck check;
   check.Choice("Spectrum", static_cast<int>(parameters.Kind), 5);
-  check.Require(
-    parameters.Depth > 0.0, "WaterDepth is " + TextOf(parameters.Depth) + " m; it must be 0 (deep) or positive.");
+  check.Require(parameters.Depth >= ShallowestDepth, "WaterDepth", parameters.Depth, "m",
+    "0 (deep) or at least " + TextOf(ShallowestDepth) + " m");
   if (isTable && check.IsGood())
   {
     return WhyInvalidTable(parameters);

@@ -13,11 +13,16 @@
 #include <type_traits>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkFloatArray;
 class vtkPoints;
 
 namespace littoral
 {
+
+/// Sets the number of tuples of an array. Throws std::bad_alloc where the limits of the process leave no memory for
+/// them: VTK itself ends the program, as distributions compile it.
+void SetTuples(vtkAbstractArray* array, vtkIdType tuples);
 
 /// An array with a name and room for tuples, not filled.
 template <typename Array>
@@ -26,7 +31,7 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  SetTuples(array, tuples);
   return array;
 }
 

@@ -3,6 +3,7 @@
 #include "Data/PlantMerge.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
 #include "Data/PlantBlocks.h"
 #include "Data/SeaweedBlocks.h"
 
@@ -158,7 +159,7 @@ vtkSmartPointer<vtkDataArray> ToAtlas(vtkDataArray* from, vtkIdType points, cons
 {
   auto to = vtkSmartPointer<vtkFloatArray>::New();
   to->SetNumberOfComponents(2);
-  to->SetNumberOfTuples(points);
+  SetTuples(to, points);
   for (vtkIdType point = 0; point < points; ++point)
   {
     const auto mapped =
@@ -281,7 +282,7 @@ vtkSmartPointer<vtkDataArray> PlantMerge::Add(const PartArray& array, std::size_
   auto to = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array.Type));
   to->SetName(array.Name.c_str());
   to->SetNumberOfComponents(array.Components);
-  to->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  SetTuples(to, static_cast<vtkIdType>(tuples));
   targets.push_back({ &array, static_cast<unsigned char*>(to->GetVoidPointer(0)) });
   return to;
 }
@@ -293,9 +294,9 @@ void PlantMerge::AllocateCells()
   const auto numberOfCorners = static_cast<vtkIdType>(end.Corner);
   vtkNew<vtkCellArray> cells;
   const auto allocate = [&](auto* offsets, auto* corners) {
-    offsets->SetNumberOfValues(numberOfOffsets);
+    SetTuples(offsets, numberOfOffsets);
     offsets->SetValue(end.Cell, static_cast<std::decay_t<decltype(offsets->GetValue(0))>>(end.Corner));
-    corners->SetNumberOfValues(numberOfCorners);
+    SetTuples(corners, numberOfCorners);
     this->OffsetTarget = offsets->GetPointer(0);
     this->CornerTarget = corners->GetPointer(0);
     cells->SetData(offsets, corners);
@@ -333,7 +334,7 @@ void PlantMerge::Allocate()
   const auto addPlantIds = [&](vtkDataSetAttributes* arrays, std::size_t tuples) {
     vtkNew<vtkIntArray> ids;
     ids->SetName(plant::PlantId);
-    ids->SetNumberOfValues(static_cast<vtkIdType>(tuples));
+    SetTuples(ids, static_cast<vtkIdType>(tuples));
     arrays->AddArray(ids);
     return ids->GetPointer(0);
   };

@@ -5,6 +5,7 @@
 // groups, pieces that cover the whole once, and none beyond the last. What was refused leaves nothing behind.
 
 #include "Check.h"
+#include "Data/Arrays.h"
 #include "ErrorCounter.h"
 #include "Pipeline/Pipeline.h"
 
@@ -28,6 +29,7 @@
 #include "vtkTerrainLevelOfDetailFilter.h"
 #include "vtkTestUtilities.h"
 #include "vtkTurningBandsTerrainSource.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWindFieldSource.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -76,6 +78,17 @@ bool TestGroups(const std::string& root)
   return good;
 }
 
+#ifndef _WIN32
+/// Sets the limit of addresses [bytes]; what it leaves, or -1 where there is another limit.
+double LimitedTo(rlim_t bytes)
+{
+  rlimit limit;
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = bytes;
+  return limit.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_AS, &limit) == 0 ? littoral::LimitedMemory() : -1.0;
+}
+#endif
+
 bool TestProcess()
 {
   bool good = true;
@@ -90,6 +103,35 @@ bool TestProcess()
     good &= Check(left > 0.0 && left < 64.0 * 0x1p30, "a limit of the address space is not seen");
     good &= Check(left > 32.0 * 0x1p30, "more is taken to be used than is");
     good &= Check(littoral::AvailableMemory() <= 0.9 * left, "a limit of the address space does not count");
+    setrlimit(RLIMIT_AS, &before);
+  }
+#endif
+  return good;
+}
+
+/// An array that the limits of the process leave no memory for is an exception; VTK alone would end the program.
+bool TestArrays()
+{
+  bool good = true;
+#ifndef _WIN32
+  rlimit before;
+  getrlimit(RLIMIT_AS, &before);
+  const double left = LimitedTo(static_cast<rlim_t>(64) << 30);
+  if (left > 0.0)
+  {
+    const double used = 64.0 * 0x1p30 - left;
+    LimitedTo(static_cast<rlim_t>(used + 0x1p25)); // 32 MiB are left
+    const auto fits = [](vtkIdType megabytes) {
+      try
+      {
+        return littoral::NewArray<vtkUnsignedCharArray>("Bytes", 4, megabytes << 18)->GetPointer(0) != nullptr;
+      }
+      catch (const std::bad_alloc&)
+      {
+        return false;
+      }
+    };
+    good &= Check(!fits(64) && !fits(1 << 20) && fits(8), "an array is not refused by the memory that is left");
     setrlimit(RLIMIT_AS, &before);
   }
 #endif
@@ -324,6 +366,7 @@ int TestRequestLimits(int argc, char* argv[])
   bool good = TestGroups(std::string(folder) + "/groups");
   delete[] folder;
   good &= TestProcess();
+  good &= TestArrays();
   good &= TestPieces();
   good &= TestPlaces();
   good &= TestBlocks();

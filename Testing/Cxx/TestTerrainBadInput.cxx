@@ -110,8 +110,15 @@ int TestTerrainBadInput(int, char*[])
   good &= RefusedThenGrownAsFresh();
   good &= Fails("Model", [](Source* s) { s->SetModel(7); });
   good &= Fails("Model", [](Source* s) { s->SetModel(-1); });
-  good &= Fails("Variance", [=](Source* s) { s->SetStandardDeviation(nan); });
-  good &= Fails("Variance", [=](Source* s) { s->SetStandardDeviation(-5.0); });
+  for (const double deviation : { nan, -5.0, 1e300, 1e-20 })
+  {
+    good &= Fails("Elevation: StandardDeviation is ", [=](Source* s) { s->SetStandardDeviation(deviation); });
+    good &= Fails("Reflectance: ReflectanceStandardDeviation is ",
+      [=](Source* s) { s->ReflectanceOn(), s->SetReflectanceStandardDeviation(deviation); });
+  }
+  good &= Fails("ReflectanceModel is 7", [](Source* s) { s->ReflectanceOn(), s->SetReflectanceModel(7); });
+  good &= Fails("ReflectanceRange is -1 m", [](Source* s) { s->ReflectanceOn(), s->SetReflectanceRange(-1.0); });
+  good &= Fails("ReflectanceMean is nan", [=](Source* s) { s->ReflectanceOn(), s->SetReflectanceMean(nan); });
   good &= Fails("Mean", [=](Source* s) { s->SetMean(nan); });
   good &= Fails("Slope", [=](Source* s) { s->SetSlope(nan, 0.0); });
   good &= Fails("Origin", [=](Source* s) { s->SetOrigin(nan, 0.0, 0.0); });

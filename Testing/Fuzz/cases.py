@@ -34,6 +34,7 @@ class Writer:
     def __init__(self, name, seed, number):
         self.name = name
         self.rng = random.Random(f"{seed} {name} {number}")
+        self.stops = random.Random(f"{seed} {name} {number} stops")
         self.made = recipes.source(name)
         self.setters = {setter.name: setter for setter in classes.setters(name) if setter.name not in NOT_ABOUT_DATA}
         self.switches = [name for name in self.setters if self.switched(name)]
@@ -109,7 +110,11 @@ class Writer:
         if rng.random() < 0.15:
             parts.append("extent=" + repr(rng.choice([(0, 3, 0, 3, 0, 0), (2, 5, 1, 2, 0, 1), (0, -1, 0, -1, 0, -1),
                                                       (5, 2, 0, 3, 0, 0), (-5, 3, 0, 900, 0, 0)])))
-        return f"update({', '.join(parts)})" if parts or rng.random() < 0.85 else "keep()"
+        if not parts and rng.random() >= 0.85:
+            return "keep()"
+        if self.stops.random() < 0.1:
+            parts.append(f"stop={self.stops.choice([-1.0, 0.0, 0.3, 0.6, 0.9])!r}")
+        return f"update({', '.join(parts)})"
 
     def closing(self):
         """The lines that set all that was touched as it was, and ask for the outputs."""

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The classes of Littoral, and their setters with the types of their arguments, found by introspection."""
 
+import functools
 import re
 from typing import NamedTuple
 
@@ -64,6 +65,7 @@ def own_kinds(kind):
     return [base for base in kind.__mro__ if base.__module__.startswith("littoral")]
 
 
+@functools.lru_cache(maxsize=None)
 def setters(name):
     """All setters of a class, its own and those of Littoral's bases, by name."""
     found = {}

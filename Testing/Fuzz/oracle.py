@@ -6,9 +6,11 @@ Its outputs hold numbers only, or there is a message; a message is one clear sen
 outputs are those of a fresh object, byte by byte. That it does not crash or hang, the parent process sees.
 """
 
+import functools
 import re
 import sys
 import time
+from math import inf
 from pathlib import Path
 
 import numpy
@@ -98,6 +100,19 @@ def bytes_of(made):
     return sorted(found)
 
 
+@functools.lru_cache(maxsize=None)
+def working_bytes(name):
+    """Names and hashes of what the working object of a class puts out."""
+    recipes.results(name)
+    return bytes_of(recipes.source(name))
+
+
+@functools.lru_cache(maxsize=None)
+def odd_by_nature(name):
+    """Names of the arrays of the working object that are not finite."""
+    return set().union(*map(odd_names, recipes.results(name)))
+
+
 class Player:
     """Runs the lines of a case, with what they call. A rehearsal leaves out all updates but the last."""
 
@@ -105,13 +120,14 @@ class Player:
         self.rehearsal = rehearsal
         self.properties = {setter.name[3:].lower() for setter in classes.setters(name)}
         self.gaps = "NaN" in (getattr(littoral, name).__doc__ or "")
-        self.may_be_odd = set().union(*map(odd_names, recipes.results(name)))
+        self.may_be_odd = odd_by_nature(name)
         self.said = []  # since the last change
         self.heard = []  # at the last update
         self.kept = []
         self.refused = ""  # the last update, and why
         self.stopped = False  # the last update
-        self.told = None  # when the object was changed before it last spoke
+        self.told = 0  # when the object was changed before it last spoke
+        self.asked = None  # when it was changed before the last request; to stop it changes it too
         self.excused = False  # from telling why an update failed
         self.scope = {**vars(inputs), "littoral": littoral, "nan": numpy.nan, "inf": numpy.inf, "data": recipes.data,
                       "source": recipes.source, "update": self.update, "keep": self.keep, "finish": self.finish}
@@ -132,32 +148,34 @@ class Player:
             except (TypeError, ValueError, OverflowError):
                 pass  # Python refuses the value
 
-    def update(self, time=None, piece=None, extent=None):  # pylint: disable=redefined-outer-name
-        """Asks for the outputs, and looks at them."""
+    def update(self, time=None, piece=None, extent=None, stop=inf):  # pylint: disable=redefined-outer-name
+        """Asks for the outputs, and looks at them; the request is stopped when its progress is above `stop`."""
         if self.rehearsal:
             return
         messages()
+        self.watch(stop)
         self.ask(time, piece, extent)
         self.listen()
         self.look()
 
-    def watch(self):
-        """Stops the object's next request when it takes long."""
+    def watch(self, share=inf):
+        """Stops the object's next request when it takes long, or when its progress is above a share but not at its end."""
         end = time.process_time() + PATIENCE
 
         def stop(made, _):
-            if time.process_time() > end:
+            if made.GetProgress() < 1.0 and (time.process_time() > end or made.GetProgress() > share):
                 self.stopped = True
                 made.SetAbortExecute(1)
 
         self.stopped = False
+        self.made.SetAbortExecute(0)  # VTK leaves that to the one who stopped
+        self.asked = self.made.GetMTime()
         self.made.RemoveObservers("ProgressEvent")
         self.made.AddObserver("ProgressEvent", stop)
 
     def ask(self, moment, piece, extent):
         """The request itself."""
         made = self.made
-        self.watch()
         if hasattr(made, "Write"):
             made.Write()
         elif moment is not None:
@@ -185,7 +203,7 @@ class Player:
             {*littoral.__all__} - {type(self.made).__name__})
         if ours:
             self.told = self.made.GetMTime()
-        elif not self.excused and self.told != self.made.GetMTime() and any(FAILURE.match(said) for _, said in all_said):
+        elif not self.excused and self.told != self.asked and any(FAILURE.match(said) for _, said in all_said):
             raise Fault("silence", all_said[0][1])
         for said in ours:
             words = set(re.findall(r"\w+", said.lower()))
@@ -256,7 +274,7 @@ def is_as_working(made, name, lines):
         if now != classes.present(working, setter) or now is None and any(f"made.{setter.name}(" in line for line in lines):
             return False
     return (working.GetNumberOfOutputPorts() > 0 and connections(made) == connections(working)
-            and bytes_of(made) == bytes_of(working))
+            and bytes_of(made) == working_bytes(name))
 
 
 def play(name, lines, before=lambda number: None):
@@ -264,12 +282,14 @@ def play(name, lines, before=lambda number: None):
     if these differ from the working object's; how it ended."""
     player = Player(name)
     player.play(lines, before)
-    if not (player.refused or player.stopped) and is_as_working(player.made, name, lines):
+    if player.stopped:
+        return "stopped"
+    if not player.refused and is_as_working(player.made, name, lines):
         return "good"
     before(len(lines))
     fresh = Player(name, rehearsal=True)
     fresh.play(lines)
-    if fresh.refused or fresh.stopped or player.stopped:
+    if fresh.refused or fresh.stopped:
         return "refused" if fresh.refused else "stopped"
     if player.refused:
         raise Fault("no recovery", player.refused)

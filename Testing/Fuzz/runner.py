@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a case in a process of its own, with limits of memory and time."""
 
+import functools
+import gc
 import json
 import os
 import resource
@@ -11,6 +13,7 @@ import sys
 import tempfile
 import time
 
+import cases
 import oracle
 import recipes
 
@@ -55,9 +58,26 @@ def listen(answer, process):
     return text.decode().splitlines()
 
 
+@functools.lru_cache(maxsize=None)
+def prepare(name):
+    """Plays the shortest case of a class here, so that what it loads and keeps is there in all processes to come."""
+    with tempfile.TemporaryDirectory() as folder:
+        before = os.getcwd()
+        os.chdir(folder)
+        try:
+            oracle.play(name, cases.opening(name) + ["update()", "finish()"])
+        except oracle.Fault:
+            pass  # the cases will tell
+        finally:
+            os.chdir(before)
+    gc.collect()
+    gc.freeze()
+
+
 def run(name, lines):
     """Plays a case: the kind of fault, "" if there is none, and what it was."""
     recipes.warm(name, lines)
+    prepare(name)
     answer, to_answer = os.pipe()
     with tempfile.TemporaryFile() as errors:
         sys.stdout.flush()

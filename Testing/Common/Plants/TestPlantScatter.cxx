@@ -202,6 +202,18 @@ TEST(SceneCells, HoldEachFootOnTheirGroundAboutAsManyAsAskedFor)
   }
 }
 
+TEST(SceneCells, AreNotMoreThanThereIsUseFor)
+{
+  const Forest forest = MakeForest(1000, 1000.0, 40.0);
+  for (double objectsPerCell : { 1e-3, 1e-6, 1e-30 })
+  {
+    const SceneCells cells(forest.Feet, forest.Boxes, objectsPerCell);
+    const double count = static_cast<double>(cells.GetColumns()) * cells.GetRows();
+    EXPECT_NEAR(count, 64000.0, 1000.0);
+    EXPECT_GT(cells.NumberOfFilled(), 980);
+  }
+}
+
 TEST(SceneCells, StandLinesSinglePointsAndNothing)
 {
   const ViewFrustum ahead(View{});

@@ -7,6 +7,7 @@
 
 #include <fuzzer/FuzzedDataProvider.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -15,15 +16,19 @@
 namespace
 {
 
-/// A folder of this process, as the root of all groups.
+/// A folder of this process, as the root of all groups; in memory where that can be, as each run writes six files.
 const std::filesystem::path& Root()
 {
   static const std::filesystem::path root = [] {
+    const std::filesystem::path memory = "/dev/shm";
     std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("littoral-groups-" + std::to_string(::getpid()));
+      std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+    path /= "littoral-groups-" + std::to_string(::getpid());
     std::filesystem::create_directories(path / "memory");
     return path;
   }();
+  static const int removed = std::atexit([] { std::filesystem::remove_all(Root()); });
+  static_cast<void>(removed);
   return root;
 }
 

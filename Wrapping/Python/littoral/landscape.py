@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from . import files, scene
+from . import display, files, scene
 from .elevation import array_from_image, image_from_array, read_elevation
 from .versions import create_texture
 from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
@@ -325,7 +325,8 @@ def _write_png(filename, pixels):
 
 
 def save_view(filename, view):
-    """Write the picture of a view as a PNG. Raises OSError, with an old file as it was."""
+    """Write the picture of a view as a PNG. Raises OSError, with an old file as it was, or RuntimeError without a display."""
+    display.require(view.GetRenderWindow())
     simple.Render(view)
     writer = vtkPNGWriter()
     writer.SetInputData(view.SMProxy.CaptureWindow(1))

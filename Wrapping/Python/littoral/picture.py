@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
     vtkWindowToImageFilter)
 
-from . import files, scene
+from . import display, files, scene
 
 INK = (0.16, 0.18, 0.22)
 FAINT = (0.40, 0.43, 0.48)
@@ -85,7 +85,10 @@ def label(text, place, height, color=INK):
 
 
 def write_png(window, filename, size, oversampling=2):
-    """Render a window off screen, larger by `oversampling`, and write it at a size [pixels]."""
+    """Render a window off screen, larger by `oversampling`, and write it at a size [pixels].
+
+    Raises OSError, with an old file as it was, and RuntimeError where there is no display.
+    """
     _write(vtkPNGWriter(), window, filename, size, oversampling)
 
 
@@ -98,6 +101,7 @@ def write_jpg(window, filename, size, quality=88, oversampling=2):
 
 def _write(writer, window, filename, size, oversampling):
     """Render a window off screen and pass it to a writer."""
+    display.require(window)
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
     window.SetSize(size[0] * oversampling, size[1] * oversampling)

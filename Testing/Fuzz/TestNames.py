@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A property that is refused is named: each number of each class at odd values, alone and with each switch turned."""
+
+import os
+import re
+import sys
+import tempfile
+import unittest
+
+os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
+sys.dont_write_bytecode = True
+
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
+
+import classes  # noqa: E402
+import littoral  # noqa: E402
+import oracle  # noqa: E402
+import recipes  # noqa: E402
+
+INF, NAN = float("inf"), float("nan")
+ODD = {"double": [0.0, -1.0, 5e-324, 1e-300, -1e-300, 1e16, -1e16, 1e300, -1e300, INF, -INF, NAN],
+       "int": [0, -1, 2147483647, -2147483648]}
+FEW = {"double": [-1.0, 1e300, NAN], "int": [-1]}
+
+
+def working(name):
+    """A working object of its own, whose accepted updates end at once."""
+    made = getattr(littoral, name)()
+    for port, other in enumerate(recipes.inputs(name)):
+        made.SetInputConnection(port, recipes.source(other).GetOutputPort())
+    for method, values in recipes.settings(name).items():
+        getattr(made, method)(*values)
+    made.AddObserver("ProgressEvent", lambda algorithm, _: algorithm.SetAbortExecute(1))
+    return made
+
+
+def give(made, setter, values):
+    """Calls a setter; whether Python takes the values."""
+    try:
+        getattr(made, setter.name)(*([list(values)] if setter.packed else values))
+    except (TypeError, ValueError, OverflowError):
+        return False
+    return True
+
+
+def refusals(made):
+    """What an object of ours says to an update."""
+    oracle.messages()
+    made.SetAbortExecute(0)
+    made.Write() if hasattr(made, "Write") else made.Update()
+    return [said for kind, said in oracle.messages() if kind == type(made).__name__]
+
+
+class Names(unittest.TestCase):
+    """Messages of all classes."""
+
+    @classmethod
+    def setUpClass(cls):
+        vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder.name)
+        self.refused = 0
+
+    def test_what_is_refused_is_named(self):
+        for name in classes.all_classes():
+            with self.subTest(name):
+                made = working(name)
+                setters = [setter for setter in classes.setters(name) if classes.present(made, setter) is not None]
+                self.vary(made, setters, ODD)
+                for setter in setters:
+                    if setter.types == ("bool",):
+                        now = classes.present(made, setter)
+                        give(made, setter, [not now[0]])
+                        self.vary(made, setters, FEW)
+                        give(made, setter, now)
+        self.assertGreater(self.refused, 1500)
+
+    def vary(self, made, setters, odd):
+        """Gives each number odd values, one at a time."""
+        before = {setter.name: classes.present(made, setter) for setter in setters}
+        for setter in setters:
+            now = before[setter.name]
+            for index, value in [(i, value) for i, kind in enumerate(setter.types) for value in odd.get(kind, [])]:
+                if give(made, setter, [*now[:index], value, *now[index + 1:]]):
+                    # A property may have two names.
+                    changed = {other.name[3:] for other in setters
+                               if repr(classes.present(made, other)) != repr(before[other.name])}
+                    for said in refusals(made):
+                        self.refused += 1
+                        self.assertTrue(changed & set(re.findall(r"\w+", said)), f"{setter.name}: {value!r}: {said}")
+            give(made, setter, now)
+
+
+if __name__ == "__main__":
+    unittest.main()
