@@ -49,6 +49,14 @@ bool CheckGrids()
   layer->SetDimensions(21, 21, 1);
   layer->SetOrigin(-10.0, -10.0, 0.0);
   AddLinearVelocity(layer);
+  vtkNew<vtkImageData> turned; // by 30 degrees, with other numbers along its axes
+  turned->SetDimensions(41, 31, 5);
+  turned->SetOrigin(-10.0 * std::cos(Pi / 6.0) + 10.0 * std::sin(Pi / 6.0),
+    -10.0 * std::sin(Pi / 6.0) - 10.0 * std::cos(Pi / 6.0), -12.0);
+  turned->SetSpacing(0.5, 20.0 / 30.0, 3.0);
+  turned->SetDirectionMatrix(
+    std::cos(Pi / 6.0), -std::sin(Pi / 6.0), 0.0, std::sin(Pi / 6.0), std::cos(Pi / 6.0), 0.0, 0.0, 0.0, 1.0);
+  AddLinearVelocity(turned);
   vtkNew<vtkRectilinearGrid> rectilinear;
   rectilinear->SetDimensions(11, 11, 4);
   vtkNew<vtkStructuredGrid> curved;
@@ -88,7 +96,7 @@ bool CheckGrids()
   blocks->SetBlock(0, half);
   blocks->SetBlock(2, half);
   bool good = true;
-  vtkDataObject* grids[] = { image, layer, rectilinear, curved, blocks };
+  vtkDataObject* grids[] = { image, layer, turned, rectilinear, curved, blocks };
   for (vtkDataObject* grid : grids)
   {
     vtkNew<Drift> drift;
@@ -298,6 +306,46 @@ bool CheckGridsThroughWalls()
     "the end of a grid is not joined to the surface");
   good &= Check(std::abs(currentAt(-2.0, 0.0)[1] - 0.05) < 1e-6, "a grid below the surface is changed");
   good &= Check(currentAt(-0.25, 0.5)[0] == 0.0, "a grid reaches farther than its last step");
+  // Of uneven layers each end has its own step: 5 m at the bed, 1 m at the surface.
+  for (const bool isFalling : { false, true })
+  {
+    const double heights[2][4] = { { -9.0, -4.0, -2.0, -1.0 }, { -1.0, -2.0, -4.0, -9.0 } };
+    vtkNew<vtkDoubleArray> z;
+    vtkNew<vtkDoubleArray> along;
+    for (const double height : heights[isFalling])
+    {
+      z->InsertNextValue(height);
+    }
+    along->InsertNextValue(-50.0);
+    along->InsertNextValue(50.0);
+    vtkNew<vtkRectilinearGrid> uneven;
+    uneven->SetDimensions(2, 2, 4);
+    uneven->SetXCoordinates(along);
+    uneven->SetYCoordinates(along);
+    uneven->SetZCoordinates(z);
+    vtkNew<vtkDoubleArray> velocity;
+    velocity->SetName("Velocity");
+    velocity->SetNumberOfComponents(3);
+    for (vtkIdType id = 0; id < uneven->GetNumberOfPoints(); ++id)
+    {
+      velocity->InsertNextTuple3(0.2, 0.0, 0.0);
+    }
+    uneven->GetPointData()->AddArray(velocity);
+    const auto flowAt = [&](double height, double level, double depth) {
+      vtkNew<Drift> drift;
+      drift->SetInputData(0, OneParticle(0.0, 0.0, height));
+      drift->SetInputData(1, uneven);
+      drift->GenerateCurrentOn();
+      drift->SetSeaLevel(level);
+      drift->SetWaterDepth(depth);
+      drift->UpdateTimeStep(0.0);
+      return OutputOf(drift)->GetPointData()->GetArray("Current")->GetComponent(0, 0);
+    };
+    good &= Check(std::abs(flowAt(-0.5, 0.0, 13.0) - 0.2) < 1e-6, "uneven layers are not joined to the surface");
+    good &= Check(flowAt(0.5, 1.0, 14.0) == 0.0, "uneven layers reach too far up");
+    good &= Check(std::abs(flowAt(-12.0, 0.0, 13.0) - 0.2) < 1e-6, "uneven layers are not joined to the bed");
+    good &= Check(flowAt(-14.5, 0.0, 15.0) == 0.0, "uneven layers reach too far down");
+  }
   return good;
 }
 
