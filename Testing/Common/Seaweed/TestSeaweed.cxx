@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seaweeds: their skeletons, the paper's angles, what they weigh, and their meshes at all levels.
 #include "Seaweed/SeaweedMesh.h"
+#include "Seaweed/SeaweedPlant.h"
 #include "Seaweed/SegmentAngles.h"
 
 #include <glm/gtc/quaternion.hpp>
