@@ -251,6 +251,37 @@ TEST(PlantScatter, ShowsEachPlantOnceAtTheLevelOfItsDistance)
   EXPECT_GT(*std::min_element(levels.begin(), levels.end()), 0);
 }
 
+TEST(PlantScatter, LevelsReachUpToTheirDistances)
+{
+  const double distances[] = { 31.75, 32.0, 32.25, 255.0, 256.0, 257.0 }; // exact in binary
+  std::vector<PlantPlace> places;
+  std::vector<Vector3> feet;
+  std::vector<Box> boxes;
+  for (const double distance : distances)
+  {
+    PlantPlace place;
+    place.Foot = { distance, 0.0, 0.0 };
+    place.Site = static_cast<int>(places.size());
+    places.push_back(place);
+    feet.push_back(place.Foot);
+    boxes.push_back({ place.Foot, place.Foot });
+  }
+  const SceneCells cells(feet, boxes, 1.0);
+  View view;
+  view.Point = { 0.0, 0.0, 0.0 };
+  PlantViewOptions options;
+  options.UseCulling = false;
+  options.NearDistance = 32.0;
+  options.FarDistance = 256.0;
+  const auto shown = ShownPlants(places, cells, {}, view, options, 0, 6);
+  ASSERT_EQ(shown.size(), 6u);
+  const int wanted[] = { 0, 0, 1, 1, 1, 2 };
+  for (int n = 0; n < 6; ++n)
+  {
+    EXPECT_EQ(static_cast<int>(shown[n].Level), wanted[n]) << distances[n] << " m";
+  }
+}
+
 TEST(PlantScatter, PartsOfTheSitesMakeTheWhole)
 {
   const Forest forest = MakeForest(500, 400.0, 10.0);
