@@ -8,6 +8,7 @@
 #include "Data/SeaweedBlocks.h"
 #include "Data/WindImage.h"
 #include "Pipeline/Pipeline.h"
+#include "vtkCovarianceFitFilter.h"
 #include "vtkImageSectionFilter.h"
 #include "vtkParticleFogFilter.h"
 #include "vtkPlantWakeFilter.h"
@@ -108,7 +109,7 @@ vtkNew<vtkImageData> ImageOf(const std::array<int, 6>& extent, const Place& orig
 /// Two particles in the middles of samples: alpha Q pi r^2 over the volume of a sample.
 bool FogIsCrossSectionOverVolume()
 {
-  vtkNew<vtkPolyData> particles = PointsAt({ { 1.0, 2.0, -6.0 }, { 2.0, 4.0, -3.0 } });
+  vtkNew<vtkPolyData> particles = PointsAt({ { 1.0, 2.0, -6.0 }, { 2.0, 2.0, -3.0 } });
   AddNumbers(particles, "Radius", 1, { 0.1f, 0.2f });
   AddNumbers(particles, "Alpha", 1, { 1.0f, 0.5f });
   vtkNew<vtkParticleFogFilter> fog;
@@ -137,7 +138,7 @@ bool FogIsCrossSectionOverVolume()
     good &= Near(
       "fog of a particle", extinction->GetTuple1(image->vtkDataSet::FindPoint(1.0, 2.0, -6.0)), first + 0.25, 1e-6);
     good &= Near(
-      "fog of a pale one", extinction->GetTuple1(image->vtkDataSet::FindPoint(2.0, 4.0, -3.0)), second + 0.25, 1e-6);
+      "fog of a pale one", extinction->GetTuple1(image->vtkDataSet::FindPoint(2.0, 2.0, -3.0)), second + 0.25, 1e-6);
   }
   return good & Near("cross section", FieldOf(fog->GetOutput(), "CrossSection"), 0.06 * vtkMath::Pi(), 1e-6);
 }
@@ -201,6 +202,29 @@ bool QuadratsFitTheBoxOfThePoints()
   // Squares of 6.84 m2, a point each.
   good &= Near("columns of quadrats", FieldOf(table, "Quadrats", 0), 15.0, 0.0);
   return good & Near("rows of quadrats", FieldOf(table, "Quadrats", 1), 14.0, 0.0);
+}
+
+/// Lags go up to half of the shorter side, and a fractal's waves up to four times the longer one.
+bool LagsGoByTheSidesOfTheImage()
+{
+  vtkNew<vtkCovarianceFitFilter> fit;
+  fit->SetInputData(
+    ImageOf({ 0, 39, 0, 29, 0, 0 }, { 0.0, 0.0, 0.0 }, { 1.0, 4.0, 1.0 }, "Elevation", [](const double* p) {
+      return static_cast<float>(std::sin(0.9 * p[0] + 0.4 * p[1]) + std::sin(0.3 * p[0] - 0.17 * p[1]) + 0.01 * p[1]);
+    })); // 39 m by 116 m
+  fit->FitAnisotropyOff();
+  fit->Update();
+  auto* variogram = vtkTable::SafeDownCast(fit->GetOutputDataObject(1));
+  const vtkIdType rings = variogram->GetNumberOfRows();
+  const double longest = rings > 0 ? variogram->GetValueByName(rings - 1, "Lag").ToDouble() : 0.0;
+  bool good = Check(longest > 18.0 && longest <= 19.5, "another longest lag: " + std::to_string(longest));
+  vtkTable* fits = fit->GetOutput();
+  for (vtkIdType row = 0; row < fits->GetNumberOfRows(); ++row)
+  {
+    good &= fits->GetValueByName(row, "Model").ToString() != "Fractal" ||
+      Near("longest wave of a fractal", fits->GetValueByName(row, "Range").ToDouble(), 464.0, 1e-9);
+  }
+  return good;
 }
 
 /// The disk of a nearly calm sea lies about its center at sea level.
@@ -482,6 +506,7 @@ int TestKnownAnswers(int, char*[])
   bool good = FogIsCrossSectionOverVolume();
   good &= SectionsHaveTheirAreas();
   good &= QuadratsFitTheBoxOfThePoints();
+  good &= LagsGoByTheSidesOfTheImage();
   good &= SurfaceLiesAboutItsCenter();
   good &= SeaTellsItsEnergy();
   good &= SquaresAreAsLargeAsTheirParticles();

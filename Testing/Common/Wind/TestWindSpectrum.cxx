@@ -191,3 +191,22 @@ TEST(WindSpectrum, MeanRisesByTheFrictionVelocityOverVonKarmansConstant)
     EXPECT_NEAR(FrictionVelocity(model), 0.4 * slope, 1e-12);
   }
 }
+
+// IEC 61400-1 ed. 3, table B.1: deviations 1, 0.8 and 0.5 of that along the wind, lengths 8.1, 2.7 and 0.66 of
+// Lambda_1, and the density 4 sigma^2 L / U at frequency 0.
+TEST(WindSpectrum, KaimalHasTheDeviationsAndLengthsOfTheStandard)
+{
+  WindModel model;
+  model.Spectrum = WindSpectrumModel::IecKaimal;
+  model.ReferenceSpeed = 12.0;
+  model.ReferenceHeight = 50.0; // Lambda_1 = 35 m
+  model.TurbulenceIntensity = 0.1;
+  const double deviations[] = { 1.2, 0.96, 0.6 };
+  const double lengths[] = { 283.5, 94.5, 23.1 };
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const double variance = deviations[component] * deviations[component];
+    EXPECT_NEAR(Variance(model, component), variance, 1e-12);
+    EXPECT_NEAR(SpectralDensity(model, component, 0.0, 20.0), 4.0 * variance * lengths[component] / 12.0, 1e-9);
+  }
+}
