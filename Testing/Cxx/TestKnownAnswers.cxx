@@ -11,6 +11,7 @@
 #include "vtkCovarianceFitFilter.h"
 #include "vtkImageSectionFilter.h"
 #include "vtkParticleFogFilter.h"
+#include "vtkParticleOrbitFilter.h"
 #include "vtkPlantWakeFilter.h"
 #include "vtkQuadratAnalysisFilter.h"
 #include "vtkSeaStateSource.h"
@@ -29,6 +30,7 @@
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -37,6 +39,7 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -225,6 +228,56 @@ bool LagsGoByTheSidesOfTheImage()
       Near("longest wave of a fractal", fits->GetValueByName(row, "Range").ToDouble(), 464.0, 1e-9);
   }
   return good;
+}
+
+/// Normals of a wavy surface by the places of neighbouring points.
+bool NormalsStandOnTheSurface()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.0, 0.0, 0.0);
+  plane->SetPoint1(60.0, 0.0, 0.0);
+  plane->SetPoint2(0.0, 60.0, 0.0);
+  plane->SetResolution(120, 120);
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkSeaStateSource> sea;
+  sea->SetSpectrum(vtkSeaStateSource::Regular);
+  sea->SetSeaBy(vtkSeaStateSource::HeightAndPeriod);
+  sea->SetSignificantWaveHeight(3.0);
+  sea->SetPeakPeriod(6.0); // some 56 m long
+  sea->SetMeanDirection(25.0);
+  vtkNew<vtkParticleOrbitFilter> surface;
+  surface->SetInputConnection(0, plane->GetOutputPort());
+  surface->SetSeaStateConnection(sea->GetOutputPort());
+  surface->UpdateTimeStep(1.3);
+  auto* output = vtkPolyData::SafeDownCast(surface->GetOutputDataObject(0));
+  vtkDataArray* normals = output->GetPointData()->GetNormals();
+  bool good = Check(normals && output->GetNumberOfPoints() == 121 * 121, "no surface");
+  double steepest = 0.0;
+  for (vtkIdType id = 122; good && id < 120 * 121 - 1; ++id)
+  {
+    if (id % 121 == 0 || id % 121 == 120)
+    {
+      continue;
+    }
+    double along[2][3];
+    double ends[3];
+    for (const int axis : { 0, 1 })
+    {
+      const vtkIdType step = axis == 0 ? 1 : 121;
+      output->GetPoint(id + step, along[axis]);
+      output->GetPoint(id - step, ends);
+      vtkMath::Subtract(along[axis], ends, along[axis]);
+    }
+    double normal[3];
+    vtkMath::Cross(along[0], along[1], normal);
+    vtkMath::Normalize(normal);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      good &= Near("normal", normals->GetComponent(id, axis), normal[axis], 1e-3);
+    }
+    steepest = std::max(steepest, std::abs(normal[0]));
+  }
+  return good & Check(steepest > 0.1, "a flat sea");
 }
 
 /// The disk of a nearly calm sea lies about its center at sea level.
@@ -507,6 +560,7 @@ int TestKnownAnswers(int, char*[])
   good &= SectionsHaveTheirAreas();
   good &= QuadratsFitTheBoxOfThePoints();
   good &= LagsGoByTheSidesOfTheImage();
+  good &= NormalsStandOnTheSurface();
   good &= SurfaceLiesAboutItsCenter();
   good &= SeaTellsItsEnergy();
   good &= SquaresAreAsLargeAsTheirParticles();
