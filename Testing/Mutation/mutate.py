@@ -37,7 +37,7 @@ SOURCE = os.path.dirname(os.path.dirname(HERE))
 COPY = os.environ.get("LITTORAL_MUTATION", os.path.join(SOURCE, "build", "mutation"))
 
 #: Time after which a program counts as failed [s].
-LONGEST = 1800
+LONGEST = 600
 
 #: Where it is built, and with which options: the rooms alone, or also the classes. Programs are not linked again when a
 #: library changes.
@@ -183,7 +183,7 @@ def failing_test(mutation, rooms, log):
     if not build(log, rooms, [CLASSES]):
         return "the build"
     if run([environment, "xvfb-run", "-a", "ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error",
-            "--parallel", str(os.cpu_count()), *chosen], log):
+            "--timeout", str(LONGEST), "--parallel", str(os.cpu_count()), *chosen], log):
         return ""
     with open(log, encoding="utf-8", errors="replace") as output:
         failed = re.findall(r"Cxx-(\w+) .*\*\*\*", output.read())
