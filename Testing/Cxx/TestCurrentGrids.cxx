@@ -99,20 +99,24 @@ bool CheckGrids()
   vtkDataObject* grids[] = { image, layer, turned, rectilinear, curved, blocks };
   for (vtkDataObject* grid : grids)
   {
-    vtkNew<Drift> drift;
-    vtkNew<vtkPolyData> particles = OneParticle(3.0, 4.0, -2.0);
-    particles->GetPoints()->InsertNextPoint(30.0, 0.0, -2.0); // outside
-    drift->SetInputData(0, particles);
-    drift->SetInputData(1, grid);
-    drift->UpdateTimeStep(2.0);
-    const double angle = std::atan2(4.0, 3.0) + 1.0;
-    double p[3];
-    OutputOf(drift)->GetPoint(0, p);
-    const double error = std::hypot(p[0] - 5.0 * std::cos(angle), p[1] - 5.0 * std::sin(angle), p[2] + 2.0);
-    std::cout << grid->GetClassName() << ": off by " << error << " m" << std::endl;
-    good &= Check(error < 2e-6, "a grid carries points elsewhere");
-    OutputOf(drift)->GetPoint(1, p);
-    good &= Check(p[0] == 30.0 && p[1] == 0.0, "there is a current outside of the data set");
+    for (const int interpolation : { Drift::Linear, Drift::CubicSpline })
+    {
+      vtkNew<Drift> drift;
+      vtkNew<vtkPolyData> particles = OneParticle(3.0, 4.0, -2.0);
+      particles->GetPoints()->InsertNextPoint(30.0, 0.0, -2.0); // outside
+      drift->SetInputData(0, particles);
+      drift->SetInputData(1, grid);
+      drift->SetVelocityInterpolation(interpolation);
+      drift->UpdateTimeStep(2.0);
+      const double angle = std::atan2(4.0, 3.0) + 1.0;
+      double p[3];
+      OutputOf(drift)->GetPoint(0, p);
+      const double error = std::hypot(p[0] - 5.0 * std::cos(angle), p[1] - 5.0 * std::sin(angle), p[2] + 2.0);
+      std::cout << grid->GetClassName() << ": off by " << error << " m" << std::endl;
+      good &= Check(error < 2e-6, "a grid carries points elsewhere");
+      OutputOf(drift)->GetPoint(1, p);
+      good &= Check(p[0] == 30.0 && p[1] == 0.0, "there is a current outside of the data set");
+    }
   }
   // Land is at rest.
   vtkNew<vtkImageData> land;
