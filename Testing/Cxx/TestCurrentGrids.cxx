@@ -129,6 +129,39 @@ bool CheckGrids()
   return good & Check(OutputOf(drift)->GetPoint(0)[0] == 3.0, "land flows");
 }
 
+/// Between the samples of a current that is there at one of them alone, it falls along straight lines.
+bool CheckOneSample()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 3, 1);
+  image->SetOrigin(0.0, -1.0, 0.0);
+  vtkNew<vtkDoubleArray> velocity;
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    const double* p = image->GetPoint(id);
+    velocity->InsertNextTuple3(p[0] == 2.0 && p[1] == 0.0 ? 1.0 : 0.0, 0.0, 0.0);
+  }
+  image->GetPointData()->AddArray(velocity);
+  bool good = true;
+  for (double x = 0.05; x < 4.0; x += 0.1)
+  {
+    for (const double y : { -0.75, 0.0, 0.375 })
+    {
+      vtkNew<Drift> drift;
+      drift->SetInputData(0, OneParticle(x, y, -2.0));
+      drift->SetInputData(1, image);
+      drift->SetVelocityInterpolation(Drift::Linear);
+      drift->GenerateCurrentOn();
+      drift->UpdateTimeStep(0.0);
+      const double flow = OutputOf(drift)->GetPointData()->GetArray("Current")->GetComponent(0, 0);
+      good &= std::abs(flow - std::max(0.0, 1.0 - std::abs(x - 2.0)) * (1.0 - std::abs(y))) < 1e-6;
+    }
+  }
+  return Check(good, "a current is not interpolated along straight lines");
+}
+
 /// A basin of 64 m x 64 m x 10 m with gyres, weaker at the bed, and water that turns over, as the curl of (0, A, B): no
 /// divergence, and no flow through any wall.
 constexpr double BasinX = 64.0;
@@ -358,6 +391,7 @@ bool CheckGridsThroughWalls()
 int TestCurrentGrids(int, char*[])
 {
   bool good = CheckGrids();
+  good &= CheckOneSample();
   good &= CheckOcean();
   good &= CheckGridsThroughWalls();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
