@@ -49,6 +49,14 @@ bool CheckGrids()
   layer->SetDimensions(21, 21, 1);
   layer->SetOrigin(-10.0, -10.0, 0.0);
   AddLinearVelocity(layer);
+  vtkNew<vtkImageData> turned; // by 30 degrees, with other numbers along its axes
+  turned->SetDimensions(41, 31, 5);
+  turned->SetOrigin(-10.0 * std::cos(Pi / 6.0) + 10.0 * std::sin(Pi / 6.0),
+    -10.0 * std::sin(Pi / 6.0) - 10.0 * std::cos(Pi / 6.0), -12.0);
+  turned->SetSpacing(0.5, 20.0 / 30.0, 3.0);
+  turned->SetDirectionMatrix(
+    std::cos(Pi / 6.0), -std::sin(Pi / 6.0), 0.0, std::sin(Pi / 6.0), std::cos(Pi / 6.0), 0.0, 0.0, 0.0, 1.0);
+  AddLinearVelocity(turned);
   vtkNew<vtkRectilinearGrid> rectilinear;
   rectilinear->SetDimensions(11, 11, 4);
   vtkNew<vtkStructuredGrid> curved;
@@ -88,23 +96,27 @@ bool CheckGrids()
   blocks->SetBlock(0, half);
   blocks->SetBlock(2, half);
   bool good = true;
-  vtkDataObject* grids[] = { image, layer, rectilinear, curved, blocks };
+  vtkDataObject* grids[] = { image, layer, turned, rectilinear, curved, blocks };
   for (vtkDataObject* grid : grids)
   {
-    vtkNew<Drift> drift;
-    vtkNew<vtkPolyData> particles = OneParticle(3.0, 4.0, -2.0);
-    particles->GetPoints()->InsertNextPoint(30.0, 0.0, -2.0); // outside
-    drift->SetInputData(0, particles);
-    drift->SetInputData(1, grid);
-    drift->UpdateTimeStep(2.0);
-    const double angle = std::atan2(4.0, 3.0) + 1.0;
-    double p[3];
-    OutputOf(drift)->GetPoint(0, p);
-    const double error = std::hypot(p[0] - 5.0 * std::cos(angle), p[1] - 5.0 * std::sin(angle), p[2] + 2.0);
-    std::cout << grid->GetClassName() << ": off by " << error << " m" << std::endl;
-    good &= Check(error < 2e-6, "a grid carries points elsewhere");
-    OutputOf(drift)->GetPoint(1, p);
-    good &= Check(p[0] == 30.0 && p[1] == 0.0, "there is a current outside of the data set");
+    for (const int interpolation : { Drift::Linear, Drift::CubicSpline })
+    {
+      vtkNew<Drift> drift;
+      vtkNew<vtkPolyData> particles = OneParticle(3.0, 4.0, -2.0);
+      particles->GetPoints()->InsertNextPoint(30.0, 0.0, -2.0); // outside
+      drift->SetInputData(0, particles);
+      drift->SetInputData(1, grid);
+      drift->SetVelocityInterpolation(interpolation);
+      drift->UpdateTimeStep(2.0);
+      const double angle = std::atan2(4.0, 3.0) + 1.0;
+      double p[3];
+      OutputOf(drift)->GetPoint(0, p);
+      const double error = std::hypot(p[0] - 5.0 * std::cos(angle), p[1] - 5.0 * std::sin(angle), p[2] + 2.0);
+      std::cout << grid->GetClassName() << ": off by " << error << " m" << std::endl;
+      good &= Check(error < 2e-6, "a grid carries points elsewhere");
+      OutputOf(drift)->GetPoint(1, p);
+      good &= Check(p[0] == 30.0 && p[1] == 0.0, "there is a current outside of the data set");
+    }
   }
   // Land is at rest.
   vtkNew<vtkImageData> land;
@@ -115,6 +127,39 @@ bool CheckGrids()
   drift->SetInputData(1, land);
   drift->UpdateTimeStep(2.0);
   return good & Check(OutputOf(drift)->GetPoint(0)[0] == 3.0, "land flows");
+}
+
+/// Between the samples of a current that is there at one of them alone, it falls along straight lines.
+bool CheckOneSample()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 3, 1);
+  image->SetOrigin(0.0, -1.0, 0.0);
+  vtkNew<vtkDoubleArray> velocity;
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    const double* p = image->GetPoint(id);
+    velocity->InsertNextTuple3(p[0] == 2.0 && p[1] == 0.0 ? 1.0 : 0.0, 0.0, 0.0);
+  }
+  image->GetPointData()->AddArray(velocity);
+  bool good = true;
+  for (double x = 0.05; x < 4.0; x += 0.1)
+  {
+    for (const double y : { -0.75, 0.0, 0.375 })
+    {
+      vtkNew<Drift> drift;
+      drift->SetInputData(0, OneParticle(x, y, -2.0));
+      drift->SetInputData(1, image);
+      drift->SetVelocityInterpolation(Drift::Linear);
+      drift->GenerateCurrentOn();
+      drift->UpdateTimeStep(0.0);
+      const double flow = OutputOf(drift)->GetPointData()->GetArray("Current")->GetComponent(0, 0);
+      good &= std::abs(flow - std::max(0.0, 1.0 - std::abs(x - 2.0)) * (1.0 - std::abs(y))) < 1e-6;
+    }
+  }
+  return Check(good, "a current is not interpolated along straight lines");
 }
 
 /// A basin of 64 m x 64 m x 10 m with gyres, weaker at the bed, and water that turns over, as the curl of (0, A, B): no
@@ -298,6 +343,46 @@ bool CheckGridsThroughWalls()
     "the end of a grid is not joined to the surface");
   good &= Check(std::abs(currentAt(-2.0, 0.0)[1] - 0.05) < 1e-6, "a grid below the surface is changed");
   good &= Check(currentAt(-0.25, 0.5)[0] == 0.0, "a grid reaches farther than its last step");
+  // Of uneven layers each end has its own step: 5 m at the bed, 1 m at the surface.
+  for (const bool isFalling : { false, true })
+  {
+    const double heights[2][4] = { { -9.0, -4.0, -2.0, -1.0 }, { -1.0, -2.0, -4.0, -9.0 } };
+    vtkNew<vtkDoubleArray> z;
+    vtkNew<vtkDoubleArray> along;
+    for (const double height : heights[isFalling])
+    {
+      z->InsertNextValue(height);
+    }
+    along->InsertNextValue(-50.0);
+    along->InsertNextValue(50.0);
+    vtkNew<vtkRectilinearGrid> uneven;
+    uneven->SetDimensions(2, 2, 4);
+    uneven->SetXCoordinates(along);
+    uneven->SetYCoordinates(along);
+    uneven->SetZCoordinates(z);
+    vtkNew<vtkDoubleArray> velocity;
+    velocity->SetName("Velocity");
+    velocity->SetNumberOfComponents(3);
+    for (vtkIdType id = 0; id < uneven->GetNumberOfPoints(); ++id)
+    {
+      velocity->InsertNextTuple3(0.2, 0.0, 0.0);
+    }
+    uneven->GetPointData()->AddArray(velocity);
+    const auto flowAt = [&](double height, double level, double depth) {
+      vtkNew<Drift> drift;
+      drift->SetInputData(0, OneParticle(0.0, 0.0, height));
+      drift->SetInputData(1, uneven);
+      drift->GenerateCurrentOn();
+      drift->SetSeaLevel(level);
+      drift->SetWaterDepth(depth);
+      drift->UpdateTimeStep(0.0);
+      return OutputOf(drift)->GetPointData()->GetArray("Current")->GetComponent(0, 0);
+    };
+    good &= Check(std::abs(flowAt(-0.5, 0.0, 13.0) - 0.2) < 1e-6, "uneven layers are not joined to the surface");
+    good &= Check(flowAt(0.5, 1.0, 14.0) == 0.0, "uneven layers reach too far up");
+    good &= Check(std::abs(flowAt(-12.0, 0.0, 13.0) - 0.2) < 1e-6, "uneven layers are not joined to the bed");
+    good &= Check(flowAt(-14.5, 0.0, 15.0) == 0.0, "uneven layers reach too far down");
+  }
   return good;
 }
 
@@ -306,6 +391,7 @@ bool CheckGridsThroughWalls()
 int TestCurrentGrids(int, char*[])
 {
   bool good = CheckGrids();
+  good &= CheckOneSample();
   good &= CheckOcean();
   good &= CheckGridsThroughWalls();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;

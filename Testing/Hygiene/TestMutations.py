@@ -4,6 +4,7 @@
 
 import os
 import sys
+import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -21,6 +22,44 @@ class Mutations(unittest.TestCase):
         self.assertEqual(mutate.place(text, "a = 1"), 0)
         self.assertEqual(mutate.place(text, "b = 2;"), text.rindex("b = 2;"))  # the whole line
         self.assertEqual((mutate.place(text, "= 2"), mutate.place(text, "c")), (-1, -1))
+
+    def test_a_list_names_tests_of_a_room_and_of_classes(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
+            file.write("# text\nCommon/Sea/Dispersion.cxx\n- a\n+ b\n? Common/Wind/TestWindField Cxx/TestRanges\n"
+                       "- c\n+ d\n= no difference\n")
+            file.flush()
+            first, second = mutate.read_list(file.name)
+        self.assertEqual((first.old, first.new, second.old, second.new), ("a", "b", "c", "d"))
+        self.assertEqual((first.reason, second.reason), ("", "no difference"))
+        self.assertEqual(mutate.class_tests(first), ["-R", "Cxx-(TestRanges)$"])
+        self.assertEqual(mutate.class_tests(second), ["-L", "cxx"])
+        programs = mutate.room_tests(first)
+        self.assertEqual(programs[0], "TestWindField")  # those of the list before others of the room
+        self.assertTrue({"TestSea", "TestWaveTrains"} <= set(programs))
+        self.assertEqual(mutate.why_unfit(first._replace(tests=["Cxx/TestNothing"])),
+                         "Common/Sea/Dispersion.cxx: there is no test Cxx/TestNothing")
+
+    def test_a_mirror_writes_what_differs_and_no_more(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source, copy = os.path.join(folder, "a"), os.path.join(folder, "b")
+            os.makedirs(os.path.join(source, "in"))
+            for name in ("in/same", "in/other"):
+                with open(os.path.join(source, name), "w", encoding="utf-8") as file:
+                    file.write(name)
+            mutate.mirror(source, copy, ["kept"])
+            same, other = (os.path.join(copy, "in", name) for name in ("same", "other"))
+            for name in (same, other):
+                os.utime(name, (1, 1))
+            with open(other, "w", encoding="utf-8") as file:
+                file.write("broken")
+            for name in ("kept", "stale"):
+                os.makedirs(os.path.join(copy, name))
+            mutate.mirror(source, copy, ["kept"])
+            with open(other, encoding="utf-8") as file:
+                self.assertEqual(file.read(), "in/other")
+            self.assertEqual(os.stat(same).st_mtime, 1)
+            self.assertGreater(os.stat(other).st_mtime, 1)
+            self.assertEqual(sorted(os.listdir(copy)), ["in", "kept"])
 
 
 if __name__ == "__main__":

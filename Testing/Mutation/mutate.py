@@ -11,18 +11,22 @@ no test looks at. A list names a file and its mutations:
     Common/Sea/WaveNumber.cxx
     - std::tanh(k * depth)
     + std::tanh(2.0 * k * depth)
-    ? common.(WaveNumber|SeaState)
+    ? Common/Currents/TestCurrents Cxx/TestSeaSurface
 
 `-` is a piece of a line that stands once in the file, or the whole line, and `+` what stands there instead. First the
 tests of that room of Common are asked, and those elsewhere that include the file's header; then, unless one of them
-fails, all of `ctest -L "common|cxx"`, or those of a line `?` with a regular expression. With `--rooms` these are not
-asked, and the copy is built without VTK. A mutation that no test can notice, since the results are the same, has a line
-`=` with the reason.
+fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--rooms` those of Testing/Cxx are not asked, the
+copy is built without VTK, and the lists of files outside of Common are left out. A mutation that no test can notice,
+since the results are the same, has a line `=` with the reason; it must survive.
+
+Built are only the programs that are asked. A second run builds what has changed since the first.
 """
 
 import collections
+import filecmp
 import glob
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -33,11 +37,16 @@ SOURCE = os.path.dirname(os.path.dirname(HERE))
 COPY = os.environ.get("LITTORAL_MUTATION", os.path.join(SOURCE, "build", "mutation"))
 
 #: Time after which a program counts as failed [s].
-LONGEST = 1800
+LONGEST = 600
 
-#: What is built, and with which options, for the tests of the rooms alone.
-ROOMS = ("build-rooms", ["-DLITTORAL_WITH_VTK=OFF", "-DLITTORAL_BUILD_BENCHMARKS=OFF"])
-ALL = ("build", [])
+#: Where it is built, and with which options: the rooms alone, or also the classes. Programs are not linked again when a
+#: library changes.
+USUAL = ["-DLITTORAL_BUILD_BENCHMARKS=OFF", "-DLITTORAL_BUILD_HELP=OFF", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON"]
+ROOMS = ("build-rooms", ["-DLITTORAL_WITH_VTK=OFF", *USUAL])
+ALL = ("build", ["-DLITTORAL_WITH_PYTHON=OFF", *USUAL])
+
+#: The program of the tests in Testing/Cxx.
+CLASSES = "LittoralCxxTests"
 
 Mutation = collections.namedtuple("Mutation", "file old new tests reason")
 
@@ -51,9 +60,9 @@ def read_list(path):
             if kind == "- ":
                 old = text
             elif kind == "+ ":
-                mutations.append(Mutation(file, old, text, "", ""))
+                mutations.append(Mutation(file, old, text, [], ""))
             elif kind == "? ":
-                mutations[-1] = mutations[-1]._replace(tests=text)
+                mutations[-1] = mutations[-1]._replace(tests=text.split())
             elif kind == "= ":
                 mutations[-1] = mutations[-1]._replace(reason=text)
             elif line.strip() and not line.startswith("#"):
@@ -83,23 +92,36 @@ def why_unfit(mutation, source=SOURCE):
         return str(error)
     if mutation.old == mutation.new:
         return f"{mutation.file}: '{mutation.old}' is not changed"
+    for test in mutation.tests:
+        if not os.path.isfile(os.path.join(source, "Testing", test + ".cxx")):
+            return f"{mutation.file}: there is no test {test}"
     return "" if place(text, mutation.old) >= 0 else f"{mutation.file}: '{mutation.old}' does not stand there once"
 
 
 def room_tests(mutation):
-    """The programs that test a file in Common: those with its name, those that include it, the others of its room."""
+    """The programs that test a file in Common: those with its name, those that include it, the others of its room, and
+    those of its list."""
     room, name = os.path.split(mutation.file)
     stem = os.path.splitext(name)[0]
     header = f'#include "{os.path.basename(room)}/{stem}.h"'
     ranks = {}
-    for path in sorted(glob.glob(os.path.join(COPY, "Testing", "Common", "*", "Test*.cxx"))):
+    for path in sorted(glob.glob(os.path.join(SOURCE, "Testing", "Common", "*", "Test*.cxx"))):
         with open(path, encoding="utf-8") as file:
             includes = header in file.read()
-        own = os.path.relpath(os.path.dirname(path), os.path.join(COPY, "Testing")) == room
-        program = os.path.splitext(os.path.basename(path))[0]
-        if own or includes:
-            ranks[program] = (program != "Test" + stem, not includes, not own)
-    return sorted(ranks, key=ranks.get) if room.startswith("Common") else []
+        test = os.path.splitext(os.path.relpath(path, os.path.join(SOURCE, "Testing")))[0]
+        own = os.path.dirname(test) == room
+        program = os.path.basename(test)
+        if test in mutation.tests or (room.startswith("Common") and (own or includes)):
+            ranks[program] = (program != "Test" + stem, test not in mutation.tests, not includes, not own)
+    return sorted(ranks, key=ranks.get)
+
+
+def class_tests(mutation):
+    """The arguments of ctest for the tests of classes that are asked; empty if none are."""
+    if not mutation.tests:
+        return ["-L", "cxx"]
+    names = [os.path.basename(test) for test in mutation.tests if test.startswith("Cxx/")]
+    return ["-R", f"Cxx-({'|'.join(names)})$"] if names else []
 
 
 def run(command, log):
@@ -112,26 +134,32 @@ def run(command, log):
             return False
 
 
+def mirror(source, copy, left=()):
+    """Makes a folder like another one. Files that differ are written, and so built anew; the others stay as they are."""
+    os.makedirs(copy, exist_ok=True)
+    entries = {entry.name: entry for entry in os.scandir(source)
+               if entry.name not in (".git", "__pycache__") and not entry.name.startswith(("build", "demo-output"))}
+    for entry in os.scandir(copy):
+        if entry.name not in entries and entry.name not in left:
+            shutil.rmtree(entry) if entry.is_dir(follow_symlinks=False) else os.remove(entry)
+    for name, entry in entries.items():
+        to = os.path.join(copy, name)
+        if entry.is_dir():
+            mirror(entry.path, to)
+        elif not os.path.exists(to) or not filecmp.cmp(entry.path, to, shallow=False):
+            shutil.copy(entry.path, to)
+
+
 def prepare(mutations, rooms):
     """A copy of the tree as it is, with its own build."""
     folder, options = ROOMS if rooms else ALL
-    os.makedirs(COPY, exist_ok=True)
-    for entry in os.scandir(COPY):
-        if entry.is_dir() and entry.name not in (ROOMS[0], ALL[0]):
-            shutil.rmtree(entry)
-    for entry in os.scandir(SOURCE):
-        if entry.is_file():
-            shutil.copy2(entry, COPY)
-        elif entry.name != ".git" and not entry.name.startswith("build"):
-            shutil.copytree(entry, os.path.join(COPY, entry.name))
-    for mutation in read_all():  # as an earlier run may have left them broken, and built
-        os.utime(os.path.join(COPY, mutation.file))
+    mirror(SOURCE, COPY, [ROOMS[0], ALL[0], "build-mutation.log"])
     log = os.path.join(COPY, "build-mutation.log")
-    # Programs are not linked again when a library changes.
-    configure = ["cmake", "--preset", "release", "-B", folder, "-DLITTORAL_BUILD_HELP=OFF",
-                 "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON", *options]
-    programs = sorted({program for mutation in mutations for program in room_tests(mutation)})
-    if not run(configure, log) or not build(log, rooms, programs if rooms else ["all"]):
+    programs = {program for mutation in mutations for program in room_tests(mutation)}
+    if not rooms and any(class_tests(mutation) for mutation in mutations):
+        programs.add(CLASSES)
+    configure = ["cmake", "--preset", "release", "-B", folder, *options]
+    if not run(configure, log) or not build(log, rooms, sorted(programs)):
         sys.exit(f"The tree does not build, see {log}")
 
 
@@ -140,7 +168,7 @@ def build(log, rooms, targets):
 
 
 def failing_test(mutation, rooms, log):
-    """What fails, the tests of the room first: the build, a program or ctest; empty if nothing does."""
+    """What fails, the tests of the room first: the build, a program or a test of a class; empty if nothing does."""
     folder = (ROOMS if rooms else ALL)[0]
     environment = os.path.join(COPY, folder, "bin", "littoral-env")
     programs = room_tests(mutation)
@@ -149,14 +177,17 @@ def failing_test(mutation, rooms, log):
     for program in programs:
         if not run([environment, os.path.join(folder, "bin", program), "--gtest_fail_fast"], log):
             return program
-    if rooms:
+    chosen = [] if rooms else class_tests(mutation)
+    if not chosen:
         return ""
-    if not build(log, rooms, ["all"]):
+    if not build(log, rooms, [CLASSES]):
         return "the build"
-    chosen = ["-R", mutation.tests] if mutation.tests else ["-L", "common|cxx"]
-    return "" if run(
-        [environment, "xvfb-run", "-a", "ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error",
-         "--parallel", str(os.cpu_count()), *chosen], log) else "ctest"
+    if run([environment, "xvfb-run", "-a", "ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error",
+            "--timeout", str(LONGEST), "--parallel", str(os.cpu_count()), *chosen], log):
+        return ""
+    with open(log, encoding="utf-8", errors="replace") as output:
+        failed = re.findall(r"Cxx-(\w+) .*\*\*\*", output.read())
+    return " ".join(failed) or "ctest"
 
 
 def killer_of(mutation, rooms):
@@ -178,28 +209,34 @@ def main(words):
     """Try all mutations with one of the words; exit code 1 if one survives that should not."""
     rooms = "--rooms" in words
     words = [word for word in words if word != "--rooms"]
-    mutations = [one for one in read_all()
-                 if not words or any(word in one.file or word in one.old for word in words)]
+    mutations = [one for one in read_all() if not words or any(word in one.file or word in one.old for word in words)]
+    mutations = [one for one in mutations if not rooms or one.file.startswith("Common/")]
     unfit = [reason for reason in map(why_unfit, mutations) if reason]
     if unfit:
         sys.exit("\n".join(unfit))
     prepare(mutations, rooms)
-    begin, survivors, killed = time.time(), [], 0
+    begin, wrong = time.time(), []
+    killed, tried, same = collections.Counter(), collections.Counter(), 0
     for number, mutation in enumerate(mutations):
         killer = killer_of(mutation, rooms)
-        dead = killer != ""
-        killed += dead
-        if dead == bool(mutation.reason):
-            survivors.append(mutation)
-        word = f"killed by {killer}" if dead else "the same" if mutation.reason else "SURVIVED"
+        field = os.path.dirname(mutation.file)
+        if mutation.reason:
+            same += 1
+        else:
+            tried[field] += 1
+            killed[field] += killer != ""
+        if bool(killer) == bool(mutation.reason):
+            wrong.append(mutation)
+        word = f"killed by {killer}" if killer else "the same" if mutation.reason else "SURVIVED"
         left = (time.time() - begin) / (number + 1) * (len(mutations) - number - 1)
         print(f"[{number + 1} of {len(mutations)}, about {left / 60:.0f} min left] {word}: {mutation.file}: "
               f"{mutation.old.strip()}  ->  {mutation.new.strip()}", flush=True)
-    same = sum(bool(one.reason) for one in mutations)
-    print(f"{killed} of {len(mutations) - same} mutations killed, {same} change no result")
-    for mutation in survivors:
+    for field in sorted(tried):
+        print(f"  {field}: {killed[field]} of {tried[field]}")
+    print(f"{sum(killed.values())} of {sum(tried.values())} mutations killed, {same} change no result")
+    for mutation in wrong:
         print(f"  {mutation.file}\n  - {mutation.old}\n  + {mutation.new}")
-    return 1 if survivors else 0
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

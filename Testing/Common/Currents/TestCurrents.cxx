@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <vector>
 
 using namespace littoral;
@@ -632,6 +633,15 @@ TEST(Particles, FillTheirBox)
   EXPECT_NEAR(logarithm, 0.0, 4.0 * 0.3 / std::sqrt(1.0 * count));
   EXPECT_EQ(ParticleOf(box, 3, 5, 0.0, 7).Radius, 0.5 * box.Diameter);
   EXPECT_NE(ParticleOf(box, 3, 5, 0.3, 7).Place, ParticleOf(box, 4, 5, 0.3, 7).Place);
+  std::set<double> depths; // boxes and particles that stand for each other would have the same
+  for (int boxId = 0; boxId < 10; ++boxId)
+  {
+    for (long long n = 0; n < 100; ++n)
+    {
+      depths.insert(ParticleOf(box, boxId, n, 0.3, 7).Place.z);
+    }
+  }
+  EXPECT_EQ(depths.size(), 1000u);
   EXPECT_NE(ParticleOf(box, 3, 5, 0.3, 7).Place, ParticleOf(box, 3, 5, 0.3, 8).Place);
 }
 

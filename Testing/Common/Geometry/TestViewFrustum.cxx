@@ -170,7 +170,8 @@ TEST(ViewFrustum, ARoundedViewHoldsThePictureOfAnyView)
   int rejected = 0;
   for (int n = 0; n < 1500; ++n)
   {
-    const View view = AnyView(random, 50.0);
+    View view = AnyView(random, 50.0);
+    view.Far = n % 3 == 0 ? 20.0 + n % 50 : view.Far;
     const ViewFrustum rounded(Rounded(view, 3.0 * uniform(random), 0.25 * std::pow(uniform(random), 2)));
     const PictureOf picture(view);
     const Vector3 ahead = glm::normalize(view.Direction);
@@ -283,6 +284,27 @@ TEST(ViewFrustum, ARiseIsNowhereTallerOnThePicture)
   EXPECT_LT(waste / wasteSum, 0.02);
 }
 
+// From straight above a rise is a point, and a line from aside: so far aside as the eye may be.
+TEST(ViewFrustum, ARiseBelowTheEyeIsSeenFromWithinTheMargin)
+{
+  View view;
+  view.Point = { 0.0, 0.0, 0.0 };
+  view.Direction = { 0.0, 0.0, -1.0 };
+  view.Up = { 0.0, 1.0, 0.0 };
+  view.Margin = 0.5;
+  const Box box{ { -0.01, -0.01, -20.0 }, { 0.01, 0.01, -19.0 } };
+  const double bound = ViewFrustum(view).PixelsOfRise(1.0, box);
+  for (int side = 0; side < 8; ++side)
+  {
+    View moved = view;
+    moved.Point = { 0.5 * std::cos(side * Pi / 4.0), 0.5 * std::sin(side * Pi / 4.0), 0.0 };
+    const double seen = PictureOf(moved).PixelsBetween({ 0.0, 0.0, -20.0 }, { 0.0, 0.0, -19.0 });
+    EXPECT_GT(seen, 0.1);
+    EXPECT_LE(seen, bound);
+  }
+  EXPECT_LT(bound, 3.0 * PictureOf(view).PixelsBetween({ 0.5, 0.0, -20.0 }, { 0.5, 0.0, -19.0 }));
+}
+
 TEST(ViewFrustum, DistancesInParallelProjection)
 {
   View view;
@@ -362,6 +384,7 @@ TEST(ViewFrustum, PixelsOfALength)
   View view;
   view.Angle = Pi / 2.0;
   view.Height = 800.0;
+  view.AspectRatio = 1.75;
   const ViewFrustum frustum(view);
   EXPECT_NEAR(frustum.PixelsOf(20.0, 10.0), 800.0, 1e-9); // as tall as the picture
   EXPECT_NEAR(frustum.PixelsOf(1.0, 100.0), 4.0, 1e-12);

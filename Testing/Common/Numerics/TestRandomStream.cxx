@@ -88,3 +88,24 @@ TEST(RandomStream, UniformNumbersAreMiddlesOfCells)
     }
   }
 }
+
+// The binary digits of a number after the 32nd are as random as the first, and say nothing about them.
+TEST(RandomStream, LateDigitsAreRandomToo)
+{
+  const RandomStream random(11, RandomPurpose::PlantScale);
+  const int count = 20000;
+  double mean = 0.0;
+  double square = 0.0;
+  double crossed = 0.0;
+  for (int n = 0; n < count; ++n)
+  {
+    const double first = random.UniformPair(n, 0)[0];
+    const double late = std::fmod(first * 0x1p32, 1.0);
+    mean += late / count;
+    square += late * late / count;
+    crossed += (first - 0.5) * (late - 0.5) / count;
+  }
+  EXPECT_NEAR(mean, 0.5, 4.0 / std::sqrt(12.0 * count));
+  EXPECT_NEAR(square, 1.0 / 3.0, 4.0 * std::sqrt(4.0 / 45.0 / count));
+  EXPECT_NEAR(crossed, 0.0, 4.0 / (12.0 * std::sqrt(1.0 * count)));
+}

@@ -379,6 +379,7 @@ TEST(ParticleLevels, SlavesStayWithinTheirBound)
       const ParticleGroups groups(places, grouping, 64);
       const View view = Look({ 0.0, -2.0, -4.0 }, { 0.0, 1.0, 0.0 }, 70.0);
       const ParticleSelection selection = Select(sea, places, groups, view, {}, TrainRule::TailSum);
+      const TrainTable table = Table(sea, groups, view, TrainRule::TailSum);
       double closest = 0.0;
       int slaves = 0;
       for (int frame = 0; frame < 60; ++frame)
@@ -394,6 +395,9 @@ TEST(ParticleLevels, SlavesStayWithinTheirBound)
             const ShownParticle& master = selection.Middle[particle.Master];
             EXPECT_LT(master.Master, 0);
             EXPECT_EQ(master.Particle, groups.MasterOf(particle.Particle));
+            // As many trains as at each slave's own distance, also of slaves that are nearer to the eye.
+            EXPECT_GE(
+              master.Trains, table.CountAt(LevelDistance(view, places[particle.Particle]), places[master.Particle].z));
             masters.push_back(places[master.Particle]);
             counts.push_back(master.Trains);
             own.push_back(places[master.Particle] + groups.OffsetOf(particle.Particle));
@@ -417,6 +421,54 @@ TEST(ParticleLevels, SlavesStayWithinTheirBound)
         closest, selection.LargestSlave);
     }
   }
+}
+
+TEST(ParticleLevels, ASlaveAboveItsMasterMovesMoreThanIt)
+{
+  // A wave of 3 m dies out with depth: by e^2 from 1 m to 2 m.
+  const SeaState sea{ { { 0.2, std::sqrt(Gravity * 2.0), 2.0, 0.3, 0.0 } }, 1e9, 0.0 };
+  const std::vector<Vector3> places{ { 0.0, 6.0, -2.0 }, { 0.1, 6.0, -1.0 }, { -0.1, 6.0, -3.0 } };
+  GroupOptions grouping;
+  grouping.Slaves = 2;
+  grouping.LargestOffset = 1.5;
+  const ParticleGroups groups(places, grouping, 3);
+  ASSERT_EQ(groups.MasterOf(1), 0);
+  const View view = Look({ 0.0, 0.0, -2.0 }, { 0.0, 1.0, 0.0 }, 70.0);
+  const ParticleSelection selection = Select(sea, places, groups, view, {}, TrainRule::All);
+  int slaves = 0;
+  double largest = 0.0;
+  for (const ShownParticle& particle : selection.Middle)
+  {
+    for (int moment = 0; particle.Master >= 0 && moment < 20; ++moment)
+    {
+      const std::vector<Vector3> moved = Moved(sea, 0.07 * moment, places, {});
+      const double error = glm::distance(moved[0] + groups.OffsetOf(particle.Particle), moved[particle.Particle]);
+      EXPECT_LE(error, particle.Error);
+      largest = std::max(largest, error);
+      ++slaves;
+    }
+  }
+  EXPECT_EQ(slaves, 40);
+  EXPECT_GT(largest, 0.02);
+}
+
+TEST(ParticleLevels, StepsAreSmoothAndEven)
+{
+  EXPECT_EQ(SmoothStep(-2.0, 2.0), 0.0);
+  EXPECT_EQ(SmoothStep(-9.0, 2.0), 0.0);
+  EXPECT_EQ(SmoothStep(2.0, 2.0), 1.0);
+  EXPECT_EQ(SmoothStep(9.0, 2.0), 1.0);
+  double before = 0.0;
+  for (double x = -2.0; x <= 2.0; x += 0.01)
+  {
+    const double now = SmoothStep(x, 2.0);
+    EXPECT_NEAR(now + SmoothStep(-x, 2.0), 1.0, 1e-12);
+    EXPECT_GE(now, before);
+    EXPECT_LT(now - before, 0.0038); // the slope of a cubic step is nowhere above 3/2 of the straight line's
+    before = now;
+  }
+  EXPECT_EQ(SmoothStep(-1e-9, 0.0), 0.0);
+  EXPECT_EQ(SmoothStep(1e-9, 0.0), 1.0);
 }
 
 TEST(ParticleLevels, NothingVisibleIsLost)

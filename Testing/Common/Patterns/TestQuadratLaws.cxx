@@ -285,6 +285,7 @@ TEST(QuadratPattern, PointsAreUniformInTheirQuadratAndNoneOutside)
   grid.Count = { 5, 3 };
   double mean[2] = { 0.0, 0.0 };
   double square[2] = { 0.0, 0.0 };
+  double product = 0.0;
   const int points = 4000;
   for (int quadrat = 0; quadrat < 15; ++quadrat)
   {
@@ -298,6 +299,7 @@ TEST(QuadratPattern, PointsAreUniformInTheirQuadratAndNoneOutside)
         mean[axis] += u[axis] / (15.0 * points);
         square[axis] += u[axis] * u[axis] / (15.0 * points);
       }
+      product += (u[0] - 0.5) * (u[1] - 0.5) / (15.0 * points);
     }
   }
   for (int axis = 0; axis < 2; ++axis)
@@ -305,6 +307,11 @@ TEST(QuadratPattern, PointsAreUniformInTheirQuadratAndNoneOutside)
     EXPECT_NEAR(mean[axis], 0.5, 0.005);
     EXPECT_NEAR(square[axis], 1.0 / 3.0, 0.005);
   }
+  EXPECT_NEAR(product, 0.0, 0.0017); // one coordinate says nothing about the other: five times 1 / (12 N^(1/2))
+  // All edges belong to the grid.
+  EXPECT_EQ(QuadratOf(grid, -3.0, 10.5), 0);
+  EXPECT_EQ(QuadratOf(grid, 0.0, 10.0), 2);
+  EXPECT_EQ(QuadratOf(grid, 3.0, 11.0), 9);
   EXPECT_EQ(QuadratOf(grid, 3.0, 12.0), 14);
   EXPECT_EQ(QuadratOf(grid, 3.1, 12.0), -1);
   EXPECT_EQ(QuadratOf(grid, std::numeric_limits<double>::quiet_NaN(), 11.0), -1);
@@ -559,4 +566,23 @@ TEST(QuadratFit, NumbersOfASampleByHand)
     1e-9);
   EXPECT_EQ(fit.DegreesOfFreedom, 2);
   EXPECT_NEAR(fit.PValue, std::exp(-0.5 * fit.ChiSquare), 1e-12); // of 2 degrees
+}
+
+// A sample whose frequencies are the law's own has its cumulants, and these have the law's parameters.
+TEST(QuadratFit, CumulantsOfALawGiveItsParameters)
+{
+  for (const double shape : { 0.6, 1.3, 4.0 })
+  {
+    QuadratLawParameters law = Law(5);
+    law.ClusterShape = shape;
+    std::vector<long long> frequencies;
+    for (const double part : MassFunction(law, 100))
+    {
+      frequencies.push_back(std::llround(1e13 * part));
+    }
+    const QuadratFit fit = FitQuadratLaw(QuadratLaw::PoissonNegativeBinomial, frequencies);
+    ASSERT_TRUE(fit.MomentsExist) << shape;
+    EXPECT_NEAR(fit.Moments.ClusterShape, shape, 1e-4 * shape);
+    EXPECT_NEAR(fit.Moments.ClusterMean, law.ClusterMean, 1e-4);
+  }
 }

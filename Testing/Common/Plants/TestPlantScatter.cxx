@@ -263,6 +263,68 @@ TEST(PlantScatter, ShowsEachPlantOnceAtTheLevelOfItsDistance)
   EXPECT_GT(*std::min_element(levels.begin(), levels.end()), 0);
 }
 
+TEST(PlantScatter, LevelsReachUpToTheirDistances)
+{
+  const double distances[] = { 31.75, 32.0, 32.25, 255.0, 256.0, 257.0 }; // exact in binary
+  std::vector<PlantPlace> places;
+  std::vector<Vector3> feet;
+  std::vector<Box> boxes;
+  for (const double distance : distances)
+  {
+    PlantPlace place;
+    place.Foot = { distance, 0.0, 0.0 };
+    place.Site = static_cast<int>(places.size());
+    places.push_back(place);
+    feet.push_back(place.Foot);
+    boxes.push_back({ place.Foot, place.Foot });
+  }
+  const SceneCells cells(feet, boxes, 1.0);
+  View view;
+  view.Point = { 0.0, 0.0, 0.0 };
+  PlantViewOptions options;
+  options.UseCulling = false;
+  options.NearDistance = 32.0;
+  options.FarDistance = 256.0;
+  const auto shown = ShownPlants(places, cells, {}, view, options, 0, 6);
+  ASSERT_EQ(shown.size(), 6u);
+  const int wanted[] = { 0, 0, 1, 1, 1, 2 };
+  for (int n = 0; n < 6; ++n)
+  {
+    EXPECT_EQ(static_cast<int>(shown[n].Level), wanted[n]) << distances[n] << " m";
+  }
+}
+
+TEST(PlantScatter, ABoxHoldsItsPlantHoweverThatIsTurned)
+{
+  PlantMesh mesh;
+  mesh.Points = { { 0.0, -3.0, -0.5 }, { 1.0, 1.0, 7.0 }, { -2.0, 0.5, 2.0 } };
+  PlantExtent extent;
+  Enclose(extent, mesh);
+  PlantPlace place;
+  place.Foot = { 100.0, -20.0, 5.0 };
+  place.Scale = 1.5;
+  const Box box = BoxOf(place, extent);
+  Vector3 low = box.High;
+  Vector3 high = box.Low;
+  for (int turn = 0; turn < 360; ++turn)
+  {
+    place.Azimuth = turn * Pi / 180.0;
+    for (const Vector3& point : mesh.Points)
+    {
+      const float from[3] = { static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z) };
+      float to[3];
+      PlantPlacement(place).Points(from, 1, to);
+      low = glm::min(low, Vector3(to[0], to[1], to[2]));
+      high = glm::max(high, Vector3(to[0], to[1], to[2]));
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) // all turns together fill it
+  {
+    EXPECT_NEAR(low[axis], box.Low[axis], 1e-4) << axis;
+    EXPECT_NEAR(high[axis], box.High[axis], 1e-4) << axis;
+  }
+}
+
 TEST(PlantScatter, PartsOfTheSitesMakeTheWhole)
 {
   const Forest forest = MakeForest(500, 400.0, 10.0);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -229,4 +230,33 @@ TEST(BranchSkin, ThinBranchesGetFewerSides)
   EXPECT_EQ(NumberOfSides(0.2, 0.2, 12), 12);
   EXPECT_EQ(NumberOfSides(0.05, 0.2, 12), 6);
   EXPECT_EQ(NumberOfSides(1e-9, 0.2, 12), 3);
+}
+
+TEST(BranchSkin, RingsLieAroundTheirNodes)
+{
+  const Skeleton plant = SmallPlant();
+  const PlantMesh mesh = SkinOf(plant, {});
+  std::size_t vertex = 0;
+  for (const SkeletonBranch& branch : plant.Branches)
+  {
+    const int sides = NumberOfSides(plant.Nodes[branch.First].Radius, 0.2, 12);
+    const int last = branch.First + branch.Count - 1;
+    for (int node = branch.First; node <= last; ++node)
+    {
+      const bool isBetween = node > branch.First && node < last;
+      for (int corner = 0; corner <= sides; ++corner, ++vertex)
+      {
+        EXPECT_NEAR(glm::distance(mesh.Points[vertex], plant.Nodes[node].Position), plant.Nodes[node].Radius, 1e-12);
+        // Of two segments that meet, half and half; at the ends the only one.
+        EXPECT_EQ(mesh.JointWeights[vertex][0], isBetween ? 0.5 : 1.0);
+        EXPECT_EQ(mesh.JointIds[vertex][0], std::min(node, last - 1));
+        EXPECT_EQ(mesh.JointIds[vertex][1], isBetween ? node - 1 : mesh.JointIds[vertex][0]);
+      }
+    }
+    const Vector3 end = glm::normalize(plant.Nodes[last].Position - plant.Nodes[last - 1].Position);
+    EXPECT_NEAR(glm::distance(mesh.Points[vertex], plant.Nodes[last].Position + plant.Nodes[last].Radius * end), 0.0,
+      1e-12);            // the tip
+    vertex += 1 + sides; // and the corners of the foot
+  }
+  EXPECT_EQ(vertex, mesh.Points.size());
 }

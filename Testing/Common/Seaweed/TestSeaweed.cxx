@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seaweeds: their skeletons, the paper's angles, what they weigh, and their meshes at all levels.
 #include "Seaweed/SeaweedMesh.h"
+#include "Seaweed/SeaweedPlant.h"
 #include "Seaweed/SegmentAngles.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 using namespace littoral;
@@ -440,6 +442,71 @@ TEST(Seaweed, MassAndStiffnessAreThoseOfBeams)
   EXPECT_NEAR(JointStiffness(round, 0.5), 2e7 * 3.14159265358979 * 1e-8 / 4.0 / 0.5, 1e-12);
   EXPECT_NEAR(EquivalentRadius(round), 0.01, 1e-15);
   EXPECT_NEAR(NetBuoyancy(round, 0.5, 1025.0), 25.0 * 9.80665 * 3.14159265358979e-4 * 0.5, 1e-9);
+}
+
+TEST(Seaweed, FrondsStandEvenlyOnTheUpperPartOfTheHoldfast)
+{
+  SeaweedParameters parameters;
+  parameters.NumberOfFronds = 30;
+  const Skeleton wood = GrowSeaweed(parameters).Wood;
+  const double top = wood.Nodes[1].Position.z;
+  std::vector<double> parts;
+  for (std::size_t branch = 1; branch < wood.Branches.size(); ++branch)
+  {
+    parts.push_back(wood.Nodes[wood.Branches[branch].First].Position.z / top);
+  }
+  std::sort(parts.begin(), parts.end());
+  ASSERT_EQ(parts.size(), 30u);
+  EXPECT_NEAR(std::accumulate(parts.begin(), parts.end(), 0.0) / 30.0, 0.7, 1e-9); // between 0.4 and 1
+  for (std::size_t n = 1; n < parts.size(); ++n)
+  {
+    EXPECT_NEAR(parts[n] - parts[n - 1], 0.02, 1e-9);
+  }
+}
+
+// A bent chain of three links, cut into many points: the moment of inertia of all beyond a joint about its foot, and
+// the work that it takes to turn one link while those on it keep their directions.
+TEST(Seaweed, DampingAndBuoyancyOfAChainAreThoseOfItsPoints)
+{
+  std::vector<SeaweedLink> links(3);
+  const Vector3 axes[3] = { { 0.0, 0.0, 1.0 }, { 0.6, 0.0, 0.8 }, { 0.0, 1.0, 0.0 } };
+  const double lengths[3] = { 0.5, 0.8, 0.3 };
+  Vector3 foot(0.0);
+  for (int n = 0; n < 3; ++n)
+  {
+    links[n].Parent = n - 1;
+    links[n].Foot = foot;
+    links[n].Axis = axes[n];
+    links[n].Length = lengths[n];
+    links[n].Mass = 0.2 + 0.1 * n;
+    links[n].FaceMass = 0.05 * n;
+    links[n].Stiffness = 3.0 - n;
+    links[n].Buoyancy = 1.5 - n; // the last one sinks
+    foot += lengths[n] * axes[n];
+  }
+  SetDamping(links, { 0.1, 0.2, 0.3 });
+  constexpr int Points = 2000;
+  for (int n = 0; n < 3; ++n)
+  {
+    double inertia = 0.0;
+    double tops = 0.0;
+    for (int link = n; link < 3; ++link)
+    {
+      for (int point = 0; point < Points; ++point)
+      {
+        const Vector3 arm = links[link].Foot + (point + 0.5) / Points * lengths[link] * axes[link] - links[n].Foot;
+        inertia += (links[link].Mass + links[link].FaceMass) / Points * glm::dot(arm, arm);
+      }
+      tops += link > n ? links[link].Buoyancy : 0.0;
+    }
+    const double ratio = 0.1 * (n + 1);
+    EXPECT_NEAR(links[n].Damping, 2.0 * ratio * std::sqrt(links[n].Stiffness * inertia), 1e-6);
+    // Energy of an upright link that is turned by a small angle: its middle and its end, which carries the rest, sink.
+    const double angle = 1e-3;
+    const double sunk = 1.0 - std::cos(angle);
+    const double energy = links[n].Buoyancy * 0.5 * lengths[n] * sunk + tops * lengths[n] * sunk;
+    EXPECT_NEAR(links[n].BuoyancyStiffness, std::max(0.0, 2.0 * energy / (angle * angle)), 1e-5);
+  }
 }
 
 TEST(Seaweed, AnglesOfABendAreThoseOfThePaper)

@@ -264,6 +264,22 @@ TEST(SeaweedMotion, BuoyancyKeepsALimpPlantUpright)
   }
 }
 
+// A limp rod above the sea falls over as one of its weight: a = a_0 cosh(w t), w^2 = 3 g / 2 L. In the water it would
+// float.
+TEST(SeaweedMotion, WhatIsAboveTheSeaHasItsWeight)
+{
+  SeaweedOptions options = Dry();
+  options.SeaLevel = -60.0;
+  Plant plant(Stem(1, 1.0, 0.05), Tissue(0.02, 1.0, 0.0, 500.0), options);
+  const double rate = std::sqrt(1.5 * 9.80665);
+  for (int part = 1; part <= 4; ++part)
+  {
+    plant.Run(0.1, 0.002);
+    const Vector3& axis = plant.Poses[0].Axis;
+    EXPECT_NEAR(std::atan2(axis.x, axis.z) / (0.05 * std::cosh(0.1 * part * rate)), 1.0, 0.005);
+  }
+}
+
 TEST(SeaweedMotion, HoldfastStaysAndLengthsAreKept)
 {
   Plant plant(Stem(12, 3.0, 0.2), Tissue(0.01, 1e6, 0.1, 800.0), SeaweedOptions());

@@ -457,6 +457,14 @@ TEST(SeaweedLevels, TrainsLeaveOutNoMoreThanTheMaximum)
         left += (1.0 - shares[n]) * AxesAt(sea.Trains[n], height, sea.Depth).Horizontal;
       }
       EXPECT_LE(left, maximum);
+      // What a train and all after it move: nothing below half of the maximum counts, all above three halves does.
+      double rest = 0.0;
+      for (std::size_t n = shares.size(); n-- > 0;)
+      {
+        rest += AxesAt(sea.Trains[n], height, sea.Depth).Horizontal;
+        EXPECT_TRUE(shares[n] == 0.0f || rest > 0.49 * maximum);
+        EXPECT_TRUE(shares[n] == 1.0f || rest < 1.51 * maximum);
+      }
       EXPECT_EQ(shares.back() < 1.0f, maximum > 1e-3 || height < 0.0); // it is of 0.8 mm at the surface
     }
   }

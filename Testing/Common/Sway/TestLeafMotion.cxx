@@ -145,3 +145,35 @@ TEST(LeafMotion, RepeatsAfterThePeriod)
     EXPECT_EQ(flutter.At(9, 0.125 * k), flutter.At(9, 0.125 * k - 80.0));
   }
 }
+
+TEST(LeafMotion, GoesOnWhereThePeriodEnds)
+{
+  LeafMotionOptions options;
+  options.FlutterRate = 2.3; // 11.5 changes of angle in the period, of which 12 fit
+  options.Period = 5.0;
+  const LeafFlutter flutter(options);
+  for (int leaf = 0; leaf < 50; ++leaf)
+  {
+    const auto before = flutter.At(leaf, options.Period - 1e-6);
+    const auto after = flutter.At(leaf, options.Period + 1e-6);
+    EXPECT_NEAR(before[0], after[0], 2e-5); // at most 1.875 ranges a change, 12 changes in 5 s
+    EXPECT_NEAR(before[1], after[1], 2e-5);
+  }
+}
+
+TEST(LeafMotion, LeavesOfAShortPeriodKeepOneAngleEach)
+{
+  LeafMotionOptions options;
+  options.FlutterRate = 2.0;
+  options.Period = 0.1;
+  const LeafFlutter flutter(options);
+  double squares = 0.0;
+  const int leaves = 20000;
+  for (int leaf = 0; leaf < leaves; ++leaf)
+  {
+    const auto angles = flutter.At(leaf, 0.03);
+    EXPECT_EQ(angles, flutter.At(leaf, 0.07));
+    squares += 0.5 * (angles[0] * angles[0] + angles[1] * angles[1]) / leaves;
+  }
+  EXPECT_NEAR(squares, 1.0 / 12.0, 0.001); // of uniform angles
+}

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <random>
@@ -99,6 +101,66 @@ TEST(FractalDimension, OfFractalSurfacesIsTheirs)
     }
     EXPECT_NEAR(periodogram, dimension, 0.08);
     EXPECT_NEAR(variogram, dimension, 0.15);
+  }
+}
+
+namespace
+{
+
+/// Power at a wave number [rad/cell] of a fractal surface that is sampled at points: the sum over the lattice of the
+/// sampling wave numbers, and an integral beyond.
+double SampledPower(double x, double y, double dimension)
+{
+  constexpr int reach = 5;
+  const double b = 8.0 - 2.0 * dimension;
+  const double radius = TwoPi * (2.0 * reach + 1.0) / std::sqrt(Pi); // of a circle as large as the square
+  double power = std::pow(radius, 2.0 - b) / ((b - 2.0) * TwoPi);
+  for (int m = -reach; m <= reach; ++m)
+  {
+    for (int n = -reach; n <= reach; ++n)
+    {
+      power += std::pow(std::hypot(x + TwoPi * n, y + TwoPi * m), -b);
+    }
+  }
+  return power;
+}
+
+}
+
+// All waves in phase in the middle of the window, which is 1 there: a periodogram without chance.
+TEST(FractalDimension, OfWavesInPhaseIsExact)
+{
+  constexpr int size = 256;
+  for (const double dimension : { 2.1, 2.3, 2.5, 2.7, 2.85 })
+  {
+    FourierGrid grid(size, size);
+    const auto place = [&](int wave) { return wave < 0 ? wave + size : wave; };
+    for (int j = 0; j <= size / 2; ++j)
+    {
+      for (int i = 0; i <= size / 2; ++i)
+      {
+        const double x = TwoPi / size * i;
+        const double y = TwoPi / size * j;
+        const double amplitude = i + j > 0 ? std::sqrt(SampledPower(x, y, dimension)) : 0.0;
+        const double middle = 0.5 * (size - 1);
+        for (const int side : { -1, 1 }) // of i; the conjugates belong to -j
+        {
+          const std::complex<double> wave = std::polar(amplitude, -(side * x + y) * middle);
+          grid.At(place(side * i), j) = wave;
+          grid.At(place(-side * i), place(-j)) = std::conj(wave);
+        }
+      }
+    }
+    grid.Backward();
+    GridSamples samples;
+    samples.Width = samples.Height = size;
+    for (int n = 0; n < size * size; ++n)
+    {
+      samples.Values.push_back(grid.At(n % size, n / size).real());
+    }
+    const double measured = DimensionFromPeriodogram(samples).Dimension;
+    std::printf("D = %.2f: %.4f\n", dimension, measured);
+    EXPECT_NEAR(measured, dimension, 0.01); // long waves do not fade in the window
   }
 }
 

@@ -288,6 +288,30 @@ TEST(TerrainLevels, ErrorIsTheHeightOfAPeakThatIsLeftOut)
   EXPECT_EQ(tile.Errors[3], 5.0f);
 }
 
+TEST(TerrainLevels, ErrorsAreNeverRoundedDown)
+{
+  // A sample between two: the error is its distance from their mean, exact in double precision.
+  int inexact = 0;
+  for (unsigned int seed = 1; seed <= 200; ++seed)
+  {
+    std::mt19937 random(seed);
+    HeightSamples samples = MakeGround(3, 3, Ground::Flat, 0);
+    for (float& value : samples.Values)
+    {
+      value = 0.0f;
+    }
+    const float ends[2] = { static_cast<float>(random() % 1000003) / 7.0f,
+      static_cast<float>(random() % 1009) / 11.0f };
+    samples.Values[samples.Index(0, 0)] = ends[0];
+    samples.Values[samples.Index(2, 0)] = ends[1];
+    const double mean = 0.5 * (static_cast<double>(ends[0]) + static_cast<double>(ends[1]));
+    const TerrainPyramid pyramid(samples, 2, 2);
+    EXPECT_GE(static_cast<double>(pyramid.GetTiles()[0].Errors[1]), mean);
+    inexact += static_cast<double>(static_cast<float>(mean)) < mean;
+  }
+  EXPECT_GT(inexact, 30);
+}
+
 namespace
 {
 
@@ -452,7 +476,12 @@ TEST(TerrainLevels, ByDistanceChangeAtEqualRatios)
   EXPECT_EQ(LevelAtDistance(799.0, rule, 5), 3);
   EXPECT_EQ(LevelAtDistance(800.0, rule, 5), 4);
   EXPECT_EQ(LevelAtDistance(1e9, rule, 1), 0);
-  rule.NearDistance = 0.0;
+  rule.NearDistance = 0.0; // then at equal differences
+  for (int third = 0; third < 3; ++third)
+  {
+    EXPECT_EQ(LevelAtDistance(800.0 / 3.0 * third + 1.0, rule, 5), third + 1);
+    EXPECT_EQ(LevelAtDistance(800.0 / 3.0 * (third + 1) - 1.0, rule, 5), third + 1);
+  }
   rule.FarDistance = 0.0;
   EXPECT_EQ(LevelAtDistance(0.0, rule, 5), 0);
   EXPECT_EQ(LevelAtDistance(1e-3, rule, 5), 4);

@@ -143,6 +143,52 @@ TEST(Variogram, SectorsPointTheirWay)
   }
 }
 
+TEST(Variogram, RingsAreAsWideAsSaid)
+{
+  const VariogramMap map = ComputeVariogramMap(Noise(60, 60), 60.0);
+  for (int rings : { 4, 15 })
+  {
+    int last = -1;
+    for (const LagBin& bin : BinVariogram(map, 60.0, rings, 1))
+    {
+      // Ring k ends at ((k + 1) / rings)^2 of the longest lag.
+      EXPECT_GE(bin.Lag, 60.0 * std::pow(double(bin.Ring) / rings, 2));
+      EXPECT_LE(bin.Lag, 60.0 * std::pow((bin.Ring + 1.0) / rings, 2));
+      EXPECT_GT(bin.Ring, last);
+      last = bin.Ring;
+    }
+    EXPECT_EQ(last, rings - 1);
+  }
+}
+
+TEST(GridSamples, MomentsByHand)
+{
+  GridSamples samples;
+  samples.Width = 2;
+  samples.Height = 2;
+  samples.Values = { 1.0, std::numeric_limits<double>::quiet_NaN(), 2.0, 6.0 };
+  const SampleMoments moments = Moments(samples);
+  EXPECT_EQ(moments.Count, 3u);
+  EXPECT_DOUBLE_EQ(moments.Mean, 3.0);
+  EXPECT_DOUBLE_EQ(moments.Variance, 14.0 / 3.0); // (4 + 1 + 9) / 3
+}
+
+TEST(GridSamples, SlopesOfALongGridAreItsOwn)
+{
+  GridSamples samples = Noise(45, 8); // 90 m by 24 m
+  for (int j = 0; j < 8; ++j)
+  {
+    for (int i = 0; i < 45; ++i)
+    {
+      samples.At(i, j) = 3.0 - 0.25 * (i - 22.0) * 2.0 + 0.75 * (j - 3.5) * 3.0;
+    }
+  }
+  const PlaneTrend trend = RemovePlane(samples);
+  EXPECT_NEAR(trend.Slope[0], -0.25, 1e-12);
+  EXPECT_NEAR(trend.Slope[1], 0.75, 1e-12);
+  EXPECT_NEAR(Moments(samples).Variance, 0.0, 1e-20);
+}
+
 TEST(GridSamples, APlaneIsFoundAndRemovedAroundHoles)
 {
   GridSamples samples = Noise(30, 20, 0.3);

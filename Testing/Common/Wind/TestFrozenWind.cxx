@@ -106,3 +106,23 @@ TEST(FrozenWind, HeightsOverGround)
   EXPECT_NEAR(velocity.x, 2.0, 1e-6);
   EXPECT_NEAR(glm::length(velocity), 2.0, 1e-6);
 }
+
+TEST(FrozenWind, EdgesAreWithinInAnyDirection)
+{
+  for (int degrees = 0; degrees < 360; degrees += 3)
+  {
+    WindAlong wind;
+    wind.Direction = degrees * Pi / 180.0;
+    wind.Samples = 30;
+    const FrozenWind field = wind.Field();
+    for (const double side : { -1.0, 1.0 })
+    {
+      const auto at = [&](double across, double height) {
+        return field.Reaches(731.0 * wind.Along() + side * across * wind.Across() + Vector3(0.0, 0.0, height));
+      };
+      EXPECT_TRUE(at(60.0, 40.0)) << degrees; // but for rounding
+      EXPECT_FALSE(at(60.01, 40.0)) << degrees;
+      EXPECT_FALSE(at(60.0, 40.01)) << degrees;
+    }
+  }
+}

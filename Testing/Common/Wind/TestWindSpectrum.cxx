@@ -162,3 +162,51 @@ TEST(WindSpectrum, IecCoherenceByHand)
   // The standard is silent about the others: their own decays, over the mean at 10 m.
   EXPECT_NEAR(RootCoherence(model, 2, 0.1, 3.0, 4.0), std::exp(-8.0 * 0.1 * 5.0 / MeanSpeed(model, 10.0)), 1e-12);
 }
+
+TEST(WindSpectrum, ComponentsDecayInTheirOwnWayAcrossAndUp)
+{
+  WindModel model; // 10 m/s at 10 m
+  model.Decay = { { { 5.0, 10.0 }, { 6.0, 13.0 }, { 3.0, 7.0 } } };
+  const double exponents[][2] = { { 0.4, 0.6 }, { 0.48, 0.78 }, { 0.24, 0.42 } }; // at 0.2 Hz, 4 m across and 3 m up
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const double across = exponents[component][0];
+    const double up = exponents[component][1];
+    EXPECT_NEAR(RootCoherence(model, component, 0.2, 4.0, 0.0), std::exp(-across), 1e-12);
+    EXPECT_NEAR(RootCoherence(model, component, 0.2, 0.0, 3.0), std::exp(-up), 1e-12);
+    EXPECT_NEAR(RootCoherence(model, component, 0.2, 4.0, 3.0), std::exp(-std::sqrt(across * across + up * up)), 1e-12);
+  }
+}
+
+TEST(WindSpectrum, MeanRisesByTheFrictionVelocityOverVonKarmansConstant)
+{
+  WindModel model;
+  model.RoughnessLength = 0.2;
+  model.ReferenceHeight = 30.0;
+  EXPECT_NEAR(MeanSpeed(model, 30.0), model.ReferenceSpeed, 1e-12);
+  EXPECT_NEAR(MeanSpeed(model, 0.2), 0.0, 1e-12);
+  for (const double height : { 1.0, 8.0, 100.0 })
+  {
+    const double slope = MeanSpeed(model, std::exp(1.0) * height) - MeanSpeed(model, height); // over ln z
+    EXPECT_NEAR(FrictionVelocity(model), 0.4 * slope, 1e-12);
+  }
+}
+
+// IEC 61400-1 ed. 3, table B.1: deviations 1, 0.8 and 0.5 of that along the wind, lengths 8.1, 2.7 and 0.66 of
+// Lambda_1, and the density 4 sigma^2 L / U at frequency 0.
+TEST(WindSpectrum, KaimalHasTheDeviationsAndLengthsOfTheStandard)
+{
+  WindModel model;
+  model.Spectrum = WindSpectrumModel::IecKaimal;
+  model.ReferenceSpeed = 12.0;
+  model.ReferenceHeight = 50.0; // Lambda_1 = 35 m
+  model.TurbulenceIntensity = 0.1;
+  const double deviations[] = { 1.2, 0.96, 0.6 };
+  const double lengths[] = { 283.5, 94.5, 23.1 };
+  for (int component = 0; component < WindComponents; ++component)
+  {
+    const double variance = deviations[component] * deviations[component];
+    EXPECT_NEAR(Variance(model, component), variance, 1e-12);
+    EXPECT_NEAR(SpectralDensity(model, component, 0.0, 20.0), 4.0 * variance * lengths[component] / 12.0, 1e-9);
+  }
+}

@@ -109,6 +109,24 @@ TEST(WindStatistics, ModelIsThatOfTheFormulas)
   EXPECT_NEAR(statistics.Coherence(0, 3, 0, 1000)[5].Model[0], std::exp(-10.0 * frequency * 6.0 / 10.0), 1e-9);
 }
 
+TEST(WindStatistics, CoherenceIsThatOfTheDistancesOfColumnsAndLayers)
+{
+  WindGrid grid = GridOf(60, 6, 3);
+  grid.LateralSpacing = 1.5;
+  grid.VerticalSpacing = 4.0;
+  const std::vector<float> wind = OneWave(grid, 0);
+  const WindStatistics statistics(wind.data(), grid, WindModel());
+  const double frequency = 1.0;
+  const auto model = [&](int layer, int columns, int layers) {
+    return statistics.Coherence(layer, columns, layers, 1000)[2].Model[0];
+  };
+  // exp(-C f d / U_10) of 3 m across, 8 m up or down, and both
+  EXPECT_NEAR(model(1, 2, 0), std::exp(-10.0 * frequency * 3.0 / 10.0), 1e-9);
+  EXPECT_NEAR(model(0, 0, 2), std::exp(-10.0 * frequency * 8.0 / 10.0), 1e-9);
+  EXPECT_NEAR(model(2, 0, -2), std::exp(-10.0 * frequency * 8.0 / 10.0), 1e-9);
+  EXPECT_NEAR(model(0, 2, 2), std::exp(-10.0 * frequency * std::hypot(3.0, 8.0) / 10.0), 1e-9);
+}
+
 /// What is measured in a synthesized wind is its model, within the scatter of a wide field.
 TEST(WindStatistics, SynthesizedWindFollowsItsModel)
 {
