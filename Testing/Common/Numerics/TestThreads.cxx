@@ -14,10 +14,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace littoral;
@@ -44,7 +46,7 @@ std::vector<Vector3> Joints(const ParallelFor& parallel)
 {
   const Vector3 feet[2] = { Vector3(0.0, 0.0, 0.0), Vector3(20.0, -7.0, 1.0) };
   std::vector<PlantPlace> places(2);
-  SwayScene scene({}, std::make_shared<const FrozenWind>(WindAlong().Field()), places, {});
+  SwayScene scene({}, std::shared_ptr<const FrozenWind>(new FrozenWind(WindAlong().Field())), places, {});
   std::size_t joints = 0;
   for (int row = 0; row < 2; ++row)
   {
