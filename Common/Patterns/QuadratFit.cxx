@@ -73,7 +73,8 @@ public:
     fit.Law.Law = fit.Moments.Law = law;
     fit.Law.Mean = fit.Moments.Mean = this->Moments.Mean; // also the maximum likelihood keeps the mean
     fit.Parameters = TraitsOf(law).Parameters.Size();
-    (this->*Fits[static_cast<int>(law)])(fit);
+    const auto fitLaw = Fits[static_cast<int>(law)];
+    (this->*fitLaw)(fit);
     return fit;
   }
 

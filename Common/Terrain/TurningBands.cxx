@@ -564,7 +564,7 @@ void TurningBandsField::AddLines(
         const double position = line.FirstPosition + line.Across * (row + j);
         const long long node = Floor(position);
         SplineWeights(position - static_cast<double>(node), weights[n]);
-        const long long start = node - 1 - line.FirstNode + (static_cast<long long>(column) << line.StrideBits);
+        const long long start = node - 1 - line.FirstNode + column * (1ll << line.StrideBits);
         const std::size_t phases = (std::size_t(1) << line.StrideBits) - 1;
         for (int tap = 0; tap < 4; ++tap)
         {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Particles in levels of detail: errors within their bounds, nothing visible lost, the work of the paper's table 1, and
 // fog that hides as much as its particles do.
+#include "../OnThreads.h"
 #include "../PictureOf.h"
 #include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
@@ -21,10 +22,10 @@
 #include <limits>
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 using namespace littoral;
+using littoral::testing::OnThreads;
 
 namespace
 {
@@ -333,12 +334,7 @@ TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(places.size()));
     EXPECT_GT(slaves, scatter ? 2999 : 2500);
 
-    const ParallelFor two = [](std::size_t count, const RangeTask& task) {
-      std::thread other([&] { task(count / 2, count); });
-      task(0, count / 2);
-      other.join();
-    };
-    const ParticleGroups again(places, options, 64, two);
+    const ParticleGroups again(places, options, 64, OnThreads(2));
     EXPECT_EQ(again.GetOrder(), groups.GetOrder());
   }
 }
@@ -655,12 +651,7 @@ TEST(ParticleFog, KeepsTheSumOfCrossSections)
   EXPECT_LT(glm::distance(moment / one.CrossSection, one.Place), 1e-6);
 
   particles.push_back({ { 2.01, 3.0, -1.0 }, 1.0 });
-  const ParallelFor two = [](std::size_t count, const RangeTask& task) {
-    std::thread other([&] { task(count / 2, count); });
-    task(0, count / 2);
-    other.join();
-  };
-  const ParticleFog again(grid, particles, two);
+  const ParticleFog again(grid, particles, OnThreads(2));
   EXPECT_EQ(again.GetOutside(), 1);
   EXPECT_EQ(again.GetExtinction(), fog.GetExtinction());
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../OnThreads.h"
 #include "Seaweed/SeaweedGrowth.h"
 #include "Seaweed/SeaweedScene.h"
 #include "Seaweed/SeaweedSkin.h"
@@ -13,6 +14,7 @@
 #include <vector>
 
 using namespace littoral;
+using littoral::testing::OnThreads;
 
 namespace
 {
@@ -196,9 +198,12 @@ TEST(SeaweedScene, MovesAlikeOnAnyThreads)
   };
   SeaweedScene serial = SceneOf(bed);
   SeaweedScene other = SceneOf(bed, true, backwards);
+  SeaweedScene onThreads = SceneOf(bed, true, OnThreads(2));
   for (const double time : { 2.0, 0.33, 1.0 })
   {
-    EXPECT_EQ(NodesAt(serial, time), NodesAt(other, time));
+    const std::vector<Vector3> expected = NodesAt(serial, time);
+    EXPECT_EQ(expected, NodesAt(other, time));
+    EXPECT_EQ(expected, NodesAt(onThreads, time));
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../OnThreads.h"
 #include "Numerics/FourierGrid.h"
 #include "Numerics/RandomStream.h"
 #include "Terrain/GridSamples.h"
@@ -9,9 +10,9 @@
 
 #include <cmath>
 #include <limits>
-#include <thread>
 
 using namespace littoral;
+using littoral::testing::OnThreads;
 
 namespace
 {
@@ -29,13 +30,6 @@ GridSamples Noise(int width, int height, double missing = 0.0)
     samples.Values.push_back(isMissing ? std::numeric_limits<double>::quiet_NaN() : 100.0 + random.NormalPair(n, 0)[0]);
   }
   return samples;
-}
-
-void ParallelInTwo(std::size_t count, const RangeTask& task)
-{
-  std::thread other([&] { task(0, count / 2); });
-  task(count / 2, count);
-  other.join();
 }
 
 }
@@ -58,7 +52,7 @@ TEST(FourierGrid, GivesBackWhatWentIn)
     sum += before.At(n % 30, n / 30);
   }
   EXPECT_NEAR(std::abs(grid.At(0, 0) - sum), 0.0, 1e-9);
-  grid.Backward(ParallelInTwo);
+  grid.Backward(OnThreads(2));
   for (int n = 0; n < 30 * 18; ++n)
   {
     EXPECT_NEAR(std::abs(grid.At(n % 30, n / 30) / (30.0 * 18.0) - before.At(n % 30, n / 30)), 0.0, 1e-12);
@@ -110,7 +104,7 @@ TEST(Variogram, DoesNotDependOnThreads)
 {
   const GridSamples samples = Noise(64, 50);
   const VariogramMap one = ComputeVariogramMap(samples, 40.0);
-  const VariogramMap two = ComputeVariogramMap(samples, 40.0, ParallelInTwo);
+  const VariogramMap two = ComputeVariogramMap(samples, 40.0, OnThreads(2));
   EXPECT_EQ(one.Semivariance, two.Semivariance);
   EXPECT_EQ(one.Pairs, two.Pairs);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The spectral wind against its own model: spectra, coherence, profile, the reference method, bytes, bad input.
+#include "../OnThreads.h"
 #include "CholeskyWind.h"
 #include "Wind/WindLines.h"
 #include "WindSeries.h"
@@ -15,10 +16,10 @@
 #include <iostream>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 using namespace littoral;
+using littoral::testing::OnThreads;
 
 namespace
 {
@@ -176,22 +177,6 @@ std::vector<std::vector<std::complex<double>>> ScaledSpectra(
     }
   }
   return spectra;
-}
-
-/// Runs in as many parts as asked, each on a thread of its own.
-ParallelFor OnThreads(int threads)
-{
-  return [threads](std::size_t count, const RangeTask& task) {
-    std::vector<std::thread> others;
-    for (int t = 0; t < threads; ++t)
-    {
-      others.emplace_back([&, t] { task(count * t / threads, count * (t + 1) / threads); });
-    }
-    for (std::thread& other : others)
-    {
-      other.join();
-    }
-  };
 }
 
 }
