@@ -47,8 +47,8 @@ LAND = {
 }
 
 SEA = {
-    "sea": Part("vtkSeaStateSource", (), {"SetNumberOfTrains": (12,), "SetSeaLevel": (4.0,)},
-                {"SetSeed": ((1,), (2,), (3,)), "SetWindSpeed": ((6.0,), (9.0,)), "SetWaterDepth": ((0.0,), (6.0,))}),
+    "sea": Part("vtkSeaStateSource", (), {"SetNumberOfTrains": (12,), "SetSeaLevel": (15.0,)},
+                {"SetSeed": ((1,), (2,), (3,)), "SetWindSpeed": ((6.0,), (9.0,)), "SetWaterDepth": ((0.0,), (20.0,))}),
     "surface": Part("vtkSeaSurfaceFilter", ("sea",), {"SetSectors": (24,), "SetRadius": (60.0,)},
                     {"SetChoppiness": ((1.0,), (0.5,)), "SetWaterColors": ((True,), (False,))}, False, True),
     "water": Part("vtkSuspendedParticleSource", (), {"SetDensity": (0.1,)},
