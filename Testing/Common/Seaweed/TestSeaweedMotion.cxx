@@ -280,6 +280,50 @@ TEST(SeaweedMotion, WhatIsAboveTheSeaHasItsWeight)
   }
 }
 
+// Under a moment M a segment bends by M l / E I: between the middles of two that meet lie half of one and half of the
+// other, and below the first half of its own.
+TEST(SeaweedMotion, JointsAreAsStiffAsTheBeamsThatMeet)
+{
+  Skeleton wood;
+  wood.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.01);
+  wood.Grow({ 0.0, 0.0, 0.5 }, 0.01);
+  wood.Grow({ 0.0, 0.0, 0.8 }, 0.01);
+  const std::vector<SeaweedSegment> segments{ Tissue(0.02, 2e7, 0.0), Tissue(0.01, 8e7, 0.0), Tissue(0.01, 8e7, 0.0) };
+  const double bends[2] = { 0.5 / (2e7 * Pi / 64.0 * 1.6e-7),
+    0.3 / (8e7 * Pi / 64.0 * 1e-8) }; // l / E I, I = pi d^4 / 64
+  const std::vector<SeaweedLink> links = LinksOf(wood, segments, SeaweedOptions());
+  ASSERT_EQ(links.size(), 2u);
+  EXPECT_NEAR(links[0].Stiffness * 0.5 * bends[0], 1.0, 1e-9);
+  EXPECT_NEAR(links[1].Stiffness * 0.5 * (bends[0] + bends[1]), 1.0, 1e-9);
+}
+
+// In motion without a past, links of any length that are parts of one blade bend alike: by as much a metre.
+TEST(SeaweedMotion, LinksOfAnyLengthBendAlikeAtOnce)
+{
+  std::vector<SeaweedLink> links(3);
+  const double lengths[3] = { 1.0, 0.25, 3.0 };
+  for (int n = 0; n < 3; ++n)
+  {
+    links[n].Length = lengths[n];
+    links[n].MeanLength = 1.0;
+    links[n].FrontalArea = links[n].EdgeFrontalArea = 0.05 * lengths[n];
+    links[n].Stiffness = 2.0 / lengths[n];
+    links[n].Foot = { 0.0, 3.0 * n, -20.0 };
+  }
+  Plant plant(links, SeaweedOptions());
+  WaterAtLink water;
+  water.Velocity = { 0.05, 0.0, 0.0 };
+  double bends[3];
+  for (int n = 0; n < 3; ++n)
+  {
+    const Vector3 axis = plant.Motion.Procedural(water, n, plant.Poses.data()).Shape;
+    bends[n] = std::atan2(axis.x, axis.z) / lengths[n];
+  }
+  EXPECT_GT(bends[0], 1e-4);
+  EXPECT_NEAR(bends[1] / bends[0], 1.0, 0.01);
+  EXPECT_NEAR(bends[2] / bends[0], 1.0, 0.01);
+}
+
 TEST(SeaweedMotion, HoldfastStaysAndLengthsAreKept)
 {
   Plant plant(Stem(12, 3.0, 0.2), Tissue(0.01, 1e6, 0.1, 800.0), SeaweedOptions());
