@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 using namespace littoral;
 
@@ -322,6 +323,42 @@ TEST(SeaweedMotion, LinksOfAnyLengthBendAlikeAtOnce)
   EXPECT_GT(bends[0], 1e-4);
   EXPECT_NEAR(bends[1] / bends[0], 1.0, 0.01);
   EXPECT_NEAR(bends[2] / bends[0], 1.0, 0.01);
+}
+
+// Pressed down by a dead load, a limp link comes to rest where the potential of load and stop is least. That of the
+// stop is K_s/2 x^2 / (1 - x / 1.05), x rad beyond 1.75.
+TEST(SeaweedMotion, AStopHoldsALoadWhereTheirPotentialIsLeast)
+{
+  SeaweedOptions options = Dry();
+  options.Load = SeaweedLoad::Direct;
+  options.ForceFactor = 1.0;
+  std::vector<SeaweedLink> links(1);
+  links[0].Stiffness = 0.0;
+  links[0].Damping = 1.0;
+  links[0].Axis = glm::normalize(Vector3(0.1, 0.0, 1.0));
+  links[0].Side = { 0.0, 1.0, 0.0 };
+  Plant plant(links, options);
+  const double bent = std::atan2(0.1, 1.0); // at rest
+  const double strength = plant.Motion.GetLinks()[0].StopStiffness;
+  ASSERT_GT(strength, 0.0);
+  for (const double load : { 0.1 * strength, 0.5 * strength })
+  {
+    plant.Flow({ 0.0, 0.0, -load });
+    plant.Run(60.0, 0.01);
+    const Vector3& axis = plant.Poses[0].Axis;
+    const double found = std::atan2(axis.x, axis.z) - bent;
+    double least = std::numeric_limits<double>::infinity();
+    double wanted = 0.0;
+    for (double angle = 1.5; angle < 2.75; angle += 1e-4)
+    {
+      const double x = std::max(0.0, angle - 1.75);
+      const double potential = 0.5 * strength * x * x / (1.0 - x / 1.05) + 0.5 * load * std::cos(angle + bent);
+      wanted = potential < least ? angle : wanted;
+      least = std::min(least, potential);
+    }
+    EXPECT_GT(wanted, 1.76);
+    EXPECT_NEAR(found, wanted, 1e-3);
+  }
 }
 
 TEST(SeaweedMotion, HoldfastStaysAndLengthsAreKept)
