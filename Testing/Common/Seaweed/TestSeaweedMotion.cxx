@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 using namespace littoral;
 
@@ -277,6 +278,86 @@ TEST(SeaweedMotion, WhatIsAboveTheSeaHasItsWeight)
     plant.Run(0.1, 0.002);
     const Vector3& axis = plant.Poses[0].Axis;
     EXPECT_NEAR(std::atan2(axis.x, axis.z) / (0.05 * std::cosh(0.1 * part * rate)), 1.0, 0.005);
+  }
+}
+
+// Under a moment M a segment bends by M l / E I: between the middles of two that meet lie half of one and half of the
+// other, and below the first half of its own.
+TEST(SeaweedMotion, JointsAreAsStiffAsTheBeamsThatMeet)
+{
+  Skeleton wood;
+  wood.StartBranch(-1, { 0.0, 0.0, 0.0 }, 0.01);
+  wood.Grow({ 0.0, 0.0, 0.5 }, 0.01);
+  wood.Grow({ 0.0, 0.0, 0.8 }, 0.01);
+  const std::vector<SeaweedSegment> segments{ Tissue(0.02, 2e7, 0.0), Tissue(0.01, 8e7, 0.0), Tissue(0.01, 8e7, 0.0) };
+  const double bends[2] = { 0.5 / (2e7 * Pi / 64.0 * 1.6e-7),
+    0.3 / (8e7 * Pi / 64.0 * 1e-8) }; // l / E I, I = pi d^4 / 64
+  const std::vector<SeaweedLink> links = LinksOf(wood, segments, SeaweedOptions());
+  ASSERT_EQ(links.size(), 2u);
+  EXPECT_NEAR(links[0].Stiffness * 0.5 * bends[0], 1.0, 1e-9);
+  EXPECT_NEAR(links[1].Stiffness * 0.5 * (bends[0] + bends[1]), 1.0, 1e-9);
+}
+
+// In motion without a past, links of any length that are parts of one blade bend alike: by as much a metre.
+TEST(SeaweedMotion, LinksOfAnyLengthBendAlikeAtOnce)
+{
+  std::vector<SeaweedLink> links(3);
+  const double lengths[3] = { 1.0, 0.25, 3.0 };
+  for (int n = 0; n < 3; ++n)
+  {
+    links[n].Length = lengths[n];
+    links[n].MeanLength = 1.0;
+    links[n].FrontalArea = links[n].EdgeFrontalArea = 0.05 * lengths[n];
+    links[n].Stiffness = 2.0 / lengths[n];
+    links[n].Foot = { 0.0, 3.0 * n, -20.0 };
+  }
+  Plant plant(links, SeaweedOptions());
+  WaterAtLink water;
+  water.Velocity = { 0.05, 0.0, 0.0 };
+  double bends[3];
+  for (int n = 0; n < 3; ++n)
+  {
+    const Vector3 axis = plant.Motion.Procedural(water, n, plant.Poses.data()).Shape;
+    bends[n] = std::atan2(axis.x, axis.z) / lengths[n];
+  }
+  EXPECT_GT(bends[0], 1e-4);
+  EXPECT_NEAR(bends[1] / bends[0], 1.0, 0.01);
+  EXPECT_NEAR(bends[2] / bends[0], 1.0, 0.01);
+}
+
+// Pressed down by a dead load, a limp link comes to rest where the potential of load and stop is least. That of the
+// stop is K_s/2 x^2 / (1 - x / 1.05), x rad beyond 1.75.
+TEST(SeaweedMotion, AStopHoldsALoadWhereTheirPotentialIsLeast)
+{
+  SeaweedOptions options = Dry();
+  options.Load = SeaweedLoad::Direct;
+  options.ForceFactor = 1.0;
+  std::vector<SeaweedLink> links(1);
+  links[0].Stiffness = 0.0;
+  links[0].Damping = 1.0;
+  links[0].Axis = glm::normalize(Vector3(0.1, 0.0, 1.0));
+  links[0].Side = { 0.0, 1.0, 0.0 };
+  Plant plant(links, options);
+  const double bent = std::atan2(0.1, 1.0); // at rest
+  const double strength = plant.Motion.GetLinks()[0].StopStiffness;
+  ASSERT_GT(strength, 0.0);
+  for (const double load : { 0.1 * strength, 0.5 * strength })
+  {
+    plant.Flow({ 0.0, 0.0, -load });
+    plant.Run(60.0, 0.01);
+    const Vector3& axis = plant.Poses[0].Axis;
+    const double found = std::atan2(axis.x, axis.z) - bent;
+    double least = std::numeric_limits<double>::infinity();
+    double wanted = 0.0;
+    for (double angle = 1.5; angle < 2.75; angle += 1e-4)
+    {
+      const double x = std::max(0.0, angle - 1.75);
+      const double potential = 0.5 * strength * x * x / (1.0 - x / 1.05) + 0.5 * load * std::cos(angle + bent);
+      wanted = potential < least ? angle : wanted;
+      least = std::min(least, potential);
+    }
+    EXPECT_GT(wanted, 1.76);
+    EXPECT_NEAR(found, wanted, 1e-3);
   }
 }
 
