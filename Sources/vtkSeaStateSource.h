@@ -132,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Water depth [m], positive, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and the
-   * energy of TMA.
+   * Water depth [m], at least 1e-6, or 0 for deep water; default 0. It determines the wave numbers of all spectra, and
+   * the energy of TMA.
    */
   vtkSetMacro(WaterDepth, double);
   vtkGetMacro(WaterDepth, double);

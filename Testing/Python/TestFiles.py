@@ -27,7 +27,7 @@ from littoral.tables import table_of, write_csv
 
 RANDOM = np.random.default_rng(7)
 
-#: A process that writes two files in turn under one name, and tells when it begins.
+#: A process that writes two files in turn under one name, and tells when it begins and after each.
 WRITER = """
 import sys
 from TestFiles import KILLED
@@ -35,6 +35,7 @@ print("begin", flush=True)
 while True:
     for content in (1, 2):
         KILLED[sys.argv[1]](content, sys.argv[2])
+        print("written", flush=True)
 """
 
 
@@ -138,7 +139,8 @@ class Replaced(unittest.TestCase):
             for _ in range(50):
                 with subprocess.Popen([sys.executable, "-c", WRITER, extension, name], stdout=subprocess.PIPE,
                                       cwd=os.path.dirname(os.path.abspath(__file__))) as process:
-                    process.stdout.readline()
+                    for _ in range(1 + pause.randrange(4)):
+                        process.stdout.readline()
                     time.sleep(pause.uniform(0.0, 0.05))
                     process.send_signal(signal.SIGKILL)
                 seen.add(whole.index(bytes_of(name)))
