@@ -4,7 +4,6 @@
 
 #include "Numerics/SimdClones.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace littoral
@@ -65,11 +64,6 @@ void OscillatorBank::Advance(std::size_t active, const Vector3& before, const Ve
     AdvanceColumns(active, this->Columns, this->Factors.data(), before[axis], after[axis], displacements,
       displacements + this->Columns);
   }
-}
-
-void OscillatorBank::Reset()
-{
-  std::fill(this->State.begin(), this->State.end(), 0.0);
 }
 
 void OscillatorBank::Settle(std::size_t column, std::size_t samples)

@@ -27,9 +27,6 @@ public:
   /// Takes oscillators [0, active) over one step in which the load is linear.
   void Advance(std::size_t active, const Vector3& before, const Vector3& after);
 
-  /// All at rest.
-  void Reset();
-
   /// The state of the periodic motion, of an oscillator that was at rest one period ago: `samples` steps.
   void Settle(std::size_t column, std::size_t samples);
 

@@ -69,8 +69,6 @@ struct ScatterPrototypes
   /// Textures as field data, the same arrays at each execution; null where there is none.
   std::array<vtkSmartPointer<vtkFieldData>, NumberOfParts> Textures;
 
-  std::size_t NumberOfSpecies() const { return this->Extents.size(); }
-
   /// Polygons of a species in full.
   double HighPolygons(int species) const
   {

@@ -41,6 +41,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <sys/resource.h>
@@ -91,7 +92,16 @@ vtkSmartPointer<Array> Numbers(const char* name, vtkIdType tuples, int component
   array->SetNumberOfTuples(tuples);
   for (vtkIdType n = 0; n < tuples * components; ++n)
   {
-    array->SetValue(n, static_cast<typename Array::ValueType>(3.0f * Noise(static_cast<int>(n))));
+    const float number = 3.0f * Noise(static_cast<int>(n));
+    if constexpr (std::is_integral_v<typename Array::ValueType>)
+    {
+      // By way of int: those below 0 wrap.
+      array->SetValue(n, static_cast<typename Array::ValueType>(static_cast<int>(number)));
+    }
+    else
+    {
+      array->SetValue(n, number);
+    }
   }
   return array;
 }

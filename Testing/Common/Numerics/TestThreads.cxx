@@ -4,18 +4,17 @@
 #include "../OnThreads.h"
 #include "../WindAlong.h"
 #include "Currents/VelocitySpline.h"
+#include "Numerics/FourierGrid.h"
 #include "Particles/ParticleLevels.h"
 #include "Plants/PlantLevels.h"
 #include "Plants/ReevesTree.h"
 #include "Sway/SwayScene.h"
-#include "Terrain/FractalDimension.h"
 #include "Terrain/TerrainLevels.h"
 #include "Wind/WindLines.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <random>
@@ -143,22 +142,21 @@ TEST(Threads, TilesOfATerrain)
   }
 }
 
-TEST(Threads, PeriodogramOfATerrain)
+TEST(Threads, TransformsOfAGrid)
 {
-  // White noise summed along both axes falls with k^-2 across each.
-  GridSamples samples;
-  samples.Width = samples.Height = 160;
-  const std::vector<float> noise = Noise(std::size_t(160) * 160);
-  samples.Values.assign(noise.begin(), noise.end());
-  for (int n = 161; n < 160 * 160; ++n)
+  const std::vector<float> noise = Noise(std::size_t(60) * 37);
+  FourierGrid one(60, 37);
+  FourierGrid three(60, 37);
+  for (int n = 0; n < 60 * 37; ++n)
   {
-    samples.Values[n] += 0.98 * (samples.Values[n - 1] + samples.Values[n - 160] - 0.98 * samples.Values[n - 161]);
+    one.At(n % 60, n / 60) = three.At(n % 60, n / 60) = noise[n];
   }
-  const DimensionEstimate one = DimensionFromPeriodogram(samples);
-  const DimensionEstimate three = DimensionFromPeriodogram(samples, OnThreads(3));
-  ASSERT_TRUE(std::isfinite(one.Dimension));
-  EXPECT_EQ(one.Dimension, three.Dimension);
-  EXPECT_EQ(one.StandardError, three.StandardError);
+  one.Forward();
+  three.Forward(OnThreads(3));
+  for (int n = 0; n < 60 * 37; ++n)
+  {
+    ASSERT_EQ(one.At(n % 60, n / 60), three.At(n % 60, n / 60)) << n;
+  }
 }
 
 TEST(Threads, ParticlesThatAViewNeeds)

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Splines through samples that lie moved and stretched in space, and where they are known to be level.
+#include "Currents/SplineVelocity.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+/// Samples at 0, 1 ... 4 along each axis, whose positions are 2 m apart from 10 m on.
+class Samples : public SampledVelocity
+{
+public:
+  explicit Samples(double rise)
+    : Rise(rise)
+  {
+  }
+
+  /// The field at a place [m]: a polynomial of the third degree, level in the layer z = 10.
+  Vector3 Field(const Vector3& place) const
+  {
+    const Vector3 p = place - Vector3(10.0);
+    return { p.y * p.z - 1.0, 0.1 * p.x * p.x * p.y, this->Rise * p.z * p.z * p.x };
+  }
+
+  std::vector<double> Nodes(int axis) const override { return this->Axes[axis]; }
+  Vector3 PositionOf(const Vector3& position) const override { return 0.5 * (position - Vector3(10.0)); }
+  Vector3 Sample(std::size_t id) const override
+  {
+    return this->Field(Vector3(10.0) +
+      2.0 * Vector3(static_cast<double>(id % 5), static_cast<double>(id / 5 % 5), static_cast<double>(id / 25)));
+  }
+  bool IsSingle() const override { return false; }
+  GridHeights Heights() const override { return { 10.0, 18.0, 2.0, 2.0 }; }
+  bool IsLevelAt(double height) const override { return height == 10.0; }
+  Vector3 Velocity(const Vector3& position) const override { return this->Field(position); }
+
+  std::vector<double> Axes[3] = { { 0.0, 1.0, 2.0, 3.0, 4.0 }, { 0.0, 1.0, 2.0, 3.0, 4.0 },
+    { 0.0, 1.0, 2.0, 3.0, 4.0 } };
+
+private:
+  double Rise;
+};
+
+}
+
+TEST(SplineVelocity, HasACubicFieldExactlyAndRestsOutside)
+{
+  const auto samples = std::make_shared<Samples>(0.3);
+  const SplineVelocity spline(samples);
+  for (const Vector3& place : { Vector3(10.0), Vector3(18.0), Vector3(11.3, 14.9, 17.2), Vector3(17.9, 10.1, 12.5) })
+  {
+    EXPECT_LT(glm::length(spline.Velocity(place) - samples->Field(place)), 1e-11);
+  }
+  EXPECT_EQ(spline.Velocity({ 9.9, 12.0, 12.0 }), Vector3(0.0));
+  EXPECT_EQ(spline.Velocity({ 12.0, 12.0, 18.1 }), Vector3(0.0));
+  EXPECT_EQ(spline.Heights().High, 18.0);
+}
+
+TEST(SplineVelocity, IsLevelInLevelLayersOfSamplesOnly)
+{
+  const SplineVelocity spline(std::make_shared<Samples>(0.3));
+  EXPECT_TRUE(spline.IsLevelAt(10.0));
+  EXPECT_FALSE(spline.IsLevelAt(11.0)); // between layers
+  EXPECT_FALSE(spline.IsLevelAt(12.0)); // a layer that rises
+}
+
+TEST(SplineVelocity, IsLevelAnywhereWhereNoSampleRises)
+{
+  const SplineVelocity spline(std::make_shared<Samples>(0.0));
+  for (const double height : { 10.0, 11.0, 12.0, 40.0 })
+  {
+    EXPECT_TRUE(spline.IsLevelAt(height)) << height;
+  }
+}
+
+TEST(SplineVelocity, NeedsSamplesInOrderAlongEachAxis)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Samples samples(0.3);
+    EXPECT_TRUE(SplineVelocity::CanBe(samples));
+    samples.Axes[axis] = { 4.0, 3.0, 2.0, 1.0, 0.0 };
+    EXPECT_TRUE(SplineVelocity::CanBe(samples));
+    samples.Axes[axis] = { 0.0, 1.0, 1.0, 3.0, 4.0 };
+    EXPECT_FALSE(SplineVelocity::CanBe(samples));
+  }
+}

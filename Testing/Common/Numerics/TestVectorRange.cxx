@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The ranges of vectors whose extremes are put where one lane, one part or the rest must find them.
+#include "Numerics/VectorRange.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+using namespace littoral;
+
+TEST(VectorRange, FindsExtremesWhereverTheyAre)
+{
+  // All vectors are (1, 2, 2), of length 3, but one, which is (-4, 0, 3) or (4, 7, 4).
+  for (std::size_t count = 2; count <= 13; ++count)
+  {
+    for (std::size_t odd = 0; odd < count; ++odd)
+    {
+      std::vector<float> vectors;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        vectors.insert(vectors.end(), { 1.0f, 2.0f, 2.0f });
+      }
+      vectors[3 * odd] = -4.0f;
+      vectors[3 * odd + 1] = 0.0f;
+      vectors[3 * odd + 2] = 3.0f;
+      const VectorRange low = RangeOf(vectors.data(), count);
+      EXPECT_TRUE(low.IsFinite);
+      EXPECT_EQ(low.Low, (std::array<float, 3>{ -4.0f, 0.0f, 2.0f }));
+      EXPECT_EQ(low.High, (std::array<float, 3>{ 1.0f, 2.0f, 3.0f }));
+      EXPECT_EQ(low.LeastSquare, 9.0);
+      EXPECT_EQ(low.MostSquare, 25.0);
+      vectors[3 * odd] = 4.0f;
+      vectors[3 * odd + 1] = 7.0f;
+      vectors[3 * odd + 2] = 4.0f;
+      const VectorRange high = RangeOf(vectors.data(), count);
+      EXPECT_EQ(high.Low, (std::array<float, 3>{ 1.0f, 2.0f, 2.0f }));
+      EXPECT_EQ(high.High, (std::array<float, 3>{ 4.0f, 7.0f, 4.0f }));
+      EXPECT_EQ(high.LeastSquare, 9.0);
+      EXPECT_EQ(high.MostSquare, 81.0);
+    }
+  }
+}
+
+TEST(VectorRange, TellsOfEachComponentThatIsNotFinite)
+{
+  for (const float odd : { std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+         std::numeric_limits<float>::quiet_NaN() })
+  {
+    for (std::size_t place = 0; place < 21; ++place)
+    {
+      std::vector<float> vectors(21, 1.0f);
+      EXPECT_TRUE(RangeOf(vectors.data(), 7).IsFinite);
+      vectors[place] = odd;
+      EXPECT_FALSE(RangeOf(vectors.data(), 7).IsFinite) << odd << " at " << place;
+    }
+  }
+}
+
+TEST(VectorRange, LengthsBeyondSinglePrecisionAreFinite)
+{
+  const std::vector<float> vectors(15, 3e38f); // the square is no float
+  const VectorRange range = RangeOf(vectors.data(), 5);
+  EXPECT_TRUE(range.IsFinite);
+  EXPECT_NEAR(range.MostSquare / (3.0 * 9e76), 1.0, 1e-6);
+}
+
+TEST(VectorRange, NoVectorsHaveNone)
+{
+  const VectorRange range = RangeOf(nullptr, 0);
+  EXPECT_TRUE(range.IsFinite);
+  EXPECT_GT(range.Low[0], range.High[0]);
+  EXPECT_GT(range.LeastSquare, range.MostSquare);
+}
