@@ -210,7 +210,7 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
   std::string reason = rows.Reason();
   littoral::ReadWhole("ModelId", model, 0, littoral::NumberOfCovarianceModels - 1, bands.Field.Model, reason);
   take("Variance", bands.Field.Variance);
-  recipe.Deviation = fits->GetColumnByName("Variance") ? std::nullopt : recipe.Deviation;
+  recipe.Deviation = rows.Has("Variance") ? std::nullopt : recipe.Deviation;
   take("Range", bands.Field.Range);
   take("SecondRange", bands.Field.SecondRange);
   take("FractalDimension", bands.Field.FractalDimension);

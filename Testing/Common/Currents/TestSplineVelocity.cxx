@@ -33,8 +33,10 @@ public:
   Vector3 PositionOf(const Vector3& position) const override { return 0.5 * (position - Vector3(10.0)); }
   Vector3 Sample(std::size_t id) const override
   {
+    const std::size_t row = id / 5;
+    const std::size_t layer = row / 5;
     return this->Field(Vector3(10.0) +
-      2.0 * Vector3(static_cast<double>(id % 5), static_cast<double>(id / 5 % 5), static_cast<double>(id / 25)));
+      2.0 * Vector3(static_cast<double>(id % 5), static_cast<double>(row % 5), static_cast<double>(layer)));
   }
   bool IsSingle() const override { return false; }
   GridHeights Heights() const override { return { 10.0, 18.0, 2.0, 2.0 }; }

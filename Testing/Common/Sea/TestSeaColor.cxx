@@ -76,9 +76,9 @@ TEST(SeaColor, FoamIsWhiteWhereTheSurfaceNearlyFolds)
   place.Jacobian = FoamBegins;
   EXPECT_EQ(SeaColor(place), water);
   int before = Sum(water);
-  for (double jacobian = FoamBegins; jacobian >= 0.1; jacobian -= 0.02)
+  for (int step = 0; FoamBegins - 0.02 * step >= 0.1; ++step)
   {
-    place.Jacobian = jacobian;
+    place.Jacobian = FoamBegins - 0.02 * step;
     EXPECT_GE(Sum(SeaColor(place)), before);
     before = Sum(SeaColor(place));
   }
