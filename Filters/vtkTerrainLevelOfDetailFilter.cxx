@@ -407,6 +407,14 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
                                         << " points; terrain is one layer in z of at least 2 x 2.");
     return nullptr;
   }
+  littoral::ParameterCheck check;
+  check.Positive("Spacing[0] of the image", image->GetSpacing()[0]);
+  check.Positive("Spacing[1] of the image", image->GetSpacing()[1]);
+  if (!check.IsGood())
+  {
+    littoralErrorMacro(<< check.Reason());
+    return nullptr;
+  }
   vtkInformation* choice = this->GetInputArrayInformation(0);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   const bool isNamed = name && !littoral::NamesNoArray(choice);

@@ -17,7 +17,7 @@
  *
  * What does not depend on the view is kept until the input changes. Piece 0 holds the whole output, other pieces are
  * empty. Defaults of inherited properties: NearDistance 250 m, FarDistance 4000 m. A property out of range, an image of
- * several layers or an elevation that is not finite is reported as one error.
+ * several layers or without a positive spacing, or an elevation that is not finite, is reported as one error.
  *
  * @sa vtkViewDependentAlgorithm
  */

@@ -47,20 +47,25 @@ double GardnerTexture::At(double x, double y) const
 
 std::vector<double> GardnerTexture::OnGrid(const std::vector<double>& x, const std::vector<double>& y) const
 {
-  // PX_i = pi/2 sin(FY_(i-1) y) of each row, and the same for y of each column
-  const auto phasesOf = [this](const std::vector<double>& places, double origin, double Term::*frequency) {
-    std::vector<double> phases;
+  // sin(FX_i x + PX_i) = sin(FX_i x) cos(PX_i) + cos(FX_i x) sin(PX_i), and the same for y: what depends on a column or
+  // a row alone is computed once.
+  const auto wavesOf = [this](
+                         const std::vector<double>& places, double origin, double Term::*own, double Term::*before) {
+    std::vector<Wave> waves;
+    waves.reserve(places.size() * this->Terms.size());
     for (const double place : places)
     {
       for (const Term& term : this->Terms)
       {
-        phases.push_back(0.5 * Pi * std::sin(term.*frequency * (place + origin)));
+        const double angle = term.*own * (place + origin);
+        const double phase = 0.5 * Pi * std::sin(term.*before * (place + origin)); // of the other direction
+        waves.push_back({ std::sin(angle), std::cos(angle), std::sin(phase), std::cos(phase) });
       }
     }
-    return phases;
+    return waves;
   };
-  const std::vector<double> rows = phasesOf(y, this->P.Origin[1], &Term::YBefore);
-  const std::vector<double> columns = phasesOf(x, this->P.Origin[0], &Term::XBefore);
+  const std::vector<Wave> columns = wavesOf(x, this->P.Origin[0], &Term::X, &Term::XBefore);
+  const std::vector<Wave> rows = wavesOf(y, this->P.Origin[1], &Term::Y, &Term::YBefore);
   std::vector<double> values;
   values.reserve(x.size() * y.size());
   const std::size_t terms = this->Terms.size();
@@ -73,11 +78,11 @@ std::vector<double> GardnerTexture::OnGrid(const std::vector<double>& x, const s
       for (std::size_t i = 0; i < terms; ++i)
       {
         // C_i [sin(FX_i x + PX_i) + T0]; the same for y
-        const Term& term = this->Terms[i];
-        const double placeX = term.X * (x[column] + this->P.Origin[0]) + rows[row * terms + i];
-        const double placeY = term.Y * (y[row] + this->P.Origin[1]) + columns[column * terms + i];
-        alongX += term.Amplitude * (std::sin(placeX) + this->P.Offset);
-        alongY += term.Amplitude * (std::sin(placeY) + this->P.Offset);
+        const double amplitude = this->Terms[i].Amplitude;
+        const Wave& ofX = columns[column * terms + i];
+        const Wave& ofY = rows[row * terms + i];
+        alongX += amplitude * (ofX.Sine * ofY.PhaseCosine + ofX.Cosine * ofY.PhaseSine + this->P.Offset);
+        alongY += amplitude * (ofY.Sine * ofX.PhaseCosine + ofY.Cosine * ofX.PhaseSine + this->P.Offset);
       }
       values.push_back(this->Scale * alongX * alongY);
     }

@@ -52,6 +52,14 @@ private:
     double XBefore; ///< that of the term before
     double YBefore;
   };
+  /// A term at a place along one direction: its own angle, and the phase that the place gives to the other direction.
+  struct Wave
+  {
+    double Sine;
+    double Cosine;
+    double PhaseSine;
+    double PhaseCosine;
+  };
   GardnerTextureParameters P;
   std::vector<Term> Terms;
   double Scale; // k

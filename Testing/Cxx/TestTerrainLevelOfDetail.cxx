@@ -321,6 +321,14 @@ bool BadInput()
   good &= Fails("scalars", nothing, bare);
   good &= Fails("1 x 9 x 1", nothing, Hills(1, 9));
   good &= Fails("x 2 points", nothing, Hills(9, 9, 2));
+  for (const double spacing : { 0.0, -1.0 })
+  {
+    const auto flat = Hills(9, 9);
+    flat->SetSpacing(spacing, 1.0, 1.0);
+    good &= Fails("Spacing[0]", nothing, flat);
+    flat->SetSpacing(1.0, spacing, 1.0);
+    good &= Fails("Spacing[1]", nothing, flat);
+  }
   const auto choose = [](const char* name, int association) {
     return [=](Filter* f) { f->SetInputArrayToProcess(0, 0, 0, association, name); };
   };

@@ -90,6 +90,16 @@ TEST(WindStatistics, CoherenceIsTheCosineOfTheDelay)
   EXPECT_NEAR(statistics.Coherence(0, 0, 1, 1000)[4].Measured[1], 1.0, 1e-6);
 }
 
+TEST(WindStatistics, CalmAirHasNoCoherence)
+{
+  const WindGrid grid = GridOf(60, 7, 2);
+  const std::vector<float> calm(OneWave(grid, 1).size(), 0.0f);
+  const WindStatistics statistics(calm.data(), grid, WindModel());
+  EXPECT_TRUE(std::isnan(statistics.Coherence(0, 1, 0, 10).front().Measured[0]));
+  EXPECT_EQ(statistics.Spectra(0, 10).front().Measured[0], 0.0);
+  EXPECT_EQ(statistics.Profile().front().Deviation[0], 0.0);
+}
+
 TEST(WindStatistics, ModelIsThatOfTheFormulas)
 {
   const WindGrid grid = GridOf(60, 6, 2);
