@@ -9,10 +9,10 @@
  * Output 0: a vtkTable with a row per band of frequencies: `Frequency` [Hz], the one-sided spectral densities `Along`,
  * `Across` and `Up` [m2/s2/Hz] of the layer nearest to Height, mean over its lines, and `AlongModel`, `AcrossModel`,
  * `UpModel`. Output 1: the same columns for the root coherence between that layer's lines and those at the Separation
- * across and up, NaN where the lines have no gusts. Field data of both: `Height` and `Separation` on the grid [m]. Output 2: a vtkTable with a row per
- * layer: `Height` [m], `Speed` [m/s], `SpeedModel` (the logarithmic profile), the standard deviations
- * `AlongDeviation`, `AcrossDeviation` and `UpDeviation` [m/s], and `AlongDeviationModel`, `AcrossDeviationModel`,
- * `UpDeviationModel`, those of the spectrum over the frequencies of the field.
+ * across and up, NaN where the lines have no gusts. Field data of both: `Height` and `Separation` on the grid [m].
+ * Output 2: a vtkTable with a row per layer: `Height` [m], `Speed` [m/s], `SpeedModel` (the logarithmic profile), the
+ * standard deviations `AlongDeviation`, `AcrossDeviation` and `UpDeviation` [m/s], and `AlongDeviationModel`,
+ * `AcrossDeviationModel`, `UpDeviationModel`, those of the spectrum over the frequencies of the field.
  *
  * Models are averaged over the same frequencies as the measurement. Piece 0 holds the whole tables, other pieces are
  * empty. An image that is no wind field or a property out of range is reported as one error.

@@ -104,7 +104,7 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the elevation [m], not negative; default 40.
+   * Standard deviation of the elevation [m], 0, or from 1e-15 to 3e7; default 40.
    */
   vtkSetMacro(StandardDeviation, double);
   vtkGetMacro(StandardDeviation, double);
@@ -261,7 +261,8 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the reflectance, not negative; default 0.15. Values below 0 and above 1 are clamped.
+   * Standard deviation of the reflectance, 0, or from 1e-15 to 3e7; default 0.15. Values below 0 and above 1 are
+   * clamped.
    */
   vtkSetMacro(ReflectanceStandardDeviation, double);
   vtkGetMacro(ReflectanceStandardDeviation, double);
