@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # n
 
 import cases  # noqa: E402
 import classes  # noqa: E402
+import fuzz  # noqa: E402
 import littoral  # noqa: E402
 import minimise  # noqa: E402
 import oracle  # noqa: E402
@@ -90,6 +91,26 @@ class Fuzzer(unittest.TestCase):
                          [lines[0], "__import__('os').abort()", "finish()"])
         self.assertEqual(list(minimise.simpler("made.f(0, drop(move(data('a'), 1.0), 'b'))")),
                          ["made.f(0, move(data('a'), 1.0))", "made.f(0, drop(data('a'), 'b'))"])
+
+    def test_cases_in_one_process(self):
+        good = cases.opening(NAME) + ["update()", "finish()"]
+        late = cases.opening(NAME) + ["inputs.nap = getattr(inputs, 'nap', 0) + 1", "inputs.nap == 3 and os.abort()", "finish()"]
+        bad = cases.opening(NAME) + ["os.abort()", "finish()"]
+        late[0] = bad[0] = "import os, inputs, littoral; " + good[0]
+        self.assertEqual(runner.run_batch(NAME, [good] * 3), [("", "good")] * 3)
+        self.assertEqual([kind for kind, _ in runner.run_batch(NAME, [good, bad, good])], ["", "crash"])
+        ends = runner.run_batch(NAME, [late] * 4)
+        self.assertEqual([kind for kind, _ in ends], ["", "", "crash"])
+        said, played = fuzz.reproducer(NAME, [late] * 3, ends[-1])
+        self.assertIn("after other cases", said)
+        self.assertEqual(played, [late] * 3)
+        self.assertEqual(fuzz.reproducer(NAME, [good, bad], ("crash", "SIGABRT in "))[1], [[bad[0], "os.abort()", bad[-1]]])
+
+    def test_all_cases_are_counted(self):
+        ends = list(fuzz.ends_of(NAME, fuzz.BATCH + 3, 1, 2))
+        self.assertEqual(len(ends), fuzz.BATCH + 3)
+        self.assertEqual([played[-1] for played, _, _ in ends],
+                         [cases.lines_of(NAME, 1, number) for number in range(2, fuzz.BATCH + 5)])
 
     def test_a_case_follows_from_its_number(self):
         script = f"import cases; print(cases.lines_of({NAME!r}, 5, 17))"

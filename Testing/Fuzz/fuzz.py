@@ -23,22 +23,42 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # n
 
 
 MOST_ALIKE = 3  # scripts for one fault
+BATCH = 50  # cases in a process
+
+
+def ends_of(name, count, seed, first):
+    """Plays cases of a class in batches: the cases of the batch up to each, the kind of its fault, and what it was."""
+    at = first
+    while at < first + count:
+        batch = [cases.lines_of(name, seed, number) for number in range(at, min(at + BATCH, first + count))]
+        ends = runner.run_batch(name, batch)
+        for index, (kind, what) in enumerate(ends):
+            yield batch[:index + 1], kind, what
+        at += len(ends)
+
+
+def reproducer(name, played, fault):
+    """The shortest script with a fault that is found: of the last case, or of all if it has the fault only after others."""
+    kind, what = runner.run(name, played[-1])
+    if minimise.signature((kind, what)) != minimise.signature(fault):
+        return f"{fault[1]} (after other cases)", played
+    short = minimise.minimised(name, played[-1], fault)
+    return runner.run(name, short)[1], [short]
 
 
 def fuzz(name, count, seed, first=0):
     """Plays cases of a class; the number of faults."""
     ends, scripts = collections.Counter(), {}
-    for number in range(first, first + count):
-        lines = cases.lines_of(name, seed, number)
-        kind, what = runner.run(name, lines)
+    for number, (played, kind, what) in enumerate(ends_of(name, count, seed, first), first):
         ends[kind or what] += 1
         alike = scripts.setdefault(minimise.signature((kind, what)), set()) if kind else None
         if kind and len(alike) < MOST_ALIKE:
-            short = minimise.minimised(name, lines, (kind, what))
-            if minimise.calls(short) not in alike:
-                alike.add(minimise.calls(short))
-                print(f"# {name}, case {number}, {kind}: {runner.run(name, short)[1][:600]}",
-                      minimise.script(name, short), "", sep="\n", flush=True)
+            said, short = reproducer(name, played, (kind, what))
+            calls = minimise.calls(short[-1])
+            if calls not in alike:
+                alike.add(calls)
+                print(f"# {name}, case {number}, {kind}: {said[:600]}", minimise.script(name, short), "", sep="\n",
+                      flush=True)
     print(f"{name}: {count} cases,", ", ".join(f"{times} {end}" for end, times in ends.most_common()), flush=True)
     # Cases that nearly all end in a refusal would show nothing.
     return sum(times for end, times in ends.items() if end not in ("good", "refused", "stopped")) + (ends["good"] < count // 2)

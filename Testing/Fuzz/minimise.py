@@ -61,7 +61,10 @@ def calls(lines):
     return frozenset(word for line in lines for word in re.findall(r"\w+(?=\()", line))
 
 
-def script(name, lines):
-    """A Python script that plays a case."""
-    body = "\n".join(f"    {line!r}," if len(line) < 400 else f"    # {line[:300]} ..." for line in lines)
-    return f"import replay\n\nreplay.play({name!r}, [\n{body}\n])"
+def script(name, played):
+    """A Python script that plays cases."""
+    def call(lines):
+        body = "\n".join(f"    {line!r}," if len(line) < 400 else f"    # {line[:300]} ..." for line in lines)
+        return f"replay.play({name!r}, [\n{body}\n])"
+
+    return "\n".join(["import replay", "", *map(call, played)])

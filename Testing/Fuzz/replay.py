@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plays one case again, in this process: for the scripts that fuzz.py prints, and for a debugger."""
+"""Plays cases again, in this process: for the scripts that fuzz.py prints, and for a debugger."""
 
 import os
 import sys

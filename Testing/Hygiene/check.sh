@@ -67,7 +67,7 @@ case "${1:-}" in
     find Common -maxdepth 1 -name '*.[hc]*' | fail_if_found "Files of Common that are in no room:"
     ;;
   stray-files)
-    git ls-files 2>/dev/null | grep -E '\.(orig|rej|bak|swp|log|tmp|pvsm)$|~$|(^|/)\.DS_Store$|(^|/)core$' |
+    git ls-files 2>/dev/null | grep -E '\.(orig|rej|bak|swp|log|tmp|pvsm|vdb)$|~$|(^|/)\.DS_Store$|(^|/)core$' |
       fail_if_found "Files that do not belong into the tree:"
     find "${folders[@]}" Documentation packaging -name '*.orig' -o -name '*.rej' -o -name '*.bak' -o -name '*~' |
       fail_if_found "Files that do not belong into the tree:"
