@@ -15,19 +15,23 @@ namespace littoral
 namespace
 {
 
+/// Bessel functions are computed in double precision: the digits of long double, which Boost takes else, would be
+/// rounded away.
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
 double BesselJ(int order, double x)
 {
-  return boost::math::cyl_bessel_j(order, x);
+  return boost::math::cyl_bessel_j(order, x, InDouble());
 }
 
-/// x^order K_order(x), finite at zero for order 1; beyond 700 it is zero in double precision.
+/// x^order K_order(x) for the orders 0 and 1, finite at zero for order 1; beyond 700 it is zero in double precision.
 double ScaledBesselK(int order, double x)
 {
   if (x > 700.0)
   {
     return 0.0;
   }
-  return std::pow(x, order) * boost::math::cyl_bessel_k(order, x);
+  return (order == 0 ? 1.0 : x) * boost::math::cyl_bessel_k(order, x, InDouble());
 }
 
 /// Whittle's x K1(x), which is 1 at zero.
@@ -297,10 +301,12 @@ double CutPowerVariogram(double H, double x)
     const double half = 0.5 * x;
     double sum = 0.0;
     double term = 1.0;
-    for (int k = 1; k < 60; ++k)
+    double last = 1.0;
+    for (int k = 1; k < 60 && (k < half || std::abs(last) > 1e-17 * std::abs(sum)); ++k)
     {
       term *= -half * half / (double(k) * k);
-      sum += term / (2.0 * k - 2.0 * H);
+      last = term / (2.0 * k - 2.0 * H);
+      sum += last;
     }
     return std::pow(half, 2.0 * H) * std::tgamma(1.0 - H) / std::tgamma(1.0 + H) + 2.0 * H * sum;
   }
