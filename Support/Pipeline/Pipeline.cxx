@@ -5,6 +5,7 @@
 #include "vtkDataObject.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 
@@ -167,7 +168,14 @@ void ForgetExtent(vtkInformation* output)
 std::array<int, 6> RequestedExtent(vtkInformation* output)
 {
   std::array<int, 6> extent;
+  std::array<int, 6> whole;
   output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  output->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
+  for (int side = 0; side < 6; side += 2)
+  {
+    extent[side] = std::max(extent[side], whole[side]);
+    extent[side + 1] = std::min(extent[side + 1], whole[side + 1]);
+  }
   const bool isEmpty = extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
   return isEmpty ? std::array<int, 6>{ 0, -1, 0, -1, 0, -1 } : extent;
 }

@@ -92,8 +92,8 @@ void RequestAll(vtkInformation* input);
  */
 void ForgetExtent(vtkInformation* output);
 
-/// The extent that is asked of an image. All that have no points are the same empty one: of others VTK computes numbers
-/// of points below 0.
+/// The extent that is asked of an image, within the whole one: a request that failed at an input may have left VTK a
+/// box beyond it. All that have no points are the same empty one: of others VTK computes numbers of points below 0.
 std::array<int, 6> RequestedExtent(vtkInformation* output);
 
 }

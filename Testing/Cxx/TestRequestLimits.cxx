@@ -26,6 +26,8 @@
 #include "vtkPolyData.h"
 #include "vtkQuadratPointSource.h"
 #include "vtkSeaStateSource.h"
+#include "vtkSeaweedDeformationFilter.h"
+#include "vtkSeaweedSource.h"
 #include "vtkSuspendedParticleSource.h"
 #include "vtkTerrainLevelOfDetailFilter.h"
 #include "vtkTestUtilities.h"
@@ -38,6 +40,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -203,6 +206,22 @@ bool TestRecovery()
   terrain->SetWholeExtent(0, 9, 0, 9, 0, 0);
   terrain->Update();
   good &= Check(terrain->GetOutput()->GetNumberOfPoints() == 100, "a terrain keeps the extent of a refused one");
+
+  // Nor does what was asked, beyond the whole extent, while an input failed.
+  vtkNew<vtkSeaweedSource> seaweed;
+  vtkNew<vtkSeaStateSource> sea;
+  vtkNew<vtkSeaweedDeformationFilter> sway;
+  sway->SetInputConnection(0, seaweed->GetOutputPort());
+  sway->SetInputConnection(1, sea->GetOutputPort());
+  vtkNew<ErrorCounter> moved;
+  moved->Watch(sway);
+  terrain->SetInputConnection(sway->GetOutputPort());
+  const int beyond[6] = { 2, 5, 1, 2, 0, 1 };
+  terrain->UpdateTimeStep(std::numeric_limits<double>::infinity(), -1, 1, 0, beyond);
+  good &= Check(moved->Count == 1, "no message of the input's time");
+  terrain->RemoveAllInputConnections(0);
+  terrain->UpdateWholeExtent();
+  good &= Check(terrain->GetOutput()->GetDimensions()[2] == 1, "layers beyond the whole extent");
 
   vtkNew<vtkWindFieldSource> wind;
   vtkNew<ErrorCounter> gusts;
