@@ -238,21 +238,10 @@ bool vtkCovarianceFitFilter::CheckProperties()
 //----------------------------------------------------------------------------
 vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformationVector** inputVector)
 {
-  int dimensions[3];
-  image->GetDimensions(dimensions);
-  if (dimensions[2] != 1 || dimensions[0] < SmallestSide || dimensions[1] < SmallestSide)
+  const std::string reason = littoral::WhyNoRaster(image, SmallestSide);
+  if (!reason.empty())
   {
-    littoralErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-                                        << " points; a fit needs one layer in z of at least " << SmallestSide << " x "
-                                        << SmallestSide << ".");
-    return nullptr;
-  }
-  littoral::ParameterCheck check;
-  check.Positive("Spacing[0] of the image", image->GetSpacing()[0]);
-  check.Positive("Spacing[1] of the image", image->GetSpacing()[1]);
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< reason);
     return nullptr;
   }
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);

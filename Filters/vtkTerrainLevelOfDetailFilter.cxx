@@ -399,20 +399,10 @@ bool vtkTerrainLevelOfDetailFilter::CheckProperties()
 //----------------------------------------------------------------------------
 vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vtkInformationVector** inputVector)
 {
-  int dimensions[3];
-  image->GetDimensions(dimensions);
-  if (dimensions[2] != 1 || dimensions[0] < 2 || dimensions[1] < 2)
+  const std::string reason = littoral::WhyNoRaster(image, 2);
+  if (!reason.empty())
   {
-    littoralErrorMacro("The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-                                        << " points; terrain is one layer in z of at least 2 x 2.");
-    return nullptr;
-  }
-  littoral::ParameterCheck check;
-  check.Positive("Spacing[0] of the image", image->GetSpacing()[0]);
-  check.Positive("Spacing[1] of the image", image->GetSpacing()[1]);
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
+    littoralErrorMacro(<< reason);
     return nullptr;
   }
   vtkInformation* choice = this->GetInputArrayInformation(0);

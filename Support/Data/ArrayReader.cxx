@@ -54,48 +54,34 @@ std::string Components(int count)
 
 }
 
+ArrayReader::ArrayReader(
+  vtkFieldData* arrays, vtkIdType tuples, const char* kind, const char* elements, const std::string& owner)
+  : Arrays(arrays)
+  , Tuples(tuples)
+  , Kind(kind)
+  , Elements(elements)
+  , Owner(owner)
+{
+}
+
 ArrayReader ArrayReader::OfPoints(vtkDataSet* data, const std::string& owner)
 {
-  ArrayReader reader;
-  reader.Arrays = data->GetPointData();
-  reader.Tuples = data->GetNumberOfPoints();
-  reader.Kind = "point array";
-  reader.Elements = "points";
-  reader.Owner = owner;
-  return reader;
+  return { data->GetPointData(), data->GetNumberOfPoints(), "point array", "points", owner };
 }
 
 ArrayReader ArrayReader::OfCells(vtkDataSet* data, const std::string& owner)
 {
-  ArrayReader reader;
-  reader.Arrays = data->GetCellData();
-  reader.Tuples = data->GetNumberOfCells();
-  reader.Kind = "cell array";
-  reader.Elements = "cells";
-  reader.Owner = owner;
-  return reader;
+  return { data->GetCellData(), data->GetNumberOfCells(), "cell array", "cells", owner };
 }
 
 ArrayReader ArrayReader::OfRows(vtkTable* table, const std::string& owner)
 {
-  ArrayReader reader;
-  reader.Arrays = table->GetRowData();
-  reader.Tuples = table->GetNumberOfRows();
-  reader.Kind = "column";
-  reader.Elements = "rows";
-  reader.Owner = owner;
-  return reader;
+  return { table->GetRowData(), table->GetNumberOfRows(), "column", "rows", owner };
 }
 
 ArrayReader ArrayReader::OfFields(vtkDataObject* data, const std::string& owner, vtkIdType tuples)
 {
-  ArrayReader reader;
-  reader.Arrays = data->GetFieldData();
-  reader.Tuples = tuples;
-  reader.Kind = "field array";
-  reader.Elements = tuples == 1 ? "number" : "numbers";
-  reader.Owner = owner;
-  return reader;
+  return { data->GetFieldData(), tuples, "field array", tuples == 1 ? "number" : "numbers", owner };
 }
 
 void ArrayReader::Complain(const std::string& predicate)

@@ -82,10 +82,12 @@ public:
   bool IsGood() const { return this->First.empty(); }
 
 private:
-  vtkFieldData* Arrays = nullptr;
-  vtkIdType Tuples = -1;
-  const char* Kind = "";     ///< "point array"
-  const char* Elements = ""; ///< "points"
+  ArrayReader(vtkFieldData* arrays, vtkIdType tuples, const char* kind, const char* elements, const std::string& owner);
+
+  vtkFieldData* Arrays;
+  vtkIdType Tuples;
+  const char* Kind;     ///< "point array"
+  const char* Elements; ///< "points"
   std::string Owner;
   std::string First;
 

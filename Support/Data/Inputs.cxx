@@ -14,6 +14,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 
+#include <sstream>
+
 namespace littoral
 {
 
@@ -141,6 +143,23 @@ std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* data, const char* input, st
     sets.push_back(points);
   }
   return sets;
+}
+
+std::string WhyNoRaster(vtkImageData* image, int least)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  if (dimensions[2] != 1 || dimensions[0] < least || dimensions[1] < least)
+  {
+    std::ostringstream text;
+    text << "The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+         << " points; it must be one layer in z of at least " << least << " x " << least << ".";
+    return text.str();
+  }
+  ParameterCheck check;
+  check.Positive("Spacing[0] of the image", image->GetSpacing()[0]);
+  check.Positive("Spacing[1] of the image", image->GetSpacing()[1]);
+  return check.Reason();
 }
 
 }

@@ -72,6 +72,10 @@ Type* OptionalInputOf(vtkInformationVector* inputs, const char* input, std::stri
   return inputs->GetNumberOfInformationObjects() > 0 ? InputOf<Type>(inputs, input, reason) : nullptr;
 }
 
+/// Why an image is no raster: one layer in z of at least `least` points along x and y, with spacings above 0. Empty if
+/// it is one.
+std::string WhyNoRaster(vtkImageData* image, int least);
+
 /// All leaves of a composite that have data; else the data themselves.
 std::vector<vtkDataObject*> LeavesOf(vtkDataObject* data);
 
