@@ -313,7 +313,6 @@ littoral::VariogramFitOptions vtkCovarianceFitFilter::MakeOptions(
   options.Window = &window;
   options.SampleVariance = field.Variance;
   options.Directions = this->FitAnisotropy ? this->NumberOfDirections : 1;
-  options.OnTrial = littoral::PollOf(this);
   return options;
 }
 
@@ -355,17 +354,8 @@ int vtkCovarianceFitFilter::RequestData(
     map, maximumLag, this->NumberOfLags, this->FitAnisotropy ? this->NumberOfDirections : 0);
   const littoral::DetrendedWindow window(
     field.Samples, this->RemoveTrend ? littoral::Trend::Plane : littoral::Trend::Mean);
-  bool aborted = false;
-  const std::vector<littoral::VariogramFit> fits =
-    littoral::FitAllModels(variogram.GetBins(), this->MakeOptions(field, window, maximumLag), [&](double part) {
-      this->UpdateProgress(0.3 + 0.6 * part);
-      aborted = littoral::IsAborted(this);
-      return !aborted;
-    });
-  if (aborted)
-  {
-    return 1;
-  }
+  const std::vector<littoral::VariogramFit> fits = littoral::FitAllModels(
+    variogram.GetBins(), this->MakeOptions(field, window, maximumLag), littoral::AbortableFor(this, 0.3, 0.9));
   if (!std::isfinite(fits.front().AICc))
   {
     littoralErrorMacro("No model could be fitted: only " << variogram.Rings.size() << " lags up to " << maximumLag

@@ -38,6 +38,9 @@ public:
   /// The window that the values which are not NaN cover; what they are does not matter.
   DetrendedWindow(const GridSamples& samples, Trend trend);
 
+  /// Separations of two cells, opposite ones counted once.
+  int NumberOfLags() const { return (2 * this->CellsX - 1) * this->CellsY; }
+
   /// Mean covariances between cells, in which what the trend takes is linear.
   std::vector<double> CellCovariances(const CovarianceFunction& covariance) const;
 
@@ -67,7 +70,6 @@ private:
   };
 
   void AddNodes(const GridSamples& samples);
-  int NumberOfLags() const { return (2 * this->CellsX - 1) * this->CellsY; }
   int LagIndex(int cellA, int cellB) const;
   std::vector<double> PairImbalance(double x, double y) const;
 

@@ -3,6 +3,7 @@
 #include "Terrain/VariogramFit.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/SimdClones.h"
 #include "Terrain/DetrendedWindow.h"
 
 #include <Eigen/Dense>
@@ -21,12 +22,43 @@ namespace littoral
 namespace
 {
 
-/// Distance in the space where an anisotropic field is isotropic.
-double ReducedDistance(double ratio, double angle, double x, double y)
+/// Distances in the space where an anisotropic field is isotropic.
+class ReducedDistance
 {
-  const double along = std::cos(angle) * x + std::sin(angle) * y;
-  const double across = -std::sin(angle) * x + std::cos(angle) * y;
-  return std::hypot(along, ratio * across);
+public:
+  explicit ReducedDistance(const VariogramFit& fit)
+    : Cosine(std::cos(fit.AnisotropyAngle))
+    , Sine(std::sin(fit.AnisotropyAngle))
+    , Ratio(fit.AnisotropyRatio)
+  {
+  }
+
+  double operator()(double x, double y) const
+  {
+    const double along = this->Cosine * x + this->Sine * y;
+    const double across = -this->Sine * x + this->Cosine * y;
+    return std::hypot(along, this->Ratio * across);
+  }
+
+private:
+  double Cosine;
+  double Sine;
+  double Ratio;
+};
+
+/// Adds multiples of a row to sums.
+LITTORAL_WIDE_SIMD_CLONES void AddMultiple(
+  const double* __restrict row, double factor, std::size_t count, double* __restrict sums)
+{
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    sums[n] += factor * row[n];
+  }
+}
+
+double SemivarianceAt(const VariogramFit& fit, double r)
+{
+  return (r > 0.0 ? fit.Nugget : 0.0) + Semivariance(fit.Field, r);
 }
 
 /// The unknowns of a fit, each mapped to the whole real line so that no bound can be violated.
@@ -162,17 +194,23 @@ public:
   {
     if (options.Window)
     {
-      this->Change = options.Window->SemivarianceChange(bins, options.Directions);
+      const std::vector<std::vector<double>> change = options.Window->SemivarianceChange(bins, options.Directions);
+      for (int lag = 0; lag < options.Window->NumberOfLags(); ++lag)
+      {
+        std::transform(change.begin(), change.end(), std::back_inserter(this->Change),
+          [lag](const std::vector<double>& weights) { return weights[lag]; });
+      }
     }
   }
 
   /// Semivariances at the lags. Where the window is known, variance and nugget are scaled to the sample's.
   void Evaluate(VariogramFit& fit, std::vector<double>& semivariances) const
   {
+    const ReducedDistance distance(fit);
     semivariances.clear();
     for (const LagBin& bin : this->Bins)
     {
-      semivariances.push_back(Semivariance(fit, bin.Separation[0], bin.Separation[1]));
+      semivariances.push_back(SemivarianceAt(fit, distance(bin.Separation[0], bin.Separation[1])));
     }
     if (!this->Options.Window)
     {
@@ -180,22 +218,27 @@ public:
     }
     const DetrendedWindow& window = *this->Options.Window;
     const std::vector<double> covariances =
-      window.CellCovariances([&](double x, double y) { return Covariance(fit, x, y); });
+      window.CellCovariances([&](double x, double y) { return Covariance(fit.Field, distance(x, y)); });
     const double variance = fit.Field.Variance + fit.Nugget - window.LostVariance(covariances);
     const double scale = this->Options.SampleVariance / variance;
     fit.Field.Variance *= scale;
     fit.Nugget *= scale;
-    for (std::size_t n = 0; n < semivariances.size(); ++n)
+    // gamma(h) + sum over the lags of cells of w(h) C
+    const std::size_t count = semivariances.size();
+    for (std::size_t lag = 0; lag < covariances.size(); ++lag)
     {
-      semivariances[n] =
-        scale * std::inner_product(covariances.begin(), covariances.end(), this->Change[n].begin(), semivariances[n]);
+      AddMultiple(this->Change.data() + lag * count, covariances[lag], count, semivariances.data());
+    }
+    for (double& semivariance : semivariances)
+    {
+      semivariance *= scale;
     }
   }
 
 private:
   const std::vector<LagBin>& Bins;
   const VariogramFitOptions& Options;
-  std::vector<std::vector<double>> Change;
+  std::vector<double> Change; ///< of the bins by each lag of cells
 };
 
 /// Residuals in the form that Eigen's least squares wants.
@@ -215,14 +258,12 @@ struct Residuals
   const Expectation& Expected;
   const std::vector<LagBin>& Bins;
   const std::vector<double>& RootWeights;
-  const Poll& OnTrial;
 
   int inputs() const { return this->Map.Count(); }
   int values() const { return static_cast<int>(this->Bins.size()); }
 
   int operator()(const Eigen::VectorXd& unknowns, Eigen::VectorXd& residuals) const
   {
-    this->OnTrial();
     VariogramFit fit = this->Map.Unpack(unknowns);
     std::vector<double> model;
     this->Expected.Evaluate(fit, model);
@@ -321,80 +362,120 @@ std::vector<double> RootWeights(const std::vector<LagBin>& bins)
   return weights;
 }
 
-/// Least squares by Levenberg and Marquardt from several starts: the best unknowns, empty where all starts fail, with
-/// error and convergence of the fit.
-Eigen::VectorXd BestUnknowns(const Unknowns& map, const std::vector<LagBin>& bins, const Expectation& expected,
-  const VariogramFitOptions& options, VariogramFit& best)
+/// Where least squares end from one start.
+struct Solution
 {
-  const std::vector<double> rootWeights = RootWeights(bins);
-  using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
-  Problem problem(Residuals{ map, expected, bins, rootWeights, options.OnTrial });
-  Eigen::VectorXd found;
-  for (int start = 0; start < NumberOfStarts; ++start)
+  Eigen::VectorXd Unknowns;
+  double Error = std::numeric_limits<double>::infinity();
+  bool Converged = false;
+};
+
+/// The fit of one model, with or without nugget as the options say, by least squares of Levenberg and Marquardt from
+/// several starts.
+class ModelFit
+{
+public:
+  ModelFit(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
+    const VariogramFitOptions& options)
+    : Model(model)
+    , Bins(bins)
+    , Expected(expected)
+    , Options(options)
+    , Map(model, options)
+    , Weights(RootWeights(bins))
+    // The variance comes from the sample's where the window is known.
+    , Parameters(this->Map.Count() + (options.Window ? 1 : 0))
   {
-    Eigen::VectorXd unknowns = map.Pack(StartingPoint(best.Field.Model, bins, options, start));
+  }
+
+  /// What is found from one of the starts, 0 to NumberOfStarts-1; nothing if the bins are too few.
+  Solution FromStart(int start) const
+  {
+    Solution found;
+    if (static_cast<int>(this->Bins.size()) < this->Parameters + 2)
+    {
+      return found;
+    }
+    using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
+    Problem problem(Residuals{ this->Map, this->Expected, this->Bins, this->Weights });
+    found.Unknowns = this->Map.Pack(StartingPoint(this->Model, this->Bins, this->Options, start));
     Eigen::LevenbergMarquardt<Problem> solver(problem);
     solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
     solver.parameters.ftol = 1e-13;
     solver.parameters.xtol = 1e-13;
     solver.parameters.maxfev = 400;
-    const auto status = solver.minimize(unknowns);
+    const auto status = solver.minimize(found.Unknowns);
     const double error = solver.fvec.squaredNorm();
-    if (std::isfinite(error) && error < best.WeightedSSE)
-    {
-      found = unknowns;
-      best.WeightedSSE = error;
-      best.Converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation &&
-        status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
-    }
+    found.Error = std::isfinite(error) ? error : found.Error;
+    found.Converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation &&
+      status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
+    return found;
   }
-  return found;
-}
 
-/// Fits one model, with or without nugget as the options say.
-VariogramFit FitBins(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
-  const VariogramFitOptions& options)
+  /// The best of the solutions from all starts.
+  VariogramFit Best(const Solution* solutions) const
+  {
+    const Solution& best = *std::min_element(
+      solutions, solutions + NumberOfStarts, [](const Solution& a, const Solution& b) { return a.Error < b.Error; });
+    if (std::isinf(best.Error))
+    {
+      return FailedFit(this->Model);
+    }
+    VariogramFit fit = this->Map.Unpack(best.Unknowns);
+    std::vector<double> semivariances;
+    this->Expected.Evaluate(fit, semivariances);
+    const auto shortest = std::min_element(
+      this->Bins.begin(), this->Bins.end(), [](const LagBin& a, const LagBin& b) { return a.Lag < b.Lag; });
+    fit.AtBound = this->Map.IsAtBound(fit, shortest->Lag);
+    fit.WeightedSSE = best.Error;
+    fit.Converged = best.Converged;
+    Normalise(fit);
+    const double tiny = std::numeric_limits<double>::min();
+    const auto n = static_cast<double>(this->Bins.size());
+    const double p = this->Parameters;
+    // AICc = n ln(SSE / n) + 2 p + 2 p (p + 1) / (n - p - 1)
+    fit.AICc = n * std::log(std::max(fit.WeightedSSE / n, tiny)) + 2.0 * p + 2.0 * p * (p + 1.0) / (n - p - 1.0);
+    return fit;
+  }
+
+private:
+  CovarianceModel Model;
+  const std::vector<LagBin>& Bins;
+  const Expectation& Expected;
+  VariogramFitOptions Options;
+  Unknowns Map;
+  std::vector<double> Weights;
+  int Parameters;
+};
+
+/// The best of several fits' solutions, from all starts of each.
+std::vector<VariogramFit> SolveAll(const std::vector<ModelFit>& models, const ParallelFor& parallelFor)
 {
-  const Unknowns map(model, options);
-  VariogramFit best = FailedFit(model);
-  const int n = static_cast<int>(bins.size());
-  const int parameters = map.Count() + (options.Window ? 1 : 0); // the variance comes from the sample's
-  if (n < parameters + 2)
+  std::vector<Solution> solutions(models.size() * NumberOfStarts);
+  parallelFor(solutions.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      solutions[n] = models[n / NumberOfStarts].FromStart(static_cast<int>(n % NumberOfStarts));
+    }
+  });
+  std::vector<VariogramFit> fits;
+  for (const ModelFit& model : models)
   {
-    return best;
+    fits.push_back(model.Best(solutions.data() + fits.size() * NumberOfStarts));
   }
-  const Eigen::VectorXd found = BestUnknowns(map, bins, expected, options, best);
-  if (found.size() == 0)
-  {
-    return best;
-  }
-  VariogramFit fit = map.Unpack(found);
-  std::vector<double> semivariances;
-  expected.Evaluate(fit, semivariances);
-  const auto shortest =
-    std::min_element(bins.begin(), bins.end(), [](const LagBin& a, const LagBin& b) { return a.Lag < b.Lag; });
-  fit.AtBound = map.IsAtBound(fit, shortest->Lag);
-  fit.WeightedSSE = best.WeightedSSE;
-  fit.Converged = best.Converged;
-  Normalise(fit);
-  const double tiny = std::numeric_limits<double>::min();
-  // AICc = n ln(SSE / n) + 2 p + 2 p (p + 1) / (n - p - 1)
-  fit.AICc = n * std::log(std::max(fit.WeightedSSE / n, tiny)) + 2.0 * parameters +
-    2.0 * parameters * (parameters + 1.0) / (n - parameters - 1.0);
-  return fit;
+  return fits;
 }
 
 }
 
 double Semivariance(const VariogramFit& fit, double x, double y)
 {
-  const double r = ReducedDistance(fit.AnisotropyRatio, fit.AnisotropyAngle, x, y);
-  return (r > 0.0 ? fit.Nugget : 0.0) + Semivariance(fit.Field, r);
+  return SemivarianceAt(fit, ReducedDistance(fit)(x, y));
 }
 
 double Covariance(const VariogramFit& fit, double x, double y)
 {
-  return Covariance(fit.Field, ReducedDistance(fit.AnisotropyRatio, fit.AnisotropyAngle, x, y));
+  return Covariance(fit.Field, ReducedDistance(fit)(x, y));
 }
 
 double MeanSemivariance(const VariogramFit& fit, double distance)
@@ -412,30 +493,28 @@ double MeanSemivariance(const VariogramFit& fit, double distance)
 VariogramFit FitVariogram(CovarianceModel model, const std::vector<LagBin>& bins, const VariogramFitOptions& options)
 {
   const std::vector<LagBin> used = UsedBins(bins);
-  return FitBins(model, used, Expectation(used, options), options);
+  const Expectation expected(used, options);
+  return SolveAll({ ModelFit(model, used, expected, options) }, SerialFor).front();
 }
 
 std::vector<VariogramFit> FitAllModels(
-  const std::vector<LagBin>& bins, const VariogramFitOptions& options, const std::function<bool(double)>& progress)
+  const std::vector<LagBin>& bins, const VariogramFitOptions& options, const ParallelFor& parallelFor)
 {
   const std::vector<LagBin> used = UsedBins(bins);
   const Expectation expected(used, options);
-  const int passes = options.Nugget ? 2 : 1;
-  std::vector<VariogramFit> fits[2]; // without and with nugget
-  for (int pass = 0; pass < passes; ++pass)
+  std::vector<ModelFit> models; // without nugget, then with
+  for (int pass = 0; pass < (options.Nugget ? 2 : 1); ++pass)
   {
     VariogramFitOptions wanted = options;
     wanted.Nugget = pass == 1;
     for (int model = 0; model < NumberOfCovarianceModels; ++model)
     {
-      const double done = pass + static_cast<double>(model) / NumberOfCovarianceModels;
-      if (progress && !progress(done / passes))
-      {
-        return fits[pass];
-      }
-      fits[pass].push_back(FitBins(static_cast<CovarianceModel>(model), used, expected, wanted));
+      models.emplace_back(static_cast<CovarianceModel>(model), used, expected, wanted);
     }
   }
+  const std::vector<VariogramFit> all = SolveAll(models, parallelFor);
+  const auto middle = all.begin() + NumberOfCovarianceModels;
+  std::vector<VariogramFit> fits[2] = { { all.begin(), middle }, { middle, all.end() } };
   const auto least = [](const std::vector<VariogramFit>& of) {
     const auto byCriterion = [](const VariogramFit& a, const VariogramFit& b) { return a.AICc < b.AICc; };
     return std::min_element(of.begin(), of.end(), byCriterion)->AICc;

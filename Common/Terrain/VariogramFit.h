@@ -31,7 +31,6 @@ struct VariogramFitOptions
   const DetrendedWindow* Window = nullptr;
   double SampleVariance = 1.0; ///< variance of the values less their trend [unit of the field squared]
   int Directions = 1;          ///< sectors of the lags; 1: all directions together
-  Poll OnTrial = NoPoll;       ///< called whenever a model is compared with the lags
 };
 
 /// One model, fitted.
@@ -69,10 +68,10 @@ VariogramFit FitVariogram(
 /**
  * Fits all models; best (smallest AICc) first, and those at a bound after the others. With options.Nugget all are
  * fitted without and with a nugget: the nuggets are kept where they lower the least AICc of all models by more
- * than 0.4 a lag. Calls progress(part done) and stops early when that returns false.
+ * than 0.4 a lag. Each start of each fit is a task for a thread.
  */
-std::vector<VariogramFit> FitAllModels(const std::vector<LagBin>& bins, const VariogramFitOptions& options = {},
-  const std::function<bool(double)>& progress = {});
+std::vector<VariogramFit> FitAllModels(
+  const std::vector<LagBin>& bins, const VariogramFitOptions& options = {}, const ParallelFor& parallelFor = SerialFor);
 
 }
 

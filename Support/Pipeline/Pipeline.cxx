@@ -61,9 +61,9 @@ bool ForBatches(std::size_t count, const std::function<bool(std::size_t done)>& 
 namespace
 {
 
-void EndIfAborted(vtkAlgorithm* algorithm)
+void EndIfAborted(vtkAlgorithm* algorithm, double progress)
 {
-  algorithm->UpdateProgress(algorithm->GetProgress()); // lets the user ask
+  algorithm->UpdateProgress(progress); // lets the user ask
   if (IsAborted(algorithm))
   {
     throw Aborted();
@@ -75,8 +75,16 @@ void EndIfAborted(vtkAlgorithm* algorithm)
 ParallelFor AbortableFor(vtkAlgorithm* algorithm)
 {
   return [algorithm](std::size_t count, const RangeTask& task) {
-    const auto proceeds = [algorithm](std::size_t) {
-      EndIfAborted(algorithm);
+    const double progress = algorithm->GetProgress();
+    AbortableFor(algorithm, progress, progress)(count, task);
+  };
+}
+
+ParallelFor AbortableFor(vtkAlgorithm* algorithm, double first, double last)
+{
+  return [=](std::size_t count, const RangeTask& task) {
+    const auto proceeds = [=](std::size_t done) {
+      EndIfAborted(algorithm, first + (last - first) * static_cast<double>(done) / static_cast<double>(count));
       return true;
     };
     ForBatches(count, proceeds, task);
@@ -91,7 +99,7 @@ Poll PollOf(vtkAlgorithm* algorithm)
     if (algorithm->GetAbortExecute() || now - last > std::chrono::milliseconds(10))
     {
       last = now;
-      EndIfAborted(algorithm);
+      EndIfAborted(algorithm, algorithm->GetProgress());
     }
   };
 }
