@@ -83,6 +83,9 @@ class Fuzzer(unittest.TestCase):
         self.assertEqual(heard("It is not ours.", "vtkImageData"), "foreign message")
         self.assertEqual(heard(f"Algorithm {NAME} (0x1) returned failure for request: it", "vtkDemandDrivenPipeline"),
                          "silence")
+        self.assertEqual(heard("Algorithm vtkWindFieldSource (0x1) returned failure for request: it",
+                               "vtkDemandDrivenPipeline"), "")
+        self.assertEqual(heard("This data object does not contain the requested extent.", "vtkTrivialProducer"), "")
 
     def test_short_cases(self):
         lines = cases.opening(NAME) + ["made.SetRange(3.0)", "update()", "made.SetSeed(3)", "__import__('os').abort()",
