@@ -91,23 +91,22 @@ std::vector<float> Smoothed(const std::vector<SeenTexel>& picture)
   return smooth;
 }
 
-/// Marks of a picture's texels where one of the nine around, itself among them, is marked.
+/// Marks of an array, and those of what lies a step before and after.
+std::vector<char> Widened(const std::vector<char>& marks, std::size_t step)
+{
+  std::vector<char> wide = marks;
+  const auto join = [](char a, char b) { return static_cast<char>(a | b); };
+  const auto later = static_cast<std::ptrdiff_t>(step);
+  std::transform(marks.begin() + later, marks.end(), wide.begin(), wide.begin(), join);
+  std::transform(marks.begin(), marks.end() - later, wide.begin() + later, wide.begin() + later, join);
+  return wide;
+}
+
+/// Marks of a picture's texels where one of the nine around, itself among them, is marked; over the edges too, where it
+/// marks a few more.
 std::vector<char> Around(const std::vector<char>& marks)
 {
-  constexpr int n = ImpostorSize;
-  std::vector<char> wide = marks;
-  for (std::size_t at = 0; at + 1 < marks.size(); ++at) // over the edges too, where it marks a few more
-  {
-    wide[at] = static_cast<char>(wide[at] | marks[at + 1]);
-    wide[at + 1] = static_cast<char>(wide[at + 1] | marks[at]);
-  }
-  std::vector<char> around = wide;
-  for (std::size_t at = 0; at + n < marks.size(); ++at)
-  {
-    around[at] = static_cast<char>(around[at] | wide[at + n]);
-    around[at + n] = static_cast<char>(around[at + n] | wide[at]);
-  }
-  return around;
+  return Widened(Widened(marks, 1), ImpostorSize);
 }
 
 /// The smooth coverage from which on as many texels lie as the picture covers.
