@@ -34,4 +34,11 @@ SwaySpecies MakeSpecies(const Skeleton& rest, const WoodParameters& wood, const 
   return species;
 }
 
+bool HasModes(const SwaySpecies& species, const SwaySettings& settings)
+{
+  const BranchBeam trunk = TrunkBeam(species.Trunk, 1.0, 0.0, settings.With(species.Wood));
+  constexpr double least = 1e-5; // its square is far above rounding, and far below what a trunk has
+  return trunk.Modes.front().Frequency > least * trunk.Modes.back().Frequency;
+}
+
 }

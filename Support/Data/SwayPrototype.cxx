@@ -32,6 +32,10 @@ std::string SwayPrototype::Read(vtkMultiBlockDataSet* plant, const SwaySettings&
       return reason;
     }
     this->Species = MakeSpecies(rest, wood, ReadLeaves(this->Leaves), settings);
+    if (!HasModes(this->Species, settings))
+    {
+      return "High/Skeleton of the plants has a trunk whose values of Radius are too unlike for a beam.";
+    }
   }
   this->ReadCrown(PlantPartOf(plant, plant::Medium, plant::Crown));
   return {};

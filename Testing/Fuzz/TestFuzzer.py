@@ -35,7 +35,7 @@ def heard(text, kind=NAME):
     player = oracle.Player(NAME)
     player.play(cases.opening(NAME))
     oracle.messages()
-    for part in text.split("|"):
+    for part in text.replace("(0x1)", f"({player.made.GetAddressAsString('').split('=')[-1]})").split("|"):
         vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: In x.cxx, line 1\n{kind} (0x1): {part}\n\n")
     try:
         player.listen()
@@ -83,7 +83,7 @@ class Fuzzer(unittest.TestCase):
         self.assertEqual(heard("It is not ours.", "vtkImageData"), "foreign message")
         self.assertEqual(heard(f"Algorithm {NAME} (0x1) returned failure for request: it", "vtkDemandDrivenPipeline"),
                          "silence")
-        self.assertEqual(heard("Algorithm vtkWindFieldSource (0x1) returned failure for request: it",
+        self.assertEqual(heard(f"Algorithm {NAME} (0x2) returned failure for request: it",
                                "vtkDemandDrivenPipeline"), "")
         self.assertEqual(heard("This data object does not contain the requested extent.", "vtkTrivialProducer"), "")
 

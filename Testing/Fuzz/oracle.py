@@ -29,7 +29,7 @@ import hash_outputs  # noqa: E402
 
 MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n(?:(\w+) \(0x[0-9a-f]+\): )?(.*?)\n\n",
                      re.S | re.M)
-FAILURE = re.compile(r"Algorithm (vtk\w+) \(0x[0-9a-f]+\) returned failure for request")
+FAILURE = re.compile(r"Algorithm vtk\w+ \(0x([0-9a-f]+)\) returned failure for request")
 ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|plants?|sites|prototypes?|wind|"
                           r"sea state|currents?|flow primitives?|terrain|leaf|leaves|cells?|skeleton|file|folder|"
                           r"memory|time)\b", re.I)
@@ -204,7 +204,7 @@ class Player:
             {*littoral.__all__} - {type(self.made).__name__})
         if ours:
             self.told = self.made.GetMTime()
-        elif not self.excused and self.told != self.asked and any(map(self.is_own_failure, all_said)):
+        elif not self.excused and self.told != self.asked and self.alone_failed(all_said):
             raise Fault("silence", all_said[0][1])
         for said in ours:
             words = set(re.findall(r"\w+", said.lower()))
@@ -212,10 +212,10 @@ class Player:
             if not said.endswith(".") or not (named or ABOUT_INPUTS.search(said)):
                 raise Fault("unclear message", said)
 
-    def is_own_failure(self, message):
-        """Whether VTK says that this object failed; one that gives it inputs may have told why in another case."""
-        failed = FAILURE.match(message[1])
-        return failed and failed[1] == type(self.made).__name__
+    def alone_failed(self, all_said):
+        """Whether this object failed and none that gives it inputs, which may have told why in another case."""
+        failed = {int(match[1], 16) for match in (FAILURE.match(said) for _, said in all_said) if match}
+        return failed == {int(self.made.GetAddressAsString("").split("=")[-1], 16)}
 
     def given(self):
         """The data at the input ports."""

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mistakes in VTK without ParaView: a failed update, and one message until the filter is modified."""
 
+import math
+
 from littoral import vtkBeamTreeDeformationFilter, vtkCurrentDriftFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
 from littoral import vtkPlantWakeFilter, vtkQuadratPointSource, vtkReevesTreeSource, vtkSeaStateSource
 from littoral import vtkSeaSurfaceFilter, vtkSeaweedDeformationFilter, vtkSeaweedSource, vtkSuspendedParticleSource
+from littoral import vtkWindFieldSource
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
@@ -51,6 +54,21 @@ for time in (1.0, 2.0):
     assert not MESSAGES, MESSAGES
 sway.SetDragCoefficient(1.0)
 assert messages_of(sway.GetExecutive().Update) == 1, "a mistake that stays is not reported after a change"
+
+# A trunk of which one segment hides the others has no modes: no plants that are not a number.
+wind = vtkWindFieldSource()
+wind.SetDimensions(16, 4, 4)
+sway.SetInputConnection(1, wind.GetOutputPort())
+for radius in 1e3, 1e5, 2e9, 1e14:
+    spoiled = vtkMultiBlockDataSet()
+    spoiled.DeepCopy(tree.GetOutputDataObject(0))
+    spoiled.GetBlock(0).GetBlock(0).GetPointData().GetArray("Radius").SetValue(3, radius)
+    sway.SetInputDataObject(0, spoiled)
+    if radius > 1e4:
+        assert messages_of(sway.GetExecutive().Update) == 1 and "Radius" in MESSAGES[0], MESSAGES
+    else:
+        sway.Update()
+    assert all(map(math.isfinite, bounds_of(sway.GetOutputDataObject(0)))), radius
 
 particles = vtkSuspendedParticleSource()
 particles.SetDensity(0.1)
