@@ -33,7 +33,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <limits>
@@ -239,33 +238,18 @@ void AddCounters(
   add("LargestSlaveError", selection.LargestSlave);
 }
 
+/// Particles in some of the cells.
+double ParticlesIn(const littoral::ParticleGroups& groups, const littoral::PieceRange& cells)
+{
+  long long particles = 0;
+  for (long long cell = cells.Begin; cell < cells.End; ++cell)
+  {
+    particles += static_cast<long long>(groups.GetCells()[cell].End - groups.GetCells()[cell].Begin);
+  }
+  return static_cast<double>(particles);
 }
 
-/// The cells of the particles that a piece has.
-struct vtkParticleLevelOfDetailFilter::Piece
-{
-  std::size_t FirstCell;
-  std::size_t EndCell;
-
-  Piece(vtkInformation* output, std::size_t cells)
-  {
-    using Pipeline = vtkStreamingDemandDrivenPipeline;
-    const std::size_t piece = static_cast<std::size_t>(std::max(0, output->Get(Pipeline::UPDATE_PIECE_NUMBER())));
-    const std::size_t pieces = static_cast<std::size_t>(std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
-    this->FirstCell = cells * piece / pieces;
-    this->EndCell = cells * (piece + 1) / pieces;
-  }
-
-  double NumberOfParticles(const littoral::ParticleGroups& groups) const
-  {
-    long long particles = 0;
-    for (std::size_t cell = this->FirstCell; cell < this->EndCell; ++cell)
-    {
-      particles += static_cast<long long>(groups.GetCells()[cell].End - groups.GetCells()[cell].Begin);
-    }
-    return static_cast<double>(particles);
-  }
-};
+}
 
 //----------------------------------------------------------------------------
 vtkParticleLevelOfDetailFilter::vtkParticleLevelOfDetailFilter()
@@ -448,9 +432,11 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   const std::vector<int> order = littoral::OrderAt(state, internals.MeanHeight);
   const littoral::TrainTable table(littoral::Ordered(state, order), internals.Lowest, internals.Highest, view,
     static_cast<littoral::TrainRule>(this->TrainSelection), this->PixelError / this->DetailFactor);
-  const Piece piece(outputVector->GetInformationObject(0), internals.Groups->GetCells().size());
-  const littoral::ParticleSelection selection = littoral::SelectParticles(internals.Places, *internals.Groups, table,
-    littoral::ViewFrustum(view), options, piece.FirstCell, piece.EndCell, littoral::AbortableFor(this));
+  const littoral::PieceRange cells = littoral::RequestedPart(
+    outputVector->GetInformationObject(0), static_cast<long long>(internals.Groups->GetCells().size()));
+  const littoral::ParticleSelection selection =
+    littoral::SelectParticles(internals.Places, *internals.Groups, table, littoral::ViewFrustum(view), options,
+      static_cast<std::size_t>(cells.Begin), static_cast<std::size_t>(cells.End), littoral::AbortableFor(this));
   this->UpdateProgress(0.5);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
@@ -464,7 +450,7 @@ int vtkParticleLevelOfDetailFilter::RequestData(
   addLevel(littoral::sea::Near, LevelKind::Near, selection.Near);
   addLevel(littoral::sea::MasterSlave, LevelKind::Middle, selection.Middle);
   addLevel(littoral::sea::Far, LevelKind::Far, selection.Far);
-  AddCounters(output, selection, piece.NumberOfParticles(*internals.Groups), state.Trains.size());
+  AddCounters(output, selection, ParticlesIn(*internals.Groups, cells), state.Trains.size());
   littoral::KeepRanges(output, littoral::PollOf(this));
   this->UpdateProgress(1.0);
   return 1;

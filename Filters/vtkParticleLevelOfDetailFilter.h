@@ -227,7 +227,6 @@ private:
   void operator=(const vtkParticleLevelOfDetailFilter&) = delete;
 
   class vtkInternals;
-  struct Piece;
   std::string WhyBadProperties() const;
   std::string RememberGroups(vtkPointSet* particles);
   littoral::ParticleLevelOptions MakeOptions() const;

@@ -388,14 +388,12 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   options.NearDistance = this->NearDistance;
   options.FarDistance = this->FarDistance;
   options.VisibleDistance = this->VisibleDistance;
-  vtkInformation* info = outputs->GetInformationObject(0);
-  const long long piece = std::max(0, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()));
-  const long long pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
-  const long long sites = littoral::PointsIn(vtkDataObject::GetData(inputs[SitesPort]))->GetNumberOfPoints();
+  const littoral::PieceRange sites = littoral::RequestedPart(outputs->GetInformationObject(0),
+    littoral::PointsIn(vtkDataObject::GetData(inputs[SitesPort]))->GetNumberOfPoints());
   Request request;
   request.Seen = view;
-  request.FirstSite = sites * piece / pieces;
-  request.EndSite = sites * (piece + 1) / pieces;
+  request.FirstSite = sites.Begin;
+  request.EndSite = sites.End;
   request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
   request.Shown = littoral::ShownPlants(
     scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);

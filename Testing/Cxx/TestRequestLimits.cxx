@@ -175,6 +175,26 @@ bool TestPieces()
   good &= Check(points->GetOutput()->GetNumberOfPoints() == 0, "points beyond the last piece");
   points->UpdatePiece(0, 1, 0);
   good &= Check(points->GetOutput()->GetNumberOfPoints() > 0, "no points after a piece beyond the last one");
+
+  vtkNew<vtkSuspendedParticleSource> water;
+  vtkNew<vtkSeaStateSource> sea;
+  vtkNew<vtkParticleLevelOfDetailFilter> levels;
+  water->SetDensity(0.05);
+  levels->SetInputConnection(0, water->GetOutputPort());
+  levels->SetInputConnection(1, sea->GetOutputPort());
+  const auto number = [&](const char* of, int piece) {
+    levels->UpdatePiece(piece, 4, 0);
+    return levels->GetOutput()->GetFieldData()->GetArray(of)->GetComponent(0, 0);
+  };
+  good &= Check(number("CellsInAll", 7) == 0.0, "cells beyond the last piece");
+  good &= Check(number("ParticlesInAll", 7) == 0.0, "particles beyond the last piece");
+  double all = 0.0;
+  for (int piece = 0; piece < 4; ++piece)
+  {
+    all += number("ParticlesInAll", piece);
+  }
+  water->Update();
+  good &= Check(all == static_cast<double>(water->GetOutput()->GetNumberOfPoints()), "particles of four pieces");
   return good;
 }
 
