@@ -59,18 +59,11 @@ std::vector<vtkPointSet*> FogOf(vtkDataObject* input, std::string& reason)
   return sets;
 }
 
-bool IsParticle(const littoral::Vector3& place, double radius, double alpha)
-{
-  return littoral::IsFinite(place) && littoral::ValueInterval::NotNegative().Contains(radius) &&
-    littoral::ValueInterval::From(0.0, 1.0).Contains(alpha);
-}
-
 /// Why a point is no particle, in words for a user.
-std::string WhyBadPoint(vtkIdType n, const littoral::Vector3& place, double radius, double alpha)
+std::string WhyBadPoint(vtkIdType n, double radius, double alpha)
 {
   const std::string ofPoint = " of point " + std::to_string(n);
   littoral::ParameterCheck check;
-  check.Require(littoral::IsFinite(place), "the position" + ofPoint + " is not finite.");
   check.NotNegative("Radius" + ofPoint, radius, "m");
   check.Range("Alpha" + ofPoint, alpha, 0.0, 1.0);
   return check.Reason();
@@ -83,6 +76,7 @@ std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficien
   littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
   vtkDataArray* radii = points.Find(littoral::sea::Radius, 1);
   vtkDataArray* alphas = points.Find(littoral::sea::Alpha, 1);
+  points.NeedFinite(set->GetPoints()->GetData());
   if (!points.IsGood())
   {
     return points.Reason();
@@ -95,9 +89,9 @@ std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficien
     set->GetPoint(n, &particle.Place.x);
     const double radius = radii ? radii->GetComponent(n, 0) : defaultRadius;
     const double alpha = alphas ? alphas->GetComponent(n, 0) : 1.0;
-    if (!IsParticle(particle.Place, radius, alpha))
+    if (!littoral::ValueInterval::NotNegative().Contains(radius) || !(alpha >= 0.0 && alpha <= 1.0))
     {
-      return WhyBadPoint(n, particle.Place, radius, alpha);
+      return WhyBadPoint(n, radius, alpha);
     }
     particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
     particles.push_back(particle);
@@ -205,7 +199,7 @@ std::string vtkParticleFogFilter::WhyBadProperties() const
   {
     const double low = this->Bounds[2 * axis];
     const double high = this->Bounds[2 * axis + 1];
-    if (!(std::isfinite(low) && std::isfinite(high) && low < high))
+    if (!(littoral::IsSensible(low) && littoral::IsSensible(high) && low < high))
     {
       reason << "Bounds along "
              << "xyz"[axis] << " are " << low << " to " << high << " m; they must be finite and increasing.";

@@ -307,6 +307,16 @@ bool TestPlaces()
   particles->GetPoints()->SetPoint(0, 3e15, 0.0, 0.0);
   good &= waves->ExpectOneNaming("beyond 1e+15 at 0");
 
+  vtkNew<vtkParticleFogFilter> far;
+  vtkNew<ErrorCounter> mists;
+  mists->Watch(far);
+  far->SetInputData(particles);
+  good &= mists->ExpectOneNaming("beyond 1e+15 at 0");
+  particles->GetPoints()->SetPoint(0, 0.0, 0.0, 0.0);
+  far->UseBoundsOn();
+  far->SetBounds(-10.0, 10.0, -10.0, 1.7e308, -10.0, 0.0);
+  good &= mists->ExpectOneNaming("Bounds along y");
+
   vtkNew<vtkParticleFogFilter> fog;
   fog->SetDimensions(6, 5, 4);
   fog->SetInputConnection(water->GetOutputPort());

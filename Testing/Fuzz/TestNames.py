@@ -49,7 +49,7 @@ def refusals(made):
     oracle.messages()
     made.SetAbortExecute(0)
     made.Write() if hasattr(made, "Write") else made.Update()
-    return [said for kind, said in oracle.messages() if kind == type(made).__name__]
+    return [message.said for message in oracle.messages() if message.kind == type(made).__name__]
 
 
 class Names(unittest.TestCase):

@@ -37,28 +37,34 @@ def ends_of(name, count, seed, first):
         at += len(ends)
 
 
-def reproducer(name, played, fault):
-    """The shortest script with a fault that is found: of the last case, or of all if it has the fault only after others."""
-    kind, what = runner.run(name, played[-1])
-    if minimise.signature((kind, what)) != minimise.signature(fault):
-        return f"{fault[1]} (after other cases)", played
-    short = minimise.minimised(name, played[-1], fault)
-    return runner.run(name, short)[1], [short]
+def confirmed(name, played, fault):
+    """A fault of the last case when it is played alone, with that case; else the fault, with all cases before it. Silence
+    counts alone: what gives the inputs may have told why in a case before."""
+    alone = runner.run(name, played[-1])
+    if fault[0] == "silence" or minimise.signature(alone) == minimise.signature(fault):
+        return alone, played[-1:]
+    return (fault[0], f"{fault[1]} (after other cases)"), played
+
+
+def show(name, number, played, fault):
+    """Prints the shortest script with a fault that is found; of several cases, all their lines."""
+    if len(played) == 1:
+        played = [minimise.minimised(name, played[0], fault)]
+        fault = runner.run(name, played[0])
+    print(f"# {name}, case {number}, {fault[0]}: {fault[1][:600]}", minimise.script(name, played), "", sep="\n", flush=True)
 
 
 def fuzz(name, count, seed, first=0):
     """Plays cases of a class; the number of faults."""
-    ends, scripts = collections.Counter(), {}
+    ends, shown = collections.Counter(), collections.defaultdict(set)
     for number, (played, kind, what) in enumerate(ends_of(name, count, seed, first), first):
+        if kind:
+            (kind, what), played = confirmed(name, played, (kind, what))
         ends[kind or what] += 1
-        alike = scripts.setdefault(minimise.signature((kind, what)), set()) if kind else None
-        if kind and len(alike) < MOST_ALIKE:
-            said, short = reproducer(name, played, (kind, what))
-            calls = minimise.calls(short[-1])
-            if calls not in alike:
-                alike.add(calls)
-                print(f"# {name}, case {number}, {kind}: {said[:600]}", minimise.script(name, short), "", sep="\n",
-                      flush=True)
+        alike, calls = shown[minimise.signature((kind, what))], minimise.calls(played[-1])
+        if kind and len(alike) < MOST_ALIKE and calls not in alike:
+            alike.add(calls)
+            show(name, number, played, (kind, what))
     print(f"{name}: {count} cases,", ", ".join(f"{times} {end}" for end, times in ends.most_common()), flush=True)
     # Cases that nearly all end in a refusal would show nothing.
     return sum(times for end, times in ends.items() if end not in ("good", "refused", "stopped")) + (ends["good"] < count // 2)

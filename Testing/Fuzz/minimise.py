@@ -13,7 +13,7 @@ def signature(fault):
     kind, text = fault
     if kind in ("crash", "hang"):
         text = text.split(" in ", 1)[0]  # the signal
-    return kind, re.sub(r"[-+.\d]+(e[-+]?\d+)?|\b(nan|inf)\b", "#", text)
+    return kind, re.sub(r"0x[0-9a-f]+|[-+.\d]+(e[-+]?\d+)?|\b(nan|inf)\b", "#", text)
 
 
 def minimised(name, lines, fault):

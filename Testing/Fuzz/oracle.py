@@ -10,6 +10,7 @@ import functools
 import re
 import sys
 import time
+import typing
 from math import inf
 from pathlib import Path
 
@@ -27,9 +28,9 @@ import recipes
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Hashes"))
 import hash_outputs  # noqa: E402
 
-MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n(?:(\w+) \(0x[0-9a-f]+\): )?(.*?)\n\n",
+MESSAGE = re.compile(r"^(ERROR|Warning|Generic Warning): In ([^\n]*), line \d+\n(?:(\w+) \(0x([0-9a-f]+)\): )?(.*?)\n\n",
                      re.S | re.M)
-FAILURE = re.compile(r"Algorithm vtk\w+ \(0x([0-9a-f]+)\) returned failure for request")
+FAILURE = re.compile(r"Algorithm vtk\w+ \(0x[0-9a-f]+\) returned failure for request")
 ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|plants?|sites|prototypes?|wind|"
                           r"sea state|currents?|flow primitives?|terrain|leaf|leaves|cells?|skeleton|file|folder|"
                           r"memory|time)\b", re.I)
@@ -38,17 +39,25 @@ ABOUT_INPUTS = re.compile(r"\b(inputs?|array|table|column|image|points?|blocks?|
 PATIENCE = 3.0  # before a request is stopped, which large ones must allow [s of the processor]
 
 
+class Message(typing.NamedTuple):
+    """The class that speaks, what it says, and the address of the object."""
+    kind: str
+    said: str
+    speaker: int
+
+
 class Fault(Exception):
     """Something that an object must not do: the kind, and what it was."""
 
 
 def messages():
-    """What VTK has written since the last call: (class, text) of each message. What executives say is not ours."""
+    """What VTK has written since the last call. What executives say is not ours."""
     window = vtkOutputWindow.GetInstance()
     text = window.GetOutput() if isinstance(window, vtkStringOutputWindow) else ""
     vtkOutputWindow.SetInstance(vtkStringOutputWindow())
     found = MESSAGE.findall(text + "\n\n")
-    return [(kind or file.rsplit("/", 1)[-1], " ".join(said.split())) for _, file, kind, said in found]
+    return [Message(kind or file.rsplit("/", 1)[-1], " ".join(said.split()), int(address or "0", 16))
+            for _, file, kind, address, said in found]
 
 
 def is_executive(kind):
@@ -191,31 +200,27 @@ class Player:
     def listen(self):
         """Looks at the messages of an update."""
         self.heard = all_said = messages()
-        foreign = [pair for pair in all_said if pair[0] not in littoral.__all__ and not is_executive(pair[0])
-                   and not is_of_loop(pair[1])]
+        foreign = [message for message in all_said if message.kind not in littoral.__all__
+                   and not is_executive(message.kind) and not is_of_loop(message.said)]
         if foreign:
-            raise Fault("foreign message", f"{foreign[0][0]}: {foreign[0][1]}")
-        ours = [said for kind, said in all_said if kind in littoral.__all__]
+            raise Fault("foreign message", f"{foreign[0].kind}: {foreign[0].said}")
+        ours = [message.said for message in all_said if message.kind in littoral.__all__]
         self.said += all_said
         if len(ours) > 1:
             raise Fault("messages", " | ".join(ours))
         # Changes of the view do not repeat a message, and who gets nothing from an input that told why is silent.
-        self.excused = self.excused or hasattr(self.made, "SetViewPoint") or {kind for kind, _ in all_said} & (
-            {*littoral.__all__} - {type(self.made).__name__})
+        own = int(self.made.GetAddressAsString("").split("=")[-1], 16)
+        self.excused = self.excused or hasattr(self.made, "SetViewPoint") or any(
+            message.kind in littoral.__all__ and message.speaker != own for message in all_said)
         if ours:
             self.told = self.made.GetMTime()
-        elif not self.excused and self.told != self.asked and self.alone_failed(all_said):
-            raise Fault("silence", all_said[0][1])
+        elif not self.excused and self.told != self.asked and any(FAILURE.match(message.said) for message in all_said):
+            raise Fault("silence", all_said[0].said)
         for said in ours:
             words = set(re.findall(r"\w+", said.lower()))
             named = words & (self.properties | {name.lower() for data in self.given() for name in inputs.names(data)})
             if not said.endswith(".") or not (named or ABOUT_INPUTS.search(said)):
                 raise Fault("unclear message", said)
-
-    def alone_failed(self, all_said):
-        """Whether this object failed and none that gives it inputs, which may have told why in another case."""
-        failed = {int(match[1], 16) for match in (FAILURE.match(said) for _, said in all_said) if match}
-        return failed == {int(self.made.GetAddressAsString("").split("=")[-1], 16)}
 
     def given(self):
         """The data at the input ports."""
@@ -258,7 +263,7 @@ class Player:
             made.UpdateTimeStep(0.0, 0, 1, 0, *([whole] if whole else []))
         self.listen()
         self.look()
-        self.refused = self.heard[0][1] if self.heard else ""
+        self.refused = self.heard[0].said if self.heard else ""
         for copy, before in self.kept:
             if before != [hash_outputs.digest(array) for leaf in inputs.leaves(copy)
                           for _, array in hash_outputs.arrays(leaf)]:
