@@ -473,8 +473,9 @@ bool WakeBeginsAtTheCenterOfMass()
   {
     return false;
   }
-  return Near("center of mass", output->GetPoint(0)[0], 3.0, 1e-5) &
-    Near("center of mass", output->GetPoint(0)[2], 6.0, 1e-5);
+  const bool isAlong = Near("center of mass", output->GetPoint(0)[0], 3.0, 1e-5);
+  const bool isUp = Near("center of mass", output->GetPoint(0)[2], 6.0, 1e-5);
+  return isAlong && isUp;
 }
 
 /// Part of a wind, from its fourth layer on: between layers heights go by their logarithms.
