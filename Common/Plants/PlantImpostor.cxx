@@ -22,7 +22,8 @@ constexpr double Lift = 0.5;        ///< of cards' normals, as of those of leave
 
 double ElevationOf(int view)
 {
-  return 0.5 * Pi * (view / ImpostorAzimuths) / ImpostorElevations;
+  const int ring = view / ImpostorAzimuths;
+  return 0.5 * Pi * ring / ImpostorElevations;
 }
 
 double AzimuthOf(int view)
@@ -389,8 +390,9 @@ ImpostorCard CardTowards(const ImpostorShape& shape, const Vector3& towards)
 
 std::array<std::array<double, 2>, 4> CardTCoords(int view)
 {
-  const double low[2] = { static_cast<double>(view % ImpostorSide) / ImpostorSide,
-    static_cast<double>(view / ImpostorSide) / ImpostorSide };
+  const int column = view % ImpostorSide;
+  const int row = view / ImpostorSide;
+  const double low[2] = { static_cast<double>(column) / ImpostorSide, static_cast<double>(row) / ImpostorSide };
   const double high[2] = { low[0] + 1.0 / ImpostorSide, low[1] + 1.0 / ImpostorSide };
   return { { { low[0], low[1] }, { high[0], low[1] }, { high[0], high[1] }, { low[0], high[1] } } };
 }

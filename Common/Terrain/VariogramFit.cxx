@@ -459,6 +459,7 @@ std::vector<VariogramFit> SolveAll(const std::vector<ModelFit>& models, const Pa
     }
   });
   std::vector<VariogramFit> fits;
+  fits.reserve(models.size());
   for (const ModelFit& model : models)
   {
     fits.push_back(model.Best(solutions.data() + fits.size() * NumberOfStarts));

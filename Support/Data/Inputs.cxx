@@ -43,9 +43,9 @@ std::string WhyUnfitFrame(vtkImageData* image, const std::string& owner)
   ParameterCheck check;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::string index = "[" + std::to_string(axis) + "]";
-    check.Finite("Origin" + index + " of " + owner, image->GetOrigin()[axis]);
-    check.Finite("Spacing" + index + " of " + owner, image->GetSpacing()[axis]);
+    const std::string part = "[" + std::to_string(axis) + "] of " + owner;
+    check.Finite("Origin" + part, image->GetOrigin()[axis]);
+    check.Finite("Spacing" + part, image->GetSpacing()[axis]);
   }
   return check.Reason();
 }
