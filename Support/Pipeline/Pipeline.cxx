@@ -14,6 +14,11 @@ namespace littoral
 
 void SmpFor(std::size_t count, const RangeTask& task)
 {
+  if (count == 1) // VTK would start a thread for it
+  {
+    task(0, 1);
+    return;
+  }
   FirstException first;
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
     first.Catch([&] { task(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });

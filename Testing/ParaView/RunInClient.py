@@ -13,6 +13,7 @@ status = 0
 script = os.environ["LITTORAL_CLIENT_SCRIPT"]
 sys.path.insert(0, os.path.dirname(os.path.abspath(script)))  # as for any script
 try:
+    import quick
     runpy.run_path(script, run_name="__main__")
 except SystemExit as end:
     status = end.code if isinstance(end.code, int) else int(end.code is not None)

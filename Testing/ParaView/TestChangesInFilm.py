@@ -8,6 +8,7 @@ ParaView's window handles clicks between two frames; so the change is made there
 
 import sys
 
+import quick
 from paraview import simple
 from player import difference
 

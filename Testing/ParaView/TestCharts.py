@@ -4,6 +4,7 @@
 
 import os
 
+import quick
 from paraview import servermanager, simple
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkImageDifference

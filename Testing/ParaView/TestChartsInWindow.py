@@ -6,6 +6,7 @@
 import os
 import runpy
 
+import quick
 from paraview import servermanager, simple
 
 scene = simple.GetActiveViewOrCreate("RenderView")

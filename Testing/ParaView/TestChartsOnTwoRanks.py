@@ -6,6 +6,7 @@
 import shutil
 import sys
 
+import quick
 from paraview import simple
 from player import difference
 from server import connected

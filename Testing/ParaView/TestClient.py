@@ -5,6 +5,7 @@
 
 import os
 
+import quick
 from paraview import simple
 
 terrain = simple.TurningBandsTerrain(registrationName="Hills", Seed=5, Model="Bessel 1", Range=80.0)

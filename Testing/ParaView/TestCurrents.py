@@ -5,6 +5,7 @@
 import os
 
 import numpy as np
+import quick
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -8,6 +8,7 @@ import os
 import random
 import subprocess
 
+import quick
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 

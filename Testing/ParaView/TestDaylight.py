@@ -5,6 +5,7 @@
 state file keeps of first looks."""
 
 import numpy as np
+import quick
 from paraview import simple
 
 CHOICES = {

@@ -11,6 +11,7 @@ rest.
 import shutil
 
 import numpy as np
+import quick
 from paraview import simple
 from server import connected
 from window import colors

@@ -7,6 +7,7 @@ import os
 import tempfile
 
 import numpy as np
+import quick
 from paraview import simple
 from paraview.servermanager import Fetch
 from paraview.vtk.util.numpy_support import vtk_to_numpy

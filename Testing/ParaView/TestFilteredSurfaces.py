@@ -4,6 +4,7 @@
 """Ways of drawing that show what data describe: the surfaces that are drawn, against the data."""
 
 import numpy as np
+import quick
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet

@@ -7,6 +7,7 @@ The selection is shown over textured blocks.
 """
 
 import numpy as np
+import quick
 from paraview import simple
 from paraview.servermanager import Fetch
 from paraview.vtk.util.numpy_support import vtk_to_numpy

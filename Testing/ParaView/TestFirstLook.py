@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a user sees first: natural colors and a view from the side, but only in an empty view."""
 
+import quick
 from paraview import simple
 
 view = simple.CreateView("RenderView")

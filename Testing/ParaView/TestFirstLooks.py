@@ -7,6 +7,7 @@ lights, camera, and a picture with enough of it."""
 import os
 
 import numpy as np
+import quick
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader

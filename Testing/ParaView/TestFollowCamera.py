@@ -6,6 +6,7 @@
 import math
 import os
 
+import quick
 from paraview import simple
 
 PORT = 21511

@@ -5,6 +5,7 @@
 
 import math
 
+import quick
 from paraview import simple
 
 LIMIT = 200.0  # [MB]

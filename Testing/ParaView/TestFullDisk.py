@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 
+import quick
 from paraview import simple
 
 import littoral

@@ -6,6 +6,7 @@
 import os
 import runpy
 
+import quick
 from paraview import simple
 
 from guide import TOP, WINDOW, Walk, compare

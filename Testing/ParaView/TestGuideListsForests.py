@@ -3,6 +3,7 @@
 # run-with: pvpython timeout=600
 """The guide's list from sites and a tree to a forest, in the window; then the view is dragged."""
 
+import quick
 from paraview import simple
 
 from guide import DIALOG, WINDOW, Walk, compare

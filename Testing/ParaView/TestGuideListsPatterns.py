@@ -5,6 +5,7 @@
 
 import os
 
+import quick
 from paraview import simple
 
 from guide import TOP, Walk, compare

@@ -6,6 +6,7 @@
 import os
 import shutil
 
+import quick
 from paraview import simple
 
 from guide import TOP, WINDOW, Walk, compare

@@ -3,6 +3,7 @@
 # run-with: pvpython timeout=600
 """The guide's list to moving kelp, in the window: two seconds are played, with the surface shown again."""
 
+import quick
 from paraview import simple
 
 from guide import WINDOW, Walk, compare

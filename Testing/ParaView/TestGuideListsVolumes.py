@@ -5,6 +5,7 @@
 
 import filecmp
 
+import quick
 from paraview import simple
 
 from guide import Walk, compare

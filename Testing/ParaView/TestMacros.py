@@ -8,6 +8,7 @@ import runpy
 import tempfile
 
 import numpy as np
+import quick
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -10,6 +10,7 @@ import glob
 import os
 import xml.etree.ElementTree as ElementTree
 
+import quick
 from mistakes import EMPTY, MISTAKES, UNMOVED, Messages
 from paraview import simple
 

@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 
+import quick
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 

@@ -8,6 +8,7 @@ import os
 import re
 import xml.etree.ElementTree as ElementTree
 
+import quick
 from paraview import servermanager, simple
 from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
 

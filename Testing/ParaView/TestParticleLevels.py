@@ -3,6 +3,7 @@
 """Particles in waves that follow the camera in levels of detail, and their fog, by the proxies."""
 
 import numpy as np
+import quick
 from paraview import simple
 
 view = simple.CreateView("RenderView")

@@ -5,6 +5,7 @@
 
 import os
 
+import quick
 from paraview import servermanager, simple
 
 KINDS = ("AonoKuniiTree", "ReevesTree", "GardnerPlant", "Seaweed")

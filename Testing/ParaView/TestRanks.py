@@ -10,6 +10,7 @@ import hashlib
 import os
 
 import numpy as np
+import quick
 from paraview import servermanager, simple
 from paraview.servermanager import vtkProcessModule
 from vtkmodules.util.numpy_support import vtk_to_numpy

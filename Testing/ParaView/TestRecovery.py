@@ -7,6 +7,7 @@ input that has a valid one here, and for a scene whose plants did not fit into t
 import hashlib
 
 import numpy as np
+import quick
 import window
 from mistakes import MISTAKES, SMALL_WIND, Messages, particles, sites, tree
 from paraview import servermanager, simple

@@ -8,6 +8,7 @@ What watched the views and sources of a session must be gone with it. LITTORAL_R
 
 import os
 
+import quick
 from paraview import simple
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A forest that follows the camera, made by the proxies with their defaults."""
 
+import quick
 from paraview import simple
 
 view = simple.CreateView("RenderView")

@@ -9,6 +9,7 @@ import sys
 import tempfile
 
 import numpy as np
+import quick
 from paraview import simple, smstate
 from server import OWN_RANK
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -5,6 +5,7 @@
 change of a part changes the picture in the same way."""
 
 import numpy as np
+import quick
 from paraview import simple
 
 import server

@@ -3,6 +3,7 @@
 """Seaweeds in ParaView: presets, every property, first look, a bed of them on the sea's floor."""
 
 import numpy as np
+import quick
 from paraview import simple
 from paraview.servermanager import Fetch
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Seaweed Deformation and Plant Wake from ParaView: inputs, properties, times, and particles that feel the plants."""
 import numpy as np
+import quick
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

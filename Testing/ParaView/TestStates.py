@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 import numpy as np
+import quick
 from paraview import simple, smstate, smtrace
 from server import OWN_RANK
 from vtkmodules.util.numpy_support import vtk_to_numpy

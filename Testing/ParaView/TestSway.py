@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Beam Tree Deformation from ParaView: its inputs, properties and times."""
+import quick
 from paraview import simple
 from paraview.servermanager import Fetch
 

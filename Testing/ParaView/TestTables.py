@@ -3,6 +3,7 @@
 # run-with: pvbatch mpi=1,2,3
 """Each table has its rows once on any number of ranks, whichever output is asked for first."""
 
+import quick
 from paraview import simple
 from paraview.servermanager import vtkProcessModule
 

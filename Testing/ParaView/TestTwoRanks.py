@@ -15,6 +15,7 @@ import tempfile
 import time as clock
 
 import numpy as np
+import quick
 from paraview import simple
 from server import connected
 from window import colors

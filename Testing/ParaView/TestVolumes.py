@@ -6,6 +6,7 @@ import os
 import sys
 from glob import glob
 
+import quick
 from paraview import servermanager, simple
 
 from littoral.versions import series_suffix

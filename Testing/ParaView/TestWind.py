@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The wind in ParaView: its times, its period, its direction."""
 
+import quick
 from paraview import servermanager
 from paraview.simple import GetAnimationScene, GetTimeKeeper, WindField
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -11,6 +11,7 @@ import json
 import os
 import re
 
+import quick
 from paraview import simple
 from player import PIPELINE, SHELL, WINDOW, Session, difference, drawn
 

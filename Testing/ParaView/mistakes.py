@@ -6,6 +6,7 @@ import os
 import sys
 import tempfile
 
+import quick
 from paraview import simple
 
 SMALL_WIND = dict(Dimensions=[100, 16, 8])

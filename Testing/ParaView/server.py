@@ -6,6 +6,7 @@ import contextlib
 import os
 import subprocess
 
+import quick
 from paraview import simple
 
 #: What MPI leaves in the environment of pvpython would make the ranks of the server its own.

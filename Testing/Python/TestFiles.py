@@ -27,15 +27,22 @@ from littoral.tables import table_of, write_csv
 
 RANDOM = np.random.default_rng(7)
 
-#: A process that writes two files in turn under one name, and tells when it begins and after each.
-WRITER = """
+#: For each line it gets, a process that tells its number, and writes two files in turn under one name and tells so, until
+#: it is killed.
+WRITERS = """
+import os
 import sys
 from TestFiles import KILLED
-print("begin", flush=True)
-while True:
-    for content in (1, 2):
-        KILLED[sys.argv[1]](content, sys.argv[2])
-        print("written", flush=True)
+for _ in sys.stdin:
+    child = os.fork()
+    if child == 0:
+        print(os.getpid(), flush=True)
+        while True:
+            for content in (1, 2):
+                KILLED[sys.argv[1]](content, sys.argv[2])
+                print("written", flush=True)
+    os.waitpid(child, 0)
+    print("ended", flush=True)
 """
 
 
@@ -136,15 +143,20 @@ class Replaced(unittest.TestCase):
                 write(content, name)
                 whole.append(bytes_of(name))
             seen, left = set(), 0
-            for _ in range(50):
-                with subprocess.Popen([sys.executable, "-c", WRITER, extension, name], stdout=subprocess.PIPE,
-                                      cwd=os.path.dirname(os.path.abspath(__file__))) as process:
-                    for _ in range(1 + pause.randrange(4)):
-                        process.stdout.readline()
+            with subprocess.Popen([sys.executable, "-c", WRITERS, extension, name], stdin=subprocess.PIPE,
+                                  stdout=subprocess.PIPE, text=True, bufsize=1,
+                                  cwd=os.path.dirname(os.path.abspath(__file__))) as process:
+                for _ in range(50):
+                    process.stdin.write("next\n")
+                    writer = int(process.stdout.readline())
+                    for _ in range(pause.randrange(4)):
+                        self.assertEqual(process.stdout.readline(), "written\n")
                     time.sleep(pause.uniform(0.0, 0.05))
-                    process.send_signal(signal.SIGKILL)
-                seen.add(whole.index(bytes_of(name)))
-                left += len(os.listdir(self.folder)) - 1
+                    os.kill(writer, signal.SIGKILL)
+                    while process.stdout.readline() == "written\n":
+                        pass
+                    seen.add(whole.index(bytes_of(name)))
+                    left += len(os.listdir(self.folder)) - 1
             self.assertEqual(seen, {0, 1})
             self.assertLess(left, 10)  # only when killed between two system calls
             write(1, name)  # and what was left goes with the next file
@@ -251,26 +263,30 @@ class Damaged(unittest.TestCase):
         return vti, tif, JACKSBORO
 
     def test_cut_files_are_refused_in_one_sentence(self):
+        contents = []
         for model in self.models():
             whole = bytes_of(model)
-            for length in (0, 1, 10, 100, 300, 1000, len(whole) // 2, len(whole) - 20, len(whole) - 4):
-                with self.subTest(model=model, length=length):
-                    self.refused(model, whole[:length])
+            contents += [(model, whole[:length]) for length in (
+                0, 1, 10, 100, 300, 1000, len(whole) // 2, len(whole) - 20, len(whole) - 4)]
+        self.refused(contents)
 
     def test_noise_is_refused_in_one_sentence(self):
-        for model in self.models():
-            with self.subTest(model=model):
-                self.refused(model, RANDOM.bytes(5000))
+        self.refused([(model, RANDOM.bytes(5000)) for model in self.models()])
 
-    def refused(self, model, content):
-        name = os.path.join(self.folder, "damaged" + os.path.splitext(model)[1])
-        with open(name, "wb") as file:
-            file.write(content)
+    def refused(self, contents):
+        """Files like a model with these contents: each is refused in one sentence, by one process for all."""
+        names = []
+        for k, (model, content) in enumerate(contents):
+            names.append(os.path.join(self.folder, f"damaged{k}" + os.path.splitext(model)[1]))
+            with open(names[-1], "wb") as file:
+                file.write(content)
         script = ("import sys; from littoral.elevation import read_elevation\n"
-                  "try: read_elevation(sys.argv[1])\nexcept ValueError as error: print(error)")
-        ran = subprocess.run([sys.executable, "-c", script, name], capture_output=True, text=True, check=False)
+                  "for name in sys.argv[1:]:\n"
+                  "    try: read_elevation(name)\n    except ValueError as error: print(error)\n")
+        ran = subprocess.run([sys.executable, "-c", script, *names], capture_output=True, text=True, check=False)
         self.assertEqual(ran.returncode, 0, ran.stderr)
-        self.assertEqual([line.startswith(name + ": no ") for line in ran.stdout.splitlines()], [True], ran.stdout)
+        lines = ran.stdout.splitlines()
+        self.assertEqual([line.partition(": no ")[0] for line in lines], names, ran.stdout)
 
     def test_rasters_have_their_place(self):
         _, tif, _ = self.models()

@@ -127,13 +127,16 @@ struct CoherenceBands
       {
         continue;
       }
-      for (int pair = 0; pair < columns * layers; ++pair)
+      for (int layer = 0; layer < layers; ++layer)
       {
-        const int line = pair / columns * grid.Count[1] + pair % columns;
-        const auto a = spectra[line][k];
-        const auto b = spectra[line + up * grid.Count[1] + across][k];
-        this->Cross[band] += a.real() * b.real() + a.imag() * b.imag();
-        this->Auto[band] += 0.5 * (std::norm(a) + std::norm(b));
+        for (int column = 0; column < columns; ++column)
+        {
+          const int line = layer * grid.Count[1] + column;
+          const auto a = spectra[line][k];
+          const auto b = spectra[line + up * grid.Count[1] + across][k];
+          this->Cross[band] += a.real() * b.real() + a.imag() * b.imag();
+          this->Auto[band] += 0.5 * (std::norm(a) + std::norm(b));
+        }
       }
       this->Wants[band] +=
         columns * layers * RootCoherence({}, component, hertz, across * grid.LateralSpacing, up * grid.VerticalSpacing);

@@ -105,12 +105,12 @@ class Country:
         for _ in range(refinements):
             z, spacing = scene.subdivide(z), (0.5 * spacing[0], 0.5 * spacing[1])
         relief, reflectance = _small_relief(z.shape, spacing, seed)
-        slope = np.degrees(np.arccos(scene.normals(z, spacing)[..., 2]))
-        self.z = z + relief * np.clip(slope / 12.0, 0.15, 1.5)
+        self.z = z + relief * np.clip(scene.steepness(z, spacing) / 12.0, 0.15, 1.5)
         self.spacing = spacing
-        self.wood = scene.wood_share(self.z, spacing, reflectance)
+        cover = scene._relief(self.z, spacing, reflectance)
+        self.wood = scene._wooded(*cover)
         self.image = image_from_array(self.z.astype(np.float32), (*spacing, 1.0))
-        self._paint(reflectance)
+        self._paint(scene._colored(*cover))
 
     @classmethod
     def from_heights(cls, z, spacing, reflectance=None, wood=None):
@@ -119,17 +119,16 @@ class Country:
         country.z, country.spacing = z, spacing
         country.wood = np.zeros(z.shape) if wood is None else wood
         country.image = image_from_array(z.astype(np.float32), (*spacing, 1.0))
-        country._paint(reflectance)
+        country._paint(scene.natural_color(z, spacing, reflectance))
         return country
 
     def height(self, x, y):
         """Height of the ground at positions x, y [m]."""
         return _sampled(self.z, self.spacing, x, y)
 
-    def _paint(self, reflectance):
-        """Lit colors as the array RGB."""
+    def _paint(self, color):
+        """Lit colors of the ground as the array RGB."""
         seen = (scene.sunlight(self.z, self.spacing, *SUN), scene.openness(self.z, self.spacing))
-        color = scene.natural_color(self.z, self.spacing, reflectance)
         color = color * (1.0 - 0.35 * self.wood[..., None])  # little light passes the canopy
         normals = scene.normals(self.z, self.spacing)
         light = scene._lit(color, normals, scene.direction(*SUN), *seen)

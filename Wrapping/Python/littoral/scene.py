@@ -87,12 +87,21 @@ def normals(z, spacing):
     return n / np.linalg.norm(n, axis=-1, keepdims=True)
 
 
+def steepness(z, spacing):
+    """Angle between the ground and the horizontal [degrees].
+
+    Of contiguous numbers: the last bit of NumPy's arccos of others depends on where they are in memory.
+    """
+    slope_y, slope_x = np.gradient(z, spacing[1], spacing[0])
+    return np.degrees(np.arccos(1.0 / np.sqrt(slope_x**2 + slope_y**2 + 1.0)))
+
+
 def sunlight(z, spacing, azimuth, elevation, softness=0.07):
     """Fraction [0..1] of the sun visible from each point; shadows fade over `softness` of slope."""
     rise = np.tan(np.radians(elevation))
     clear = np.ones(z.shape)
-    for distance, met in _march(z, spacing, azimuth, np.ptp(z) / rise, growth=1.04):
-        clear = np.minimum(clear, rise - (met - z) / distance)
+    for slope in _march(z, spacing, azimuth, np.ptp(z) / rise, growth=1.04):
+        np.minimum(clear, np.subtract(rise, slope, out=slope), out=clear)
     return _step(clear, -0.5 * softness, 0.5 * softness)
 
 
@@ -102,29 +111,31 @@ def openness(z, spacing, farthest=None, directions=12):
     total = np.zeros(z.shape)
     for azimuth in np.arange(directions) * 360.0 / directions:
         horizon = np.zeros(z.shape)
-        for distance, met in _march(z, spacing, azimuth, farthest, growth=1.6):
-            horizon = np.maximum(horizon, (met - z) / distance)
+        for slope in _march(z, spacing, azimuth, farthest, growth=1.6):
+            np.maximum(horizon, slope, out=horizon)
         total += 1.0 / (1.0 + horizon**2)
     return total / directions
 
 
 def _march(z, spacing, azimuth, farthest, growth):
-    """March from every point along an azimuth: yields the distance [m] and the heights there."""
-    towards = direction(azimuth, 0.0)
-    distance = min(spacing)
+    """March from every point along an azimuth: yields the slopes of the lines of sight, in an array that is used again.
+
+    Beyond the border the ground is as high as there.
+    """
+    towards, last = direction(azimuth, 0.0), np.subtract(z.shape, 1)
+    steps, distance = [], min(spacing)
     while distance < farthest:
-        columns = round(towards[0] * distance / spacing[0])
-        rows = round(towards[1] * distance / spacing[1])
-        walked = np.hypot(columns * spacing[0], rows * spacing[1])
-        yield walked, _shifted(z, rows, columns)
+        steps.append([round(towards[1] * distance / spacing[1]), round(towards[0] * distance / spacing[0])])
         distance = max(distance + min(spacing), distance * growth)
-
-
-def _shifted(z, rows, columns):
-    """z shifted by rows and columns; values at the border are repeated."""
-    y = np.clip(np.arange(z.shape[0]) + rows, 0, z.shape[0] - 1)
-    x = np.clip(np.arange(z.shape[1]) + columns, 0, z.shape[1] - 1)
-    return z[y][:, x]
+    if not steps:
+        return
+    shifts = np.clip(steps, -last, last)
+    before, after = np.maximum(-shifts.min(axis=0), 0), np.maximum(shifts.max(axis=0), 0)
+    around, slope = np.pad(z, np.column_stack((before, after)), mode="edge"), np.empty(z.shape)
+    for (rows, columns), (row, column) in zip(steps, before + shifts):
+        np.subtract(around[row:row + z.shape[0], column:column + z.shape[1]], z, out=slope)
+        slope /= np.hypot(columns * spacing[0], rows * spacing[1])
+        yield slope
 
 
 # Colors ------------------------------------------------------------------------------------------
@@ -135,25 +146,33 @@ def natural_color(z, spacing, reflectance=None):
 
     `reflectance` [0..1] decides between wood and meadow; default: random.
     """
-    slope, height, hollow, patches, grain = _relief(z, spacing, reflectance)
-    dry = _step(patches + 0.4 * grain - 0.3 * hollow, -0.5, 1.8)
-    high = _step(height + 0.4 * patches, 0.2, 2.2)
-    steep = slope + 4.0 * np.maximum(height - 1.0, 0.0) + 2.0 * patches + grain
-    wood = _mix(FOREST, UPLAND, high) * (1.0 + 0.14 * grain[..., None])
-    color = _mix(_mix(MEADOW, PASTURE, dry), wood, wood_share(z, spacing, reflectance))
-    return _mix(color, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * _step(steep, 24.0, 36.0))
+    return _colored(*_relief(z, spacing, reflectance))
 
 
 def wood_share(z, spacing, reflectance=None):
     """Fraction [0..1] of the ground covered by trees, as in `natural_color`."""
-    slope, height, hollow, patches, grain = _relief(z, spacing, reflectance)
+    return _wooded(*_relief(z, spacing, reflectance))
+
+
+def _colored(slope, height, hollow, patches, grain):
+    """The natural color, by the factors of plant cover."""
+    dry = _step(patches + 0.4 * grain - 0.3 * hollow, -0.5, 1.8)
+    high = _step(height + 0.4 * patches, 0.2, 2.2)
+    steep = slope + 4.0 * np.maximum(height - 1.0, 0.0) + 2.0 * patches + grain
+    wood = _mix(FOREST, UPLAND, high) * (1.0 + 0.14 * grain[..., None])
+    color = _mix(_mix(MEADOW, PASTURE, dry), wood, _wooded(slope, height, hollow, patches, grain))
+    return _mix(color, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * _step(steep, 24.0, 36.0))
+
+
+def _wooded(slope, height, hollow, patches, grain):
+    """The fraction covered by trees, by the factors of plant cover."""
     wooded = 0.10 * (slope - 7.0) + 0.45 * hollow + 0.35 * height - 0.6 * patches + 0.25 * grain
     return _step(wooded, -0.9, 0.7)
 
 
 def _relief(z, spacing, reflectance):
     """Factors of plant cover: slope [degrees], height, hollows, patches and grain."""
-    slope = np.degrees(np.arccos(normals(z, spacing)[..., 2]))
+    slope = steepness(z, spacing)
     slope *= 25.0 / max(25.0, np.percentile(slope, 95.0))  # rock stays rare in steep terrain
     patches = _noise(z.shape, 10, seed=1) if reflectance is None else 4.0 * (reflectance - 0.5)
     return slope, _standard(z), _standard(z - blur(z, 28)), patches, _noise(z.shape, 0, seed=2)
