@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bytes for any part of the extent and any number of threads.
+#include "Numerics/SimdClones.h"
 #include "vtkTurningBandsTerrainSource.h"
 
 #include "vtkDataArray.h"
@@ -18,10 +19,15 @@
 namespace
 {
 
+/// Samples along each side of the terrain, and of a part in it.
+constexpr int Size = LITTORAL_IS_SANITIZED ? 512 : 1024;
+constexpr int PartSize = Size / 16;
+constexpr int FirstColumn = -100;
+
 vtkNew<vtkTurningBandsTerrainSource> Source()
 {
   vtkNew<vtkTurningBandsTerrainSource> source;
-  source->SetWholeExtent(-100, 923, 0, 1023, 0, 0);
+  source->SetWholeExtent(FirstColumn, FirstColumn + Size - 1, 0, Size - 1, 0, 0);
   source->SetAnisotropyRatio(2.5);
   source->SetAnisotropyAngle(25.0);
   source->SetSlope(0.1, -0.05);
@@ -44,29 +50,31 @@ int TestTerrainPieces(int, char*[])
   auto threaded = Source();
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2, "STDThread", false }, [&]() { threaded->Update(); });
   auto part = Source();
-  const int extent[6] = { 300, 363, 555, 618, 0, 0 };
+  constexpr int column = Size * 400 / 1024; // of the whole
+  constexpr int firstRow = Size * 555 / 1024;
+  const int extent[6] = { FirstColumn + column, FirstColumn + column + PartSize - 1, firstRow, firstRow + PartSize - 1,
+    0, 0 };
   part->UpdateExtent(extent);
   for (const char* name : { "Elevation", "Reflectance" })
   {
     const float* a = Values(whole, name);
-    if (std::memcmp(a, Values(threaded, name), sizeof(float) * 1024 * 1024) != 0)
+    if (std::memcmp(a, Values(threaded, name), sizeof(float) * Size * Size) != 0)
     {
       std::cerr << name << " differs between one and two threads" << std::endl;
       good = false;
     }
     const float* b = Values(part, name);
-    for (int j = 0; j < 64; ++j)
+    for (int j = 0; j < PartSize; ++j)
     {
-      const int row = 555 + j;
-      const int column = 300 + 100;
-      if (std::memcmp(b + 64 * j, a + 1024 * row + column, 64 * sizeof(float)) != 0)
+      const int row = firstRow + j;
+      if (std::memcmp(b + PartSize * j, a + Size * row + column, PartSize * sizeof(float)) != 0)
       {
-        std::cerr << name << " differs in row " << row << " of a 64 x 64 part" << std::endl;
+        std::cerr << name << " differs in row " << row << " of a part" << std::endl;
         good = false;
         break;
       }
     }
-    for (int n = 0; name[0] == 'R' && n < 1024 * 1024; ++n)
+    for (int n = 0; name[0] == 'R' && n < Size * Size; ++n)
     {
       good &= a[n] >= 0.0f && a[n] <= 1.0f;
     }
@@ -76,7 +84,8 @@ int TestTerrainPieces(int, char*[])
     return source->GetOutput()->GetFieldData()->GetArray("ElevationLines")->GetComponent(0, 0);
   };
   auto half = Source();
-  half->SetWholeExtent(-100, 411, 200, 711, 0, 0);
+  constexpr int halfRow = Size * 200 / 1024;
+  half->SetWholeExtent(FirstColumn, FirstColumn + Size / 2 - 1, halfRow, halfRow + Size / 2 - 1, 0, 0);
   half->UpdateExtent(extent);
   if (linesOf(part) != linesOf(whole) || std::abs(linesOf(whole) / linesOf(half) - 2.0) > 0.02)
   {
@@ -92,7 +101,7 @@ int TestTerrainPieces(int, char*[])
   auto other = Source();
   other->SetSeed(2);
   other->UpdateExtent(extent);
-  if (std::memcmp(Values(part, "Elevation"), Values(other, "Elevation"), 64 * 64 * sizeof(float)) == 0)
+  if (std::memcmp(Values(part, "Elevation"), Values(other, "Elevation"), PartSize * PartSize * sizeof(float)) == 0)
   {
     std::cerr << "another seed gives the same terrain" << std::endl;
     good = false;

@@ -41,12 +41,14 @@ PlaneSpectrum PlaneMean(
   PlaneSpectrum mean{ std::vector<double>(spectra[0].size(), 0.0), std::vector<double>(spectra[0].size(), 0.0) };
   for (std::size_t k = 1; k < spectra[0].size(); ++k)
   {
-    for (std::size_t line = 0; line < spectra.size(); ++line)
+    for (const auto& line : spectra)
     {
-      const double height = grid.Height(static_cast<int>(line) / grid.Count[1]);
-      mean.Has[k] += factor * std::norm(spectra[line][k]);
-      mean.Wants[k] += SpectralDensity(model, component, static_cast<double>(k) / grid.Period(), height) /
-        static_cast<double>(grid.NumberOfLines());
+      mean.Has[k] += factor * std::norm(line[k]);
+    }
+    for (int layer = 0; layer < grid.Count[2]; ++layer)
+    {
+      mean.Wants[k] +=
+        SpectralDensity(model, component, static_cast<double>(k) / grid.Period(), grid.Height(layer)) / grid.Count[2];
     }
   }
   return mean;
@@ -119,28 +121,21 @@ struct CoherenceBands
   {
     const int columns = grid.Count[1] - across;
     const int layers = grid.Count[2] - up;
-    for (std::size_t k = 1; k + 1 < spectra[0].size(); ++k)
+    const std::vector<int> bands = BandsOf(spectra[0].size(), grid);
+    for (std::size_t k = 0; k < bands.size(); ++k)
     {
-      const double hertz = static_cast<double>(k) / grid.Period();
-      const int band = static_cast<int>(std::floor(std::log2(hertz / Lowest)));
-      if (band < 0 || band >= Bands)
+      if (bands[k] >= 0)
       {
-        continue;
+        const double hertz = static_cast<double>(k) / grid.Period();
+        this->Wants[bands[k]] += columns * layers *
+          RootCoherence({}, component, hertz, across * grid.LateralSpacing, up * grid.VerticalSpacing);
+        this->Count[bands[k]] += columns * layers;
       }
-      for (int layer = 0; layer < layers; ++layer)
-      {
-        for (int column = 0; column < columns; ++column)
-        {
-          const int line = layer * grid.Count[1] + column;
-          const auto a = spectra[line][k];
-          const auto b = spectra[line + up * grid.Count[1] + across][k];
-          this->Cross[band] += a.real() * b.real() + a.imag() * b.imag();
-          this->Auto[band] += 0.5 * (std::norm(a) + std::norm(b));
-        }
-      }
-      this->Wants[band] +=
-        columns * layers * RootCoherence({}, component, hertz, across * grid.LateralSpacing, up * grid.VerticalSpacing);
-      this->Count[band] += columns * layers;
+    }
+    for (int pair = 0; pair < columns * layers; ++pair)
+    {
+      const int line = pair / columns * grid.Count[1] + pair % columns;
+      this->AddPair(bands, spectra[line].data(), spectra[line + up * grid.Count[1] + across].data());
     }
   }
 
@@ -159,6 +154,31 @@ struct CoherenceBands
   }
 
   double Has(int band) const { return this->Cross[band] / this->Auto[band]; }
+
+private:
+  /// The band of each frequency; -1 outside of them, for the mean and for the fastest wave.
+  static std::vector<int> BandsOf(std::size_t frequencies, const WindGrid& grid)
+  {
+    std::vector<int> bands(frequencies, -1);
+    for (std::size_t k = 1; k + 1 < frequencies; ++k)
+    {
+      const int band = static_cast<int>(std::floor(std::log2(static_cast<double>(k) / grid.Period() / Lowest)));
+      bands[k] = band < Bands ? std::max(band, -1) : -1;
+    }
+    return bands;
+  }
+
+  void AddPair(const std::vector<int>& bands, const std::complex<double>* a, const std::complex<double>* b)
+  {
+    for (std::size_t k = 0; k < bands.size(); ++k)
+    {
+      if (bands[k] >= 0)
+      {
+        this->Cross[bands[k]] += a[k].real() * b[k].real() + a[k].imag() * b[k].imag();
+        this->Auto[bands[k]] += 0.5 * (std::norm(a[k]) + std::norm(b[k]));
+      }
+    }
+  }
 };
 
 /// The spectra of all lines, each divided by the root of what the model says at its height.
@@ -307,21 +327,26 @@ TEST(WindField, ImpliedCoherenceIsTheModelWithinTheReportedError)
 TEST(WindField, AgreesWithCholesky)
 {
   const WindGrid grid = GridOf(2000, 8, 8);
+  std::vector<WindSynthesis> syntheses(12);
+  std::vector<std::vector<float>> winds[2]; // by method
+  for (std::size_t run = 0; run < syntheses.size(); ++run)
+  {
+    syntheses[run].Seed = static_cast<int>(run) + 1;
+    winds[0].push_back(Wind(grid, syntheses[run]));
+  }
+  winds[1] = CholeskyWinds({}, grid, syntheses);
   for (int component = 0; component < 3; ++component)
   {
     PlaneSpectrum both{ std::vector<double>(1001, 0.0), std::vector<double>(1001, 0.0) };
     std::array<std::array<CoherenceBands, 2>, 2> bands; // by method, then across and up
-    for (int seed = 1; seed <= 12; ++seed)
+    for (std::size_t run = 0; run < syntheses.size(); ++run)
     {
-      WindSynthesis synthesis;
-      synthesis.Seed = seed;
-      const std::vector<float> fields[] = { Wind(grid, synthesis), CholeskyWind({}, grid, synthesis) };
       for (int method = 0; method < 2; ++method)
       {
-        const PlaneSpectrum spectrum = PlaneMean(fields[method], grid, component);
+        const PlaneSpectrum spectrum = PlaneMean(winds[method][run], grid, component);
         std::vector<double>& sum = method == 0 ? both.Has : both.Wants;
         std::transform(sum.begin(), sum.end(), spectrum.Has.begin(), sum.begin(), std::plus<double>());
-        const auto spectra = ScaledSpectra(fields[method], grid, component);
+        const auto spectra = ScaledSpectra(winds[method][run], grid, component);
         bands[method][0].Add(spectra, grid, component, 2, 0);
         bands[method][1].Add(spectra, grid, component, 0, 2);
       }
