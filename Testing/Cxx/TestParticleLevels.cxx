@@ -666,7 +666,7 @@ bool CheckBadInput()
   good &= FogFails("ParticleRadius", [](Fog* f, vtkPolyData*) { f->SetParticleRadius(0.0); });
   good &= FogFails("ExtinctionEfficiency", [](Fog* f, vtkPolyData*) { f->SetExtinctionEfficiency(-1.0); });
   good &= FogFails("WaterExtinction", [=](Fog* f, vtkPolyData*) { f->SetWaterExtinction(nan); });
-  good &= FogFails("point 3", [=](Fog*, vtkPolyData* p) { p->GetPoints()->SetPoint(3, nan, 0.0, 0.0); });
+  good &= FogFails("not finite at 3", [=](Fog*, vtkPolyData* p) { p->GetPoints()->SetPoint(3, nan, 0.0, 0.0); });
   good &= FogFails("Alpha", [](Fog*, vtkPolyData* p) { AddFloats(p, "Alpha", 1.5f); });
   good &= FogFails("Radius", [](Fog*, vtkPolyData* p) { AddFloats(p, "Radius", -1.0f); });
 
