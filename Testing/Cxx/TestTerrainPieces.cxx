@@ -13,6 +13,7 @@
 #include "vtkSMPTools.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <iostream>
 
@@ -40,6 +41,18 @@ const float* Values(vtkTurningBandsTerrainSource* source, const char* name)
   return vtkFloatArray::SafeDownCast(source->GetOutput()->GetPointData()->GetArray(name))->GetPointer(0);
 }
 
+/// Whether numbers have the same bytes.
+bool AreSame(const float* a, const float* b, std::size_t count)
+{
+  return std::memcmp(static_cast<const void*>(a), static_cast<const void*>(b), count * sizeof(float)) == 0;
+}
+
+/// Where a row of an array begins.
+std::size_t RowAt(int row, int length)
+{
+  return static_cast<std::size_t>(row) * length;
+}
+
 }
 
 int TestTerrainPieces(int, char*[])
@@ -58,7 +71,7 @@ int TestTerrainPieces(int, char*[])
   for (const char* name : { "Elevation", "Reflectance" })
   {
     const float* a = Values(whole, name);
-    if (std::memcmp(a, Values(threaded, name), sizeof(float) * Size * Size) != 0)
+    if (!AreSame(a, Values(threaded, name), RowAt(Size, Size)))
     {
       std::cerr << name << " differs between one and two threads" << std::endl;
       good = false;
@@ -67,7 +80,7 @@ int TestTerrainPieces(int, char*[])
     for (int j = 0; j < PartSize; ++j)
     {
       const int row = firstRow + j;
-      if (std::memcmp(b + PartSize * j, a + Size * row + column, PartSize * sizeof(float)) != 0)
+      if (!AreSame(b + RowAt(j, PartSize), a + RowAt(row, Size) + column, PartSize))
       {
         std::cerr << name << " differs in row " << row << " of a part" << std::endl;
         good = false;
