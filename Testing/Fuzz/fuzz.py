@@ -46,6 +46,14 @@ def confirmed(name, played, fault):
     return (fault[0], f"{fault[1]} (after other cases)"), played
 
 
+def is_new(alike, calls):
+    """Whether a fault is worth a script: it calls other methods than those before, which are not too many yet."""
+    if len(alike) >= MOST_ALIKE or calls in alike:
+        return False
+    alike.add(calls)
+    return True
+
+
 def show(name, number, played, fault):
     """Prints the shortest script with a fault that is found; of several cases, all their lines."""
     if len(played) == 1:
@@ -61,9 +69,7 @@ def fuzz(name, count, seed, first=0):
         if kind:
             (kind, what), played = confirmed(name, played, (kind, what))
         ends[kind or what] += 1
-        alike, calls = shown[minimise.signature((kind, what))], minimise.calls(played[-1])
-        if kind and len(alike) < MOST_ALIKE and calls not in alike:
-            alike.add(calls)
+        if kind and is_new(shown[minimise.signature((kind, what))], minimise.calls(played[-1])):
             show(name, number, played, (kind, what))
     print(f"{name}: {count} cases,", ", ".join(f"{times} {end}" for end, times in ends.most_common()), flush=True)
     # Cases that nearly all end in a refusal would show nothing.

@@ -58,7 +58,7 @@ def simplified(name, lines, wanted):
 
 def calls(lines):
     """The methods that a short case calls with which functions: what tells causes of the same signal apart."""
-    return frozenset(word for line in lines for word in re.findall(r"\w+(?=\()", line))
+    return frozenset(word for line in lines for word in re.findall(r"\b\w+(?=\()", line))
 
 
 def script(name, played):
