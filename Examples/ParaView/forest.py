@@ -148,7 +148,9 @@ def build(folder, view):
     landscape.show_plants(sway, view)
     simple.UpdatePipeline(proxy=sway)
     for part in landscape.TEXTURED_PARTS:
-        landscape.show_textured(sway, view, part, file(part.split("/")[-1].lower() + ".png"))
+        moves = part != "/Root/Low"  # what does not is not made again for each frame
+        landscape.show_textured(
+            sway if moves else forest, view, part, file(part.split("/")[-1].lower() + ".png"))
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         landscape.save_volume(os.path.join(folder, "wind.vdb"), wind)
     return country

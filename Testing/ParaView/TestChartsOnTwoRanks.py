@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=300
+# run-with: pvpython
 """Charts of a server with two ranks: the series, rows and pictures are those without a server, not once for each rank."""
 
 import shutil

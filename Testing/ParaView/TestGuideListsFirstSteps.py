@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=600
+# run-with: pvpython
 """The guide's list from a raster of heights to a terrain like it, in the window, with a small raster of the test."""
 
 import os

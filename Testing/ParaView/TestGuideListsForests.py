@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=600
+# run-with: pvpython
 """The guide's list from sites and a tree to a forest, in the window; then the view is dragged."""
 
 import quick

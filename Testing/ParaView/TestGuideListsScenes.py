@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=900
+# run-with: pvpython
 """The guide's lists of the macros, in the window: a forest of a table, and a twin of a terrain."""
 
 import os

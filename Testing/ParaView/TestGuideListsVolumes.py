@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=600
+# run-with: pvpython
 """The guide's list from particles to a fog volume in a file, in the window; its steps in Blender are not done here."""
 
 import filecmp

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=600
+# run-with: pvpython
 """After a refusal, valid settings give what they give to a new source or filter: for each mistake of a property or of an
 input that has a valid one here, and for a scene whose plants did not fit into the sea."""
 

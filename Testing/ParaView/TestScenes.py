@@ -90,7 +90,7 @@ def check_states(name, view):
         # In a process of its own, as users run it; ParaView 6.1 draws no blocks that such a script shows after a reset.
         numbers = os.path.join(folder, "state.npz")
         environment = {name: value for name, value in os.environ.items() if not name.startswith(OWN_RANK)}
-        subprocess.run(["pvbatch", os.path.abspath(__file__), script, str(time), numbers], check=True, timeout=120,
+        subprocess.run(["pvbatch", os.path.abspath(__file__), script, str(time), numbers], check=True,
                        env=environment)
         with np.load(numbers) as back:
             compare_states(name, ".py", back, wanted)

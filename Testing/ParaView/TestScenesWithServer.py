@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=600
+# run-with: pvpython
 """A scene in front of servers of one and two ranks: the same parts as without one, shown in the same picture, and a
 change of a part changes the picture in the same way."""
 

@@ -143,7 +143,7 @@ def trace_of(action):
 def run(*arguments):
     """Run this script in a new process."""
     environment = {name: value for name, value in os.environ.items() if not name.startswith(OWN_RANK)}
-    subprocess.run(["pvbatch", os.path.abspath(__file__), *arguments], check=True, timeout=120, env=environment)
+    subprocess.run(["pvbatch", os.path.abspath(__file__), *arguments], check=True, env=environment)
 
 
 if len(sys.argv) == 4:

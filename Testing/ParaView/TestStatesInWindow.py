@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=300
+# run-with: pvpython
 """A state saved and loaded by the menus of the window, and a trace of the same steps: the picture is that of the steps.
 
 The trace is run by a new process without a window.
@@ -77,5 +77,5 @@ elif __name__ == "__main__":
     assert drawn("wanted.png") > 0.01, "nothing is drawn"
     compare("state", "loaded.png")
     environment = {name: value for name, value in os.environ.items() if not name.startswith(OWN_RANK)}
-    subprocess.run(["pvpython", os.path.abspath(__file__), "trace.py"], check=True, timeout=150, env=environment)
+    subprocess.run(["pvpython", os.path.abspath(__file__), "trace.py"], check=True, env=environment)
     compare("trace", "traced.png")

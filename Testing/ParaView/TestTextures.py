@@ -4,10 +4,11 @@
 """Blocks that carry a texture are drawn with it by the representation Full Surface.
 
 Squares with known texels: the color of a pixel is that of the points times the texel over the mean of the texture, and
-nothing where the texel is transparent; visibility and picking of blocks as without textures; rendered by the client and
-by a server.
+nothing where the texel is transparent; visibility, picking and shaders of blocks as without textures; rendered by the
+client and by a server.
 """
 
+import json
 import shutil
 
 import numpy as np
@@ -145,6 +146,26 @@ def check_light(view, shown, light, where):
         assert at(seen, 1.0).max() < 20, f"{where}: {at(seen, 1.0)} across the light, without a texture"
 
 
+def check_shaders(view, shown):
+    """Replacements in vertex and fragment shaders hold for blocks with a texture and without: red grows with x."""
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    changes = [
+        ("vertex", "//VTK::PositionVC::Dec", "//VTK::PositionVC::Dec\nout float across;"),
+        ("vertex", "//VTK::PositionVC::Impl", "//VTK::PositionVC::Impl\n  across = vertexMC.x;"),
+        ("fragment", "//VTK::PositionVC::Dec", "//VTK::PositionVC::Dec\nin float across;"),
+        ("fragment", "//VTK::TCoord::Impl",
+         "//VTK::TCoord::Impl\n  gl_FragData[0] = vec4(0.1 * across, 0.0, 0.0, 1.0);")]
+    shown.CoordinateShiftScaleMethod = "Disable"  # places in the scene
+    shown.UseShaderReplacements = 1
+    shown.ShaderReplacements = json.dumps(
+        [{"type": stage, "original": original, "replacement": code} for stage, original, code in changes])
+    seen = picture(view)
+    for x in (1.0, 3.3, 7.0):
+        near(at(seen, x), (25.5 * x, 0, 0), f"the shader of the block at {x}")
+    shown.ShaderReplacements, shown.UseShaderReplacements = "", 0
+    near(at(picture(view), 3.3), (200, 50, 0), "the shader of the representation again")
+
+
 def check_picking(view, squares, shown, where):
     """Rectangles over a block select its cell, where it is not transparent."""
     shown.Ambient, shown.Diffuse = 1.0, 0.0
@@ -166,6 +187,7 @@ view, squares, shown, light = scene()
 check_colors(view, squares, shown, "alone")
 check_light(view, shown, light, "alone")
 check_picking(view, squares, shown, "alone")
+check_shaders(view, shown)
 for ranks in (1, 2) if shutil.which("mpirun") else (1,):
     with connected(PORT + ranks, ranks):
         # One view a server: VTK 9.6 warns of textures when a view of blocks ends before its server, textured or not.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=300
+# run-with: pvpython
 """A client with a server of two ranks: all outputs in blocks have the same ones on both, empty or not, and are drawn.
 
 ParaView's ranks exchange data block by block, so that a rank with fewer of them never answers. Translucent blocks are
@@ -21,7 +21,7 @@ from server import connected
 from window import colors
 
 PORT = 21541
-LIMIT = 60  # of an entry [s]
+LIMIT = 600  # of an entry [s]
 
 #: Writes names and paths of all blocks, and whether they have data, to a file of the rank.
 STRUCTURE = """

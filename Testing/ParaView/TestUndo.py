@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython timeout=300
+# run-with: pvpython
 """Undo and redo in the window: a source, a filter with a second input, a property, a deletion, a scene.
 
 Each undo brings back the pipeline and the picture from before, each redo those from after.

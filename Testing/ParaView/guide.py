@@ -145,10 +145,10 @@ class Walk(Session):
         """Keep the picture of the scene, its camera and its time."""
         self.event(SHELL, "executeCommand", f"import player; player.call('guide', 'keep_look', ({name!r},))")
 
-    def end(self, timeout=240):
+    def end(self):
         self.leave()
         assert self.done == len(self.steps), f"{self.page}: the test does {self.done} of {len(self.steps)} steps"
-        self.play(timeout)
+        self.play()
 
 
 def keep_look(name):

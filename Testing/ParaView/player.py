@@ -24,6 +24,7 @@ SHELL = f"{WINDOW}/pythonShellDock/pythonShell/consoleWidget"
 PROPERTIES = f"{WINDOW}/propertiesDock/propertiesPanel"
 PANEL = f"{PROPERTIES}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
 NUMBER = "DoubleRangeWidget/DoubleLineEdit"  # the field of a number with a slider
+PATIENCE = 1500  # with a client that may wait for somebody to close a dialog; CTest waits longer [s]
 MESSAGES = ("ERR|", "WARN|", "ERROR:", "Warning:", "critical:", "fatal:", "Traceback")
 
 
@@ -106,7 +107,7 @@ class Session:
         self.menu("menu_File", "actionFileLoadServerState")
         self.event(f"{WINDOW}/FileLoadServerStateDialog", "filesSelected", os.path.abspath(file))
 
-    def play(self, timeout=90):
+    def play(self):
         """Play all steps in a client of its own."""
         write_events("steps.xml", self.events)
         paths = os.pathsep.join((self.folder, os.environ.get("PYTHONPATH", "")))
@@ -114,7 +115,7 @@ class Session:
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True, text=True,
                               errors="replace", env={**os.environ, "PYTHONPATH": paths}) as client:
             try:
-                output, _ = client.communicate(timeout=timeout)
+                output, _ = client.communicate(timeout=PATIENCE)
             except subprocess.TimeoutExpired:  # such as a dialog that nobody closes
                 os.killpg(client.pid, signal.SIGKILL)
                 output, _ = client.communicate()

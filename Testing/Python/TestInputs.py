@@ -10,7 +10,7 @@ valgrind:
 
     PYTHONMALLOC=malloc LITTORAL_TEST_UNDER="valgrind -q --error-exitcode=9" LITTORAL_TEST_CASES="short|empty"
 """
-# run-with: python3 timeout=1200
+# run-with: python3
 
 import json
 import os
@@ -443,7 +443,7 @@ def test(name):
         while True:
             done = subprocess.run(
                 [*os.environ.get("LITTORAL_TEST_UNDER", "").split(), sys.executable, __file__, "--child", name, log,
-                 str(first)], capture_output=True, text=True, check=False, timeout=1100)
+                 str(first)], capture_output=True, text=True, check=False)
             entries = entries_of(log)
             if "done" in entries[-1]:
                 if done.returncode:

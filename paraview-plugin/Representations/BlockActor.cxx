@@ -216,7 +216,7 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
   this->Shaded = shading;
   this->GivenTime = time;
   vtkShaderProperty* shader = this->Actor->GetShaderProperty();
-  shader->ClearAllFragmentShaderReplacements();
+  shader->ClearAllShaderReplacements();
   if (shading != Shading::Plain)
   {
     shader->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true, ColorCode, false);
@@ -231,9 +231,18 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
     std::string name, code;
     bool isFirst = false, isAll = false;
     given->GetNthShaderReplacement(k, name, isFirst, code, isAll);
-    if (given->GetNthShaderReplacementTypeAsString(k) == "Fragment")
+    const std::string stage = given->GetNthShaderReplacementTypeAsString(k);
+    if (stage == "Vertex")
+    {
+      shader->AddVertexShaderReplacement(name, isFirst, code, isAll);
+    }
+    else if (stage == "Fragment")
     {
       shader->AddFragmentShaderReplacement(name, isFirst, code, isAll);
+    }
+    else if (stage == "Geometry")
+    {
+      shader->AddGeometryShaderReplacement(name, isFirst, code, isAll);
     }
   }
 }

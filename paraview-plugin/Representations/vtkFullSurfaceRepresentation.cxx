@@ -5,13 +5,65 @@
 #include "TexturedBlocks.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMapper.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <functional>
+
 vtkStandardNewMacro(vtkFullSurfaceRepresentation);
+
+namespace
+{
+
+using LeafFunction = std::function<bool(vtkDataObject*)>;
+
+/// Calls a function with each leaf of a tree that is visible, or with data that are none; ends when it returns false.
+bool EachVisible(vtkDataObject* data, const vtkCompositeDataDisplayAttributes* attributes, const LeafFunction& function,
+  bool isVisible)
+{
+  if (attributes->HasBlockVisibility(data))
+  {
+    isVisible = attributes->GetBlockVisibility(data);
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return !isVisible || function(data);
+  }
+  for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+  {
+    if (!EachVisible(child, attributes, function, isVisible))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the surface of data has their cells and points, in their order.
+bool IsItsOwnSurface(vtkDataObject* data)
+{
+  const auto isOwn = [](vtkDataObject* leaf) {
+    auto* surface = vtkPolyData::SafeDownCast(leaf);
+    return surface && surface->GetNumberOfStrips() == 0;
+  };
+  vtkNew<vtkCompositeDataDisplayAttributes> allVisible;
+  return data && EachVisible(data, allVisible, isOwn, true);
+}
+
+}
 
 //----------------------------------------------------------------------------
 vtkFullSurfaceRepresentation::vtkFullSurfaceRepresentation()
@@ -34,6 +86,11 @@ int vtkFullSurfaceRepresentation::ProcessViewRequest(
     }
     return this->GetVisibility();
   }
+  if (request == vtkPVView::REQUEST_UPDATE() && this->GetVisibility())
+  {
+    this->Update();
+    this->TakeBoundsOfPoints();
+  }
   const bool attributesChanged = this->BlockAttrChanged;
   const int isVisible = this->Superclass::ProcessViewRequest(request, in, out);
   if (request == vtkPVView::REQUEST_RENDER() && isVisible)
@@ -41,6 +98,47 @@ int vtkFullSurfaceRepresentation::ProcessViewRequest(
     this->DrawTextures(attributesChanged);
   }
   return isVisible;
+}
+
+//----------------------------------------------------------------------------
+int vtkFullSurfaceRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (auto* surface = vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter))
+  {
+    const bool isNumbered =
+      input[0]->GetNumberOfInformationObjects() != 1 || !IsItsOwnSurface(vtkDataObject::GetData(input[0]));
+    surface->SetPassThroughCellIds(isNumbered);
+    surface->SetPassThroughPointIds(isNumbered);
+  }
+  return this->Superclass::RequestData(request, input, output);
+}
+
+//----------------------------------------------------------------------------
+/// Sets the bounds of visible blocks, which the superclass would compute next; not where one is no polygonal data.
+void vtkFullSurfaceRepresentation::TakeBoundsOfPoints()
+{
+  if (this->VisibleDataBoundsTime >= this->GetPipelineDataTime())
+  {
+    return;
+  }
+  vtkDataObject* data = this->MultiBlockMaker->GetOutputDataObject(0);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  this->PopulateBlockAttributes(attributes, data);
+  vtkBoundingBox bounds;
+  const auto add = [&bounds](vtkDataObject* leaf) {
+    auto* surface = vtkPolyData::SafeDownCast(leaf);
+    if (surface && surface->GetNumberOfPoints() > 0)
+    {
+      bounds.AddBounds(surface->GetPoints()->GetBounds());
+    }
+    return surface != nullptr;
+  };
+  if (EachVisible(data, attributes, add, true))
+  {
+    bounds.GetBounds(this->VisibleDataBounds);
+    this->VisibleDataBoundsTime.Modified();
+  }
 }
 
 //----------------------------------------------------------------------------

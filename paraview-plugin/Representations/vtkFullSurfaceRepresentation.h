@@ -11,6 +11,10 @@
  * surface itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the
  * frame in which it was made, with rendering on the client and on a server. (The property SuppressLOD of
  * vtkGeometryRepresentation offers nothing, so that a surface which changes between two interactive pictures vanishes.)
+ *
+ * Two things that ParaView does anew for each frame of moving data are spared. Bounds are those of the points, where
+ * vtkGeometryRepresentation looks for the points that cells use; and where all blocks are polygonal data without
+ * strips, cells and points are not given the numbers of those they came from, which are their own.
  */
 #ifndef vtkFullSurfaceRepresentation_h
 #define vtkFullSurfaceRepresentation_h
@@ -46,6 +50,8 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
+  int RequestData(vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
   /// Whether an opacity is below 1. Colors and textures count as opaque: ParaView 5.11 takes direct colors for
   /// translucent, and redistributes all data among its ranks for each picture, which ends it in interactive ones.
   bool NeedsOrderedCompositing() override;
@@ -55,6 +61,7 @@ private:
   void operator=(const vtkFullSurfaceRepresentation&) = delete;
 
   void DrawTextures(bool attributesChanged);
+  void TakeBoundsOfPoints();
 
   std::unique_ptr<littoral::TexturedBlocks> Textured;
 };

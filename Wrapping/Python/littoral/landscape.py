@@ -393,6 +393,7 @@ def show_plants(source, view, parts=PLANT_PARTS):
     """Show parts of scattered plants."""
     parts = simple.ExtractBlock(Input=source, Selectors=list(parts))
     shown = _show_colored(parts, view)
+    shown.SetRepresentationType("Full Surface")
     shown.Ambient = 0.35
     shown.Specular = 0.0
     _shade(shown, BOTH_SIDES, AIR)

@@ -393,8 +393,9 @@ def show_bed(source, view, time):
 def show_seaweeds(source, view, time):
     """Show the level High of seaweeds, from Seaweed or Plant Scatter."""
     parts = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Skin", "/Root/High/Leaves"])
-    mesh_of_all = simple.MergeBlocks(Input=parts, OutputDataSetType="Polygonal Mesh", MergePoints=0)
-    return _show_lit(mesh_of_all, view, SEAWEED, time)
+    shown = _show_lit(parts, view, SEAWEED, time)
+    shown.SetRepresentationType("Full Surface")
+    return shown
 
 
 def show_beyond(view, time, eye, radius=150.0):

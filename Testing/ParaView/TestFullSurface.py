@@ -1,0 +1,154 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython
+"""The representation Full Surface spares work that ParaView does for each frame, and nobody sees it.
+
+Two squares and a line that move: bounds are those of the visible blocks at each time, and the cells that are picked are
+those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips and volumes.
+"""
+
+import numpy as np
+import quick
+from paraview import servermanager, simple
+
+#: A line and two squares, of two cells each, 1 and 4 times as large, that move to the right by 1 a second; a point that no
+#: cell uses is in the middle of the first.
+BLOCKS = """
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+
+def square(x, size):
+    data, points, lines, cells = vtkPolyData(), vtkPoints(), vtkCellArray(), vtkCellArray()
+    for u, v in ((0, 0), (1, 0), (1, 1), (0, 1), (0.5, 0.5)):
+        points.InsertNextPoint(x + size * u, size * v, 0)
+    lines.InsertNextCell(2, [0, 1])
+    cells.InsertNextCell(3, [0, 1, 2])
+    cells.InsertNextCell(3, [0, 2, 3])
+    data.SetPoints(points)
+    data.SetLines(lines)
+    data.SetPolys(cells)
+    return data
+
+information = self.GetOutputInformation(0)
+time = information.Get(Pipeline.UPDATE_TIME_STEP()) if information.Has(Pipeline.UPDATE_TIME_STEP()) else 0.0
+out = self.GetOutputDataObject(0)
+out.SetBlock(0, square(time, 1.0))
+out.SetBlock(1, square(time + 2.0, 4.0))
+"""
+TIMES = """
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+information = self.GetOutputInformation(0)
+information.Set(Pipeline.TIME_STEPS(), [0.0, 1.0, 2.0], 3)
+information.Set(Pipeline.TIME_RANGE(), [0.0, 2.0], 2)
+"""
+STRIP = """
+from vtkmodules.vtkFiltersCore import vtkStripper, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+plane, triangles, strips = vtkPlaneSource(), vtkTriangleFilter(), vtkStripper()
+plane.SetResolution(1, 4)
+triangles.SetInputConnection(plane.GetOutputPort())
+strips.SetInputConnection(triangles.GetOutputPort())
+strips.Update()
+self.GetOutputDataObject(0).ShallowCopy(strips.GetOutput())
+"""
+IDS = "vtkOriginalCellIds", "vtkOriginalPointIds"
+
+
+def check_bounds(view, bounds, where):
+    """A camera that is reset looks at the middle of the bounds, and its circle has their diagonal."""
+    simple.ResetCamera(view)
+    low, high = np.reshape(bounds, (-1, 2)).T
+    assert np.allclose(view.CameraFocalPoint[:len(low)], 0.5 * (low + high)), (where, view.CameraFocalPoint)
+    assert np.isclose(view.CameraParallelScale, 0.5 * np.linalg.norm(high - low)), (where, view.CameraParallelScale)
+
+
+def drawn(shown):
+    """The blocks that a representation draws."""
+    data = shown.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
+    leaf = data.NewIterator()
+    blocks = []
+    while not leaf.IsDoneWithTraversal():
+        blocks.append(leaf.GetCurrentDataObject())
+        leaf.GoToNextItem()
+    return blocks
+
+
+def numbers(shown):
+    """Which of the numbers of cells and points the drawn blocks have."""
+    return {name for block in drawn(shown) for name in IDS
+            if block.GetCellData().HasArray(name) or block.GetPointData().HasArray(name)}
+
+
+def show(source, view, kind):
+    shown = simple.Show(source, view)
+    shown.SetRepresentationType(kind)
+    simple.Render(view)
+    return shown
+
+
+def picked(source, view, column, row):
+    """Corners of the cells around a pixel, in the order of the blocks."""
+    simple.ClearSelection(source)
+    simple.SelectSurfaceCells(Rectangle=[column - 1, row - 1, column + 1, row + 1], View=view)
+    if not source.GetSelectionInput(0):
+        return []
+    extract = simple.ExtractSelection(Input=source)
+    extract.Selection = source.GetSelectionInput(0)
+    extract.UpdatePipeline()
+    data = servermanager.Fetch(extract)
+    leaf = data.NewIterator()
+    found = []
+    while not leaf.IsDoneWithTraversal():
+        block = leaf.GetCurrentDataObject()
+        for k in range(block.GetNumberOfCells()):
+            corners = block.GetCell(k).GetPoints()
+            found.append(tuple(corners.GetPoint(m) for m in range(corners.GetNumberOfPoints())))
+        leaf.GoToNextItem()
+    simple.Delete(extract)
+    return found
+
+
+view = simple.CreateView("RenderView")
+view.ViewSize = [200, 200]
+blocks = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=BLOCKS,
+                                   ScriptRequestInformation=TIMES)
+simple.SetActiveSource(blocks)
+shown = show(blocks, view, "Full Surface")
+for time in (0.0, 1.0, 2.0):
+    view.ViewTime = time
+    simple.Render(view)
+    check_bounds(view, (time, time + 6.0, 0.0, 4.0), time)
+assert numbers(shown) == set(), numbers(shown)
+
+simple.ResetCamera(view)
+simple.Render(view)
+PIXELS = [(x, y) for x in range(5, 200, 19) for y in range(5, 200, 19)]
+ours = [picked(blocks, view, *pixel) for pixel in PIXELS]
+shown.SetRepresentationType("Surface")
+simple.Render(view)
+theirs = [picked(blocks, view, *pixel) for pixel in PIXELS]
+assert ours == theirs, [pair for pair in zip(ours, theirs) if pair[0] != pair[1]][:3]
+assert len({cell for cells in ours for cell in cells}) >= 4, ours
+simple.ClearSelection(blocks)
+
+shown.SetRepresentationType("Full Surface")
+for selectors, wanted in ((["/Root/Block0"], [0.0, 1.0, 0.0, 1.0]), (["/Root/Block1"], [2.0, 6.0, 0.0, 4.0]),
+                          (["/"], [0.0, 6.0, 0.0, 4.0])):
+    shown.BlockSelectors = selectors
+    for time in (0.0, 1.0):
+        view.ViewTime = time
+        simple.Render(view)
+        check_bounds(view, (wanted[0] + time, wanted[1] + time, *wanted[2:]), (selectors, time))
+simple.Delete(blocks)
+
+strip = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=STRIP)
+shown = show(strip, view, "Full Surface")
+assert drawn(shown)[0].GetNumberOfPoints() == 10
+assert "vtkOriginalCellIds" in numbers(shown), numbers(shown)
+simple.Delete(strip)
+
+cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[0, 4, 0, 5, 0, 6]))
+shown = show(cells, view, "Full Surface")
+assert numbers(shown) == set(IDS), numbers(shown)
+check_bounds(view, (0.0, 4.0, 0.0, 5.0, 0.0, 6.0), "cells of a volume")
