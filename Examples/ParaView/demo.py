@@ -5,8 +5,8 @@
 
     pvbatch demo.py [FOLDER [FRAMES]]
 
-reads the elevation model of the Jacksboro fault, Tennessee, fits covariance models to it, grows
-a twin from the best one, and writes into FOLDER (default: a new temporary folder):
+FRAMES: of each film, default 48; 0 for pictures alone. All pictures come before the films. The script reads the elevation model of the Jacksboro fault, Tennessee, fits covariance models to it, grows a
+twin from the best one, and writes into FOLDER (default: a new temporary folder):
 
     twin-terrain.png   the measured terrain and its twin
     figure2.png        the measured terrain and a fractal field with the paper's fractal dimension
@@ -15,11 +15,11 @@ a twin from the best one, and writes into FOLDER (default: a new temporary folde
     fits.csv           the fitted models, best first
     twin.vti           the twin: image with the point array Elevation [m]
     forest.png         part of the terrain with woods
-    walk.ogv           a walk there in the wind; its frames are walk.0000.png ...
-    wind.vdb           that wind as an OpenVDB volume
+    wind.vdb           the wind there as an OpenVDB volume
     underwater.png     the surface from below, kelp, and particles that fade into fog
-    underwater.ogv     the same as a film; its frames are underwater.0000.png ...
     fog.vdb            that fog as an OpenVDB volume
+    underwater.ogv     the sea as a film; its frames are underwater.0000.png ...
+    walk.ogv           a walk in the forest in that wind; its frames are walk.0000.png ...
 """
 
 import errno
@@ -50,9 +50,10 @@ EXAGGERATION = 3.0
 #: Space on disk that the output takes without films, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
 STILL_BYTES, FRAME_BYTES = 80e6, 1.3e6
 
-#: CPU time of each step [s], and of a frame of the last two, measured with software rendering, for the progress.
+#: CPU time of each picture's step [s], measured with software rendering, for the progress.
 STEP_TIMES = 0.1, 2.2, 0.1, 2.2, 0.7, 6.2, 5.8, 0.4, 21.0, 27.0
-FRAME_TIMES = 7.3, 4.7
+#: CPU time of each film before its first frame, where that makes its scene again, and of a frame [s].
+FILM_TIMES = (0.0, 4.7), (21.0, 7.3)
 
 
 class Progress:
@@ -60,18 +61,19 @@ class Progress:
 
     def __init__(self, frames):
         self.start = time.time()
+        self.times = [(step, 0.0) for step in STEP_TIMES] + list(FILM_TIMES if frames else ())
         self.frames = frames
         self.step = -1
 
     def share(self, frame=0):
         """Fraction done before a frame of this step."""
-        times = list(STEP_TIMES)
-        for film in range(-len(FRAME_TIMES), 0):
-            times[film] += self.frames * FRAME_TIMES[film]
-        done = sum(times[:self.step])
+        def time_of(step):
+            return step[0] + self.frames * step[1]
+
+        done = sum(map(time_of, self.times[:self.step]))
         if frame > 0:
-            done += STEP_TIMES[self.step] + frame * FRAME_TIMES[self.step - len(times)]
-        return done / sum(times)
+            done += self.times[self.step][0] + frame * self.times[self.step][1]
+        return done / sum(map(time_of, self.times))
 
     def line(self, frame=0):
         """Prefix of each line."""
@@ -151,7 +153,7 @@ def need_space(folder, frames):
 
 
 def main(folder, frames=48):
-    """Run all steps; folder: of the output; frames: of each film. Raises OSError when a file cannot be written."""
+    """Run all steps; folder: of the output; frames: of each film, or 0. Raises OSError when a file cannot be written."""
     os.makedirs(folder, exist_ok=True)
     need_space(folder, frames)
     progress = Progress(frames)
@@ -196,12 +198,19 @@ def main(folder, frames=48):
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
 
-    progress.begin("drawing forest.png and filming walk.ogv: the longest part")
-    runpy.run_path(FOREST, run_name="forest")["main"](folder, FILM_SIZE, frames, progress.film)
+    forest = runpy.run_path(FOREST, run_name="forest")
+    underwater = runpy.run_path(UNDERWATER, run_name="underwater")
+    progress.begin("drawing forest.png")
+    forest["main"](folder, FILM_SIZE)
     clear()
-
-    progress.begin("drawing underwater.png and filming underwater.ogv")
-    runpy.run_path(UNDERWATER, run_name="underwater")["main"](folder, FILM_SIZE, frames, progress.film)
+    progress.begin("drawing underwater.png")
+    scene = underwater["main"](folder, FILM_SIZE)
+    if frames:
+        progress.begin("filming underwater.ogv: all pictures are there, the films take longer")
+        underwater["film"](*scene, folder, frames, progress.film)
+        clear()
+        progress.begin("filming walk.ogv")
+        forest["main"](folder, FILM_SIZE, frames, progress.film)
     progress.begin(f"all written into {folder}")
 
 

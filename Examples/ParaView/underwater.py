@@ -115,7 +115,7 @@ def film(shaded, view, folder, frames, told):
 
 
 def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
-    """Build the scene, write its image and fog and, with frames above 0, the film."""
+    """Build the scene, write its image and fog and, with frames above 0, the film; returns what film() wants first."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
@@ -126,6 +126,7 @@ def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
         landscape.save_volume(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
     if frames > 0:
         film(shaded, view, folder, frames, told)
+    return shaded, view
 
 
 if __name__ != "underwater":  # another script has run this one for its functions

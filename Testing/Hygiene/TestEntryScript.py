@@ -155,6 +155,12 @@ class EntryScript(unittest.TestCase):
         self.assertEqual(printed.returncode, 1)
         self.assertRegex(printed.stderr, "^.littoral. setup: there is no list 'runs' in .*debian-12.txt\n$")
 
+    def test_an_unknown_option_of_the_demo_is_refused(self):
+        done = self.run_script("demo", "--film")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("there is no option --film", done.stderr)
+        self.assertFalse(os.path.exists(self.path("demo-output")))
+
     def test_setup_tells_the_time_left(self):
         self.release("Debian 12")
         self.environment["PACE"] = "1"
