@@ -22,11 +22,8 @@ def shown(data):
     return elements, information.GetBounds() if elements else None
 
 
-def make(name, arguments):
+def make(view, name, arguments):
     """The filter, shown, drawn, at another time, and clipped; what it made of it."""
-    view = simple.CreateView("RenderView")
-    view.ViewSize = [200, 150]
-    simple.SetActiveView(view)
     proxy = getattr(simple, name)(**arguments)
     proxy.UpdatePipeline()
     is_table = "Table" in proxy.GetDataInformation().GetDataSetTypeAsString()
@@ -45,11 +42,18 @@ def make(name, arguments):
     return proxy
 
 
-def check(name, arguments, word, result):
+def clear():
+    """Delete all sources and filters, and go back to the first time."""
+    for source in reversed(list(simple.GetSources().values())):
+        simple.Delete(source)
+    simple.GetAnimationScene().AnimationTime = 0.0
+
+
+def check(view, name, arguments, word, result):
     """Why the mistake is not one message with this result, or nothing."""
     with Messages() as messages:
         given = arguments()
-        proxy = make(name, given)
+        proxy = make(view, name, given)
     lines = messages.lines
     reason = ""
     if len(lines) != 1 or word not in lines[0]:
@@ -59,7 +63,7 @@ def check(name, arguments, word, result):
         reason = f"{shown(proxy)[0]} points, not none"
     elif result == UNMOVED and shown(proxy) != shown(given["Input"]):
         reason = f"{shown(proxy)}, not the input, {shown(given['Input'])}"
-    simple.ResetSession()
+    clear()
     return reason
 
 
@@ -74,8 +78,11 @@ def proxies_of_plugin():
 missing = proxies_of_plugin() - {mistake[0] for mistake in MISTAKES}
 assert not missing, f"no mistake is made with {missing}"
 failures = []
+view = simple.CreateView("RenderView")
+view.ViewSize = [200, 150]
+simple.SetActiveView(view)
 for mistake in MISTAKES:
-    reason = check(*mistake)
+    reason = check(view, *mistake)
     if reason:
         failures.append(f"{mistake[0]}, {mistake[2]}: {reason}")
 assert not failures, "\n" + "\n".join(failures)

@@ -3,7 +3,7 @@
 # run-with: client
 """The session is reset over and over in the window: while filters follow the camera, after a film, after a state file.
 
-What watched the views and sources of a session must be gone with it. LITTORAL_RESETS is how often; default 10.
+What watched the views and sources of a session must be gone with it. LITTORAL_RESETS is how often; default 5.
 """
 
 import os
