@@ -51,7 +51,7 @@ def play(view):
 
 SHOWN = (show_forest, show_particles, show_tree)
 
-for k in range(int(os.environ.get("LITTORAL_RESETS", "10"))):
+for k in range(int(os.environ.get("LITTORAL_RESETS", "5"))):
     view = simple.GetActiveViewOrCreate("RenderView")
     SHOWN[k % len(SHOWN)](view)
     simple.ResetCamera(view)
