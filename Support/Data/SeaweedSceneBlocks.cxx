@@ -48,13 +48,11 @@ struct MovedSkin
 
   void Write(const SeaweedSkinBlock& skin, vtkMultiBlockDataSet* blocks) const
   {
-    vtkNew<vtkPoints> points;
-    points->SetData(this->Points);
     KeepRanges(this->Points.Get(), this->Ranges[0]);
     KeepRanges(this->Normals.Get(), this->Ranges[1]);
     vtkNew<vtkPolyData> block;
     block->ShallowCopy(skin.Rest);
-    block->SetPoints(points);
+    block->SetPoints(PointsWithRanges(this->Points));
     block->GetPointData()->SetNormals(this->Normals);
     ReplaceBlock(blocks, skin.Name, block);
   }
@@ -110,7 +108,7 @@ void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, vtkMultiBlockD
   {
     points->SetPoint(static_cast<vtkIdType>(node), &nodes[node].x);
   }
-  bent->SetPoints(points);
+  bent->SetPoints(PointsWithRanges(points->GetData()));
   if (!scene.GetVelocities().empty())
   {
     bent->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Velocity", 3, scene.GetVelocities()));

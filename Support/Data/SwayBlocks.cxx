@@ -375,11 +375,9 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones) const
     const Vector3 position = this->Scene->JointPosition(static_cast<std::size_t>(node));
     positions->SetTuple(node, &position.x);
   }
-  vtkNew<vtkPoints> points;
-  points->SetData(positions);
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->ShallowCopy(bones);
-  moved->SetPoints(points);
+  moved->SetPoints(PointsWithRanges(positions));
   return moved;
 }
 
@@ -406,10 +404,7 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
   }
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->ShallowCopy(skin.Rest);
-  vtkNew<vtkPoints> positions;
-  positions->SetData(points);
-  moved->SetPoints(positions);
-  KeepRanges(points.Get());
+  moved->SetPoints(PointsWithRanges(points));
   if (normals)
   {
     KeepRanges(normals.Get());

@@ -10,11 +10,12 @@
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationInformationVectorKey.h"
 #include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 
 #include <cstddef>
 
@@ -43,6 +44,33 @@ void SetRange(vtkInformation* info, vtkInformationDoubleVectorKey* key, double l
   const double range[2] = { low, high };
   info->Set(key, range, 2);
 }
+
+/// Points whose bounds are the ranges of their array.
+class RangedPoints : public vtkPoints
+{
+public:
+  static RangedPoints* New() { VTK_STANDARD_NEW_BODY(RangedPoints); }
+
+  /// As SetData(), which would tell the array that it is modified; it would drop its ranges.
+  void Take(vtkDataArray* positions)
+  {
+    positions->Register(this);
+    this->Data->UnRegister(this);
+    this->Data = positions;
+  }
+
+  void ComputeBounds() override
+  {
+    if (this->GetMTime() > this->ComputeTime)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Data->GetRange(this->Bounds + 2 * axis, axis);
+      }
+      this->ComputeTime.Modified();
+    }
+  }
+};
 
 }
 
@@ -127,6 +155,14 @@ void KeepRanges(vtkDataArray* array)
   }
 }
 
+vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions)
+{
+  KeepRanges(positions);
+  const auto points = vtkSmartPointer<RangedPoints>::New();
+  points->Take(positions);
+  return points;
+}
+
 void KeepRanges(vtkDataObject* data, const Poll& onArray)
 {
   if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
@@ -143,9 +179,9 @@ void KeepRanges(vtkDataObject* data, const Poll& onArray)
   {
     return;
   }
-  if (set->GetPoints())
+  if (set->GetNumberOfPoints() > 0 && !dynamic_cast<RangedPoints*>(set->GetPoints()))
   {
-    KeepRanges(set->GetPoints()->GetData());
+    set->SetPoints(PointsWithRanges(set->GetPoints()->GetData()));
   }
   for (vtkDataSetAttributes* fields :
     { static_cast<vtkDataSetAttributes*>(set->GetPointData()), static_cast<vtkDataSetAttributes*>(set->GetCellData()) })

@@ -6,6 +6,8 @@
 #include "Numerics/Parallel.h"
 #include "Numerics/VectorRange.h"
 
+#include "vtkSmartPointer.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,7 @@
 
 class vtkDataArray;
 class vtkDataObject;
+class vtkPoints;
 
 // ParaView asks each array of each update for its ranges, by component and of its length. VTK finds them once and keeps
 // them with the array, but slowly: for a forest that follows the camera it is most of the time. Here they are found in
@@ -77,6 +80,10 @@ void KeepRanges(vtkDataArray* array, const TupleRanges& ranges);
 
 /// Finds the ranges of an array that is complete, unless they are there.
 void KeepRanges(vtkDataArray* array);
+
+/// Points with these positions, whose ranges it finds unless they are there. They are the bounds of the points, for
+/// which VTK would look through them again.
+vtkSmartPointer<vtkPoints> PointsWithRanges(vtkDataArray* positions);
 
 /// Finds the ranges of all arrays and of the points of data that are complete: points, polygons, blocks of them.
 void KeepRanges(vtkDataObject* data, const Poll& onArray = NoPoll);

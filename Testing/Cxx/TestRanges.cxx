@@ -11,13 +11,18 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -104,6 +109,51 @@ void CheckBentSkins()
   Check(skins > 1, "there are several skins");
 }
 
+bool HasBoundsOf(vtkPoints* points, vtkDataArray* positions)
+{
+  vtkNew<vtkPoints> plain;
+  plain->SetData(positions);
+  return std::equal(plain->GetBounds(), plain->GetBounds() + 6, points->GetBounds());
+}
+
+/// Bounds of points with ranges are those that VTK finds, also after a change; and they are taken from the ranges.
+void CheckBounds()
+{
+  vtkNew<vtkFloatArray> places;
+  Fill(places.Get(), 3, 1000);
+  const auto points = littoral::PointsWithRanges(places);
+  Check(HasBoundsOf(points, places), "bounds of points");
+  places->SetValue(4, 1e6F);
+  places->Modified();
+  Check(HasBoundsOf(points, places), "bounds of changed points");
+  places->SetValue(5, std::numeric_limits<float>::quiet_NaN());
+  places->Modified();
+  Check(HasBoundsOf(points, places), "bounds of points that are not all finite");
+
+  Fill(places.Get(), 3, 10);
+  places->Modified();
+  const double marked = -77.0;
+  const auto mark = [&] {
+    littoral::KeepRanges(places);
+    const double range[2] = { marked, 0.0 };
+    vtkInformationVector* kept = places->GetInformation()->Get(vtkDataArray::PER_COMPONENT());
+    kept->GetInformationObject(0)->Set(vtkDataArray::COMPONENT_RANGE(), range, 2);
+  };
+  mark();
+  Check(littoral::PointsWithRanges(places)->GetBounds()[0] == marked, "bounds are the ranges that are kept");
+
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> plain;
+  plain->SetData(places); // which drops the ranges
+  data->SetPoints(plain);
+  mark();
+  littoral::KeepRanges(data);
+  Check(data->GetPoints()->GetBounds()[0] == marked, "bounds of data are the ranges that are kept");
+  vtkPoints* own = data->GetPoints();
+  littoral::KeepRanges(data);
+  Check(data->GetPoints() == own, "points with ranges stay");
+}
+
 }
 
 int TestRanges(int, char*[])
@@ -151,6 +201,8 @@ int TestRanges(int, char*[])
   doubles->Modified();
   littoral::KeepRanges(doubles);
   Check(!doubles->GetInformation()->Has(vtkDataArray::PER_COMPONENT()), "values that are not finite are VTK's concern");
+
+  CheckBounds();
 
   vtkNew<vtkFloatArray> empty;
   littoral::KeepRanges(empty);
