@@ -65,7 +65,7 @@ public:
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        this->Data->GetRange(this->Bounds + 2 * axis, axis);
+        this->Data->GetRange(&this->Bounds[2 * axis], axis);
       }
       this->ComputeTime.Modified();
     }
