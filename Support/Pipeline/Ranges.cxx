@@ -63,9 +63,11 @@ public:
   {
     if (this->GetMTime() > this->ComputeTime)
     {
+      double* range = this->Bounds;
       for (int axis = 0; axis < 3; ++axis)
       {
-        this->Data->GetRange(&this->Bounds[2 * axis], axis);
+        this->Data->GetRange(range, axis);
+        range += 2;
       }
       this->ComputeTime.Modified();
     }
