@@ -62,6 +62,7 @@ struct MovedSkin
 void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* blocks)
 {
   std::vector<MovedSkin> moved;
+  moved.reserve(skins.size());
   for (const SeaweedSkinBlock& skin : skins)
   {
     moved.emplace_back(skin.Rest);
