@@ -5,8 +5,7 @@
 # off the output.
 set(LITTORAL_COMPLAINTS "ERR\\|;WARN\\|;ERROR:;Warning:;Traceback")
 
-# After this time a test has failed [s]. A machine that others load takes ten times as long as an idle one; what hangs is
-# ended all the same.
+# After this time a test has failed [s]: it ends what hangs, and nothing that is slow on a machine that others load.
 set(LITTORAL_TEST_TIMEOUT 1800)
 
 # Adds a ctest entry, or one for each rank count, for a Python script.

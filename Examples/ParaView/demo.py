@@ -5,8 +5,9 @@
 
     pvbatch demo.py [FOLDER [FRAMES]]
 
-FRAMES: of each film, default 48; 0 for pictures alone. All pictures come before the films. The script reads the elevation model of the Jacksboro fault, Tennessee, fits covariance models to it, grows a
-twin from the best one, and writes into FOLDER (default: a new temporary folder):
+reads the elevation model of the Jacksboro fault, Tennessee, fits covariance models to it, grows
+a twin from the best one, and writes into FOLDER (default: a new temporary folder) first pictures
+and data, then two films of FRAMES frames each (default: 48; 0 for none):
 
     twin-terrain.png   the measured terrain and its twin
     figure2.png        the measured terrain and a fractal field with the paper's fractal dimension
@@ -209,7 +210,7 @@ def main(folder, frames=48):
         progress.begin("filming underwater.ogv: all pictures are there, the films take longer")
         underwater["film"](*scene, folder, frames, progress.film)
         clear()
-        progress.begin("filming walk.ogv")
+        progress.begin("filming walk.ogv")  # its scene is made anew: both at once would take the memory of both
         forest["main"](folder, FILM_SIZE, frames, progress.film)
     progress.begin(f"all written into {folder}")
 

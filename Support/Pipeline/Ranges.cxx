@@ -61,7 +61,11 @@ public:
 
   void ComputeBounds() override
   {
-    if (this->GetMTime() > this->ComputeTime)
+    if (this->GetNumberOfPoints() == 0)
+    {
+      this->vtkPoints::ComputeBounds();
+    }
+    else if (this->GetMTime() > this->ComputeTime)
     {
       double* range = this->Bounds;
       for (int axis = 0; axis < 3; ++axis)

@@ -6,7 +6,7 @@
     report.py PROGRAM... [--quick] [--csv FILE] [--against OLD.csv] [ARGUMENT...]
 
 PROGRAM: of Google Benchmark. Each is run with the ARGUMENTs that begin with --benchmark_, and with --quick for a tenth of
-its usual time. FILE (default: benchmarks.csv) takes the table, OLD.csv is that of an earlier run on the same machine:
+the usual time, unless it has a number of iterations of its own. FILE (default: benchmarks.csv) takes the table, OLD.csv is that of an earlier run on the same machine:
 what takes over 10 % longer is listed, and the exit code is 1. Benchmarks with several threads are judged by real time,
 which a loaded machine spoils, the others by the processor's time.
 """
@@ -97,7 +97,7 @@ def compare(rows, old):
 def main(words):
     parser = argparse.ArgumentParser(prog="./littoral bench", description="Measures the speed.")
     parser.add_argument("programs", nargs="*", help=argparse.SUPPRESS)
-    parser.add_argument("--quick", action="store_true", help="a tenth of the usual time for each benchmark")
+    parser.add_argument("--quick", action="store_true", help="a tenth of the usual time")
     parser.add_argument("--csv", metavar="FILE", default="benchmarks.csv", help="of the table (default: %(default)s)")
     parser.add_argument("--against", metavar="OLD.csv", help="an earlier table: what is slower by more than 10 %%?")
     options, arguments = parser.parse_known_args(words)

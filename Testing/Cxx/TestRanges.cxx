@@ -129,6 +129,9 @@ void CheckBounds()
   places->SetValue(5, std::numeric_limits<float>::quiet_NaN());
   places->Modified();
   Check(HasBoundsOf(points, places), "bounds of points that are not all finite");
+  vtkNew<vtkFloatArray> none;
+  none->SetNumberOfComponents(3);
+  Check(HasBoundsOf(littoral::PointsWithRanges(none), none), "bounds of no points");
 
   Fill(places.Get(), 3, 10);
   places->Modified();

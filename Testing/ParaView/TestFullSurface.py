@@ -4,11 +4,12 @@
 """The representation Full Surface spares work that ParaView does for each frame, and nobody sees it.
 
 Two squares and a line that move: bounds are those of the visible blocks at each time, and the cells that are picked are
-those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips and volumes.
+those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips, ghost cells and volumes.
 """
 
 import numpy as np
 import quick
+from blocks import leaves
 from paraview import servermanager, simple
 
 #: A line and two squares, of two cells each, 1 and 4 times as large, that move to the right by 1 a second; a point that no
@@ -52,6 +53,19 @@ strips.SetInputConnection(triangles.GetOutputPort())
 strips.Update()
 self.GetOutputDataObject(0).ShallowCopy(strips.GetOutput())
 """
+GHOST = """
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+plane, ghosts = vtkPlaneSource(), vtkUnsignedCharArray()
+plane.SetResolution(1, 4)
+plane.Update()
+ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+for cell in range(4):
+    ghosts.InsertNextValue(vtkDataSetAttributes.DUPLICATECELL if cell == 0 else 0)
+plane.GetOutput().GetCellData().AddArray(ghosts)
+self.GetOutputDataObject(0).ShallowCopy(plane.GetOutput())
+"""
 IDS = "vtkOriginalCellIds", "vtkOriginalPointIds"
 
 
@@ -65,13 +79,7 @@ def check_bounds(view, bounds, where):
 
 def drawn(shown):
     """The blocks that a representation draws."""
-    data = shown.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
-    leaf = data.NewIterator()
-    blocks = []
-    while not leaf.IsDoneWithTraversal():
-        blocks.append(leaf.GetCurrentDataObject())
-        leaf.GoToNextItem()
-    return blocks
+    return leaves(shown.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0))
 
 
 def numbers(shown):
@@ -96,15 +104,11 @@ def picked(source, view, column, row):
     extract = simple.ExtractSelection(Input=source)
     extract.Selection = source.GetSelectionInput(0)
     extract.UpdatePipeline()
-    data = servermanager.Fetch(extract)
-    leaf = data.NewIterator()
     found = []
-    while not leaf.IsDoneWithTraversal():
-        block = leaf.GetCurrentDataObject()
+    for block in leaves(servermanager.Fetch(extract)):
         for k in range(block.GetNumberOfCells()):
             corners = block.GetCell(k).GetPoints()
             found.append(tuple(corners.GetPoint(m) for m in range(corners.GetNumberOfPoints())))
-        leaf.GoToNextItem()
     simple.Delete(extract)
     return found
 
@@ -147,6 +151,13 @@ shown = show(strip, view, "Full Surface")
 assert drawn(shown)[0].GetNumberOfPoints() == 10
 assert "vtkOriginalCellIds" in numbers(shown), numbers(shown)
 simple.Delete(strip)
+
+# A ghost cell is not drawn, so the numbers of the cells after it are others than its own.
+ghosts = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=GHOST)
+shown = show(ghosts, view, "Full Surface")
+assert drawn(shown)[0].GetNumberOfCells() == 3, drawn(shown)[0].GetNumberOfCells()
+assert "vtkOriginalCellIds" in numbers(shown), numbers(shown)
+simple.Delete(ghosts)
 
 cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[0, 4, 0, 5, 0, 6]))
 shown = show(cells, view, "Full Surface")

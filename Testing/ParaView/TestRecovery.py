@@ -9,6 +9,7 @@ import hashlib
 import numpy as np
 import quick
 import window
+from blocks import leaves
 from mistakes import MISTAKES, SMALL_WIND, Messages, particles, sites, tree
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -29,18 +30,6 @@ VALID = {
     "WindStatistics": lambda: dict(Input=simple.WindField(**SMALL_WIND)),
 }
 LARGE = {"WindField": SMALL_WIND, "SuspendedParticles": dict(Density=0.1)}
-
-
-def leaves(data):
-    """The data sets and tables in what a filter gives."""
-    if data is None or not data.IsA("vtkCompositeDataSet"):
-        return [] if data is None else [data]
-    iterator = data.NewIterator()
-    found = []
-    while not iterator.IsDoneWithTraversal():
-        found += leaves(iterator.GetCurrentDataObject())
-        iterator.GoToNextItem()
-    return found
 
 
 def digest(proxy):

@@ -29,11 +29,12 @@ namespace
 
 using LeafFunction = std::function<bool(vtkDataObject*)>;
 
-/// Calls a function with each leaf of a tree that is visible, or with data that are none; ends when it returns false.
+/// Calls a function with each visible leaf of a tree, or with data that are no tree; ends when it returns false.
+/// Without attributes all are visible.
 bool EachVisible(vtkDataObject* data, const vtkCompositeDataDisplayAttributes* attributes, const LeafFunction& function,
-  bool isVisible)
+  bool isVisible = true)
 {
-  if (attributes->HasBlockVisibility(data))
+  if (attributes && attributes->HasBlockVisibility(data))
   {
     isVisible = attributes->GetBlockVisibility(data);
   }
@@ -57,10 +58,9 @@ bool IsItsOwnSurface(vtkDataObject* data)
 {
   const auto isOwn = [](vtkDataObject* leaf) {
     auto* surface = vtkPolyData::SafeDownCast(leaf);
-    return surface && surface->GetNumberOfStrips() == 0;
+    return surface && surface->GetNumberOfStrips() == 0 && !surface->HasAnyGhostCells();
   };
-  vtkNew<vtkCompositeDataDisplayAttributes> allVisible;
-  return data && EachVisible(data, allVisible, isOwn, true);
+  return data && EachVisible(data, nullptr, isOwn);
 }
 
 }
@@ -134,7 +134,7 @@ void vtkFullSurfaceRepresentation::TakeBoundsOfPoints()
     }
     return surface != nullptr;
   };
-  if (EachVisible(data, attributes, add, true))
+  if (EachVisible(data, attributes, add))
   {
     bounds.GetBounds(this->VisibleDataBounds);
     this->VisibleDataBoundsTime.Modified();

@@ -14,7 +14,7 @@
  *
  * Two things that ParaView does anew for each frame of moving data are spared. Bounds are those of the points, where
  * vtkGeometryRepresentation looks for the points that cells use; and where all blocks are polygonal data without
- * strips, cells and points are not given the numbers of those they came from, which are their own.
+ * strips and ghost cells, cells and points are not given the numbers of those they came from, which are their own.
  */
 #ifndef vtkFullSurfaceRepresentation_h
 #define vtkFullSurfaceRepresentation_h
