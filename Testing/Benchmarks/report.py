@@ -47,7 +47,8 @@ def measure(program, arguments):
         if ran.returncode:
             raise ValueError(f"{name}: ended with {ran.returncode}")
         with open(out) as file:
-            return rows_of(name, json.load(file))
+            written = file.read()
+        return rows_of(name, json.loads(written)) if written else []  # none fits --benchmark_filter
 
 
 def write_table(rows, filename):
@@ -111,6 +112,8 @@ def main(words):
     for program in options.programs:
         print(f"{os.path.basename(program)}:", flush=True)
         rows += measure(program, arguments)
+    if not rows:
+        raise ValueError("no benchmark fits")
     write_table(rows, options.csv)
     print(f"{len(rows)} benchmarks: {options.csv}")
     if not options.against:

@@ -16,8 +16,10 @@ PROGRAM = """#!{python}
 import json, sys
 words = dict(word.split("=", 1) for word in sys.argv[1:])
 results = json.load(open(__file__ + ".json"))
-results["benchmarks"][0]["label"] = words.get("--benchmark_min_time", "usual")
-json.dump(results, open(words["--benchmark_out"], "w"))
+with open(words["--benchmark_out"], "w") as out:
+    if results["benchmarks"]:
+        results["benchmarks"][0]["label"] = words.get("--benchmark_min_time", "usual")
+        json.dump(results, out)
 sys.exit(results.get("exit", 0))
 """
 
@@ -99,6 +101,12 @@ class Benchmarks(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr, done.stdout), (1, f"bench: {words}\n", ""))
         self.assertIn("No such file", self.report([], "--against", "none.csv").stderr)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "benchmarks.csv")))
+
+    def test_a_filter_that_nothing_fits_leaves_the_old_table(self):
+        self.report([result("Swell", 1.0)])
+        done = self.report([], "--benchmark_filter=Surf")
+        self.assertEqual((done.returncode, done.stderr), (1, "bench: no benchmark fits\n"))
+        self.assertEqual(self.table()[0][3], "1")
 
     def test_an_unknown_option_is_refused(self):
         done = self.report([result("Swell", 1.0)], "--fast")
