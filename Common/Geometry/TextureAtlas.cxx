@@ -36,12 +36,6 @@ void CopyWithBorder(const TextureImage& from, int columns, int rows, int firstRo
 
 }
 
-std::array<double, 2> AtlasArea::Map(double u, double v) const
-{
-  return { this->Corner[0] + this->Size[0] * std::clamp(u, 0.0, 1.0),
-    this->Corner[1] + this->Size[1] * std::clamp(v, 0.0, 1.0) };
-}
-
 std::array<long long, 2> AtlasSize(const std::vector<std::array<int, 2>>& sizes)
 {
   std::array<long long, 2> all{ 0, 0 };

@@ -5,6 +5,7 @@
 
 #include "Geometry/TextureImage.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct AtlasArea
   double Size[2] = { 1.0, 1.0 };
 
   /// Coordinates in the texture, drawn to its edge where they are outside, as coordinates in the atlas.
-  std::array<double, 2> Map(double u, double v) const;
+  std::array<double, 2> Map(double u, double v) const
+  {
+    return { this->Corner[0] + this->Size[0] * std::clamp(u, 0.0, 1.0),
+      this->Corner[1] + this->Size[1] * std::clamp(v, 0.0, 1.0) };
+  }
 };
 
 /// Textures one above the other, the first at the foot, so that one picture serves all. Each has a border that repeats

@@ -47,19 +47,26 @@ std::vector<JointChange> ChangesAt(const SwaySpecies& species, double time, Plan
   return changes;
 }
 
+/// The leaves of a prototype.
+std::vector<FlutteringLeaf> FlutteringLeaves(const SwaySpecies& species, const LeafFlutter& flutter)
+{
+  std::vector<FlutteringLeaf> leaves;
+  for (const LeafCorners& leaf : species.Leaves)
+  {
+    leaves.push_back(flutter.Leaf(leaf.Corners, 0, leaves.size()));
+  }
+  return leaves;
+}
+
 /// Moves the leaves' points to a time [s].
 void MoveLeaves(const SwaySpecies& species, const RestSkin& skin, double time, PlantSway& sway,
-  const SwaySettings& settings, PlantMesh& mesh)
+  const SwaySettings& settings, const LeafFlutter& flutter, std::vector<FlutteringLeaf>& leaves, PlantMesh& mesh)
 {
   const std::vector<JointChange> changes = ChangesAt(species, time, sway, settings.Options.NumberOfModes);
   std::vector<float> points(3 * mesh.Points.size());
   MoveSkin(skin, changes.data(), 0, mesh.Points.size(), points.data(), nullptr);
-  const Vector3 wind = sway.Wind(time);
-  const LeafFlutter flutter(settings.Leaves);
-  for (std::size_t leaf = 0; leaf < species.Leaves.size(); ++leaf)
-  {
-    TurnLeaf(species.Leaves[leaf].Corners, wind, flutter.At(leaf, time), settings.Leaves, points.data(), nullptr);
-  }
+  const LeafWind wind = LeafWindOf(sway.Wind(time), settings.Leaves);
+  TurnLeaves(flutter, flutter.MomentOf(time), &wind, 0, leaves.size(), leaves.data(), points.data(), nullptr);
   for (std::size_t point = 0; point < mesh.Points.size(); ++point)
   {
     mesh.Points[point] = { points[3 * point], points[3 * point + 1], points[3 * point + 2] };
@@ -80,13 +87,15 @@ std::vector<TextureImage> CrownPictures(const SwaySpecies& species, const CrownM
   const SwayOptions options = settings.With(species.Wood);
   PlantSway sway(BeamsOf(species.Rest, species.LeafAreas, options), options, wind.GetTimes(), middle, wind.Over(0.0));
   const TextureImage* texture = crown.LeafTexture.Texels.empty() ? nullptr : &crown.LeafTexture;
+  const LeafFlutter flutter(settings.Leaves);
+  std::vector<FlutteringLeaf> fluttering = FlutteringLeaves(species, flutter);
   PlantMesh leaves = crown.Leaves;
   for (int picture = 0; picture < settings.Pictures; ++picture)
   {
     if (settings.Pictures > 1)
     {
-      MoveLeaves(
-        species, crown.LeafSkin, picture / (settings.Pictures * species.SwingFrequency), sway, settings, leaves);
+      const double time = picture / (settings.Pictures * species.SwingFrequency);
+      MoveLeaves(species, crown.LeafSkin, time, sway, settings, flutter, fluttering, leaves);
     }
     pictures.push_back(
       CylindricalProjection({ leaves, texture }, *crown.Volume, settings.TextureSize[0], settings.TextureSize[1]));

@@ -17,18 +17,25 @@ namespace
 constexpr int NotMet = -2;
 constexpr int StandsStill = -1;
 
+/// The settings, with the wind's period as that of the leaves.
+SwaySettings InWind(SwaySettings settings, const FrozenWind& wind)
+{
+  settings.Leaves.Period = wind.GetTimes().Period();
+  return settings;
+}
+
 }
 
 SwayScene::SwayScene(const SwaySettings& settings, std::shared_ptr<const FrozenWind> wind,
   std::vector<PlantPlace> places, std::vector<SwaySpecies> species)
-  : Settings(settings)
+  : Settings(InWind(settings, *wind))
   , Wind(std::move(wind))
   , Places(std::move(places))
   , Species(std::move(species))
   , Frequencies(this->Places.size(), 0.0)
   , TrunkOfRow(this->Places.size(), NotMet)
+  , Flutter(this->Settings.Leaves)
 {
-  this->Settings.Leaves.Period = this->Wind->GetTimes().Period();
 }
 
 const SwaySpecies* SwayScene::SpeciesOf(int row) const
@@ -46,7 +53,7 @@ SwayOptions SwayScene::OptionsOf(int row) const
 double SwayScene::BytesOf(std::size_t nodes, std::size_t leaves)
 {
   return static_cast<double>(nodes) * (sizeof(SkeletonNode) + sizeof(JointPose) + sizeof(JointChange)) +
-    static_cast<double>(leaves) * sizeof(Leaf);
+    static_cast<double>(leaves) * sizeof(FlutteringLeaf);
 }
 
 std::vector<BranchBeam> SwayScene::BeamsOf(int row, const Skeleton& rest, const std::vector<double>& leafAreas) const
@@ -82,7 +89,7 @@ void SwayScene::AddLeaf(const std::array<int, 4>& corners, int plant, std::uint6
 {
   const bool isFirst = this->Leaves.empty() || this->Leaves.back().Plant != plant;
   this->LeafOfPlant = isFirst ? 0 : this->LeafOfPlant + 1;
-  this->Leaves.push_back({ corners, plant, (identity << 32) + this->LeafOfPlant });
+  this->Leaves.push_back(this->Flutter.Leaf(corners, plant, (identity << 32) + this->LeafOfPlant));
 }
 
 std::string SwayScene::FindTrunk(int row, int& plant)
@@ -156,7 +163,7 @@ void SwayScene::Pose(std::size_t index, std::vector<Vector3>& amplitudes)
   amplitudes.resize(plant.Branches * static_cast<std::size_t>(this->Settings.Options.NumberOfModes));
   plant.Sway->Amplitudes(this->Time, amplitudes.data());
   plant.Motion->Pose(amplitudes.data(), &this->Poses[plant.FirstJoint]);
-  this->Winds[index] = plant.Sway->Wind(this->Time);
+  this->Winds[index] = LeafWindOf(plant.Sway->Wind(this->Time), this->Settings.Leaves);
   const std::size_t last = plant.FirstJoint + plant.Motion->GetNumberOfJoints();
   for (std::size_t node = plant.FirstJoint; node < last; ++node)
   {
@@ -164,15 +171,10 @@ void SwayScene::Pose(std::size_t index, std::vector<Vector3>& amplitudes)
   }
 }
 
-void SwayScene::TurnLeaves(std::size_t begin, std::size_t end, float* points, float* normals) const
+void SwayScene::TurnLeaves(std::size_t begin, std::size_t end, float* points, float* normals)
 {
-  const LeafFlutter flutter(this->Settings.Leaves);
-  for (std::size_t index = begin; index < end; ++index)
-  {
-    const Leaf& leaf = this->Leaves[index];
-    TurnLeaf(leaf.Corners, this->Winds[leaf.Plant], flutter.At(leaf.Identity, this->Time), this->Settings.Leaves,
-      points, normals);
-  }
+  littoral::TurnLeaves(this->Flutter, this->Flutter.MomentOf(this->Time), this->Winds.data(), begin, end,
+    this->Leaves.data(), points, normals);
 }
 
 void SwayScene::ShowPictures(std::size_t vertices, float* tcoords, const ParallelFor& parallel) const
@@ -187,14 +189,14 @@ void SwayScene::ShowPictures(std::size_t vertices, float* tcoords, const Paralle
       const SwaySpecies& species = this->Species[crown.Species];
       const int picture = CrownPictureAt(this->Time - crown.Arrival, species.SwingFrequency, period, pictures);
       const AtlasArea& area = this->Areas[crown.Species * pictures + picture];
-      for (std::size_t point = crown.First; point < last; ++point)
+      const std::size_t known = std::min(last - crown.First, species.CrownTCoords.size());
+      for (std::size_t vertex = 0; vertex < last - crown.First; ++vertex)
       {
-        const std::size_t vertex = point - crown.First;
         const std::array<double, 2> own =
-          vertex < species.CrownTCoords.size() ? species.CrownTCoords[vertex] : std::array<double, 2>{ 0.5, 0.5 };
+          vertex < known ? species.CrownTCoords[vertex] : std::array<double, 2>{ 0.5, 0.5 };
         const std::array<double, 2> at = area.Map(own[0], own[1]);
-        tcoords[2 * point] = static_cast<float>(at[0]);
-        tcoords[2 * point + 1] = static_cast<float>(at[1]);
+        tcoords[2 * (crown.First + vertex)] = static_cast<float>(at[0]);
+        tcoords[2 * (crown.First + vertex) + 1] = static_cast<float>(at[1]);
       }
     }
   });

@@ -83,7 +83,8 @@ public:
   Vector3 JointPosition(std::size_t node) const { return this->Rest.Nodes[node].Position + this->Poses[node].Shift; }
 
   /// Turns the leaves [begin, end) of skins that MoveSkin has moved, at the time of MoveTo.
-  void TurnLeaves(std::size_t begin, std::size_t end, float* points, float* normals) const;
+  /// Ranges that do not overlap may be turned at once.
+  void TurnLeaves(std::size_t begin, std::size_t end, float* points, float* normals);
 
   /// Texture coordinates of all crowns' vertices at the time of MoveTo. The pictures of a crown are delayed by the
   /// arrival time of the wind at its foot.
@@ -97,12 +98,6 @@ private:
     std::size_t Branches = 0;
     std::unique_ptr<PlantMotion> Motion;
     std::unique_ptr<PlantSway> Sway;
-  };
-  struct Leaf
-  {
-    std::array<int, 4> Corners{};
-    int Plant = 0;
-    std::uint64_t Identity = 0;
   };
   struct Crown
   {
@@ -119,14 +114,15 @@ private:
   std::vector<double> Frequencies;
   std::vector<int> TrunkOfRow;
   std::vector<SwayingPlant> Plants;
-  std::vector<Leaf> Leaves;
+  LeafFlutter Flutter;
+  std::vector<FlutteringLeaf> Leaves;
   std::uint64_t LeafOfPlant = 0; // the last leaf's number in its plant
   std::vector<Crown> Crowns;
   std::vector<AtlasArea> Areas;
   double Time = 0.0;
   std::vector<JointPose> Poses;
   std::vector<JointChange> Changes;
-  std::vector<Vector3> Winds; // at each plant
+  std::vector<LeafWind> Winds; // at each plant
 
   const SwaySpecies* SpeciesOf(int row) const;
   SwayOptions OptionsOf(int row) const;

@@ -168,8 +168,6 @@ def draw(folder):
     landscape.show_shadows(homes, view)
     landscape.show_plants(sway, view)
     sway.UpdatePipeline(TIME)
-    for part in landscape.TEXTURED_PARTS:
-        landscape.show_textured(sway, view, part, os.path.join(folder, part.split("/")[-1].lower() + ".png"))
     simple.Render(view)
     table = forest.GetFieldDataInformation()
     print(trees.GetNumberOfPoints(), "trees;", *(

@@ -145,12 +145,8 @@ def build(folder, view):
     landscape.show_shadows(shadows, view)
     blades = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
     blades.Ambient, blades.Diffuse = 0.75, 0.45  # translucency
-    landscape.show_plants(sway, view)
-    simple.UpdatePipeline(proxy=sway)
-    for part in landscape.TEXTURED_PARTS:
-        moves = part != "/Root/Low"  # what does not is not made again for each frame
-        landscape.show_textured(
-            sway if moves else forest, view, part, file(part.split("/")[-1].lower() + ".png"))
+    landscape.show_plants(sway, view, landscape.PLANT_PARTS[:-1])
+    landscape.show_plants(forest, view, landscape.PLANT_PARTS[-1:])  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):
         landscape.save_volume(os.path.join(folder, "wind.vdb"), wind)
     return country

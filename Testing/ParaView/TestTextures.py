@@ -162,8 +162,20 @@ def check_shaders(view, shown):
     seen = picture(view)
     for x in (1.0, 3.3, 7.0):
         near(at(seen, x), (25.5 * x, 0, 0), f"the shader of the block at {x}")
+    # What follows the step of the texture gets the color with the texture; what takes its place, without.
+    for kept, expected in (("//VTK::TCoord::Impl\n", (100, 50, 0)), ("", (50, 100, 100))):
+        shown.ShaderReplacements = json.dumps([{
+            "type": "fragment", "original": "//VTK::TCoord::Impl",
+            "replacement": kept + "  gl_FragData[0] = vec4(0.5 * gl_FragData[0].r, gl_FragData[0].gb, 1.0);"}])
+        seen = picture(view)
+        near(at(seen, 3.3), expected, f"a shader after '{kept.strip()}'")
+        near(at(seen, 4.7), (0, 0, 255), f"a transparent texel with a shader after '{kept.strip()}'")
+        near(at(seen, 1.0), (100, 100, 50), f"no texture, with a shader after '{kept.strip()}'")
     shown.ShaderReplacements, shown.UseShaderReplacements = "", 0
     near(at(picture(view), 3.3), (200, 50, 0), "the shader of the representation again")
+    shown.Opacity = 0.4
+    near(at(picture(view), 3.3), (200, 50, 0), "a texture that cuts out is opaque")
+    shown.Opacity = 1.0
 
 
 def check_picking(view, squares, shown, where):

@@ -20,6 +20,7 @@
 #endif
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace littoral
@@ -41,9 +42,17 @@ constexpr const char* NormalsName = "NormalTexture";
 /// The name by which VTK's mappers declare a texture of normals, and multiply no color with it.
 constexpr const char* NormalsUniform = "normalTex";
 
-/// Cut-out: c = c_surface texel / mean where alpha >= 0.5.
+// Where VTK's fragment shader takes the texture, the normal and the light. The light comes between the others.
+constexpr const char* ColorStep = "//VTK::TCoord::Impl";
+constexpr const char* NormalStep = "//VTK::Normal::Impl";
+constexpr const char* LightStep = "//VTK::Light::Impl";
+
+/// Cut-out: alpha >= 0.5, before the light is computed for nothing.
+constexpr const char* CutOutCode = "  if (texture(actortexture, tcoordVCVSOutput).a < 0.5) discard;\n"
+                                   "//VTK::Light::Impl\n";
+
+/// c = c_surface texel / mean.
 constexpr const char* ColorCode = "//VTK::TCoord::Impl\n"
-                                  "  if (gl_FragData[0].a < 0.5) discard;\n"
                                   "  gl_FragData[0] = vec4(gl_FragData[0].rgb / textureMean, 1.0);\n";
 
 /// Leaves let light through: their normal is the same on both sides, while VTK turns it to the viewer.
@@ -205,7 +214,8 @@ void BlockActor::TakeTexture(vtkDataObject* block, vtkShaderProperty* given, boo
 }
 
 //----------------------------------------------------------------------------
-/// Any change of the replacements builds the shader anew. Those of the representation come last.
+/// Any change of the replacements builds the shader anew. VTK keeps one replacement a step: where a user gives one for
+/// a step of ours, ours takes the place of what is replaced in it, and without that the user's alone holds.
 void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
 {
   const vtkMTimeType time = given->GetNumberOfShaderReplacements() > 0 ? given->GetShaderMTime() : 0;
@@ -215,16 +225,20 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
   }
   this->Shaded = shading;
   this->GivenTime = time;
-  vtkShaderProperty* shader = this->Actor->GetShaderProperty();
-  shader->ClearAllShaderReplacements();
+  std::map<std::string, std::string> own; // code by step
   if (shading != Shading::Plain)
   {
-    shader->AddFragmentShaderReplacement("//VTK::TCoord::Impl", true, ColorCode, false);
+    own = { { LightStep, CutOutCode }, { ColorStep, ColorCode } };
   }
   if (shading == Shading::Texture || shading == Shading::TextureWithNormals)
   {
-    const char* normals = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
-    shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, normals, false);
+    own[NormalStep] = shading == Shading::TextureWithNormals ? NormalCode : BothSidesCode;
+  }
+  vtkShaderProperty* shader = this->Actor->GetShaderProperty();
+  shader->ClearAllShaderReplacements();
+  for (const auto& [step, code] : own)
+  {
+    shader->AddFragmentShaderReplacement(step, true, code, false);
   }
   for (int k = 0; k < given->GetNumberOfShaderReplacements(); ++k)
   {
@@ -238,6 +252,12 @@ void BlockActor::SetShading(Shading shading, vtkShaderProperty* given)
     }
     else if (stage == "Fragment")
     {
+      const auto ours = own.find(name);
+      const std::size_t place = code.find(name);
+      if (isFirst && ours != own.end() && place != std::string::npos)
+      {
+        code.replace(place, name.size(), ours->second);
+      }
       shader->AddFragmentShaderReplacement(name, isFirst, code, isAll);
     }
     else if (stage == "Geometry")

@@ -369,7 +369,15 @@ TEST(SwayScene, LeavesFlutterAloneAndRestInCalm)
     WindAlong().Formula());
   wind = sway.Wind(4.2);
   std::vector<float> expected = rest;
-  TurnLeaf(corners, wind, LeafFlutter(leaves).At(std::uint64_t(55) << 32, 4.2), leaves, expected.data(), nullptr);
+  const Vector3 foot(rest[0], rest[1], rest[2]);
+  const glm::dquat turn = LeafRotation({ { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } }, LeafWindOf(wind, leaves),
+    LeafFlutter(leaves).At(std::uint64_t(55) << 32, 4.2));
+  for (std::size_t corner = 0; corner < 4; ++corner)
+  {
+    float* p = &expected[3 * corner];
+    const Vector3 at = foot + Rotated(turn, Vector3(p[0], p[1], p[2]) - foot);
+    std::copy_n(&at.x, 3, p);
+  }
   for (std::size_t i = 0; i < 12; ++i)
   {
     EXPECT_NEAR(alone[i], expected[i], 1e-6f);
