@@ -29,5 +29,18 @@ def connected(port, ranks=1):
         simple.Disconnect()
         simple.Connect()  # else the end of pvpython writes to the closed socket
     finally:
+        end(server)
+
+
+def end(server):
+    """A server ends when its client leaves. SIGTERM on its way out can find it within malloc, where the handler that
+    ParaView sets waits for ever; so what does not end is killed, the ranks of mpirun by mpirun."""
+    try:
+        server.wait(timeout=30)
+    except subprocess.TimeoutExpired:
         server.terminate()
-        server.wait()
+        try:
+            server.wait(timeout=10)
+        except subprocess.TimeoutExpired:
+            server.kill()
+            server.wait()
