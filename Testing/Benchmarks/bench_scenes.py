@@ -1,47 +1,164 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Frames of the scenes in ParaView.
+"""Frames of a scene in ParaView, and where their time goes.
 
-    build/bin/littoral-env xvfb-run -a pvpython Testing/Benchmarks/bench_scenes.py
+    build/bin/littoral-env --display pvpython Testing/Benchmarks/bench_scenes.py SCENE [FRAMES [FILE.json]]
 
-For each scene, one line: seconds from the entry to its first picture, and pictures a second, by the median of twelve: of
-steps of 1/12 s, or, where nothing moves, of turns of the camera by 1 degree.
+SCENE: forest or underwater, the examples of Examples/ParaView; or an entry of Sources > Littoral, such as SwayingForest.
+Each of the FRAMES (default: 12) is a step of 1/12 s, or, where nothing moves, a turn of the camera by 1 degree: first the
+pipeline is updated, then the picture is drawn. Printed, or written as JSON, are means of wall and processor time [s] of
+both, and what of the update is spent in Littoral's algorithms, in other ones, and outside of any; the wall time until the
+first picture [s], and the most memory of the process [MB].
 """
 
-import statistics
+import json
+import os
+import resource
+import runpy
+import sys
+import tempfile
 import time
 
+import numpy as np
 from paraview import simple
 
-SIZE = [640, 400]  # of the view [pixels]
-SCENES = {"Forest": False, "SwayingForest": True, "Sea": True, "Underwater": True, "TwinOfAPlace": False}  # moves?
+import littoral
+
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "ParaView")
+#: Entries of the menu, and whether each moves.
+ENTRIES = {"Forest": False, "SwayingForest": True, "Sea": True, "Underwater": True, "TwinOfAPlace": False}
+ENTRY_SIZE, EXAMPLE_SIZE = [640, 400], [960, 540]  # of the view [pixels]
+RATE = 12.0  # frames a second of the scene's own time
 
 
-def seconds(render):
-    begin = time.perf_counter()
-    render()
-    return time.perf_counter() - begin
+def now():
+    """Wall and processor time [s]."""
+    return np.array((time.perf_counter(), time.process_time()))
 
 
-def show(name):
+def spent(work):
+    """Time of some work [s]."""
+    begin = now()
+    work()
+    return now() - begin
+
+
+class Stopwatch:
+    """Time in algorithms, by kind: each counts what it does itself, without the algorithms that it runs."""
+
+    def __init__(self, watched):
+        self.spent = {"in Littoral": np.zeros(2), "in other algorithms": np.zeros(2)}
+        self.running = []
+        self.since = now()
+        for algorithm in watched:
+            kind = "in Littoral" if hasattr(littoral, algorithm.GetClassName()) else "in other algorithms"
+            algorithm.AddObserver("StartEvent", lambda *_, kind=kind: self.turn(lambda: self.running.append(kind)))
+            algorithm.AddObserver("EndEvent", lambda *_: self.turn(self.running.pop))
+
+    def turn(self, change):
+        """Give the time since the last turn to the algorithm that was running."""
+        if self.running:
+            self.spent[self.running[-1]] += now() - self.since
+        change()
+        self.since = now()
+
+
+def algorithms(view):
+    """All sources and filters, and what shows them."""
+    found = set()
+    for proxy in [*simple.GetSources().values(), *view.Representations]:
+        made = proxy.SMProxy.GetClientSideObject()
+        found.add(made)
+        if hasattr(made, "GetActiveRepresentation"):
+            found.add(made.GetActiveRepresentation())
+    return [made for made in found if made and made.IsA("vtkAlgorithm")]
+
+
+def of_entry(name):
+    """Shows an entry; returns its view and what makes a step."""
     view = simple.CreateView("RenderView")
-    view.ViewSize = SIZE
+    view.ViewSize = ENTRY_SIZE
     simple.SetActiveView(view)
     simple.Show(getattr(simple, name)(), view)
+
+    def step(number):
+        if ENTRIES[name]:
+            view.ViewTime = number / RATE
+        else:
+            view.GetActiveCamera().Azimuth(1.0)
+
+    return view, step
+
+
+def of_forest(functions, folder):
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = EXAMPLE_SIZE
+    country = functions["build"](folder, view)
+    functions["plan_walk"](country, view, 120)
+
+    def step(number):
+        functions["look"](country, view, number / 120.0)
+        view.ViewTime = number / RATE
+
+    return view, step
+
+
+def of_underwater(functions, folder):
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = EXAMPLE_SIZE
+    shaded = functions["build"](folder, view)
+
+    def step(number):
+        view.ViewTime = functions["TIME"] + number / RATE
+        for shown in shaded:
+            functions["underwater"].set_time(shown, view.ViewTime)
+
+    return view, step
+
+
+#: Each example, and what shows it: returns its view and what makes a step.
+EXAMPLES = {"forest": of_forest, "underwater": of_underwater}
+
+
+def of_example(name, folder):
+    """Builds an example, with files in a folder."""
+    simple._DisableFirstRenderCameraReset()
+    return EXAMPLES[name](runpy.run_path(os.path.join(FOLDER, f"{name}.py"), run_name=name), folder)
+
+
+def update(view):
+    """What a picture does before it is drawn: cameras are followed, and all that is shown is brought up to date."""
+    view.SMProxy.InvokeEvent("StartEvent")
+    view.SMProxy.Update()
+
+
+def measure(name, frames, folder):
+    """Times and memory of a scene, whose files go into a folder."""
+    begin = now()
+    view, step = of_entry(name) if name in ENTRIES else of_example(name, folder)
     simple.Render(view)
+    first = now() - begin
+    watch = Stopwatch(algorithms(view))
+    updates, renders = np.zeros(2), np.zeros(2)
+    for number in range(1, frames + 1):
+        step(number)
+        updates += spent(lambda: update(view))
+        renders += spent(view.SMProxy.StillRender)
+    parts = {"update": updates, **watch.spent, "outside of any": updates - sum(watch.spent.values()), "render": renders}
+    return {"scene": name, "first picture": first[0], "frame": {part: list(all / frames) for part, all in parts.items()},
+            "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0}
 
 
-def step(moves, number):
-    view = simple.GetActiveView()
-    if moves:
-        view.ViewTime = number / 12.0
+def main(name, frames="12", filename=None):
+    if name not in ENTRIES and name not in EXAMPLES:
+        sys.exit(f"bench_scenes: there is no scene {name}; there are {', '.join([*EXAMPLES, *ENTRIES])}")
+    with tempfile.TemporaryDirectory() as folder:
+        text = json.dumps(measure(name, int(frames), folder), indent=1)
+    if filename:
+        with open(filename, "w") as file:
+            file.write(text)
     else:
-        view.GetActiveCamera().Azimuth(1.0)
-    simple.Render(view)
+        print(text)
 
 
-for name, moves in SCENES.items():
-    first = seconds(lambda: show(name))
-    frame = statistics.median(seconds(lambda: step(moves, number)) for number in range(1, 13))
-    print(f"{name:14s} first picture {first:4.1f} s, {1.0 / frame:4.1f} pictures a second", flush=True)
-    simple.ResetSession()
+main(*sys.argv[1:])

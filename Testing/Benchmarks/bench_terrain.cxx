@@ -7,6 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <thread>
@@ -27,10 +28,10 @@ TurningBandsParameters Exponential(int lines = 64)
   return parameters;
 }
 
-GridWindow Square()
+GridWindow Square(int side = Size)
 {
   GridWindow window;
-  window.Last = { Size - 1, Size - 1 };
+  window.Last = { side - 1, side - 1 };
   return window;
 }
 
@@ -59,10 +60,10 @@ void Tabulate(TurningBandsField& field, int threads)
   });
 }
 
-void Fill(const TurningBandsField& field, int threads, std::vector<float>& values)
+void Fill(const TurningBandsField& field, int threads, std::vector<float>& values, int side = Size)
 {
-  OnThreads(threads, Size, [&](std::size_t begin, std::size_t end) {
-    field.FillRows(static_cast<int>(begin), static_cast<int>(end) - 1, 1.0, 0.0, values.data() + begin * Size);
+  OnThreads(threads, side, [&](std::size_t begin, std::size_t end) {
+    field.FillRows(static_cast<int>(begin), static_cast<int>(end) - 1, 1.0, 0.0, values.data() + begin * side);
   });
 }
 
@@ -141,42 +142,52 @@ BENCHMARK(CopySameBytes)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void FillPoints(benchmark::State& state)
 {
-  TurningBandsField field(Exponential(), PlaneGrid{}, Square());
+  const int side = static_cast<int>(std::lround(std::sqrt(state.range(1))));
+  TurningBandsField field(Exponential(), PlaneGrid{}, Square(side));
   Tabulate(field, 1);
-  std::vector<float> values(Size * Size);
+  std::vector<float> values(static_cast<std::size_t>(side) * side);
   for (auto _ : state)
   {
-    Fill(field, static_cast<int>(state.range(0)), values);
+    Fill(field, static_cast<int>(state.range(0)), values, side);
     benchmark::DoNotOptimize(values.data());
   }
-  state.SetBytesProcessed(state.iterations() * 64ll * Size * Size * sizeof(float));
+  state.SetBytesProcessed(state.iterations() * 64ll * side * side * sizeof(float));
 }
-BENCHMARK(FillPoints)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(FillPoints)
+  ->ArgNames({ "threads", "size" })
+  ->ArgsProduct({ { 1, 2 }, { 256 * 256, 512 * 512, Size* Size } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 
-GridSamples Terrain()
+GridSamples Terrain(int side = Size)
 {
-  TurningBandsField field(Exponential(), PlaneGrid{}, Square());
+  TurningBandsField field(Exponential(), PlaneGrid{}, Square(side));
   Tabulate(field, 1);
-  std::vector<float> values(Size * Size);
-  Fill(field, 1, values);
+  std::vector<float> values(static_cast<std::size_t>(side) * side);
+  Fill(field, 1, values, side);
   GridSamples samples;
-  samples.Width = samples.Height = Size;
+  samples.Width = samples.Height = side;
   samples.Values.assign(values.begin(), values.end());
   return samples;
 }
 
 void MeasureVariogram(benchmark::State& state)
 {
-  const GridSamples samples = Terrain();
   const int threads = static_cast<int>(state.range(0));
+  const int side = static_cast<int>(std::lround(std::sqrt(state.range(1))));
+  const GridSamples samples = Terrain(side);
   for (auto _ : state)
   {
     const VariogramMap map = ComputeVariogramMap(
-      samples, 0.5 * Size, [=](std::size_t count, const RangeTask& task) { OnThreads(threads, count, task); });
-    benchmark::DoNotOptimize(BinVariogram(map, 0.5 * Size, 40, 12));
+      samples, 0.5 * side, [=](std::size_t count, const RangeTask& task) { OnThreads(threads, count, task); });
+    benchmark::DoNotOptimize(BinVariogram(map, 0.5 * side, 40, 12));
   }
 }
-BENCHMARK(MeasureVariogram)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeasureVariogram)
+  ->ArgNames({ "threads", "size" })
+  ->ArgsProduct({ { 1, 2 }, { 256 * 256, Size* Size } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 
 void FitSevenModels(benchmark::State& state)
 {

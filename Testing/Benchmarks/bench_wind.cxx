@@ -109,6 +109,6 @@ void AtAPlace(benchmark::State& state)
     benchmark::DoNotOptimize(velocities.data());
   }
 }
-BENCHMARK(AtAPlace)->Arg(600)->Arg(12000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(AtAPlace)->ArgName("size")->Arg(600)->Arg(12000)->Unit(benchmark::kMicrosecond);
 
 }

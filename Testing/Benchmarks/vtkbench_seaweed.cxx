@@ -129,7 +129,7 @@ void StepForest(benchmark::State& state)
   state.counters["step"] =
     benchmark::Counter(static_cast<double>(step), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(StepForest)->Arg(300)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(StepForest)->ArgName("size")->Arg(300)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// What a step cannot go below: to read what it knows of segments, and to read and write their states and poses.
 void StepMemory(benchmark::State& state)
@@ -154,7 +154,7 @@ void StepMemory(benchmark::State& state)
     benchmark::ClobberMemory();
   }
 }
-BENCHMARK(StepMemory)->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(StepMemory)->ArgName("size")->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// Pictures of 300 seaweeds with skins: 0 procedural, 1 physical with a step each.
 void Pictures(benchmark::State& state)

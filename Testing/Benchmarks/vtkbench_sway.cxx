@@ -97,6 +97,7 @@ BENCHMARK(SwayForest)
   ->Args({ 1, 60 })
   ->Args({ 2, 60 })
   ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
   ->UseRealTime()
   ->Iterations(200);
 

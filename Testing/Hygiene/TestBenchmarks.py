@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report of benchmarks: the times of programs as a table, and what became slower."""
+"""The report of benchmarks: times of programs as a table, shares of limits, cost over size, frames, what is slower."""
 
 import csv
 import json
@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks", "report.py")
 #: A program that writes what Google Benchmark writes, its arguments among it.
@@ -18,9 +19,17 @@ words = dict(word.split("=", 1) for word in sys.argv[1:])
 results = json.load(open(__file__ + ".json"))
 with open(words["--benchmark_out"], "w") as out:
     if results["benchmarks"]:
-        results["benchmarks"][0]["label"] = words.get("--benchmark_min_time", "usual")
+        results["benchmarks"][0].setdefault("label", words.get("--benchmark_min_time", "usual"))
         json.dump(results, out)
 sys.exit(results.get("exit", 0))
+"""
+#: A ParaView that measures a scene.
+PVPYTHON = """#!{python}
+import json, sys
+script, scene, frames, out = sys.argv[1:]
+parts = {{"update": [0.2, 0.3], "in Littoral": [0.05, 0.06], "render": [float(frames), 7.0]}}
+json.dump({{"scene": scene, "first picture": 1.5, "frame": parts, "memory": 1234.0}}, open(out, "w"))
+sys.exit({code})
 """
 
 
@@ -33,16 +42,40 @@ class Benchmarks(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.program = os.path.join(self.folder, "bench_waves")
-        with open(self.program, "w") as file:
-            file.write(PROGRAM.format(python=sys.executable))
-        os.chmod(self.program, 0o755)
+        self.program = self.make("bench_waves", PROGRAM.format(python=sys.executable))
+        self.environment = {"PATH": self.folder, "VTK_SMP_MAX_THREADS": "2"}
+
+    def make(self, name, script):
+        """A program; returns its path."""
+        path = os.path.join(self.folder, name)
+        with open(path, "w") as file:
+            file.write(script)
+        os.chmod(path, 0o755)
+        return path
+
+    def run_report(self, *words):
+        return subprocess.run([sys.executable, "-B", REPORT, *words], cwd=self.folder, text=True, env=self.environment,
+                              capture_output=True, check=False)
 
     def report(self, results, *words, **more):
         with open(self.program + ".json", "w") as file:
             json.dump({"benchmarks": results, **more}, file)
-        return subprocess.run([sys.executable, "-B", REPORT, self.program, *words], cwd=self.folder, text=True,
-                              capture_output=True, check=False)
+        return self.run_report(self.program, *words)
+
+    def report_all(self, programs, *words):
+        """Runs several programs with their results; returns the report."""
+        paths = []
+        for name, results in programs.items():
+            paths.append(self.make(name, PROGRAM.format(python=sys.executable)))
+            with open(paths[-1] + ".json", "w") as file:
+                json.dump({"benchmarks": results}, file)
+        done = self.run_report(*paths, *words)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return self.text()
+
+    def text(self, name="benchmarks.md"):
+        with open(os.path.join(self.folder, name)) as file:
+            return file.read()
 
     def table(self, name="benchmarks.csv"):
         with open(os.path.join(self.folder, name), newline="") as file:
@@ -99,7 +132,7 @@ class Benchmarks(unittest.TestCase):
                 file.write(text)
             done = self.report([result("Swell", 1.0)], "--against", "old.csv")
             self.assertEqual((done.returncode, done.stderr, done.stdout), (1, f"bench: {words}\n", ""))
-        self.assertIn("No such file", self.report([], "--against", "none.csv").stderr)
+        self.assertEqual("bench: none.csv: No such file or directory\n", self.report([], "--against", "none.csv").stderr)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "benchmarks.csv")))
 
     def test_a_filter_that_nothing_fits_leaves_the_old_table(self):
@@ -112,6 +145,102 @@ class Benchmarks(unittest.TestCase):
         done = self.report([result("Swell", 1.0)], "--fast")
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no option --fast", done.stderr)
+
+
+    def test_a_share_is_the_time_at_the_limit_over_the_time_taken(self):
+        def rate(name, threads, **rates):
+            return result(f"{name}/real_time/threads:{threads}", 1.0, label="AVX2", **rates)
+
+        text = self.report_all({
+            "bench_machine": [rate("CopyMemory", 1, bytes_per_second=8e9), rate("CopyMemory", 2, bytes_per_second=1e10),
+                              rate("SinesAndCosines", 2, items_per_second=1e9),
+                              rate("Exponentials", 2, items_per_second=2e9)],
+            # 80 bytes at 8 GB/s: 10 ns, of 40 ns a vertex
+            "bench_sway": [result("SkinOneTree", 3.0, items_per_second=25e6),
+                           result("TurnSamePoses/2/real_time", 2.0), result("TurnSamePoses/1/real_time", 3.0),
+                           result("MoveForest/threads:2/in full:1000/real_time", 8.0)],
+            # 1 ns and 0.5 ns, of 6 ns a particle and train
+            "vtkbench_orbits": [result("MoveParticles<float>/depth:20/size:10/real_time", 1.0, items_per_second=1e9 / 6.0)],
+            # 20 times 4 ms of 200 ms
+            "vtkbench_seaweed": [result("StepForest/size:10000/real_time", 100.0),
+                                 result("StepMemory/size:10000/real_time", 2.0)],
+            "vtkbench_others": [result("SkinOneTree", 1.0, items_per_second=25e6)],
+            # Its limit, WriteMemory, was not run.
+            "vtkbench_scatter": [result("AllInFull/100/real_time", 1.0, bytes_per_second=1e9)]})
+        for row in ("| CopyMemory/threads:2 | 10 GB/s | AVX2 |",
+                    "| bench_sway | SkinOneTree | 3 | 25 million/s | 25 % (1) |",
+                    "| bench_sway | MoveForest/threads:2/in full:1000/real_time | 16 |  | 25 % (2) |",
+                    "| vtkbench_orbits | MoveParticles<float>/depth:20/size:10/real_time | 2 | 167 million/s | 25 % (3) |",
+                    "| vtkbench_seaweed | StepForest/size:10000/real_time | 200 |  | 40 % (4) |",
+                    "| vtkbench_others | SkinOneTree | 1 | 25 million/s |  |",
+                    "| vtkbench_scatter | AllInFull/100/real_time | 2 | 1 GB/s |  |"):
+            self.assertIn(row + "\n", text)
+        self.assertIn("1. 80 bytes a vertex", text)
+
+    def test_exponents_are_slopes_of_logarithms(self):
+        # Times of 3, 24 and 96: by least squares, with sizes of 1, 4 and 16, an exponent of 1.25.
+        series = [result(f"Swell/mode:1/size:{10 * 4 ** k}", time) for k, time in enumerate((3.0, 24.0, 96.0))]
+        line = [result(f"Surf/size:{size}", 0.001 * size) for size in (100, 1000)]
+        self.assertEqual(self.report([*series, *line, result("Tide/size:5", 1.0), result("Size:3", 1.0)]).returncode, 0)
+        self.assertIn("| bench_waves | Swell/mode:1/size | 10 to 160 | 1.25 | above 1.05 |\n", self.text())
+        self.assertIn("| bench_waves | Surf/size | 100 to 1000 | 1.00 |  |\n", self.text())
+        self.assertNotIn("Tide/size |", self.text())
+        self.assertIn("![benchmarks-bench_waves.svg](benchmarks-bench_waves.svg)", self.text())
+        chart = xml.etree.ElementTree.fromstring(self.text("benchmarks-bench_waves.svg"))
+        svg = "{http://www.w3.org/2000/svg}"
+        lines = [one.get("points").split() for one in chart.iter(f"{svg}polyline")]
+        self.assertEqual([len(points) for points in lines], [3, 2])
+        x = [float(point.split(",")[0]) for point in lines[0]]
+        self.assertAlmostEqual(x[1] - x[0], x[2] - x[1], delta=0.11)  # a logarithmic axis, rounded to 0.1
+        self.assertIn("Surf/size: 1.00", [text.text for text in chart.iter(f"{svg}text")])
+
+    def test_the_report_tells_what_is_missing(self):
+        self.report([result("Swell", 1.0)])
+        for words in ("bench_machine was not run, so shares of its limits are not known.",
+                      "No benchmark was run with two sizes.", "No frames were measured: there is no pvpython.",
+                      "| processor | ", "| memory | "):
+            self.assertIn(words, self.text())
+        self.assertIn("without SLEEF", self.report_all({"bench_machine": [
+            result("CopyMemory/real_time/threads:1", 1.0, bytes_per_second=1e9)]}))
+
+    def test_frames_of_scenes_are_reported(self):
+        self.make("pvpython", PVPYTHON.format(python=sys.executable, code=0))
+        self.assertIn("there is no plugin.\n", self.report([result("Swell", 1.0)]).stdout)
+        self.environment |= {"PV_PLUGIN_PATH": self.folder}
+        self.assertIn("there is no display.\n", self.report([result("Swell", 1.0)]).stdout)
+        self.environment |= {"DISPLAY": ":0"}
+        self.report([result("Swell", 1.0)], "--quick")
+        for row in ("| SwayingForest | update | 200 | 300 |", "| SwayingForest | in Littoral | 50 | 60 |",
+                    "| Underwater | render | 4000 | 7000 |", "| Underwater | first picture | 1500 |  |",
+                    "| Underwater | 1234 |"):
+            self.assertIn(row + "\n", self.text())
+        self.report([result("Swell", 1.0)])
+        self.assertIn("| forest | render | 12000 | 7000 |\n", self.text())
+        self.report([result("Swell", 1.0)], "--benchmark_filter=Swell")
+        self.assertIn("No frames were measured: benchmarks were chosen by name.", self.text())
+        self.make("pvpython", PVPYTHON.format(python=sys.executable, code=3))
+        done = self.report([result("Swell", 1.0)])
+        self.assertEqual((done.returncode, done.stderr), (1, "bench: bench_scenes.py, forest: ended with 3\n"))
+
+    def test_quick_leaves_out_what_takes_long_unless_asked(self):
+        self.make("bench_waves", PROGRAM.format(python=sys.executable).replace("--benchmark_min_time", "--benchmark_filter"))
+        self.report([result("Swell", 1.0)], "--quick")
+        self.assertRegex(self.table()[0][-1], r"^-Abort\|")
+        self.report([result("Swell", 1.0)], "--quick", "--benchmark_filter=Abort")
+        self.assertEqual(self.table()[0][-1], "Abort")
+
+    def test_bad_files_and_programs_are_refused_before_anything_runs(self):
+        os.mkdir(os.path.join(self.folder, "folder.csv"))
+        for words, error in ((["--csv", "none/new.csv"], "none/new.csv: cannot be written: No such file or directory"),
+                             (["--csv", "folder.csv"], "folder.csv: is a folder"),
+                             (["--csv", "times.txt"], "times.txt: a table ends in .csv")):
+            done = self.report([result("Swell", 1.0)], *words)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertRegex(done.stderr, f"^bench: {error}\n$")
+        for words, error in (([], "there are no programs"), (["build/bin/*bench_*"], "build/bin/*bench_*: no program")):
+            done = self.run_report(*words)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertEqual(done.stderr, f"bench: {error}; libbenchmark-dev was missing when Littoral was configured\n")
 
 
 if __name__ == "__main__":

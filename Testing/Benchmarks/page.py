@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The report of a run as Markdown: machine, limits, kernels, cost over size, frames of the scenes."""
+
+import os
+import platform
+import re
+
+import limits
+import scaling
+
+
+def read(filename):
+    try:
+        with open(filename, errors="replace") as file:
+            return file.read()
+    except OSError:
+        return ""
+
+
+def machine():
+    """Rows about the machine: what, and which."""
+    processor = read("/proc/cpuinfo")
+    found = {key: (re.search(rf"^{key}\s*:\s*(.*)$", text, re.MULTILINE) or ["", ""])[1] for key, text in
+             (("model name", processor), ("flags", processor), ("MemTotal", read("/proc/meminfo")))}
+    flags = found["flags"].split()
+    levels = [name for flag, name in (("sse2", "SSE2"), ("avx2", "AVX2"), ("avx512f", "AVX-512")) if flag in flags]
+    memory = found["MemTotal"].split()
+    load = f"{os.getloadavg()[0]:.1f}"
+    return [("processor", found["model name"] or platform.processor() or platform.machine()),
+            ("cores", str(os.cpu_count())),
+            ("memory", f"{int(memory[0]) / 1048576:.1f} GiB" if memory else "unknown"),
+            ("instruction sets", ", ".join(levels) or "unknown"),
+            ("threads of VTK", os.environ.get("VTK_SMP_MAX_THREADS", "VTK's own choice")),
+            ("load at the end (1 min)", load),
+            ("system", platform.platform())]
+
+
+def table(head, rows):
+    """Lines of a table."""
+    def line(cells):
+        return "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
+
+    return [line(head), "|" + "---|" * len(head), *map(line, rows), ""]
+
+
+def figures(time):
+    """A time [ms] with four figures that mean something."""
+    return f"{time:.4g}" if time < 1e4 else f"{time:.0f}"
+
+
+def rate_of(result):
+    """Throughput in words."""
+    if result.bytes_per_second:
+        return f"{1e-9 * result.bytes_per_second:.3g} GB/s"
+    return f"{1e-6 * result.items_per_second:.3g} million/s" if result.items_per_second else ""
+
+
+def of_machine(results):
+    rows = [(result.name.replace("/real_time", ""), rate_of(result), result.note)
+            for result in results if result.program == "bench_machine"]
+    if not rows:
+        return ["bench_machine was not run, so shares of its limits are not known.", ""]
+    lines = table(("limit", "rate", ""), rows)
+    if not any(name.startswith("Exponentials") for name, *_ in rows):
+        lines += ["Functions of vectors were not measured: the benchmarks were built without SLEEF.", ""]
+    return lines
+
+
+def of_kernels(results):
+    rows, reasons = [], []
+    for result in results:
+        if result.program == "bench_machine":
+            continue
+        known = limits.share_of(result, results)
+        if known and known[1].reason not in reasons:
+            reasons.append(known[1].reason)
+        share = f"{100.0 * known[0]:.3g} % ({reasons.index(known[1].reason) + 1})" if known else ""
+        rows.append((result.program, result.name, figures(result.time), rate_of(result), share))
+    notes = [f"{number}. {reason}" for number, reason in enumerate(reasons, 1)]
+    return ["Share: the time at the limit over the time taken; the number names the limit below. Times are real times "
+            "where the name says so, else those of the processor.", "",
+            *table(("program", "benchmark", "time [ms]", "rate", "share of the limit"), rows), *notes, ""]
+
+
+def of_sizes(series, charts):
+    if not series:
+        return ["No benchmark was run with two sizes.", ""]
+    rows = []
+    for one in series:
+        exponent = scaling.exponent_of(one.points)
+        rows.append((one.program, one.name, f"{one.points[0][0]} to {one.points[-1][0]}", f"{exponent:.2f}",
+                     f"above {scaling.STEEP}" if exponent > scaling.STEEP else ""))
+    return ["Exponent of time over size, by least squares of logarithms.", "",
+            *table(("program", "benchmark", "sizes", "exponent", ""), rows),
+            *[f"![{name}]({name})" for name in charts], ""]
+
+
+def of_frames(scenes, silence):
+    """scenes: what bench_scenes.py has measured; silence: why it has not, if so."""
+    if not scenes:
+        return [silence, ""]
+    rows = []
+    for scene in scenes:
+        for part, (wall, processor) in scene["frame"].items():
+            rows.append((scene["scene"], part, figures(1e3 * wall), figures(1e3 * processor)))
+        rows.append((scene["scene"], "first picture", figures(1e3 * scene["first picture"]), ""))
+    return ["Means of a frame. The update makes no picture, and is the sum of the three parts below it; rendering follows. "
+            "Algorithms are the sources, filters and representations of the scene, with what runs inside of them.", "",
+            *table(("scene", "part", "wall time [ms]", "processor time [ms]"), rows),
+            *table(("scene", "most memory [MB]"), [(scene["scene"], f"{scene['memory']:.0f}") for scene in scenes])]
+
+
+def page(results, charts, scenes, silence):
+    """The whole report."""
+    lines = ["# Benchmarks of Littoral", "", "## Machine", "", *table(("what", "which"), machine()),
+             "## Limits of the machine", "", *of_machine(results), "## Kernels", "", *of_kernels(results),
+             "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
+             "## Frames of the scenes", "", *of_frames(scenes, silence)]
+    return "\n".join(lines)
