@@ -31,4 +31,11 @@
 #define LITTORAL_INLINE inline
 #endif
 
+/// Before a loop no turn of which writes what another one reads: the compiler need not check it at each run.
+#if defined(__GNUC__) && !defined(__clang__)
+#define LITTORAL_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define LITTORAL_INDEPENDENT
+#endif
+
 #endif

@@ -218,15 +218,18 @@ LITTORAL_INLINE SimdDouble4 GatherNumber(const Element* elements, const LaneIndi
   return { elements[at[0]].*member, elements[at[1]].*member, elements[at[2]].*member, elements[at[3]].*member };
 }
 
+/// Four vectors, a lane each.
+LITTORAL_INLINE glm::vec<3, SimdDouble4> InLanes(const glm::vec<3, double>& a, const glm::vec<3, double>& b,
+  const glm::vec<3, double>& c, const glm::vec<3, double>& d)
+{
+  return { SimdDouble4(a.x, b.x, c.x, d.x), SimdDouble4(a.y, b.y, c.y, d.y), SimdDouble4(a.z, b.z, c.z, d.z) };
+}
+
 template <typename Element, typename Class>
 LITTORAL_INLINE glm::vec<3, SimdDouble4> GatherVector(
   const Element* elements, const LaneIndices& at, glm::vec<3, double> Class::*member)
 {
-  const glm::vec<3, double>& a = elements[at[0]].*member;
-  const glm::vec<3, double>& b = elements[at[1]].*member;
-  const glm::vec<3, double>& c = elements[at[2]].*member;
-  const glm::vec<3, double>& d = elements[at[3]].*member;
-  return { SimdDouble4(a.x, b.x, c.x, d.x), SimdDouble4(a.y, b.y, c.y, d.y), SimdDouble4(a.z, b.z, c.z, d.z) };
+  return InLanes(elements[at[0]].*member, elements[at[1]].*member, elements[at[2]].*member, elements[at[3]].*member);
 }
 
 template <typename Element, typename Class>

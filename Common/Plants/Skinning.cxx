@@ -4,6 +4,7 @@
 
 #include "Numerics/SimdDouble4.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -13,55 +14,48 @@ namespace littoral
 namespace
 {
 
-/// A column of a change.
-LITTORAL_INLINE SimdDouble4 LoadColumn(const std::array<double, 4>& column)
+/// Two vertices side by side, four floats each, of which the last means nothing.
+typedef float SimdPair __attribute__((vector_size(2 * sizeof(SimdFloat4))));
+
+/// Four floats; `isLast`: behind the first three there may be no memory.
+template <bool IsLast>
+LITTORAL_INLINE SimdFloat4 Load(const float* from)
 {
-  SimdDouble4 four;
-  std::memcpy(&four.Values, column.data(), sizeof(four.Values));
+  SimdFloat4 four{};
+  std::memcpy(&four, from, (IsLast ? 3 : 4) * sizeof(float));
   return four;
 }
 
-/// Three numbers of an array; the fourth lane is 0.
-LITTORAL_INLINE SimdDouble4 Load(const float* from)
+/// Stores three floats; unless it is the last, a fourth one that the next vertex replaces.
+template <bool IsLast>
+LITTORAL_INLINE void Store(const SimdFloat4& from, float* to)
 {
-  const SimdFloat4 four{ from[0], from[1], from[2], 0.0f };
-  return SimdDouble4(__builtin_convertvector(four, SimdDouble4::Register));
+  std::memcpy(to, &from, (IsLast ? 3 : 4) * sizeof(float));
 }
 
-LITTORAL_INLINE void Store(const SimdDouble4& from, float* to)
+LITTORAL_INLINE SimdPair Join(const SimdFloat4& first, const SimdFloat4& second)
 {
-  const SimdFloat4 four = __builtin_convertvector(from.Values, SimdFloat4);
-  to[0] = four[0];
-  to[1] = four[1];
-  to[2] = four[2];
+  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// One lane in all.
+/// The same for both.
+LITTORAL_INLINE SimdPair Both(const std::array<float, 4>& numbers)
+{
+  const SimdFloat4 four = Load<false>(numbers.data());
+  return Join(four, four);
+}
+
+/// One number of each in all of its lanes.
 template <int Lane>
-LITTORAL_INLINE SimdDouble4 All(const SimdDouble4& a)
+LITTORAL_INLINE SimdPair All(const SimdPair& a)
 {
-  return SimdDouble4(__builtin_shufflevector(a.Values, a.Values, Lane, Lane, Lane, Lane));
+  return __builtin_shufflevector(a, a, Lane, Lane, Lane, Lane, 4 + Lane, 4 + Lane, 4 + Lane, 4 + Lane);
 }
 
 /// Matrix times vector.
-LITTORAL_INLINE SimdDouble4 Turned(const SimdDouble4* columns, const SimdDouble4& vector)
+LITTORAL_INLINE SimdPair Turned(const SimdPair* columns, const SimdPair& vector)
 {
   return columns[0] * All<0>(vector) + columns[1] * All<1>(vector) + columns[2] * All<2>(vector);
-}
-
-/// (R - 1) p.
-Vector3 Turned(const JointChange& change, const Vector3& p)
-{
-  const auto row = [&](int i) {
-    return change.Columns[0][i] * p.x + change.Columns[1][i] * p.y + change.Columns[2][i] * p.z;
-  };
-  return { row(0), row(1), row(2) };
-}
-
-LITTORAL_INLINE double SquareOf(const SimdDouble4& a)
-{
-  const SimdDouble4 squares = a * a;
-  return squares.Values[0] + squares.Values[1] + squares.Values[2];
 }
 
 template <typename Number>
@@ -70,58 +64,185 @@ LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
   return std::memcmp(a, b, 4 * sizeof(Number)) == 0;
 }
 
-/// The mean change of four joints by their weights.
-LITTORAL_INLINE void Blend(const int* ids, const float* weights, const JointChange* joints, SimdDouble4* columns)
+/// The joints that vertices follow, about the place of the first one.
+struct FollowedJoints
 {
-  // Linear blend skinning: [R - 1 | t] = sum over joints of w_i [R_i - 1 | t_i]
-  for (int column = 0; column < 4; ++column)
+  const JointChange* Changes[4]{};
+  SimdPair Center{};
+  SimdPair Shifts[4]{};
+  std::size_t Count = 0;
+  const int* Ids = nullptr;
+
+  LITTORAL_INLINE static SimdPair PlaceOf(const JointChange& change)
   {
-    columns[column] = SimdDouble4(weights[0]) * LoadColumn(joints[ids[0]].Columns[column]);
+    const auto& c = change.Columns;
+    const SimdFloat4 place{ c[0][3], c[1][3], c[2][3], 0.0f };
+    return Join(place, place);
   }
-  for (int i = 1; i < 4; ++i)
+
+  /// The first joints of a vertex, unless they are those of the vertex before.
+  LITTORAL_INLINE void Take(const int* ids, std::size_t count, const JointChange* joints)
   {
-    if (weights[i] != 0.0f)
+    if (this->Count >= count && IsSame(ids, this->Ids))
     {
-      for (int column = 0; column < 4; ++column)
-      {
-        columns[column] += SimdDouble4(weights[i]) * LoadColumn(joints[ids[i]].Columns[column]);
-      }
+      return;
+    }
+    this->Ids = ids;
+    this->Count = count;
+    this->Center = PlaceOf(joints[ids[0]]);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // s_i + (R_i - 1) (c - r_i)
+      const JointChange& change = joints[ids[i]];
+      const SimdPair columns[3] = { Both(change.Columns[0]), Both(change.Columns[1]), Both(change.Columns[2]) };
+      this->Changes[i] = &change;
+      this->Shifts[i] = Both(change.Columns[3]) + Turned(columns, this->Center - PlaceOf(change));
+    }
+  }
+};
+
+/// Joints up to the last one with a weight.
+LITTORAL_INLINE std::size_t JointsOf(const float* weights)
+{
+  std::size_t count = 4;
+  while (count > 1 && weights[count - 1] == 0.0f)
+  {
+    --count;
+  }
+  return count;
+}
+
+/// The mean changes of the joints of two vertices, about the place of the first joint of each.
+struct Blend
+{
+  SimdPair Columns[3]{}; // of R - 1
+  SimdPair Shift{};
+  SimdPair Center{};
+
+  Blend() = default;
+  LITTORAL_INLINE Blend(const FollowedJoints& joints, const float* first, const float* second)
+    : Center(joints.Center)
+  {
+    // Linear blend skinning about c: [R - 1 | t] = sum over joints of w_i [R_i - 1 | s_i + (R_i - 1) (c - r_i)].
+    // A joint without weight changes no byte of a sum that began with 0.
+    for (std::size_t i = 0; i < joints.Count; ++i)
+    {
+      const SimdPair weight = Join(first[i] - SimdFloat4{}, second[i] - SimdFloat4{});
+      this->Columns[0] += weight * Both(joints.Changes[i]->Columns[0]);
+      this->Columns[1] += weight * Both(joints.Changes[i]->Columns[1]);
+      this->Columns[2] += weight * Both(joints.Changes[i]->Columns[2]);
+      this->Shift += weight * joints.Shifts[i];
+    }
+  }
+
+  /// The second vertex of another pair.
+  LITTORAL_INLINE void TakeSecond(const Blend& other)
+  {
+    const auto take = [](SimdPair& own, const SimdPair& from) {
+      own = __builtin_shufflevector(own, from, 0, 1, 2, 3, 12, 13, 14, 15);
+    };
+    take(this->Columns[0], other.Columns[0]);
+    take(this->Columns[1], other.Columns[1]);
+    take(this->Columns[2], other.Columns[2]);
+    take(this->Shift, other.Shift);
+    take(this->Center, other.Center);
+  }
+};
+
+/// The blends of one pair of vertices after the other. Vertices around a branch follow the same joints alike, those of
+/// a crown the same joints.
+class BlendWalk
+{
+public:
+  Blend Now;
+
+  LITTORAL_INLINE BlendWalk(const RestSkin& rest, const JointChange* changes)
+    : Rest(rest)
+    , Changes(changes)
+  {
+  }
+
+  LITTORAL_INLINE void Enter(std::size_t first, std::size_t second)
+  {
+    const int* ids[2] = { this->Rest.JointIds + 4 * first, this->Rest.JointIds + 4 * second };
+    const float* weights[2] = { this->Rest.JointWeights + 4 * first, this->Rest.JointWeights + 4 * second };
+    const bool isAlike = IsSame(ids[0], ids[1]);
+    const bool isOne = isAlike && IsSame(weights[0], weights[1]);
+    if (isOne && this->Weights && IsSame(ids[0], this->Joints.Ids) && IsSame(weights[0], this->Weights))
+    {
+      return;
+    }
+    this->Weights = isOne ? weights[0] : nullptr;
+    const std::size_t counts[2] = { JointsOf(weights[0]), JointsOf(weights[1]) };
+    this->Joints.Take(ids[0], isAlike ? std::max(counts[0], counts[1]) : counts[0], this->Changes);
+    this->Now = Blend(this->Joints, weights[0], weights[1]);
+    if (!isAlike)
+    {
+      this->Joints.Take(ids[1], counts[1], this->Changes);
+      this->Now.TakeSecond(Blend(this->Joints, weights[1], weights[1]));
+    }
+  }
+
+private:
+  const RestSkin& Rest;
+  const JointChange* Changes;
+  FollowedJoints Joints;
+  const float* Weights = nullptr; // of all vertices of Now, where they are the same
+};
+
+/// Moves two vertices; their normals get lengths later. The last pair of a range may be one vertex twice.
+template <bool IsLast>
+LITTORAL_INLINE void MovePair(
+  const RestSkin& rest, const Blend& blend, std::size_t first, std::size_t second, float* points, float* normals)
+{
+  const auto load = [&](const float* from) {
+    return Join(Load<IsLast>(from + 3 * first), Load<IsLast>(from + 3 * second));
+  };
+  const auto store = [&](const SimdPair& pair, float* to) {
+    Store<IsLast>(__builtin_shufflevector(pair, pair, 0, 1, 2, 3), to + 3 * first);
+    Store<IsLast>(__builtin_shufflevector(pair, pair, 4, 5, 6, 7), to + 3 * second);
+  };
+  // p + ((R - 1) (p - c) + t), n + (R - 1) n
+  const SimdPair place = load(rest.Points);
+  store(place + (Turned(blend.Columns, place - blend.Center) + blend.Shift), points);
+  if (rest.Normals)
+  {
+    const SimdPair normal = load(rest.Normals);
+    store(normal + Turned(blend.Columns, normal), normals);
+  }
+}
+
+/// Gives normals the lengths that they had.
+LITTORAL_INLINE void KeepLengths(const float* before, std::size_t count, float* normals)
+{
+  constexpr std::size_t Most = 64; // a fixed number at a time, in which the compiler takes several side by side
+  constexpr float least = 1e-37f;
+  float factors[Most];
+  for (std::size_t begin = 0; begin < count; begin += Most)
+  {
+    const std::size_t some = std::min(Most, count - begin);
+    const float* b = before + 3 * begin;
+    float* n = normals + 3 * begin;
+    for (std::size_t i = 0; i < some; ++i)
+    {
+      const float was = b[3 * i] * b[3 * i] + b[3 * i + 1] * b[3 * i + 1] + b[3 * i + 2] * b[3 * i + 2];
+      const float is = n[3 * i] * n[3 * i] + n[3 * i + 1] * n[3 * i + 1] + n[3 * i + 2] * n[3 * i + 2];
+      factors[i] = std::sqrt(was / (is + least));
+    }
+    for (std::size_t i = 0; i < some; ++i)
+    {
+      n[3 * i] *= factors[i];
+      n[3 * i + 1] *= factors[i];
+      n[3 * i + 2] *= factors[i];
     }
   }
 }
 
-/// Normals that wait for their lengths: roots and divisions are slow one by one.
-struct TurnedNormals
+/// A place in single precision. Apart from those that widen it again: GCC 12 would drop both conversions together.
+[[gnu::noinline]] std::array<float, 3> Rounded(const Vector3& place)
 {
-  static constexpr std::size_t Most = 64;
-  SimdDouble4 Turned[Most];
-  double Before[Most]; ///< squares of lengths
-  double After[Most];
-  std::size_t Count = 0;
-
-  LITTORAL_INLINE void Add(const SimdDouble4& before, const SimdDouble4& turned)
-  {
-    this->Turned[this->Count] = turned;
-    this->Before[this->Count] = SquareOf(before);
-    this->After[this->Count] = SquareOf(turned);
-    ++this->Count;
-  }
-
-  /// Stores them, with the lengths that they had.
-  LITTORAL_INLINE void Store(float* to)
-  {
-    double factors[Most]; // all of them: without conditions the compiler takes four at a time
-    for (std::size_t i = 0; i < Most; ++i)
-    {
-      factors[i] = std::sqrt(this->Before[i] / (this->After[i] + 1e-300));
-    }
-    for (std::size_t i = 0; i < this->Count; ++i)
-    {
-      littoral::Store(SimdDouble4(factors[i]) * this->Turned[i], to + 3 * i);
-    }
-    this->Count = 0;
-  }
-};
+  return { static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z) };
+}
 
 }
 
@@ -129,50 +250,56 @@ struct TurnedNormals
 JointChange ChangeOf(const JointPose& pose, const Vector3& rest)
 {
   const glm::dquat& q = pose.Rotation;
+  const std::array<float, 3> center = Rounded(rest);
+  // The rounded place r' of the joint moves by s + (R - 1) (r' - r).
+  const Vector3 shift = pose.Shift + RotationOffset(q, Vector3(center[0], center[1], center[2]) - rest);
+  const auto column = [](double x, double y, double z, float last) {
+    return std::array<float, 4>{ static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), last };
+  };
   JointChange change;
-  change.Columns[0] = { -2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.w * q.z), 2.0 * (q.x * q.z - q.w * q.y),
-    0.0 };
-  change.Columns[1] = { 2.0 * (q.x * q.y - q.w * q.z), -2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.w * q.x),
-    0.0 };
-  change.Columns[2] = { 2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x), -2.0 * (q.x * q.x + q.y * q.y),
-    0.0 };
-  // The shift of the rest position itself is that of the pose: t - (R - 1) p.
-  const Vector3 turned = Turned(change, rest);
-  change.Columns[3] = { pose.Shift.x - turned.x, pose.Shift.y - turned.y, pose.Shift.z - turned.z, 0.0 };
+  change.Columns[0] =
+    column(-2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.w * q.z), 2.0 * (q.x * q.z - q.w * q.y), center[0]);
+  change.Columns[1] =
+    column(2.0 * (q.x * q.y - q.w * q.z), -2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.w * q.x), center[1]);
+  change.Columns[2] =
+    column(2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x), -2.0 * (q.x * q.x + q.y * q.y), center[2]);
+  change.Columns[3] = column(shift.x, shift.y, shift.z, 0.0f);
   return change;
 }
 
 Vector3 JointChange::Of(const Vector3& place) const
 {
-  const std::array<double, 4>& shift = this->Columns[3];
-  return Turned(*this, place) + Vector3(shift[0], shift[1], shift[2]);
+  const auto& c = this->Columns;
+  const Vector3 p = place - Vector3(c[0][3], c[1][3], c[2][3]);
+  const auto row = [&](int i) { return c[0][i] * p.x + c[1][i] * p.y + c[2][i] * p.z + c[3][i]; };
+  return { row(0), row(1), row(2) };
 }
 
 //----------------------------------------------------------------------------
 LITTORAL_SIMD_CLONES void MoveSkin(
   const RestSkin& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points, float* normals)
 {
-  SimdDouble4 columns[4]{ 0.0, 0.0, 0.0, 0.0 };
-  TurnedNormals waiting{};
-  for (std::size_t vertex = begin; vertex < end; ++vertex)
+  constexpr std::size_t Block = 256; // vertices whose normals are still near when they get their lengths
+  BlendWalk walk(rest, joints);
+  for (std::size_t block = begin; block < end; block += Block)
   {
-    // Vertices around a branch follow the same joints alike.
-    const float* weights = rest.JointWeights + 4 * vertex;
-    const int* ids = rest.JointIds + 4 * vertex;
-    if (vertex == begin || !IsSame(ids, ids - 4) || !IsSame(weights, weights - 4))
+    const std::size_t last = std::min(end, block + Block);
+    for (std::size_t vertex = block; vertex < last; vertex += 2)
     {
-      Blend(ids, weights, joints, columns);
+      const std::size_t second = std::min(vertex + 1, last - 1);
+      walk.Enter(vertex, second);
+      if (second + 1 < last)
+      {
+        MovePair<false>(rest, walk.Now, vertex, second, points, normals);
+      }
+      else
+      {
+        MovePair<true>(rest, walk.Now, vertex, second, points, normals);
+      }
     }
-    const SimdDouble4 place = Load(rest.Points + 3 * vertex);
-    Store(place + (Turned(columns, place) + columns[3]), points + 3 * vertex);
     if (rest.Normals)
     {
-      const SimdDouble4 normal = Load(rest.Normals + 3 * vertex);
-      waiting.Add(normal, normal + Turned(columns, normal));
-      if (waiting.Count == TurnedNormals::Most || vertex + 1 == end)
-      {
-        waiting.Store(normals + 3 * (vertex + 1 - waiting.Count));
-      }
+      KeepLengths(rest.Normals + 3 * block, last - block, normals + 3 * block);
     }
   }
 }

@@ -23,91 +23,121 @@ constexpr double DeepInSingle = 20.0;
 /// k h below which b = r sinh k(z+h) / sinh kh would lose digits as a difference of exponentials.
 constexpr double ShallowInSingle = 1.0;
 
+/// Bits of the fraction of a phase in turns.
+constexpr int TurnBits = 26;
+/// Added to turns, it leaves their fraction in the last bits of the sum, in units of 2^-26.
+constexpr double AlignTurns = 1.5 * (1 << TurnBits);
 /// Adding and subtracting it rounds to whole numbers.
-constexpr double RoundDouble = 6755399441055744.0;
 constexpr float RoundSingle = 12582912.0f;
 
-/// 2^x for -60 <= x <= 0, to 1.2e-7; smaller x count as -60.
-LITTORAL_INLINE float Power2(float x)
+LITTORAL_INLINE std::uint32_t BitsOf(float x)
 {
-  x = x < -60.0f ? -60.0f : x;
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+LITTORAL_INLINE float FloatOf(std::uint32_t bits)
+{
+  float x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+struct Powers
+{
+  float Up;   ///< 2^x
+  float Down; ///< 2^-x
+};
+
+/// For |x| <= 60, to 1.2e-7.
+LITTORAL_INLINE Powers PowersOf2(float x)
+{
   const float rounded = x + RoundSingle;
   const float f = x - (rounded - RoundSingle);
-  const float p = 1.0f +
-    f * (0.6931472f + f * (0.2402265f + f * (0.05550327f + f * (0.009618057f + f * (0.001340043f + f * 0.00015461f)))));
-  std::int32_t bits;
-  std::int32_t whole;
-  std::memcpy(&bits, &p, sizeof bits);
-  std::memcpy(&whole, &rounded, sizeof whole);
-  bits += static_cast<std::int32_t>(static_cast<std::uint32_t>(whole) << 23);
-  float power;
-  std::memcpy(&power, &bits, sizeof power);
-  return power;
+  const float q = f * f;
+  // 2^f - 1 and 2^-f - 1 differ in the sign of the odd powers
+  const float even = q * (0.2402265f + q * (0.009618057f + q * 0.00015461f));
+  const float odd = f * (0.6931472f + q * (0.05550327f + q * 0.001340043f));
+  const std::uint32_t exponent = BitsOf(rounded) << 23;
+  return { FloatOf(BitsOf(1.0f + (even + odd)) + exponent), FloatOf(BitsOf(1.0f + (even - odd)) - exponent) };
 }
 
-/// Phases of a train at points, in turns from -1/2 to 1/2.
+/// Phases of a train at points, in units of 2^-26 turns; whole turns overflow.
 LITTORAL_WIDE_SIMD_CLONES void ReducePhases(const double* __restrict x, const double* __restrict y, double kx,
-  double ky, double phase, int count, float* __restrict turns)
+  double ky, double phase, int count, std::uint32_t* __restrict turns)
 {
+  const double aligned = phase + AlignTurns;
   for (int i = 0; i < count; ++i)
   {
-    const double turn = kx * x[i] + ky * y[i] + phase;
-    turns[i] = static_cast<float>(turn - ((turn + RoundDouble) - RoundDouble));
+    const double sum = kx * x[i] + (ky * y[i] + aligned);
+    std::uint64_t bits;
+    std::memcpy(&bits, &sum, sizeof bits);
+    turns[i] = static_cast<std::uint32_t>(bits);
   }
 }
 
-/// Sines and cosines of angles in turns from -1/2 to 1/2, to 3e-7.
-LITTORAL_WIDE_SIMD_CLONES void SinesAndCosines(
-  const float* __restrict turns, int count, float* __restrict sine, float* __restrict cosine)
+struct SineCosine
 {
-  for (int i = 0; i < count; ++i)
-  {
-    const float half = (2.0f * turns[i] + RoundSingle) - RoundSingle; // -1, 0 or 1
-    const float sign = 1.0f - 2.0f * half * half;
-    const float u = turns[i] - 0.5f * half; // at most a quarter turn
-    const float q = u * u;
-    sine[i] =
-      sign * u * (6.28318528f + q * (-41.34168061f + q * (81.60247637f + q * (-76.58117264f + q * 39.75982708f))));
-    cosine[i] = sign *
-      (0.9999999998f +
-        q * (-19.73920855f + q * (64.93934648f + q * (-85.45356476f + q * (60.14388955f + q * -24.98143439f)))));
-  }
+  float Sine;
+  float Cosine;
+};
+
+/// Of a phase in units of 2^-26 turns, to 3e-7.
+LITTORAL_INLINE SineCosine SineAndCosine(std::uint32_t turns)
+{
+  // phi = half turns + u, u at most a quarter turn: an odd half turn changes both signs
+  const std::uint32_t halves = turns << (32 - TurnBits);
+  const std::uint32_t rest = halves << 1;
+  const std::uint32_t sign = (halves ^ rest) & 0x80000000u;
+  const float u = 0x1p-33f * static_cast<float>(static_cast<std::int32_t>(rest));
+  // Polynomials in q = u^2, in pairs of terms, which do not wait for each other
+  const float q = u * u;
+  const float q2 = q * q;
+  const float sine =
+    u * ((6.28318528f + q * -41.34168061f) + q2 * ((81.60247637f + q * -76.58117264f) + q2 * 39.75982708f));
+  const float cosine =
+    (0.9999999535f + q * -19.73917143f) + q2 * ((64.93459063f + q * -85.24033032f) + q2 * 56.24238047f);
+  return { FloatOf(BitsOf(sine) ^ sign), FloatOf(BitsOf(cosine) ^ sign) };
 }
+
+// Semi-axes a, b over the amplitude's factor s = Train::Scale.
 
 LITTORAL_WIDE_SIMD_CLONES void DeepAxes(
-  const float* __restrict z, float octaves, float scale, int count, float* __restrict a, float* __restrict b)
+  const float* __restrict z, float octaves, int count, float* __restrict a, float* __restrict b)
 {
+  const float deepest = -60.0f / octaves;
   for (int i = 0; i < count; ++i)
   {
-    // a = b = r e^kz
-    a[i] = scale * Power2(octaves * z[i]);
+    // a = b = s e^kz
+    a[i] = PowersOf2(octaves * (z[i] < deepest ? deepest : z[i])).Up;
     b[i] = a[i];
   }
 }
 
-LITTORAL_WIDE_SIMD_CLONES void FiniteAxes(const float* __restrict z, float octaves, float scale, float mirror,
-  int count, float* __restrict a, float* __restrict b)
+LITTORAL_WIDE_SIMD_CLONES void FiniteAxes(
+  const float* __restrict z, float octaves, float mirror, int count, float* __restrict a, float* __restrict b)
 {
   for (int i = 0; i < count; ++i)
   {
-    // a, b = s (e^kz +- e^-2kh / e^kz), s = r / (1 - e^-2kh)
-    const float e = Power2(octaves * z[i]);
-    const float reflected = mirror / e;
-    a[i] = scale * (e + reflected);
-    b[i] = scale * (e - reflected);
+    // a, b = s (e^kz +- e^-2kh e^-kz), s = r / (1 - e^-2kh)
+    const Powers e = PowersOf2(octaves * z[i]);
+    const float reflected = mirror * e.Down;
+    a[i] = e.Up + reflected;
+    b[i] = e.Up - reflected;
   }
 }
 
-LITTORAL_WIDE_SIMD_CLONES void ShallowAxes(const float* __restrict heightOverBed, float waveNumber, float scale,
-  int count, float* __restrict a, float* __restrict b)
+LITTORAL_WIDE_SIMD_CLONES void ShallowAxes(
+  const float* __restrict heightOverBed, float waveNumber, int count, float* __restrict a, float* __restrict b)
 {
   for (int i = 0; i < count; ++i)
   {
     const float x = waveNumber * heightOverBed[i]; // 0 to 1
     const float q = x * x;
     // a, b = s (cosh x, sinh x), s = r / sinh kh, x = k (z + h)
-    a[i] = scale * (1.0f + q * (1 / 2.0f + q * (1 / 24.0f + q * (1 / 720.0f + q * (1 / 40320.0f)))));
-    b[i] = scale * x * (1.0f + q * (1 / 6.0f + q * (1 / 120.0f + q * (1 / 5040.0f + q * (1 / 362880.0f)))));
+    a[i] = 1.0f + q * (1 / 2.0f + q * (1 / 24.0f + q * (1 / 720.0f + q * (1 / 40320.0f))));
+    b[i] = x * (1.0f + q * (1 / 6.0f + q * (1 / 120.0f + q * (1 / 5040.0f + q * (1 / 362880.0f)))));
   }
 }
 
@@ -122,23 +152,51 @@ LITTORAL_WIDE_SIMD_CLONES void Mask(
   }
 }
 
-/// Adds f a p along the train, f b q upwards.
-LITTORAL_WIDE_SIMD_CLONES void AddMotion(const float* __restrict a, const float* __restrict p,
-  const float* __restrict b, const float* __restrict q, float fx, float fy, float fz, int count, float* __restrict x,
-  float* __restrict y, float* __restrict z)
+/// Adds f a sin phi along the train, f b cos phi upwards.
+LITTORAL_WIDE_SIMD_CLONES void AddDisplacement(const std::uint32_t* __restrict turns, const float* __restrict a,
+  const float* __restrict b, float fx, float fy, float fz, int count, float* __restrict x, float* __restrict y,
+  float* __restrict z)
 {
   for (int i = 0; i < count; ++i)
   {
-    const float along = a[i] * p[i];
+    const SineCosine phi = SineAndCosine(turns[i]);
+    const float along = a[i] * phi.Sine;
     x[i] += fx * along;
     y[i] += fy * along;
-    z[i] += fz * (b[i] * q[i]);
+    z[i] += fz * (b[i] * phi.Cosine);
   }
 }
 
-LITTORAL_WIDE_SIMD_CLONES void AddGradient(const float* __restrict a, const float* __restrict cosine,
-  const float* __restrict b, const float* __restrict sine, const float* factor, int count, float* __restrict xx,
-  float* __restrict xy, float* __restrict yy, float* __restrict zx, float* __restrict zy)
+/// a sin phi, a cos phi, b sin phi, b cos phi.
+LITTORAL_WIDE_SIMD_CLONES void FindProducts(const std::uint32_t* __restrict turns, const float* __restrict a,
+  const float* __restrict b, int count, float* __restrict aSine, float* __restrict aCosine, float* __restrict bSine,
+  float* __restrict bCosine)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const SineCosine phi = SineAndCosine(turns[i]);
+    aSine[i] = a[i] * phi.Sine;
+    aCosine[i] = a[i] * phi.Cosine;
+    bSine[i] = b[i] * phi.Sine;
+    bCosine[i] = b[i] * phi.Cosine;
+  }
+}
+
+/// Adds f p along the train, f q upwards.
+LITTORAL_WIDE_SIMD_CLONES void AddMotion(const float* __restrict p, const float* __restrict q, float fx, float fy,
+  float fz, int count, float* __restrict x, float* __restrict y, float* __restrict z)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    x[i] += fx * p[i];
+    y[i] += fy * p[i];
+    z[i] += fz * q[i];
+  }
+}
+
+LITTORAL_WIDE_SIMD_CLONES void AddGradient(const float* __restrict p, const float* __restrict q, const float* factor,
+  int count, float* __restrict xx, float* __restrict xy, float* __restrict yy, float* __restrict zx,
+  float* __restrict zy)
 {
   const float fxx = factor[0];
   const float fxy = factor[1];
@@ -147,13 +205,11 @@ LITTORAL_WIDE_SIMD_CLONES void AddGradient(const float* __restrict a, const floa
   const float fzy = factor[4];
   for (int i = 0; i < count; ++i)
   {
-    const float along = a[i] * cosine[i];
-    const float up = b[i] * sine[i];
-    xx[i] += fxx * along;
-    xy[i] += fxy * along;
-    yy[i] += fyy * along;
-    zx[i] += fzx * up;
-    zy[i] += fzy * up;
+    xx[i] += fxx * p[i];
+    xy[i] += fxy * p[i];
+    yy[i] += fyy * p[i];
+    zx[i] += fzx * q[i];
+    zy[i] += fzy * q[i];
   }
 }
 
@@ -180,11 +236,13 @@ struct alignas(64) WaveOrbits::Block
   float HeightOverBed[BlockSize];
   float DriftX[BlockSize]; ///< of Stokes [m/s]
   float DriftY[BlockSize];
-  float Sine[BlockSize];
-  float Cosine[BlockSize];
-  float Turns[BlockSize];
+  std::uint32_t Turns[BlockSize];
   float A[BlockSize];
   float B[BlockSize];
+  float ASine[BlockSize];
+  float ACosine[BlockSize];
+  float BSine[BlockSize];
+  float BCosine[BlockSize];
   float Displacement[3][BlockSize];
   float Velocity[3][BlockSize];
   float Acceleration[3][BlockSize];
@@ -360,12 +418,12 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
     {
       continue;
     }
-    this->FindAxes(block, this->Trains[n], share, count);
+    this->FindAxes(block, this->Trains[n], count);
     if (counts)
     {
       Mask(counts, n, count, block.A, block.B);
     }
-    this->AddTrain(block, request, this->Trains[n], count);
+    this->AddTrain(block, request, this->Trains[n], share, count);
   }
   const auto to = [begin](float* array, int components) { return array ? array + components * begin : nullptr; };
   if (request.Displacement)
@@ -427,67 +485,74 @@ void WaveOrbits::AddDrift(Block& block, const OrbitRequest<float>& request, cons
   }
 }
 
-/// sin phi, cos phi and the semi-axes a, b of a train.
-void WaveOrbits::FindAxes(Block& block, const Train& train, float share, int count) const
+/// The phase and the semi-axes a, b of a train.
+void WaveOrbits::FindAxes(Block& block, const Train& train, int count) const
 {
-  const float scale = share * train.Scale;
   constexpr double turn = 1.0 / TwoPi;
   ReducePhases(block.X, block.Y, turn * train.X, turn * train.Y, turn * train.Phase, count, block.Turns);
-  SinesAndCosines(block.Turns, count, block.Sine, block.Cosine);
   switch (train.Kind)
   {
     case Form::Deep:
-      DeepAxes(block.Z, train.Octaves, scale, count, block.A, block.B);
+      DeepAxes(block.Z, train.Octaves, count, block.A, block.B);
       break;
     case Form::Finite:
-      FiniteAxes(block.Z, train.Octaves, scale, train.Mirror, count, block.A, block.B);
+      FiniteAxes(block.Z, train.Octaves, train.Mirror, count, block.A, block.B);
       break;
     case Form::Shallow:
-      ShallowAxes(block.HeightOverBed, train.WaveNumber, scale, count, block.A, block.B);
+      ShallowAxes(block.HeightOverBed, train.WaveNumber, count, block.A, block.B);
       break;
   }
 }
 
 /// Adds the motion by a train to what is requested.
-void WaveOrbits::AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, int count) const
+void WaveOrbits::AddTrain(
+  Block& block, const OrbitRequest<float>& request, const Train& train, float share, int count) const
 {
-  const float chop = static_cast<float>(this->Options.Choppiness);
+  const float up = share * train.Scale;
+  const float chop = up * static_cast<float>(this->Options.Choppiness);
   const float dx = chop * static_cast<float>(train.DirectionX);
   const float dy = chop * static_cast<float>(train.DirectionY);
-  const float w = static_cast<float>(train.Frequency);
-  const auto add = [&](const float* p, const float* q, float along, float up, float(*sums)[BlockSize]) {
-    AddMotion(block.A, p, block.B, q, along * dx, along * dy, up, count, sums[0], sums[1], sums[2]);
-  };
   // a sin phi d, -b cos phi
+  float(*places)[BlockSize] = block.Displacement;
+  if (!request.Velocity && !request.Acceleration && !request.Gradient && !request.VelocityGradient)
+  {
+    AddDisplacement(block.Turns, block.A, block.B, dx, dy, -up, count, places[0], places[1], places[2]);
+    return;
+  }
+  FindProducts(block.Turns, block.A, block.B, count, block.ASine, block.ACosine, block.BSine, block.BCosine);
   if (request.Displacement)
   {
-    add(block.Sine, block.Cosine, 1.0f, -1.0f, block.Displacement);
+    AddMotion(block.ASine, block.BCosine, dx, dy, -up, count, places[0], places[1], places[2]);
   }
+  const float w = static_cast<float>(train.Frequency);
   // -w a cos phi d, -w b sin phi
   if (request.Velocity)
   {
-    add(block.Cosine, block.Sine, -w, -w, block.Velocity);
+    float(*sums)[BlockSize] = block.Velocity;
+    AddMotion(block.ACosine, block.BSine, -w * dx, -w * dy, -w * up, count, sums[0], sums[1], sums[2]);
   }
   // -w^2 a sin phi d, w^2 b cos phi
   if (request.Acceleration)
   {
-    add(block.Sine, block.Cosine, -w * w, w * w, block.Acceleration);
+    float(*sums)[BlockSize] = block.Acceleration;
+    const float w2 = w * w;
+    AddMotion(block.ASine, block.BCosine, -w2 * dx, -w2 * dy, w2 * up, count, sums[0], sums[1], sums[2]);
   }
   const float kx = static_cast<float>(train.X);
   const float ky = static_cast<float>(train.Y);
   // k_x a cos phi d_x, k_x a cos phi d_y, k_y a cos phi d_y; k_x b sin phi, k_y b sin phi
   if (request.Gradient)
   {
-    const float factor[5] = { kx * dx, kx * dy, ky * dy, kx, ky };
-    AddGradient(block.A, block.Cosine, block.B, block.Sine, factor, count, block.Gradient[0], block.Gradient[1],
-      block.Gradient[2], block.Gradient[3], block.Gradient[4]);
+    float(*sums)[BlockSize] = block.Gradient;
+    const float factor[5] = { kx * dx, kx * dy, ky * dy, kx * up, ky * up };
+    AddGradient(block.ACosine, block.BSine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
   }
   // Its derivative by the time, phi' = -w
   if (request.VelocityGradient)
   {
     float(*sums)[BlockSize] = block.VelocityGradient;
-    const float factor[5] = { w * kx * dx, w * kx * dy, w * ky * dy, -w * kx, -w * ky };
-    AddGradient(block.A, block.Sine, block.B, block.Cosine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
+    const float factor[5] = { w * kx * dx, w * kx * dy, w * ky * dy, -w * kx * up, -w * ky * up };
+    AddGradient(block.ASine, block.BCosine, factor, count, sums[0], sums[1], sums[2], sums[3], sums[4]);
   }
 }
 

@@ -63,8 +63,8 @@ double SurfaceJacobian(const double gradient[5]);
  *
  * Points in double precision go through the standard library's functions. Points in single precision go through
  * polynomials over whole blocks of points, with phases formed and reduced in double precision; their displacements are
- * good to some 1e-6 of the sum of amplitudes, wherever the scene lies. Each point is computed for itself: results do
- * not depend on ranges.
+ * good to some 1e-6 of the sum of amplitudes, up to 3e7 waves from the origin, where numbers in single precision are
+ * whole waves apart. Each point is computed for itself: results do not depend on ranges.
  */
 class WaveOrbits
 {
@@ -105,8 +105,8 @@ private:
   void EvaluateBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
   void StartBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const;
   void AddDrift(Block& block, const OrbitRequest<float>& request, const int* counts, int count) const;
-  void FindAxes(Block& block, const Train& train, float share, int count) const;
-  void AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, int count) const;
+  void FindAxes(Block& block, const Train& train, int count) const;
+  void AddTrain(Block& block, const OrbitRequest<float>& request, const Train& train, float share, int count) const;
 
   SeaState Sea;
   WaveOrbitOptions Options;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sway/PlantMotion.h"
 
+#include "Numerics/SimdRotation.h"
 #include "Sway/BeamModes.h"
 
 #include <algorithm>
@@ -9,10 +10,50 @@
 namespace littoral
 {
 
+namespace
+{
+
+using FourVectors = glm::vec<3, SimdDouble4>;
+
+/// The rotations of segments, each alone, by the amplitudes of its branch; four segments at a time.
+LITTORAL_SIMD_CLONES void Bend(const std::vector<BendingSegment>& segments, const double* rises, std::size_t modes,
+  const Vector3* amplitudes, JointPose* poses)
+{
+  const std::size_t count = segments.size();
+  for (std::size_t first = 0; first < count; first += LaneCount)
+  {
+    LaneIndices at;
+    LaneIndices rise;
+    LaneIndices amplitude;
+    for (std::size_t lane = 0; lane < LaneCount; ++lane)
+    {
+      at[lane] = std::min(first + lane, count - 1);
+      rise[lane] = modes * at[lane];
+      amplitude[lane] = modes * static_cast<std::size_t>(segments[at[lane]].Branch);
+    }
+    const FourVectors along = GatherVector(segments.data(), at, &BendingSegment::Along);
+    // a segment goes to d + sum over modes of Y_n (shape above - shape below)
+    FourVectors bent = along;
+    for (std::size_t mode = 0; mode < modes; ++mode)
+    {
+      const double* own = rises + mode;
+      const Vector3* of = amplitudes + mode;
+      bent += SimdDouble4(own[rise[0]], own[rise[1]], own[rise[2]], own[rise[3]]) *
+        InLanes(of[amplitude[0]], of[amplitude[1]], of[amplitude[2]], of[amplitude[3]]);
+    }
+    const glm::qua<SimdDouble4> turn = RotationBetween(along, bent);
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      poses[segments[at[lane]].Joint].Rotation = LaneOf(turn, lane);
+    }
+  }
+}
+
+}
+
 PlantMotion::PlantMotion(const Skeleton& rest, int numberOfModes, const std::vector<TrunkMode>& trunk)
   : Modes(numberOfModes)
   , Joints(rest.Nodes.size())
-  , Rises(rest.Nodes.size() * static_cast<std::size_t>(numberOfModes), 0.0)
 {
   for (int index = 0; index < static_cast<int>(rest.Branches.size()); ++index)
   {
@@ -30,10 +71,10 @@ PlantMotion::PlantMotion(const Skeleton& rest, int numberOfModes, const std::vec
     {
       const Vector3 segment = rest.Nodes[node + 1].Position - rest.Nodes[node].Position;
       const double above = std::min(1.0, below + glm::length(segment) / length);
-      this->Joints[node].Segment = segment;
+      this->Segments.push_back({ segment, node, index });
       for (int mode = 1; mode <= this->Modes; ++mode)
       {
-        this->Rises[static_cast<std::size_t>(node) * this->Modes + mode - 1] = shape(mode, above) - shape(mode, below);
+        this->Rises.push_back(shape(mode, above) - shape(mode, below));
       }
       below = above;
     }
@@ -42,6 +83,8 @@ PlantMotion::PlantMotion(const Skeleton& rest, int numberOfModes, const std::vec
 
 void PlantMotion::Pose(const Vector3* amplitudes, JointPose* poses) const
 {
+  Bend(this->Segments, this->Rises.data(), static_cast<std::size_t>(this->Modes), amplitudes, poses);
+  const BendingSegment* segment = this->Segments.data();
   for (const Branch& branch : this->Branches)
   {
     JointPose pose;
@@ -52,21 +95,13 @@ void PlantMotion::Pose(const Vector3* amplitudes, JointPose* poses) const
     }
     const glm::dquat frame = pose.Rotation;
     const int tip = branch.First + branch.Count - 1;
-    for (int node = branch.First; node < tip; ++node)
+    for (int node = branch.First; node < tip; ++node, ++segment)
     {
-      const Vector3& segment = this->Joints[node].Segment;
-      const double* rise = &this->Rises[static_cast<std::size_t>(node) * this->Modes];
-      Vector3 bent = segment;
-      for (int mode = 0; mode < this->Modes; ++mode)
-      {
-        bent += rise[mode] * amplitudes[mode];
-      }
-      pose.Rotation = frame * RotationBetween(segment, bent);
+      pose.Rotation = frame * poses[node].Rotation;
       poses[node] = pose;
-      pose.Shift += RotationOffset(pose.Rotation, segment);
+      pose.Shift += RotationOffset(pose.Rotation, segment->Along);
     }
     poses[tip] = pose;
-    amplitudes += this->Modes;
   }
 }
 

@@ -12,6 +12,14 @@
 namespace littoral
 {
 
+/// A segment of a branch, from its joint to the next.
+struct BendingSegment
+{
+  Vector3 Along{ 0.0, 0.0, 0.0 }; ///< at rest [m]
+  int Joint = 0;
+  int Branch = 0;
+};
+
 /**
  * A skeleton whose branches bend as cantilevers, each clamped in its parent (section 3.2 of Setas et al.). The
  * displacement of a branch turns its segments; a segment takes along all that grows on it. Segments keep their lengths,
@@ -25,7 +33,7 @@ public:
   PlantMotion(const Skeleton& rest, int numberOfModes, const std::vector<TrunkMode>& trunk = {});
 
   int GetNumberOfModes() const { return this->Modes; }
-  std::size_t GetNumberOfJoints() const { return this->Joints.size(); }
+  std::size_t GetNumberOfJoints() const { return this->Joints; }
   std::size_t GetNumberOfBranches() const { return this->Branches.size(); }
 
   /**
@@ -37,11 +45,6 @@ public:
   void Pose(const Vector3* amplitudes, JointPose* poses) const;
 
 private:
-  /// What is known of the segment from a node to the next.
-  struct Joint
-  {
-    Vector3 Segment{ 0.0, 0.0, 0.0 }; // from the node to the next of the branch [m]
-  };
   struct Branch
   {
     int First;
@@ -51,8 +54,9 @@ private:
   };
 
   int Modes;
-  std::vector<Joint> Joints;
-  std::vector<double> Rises; // of the modes' shapes over the segment of each joint
+  std::size_t Joints;
+  std::vector<BendingSegment> Segments;
+  std::vector<double> Rises; // of the modes' shapes over each segment
   std::vector<Branch> Branches;
 };
 

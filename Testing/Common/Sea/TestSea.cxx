@@ -371,6 +371,32 @@ TEST(Orbits, SinglePrecisionFollowsDoublePrecision)
   }
 }
 
+TEST(Orbits, SinglePrecisionKeepsPhasesMillionsOfWavesAway)
+{
+  const SeaState sea{ { Train(1.0, TwoPi, Infinity, 0.0, 0.3) }, Infinity, 0.0 };
+  const WaveOrbits orbits(sea, {}, 2.5);
+  for (const double waves : { 0.0, 1e3, 1e6, 8e6, 1.6e7 })
+  {
+    for (int n = -200; n <= 200; ++n)
+    {
+      const float center[3] = { static_cast<float>((n < 0 ? -waves : waves) + 0.01 * n), 0.0f, 0.0f };
+      const double exactCenter[3] = { center[0], 0.0, 0.0 };
+      float place[3];
+      double exact[3];
+      OrbitRequest<float> request;
+      request.Centers = center;
+      request.Displacement = place;
+      orbits.Evaluate(request, 0, 1);
+      OrbitRequest<double> exactRequest;
+      exactRequest.Centers = exactCenter;
+      exactRequest.Displacement = exact;
+      orbits.Evaluate(exactRequest, 0, 1);
+      EXPECT_NEAR(place[0], exact[0], 4e-7) << center[0];
+      EXPECT_NEAR(place[2], exact[2], 4e-7) << center[0];
+    }
+  }
+}
+
 TEST(Orbits, StokesDriftHasItsClosedForm)
 {
   const double h = 3.0;

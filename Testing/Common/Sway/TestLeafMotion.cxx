@@ -31,7 +31,7 @@ double Angle(const Vector3& a, const Vector3& b)
 
 TEST(LeafMotion, NoWindNoMotion)
 {
-  const glm::dquat rotation = LeafRotation(Upright, { 0.0, 0.0, 0.0 }, { 0.3, -0.2 }, {});
+  const glm::dquat rotation = LeafRotation(Upright, LeafWindOf(Vector3(0.0), {}), { 0.3, -0.2 });
   const glm::dquat identity{ 1.0, 0.0, 0.0, 0.0 };
   EXPECT_EQ(std::memcmp(&rotation, &identity, sizeof(identity)), 0);
 }
@@ -42,13 +42,13 @@ TEST(LeafMotion, TurnsTowardsTheWind)
   options.LargestAlignment = 1.0;
   for (const Vector3& wind : { Vector3(20.0, 0.0, 0.0), Vector3(-9.0, 12.0, 16.0), Vector3(0.0, 0.0, -20.0) })
   {
-    const glm::dquat rotation = LeafRotation(Upright, wind, { 0.0, 0.0 }, options);
+    const glm::dquat rotation = LeafRotation(Upright, LeafWindOf(wind, options), { 0.0, 0.0 });
     EXPECT_NEAR(Angle(Turned(rotation, Upright.Main), wind), 0.0, 1e-9);
   }
   double last = -1.0;
   for (double speed = 0.0; speed <= 20.0; speed += 0.5)
   {
-    const glm::dquat rotation = LeafRotation(Upright, { speed, 0.0, 0.0 }, { 0.0, 0.0 }, options);
+    const glm::dquat rotation = LeafRotation(Upright, LeafWindOf({ speed, 0.0, 0.0 }, options), { 0.0, 0.0 });
     const double angle = Angle(Turned(rotation, Upright.Main), Upright.Main);
     EXPECT_GE(angle, last - 1e-12);
     EXPECT_NEAR(angle, 0.5 * Pi * RiseBetween(speed, options.AligningSpeeds), 1e-12);
@@ -61,7 +61,7 @@ TEST(LeafMotion, AxesStayAtRightAngles)
   const LeafFlutter flutter({});
   for (int leaf = 0; leaf < 100; ++leaf)
   {
-    const glm::dquat q = LeafRotation(Upright, { 3.0 - 0.1 * leaf, 2.0, 1.0 }, flutter.At(leaf, 7.7), {});
+    const glm::dquat q = LeafRotation(Upright, LeafWindOf({ 3.0 - 0.1 * leaf, 2.0, 1.0 }, {}), flutter.At(leaf, 7.7));
     EXPECT_NEAR(glm::dot(Turned(q, Upright.Main), Turned(q, Upright.Facing)), 0.0, 1e-12);
     EXPECT_NEAR(glm::length(Turned(q, Upright.Main)), 1.0, 1e-12);
   }
@@ -134,6 +134,31 @@ TEST(LeafMotion, AnyTimeWithoutHistory)
   EXPECT_NE(LeafFlutter(options).At(5, 0.0), one.At(5, 0.0));
 }
 
+TEST(LeafMotion, AnyTimeAndPeriodThatIsFinite)
+{
+  LeafMotionOptions options;
+  for (const double period : { 0.0, 7.0, 4.8e32, 1e308 })
+  {
+    options.Period = period;
+    const LeafFlutter flutter(options);
+    for (const double time : { 0.0, 1e9, -1e9, 1e17, -1e17, 1e300, -1e300, 1.7e308 })
+    {
+      const LeafFlutter::Moment moment = flutter.MomentOf(time);
+      EXPECT_LE(std::abs(static_cast<double>(moment.Cell)), 0x1p53) << time << " of " << period;
+      EXPECT_TRUE(moment.Part >= 0.0 && moment.Part <= 1.0) << time << " of " << period;
+      for (const double angle : flutter.At(5, time))
+      {
+        EXPECT_LE(std::abs(angle), 0.5) << time << " of " << period;
+      }
+    }
+  }
+  // A period beyond all that time can tell is none.
+  options.Period = 0.0;
+  const LeafFlutter endless(options);
+  options.Period = 4.8e32;
+  EXPECT_EQ(LeafFlutter(options).At(5, 12.34), endless.At(5, 12.34));
+}
+
 TEST(LeafMotion, RepeatsAfterThePeriod)
 {
   LeafMotionOptions options;
@@ -176,4 +201,90 @@ TEST(LeafMotion, LeavesOfAShortPeriodKeepOneAngleEach)
     squares += 0.5 * (angles[0] * angles[0] + angles[1] * angles[1]) / leaves;
   }
   EXPECT_NEAR(squares, 1.0 / 12.0, 0.001); // of uniform angles
+}
+
+// Leaves one by one, by their definition; nothing that a leaf keeps shows, whatever times were asked for before.
+TEST(LeafMotion, LeavesTurnAsEachDoesAlone)
+{
+  LeafMotionOptions options;
+  options.Period = 60.0;
+  const LeafFlutter flutter(options);
+  const std::array<LeafWind, 3> winds{ LeafWindOf({ 9.0, -3.0, 1.0 }, options), LeafWindOf(Vector3(0.0), options),
+    LeafWindOf({ 0.0, 2.0, 0.5 }, options) };
+  const int count = 42;
+  const RandomStream random(3, RandomPurpose::QuadratPositions);
+  std::vector<FlutteringLeaf> leaves;
+  std::vector<float> rest;
+  std::vector<float> restNormals;
+  for (int leaf = 0; leaf < count; ++leaf)
+  {
+    leaves.push_back(flutter.Leaf({ 4 * leaf + 2, 4 * leaf, 4 * leaf + 1, 4 * leaf + 3 }, leaf % 3, 1000 + leaf));
+    for (int corner = 0; corner < 12; ++corner)
+    {
+      const auto draw = random.NormalPair(leaf, corner);
+      rest.push_back(static_cast<float>(3.0 + 0.1 * draw[0]));
+      restNormals.push_back(static_cast<float>(draw[1]));
+    }
+  }
+  double worst = 0.0;
+  for (const double time : { 0.1, 0.12, 0.5, 59.99, 60.01, 7.3, 0.12, -400.0 })
+  {
+    std::vector<float> points = rest;
+    std::vector<float> normals = restNormals;
+    TurnLeaves(flutter, flutter.MomentOf(time), winds.data(), 0, count, leaves.data(), points.data(), normals.data());
+    for (int leaf = 0; leaf < count; ++leaf)
+    {
+      const FlutteringLeaf& own = leaves[leaf];
+      const auto at = [&](const std::vector<float>& vectors, int corner) {
+        const float* v = &vectors[3 * own.Corners[corner]];
+        return Vector3(v[0], v[1], v[2]);
+      };
+      const Vector3 foot = at(rest, 0);
+      const LeafAxes axes{ Normalised(at(rest, 2) - foot),
+        Normalised(glm::cross(at(rest, 2) - foot, at(rest, 3) - at(rest, 1))) };
+      const glm::dquat turn = LeafRotation(axes, winds[own.Plant], flutter.At(own.Identity, time));
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const Vector3 point = foot + Turned(turn, at(rest, corner) - foot);
+        worst = std::max(worst, glm::distance(at(points, corner), point));
+        worst = std::max(worst, glm::distance(at(normals, corner), Turned(turn, at(restNormals, corner))));
+      }
+      if (own.Plant == 1) // calm
+      {
+        EXPECT_EQ(at(points, 2), at(rest, 2));
+        EXPECT_EQ(at(normals, 2), at(restNormals, 2));
+      }
+    }
+  }
+  std::printf("leaves four at a time: %.2g\n", worst);
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(LeafMotion, FollowingTimeGivesTheBytesOfAnyOrder)
+{
+  LeafMotionOptions options;
+  options.Period = 3.0;
+  const LeafFlutter flutter(options);
+  const LeafWind wind = LeafWindOf({ 6.0, 1.0, 0.0 }, options);
+  const auto turned = [&](std::vector<FlutteringLeaf>& leaves, double time) {
+    std::vector<float> points;
+    for (int leaf = 0; leaf < 9; ++leaf)
+    {
+      const float x = static_cast<float>(leaf);
+      points.insert(points.end(), { x, 0.0f, 0.0f, x, -0.1f, 0.1f, x, 0.0f, 0.2f, x, 0.1f, 0.1f });
+    }
+    TurnLeaves(flutter, flutter.MomentOf(time), &wind, 0, leaves.size(), leaves.data(), points.data(), nullptr);
+    return points;
+  };
+  std::vector<FlutteringLeaf> fresh;
+  for (int leaf = 0; leaf < 9; ++leaf)
+  {
+    fresh.push_back(flutter.Leaf({ 4 * leaf, 4 * leaf + 1, 4 * leaf + 2, 4 * leaf + 3 }, 0, leaf));
+  }
+  std::vector<FlutteringLeaf> following = fresh;
+  for (double time = -1.0; time < 7.0; time += 0.07)
+  {
+    std::vector<FlutteringLeaf> own = fresh;
+    EXPECT_EQ(turned(following, time), turned(own, time)) << time;
+  }
 }
