@@ -26,7 +26,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -42,6 +41,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Fewer points along a side have no lags to speak of.
 constexpr int SmallestSide = 8;
+constexpr std::size_t FewestSamples = SmallestSide * SmallestSide;
 
 littoral::GridSamples ReadSamples(vtkImageData* image, vtkDataArray* array, bool useNoData, double noData)
 {
@@ -115,13 +115,14 @@ struct MeasuredVariogram
   std::vector<littoral::LagBin> Sectors;
   int Directions; ///< 0: no sectors
 
-  MeasuredVariogram(const littoral::VariogramMap& map, double maximumLag, int lags, int directions)
-    : Rings(littoral::BinVariogram(map, maximumLag, lags, 1))
+  MeasuredVariogram(const littoral::VariogramMap& map, double maximumLag, int lags, int directions,
+    const littoral::ParallelFor& parallel)
+    : Rings(littoral::BinVariogram(map, maximumLag, lags, 1, parallel))
     , Directions(directions)
   {
     if (directions > 0)
     {
-      this->Sectors = littoral::BinVariogram(map, maximumLag, lags, directions);
+      this->Sectors = littoral::BinVariogram(map, maximumLag, lags, directions, parallel);
     }
   }
 
@@ -156,10 +157,8 @@ void WriteVariogram(const MeasuredVariogram& variogram, const std::vector<littor
   }
   for (int direction = 0; direction < directions; ++direction)
   {
-    char name[32];
-    std::snprintf(
-      name, sizeof(name), "Semivariance_%03d", static_cast<int>(std::lround(180.0 * direction / directions)));
-    column(name, [&](const LagBin& ring) {
+    const std::string degrees = std::to_string(std::lround(180.0 * direction / directions)); // 0 to 180
+    column(("Semivariance_" + std::string(3 - degrees.size(), '0') + degrees).c_str(), [&](const LagBin& ring) {
       const auto found = measured.find({ direction, ring.Ring });
       return found == measured.end() ? NaN : found->second;
     });
@@ -274,11 +273,11 @@ bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, D
   samples = ReadSamples(image, array, this->UseNoDataValue, this->NoDataValue);
   field.Moments = littoral::Moments(samples);
   const littoral::SampleMoments& moments = field.Moments;
-  if (moments.Count < static_cast<std::size_t>(SmallestSide * SmallestSide))
+  if (moments.Count < FewestSamples)
   {
     littoralErrorMacro("The image has only " << moments.Count << " of " << samples.Values.size()
                                              << " values, the others are NaN or no-data; a fit needs at least "
-                                             << SmallestSide * SmallestSide << ".");
+                                             << FewestSamples << ".");
     return false;
   }
   if (this->RemoveTrend)
@@ -350,8 +349,8 @@ int vtkCovarianceFitFilter::RequestData(
   {
     return 1;
   }
-  const MeasuredVariogram variogram(
-    map, maximumLag, this->NumberOfLags, this->FitAnisotropy ? this->NumberOfDirections : 0);
+  const MeasuredVariogram variogram(map, maximumLag, this->NumberOfLags,
+    this->FitAnisotropy ? this->NumberOfDirections : 0, littoral::AbortableFor(this));
   const littoral::DetrendedWindow window(
     field.Samples, this->RemoveTrend ? littoral::Trend::Plane : littoral::Trend::Mean);
   const std::vector<littoral::VariogramFit> fits = littoral::FitAllModels(

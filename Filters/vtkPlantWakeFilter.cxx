@@ -123,13 +123,13 @@ int vtkPlantWakeFilter::RequestData(
   const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), "Input", reason);
   reason = reason.empty() ? littoral::WhyNoPlants(blocks) : reason;
   vtkPolyData* bones = littoral::PlantPartOf(blocks, littoral::plant::High, littoral::plant::Skeleton);
-  if (reason.empty() && !bones)
-  {
-    reason = "the plants have no block High/Skeleton.";
-  }
   std::vector<std::vector<MovingPoint>> plants;
   std::vector<int> plantIds;
-  if (reason.empty() && bones->GetNumberOfPoints() > 0)
+  if (!bones)
+  {
+    reason = reason.empty() ? "the plants have no block High/Skeleton." : reason;
+  }
+  else if (reason.empty() && bones->GetNumberOfPoints() > 0)
   {
     reason = ReadPlants(bones, plants, plantIds);
   }

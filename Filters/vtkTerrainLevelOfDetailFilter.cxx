@@ -97,9 +97,12 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = from->GetArray(i);
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    const bool isMade = name.empty() || name == "Elevation" || name == "Normals" || name == "TCoords";
-    if (!isMade && array != heights && array->GetDataType() != VTK_BIT)
+    if (!array || !array->GetName() || array == heights || array->GetDataType() == VTK_BIT)
+    {
+      continue;
+    }
+    const std::string name = array->GetName();
+    if (!name.empty() && name != "Elevation" && name != "Normals" && name != "TCoords")
     {
       vtkSmartPointer<vtkDataArray> copy;
       copy.TakeReference(array->NewInstance());
@@ -235,8 +238,9 @@ private:
     this->Elevation->SetValue(point, samples.Values[sample]);
     std::copy_n(this->Pyramid.GetNormal(sample).data(), 3, this->Normals->GetPointer(3 * point));
     float* coordinate = this->Coordinates->GetPointer(2 * point);
+    const std::size_t row = sample / samples.Width;
     coordinate[0] = static_cast<float>(static_cast<double>(sample % samples.Width) / (samples.Width - 1));
-    coordinate[1] = static_cast<float>(static_cast<double>(sample / samples.Width) / (samples.Height - 1));
+    coordinate[1] = static_cast<float>(static_cast<double>(row) / (samples.Height - 1));
     if (this->Painter)
     {
       std::copy_n(this->Painter(sample).data(), 3, this->Colors->GetPointer(3 * point));

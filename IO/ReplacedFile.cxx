@@ -156,7 +156,7 @@ ReplacedFile::~ReplacedFile()
   }
   if (this->HasName)
   {
-    std::remove(this->Temporary.c_str());
+    static_cast<void>(std::remove(this->Temporary.c_str())); // there is no one left to tell
   }
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 namespace littoral
 {
@@ -22,38 +23,41 @@ namespace
 constexpr int ShortestForFftw = 256;
 #endif
 
-constexpr float Sin60 = 0.86602540378443864676f;
-constexpr float Cos72 = 0.30901699437494742410f;
-constexpr float Sin72 = 0.95105651629515357212f;
-constexpr float Cos144 = -0.80901699437494742410f;
-constexpr float Sin144 = 0.58778525229247312917f;
+constexpr double Sin60 = 0.86602540378443864676;
+constexpr double Cos72 = 0.30901699437494742410;
+constexpr double Sin72 = 0.95105651629515357212;
+constexpr double Cos144 = -0.80901699437494742410;
+constexpr double Sin144 = 0.58778525229247312917;
 
 /// Where a stage reads (Radix values, a step apart) and writes (the same, one after the other), and its turns.
+template <typename Real>
 struct Butterfly
 {
-  const float* __restrict Re;
-  const float* __restrict Im;
-  float* __restrict ToRe;
-  float* __restrict ToIm;
+  const Real* __restrict Re;
+  const Real* __restrict Im;
+  Real* __restrict ToRe;
+  Real* __restrict ToIm;
   std::size_t Step;  ///< between values read
   std::size_t Count; ///< of numbers side by side
-  const float* Turn; ///< real, imaginary of w, w^2, ...
+  const Real* Turn;  ///< real, imaginary of w, w^2, ...
 };
 
-LITTORAL_SIMD_CLONES void Butterfly2(const Butterfly& b)
+template <typename Real>
+LITTORAL_INLINE void Butterfly2(const Butterfly<Real>& b)
 {
-  const float* __restrict re = b.Re;
-  const float* __restrict im = b.Im;
-  float* __restrict toRe = b.ToRe;
-  float* __restrict toIm = b.ToIm;
+  const Real* __restrict re = b.Re;
+  const Real* __restrict im = b.Im;
+  Real* __restrict toRe = b.ToRe;
+  Real* __restrict toIm = b.ToIm;
   const std::size_t step = b.Step;
   const std::size_t count = b.Count;
-  const float c1 = b.Turn[0];
-  const float s1 = b.Turn[1];
+  const Real c1 = b.Turn[0];
+  const Real s1 = b.Turn[1];
+  LITTORAL_INDEPENDENT
   for (std::size_t n = 0; n < count; ++n)
   {
-    const float dr = re[n] - re[n + step];
-    const float di = im[n] - im[n + step];
+    const Real dr = re[n] - re[n + step];
+    const Real di = im[n] - im[n + step];
     toRe[n] = re[n] + re[n + step];
     toIm[n] = im[n] + im[n + step];
     toRe[n + count] = c1 * dr - s1 * di;
@@ -61,30 +65,33 @@ LITTORAL_SIMD_CLONES void Butterfly2(const Butterfly& b)
   }
 }
 
-LITTORAL_SIMD_CLONES void Butterfly3(const Butterfly& b)
+template <typename Real>
+LITTORAL_INLINE void Butterfly3(const Butterfly<Real>& b)
 {
-  const float* __restrict re = b.Re;
-  const float* __restrict im = b.Im;
-  float* __restrict toRe = b.ToRe;
-  float* __restrict toIm = b.ToIm;
+  const Real* __restrict re = b.Re;
+  const Real* __restrict im = b.Im;
+  Real* __restrict toRe = b.ToRe;
+  Real* __restrict toIm = b.ToIm;
   const std::size_t step = b.Step;
   const std::size_t count = b.Count;
-  const float c1 = b.Turn[0];
-  const float s1 = b.Turn[1];
-  const float c2 = b.Turn[2];
-  const float s2 = b.Turn[3];
+  const Real c1 = b.Turn[0];
+  const Real s1 = b.Turn[1];
+  const Real c2 = b.Turn[2];
+  const Real s2 = b.Turn[3];
+  constexpr auto sin60 = static_cast<Real>(Sin60);
+  LITTORAL_INDEPENDENT
   for (std::size_t n = 0; n < count; ++n)
   {
-    const float sumRe = re[n + step] + re[n + 2 * step];
-    const float sumIm = im[n + step] + im[n + 2 * step];
-    const float midRe = re[n] - 0.5f * sumRe;
-    const float midIm = im[n] - 0.5f * sumIm;
-    const float offRe = -Sin60 * (im[n + step] - im[n + 2 * step]);
-    const float offIm = Sin60 * (re[n + step] - re[n + 2 * step]);
-    const float r1 = midRe + offRe;
-    const float i1 = midIm + offIm;
-    const float r2 = midRe - offRe;
-    const float i2 = midIm - offIm;
+    const Real sumRe = re[n + step] + re[n + 2 * step];
+    const Real sumIm = im[n + step] + im[n + 2 * step];
+    const Real midRe = re[n] - Real(0.5) * sumRe;
+    const Real midIm = im[n] - Real(0.5) * sumIm;
+    const Real offRe = -sin60 * (im[n + step] - im[n + 2 * step]);
+    const Real offIm = sin60 * (re[n + step] - re[n + 2 * step]);
+    const Real r1 = midRe + offRe;
+    const Real i1 = midIm + offIm;
+    const Real r2 = midRe - offRe;
+    const Real i2 = midIm - offIm;
     toRe[n] = re[n] + sumRe;
     toIm[n] = im[n] + sumIm;
     toRe[n + count] = c1 * r1 - s1 * i1;
@@ -94,36 +101,38 @@ LITTORAL_SIMD_CLONES void Butterfly3(const Butterfly& b)
   }
 }
 
-LITTORAL_SIMD_CLONES void Butterfly4(const Butterfly& b)
+template <typename Real>
+LITTORAL_INLINE void Butterfly4(const Butterfly<Real>& b)
 {
-  const float* __restrict re = b.Re;
-  const float* __restrict im = b.Im;
-  float* __restrict toRe = b.ToRe;
-  float* __restrict toIm = b.ToIm;
+  const Real* __restrict re = b.Re;
+  const Real* __restrict im = b.Im;
+  Real* __restrict toRe = b.ToRe;
+  Real* __restrict toIm = b.ToIm;
   const std::size_t step = b.Step;
   const std::size_t count = b.Count;
-  const float c1 = b.Turn[0];
-  const float s1 = b.Turn[1];
-  const float c2 = b.Turn[2];
-  const float s2 = b.Turn[3];
-  const float c3 = b.Turn[4];
-  const float s3 = b.Turn[5];
+  const Real c1 = b.Turn[0];
+  const Real s1 = b.Turn[1];
+  const Real c2 = b.Turn[2];
+  const Real s2 = b.Turn[3];
+  const Real c3 = b.Turn[4];
+  const Real s3 = b.Turn[5];
+  LITTORAL_INDEPENDENT
   for (std::size_t n = 0; n < count; ++n)
   {
-    const float aRe = re[n] + re[n + 2 * step];
-    const float aIm = im[n] + im[n + 2 * step];
-    const float bRe = re[n] - re[n + 2 * step];
-    const float bIm = im[n] - im[n + 2 * step];
-    const float cRe = re[n + step] + re[n + 3 * step];
-    const float cIm = im[n + step] + im[n + 3 * step];
-    const float dRe = re[n + step] - re[n + 3 * step];
-    const float dIm = im[n + step] - im[n + 3 * step];
-    const float r1 = bRe - dIm;
-    const float i1 = bIm + dRe;
-    const float r2 = aRe - cRe;
-    const float i2 = aIm - cIm;
-    const float r3 = bRe + dIm;
-    const float i3 = bIm - dRe;
+    const Real aRe = re[n] + re[n + 2 * step];
+    const Real aIm = im[n] + im[n + 2 * step];
+    const Real bRe = re[n] - re[n + 2 * step];
+    const Real bIm = im[n] - im[n + 2 * step];
+    const Real cRe = re[n + step] + re[n + 3 * step];
+    const Real cIm = im[n + step] + im[n + 3 * step];
+    const Real dRe = re[n + step] - re[n + 3 * step];
+    const Real dIm = im[n + step] - im[n + 3 * step];
+    const Real r1 = bRe - dIm;
+    const Real i1 = bIm + dRe;
+    const Real r2 = aRe - cRe;
+    const Real i2 = aIm - cIm;
+    const Real r3 = bRe + dIm;
+    const Real i3 = bIm - dRe;
     toRe[n] = aRe + cRe;
     toIm[n] = aIm + cIm;
     toRe[n + count] = c1 * r1 - s1 * i1;
@@ -135,47 +144,53 @@ LITTORAL_SIMD_CLONES void Butterfly4(const Butterfly& b)
   }
 }
 
-LITTORAL_SIMD_CLONES void Butterfly5(const Butterfly& b)
+template <typename Real>
+LITTORAL_INLINE void Butterfly5(const Butterfly<Real>& b)
 {
-  const float* __restrict re = b.Re;
-  const float* __restrict im = b.Im;
-  float* __restrict toRe = b.ToRe;
-  float* __restrict toIm = b.ToIm;
+  const Real* __restrict re = b.Re;
+  const Real* __restrict im = b.Im;
+  Real* __restrict toRe = b.ToRe;
+  Real* __restrict toIm = b.ToIm;
   const std::size_t step = b.Step;
   const std::size_t count = b.Count;
-  float c[5];
-  float s[5];
+  Real c[5];
+  Real s[5];
   for (int power = 1; power < 5; ++power)
   {
     c[power] = b.Turn[2 * power - 2];
     s[power] = b.Turn[2 * power - 1];
   }
+  constexpr auto cos72 = static_cast<Real>(Cos72);
+  constexpr auto sin72 = static_cast<Real>(Sin72);
+  constexpr auto cos144 = static_cast<Real>(Cos144);
+  constexpr auto sin144 = static_cast<Real>(Sin144);
+  LITTORAL_INDEPENDENT
   for (std::size_t n = 0; n < count; ++n)
   {
-    const float sum1Re = re[n + step] + re[n + 4 * step];
-    const float sum1Im = im[n + step] + im[n + 4 * step];
-    const float sum2Re = re[n + 2 * step] + re[n + 3 * step];
-    const float sum2Im = im[n + 2 * step] + im[n + 3 * step];
-    const float dif1Re = re[n + step] - re[n + 4 * step];
-    const float dif1Im = im[n + step] - im[n + 4 * step];
-    const float dif2Re = re[n + 2 * step] - re[n + 3 * step];
-    const float dif2Im = im[n + 2 * step] - im[n + 3 * step];
-    const float mid1Re = re[n] + Cos72 * sum1Re + Cos144 * sum2Re;
-    const float mid1Im = im[n] + Cos72 * sum1Im + Cos144 * sum2Im;
-    const float mid2Re = re[n] + Cos144 * sum1Re + Cos72 * sum2Re;
-    const float mid2Im = im[n] + Cos144 * sum1Im + Cos72 * sum2Im;
-    const float off1Re = -(Sin72 * dif1Im + Sin144 * dif2Im);
-    const float off1Im = Sin72 * dif1Re + Sin144 * dif2Re;
-    const float off2Re = -(Sin144 * dif1Im - Sin72 * dif2Im);
-    const float off2Im = Sin144 * dif1Re - Sin72 * dif2Re;
-    const float r1 = mid1Re + off1Re;
-    const float i1 = mid1Im + off1Im;
-    const float r2 = mid2Re + off2Re;
-    const float i2 = mid2Im + off2Im;
-    const float r3 = mid2Re - off2Re;
-    const float i3 = mid2Im - off2Im;
-    const float r4 = mid1Re - off1Re;
-    const float i4 = mid1Im - off1Im;
+    const Real sum1Re = re[n + step] + re[n + 4 * step];
+    const Real sum1Im = im[n + step] + im[n + 4 * step];
+    const Real sum2Re = re[n + 2 * step] + re[n + 3 * step];
+    const Real sum2Im = im[n + 2 * step] + im[n + 3 * step];
+    const Real dif1Re = re[n + step] - re[n + 4 * step];
+    const Real dif1Im = im[n + step] - im[n + 4 * step];
+    const Real dif2Re = re[n + 2 * step] - re[n + 3 * step];
+    const Real dif2Im = im[n + 2 * step] - im[n + 3 * step];
+    const Real mid1Re = re[n] + cos72 * sum1Re + cos144 * sum2Re;
+    const Real mid1Im = im[n] + cos72 * sum1Im + cos144 * sum2Im;
+    const Real mid2Re = re[n] + cos144 * sum1Re + cos72 * sum2Re;
+    const Real mid2Im = im[n] + cos144 * sum1Im + cos72 * sum2Im;
+    const Real off1Re = -(sin72 * dif1Im + sin144 * dif2Im);
+    const Real off1Im = sin72 * dif1Re + sin144 * dif2Re;
+    const Real off2Re = -(sin144 * dif1Im - sin72 * dif2Im);
+    const Real off2Im = sin144 * dif1Re - sin72 * dif2Re;
+    const Real r1 = mid1Re + off1Re;
+    const Real i1 = mid1Im + off1Im;
+    const Real r2 = mid2Re + off2Re;
+    const Real i2 = mid2Im + off2Im;
+    const Real r3 = mid2Re - off2Re;
+    const Real i3 = mid2Im - off2Im;
+    const Real r4 = mid1Re - off1Re;
+    const Real i4 = mid1Im - off1Im;
     toRe[n] = re[n] + sum1Re + sum2Re;
     toIm[n] = im[n] + sum1Im + sum2Im;
     toRe[n + count] = c[1] * r1 - s[1] * i1;
@@ -189,19 +204,72 @@ LITTORAL_SIMD_CLONES void Butterfly5(const Butterfly& b)
   }
 }
 
-void Run(int radix, const Butterfly& b)
+/// A stage of a transform: its butterflies, for each of the turns.
+template <typename Real>
+struct StageTask
 {
-  switch (radix)
+  int Radix;
+  std::size_t Cofactor;
+  std::size_t Done; ///< numbers side by side that the same turn belongs to
+  const Real* Turns;
+  const Real* Re;
+  const Real* Im;
+  Real* ToRe;
+  Real* ToIm;
+};
+
+template <int Radix, typename Real>
+LITTORAL_INLINE void RunRadix(const StageTask<Real>& stage)
+{
+  for (std::size_t j = 0; j < stage.Cofactor; ++j)
+  {
+    const std::size_t from = stage.Done * j;
+    const std::size_t to = from * Radix;
+    const Butterfly<Real> butterfly{ stage.Re + from, stage.Im + from, stage.ToRe + to, stage.ToIm + to,
+      stage.Done * stage.Cofactor, stage.Done, stage.Turns + 2 * (Radix - 1) * j };
+    if constexpr (Radix == 2)
+    {
+      Butterfly2(butterfly);
+    }
+    else if constexpr (Radix == 3)
+    {
+      Butterfly3(butterfly);
+    }
+    else if constexpr (Radix == 4)
+    {
+      Butterfly4(butterfly);
+    }
+    else
+    {
+      Butterfly5(butterfly);
+    }
+  }
+}
+
+template <typename Real>
+LITTORAL_INLINE void RunAnyRadix(const StageTask<Real>& stage)
+{
+  switch (stage.Radix)
   {
     case 2:
-      return Butterfly2(b);
+      return RunRadix<2>(stage);
     case 3:
-      return Butterfly3(b);
+      return RunRadix<3>(stage);
     case 4:
-      return Butterfly4(b);
+      return RunRadix<4>(stage);
     default:
-      return Butterfly5(b);
+      return RunRadix<5>(stage);
   }
+}
+
+LITTORAL_SIMD_CLONES void RunStage(const StageTask<float>& stage)
+{
+  RunAnyRadix(stage);
+}
+
+LITTORAL_WIDE_SIMD_CLONES void RunStage(const StageTask<double>& stage)
+{
+  RunAnyRadix(stage);
 }
 
 /// Joins the two halves of a real line's spectrum: sum is X_k + X_(k + half), dif their difference, turned.
@@ -268,11 +336,12 @@ FourierEngine UsualFourierEngine()
   return HasFftw() ? FourierEngine::Fftw : FourierEngine::Own;
 }
 
-LineFourier::LineFourier(int length, [[maybe_unused]] FourierEngine engine)
+template <typename Real>
+LineFourierOf<Real>::LineFourierOf(int length, [[maybe_unused]] FourierEngine engine)
   : Length(length)
 {
 #ifdef LITTORAL_WITH_FFTW
-  if (engine == FourierEngine::Fftw && length >= ShortestForFftw)
+  if (std::is_same_v<Real, float> && engine == FourierEngine::Fftw && length >= ShortestForFftw)
   {
     this->Fftw = std::make_shared<FftwLines>(length);
     return;
@@ -289,8 +358,8 @@ LineFourier::LineFourier(int length, [[maybe_unused]] FourierEngine engine)
         for (int power = 1; power < radix; ++power)
         {
           const double angle = TwoPi * (static_cast<double>(j) * power / cofactor);
-          stage.Turns.push_back(static_cast<float>(std::cos(angle)));
-          stage.Turns.push_back(static_cast<float>(std::sin(angle)));
+          stage.Turns.push_back(static_cast<Real>(std::cos(angle)));
+          stage.Turns.push_back(static_cast<Real>(std::sin(angle)));
         }
       }
       cofactor = stage.Cofactor;
@@ -299,32 +368,32 @@ LineFourier::LineFourier(int length, [[maybe_unused]] FourierEngine engine)
   }
 }
 
-void LineFourier::Backward(LinePack& pack) const
+template <typename Real>
+void LineFourierOf<Real>::Backward(LinePackOf<Real>& pack) const
 {
 #ifdef LITTORAL_WITH_FFTW
-  if (this->Fftw)
+  if constexpr (std::is_same_v<Real, float>)
   {
-    this->Fftw->Backward(pack);
-    return;
+    if (this->Fftw)
+    {
+      this->Fftw->Backward(pack);
+      return;
+    }
   }
 #endif
-  std::size_t done = FourierLanes; // numbers side by side that the same turn belongs to
+  std::size_t done = FourierLanes;
   for (const Stage& stage : this->Stages)
   {
-    const std::size_t turns = 2 * (static_cast<std::size_t>(stage.Radix) - 1);
-    for (std::size_t j = 0; j < static_cast<std::size_t>(stage.Cofactor); ++j)
-    {
-      const std::size_t from = done * j;
-      const std::size_t to = from * stage.Radix;
-      Run(stage.Radix,
-        { &pack.Re[from], &pack.Im[from], &pack.WorkRe[to], &pack.WorkIm[to], done * stage.Cofactor, done,
-          &stage.Turns[turns * j] });
-    }
+    RunStage(StageTask<Real>{ stage.Radix, static_cast<std::size_t>(stage.Cofactor), done, stage.Turns.data(),
+      pack.Re.data(), pack.Im.data(), pack.WorkRe.data(), pack.WorkIm.data() });
     pack.Re.swap(pack.WorkRe);
     pack.Im.swap(pack.WorkIm);
     done *= stage.Radix;
   }
 }
+
+template class LineFourierOf<float>;
+template class LineFourierOf<double>;
 
 RealLineFourier::RealLineFourier(int length, FourierEngine engine)
   : Half(length / 2, engine)

@@ -29,9 +29,10 @@ FourierEngine UsualFourierEngine();
 inline constexpr int FourierLanes = 8;
 
 /// Complex values of FourierLanes lines, value by value: number k of a line is at k * FourierLanes + lane.
-struct LinePack
+template <typename Real>
+struct LinePackOf
 {
-  explicit LinePack(std::size_t length)
+  explicit LinePackOf(std::size_t length)
     : Re(length * FourierLanes)
     , Im(length * FourierLanes)
     , WorkRe(length * FourierLanes)
@@ -39,40 +40,47 @@ struct LinePack
   {
   }
 
-  std::vector<float> Re;
-  std::vector<float> Im;
-  std::vector<float> WorkRe; ///< room to work in
-  std::vector<float> WorkIm;
+  std::vector<Real> Re;
+  std::vector<Real> Im;
+  std::vector<Real> WorkRe; ///< room to work in
+  std::vector<Real> WorkIm;
 };
+using LinePack = LinePackOf<float>;
+using DoubleLinePack = LinePackOf<double>;
 
 /**
- * The discrete Fourier transform with the exponent +i, without scaling, of lines of one length, in single precision.
- * Many short lines are what a wind field consists of; side by side they keep the vectors of any processor full, which
- * a library that takes line after line does not.
+ * The discrete Fourier transform with the exponent +i, without scaling, of lines of one length, in single or double
+ * precision. Many short lines are what a wind field or a grid consists of; side by side they keep the vectors of any
+ * processor full, which a library that takes line after line does not.
  */
-class LineFourier
+template <typename Real>
+class LineFourierOf
 {
 public:
-  /// The length must be a product of 2, 3 and 5.
-  explicit LineFourier(int length, FourierEngine engine = UsualFourierEngine());
+  /// The length must be a product of 2, 3 and 5. Double precision has its own engine only.
+  explicit LineFourierOf(int length, FourierEngine engine = UsualFourierEngine());
 
   int GetLength() const { return this->Length; }
 
   /// Replaces each line of the pack by its transform.
-  void Backward(LinePack& pack) const;
+  void Backward(LinePackOf<Real>& pack) const;
 
 private:
   struct Stage
   {
     int Radix;
-    int Cofactor;             ///< length of the transforms that remain after it
-    std::vector<float> Turns; ///< Radix - 1 factors (real, imaginary) for each of Rest
+    int Cofactor;            ///< length of the transforms that remain after it
+    std::vector<Real> Turns; ///< Radix - 1 factors (real, imaginary) for each of Rest
   };
 
   int Length;
   std::vector<Stage> Stages;
   std::shared_ptr<const FftwLines> Fftw; ///< null: own stages
 };
+extern template class LineFourierOf<float>;
+extern template class LineFourierOf<double>;
+using LineFourier = LineFourierOf<float>;
+using DoubleLineFourier = LineFourierOf<double>;
 
 /**
  * Real lines of an even length from their half spectra: x_n = sum over all k of X_k exp(2 pi i k n / length), where X

@@ -5,6 +5,7 @@
 #include "Numerics/Constants.h"
 
 #include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/digamma.hpp>
 
 #include <cmath>
 #include <iterator>
@@ -40,23 +41,35 @@ double Whittle(double x)
   return x > 0.0 ? ScaledBesselK(1, x) : 1.0;
 }
 
-/**
- * x^n times the integral of t^(-n) J0(t) from x to infinity, for large x: integration by parts, twice for each term,
- * gives an asymptotic series.
- */
-double ScaledTailOfBesselJ0(double n, double x)
+/// A number, and its change with an exponent.
+struct Changing
 {
-  const double J0 = BesselJ(0, x);
-  const double J1 = BesselJ(1, x);
-  double sum = 0.0;
-  double factor = 1.0;
+  double Value;
+  double Change;
+};
+
+/**
+ * x^n times the integral of t^(-n) J0(t) from x to infinity, for large x, and its change with n: integration by parts,
+ * twice for each term, gives an asymptotic series.
+ */
+Changing ScaledTail(double n, double x, double J0, double J1)
+{
+  Changing sum{ 0.0, 0.0 };
+  Changing factor{ 1.0, 0.0 };
   for (int k = 0; k < 6; ++k)
   {
     const double a = n + 1.0 + 2.0 * k;
-    sum += factor * (-J1 + a * J0 / x);
-    factor *= -a * a / (x * x);
+    sum.Value += factor.Value * (-J1 + a * J0 / x);
+    sum.Change += factor.Change * (-J1 + a * J0 / x) + factor.Value * J0 / x;
+    factor.Change = -a * (a * factor.Change + 2.0 * factor.Value) / (x * x);
+    factor.Value *= -a * a / (x * x);
   }
   return sum;
+}
+
+double ScaledTailOfBesselJ0(double n, double x)
+{
+  return ScaledTail(n, x, BesselJ(0, x), BesselJ(1, x)).Value;
 }
 
 /**
@@ -91,6 +104,40 @@ double IntegralOfBesselJ0(double x)
   return 2.0 * odd / (2.0 * even - here);
 }
 
+/// One place of a table.
+struct CorrelationPoint
+{
+  double Uncorrelation = 0.0;
+  double ByDistance = 0.0;
+  double BySecondRange = 0.0;
+  double ByDimension = 0.0;
+};
+
+/// A shape is made of a field once, with what is the same at all distances, and gives the point at each.
+template <typename Shape>
+void TabulateShape(const CovarianceParameters& field, const std::vector<double>& distances, CorrelationTable& table)
+{
+  const Shape shape(field);
+  for (std::size_t n = 0; n < distances.size(); ++n)
+  {
+    const CorrelationPoint point = shape.At(distances[n]);
+    table.Uncorrelation[n] = point.Uncorrelation;
+    table.ByDistance[n] = point.ByDistance;
+    table.BySecondRange[n] = point.BySecondRange;
+    table.ByDimension[n] = point.ByDimension;
+  }
+}
+
+/// Shapes of x = r / Range alone.
+struct ReducedShape
+{
+  explicit ReducedShape(const CovarianceParameters& field)
+    : Range(field.Range)
+  {
+  }
+  double Range;
+};
+
 // -------------------------------------------------------------------------------------------------------------------
 // Exponentials of the distance and of its square.
 
@@ -112,6 +159,17 @@ double ExponentialBelow(const CovarianceParameters& field, double w)
   return -std::expm1(-0.5 * std::log1p(x * x));
 }
 
+struct ExponentialShape : ReducedShape
+{
+  using ReducedShape::ReducedShape;
+  CorrelationPoint At(double r) const
+  {
+    const double x = r / this->Range;
+    const double c = std::exp(-x);
+    return { 1.0 - c, -x * c };
+  }
+};
+
 double GaussianCorrelation(const CovarianceParameters& field, double r)
 {
   const double x = r / field.Range;
@@ -129,6 +187,17 @@ double GaussianBelow(const CovarianceParameters& field, double w)
   const double x = w * field.Range;
   return -std::expm1(-0.25 * x * x);
 }
+
+struct GaussianShape : ReducedShape
+{
+  using ReducedShape::ReducedShape;
+  CorrelationPoint At(double r) const
+  {
+    const double x = r / this->Range;
+    const double c = std::exp(-x * x);
+    return { 1.0 - c, -2.0 * x * x * c };
+  }
+};
 
 // -------------------------------------------------------------------------------------------------------------------
 // Bessel functions.
@@ -151,6 +220,17 @@ double Bessel1Below(const CovarianceParameters& field, double w)
   return x * x / (1.0 + x * x);
 }
 
+/// (x K1)' = -x K0
+struct Bessel1Shape : ReducedShape
+{
+  using ReducedShape::ReducedShape;
+  CorrelationPoint At(double r) const
+  {
+    const double x = r / this->Range;
+    return x > 0.0 ? CorrelationPoint{ 1.0 - Whittle(x), -x * x * ScaledBesselK(0, x) } : CorrelationPoint{};
+  }
+};
+
 double Bessel2Correlation(const CovarianceParameters& field, double r)
 {
   const double x = r / field.Range;
@@ -169,6 +249,23 @@ double Bessel2Below(const CovarianceParameters& field, double w)
   const double p = Bessel1Below(field, w);
   return p * p;
 }
+
+/// (x K1 - x^2 K0 / 2)' = x^2 K1 / 2 - 2 x K0
+struct Bessel2Shape : ReducedShape
+{
+  using ReducedShape::ReducedShape;
+  CorrelationPoint At(double r) const
+  {
+    const double x = r / this->Range;
+    if (!(x > 0.0))
+    {
+      return {};
+    }
+    const double xK1 = Whittle(x);
+    const double x2K0 = x * x * ScaledBesselK(0, x);
+    return { 1.0 - (xK1 - 0.5 * x2K0), 0.5 * x * x * xK1 - 2.0 * x2K0 };
+  }
+};
 
 // -------------------------------------------------------------------------------------------------------------------
 // Telis: with equal scales it is Bessel 1.
@@ -219,6 +316,45 @@ double TelisBelow(const CovarianceParameters& field, double w)
   return 0.5 * (std::log1p(x * x) - std::log1p(x2 * x2)) / TelisLogRatio(field);
 }
 
+class TelisShape
+{
+public:
+  explicit TelisShape(const CovarianceParameters& field)
+    : Equal(field)
+    , SecondRange(field.SecondRange)
+    , LogRatio(TelisLogRatio(field))
+    , IsDegenerate(IsDegenerateTelis(field))
+  {
+  }
+
+  CorrelationPoint At(double r) const
+  {
+    if (this->IsDegenerate)
+    {
+      CorrelationPoint point = this->Equal.At(r);
+      point.BySecondRange = -0.5 * point.ByDistance; // both ranges do the same
+      return point;
+    }
+    if (r <= 0.0)
+    {
+      return {};
+    }
+    // With x = r/a, y = r/b and L = ln(a/b): c = (K0(x) - K0(y)) / L, r dc/dr = (y K1(y) - x K1(x)) / L,
+    // b dc/db = (c - y K1(y)) / L
+    const double x = r / this->Equal.Range;
+    const double y = r / this->SecondRange;
+    const double c = (ScaledBesselK(0, x) - ScaledBesselK(0, y)) / this->LogRatio;
+    const double yK1 = ScaledBesselK(1, y);
+    return { 1.0 - c, (yK1 - ScaledBesselK(1, x)) / this->LogRatio, (c - yK1) / this->LogRatio };
+  }
+
+private:
+  Bessel1Shape Equal;
+  double SecondRange;
+  double LogRatio;
+  bool IsDegenerate;
+};
+
 // -------------------------------------------------------------------------------------------------------------------
 // Spherical.
 
@@ -227,6 +363,16 @@ double SphericalCorrelation(const CovarianceParameters& field, double r)
   const double x = r / field.Range;
   return x < 1.0 ? 1.0 - 1.5 * x + 0.5 * x * x * x : 0.0;
 }
+
+struct SphericalShape : ReducedShape
+{
+  using ReducedShape::ReducedShape;
+  CorrelationPoint At(double r) const
+  {
+    const double x = r / this->Range;
+    return x < 1.0 ? CorrelationPoint{ x * (1.5 - 0.5 * x * x), 1.5 * x * (x * x - 1.0) } : CorrelationPoint{ 1.0 };
+  }
+};
 
 /**
  * Power series of the spherical model's spectrum in x = w a, for x < 1 where the closed form cancels. The moments are
@@ -286,6 +432,9 @@ double HurstExponent(const CovarianceParameters& field)
   return 3.0 - field.FractalDimension;
 }
 
+/// x up to which the series of the fractal model is of use.
+constexpr double FractalSeriesEnd = 22.0;
+
 /**
  * 1 - C/s2 of the power spectrum cut off below w0, x = w0 r. The uncut variogram is a pure power of x; the part below
  * w0 is an alternating series, of use up to x of about 22; an asymptotic series takes over beyond.
@@ -296,7 +445,7 @@ double CutPowerVariogram(double H, double x)
   {
     return 0.0;
   }
-  if (x < 22.0)
+  if (x < FractalSeriesEnd)
   {
     const double half = 0.5 * x;
     double sum = 0.0;
@@ -322,6 +471,62 @@ double FractalCorrelation(const CovarianceParameters& field, double r)
 {
   return 1.0 - CutPowerVariogram(HurstExponent(field), TwoPi * (r / field.Range));
 }
+
+class FractalShape
+{
+public:
+  explicit FractalShape(const CovarianceParameters& field)
+    : LowestWaveNumber(TwoPi / field.Range)
+    , H(HurstExponent(field))
+    , Gamma(std::tgamma(1.0 - this->H) / std::tgamma(1.0 + this->H))
+    , LogChange(boost::math::digamma(1.0 - this->H, InDouble()) + boost::math::digamma(1.0 + this->H, InDouble()))
+  {
+  }
+
+  CorrelationPoint At(double r) const
+  {
+    const double x = this->LowestWaveNumber * r;
+    return !(x > 0.0) ? CorrelationPoint{} : x < FractalSeriesEnd ? this->Near(x) : this->Far(x);
+  }
+
+private:
+  /// The series of CutPowerVariogram, that of 1 - J0 beside it: r dc/dr = 2 H (c - J0).
+  CorrelationPoint Near(double x) const
+  {
+    const double half = 0.5 * x;
+    double oneLessJ0 = 0.0;
+    Changing sum{ 0.0, 0.0 };
+    double term = 1.0;
+    double last = 1.0;
+    for (int k = 1; k < 60 && (k < half || std::abs(last) > 1e-17 * std::abs(sum.Value)); ++k)
+    {
+      term *= -half * half / (double(k) * k);
+      last = term / (2.0 * k - 2.0 * this->H);
+      oneLessJ0 -= term;
+      sum.Value += last;
+      sum.Change += last / (k - this->H);
+    }
+    const double power = std::pow(half, 2.0 * this->H) * this->Gamma;
+    const double variogram = power + 2.0 * this->H * sum.Value;
+    const double change = power * (2.0 * std::log(half) - this->LogChange) + 2.0 * (sum.Value + this->H * sum.Change);
+    return { variogram, 2.0 * this->H * (oneLessJ0 - variogram), 0.0, change };
+  }
+
+  /// c = 2 H / x times the tail.
+  CorrelationPoint Far(double x) const
+  {
+    const double J0 = BesselJ(0, x);
+    const Changing tail = ScaledTail(2.0 * this->H + 1.0, x, J0, BesselJ(1, x));
+    const double c = 2.0 * this->H / x * tail.Value;
+    const double change = -2.0 / x * (tail.Value + 2.0 * this->H * tail.Change);
+    return { 1.0 - c, 2.0 * this->H * (c - J0), 0.0, change };
+  }
+
+  double LowestWaveNumber;
+  double H;
+  double Gamma;
+  double LogChange; ///< of 1 / Gamma with H
+};
 
 double FractalLowest(const CovarianceParameters& field)
 {
@@ -356,15 +561,21 @@ constexpr ParameterList<Field> AllParameters = { { &Variance, &Range, &SecondRan
 
 /// In the order of the enumeration.
 constexpr CovarianceTraits Rows[] = {
-  // name, correlation, spectrum, spectrum below, parameters, scale of Range, uncorrelation, lowest wave number
-  { "Fractal", FractalCorrelation, FractalSpectrum, FractalBelow, { { &Variance, &Range, &Dimension } }, 1.0,
-    FractalUncorrelation, FractalLowest },
-  { "SimpleExponential", ExponentialCorrelation, ExponentialSpectrum, ExponentialBelow, { { &Variance, &Range } } },
-  { "DoubleExponential", GaussianCorrelation, GaussianSpectrum, GaussianBelow, { { &Variance, &Range } } },
-  { "Bessel1", Bessel1Correlation, Bessel1Spectrum, Bessel1Below, { { &Variance, &Range } } },
-  { "Bessel2", Bessel2Correlation, Bessel2Spectrum, Bessel2Below, { { &Variance, &Range } } },
-  { "Telis", TelisCorrelation, TelisSpectrum, TelisBelow, { { &Variance, &Range, &SecondRange } } },
-  { "Spherical", SphericalCorrelation, SphericalSpectrum, SphericalBelow, { { &Variance, &Range } }, 2.0 },
+  // name, correlation, spectrum, spectrum below, table, parameters, scale of Range, uncorrelation, lowest wave number
+  { "Fractal", FractalCorrelation, FractalSpectrum, FractalBelow, TabulateShape<FractalShape>,
+    { { &Variance, &Range, &Dimension } }, 1.0, FractalUncorrelation, FractalLowest },
+  { "SimpleExponential", ExponentialCorrelation, ExponentialSpectrum, ExponentialBelow, TabulateShape<ExponentialShape>,
+    { { &Variance, &Range } } },
+  { "DoubleExponential", GaussianCorrelation, GaussianSpectrum, GaussianBelow, TabulateShape<GaussianShape>,
+    { { &Variance, &Range } } },
+  { "Bessel1", Bessel1Correlation, Bessel1Spectrum, Bessel1Below, TabulateShape<Bessel1Shape>,
+    { { &Variance, &Range } } },
+  { "Bessel2", Bessel2Correlation, Bessel2Spectrum, Bessel2Below, TabulateShape<Bessel2Shape>,
+    { { &Variance, &Range } } },
+  { "Telis", TelisCorrelation, TelisSpectrum, TelisBelow, TabulateShape<TelisShape>,
+    { { &Variance, &Range, &SecondRange } } },
+  { "Spherical", SphericalCorrelation, SphericalSpectrum, SphericalBelow, TabulateShape<SphericalShape>,
+    { { &Variance, &Range } }, 2.0 },
 };
 static_assert(std::size(Rows) == NumberOfCovarianceModels, "a row a model");
 
@@ -395,6 +606,18 @@ std::string WhyInvalid(const CovarianceParameters& field)
 {
   const std::string reason = WhyNoRow("Model", static_cast<int>(field.Model), NumberOfCovarianceModels);
   return reason.empty() ? TraitsOf(field.Model).Parameters.WhyInvalid(field) : reason;
+}
+
+CorrelationTable TabulateCorrelation(const CovarianceParameters& field, const std::vector<double>& distances)
+{
+  CorrelationTable table;
+  for (std::vector<double>* column :
+    { &table.Uncorrelation, &table.ByDistance, &table.BySecondRange, &table.ByDimension })
+  {
+    column->resize(distances.size());
+  }
+  TraitsOf(field.Model).Tabulate(field, distances, table);
+  return table;
 }
 
 double Covariance(const CovarianceParameters& field, double r)

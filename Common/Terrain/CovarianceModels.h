@@ -6,6 +6,7 @@
 #include "Numerics/ParameterTraits.h"
 
 #include <string>
+#include <vector>
 
 namespace littoral
 {
@@ -46,6 +47,15 @@ struct CovarianceParameters
   double FractalDimension = 2.3; ///< D of the surface, 2 < D < 3, Fractal only
 };
 
+/// The correlation c(r) = C(r) / s2 of a field at many distances, and its change with each of its parameters.
+struct CorrelationTable
+{
+  std::vector<double> Uncorrelation; ///< 1 - c, without cancellation for the fractal model
+  std::vector<double> ByDistance;    ///< r dc/dr; less BySecondRange it is the opposite of Range dc/dRange
+  std::vector<double> BySecondRange; ///< Range2 dc/dRange2; Telis only, else 0
+  std::vector<double> ByDimension;   ///< dc/dD; Fractal only, else 0
+};
+
 /// The row of a model: everything that sets it apart. A new model is an enumerator and a row.
 struct CovarianceTraits
 {
@@ -55,6 +65,8 @@ struct CovarianceTraits
   Function Correlation;        ///< C(r) / s2
   Function Spectrum;           ///< f(w)
   Function CumulativeSpectrum; ///< integral of f from 0 to w
+  /// Fills a table of the distances' length.
+  void (*Tabulate)(const CovarianceParameters&, const std::vector<double>& distances, CorrelationTable&);
   ParameterList<CovarianceParameters> Parameters;
   /// Distance at which correlation has fallen to about a third, as part of that of an exponential of the same Range:
   /// by it the longest range of a fit is multiplied.
@@ -85,6 +97,9 @@ double Covariance(const CovarianceParameters& field, double r);
 
 /// Semivariance at distance r: Variance - Covariance, without cancellation for the fractal model.
 double Semivariance(const CovarianceParameters& field, double r);
+
+/// The correlation at distances r >= 0 [m] and its changes.
+CorrelationTable TabulateCorrelation(const CovarianceParameters& field, const std::vector<double>& distances);
 
 /**
  * Radial spectral density f(w) at wave number w [rad/m], of integral 1, such that

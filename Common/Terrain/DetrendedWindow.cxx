@@ -183,14 +183,34 @@ int DetrendedWindow::LagIndex(int cellA, int cellB) const
   return j * (2 * this->CellsX - 1) + i + this->CellsX - 1;
 }
 
-std::vector<double> DetrendedWindow::CellCovariances(const CovarianceFunction& covariance) const
+std::vector<std::array<double, 2>> DetrendedWindow::Separations() const
 {
-  std::vector<double> means(this->Loss.size());
+  std::vector<std::array<double, 2>> separations;
   for (const Node& node : this->Nodes)
   {
-    means[node.Lag] += node.Weight * covariance(node.X, node.Y);
+    separations.push_back({ node.X, node.Y });
+  }
+  return separations;
+}
+
+std::vector<double> DetrendedWindow::CellMeans(const std::vector<double>& atSeparations) const
+{
+  std::vector<double> means(this->Loss.size());
+  for (std::size_t n = 0; n < this->Nodes.size(); ++n)
+  {
+    means[this->Nodes[n].Lag] += this->Nodes[n].Weight * atSeparations[n];
   }
   return means;
+}
+
+std::vector<double> DetrendedWindow::CellCovariances(const CovarianceFunction& covariance) const
+{
+  std::vector<double> values;
+  for (const Node& node : this->Nodes)
+  {
+    values.push_back(covariance(node.X, node.Y));
+  }
+  return this->CellMeans(values);
 }
 
 double DetrendedWindow::LostVariance(const std::vector<double>& cellCovariances) const
@@ -233,6 +253,23 @@ std::vector<double> DetrendedWindow::PairImbalance(double x, double y) const
   return imbalance;
 }
 
+/// Adds to each lag of cells from a cell on a multiple of the values of the cells there. In a row of cells lags are
+/// neighbours, in opposite order below the cell.
+void DetrendedWindow::AddPairs(
+  int cell, double factor, const std::vector<double>& values, std::vector<double>& lags) const
+{
+  for (int row = 0; row < this->CellsY; ++row)
+  {
+    const int first = row * this->CellsX;
+    const int step = row < cell / this->CellsX ? -1 : 1;
+    double* lag = &lags[this->LagIndex(cell, first)];
+    for (int i = 0; i < this->CellsX; ++i)
+    {
+      lag[step * i] += factor * values[first + i];
+    }
+  }
+}
+
 std::vector<std::vector<double>> DetrendedWindow::SemivarianceChange(
   const std::vector<LagBin>& bins, int directions) const
 {
@@ -255,11 +292,7 @@ std::vector<std::vector<double>> DetrendedWindow::SemivarianceChange(
         [=](const std::array<double, 2>& w) { return x * w[0] + y * w[1]; });
       for (int a = 0; a < cells; ++a)
       {
-        const double first = (0.5 * along[a] - imbalance[a]) / count;
-        for (int b = 0; b < cells; ++b)
-        {
-          change[n][this->LagIndex(a, b)] += first * along[b];
-        }
+        this->AddPairs(a, (0.5 * along[a] - imbalance[a]) / count, along, change[n]);
       }
     }
   }

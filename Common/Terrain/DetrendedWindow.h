@@ -44,6 +44,10 @@ public:
   /// Mean covariances between cells, in which what the trend takes is linear.
   std::vector<double> CellCovariances(const CovarianceFunction& covariance) const;
 
+  /// Separations (x, y) [m] of parts of cells, and the mean over each lag of cells of what is there.
+  std::vector<std::array<double, 2>> Separations() const;
+  std::vector<double> CellMeans(const std::vector<double>& atSeparations) const;
+
   /// tr(P C) / n: the expected variance that the trend takes away.
   double LostVariance(const std::vector<double>& cellCovariances) const;
 
@@ -71,6 +75,7 @@ private:
 
   void AddNodes(const GridSamples& samples);
   int LagIndex(int cellA, int cellB) const;
+  void AddPairs(int cell, double factor, const std::vector<double>& values, std::vector<double>& lags) const;
   std::vector<double> PairImbalance(double x, double y) const;
 
   int CellsX;

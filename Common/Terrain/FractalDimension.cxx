@@ -4,8 +4,10 @@
 
 #include "Numerics/Constants.h"
 #include "Numerics/FourierGrid.h"
+#include "Numerics/RealGridFourier.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -146,21 +148,35 @@ std::vector<double> Unfolded(const std::vector<double>& logWaveNumber, const std
 }
 
 /// Transform of the samples less their mean, under a Hann window.
-FourierGrid WindowedTransform(const GridSamples& samples, const ParallelFor& parallel)
+RealGridFourier WindowedTransform(const GridSamples& samples, std::array<int, 2> lengths, const ParallelFor& parallel)
 {
   const double mean = Moments(samples).Mean;
-  FourierGrid grid(NextFastLength(samples.Width), NextFastLength(samples.Height));
+  std::vector<double> across(samples.Width);
+  for (int i = 0; i < samples.Width; ++i)
+  {
+    across[i] = Hann(i, samples.Width);
+  }
+  std::vector<double> values(samples.Values.size());
   for (int j = 0; j < samples.Height; ++j)
   {
+    const double weight = Hann(j, samples.Height);
     for (int i = 0; i < samples.Width; ++i)
     {
       const double value = samples.At(i, j) - mean;
-      grid.At(i, j) = std::isnan(value) ? 0.0 : value * Hann(i, samples.Width) * Hann(j, samples.Height);
+      values[static_cast<std::size_t>(j) * samples.Width + i] = std::isnan(value) ? 0.0 : value * across[i] * weight;
     }
   }
-  grid.Forward(parallel);
-  return grid;
+  return { values, { samples.Width, samples.Height }, lengths, parallel };
 }
+
+/// Sums over the waves of a ring, and their number.
+struct RingSums
+{
+  double Power = 0.0;
+  double LogWaveNumber = 0.0;
+  double Count = 0.0;
+};
+using Rings = std::array<RingSums, NumberOfRings>;
 
 /// Mean power of the rings that hold any, and their mean wave number, as logarithms.
 struct RingPowers
@@ -169,51 +185,67 @@ struct RingPowers
   std::vector<double> LogPower;
 };
 
-/// Rings of a transform from six waves in the short side of the samples to a wave of five cells.
-RingPowers PowersOfRings(const GridSamples& samples, const FourierGrid& grid)
+/// Rings of a periodogram from six waves in the short side of the samples to a wave of five cells.
+RingPowers PowersOfRings(const GridSamples& samples, const ParallelFor& parallel)
 {
+  const std::array<int, 2> lengths{ NextFastLength(samples.Width), NextFastLength(samples.Height) };
+  const RealGridFourier grid = WindowedTransform(samples, lengths, parallel);
   const double shortSide = std::min(samples.Width * samples.Spacing[0], samples.Height * samples.Spacing[1]);
   const double lowest = 6.0 * TwoPi / shortSide;
   const double highest = TwoPi / (5.0 * std::max(samples.Spacing[0], samples.Spacing[1]));
-  std::vector<double> power(NumberOfRings);
-  std::vector<double> logWaveNumber(NumberOfRings);
-  std::vector<double> count(NumberOfRings);
-  const auto waveNumber = [](int index, int length, double spacing) {
-    return TwoPi * (index <= length / 2 ? index : index - length) / (length * spacing);
+  const auto waveNumber = [&](int index, int axis) {
+    return TwoPi * std::min(index, lengths[axis] - index) / (lengths[axis] * samples.Spacing[axis]);
   };
-  for (int j = 0; j < grid.GetHeight(); ++j)
-  {
-    const double ky = waveNumber(j, grid.GetHeight(), samples.Spacing[1]);
-    for (int i = 0; i < grid.GetWidth(); ++i)
+  std::vector<Rings> packs(grid.NumberOfPacks());
+  parallel(packs.size(), [&](std::size_t begin, std::size_t end) {
+    DoubleLinePack rows(lengths[0]);
+    for (std::size_t pack = begin; pack < end; ++pack)
     {
-      const double k = std::hypot(waveNumber(i, grid.GetWidth(), samples.Spacing[0]), ky);
-      if (k < lowest || k >= highest)
+      grid.TransformRows(static_cast<int>(pack), rows);
+      for (int n = 0; n < lengths[0] * FourierLanes; ++n)
       {
-        continue;
+        const int j = static_cast<int>(pack) * FourierLanes + n % FourierLanes;
+        const double kx = waveNumber(n / FourierLanes, 0);
+        const double ky = waveNumber(j, 1);
+        const double k2 = kx * kx + ky * ky;
+        if (j >= grid.NumberOfRows() || k2 < lowest * lowest || k2 >= highest * highest)
+        {
+          continue;
+        }
+        const double logarithm = 0.5 * std::log(k2);
+        const double place = (logarithm - std::log(lowest)) / std::log(highest / lowest);
+        RingSums& ring = packs[pack][std::clamp(static_cast<int>(NumberOfRings * place), 0, NumberOfRings - 1)];
+        const double waves = j == 0 || 2 * j == lengths[1] ? 1.0 : 2.0; // with the opposite one
+        ring.Power += waves * (rows.Re[n] * rows.Re[n] + rows.Im[n] * rows.Im[n]);
+        ring.LogWaveNumber += waves * logarithm;
+        ring.Count += waves;
       }
-      const int ring = static_cast<int>(NumberOfRings * std::log(k / lowest) / std::log(highest / lowest));
-      power[ring] += std::norm(grid.At(i, j));
-      logWaveNumber[ring] += std::log(k);
-      count[ring] += 1.0;
     }
-  }
-  RingPowers rings;
-  for (int ring = 0; ring < NumberOfRings; ++ring)
+  });
+  RingPowers powers;
+  for (int n = 0; n < NumberOfRings; ++n)
   {
-    if (power[ring] > 0.0)
+    RingSums sum;
+    for (const Rings& rings : packs)
     {
-      rings.LogWaveNumber.push_back(logWaveNumber[ring] / count[ring]);
-      rings.LogPower.push_back(std::log(power[ring] / count[ring]));
+      sum.Power += rings[n].Power;
+      sum.LogWaveNumber += rings[n].LogWaveNumber;
+      sum.Count += rings[n].Count;
+    }
+    if (sum.Power > 0.0)
+    {
+      powers.LogWaveNumber.push_back(sum.LogWaveNumber / sum.Count);
+      powers.LogPower.push_back(std::log(sum.Power / sum.Count));
     }
   }
-  return rings;
+  return powers;
 }
 
 }
 
 DimensionEstimate DimensionFromPeriodogram(const GridSamples& samples, const ParallelFor& parallel)
 {
-  const auto [x, y] = PowersOfRings(samples, WindowedTransform(samples, parallel));
+  const auto [x, y] = PowersOfRings(samples, parallel);
   if (!(4.0 + 0.5 * FitSlope(x, y).Value < NoisySlope))
   {
     return NoDimension;

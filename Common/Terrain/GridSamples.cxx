@@ -66,11 +66,34 @@ PlaneTrend RemovePlane(GridSamples& samples)
   PlaneTrend trend = RemoveMean(samples);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  ForEachValue(samples, [&](double x, double y, double value) {
-    const Eigen::Vector3d row(1.0, x / scaleX, y / scaleY);
-    normal += row * row.transpose();
-    right += row * value;
-  });
+  for (int j = 0; j < samples.Height; ++j)
+  {
+    // Sums of 1, x, x^2 and of z, x z of a row, along which y is one.
+    double count = 0.0;
+    double x1 = 0.0;
+    double x2 = 0.0;
+    double z1 = 0.0;
+    double xz = 0.0;
+    for (int i = 0; i < samples.Width; ++i)
+    {
+      const double value = samples.At(i, j);
+      const double there = std::isnan(value) ? 0.0 : 1.0;
+      const double z = std::isnan(value) ? 0.0 : value;
+      const double x = (i - 0.5 * (samples.Width - 1)) * samples.Spacing[0] / scaleX;
+      count += there;
+      x1 += there * x;
+      x2 += there * x * x;
+      z1 += z;
+      xz += z * x;
+    }
+    const double y = (j - 0.5 * (samples.Height - 1)) * samples.Spacing[1] / scaleY;
+    Eigen::Matrix3d row;
+    row << count, x1, count * y, //
+      x1, x2, x1 * y,            //
+      count * y, x1 * y, count * y * y;
+    normal += row;
+    right += Eigen::Vector3d(z1, xz, z1 * y);
+  }
   // Of any size: in a decomposition of fixed size GCC 16 takes Eigen 5's loads of two values for reads past the end.
   const Eigen::MatrixXd system = normal;
   const Eigen::VectorXd plane = system.completeOrthogonalDecomposition().solve(Eigen::VectorXd(right));

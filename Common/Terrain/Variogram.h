@@ -51,7 +51,8 @@ struct LagBin
  * k ends at maximumLag ((k+1) / rings)^2; and over sectors of pi / directions (1: all directions together). Empty bins
  * are left out; order: sector by sector, lags increasing.
  */
-std::vector<LagBin> BinVariogram(const VariogramMap& map, double maximumLag, int rings, int directions);
+std::vector<LagBin> BinVariogram(
+  const VariogramMap& map, double maximumLag, int rings, int directions, const ParallelFor& parallel = SerialFor);
 
 }
 

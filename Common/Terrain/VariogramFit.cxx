@@ -3,18 +3,19 @@
 #include "Terrain/VariogramFit.h"
 
 #include "Numerics/Constants.h"
-#include "Numerics/SimdClones.h"
 #include "Terrain/DetrendedWindow.h"
+#include "Terrain/ExpectedVariogram.h"
+#include "Terrain/ReducedDistance.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace littoral
 {
@@ -22,44 +23,18 @@ namespace littoral
 namespace
 {
 
-/// Distances in the space where an anisotropic field is isotropic.
-class ReducedDistance
+ReducedDistance DistanceOf(const VariogramFit& fit)
 {
-public:
-  explicit ReducedDistance(const VariogramFit& fit)
-    : Cosine(std::cos(fit.AnisotropyAngle))
-    , Sine(std::sin(fit.AnisotropyAngle))
-    , Ratio(fit.AnisotropyRatio)
-  {
-  }
-
-  double operator()(double x, double y) const
-  {
-    const double along = this->Cosine * x + this->Sine * y;
-    const double across = -this->Sine * x + this->Cosine * y;
-    return std::hypot(along, this->Ratio * across);
-  }
-
-private:
-  double Cosine;
-  double Sine;
-  double Ratio;
-};
-
-/// Adds multiples of a row to sums.
-LITTORAL_WIDE_SIMD_CLONES void AddMultiple(
-  const double* __restrict row, double factor, std::size_t count, double* __restrict sums)
-{
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    sums[n] += factor * row[n];
-  }
+  return ReducedDistance(fit.AnisotropyRatio, fit.AnisotropyAngle);
 }
 
 double SemivarianceAt(const VariogramFit& fit, double r)
 {
   return (r > 0.0 ? fit.Nugget : 0.0) + Semivariance(fit.Field, r);
 }
+
+/// Dimensions are held so far from 2 and 3.
+constexpr double DimensionMargin = 1e-4;
 
 /// The unknowns of a fit, each mapped to the whole real line so that no bound can be violated.
 class Unknowns
@@ -122,7 +97,7 @@ public:
     {
       fit.Field.Range = this->Options.FractalRange;
       const double dimension = 2.0 + 1.0 / (1.0 + expHeld(-unknowns[n++]));
-      fit.Field.FractalDimension = std::clamp(dimension, 2.0001, 2.9999);
+      fit.Field.FractalDimension = std::clamp(dimension, 2.0 + DimensionMargin, 3.0 - DimensionMargin);
     }
     else
     {
@@ -149,6 +124,81 @@ public:
     return fit;
   }
 
+  /// A field at some separations, and its change with each unknown.
+  struct Table
+  {
+    ExpectedVariogram::Field Field;
+    std::vector<ExpectedVariogram::Field> Changes;
+  };
+  Table Tabulate(const Eigen::VectorXd& unknowns, const std::vector<std::array<double, 2>>& separations) const
+  {
+    const VariogramFit fit = this->Unpack(unknowns);
+    const ReducedDistance distance = DistanceOf(fit);
+    std::vector<double> distances;
+    distances.reserve(separations.size());
+    for (const auto& [x, y] : separations)
+    {
+      distances.push_back(distance(x, y));
+    }
+    const CorrelationTable correlation = TabulateCorrelation(fit.Field, distances);
+    const double variance = fit.Field.Variance;
+    const auto field = [&](auto correlationAt) {
+      ExpectedVariogram::Field result;
+      result.Semivariances.reserve(separations.size());
+      for (std::size_t n = 0; n < separations.size(); ++n)
+      {
+        result.Semivariances.push_back(-variance * correlationAt(n));
+      }
+      return result;
+    };
+
+    Table table;
+    const auto change = [&](auto correlationAt) { table.Changes.push_back(field(correlationAt)); };
+    table.Field = field([&](std::size_t n) { return -correlation.Uncorrelation[n]; });
+    table.Field.Variance = variance;
+    table.Field.Nugget = fit.Nugget;
+    if (this->HasVariance())
+    {
+      table.Changes.push_back(table.Field); // with the logarithm of the variance, a part of which is the nugget
+    }
+    if (this->HasDimension)
+    {
+      const double part = fit.Field.FractalDimension - 2.0;
+      const bool isHeld = part <= DimensionMargin || part >= 1.0 - DimensionMargin;
+      const double slope = isHeld ? 0.0 : part * (1.0 - part);
+      change([&](std::size_t n) { return slope * correlation.ByDimension[n]; });
+    }
+    else
+    {
+      // Range dc/dRange = -r dc/dr - Range2 dc/dRange2
+      const double slope = this->RangeSlope(fit, fit.Field.Range);
+      change([&](std::size_t n) { return -slope * (correlation.ByDistance[n] + correlation.BySecondRange[n]); });
+    }
+    if (this->HasSecondRange)
+    {
+      const double slope = this->RangeSlope(fit, fit.Field.SecondRange);
+      change([&](std::size_t n) { return slope * correlation.BySecondRange[n]; });
+    }
+    if (this->Options.Nugget)
+    {
+      const double root = unknowns[static_cast<int>(table.Changes.size())];
+      change([](std::size_t) { return 0.0; });
+      table.Changes.back().Nugget = 2.0 * variance * root;
+    }
+    if (this->Options.Anisotropy)
+    {
+      std::vector<ReducedDistance::Changes> changes;
+      for (const auto& [x, y] : separations)
+      {
+        changes.push_back(distance.ChangesAt(x, y));
+      }
+      const double ofRanges = fit.AnisotropyRatio < 1.0 ? 1.0 : 0.0; // then they are multiplied by the ratio
+      change([&](std::size_t n) { return correlation.ByDistance[n] * (changes[n].ByRatio - ofRanges); });
+      change([&](std::size_t n) { return correlation.ByDistance[n] * changes[n].ByAngle; });
+    }
+    return table;
+  }
+
   /// Whether the fit is held by a bound; of a fit as it was unpacked, with the longest range in hand.
   bool IsAtBound(const VariogramFit& fit, double shortestLag) const
   {
@@ -171,6 +221,12 @@ private:
   /// A model's range is a distance where correlation has fallen to about a third, or some multiple of it.
   double MaximumRange() const { return TraitsOf(this->Model).RangeScale * this->Options.MaximumRange; }
 
+  /// Change of a range's logarithm with its unknown.
+  double RangeSlope(const VariogramFit& fit, double range) const
+  {
+    return 1.0 - range / (this->MaximumRange() * std::min(1.0, fit.AnisotropyRatio));
+  }
+
   /// Ranges lie between 0 and the longest.
   double RangeToUnknown(double range) const
   {
@@ -184,66 +240,13 @@ private:
   bool HasDimension; ///< then the range is that of the options
 };
 
-/// What a field is expected to show in the lags.
-class Expectation
+/// The smallest semivariance of a model that has a logarithm.
+constexpr double SmallestSemivariance = 1e-300;
+
+/// Residuals sqrt(weight) ln(measured / model), in the form that Eigen's least squares wants.
+class Residuals
 {
 public:
-  Expectation(const std::vector<LagBin>& bins, const VariogramFitOptions& options)
-    : Bins(bins)
-    , Options(options)
-  {
-    if (options.Window)
-    {
-      const std::vector<std::vector<double>> change = options.Window->SemivarianceChange(bins, options.Directions);
-      for (int lag = 0; lag < options.Window->NumberOfLags(); ++lag)
-      {
-        std::transform(change.begin(), change.end(), std::back_inserter(this->Change),
-          [lag](const std::vector<double>& weights) { return weights[lag]; });
-      }
-    }
-  }
-
-  /// Semivariances at the lags. Where the window is known, variance and nugget are scaled to the sample's.
-  void Evaluate(VariogramFit& fit, std::vector<double>& semivariances) const
-  {
-    const ReducedDistance distance(fit);
-    semivariances.clear();
-    for (const LagBin& bin : this->Bins)
-    {
-      semivariances.push_back(SemivarianceAt(fit, distance(bin.Separation[0], bin.Separation[1])));
-    }
-    if (!this->Options.Window)
-    {
-      return;
-    }
-    const DetrendedWindow& window = *this->Options.Window;
-    const std::vector<double> covariances =
-      window.CellCovariances([&](double x, double y) { return Covariance(fit.Field, distance(x, y)); });
-    const double variance = fit.Field.Variance + fit.Nugget - window.LostVariance(covariances);
-    const double scale = this->Options.SampleVariance / variance;
-    fit.Field.Variance *= scale;
-    fit.Nugget *= scale;
-    // gamma(h) + sum over the lags of cells of w(h) C
-    const std::size_t count = semivariances.size();
-    for (std::size_t lag = 0; lag < covariances.size(); ++lag)
-    {
-      AddMultiple(this->Change.data() + lag * count, covariances[lag], count, semivariances.data());
-    }
-    for (double& semivariance : semivariances)
-    {
-      semivariance *= scale;
-    }
-  }
-
-private:
-  const std::vector<LagBin>& Bins;
-  const VariogramFitOptions& Options;
-  std::vector<double> Change; ///< of the bins by each lag of cells
-};
-
-/// Residuals in the form that Eigen's least squares wants.
-struct Residuals
-{
   using Scalar = double;
   using InputType = Eigen::VectorXd;
   using ValueType = Eigen::VectorXd;
@@ -254,27 +257,80 @@ struct Residuals
     ValuesAtCompileTime = Eigen::Dynamic
   };
 
-  const Unknowns& Map;
-  const Expectation& Expected;
-  const std::vector<LagBin>& Bins;
-  const std::vector<double>& RootWeights;
+  Residuals(const Unknowns& map, const ExpectedVariogram& expected, const std::vector<LagBin>& bins,
+    const std::vector<double>& rootWeights, const VariogramFitOptions& options)
+    : Map(map)
+    , Expected(expected)
+    , Bins(bins)
+    , RootWeights(rootWeights)
+    , Options(options)
+  {
+  }
 
   int inputs() const { return this->Map.Count(); }
   int values() const { return static_cast<int>(this->Bins.size()); }
 
-  int operator()(const Eigen::VectorXd& unknowns, Eigen::VectorXd& residuals) const
+  int operator()(const Eigen::VectorXd& unknowns, Eigen::VectorXd& residuals)
   {
-    VariogramFit fit = this->Map.Unpack(unknowns);
-    std::vector<double> model;
-    this->Expected.Evaluate(fit, model);
-    for (std::size_t i = 0; i < this->Bins.size(); ++i)
+    this->Evaluate(unknowns);
+    for (int i = 0; i < this->values(); ++i)
     {
-      const double floor = 1e-300;
-      residuals[static_cast<int>(i)] =
-        this->RootWeights[i] * std::log(this->Bins[i].Semivariance / std::max(model[i], floor));
+      residuals[i] = this->RootWeights[i] *
+        std::log(
+          this->Bins[i].Semivariance / std::max(this->Scale * this->View.Semivariances[i], SmallestSemivariance));
     }
     return 0;
   }
+
+  /// The Jacobian. With g = s a, a what is seen and s the sample's variance over that seen:
+  /// d ln g = da / a + d ln s.
+  int df(const Eigen::VectorXd& unknowns, Eigen::MatrixXd& jacobian)
+  {
+    if (unknowns != this->Evaluated)
+    {
+      this->Evaluate(unknowns);
+    }
+    const std::vector<ExpectedVariogram::View> changes = this->Expected.Of(this->Table.Changes);
+    for (int n = 0; n < this->inputs(); ++n)
+    {
+      const ExpectedVariogram::View& change = changes[n];
+      const double ofScale = this->Options.Window ? -change.Variance / this->View.Variance : 0.0;
+      for (int i = 0; i < this->values(); ++i)
+      {
+        const double seen = this->View.Semivariances[i];
+        const double slope = change.Semivariances[i] / seen + ofScale;
+        jacobian(i, n) = this->Scale * seen > SmallestSemivariance ? -this->RootWeights[i] * slope : 0.0;
+      }
+    }
+    return 0;
+  }
+
+  /// What the variance and the nugget of the unknowns must be multiplied by.
+  double ScaleAt(const Eigen::VectorXd& unknowns)
+  {
+    this->Evaluate(unknowns);
+    return this->Scale;
+  }
+
+private:
+  void Evaluate(const Eigen::VectorXd& unknowns)
+  {
+    this->Evaluated = unknowns;
+    this->Table = this->Map.Tabulate(unknowns, this->Expected.GetSeparations());
+    this->View = std::move(this->Expected.Of({ this->Table.Field }).front());
+    // Where the window is known, variance and nugget are scaled to the sample's.
+    this->Scale = this->Options.Window ? this->Options.SampleVariance / this->View.Variance : 1.0;
+  }
+
+  const Unknowns& Map;
+  const ExpectedVariogram& Expected;
+  const std::vector<LagBin>& Bins;
+  const std::vector<double>& RootWeights;
+  const VariogramFitOptions& Options;
+  Eigen::VectorXd Evaluated; ///< unknowns for which the following are
+  Unknowns::Table Table;
+  ExpectedVariogram::View View;
+  double Scale = 1.0;
 };
 
 /// Longest range first, angle in [0, pi), the longer of two scales first.
@@ -375,7 +431,7 @@ struct Solution
 class ModelFit
 {
 public:
-  ModelFit(CovarianceModel model, const std::vector<LagBin>& bins, const Expectation& expected,
+  ModelFit(CovarianceModel model, const std::vector<LagBin>& bins, const ExpectedVariogram& expected,
     const VariogramFitOptions& options)
     : Model(model)
     , Bins(bins)
@@ -391,25 +447,13 @@ public:
   /// What is found from one of the starts, 0 to NumberOfStarts-1; nothing if the bins are too few.
   Solution FromStart(int start) const
   {
-    Solution found;
     if (static_cast<int>(this->Bins.size()) < this->Parameters + 2)
     {
-      return found;
+      return {};
     }
-    using Problem = Eigen::NumericalDiff<Residuals, Eigen::Central>;
-    Problem problem(Residuals{ this->Map, this->Expected, this->Bins, this->Weights });
-    found.Unknowns = this->Map.Pack(StartingPoint(this->Model, this->Bins, this->Options, start));
-    Eigen::LevenbergMarquardt<Problem> solver(problem);
-    solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
-    solver.parameters.ftol = 1e-13;
-    solver.parameters.xtol = 1e-13;
-    solver.parameters.maxfev = 400;
-    const auto status = solver.minimize(found.Unknowns);
-    const double error = solver.fvec.squaredNorm();
-    found.Error = std::isfinite(error) ? error : found.Error;
-    found.Converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation &&
-      status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
-    return found;
+    const Solution found =
+      this->Minimise(this->Map, this->Map.Pack(StartingPoint(this->Model, this->Bins, this->Options, start)));
+    return this->Options.Anisotropy ? this->WithoutCorner(found) : found;
   }
 
   /// The best of the solutions from all starts.
@@ -422,8 +466,10 @@ public:
       return FailedFit(this->Model);
     }
     VariogramFit fit = this->Map.Unpack(best.Unknowns);
-    std::vector<double> semivariances;
-    this->Expected.Evaluate(fit, semivariances);
+    const double scale =
+      Residuals(this->Map, this->Expected, this->Bins, this->Weights, this->Options).ScaleAt(best.Unknowns);
+    fit.Field.Variance *= scale;
+    fit.Nugget *= scale;
     const auto shortest = std::min_element(
       this->Bins.begin(), this->Bins.end(), [](const LagBin& a, const LagBin& b) { return a.Lag < b.Lag; });
     fit.AtBound = this->Map.IsAtBound(fit, shortest->Lag);
@@ -439,9 +485,45 @@ public:
   }
 
 private:
+  Solution Minimise(const Unknowns& map, const Eigen::VectorXd& start) const
+  {
+    Residuals problem(map, this->Expected, this->Bins, this->Weights, this->Options);
+    Solution found;
+    found.Unknowns = start;
+    Eigen::LevenbergMarquardt<Residuals> solver(problem);
+    solver.parameters.factor = 0.5; // the default of 100 can step out of the basin at once
+    solver.parameters.ftol = 1e-13;
+    solver.parameters.xtol = 1e-13;
+    solver.parameters.maxfev = 100; // a nugget that goes to zero takes ever smaller steps
+    const auto status = solver.minimize(found.Unknowns);
+    const double error = solver.fvec.squaredNorm();
+    found.Error = std::isfinite(error) ? error : found.Error;
+    found.Converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation &&
+      status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters;
+    return found;
+  }
+
+  /// Where the ratio is 1 the bound on the longest range has a corner, in which steps can end early. From there on the
+  /// other unknowns are moved alone.
+  Solution WithoutCorner(const Solution& found) const
+  {
+    const int others = this->Map.Count() - 2;
+    if (!(std::abs(found.Unknowns[others]) < 1e-3))
+    {
+      return found;
+    }
+    VariogramFitOptions options = this->Options;
+    options.Anisotropy = false;
+    const Unknowns isotropic(this->Model, options);
+    Solution round = this->Minimise(isotropic, found.Unknowns.head(others));
+    round.Unknowns.conservativeResizeLike(found.Unknowns);
+    round.Unknowns.tail(2) << 0.0, found.Unknowns[others + 1];
+    return round.Error < found.Error ? round : found;
+  }
+
   CovarianceModel Model;
   const std::vector<LagBin>& Bins;
-  const Expectation& Expected;
+  const ExpectedVariogram& Expected;
   VariogramFitOptions Options;
   Unknowns Map;
   std::vector<double> Weights;
@@ -471,12 +553,12 @@ std::vector<VariogramFit> SolveAll(const std::vector<ModelFit>& models, const Pa
 
 double Semivariance(const VariogramFit& fit, double x, double y)
 {
-  return SemivarianceAt(fit, ReducedDistance(fit)(x, y));
+  return SemivarianceAt(fit, DistanceOf(fit)(x, y));
 }
 
 double Covariance(const VariogramFit& fit, double x, double y)
 {
-  return Covariance(fit.Field, ReducedDistance(fit)(x, y));
+  return Covariance(fit.Field, DistanceOf(fit)(x, y));
 }
 
 double MeanSemivariance(const VariogramFit& fit, double distance)
@@ -494,7 +576,7 @@ double MeanSemivariance(const VariogramFit& fit, double distance)
 VariogramFit FitVariogram(CovarianceModel model, const std::vector<LagBin>& bins, const VariogramFitOptions& options)
 {
   const std::vector<LagBin> used = UsedBins(bins);
-  const Expectation expected(used, options);
+  const ExpectedVariogram expected(used, options.Window, options.Directions);
   return SolveAll({ ModelFit(model, used, expected, options) }, SerialFor).front();
 }
 
@@ -502,7 +584,7 @@ std::vector<VariogramFit> FitAllModels(
   const std::vector<LagBin>& bins, const VariogramFitOptions& options, const ParallelFor& parallelFor)
 {
   const std::vector<LagBin> used = UsedBins(bins);
-  const Expectation expected(used, options);
+  const ExpectedVariogram expected(used, options.Window, options.Directions);
   std::vector<ModelFit> models; // without nugget, then with
   for (int pass = 0; pass < (options.Nugget ? 2 : 1); ++pass)
   {

@@ -54,7 +54,7 @@ STILL_BYTES, FRAME_BYTES = 80e6, 1.3e6
 #: CPU time of each picture's step [s], measured with software rendering, for the progress.
 STEP_TIMES = 0.1, 2.2, 0.1, 2.2, 0.7, 6.2, 5.8, 0.4, 21.0, 27.0
 #: CPU time of each film before its first frame, where that makes its scene again, and of a frame [s].
-FILM_TIMES = (0.0, 4.7), (21.0, 7.3)
+FILM_TIMES = (0.0, 4.7), (21.0, 5.6)
 
 
 class Progress:

@@ -83,9 +83,14 @@ bool TestGroups(const std::string& root)
 }
 
 #ifndef _WIN32
-/// Sets the limit of addresses [bytes]; what it leaves, or -1 where there is another limit.
+/// Sets the limit of addresses [bytes]; what it leaves, or -1 where there is another limit or a sanitizer, which takes
+/// terabytes of addresses.
 double LimitedTo(rlim_t bytes)
 {
+  if (LITTORAL_IS_SANITIZED)
+  {
+    return -1.0;
+  }
   rlimit limit;
   getrlimit(RLIMIT_AS, &limit);
   limit.rlim_cur = bytes;
@@ -99,12 +104,9 @@ bool TestProcess()
 #ifndef _WIN32
   rlimit before;
   getrlimit(RLIMIT_AS, &before);
-  rlimit limit = before;
-  limit.rlim_cur = static_cast<rlim_t>(64) << 30;
-  // Sanitizers take terabytes of addresses.
-  if (!LITTORAL_IS_SANITIZED && before.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_AS, &limit) == 0)
+  const double left = LimitedTo(static_cast<rlim_t>(64) << 30);
+  if (left >= 0.0)
   {
-    const double left = littoral::LimitedMemory();
     good &= Check(left > 0.0 && left < 64.0 * 0x1p30, "a limit of the address space is not seen");
     good &= Check(left > 32.0 * 0x1p30, "more is taken to be used than is");
     good &= Check(littoral::AvailableMemory() <= 0.9 * left, "a limit of the address space does not count");

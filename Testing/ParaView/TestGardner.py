@@ -102,13 +102,12 @@ view.OrientationAxesVisibility = 0
 with tempfile.TemporaryDirectory() as folder:
     picture = os.path.join(folder, "leaves.png")
     simple.SaveData(picture, simple.OutputPort(forest, 2))
-    bare = landscape.show_plants(forest, view)
-    covered = 300 * 300 - background(folder)
-    simple.Hide(bare.Input, view)
-    others = [part for part in landscape.PLANT_PARTS if not part.endswith("Leaves")]
-    landscape.show_plants(forest, view, others)
-    landscape.show_leaves(forest, view, picture)
+    texels = vtk_to_numpy(Fetch(simple.PNGSeriesReader(FileNames=[picture])).GetPointData().GetScalars())
+    forest_shown = landscape.show_plants(forest, view)
     cut_out = 300 * 300 - background(folder)
+    forest_shown.SetRepresentationType("Surface")
+    covered = 300 * 300 - background(folder)
+assert 0.1 < (texels[:, 3] < 128).mean() < 0.9, "the picture of the leaves has no outline"
 print(covered, "pixels without the picture,", cut_out, "with it")
 assert covered > 5000, "no forest in the picture"
 assert 0.5 * covered < cut_out < 0.97 * covered, "the leaves are not cut out"

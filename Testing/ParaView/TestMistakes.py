@@ -81,7 +81,9 @@ failures = []
 view = simple.CreateView("RenderView")
 view.ViewSize = [200, 150]
 simple.SetActiveView(view)
-for mistake in MISTAKES:
+# In the window, where each new panel costs a second, the first mistake of each source and filter.
+in_window = "LITTORAL_CLIENT_SCRIPT" in os.environ
+for mistake in ({made[0]: made for made in reversed(MISTAKES)}.values() if in_window else MISTAKES):
     reason = check(view, *mistake)
     if reason:
         failures.append(f"{mistake[0]}, {mistake[2]}: {reason}")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: client
-"""TestMistakes.py in ParaView's own window."""
+"""TestMistakes.py in ParaView's own window, with one mistake of each source and filter."""
 
 import os
 import runpy

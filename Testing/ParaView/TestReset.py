@@ -3,7 +3,7 @@
 # run-with: client
 """The session is reset over and over in the window: while filters follow the camera, after a film, after a state file.
 
-What watched the views and sources of a session must be gone with it. LITTORAL_RESETS is how often; default 10.
+What watched the views and sources of a session must be gone with it. LITTORAL_RESETS is how often; default 6.
 """
 
 import os
@@ -51,7 +51,7 @@ def play(view):
 
 SHOWN = (show_forest, show_particles, show_tree)
 
-for k in range(int(os.environ.get("LITTORAL_RESETS", "10"))):
+for k in range(int(os.environ.get("LITTORAL_RESETS", "6"))):
     view = simple.GetActiveViewOrCreate("RenderView")
     SHOWN[k % len(SHOWN)](view)
     simple.ResetCamera(view)

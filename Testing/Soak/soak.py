@@ -59,11 +59,15 @@ class Settings:
 
 
 def memory():
-    """Memory of the process [bytes], without what its allocator could hand back."""
+    """What the process itself has written to [bytes], without what its allocator could hand back.
+
+    Pages of libraries do not count: how many of them are mapped depends on what else the machine reads.
+    """
     gc.collect()
     ctypes.CDLL(None).malloc_trim(0)
-    with open("/proc/self/statm", encoding="ascii") as numbers:
-        return int(numbers.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    with open("/proc/self/status", encoding="ascii") as status:
+        kilobytes = next(line.split()[1] for line in status if line.startswith("RssAnon:"))
+    return 1024 * int(kilobytes)
 
 
 def outputs(scene):
@@ -111,7 +115,8 @@ def run(name, steps, samples, seed, threads):
     """The samples of a session in a process of its own, and its memory at the first rest and at most [bytes]."""
     command = [sys.executable, os.path.abspath(__file__), str(steps), "--samples", str(samples), "--seed", str(seed),
                "--scene", name]
-    environment = {**os.environ, "VTK_SMP_MAX_THREADS": str(threads)}
+    # One heap for all threads: the allocator hands back the end of the main one alone.
+    environment = {**os.environ, "VTK_SMP_MAX_THREADS": str(threads), "MALLOC_ARENA_MAX": "1"}
     ran = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     if ran.returncode != 0:
         sys.exit(f"{threads} threads: {ran.stderr.strip() or ran.returncode}")

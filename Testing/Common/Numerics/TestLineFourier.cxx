@@ -62,6 +62,33 @@ TEST(LineFourier, AgreesWithDoublePrecision)
   AgreesWithDoublePrecision(FourierEngine::Own);
 }
 
+TEST(LineFourier, InDoublePrecisionAgreesWithKissfft)
+{
+  for (int length : { 2, 3, 5, 16, 90, 1536 })
+  {
+    DoubleLinePack pack(length);
+    std::vector<std::complex<double>> line(length);
+    std::vector<std::complex<double>> wants(length);
+    for (int k = 0; k < length; ++k)
+    {
+      for (int lane = 0; lane < FourierLanes; ++lane)
+      {
+        pack.Re[k * FourierLanes + lane] = std::sin(1.0 + k * k + lane);
+        pack.Im[k * FourierLanes + lane] = std::cos(3.0 * k + 2.0 * lane);
+      }
+      line[k] = { pack.Re[k * FourierLanes + 5], pack.Im[k * FourierLanes + 5] };
+    }
+    kissfft<double>(length, true).transform(line.data(), wants.data());
+    DoubleLineFourier fourier(length);
+    fourier.Backward(pack);
+    for (int k = 0; k < length; ++k)
+    {
+      const std::complex<double> has{ pack.Re[k * FourierLanes + 5], pack.Im[k * FourierLanes + 5] };
+      EXPECT_LT(std::abs(has - wants[k]) / std::sqrt(length), 1e-14) << length << ", " << k;
+    }
+  }
+}
+
 TEST(LineFourier, ForwardUndoesBackward)
 {
   for (int length : { 4, 6, 30, 600, 6000 })

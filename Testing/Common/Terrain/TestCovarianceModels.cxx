@@ -118,6 +118,51 @@ TEST_P(AllModels, SemivarianceAndCovarianceAddUpToTheVariance)
   EXPECT_EQ(Semivariance(field, 0.0), 0.0);
 }
 
+// Differences of the covariance itself are the truth for the changes. Its own errors are largest where the fractal's
+// two series meet, x = 22: that near cancels, and its noise grows as exp(x); that far ends after six terms.
+TEST_P(AllModels, TableHoldsTheCorrelationAndItsChanges)
+{
+  std::vector<double> distances{ 0.0 };
+  for (double r = 0.01; r < 600.0; r *= 1.13)
+  {
+    distances.push_back(r);
+  }
+  for (double second : { 0.7, 3.0, 11.0 })
+  {
+    field.SecondRange = second;
+    const CorrelationTable table = TabulateCorrelation(field, distances);
+    const auto changeOf = [&](double CovarianceParameters::*parameter, double step, double r) {
+      CovarianceParameters more = field;
+      CovarianceParameters less = field;
+      more.*parameter += step;
+      less.*parameter -= step;
+      return (Semivariance(less, r) - Semivariance(more, r)) / (2.0 * step * field.Variance);
+    };
+    for (std::size_t n = 0; n < distances.size(); ++n)
+    {
+      const double r = distances[n];
+      const double x = LowestWaveNumber(field) * r;
+      const double noise = x < 22.0 ? 1e-18 * std::exp(x) : 2e-11 * std::pow(22.0 / x, 13);
+      EXPECT_NEAR(table.Uncorrelation[n], Semivariance(field, r) / field.Variance, 2e-15 + noise) << r;
+      const double h = 1e-5;
+      const double close = 2e-8 + 0.2 * noise / h;
+      const double byDistance =
+        (Semivariance(field, r * (1.0 - h)) - Semivariance(field, r * (1.0 + h))) / (2.0 * h * field.Variance);
+      EXPECT_NEAR(table.ByDistance[n], byDistance, close) << r << ", " << second;
+      if (TraitsOf(field.Model).Parameters.Has("SecondRange"))
+      {
+        const double bySecond = second * changeOf(&CovarianceParameters::SecondRange, 1e-4 * second, r);
+        EXPECT_NEAR(table.BySecondRange[n], bySecond, 2e-7) << r << ", " << second;
+      }
+      if (TraitsOf(field.Model).Parameters.Has("FractalDimension"))
+      {
+        const double byDimension = changeOf(&CovarianceParameters::FractalDimension, h, r);
+        EXPECT_NEAR(table.ByDimension[n], byDimension, close) << r;
+      }
+    }
+  }
+}
+
 TEST_P(AllModels, TailIsWhereItIsSaidToBe)
 {
   for (double part : { 0.5, 0.01, 0.001 })

@@ -107,6 +107,14 @@ TEST(Variogram, DoesNotDependOnThreads)
   const VariogramMap two = ComputeVariogramMap(samples, 40.0, OnThreads(2));
   EXPECT_EQ(one.Semivariance, two.Semivariance);
   EXPECT_EQ(one.Pairs, two.Pairs);
+  const std::vector<LagBin> bins = BinVariogram(one, 90.0, 8, 5);
+  const std::vector<LagBin> again = BinVariogram(one, 90.0, 8, 5, OnThreads(3));
+  ASSERT_EQ(bins.size(), again.size());
+  for (std::size_t n = 0; n < bins.size(); ++n)
+  {
+    EXPECT_EQ(bins[n].Semivariance, again[n].Semivariance) << n;
+    EXPECT_EQ(bins[n].Separation, again[n].Separation) << n;
+  }
 }
 
 TEST(Variogram, BinsKeepAllPairsOnce)

@@ -11,7 +11,7 @@ import json
 import os
 
 import numpy as np
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import (
     numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy)
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -42,12 +42,6 @@ PLACE = [
     {"type": "fragment", "original": "//VTK::PositionVC::Dec",
      "replacement": "//VTK::PositionVC::Dec\nin vec3 placeMC;"}]
 
-#: Translucent leaves: their normal is the same on both sides, while VTK turns it to the camera.
-BOTH_SIDES = [
-    {"type": "fragment", "original": "//VTK::Normal::Impl",
-     "replacement": "//VTK::Normal::Impl\n"
-                    "  if (gl_FrontFacing == false) normalVCVSOutput = -normalVCVSOutput;"}]
-
 AIR = f"""
   gl_FragData[0].rgb = mix(vec3{HAZE}, gl_FragData[0].rgb, exp(-length(vertexVC.xyz) / {SIGHT}));
 """
@@ -69,20 +63,6 @@ GRAIN = """
     weight *= 0.8;
   }
   gl_FragData[0].rgb *= mix(vec3(0.50, 0.56, 0.46), vec3(0.96, 0.95, 0.88), 0.6 * grain);
-"""
-
-#: A carried texture is divided by its mean and multiplied with the colors; transparent texels are discarded.
-CARRIED = """
-  vec4 carried = texture(actortexture, tcoordVCVSOutput);
-  if (carried.a < 0.5) discard;
-  gl_FragData[0] = vec4(gl_FragData[0].rgb * carried.rgb / vec3({}, {}, {}), 1.0);
-"""
-
-#: The texture of leaves is multiplied with their colors; transparent texels are discarded.
-LEAVES = """
-  vec4 leaf = texture(actortexture, tcoordVCVSOutput);
-  if (leaf.a < 0.5) discard;
-  gl_FragData[0] = vec4(gl_FragData[0].rgb * leaf.rgb, 1.0);
 """
 
 
@@ -384,66 +364,18 @@ def show_ground(source, view):
     return shown
 
 
-#: Visible blocks of scattered plants, except those that need their texture and the skeletons:
-#: lines have no normals for the shader.
-PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk")
+#: Visible blocks of scattered plants: the skeletons are lines, which have no normals for the shader.
+PLANT_PARTS = ("/Root/High/Skin", "/Root/High/Leaves", "/Root/Medium/Trunk", "/Root/Medium/Crown", "/Root/Low")
 
 
 def show_plants(source, view, parts=PLANT_PARTS):
-    """Show parts of scattered plants."""
+    """Show parts of scattered or swaying plants, with the textures that they carry."""
     parts = simple.ExtractBlock(Input=source, Selectors=list(parts))
     shown = _show_colored(parts, view)
     shown.SetRepresentationType("Full Surface")
     shown.Ambient = 0.35
     shown.Specular = 0.0
-    _shade(shown, BOTH_SIDES, AIR)
-    return shown
-
-
-#: Blocks that are nothing without the texture that they carry.
-TEXTURED_PARTS = ("/Root/Medium/Crown", "/Root/Low")
-
-
-def show_textured(source, view, selector, picture):
-    """Show a block of scattered or swaying plants with the texture that it carries.
-
-    selector: one of TEXTURED_PARTS; picture: the PNG file that the texture is written to.
-    """
-    block = simple.ExtractBlock(Input=source, Selectors=[selector])
-    block.UpdatePipeline()
-    fields = _leaf(servermanager.Fetch(block)).GetFieldData()
-    mean = fields.GetArray("TextureMean")
-    image = vtkImageData()
-    image.SetDimensions(*(int(size) for size in vtk_to_numpy(fields.GetArray("TextureSize"))), 1)
-    image.GetPointData().SetScalars(fields.GetArray("Texture"))
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    files.write(writer, picture)
-    shown = _show_colored(block, view)
-    shown.Ambient = 0.35
-    shown.Texture = create_texture(picture)
-    shown.SelectTCoordArray = "TCoords"
-    shown.Specular = 0.0
-    _shade(shown, BOTH_SIDES, CARRIED.format(*(mean.GetTuple3(0) if mean else (1.0, 1.0, 1.0))) + AIR)
-    return shown
-
-
-def _leaf(data):
-    """The only data set in blocks."""
-    while data.IsA("vtkMultiBlockDataSet"):
-        data = next(filter(None, (data.GetBlock(k) for k in range(data.GetNumberOfBlocks()))))
-    return data
-
-
-def show_leaves(source, view, picture):
-    """Show the leaves of the nearest level with their texture, a PNG file. Quadrics need it."""
-    leaves = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Leaves"])
-    shown = _show_colored(leaves, view)
-    shown.Ambient = 0.35
-    shown.Texture = create_texture(picture)
-    shown.SelectTCoordArray = "TCoords"
-    shown.Specular = 0.0
-    _shade(shown, BOTH_SIDES, LEAVES + AIR)
+    _shade(shown, [], AIR)
     return shown
 
 
@@ -483,6 +415,6 @@ def _bake(shown):
 def _shade(shown, changes, fragment):
     """Set shader replacements of a representation."""
     shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
-    last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
+    last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": "//VTK::TCoord::Impl\n" + fragment}
     shown.UseShaderReplacements = 1
     shown.ShaderReplacements = json.dumps(changes + [last])
