@@ -188,6 +188,7 @@ public:
     if (this->Options.Anisotropy)
     {
       std::vector<ReducedDistance::Changes> changes;
+      changes.reserve(separations.size());
       for (const auto& [x, y] : separations)
       {
         changes.push_back(distance.ChangesAt(x, y));

@@ -29,6 +29,8 @@ EXTINCTION, DOWNWARD = (0.150, 0.056, 0.046), (0.20, 0.050, 0.040)
 UPWARD_VIEW, LEVEL_VIEW, DOWNWARD_VIEW = (0.07, 0.50, 0.68), (0.008, 0.135, 0.235), (0.002, 0.040, 0.075)
 #: Number of ripples, the longest ones, that focus light; for the others the sun is too large.
 FOCUSING = 8
+#: Steps along a view ray at which shafts of light are looked up.
+SHAFT_STEPS = 22
 #: Exposure of the image.
 EXPOSURE = 1.55
 
@@ -70,7 +72,14 @@ vec2 rippleSlope(vec2 at, float least)
   }
   return slope;
 }
-// How much the ripples focus sunlight at a depth below them, for rays that arrive at a place.
+// How much a surface of a Hessian focuses sunlight at a depth below it: one over the area of a ray's tube.
+float focused(vec3 bend, float depth, float blur)
+{
+  float reach = 0.25 * depth;
+  float area = (1.0 - reach * bend.x) * (1.0 - reach * bend.z) - reach * reach * bend.y * bend.y;
+  return 1.0 / (abs(area) + blur);
+}
+// The same for rays that arrive at a place.
 float caustic(vec2 at, float depth, float blur)
 {
   float reach = 0.25 * depth;
@@ -88,8 +97,7 @@ float caustic(vec2 at, float depth, float blur)
     vec2 k = ripples[n].xy;
     bend -= ripples[n].z * cos(dot(k, from) + ripples[n].w) * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
   }
-  float area = (1.0 - reach * bend.x) * (1.0 - reach * bend.z) - reach * reach * bend.y * bend.y;
-  return 1.0 / (abs(area) + blur);
+  return focused(bend, depth, blur);
 }
 const vec3 sun = normalize(vec3SUN);
 vec3 downLight(float z) { return exp(vec3DOWNWARD * min(z, 0.0)); }
@@ -103,24 +111,41 @@ vec3 veil(vec3 towards)
   float glow = max(0.0, dot(towards, sun));
   return light * (1.0 + 0.8 * pow(glow, 4.0) + 2.2 * pow(glow, 24.0));
 }
-// A surface of a radiance, seen through the water between.
+// A surface of a radiance, seen through the water between. Shafts of light are summed along the view ray, at even steps
+// from the eye: there the ripples' phases grow evenly, and cos(p + d) = 2 cos(d) cos(p) - cos(p - d).
 vec3 through(vec3 radiance)
 {
   vec3 ray = placeMC - eyeMC;
   float way = length(ray);
   vec3 towards = ray / way;
   vec3 left = exp(-vec3EXTINCTION * way);
-  float nearest = min(way, 26.0);
   float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  float shaft = 0.0, weight = 0.0;
-  for (int step = 0; step < 22; ++step)
+  float pace = min(way, 26.0) / float(SHAFT_STEPS);
+  vec2 along = pace * (towards.xy - sun.xy / sun.z * towards.z), at = entry(eyeMC) + jitter * along;
+  float here[FOCUSING], before[FOCUSING], twice[FOCUSING];
+  for (int n = 0; n < FOCUSING; ++n)
   {
-    float at = nearest * pow((float(step) + jitter) / 22.0, 1.3);
-    vec3 place = eyeMC + at * towards;
-    float share = exp(-0.075 * at) * exp(0.09 * place.z);
-    if (place.z < 0.0)
-      shaft += share * min(2.5, caustic(entry(place), 5.0, 0.35));
+    float phase = dot(ripples[n].xy, at) + ripples[n].w, turn = dot(ripples[n].xy, along);
+    here[n] = ripples[n].z * cos(phase);
+    before[n] = ripples[n].z * cos(phase - turn);
+    twice[n] = 2.0 * cos(turn);
+  }
+  float shaft = 0.0, weight = 0.0;
+  float share = 1.0, fading = exp(pace * (0.09 * towards.z - 0.075)); // the same for both sums: from 1
+  for (int step = 0; step < SHAFT_STEPS; ++step)
+  {
+    vec3 bend = vec3(0.0);
+    for (int n = 0; n < FOCUSING; ++n)
+    {
+      vec2 k = ripples[n].xy;
+      bend -= here[n] * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
+      float next = twice[n] * here[n] - before[n];
+      before[n] = here[n];
+      here[n] = next;
+    }
+    shaft += share * min(2.5, focused(bend, 5.0, 0.35));
     weight += share;
+    share *= fading;
   }
   shaft = weight > 0.0 ? shaft / weight : 1.0;
   float lit = mix(1.0, shaft * shaft * 0.72, 0.70 * smoothstep(-0.35, 0.25, towards.z) + 0.12);
@@ -210,7 +235,8 @@ def water_shader(time):
     towards = (np.sin(zenith) * np.sin(azimuth), np.sin(zenith) * np.cos(azimuth), np.cos(zenith))
     waves = ripples(time)
     text = WATER.replace("WAVES", _wave_list(waves)).replace("RIPPLES", str(len(waves)))
-    text = text.replace("FOCUSING", str(FOCUSING)).replace("EXPOSURE", f"{EXPOSURE:.3f}")
+    for name, number in (("FOCUSING", FOCUSING), ("SHAFT_STEPS", SHAFT_STEPS), ("EXPOSURE", f"{EXPOSURE:.3f}")):
+        text = text.replace(name, str(number))
     for name, value in (("SUN", towards), ("DOWNWARD_VIEW", DOWNWARD_VIEW), ("UPWARD_VIEW", UPWARD_VIEW),
                         ("LEVEL_VIEW", LEVEL_VIEW), ("DOWNWARD", DOWNWARD), ("EXTINCTION", EXTINCTION)):
         text = text.replace("vec3" + name, "vec3({:.5f}, {:.5f}, {:.5f})".format(*value))
