@@ -143,7 +143,8 @@ vec3 through(vec3 radiance)
       before[n] = here[n];
       here[n] = next;
     }
-    shaft += share * min(2.5, focused(bend, 5.0, 0.35));
+    float focus = focused(bend, 5.0, 0.5);
+    shaft += share * min(2.5, 1.02 * focus * focus);
     weight += share;
     share *= fading;
   }
@@ -455,7 +456,7 @@ def show_fog(source, view, color=(0.50, 0.78, 0.76)):
     """Show the image of Particle Fog as a volume of one color."""
     extinctions = (0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.2, 2.5, 5.0)
     shown = simple.Show(source, view, "UniformGridRepresentation")
-    shown.SetRepresentationType("Volume")
+    shown.SetRepresentationType("Fog")
     shown.ColorArrayName = ["POINTS", "Extinction"]
     shown.LookupTable = simple.CreateLookupTable(
         ColorSpace="RGB", RGBPoints=[0.0, *color, extinctions[-1], *color], AutomaticRescaleRangeMode="Never")
