@@ -6,6 +6,7 @@
 #include "Data/Blocks.h"
 #include "Data/Inputs.h"
 #include "Data/PlantForm.h"
+#include "Data/ScatterInstances.h"
 #include "Data/ScatterMerge.h"
 #include "Data/ScatterPrototypes.h"
 #include "Data/ScatterSites.h"
@@ -27,8 +28,10 @@
 #include "vtkInformationDataObjectMetaDataKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -98,6 +101,7 @@ void WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
 struct Prototypes : littoral::ScatterPrototypes
 {
   std::vector<littoral::DataStamp> Stamps;
+  vtkNew<vtkMultiBlockDataSet> Levels; ///< as instances refer to them
 };
 
 /// All plants at their sites.
@@ -129,6 +133,12 @@ struct vtkPlantScatterFilter::Request
   std::vector<char> CellsShown;
   long long FirstSite = 0;
   long long EndSite = 0;
+
+  std::size_t NumberOf(littoral::PlantLevel level) const
+  {
+    return std::count_if(this->Shown.begin(), this->Shown.end(),
+      [level](const littoral::ShownPlant& plant) { return plant.Level == level; });
+  }
 };
 
 //----------------------------------------------------------------------------
@@ -141,6 +151,7 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , UseLevels(true)
   , UseCulling(true)
   , FaceCamera(true)
+  , OutputForm(Merged)
   , PlantsPerCell(1.0)
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
@@ -218,6 +229,12 @@ int vtkPlantScatterFilter::FillOutputPortInformation(int port, vtkInformation* i
   }
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
   return 1;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkPlantScatterFilter::GetOutputFormAsString() const
+{
+  return this->OutputForm == Instances ? "Instances" : "Merged";
 }
 
 //----------------------------------------------------------------------------
@@ -321,6 +338,10 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     }
   }
   littoral::TakeParts(blocks, this->Internals->Species);
+  for (const littoral::PrototypeBlocks& parts : blocks)
+  {
+    littoral::AddLevels(parts, this->Internals->Species.Levels);
+  }
   this->Internals->Species.Stamps = stamps;
   return true;
 }
@@ -397,7 +418,8 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
   request.Shown = littoral::ShownPlants(
     scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
-  if (!this->Merge(request, vtkMultiBlockDataSet::GetData(outputs, 0)))
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs, 0);
+  if (!(this->OutputForm == Instances ? this->AddInstances(request, output) : this->Merge(request, output)))
   {
     return littoral::FailedRequest(this);
   }
@@ -410,9 +432,9 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const Prototypes& species = this->Internals->Species;
   const Plants& scene = this->Internals->Scene;
-  littoral::ScatterMerge merge(species, scene.Places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
+  littoral::ScatterMerge merge(
+    this->Internals->Species, scene.Places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())
   {
@@ -429,9 +451,39 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
     return true; // aborted
   }
   merge.AddTo(output);
+  littoral::WriteTable(scene.Places, request.Shown, output->GetFieldData());
+  this->WriteCounters(request, merge.GetNumberOfPolygons(), merge.GetBytes(), output->GetFieldData());
+  littoral::KeepRanges(output, littoral::PollOf(this));
+  return true;
+}
 
-  vtkFieldData* fields = output->GetFieldData();
-  littoral::WriteTable(scene.Places, request.Shown, fields);
+//----------------------------------------------------------------------------
+bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDataSet* output)
+{
+  const double bytes = littoral::InstanceBytes(request.Shown.size());
+  const double available = littoral::AvailableMemory();
+  if (bytes > available)
+  {
+    littoralErrorMacro(<< request.Shown.size() << " instances of plants need " << bytes / Gigabyte << " GB, and "
+                       << available / Gigabyte << " GB are free. Switch on UseCulling, or set VisibleDistance.");
+    return false;
+  }
+  const std::vector<littoral::PlantPlace>& places = this->Internals->Scene.Places;
+  littoral::AddBlock(output, "Instances", littoral::InstancesOf(places, request.Shown));
+  vtkNew<vtkMultiBlockDataSet> prototypes;
+  prototypes->ShallowCopy(this->Internals->Species.Levels);
+  littoral::AddBlock(output, "Prototypes", prototypes);
+  const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);
+  this->WriteCounters(request, polygons, bytes, output->GetFieldData());
+  littoral::KeepRanges(output, littoral::PollOf(this));
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void vtkPlantScatterFilter::WriteCounters(
+  const Request& request, double polygons, double bytes, vtkFieldData* fields) const
+{
+  const Plants& scene = this->Internals->Scene;
   const auto write = [fields](const char* name, double value) { littoral::WriteCounter(fields, name, value); };
   double plantsInAll = 0.0;
   double polygonsInAll = 0.0;
@@ -440,22 +492,20 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
     if (place.Site >= request.FirstSite && place.Site < request.EndSite)
     {
       plantsInAll += 1.0;
-      polygonsInAll += species.HighPolygons(place.Species);
+      polygonsInAll += this->Internals->Species.HighPolygons(place.Species);
     }
   }
   const auto marks = std::count(request.CellsShown.begin(), request.CellsShown.end(), 1);
   write("PlantsInAll", plantsInAll);
   write("PlantsShown", static_cast<double>(request.Shown.size()));
-  write("PlantsHigh", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::High)));
-  write("PlantsMedium", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::Medium)));
-  write("PlantsLow", static_cast<double>(merge.GetNumberOfPlants(littoral::PlantLevel::Low)));
+  write("PlantsHigh", static_cast<double>(request.NumberOf(littoral::PlantLevel::High)));
+  write("PlantsMedium", static_cast<double>(request.NumberOf(littoral::PlantLevel::Medium)));
+  write("PlantsLow", static_cast<double>(request.NumberOf(littoral::PlantLevel::Low)));
   write("CellsInAll", scene.Cells->NumberOfFilled());
   write("CellsShown", this->UseCulling ? static_cast<double>(marks) : scene.Cells->NumberOfFilled());
-  write("PolygonsShown", merge.GetNumberOfPolygons());
+  write("PolygonsShown", polygons);
   write("PolygonsInAll", polygonsInAll);
-  write("OutputBytes", merge.GetBytes());
-  littoral::KeepRanges(output, littoral::PollOf(this));
-  return true;
+  write("OutputBytes", bytes);
 }
 
 //----------------------------------------------------------------------------
@@ -476,6 +526,7 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseLevels: " << this->UseLevels << "\n";
   os << indent << "UseCulling: " << this->UseCulling << "\n";
   os << indent << "FaceCamera: " << this->FaceCamera << "\n";
+  os << indent << "OutputForm: " << this->GetOutputFormAsString() << "\n";
   os << indent << "PlantsPerCell: " << this->PlantsPerCell << "\n";
   os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
 }

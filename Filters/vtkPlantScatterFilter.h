@@ -31,6 +31,15 @@
  *
  * Outputs 1 and 2: vtkImageData, the textures of Crown and Leaves.
  *
+ * With OutputForm Instances, output 0 has two blocks. `Instances` is a vertex for each shown plant at its foot, with
+ * the point arrays `Prototype` (3 Species + Level, the index of a block of Prototypes), `Rotation` (quaternion w, x, y,
+ * z), `Scale`, `Tint` (factors of red, green and blue, for all but the wood), `PlantId`, `SiteId`, `Species` and
+ * `Level`. `Prototypes` has a block for each level of each prototype, as it is there: `0 High` {`Skin`, `Leaves`}, `0
+ * Medium`
+ * {`Trunk`, `Crown`}, `0 Low` {`Low`}, `1 High` and so on; each part has its index as the field array `Prototype`. A
+ * plant is its prototype scaled, rotated and moved to the point, as vtkGlyph3DMapper does with SourceIndexing, these
+ * blocks as SourceTableTree, and quaternions. The counters are field data, as of merged plants.
+ *
  * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is
  * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are
  * kept between executions until sites, prototypes, terrain or a relevant property change.
@@ -51,6 +60,8 @@
 
 #include <memory> // for what is kept between executions
 #include <vector> // for the weights
+
+class vtkFieldData;
 
 class LITTORALFILTERS_EXPORT vtkPlantScatterFilter : public vtkViewDependentAlgorithm
 {
@@ -139,6 +150,26 @@ public:
   vtkBooleanMacro(FaceCamera, bool);
   ///@}
 
+  /// What output 0 holds.
+  enum OutputFormType
+  {
+    Merged = 0,
+    Instances = 1
+  };
+
+  ///@{
+  /**
+   * Plants merged into a block for each part of each level, or as instances: points that refer to blocks
+   * of prototypes; default Merged. Instances take 84 bytes a plant, and far ones are the Low of their prototypes
+   * whatever FaceCamera is.
+   */
+  vtkSetClampMacro(OutputForm, int, Merged, Instances);
+  vtkGetMacro(OutputForm, int);
+  void SetOutputFormToMerged() { this->SetOutputForm(Merged); }
+  void SetOutputFormToInstances() { this->SetOutputForm(Instances); }
+  const char* GetOutputFormAsString() const;
+  ///@}
+
   ///@{
   /**
    * Mean number of plants per culling cell, positive; default 1.
@@ -186,6 +217,7 @@ protected:
   bool UseLevels;
   bool UseCulling;
   bool FaceCamera;
+  int OutputForm;
   double PlantsPerCell;
   double VisibleDistance;
 
@@ -201,6 +233,8 @@ private:
   bool RememberPrototypes(vtkInformationVector* prototypes);
   bool RememberPlaces(vtkInformationVector** inputs);
   bool Merge(const Request& request, vtkMultiBlockDataSet* output);
+  bool AddInstances(const Request& request, vtkMultiBlockDataSet* output);
+  void WriteCounters(const Request& request, double polygons, double bytes, vtkFieldData* fields) const;
 
   std::vector<double> Weights;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportScatterInstances_h
+#define LittoralSupportScatterInstances_h
+
+// A scattered forest as points with prototypes, for mappers of glyphs. Private: never installed, never wrapped.
+
+#include "Data/ScatterPrototypes.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+namespace littoral
+{
+
+/// Memory of the points [bytes].
+double InstanceBytes(std::size_t plants);
+
+/// A vertex for each shown plant, with the arrays that place its prototype.
+vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown);
+
+/// The blocks of a prototype that are drawn, each level a block of its own, added behind those of others.
+void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* prototypes);
+
+/// Polygons of all instances.
+double PolygonsOf(
+  vtkMultiBlockDataSet* prototypes, const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown);
+
+}
+
+#endif

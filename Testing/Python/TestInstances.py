@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A forest as instances: prototypes placed by their points are the merged forest, in a small part of its memory."""
+
+import resource
+
+import numpy as np
+from littoral import vtkGardnerPlantSource, vtkPlantScatterFilter, vtkReevesTreeSource
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
+
+SAME = ("PlantsInAll", "PlantsShown", "PlantsHigh", "PlantsMedium", "PlantsLow", "CellsInAll", "CellsShown",
+        "PolygonsShown", "PolygonsInAll")
+PARTS = (("High", "Skin"), ("High", "Leaves"), ("Medium", "Trunk"), ("Medium", "Crown"), ("Low", "Low"))
+WOOD = ("Skin", "Trunk")
+
+
+def sites(count, side):
+    """Random sites in a square before the eye, on a slope."""
+    at = np.random.default_rng(5).uniform((-0.5 * side, 0.0), (0.5 * side, side), (count, 2))
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.column_stack((at, 0.1 * at[:, 1])), deep=True))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
+def prototypes():
+    tree, shrub = vtkReevesTreeSource(), vtkGardnerPlantSource()
+    tree.SetNumberOfLeaves(60)
+    return tree, shrub
+
+
+def scattered(points, form, *, culling=True):
+    forest = vtkPlantScatterFilter()
+    forest.SetInputData(0, points)
+    for prototype in PROTOTYPES:
+        forest.AddPrototypeConnection(prototype.GetOutputPort())
+    forest.SetViewPoint(0.0, -5.0, 4.0)
+    forest.SetViewDirection(0.0, 1.0, 0.0)
+    forest.SetViewUp(0.0, 0.0, 1.0)
+    forest.SetNearDistance(30.0)
+    forest.SetFarDistance(60.0)
+    forest.SetUseCulling(culling)
+    forest.SetFaceCamera(False)
+    forest.SetOutputForm(form)
+    return forest
+
+
+def block(blocks, *names):
+    """The block of a path of names."""
+    for name in names:
+        found = [k for k in range(blocks.GetNumberOfBlocks())
+                 if blocks.GetMetaData(k).Get(vtkCompositeDataSet.NAME()) == name]
+        blocks = blocks.GetBlock(found[0])
+    return blocks
+
+
+def arrays(data):
+    given = data.GetPointData()
+    return {given.GetArrayName(k): vtk_to_numpy(given.GetArray(k)) for k in range(given.GetNumberOfArrays())}
+
+
+def points_of(data):
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def turned(quaternion, vectors):
+    """v + 2 q x (q x v + w v) for a unit quaternion w, q."""
+    w, q = quaternion[0], np.array(quaternion[1:])
+    return vectors + 2.0 * np.cross(q, np.cross(q, vectors) + w * vectors)
+
+
+def counters(data):
+    fields = data.GetFieldData()
+    return {name: fields.GetArray(name).GetValue(0) for name in SAME}
+
+
+def compare(merged, forest):
+    """Each merged plant with its prototype at its point."""
+    whole = forest.GetOutputDataObject(0)
+    assert whole.GetNumberOfBlocks() == 2, "more than instances and prototypes"
+    instances, levels = block(whole, "Instances"), block(whole, "Prototypes")
+    of_plants, feet = arrays(instances), points_of(instances)
+    assert instances.GetNumberOfVerts() == len(feet) == len(of_plants["Prototype"])
+    assert (of_plants["Prototype"] == 3 * of_plants["Species"] + of_plants["Level"]).all()
+    assert levels.GetNumberOfBlocks() == 3 * len(PROTOTYPES)
+    assert set(of_plants["Level"]) == {0, 1, 2} and set(of_plants["Species"]) == {0, 1}, "too few kinds to compare"
+    compared = 0
+    for level, part in PARTS:
+        of_forest = block(merged, level, part) if level != "Low" else block(merged, level)
+        all_points, all_arrays = points_of(of_forest), arrays(of_forest)
+        for k in np.flatnonzero(of_plants["Level"] == ("High", "Medium", "Low").index(level)):
+            prototype = block(levels, f"{of_plants['Species'][k]} {level}", part)
+            index = prototype.GetFieldData().GetArray("Prototype").GetValue(0)
+            assert levels.GetBlock(index).GetBlock(0).IsA("vtkPolyData") and index == of_plants["Prototype"][k]
+            own, mine = arrays(prototype), all_arrays["PlantId"] == of_plants["PlantId"][k]
+            placed = feet[k] + of_plants["Scale"][k] * turned(of_plants["Rotation"][k], points_of(prototype))
+            assert np.abs(placed - all_points[mine]).max() < 2e-4, f"{level} {part} of plant {k}"
+            normals = turned(of_plants["Rotation"][k], own["Normals"].astype(float))
+            assert np.abs(normals - all_arrays["Normals"][mine]).max() < 1e-5, f"normals of plant {k}"
+            tint = 1.0 if part in WOOD else of_plants["Tint"][k].astype(float)
+            colors = np.minimum(255.0, tint * own["RGB"])
+            assert np.abs(colors - all_arrays["RGB"][mine]).max() <= 1.0, f"colors of {level} {part} of plant {k}"
+            compared += 1
+    return compared
+
+
+PROTOTYPES = prototypes()
+points = sites(150, 120.0)
+merged = scattered(points, vtkPlantScatterFilter.Merged)
+merged.Update()
+assert merged.GetOutputForm() == vtkPlantScatterFilter.Merged and merged.GetOutputFormAsString() == "Merged"
+forest = scattered(points, vtkPlantScatterFilter.Instances)
+forest.Update()
+assert forest.GetOutputFormAsString() == "Instances"
+assert compare(merged.GetOutputDataObject(0), forest) > 100, "few plants"
+assert counters(merged.GetOutputDataObject(0)) == counters(forest.GetOutputDataObject(0))
+
+leaves = block(PROTOTYPES[0].GetOutputDataObject(0), "High", "Leaves")
+assert not leaves.GetFieldData().HasArray("Prototype"), "the prototype itself has changed"
+
+# From one form to the other and back: as fresh objects.
+forest.SetOutputForm(vtkPlantScatterFilter.Merged)
+forest.Update()
+assert forest.GetOutputDataObject(0).GetNumberOfBlocks() == 3
+forest.SetOutputFormToInstances()
+forest.Update()
+compare(merged.GetOutputDataObject(0), forest)
+
+# Pieces share the plants out, and each has all prototypes.
+whole = arrays(block(forest.GetOutputDataObject(0), "Instances"))["PlantId"]
+pieces = []
+for piece in range(3):
+    forest.UpdatePiece(piece, 3, 0)
+    pieces.append(arrays(block(forest.GetOutputDataObject(0), "Instances"))["PlantId"].copy())
+    assert block(forest.GetOutputDataObject(0), "Prototypes").GetNumberOfBlocks() == 6
+assert min(len(piece) for piece in pieces) > 0 and (np.concatenate(pieces) == whole).all()
+
+# No plant in sight: the block is there, without points.
+forest.SetViewDirection(0.0, -1.0, 0.0)
+forest.UpdatePiece(0, 1, 0)
+assert block(forest.GetOutputDataObject(0), "Instances").GetNumberOfPoints() == 0
+
+# A hundred thousand trees in less than 200 MB in all: sites, prototypes, places and output.
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+many = scattered(sites(100000, 5000.0), vtkPlantScatterFilter.Instances, culling=False)
+many.Update()
+grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024.0
+instances = block(many.GetOutputDataObject(0), "Instances")
+assert instances.GetNumberOfPoints() == 100000
+told = many.GetOutputDataObject(0).GetFieldData().GetArray("OutputBytes").GetValue(0)
+assert told == 84.0 * 100000
+assert abs(1024.0 * instances.GetActualMemorySize() - told) < 0.02 * told, f"{instances.GetActualMemorySize()} KiB"
+assert grown < 200.0, f"{grown:.0f} MB for 100 000 instances"
+print(f"100 000 instances: {told / 1e6:.1f} MB, {grown:.0f} MB in all")
