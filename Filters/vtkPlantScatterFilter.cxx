@@ -53,6 +53,7 @@ constexpr int TerrainPort = 2;
 constexpr const char* SitesInput = "Sites";
 constexpr const char* PrototypesInput = "Prototypes";
 constexpr const char* TerrainInput = "Terrain";
+constexpr const char* InstancesBlock = "Instances";
 constexpr double Degree = littoral::Pi / 180.0;
 constexpr double Gigabyte = 1e9;
 /// More prototypes than this have no weight of their own.
@@ -101,7 +102,7 @@ void WriteTexture(const littoral::TextureImage& texture, vtkInformation* output)
 struct Prototypes : littoral::ScatterPrototypes
 {
   std::vector<littoral::DataStamp> Stamps;
-  vtkNew<vtkMultiBlockDataSet> Levels; ///< as instances refer to them
+  vtkNew<vtkMultiBlockDataSet> Levels; ///< as instances refer to them, behind the empty block of the instances
 };
 
 /// All plants at their sites.
@@ -338,6 +339,8 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     }
   }
   littoral::TakeParts(blocks, this->Internals->Species);
+  vtkNew<vtkPolyData> instances;
+  littoral::AddBlock(this->Internals->Species.Levels, InstancesBlock, instances);
   for (const littoral::PrototypeBlocks& parts : blocks)
   {
     littoral::AddLevels(parts, this->Internals->Species.Levels);
@@ -469,10 +472,8 @@ bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDa
     return false;
   }
   const std::vector<littoral::PlantPlace>& places = this->Internals->Scene.Places;
-  littoral::AddBlock(output, "Instances", littoral::InstancesOf(places, request.Shown));
-  vtkNew<vtkMultiBlockDataSet> prototypes;
-  prototypes->ShallowCopy(this->Internals->Species.Levels);
-  littoral::AddBlock(output, "Prototypes", prototypes);
+  output->ShallowCopy(this->Internals->Species.Levels);
+  littoral::ReplaceBlock(output, InstancesBlock, littoral::InstancesOf(places, request.Shown));
   const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);
   this->WriteCounters(request, polygons, bytes, output->GetFieldData());
   littoral::KeepRanges(output, littoral::PollOf(this));

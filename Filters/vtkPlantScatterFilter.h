@@ -31,14 +31,13 @@
  *
  * Outputs 1 and 2: vtkImageData, the textures of Crown and Leaves.
  *
- * With OutputForm Instances, output 0 has two blocks. `Instances` is a vertex for each shown plant at its foot, with
- * the point arrays `Prototype` (3 Species + Level, the index of a block of Prototypes), `Rotation` (quaternion w, x, y,
- * z), `Scale`, `Tint` (factors of red, green and blue, for all but the wood), `PlantId`, `SiteId`, `Species` and
- * `Level`. `Prototypes` has a block for each level of each prototype, as it is there: `0 High` {`Skin`, `Leaves`}, `0
- * Medium`
- * {`Trunk`, `Crown`}, `0 Low` {`Low`}, `1 High` and so on; each part has its index as the field array `Prototype`. A
- * plant is its prototype scaled, rotated and moved to the point, as vtkGlyph3DMapper does with SourceIndexing, these
- * blocks as SourceTableTree, and quaternions. The counters are field data, as of merged plants.
+ * With OutputForm Instances, output 0 has the block `Instances`, a vertex for each shown plant at its foot, with the
+ * point arrays `Prototype` (1 + 3 Species + Level, the index of another block), `Rotation` (quaternion w, x, y, z),
+ * `Scale`, `Tint` (factors of red, green and blue, for all but the wood), `PlantId`, `SiteId`, `Species` and `Level`;
+ * and then a block for each level of each prototype, as it is there: `0 High` {`Skin`, `Leaves`}, `0 Medium` {`Trunk`,
+ * `Crown`}, `0 Low` {`Low`}, `1 High` and so on. Their parts have the field arrays `Prototype`, the same index, and
+ * `Tinted`, 0 or 1. A plant is its prototype scaled, rotated and moved to the point, as vtkGlyph3DMapper does with
+ * SourceIndexing, this output as SourceTableTree, and quaternions. The counters are field data, as of merged plants.
  *
  * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is
  * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are

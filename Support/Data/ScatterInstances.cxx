@@ -29,10 +29,16 @@ constexpr int Levels = 3;
 constexpr const char* PrototypeName = "Prototype";
 constexpr const char* LevelNames[Levels] = { plant::High, plant::Medium, plant::Low };
 
-/// The index of a plant's level among the prototypes.
+/// The index of the block that a plant is drawn as; 0 is that of the instances.
 int PrototypeOf(const std::vector<PlantPlace>& places, const ShownPlant& plant)
 {
-  return Levels * places[plant.Place].Species + static_cast<int>(plant.Level);
+  return 1 + Levels * places[plant.Place].Species + static_cast<int>(plant.Level);
+}
+
+/// A field array of one number.
+void AddNumber(vtkDataObject* block, const char* name, int number)
+{
+  block->GetFieldData()->AddArray(ArrayOf<vtkIntArray>(name, 1, std::vector<std::array<int, 1>>{ { number } }));
 }
 
 /// Writes numbers of plants one after the other.
@@ -113,15 +119,15 @@ vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, 
   return instances;
 }
 
-void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* prototypes)
+void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* blocks)
 {
-  const int first = static_cast<int>(prototypes->GetNumberOfBlocks());
-  const std::string species = std::to_string(first / Levels);
+  const int first = static_cast<int>(blocks->GetNumberOfBlocks());
+  const std::string species = std::to_string((first - 1) / Levels);
   vtkSmartPointer<vtkMultiBlockDataSet> levels[Levels];
   for (int level = 0; level < Levels; ++level)
   {
     levels[level] = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    AddBlock(prototypes, (species + " " + LevelNames[level]).c_str(), levels[level]);
+    AddBlock(blocks, (species + " " + LevelNames[level]).c_str(), levels[level]);
   }
   for (int part = 0; part < NumberOfParts; ++part)
   {
@@ -130,20 +136,20 @@ void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* prototypes)
       vtkNew<vtkPolyData> copy; // which stays as it is when the prototype changes
       copy->ShallowCopy(parts[part]);
       const int level = static_cast<int>(LevelOfPart[part]);
-      copy->GetFieldData()->AddArray(
-        ArrayOf<vtkIntArray>(PrototypeName, 1, std::array<std::array<int, 1>, 1>{ { { first + level } } }));
+      AddNumber(copy, PrototypeName, first + level);
+      AddNumber(copy, "Tinted", PartKinds[part].IsTinted ? 1 : 0);
       AddBlock(levels[level], PartKinds[part].Name ? PartKinds[part].Name : PartKinds[part].Level, copy);
     }
   }
 }
 
 double PolygonsOf(
-  vtkMultiBlockDataSet* prototypes, const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown)
+  vtkMultiBlockDataSet* blocks, const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown)
 {
-  std::vector<double> ofPrototype;
-  for (unsigned int index = 0; index < prototypes->GetNumberOfBlocks(); ++index)
+  std::vector<double> ofPrototype{ 0.0 };
+  for (unsigned int index = 1; index < blocks->GetNumberOfBlocks(); ++index)
   {
-    auto* level = vtkMultiBlockDataSet::SafeDownCast(prototypes->GetBlock(index));
+    auto* level = vtkMultiBlockDataSet::SafeDownCast(blocks->GetBlock(index));
     ofPrototype.push_back(static_cast<double>(level->GetNumberOfCells()));
   }
   double polygons = 0.0;

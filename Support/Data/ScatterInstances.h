@@ -21,12 +21,13 @@ double InstanceBytes(std::size_t plants);
 /// A vertex for each shown plant, with the arrays that place its prototype.
 vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown);
 
-/// The blocks of a prototype that are drawn, each level a block of its own, added behind those of others.
-void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* prototypes);
+/// The blocks of a prototype that are drawn, each level a block of its own. Those of the first species come first,
+/// behind the block of the instances.
+void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* blocks);
 
 /// Polygons of all instances.
 double PolygonsOf(
-  vtkMultiBlockDataSet* prototypes, const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown);
+  vtkMultiBlockDataSet* blocks, const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown);
 
 }
 

@@ -80,21 +80,20 @@ def counters(data):
 def compare(merged, forest):
     """Each merged plant with its prototype at its point."""
     whole = forest.GetOutputDataObject(0)
-    assert whole.GetNumberOfBlocks() == 2, "more than instances and prototypes"
-    instances, levels = block(whole, "Instances"), block(whole, "Prototypes")
+    assert whole.GetNumberOfBlocks() == 1 + 3 * len(PROTOTYPES), "other blocks than instances and prototypes"
+    instances = block(whole, "Instances")
     of_plants, feet = arrays(instances), points_of(instances)
     assert instances.GetNumberOfVerts() == len(feet) == len(of_plants["Prototype"])
-    assert (of_plants["Prototype"] == 3 * of_plants["Species"] + of_plants["Level"]).all()
-    assert levels.GetNumberOfBlocks() == 3 * len(PROTOTYPES)
+    assert (of_plants["Prototype"] == 1 + 3 * of_plants["Species"] + of_plants["Level"]).all()
     assert set(of_plants["Level"]) == {0, 1, 2} and set(of_plants["Species"]) == {0, 1}, "too few kinds to compare"
     compared = 0
     for level, part in PARTS:
         of_forest = block(merged, level, part) if level != "Low" else block(merged, level)
         all_points, all_arrays = points_of(of_forest), arrays(of_forest)
         for k in np.flatnonzero(of_plants["Level"] == ("High", "Medium", "Low").index(level)):
-            prototype = block(levels, f"{of_plants['Species'][k]} {level}", part)
+            prototype = block(whole, f"{of_plants['Species'][k]} {level}", part)
             index = prototype.GetFieldData().GetArray("Prototype").GetValue(0)
-            assert levels.GetBlock(index).GetBlock(0).IsA("vtkPolyData") and index == of_plants["Prototype"][k]
+            assert whole.GetBlock(index).GetBlock(0).IsA("vtkPolyData") and index == of_plants["Prototype"][k]
             own, mine = arrays(prototype), all_arrays["PlantId"] == of_plants["PlantId"][k]
             placed = feet[k] + of_plants["Scale"][k] * turned(of_plants["Rotation"][k], points_of(prototype))
             assert np.abs(placed - all_points[mine]).max() < 2e-4, f"{level} {part} of plant {k}"
@@ -135,7 +134,7 @@ pieces = []
 for piece in range(3):
     forest.UpdatePiece(piece, 3, 0)
     pieces.append(arrays(block(forest.GetOutputDataObject(0), "Instances"))["PlantId"].copy())
-    assert block(forest.GetOutputDataObject(0), "Prototypes").GetNumberOfBlocks() == 6
+    assert forest.GetOutputDataObject(0).GetNumberOfBlocks() == 7
 assert min(len(piece) for piece in pieces) > 0 and (np.concatenate(pieces) == whole).all()
 
 # No plant in sight: the block is there, without points.

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockActor.h"
 
+#include "InstanceMapper.h"
+
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
@@ -146,13 +149,20 @@ bool BlockActor::IsTextured(vtkDataObject* block)
 //----------------------------------------------------------------------------
 void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
 {
-  this->TakeMapper(part, mapper);
+  if (part.Prototype)
+  {
+    this->TakeInstances(part, mapper);
+  }
+  else
+  {
+    this->TakeMapper(part, mapper);
+  }
   vtkNew<vtkMatrix4x4> matrix;
   like->GetMatrix(matrix);
   this->Actor->SetUserMatrix(matrix);
   this->Actor->GetProperty()->DeepCopy(like->GetProperty());
   this->Actor->SetPropertyKeys(like->GetPropertyKeys());
-  this->Actor->SetPickable(like->GetPickable());
+  this->Actor->SetPickable(like->GetPickable() && !part.Prototype);
   this->Actor->SetVisibility(like->GetVisibility());
   vtkProperty* property = like->GetProperty();
   const bool hasNormals = isLit && property->GetLighting() && property->GetRepresentation() == VTK_SURFACE;
@@ -176,7 +186,7 @@ vtkProp* BlockActor::GetProp()
 //----------------------------------------------------------------------------
 void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
 {
-  if (!this->Mapper)
+  if (!this->Mapper || !this->Mapper->IsA(like->GetClassName()))
   {
     this->Mapper = vtkSmartPointer<vtkMapper>::Take(like->NewInstance());
     this->Actor->SetMapper(this->Mapper);
@@ -191,6 +201,21 @@ void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
     own->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   }
   this->Mapper->SetInputDataObject(part.Tree);
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::TakeInstances(const PartOfTree& part, vtkMapper* like)
+{
+  auto* mapper = InstanceMapper::SafeDownCast(this->Mapper);
+  if (!mapper)
+  {
+    const auto made = vtkSmartPointer<InstanceMapper>::New();
+    this->Mapper = mapper = made;
+    this->Actor->SetMapper(mapper);
+  }
+  mapper->vtkMapper::ShallowCopy(like); // its input is another one
+  mapper->SetInputData(part.Prototype);
+  mapper->SetInstances(part.Instances);
 }
 
 //----------------------------------------------------------------------------

@@ -3,6 +3,8 @@
 #ifndef LittoralBlockActor_h
 #define LittoralBlockActor_h
 
+#include "Instances.h"
+
 #include "vtkDataObject.h"   // for the block
 #include "vtkNew.h"          // for what is drawn
 #include "vtkSmartPointer.h" // for the mapper
@@ -26,10 +28,12 @@ struct PartOfTree
   vtkSmartPointer<vtkDataObject> Textured; ///< the only leaf, if it carries a texture; else null
   vtkSmartPointer<vtkDataObject> Tree;
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> Attributes; ///< of its blocks
+  vtkSmartPointer<vtkPolyData> Prototype;                        ///< drawn in place of the tree where it has instances
+  std::shared_ptr<const InstanceBatch> Instances;
 };
 
 /**
- * The actor of a block that carries a texture, or of all blocks that carry none.
+ * The actor of a block that carries a texture, of a prototype at its instances, or of all blocks that are neither.
  *
  * A texture is field data of its block: `Texture`, RGBA texels in rows from the bottom, and `TextureSize`, columns and
  * rows. A fragment has the color of the surface times the texel, divided by `TextureMean`, 3 numbers above 0 to 1, if
@@ -77,6 +81,7 @@ private:
   };
 
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
+  void TakeInstances(const PartOfTree& part, vtkMapper* like);
   void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
   void SetShading(Shading shading, vtkShaderProperty* given);
   void TakeMean(vtkDataObject* block);

@@ -10,6 +10,7 @@
 #include "vtkLightCollection.h"
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVRenderView.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
@@ -23,7 +24,10 @@ PartOfTree Branches(vtkDataObjectTree* tree)
 {
   const auto branches = vtkSmartPointer<vtkDataObjectTree>::Take(tree->NewInstance());
   branches->CopyStructure(tree);
-  return { nullptr, branches, vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New() };
+  PartOfTree part;
+  part.Tree = branches;
+  part.Attributes = vtkSmartPointer<vtkCompositeDataDisplayAttributes>::New();
+  return part;
 }
 
 /// Whether a light is on, or VTK will make one.
@@ -116,7 +120,8 @@ void TexturedBlocks::Hide()
 }
 
 //----------------------------------------------------------------------------
-/// Each textured block becomes a part of its own, the others are the first; without textures there are no parts.
+/// Each textured block and each prototype that has instances becomes a part of its own, the others are the first;
+/// without any there are no parts. Points of instances are not drawn.
 void TexturedBlocks::Split(vtkDataObject* data)
 {
   this->Data = data;
@@ -129,9 +134,19 @@ void TexturedBlocks::Split(vtkDataObject* data)
   }
   this->Parts.push_back(Branches(tree));
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  bool hasInstances = false;
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     vtkSmartPointer<vtkDataObject> block = leaf->GetCurrentDataObject();
+    if (AreInstances(block))
+    {
+      hasInstances = true;
+      continue;
+    }
+    if (hasInstances && PrototypeIndex(block) >= 0)
+    {
+      continue;
+    }
     const bool isTextured = BlockActor::IsTextured(block);
     if (isTextured)
     {
@@ -142,6 +157,14 @@ void TexturedBlocks::Split(vtkDataObject* data)
     PartOfTree& part = isTextured ? this->Parts.back() : this->Parts.front();
     vtkDataObjectTree::SafeDownCast(part.Tree)->SetDataSetFrom(leaf, block);
   }
+  EachPrototype(tree, [&](vtkPolyData* instances, vtkPolyData* prototype) {
+    PartOfTree part = Branches(tree);
+    const auto block = WithCoordinates(prototype);
+    part.Textured = BlockActor::IsTextured(block) ? block : nullptr;
+    part.Prototype = vtkPolyData::SafeDownCast(block);
+    part.Instances = BatchOf(instances, prototype);
+    this->Parts.push_back(part);
+  });
   if (this->Parts.size() == 1)
   {
     this->Parts.clear();

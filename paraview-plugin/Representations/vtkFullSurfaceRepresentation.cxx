@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFullSurfaceRepresentation.h"
 
+#include "Instances.h"
 #include "TexturedBlocks.h"
 
 #include "vtkAlgorithm.h"
@@ -126,9 +127,11 @@ void vtkFullSurfaceRepresentation::TakeBoundsOfPoints()
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   this->PopulateBlockAttributes(attributes, data);
   vtkBoundingBox bounds;
-  const auto add = [&bounds](vtkDataObject* leaf) {
+  bool hasInstances = false;
+  const auto add = [&](vtkDataObject* leaf) {
     auto* surface = vtkPolyData::SafeDownCast(leaf);
-    if (surface && surface->GetNumberOfPoints() > 0)
+    hasInstances = hasInstances || littoral::AreInstances(leaf);
+    if (surface && surface->GetNumberOfPoints() > 0 && !(hasInstances && littoral::PrototypeIndex(leaf) >= 0))
     {
       bounds.AddBounds(surface->GetPoints()->GetBounds());
     }
@@ -136,6 +139,9 @@ void vtkFullSurfaceRepresentation::TakeBoundsOfPoints()
   };
   if (EachVisible(data, attributes, add))
   {
+    littoral::EachPrototype(data, [&bounds](vtkPolyData* instances, vtkPolyData* prototype) {
+      bounds.AddBox(littoral::BatchOf(instances, prototype)->Bounds);
+    });
     bounds.GetBounds(this->VisibleDataBounds);
     this->VisibleDataBoundsTime.Modified();
   }

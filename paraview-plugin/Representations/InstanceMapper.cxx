@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InstanceMapper.h"
+
+#if __has_include("vtk_glad.h") // VTK 9.4 and later
+#include "vtk_glad.h"
+#else
+#include "vtk_glew.h"
+#endif
+
+#include "vtkActor.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkProperty.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+
+#include <string>
+
+namespace littoral
+{
+namespace
+{
+
+// v + 2 q x (q x v + w v), of a quaternion q, w.
+constexpr const char* Declarations = R"(
+in vec4 instancePlace; // and scale
+in vec4 instanceTurn;
+in vec4 instanceTint;
+vec3 instanceTurned(vec3 v)
+{
+  vec3 q = instanceTurn.xyz;
+  return v + 2.0 * cross(q, cross(q, v) + instanceTurn.w * v);
+}
+)";
+
+constexpr const char* Begin = R"(
+  vec4 instanceMC = vec4(instancePlace.xyz + instancePlace.w * instanceTurned(vertexMC.xyz), 1.0);
+#define vertexMC instanceMC
+#define normalMC instanceTurned(normalMC)
+#define scalarColor min(vec4(1.0), instanceTint * scalarColor)
+)";
+
+}
+
+vtkStandardNewMacro(InstanceMapper);
+
+//----------------------------------------------------------------------------
+InstanceMapper::InstanceMapper()
+{
+  this->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+}
+
+//----------------------------------------------------------------------------
+InstanceMapper::~InstanceMapper() = default;
+
+//----------------------------------------------------------------------------
+void InstanceMapper::SetInstances(const std::shared_ptr<const InstanceBatch>& batch)
+{
+  if (this->Batch != batch)
+  {
+    this->Batch = batch;
+    this->IsUploaded = false;
+    this->Modified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void InstanceMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Buffer->ReleaseGraphicsResources();
+  this->IsUploaded = false;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
+void InstanceMapper::ComputeBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (this->Batch && this->Batch->Bounds.IsValid())
+  {
+    this->Batch->Bounds.GetBounds(this->Bounds);
+  }
+}
+
+//----------------------------------------------------------------------------
+void InstanceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
+  if (!this->Batch || this->Batch->Values.empty() || triangles.IBO->IndexCount == 0)
+  {
+    return;
+  }
+  this->DrawingVertices = false;
+  this->UpdateShaders(triangles, renderer, actor);
+  if (!triangles.Program)
+  {
+    return;
+  }
+  this->BindAttributes(triangles);
+  const auto count = static_cast<GLsizei>(this->Batch->Values.size() / InstanceBatch::Numbers);
+  triangles.IBO->Bind();
+  glDrawElementsInstanced(this->GetOpenGLMode(actor->GetProperty()->GetRepresentation(), PrimitiveTris),
+    static_cast<GLsizei>(triangles.IBO->IndexCount), GL_UNSIGNED_INT, nullptr, count);
+  triangles.IBO->Release();
+}
+
+//----------------------------------------------------------------------------
+void InstanceMapper::BindAttributes(vtkOpenGLHelper& triangles)
+{
+  if (!this->IsUploaded)
+  {
+    this->Buffer->Upload(this->Batch->Values, vtkOpenGLBufferObject::ArrayBuffer);
+    this->IsUploaded = true;
+  }
+  constexpr int four = 4 * sizeof(float);
+  int offset = 0;
+  triangles.VAO->Bind();
+  for (const char* name : { "instancePlace", "instanceTurn", "instanceTint" })
+  {
+    triangles.VAO->AddAttributeArrayWithDivisor(triangles.Program, this->Buffer, name, offset,
+      InstanceBatch::Numbers * sizeof(float), VTK_FLOAT, 4, false, 1, false);
+    offset += four;
+  }
+}
+
+//----------------------------------------------------------------------------
+void InstanceMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  std::string source = shaders[vtkShader::Vertex]->GetSource();
+  const std::size_t main = source.find("void main");
+  const std::size_t body = source.find('{', main);
+  if (body != std::string::npos)
+  {
+    source.insert(body + 1, Begin);
+    source.insert(main, Declarations);
+  }
+  shaders[vtkShader::Vertex]->SetSource(source);
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+}
+
+}

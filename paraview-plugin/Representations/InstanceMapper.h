@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralInstanceMapper_h
+#define LittoralInstanceMapper_h
+
+#include "Instances.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
+
+class vtkOpenGLBufferObject;
+
+namespace littoral
+{
+
+/**
+ * Polygonal data drawn many times: p -> place + scale R p, normals turned by R, colors times the tint, up to white.
+ *
+ * Its shader is VTK's, with the vertex, its normal and its color replaced by those of the instance before anything
+ * else. vtkGlyph3DMapper has one color an instance, and takes none from the polygons.
+ */
+class InstanceMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static InstanceMapper* New();
+  vtkTypeMacro(InstanceMapper, vtkOpenGLPolyDataMapper);
+
+  /// What is drawn where.
+  void SetInstances(const std::shared_ptr<const InstanceBatch>& batch);
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  InstanceMapper();
+  ~InstanceMapper() override;
+
+  void ComputeBounds() override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  InstanceMapper(const InstanceMapper&) = delete;
+  void operator=(const InstanceMapper&) = delete;
+
+  void BindAttributes(vtkOpenGLHelper& triangles);
+
+  std::shared_ptr<const InstanceBatch> Batch;
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  bool IsUploaded = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Instances.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <array>
+
+namespace littoral
+{
+namespace
+{
+
+constexpr const char* PrototypeName = "Prototype";
+
+vtkDataArray* ArrayWith(vtkFieldData* arrays, const char* name, int components)
+{
+  vtkDataArray* array = arrays ? arrays->GetArray(name) : nullptr;
+  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+}
+
+using Vector = std::array<double, 3>;
+
+Vector Cross(const double a[3], const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+/// v + 2 q x (q x v + w v), of a quaternion w, q.
+Vector Rotated(const double quaternion[4], const Vector& v)
+{
+  const double w = quaternion[0];
+  const double* q = quaternion + 1;
+  const Vector inner = Cross(q, v);
+  const Vector outer = Cross(q, { inner[0] + w * v[0], inner[1] + w * v[1], inner[2] + w * v[2] });
+  return { v[0] + 2.0 * outer[0], v[1] + 2.0 * outer[1], v[2] + 2.0 * outer[2] };
+}
+
+}
+
+//----------------------------------------------------------------------------
+bool AreInstances(vtkDataObject* block)
+{
+  auto* points = vtkPolyData::SafeDownCast(block);
+  vtkPointData* arrays = points ? points->GetPointData() : nullptr;
+  return ArrayWith(arrays, PrototypeName, 1) && ArrayWith(arrays, "Rotation", 4) && ArrayWith(arrays, "Scale", 1) &&
+    ArrayWith(arrays, "Tint", 3);
+}
+
+//----------------------------------------------------------------------------
+int PrototypeIndex(vtkDataObject* block)
+{
+  auto* polygons = vtkPolyData::SafeDownCast(block);
+  vtkDataArray* index = polygons ? ArrayWith(polygons->GetFieldData(), PrototypeName, 1) : nullptr;
+  return index && index->GetNumberOfTuples() > 0 ? static_cast<int>(index->GetTuple1(0)) : -1;
+}
+
+//----------------------------------------------------------------------------
+void EachPrototype(vtkDataObject* tree, const std::function<void(vtkPolyData*, vtkPolyData*)>& call)
+{
+  auto* blocks = vtkDataObjectTree::SafeDownCast(tree);
+  if (!blocks)
+  {
+    return;
+  }
+  vtkPolyData* instances = nullptr;
+  const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(blocks->NewTreeIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    vtkDataObject* block = leaf->GetCurrentDataObject();
+    if (AreInstances(block))
+    {
+      instances = vtkPolyData::SafeDownCast(block);
+    }
+    else if (instances && PrototypeIndex(block) >= 0)
+    {
+      call(instances, vtkPolyData::SafeDownCast(block));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+std::shared_ptr<const InstanceBatch> BatchOf(vtkPolyData* instances, vtkPolyData* prototype)
+{
+  auto batch = std::make_shared<InstanceBatch>();
+  vtkPointData* arrays = instances->GetPointData();
+  vtkDataArray* prototypes = arrays->GetArray(PrototypeName);
+  vtkDataArray* tinted = ArrayWith(prototype->GetFieldData(), "Tinted", 1);
+  const bool isTinted = !tinted || tinted->GetNumberOfTuples() == 0 || tinted->GetTuple1(0) != 0.0;
+  const int index = PrototypeIndex(prototype);
+  const vtkBoundingBox box(prototype->GetBounds());
+  for (vtkIdType point = 0; point < instances->GetNumberOfPoints(); ++point)
+  {
+    if (static_cast<int>(prototypes->GetTuple1(point)) != index)
+    {
+      continue;
+    }
+    std::array<double, 3> place{};
+    std::array<double, 4> rotation{};
+    std::array<double, 3> tint{ 1.0, 1.0, 1.0 };
+    instances->GetPoint(point, place.data());
+    arrays->GetArray("Rotation")->GetTuple(point, rotation.data());
+    const double scale = arrays->GetArray("Scale")->GetTuple1(point);
+    if (isTinted)
+    {
+      arrays->GetArray("Tint")->GetTuple(point, tint.data());
+    }
+    for (const double number : { place[0], place[1], place[2], scale, rotation[1], rotation[2], rotation[3],
+           rotation[0], tint[0], tint[1], tint[2], 1.0 })
+    {
+      batch->Values.push_back(static_cast<float>(number));
+    }
+    for (int corner = 0; corner < 8 && box.IsValid(); ++corner)
+    {
+      Vector at{};
+      box.GetCorner(corner, at.data());
+      at = Rotated(rotation.data(), at);
+      batch->Bounds.AddPoint(place[0] + scale * at[0], place[1] + scale * at[1], place[2] + scale * at[2]);
+    }
+  }
+  return batch;
+}
+
+}
