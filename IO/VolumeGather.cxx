@@ -144,7 +144,7 @@ void SendBlock(vtkMultiProcessController* controller, const VolumeBlock& block, 
   const bool dense = block.Stride == static_cast<std::size_t>(components);
   const std::vector<float> packed = dense ? std::vector<float>() : Packed(block, components);
   controller->Send(
-    dense ? block.Values : packed.data(), static_cast<vtkIdType>(block.Count() * components), 0, ValuesTag);
+    dense ? block.Values : packed.data(), static_cast<vtkIdType>(block.Count()) * components, 0, ValuesTag);
   if (block.Ghosts && block.Hidden)
   {
     controller->Send(block.Ghosts, static_cast<vtkIdType>(block.Count()), 0, GhostsTag);

@@ -52,6 +52,7 @@ const littoral::TextureAtlas& Pictures()
 {
   static const littoral::TextureAtlas atlas = [] {
     std::vector<littoral::TextureImage> pictures;
+    pictures.reserve(littoral::ParticleKinds);
     for (int kind = 0; kind < littoral::ParticleKinds; ++kind)
     {
       pictures.push_back(littoral::ParticlePicture(static_cast<littoral::ParticleKind>(kind)));

@@ -13,6 +13,7 @@
 #include <vtkTurningBandsTerrainSource.h>
 #include <vtkXMLImageDataWriter.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -22,8 +23,21 @@ namespace
 //------------------------------------------------------------------------------
 void ShowProgress(vtkObject*, unsigned long, void*, void* progress)
 {
-  const int percent = static_cast<int>(100.0 * *static_cast<double*>(progress) + 0.5);
+  const long percent = std::lround(100.0 * *static_cast<double*>(progress));
   std::cout << "\rgrowing: " << percent << " %" << std::flush;
+}
+
+//------------------------------------------------------------------------------
+/// A whole number from the command line; `other` where there is none, 0 where it is none.
+int Number(int argc, char* argv[], int index, int other)
+{
+  if (index >= argc)
+  {
+    return other;
+  }
+  char* end = nullptr;
+  const long number = std::strtol(argv[index], &end, 10);
+  return *end == '\0' && number > 0 && number < 1000000 ? static_cast<int>(number) : 0;
 }
 
 } // anonymous namespace
@@ -31,8 +45,8 @@ void ShowProgress(vtkObject*, unsigned long, void*, void* progress)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  const int side = argc > 2 ? std::atoi(argv[2]) : 513;
-  const int seed = argc > 3 ? std::atoi(argv[3]) : 1;
+  const int side = Number(argc, argv, 2, 513);
+  const int seed = Number(argc, argv, 3, 1);
   if (argc < 2 || side < 2)
   {
     std::cerr << "usage: " << argv[0] << " terrain.vti [samples a side, at least 2] [seed]\n";

@@ -97,7 +97,10 @@ std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& pri
     }
     primitive.InfluenceMargin = hasBoxes ? margins->GetComponent(id, 0) : 0.0;
     const std::string why = reason.empty() ? WhyInvalid(primitive) : "";
-    reason = why.empty() ? reason : name + why;
+    if (!why.empty())
+    {
+      reason = name + why;
+    }
     primitives.push_back(primitive);
   }
   return reason;

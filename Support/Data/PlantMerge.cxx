@@ -146,6 +146,7 @@ void AddCommonArrays(
       continue;
     }
     std::vector<vtkDataArray*> ofSpecies;
+    ofSpecies.reserve(blocks.size());
     for (vtkPolyData* block : blocks)
     {
       ofSpecies.push_back(IsEmpty(block) ? nullptr : FindAny(block, ofCells, name));
@@ -290,7 +291,7 @@ vtkSmartPointer<vtkDataArray> PlantMerge::Add(const PartArray& array, std::size_
 void PlantMerge::AllocateCells()
 {
   const Begin& end = this->First.back();
-  const auto numberOfOffsets = static_cast<vtkIdType>(end.Cell + 1);
+  const auto numberOfOffsets = static_cast<vtkIdType>(end.Cell) + 1;
   const auto numberOfCorners = static_cast<vtkIdType>(end.Corner);
   vtkNew<vtkCellArray> cells;
   const auto allocate = [&](auto* offsets, auto* corners) {

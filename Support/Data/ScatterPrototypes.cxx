@@ -188,6 +188,7 @@ void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& pr
   for (int part = 0; part < LowPart; ++part)
   {
     std::vector<vtkPolyData*> own;
+    own.reserve(blocks.size());
     for (const PrototypeBlocks& each : blocks)
     {
       own.push_back(each[part]);

@@ -86,7 +86,10 @@ std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segmen
     across->GetTuple(node, &segment.Across.x);
     ReadWhole(ofNode + seaweed::Tissue, tissue->GetComponent(node, 0), 0, 3, segment.Tissue, reason);
     const std::string why = reason.empty() ? WhyInvalid(segment) : "";
-    reason = why.empty() ? reason : ofNode + why;
+    if (!why.empty())
+    {
+      reason = ofNode + why;
+    }
   }
   return reason;
 }
