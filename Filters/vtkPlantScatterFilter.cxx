@@ -243,6 +243,10 @@ int vtkPlantScatterFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    littoral::AnnounceTimesOf(this, inputs, outputs->GetInformationObject(port));
+  }
   std::vector<std::array<int, 2>> crowns;
   std::vector<std::array<int, 2>> leaves;
   for (int index = 0; index < this->GetNumberOfInputConnections(PrototypesPort); ++index)

@@ -3,11 +3,15 @@
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataObject.h"
+#include "vtkInformationVector.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace littoral
 {
@@ -118,9 +122,40 @@ double RequestedTime(vtkInformation* output)
 void AnnounceTimes(vtkInformation* output, double* range)
 {
   output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
   if (range[0] < range[1])
   {
     output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+}
+
+void AnnounceTimesOf(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::set<double> steps;
+  double range[2] = { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int index = 0; index < inputs[port]->GetNumberOfInformationObjects(); ++index)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(index);
+      if (input->Has(Pipeline::TIME_STEPS()))
+      {
+        const double* own = input->Get(Pipeline::TIME_STEPS());
+        steps.insert(own, own + input->Length(Pipeline::TIME_STEPS()));
+      }
+      if (input->Has(Pipeline::TIME_RANGE()))
+      {
+        range[0] = std::min(range[0], input->Get(Pipeline::TIME_RANGE())[0]);
+        range[1] = std::max(range[1], input->Get(Pipeline::TIME_RANGE())[1]);
+      }
+    }
+  }
+  AnnounceTimes(output, range);
+  if (!steps.empty())
+  {
+    const std::vector<double> all(steps.begin(), steps.end());
+    output->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
   }
 }
 

@@ -19,6 +19,8 @@
 #include <cstddef>
 #include <functional>
 
+class vtkInformationVector;
+
 namespace littoral
 {
 
@@ -65,6 +67,10 @@ double RequestedTime(vtkInformation* output);
 
 /// Tells players of a range of times [s], any of which can be asked for; none if it is not increasing.
 void AnnounceTimes(vtkInformation* output, double* range);
+
+/// Tells the times of all inputs, at any port, as those of an output; VTK tells those of the first port alone, and does
+/// not execute a filter for a time of the others.
+void AnnounceTimesOf(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformation* output);
 
 /// Whether the name of a chosen array is an empty one: "" or "NULL", which ParaView passes until the input has data.
 bool NamesNoArray(vtkInformation* choice);

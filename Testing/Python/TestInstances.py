@@ -5,7 +5,8 @@
 import resource
 
 import numpy as np
-from littoral import vtkGardnerPlantSource, vtkPlantScatterFilter, vtkReevesTreeSource
+from littoral import vtkBeamTreeDeformationFilter, vtkGardnerPlantSource, vtkPlantScatterFilter, vtkReevesTreeSource
+from littoral import vtkWindFieldSource
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
@@ -32,10 +33,10 @@ def prototypes():
     return tree, shrub
 
 
-def scattered(points, form, *, culling=True):
+def scattered(points, form, *, culling=True, of=None):
     forest = vtkPlantScatterFilter()
     forest.SetInputData(0, points)
-    for prototype in PROTOTYPES:
+    for prototype in of or PROTOTYPES:
         forest.AddPrototypeConnection(prototype.GetOutputPort())
     forest.SetViewPoint(0.0, -5.0, 4.0)
     forest.SetViewDirection(0.0, 1.0, 0.0)
@@ -127,6 +128,26 @@ assert forest.GetOutputDataObject(0).GetNumberOfBlocks() == 3
 forest.SetOutputFormToInstances()
 forest.Update()
 compare(merged.GetOutputDataObject(0), forest)
+
+# Phases of sway: the same tree in winds of other seeds as prototypes, which alone change in time.
+sways = []
+for seed in (1, 2):
+    wind = vtkWindFieldSource()
+    wind.SetDimensions(64, 8, 8)
+    wind.SetSeed(seed)
+    sways.append(vtkBeamTreeDeformationFilter())
+    sways[-1].SetInputConnection(0, PROTOTYPES[0].GetOutputPort())
+    sways[-1].SetInputConnection(1, wind.GetOutputPort())
+swaying = scattered(points, vtkPlantScatterFilter.Instances, of=sways)
+shapes = []
+for time in (0.5, 1.5):
+    swaying.UpdateTimeStep(time)
+    now = swaying.GetOutputDataObject(0)
+    shapes.append([points_of(block(now, f"{species} High", "Leaves")) for species in (0, 1)]
+                  + [points_of(block(now, "Instances"))])
+assert all(np.abs(shapes[0][k] - shapes[1][k]).max() > 1e-4 for k in (0, 1)), "the prototypes stand still"
+assert np.abs(shapes[0][0] - shapes[0][1]).max() > 1e-3, "one phase"
+assert (shapes[0][2] == shapes[1][2]).all(), "the instances have moved"
 
 # Pieces share the plants out, and each has all prototypes.
 whole = arrays(block(forest.GetOutputDataObject(0), "Instances"))["PlantId"]

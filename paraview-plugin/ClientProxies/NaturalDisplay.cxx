@@ -312,7 +312,7 @@ void NaturalDisplay::LookAtInput()
     return;
   }
   CameraPlace place;
-  place.Elevation = std::atof(elevation);
+  place.Elevation = std::strtod(elevation, nullptr);
   vtkNew<vtkCamera> camera;
   MoveCamera(camera, place, data->GetBounds());
   vtkSMPropertyHelper(this->Owner, "ViewPoint").Set(camera->GetPosition(), 3);
@@ -561,15 +561,15 @@ void NaturalDisplay::SetUpView(int port)
   vtkPVDataInformation* data = this->Owner->GetDataInformation(port);
   CameraPlace place;
   place.IsFixed = eye && target && ReadPlace(eye, place.Eye) && ReadPlace(target, place.Target);
-  const bool isFromSide = place.IsFixed || (elevation && std::atof(elevation) < 90.0);
+  const bool isFromSide = place.IsFixed || (elevation && std::strtod(elevation, nullptr) < 90.0);
   place.IsOfFlatData = data && isFromSide && (IsLevel(data->GetBounds()) || IsPoint(data->GetBounds()));
   place.IsOnMap = isMap && isFromSide;
   if (place.IsOnMap)
   {
     HideAll(view);
   }
-  place.Elevation = elevation ? std::atof(elevation) : 0.0;
-  place.Closer = closer ? std::atof(closer) : 1.0;
+  place.Elevation = elevation ? std::strtod(elevation, nullptr) : 0.0;
+  place.Closer = closer ? std::strtod(closer, nullptr) : 1.0;
   if (place.IsFixed && HasFirstCamera(view))
   {
     // Filters that follow the camera have nothing to show before it is there.

@@ -81,7 +81,7 @@ void* Refuse(const std::string& reason)
   }
   else
   {
-    std::fputs(message.c_str(), stderr);
+    static_cast<void>(std::fputs(message.c_str(), stderr));
   }
   return nullptr;
 }
