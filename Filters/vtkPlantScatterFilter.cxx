@@ -233,12 +233,6 @@ int vtkPlantScatterFilter::FillOutputPortInformation(int port, vtkInformation* i
 }
 
 //----------------------------------------------------------------------------
-const char* vtkPlantScatterFilter::GetOutputFormAsString() const
-{
-  return this->OutputForm == Instances ? "Instances" : "Merged";
-}
-
-//----------------------------------------------------------------------------
 int vtkPlantScatterFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -283,6 +277,7 @@ bool vtkPlantScatterFilter::CheckProperties()
     "HeightRange is " + littoral::TextOf(this->HeightRange[0]) + " to " + littoral::TextOf(this->HeightRange[1]) +
       " m; the first must not be above the second.");
   check.Positive("PlantsPerCell", this->PlantsPerCell);
+  check.Choice("OutputForm", this->OutputForm, { "merged", "instances" });
   check.Require(this->VisibleDistance >= 0.0, "VisibleDistance", this->VisibleDistance, "m", "0 or more");
   if (!check.IsGood())
   {
@@ -531,7 +526,7 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseLevels: " << this->UseLevels << "\n";
   os << indent << "UseCulling: " << this->UseCulling << "\n";
   os << indent << "FaceCamera: " << this->FaceCamera << "\n";
-  os << indent << "OutputForm: " << this->GetOutputFormAsString() << "\n";
+  os << indent << "OutputForm: " << this->OutputForm << "\n";
   os << indent << "PlantsPerCell: " << this->PlantsPerCell << "\n";
   os << indent << "VisibleDistance: " << this->VisibleDistance << "\n";
 }

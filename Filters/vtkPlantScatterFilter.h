@@ -162,11 +162,10 @@ public:
    * of prototypes; default Merged. Instances take 84 bytes a plant, and far ones are the Low of their prototypes
    * whatever FaceCamera is.
    */
-  vtkSetClampMacro(OutputForm, int, Merged, Instances);
+  vtkSetMacro(OutputForm, int);
   vtkGetMacro(OutputForm, int);
   void SetOutputFormToMerged() { this->SetOutputForm(Merged); }
   void SetOutputFormToInstances() { this->SetOutputForm(Instances); }
-  const char* GetOutputFormAsString() const;
   ///@}
 
   ///@{

@@ -58,7 +58,7 @@ std::vector<Vector3> Middles(const FlowPrimitive& primitive)
   Across(axis, u, v);
   if (isUniform)
   {
-    places.push_back(Vector3(0.0));
+    places.emplace_back(0.0);
   }
   for (double share : { 0.25, 0.5, 0.8 })
   {

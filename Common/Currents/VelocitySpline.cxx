@@ -36,12 +36,12 @@ SplineAxis::SplineAxis(const std::vector<double>& nodes)
     this->Nodes.push_back(this->Sign * node);
   }
   // As many knots at either end as there are weights; in between one a node, but for the second and the last but one.
-  this->Knots.assign(static_cast<std::size_t>(this->Degree + 1), this->Nodes.front());
+  this->Knots.assign(static_cast<std::size_t>(this->Degree) + 1, this->Nodes.front());
   for (int n = 2; this->Degree == 3 && n < this->Count - 2; ++n)
   {
     this->Knots.push_back(this->Nodes[n]);
   }
-  this->Knots.insert(this->Knots.end(), static_cast<std::size_t>(this->Degree + 1), this->Nodes.back());
+  this->Knots.insert(this->Knots.end(), static_cast<std::size_t>(this->Degree) + 1, this->Nodes.back());
 }
 
 bool SplineAxis::At(double position, Weights& weights) const
@@ -169,7 +169,7 @@ void SumRows(
   {
     for (int j = 0; j < axes[1].NumberOfWeights(); ++j)
     {
-      const std::size_t layer = static_cast<std::size_t>(weights[2].First + k);
+      const std::size_t layer = static_cast<std::size_t>(weights[2].First) + static_cast<std::size_t>(k);
       const std::size_t row = layer * height + static_cast<std::size_t>(weights[1].First + j);
       const Real* values = coefficients + 3 * (row * width + static_cast<std::size_t>(weights[0].First));
       const double weight = weights[2].Values[k] * weights[1].Values[j];

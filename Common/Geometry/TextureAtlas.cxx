@@ -83,6 +83,7 @@ std::array<float, 3> ShareMean(std::vector<TextureImage>& textures, const std::v
 TextureAtlas StackTextures(const std::vector<TextureImage>& textures)
 {
   std::vector<std::array<int, 2>> sizes;
+  sizes.reserve(textures.size());
   for (const TextureImage& texture : textures)
   {
     sizes.push_back(FilledSize({ texture.Columns, texture.Rows }));

@@ -31,7 +31,7 @@ std::string TextOf(double value)
   char text[32];
   for (int digits = 6; digits <= 17; ++digits)
   {
-    std::snprintf(text, sizeof(text), "%.*g", digits, value);
+    static_cast<void>(std::snprintf(text, sizeof(text), "%.*g", digits, value));
     if (!std::isfinite(value) || std::strtod(text, nullptr) == value) // std::stod() refuses denormal numbers
     {
       break;

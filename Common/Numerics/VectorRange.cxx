@@ -70,7 +70,7 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
     const SimdDouble4 squares = x * x + y * y + z * z;
     least = Min(least, squares);
     greatest = Max(greatest, squares);
-    checks += squares - squares;
+    checks += squares - squares; // NOLINT(misc-redundant-expression): NaN where they are not finite
   }
   for (int i = 0; i < 12; ++i)
   {

@@ -292,8 +292,10 @@ TextureImage ParticlePicture(ParticleKind kind)
       double plain = 0.0;
       for (int sample = 0; sample < Samples * Samples; ++sample)
       {
-        const double x = 2.0 * (column + (sample % Samples + 0.5) / Samples) / ParticlePictureSize - 1.0;
-        const double y = 2.0 * (row + (sample / Samples + 0.5) / Samples) / ParticlePictureSize - 1.0;
+        const int across = sample % Samples;
+        const int down = sample / Samples;
+        const double x = 2.0 * (column + (across + 0.5) / Samples) / ParticlePictureSize - 1.0;
+        const double y = 2.0 * (row + (down + 0.5) / Samples) / ParticlePictureSize - 1.0;
         const Shade shade = Kinds[static_cast<int>(kind)].At(x, y);
         const double seen = shade.Opacity * (1.0 - Ramp(0.9, 0.98, std::max(std::abs(x), std::abs(y))));
         light += shade.Light * seen;

@@ -340,6 +340,7 @@ QuadratFit FitQuadratLaw(QuadratLaw law, const std::vector<long long>& frequenci
 std::vector<QuadratFit> FitAllQuadratLaws(const std::vector<long long>& frequencies)
 {
   std::vector<QuadratFit> fits;
+  fits.reserve(NumberOfQuadratLaws);
   for (int law = 0; law < NumberOfQuadratLaws; ++law)
   {
     fits.push_back(FitQuadratLaw(static_cast<QuadratLaw>(law), frequencies));

@@ -54,7 +54,7 @@ public:
     const int count = std::clamp(leaves, 1, MostLeavesOfTuft);
     for (int index = 0; index < count; ++index)
     {
-      const auto object = static_cast<std::uint64_t>(2 * index + number);
+      const auto object = 2 * static_cast<std::uint64_t>(index) + static_cast<std::uint64_t>(number);
       const auto place = random.UniformPair(object, 0);
       const auto form = random.UniformPair(object, 1);
       const double away = (1.0 - 0.5 * this->Length) * std::sqrt(place[0]);
@@ -188,8 +188,10 @@ TextureImage TuftPicture(const TextureImage& leaf, int leavesInTuft, int columns
       int hits = 0;
       for (int sample = 0; sample < SamplesOfTuft * SamplesOfTuft; ++sample)
       {
-        const double x = (column + (sample % SamplesOfTuft + 0.5) / SamplesOfTuft) / (end - begin);
-        const double y = (row + (sample / SamplesOfTuft + 0.5) / SamplesOfTuft) / rows;
+        const int across = sample % SamplesOfTuft;
+        const int down = sample / SamplesOfTuft;
+        const double x = (column + (across + 0.5) / SamplesOfTuft) / (end - begin);
+        const double y = (row + (down + 0.5) / SamplesOfTuft) / rows;
         const double shade = tuft.ShadeAt(2.0 * x - 1.0, 2.0 * y - 1.0);
         shades += shade;
         hits += shade > 0.0 ? 1 : 0;

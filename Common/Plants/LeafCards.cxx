@@ -88,8 +88,10 @@ TextureImage LeafPicture(LeafForm form)
       int hits = 0;
       for (int sample = 0; sample < Samples * Samples; ++sample)
       {
-        const double u = (column + (sample % Samples + 0.5) / Samples) / LeafPictureSize;
-        const double v = (row + (sample / Samples + 0.5) / Samples) / LeafPictureSize;
+        const int across = sample % Samples;
+        const int down = sample / Samples;
+        const double u = (column + (across + 0.5) / Samples) / LeafPictureSize;
+        const double v = (row + (down + 0.5) / Samples) / LeafPictureSize;
         const double shade = form == LeafForm::Blade ? BladeShade(2.0 * u - 1.0, v) : NeedleShade(2.0 * u - 1.0, v);
         shades += shade;
         hits += shade > 0.0 ? 1 : 0;

@@ -61,7 +61,7 @@ LITTORAL_INLINE SimdPair Turned(const SimdPair* columns, const SimdPair& vector)
 template <typename Number>
 LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
 {
-  return std::memcmp(a, b, 4 * sizeof(Number)) == 0;
+  return std::memcmp(a, b, 4 * sizeof(Number)) == 0; // NOLINT(bugprone-suspicious-memory-comparison): bit by bit
 }
 
 /// The joints that vertices follow, about the place of the first one.

@@ -113,10 +113,11 @@ double GroupMemory(const std::string& membership, const std::string& root)
     // The group itself and all around it; in a container, the path may not be there, but the root is.
     for (std::string path = line.substr(second + 1);; path.resize(path.rfind('/')))
     {
+      std::string folder = root;
+      folder.append(isOld ? "/memory" : "").append(path);
       left = std::min(left,
-        isOld
-          ? LeftIn(root + "/memory" + path, "/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file")
-          : LeftIn(root + path, "/memory.max", "/memory.current", "inactive_file"));
+        isOld ? LeftIn(folder, "/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file")
+              : LeftIn(folder, "/memory.max", "/memory.current", "inactive_file"));
       if (path.find('/') == std::string::npos)
       {
         break;

@@ -55,7 +55,7 @@ const char* TextOf(vtkPVXMLElement* element, const char* attribute)
 int NumberOf(vtkPVXMLElement* element, const char* attribute, int otherwise)
 {
   const char* text = element->GetAttribute(attribute);
-  return text ? std::atoi(text) : otherwise;
+  return text ? static_cast<int>(std::strtol(text, nullptr, 10)) : otherwise;
 }
 
 /// The name of a column in words: "NegativeBinomial" is "Negative Binomial".
@@ -77,9 +77,10 @@ std::vector<std::string> ColumnsOf(vtkPVDataInformation* data)
 {
   std::vector<std::string> names;
   vtkPVDataSetAttributesInformation* columns = data->GetRowDataInformation();
+  names.reserve(columns->GetNumberOfArrays());
   for (int k = 0; k < columns->GetNumberOfArrays(); ++k)
   {
-    names.push_back(columns->GetArrayInformation(k)->GetName());
+    names.emplace_back(columns->GetArrayInformation(k)->GetName());
   }
   return names;
 }
@@ -91,7 +92,7 @@ std::set<std::string> VisibleSeries(vtkSMProxy* representation)
   const vtkSMPropertyHelper series(representation, "SeriesVisibility");
   for (unsigned int k = 0; k + 1 < series.GetNumberOfElements(); k += 2)
   {
-    if (std::atoi(series.GetAsString(k + 1)) != 0)
+    if (std::strtol(series.GetAsString(k + 1), nullptr, 10) != 0)
     {
       names.insert(series.GetAsString(k));
     }
@@ -163,7 +164,7 @@ std::vector<std::string> ChartDisplay::TextsOf(const char* column, int port, int
   vtkPVArrayInformation* array = this->Owner->GetDataInformation(port)->GetArrayInformation(column, vtkDataObject::ROW);
   for (int k = 0; array && k < std::min(count, array->GetNumberOfStringValues()); ++k)
   {
-    texts.push_back(array->GetStringValue(k));
+    texts.emplace_back(array->GetStringValue(k));
   }
   return texts;
 }

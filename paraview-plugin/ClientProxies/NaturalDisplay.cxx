@@ -385,20 +385,20 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   }
   if (const char* ambient = this->Hint("ambient"))
   {
-    ShadeAsWater(representation, std::atof(ambient));
+    ShadeAsWater(representation, std::strtod(ambient, nullptr));
   }
   if (const char* sky = this->Hint("sky"))
   {
-    ShadeUnderSky(representation, std::atof(sky));
+    ShadeUnderSky(representation, std::strtod(sky, nullptr));
   }
   if (AreParticles(data))
   {
     const char* smallest = this->Hint("sprite");
-    ShowAsSprites(representation, data, smallest ? std::atof(smallest) : SmallestSprite);
+    ShowAsSprites(representation, data, smallest ? std::strtod(smallest, nullptr) : SmallestSprite);
   }
   if (const char* size = this->Hint("dots"))
   {
-    ShowAsDots(representation, std::atof(size));
+    ShowAsDots(representation, std::strtod(size, nullptr));
   }
   const char* fog = this->Hint("fog");
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
@@ -410,10 +410,10 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   const char* mood = this->Hint("light");
   if (extinction && mood)
   {
-    FadeAway(representation, mood, std::atof(extinction));
+    FadeAway(representation, mood, std::strtod(extinction, nullptr));
     if (AreParticles(data))
     {
-      FadeSpritesAway(representation, mood, std::atof(extinction));
+      FadeSpritesAway(representation, mood, std::strtod(extinction, nullptr));
     }
   }
   const char* array = this->Hint("color");
