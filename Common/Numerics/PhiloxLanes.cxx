@@ -6,7 +6,14 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define LITTORAL_HAS_PHILOX_LANES 1
+#ifndef __clang__ // GCC 12 warns of its own header
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <immintrin.h>
+#ifndef __clang__
+#pragma GCC diagnostic pop
+#endif
 #else
 #define LITTORAL_HAS_PHILOX_LANES 0
 #endif
