@@ -53,11 +53,11 @@ public:
     , End(static_cast<std::size_t>(part.End))
     , QuadratsAtOnce(static_cast<std::size_t>(std::max(1.0, PointsAtOnce / std::max(1.0, mean))))
     , Sites(littoral::QuadratSites(counts, this->First, this->End, this->QuadratsAtOnce))
-    , Coordinates(littoral::NewLargeArray<vtkDoubleArray>("Points", 3, this->GetNumberOfPoints()))
-    , SiteId(littoral::NewLargeArray<vtkIdTypeArray>("SiteId", 1, this->GetNumberOfPoints()))
-    , QuadratId(littoral::NewLargeArray<vtkIdTypeArray>("QuadratId", 1, this->GetNumberOfPoints()))
-    , Offsets(littoral::NewLargeArray<vtkIdTypeArray>(nullptr, 1, this->GetNumberOfPoints() + 1))
-    , Corners(littoral::NewLargeArray<vtkIdTypeArray>(nullptr, 1, this->GetNumberOfPoints()))
+    , Coordinates(littoral::NewArray<vtkDoubleArray>("Points", 3, this->GetNumberOfPoints()))
+    , SiteId(littoral::NewArray<vtkIdTypeArray>("SiteId", 1, this->GetNumberOfPoints()))
+    , QuadratId(littoral::NewArray<vtkIdTypeArray>("QuadratId", 1, this->GetNumberOfPoints()))
+    , Offsets(littoral::NewArray<vtkIdTypeArray>(nullptr, 1, this->GetNumberOfPoints() + 1))
+    , Corners(littoral::NewArray<vtkIdTypeArray>(nullptr, 1, this->GetNumberOfPoints()))
   {
     this->Offsets->SetValue(this->GetNumberOfPoints(), this->GetNumberOfPoints());
   }

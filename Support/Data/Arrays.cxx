@@ -7,13 +7,7 @@
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 
-#include <cstdint>
 #include <new>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#include <unistd.h>
-#endif
 
 namespace littoral
 {
@@ -34,25 +28,6 @@ void SetTuples(vtkAbstractArray* array, vtkIdType tuples)
     throw std::bad_alloc();
   }
   array->SetNumberOfTuples(tuples);
-}
-
-void PreferLargePages(vtkAbstractArray* array)
-{
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  const std::uintptr_t bytes = static_cast<std::uintptr_t>(array->GetSize()) * array->GetDataTypeSize();
-  if (static_cast<double>(bytes) < Small)
-  {
-    return;
-  }
-  // Whole pages within the array; an error means that there are no large ones.
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto first = reinterpret_cast<std::uintptr_t>(array->GetVoidPointer(0));
-  const std::uintptr_t begin = (first + page - 1) / page * page;
-  const std::uintptr_t end = (first + bytes) / page * page;
-  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#else
-  static_cast<void>(array);
-#endif
 }
 
 vtkSmartPointer<vtkPoints> PointsOf(const std::vector<Vector3>& positions)

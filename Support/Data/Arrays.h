@@ -35,19 +35,6 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   return array;
 }
 
-/// Asks the system for large pages under an array of 1 MB or more, before it is filled: it then stops once for 2 MB
-/// where it else does so for 4 kB. Does nothing on systems without them.
-void PreferLargePages(vtkAbstractArray* array);
-
-/// NewArray() on large pages.
-template <typename Array>
-vtkSmartPointer<Array> NewLargeArray(const char* name, int components, vtkIdType tuples)
-{
-  auto array = NewArray<Array>(name, components, tuples);
-  PreferLargePages(array);
-  return array;
-}
-
 /// A point or cell array from tuples of numbers, each converted to the array's type.
 template <typename Array, typename Tuples>
 vtkSmartPointer<Array> ArrayOf(const char* name, int components, const Tuples& tuples)
