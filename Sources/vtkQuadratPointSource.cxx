@@ -21,9 +21,11 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -35,84 +37,78 @@ namespace
 {
 /// More quadrats than this are hardly meant.
 constexpr long long MostQuadrats = 1000000000;
-/// Points that one thread places at a time.
-constexpr std::size_t QuadratsAtOnce = 1 << 14;
+/// Points that one thread places at a time, more or less.
+constexpr long long PointsAtOnce = 1 << 14;
 
 /// The points of some quadrats in a row.
 class PatternPiece
 {
 public:
-  PatternPiece(const littoral::QuadratGrid& grid, int seed, const std::vector<int>& counts, std::size_t firstQuadrat,
-    std::size_t endQuadrat)
+  PatternPiece(const littoral::QuadratGrid& grid, int seed, const std::vector<int>& counts, double mean,
+    const littoral::PieceRange& part)
     : Grid(grid)
     , Seed(seed)
     , Counts(counts)
-    , Sites(counts.size() + 1, 0)
-    , First(firstQuadrat)
-    , End(endQuadrat)
+    , First(static_cast<std::size_t>(part.Begin))
+    , End(static_cast<std::size_t>(part.End))
+    , QuadratsAtOnce(static_cast<std::size_t>(std::max(1.0, PointsAtOnce / std::max(1.0, mean))))
+    , Sites(littoral::QuadratSites(counts, this->First, this->End, this->QuadratsAtOnce))
+    , Coordinates(littoral::NewArray<vtkDoubleArray>("Points", 3, this->GetNumberOfPoints()))
+    , SiteId(littoral::NewArray<vtkIdTypeArray>("SiteId", 1, this->GetNumberOfPoints()))
+    , QuadratId(littoral::NewArray<vtkIdTypeArray>("QuadratId", 1, this->GetNumberOfPoints()))
+    , Offsets(littoral::NewArray<vtkIdTypeArray>(nullptr, 1, this->GetNumberOfPoints() + 1))
+    , Corners(littoral::NewArray<vtkIdTypeArray>(nullptr, 1, this->GetNumberOfPoints()))
   {
-    std::partial_sum(counts.begin(), counts.end(), this->Sites.begin() + 1);
-    this->Positions->SetDataTypeToDouble();
-    this->Positions->SetNumberOfPoints(this->GetNumberOfPoints());
-    this->SiteId->SetName("SiteId");
-    this->SiteId->SetNumberOfValues(this->GetNumberOfPoints());
-    this->QuadratId->SetName("QuadratId");
-    this->QuadratId->SetNumberOfValues(this->GetNumberOfPoints());
+    this->Offsets->SetValue(this->GetNumberOfPoints(), this->GetNumberOfPoints());
   }
 
-  std::size_t GetNumberOfBatches() const { return (this->End - this->First + QuadratsAtOnce - 1) / QuadratsAtOnce; }
+  std::size_t GetNumberOfBatches() const { return this->Sites.size() - 1; }
 
   /// Places the points of a batch of quadrats, in any order on any threads.
   void Scatter(std::size_t batch)
   {
-    double* xyz = static_cast<double*>(this->Positions->GetVoidPointer(0));
-    const std::size_t begin = this->First + batch * QuadratsAtOnce;
-    const std::size_t end = std::min(begin + QuadratsAtOnce, this->End);
-    for (std::size_t quadrat = begin; quadrat < end; ++quadrat)
-    {
-      for (int index = 0; index < this->Counts[quadrat]; ++index)
-      {
-        const vtkIdType site = this->Sites[quadrat] + index;
-        const vtkIdType point = site - this->Sites[this->First];
-        const auto position = littoral::QuadratPosition(this->Grid, static_cast<long long>(quadrat), index, this->Seed);
-        xyz[3 * point] = position[0];
-        xyz[3 * point + 1] = position[1];
-        xyz[3 * point + 2] = 0.0;
-        this->SiteId->SetValue(point, site);
-        this->QuadratId->SetValue(point, static_cast<vtkIdType>(quadrat));
-      }
-    }
+    const std::size_t begin = this->First + batch * this->QuadratsAtOnce;
+    const std::size_t end = std::min(begin + this->QuadratsAtOnce, this->End);
+    const vtkIdType site = this->Sites[batch];
+    const vtkIdType point = site - this->Sites.front();
+    const vtkIdType count = this->Sites[batch + 1] - site;
+    littoral::PlaceQuadratPoints(this->Grid, this->Seed, this->Counts, begin, end,
+      this->Coordinates->GetPointer(3 * point), this->QuadratId->GetPointer(point));
+    const auto fill = [=](vtkIdTypeArray* array, vtkIdType first) {
+      std::iota(array->GetPointer(point), array->GetPointer(point) + count, first);
+    };
+    fill(this->SiteId, site);
+    fill(this->Offsets, point);
+    fill(this->Corners, point);
   }
 
   void AddTo(vtkPolyData* output) const
   {
-    const vtkIdType count = this->GetNumberOfPoints();
-    vtkNew<vtkIdTypeArray> offsets;
-    littoral::SetTuples(offsets, count + 1);
-    std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, vtkIdType{ 0 });
-    vtkNew<vtkIdTypeArray> corners;
-    littoral::SetTuples(corners, count);
-    std::iota(corners->GetPointer(0), corners->GetPointer(0) + count, vtkIdType{ 0 });
+    vtkNew<vtkPoints> points;
+    points->SetData(this->Coordinates);
     vtkNew<vtkCellArray> vertices;
-    vertices->SetData(offsets, corners);
-    output->SetPoints(this->Positions);
+    vertices->SetData(this->Offsets, this->Corners);
+    output->SetPoints(points);
     output->SetVerts(vertices);
     output->GetPointData()->AddArray(this->SiteId);
     output->GetPointData()->AddArray(this->QuadratId);
   }
 
 private:
-  vtkIdType GetNumberOfPoints() const { return this->Sites[this->End] - this->Sites[this->First]; }
+  vtkIdType GetNumberOfPoints() const { return this->Sites.back() - this->Sites.front(); }
 
   const littoral::QuadratGrid& Grid;
   int Seed;
   const std::vector<int>& Counts; ///< points of each quadrat
-  std::vector<vtkIdType> Sites;   ///< the first of each quadrat, and the end
   std::size_t First;
   std::size_t End;
-  vtkNew<vtkPoints> Positions;
-  vtkNew<vtkIdTypeArray> SiteId;
-  vtkNew<vtkIdTypeArray> QuadratId;
+  std::size_t QuadratsAtOnce;
+  std::vector<long long> Sites; ///< the first of each batch, and the end
+  vtkSmartPointer<vtkDoubleArray> Coordinates;
+  vtkSmartPointer<vtkIdTypeArray> SiteId;
+  vtkSmartPointer<vtkIdTypeArray> QuadratId;
+  vtkSmartPointer<vtkIdTypeArray> Offsets;
+  vtkSmartPointer<vtkIdTypeArray> Corners;
 };
 
 }
@@ -277,11 +273,11 @@ int vtkQuadratPointSource::RequestData(
   }
   this->SetProgressText("Scattering points");
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
+  const auto mode = static_cast<littoral::QuadratMode>(this->Mode);
   const std::vector<int> counts = littoral::QuadratCounts(
-    recipe.Law, quadrats, static_cast<littoral::QuadratMode>(this->Mode), this->Seed, littoral::PollOf(this));
+    recipe.Law, quadrats, mode, this->Seed, littoral::PollOf(this), littoral::AbortableFor(this));
   const littoral::PieceRange part = littoral::RequestedPart(outputVector->GetInformationObject(0), quadrats);
-  PatternPiece pattern(
-    recipe.Grid, this->Seed, counts, static_cast<std::size_t>(part.Begin), static_cast<std::size_t>(part.End));
+  PatternPiece pattern(recipe.Grid, this->Seed, counts, recipe.Law.Mean, part);
   if (littoral::RunWithProgress(this, pattern.GetNumberOfBatches(), 0.2, 1.0,
         [&](std::size_t batch) { pattern.Scatter(batch); })) // else aborted
   {

@@ -3,6 +3,7 @@
 #include "Numerics/RandomStream.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/PhiloxLanes.h"
 
 #include <Random123/philox.h>
 
@@ -35,6 +36,17 @@ std::array<double, 2> RandomStream::UniformPair(std::uint64_t object, std::uint6
 {
   const auto words = this->Words(object, draw);
   return { OpenUnitInterval(words[0], words[1]), OpenUnitInterval(words[2], words[3]) };
+}
+
+void RandomStream::UniformPairs(
+  std::size_t count, const std::uint64_t* objects, const std::uint64_t* draws, double* first, double* second) const
+{
+  for (std::size_t n = PhiloxPairs(this->Key, count, objects, draws, first, second); n < count; ++n)
+  {
+    const auto pair = this->UniformPair(objects[n], draws[n]);
+    first[n] = pair[0];
+    second[n] = pair[1];
+  }
 }
 
 std::array<double, 2> RandomStream::NormalPair(std::uint64_t object, std::uint64_t draw) const

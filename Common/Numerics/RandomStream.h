@@ -4,6 +4,7 @@
 #define LittoralRandomStream_h
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace littoral
@@ -62,6 +63,10 @@ public:
 
   /// Two independent numbers, uniform on the open interval (0, 1), with 52 random bits each.
   std::array<double, 2> UniformPair(std::uint64_t object, std::uint64_t draw) const;
+
+  /// The numbers of UniformPair() for many objects and draws, several side by side.
+  void UniformPairs(
+    std::size_t count, const std::uint64_t* objects, const std::uint64_t* draws, double* first, double* second) const;
 
   /// Two independent standard normal numbers (Box-Muller, so that no standard library has a say).
   std::array<double, 2> NormalPair(std::uint64_t object, std::uint64_t draw) const;

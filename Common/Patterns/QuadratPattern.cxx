@@ -4,6 +4,7 @@
 
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
+#include "Numerics/SimdClones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,23 +17,136 @@ namespace littoral
 namespace
 {
 
-std::vector<int> SampledCounts(const QuadratLawParameters& law, long long quadrats, int seed, SteppedPoll poll)
+/// Random numbers that are drawn at once: what a kernel keeps of them stays in the innermost cache.
+constexpr std::size_t DrawsAtOnce = 512;
+/// Quadrats or points that are worth a task of a thread.
+constexpr std::size_t QuadratsOfTask = 1 << 14;
+
+/// The first draws of some objects.
+struct FirstDraws
 {
-  std::vector<double> cumulative = MassFunction(law);
-  std::partial_sum(cumulative.begin(), cumulative.end(), cumulative.begin());
+  std::array<std::uint64_t, DrawsAtOnce> Objects;
+  std::array<std::uint64_t, DrawsAtOnce> Draws{};
+  std::array<double, DrawsAtOnce> Uniform;
+  std::array<double, DrawsAtOnce> Unused;
+
+  void Draw(const RandomStream& random, std::size_t count)
+  {
+    random.UniformPairs(count, this->Objects.data(), this->Draws.data(), this->Uniform.data(), this->Unused.data());
+  }
+};
+
+/// The inverse of a law's cumulated probabilities.
+class CountSampler
+{
+public:
+  explicit CountSampler(const QuadratLawParameters& law)
+    : Cumulative(MassFunction(law))
+  {
+    std::partial_sum(this->Cumulative.begin(), this->Cumulative.end(), this->Cumulative.begin());
+    this->MakeGuide();
+  }
+
+  /// The smallest r whose F(r) > u F(last), of u in (0, 1).
+  int operator()(double u) const
+  {
+    const double wanted = u * this->Cumulative.back();
+    int r = this->Guide[static_cast<std::size_t>(u * static_cast<double>(this->Guide.size()))];
+    while (this->Cumulative[static_cast<std::size_t>(r)] <= wanted)
+    {
+      ++r;
+    }
+    return r;
+  }
+
+private:
+  /// The same for the lower ends of equal cells of (0, 1), a power of 2 so that they are exact, and twice as many as
+  /// there are probabilities, so that a step or two lead from there to any u.
+  void MakeGuide()
+  {
+    std::size_t cells = 1024;
+    while (cells < 2 * this->Cumulative.size())
+    {
+      cells *= 2;
+    }
+    this->Guide.resize(cells);
+    std::size_t r = 0;
+    for (std::size_t cell = 0; cell < cells; ++cell)
+    {
+      const double wanted = static_cast<double>(cell) / static_cast<double>(cells) * this->Cumulative.back();
+      while (this->Cumulative[r] <= wanted)
+      {
+        ++r;
+      }
+      this->Guide[cell] = static_cast<int>(r);
+    }
+  }
+
+  std::vector<double> Cumulative;
+  std::vector<int> Guide;
+};
+
+/// Counts of the quadrats [begin, end), each of its own draw.
+void SampleRange(
+  const CountSampler& sampler, const RandomStream& random, std::size_t begin, std::size_t end, int* counts)
+{
+  FirstDraws draws;
+  for (std::size_t q = begin; q < end; q += DrawsAtOnce)
+  {
+    const std::size_t count = std::min(DrawsAtOnce, end - q);
+    std::iota(draws.Objects.begin(), draws.Objects.end(), std::uint64_t{ q });
+    draws.Draw(random, count);
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      counts[q + n] = sampler(draws.Uniform[n]);
+    }
+  }
+}
+
+std::vector<int> SampledCounts(
+  const QuadratLawParameters& law, long long quadrats, int seed, const ParallelFor& parallel)
+{
+  const CountSampler sampler(law);
   const RandomStream random(seed, RandomPurpose::QuadratCounts);
   std::vector<int> counts(static_cast<std::size_t>(quadrats));
-  for (std::size_t q = 0; q < counts.size(); ++q)
-  {
-    const double u = random.UniformPair(q, 0)[0] * cumulative.back();
-    poll.Step();
-    counts[q] = static_cast<int>(std::upper_bound(cumulative.begin(), cumulative.end(), u) - cumulative.begin());
-  }
+  ForRanges(parallel, counts.size(), QuadratsOfTask,
+    [&](std::size_t begin, std::size_t end) { SampleRange(sampler, random, begin, end, counts.data()); });
   return counts;
 }
 
-/// Counts in a random order of the quadrats (Fisher and Yates).
-std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats, int seed, SteppedPoll poll)
+/// Puts counts in a random order (Fisher and Yates): swaps the last of q with one of all q, for q = end ... 2.
+void Shuffle(std::vector<int>& counts, int seed, const Poll& poll)
+{
+  const RandomStream random(seed, RandomPurpose::QuadratOrder);
+  FirstDraws draws;
+  std::array<std::size_t, DrawsAtOnce> others;
+  for (std::size_t last = counts.size(), block = 1; last > 1; ++block)
+  {
+    const std::size_t count = std::min(DrawsAtOnce, last - 1);
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      draws.Objects[n] = last - n;
+    }
+    draws.Draw(random, count);
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const std::size_t q = last - n;
+      others[n] = std::min(static_cast<std::size_t>(draws.Uniform[n] * static_cast<double>(q)), q - 1);
+    }
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      std::swap(counts[last - n - 1], counts[others[n]]);
+    }
+    last -= count;
+    if (block % 8 == 0)
+    {
+      poll();
+    }
+  }
+}
+
+/// The law's own frequencies, dealt at random.
+std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats, int seed, const Poll& poll)
 {
   const std::vector<long long> frequency = QuotaFrequencies(law, quadrats);
   std::vector<int> counts;
@@ -41,14 +155,94 @@ std::vector<int> QuotaCounts(const QuadratLawParameters& law, long long quadrats
   {
     counts.insert(counts.end(), static_cast<std::size_t>(frequency[r]), static_cast<int>(r));
   }
-  const RandomStream random(seed, RandomPurpose::QuadratOrder);
-  for (std::size_t q = counts.size(); q > 1; --q)
-  {
-    poll.Step();
-    const auto other = static_cast<std::size_t>(random.UniformPair(q, 0)[0] * static_cast<double>(q));
-    std::swap(counts[q - 1], counts[std::min(other, q - 1)]);
-  }
+  Shuffle(counts, seed, poll);
   return counts;
+}
+
+/// Points that are placed at once: of each its quadrat, its index in it, and the column and row of the quadrat.
+struct PointRun
+{
+  /// So many of a quadrat are written at once; those too many are overwritten by the next quadrat's.
+  static constexpr std::size_t Stride = 4;
+
+  std::array<std::uint64_t, DrawsAtOnce + Stride> Quadrats;
+  std::array<std::uint64_t, DrawsAtOnce + Stride> Indices;
+  std::array<double, DrawsAtOnce + Stride> Columns;
+  std::array<double, DrawsAtOnce + Stride> Rows;
+  std::array<double, DrawsAtOnce> Across;
+  std::array<double, DrawsAtOnce> Along;
+  std::size_t Size = 0;
+};
+
+/// The next point to be placed.
+struct PointCursor
+{
+  std::size_t Quadrat;
+  std::size_t Index;
+  std::size_t Column;
+  std::size_t Row;
+};
+
+/// Fills a run from the cursor on, as far as there is room or the range goes.
+LITTORAL_SIMD_CLONES
+void FillRun(PointRun& run, PointCursor& next, const int* counts, std::size_t end, std::size_t columns)
+{
+  PointCursor at = next;
+  std::size_t size = 0;
+  while (at.Quadrat < end && size < DrawsAtOnce)
+  {
+    const std::size_t left = static_cast<std::size_t>(counts[at.Quadrat]) - at.Index;
+    const std::size_t count = std::min(left, DrawsAtOnce - size);
+    for (std::size_t n = 0; n < count || n == 0; n += PointRun::Stride)
+    {
+      for (std::size_t m = n; m < n + PointRun::Stride; ++m)
+      {
+        run.Quadrats[size + m] = at.Quadrat;
+        run.Indices[size + m] = at.Index + m;
+        run.Columns[size + m] = static_cast<double>(at.Column);
+        run.Rows[size + m] = static_cast<double>(at.Row);
+      }
+    }
+    size += count;
+    at.Index += count;
+    if (count == left)
+    {
+      ++at.Quadrat;
+      at.Index = 0;
+      const bool isNewRow = ++at.Column == columns;
+      at.Column = isNewRow ? 0 : at.Column;
+      at.Row += isNewRow;
+    }
+  }
+  run.Size = size;
+  next = at;
+}
+
+/// Positions of a run: x = x0 + Lx (i + u) / nx, y = y0 + Ly (j + v) / ny.
+template <typename Id>
+LITTORAL_INLINE void PlaceInline(const QuadratGrid& grid, const PointRun& run, double* positions, Id* quadrats)
+{
+  const double columns = grid.Count[0];
+  const double rows = grid.Count[1];
+  for (std::size_t n = 0; n < run.Size; ++n)
+  {
+    positions[3 * n] = grid.Origin[0] + grid.Size[0] * (run.Columns[n] + run.Across[n]) / columns;
+    positions[3 * n + 1] = grid.Origin[1] + grid.Size[1] * (run.Rows[n] + run.Along[n]) / rows;
+    positions[3 * n + 2] = 0.0;
+    quadrats[n] = static_cast<Id>(run.Quadrats[n]);
+  }
+}
+
+LITTORAL_SIMD_CLONES
+void PlaceRun(const QuadratGrid& grid, const PointRun& run, double* positions, int* quadrats)
+{
+  PlaceInline(grid, run, positions, quadrats);
+}
+
+LITTORAL_SIMD_CLONES
+void PlaceRun(const QuadratGrid& grid, const PointRun& run, double* positions, long long* quadrats)
+{
+  PlaceInline(grid, run, positions, quadrats);
 }
 
 }
@@ -96,12 +290,24 @@ std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long lo
   return below;
 }
 
-std::vector<int> QuadratCounts(
-  const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed, const Poll& poll)
+std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed,
+  const Poll& poll, const ParallelFor& parallel)
 {
-  const SteppedPoll steps(poll);
-  return mode == QuadratMode::Quota ? QuotaCounts(law, quadrats, seed, steps)
-                                    : SampledCounts(law, quadrats, seed, steps);
+  return mode == QuadratMode::Quota ? QuotaCounts(law, quadrats, seed, poll)
+                                    : SampledCounts(law, quadrats, seed, parallel);
+}
+
+std::vector<long long> QuadratSites(
+  const std::vector<int>& counts, std::size_t begin, std::size_t end, std::size_t quadratsAtOnce)
+{
+  const auto at = [&](std::size_t quadrat) { return counts.begin() + static_cast<std::ptrdiff_t>(quadrat); };
+  std::vector<long long> sites{ std::accumulate(at(0), at(begin), 0ll) };
+  for (std::size_t quadrat = begin; quadrat < end; quadrat += quadratsAtOnce)
+  {
+    const std::size_t next = quadrat + std::min(quadratsAtOnce, end - quadrat);
+    sites.push_back(std::accumulate(at(quadrat), at(next), sites.back()));
+  }
+  return sites;
 }
 
 std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat, int index, int seed)
@@ -113,6 +319,29 @@ std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat
   return { grid.Origin[0] + grid.Size[0] * (i + u[0]) / grid.Count[0],
     grid.Origin[1] + grid.Size[1] * (j + u[1]) / grid.Count[1] };
 }
+
+template <typename Id>
+void PlaceQuadratPoints(const QuadratGrid& grid, int seed, const std::vector<int>& counts, std::size_t begin,
+  std::size_t end, double* positions, Id* quadrats)
+{
+  const RandomStream random(seed, RandomPurpose::QuadratPositions);
+  const auto columns = static_cast<std::size_t>(grid.Count[0]);
+  PointCursor next{ begin, 0, begin % columns, begin / columns };
+  PointRun run;
+  while (next.Quadrat < end)
+  {
+    FillRun(run, next, counts.data(), end, columns);
+    random.UniformPairs(run.Size, run.Quadrats.data(), run.Indices.data(), run.Across.data(), run.Along.data());
+    PlaceRun(grid, run, positions, quadrats);
+    positions += 3 * run.Size;
+    quadrats += run.Size;
+  }
+}
+
+template void PlaceQuadratPoints(
+  const QuadratGrid&, int, const std::vector<int>&, std::size_t, std::size_t, double*, int*);
+template void PlaceQuadratPoints(
+  const QuadratGrid&, int, const std::vector<int>&, std::size_t, std::size_t, double*, long long*);
 
 long long QuadratOf(const QuadratGrid& grid, double x, double y)
 {

@@ -7,6 +7,7 @@
 #include "Patterns/QuadratLaws.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -40,13 +41,28 @@ enum class QuadratMode
  */
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats);
 
-/// The number of points in each quadrat.
-std::vector<int> QuadratCounts(
-  const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed, const Poll& poll = NoPoll);
+/// The number of points in each quadrat. Samples are drawn in parallel; a quota is dealt on the caller's thread, which
+/// polls.
+std::vector<int> QuadratCounts(const QuadratLawParameters& law, long long quadrats, QuadratMode mode, int seed,
+  const Poll& poll = NoPoll, const ParallelFor& parallel = SerialFor);
+
+/// How many points lie in all quadrats before each one that begins a block of the range [begin, end), and before its
+/// end.
+std::vector<long long> QuadratSites(
+  const std::vector<int>& counts, std::size_t begin, std::size_t end, std::size_t quadratsAtOnce);
 
 /// The position [m] of a point, uniform in its quadrat: a function of the seed, the quadrat and the point's index in
 /// it.
 std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat, int index, int seed);
+
+/**
+ * The points of the quadrats [begin, end), whose counts are given for all: to each its position (x, y, 0) [m] and its
+ * quadrat, from where the range's first point belongs. Ranges may be placed in any order, on any threads. Id is int or
+ * long long.
+ */
+template <typename Id>
+void PlaceQuadratPoints(const QuadratGrid& grid, int seed, const std::vector<int>& counts, std::size_t begin,
+  std::size_t end, double* positions, Id* quadrats);
 
 /// The quadrat that holds a position, or -1 outside. The upper edges of the grid belong to its last cells.
 long long QuadratOf(const QuadratGrid& grid, double x, double y);

@@ -21,6 +21,7 @@ void ScatterPoints(benchmark::State& state)
   vtkNew<vtkQuadratPointSource> source;
   source->SetQuadrats(side, side);
   source->SetMode(static_cast<int>(state.range(0)));
+  source->SetLaw(static_cast<int>(state.range(2)));
   for (auto _ : state)
   {
     source->Modified();
@@ -28,10 +29,14 @@ void ScatterPoints(benchmark::State& state)
   }
   state.SetItemsProcessed(state.iterations() * source->GetOutput()->GetNumberOfPoints());
 }
+// Poisson's law, and two that make clusters.
 BENCHMARK(ScatterPoints)
-  ->ArgNames({ "mode", "size" })
-  ->ArgsProduct({ { 0, 1 }, { 100 * 100, 400 * 400, 1000 * 1000 } })
+  ->ArgNames({ "mode", "size", "law" })
+  ->ArgsProduct({ { 0, 1 }, { 100 * 100, 400 * 400, 1000 * 1000 }, { vtkQuadratPointSource::Poisson } })
+  ->ArgsProduct({ { 0, 1 }, { 1000 * 1000, 10000000 },
+    { vtkQuadratPointSource::NegativeBinomial, vtkQuadratPointSource::PoissonPoisson } })
   ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
   ->UseRealTime();
 
 void AnalyseMillionPoints(benchmark::State& state)

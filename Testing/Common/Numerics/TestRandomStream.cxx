@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/PhiloxLanes.h"
 #include "Numerics/RandomStream.h"
 
 #include <gtest/gtest.h>
 
 #include <Random123/philox.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 using littoral::RandomPurpose;
 using littoral::RandomStream;
@@ -75,6 +79,73 @@ TEST(RandomStream, UniformAndNormalMomentsAreRight)
   EXPECT_NEAR(variance, 1.0, 0.01);
   EXPECT_NEAR(fourth, 3.0, 0.1);
   EXPECT_NEAR(crossed, 0.0, 0.01);
+}
+
+namespace
+{
+
+/// Counters whose words all differ, and more of them than any vector holds.
+struct Counters
+{
+  std::vector<std::uint64_t> Objects;
+  std::vector<std::uint64_t> Draws;
+
+  explicit Counters(std::size_t count)
+  {
+    for (std::uint64_t n = 0; n < count; ++n)
+    {
+      this->Objects.push_back(n * 0x9E3779B97F4A7C15u);
+      this->Draws.push_back(~n * 0xBF58476D1CE4E5B9u);
+    }
+  }
+};
+
+}
+
+TEST(RandomStream, ManyPairsAreThoseDrawnOneByOne)
+{
+  const RandomStream random(-5, RandomPurpose::QuadratPositions);
+  for (std::size_t count = 0; count < 40; ++count)
+  {
+    const Counters counters(count);
+    std::vector<double> first(count + 1, -1.0);
+    std::vector<double> second(count + 1, -1.0);
+    random.UniformPairs(count, counters.Objects.data(), counters.Draws.data(), first.data(), second.data());
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const auto pair = random.UniformPair(counters.Objects[n], counters.Draws[n]);
+      EXPECT_EQ(first[n], pair[0]) << n << " of " << count;
+      EXPECT_EQ(second[n], pair[1]) << n << " of " << count;
+    }
+    EXPECT_EQ(first[count], -1.0);
+    EXPECT_EQ(second[count], -1.0);
+  }
+}
+
+TEST(RandomStream, VectorsOfAnyWidthGiveTheSamePairs)
+{
+  const RandomStream random(77, RandomPurpose::QuadratCounts);
+  const std::array<std::uint32_t, 2> key = { 77, static_cast<std::uint32_t>(RandomPurpose::QuadratCounts) };
+  const std::size_t count = 4000;
+  const Counters counters(count);
+  for (const std::size_t lanes : littoral::PhiloxWidths())
+  {
+    if (lanes == 0)
+    {
+      continue;
+    }
+    std::vector<double> first(count);
+    std::vector<double> second(count);
+    const std::size_t done = littoral::PhiloxPairsOfWidth(
+      lanes, key, count - 1, counters.Objects.data(), counters.Draws.data(), first.data(), second.data());
+    EXPECT_EQ(done, (count - 1) / lanes * lanes);
+    for (std::size_t n = 0; n < done; ++n)
+    {
+      const auto pair = random.UniformPair(counters.Objects[n], counters.Draws[n]);
+      ASSERT_EQ(first[n], pair[0]) << n << " of " << lanes << " lanes";
+      ASSERT_EQ(second[n], pair[1]) << n << " of " << lanes << " lanes";
+    }
+  }
 }
 
 TEST(RandomStream, UniformNumbersAreMiddlesOfCells)

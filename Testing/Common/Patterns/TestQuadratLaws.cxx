@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/Constants.h"
+#include "Numerics/RandomStream.h"
 #include "Patterns/QuadratFit.h"
 #include "Patterns/QuadratLaws.h"
 #include "Patterns/QuadratPattern.h"
@@ -315,6 +316,111 @@ TEST(QuadratPattern, PointsAreUniformInTheirQuadratAndNoneOutside)
   EXPECT_EQ(QuadratOf(grid, 3.0, 12.0), 14);
   EXPECT_EQ(QuadratOf(grid, 3.1, 12.0), -1);
   EXPECT_EQ(QuadratOf(grid, std::numeric_limits<double>::quiet_NaN(), 11.0), -1);
+}
+
+// Each quadrat by its own draw and a search in the sums of the law, also where these are long.
+TEST_P(AllLaws, SampledCountsInvertTheLaw)
+{
+  for (const double mean : { 0.05, 1.7, 700.0 })
+  {
+    QuadratLawParameters law = Law(GetParam());
+    law.Mean = mean;
+    law.Trials = law.Law == QuadratLaw::Binomial ? static_cast<int>(2.0 * mean) + 3 : law.Trials;
+    std::vector<double> sums = MassFunction(law);
+    std::partial_sum(sums.begin(), sums.end(), sums.begin());
+    const RandomStream random(9, RandomPurpose::QuadratCounts);
+    const std::vector<int> counts = QuadratCounts(law, 40001, QuadratMode::Sampling, 9);
+    for (std::size_t q = 0; q < counts.size(); ++q)
+    {
+      const double wanted = random.UniformPair(q, 0)[0] * sums.back();
+      ASSERT_EQ(counts[q], std::upper_bound(sums.begin(), sums.end(), wanted) - sums.begin()) << q << " " << mean;
+    }
+    // Backwards, one range after the other.
+    const auto backwards = [](std::size_t count, const RangeTask& task) {
+      for (std::size_t n = count; n-- > 0;)
+      {
+        task(n, n + 1);
+      }
+    };
+    EXPECT_EQ(QuadratCounts(law, 40001, QuadratMode::Sampling, 9, NoPoll, backwards), counts);
+  }
+}
+
+// Fisher and Yates, a quadrat at a time.
+TEST_P(AllLaws, QuotaIsDealtAtRandom)
+{
+  const RandomStream random(4, RandomPurpose::QuadratOrder);
+  for (const long long quadrats : { 1, 2, 511, 512, 513, 514, 5000 })
+  {
+    const std::vector<long long> frequencies = QuotaFrequencies(Law(GetParam()), quadrats);
+    std::vector<int> counts;
+    for (std::size_t r = 0; r < frequencies.size(); ++r)
+    {
+      counts.insert(counts.end(), static_cast<std::size_t>(frequencies[r]), static_cast<int>(r));
+    }
+    for (std::size_t q = counts.size(); q > 1; --q)
+    {
+      const double place = random.UniformPair(q, 0)[0] * static_cast<double>(q);
+      std::swap(counts[q - 1], counts[std::min(static_cast<std::size_t>(place), q - 1)]);
+    }
+    EXPECT_EQ(QuadratCounts(Law(GetParam()), quadrats, QuadratMode::Quota, 4), counts) << quadrats;
+  }
+}
+
+TEST(QuadratPattern, QuotaPollsOnItsWay)
+{
+  int polls = 0;
+  QuadratCounts(Law(0), 50000, QuadratMode::Quota, 1, [&] { ++polls; });
+  EXPECT_EQ(polls, 50000 / 4096);
+}
+
+TEST(QuadratPattern, SitesAreSumsOfCounts)
+{
+  const std::vector<int> counts = { 3, 0, 2, 7, 0, 1, 4 };
+  EXPECT_EQ(QuadratSites(counts, 0, 7, 3), (std::vector<long long>{ 0, 5, 13, 17 }));
+  EXPECT_EQ(QuadratSites(counts, 2, 6, 2), (std::vector<long long>{ 3, 12, 13 }));
+  EXPECT_EQ(QuadratSites(counts, 2, 4, 100), (std::vector<long long>{ 3, 12 }));
+  EXPECT_EQ(QuadratSites(counts, 7, 7, 2), (std::vector<long long>{ 17 }));
+}
+
+// Ranges from the last to the first, of many empty quadrats, of one, and of quadrats with more points than are drawn at
+// once: each point is where QuadratPosition() has it, and nothing is written beyond.
+TEST(QuadratPattern, RangesInAnyOrderAreThePattern)
+{
+  QuadratGrid grid;
+  grid.Origin = { -3.7, 1e5 };
+  grid.Size = { 613.0, 29.0 };
+  grid.Count = { 7, 11 };
+  std::vector<int> counts(77);
+  for (int q = 0; q < 77; ++q)
+  {
+    counts[q] = q % 13 == 0 ? 1300 + q : q % 5 == 0 ? q : q % 3;
+  }
+  for (const std::size_t step : { 1, 4, 10, 77 })
+  {
+    const std::vector<long long> sites = QuadratSites(counts, 0, 77, step);
+    std::vector<double> positions(3 * static_cast<std::size_t>(sites.back()), -1.0);
+    std::vector<int> quadrats(static_cast<std::size_t>(sites.back()), -1);
+    for (std::size_t block = sites.size() - 1; block-- > 0;)
+    {
+      const std::size_t begin = block * step;
+      const auto first = static_cast<std::size_t>(sites[block]);
+      PlaceQuadratPoints(
+        grid, 6, counts, begin, std::min<std::size_t>(77, begin + step), &positions[3 * first], &quadrats[first]);
+    }
+    std::size_t point = 0;
+    for (int q = 0; q < 77; ++q)
+    {
+      for (int index = 0; index < counts[q]; ++index, ++point)
+      {
+        const auto place = QuadratPosition(grid, q, index, 6);
+        ASSERT_EQ(quadrats[point], q);
+        ASSERT_EQ(positions[3 * point], place[0]);
+        ASSERT_EQ(positions[3 * point + 1], place[1]);
+        ASSERT_EQ(positions[3 * point + 2], 0.0);
+      }
+    }
+  }
 }
 
 TEST(QuadratFit, ParametersAreRecovered)
