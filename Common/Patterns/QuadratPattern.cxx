@@ -314,10 +314,10 @@ std::array<double, 2> QuadratPosition(const QuadratGrid& grid, long long quadrat
 {
   const RandomStream random(seed, RandomPurpose::QuadratPositions);
   const auto u = random.UniformPair(static_cast<std::uint64_t>(quadrat), static_cast<std::uint64_t>(index));
-  const double i = static_cast<double>(quadrat % grid.Count[0]);
-  const double j = static_cast<double>(quadrat / grid.Count[0]);
-  return { grid.Origin[0] + grid.Size[0] * (i + u[0]) / grid.Count[0],
-    grid.Origin[1] + grid.Size[1] * (j + u[1]) / grid.Count[1] };
+  const long long i = quadrat % grid.Count[0];
+  const long long j = quadrat / grid.Count[0];
+  return { grid.Origin[0] + grid.Size[0] * (static_cast<double>(i) + u[0]) / grid.Count[0],
+    grid.Origin[1] + grid.Size[1] * (static_cast<double>(j) + u[1]) / grid.Count[1] };
 }
 
 template <typename Id>

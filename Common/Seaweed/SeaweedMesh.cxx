@@ -563,7 +563,7 @@ private:
       const double height = low + tall * (1.0 - std::cos(angle));
       const double place = mean.x + lean * (height - mean.y) + half * std::sin(angle);
       corners.push_back(static_cast<int>(this->Mesh.Points.size()));
-      this->Mesh.Points.push_back(place * outward + Vector3(0.0, 0.0, height));
+      this->Mesh.Points.emplace_back(place * outward + Vector3(0.0, 0.0, height));
       this->Mesh.Normals.push_back({ outward.y, -outward.x, 0.0 });
       this->Mesh.Colors.push_back(ColorAt(facets, height, 0.25 * tall));
     }

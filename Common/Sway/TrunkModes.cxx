@@ -129,7 +129,8 @@ private:
       const double length = glm::distance(a.Position, b.Position);
       for (int point = 0; point < 4 * pieces; ++point)
       {
-        const double along = (point / 4 + GaussPlaces[point % 4]) / pieces;
+        const int piece = point / 4;
+        const double along = (piece + GaussPlaces[point % 4]) / pieces;
         this->Stations.push_back({ (below + along * length) / this->Trunk.Length,
           GaussWeights[point % 4] * length / pieces, a.Radius + along * (b.Radius - a.Radius) });
       }

@@ -61,8 +61,10 @@ Eigen::MatrixXd TrendFunctions(Trend trend, int cellsX, int cellsY)
   functions.col(0).setOnes();
   for (int c = 0; c < cells && trend == Trend::Plane; ++c)
   {
-    functions(c, 1) = (c % cellsX + 0.5) / cellsX - 0.5;
-    functions(c, 2) = (c / cellsX + 0.5) / cellsY - 0.5;
+    const int column = c % cellsX;
+    const int row = c / cellsX;
+    functions(c, 1) = (column + 0.5) / cellsX - 0.5;
+    functions(c, 2) = (row + 0.5) / cellsY - 0.5;
   }
   return functions;
 }

@@ -260,8 +260,10 @@ private:
 
 Vector3 HeightSamples::Position(std::size_t index) const
 {
-  return { this->Origin[0] + static_cast<double>(index % this->Width) * this->Spacing[0],
-    this->Origin[1] + static_cast<double>(index / this->Width) * this->Spacing[1], this->Values[index] };
+  const std::size_t column = index % this->Width;
+  const std::size_t row = index / this->Width;
+  return { this->Origin[0] + static_cast<double>(column) * this->Spacing[0],
+    this->Origin[1] + static_cast<double>(row) * this->Spacing[1], this->Values[index] };
 }
 
 int LevelsOfTiles(int tileSize, int levels)
