@@ -417,15 +417,13 @@ void ShortWaves::Fill(int firstColumn, int firstRow, int width, int height, std:
   const int pitch = RoundUp(4 * counters, Align);
   const int rows = height + 2 * this->Reach[1];
   std::vector<float> noise(static_cast<std::size_t>(pitch) * rows);
+  std::vector<std::uint32_t> words(4 * static_cast<std::size_t>(counters));
   for (int j = 0; j < rows; ++j)
   {
     const long long row = static_cast<long long>(firstRow) - this->Reach[1] + j;
     const std::uint64_t object = 1ull << 32 | static_cast<std::uint32_t>(row);
-    for (int c = 0; c < counters; ++c)
-    {
-      const auto words = this->Random.Words(object, static_cast<std::uint64_t>(firstCounter + c));
-      std::memcpy(&noise[static_cast<std::size_t>(j) * pitch + 4 * c], words.data(), sizeof(words));
-    }
+    this->Random.FillWords(object, static_cast<std::uint64_t>(firstCounter), counters, words.data());
+    std::memcpy(&noise[static_cast<std::size_t>(j) * pitch], words.data(), words.size() * sizeof(words[0]));
   }
   MakeNormal(noise.data(), noise.size());
 
