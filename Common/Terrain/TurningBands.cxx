@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -189,22 +190,35 @@ long long Floor(double position)
   return towardsZero - (static_cast<double>(towardsZero) > position ? 1 : 0);
 }
 
-/// Weights B_0(t) ... B_3(t) of the uniform cubic B-spline, 0 <= t < 1.
-void SplineWeights(double t, float* weights)
-{
-  const double sixth = 1.0 / 6.0;
-  const double u = 1.0 - t;
-  weights[0] = static_cast<float>(sixth * (u * u * u));
-  weights[1] = static_cast<float>(sixth * (4.0 - t * t * (6.0 - 3.0 * t)));
-  weights[2] = static_cast<float>(sixth * (4.0 - u * u * (6.0 - 3.0 * u)));
-  weights[3] = static_cast<float>(sixth * (t * t * t));
-}
+/// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
+/// the cache. Rows lie a little farther apart, so that the values of a column share no set of the cache.
+constexpr int TileSize = 256;
+constexpr int TilePitch = TileSize + 16;
 
 /// Lines whose tables are added to a row of points in one pass.
 constexpr int LinesAtOnce = 4;
 
+/// Weights of the four taps of each line.
+using TapWeights = float[4][LinesAtOnce];
+
+/// Weights B_0(t) ... B_3(t) of the uniform cubic B-spline at the fractions of several lines, 0 <= t < 1.
+void SplineWeights(const double* fractions, TapWeights& weights)
+{
+  const double sixth = 1.0 / 6.0;
+  for (int n = 0; n < LinesAtOnce; ++n)
+  {
+    const double t = fractions[n];
+    const double u = 1.0 - t;
+    weights[0][n] = static_cast<float>(sixth * (u * u * u));
+    weights[1][n] = static_cast<float>(sixth * (4.0 - t * t * (6.0 - 3.0 * t)));
+    weights[2][n] = static_cast<float>(sixth * (4.0 - u * u * (6.0 - 3.0 * u)));
+    weights[3][n] = static_cast<float>(sixth * (t * t * t));
+  }
+}
+
+/// Adds four lines, each of which has its four taps anywhere.
 LITTORAL_WIDE_SIMD_CLONES void AddShifted(
-  const float* const (*taps)[4], const float (*weights)[4], int count, float* __restrict sums)
+  const float* const (*taps)[4], const TapWeights& weights, int count, float* __restrict sums)
 {
   const auto* a = taps[0];
   const auto* b = taps[1];
@@ -216,11 +230,136 @@ LITTORAL_WIDE_SIMD_CLONES void AddShifted(
   const auto* x = weights[3];
   for (int i = 0; i < count; ++i)
   {
-    const float A = (u[0] * a[0][i] + u[1] * a[1][i]) + (u[2] * a[2][i] + u[3] * a[3][i]);
-    const float B = (v[0] * b[0][i] + v[1] * b[1][i]) + (v[2] * b[2][i] + v[3] * b[3][i]);
-    const float C = (w[0] * c[0][i] + w[1] * c[1][i]) + (w[2] * c[2][i] + w[3] * c[3][i]);
-    const float D = (x[0] * d[0][i] + x[1] * d[1][i]) + (x[2] * d[2][i] + x[3] * d[3][i]);
+    const float A = (u[0] * a[0][i] + v[0] * a[1][i]) + (w[0] * a[2][i] + x[0] * a[3][i]);
+    const float B = (u[1] * b[0][i] + v[1] * b[1][i]) + (w[1] * b[2][i] + x[1] * b[3][i]);
+    const float C = (u[2] * c[0][i] + v[2] * c[1][i]) + (w[2] * c[2][i] + x[2] * c[3][i]);
+    const float D = (u[3] * d[0][i] + v[3] * d[1][i]) + (w[3] * d[2][i] + x[3] * d[3][i]);
     sums[i] += (A + B) + (C + D);
+  }
+}
+
+/// The sum of four taps side by side, of line n.
+LITTORAL_INLINE float FourTaps(const float* table, const TapWeights& weights, int n)
+{
+  return (weights[0][n] * table[0] + weights[1][n] * table[1]) + (weights[2][n] * table[2] + weights[3][n] * table[3]);
+}
+
+/// Adds two lines and two lines, since with their weights four do not fit into 16 registers. At most TileSize points.
+LITTORAL_INLINE void AddNeighborsByPairs(
+  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
+{
+  alignas(64) float firstPair[TileSize];
+  const float* a = tables[0];
+  const float* b = tables[1];
+  const float* c = tables[2];
+  const float* d = tables[3];
+  for (int i = 0; i < count; ++i)
+  {
+    firstPair[i] = FourTaps(a + i, weights, 0) + FourTaps(b + i, weights, 1);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    sums[i] += firstPair[i] + (FourTaps(c + i, weights, 2) + FourTaps(d + i, weights, 3));
+  }
+}
+
+/// What AddNeighbors may read beyond the last tap of a run.
+constexpr int Overrun = 32;
+
+#if LITTORAL_HAS_SIMD_VERSIONS
+using WidePack = float __attribute__((vector_size(16 * sizeof(float))));
+
+LITTORAL_AVX512_VERSION void AddNeighbors(
+  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
+{
+  constexpr int wide = 16;
+  WidePack here[LinesAtOnce];
+  WidePack weight[4][LinesAtOnce];
+  for (int n = 0; n < LinesAtOnce; ++n)
+  {
+    std::memcpy(&here[n], tables[n], sizeof(WidePack));
+    for (int tap = 0; tap < 4; ++tap)
+    {
+      weight[tap][n] = weights[tap][n] - WidePack{};
+    }
+  }
+  for (int i = 0; i < count; i += wide)
+  {
+    WidePack line[LinesAtOnce];
+    for (int n = 0; n < LinesAtOnce; ++n)
+    {
+      // Each node is loaded once; other taps come from the registers of this pack and the next.
+      WidePack next;
+      std::memcpy(&next, tables[n] + i + wide, sizeof(WidePack));
+      const WidePack one =
+        __builtin_shufflevector(here[n], next, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
+      const WidePack two =
+        __builtin_shufflevector(here[n], next, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17);
+      const WidePack three =
+        __builtin_shufflevector(here[n], next, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18);
+      line[n] = (weight[0][n] * here[n] + weight[1][n] * one) + (weight[2][n] * two + weight[3][n] * three);
+      here[n] = next;
+    }
+    WidePack sum;
+    std::memcpy(&sum, sums + i, sizeof(sum));
+    sum += (line[0] + line[1]) + (line[2] + line[3]);
+    std::memcpy(sums + i, &sum, sizeof(sum));
+  }
+}
+
+LITTORAL_AVX2_VERSION void AddNeighbors(
+  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
+{
+  AddNeighborsByPairs(tables, weights, count, sums);
+}
+#endif
+
+/// Adds four lines whose taps lie side by side; may also change sums beyond count, up to a multiple of 16.
+LITTORAL_ANY_VERSION void AddNeighbors(
+  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
+{
+  AddNeighborsByPairs(tables, weights, count, sums);
+}
+
+/// Side of the squares in which a tile is transposed.
+constexpr int Corner = 4;
+using CornerRow = float __attribute__((vector_size(Corner * sizeof(float))));
+
+/// Adds a square of Corner x Corner sums, transposed: sums(j, i) += across(i, j).
+LITTORAL_INLINE void AddTransposedCorner(const float* across, float* sums)
+{
+  CornerRow a[Corner];
+  for (int i = 0; i < Corner; ++i)
+  {
+    std::memcpy(&a[i], across + static_cast<std::ptrdiff_t>(i) * TilePitch, sizeof(a[i]));
+  }
+  // Rows interleaved by two, then by one.
+  const CornerRow even[2] = { __builtin_shufflevector(a[0], a[2], 0, 4, 1, 5),
+    __builtin_shufflevector(a[0], a[2], 2, 6, 3, 7) };
+  const CornerRow odd[2] = { __builtin_shufflevector(a[1], a[3], 0, 4, 1, 5),
+    __builtin_shufflevector(a[1], a[3], 2, 6, 3, 7) };
+  const CornerRow columns[Corner] = { __builtin_shufflevector(even[0], odd[0], 0, 4, 1, 5),
+    __builtin_shufflevector(even[0], odd[0], 2, 6, 3, 7), __builtin_shufflevector(even[1], odd[1], 0, 4, 1, 5),
+    __builtin_shufflevector(even[1], odd[1], 2, 6, 3, 7) };
+  for (int j = 0; j < Corner; ++j)
+  {
+    CornerRow row;
+    std::memcpy(&row, sums + static_cast<std::ptrdiff_t>(j) * TilePitch, sizeof(row));
+    row += columns[j];
+    std::memcpy(sums + static_cast<std::ptrdiff_t>(j) * TilePitch, &row, sizeof(row));
+  }
+}
+
+/// Adds to a tile of rows one of columns; both are whole corners.
+void AddTransposed(const float* columnSums, int rows, int columns, float* rowSums)
+{
+  for (int j = 0; j < rows; j += Corner)
+  {
+    for (int i = 0; i < columns; i += Corner)
+    {
+      AddTransposedCorner(columnSums + static_cast<std::ptrdiff_t>(i) * TilePitch + j,
+        rowSums + static_cast<std::ptrdiff_t>(j) * TilePitch + i);
+    }
   }
 }
 
@@ -231,10 +370,6 @@ constexpr double SlopesThatMatter = 0.95;
 constexpr int FewestLines = 64;
 constexpr int MostLines = 1024;
 constexpr int BinsForLines = 200;
-
-/// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
-/// the cache.
-constexpr int TileSize = 256;
 
 // -------------------------------------------------------------------------------------------------------------------
 // What the lines carry.
@@ -534,7 +669,7 @@ void TurningBandsField::TabulateLine(std::size_t index)
     AddHarmonics(pass, &harmonics.Amplitude[k], &harmonics.Phase[k], &delta[k], line.FirstNode, nodes);
   }
   // Nodes that one row meets lie a stride apart: store them side by side.
-  line.Table.resize(nodes.size());
+  line.Table.resize(nodes.size() + Overrun);
   const std::size_t phases = std::size_t(1) << line.StrideBits;
   for (std::size_t n = 0; n < nodes.size(); ++n)
   {
@@ -543,37 +678,65 @@ void TurningBandsField::TabulateLine(std::size_t index)
 }
 
 /**
- * Adds lines that are along x to a tile: rows of points from row and column on, each row's sums TileSize after those of
- * the one before. For lines along y, rows and columns change places.
+ * Adds lines that are along x to a tile: rows of points from row and column on, each row's sums TilePitch after those
+ * of the one before. For lines along y, rows and columns change places.
  */
 void TurningBandsField::AddLines(
   const std::vector<const Line*>& lines, int row, int rows, int column, int columns, float* sums) const
 {
-  const float* taps[LinesAtOnce][4];
-  float weights[LinesAtOnce][4];
   for (std::size_t begin = 0; begin < lines.size(); begin += LinesAtOnce)
   {
+    // In the last pass, the last line fills empty places with weights of zero.
+    const std::size_t places = std::min<std::size_t>(LinesAtOnce, lines.size() - begin);
+    const Line* group[LinesAtOnce];
+    bool neighbors = true;
+    for (std::size_t n = 0; n < LinesAtOnce; ++n)
+    {
+      group[n] = lines[begin + std::min(n, places - 1)];
+      neighbors = neighbors && group[n]->StrideBits == 0;
+    }
     for (int j = 0; j < rows; ++j)
     {
-      for (std::size_t n = 0; n < LinesAtOnce; ++n)
+      double fractions[LinesAtOnce];
+      std::size_t starts[LinesAtOnce];
+      for (int n = 0; n < LinesAtOnce; ++n)
       {
-        // In the last pass, the last line fills empty places with weights of zero.
-        const bool empty = begin + n >= lines.size();
-        const Line& line = *lines[empty ? lines.size() - 1 : begin + n];
         // Algorithm 1, step 4: the projection x . u on the line, in nodes
+        const Line& line = *group[n];
         const double position = line.FirstPosition + line.Across * (row + j);
         const long long node = Floor(position);
-        SplineWeights(position - static_cast<double>(node), weights[n]);
-        const long long start = node - 1 - line.FirstNode + column * (1ll << line.StrideBits);
+        fractions[n] = position - static_cast<double>(node);
+        starts[n] = static_cast<std::size_t>(node - 1 - line.FirstNode + column * (1ll << line.StrideBits));
+      }
+      TapWeights weights;
+      SplineWeights(fractions, weights);
+      for (std::size_t n = places; n < LinesAtOnce; ++n)
+      {
+        weights[0][n] = weights[1][n] = weights[2][n] = weights[3][n] = 0.0f;
+      }
+      float* rowSums = sums + static_cast<std::ptrdiff_t>(j) * TilePitch;
+      if (neighbors)
+      {
+        const float* tables[LinesAtOnce];
+        for (int n = 0; n < LinesAtOnce; ++n)
+        {
+          tables[n] = group[n]->Table.data() + starts[n];
+        }
+        AddNeighbors(tables, weights, columns, rowSums);
+        continue;
+      }
+      const float* taps[LinesAtOnce][4];
+      for (int n = 0; n < LinesAtOnce; ++n)
+      {
+        const Line& line = *group[n];
         const std::size_t phases = (std::size_t(1) << line.StrideBits) - 1;
         for (int tap = 0; tap < 4; ++tap)
         {
-          const std::size_t place = static_cast<std::size_t>(start + tap);
+          const std::size_t place = starts[n] + static_cast<std::size_t>(tap);
           taps[n][tap] = line.Table.data() + (place & phases) * line.PhaseLength + (place >> line.StrideBits);
-          weights[n][tap] = empty ? 0.0f : weights[n][tap];
         }
       }
-      AddShifted(taps, weights, columns, sums + static_cast<std::ptrdiff_t>(j) * TileSize);
+      AddShifted(taps, weights, columns, rowSums);
     }
   }
 }
@@ -592,8 +755,8 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
   }
 
   std::vector<float> shortWaves;
-  std::vector<float> rowSums(TileSize * TileSize);
-  std::vector<float> columnSums(TileSize * TileSize);
+  std::vector<float> rowSums(TileSize * TilePitch);
+  std::vector<float> columnSums(TileSize * TilePitch);
   for (int tileRow = 0; tileRow < height; tileRow += TileSize)
   {
     const int rows = std::min(TileSize, height - tileRow);
@@ -606,17 +769,23 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
       std::fill(columnSums.begin(), columnSums.end(), 0.0f);
       this->AddLines(alongX, row, rows, column, columns, rowSums.data());
       this->AddLines(alongY, column, columns, row, rows, columnSums.data());
+      AddTransposed(columnSums.data(), rows, columns, rowSums.data());
       if (this->Short)
       {
         this->Short->Fill(column, row, columns, rows, shortWaves);
       }
+      else
+      {
+        shortWaves.assign(static_cast<std::size_t>(columns) * rows, 0.0f);
+      }
       for (int j = 0; j < rows; ++j)
       {
         float* out = values + static_cast<std::size_t>(tileRow + j) * width + tileColumn;
+        const float* longWaves = &rowSums[static_cast<std::size_t>(j) * TilePitch];
+        const float* shortRow = &shortWaves[static_cast<std::size_t>(j) * columns];
         for (int i = 0; i < columns; ++i)
         {
-          const float shortWave = this->Short ? shortWaves[static_cast<std::size_t>(j) * columns + i] : 0.0f;
-          out[i] = offsetF + scaleF * (rowSums[j * TileSize + i] + columnSums[i * TileSize + j] + shortWave);
+          out[i] = offsetF + scaleF * (longWaves[i] + shortRow[i]);
         }
       }
     }
