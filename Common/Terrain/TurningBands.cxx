@@ -5,6 +5,7 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/SimdClones.h"
+#include "Terrain/TapSums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,10 +61,6 @@ long long RoundDown(long long value, long long unit)
   return (quotient * unit > value ? quotient - 1 : quotient) * unit;
 }
 
-/// Eight floats that the compiler keeps in one or two registers.
-constexpr int PackSize = 8;
-using FloatPack = float __attribute__((vector_size(PackSize * sizeof(float))));
-
 /// One pass of harmonics: their state at the center of the present block, and the sines within a block.
 struct HarmonicPass
 {
@@ -72,8 +69,8 @@ struct HarmonicPass
   alignas(64) double Sine[HarmonicsPerPass];
   alignas(64) double TurnCosine[HarmonicsPerPass]; ///< rotation from block to block
   alignas(64) double TurnSine[HarmonicsPerPass];
-  FloatPack NodeCosine[HarmonicsPerPass][HalfBlock / PackSize];
-  FloatPack NodeSine[HarmonicsPerPass][HalfBlock / PackSize];
+  alignas(64) float NodeCosine[HarmonicsPerPass][HalfBlock];
+  alignas(64) float NodeSine[HarmonicsPerPass][HalfBlock];
 };
 
 /// Sines and cosines of (m + 1/2) delta, by rotation in double precision.
@@ -88,8 +85,8 @@ void FillNodeAngles(HarmonicPass& pass, const double* delta)
     // cos, sin of (m + 1/2) delta, each from the one before by the rotation delta
     for (int m = 0; m < HalfBlock; ++m)
     {
-      pass.NodeCosine[k][m / PackSize][m % PackSize] = static_cast<float>(c);
-      pass.NodeSine[k][m / PackSize][m % PackSize] = static_cast<float>(s);
+      pass.NodeCosine[k][m] = static_cast<float>(c);
+      pass.NodeSine[k][m] = static_cast<float>(s);
       const double next = c * turnCosine - s * turnSine;
       s = s * turnCosine + c * turnSine;
       c = next;
@@ -113,38 +110,63 @@ LITTORAL_SIMD_CLONES void TurnToNextBlock(HarmonicPass& pass, float* cosine, flo
   }
 }
 
-/// Adds the pass's harmonics to two blocks of nodes, whose states are given: a small matrix product.
-LITTORAL_SIMD_CLONES void AddTwoBlocks(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
+using EightFloats = float __attribute__((vector_size(8 * sizeof(float))));
+using FourFloats = float __attribute__((vector_size(4 * sizeof(float))));
+
+/// Adds the pass's harmonics to two blocks of nodes, whose states are given: a small matrix product. A part of each
+/// block at a time, two packs of nodes on either side of the center, so that all sums stay in registers.
+template <typename Pack>
+LITTORAL_INLINE void AddTwoBlocksBy(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
   const float (*sine)[HarmonicsPerPass], float* nodes)
 {
-  FloatPack even[2][HalfBlock / PackSize] = {};
-  FloatPack odd[2][HalfBlock / PackSize] = {};
-  for (int k = 0; k < pass.Count; ++k)
+  constexpr int lanes = sizeof(Pack) / sizeof(float);
+  for (int first = 0; first < HalfBlock; first += 2 * lanes)
   {
-    // even = sum_k A_k cos a_k cos theta_km, odd = sum_k A_k sin a_k sin theta_km
-    for (int p = 0; p < HalfBlock / PackSize; ++p)
+    Pack even[2][2] = {};
+    Pack odd[2][2] = {};
+    for (int k = 0; k < pass.Count; ++k)
     {
-      const FloatPack c = pass.NodeCosine[k][p];
-      const FloatPack s = pass.NodeSine[k][p];
-      for (int b = 0; b < 2; ++b)
+      // even = sum_k A_k cos a_k cos theta_km, odd = sum_k A_k sin a_k sin theta_km
+      for (int p = 0; p < 2; ++p)
       {
-        even[b][p] += cosine[b][k] * c;
-        odd[b][p] += sine[b][k] * s;
+        Pack c;
+        Pack s;
+        std::memcpy(&c, &pass.NodeCosine[k][first + p * lanes], sizeof(c));
+        std::memcpy(&s, &pass.NodeSine[k][first + p * lanes], sizeof(s));
+        for (int b = 0; b < 2; ++b)
+        {
+          even[b][p] += cosine[b][k] * c;
+          odd[b][p] += sine[b][k] * s;
+        }
+      }
+    }
+    for (int b = 0; b < 2; ++b)
+    {
+      float* center = nodes + b * Block + HalfBlock;
+      for (int m = 0; m < 2 * lanes; ++m)
+      {
+        const float e = even[b][m / lanes][m % lanes];
+        const float o = odd[b][m / lanes][m % lanes];
+        // sum_k A_k cos(a_k +- theta_km) = even -+ odd
+        center[first + m] += e - o;
+        center[-1 - first - m] += e + o;
       }
     }
   }
-  for (int b = 0; b < 2; ++b)
-  {
-    float* block = nodes + b * Block;
-    for (int m = 0; m < HalfBlock; ++m)
-    {
-      const float e = even[b][m / PackSize][m % PackSize];
-      const float o = odd[b][m / PackSize][m % PackSize];
-      // sum_k A_k cos(a_k +- theta_km) = even -+ odd
-      block[HalfBlock + m] += e - o;
-      block[HalfBlock - 1 - m] += e + o;
-    }
-  }
+}
+
+#if LITTORAL_HAS_SIMD_VERSIONS
+LITTORAL_AVX2_VERSION void AddTwoBlocks(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
+  const float (*sine)[HarmonicsPerPass], float* nodes)
+{
+  AddTwoBlocksBy<EightFloats>(pass, cosine, sine, nodes);
+}
+#endif
+
+LITTORAL_ANY_VERSION void AddTwoBlocks(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
+  const float (*sine)[HarmonicsPerPass], float* nodes)
+{
+  AddTwoBlocksBy<FourFloats>(pass, cosine, sine, nodes);
 }
 
 /// Adds harmonics, given by amplitude, phase at node 0 and phase step from node to node, to nodes first, first + 1...
@@ -192,14 +214,8 @@ long long Floor(double position)
 
 /// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
 /// the cache. Rows lie a little farther apart, so that the values of a column share no set of the cache.
-constexpr int TileSize = 256;
+constexpr int TileSize = MostPointsAtOnce;
 constexpr int TilePitch = TileSize + 16;
-
-/// Lines whose tables are added to a row of points in one pass.
-constexpr int LinesAtOnce = 4;
-
-/// Weights of the four taps of each line.
-using TapWeights = float[4][LinesAtOnce];
 
 /// Weights B_0(t) ... B_3(t) of the uniform cubic B-spline at the fractions of several lines, 0 <= t < 1.
 void SplineWeights(const double* fractions, TapWeights& weights)
@@ -214,111 +230,6 @@ void SplineWeights(const double* fractions, TapWeights& weights)
     weights[2][n] = static_cast<float>(sixth * (4.0 - u * u * (6.0 - 3.0 * u)));
     weights[3][n] = static_cast<float>(sixth * (t * t * t));
   }
-}
-
-/// Adds four lines, each of which has its four taps anywhere.
-LITTORAL_WIDE_SIMD_CLONES void AddShifted(
-  const float* const (*taps)[4], const TapWeights& weights, int count, float* __restrict sums)
-{
-  const auto* a = taps[0];
-  const auto* b = taps[1];
-  const auto* c = taps[2];
-  const auto* d = taps[3];
-  const auto* u = weights[0];
-  const auto* v = weights[1];
-  const auto* w = weights[2];
-  const auto* x = weights[3];
-  for (int i = 0; i < count; ++i)
-  {
-    const float A = (u[0] * a[0][i] + v[0] * a[1][i]) + (w[0] * a[2][i] + x[0] * a[3][i]);
-    const float B = (u[1] * b[0][i] + v[1] * b[1][i]) + (w[1] * b[2][i] + x[1] * b[3][i]);
-    const float C = (u[2] * c[0][i] + v[2] * c[1][i]) + (w[2] * c[2][i] + x[2] * c[3][i]);
-    const float D = (u[3] * d[0][i] + v[3] * d[1][i]) + (w[3] * d[2][i] + x[3] * d[3][i]);
-    sums[i] += (A + B) + (C + D);
-  }
-}
-
-/// The sum of four taps side by side, of line n.
-LITTORAL_INLINE float FourTaps(const float* table, const TapWeights& weights, int n)
-{
-  return (weights[0][n] * table[0] + weights[1][n] * table[1]) + (weights[2][n] * table[2] + weights[3][n] * table[3]);
-}
-
-/// Adds two lines and two lines, since with their weights four do not fit into 16 registers. At most TileSize points.
-LITTORAL_INLINE void AddNeighborsByPairs(
-  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
-{
-  alignas(64) float firstPair[TileSize];
-  const float* a = tables[0];
-  const float* b = tables[1];
-  const float* c = tables[2];
-  const float* d = tables[3];
-  for (int i = 0; i < count; ++i)
-  {
-    firstPair[i] = FourTaps(a + i, weights, 0) + FourTaps(b + i, weights, 1);
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    sums[i] += firstPair[i] + (FourTaps(c + i, weights, 2) + FourTaps(d + i, weights, 3));
-  }
-}
-
-/// What AddNeighbors may read beyond the last tap of a run.
-constexpr int Overrun = 32;
-
-#if LITTORAL_HAS_SIMD_VERSIONS
-using WidePack = float __attribute__((vector_size(16 * sizeof(float))));
-
-LITTORAL_AVX512_VERSION void AddNeighbors(
-  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
-{
-  constexpr int wide = 16;
-  WidePack here[LinesAtOnce];
-  WidePack weight[4][LinesAtOnce];
-  for (int n = 0; n < LinesAtOnce; ++n)
-  {
-    std::memcpy(&here[n], tables[n], sizeof(WidePack));
-    for (int tap = 0; tap < 4; ++tap)
-    {
-      weight[tap][n] = weights[tap][n] - WidePack{};
-    }
-  }
-  for (int i = 0; i < count; i += wide)
-  {
-    WidePack line[LinesAtOnce];
-    for (int n = 0; n < LinesAtOnce; ++n)
-    {
-      // Each node is loaded once; other taps come from the registers of this pack and the next.
-      WidePack next;
-      std::memcpy(&next, tables[n] + i + wide, sizeof(WidePack));
-      const WidePack one =
-        __builtin_shufflevector(here[n], next, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
-      const WidePack two =
-        __builtin_shufflevector(here[n], next, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17);
-      const WidePack three =
-        __builtin_shufflevector(here[n], next, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18);
-      line[n] = (weight[0][n] * here[n] + weight[1][n] * one) + (weight[2][n] * two + weight[3][n] * three);
-      here[n] = next;
-    }
-    WidePack sum;
-    std::memcpy(&sum, sums + i, sizeof(sum));
-    sum += (line[0] + line[1]) + (line[2] + line[3]);
-    std::memcpy(sums + i, &sum, sizeof(sum));
-  }
-}
-
-LITTORAL_AVX2_VERSION void AddNeighbors(
-  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
-{
-  AddNeighborsByPairs(tables, weights, count, sums);
-}
-#endif
-
-/// Adds four lines whose taps lie side by side; may also change sums beyond count, up to a multiple of 16.
-LITTORAL_ANY_VERSION void AddNeighbors(
-  const float* const* tables, const TapWeights& weights, int count, float* __restrict sums)
-{
-  AddNeighborsByPairs(tables, weights, count, sums);
 }
 
 /// Side of the squares in which a tile is transposed.
@@ -722,7 +633,7 @@ void TurningBandsField::AddLines(
         {
           tables[n] = group[n]->Table.data() + starts[n];
         }
-        AddNeighbors(tables, weights, columns, rowSums);
+        AddNeighborTaps(tables, weights, columns, rowSums);
         continue;
       }
       const float* taps[LinesAtOnce][4];
@@ -736,7 +647,7 @@ void TurningBandsField::AddLines(
           taps[n][tap] = line.Table.data() + (place & phases) * line.PhaseLength + (place >> line.StrideBits);
         }
       }
-      AddShifted(taps, weights, columns, rowSums);
+      AddTaps(taps, weights, columns, rowSums);
     }
   }
 }
