@@ -94,8 +94,7 @@ std::array<std::uint32_t, 4> RandomStream::Words(std::uint64_t object, std::uint
   return { words[0], words[1], words[2], words[3] };
 }
 
-void RandomStream::FillWords(
-  std::uint64_t object, std::uint64_t draw, std::size_t count, std::uint32_t* words) const
+void RandomStream::FillWords(std::uint64_t object, std::uint64_t draw, std::size_t count, std::uint32_t* words) const
 {
   std::size_t n = 0;
 #if defined(__SSE2__)
