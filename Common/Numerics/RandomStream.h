@@ -61,6 +61,9 @@ public:
   /// Four independent 32-bit words.
   std::array<std::uint32_t, 4> Words(std::uint64_t object, std::uint64_t draw) const;
 
+  /// The words of draws draw, draw + 1, ... draw + count - 1 one after the other, several draws at a time.
+  void FillWords(std::uint64_t object, std::uint64_t draw, std::size_t count, std::uint32_t* words) const;
+
   /// Two independent numbers, uniform on the open interval (0, 1), with 52 random bits each.
   std::array<double, 2> UniformPair(std::uint64_t object, std::uint64_t draw) const;
 

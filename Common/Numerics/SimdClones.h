@@ -19,9 +19,16 @@
 #define LITTORAL_SIMD_CLONES __attribute__((target_clones("avx2", "default")))
 /// The same with a third version, for AVX-512.
 #define LITTORAL_WIDE_SIMD_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+/// Marks the versions of a function that is written otherwise for AVX-512: overloads among which the processor chooses.
+#define LITTORAL_HAS_SIMD_VERSIONS 1
+#define LITTORAL_AVX512_VERSION __attribute__((target("avx512f")))
+#define LITTORAL_AVX2_VERSION __attribute__((target("avx2")))
+#define LITTORAL_ANY_VERSION __attribute__((target("default")))
 #else
 #define LITTORAL_SIMD_CLONES
 #define LITTORAL_WIDE_SIMD_CLONES
+#define LITTORAL_HAS_SIMD_VERSIONS 0
+#define LITTORAL_ANY_VERSION
 #endif
 
 /// Marks a function that becomes a part of each version of those that call it.

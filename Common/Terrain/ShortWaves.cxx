@@ -195,6 +195,7 @@ void TakeRootOfSpectrum(FourierGrid& grid)
 constexpr int PackSize = 8;
 using FloatPack = float __attribute__((vector_size(PackSize * sizeof(float))));
 using IntegerPack = std::int32_t __attribute__((vector_size(PackSize * sizeof(std::int32_t))));
+using SmallPack = float __attribute__((vector_size(4 * sizeof(float))));
 constexpr int Align = PackSize;
 
 LITTORAL_INLINE FloatPack SquareRoot(const FloatPack& x)
@@ -245,8 +246,8 @@ LITTORAL_SIMD_CLONES void MakeNormal(float* numbers, std::size_t count)
   }
 }
 
-/// Columns whose sums stay in registers.
-constexpr int Packs = 4;
+/// Registers of sums, and columns that are averaged in one call.
+constexpr int Packs = 8;
 constexpr int Run = Packs * PackSize;
 
 /// One tap of a row of sums: both of a pair of opposite points.
@@ -258,28 +259,48 @@ struct TapRows
 };
 
 /// sum = middle weight * noise + sum over taps of weight * (noise there + noise opposite), for Run columns.
-LITTORAL_SIMD_CLONES void AverageRun(
+template <typename Pack>
+LITTORAL_INLINE void AverageRunBy(
   const TapRows* taps, std::size_t count, std::size_t column, const float* middle, float middleWeight, float* sums)
 {
-  FloatPack sum[Packs];
-  for (int p = 0; p < Packs; ++p)
+  constexpr std::size_t lanes = sizeof(Pack) / sizeof(float);
+  for (std::size_t first = column; first < column + Run; first += Packs * lanes)
   {
-    FloatPack a;
-    std::memcpy(&a, middle + column + p * PackSize, sizeof(a));
-    sum[p] = middleWeight * a;
-  }
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    for (int p = 0; p < Packs; ++p)
+    Pack sum[Packs];
+    for (std::size_t p = 0; p < Packs; ++p)
     {
-      FloatPack a;
-      FloatPack b;
-      std::memcpy(&a, taps[n].One + column + p * PackSize, sizeof(a));
-      std::memcpy(&b, taps[n].Other + column + p * PackSize, sizeof(b));
-      sum[p] += taps[n].Weight * (a + b);
+      Pack a;
+      std::memcpy(&a, middle + first + p * lanes, sizeof(a));
+      sum[p] = middleWeight * a;
     }
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      for (std::size_t p = 0; p < Packs; ++p)
+      {
+        Pack a;
+        Pack b;
+        std::memcpy(&a, taps[n].One + first + p * lanes, sizeof(a));
+        std::memcpy(&b, taps[n].Other + first + p * lanes, sizeof(b));
+        sum[p] += taps[n].Weight * (a + b);
+      }
+    }
+    std::memcpy(sums + (first - column), sum, sizeof(sum));
   }
-  std::memcpy(sums, sum, sizeof(sum));
+}
+
+#if LITTORAL_HAS_SIMD_VERSIONS
+LITTORAL_AVX2_VERSION void AverageRun(
+  const TapRows* taps, std::size_t count, std::size_t column, const float* middle, float middleWeight, float* sums)
+{
+  AverageRunBy<FloatPack>(taps, count, column, middle, middleWeight, sums);
+}
+#endif
+
+/// With packs of four, since pairs of registers in place of packs of eight would be kept in memory.
+LITTORAL_ANY_VERSION void AverageRun(
+  const TapRows* taps, std::size_t count, std::size_t column, const float* middle, float middleWeight, float* sums)
+{
+  AverageRunBy<SmallPack>(taps, count, column, middle, middleWeight, sums);
 }
 
 int RoundUp(int value, int unit)
@@ -417,15 +438,13 @@ void ShortWaves::Fill(int firstColumn, int firstRow, int width, int height, std:
   const int pitch = RoundUp(4 * counters, Align);
   const int rows = height + 2 * this->Reach[1];
   std::vector<float> noise(static_cast<std::size_t>(pitch) * rows);
+  std::vector<std::uint32_t> words(4 * static_cast<std::size_t>(counters));
   for (int j = 0; j < rows; ++j)
   {
     const long long row = static_cast<long long>(firstRow) - this->Reach[1] + j;
     const std::uint64_t object = 1ull << 32 | static_cast<std::uint32_t>(row);
-    for (int c = 0; c < counters; ++c)
-    {
-      const auto words = this->Random.Words(object, static_cast<std::uint64_t>(firstCounter + c));
-      std::memcpy(&noise[static_cast<std::size_t>(j) * pitch + 4 * c], words.data(), sizeof(words));
-    }
+    this->Random.FillWords(object, static_cast<std::uint64_t>(firstCounter), counters, words.data());
+    std::memcpy(&noise[static_cast<std::size_t>(j) * pitch], words.data(), words.size() * sizeof(words[0]));
   }
   MakeNormal(noise.data(), noise.size());
 

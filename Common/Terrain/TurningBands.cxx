@@ -5,9 +5,11 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/SimdClones.h"
+#include "Terrain/TapSums.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -59,10 +61,6 @@ long long RoundDown(long long value, long long unit)
   return (quotient * unit > value ? quotient - 1 : quotient) * unit;
 }
 
-/// Eight floats that the compiler keeps in one or two registers.
-constexpr int PackSize = 8;
-using FloatPack = float __attribute__((vector_size(PackSize * sizeof(float))));
-
 /// One pass of harmonics: their state at the center of the present block, and the sines within a block.
 struct HarmonicPass
 {
@@ -71,8 +69,8 @@ struct HarmonicPass
   alignas(64) double Sine[HarmonicsPerPass];
   alignas(64) double TurnCosine[HarmonicsPerPass]; ///< rotation from block to block
   alignas(64) double TurnSine[HarmonicsPerPass];
-  FloatPack NodeCosine[HarmonicsPerPass][HalfBlock / PackSize];
-  FloatPack NodeSine[HarmonicsPerPass][HalfBlock / PackSize];
+  alignas(64) float NodeCosine[HarmonicsPerPass][HalfBlock];
+  alignas(64) float NodeSine[HarmonicsPerPass][HalfBlock];
 };
 
 /// Sines and cosines of (m + 1/2) delta, by rotation in double precision.
@@ -87,8 +85,8 @@ void FillNodeAngles(HarmonicPass& pass, const double* delta)
     // cos, sin of (m + 1/2) delta, each from the one before by the rotation delta
     for (int m = 0; m < HalfBlock; ++m)
     {
-      pass.NodeCosine[k][m / PackSize][m % PackSize] = static_cast<float>(c);
-      pass.NodeSine[k][m / PackSize][m % PackSize] = static_cast<float>(s);
+      pass.NodeCosine[k][m] = static_cast<float>(c);
+      pass.NodeSine[k][m] = static_cast<float>(s);
       const double next = c * turnCosine - s * turnSine;
       s = s * turnCosine + c * turnSine;
       c = next;
@@ -112,38 +110,63 @@ LITTORAL_SIMD_CLONES void TurnToNextBlock(HarmonicPass& pass, float* cosine, flo
   }
 }
 
-/// Adds the pass's harmonics to two blocks of nodes, whose states are given: a small matrix product.
-LITTORAL_SIMD_CLONES void AddTwoBlocks(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
+using EightFloats = float __attribute__((vector_size(8 * sizeof(float))));
+using FourFloats = float __attribute__((vector_size(4 * sizeof(float))));
+
+/// Adds the pass's harmonics to two blocks of nodes, whose states are given: a small matrix product. A part of each
+/// block at a time, two packs of nodes on either side of the center, so that all sums stay in registers.
+template <typename Pack>
+LITTORAL_INLINE void AddTwoBlocksBy(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
   const float (*sine)[HarmonicsPerPass], float* nodes)
 {
-  FloatPack even[2][HalfBlock / PackSize] = {};
-  FloatPack odd[2][HalfBlock / PackSize] = {};
-  for (int k = 0; k < pass.Count; ++k)
+  constexpr int lanes = sizeof(Pack) / sizeof(float);
+  for (int first = 0; first < HalfBlock; first += 2 * lanes)
   {
-    // even = sum_k A_k cos a_k cos theta_km, odd = sum_k A_k sin a_k sin theta_km
-    for (int p = 0; p < HalfBlock / PackSize; ++p)
+    Pack even[2][2] = {};
+    Pack odd[2][2] = {};
+    for (int k = 0; k < pass.Count; ++k)
     {
-      const FloatPack c = pass.NodeCosine[k][p];
-      const FloatPack s = pass.NodeSine[k][p];
-      for (int b = 0; b < 2; ++b)
+      // even = sum_k A_k cos a_k cos theta_km, odd = sum_k A_k sin a_k sin theta_km
+      for (int p = 0; p < 2; ++p)
       {
-        even[b][p] += cosine[b][k] * c;
-        odd[b][p] += sine[b][k] * s;
+        Pack c;
+        Pack s;
+        std::memcpy(&c, &pass.NodeCosine[k][first + p * lanes], sizeof(c));
+        std::memcpy(&s, &pass.NodeSine[k][first + p * lanes], sizeof(s));
+        for (int b = 0; b < 2; ++b)
+        {
+          even[b][p] += cosine[b][k] * c;
+          odd[b][p] += sine[b][k] * s;
+        }
+      }
+    }
+    for (int b = 0; b < 2; ++b)
+    {
+      float* center = nodes + b * Block + HalfBlock;
+      for (int m = 0; m < 2 * lanes; ++m)
+      {
+        const float e = even[b][m / lanes][m % lanes];
+        const float o = odd[b][m / lanes][m % lanes];
+        // sum_k A_k cos(a_k +- theta_km) = even -+ odd
+        center[first + m] += e - o;
+        center[-1 - first - m] += e + o;
       }
     }
   }
-  for (int b = 0; b < 2; ++b)
-  {
-    float* block = nodes + b * Block;
-    for (int m = 0; m < HalfBlock; ++m)
-    {
-      const float e = even[b][m / PackSize][m % PackSize];
-      const float o = odd[b][m / PackSize][m % PackSize];
-      // sum_k A_k cos(a_k +- theta_km) = even -+ odd
-      block[HalfBlock + m] += e - o;
-      block[HalfBlock - 1 - m] += e + o;
-    }
-  }
+}
+
+#if LITTORAL_HAS_SIMD_VERSIONS
+LITTORAL_AVX2_VERSION void AddTwoBlocks(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
+  const float (*sine)[HarmonicsPerPass], float* nodes)
+{
+  AddTwoBlocksBy<EightFloats>(pass, cosine, sine, nodes);
+}
+#endif
+
+LITTORAL_ANY_VERSION void AddTwoBlocks(const HarmonicPass& pass, const float (*cosine)[HarmonicsPerPass],
+  const float (*sine)[HarmonicsPerPass], float* nodes)
+{
+  AddTwoBlocksBy<FourFloats>(pass, cosine, sine, nodes);
 }
 
 /// Adds harmonics, given by amplitude, phase at node 0 and phase step from node to node, to nodes first, first + 1...
@@ -189,38 +212,65 @@ long long Floor(double position)
   return towardsZero - (static_cast<double>(towardsZero) > position ? 1 : 0);
 }
 
-/// Weights B_0(t) ... B_3(t) of the uniform cubic B-spline, 0 <= t < 1.
-void SplineWeights(double t, float* weights)
+/// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
+/// the cache. Rows lie a little farther apart, so that the values of a column share no set of the cache.
+constexpr int TileSize = MostPointsAtOnce;
+constexpr int TilePitch = TileSize + 16;
+
+/// Weights B_0(t) ... B_3(t) of the uniform cubic B-spline at the fractions of several lines, 0 <= t < 1.
+void SplineWeights(const double* fractions, TapWeights& weights)
 {
   const double sixth = 1.0 / 6.0;
-  const double u = 1.0 - t;
-  weights[0] = static_cast<float>(sixth * (u * u * u));
-  weights[1] = static_cast<float>(sixth * (4.0 - t * t * (6.0 - 3.0 * t)));
-  weights[2] = static_cast<float>(sixth * (4.0 - u * u * (6.0 - 3.0 * u)));
-  weights[3] = static_cast<float>(sixth * (t * t * t));
+  for (int n = 0; n < LinesAtOnce; ++n)
+  {
+    const double t = fractions[n];
+    const double u = 1.0 - t;
+    weights[0][n] = static_cast<float>(sixth * (u * u * u));
+    weights[1][n] = static_cast<float>(sixth * (4.0 - t * t * (6.0 - 3.0 * t)));
+    weights[2][n] = static_cast<float>(sixth * (4.0 - u * u * (6.0 - 3.0 * u)));
+    weights[3][n] = static_cast<float>(sixth * (t * t * t));
+  }
 }
 
-/// Lines whose tables are added to a row of points in one pass.
-constexpr int LinesAtOnce = 4;
+/// Side of the squares in which a tile is transposed.
+constexpr int Corner = 4;
+using CornerRow = float __attribute__((vector_size(Corner * sizeof(float))));
 
-LITTORAL_WIDE_SIMD_CLONES void AddShifted(
-  const float* const (*taps)[4], const float (*weights)[4], int count, float* __restrict sums)
+/// Adds a square of Corner x Corner sums, transposed: sums(j, i) += across(i, j).
+LITTORAL_INLINE void AddTransposedCorner(const float* across, float* sums)
 {
-  const auto* a = taps[0];
-  const auto* b = taps[1];
-  const auto* c = taps[2];
-  const auto* d = taps[3];
-  const auto* u = weights[0];
-  const auto* v = weights[1];
-  const auto* w = weights[2];
-  const auto* x = weights[3];
-  for (int i = 0; i < count; ++i)
+  CornerRow a[Corner];
+  for (int i = 0; i < Corner; ++i)
   {
-    const float A = (u[0] * a[0][i] + u[1] * a[1][i]) + (u[2] * a[2][i] + u[3] * a[3][i]);
-    const float B = (v[0] * b[0][i] + v[1] * b[1][i]) + (v[2] * b[2][i] + v[3] * b[3][i]);
-    const float C = (w[0] * c[0][i] + w[1] * c[1][i]) + (w[2] * c[2][i] + w[3] * c[3][i]);
-    const float D = (x[0] * d[0][i] + x[1] * d[1][i]) + (x[2] * d[2][i] + x[3] * d[3][i]);
-    sums[i] += (A + B) + (C + D);
+    std::memcpy(&a[i], across + static_cast<std::ptrdiff_t>(i) * TilePitch, sizeof(a[i]));
+  }
+  // Rows interleaved by two, then by one.
+  const CornerRow even[2] = { __builtin_shufflevector(a[0], a[2], 0, 4, 1, 5),
+    __builtin_shufflevector(a[0], a[2], 2, 6, 3, 7) };
+  const CornerRow odd[2] = { __builtin_shufflevector(a[1], a[3], 0, 4, 1, 5),
+    __builtin_shufflevector(a[1], a[3], 2, 6, 3, 7) };
+  const CornerRow columns[Corner] = { __builtin_shufflevector(even[0], odd[0], 0, 4, 1, 5),
+    __builtin_shufflevector(even[0], odd[0], 2, 6, 3, 7), __builtin_shufflevector(even[1], odd[1], 0, 4, 1, 5),
+    __builtin_shufflevector(even[1], odd[1], 2, 6, 3, 7) };
+  for (int j = 0; j < Corner; ++j)
+  {
+    CornerRow row;
+    std::memcpy(&row, sums + static_cast<std::ptrdiff_t>(j) * TilePitch, sizeof(row));
+    row += columns[j];
+    std::memcpy(sums + static_cast<std::ptrdiff_t>(j) * TilePitch, &row, sizeof(row));
+  }
+}
+
+/// Adds to a tile of rows one of columns; both are whole corners.
+void AddTransposed(const float* columnSums, int rows, int columns, float* rowSums)
+{
+  for (int j = 0; j < rows; j += Corner)
+  {
+    for (int i = 0; i < columns; i += Corner)
+    {
+      AddTransposedCorner(columnSums + static_cast<std::ptrdiff_t>(i) * TilePitch + j,
+        rowSums + static_cast<std::ptrdiff_t>(j) * TilePitch + i);
+    }
   }
 }
 
@@ -231,10 +281,6 @@ constexpr double SlopesThatMatter = 0.95;
 constexpr int FewestLines = 64;
 constexpr int MostLines = 1024;
 constexpr int BinsForLines = 200;
-
-/// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
-/// the cache.
-constexpr int TileSize = 256;
 
 // -------------------------------------------------------------------------------------------------------------------
 // What the lines carry.
@@ -534,7 +580,7 @@ void TurningBandsField::TabulateLine(std::size_t index)
     AddHarmonics(pass, &harmonics.Amplitude[k], &harmonics.Phase[k], &delta[k], line.FirstNode, nodes);
   }
   // Nodes that one row meets lie a stride apart: store them side by side.
-  line.Table.resize(nodes.size());
+  line.Table.resize(nodes.size() + Overrun);
   const std::size_t phases = std::size_t(1) << line.StrideBits;
   for (std::size_t n = 0; n < nodes.size(); ++n)
   {
@@ -543,37 +589,65 @@ void TurningBandsField::TabulateLine(std::size_t index)
 }
 
 /**
- * Adds lines that are along x to a tile: rows of points from row and column on, each row's sums TileSize after those of
- * the one before. For lines along y, rows and columns change places.
+ * Adds lines that are along x to a tile: rows of points from row and column on, each row's sums TilePitch after those
+ * of the one before. For lines along y, rows and columns change places.
  */
 void TurningBandsField::AddLines(
   const std::vector<const Line*>& lines, int row, int rows, int column, int columns, float* sums) const
 {
-  const float* taps[LinesAtOnce][4];
-  float weights[LinesAtOnce][4];
   for (std::size_t begin = 0; begin < lines.size(); begin += LinesAtOnce)
   {
+    // In the last pass, the last line fills empty places with weights of zero.
+    const std::size_t places = std::min<std::size_t>(LinesAtOnce, lines.size() - begin);
+    const Line* group[LinesAtOnce];
+    bool neighbors = true;
+    for (std::size_t n = 0; n < LinesAtOnce; ++n)
+    {
+      group[n] = lines[begin + std::min(n, places - 1)];
+      neighbors = neighbors && group[n]->StrideBits == 0;
+    }
     for (int j = 0; j < rows; ++j)
     {
-      for (std::size_t n = 0; n < LinesAtOnce; ++n)
+      double fractions[LinesAtOnce];
+      std::size_t starts[LinesAtOnce];
+      for (int n = 0; n < LinesAtOnce; ++n)
       {
-        // In the last pass, the last line fills empty places with weights of zero.
-        const bool empty = begin + n >= lines.size();
-        const Line& line = *lines[empty ? lines.size() - 1 : begin + n];
         // Algorithm 1, step 4: the projection x . u on the line, in nodes
+        const Line& line = *group[n];
         const double position = line.FirstPosition + line.Across * (row + j);
         const long long node = Floor(position);
-        SplineWeights(position - static_cast<double>(node), weights[n]);
-        const long long start = node - 1 - line.FirstNode + column * (1ll << line.StrideBits);
+        fractions[n] = position - static_cast<double>(node);
+        starts[n] = static_cast<std::size_t>(node - 1 - line.FirstNode + column * (1ll << line.StrideBits));
+      }
+      TapWeights weights;
+      SplineWeights(fractions, weights);
+      for (std::size_t n = places; n < LinesAtOnce; ++n)
+      {
+        weights[0][n] = weights[1][n] = weights[2][n] = weights[3][n] = 0.0f;
+      }
+      float* rowSums = sums + static_cast<std::ptrdiff_t>(j) * TilePitch;
+      if (neighbors)
+      {
+        const float* tables[LinesAtOnce];
+        for (int n = 0; n < LinesAtOnce; ++n)
+        {
+          tables[n] = group[n]->Table.data() + starts[n];
+        }
+        AddNeighborTaps(tables, weights, columns, rowSums);
+        continue;
+      }
+      const float* taps[LinesAtOnce][4];
+      for (int n = 0; n < LinesAtOnce; ++n)
+      {
+        const Line& line = *group[n];
         const std::size_t phases = (std::size_t(1) << line.StrideBits) - 1;
         for (int tap = 0; tap < 4; ++tap)
         {
-          const std::size_t place = static_cast<std::size_t>(start + tap);
+          const std::size_t place = starts[n] + static_cast<std::size_t>(tap);
           taps[n][tap] = line.Table.data() + (place & phases) * line.PhaseLength + (place >> line.StrideBits);
-          weights[n][tap] = empty ? 0.0f : weights[n][tap];
         }
       }
-      AddShifted(taps, weights, columns, sums + static_cast<std::ptrdiff_t>(j) * TileSize);
+      AddTaps(taps, weights, columns, rowSums);
     }
   }
 }
@@ -592,8 +666,8 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
   }
 
   std::vector<float> shortWaves;
-  std::vector<float> rowSums(TileSize * TileSize);
-  std::vector<float> columnSums(TileSize * TileSize);
+  std::vector<float> rowSums(TileSize * TilePitch);
+  std::vector<float> columnSums(TileSize * TilePitch);
   for (int tileRow = 0; tileRow < height; tileRow += TileSize)
   {
     const int rows = std::min(TileSize, height - tileRow);
@@ -606,17 +680,23 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
       std::fill(columnSums.begin(), columnSums.end(), 0.0f);
       this->AddLines(alongX, row, rows, column, columns, rowSums.data());
       this->AddLines(alongY, column, columns, row, rows, columnSums.data());
+      AddTransposed(columnSums.data(), rows, columns, rowSums.data());
       if (this->Short)
       {
         this->Short->Fill(column, row, columns, rows, shortWaves);
       }
+      else
+      {
+        shortWaves.assign(static_cast<std::size_t>(columns) * rows, 0.0f);
+      }
       for (int j = 0; j < rows; ++j)
       {
         float* out = values + static_cast<std::size_t>(tileRow + j) * width + tileColumn;
+        const float* longWaves = &rowSums[static_cast<std::size_t>(j) * TilePitch];
+        const float* shortRow = &shortWaves[static_cast<std::size_t>(j) * columns];
         for (int i = 0; i < columns; ++i)
         {
-          const float shortWave = this->Short ? shortWaves[static_cast<std::size_t>(j) * columns + i] : 0.0f;
-          out[i] = offsetF + scaleF * (rowSums[j * TileSize + i] + columnSums[i * TileSize + j] + shortWave);
+          out[i] = offsetF + scaleF * (longWaves[i] + shortRow[i]);
         }
       }
     }

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 using littoral::RandomPurpose;
@@ -38,6 +39,26 @@ TEST(RandomStream, WordsArePinned)
   for (int i = 0; i < 4; ++i)
   {
     EXPECT_EQ(words[i], expected[i]);
+  }
+}
+
+// Runs of draws are those drawn one by one: of every length about the group's, and where the lower word overflows.
+TEST(RandomStream, RunsOfDrawsAreTheDrawsOneByOne)
+{
+  const RandomStream stream(-5, RandomPurpose::ElevationLines);
+  for (const std::uint64_t first : { 0ull, 7ull, 0xfffffffaull, 0xfffffffffffffffaull })
+  {
+    for (const std::size_t count : { 0, 1, 3, 4, 5, 16, 21 })
+    {
+      const std::uint64_t object = (3ull << 32) + 0x80000001u;
+      std::vector<std::uint32_t> words(4 * count + 1, 77u);
+      stream.FillWords(object, first, count, words.data());
+      for (std::size_t n = 0; n < 4 * count; ++n)
+      {
+        ASSERT_EQ(words[n], stream.Words(object, first + n / 4)[n % 4]) << "first " << first << ", word " << n;
+      }
+      ASSERT_EQ(words[4 * count], 77u);
+    }
   }
 }
 
