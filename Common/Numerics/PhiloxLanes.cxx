@@ -31,7 +31,6 @@ template <std::size_t Lanes>
 struct Vectors
 {
   typedef std::uint64_t Words __attribute__((vector_size(8 * Lanes)));
-  typedef double Numbers __attribute__((vector_size(8 * Lanes)));
 };
 
 }
@@ -41,14 +40,13 @@ struct Vectors
 // 1. Counter (c0, c1, c2, c3) = object and draw, lower words first.
 // 2. Ten rounds: c0' = high(M1 c2) ^ c1 ^ k0, c1' = low(M1 c2), c2' = high(M0 c0) ^ c3 ^ k1, c3' = low(M0 c0); the key
 //    (k0, k1) grows by Weyl's constants. What is left above a low word is never read.
-// 3. 1 + b 2^-52 from the 52 upper bits b of two words, less 1 and plus 2^-53: the middle of a cell, without rounding.
+// 3. Bits c0 2^32 + c1 and c2 2^32 + c3.
 #define LITTORAL_PHILOX(lanes, instructions, Product)                                                                  \
   __attribute__((target(instructions))) static void PhiloxOf##lanes(const std::array<std::uint32_t, 2>& key,           \
-    std::size_t count, const std::uint64_t* objects, const std::uint64_t* draws, double* first, double* second)        \
+    std::size_t count, const std::uint64_t* objects, const std::uint64_t* draws, std::uint64_t* first,                 \
+    std::uint64_t* second)                                                                                             \
   {                                                                                                                    \
     using Words = Vectors<lanes>::Words;                                                                               \
-    using Numbers = Vectors<lanes>::Numbers;                                                                           \
-    constexpr std::uint64_t one = 0x3FF0000000000000;                                                                  \
     const Words m0 = Words{} + std::uint64_t{ 0xD2511F53 };                                                            \
     const Words m1 = Words{} + std::uint64_t{ 0xCD9E8D57 };                                                            \
     for (std::size_t n = 0; n < count; n += (lanes))                                                                   \
@@ -73,10 +71,10 @@ struct Vectors
         k1 += 0xBB67AE85u;                                                                                             \
       }                                                                                                                \
       const Words low = Words{} + std::uint64_t{ 0xFFFFFFFF };                                                         \
-      const Numbers u0 = (Numbers)(((c0 & low) << 20) | ((c1 & low) >> 12) | one) - 1.0 + 0x1p-53;                     \
-      const Numbers u1 = (Numbers)(((c2 & low) << 20) | ((c3 & low) >> 12) | one) - 1.0 + 0x1p-53;                     \
-      std::memcpy(first + n, &u0, sizeof(u0));                                                                         \
-      std::memcpy(second + n, &u1, sizeof(u1));                                                                        \
+      const Words b0 = (c0 << 32) | (c1 & low);                                                                        \
+      const Words b1 = (c2 << 32) | (c3 & low);                                                                        \
+      std::memcpy(first + n, &b0, sizeof(b0));                                                                         \
+      std::memcpy(second + n, &b1, sizeof(b1));                                                                        \
     }                                                                                                                  \
   }
 
@@ -100,8 +98,8 @@ std::array<std::size_t, 3> PhiloxWidths()
   return { 2, 0, 0 };
 }
 
-std::size_t PhiloxPairsOfWidth(std::size_t lanes, const std::array<std::uint32_t, 2>& key, std::size_t count,
-  const std::uint64_t* objects, const std::uint64_t* draws, double* first, double* second)
+std::size_t PhiloxBitsOfWidth(std::size_t lanes, const std::array<std::uint32_t, 2>& key, std::size_t count,
+  const std::uint64_t* objects, const std::uint64_t* draws, std::uint64_t* first, std::uint64_t* second)
 {
   const std::size_t whole = count / lanes * lanes;
   const auto pairs = lanes == 8 ? PhiloxOf8 : lanes == 4 ? PhiloxOf4 : PhiloxOf2;
@@ -109,10 +107,10 @@ std::size_t PhiloxPairsOfWidth(std::size_t lanes, const std::array<std::uint32_t
   return whole;
 }
 
-std::size_t PhiloxPairs(const std::array<std::uint32_t, 2>& key, std::size_t count, const std::uint64_t* objects,
-  const std::uint64_t* draws, double* first, double* second)
+std::size_t PhiloxBits(const std::array<std::uint32_t, 2>& key, std::size_t count, const std::uint64_t* objects,
+  const std::uint64_t* draws, std::uint64_t* first, std::uint64_t* second)
 {
-  return PhiloxPairsOfWidth(PhiloxWidths()[0], key, count, objects, draws, first, second);
+  return PhiloxBitsOfWidth(PhiloxWidths()[0], key, count, objects, draws, first, second);
 }
 
 #else
@@ -122,14 +120,14 @@ std::array<std::size_t, 3> PhiloxWidths()
   return { 0, 0, 0 };
 }
 
-std::size_t PhiloxPairsOfWidth(std::size_t, const std::array<std::uint32_t, 2>&, std::size_t, const std::uint64_t*,
-  const std::uint64_t*, double*, double*)
+std::size_t PhiloxBitsOfWidth(std::size_t, const std::array<std::uint32_t, 2>&, std::size_t, const std::uint64_t*,
+  const std::uint64_t*, std::uint64_t*, std::uint64_t*)
 {
   return 0;
 }
 
-std::size_t PhiloxPairs(
-  const std::array<std::uint32_t, 2>&, std::size_t, const std::uint64_t*, const std::uint64_t*, double*, double*)
+std::size_t PhiloxBits(const std::array<std::uint32_t, 2>&, std::size_t, const std::uint64_t*, const std::uint64_t*,
+  std::uint64_t*, std::uint64_t*)
 {
   return 0;
 }

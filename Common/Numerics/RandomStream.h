@@ -75,6 +75,9 @@ public:
   std::array<double, 2> NormalPair(std::uint64_t object, std::uint64_t draw) const;
 
 private:
+  void FillBits(std::size_t count, const std::uint64_t* objects, const std::uint64_t* draws, std::uint64_t* first,
+    std::uint64_t* second) const;
+
   std::array<std::uint32_t, 2> Key;
 };
 

@@ -80,9 +80,11 @@ public:
   {
     const double cut = LowestWaveNumber(field);
     const double lowest = cut > 0.0 ? cut : 1e-4 * crossover.Low;
-    for (double w = lowest; w < crossover.Low; w *= 2.0)
+    double octave = lowest;
+    while (octave < crossover.Low)
     {
-      this->Waves.AddPanel(w, std::min(2.0 * w, crossover.Low));
+      this->Waves.AddPanel(octave, std::min(2.0 * octave, crossover.Low));
+      octave *= 2.0;
     }
     const double first = std::max(lowest, crossover.Low);
     for (int panel = 0; panel < 4 && first < crossover.High; ++panel)

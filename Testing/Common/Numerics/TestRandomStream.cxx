@@ -143,7 +143,7 @@ TEST(RandomStream, ManyPairsAreThoseDrawnOneByOne)
   }
 }
 
-TEST(RandomStream, VectorsOfAnyWidthGiveTheSamePairs)
+TEST(RandomStream, VectorsOfAnyWidthGiveTheSameWords)
 {
   const RandomStream random(77, RandomPurpose::QuadratCounts);
   const std::array<std::uint32_t, 2> key = { 77, static_cast<std::uint32_t>(RandomPurpose::QuadratCounts) };
@@ -155,16 +155,17 @@ TEST(RandomStream, VectorsOfAnyWidthGiveTheSamePairs)
     {
       continue;
     }
-    std::vector<double> first(count);
-    std::vector<double> second(count);
-    const std::size_t done = littoral::PhiloxPairsOfWidth(
+    std::vector<std::uint64_t> first(count);
+    std::vector<std::uint64_t> second(count);
+    const std::size_t done = littoral::PhiloxBitsOfWidth(
       lanes, key, count - 1, counters.Objects.data(), counters.Draws.data(), first.data(), second.data());
     EXPECT_EQ(done, (count - 1) / lanes * lanes);
     for (std::size_t n = 0; n < done; ++n)
     {
-      const auto pair = random.UniformPair(counters.Objects[n], counters.Draws[n]);
-      ASSERT_EQ(first[n], pair[0]) << n << " of " << lanes << " lanes";
-      ASSERT_EQ(second[n], pair[1]) << n << " of " << lanes << " lanes";
+      const auto words = random.Words(counters.Objects[n], counters.Draws[n]);
+      const std::uint64_t upper = 0x100000000;
+      ASSERT_EQ(first[n], words[0] * upper + words[1]) << n << " of " << lanes << " lanes";
+      ASSERT_EQ(second[n], words[2] * upper + words[3]) << n << " of " << lanes << " lanes";
     }
   }
 }
