@@ -6,7 +6,7 @@ import resource
 
 import numpy as np
 from littoral import vtkBeamTreeDeformationFilter, vtkGardnerPlantSource, vtkPlantScatterFilter, vtkReevesTreeSource
-from littoral import vtkWindFieldSource
+from littoral import vtkSeaweedSource, vtkWindFieldSource
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
@@ -28,9 +28,9 @@ def sites(count, side):
 
 
 def prototypes():
-    tree, shrub = vtkReevesTreeSource(), vtkGardnerPlantSource()
+    tree = vtkReevesTreeSource()
     tree.SetNumberOfLeaves(60)
-    return tree, shrub
+    return tree, vtkGardnerPlantSource(), vtkSeaweedSource()
 
 
 def scattered(points, form, *, culling=True, of=None):
@@ -86,7 +86,7 @@ def compare(merged, forest):
     of_plants, feet = arrays(instances), points_of(instances)
     assert instances.GetNumberOfVerts() == len(feet) == len(of_plants["Prototype"])
     assert (of_plants["Prototype"] == 1 + 3 * of_plants["Species"] + of_plants["Level"]).all()
-    assert set(of_plants["Level"]) == {0, 1, 2} and set(of_plants["Species"]) == {0, 1}, "too few kinds to compare"
+    assert set(of_plants["Level"]) == {0, 1, 2} and set(of_plants["Species"]) == {0, 1, 2}, "too few kinds to compare"
     compared = 0
     for level, part in PARTS:
         of_forest = block(merged, level, part) if level != "Low" else block(merged, level)
@@ -154,7 +154,7 @@ pieces = []
 for piece in range(3):
     forest.UpdatePiece(piece, 3, 0)
     pieces.append(arrays(block(forest.GetOutputDataObject(0), "Instances"))["PlantId"].copy())
-    assert forest.GetOutputDataObject(0).GetNumberOfBlocks() == 7
+    assert forest.GetOutputDataObject(0).GetNumberOfBlocks() == 10
 assert min(len(piece) for piece in pieces) > 0 and (np.concatenate(pieces) == whole).all()
 
 # No plant in sight: the block is there, without points.
