@@ -102,9 +102,9 @@ outlines.append((picture(view) != [0, 0, 255]).any(axis=2))
 changed = (outlines[0] != outlines[1]).mean()
 assert 0.2 < outlines[0].mean() < 0.9 and changed < 0.002, f"{changed} of the pixels differ in outline"
 
-for ranks in (1, 2) if shutil.which("mpirun") else (1,):
-    with connected(PORT + ranks, ranks):
-        view, forest, shown = scene()
-        for threshold, where in ((0.0, "rendered by the server"), (1e5, "rendered by the client")):
-            simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = threshold
-            check_forms(view, forest, shown, f"{where}, {ranks} ranks")
+ranks = 2 if shutil.which("mpirun") else 1
+with connected(PORT, ranks):
+    view, forest, shown = scene()
+    for threshold, where in ((0.0, "rendered by the server"), (1e5, "rendered by the client")):
+        simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = threshold
+        check_forms(view, forest, shown, f"{where}, {ranks} ranks")

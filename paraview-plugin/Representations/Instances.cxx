@@ -24,6 +24,20 @@ vtkDataArray* ArrayWith(vtkFieldData* arrays, const char* name, int components)
   return array && array->GetNumberOfComponents() == components ? array : nullptr;
 }
 
+bool ArePoints(vtkPolyData* block)
+{
+  vtkPointData* arrays = block ? block->GetPointData() : nullptr;
+  return ArrayWith(arrays, PrototypeName, 1) && ArrayWith(arrays, "Rotation", 4) && ArrayWith(arrays, "Scale", 1) &&
+    ArrayWith(arrays, "Tint", 3);
+}
+
+/// The index of a block among the prototypes; -1 if it is none.
+int PrototypeIndex(vtkPolyData* block)
+{
+  vtkDataArray* index = block ? ArrayWith(block->GetFieldData(), PrototypeName, 1) : nullptr;
+  return index && index->GetNumberOfTuples() > 0 ? static_cast<int>(index->GetTuple1(0)) : -1;
+}
+
 using Vector = std::array<double, 3>;
 
 Vector Cross(const double a[3], const Vector& b)
@@ -44,49 +58,37 @@ Vector Rotated(const double quaternion[4], const Vector& v)
 }
 
 //----------------------------------------------------------------------------
-bool AreInstances(vtkDataObject* block)
+InstancedBlocks InstancesIn(vtkDataObject* data)
 {
-  auto* points = vtkPolyData::SafeDownCast(block);
-  vtkPointData* arrays = points ? points->GetPointData() : nullptr;
-  return ArrayWith(arrays, PrototypeName, 1) && ArrayWith(arrays, "Rotation", 4) && ArrayWith(arrays, "Scale", 1) &&
-    ArrayWith(arrays, "Tint", 3);
-}
-
-//----------------------------------------------------------------------------
-int PrototypeIndex(vtkDataObject* block)
-{
-  auto* polygons = vtkPolyData::SafeDownCast(block);
-  vtkDataArray* index = polygons ? ArrayWith(polygons->GetFieldData(), PrototypeName, 1) : nullptr;
-  return index && index->GetNumberOfTuples() > 0 ? static_cast<int>(index->GetTuple1(0)) : -1;
-}
-
-//----------------------------------------------------------------------------
-void EachPrototype(vtkDataObject* tree, const std::function<void(vtkPolyData*, vtkPolyData*)>& call)
-{
-  auto* blocks = vtkDataObjectTree::SafeDownCast(tree);
-  if (!blocks)
+  InstancedBlocks found;
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
   {
-    return;
+    return found;
   }
-  vtkPolyData* instances = nullptr;
-  const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(blocks->NewTreeIterator());
+  vtkPolyData* points = nullptr;
+  const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
-    vtkDataObject* block = leaf->GetCurrentDataObject();
-    if (AreInstances(block))
+    auto* block = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject());
+    if (ArePoints(block))
     {
-      instances = vtkPolyData::SafeDownCast(block);
+      points = block;
+      found.Blocks.insert(block);
     }
-    else if (instances && PrototypeIndex(block) >= 0)
+    else if (points && PrototypeIndex(block) >= 0)
     {
-      call(instances, vtkPolyData::SafeDownCast(block));
+      found.Pairs.push_back({ points, block });
+      found.Blocks.insert(block);
     }
   }
+  return found;
 }
 
 //----------------------------------------------------------------------------
-std::shared_ptr<const InstanceBatch> BatchOf(vtkPolyData* instances, vtkPolyData* prototype)
+std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair)
 {
+  const auto& [instances, prototype] = pair;
   auto batch = std::make_shared<InstanceBatch>();
   vtkPointData* arrays = instances->GetPointData();
   vtkDataArray* prototypes = arrays->GetArray(PrototypeName);

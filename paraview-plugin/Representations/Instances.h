@@ -6,8 +6,8 @@
 #include "vtkBoundingBox.h" // for the bounds of instances
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 class vtkDataObject;
@@ -16,15 +16,24 @@ class vtkPolyData;
 namespace littoral
 {
 
-/// Whether a block is points that place prototypes: with the arrays Prototype, Rotation, Scale and Tint.
-bool AreInstances(vtkDataObject* block);
+/**
+ * What of a tree of blocks is instances: points with the arrays Prototype, Rotation, Scale and Tint, and behind them
+ * the blocks that they place, which have their index as the field array Prototype.
+ */
+struct InstancedBlocks
+{
+  /// Points and a prototype of theirs.
+  struct Pair
+  {
+    vtkPolyData* Points;
+    vtkPolyData* Prototype;
+  };
+  std::vector<Pair> Pairs;
+  std::set<vtkDataObject*> Blocks; ///< all of both kinds
+};
 
-/// The index of a block among the prototypes, its field array Prototype; -1 if it is none.
-int PrototypeIndex(vtkDataObject* block);
-
-/// Calls a function with each prototype of a tree and the points before it.
-void EachPrototype(
-  vtkDataObject* tree, const std::function<void(vtkPolyData* instances, vtkPolyData* prototype)>& call);
+/// The instances in a tree; none in other data.
+InstancedBlocks InstancesIn(vtkDataObject* data);
 
 /// The instances of one prototype.
 struct InstanceBatch
@@ -37,7 +46,7 @@ struct InstanceBatch
 };
 
 /// What the points say of a prototype's instances. Blocks whose field array Tinted is 0 have a tint of 1.
-std::shared_ptr<const InstanceBatch> BatchOf(vtkPolyData* instances, vtkPolyData* prototype);
+std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair);
 
 }
 

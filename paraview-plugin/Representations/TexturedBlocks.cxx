@@ -134,16 +134,11 @@ void TexturedBlocks::Split(vtkDataObject* data)
   }
   this->Parts.push_back(Branches(tree));
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
-  bool hasInstances = false;
+  const InstancedBlocks instanced = InstancesIn(tree);
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     vtkSmartPointer<vtkDataObject> block = leaf->GetCurrentDataObject();
-    if (AreInstances(block))
-    {
-      hasInstances = true;
-      continue;
-    }
-    if (hasInstances && PrototypeIndex(block) >= 0)
+    if (instanced.Blocks.count(block) > 0)
     {
       continue;
     }
@@ -157,14 +152,15 @@ void TexturedBlocks::Split(vtkDataObject* data)
     PartOfTree& part = isTextured ? this->Parts.back() : this->Parts.front();
     vtkDataObjectTree::SafeDownCast(part.Tree)->SetDataSetFrom(leaf, block);
   }
-  EachPrototype(tree, [&](vtkPolyData* instances, vtkPolyData* prototype) {
+  for (const InstancedBlocks::Pair& pair : instanced.Pairs)
+  {
     PartOfTree part = Branches(tree);
-    const auto block = WithCoordinates(prototype);
+    const auto block = WithCoordinates(pair.Prototype);
     part.Textured = BlockActor::IsTextured(block) ? block : nullptr;
     part.Prototype = vtkPolyData::SafeDownCast(block);
-    part.Instances = BatchOf(instances, prototype);
+    part.Instances = BatchOf(pair);
     this->Parts.push_back(part);
-  });
+  }
   if (this->Parts.size() == 1)
   {
     this->Parts.clear();

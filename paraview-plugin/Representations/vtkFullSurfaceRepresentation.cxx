@@ -127,11 +127,10 @@ void vtkFullSurfaceRepresentation::TakeBoundsOfPoints()
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   this->PopulateBlockAttributes(attributes, data);
   vtkBoundingBox bounds;
-  bool hasInstances = false;
+  const littoral::InstancedBlocks instanced = littoral::InstancesIn(data);
   const auto add = [&](vtkDataObject* leaf) {
     auto* surface = vtkPolyData::SafeDownCast(leaf);
-    hasInstances = hasInstances || littoral::AreInstances(leaf);
-    if (surface && surface->GetNumberOfPoints() > 0 && !(hasInstances && littoral::PrototypeIndex(leaf) >= 0))
+    if (surface && surface->GetNumberOfPoints() > 0 && instanced.Blocks.count(leaf) == 0)
     {
       bounds.AddBounds(surface->GetPoints()->GetBounds());
     }
@@ -139,9 +138,10 @@ void vtkFullSurfaceRepresentation::TakeBoundsOfPoints()
   };
   if (EachVisible(data, attributes, add))
   {
-    littoral::EachPrototype(data, [&bounds](vtkPolyData* instances, vtkPolyData* prototype) {
-      bounds.AddBox(littoral::BatchOf(instances, prototype)->Bounds);
-    });
+    for (const auto& pair : instanced.Pairs) // drawn whether their blocks are visible or not
+    {
+      bounds.AddBox(littoral::BatchOf(pair)->Bounds);
+    }
     bounds.GetBounds(this->VisibleDataBounds);
     this->VisibleDataBoundsTime.Modified();
   }

@@ -5,7 +5,9 @@
  * @brief   a surface with the textures of its blocks, not decimated while the camera moves
  *
  * Each block that carries a texture as field data (littoral::BlockActor) is drawn with it; ParaView 5.11 has one
- * texture for all blocks. Visibility, color and opacity of blocks, selection and picking are those of a surface.
+ * texture for all blocks. Visibility, color and opacity of blocks, selection and picking are those of a surface. Blocks
+ * that points place as instances (littoral::InstancedBlocks), such as those of vtkPlantScatterFilter, are drawn at each
+ * point, and cannot be picked.
  *
  * Interactive pictures of a large scene show what a representation offers as its level of detail. Here it is the
  * surface itself: data that follow the camera have levels of detail of their own, and a new surface is shown in the
