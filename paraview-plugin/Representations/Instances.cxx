@@ -6,6 +6,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -36,23 +37,6 @@ int PrototypeIndex(vtkPolyData* block)
 {
   vtkDataArray* index = block ? ArrayWith(block->GetFieldData(), PrototypeName, 1) : nullptr;
   return index && index->GetNumberOfTuples() > 0 ? static_cast<int>(index->GetTuple1(0)) : -1;
-}
-
-using Vector = std::array<double, 3>;
-
-Vector Cross(const double a[3], const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-/// v + 2 q x (q x v + w v), of a quaternion w, q.
-Vector Rotated(const double quaternion[4], const Vector& v)
-{
-  const double w = quaternion[0];
-  const double* q = quaternion + 1;
-  const Vector inner = Cross(q, v);
-  const Vector outer = Cross(q, { inner[0] + w * v[0], inner[1] + w * v[1], inner[2] + w * v[2] });
-  return { v[0] + 2.0 * outer[0], v[1] + 2.0 * outer[1], v[2] + 2.0 * outer[2] };
 }
 
 }
@@ -119,9 +103,10 @@ std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair)
     }
     for (int corner = 0; corner < 8 && box.IsValid(); ++corner)
     {
-      Vector at{};
-      box.GetCorner(corner, at.data());
-      at = Rotated(rotation.data(), at);
+      std::array<double, 3> own{};
+      std::array<double, 3> at{};
+      box.GetCorner(corner, own.data());
+      vtkMath::RotateVectorByNormalizedQuaternion(own.data(), rotation.data(), at.data());
       batch->Bounds.AddPoint(place[0] + scale * at[0], place[1] + scale * at[1], place[2] + scale * at[2]);
     }
   }
