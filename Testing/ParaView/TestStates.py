@@ -33,6 +33,13 @@ def forest():
     return [simple.PlantScatter(Sites=sites, Prototypes=[tree], NearDistance=30.0, FarDistance=120.0)]
 
 
+def instances():
+    """The same forest as instances."""
+    made = forest()
+    made[0].OutputForm = "Instances"
+    return made
+
+
 def swaying_tree():
     """A tree in the wind at a time."""
     wind = simple.WindField(Dimensions=[100, 16, 8], ReferenceSpeed=14.0)
@@ -52,8 +59,9 @@ def kelp():
     return [simple.SeaweedDeformation(Input=simple.Seaweed(Seed=3), SeaState=sea, StartTime=0.0)]
 
 
-PIPELINES = {"twin": twin, "forest": forest, "tree": swaying_tree, "particles": particles, "kelp": kelp}
-TIMES = {"twin": 0.0, "forest": 0.0, "tree": 2.5, "particles": 3.0, "kelp": 1.5}  # [s]
+PIPELINES = {"twin": twin, "forest": forest, "instances": instances, "tree": swaying_tree, "particles": particles,
+             "kelp": kelp}
+TIMES = {"twin": 0.0, "forest": 0.0, "instances": 0.0, "tree": 2.5, "particles": 3.0, "kelp": 1.5}  # [s]
 
 
 def build(name):
