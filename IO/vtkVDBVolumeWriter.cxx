@@ -70,6 +70,18 @@ std::string WhyUnfit(const littoral::VolumeInput& input)
   return {};
 }
 
+/// Gives the only volume a name, unless that is empty. Why it cannot; empty if it can.
+std::string NameVolumes(std::vector<littoral::Volume>& volumes, const std::string& name)
+{
+  if (!name.empty() && volumes.size() > 1)
+  {
+    return "GridName is '" + name + "', but there are " + std::to_string(volumes.size()) +
+      " volumes; choose one array, or leave GridName empty.";
+  }
+  volumes.front().Name = name.empty() ? volumes.front().Name : name;
+  return {};
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -237,6 +249,10 @@ void vtkVDBVolumeWriter::WriteData()
     if (outcome.Reason.empty())
     {
       littoral::JoinVolumes(input.Volumes);
+      outcome.Reason = NameVolumes(input.Volumes, this->GridName);
+    }
+    if (outcome.Reason.empty())
+    {
       const double steps = std::max(1, this->NumberOfSteps);
       this->SetProgressText("Writing volumes");
       outcome = littoral::WriteVolumes(this->StepFileName(), input.Volumes, input.Remarks,
@@ -265,6 +281,7 @@ void vtkVDBVolumeWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "HalfFloat: " << (this->HalfFloat ? "on" : "off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "GridName: " << this->GridName << "\n";
   os << indent << "Compression: " << this->Compression << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "on" : "off") << "\n";
   os << indent << "FileNameSuffix: " << this->FileNameSuffix << "\n";

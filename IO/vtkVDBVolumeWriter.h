@@ -35,7 +35,7 @@
 #include "vtkNew.h"           // for the selections
 #include "vtkWriter.h"
 
-#include <string> // for FileNameSuffix
+#include <string> // for GridName
 
 class vtkDataArraySelection;
 class vtkMultiProcessController;
@@ -79,6 +79,15 @@ public:
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the grid in the file; default empty, the name of the array. Renderers know smoke and fog by the name
+   * `density`. Only an input with one volume, of one array, may have it; more are an error.
+   */
+  vtkSetMacro(GridName, std::string);
+  vtkGetMacro(GridName, std::string);
   ///@}
 
   ///@{
@@ -162,6 +171,7 @@ private:
   char* FileName = nullptr;
   bool HalfFloat = false;
   double Tolerance = 0.0;
+  std::string GridName;
   int Compression = Blosc;
   bool WriteAllTimeSteps = false;
   std::string FileNameSuffix = "_%04d";

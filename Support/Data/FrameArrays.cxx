@@ -11,11 +11,14 @@ namespace littoral
 
 void FrameArrays::BeginFrame()
 {
-  // What is free now, and was not given to the last frame, was of no use to it.
-  const auto useless = [](vtkDataArray* array) { return !array || array->GetReferenceCount() == 1; };
-  this->Former.erase(std::remove_if(this->Former.begin(), this->Former.end(), useless), this->Former.end());
   this->Former.insert(this->Former.end(), this->Given.begin(), this->Given.end());
   this->Given.clear();
+}
+
+void FrameArrays::EndFrame()
+{
+  const auto isUseless = [](vtkDataArray* array) { return !array || array->GetReferenceCount() == 1; };
+  this->Former.erase(std::remove_if(this->Former.begin(), this->Former.end(), isUseless), this->Former.end());
 }
 
 vtkSmartPointer<vtkFloatArray> FrameArrays::Like(vtkFloatArray* other)

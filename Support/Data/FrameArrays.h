@@ -20,13 +20,16 @@ namespace littoral
 /**
  * Arrays that a filter fills anew for each frame. An array that nobody else holds any more is filled again: new memory
  * costs a page fault for each 4 KiB, which takes as long as to move the points in it. An array that is still held, as
- * that of the picture on the screen, stays as it is. What one whole frame has not taken is given back.
+ * that of the picture on the screen, stays as it is.
  */
 class FrameArrays
 {
 public:
   /// A new frame begins: the arrays of the last one may be taken.
   void BeginFrame();
+
+  /// The frame has all its arrays: free ones that it has not taken are given back.
+  void EndFrame();
 
   /// An array with a name and room for tuples, not filled.
   template <typename Array>

@@ -69,6 +69,7 @@ void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& 
   {
     moved.emplace_back(skin.Rest, arrays);
   }
+  arrays.EndFrame();
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
   std::vector<JointChange> changes(scene.GetStand().GetSkeleton().Nodes.size());
   std::mutex adding;

@@ -343,6 +343,7 @@ void SwayBlocks::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDa
       ReplaceBlock(output, level, this->MovedLevel(level, rest, moved));
     }
   }
+  this->Arrays.EndFrame();
 }
 
 //----------------------------------------------------------------------------

@@ -531,6 +531,38 @@ bool CheckSeries()
   return good;
 }
 
+/// One array under the name that renderers know; two volumes cannot have it.
+bool CheckGridName()
+{
+  vtkNew<vtkWindFieldSource> wind;
+  wind->SetDimensions(10, 4, 3);
+  vtkNew<Writer> writer;
+  writer->SetInputConnection(wind->GetOutputPort());
+  writer->SetFileName(InFolder("named.vdb").c_str());
+  writer->SetGridName("density");
+  bool good = Check(writer->Write() == 1, "The named grid failed");
+  const Read read = ReadFile("named.vdb");
+  const auto grid = read.Get<openvdb::Vec3SGrid>("density");
+  wind->Update();
+  vtkImageData* image = wind->GetOutput();
+  good &= Check(LargestDifference(image, *grid, image->GetPointData()->GetArray("Velocity"), false) == 0.0, "Its values");
+
+  vtkNew<vtkImageData> two;
+  two->DeepCopy(image);
+  vtkNew<vtkFloatArray> more;
+  more->SetName("More");
+  more->SetNumberOfTuples(two->GetNumberOfPoints());
+  more->FillValue(1.0f);
+  two->GetPointData()->AddArray(more);
+  writer->SetInputData(two);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(writer);
+  good &= errors->ExpectOneNaming("GridName");
+  writer->GetPointDataArraySelection()->DisableArray("More");
+  good &= Check(writer->Write() == 1 && ReadFile("named.vdb").Get<openvdb::Vec3SGrid>("density"), "The chosen array");
+  return good;
+}
+
 /// Each breaks an image or a writer; the message must hold the word.
 struct BadCase
 {
@@ -746,7 +778,7 @@ int TestVDBVolumeWriter(int argc, char* argv[])
     bool (*Run)();
   } checks[] = { { "values and places", CheckValuesAndPlaces }, { "straight maps", CheckStraightMaps },
     { "half precision", CheckHalf }, { "tolerance", CheckTolerance }, { "composites", CheckComposites },
-    { "selection", CheckSelection }, { "bytes", CheckBytes }, { "series", CheckSeries }, { "bad input", CheckBadInput },
+    { "selection", CheckSelection }, { "bytes", CheckBytes }, { "series", CheckSeries }, { "grid name", CheckGridName }, { "bad input", CheckBadInput },
     { "unwritable folder", CheckUnwritableFolder }, { "link", CheckLink }, { "full disk", CheckFullDisk },
     { "abort", CheckAbort } };
   bool good = true;
