@@ -63,8 +63,41 @@ struct SceneMesh
   std::vector<std::uint32_t> Triangles;
   std::vector<std::uint32_t> Lines; ///< pairs
   std::vector<std::uint32_t> Points;
+  std::vector<std::uint16_t> JointIds; ///< four of the skin's joints
+  std::vector<float> JointWeights;     ///< four, with the sum 1
+
+  /// Where the vertices go: differences of positions [m] and normals.
+  struct Target
+  {
+    std::vector<float> Positions;
+    std::vector<float> Normals;
+  };
+  std::vector<Target> Targets;
+  std::vector<SceneMesh> More; ///< parts with vertices and materials of their own
 
   std::size_t GetNumberOfVertices() const { return this->Positions.size() / 3; }
+};
+
+/// Joints that move a mesh.
+struct SceneSkin
+{
+  std::vector<int> Joints; ///< nodes
+  int Binding = -1;
+};
+
+/// Positions of joints at rest, where they are not rotated, in the space of the mesh [m].
+struct SceneBinding
+{
+  std::vector<float> Rests;
+};
+
+/// How a node moves, a sample for each time of the scene; what is empty does not move.
+struct SceneTrack
+{
+  int Node = -1;
+  std::vector<std::int16_t> Rotations; ///< quaternions x, y, z, w times 32767
+  std::vector<float> Translations;     ///< [m]
+  std::vector<float> Weights;          ///< one for each target of the mesh
 };
 
 /// Places of a mesh, one tuple an instance.
@@ -83,6 +116,7 @@ struct SceneNode
   std::array<double, 4> Rotation{ { 0.0, 0.0, 0.0, 1.0 } }; ///< quaternion x, y, z, w
   double Scale = 1.0;
   int Mesh = -1;
+  int Skin = -1;
   int Instances = -1;    ///< places of the mesh; -1: one, at the node
   bool IsTinted = false; ///< whether the tints of the instances hold
   std::optional<std::array<double, 3>> Tint;
@@ -113,7 +147,12 @@ struct Scene
   std::vector<SceneMesh> Meshes;
   std::vector<SceneInstances> Instances;
   std::vector<SceneNode> Nodes;
-  std::vector<int> Sources; ///< nodes
+  std::vector<int> Sources; ///< nodes below the root
+  std::vector<int> Skinned; ///< nodes beside the root: meshes with a skin, whose place is that of their joints
+  std::vector<SceneBinding> Bindings;
+  std::vector<SceneSkin> Skins;
+  std::vector<float> Times; ///< [s]
+  std::vector<SceneTrack> Tracks;
   std::optional<SceneCamera> Camera;
   std::optional<SceneSun> Sun;
   std::string Extras; ///< an object as JSON, or nothing

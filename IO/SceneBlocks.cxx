@@ -3,7 +3,9 @@
 #include "SceneBlocks.h"
 
 #include "Data/ArrayReader.h"
+#include "Data/JointBlock.h"
 #include "Data/PlantBlocks.h"
+#include "Data/PlantTable.h"
 #include "Data/SeaweedBlocks.h"
 
 #include "vtkCompositeDataSet.h"
@@ -40,6 +42,12 @@ float LinearFactor(double factor)
 }
 
 //----------------------------------------------------------------------------
+bool IsComposite(vtkDataObject* data)
+{
+  return data && data->IsA("vtkCompositeDataSet");
+}
+
+//----------------------------------------------------------------------------
 std::vector<NamedBlock> NamedBlocks(vtkMultiBlockDataSet* blocks)
 {
   std::vector<NamedBlock> named;
@@ -49,7 +57,7 @@ std::vector<NamedBlock> NamedBlocks(vtkMultiBlockDataSet* blocks)
       blocks->HasMetaData(index) ? blocks->GetMetaData(index)->Get(vtkCompositeDataSet::NAME()) : nullptr;
     if (blocks->GetBlock(index))
     {
-      named.push_back({ name && *name ? name : "Block " + std::to_string(index), blocks->GetBlock(index) });
+      named.push_back({ name && *name ? name : "Block " + std::to_string(index), blocks->GetBlock(index), index });
     }
   }
   return named;
@@ -87,6 +95,54 @@ SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bo
     : points.Has("ParticleId")  ? SceneKind::Particle
     : points.Has("Elevation")   ? SceneKind::Ground
                                 : SceneKind::Plain;
+}
+
+//----------------------------------------------------------------------------
+std::string WhyNoJoints(vtkPolyData* joints, const std::string& owner)
+{
+  ArrayReader arrays = ArrayReader::OfPoints(joints, "the joints of " + owner);
+  vtkDataArray* points = joints->GetPoints() ? joints->GetPoints()->GetData() : nullptr;
+  arrays.NeedFinite(arrays.Fit<vtkFloatArray>(points, 3));
+  arrays.NeedFinite(arrays.Need<vtkFloatArray>(joint::RestPosition, 3));
+  arrays.NeedFinite(arrays.Need<vtkFloatArray>(joint::Rotation, 4));
+  auto* parents = arrays.Need<vtkIntArray>(joint::ParentId, 1);
+  for (vtkIdType joint = 0; parents && joint < parents->GetNumberOfValues() && arrays.IsGood(); ++joint)
+  {
+    if (parents->GetValue(joint) < -1 || parents->GetValue(joint) >= joint)
+    {
+      return "joint " + std::to_string(joint) + " of " + owner + " comes before its parent.";
+    }
+  }
+  return arrays.Reason();
+}
+
+//----------------------------------------------------------------------------
+std::string WhyNotMoving(vtkMultiBlockDataSet* plants, const std::string& owner)
+{
+  auto* joints = vtkPolyData::SafeDownCast(FindBlock(plants, joint::Joints));
+  if (!joints)
+  {
+    return FindBlock(plants, joint::Joints) ? "the block Joints of " + owner + " is not polygonal data." : "";
+  }
+  PlantTable table;
+  std::string reason = WhyNoJoints(joints, owner);
+  reason = reason.empty() ? ReadTable(plants, table) : reason;
+  for (const char* level : { plant::High, plant::Medium })
+  {
+    for (const char* name : { plant::Skin, plant::Leaves, plant::Trunk, plant::Crown })
+    {
+      vtkPolyData* part = PlantPartOf(plants, level, name);
+      if (part && part->GetNumberOfPoints() > 0 && reason.empty())
+      {
+        ArrayReader points = ArrayReader::OfPoints(part, owner + "/" + level + "/" + name);
+        points.NeedIds(points.Find<vtkIntArray>(plant::JointIds, 4), joints->GetNumberOfPoints(), "joint");
+        points.NeedFinite(points.Find<vtkFloatArray>(plant::JointWeights, 4));
+        points.Find<vtkIntArray>(plant::PlantId, 1);
+        reason = points.Reason();
+      }
+    }
+  }
+  return reason;
 }
 
 //----------------------------------------------------------------------------

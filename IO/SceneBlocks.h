@@ -27,7 +27,11 @@ struct NamedBlock
 {
   std::string Name;
   vtkSmartPointer<vtkDataObject> Data;
+  unsigned int Index = 0; ///< among all blocks
 };
+
+/// Whether data are blocks.
+bool IsComposite(vtkDataObject* data);
 
 /// The blocks that there are.
 std::vector<NamedBlock> NamedBlocks(vtkMultiBlockDataSet* blocks);
@@ -43,6 +47,12 @@ bool AreSeaweeds(vtkMultiBlockDataSet* plants);
 
 /// What a block is made of, as its arrays tell; a block of plants by its name.
 SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bool isOfSeaweed);
+
+/// Why points are no joints of moving plants, in words for a user; empty if they are.
+std::string WhyNoJoints(vtkPolyData* joints, const std::string& owner);
+
+/// Why the blocks of moving plants do not follow their joints, in words for a user; empty if they do.
+std::string WhyNotMoving(vtkMultiBlockDataSet* plants, const std::string& owner);
 
 /// The block of points that places prototypes, see vtkPlantScatterFilter; null if there is none.
 vtkPolyData* InstancesOf(vtkMultiBlockDataSet* blocks);

@@ -70,6 +70,21 @@ int SceneBuffer::AddVertices(const std::vector<float>& numbers, int components)
   const int view = this->AddView(numbers.data(), numbers.size() * sizeof(float), TINYGLTF_TARGET_ARRAY_BUFFER);
   const int index =
     this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, TypeOf(components), numbers.size() / components);
+  this->SetBounds(index, numbers, components);
+  return index;
+}
+
+//----------------------------------------------------------------------------
+int SceneBuffer::AddBounded(const std::vector<float>& numbers, int components)
+{
+  const int index = this->AddNumbers(numbers, components);
+  this->SetBounds(index, numbers, components);
+  return index;
+}
+
+//----------------------------------------------------------------------------
+void SceneBuffer::SetBounds(int index, const std::vector<float>& numbers, int components)
+{
   tinygltf::Accessor& accessor = this->Model.accessors[index];
   accessor.minValues.assign(components, std::numeric_limits<double>::infinity());
   accessor.maxValues.assign(components, -std::numeric_limits<double>::infinity());
@@ -80,7 +95,35 @@ int SceneBuffer::AddVertices(const std::vector<float>& numbers, int components)
     least = std::min(least, static_cast<double>(numbers[number]));
     most = std::max(most, static_cast<double>(numbers[number]));
   }
+}
+
+//----------------------------------------------------------------------------
+int SceneBuffer::AddJoints(const std::vector<std::uint16_t>& joints)
+{
+  const int view = this->AddView(joints.data(), joints.size() * sizeof(std::uint16_t), TINYGLTF_TARGET_ARRAY_BUFFER);
+  return this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4, joints.size() / 4);
+}
+
+//----------------------------------------------------------------------------
+int SceneBuffer::AddRotations(const std::vector<std::int16_t>& rotations)
+{
+  const int view = this->AddView(rotations.data(), rotations.size() * sizeof(std::int16_t), 0);
+  const int index = this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_SHORT, TINYGLTF_TYPE_VEC4, rotations.size() / 4);
+  this->Model.accessors[index].normalized = true;
   return index;
+}
+
+//----------------------------------------------------------------------------
+int SceneBuffer::AddInverses(const std::vector<float>& places)
+{
+  std::vector<float> columns;
+  for (std::size_t place = 0; place < places.size(); place += 3)
+  {
+    columns.insert(columns.end(), { 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f });
+    columns.insert(columns.end(), { -places[place], -places[place + 1], -places[place + 2], 1.0f });
+  }
+  const int view = this->AddView(columns.data(), columns.size() * sizeof(float), 0);
+  return this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_MAT4, columns.size() / 16);
 }
 
 //----------------------------------------------------------------------------

@@ -31,6 +31,18 @@ public:
   /// An attribute of vertices, with its bounds.
   int AddVertices(const std::vector<float>& numbers, int components);
 
+  /// Other numbers with their bounds.
+  int AddBounded(const std::vector<float>& numbers, int components);
+
+  /// Joints of vertices, four each.
+  int AddJoints(const std::vector<std::uint16_t>& joints);
+
+  /// Samples of rotations, whose parts are in units of 1/32767.
+  int AddRotations(const std::vector<std::int16_t>& rotations);
+
+  /// Translations by the negative of places, as matrices.
+  int AddInverses(const std::vector<float>& places);
+
   /// Indices of so many vertices, in 16 bits where these are enough.
   int AddIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
 
@@ -38,6 +50,7 @@ private:
   tinygltf::Model& Model;
 
   int AddView(const void* from, std::size_t bytes, int target);
+  void SetBounds(int accessor, const std::vector<float>& numbers, int components);
   int AddAccessor(int view, int component, int type, std::size_t count);
 };
 

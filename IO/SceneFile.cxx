@@ -85,6 +85,9 @@ private:
   void AddPictures();
   void AddMaterials();
   void AddMesh(const SceneMesh& mesh);
+  void AddPrimitives(const SceneMesh& from, tinygltf::Mesh& mesh);
+  void AddSkins();
+  void AddAnimation();
   void AddInstances(const SceneInstances& instances);
   void AddNode(const SceneNode& node);
   void AddCamera(const SceneCamera& camera, std::vector<int>& nodes);
@@ -137,6 +140,20 @@ void ModelMaker::AddMaterials()
 //----------------------------------------------------------------------------
 void ModelMaker::AddMesh(const SceneMesh& from)
 {
+  tinygltf::Mesh mesh;
+  mesh.name = from.Name;
+  this->AddPrimitives(from, mesh);
+  for (const SceneMesh& more : from.More)
+  {
+    this->AddPrimitives(more, mesh);
+  }
+  mesh.weights.assign(from.Targets.size(), 0.0);
+  this->Model.meshes.push_back(mesh);
+}
+
+//----------------------------------------------------------------------------
+void ModelMaker::AddPrimitives(const SceneMesh& from, tinygltf::Mesh& mesh)
+{
   std::map<std::string, int> attributes;
   const auto add = [&](const char* name, const std::vector<float>& numbers, int components) {
     if (!numbers.empty())
@@ -150,8 +167,20 @@ void ModelMaker::AddMesh(const SceneMesh& from)
   add("COLOR_0", from.Colors, from.ColorParts);
   add("_VELOCITY", from.Velocities, 3);
   add("_RADIUS", from.Radii, 1);
-  tinygltf::Mesh mesh;
-  mesh.name = from.Name;
+  add("WEIGHTS_0", from.JointWeights, 4);
+  if (!from.JointIds.empty())
+  {
+    attributes["JOINTS_0"] = this->Buffer.AddJoints(from.JointIds);
+  }
+  std::vector<std::map<std::string, int>> targets;
+  for (const SceneMesh::Target& target : from.Targets)
+  {
+    targets.push_back({ { "POSITION", this->Buffer.AddVertices(target.Positions, 3) } });
+    if (!target.Normals.empty())
+    {
+      targets.back()["NORMAL"] = this->Buffer.AddVertices(target.Normals, 3);
+    }
+  }
   const std::pair<const std::vector<std::uint32_t>*, int> drawn[] = { { &from.Triangles, TINYGLTF_MODE_TRIANGLES },
     { &from.Lines, TINYGLTF_MODE_LINE }, { &from.Points, TINYGLTF_MODE_POINTS } };
   for (const auto& [indices, mode] : drawn)
@@ -163,10 +192,66 @@ void ModelMaker::AddMesh(const SceneMesh& from)
       primitive.indices = this->Buffer.AddIndices(*indices, from.GetNumberOfVertices());
       primitive.material = from.Material;
       primitive.mode = mode;
+      primitive.targets = targets;
       mesh.primitives.push_back(primitive);
     }
   }
-  this->Model.meshes.push_back(mesh);
+}
+
+//----------------------------------------------------------------------------
+void ModelMaker::AddSkins()
+{
+  std::vector<int> inverses;
+  for (const SceneBinding& binding : this->From.Bindings)
+  {
+    inverses.push_back(this->Buffer.AddInverses(binding.Rests));
+  }
+  for (const SceneSkin& from : this->From.Skins)
+  {
+    tinygltf::Skin skin;
+    skin.joints = from.Joints;
+    skin.inverseBindMatrices = inverses[from.Binding];
+    this->Model.skins.push_back(skin);
+  }
+}
+
+//----------------------------------------------------------------------------
+void ModelMaker::AddAnimation()
+{
+  if (this->From.Tracks.empty())
+  {
+    return;
+  }
+  const int times = this->Buffer.AddBounded(this->From.Times, 1);
+  tinygltf::Animation animation;
+  animation.name = "Motion";
+  const auto add = [&](int node, const char* path, int output) {
+    tinygltf::AnimationSampler sampler;
+    sampler.input = times;
+    sampler.output = output;
+    tinygltf::AnimationChannel channel;
+    channel.sampler = static_cast<int>(animation.samplers.size());
+    channel.target_node = node;
+    channel.target_path = path;
+    animation.samplers.push_back(sampler);
+    animation.channels.push_back(channel);
+  };
+  for (const SceneTrack& track : this->From.Tracks)
+  {
+    if (!track.Rotations.empty())
+    {
+      add(track.Node, "rotation", this->Buffer.AddRotations(track.Rotations));
+    }
+    if (!track.Translations.empty())
+    {
+      add(track.Node, "translation", this->Buffer.AddNumbers(track.Translations, 3));
+    }
+    if (!track.Weights.empty())
+    {
+      add(track.Node, "weights", this->Buffer.AddNumbers(track.Weights, 1));
+    }
+  }
+  this->Model.animations.push_back(animation);
 }
 
 //----------------------------------------------------------------------------
@@ -183,6 +268,7 @@ void ModelMaker::AddNode(const SceneNode& from)
   tinygltf::Node node;
   node.name = from.Name;
   node.mesh = from.Mesh;
+  node.skin = from.Skin;
   node.children = from.Children;
   if (from.Translation != std::array<double, 3>{})
   {
@@ -276,6 +362,7 @@ const tinygltf::Model& ModelMaker::Make()
   {
     this->AddInstances(instances);
   }
+  this->AddSkins();
   for (const SceneNode& node : this->From.Nodes)
   {
     this->AddNode(node);
@@ -297,6 +384,8 @@ const tinygltf::Model& ModelMaker::Make()
   scene.name = this->From.Name;
   scene.nodes = { static_cast<int>(this->Model.nodes.size()) };
   this->Model.nodes.push_back(root);
+  scene.nodes.insert(scene.nodes.end(), this->From.Skinned.begin(), this->From.Skinned.end());
+  this->AddAnimation();
   if (!this->From.Extras.empty())
   {
     std::string reason;

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneInput.h"
 
-#include "Data/ArrayReader.h"
 #include "Data/Blocks.h"
 #include "Data/Inputs.h"
-#include "Data/PlantBlocks.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Memory.h"
 #include "SceneBlocks.h"
 #include "SceneFile.h"
-#include "ScenePictures.h"
 #include "SceneSurface.h"
 
 #include "vtkImageData.h"
@@ -20,10 +17,7 @@
 #include <vtk_utf8.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 namespace littoral
 {
@@ -31,21 +25,7 @@ namespace littoral
 namespace
 {
 
-constexpr int Levels = 3;
 constexpr double NodeBytes = 300.0; // of a node as JSON, about
-
-/// What a block inherits from those around it.
-struct Surroundings
-{
-  SceneKind Kind = SceneKind::Automatic; ///< as the caller says
-  bool IsPlant = false;
-  bool IsSeaweed = false;
-};
-
-bool IsComposite(vtkDataObject* data)
-{
-  return data && data->IsA("vtkCompositeDataSet");
-}
 
 bool IsUtf8(const std::string& text)
 {
@@ -59,28 +39,38 @@ std::string Readable(std::string text)
   return text;
 }
 
-/// Species and level of a prototype by its number, 1 + 3 species + level.
-int SpeciesOf(int prototype)
+/// Why so many bytes are too many for a file, or for the memory; empty if they are not.
+std::string WhyTooManyBytes(double bytes)
 {
-  return (prototype - 1) / Levels;
+  const auto gigabytes = [](double number) { return TextOf(std::round(number / 1e7) / 100.0) + " GB"; };
+  if (bytes > LargestSceneFile)
+  {
+    return "the scene needs " + gigabytes(bytes) + "; a GLB file holds at most 4.29 GB.";
+  }
+  // The meshes, their place in the buffer, and the library's copy of it.
+  constexpr double copies = 3.0;
+  if (copies * bytes > AvailableMemory())
+  {
+    return "the scene needs " + gigabytes(copies * bytes) + " of memory, more than this machine has free.";
+  }
+  return {};
 }
 
-int LevelOf(int prototype)
+double BytesOf(const SceneMesh& mesh)
 {
-  return (prototype - 1) % Levels;
-}
-
-/// Which prototype an instance is drawn as at a level of its species; whether it is drawn at that level at all.
-bool IsDrawn(int own, int level, SceneLevelForm form)
-{
-  return SpeciesOf(own) == SpeciesOf(level) && (form != SceneLevelForm::AsShown || own == level);
-}
-
-/// Whether prototypes of a level are in the file.
-bool IsWritten(int level, SceneLevelForm form)
-{
-  return form == SceneLevelForm::Switched || form == SceneLevelForm::AsShown ||
-    level == static_cast<int>(form) - static_cast<int>(SceneLevelForm::High);
+  const std::size_t floats = mesh.Positions.size() + mesh.Normals.size() + mesh.TextureCoordinates.size() +
+    mesh.Colors.size() + mesh.Velocities.size() + mesh.Radii.size() + mesh.JointWeights.size();
+  const std::size_t indices = mesh.Triangles.size() + mesh.Lines.size() + mesh.Points.size();
+  double bytes = 4.0 * static_cast<double>(floats + indices) + 2.0 * static_cast<double>(mesh.JointIds.size());
+  for (const SceneMesh::Target& target : mesh.Targets)
+  {
+    bytes += 4.0 * static_cast<double>(target.Positions.size() + target.Normals.size());
+  }
+  for (const SceneMesh& more : mesh.More)
+  {
+    bytes += BytesOf(more);
+  }
+  return bytes;
 }
 
 //----------------------------------------------------------------------------
@@ -163,6 +153,7 @@ private:
       const bool areNodes = this->Options.Instances == SceneInstanceForm::Nodes;
       this->Bytes += (areNodes ? 3.0 * NodeBytes : bytesEach) * static_cast<double>(points->GetNumberOfPoints());
     }
+    this->Require(ArePlants(blocks) && this->Options.HasMotion ? WhyNotMoving(blocks, owner) : "");
     for (const NamedBlock& block : NamedBlocks(blocks))
     {
       this->CheckName(block.Name);
@@ -173,341 +164,6 @@ private:
     }
   }
 };
-
-//----------------------------------------------------------------------------
-class SceneReader
-{
-public:
-  SceneReader(const SceneOptions& options, Scene& scene)
-    : Options(options)
-    , To(scene)
-  {
-  }
-
-  void Add(const SceneSource& source)
-  {
-    Surroundings around;
-    around.Kind = source.Kind;
-    int node = this->AddData(source.Data, source.Name, around);
-    if (node < 0)
-    {
-      node = this->AddNode(source.Name);
-    }
-    this->To.Sources.push_back(node);
-  }
-
-private:
-  const SceneOptions& Options;
-  Scene& To;
-  std::map<vtkAbstractArray*, int> Pictures; // by texels
-  std::map<std::tuple<SceneKind, int, bool>, int> Materials;
-
-  int AddNode(const std::string& name, std::vector<int> children = {})
-  {
-    SceneNode node;
-    node.Name = name;
-    node.Children = std::move(children);
-    this->To.Nodes.push_back(std::move(node));
-    return static_cast<int>(this->To.Nodes.size()) - 1;
-  }
-
-  int AddData(vtkDataObject* data, const std::string& name, const Surroundings& around);
-  int AddBlocks(vtkMultiBlockDataSet* blocks, const std::string& name, const Surroundings& around);
-  int AddSurface(vtkPolyData* data, const std::string& name, const Surroundings& around);
-  int AddLevels(vtkMultiBlockDataSet* plant, const std::string& name, const Surroundings& around);
-  int AddInstances(
-    vtkMultiBlockDataSet* blocks, vtkPolyData* points, const std::string& name, const Surroundings& around);
-  int AddMesh(vtkPolyData* data, const std::string& name, const Surroundings& around, std::array<double, 3>& place);
-  int MaterialOf(vtkPolyData* data, SceneKind kind, bool isBlended);
-
-  /// A part of a prototype.
-  struct Part
-  {
-    std::string Name;
-    int Mesh;
-    bool IsTinted;
-  };
-  /// A level of a prototype.
-  struct Level
-  {
-    std::string Name;
-    int Prototype;
-    std::vector<Part> Parts;
-  };
-  std::vector<Level> LevelsOf(vtkMultiBlockDataSet* blocks, const Surroundings& around);
-  int AddInstancedLevel(const Level& level, int instances);
-  std::vector<int> AddPlantNodes(const Level& level, const SceneInstances& places);
-  void Switch(const std::vector<int>& nodes);
-};
-
-//----------------------------------------------------------------------------
-int SceneReader::AddData(vtkDataObject* data, const std::string& name, const Surroundings& around)
-{
-  std::string reason;
-  if (IsComposite(data))
-  {
-    return this->AddBlocks(BlocksOf(data, name.c_str(), reason), name, around);
-  }
-  auto* image = vtkImageData::SafeDownCast(data);
-  const vtkSmartPointer<vtkPolyData> terrain = image ? TerrainOf(image) : nullptr;
-  return this->AddSurface(image ? terrain.Get() : vtkPolyData::SafeDownCast(data), name, around);
-}
-
-//----------------------------------------------------------------------------
-/// The node of blocks; -1 where nothing is drawn.
-int SceneReader::AddBlocks(vtkMultiBlockDataSet* blocks, const std::string& name, const Surroundings& around)
-{
-  if (vtkPolyData* points = InstancesOf(blocks))
-  {
-    return this->AddInstances(blocks, points, name, around);
-  }
-  Surroundings own = around;
-  if (ArePlants(blocks))
-  {
-    own.IsPlant = true;
-    own.IsSeaweed = AreSeaweeds(blocks);
-    if (AreLevelsOfOne(blocks))
-    {
-      return this->AddLevels(blocks, name, own);
-    }
-  }
-  std::vector<int> children;
-  for (const NamedBlock& block : NamedBlocks(blocks))
-  {
-    const bool isDrawn = !own.IsPlant || block.Name != plant::Skeleton;
-    const int child = isDrawn ? this->AddData(block.Data, block.Name, own) : -1;
-    if (child >= 0)
-    {
-      children.push_back(child);
-    }
-  }
-  return children.empty() ? -1 : this->AddNode(name, children);
-}
-
-//----------------------------------------------------------------------------
-int SceneReader::AddSurface(vtkPolyData* data, const std::string& name, const Surroundings& around)
-{
-  SceneNode node;
-  node.Name = name;
-  node.Mesh = data->GetNumberOfPoints() > 0 ? this->AddMesh(data, name, around, node.Translation) : -1;
-  if (node.Mesh < 0)
-  {
-    return -1;
-  }
-  this->To.Nodes.push_back(node);
-  return static_cast<int>(this->To.Nodes.size()) - 1;
-}
-
-//----------------------------------------------------------------------------
-int SceneReader::AddMesh(
-  vtkPolyData* data, const std::string& name, const Surroundings& around, std::array<double, 3>& place)
-{
-  SceneMesh mesh = MeshOf(data, this->Options.HasVelocity, place);
-  if (mesh.Positions.empty())
-  {
-    return -1;
-  }
-  mesh.Name = name;
-  const SceneKind told = KindOf(data, name, around.IsPlant, around.IsSeaweed);
-  mesh.Material =
-    this->MaterialOf(data, around.Kind == SceneKind::Automatic ? told : around.Kind, mesh.ColorParts == 4);
-  this->To.Meshes.push_back(std::move(mesh));
-  return static_cast<int>(this->To.Meshes.size()) - 1;
-}
-
-//----------------------------------------------------------------------------
-int SceneReader::MaterialOf(vtkPolyData* data, SceneKind kind, bool isBlended)
-{
-  int picture = -1;
-  if (vtkAbstractArray* texels = ArrayReader::OfFields(data, "").Any(plant::Texture))
-  {
-    const auto known = this->Pictures.emplace(texels, static_cast<int>(this->To.Pictures.size()));
-    picture = known.first->second;
-    if (known.second)
-    {
-      this->To.Pictures.push_back(PictureOf(data));
-    }
-  }
-  const auto known =
-    this->Materials.emplace(std::make_tuple(kind, picture, isBlended), static_cast<int>(this->To.Materials.size()));
-  if (known.second)
-  {
-    SceneMaterial material;
-    material.Name = SceneKindNames[static_cast<int>(kind)];
-    const auto same = std::count_if(this->To.Materials.begin(), this->To.Materials.end(),
-      [&](const SceneMaterial& other) { return other.Kind == kind; });
-    material.Name += same > 0 ? " " + std::to_string(same + 1) : "";
-    material.Kind = kind;
-    material.Picture = picture;
-    material.Blended = isBlended;
-    this->To.Materials.push_back(material);
-  }
-  return known.first->second;
-}
-
-//----------------------------------------------------------------------------
-/// The first node shows a thing from near, those behind it from afar.
-void SceneReader::Switch(const std::vector<int>& nodes)
-{
-  if (nodes.size() > 1)
-  {
-    this->To.Nodes[nodes[0]].CoarserLevels.assign(nodes.begin() + 1, nodes.end());
-  }
-}
-
-//----------------------------------------------------------------------------
-/// One plant, whose levels are in one place.
-int SceneReader::AddLevels(vtkMultiBlockDataSet* plant, const std::string& name, const Surroundings& around)
-{
-  constexpr const char* names[Levels] = { plant::High, plant::Medium, plant::Low };
-  std::vector<int> nodes;
-  for (int level = 0; level < Levels; ++level)
-  {
-    vtkDataObject* block = FindBlock(plant, names[level]);
-    const bool isShown = this->Options.Levels != SceneLevelForm::AsShown || nodes.empty();
-    const bool isWritten = block && isShown && IsWritten(level, this->Options.Levels);
-    const int node = isWritten ? this->AddData(block, names[level], around) : -1;
-    if (node >= 0)
-    {
-      nodes.push_back(node);
-    }
-  }
-  this->Switch(nodes);
-  return nodes.empty() ? -1 : this->AddNode(name, { nodes[0] });
-}
-
-//----------------------------------------------------------------------------
-/// The prototypes of instances by their levels, with those parts that draw something.
-std::vector<SceneReader::Level> SceneReader::LevelsOf(vtkMultiBlockDataSet* blocks, const Surroundings& around)
-{
-  std::vector<Level> levels;
-  for (const NamedBlock& block : NamedBlocks(blocks))
-  {
-    auto* parts = vtkMultiBlockDataSet::SafeDownCast(block.Data);
-    Level level{ block.Name, -1, {} };
-    for (const NamedBlock& part : parts ? NamedBlocks(parts) : std::vector<NamedBlock>())
-    {
-      auto* data = vtkPolyData::SafeDownCast(part.Data);
-      const int prototype = PrototypeOf(data);
-      if (prototype < 1 || !IsWritten(LevelOf(prototype), this->Options.Levels) || data->GetNumberOfPoints() == 0)
-      {
-        continue;
-      }
-      Surroundings own = around;
-      own.IsPlant = true;
-      own.IsSeaweed = IsOfSeaweed(data);
-      std::array<double, 3> place{};
-      const int mesh = this->AddMesh(data, block.Name + " " + part.Name, own, place);
-      if (mesh >= 0)
-      {
-        level.Prototype = prototype;
-        level.Parts.push_back({ part.Name, mesh, IsTinted(data) });
-      }
-    }
-    if (!level.Parts.empty())
-    {
-      levels.push_back(std::move(level));
-    }
-  }
-  return levels;
-}
-
-//----------------------------------------------------------------------------
-int SceneReader::AddInstancedLevel(const Level& level, int instances)
-{
-  std::vector<int> parts;
-  for (const Part& part : level.Parts)
-  {
-    SceneNode node;
-    node.Name = part.Name;
-    node.Mesh = part.Mesh;
-    node.Instances = instances;
-    node.IsTinted = part.IsTinted;
-    parts.push_back(static_cast<int>(this->To.Nodes.size()));
-    this->To.Nodes.push_back(node);
-  }
-  return this->AddNode(level.Name, parts);
-}
-
-//----------------------------------------------------------------------------
-/// A node for each plant, with its parts as children.
-std::vector<int> SceneReader::AddPlantNodes(const Level& level, const SceneInstances& places)
-{
-  std::vector<int> nodes;
-  for (std::size_t plant = 0; plant < places.Scales.size() / 3; ++plant)
-  {
-    std::vector<int> parts;
-    for (const Part& part : level.Parts)
-    {
-      SceneNode node;
-      node.Name = part.Name;
-      node.Mesh = part.Mesh;
-      if (part.IsTinted)
-      {
-        const float* tint = &places.Tints[3 * plant];
-        node.Tint = { { tint[0], tint[1], tint[2] } };
-      }
-      parts.push_back(static_cast<int>(this->To.Nodes.size()));
-      this->To.Nodes.push_back(node);
-    }
-    nodes.push_back(this->AddNode(level.Name + " " + std::to_string(plant), parts));
-    SceneNode& node = this->To.Nodes.back();
-    std::copy_n(&places.Translations[3 * plant], 3, node.Translation.begin());
-    std::copy_n(&places.Rotations[4 * plant], 4, node.Rotation.begin());
-    node.Scale = places.Scales[3 * plant];
-  }
-  return nodes;
-}
-
-//----------------------------------------------------------------------------
-int SceneReader::AddInstances(
-  vtkMultiBlockDataSet* blocks, vtkPolyData* points, const std::string& name, const Surroundings& around)
-{
-  const bool isSwitched = this->Options.Levels == SceneLevelForm::Switched;
-  std::map<int, std::vector<std::vector<int>>> ofSpecies; // nodes of each level
-  std::map<int, int> instancesOf;                         // by species, where all levels have the same
-  for (const Level& level : this->LevelsOf(blocks, around))
-  {
-    const auto isChosen = [&](int own) { return IsDrawn(own, level.Prototype, this->Options.Levels); };
-    const int species = SpeciesOf(level.Prototype);
-    SceneInstances places = PlacesOf(points, isChosen);
-    if (places.Scales.empty())
-    {
-      continue;
-    }
-    if (this->Options.Instances == SceneInstanceForm::Nodes)
-    {
-      ofSpecies[species].push_back(this->AddPlantNodes(level, places));
-      continue;
-    }
-    const bool isKnown = isSwitched && instancesOf.count(species) > 0;
-    const int instances = isKnown ? instancesOf[species] : static_cast<int>(this->To.Instances.size());
-    if (!isKnown)
-    {
-      this->To.Instances.push_back(std::move(places));
-    }
-    instancesOf[species] = instances;
-    ofSpecies[species].push_back({ this->AddInstancedLevel(level, instances) });
-  }
-  std::vector<int> children;
-  for (const auto& [species, levels] : ofSpecies)
-  {
-    for (std::size_t thing = 0; isSwitched && thing < levels[0].size(); ++thing)
-    {
-      std::vector<int> nodes;
-      for (const std::vector<int>& level : levels)
-      {
-        nodes.push_back(level[thing]);
-      }
-      this->Switch(nodes);
-    }
-    for (std::size_t level = 0; level < (isSwitched ? 1 : levels.size()); ++level)
-    {
-      children.insert(children.end(), levels[level].begin(), levels[level].end());
-    }
-  }
-  return children.empty() ? -1 : this->AddNode(name, children);
-}
 
 }
 
@@ -524,28 +180,24 @@ std::string WhyNoScene(const Scene& scene, const std::vector<SceneSource>& sourc
       return reason;
     }
   }
-  const auto gigabytes = [](double bytes) { return TextOf(std::round(bytes / 1e7) / 100.0) + " GB"; };
-  if (check.GetBytes() > LargestSceneFile)
-  {
-    return "the scene needs " + gigabytes(check.GetBytes()) + "; a GLB file holds at most 4.29 GB.";
-  }
-  // The meshes, their place in the buffer, and the library's copy of it.
-  constexpr double copies = 3.0;
-  if (copies * check.GetBytes() > AvailableMemory())
-  {
-    return "the scene needs " + gigabytes(copies * check.GetBytes()) + " of memory, more than this machine has free.";
-  }
-  return {};
+  return WhyTooManyBytes(check.GetBytes());
 }
 
 //----------------------------------------------------------------------------
-void ReadSources(const std::vector<SceneSource>& sources, const SceneOptions& options, Scene& scene)
+std::string WhyTooLarge(const Scene& scene)
 {
-  SceneReader reader(options, scene);
-  for (const SceneSource& source : sources)
+  constexpr double trackBytes = 250.0; // of a track as JSON, about
+  double bytes = NodeBytes * static_cast<double>(scene.Nodes.size());
+  for (const SceneMesh& mesh : scene.Meshes)
   {
-    reader.Add(source);
+    bytes += BytesOf(mesh);
   }
+  for (const SceneTrack& track : scene.Tracks)
+  {
+    bytes += trackBytes + sizeof(std::int16_t) * static_cast<double>(track.Rotations.size()) +
+      sizeof(float) * static_cast<double>(track.Translations.size() + track.Weights.size());
+  }
+  return WhyTooManyBytes(bytes);
 }
 
 }

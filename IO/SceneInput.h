@@ -43,13 +43,15 @@ struct SceneOptions
   SceneInstanceForm Instances = SceneInstanceForm::GpuInstancing;
   SceneLevelForm Levels = SceneLevelForm::Switched;
   bool HasVelocity = false;
+  bool HasMotion = false;
+  double JointTolerance = 0.0; ///< [m]
 };
 
 /// Why a scene with a name and sources cannot be written, in words for a user; empty if it can. Nothing is copied yet.
 std::string WhyNoScene(const Scene& scene, const std::vector<SceneSource>& sources, const SceneOptions& options);
 
-/// Adds good sources to a scene.
-void ReadSources(const std::vector<SceneSource>& sources, const SceneOptions& options, Scene& scene);
+/// Why a scene that was read is too large for a file, or for the memory; empty if it is not.
+std::string WhyTooLarge(const Scene& scene);
 
 }
 

@@ -292,6 +292,14 @@ double MeshBytes(vtkPolyData* data, bool hasVelocity)
 }
 
 //----------------------------------------------------------------------------
+SceneMesh::Target PlacesAt(vtkPolyData* data, const std::array<double, 3>& place)
+{
+  SceneMesh::Target target = { PositionsOf(data->GetPoints(), place), NumbersOf(NormalsOf(data), 3) };
+  Normalise(target.Normals);
+  return target;
+}
+
+//----------------------------------------------------------------------------
 SceneMesh MeshOf(vtkPolyData* data, bool hasVelocity, std::array<double, 3>& place)
 {
   SceneMesh mesh;

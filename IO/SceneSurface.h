@@ -40,6 +40,9 @@ double MeshBytes(vtkPolyData* data, bool hasVelocity);
 /// from the origin.
 SceneMesh MeshOf(vtkPolyData* data, bool hasVelocity, std::array<double, 3>& place);
 
+/// Where the vertices of such a mesh are, and their normals.
+SceneMesh::Target PlacesAt(vtkPolyData* data, const std::array<double, 3>& place);
+
 /// The point array of colors, bytes of three or four components; null where there is none.
 vtkUnsignedCharArray* ColorsOf(vtkPolyData* data);
 

@@ -6,12 +6,15 @@
 #include "Pipeline/Pipeline.h"
 #include "SceneFile.h"
 #include "SceneInput.h"
+#include "SceneReader.h"
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +50,19 @@ void RequireDirection(littoral::ParameterCheck& check, const std::string& name, 
 }
 
 }
+
+//----------------------------------------------------------------------------
+class vtkGLTFSceneWriter::vtkInternals
+{
+public:
+  explicit vtkInternals(const littoral::SceneOptions& options)
+    : Reader(options, this->Scene)
+  {
+  }
+
+  littoral::Scene Scene;
+  littoral::SceneReader Reader;
+};
 
 //----------------------------------------------------------------------------
 vtkGLTFSceneWriter::vtkGLTFSceneWriter() = default;
@@ -108,21 +124,49 @@ void vtkGLTFSceneWriter::ClearSources()
 }
 
 //----------------------------------------------------------------------------
-int vtkGLTFSceneWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+vtkTypeBool vtkGLTFSceneWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
-  this->InvokeEvent(vtkCommand::StartEvent);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (this->WriteMotion && request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    for (int source = 0; source < inputVector[0]->GetNumberOfInformationObjects(); ++source)
+    {
+      inputVector[0]->GetInformationObject(source)->Set(
+        Pipeline::UPDATE_TIME_STEP(), this->StartTime + this->Frame / this->FramesPerSecond);
+    }
+  }
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
+}
+
+//----------------------------------------------------------------------------
+int vtkGLTFSceneWriter::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector*)
+{
+  if (this->Frame == 0)
+  {
+    this->SetErrorCode(vtkErrorCode::NoError);
+    this->InvokeEvent(vtkCommand::StartEvent);
+  }
   this->WriteData();
+  const unsigned long code = this->GetErrorCode();
+  if (code == vtkErrorCode::NoError && this->Frame > 0)
+  {
+    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
+    return 1;
+  }
+  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   this->InvokeEvent(vtkCommand::EndEvent);
   this->WriteTime.Modified();
   // An abort is no failure.
-  const unsigned long code = this->GetErrorCode();
   return code == vtkErrorCode::NoError || code == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
 }
 
 //----------------------------------------------------------------------------
 int vtkGLTFSceneWriter::Write()
 {
+  this->Internals.reset();
+  this->Frame = 0;
   if (this->GetNumberOfInputConnections(0) > 0)
   {
     return this->Superclass::Write();
@@ -159,6 +203,16 @@ std::string vtkGLTFSceneWriter::WhyInvalid() const
     check.Color("SunColor", this->SunColor);
     check.NotNegative("SunIlluminance", this->SunIlluminance, "lx");
   }
+  if (this->WriteMotion)
+  {
+    constexpr double mostFrames = 1e5;
+    check.Finite("StartTime", this->StartTime, "s");
+    check.Within("EndTime", this->EndTime, littoral::ValueInterval::Above(this->StartTime, 1e12), "s");
+    check.Range("FramesPerSecond", this->FramesPerSecond, 0.01, 1000.0);
+    check.Range("JointTolerance", this->JointTolerance, 0.0, 10.0, "m");
+    const double frames = (this->EndTime - this->StartTime) * this->FramesPerSecond;
+    check.Require(frames <= mostFrames, "The motion has more than 100000 samples.");
+  }
   if (check.IsGood() && !this->Extras.empty())
   {
     check.Require(littoral::WhyNoExtras(this->Extras));
@@ -173,21 +227,9 @@ littoral::SceneOptions vtkGLTFSceneWriter::GetOptions() const
   options.Instances = static_cast<littoral::SceneInstanceForm>(this->InstanceForm);
   options.Levels = static_cast<littoral::SceneLevelForm>(this->LevelForm);
   options.HasVelocity = this->WriteVelocity;
+  options.HasMotion = this->WriteMotion;
+  options.JointTolerance = this->JointTolerance;
   return options;
-}
-
-//----------------------------------------------------------------------------
-void vtkGLTFSceneWriter::AddView(littoral::Scene& scene) const
-{
-  if (this->WriteCamera)
-  {
-    scene.Camera = littoral::SceneCamera{ TripleOf(this->CameraPosition), TripleOf(this->CameraFocalPoint),
-      TripleOf(this->CameraViewUp), this->CameraViewAngle };
-  }
-  if (this->WriteSun)
-  {
-    scene.Sun = littoral::SceneSun{ TripleOf(this->SunDirection), TripleOf(this->SunColor), this->SunIlluminance };
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -198,7 +240,7 @@ void vtkGLTFSceneWriter::Refuse(const std::string& reason)
 }
 
 //----------------------------------------------------------------------------
-void vtkGLTFSceneWriter::WriteData()
+std::vector<littoral::SceneSource> vtkGLTFSceneWriter::GetSources()
 {
   std::vector<littoral::SceneSource> sources;
   for (int source = 0; source < this->GetNumberOfInputConnections(0); ++source)
@@ -206,32 +248,119 @@ void vtkGLTFSceneWriter::WriteData()
     sources.push_back({ this->GetSourceName(source), static_cast<littoral::SceneKind>(this->GetSourceKind(source)),
       this->GetInputDataObject(0, source) });
   }
-  const littoral::SceneOptions options = this->GetOptions();
-  littoral::Scene scene;
+  return sources;
+}
+
+//----------------------------------------------------------------------------
+int vtkGLTFSceneWriter::GetNumberOfFrames() const
+{
+  constexpr double rounding = 1e-9; // of a frame
+  return this->WriteMotion
+    ? 1 + static_cast<int>((this->EndTime - this->StartTime) * this->FramesPerSecond + rounding)
+    : 1;
+}
+
+//----------------------------------------------------------------------------
+/// Reads the sources as they are at the first time. The reason why they are bad, or nothing.
+std::string vtkGLTFSceneWriter::Begin(const std::vector<littoral::SceneSource>& sources)
+{
+  std::string reason = this->WhyInvalid();
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  this->Internals = std::make_unique<vtkInternals>(this->GetOptions());
+  littoral::Scene& scene = this->Internals->Scene;
   scene.Name = this->SceneName;
   scene.Extras = this->Extras;
-  this->AddView(scene);
-  littoral::SceneOutcome outcome;
-  outcome.Reason = this->WhyInvalid();
-  outcome.Reason = outcome.Reason.empty() ? littoral::WhyNoScene(scene, sources, options) : outcome.Reason;
-  if (outcome.Reason.empty())
+  if (this->WriteCamera)
   {
-    this->SetProgressText("Writing a scene");
-    littoral::ReadSources(sources, options, scene);
-    outcome = littoral::WriteScene(this->FileName, scene, [this](double share) {
-      this->UpdateProgress(share);
+    scene.Camera = littoral::SceneCamera{ TripleOf(this->CameraPosition), TripleOf(this->CameraFocalPoint),
+      TripleOf(this->CameraViewUp), this->CameraViewAngle };
+  }
+  if (this->WriteSun)
+  {
+    scene.Sun = littoral::SceneSun{ TripleOf(this->SunDirection), TripleOf(this->SunColor), this->SunIlluminance };
+  }
+  reason = littoral::WhyNoScene(scene, sources, this->GetOptions());
+  if (reason.empty())
+  {
+    this->Internals->Reader.Add(sources);
+  }
+  return reason;
+}
+
+//----------------------------------------------------------------------------
+/// Notes where things are. The reason why that failed, or nothing.
+std::string vtkGLTFSceneWriter::Follow(const std::vector<littoral::SceneSource>& sources)
+{
+  for (const littoral::SceneSource& source : sources)
+  {
+    if (!source.Data)
+    {
+      return source.Name + " has no data at frame " + std::to_string(this->Frame) + ".";
+    }
+  }
+  this->SetProgressText("Reading a motion");
+  this->UpdateProgress(0.5 * this->Frame / this->GetNumberOfFrames());
+  return this->Internals->Reader.Follow(sources, this->Frame / this->FramesPerSecond);
+}
+
+//----------------------------------------------------------------------------
+/// The reason why the scene could not be written, or nothing.
+std::string vtkGLTFSceneWriter::WriteScene()
+{
+  const double first = this->WriteMotion ? 0.5 : 0.0;
+  this->Internals->Reader.Finish();
+  const std::string tooLarge = littoral::WhyTooLarge(this->Internals->Scene);
+  if (!tooLarge.empty())
+  {
+    return tooLarge;
+  }
+  this->SetProgressText("Writing a scene");
+  const littoral::SceneOutcome outcome =
+    littoral::WriteScene(this->FileName, this->Internals->Scene, [this, first](double share) {
+      this->UpdateProgress(first + (1.0 - first) * share);
       return !littoral::IsAborted(this);
     });
-  }
-  if (!outcome.Written)
+  if (!outcome.Written && outcome.Reason.empty())
   {
-    const bool isAborted = outcome.Reason.empty();
-    if (!isAborted)
-    {
-      this->Refuse(outcome.Reason);
-    }
-    this->SetErrorCode(isAborted ? vtkErrorCode::UserError : vtkErrorCode::CannotOpenFileError);
+    this->SetErrorCode(vtkErrorCode::UserError);
   }
+  return outcome.Reason;
+}
+
+//----------------------------------------------------------------------------
+void vtkGLTFSceneWriter::End(const std::string& reason)
+{
+  if (!reason.empty())
+  {
+    this->Refuse(reason);
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+  }
+  this->Internals.reset();
+  this->Frame = 0;
+}
+
+//----------------------------------------------------------------------------
+/// A frame of the motion, and the file after the last one.
+void vtkGLTFSceneWriter::WriteData()
+{
+  const std::vector<littoral::SceneSource> sources = this->GetSources();
+  std::string reason = this->Frame == 0 ? this->Begin(sources) : "";
+  if (reason.empty() && littoral::IsAborted(this))
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    this->End("");
+    return;
+  }
+  reason = reason.empty() && this->WriteMotion ? this->Follow(sources) : reason;
+  if (reason.empty() && this->Frame + 1 < this->GetNumberOfFrames())
+  {
+    ++this->Frame;
+    return;
+  }
+  this->End(reason.empty() ? this->WriteScene() : reason);
 }
 
 //----------------------------------------------------------------------------
@@ -264,4 +393,9 @@ void vtkGLTFSceneWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SunColor: " << triple(this->SunColor) << "\n";
   os << indent << "SunIlluminance: " << this->SunIlluminance << "\n";
   os << indent << "Extras: " << this->Extras << "\n";
+  os << indent << "WriteMotion: " << (this->WriteMotion ? "on" : "off") << "\n";
+  os << indent << "StartTime: " << this->StartTime << "\n";
+  os << indent << "EndTime: " << this->EndTime << "\n";
+  os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
+  os << indent << "JointTolerance: " << this->JointTolerance << "\n";
 }

@@ -37,12 +37,14 @@
 #include "vtkWriter.h"
 
 #include <map>    // for names and kinds
+#include <memory> // for the scene
 #include <string> // for names
+#include <vector> // for sources
 
 namespace littoral
 {
-struct Scene;
 struct SceneOptions;
+struct SceneSource;
 }
 
 class LITTORALIO_EXPORT vtkGLTFSceneWriter : public vtkWriter
@@ -238,6 +240,52 @@ public:
   vtkGetMacro(Extras, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Motion in the scene: the sources at times from StartTime to EndTime, FramesPerSecond a second, as samples of an
+   * animation that begins at 0 s; default off, the sources as they are. Plants with the block `Joints` (see
+   * vtkBeamTreeDeformationFilter::SetGenerateJoints()) move by joints, without the flutter of leaves; other surfaces
+   * whose points move do so by morph targets. Colors and levels of detail stay as they are at StartTime, and so does
+   * what else changes.
+   */
+  vtkSetMacro(WriteMotion, bool);
+  vtkGetMacro(WriteMotion, bool);
+  vtkBooleanMacro(WriteMotion, bool);
+  ///@}
+
+  ///@{
+  /**
+   * First time of the motion [s], any finite number; default 0.
+   */
+  vtkSetMacro(StartTime, double);
+  vtkGetMacro(StartTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * End of the motion [s], above StartTime; default 5. The last sample is the last one that is not later.
+   */
+  vtkSetMacro(EndTime, double);
+  vtkGetMacro(EndTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Samples of the motion a second, 0.01 to 1000; default 24.
+   */
+  vtkSetMacro(FramesPerSecond, double);
+  vtkGetMacro(FramesPerSecond, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance by which skins may be off in any sample [m], 0 to 10; default 0.001. A larger one needs fewer joints: a
+   * joint is left out where another one moves its part of the skin as well as that. 0 keeps all joints.
+   */
+  vtkSetMacro(JointTolerance, double);
+  vtkGetMacro(JointTolerance, double);
+  ///@}
+
   /**
    * Writes the file; 0 where that fails, after a message.
    */
@@ -248,6 +296,8 @@ protected:
   ~vtkGLTFSceneWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   void WriteData() override;
@@ -258,7 +308,12 @@ private:
 
   std::string WhyInvalid() const;
   littoral::SceneOptions GetOptions() const;
-  void AddView(littoral::Scene& scene) const;
+  std::vector<littoral::SceneSource> GetSources();
+  int GetNumberOfFrames() const;
+  std::string Begin(const std::vector<littoral::SceneSource>& sources);
+  std::string Follow(const std::vector<littoral::SceneSource>& sources);
+  std::string WriteScene();
+  void End(const std::string& reason);
   /// One message naming the file.
   void Refuse(const std::string& reason);
 
@@ -279,6 +334,15 @@ private:
   double SunColor[3] = { 1.0, 1.0, 1.0 };
   double SunIlluminance = 100000.0;
   std::string Extras;
+  bool WriteMotion = false;
+  double StartTime = 0.0;
+  double EndTime = 5.0;
+  double FramesPerSecond = 24.0;
+  double JointTolerance = 0.001;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals; // the scene while it is read
+  int Frame = 0;                           // of the motion
 };
 
 #endif

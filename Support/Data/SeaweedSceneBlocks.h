@@ -33,6 +33,9 @@ std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& opt
 void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* plants,
   vtkMultiBlockDataSet* output);
 
+/// Adds the block of the joints as shown.
+void AddSeaweedJoints(const SeaweedScene& scene, vtkMultiBlockDataSet* output);
+
 }
 
 #endif

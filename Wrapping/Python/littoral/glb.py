@@ -8,10 +8,11 @@ import os
 import numpy as np
 
 
-def write_glb(filename, sources, camera=None, sun=None, extras=None, kinds=None, **settings):
+def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None, kinds=None, **settings):
     """Write sources as a scene of glTF 2.0 for Blender and other renderers; raises OSError or ValueError.
 
     sources: algorithms or data by the names that they have in the scene, or a list of them.
+    times: begin and end of a motion [s] and its samples a second; default: as the sources are.
     camera: a vtkCamera, or position, focal point, direction up and vertical angle [m, degrees].
     sun: azimuth and elevation [degrees]; if a third number follows, the illuminance [lx].
     extras: what renderers should know of water, fog, volumes and sky, as a dictionary.
@@ -21,6 +22,11 @@ def write_glb(filename, sources, camera=None, sun=None, extras=None, kinds=None,
     The file takes the place of an old one only when it is whole.
     """
     writer = _glb_writer(sources, kinds or {}, settings)
+    if times is not None:
+        writer.WriteMotionOn()
+        writer.SetStartTime(times[0])
+        writer.SetEndTime(times[1])
+        writer.SetFramesPerSecond(times[2] if len(times) > 2 else 24.0)
     if camera is not None:
         _set_camera(writer, camera)
     if sun is not None:
