@@ -48,6 +48,32 @@ Value NumbersOf(const std::array<double, 3>& numbers)
   return Value(Value::Array{ Value(numbers[0]), Value(numbers[1]), Value(numbers[2]) });
 }
 
+/// From 2.9 on the library has members of its own for lights and levels, and removes the extensions of nodes where
+/// these are empty.
+template <typename Node>
+auto SetLight(Node& node, int light) -> decltype(node.light, void())
+{
+  node.light = light;
+}
+
+template <typename Node, typename... Before>
+void SetLight(Node& node, int light, Before...)
+{
+  node.extensions[Lights] = Value(Value::Object{ { "light", Value(light) } });
+}
+
+template <typename Node>
+auto SetLevels(Node& node, const std::vector<int>& levels) -> decltype(node.lods, void())
+{
+  node.lods = levels;
+}
+
+template <typename Node, typename... Before>
+void SetLevels(Node& node, const std::vector<int>& levels, Before...)
+{
+  node.extensions[LevelsOfDetail] = Value(Value::Object{ { "ids", NumbersOf(levels) } });
+}
+
 /// The object that a text in JSON says, by the reader of the library.
 Value ObjectOf(const std::string& json, std::string& reason)
 {
@@ -301,7 +327,7 @@ void ModelMaker::AddNode(const SceneNode& from)
   }
   if (!from.CoarserLevels.empty())
   {
-    node.extensions[LevelsOfDetail] = Value(Value::Object{ { "ids", NumbersOf(from.CoarserLevels) } });
+    SetLevels(node, from.CoarserLevels);
     this->Used[LevelsOfDetail] = true;
   }
   this->Model.nodes.push_back(std::move(node));
@@ -342,7 +368,7 @@ void ModelMaker::AddSun(const SceneSun& from, std::vector<int>& nodes)
   node.name = light.name;
   const std::array<double, 4> rotation = ViewRotation(from.Direction, { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, 1.0 } });
   node.rotation.assign(rotation.begin(), rotation.end());
-  node.extensions[Lights] = Value(Value::Object{ { "light", Value(0) } });
+  SetLight(node, 0);
   this->Used[Lights] = true;
   nodes.push_back(static_cast<int>(this->Model.nodes.size()));
   this->Model.nodes.push_back(node);

@@ -323,9 +323,10 @@ std::vector<SceneReader::Level> SceneReader::LevelsOf(vtkMultiBlockDataSet* bloc
       own.IsPlant = true;
       own.IsSeaweed = IsOfSeaweed(data);
       std::array<double, 3> place{};
-      const int mesh = this->AddMesh(data, block.Name + " " + part.Name, own, place);
+      const int mesh = this->AddMesh(data, part.Name, own, place);
       if (mesh >= 0)
       {
+        this->To.Meshes[mesh].Name = block.Name + " " + part.Name;
         level.Prototype = prototype;
         level.Parts.push_back({ part.Name, mesh, IsTinted(data) });
       }

@@ -196,13 +196,16 @@ std::vector<std::uint32_t> VerticesOf(vtkPolyData* data)
   return vertices;
 }
 
-/// The middle of points in double precision, in whole metres; the origin for those in single precision.
+/// The middle of points in double precision that are far from the origin, in whole metres; else the origin.
 std::array<double, 3> PlaceOf(vtkPolyData* data)
 {
+  constexpr double far = 1000.0; // [m]
   std::array<double, 3> place{};
-  if (data->GetPoints()->GetDataType() == VTK_DOUBLE)
+  const double* bounds = data->GetPoints()->GetBounds();
+  const bool isFar = std::any_of(bounds, bounds + 6, [](double bound) { return std::abs(bound) > far; });
+  if (data->GetPoints()->GetDataType() == VTK_DOUBLE && isFar)
   {
-    data->GetCenter(place.data());
+    place = { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]) } };
     std::transform(place.begin(), place.end(), place.begin(), [](double number) { return std::round(number); });
   }
   return place;

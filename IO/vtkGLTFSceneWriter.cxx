@@ -167,13 +167,20 @@ int vtkGLTFSceneWriter::Write()
 {
   this->Internals.reset();
   this->Frame = 0;
+  this->IsWritten = false;
   if (this->GetNumberOfInputConnections(0) > 0)
   {
-    return this->Superclass::Write();
+    this->Superclass::Write();
   }
-  this->Refuse("there is no input.");
-  this->SetErrorCode(vtkErrorCode::UnknownError);
-  return 0;
+  else
+  {
+    this->Refuse("there is no input.");
+  }
+  if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // an input failed, and has told why
+  }
+  return this->IsWritten ? 1 : 0;
 }
 
 //----------------------------------------------------------------------------
@@ -323,6 +330,7 @@ std::string vtkGLTFSceneWriter::WriteScene()
       this->UpdateProgress(first + (1.0 - first) * share);
       return !littoral::IsAborted(this);
     });
+  this->IsWritten = outcome.Written;
   if (!outcome.Written && outcome.Reason.empty())
   {
     this->SetErrorCode(vtkErrorCode::UserError);

@@ -343,6 +343,7 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals; // the scene while it is read
   int Frame = 0;                           // of the motion
+  bool IsWritten = false;                  // by the last Write()
 };
 
 #endif

@@ -25,6 +25,7 @@ class Glb:
         _, kind = struct.unpack_from("<I4s", data, 20 + size)
         assert kind == b"BIN\0"
         self.binary = data[28 + size:]
+        self.worlds = {}
 
     def __getattr__(self, name):
         return self.json.get(name, [])
@@ -68,6 +69,8 @@ class Glb:
 
     def matrices(self, frame=None):
         """The place of each node in the world, at a frame of the animation."""
+        if frame in self.worlds:
+            return self.worlds[frame]
         moved = {}
         if frame is not None:
             for animation in self.animations:
@@ -91,7 +94,8 @@ class Glb:
                 if index not in found:
                     above = found[parents[index]] if parents[index] >= 0 else np.eye(4)
                     found[index] = above @ own(index)
-        return [found[k] for k in range(len(self.nodes))]
+        self.worlds[frame] = [found[k] for k in range(len(self.nodes))]
+        return self.worlds[frame]
 
     def skinned(self, node, frame, index=0):
         """Where a skin has its vertices at a frame, in the coordinates of Littoral: z up."""

@@ -41,7 +41,7 @@ def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None,
     writer.AddObserver("ErrorEvent", _keep_message(messages))
     writer.GetExecutive().AddObserver("ErrorEvent", _keep_message(messages))
     if not writer.Write():
-        raise OSError(messages[0] if messages else f"Cannot write the file {os.fspath(filename)}.")
+        raise OSError(messages[0] if messages else f"Cannot write the file {os.fspath(filename)}: a source failed.")
 
 
 def _glb_writer(sources, kinds, settings):
