@@ -22,6 +22,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 namespace littoral
@@ -73,6 +74,14 @@ void Append(std::vector<float>& numbers, const Vector3& triple)
     { static_cast<float>(triple.x), static_cast<float>(triple.y), static_cast<float>(triple.z) });
 }
 
+void SetTriple(std::vector<float>& numbers, std::size_t index, const Vector3& triple)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    numbers[3 * index + axis] = static_cast<float>(triple[axis]);
+  }
+}
+
 /// A place in the world in the coordinates of a plant.
 Vector3 ToPlant(const PlantPlace& plant, const Vector3& place)
 {
@@ -117,8 +126,40 @@ SceneMesh Subset(const SceneMesh& mesh, const std::vector<std::uint32_t>& vertic
   return part;
 }
 
-/// The mean of colors.
-std::array<double, 3> MeanColor(const SceneMesh& mesh, const std::vector<std::uint32_t>& vertices)
+/// What vertices of a part follow.
+struct Holds
+{
+  explicit Holds(vtkPolyData* data)
+    : Joints(ArrayReader::OfPoints(data, "").Find<vtkIntArray>(plant::JointIds, 4))
+    , Weights(ArrayReader::OfPoints(data, "").Find<vtkFloatArray>(plant::JointWeights, 4))
+  {
+  }
+
+  vtkIntArray* Joints;
+  vtkFloatArray* Weights;
+
+  int JointOf(vtkIdType vertex, int hold) const { return this->Joints->GetTypedComponent(vertex, hold); }
+  float WeightOf(vtkIdType vertex, int hold) const { return this->Weights->GetTypedComponent(vertex, hold); }
+};
+
+/// The samples of a joint as those of its node.
+SceneTrack TrackOf(const JointTrack& joint, int node)
+{
+  SceneTrack track;
+  track.Node = node;
+  for (const std::array<std::int16_t, 4>& sample : joint.Rotations)
+  {
+    track.Rotations.insert(track.Rotations.end(), sample.begin(), sample.end());
+  }
+  for (const glm::vec3& sample : joint.Translations)
+  {
+    Append(track.Translations, Vector3(sample));
+  }
+  return track;
+}
+
+/// The sum of colors.
+std::array<double, 3> SumOfColors(const SceneMesh& mesh, const std::vector<std::uint32_t>& vertices)
 {
   std::array<double, 3> sum{};
   for (const std::uint32_t vertex : vertices)
@@ -315,195 +356,224 @@ void MovingPlants::Finish(double tolerance, Scene& scene)
 }
 
 //----------------------------------------------------------------------------
+/// A part of a plant at rest, in the coordinates of the plant; the boxes of its joints grow around it.
+SceneMesh MovingPlants::RestOf(const Plant& plant, std::size_t part, JointTree& tree) const
+{
+  const Holds holds(this->Parts[part].Data);
+  const glm::dquat back = glm::conjugate(TurnOf(plant.Place.Azimuth));
+  SceneMesh mesh = Subset(this->Parts[part].Mesh, plant.Vertices[part]);
+  for (std::size_t vertex = 0; vertex < mesh.GetNumberOfVertices(); ++vertex)
+  {
+    // p' = A p + b with A = sum of w R and b = sum of w (x - R r), of joints at rest in r and now in x
+    const vtkIdType from = plant.Vertices[part][vertex];
+    glm::dmat3 a(0.0);
+    Vector3 b(0.0);
+    for (int hold = 0; hold < 4; ++hold)
+    {
+      const int joint = holds.JointOf(from, hold);
+      const double weight = holds.WeightOf(from, hold);
+      const glm::dmat3 turn = glm::mat3_cast(TurnAt(this->Frames[0].Rotations, joint));
+      a += weight * turn;
+      b += weight * (TripleAt(this->Frames[0].Positions, joint) - turn * TripleAt(this->Rests, joint));
+    }
+    const glm::dmat3 inverse = glm::inverse(a);
+    const Vector3 rest = ToPlant(plant.Place, inverse * (TripleAt(mesh.Positions, vertex) - b));
+    SetTriple(mesh.Positions, vertex, rest);
+    if (!mesh.Normals.empty())
+    {
+      SetTriple(mesh.Normals, vertex, Normalised(back * (inverse * TripleAt(mesh.Normals, vertex))));
+    }
+    for (int hold = 0; hold < 4; ++hold)
+    {
+      if (holds.WeightOf(from, hold) > 0.0f)
+      {
+        tree.Boxes[this->LocalJoints[holds.JointOf(from, hold)]].Add(rest);
+      }
+    }
+  }
+  return mesh;
+}
+
+//----------------------------------------------------------------------------
+/// The kept joints that the vertices of a part follow; those that have become one add their weights.
+void MovingPlants::AddHolds(
+  const Plant& plant, std::size_t part, const ReducedJoints& reduced, SceneMesh& mesh) const
+{
+  const Holds holds(this->Parts[part].Data);
+  for (const std::uint32_t from : plant.Vertices[part])
+  {
+    std::array<std::uint16_t, 4> ids{};
+    std::array<float, 4> shares{};
+    float sum = 0.0f;
+    std::ptrdiff_t count = 0;
+    for (int hold = 0; hold < 4; ++hold)
+    {
+      const float weight = holds.WeightOf(from, hold);
+      const auto id = static_cast<std::uint16_t>(reduced.Follows[this->LocalJoints[holds.JointOf(from, hold)]]);
+      const std::ptrdiff_t place = std::find(ids.begin(), ids.begin() + count, id) - ids.begin();
+      if (weight > 0.0f)
+      {
+        ids[place] = id;
+        shares[place] += weight;
+        sum += weight;
+        count = std::max(count, place + 1);
+      }
+    }
+    mesh.JointIds.insert(mesh.JointIds.end(), ids.begin(), ids.end());
+    for (const float share : shares)
+    {
+      mesh.JointWeights.push_back(share / sum);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// The joints of a plant in its own coordinates: q' = z* q z, x' = z* (x - foot) / scale.
+std::vector<JointFrame> MovingPlants::MotionOf(const Plant& plant) const
+{
+  const glm::dquat turn = TurnOf(plant.Place.Azimuth);
+  std::vector<JointFrame> frames;
+  for (const Frame& frame : this->Frames)
+  {
+    JointFrame own;
+    for (const int joint : plant.Joints)
+    {
+      own.Rotations.emplace_back(glm::conjugate(turn) * TurnAt(frame.Rotations, joint) * turn);
+      own.Positions.emplace_back(ToPlant(plant.Place, TripleAt(frame.Positions, joint)));
+    }
+    frames.push_back(std::move(own));
+  }
+  return frames;
+}
+
+//----------------------------------------------------------------------------
+/// The joints of a plant at rest; the numbers that they have in it are kept.
+JointTree MovingPlants::TreeOf(const Plant& plant)
+{
+  JointTree tree;
+  this->LocalJoints.resize(this->Parents.size());
+  for (const int joint : plant.Joints)
+  {
+    const int parent = this->Parents[joint];
+    this->LocalJoints[joint] = static_cast<int>(tree.Parents.size());
+    tree.Parents.push_back(parent < 0 ? -1 : this->LocalJoints[parent]);
+    tree.Rests.push_back(ToPlant(plant.Place, TripleAt(this->Rests, joint)));
+  }
+  tree.Boxes.resize(tree.Parents.size());
+  return tree;
+}
+
+//----------------------------------------------------------------------------
+/// How the colors of a plant differ from those of another one: by those of the last part, leaves or crown.
+std::optional<std::array<double, 3>> MovingPlants::TintOf(const Plant& plant, const Plant& other) const
+{
+  std::size_t part = this->Parts.size();
+  while (part > 0 && other.Vertices[part - 1].empty())
+  {
+    --part;
+  }
+  if (part == 0 || this->Parts[part - 1].Mesh.Colors.empty() || &plant == &other)
+  {
+    return {};
+  }
+  const SceneMesh& mesh = this->Parts[part - 1].Mesh;
+  const std::array<double, 3> own = SumOfColors(mesh, plant.Vertices[part - 1]);
+  const std::array<double, 3> others = SumOfColors(mesh, other.Vertices[part - 1]);
+  std::array<double, 3> tint{ { 1.0, 1.0, 1.0 } };
+  for (int color = 0; color < 3; ++color)
+  {
+    tint[color] = others[color] > 0.0 ? own[color] / others[color] : 1.0;
+  }
+  return tint;
+}
+
+//----------------------------------------------------------------------------
 /// Plants of one species in one level: one mesh, and a skin for each.
 void MovingPlants::AddGroup(const std::vector<const Plant*>& group, double tolerance, Scene& scene)
 {
+  constexpr std::size_t mostJoints = 65536; // of a skin
   const Plant& first = *group[0];
-  std::map<int, int> indexOf; // joints of the first plant
-  JointTree tree;
-  for (const int joint : first.Joints)
+  JointTree tree = this->TreeOf(first);
+  std::vector<SceneMesh> meshes;
+  std::vector<std::size_t> parts;
+  for (std::size_t part = 0; part < this->Parts.size(); ++part)
   {
-    indexOf[joint] = static_cast<int>(tree.Parents.size());
-    tree.Parents.push_back(this->Parents[joint] < 0 ? -1 : indexOf[this->Parents[joint]]);
-    tree.Rests.push_back(ToPlant(first.Place, TripleAt(this->Rests, joint)));
+    if (!first.Vertices[part].empty())
+    {
+      meshes.push_back(this->RestOf(first, part, tree));
+      parts.push_back(part);
+    }
   }
-  tree.Boxes.resize(tree.Parents.size());
-  const glm::dquat back = glm::conjugate(TurnOf(first.Place.Azimuth));
-  SceneMesh mesh;
+  std::vector<std::vector<JointFrame>> motions;
   double largest = 0.0;
   for (const Plant* plant : group)
   {
+    motions.push_back(this->MotionOf(*plant));
     largest = std::max(largest, plant->Place.Scale);
   }
-  std::vector<SceneMesh> parts;
-  std::vector<std::size_t> partOf;
-  for (std::size_t index = 0; index < this->Parts.size(); ++index)
-  {
-    if (first.Vertices[index].empty())
-    {
-      continue;
-    }
-    ArrayReader arrays = ArrayReader::OfPoints(this->Parts[index].Data, "");
-    auto* joints = arrays.Find<vtkIntArray>(plant::JointIds, 4);
-    auto* weights = arrays.Find<vtkFloatArray>(plant::JointWeights, 4);
-    SceneMesh own = Subset(this->Parts[index].Mesh, first.Vertices[index]);
-    for (std::size_t vertex = 0; vertex < own.GetNumberOfVertices(); ++vertex)
-    {
-      // p' = A p + b with A = sum of w R and b = sum of w (x - R r), of joints at rest in r and now in x
-      const vtkIdType from = first.Vertices[index][vertex];
-      glm::dmat3 a(0.0);
-      Vector3 b(0.0);
-      for (int hold = 0; hold < 4; ++hold)
-      {
-        const int joint = joints->GetTypedComponent(from, hold);
-        const double weight = weights->GetTypedComponent(from, hold);
-        const glm::dmat3 turn = glm::mat3_cast(TurnAt(this->Frames[0].Rotations, joint));
-        a += weight * turn;
-        b += weight * (TripleAt(this->Frames[0].Positions, joint) - turn * TripleAt(this->Rests, joint));
-      }
-      const glm::dmat3 inverse = glm::inverse(a);
-      const Vector3 rest = ToPlant(first.Place, inverse * (TripleAt(own.Positions, vertex) - b));
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        own.Positions[3 * vertex + axis] = static_cast<float>(rest[axis]);
-      }
-      if (!own.Normals.empty())
-      {
-        const Vector3 normal = Normalised(back * (inverse * TripleAt(own.Normals, vertex)));
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          own.Normals[3 * vertex + axis] = static_cast<float>(normal[axis]);
-        }
-      }
-      for (int hold = 0; hold < 4; ++hold)
-      {
-        if (weights->GetTypedComponent(from, hold) > 0.0f)
-        {
-          tree.Boxes[indexOf[joints->GetTypedComponent(from, hold)]].Add(rest);
-        }
-      }
-    }
-    parts.push_back(std::move(own));
-    partOf.push_back(index);
-  }
-  // The motion of all plants in their own coordinates: q' = z* q z, x' = z* (x - foot) / scale.
-  std::vector<std::vector<JointFrame>> motions;
-  for (const Plant* plant : group)
-  {
-    const glm::dquat turn = TurnOf(plant->Place.Azimuth);
-    std::vector<JointFrame> frames;
-    for (const Frame& frame : this->Frames)
-    {
-      JointFrame own;
-      for (const int joint : plant->Joints)
-      {
-        own.Rotations.emplace_back(glm::conjugate(turn) * TurnAt(frame.Rotations, joint) * turn);
-        own.Positions.emplace_back(ToPlant(plant->Place, TripleAt(frame.Positions, joint)));
-      }
-      frames.push_back(std::move(own));
-    }
-    motions.push_back(std::move(frames));
-  }
   const ReducedJoints reduced = ReduceJoints(tree, motions, tolerance / largest);
+  if (reduced.Kept.size() > mostJoints)
+  {
+    throw std::length_error(this->Name + " has a plant of more than 65536 joints; take a larger JointTolerance.");
+  }
   SceneBinding binding;
   for (const int joint : reduced.Kept)
   {
     Append(binding.Rests, tree.Rests[joint]);
   }
-  for (std::size_t part = 0; part < parts.size(); ++part)
+  for (std::size_t index = 0; index < meshes.size(); ++index)
   {
-    ArrayReader arrays = ArrayReader::OfPoints(this->Parts[partOf[part]].Data, "");
-    auto* joints = arrays.Find<vtkIntArray>(plant::JointIds, 4);
-    auto* weights = arrays.Find<vtkFloatArray>(plant::JointWeights, 4);
-    for (const std::uint32_t from : first.Vertices[partOf[part]])
-    {
-      std::array<std::uint16_t, 4> ids{};
-      std::array<float, 4> shares{};
-      float sum = 0.0f;
-      int count = 0;
-      for (int hold = 0; hold < 4; ++hold)
-      {
-        const float weight = weights->GetTypedComponent(from, hold);
-        const auto id =
-          static_cast<std::uint16_t>(reduced.Follows[indexOf[joints->GetTypedComponent(from, hold)]]);
-        const auto known = std::find(ids.begin(), ids.begin() + count, id) - ids.begin();
-        if (weight > 0.0f)
-        {
-          ids[known] = id;
-          shares[known] += weight;
-          sum += weight;
-          count = std::max(count, static_cast<int>(known) + 1);
-        }
-      }
-      parts[part].JointIds.insert(parts[part].JointIds.end(), ids.begin(), ids.end());
-      for (const float share : shares)
-      {
-        parts[part].JointWeights.push_back(share / sum);
-      }
-    }
+    this->AddHolds(first, parts[index], reduced, meshes[index]);
   }
-  mesh = std::move(parts[0]);
-  mesh.More.assign(std::make_move_iterator(parts.begin() + 1), std::make_move_iterator(parts.end()));
+  SceneMesh mesh = std::move(meshes[0]);
+  mesh.More.assign(std::make_move_iterator(meshes.begin() + 1), std::make_move_iterator(meshes.end()));
   mesh.Name = this->Name + " " + first.Level + " " + std::to_string(std::max(0, first.Species));
   scene.Meshes.push_back(std::move(mesh));
   scene.Bindings.push_back(std::move(binding));
   for (std::size_t index = 0; index < group.size(); ++index)
   {
-    const Plant& plant = *group[index];
-    SceneNode top;
-    top.Name = this->Name + " " + plant.Level + " " + std::to_string(plant.Id);
-    top.Translation = { { plant.Place.Foot.x, plant.Place.Foot.y, plant.Place.Foot.z } };
-    const glm::dquat turn = TurnOf(plant.Place.Azimuth);
-    top.Rotation = { { turn.x, turn.y, turn.z, turn.w } };
-    top.Scale = plant.Place.Scale;
-    SceneSkin skin;
-    skin.Binding = static_cast<int>(scene.Bindings.size()) - 1;
-    const int firstNode = static_cast<int>(scene.Nodes.size());
-    for (std::size_t kept = 0; kept < reduced.Kept.size(); ++kept)
-    {
-      const int parent = reduced.Parents[kept];
-      SceneNode node;
-      node.Name = "j" + std::to_string(kept);
-      const Vector3 offset =
-        tree.Rests[reduced.Kept[kept]] - (parent < 0 ? Vector3(0.0) : tree.Rests[reduced.Kept[parent]]);
-      node.Translation = { { offset.x, offset.y, offset.z } };
-      (parent < 0 ? top : scene.Nodes[firstNode + parent]).Children.push_back(firstNode + static_cast<int>(kept));
-      skin.Joints.push_back(firstNode + static_cast<int>(kept));
-      scene.Nodes.push_back(node);
-      const JointTrack& from = reduced.Tracks[index][kept];
-      SceneTrack track;
-      track.Node = skin.Joints.back();
-      for (const std::array<std::int16_t, 4>& sample : from.Rotations)
-      {
-        track.Rotations.insert(track.Rotations.end(), sample.begin(), sample.end());
-      }
-      for (const glm::vec3& sample : from.Translations)
-      {
-        Append(track.Translations, Vector3(sample));
-      }
-      scene.Tracks.push_back(std::move(track));
-    }
-    scene.Nodes[this->Node].Children.push_back(static_cast<int>(scene.Nodes.size()));
-    scene.Nodes.push_back(top);
-    SceneNode shown;
-    shown.Name = top.Name;
-    shown.Mesh = static_cast<int>(scene.Meshes.size()) - 1;
-    shown.Skin = static_cast<int>(scene.Skins.size());
-    if (index > 0)
-    {
-      const std::size_t tinted = partOf.back();
-      const SceneMesh& colors = this->Parts[tinted].Mesh;
-      if (!colors.Colors.empty())
-      {
-        const std::array<double, 3> own = MeanColor(colors, plant.Vertices[tinted]);
-        const std::array<double, 3> other = MeanColor(colors, first.Vertices[tinted]);
-        shown.Tint = { { own[0] / other[0], own[1] / other[1], own[2] / other[2] } };
-      }
-    }
-    scene.Skins.push_back(std::move(skin));
-    scene.Skinned.push_back(static_cast<int>(scene.Nodes.size()));
-    scene.Nodes.push_back(shown);
+    this->AddSkinned(*group[index], first, tree, reduced, reduced.Tracks[index], scene);
   }
+}
+
+//----------------------------------------------------------------------------
+/// A plant of the last mesh and binding: its joints below the node of all plants, and the mesh that they move.
+void MovingPlants::AddSkinned(const Plant& plant, const Plant& first, const JointTree& tree,
+  const ReducedJoints& reduced, const std::vector<JointTrack>& tracks, Scene& scene) const
+{
+  const glm::dquat turn = TurnOf(plant.Place.Azimuth);
+  SceneNode foot;
+  foot.Name = this->Name + " " + plant.Level + " " + std::to_string(plant.Id);
+  foot.Translation = { { plant.Place.Foot.x, plant.Place.Foot.y, plant.Place.Foot.z } };
+  foot.Rotation = { { turn.x, turn.y, turn.z, turn.w } };
+  foot.Scale = plant.Place.Scale;
+  SceneSkin skin;
+  skin.Binding = static_cast<int>(scene.Bindings.size()) - 1;
+  const int firstNode = static_cast<int>(scene.Nodes.size());
+  for (std::size_t kept = 0; kept < reduced.Kept.size(); ++kept)
+  {
+    const int parent = reduced.Parents[kept];
+    const Vector3 below = parent < 0 ? Vector3(0.0) : tree.Rests[reduced.Kept[parent]];
+    const Vector3 offset = tree.Rests[reduced.Kept[kept]] - below;
+    const int index = firstNode + static_cast<int>(kept);
+    SceneNode node;
+    node.Name = "j" + std::to_string(kept);
+    node.Translation = { { offset.x, offset.y, offset.z } };
+    (parent < 0 ? foot : scene.Nodes[firstNode + parent]).Children.push_back(index);
+    scene.Nodes.push_back(node);
+    scene.Tracks.push_back(TrackOf(tracks[kept], index));
+    skin.Joints.push_back(index);
+  }
+  scene.Nodes[this->Node].Children.push_back(static_cast<int>(scene.Nodes.size()));
+  scene.Nodes.push_back(foot);
+  SceneNode shown;
+  shown.Name = foot.Name;
+  shown.Mesh = static_cast<int>(scene.Meshes.size()) - 1;
+  shown.Skin = static_cast<int>(scene.Skins.size());
+  shown.Tint = this->TintOf(plant, first);
+  scene.Skins.push_back(std::move(skin));
+  scene.Skinned.push_back(static_cast<int>(scene.Nodes.size()));
+  scene.Nodes.push_back(shown);
 }
 
 }

@@ -6,11 +6,13 @@
 // Things of a scene that move: surfaces by targets, plants by joints. Private: never installed.
 
 #include "Data/PlantTable.h"
+#include "Plants/JointReduction.h"
 #include "SceneInput.h"
 
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,9 +107,17 @@ private:
   std::vector<float> Rests;
   std::vector<Part> Parts;
   std::vector<Frame> Frames;
+  std::vector<int> LocalJoints; ///< the number of a joint in its plant, of the group that is added
 
   std::vector<Plant> FindPlants() const;
+  JointTree TreeOf(const Plant& plant);
+  SceneMesh RestOf(const Plant& plant, std::size_t part, JointTree& tree) const;
+  void AddHolds(const Plant& plant, std::size_t part, const ReducedJoints& reduced, SceneMesh& mesh) const;
+  std::vector<JointFrame> MotionOf(const Plant& plant) const;
+  std::optional<std::array<double, 3>> TintOf(const Plant& plant, const Plant& other) const;
   void AddGroup(const std::vector<const Plant*>& group, double tolerance, Scene& scene);
+  void AddSkinned(const Plant& plant, const Plant& first, const JointTree& tree, const ReducedJoints& reduced,
+    const std::vector<JointTrack>& tracks, Scene& scene) const;
 };
 
 }

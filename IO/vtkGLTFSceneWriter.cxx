@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 vtkStandardNewMacro(vtkGLTFSceneWriter);
@@ -318,7 +319,14 @@ std::string vtkGLTFSceneWriter::Follow(const std::vector<littoral::SceneSource>&
 std::string vtkGLTFSceneWriter::WriteScene()
 {
   const double first = this->WriteMotion ? 0.5 : 0.0;
-  this->Internals->Reader.Finish();
+  try
+  {
+    this->Internals->Reader.Finish();
+  }
+  catch (const std::length_error& problem)
+  {
+    return problem.what();
+  }
   const std::string tooLarge = littoral::WhyTooLarge(this->Internals->Scene);
   if (!tooLarge.empty())
   {

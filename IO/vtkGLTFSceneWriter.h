@@ -225,7 +225,7 @@ public:
 
   ///@{
   /**
-   * Illuminance of a surface that faces the sun [lx], not negative; default 100 000, that of a clear day.
+   * Illuminance of a surface that faces the sun [lx], not negative; default 100000, that of a clear day.
    */
   vtkSetMacro(SunIlluminance, double);
   vtkGetMacro(SunIlluminance, double);
@@ -233,7 +233,7 @@ public:
 
   ///@{
   /**
-   * Extras of the scene, an object as JSON: what renderers need to know of water, fog, volumes and sky; default empty,
+   * Extras of the scene, an object as JSON: what renderers need to know of water, fog, volumes and sky; default ``,
    * none.
    */
   vtkSetMacro(Extras, std::string);
