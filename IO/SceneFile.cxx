@@ -84,7 +84,8 @@ Value ObjectOf(const std::string& json, std::string& reason)
   const std::string text = R"({"asset":{"version":"2.0"},"extras":)" + json + "}";
   const bool isRead = reader.LoadASCIIFromString(
     &model, &error, &warning, text.c_str(), static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
-  reason = isRead && model.extras.IsObject() ? "" : "Extras must be an object as JSON, such as {\"water\": {\"level\": 0}}.";
+  reason =
+    isRead && model.extras.IsObject() ? "" : "Extras must be an object as JSON, such as {\"water\": {\"level\": 0}}.";
   return model.extras;
 }
 
@@ -157,8 +158,8 @@ void ModelMaker::AddMaterials()
     material.pbrMetallicRoughness.baseColorTexture.index = from.Picture;
     material.alphaMode = from.Picture >= 0 ? "MASK" : from.Blended ? "BLEND" : "OPAQUE";
     material.doubleSided = from.Kind != SceneKind::Bark; // wood is closed
-    material.extras = Value(
-      Value::Object{ { "kind", Value(std::string(SceneKindNames[static_cast<int>(from.Kind)])) } });
+    material.extras =
+      Value(Value::Object{ { "kind", Value(std::string(SceneKindNames[static_cast<int>(from.Kind)])) } });
     this->Model.materials.push_back(material);
   }
 }

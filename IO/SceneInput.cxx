@@ -35,7 +35,8 @@ bool IsUtf8(const std::string& text)
 /// A text with a question mark in the place of each byte that is none of ASCII.
 std::string Readable(std::string text)
 {
-  std::replace_if(text.begin(), text.end(), [](char byte) { return static_cast<unsigned char>(byte) > 126; }, '?');
+  std::replace_if(
+    text.begin(), text.end(), [](char byte) { return static_cast<unsigned char>(byte) > 126; }, '?');
   return text;
 }
 
@@ -134,7 +135,8 @@ private:
       this->Bytes += TerrainBytes(image);
       return;
     }
-    this->Require(surface, WhyOtherType(data, owner.c_str(), "polygonal data (vtkPolyData), a terrain (vtkImageData) or blocks of them"));
+    this->Require(surface,
+      WhyOtherType(data, owner.c_str(), "polygonal data (vtkPolyData), a terrain (vtkImageData) or blocks of them"));
     if (surface && this->Reason.empty())
     {
       this->Require(WhyNoSurface(surface, owner));

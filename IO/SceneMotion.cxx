@@ -70,8 +70,8 @@ glm::dquat TurnAt(const std::vector<float>& numbers, std::size_t index)
 
 void Append(std::vector<float>& numbers, const Vector3& triple)
 {
-  numbers.insert(numbers.end(),
-    { static_cast<float>(triple.x), static_cast<float>(triple.y), static_cast<float>(triple.z) });
+  numbers.insert(
+    numbers.end(), { static_cast<float>(triple.x), static_cast<float>(triple.y), static_cast<float>(triple.z) });
 }
 
 void SetTriple(std::vector<float>& numbers, std::size_t index, const Vector3& triple)
@@ -396,8 +396,7 @@ SceneMesh MovingPlants::RestOf(const Plant& plant, std::size_t part, JointTree& 
 
 //----------------------------------------------------------------------------
 /// The kept joints that the vertices of a part follow; those that have become one add their weights.
-void MovingPlants::AddHolds(
-  const Plant& plant, std::size_t part, const ReducedJoints& reduced, SceneMesh& mesh) const
+void MovingPlants::AddHolds(const Plant& plant, std::size_t part, const ReducedJoints& reduced, SceneMesh& mesh) const
 {
   const Holds holds(this->Parts[part].Data);
   for (const std::uint32_t from : plant.Vertices[part])

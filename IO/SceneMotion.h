@@ -95,7 +95,7 @@ private:
     int Species = -1; ///< -1: not told
     PlantPlace Place;
     std::string Level;
-    std::vector<int> Joints;                        ///< parents first
+    std::vector<int> Joints;                          ///< parents first
     std::vector<std::vector<std::uint32_t>> Vertices; ///< of each part
   };
 

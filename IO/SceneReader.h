@@ -65,7 +65,7 @@ private:
 
   const SceneOptions Options;
   Scene& To;
-  std::map<vtkAbstractArray*, int> Pictures; // by texels
+  std::map<vtkAbstractArray*, int> Pictures;             // by texels
   std::vector<vtkSmartPointer<vtkAbstractArray>> Texels; // held, so that no other array gets their addresses
   std::map<std::tuple<SceneKind, int, bool>, int> Materials;
   SceneAddress Address; // of what is read
@@ -81,7 +81,8 @@ private:
   int AddLevels(vtkMultiBlockDataSet* plant, const std::string& name, const Surroundings& around);
   int AddInstances(
     vtkMultiBlockDataSet* blocks, vtkPolyData* points, const std::string& name, const Surroundings& around);
-  SceneMesh MeshFor(vtkPolyData* data, const std::string& name, const Surroundings& around, std::array<double, 3>& place);
+  SceneMesh MeshFor(
+    vtkPolyData* data, const std::string& name, const Surroundings& around, std::array<double, 3>& place);
   int AddMesh(vtkPolyData* data, const std::string& name, const Surroundings& around, std::array<double, 3>& place);
   int MaterialOf(vtkPolyData* data, SceneKind kind, bool isBlended);
   std::vector<Level> LevelsOf(vtkMultiBlockDataSet* blocks, const Surroundings& around);

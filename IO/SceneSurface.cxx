@@ -186,9 +186,8 @@ std::vector<std::uint32_t> PairsOf(vtkCellArray* lines)
 std::vector<std::uint32_t> VerticesOf(vtkPolyData* data)
 {
   std::vector<std::uint32_t> vertices;
-  ForCells(data->GetVerts(), [&](const vtkIdType* ids, vtkIdType count) {
-    vertices.insert(vertices.end(), ids, ids + count);
-  });
+  ForCells(data->GetVerts(),
+    [&](const vtkIdType* ids, vtkIdType count) { vertices.insert(vertices.end(), ids, ids + count); });
   for (vtkIdType point = 0; data->GetNumberOfCells() == 0 && point < data->GetNumberOfPoints(); ++point)
   {
     vertices.push_back(static_cast<std::uint32_t>(point));
@@ -307,7 +306,8 @@ SceneMesh MeshOf(vtkPolyData* data, bool hasVelocity, std::array<double, 3>& pla
 {
   SceneMesh mesh;
   place = PlaceOf(data);
-  const vtkSmartPointer<vtkPolyData> drawn = HasLargePolygons(data) ? Triangulated(data) : vtkSmartPointer<vtkPolyData>(data);
+  const vtkSmartPointer<vtkPolyData> drawn =
+    HasLargePolygons(data) ? Triangulated(data) : vtkSmartPointer<vtkPolyData>(data);
   mesh.Triangles = TrianglesOf(drawn->GetPolys());
   mesh.Lines = PairsOf(data->GetLines());
   mesh.Points = VerticesOf(data);

@@ -78,7 +78,8 @@ vtkSmartPointer<vtkCellArray> QuadsOf(vtkIdType columns, vtkIdType rows)
 }
 
 /// Colors of the ground by slope, height and, if there is one, reflectance.
-vtkSmartPointer<vtkUnsignedCharArray> GroundColors(const Samples& samples, vtkFloatArray* normals, vtkDataArray* reflectance)
+vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
+  const Samples& samples, vtkFloatArray* normals, vtkDataArray* reflectance)
 {
   const vtkIdType count = normals->GetNumberOfTuples();
   auto colors = NewArray<vtkUnsignedCharArray>(plant::RGB, 3, count);

@@ -200,8 +200,7 @@ std::string vtkGLTFSceneWriter::WhyInvalid() const
     RequireFinite(check, "CameraPosition", this->CameraPosition);
     RequireFinite(check, "CameraFocalPoint", this->CameraFocalPoint);
     RequireDirection(check, "CameraViewUp", this->CameraViewUp);
-    check.Within(
-      "CameraViewAngle", this->CameraViewAngle, littoral::ValueInterval::Between(0.0, 180.0), "degrees");
+    check.Within("CameraViewAngle", this->CameraViewAngle, littoral::ValueInterval::Between(0.0, 180.0), "degrees");
     const bool isApart = !std::equal(this->CameraPosition, this->CameraPosition + 3, this->CameraFocalPoint);
     check.Require(isApart, "CameraFocalPoint must not be CameraPosition.");
   }
@@ -263,9 +262,8 @@ std::vector<littoral::SceneSource> vtkGLTFSceneWriter::GetSources()
 int vtkGLTFSceneWriter::GetNumberOfFrames() const
 {
   constexpr double rounding = 1e-9; // of a frame
-  return this->WriteMotion
-    ? 1 + static_cast<int>((this->EndTime - this->StartTime) * this->FramesPerSecond + rounding)
-    : 1;
+  return this->WriteMotion ? 1 + static_cast<int>((this->EndTime - this->StartTime) * this->FramesPerSecond + rounding)
+                           : 1;
 }
 
 //----------------------------------------------------------------------------

@@ -90,8 +90,8 @@ private:
     std::vector<Vector3> corners = { own };
     for (int corner = 0; corner < 8 && !box.IsEmpty(); ++corner)
     {
-      corners.emplace_back(corner & 1 ? box.High.x : box.Low.x, corner & 2 ? box.High.y : box.Low.y,
-        corner & 4 ? box.High.z : box.Low.z);
+      corners.emplace_back(
+        corner & 1 ? box.High.x : box.Low.x, corner & 2 ? box.High.y : box.Low.y, corner & 4 ? box.High.z : box.Low.z);
     }
     // The error is an affine function of the place, so that it is largest in a corner.
     for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
@@ -129,7 +129,8 @@ private:
         const Vector3 foot = kept < 0 ? Vector3(0.0) : this->RestOf(kept);
         track.Rotations.push_back(Rounded(glm::normalize(glm::conjugate(below.Rotation) * right.Rotation)));
         track.Translations.emplace_back(glm::conjugate(below.Rotation) * (right.Position - below.Position));
-        isHeld = isHeld && glm::length(right.Position - below.Of(rest - foot)) <= std::max(Rounding, 0.25 * this->Tolerance);
+        isHeld =
+          isHeld && glm::length(right.Position - below.Of(rest - foot)) <= std::max(Rounding, 0.25 * this->Tolerance);
         poses.push_back({ below.Rotation * RotationOf(track.Rotations.back()), right.Position });
       }
       if (isHeld)
@@ -159,8 +160,7 @@ void JointTree::Box::Add(const Vector3& place)
   this->High = isFirst ? place : glm::max(this->High, place);
 }
 
-ReducedJoints ReduceJoints(
-  const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
 {
   return Reduction(tree, plants, tolerance).Reduce();
 }

@@ -49,18 +49,17 @@ struct JointTrack
 /// Fewer joints that do nearly what all of them do.
 struct ReducedJoints
 {
-  std::vector<int> Kept;                        ///< joints of the tree
-  std::vector<int> Parents;                     ///< indices into Kept; -1 for a root
-  std::vector<int> Follows;                     ///< for each joint of the tree, an index into Kept
-  std::vector<std::vector<JointTrack>> Tracks;  ///< of each plant, a track a kept joint
+  std::vector<int> Kept;                       ///< joints of the tree
+  std::vector<int> Parents;                    ///< indices into Kept; -1 for a root
+  std::vector<int> Follows;                    ///< for each joint of the tree, an index into Kept
+  std::vector<std::vector<JointTrack>> Tracks; ///< of each plant, a track a kept joint
 };
 
 /**
  * The joints that are needed to move plants of one tree so that no place in the box of a joint is further than the
  * tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps all joints.
  */
-ReducedJoints ReduceJoints(
-  const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance);
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance);
 
 }
 

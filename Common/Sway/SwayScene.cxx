@@ -148,7 +148,8 @@ std::vector<int> SwayScene::GetParents() const
   for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
   {
     const std::size_t first = this->Plants[plant].FirstJoint;
-    const std::size_t end = plant + 1 < this->Plants.size() ? this->Plants[plant + 1].FirstJoint : this->Rest.Nodes.size();
+    const std::size_t end =
+      plant + 1 < this->Plants.size() ? this->Plants[plant + 1].FirstJoint : this->Rest.Nodes.size();
     for (std::size_t node = first; node < end; ++node)
     {
       const int parent = this->Rest.Nodes[node].Parent;

@@ -39,11 +39,14 @@ nodes = saved("nodes.glb", forest, InstanceForm="Nodes", LevelForm="Low")
 assert sum("scale" in node or "rotation" in node for node in nodes["nodes"]) >= count, "there is no node for each plant"
 
 land = simple.TurningBandsTerrain(WholeExtent=[0, 20, 0, 20, 0, 0])
-group = saved("group.glb", simple.GroupDatasets(Input=[land, tree]))
+both = simple.GroupDatasets(Input=[land, tree])
+both.UpdatePipeline()
+group = saved("group.glb", both)
 assert {material["extras"]["kind"] for material in group["materials"]} >= {"ground", "bark", "leaf"}
 
 kelp = simple.SeaweedDeformation(Input=simple.Seaweed(SegmentsPerBranch=4), SeaState=simple.SeaState(SeaLevel=4.0),
                                  GenerateJoints=1, UseLevels=0, FollowCamera=0)
+kelp.UpdatePipeline()
 moving = saved("kelp.glb", kelp, WriteMotion=1, EndTime=0.5, FramesPerSecond=10.0)
 assert moving["skins"] and moving["accessors"][moving["animations"][0]["samplers"][0]["input"]]["count"] == 6
 print("done")

@@ -47,8 +47,7 @@ JointFrame Turned(const JointTree& tree, const std::vector<double>& angles)
 }
 
 /// Where the tracks take a place that follows a joint of the tree.
-Vector3 Played(
-  const JointTree& tree, const ReducedJoints& reduced, std::size_t frame, int joint, const Vector3& place)
+Vector3 Played(const JointTree& tree, const ReducedJoints& reduced, std::size_t frame, int joint, const Vector3& place)
 {
   int kept = reduced.Follows[joint];
   Vector3 at = place - tree.Rests[reduced.Kept[kept]];
