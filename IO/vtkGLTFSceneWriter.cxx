@@ -250,6 +250,7 @@ void vtkGLTFSceneWriter::Refuse(const std::string& reason)
 std::vector<littoral::SceneSource> vtkGLTFSceneWriter::GetSources()
 {
   std::vector<littoral::SceneSource> sources;
+  sources.reserve(this->GetNumberOfInputConnections(0));
   for (int source = 0; source < this->GetNumberOfInputConnections(0); ++source)
   {
     sources.push_back({ this->GetSourceName(source), static_cast<littoral::SceneKind>(this->GetSourceKind(source)),
