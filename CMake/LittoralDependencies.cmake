@@ -36,6 +36,7 @@ endif ()
 
 if (NOT LITTORAL_WITH_VTK)
   set(LITTORAL_WITH_OPENVDB OFF)
+  set(LITTORAL_WITH_TINYGLTF OFF)
   set(LITTORAL_WITH_PARAVIEW OFF)
   set(LITTORAL_WITH_PYTHON OFF)
   return ()
@@ -65,14 +66,27 @@ if (LITTORAL_WITH_OPENVDB)
   endif ()
 endif ()
 
+# --- tinygltf, as a library: its header alone would compile parsers of images and JSON into Littoral.
+if (LITTORAL_WITH_TINYGLTF)
+  find_package(TinyGLTF QUIET CONFIG)
+  if (TARGET TinyGLTF::TinyGLTF AND NOT TARGET tinygltf::tinygltf)
+    add_library(tinygltf::tinygltf INTERFACE IMPORTED GLOBAL) # Debian's name of the target
+    target_link_libraries(tinygltf::tinygltf INTERFACE TinyGLTF::TinyGLTF)
+  endif ()
+  if (NOT TARGET tinygltf::tinygltf)
+    message(STATUS "tinygltf was not found: no vtkGLTFSceneWriter")
+    set(LITTORAL_WITH_TINYGLTF OFF)
+  endif ()
+endif ()
+
 # --- VTK, through ParaView if it is there.
 # Components are named so that only their dependencies are looked up. What the tests add is
 # optional: VTK would otherwise insist on the development files of every image format.
 set(littoral_vtk_components
   CommonCore CommonDataModel CommonExecutionModel RenderingCore)
 set(littoral_vtk_test_components)
-if (LITTORAL_WITH_OPENVDB)
-  list(APPEND littoral_vtk_components IOCore ParallelCore)
+if (LITTORAL_WITH_OPENVDB OR LITTORAL_WITH_TINYGLTF)
+  list(APPEND littoral_vtk_components FiltersCore IOCore IOImage ParallelCore utf8)
 endif ()
 if (LITTORAL_WITH_PYTHON)
   list(APPEND littoral_vtk_components WrappingPythonCore)
@@ -82,6 +96,7 @@ if (LITTORAL_BUILD_TESTING)
     FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources ImagingCore InteractionStyle IOXML
     RenderingOpenGL2 TestingCore TestingRendering)
 endif ()
+list(REMOVE_ITEM littoral_vtk_test_components ${littoral_vtk_components})
 set(littoral_find_vtk_arguments REQUIRED
   COMPONENTS ${littoral_vtk_components}
   OPTIONAL_COMPONENTS ${littoral_vtk_test_components})

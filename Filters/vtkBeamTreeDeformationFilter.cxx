@@ -73,6 +73,7 @@ vtkBeamTreeDeformationFilter::vtkBeamTreeDeformationFilter()
   , NumberOfTextures(8)
   , TextureSize{ 256, 128 }
   , Seed(1)
+  , GenerateJoints(false)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
@@ -264,6 +265,10 @@ int vtkBeamTreeDeformationFilter::RequestData(
   {
     this->SetProgressText("Moving plants");
     this->Internals->Plants.Move(time, plants, output, this);
+    if (this->GenerateJoints && !littoral::IsAborted(this))
+    {
+      this->Internals->Plants.AddJoints(output);
+    }
     AttachFrequencies(this->Internals->Plants.GetFrequencies(), output);
     vtkImageData::GetData(outputVector, 1)->ShallowCopy(this->Internals->Plants.GetPictures());
   }
@@ -297,4 +302,5 @@ void vtkBeamTreeDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfTextures: " << this->NumberOfTextures << "\n";
   os << indent << "TextureSize: " << this->TextureSize[0] << " " << this->TextureSize[1] << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "GenerateJoints: " << this->GenerateJoints << "\n";
 }

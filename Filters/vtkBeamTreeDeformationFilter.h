@@ -200,6 +200,18 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  ///@{
+  /**
+   * Addition of the block `Joints` to output 0, for programs that move skins themselves, as vtkGLTFSceneWriter does:
+   * a point for each joint at its position, with the point arrays `ParentId` (-1: none), `RestPosition`[3] [m] and
+   * `Rotation`[4] (quaternion w, x, y, z, since rest); default off. `JointIds` are indices of it, also those that
+   * Medium/Trunk and Medium/Crown get. Leaf flutter is not in it.
+   */
+  vtkSetMacro(GenerateJoints, bool);
+  vtkGetMacro(GenerateJoints, bool);
+  vtkBooleanMacro(GenerateJoints, bool);
+  ///@}
+
   /// Connects the wind, port 1.
   void SetWindConnection(vtkAlgorithmOutput* wind) { this->SetInputConnection(1, wind); }
 
@@ -236,6 +248,7 @@ protected:
   int NumberOfTextures;
   int TextureSize[2];
   int Seed;
+  bool GenerateJoints;
 
 private:
   vtkBeamTreeDeformationFilter(const vtkBeamTreeDeformationFilter&) = delete;

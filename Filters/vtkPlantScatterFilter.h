@@ -36,8 +36,9 @@
  * `Scale`, `Tint` (factors of red, green and blue, for all but the wood), `PlantId`, `SiteId`, `Species` and `Level`;
  * and then a block for each level of each prototype, as it is there: `0 High` {`Skin`, `Leaves`}, `0 Medium` {`Trunk`,
  * `Crown`}, `0 Low` {`Low`}, `1 High` and so on. Their parts have the field arrays `Prototype`, the same index, and
- * `Tinted`, 0 or 1. A plant is its prototype scaled, rotated and moved to the point, as vtkGlyph3DMapper does with
- * SourceIndexing, this output as SourceTableTree, and quaternions. The counters are field data, as of merged plants.
+ * `Tinted` and `Seaweed`, 0 or 1. A plant is its prototype scaled, rotated and moved to the point, as vtkGlyph3DMapper
+ * does with SourceIndexing, this output as SourceTableTree, and quaternions. The counters are field data, as of merged
+ * plants.
  *
  * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is
  * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are

@@ -76,6 +76,7 @@ vtkSeaweedDeformationFilter::vtkSeaweedDeformationFilter()
   , ViewSpeed(1.0)
   , PixelError(0.5)
   , GenerateMotion(false)
+  , GenerateJoints(false)
   , VelocityArray(nullptr)
   , TimeRange{ 0.0, 60.0 }
   , Internals(new vtkInternals)
@@ -364,6 +365,10 @@ void vtkSeaweedDeformationFilter::Write(
     scene.FindMotion();
   }
   littoral::WriteSeaweeds(scene, this->Internals->Skins, this->Internals->Arrays, plants, output);
+  if (this->GenerateJoints)
+  {
+    littoral::AddSeaweedJoints(scene, output);
+  }
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(plants->GetFieldData());
   output->SetFieldData(fields);
@@ -407,6 +412,7 @@ void vtkSeaweedDeformationFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewSpeed: " << this->ViewSpeed << "\n";
   os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "GenerateMotion: " << this->GenerateMotion << "\n";
+  os << indent << "GenerateJoints: " << this->GenerateJoints << "\n";
   os << indent << "VelocityArray: " << (this->VelocityArray ? this->VelocityArray : "(none)") << "\n";
   os << indent << "TimeRange: " << this->TimeRange[0] << " " << this->TimeRange[1] << "\n";
 }

@@ -273,6 +273,18 @@ public:
 
   ///@{
   /**
+   * Addition of the block `Joints` to the output, for programs that move skins themselves, as vtkGLTFSceneWriter does:
+   * a point for each joint at its position, with the point arrays `ParentId` (-1: none), `RestPosition`[3] [m] and
+   * `Rotation`[4] (quaternion w, x, y, z, since rest); default off. `JointIds` are indices of it.
+   * Beyond NearDistance skins follow joints in another way: switch UseLevels off.
+   */
+  vtkSetMacro(GenerateJoints, bool);
+  vtkGetMacro(GenerateJoints, bool);
+  vtkBooleanMacro(GenerateJoints, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of the point array of velocities in currents that are no flow primitives; default null. If empty or null, it
    * is `Velocity`, else the only array of three components.
    */
@@ -330,6 +342,7 @@ protected:
   double ViewSpeed;
   double PixelError;
   bool GenerateMotion;
+  bool GenerateJoints;
   char* VelocityArray;
   double TimeRange[2];
 

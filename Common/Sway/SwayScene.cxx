@@ -142,6 +142,23 @@ void SwayScene::AddCrown(int row, std::size_t first)
   this->Crowns.push_back({ first, place.Species, this->Wind->Arrival(place.Foot) });
 }
 
+std::vector<int> SwayScene::GetParents() const
+{
+  std::vector<int> parents;
+  for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
+  {
+    const std::size_t first = this->Plants[plant].FirstJoint;
+    const std::size_t end =
+      plant + 1 < this->Plants.size() ? this->Plants[plant + 1].FirstJoint : this->Rest.Nodes.size();
+    for (std::size_t node = first; node < end; ++node)
+    {
+      const int parent = this->Rest.Nodes[node].Parent;
+      parents.push_back(parent < 0 ? -1 : parent + static_cast<int>(first));
+    }
+  }
+  return parents;
+}
+
 void SwayScene::MoveTo(double time, const ParallelFor& parallel)
 {
   this->Time = time;

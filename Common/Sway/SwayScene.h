@@ -79,6 +79,9 @@ public:
   /// Motion of all joints at the time of MoveTo, for MoveSkin.
   const std::vector<JointChange>& GetChanges() const { return this->Changes; }
 
+  /// The parent of each joint; -1 for the first of a plant.
+  std::vector<int> GetParents() const;
+
   /// The position of a joint [m] at the time of MoveTo.
   Vector3 JointPosition(std::size_t node) const { return this->Rest.Nodes[node].Position + this->Poses[node].Shift; }
 

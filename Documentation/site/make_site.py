@@ -28,7 +28,7 @@ DOCUMENTS = TOP / "Documentation"
 GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "patterns", "plants", "forests", "wind", "sway",
          "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "speed", "troubleshooting")
 DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway", "sea", "currents", "particles",
-          "seaweed", "paraview", "volumes")
+          "seaweed", "paraview", "volumes", "scenes")
 
 # Classes by field: title, page of the guide, page of the design, classes.
 FIELDS = (
@@ -48,6 +48,7 @@ FIELDS = (
     ("Seaweeds", "seaweed", "seaweed", ("vtkSeaweedSource", "vtkSeaweedDeformationFilter", "vtkPlantWakeFilter")),
     ("Views", "terrain", "geometry", ("vtkViewDependentAlgorithm",)),
     ("Volumes", "volumes", "volumes", ("vtkVDBVolumeWriter",)),
+    ("Scenes", "saving", "scenes", ("vtkGLTFSceneWriter",)),
 )
 
 # Rooms of Common: page of the design, and what they hold.

@@ -50,13 +50,20 @@ std::string WhyBadLook(vtkPolyData* block, const std::string& owner)
 {
   ArrayReader points = ArrayReader::OfPoints(block, owner);
   points.NeedFinite(block->GetPoints() ? block->GetPoints()->GetData() : nullptr);
-  points.Find(plant::RGB, 3);
   points.NeedFinite(points.Fit(block->GetPointData()->GetNormals(), 3));
   points.NeedFinite(points.Find("Normals", 3));
   vtkDataArray* places = block->GetPointData()->GetTCoords();
   const int axes = places && places->GetNumberOfComponents() == 3 ? 3 : 2;
   points.NeedFinite(points.Fit(places, axes));
   points.NeedFinite(points.Find("TCoords", axes));
+  return points.Reason();
+}
+
+/// Why arrays that all plants have are bad.
+std::string WhyBadColors(vtkPolyData* block, const std::string& owner)
+{
+  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  points.Find(plant::RGB, 3);
   points.Find(plant::PlantId, 1);
   return points.Reason();
 }
@@ -78,7 +85,17 @@ std::string WhyBadMotion(vtkPolyData* block, vtkIdType nodes, const std::string&
   return points.Reason();
 }
 
-/// Why the texture of a block is bad.
+std::string WhyBadBlock(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
+{
+  std::string reason = WhyBadDrawing(block, owner);
+  reason = reason.empty() ? WhyBadColors(block, owner) : reason;
+  reason = reason.empty() ? WhyBadMotion(block, nodes, owner) : reason;
+  return reason.empty() ? WhyBadTexture(block, owner) : reason;
+}
+
+}
+
+//----------------------------------------------------------------------------
 std::string WhyBadTexture(vtkPolyData* block, const std::string& owner)
 {
   ArrayReader fields = ArrayReader::OfFields(block, owner);
@@ -114,17 +131,15 @@ std::string WhyBadTexture(vtkPolyData* block, const std::string& owner)
   return reason.empty() && !fits ? "Texture of " + owner + " has not as many texels as TextureSize tells." : reason;
 }
 
-std::string WhyBadBlock(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
+//----------------------------------------------------------------------------
+std::string WhyBadDrawing(vtkPolyData* block, const std::string& owner)
 {
   std::string reason = WhyUnfit(block, owner.c_str());
   reason = reason.empty() ? WhyBadCells(block, owner) : reason;
-  reason = reason.empty() ? WhyBadLook(block, owner) : reason;
-  reason = reason.empty() ? WhyBadMotion(block, nodes, owner) : reason;
-  return reason.empty() ? WhyBadTexture(block, owner) : reason;
+  return reason.empty() ? WhyBadLook(block, owner) : reason;
 }
 
-}
-
+//----------------------------------------------------------------------------
 std::string WhyNoPlants(vtkMultiBlockDataSet* plants)
 {
   ArrayReader fields = ArrayReader::OfFields(plants, "The plants", 1);

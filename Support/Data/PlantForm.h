@@ -9,6 +9,7 @@
 #include <string>
 
 class vtkMultiBlockDataSet;
+class vtkPolyData;
 
 namespace littoral
 {
@@ -19,6 +20,12 @@ namespace littoral
  * there are, and ids of nodes that there are. To be called before anything is read.
  */
 std::string WhyNoPlants(vtkMultiBlockDataSet* plants);
+
+/// Why polygonal data cannot be drawn: cells, positions, normals or texture coordinates are bad. Empty if they can.
+std::string WhyBadDrawing(vtkPolyData* block, const std::string& owner);
+
+/// Why the texture that a block carries is bad; empty if it has a good one or none.
+std::string WhyBadTexture(vtkPolyData* block, const std::string& owner);
 
 }
 

@@ -5,6 +5,7 @@
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/PlantBlocks.h"
+#include "Data/SeaweedBlocks.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -129,6 +130,8 @@ void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* blocks)
     levels[level] = vtkSmartPointer<vtkMultiBlockDataSet>::New();
     AddBlock(blocks, (species + " " + LevelNames[level]).c_str(), levels[level]);
   }
+  vtkPolyData* bones = parts[SkeletonPart];
+  const bool isSeaweed = bones && bones->GetPointData()->HasArray(seaweed::Tissue);
   for (int part = 0; part < NumberOfParts; ++part)
   {
     if (parts[part] && !PartKinds[part].HasLines)
@@ -138,6 +141,7 @@ void AddLevels(const PrototypeBlocks& parts, vtkMultiBlockDataSet* blocks)
       const int level = static_cast<int>(LevelOfPart[part]);
       AddNumber(copy, PrototypeName, first + level);
       AddNumber(copy, "Tinted", PartKinds[part].IsTinted ? 1 : 0);
+      AddNumber(copy, "Seaweed", isSeaweed ? 1 : 0);
       AddBlock(levels[level], PartKinds[part].Name ? PartKinds[part].Name : PartKinds[part].Level, copy);
     }
   }

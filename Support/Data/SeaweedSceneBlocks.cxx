@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SeaweedSceneBlocks.h"
 
+#include "Data/JointBlock.h"
 #include "Data/PlantBlocks.h"
 #include "Data/PlantForm.h"
 #include "Data/SeaweedBlocks.h"
@@ -200,6 +201,24 @@ void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock
   WriteSkins(scene, skins, arrays, blocks);
   WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), blocks);
   ReplaceBlock(output, plant::High, blocks);
+}
+
+//----------------------------------------------------------------------------
+void AddSeaweedJoints(const SeaweedScene& scene, vtkMultiBlockDataSet* output)
+{
+  const std::vector<SkeletonNode>& nodes = scene.GetStand().GetSkeleton().Nodes;
+  const std::vector<glm::dquat> rotations = scene.SkinRotations();
+  std::vector<JointChange> changes(nodes.size());
+  for (std::size_t plant = 0; plant < scene.GetStand().GetPlants().size(); ++plant)
+  {
+    scene.FindChanges(plant, rotations, changes);
+  }
+  std::vector<int> parents;
+  for (const SkeletonNode& node : nodes)
+  {
+    parents.push_back(node.Parent);
+  }
+  AddBlock(output, joint::Joints, JointBlock(changes, parents));
 }
 
 }

@@ -34,6 +34,9 @@ std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& opt
 void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
   vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output);
 
+/// Adds the block of the joints as shown.
+void AddSeaweedJoints(const SeaweedScene& scene, vtkMultiBlockDataSet* output);
+
 }
 
 #endif

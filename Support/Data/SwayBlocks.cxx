@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/SwayBlocks.h"
 
+#include "Data/JointBlock.h"
 #include "Data/PlantForm.h"
 #include "Data/SwayPrototype.h"
 #include "Data/WindImage.h"
@@ -344,6 +345,26 @@ void SwayBlocks::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDa
     }
   }
   this->Arrays.EndFrame();
+}
+
+//----------------------------------------------------------------------------
+void SwayBlocks::AddJoints(vtkMultiBlockDataSet* output) const
+{
+  AddBlock(output, joint::Joints, JointBlock(this->Scene->GetChanges(), this->Scene->GetParents()));
+  for (const Skin& skin : this->Skins)
+  {
+    vtkPolyData* block = PlantPartOf(output, skin.Level, skin.Name);
+    if (block && !skin.Joints.empty())
+    {
+      const vtkIdType points = block->GetNumberOfPoints();
+      const auto joints = NewArray<vtkIntArray>(plant::JointIds, 4, points);
+      const auto weights = NewArray<vtkFloatArray>(plant::JointWeights, 4, points);
+      std::copy(skin.Joints.begin(), skin.Joints.end(), joints->GetPointer(0));
+      std::copy(skin.Weights.begin(), skin.Weights.end(), weights->GetPointer(0));
+      block->GetPointData()->AddArray(joints);
+      block->GetPointData()->AddArray(weights);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

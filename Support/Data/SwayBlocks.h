@@ -36,6 +36,9 @@ public:
   /// Moves the plants to a time [s]; `output` is a shallow copy of the plants. An abort leaves it unchanged.
   void Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output, vtkAlgorithm* progress);
 
+  /// Adds the block of the joints as they are, and what vertices of the level Medium follow.
+  void AddJoints(vtkMultiBlockDataSet* output) const;
+
   /// Frequency of the trunk's first mode [Hz] by row; 0 for plants that stand still.
   const std::vector<double>& GetFrequencies() const { return this->Scene->GetFrequencies(); }
 

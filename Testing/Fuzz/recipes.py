@@ -45,6 +45,8 @@ RECIPES = {
     "vtkSeaweedDeformationFilter": (("vtkSeaweedSource", *SEA), {"SetGenerateMotion": (True,)}),
     "vtkPlantWakeFilter": (("vtkSeaweedDeformationFilter",), {}),
     "vtkVDBVolumeWriter": (("vtkWindFieldSource",), {"SetFileName": ("wind.vdb",)}),
+    "vtkGLTFSceneWriter": (WOOD, {"SetFileName": ("tree.glb",), "SetWriteMotion": (True,), "SetEndTime": (0.1,),
+                                  "SetWriteCamera": (True,), "SetWriteSun": (True,)}),
 }
 MADE = {}
 

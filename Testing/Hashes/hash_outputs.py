@@ -213,6 +213,19 @@ def print_volume():
             print("vtkVDBVolumeWriter", half, os.path.getsize(name))
 
 
+def print_scene():
+    """Hashes of scenes that the writer writes."""
+    for form in (0, 1):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "scene.glb")
+            sites, prototype = make("vtkQuadratPointSource"), tree()
+            forest = make("vtkPlantScatterFilter", (sites, prototype), SetOutputForm=(1,), SetUseCulling=(False,))
+            writer = make("vtkGLTFSceneWriter", (forest,), SetFileName=(name,), SetInstanceForm=(form,))
+            writer.Write()
+            with open(name, "rb") as file:
+                print("vtkGLTFSceneWriter", form, hashlib.sha256(file.read()).hexdigest()[:16])
+
+
 def main(wanted):
     """All classes, or those that are named."""
     for name, (inputs, variants) in CASES.items():
@@ -224,6 +237,7 @@ def main(wanted):
                 sys.exit(f"{name}: setting {number} changes nothing")
     if not wanted:
         print_volume()
+        print_scene()
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@ from littoral.tables import table_of, write_csv
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 HAS_VDB = hasattr(littoral, "vtkVDBVolumeWriter")
+HAS_GLTF = hasattr(littoral, "vtkGLTFSceneWriter")
 
 #: A program that writes a file of more than 100 kB to its first argument; the pictures of films are in its second.
 WRITE = """
@@ -36,14 +37,18 @@ def write_vdb(name):
     if not writer.Write():
         sys.exit(1)
 
+def write_glb(name):
+    TestFiles.write_scene(1.0, name)
+
 def write(name):
     {".vti": lambda: write_vti(TestFiles.heights(), name),
      ".csv": lambda: write_csv(table_of({"x": np.random.default_rng(1).normal(size=20000)}), name),
      ".png": lambda: TestFiles.save_png(TestFiles.picture(256), name),
      ".ogv": lambda: save_film(name, [f"{sys.argv[2]}/{k}.png" for k in range(6)]),
-     ".vdb": lambda: write_vdb(name)}[name[-4:]]()
+     ".vdb": lambda: write_vdb(name),
+     ".glb": lambda: write_glb(name)}[name[-4:]]()
 """
-KINDS = [".vti", ".csv", ".png", ".ogv"] + ([".vdb"] if HAS_VDB else [])
+KINDS = [".vti", ".csv", ".png", ".ogv"] + ([".vdb"] if HAS_VDB else []) + ([".glb"] if HAS_GLTF else [])
 
 #: Settings that take more memory than the limits below leave, each in less than a second.
 LARGE = {

@@ -23,6 +23,7 @@ import littoral
 from littoral import files
 from littoral.elevation import JACKSBORO, array_from_image, image_from_array, read_elevation, write_vti
 from littoral.film import save_film
+from littoral.glb import write_glb
 from littoral.tables import table_of, write_csv
 
 RANDOM = np.random.default_rng(7)
@@ -92,10 +93,16 @@ def write_volume(content, filename):
     writer.Write()
 
 
+def write_scene(content, filename):
+    write_glb(filename, {"Land": image_from_array(np.full((200, 200), content), (1.0, 1.0))})
+
+
 #: How to write content 1 or 2, by extension.
 KILLED = {".vti": lambda content, name: write_vti(image_from_array(np.full((300, 300), content), (1.0, 1.0)), name)}
 if hasattr(littoral, "vtkVDBVolumeWriter"):
     KILLED[".vdb"] = write_volume
+if hasattr(littoral, "vtkGLTFSceneWriter"):
+    KILLED[".glb"] = write_scene
 
 
 class Replaced(unittest.TestCase):

@@ -16,6 +16,7 @@ class Littoral(CMakePackage):
 
     variant("paraview", default=True, description="Build the ParaView plugin, against ParaView's VTK")
     variant("openvdb", default=True, description="Build the writer of OpenVDB volumes")
+    variant("tinygltf", default=True, description="Build the writer of glTF scenes")
     variant("python", default=True, description="Build the Python package")
 
     depends_on("c", type="build")
@@ -32,6 +33,7 @@ class Littoral(CMakePackage):
     depends_on("vtk@9.1: +python", when="~paraview +python")
     depends_on("vtk@9.1:", when="~paraview")
     depends_on("openvdb", when="+openvdb")
+    depends_on("tinygltf", when="+tinygltf")
     extends("python", when="+python")
     depends_on("py-numpy", type="run", when="+python")
 
@@ -41,6 +43,7 @@ class Littoral(CMakePackage):
         return [
             self.define_from_variant("LITTORAL_WITH_PARAVIEW", "paraview"),
             self.define_from_variant("LITTORAL_WITH_OPENVDB", "openvdb"),
+            self.define_from_variant("LITTORAL_WITH_TINYGLTF", "tinygltf"),
             self.define_from_variant("LITTORAL_WITH_PYTHON", "python"),
             self.define("LITTORAL_BUILD_TESTING", self.run_tests),
             self.define("LITTORAL_BUILD_BENCHMARKS", False),

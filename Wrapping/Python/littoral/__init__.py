@@ -28,14 +28,17 @@ from .LittoralFilters import *
 
 versions.mend_calls((vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))
 
+#: Writers by the libraries that they need.
+_writers = {"vtkVDBVolumeWriter": "OpenVDB", "vtkGLTFSceneWriter": "tinygltf"}
 #: Missing classes by name, and the reasons.
-_absent = {}
+_absent = {name: f"this Littoral was built without {library}" for name, library in _writers.items()}
 try:
     from .LittoralIO import *
 except ModuleNotFoundError:
-    _absent["vtkVDBVolumeWriter"] = "this Littoral was built without OpenVDB"
+    pass
 except ImportError as error:
-    _absent["vtkVDBVolumeWriter"] = f"its library cannot be loaded: {error}"
+    _absent = {name: f"its library cannot be loaded: {error}" for name in _writers}
+_absent = {name: reason for name, reason in _absent.items() if name not in globals()}
 
 
 def __getattr__(name):

@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from .elevation import array_from_image
+from .glb import write_glb  # noqa: F401 (scenes as files)
 
 #: Azimuth and elevation of the sun.
 SUN = (248.0, 25.0)

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralJointReduction_h
+#define LittoralJointReduction_h
+
+#include "Numerics/Vector3.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace littoral
+{
+
+/// Joints at rest, parents before their children.
+struct JointTree
+{
+  /// The box around what follows a joint [m]; empty where nothing does.
+  struct Box
+  {
+    Vector3 Low{ 1.0, 1.0, 1.0 };
+    Vector3 High{ -1.0, -1.0, -1.0 };
+
+    bool IsEmpty() const { return this->Low.x > this->High.x; }
+    void Add(const Vector3& place);
+  };
+
+  std::vector<int> Parents;   ///< -1 for a root
+  std::vector<Vector3> Rests; ///< [m]
+  std::vector<Box> Boxes;
+};
+
+/// All joints of a plant at one time: rotations since rest, and positions [m].
+struct JointFrame
+{
+  std::vector<glm::quat> Rotations;
+  std::vector<glm::vec3> Positions;
+};
+
+/// The motion of a joint relative to the one that it hangs on, a sample a frame.
+struct JointTrack
+{
+  std::vector<std::array<std::int16_t, 4>> Rotations; ///< quaternions x, y, z, w times 32767
+  std::vector<glm::vec3> Translations; ///< [m]; empty where the joint stays at its place at rest on the other
+};
+
+/// Fewer joints that do nearly what all of them do.
+struct ReducedJoints
+{
+  std::vector<int> Kept;                       ///< joints of the tree
+  std::vector<int> Parents;                    ///< indices into Kept; -1 for a root
+  std::vector<int> Follows;                    ///< for each joint of the tree, an index into Kept
+  std::vector<std::vector<JointTrack>> Tracks; ///< of each plant, a track a kept joint
+};
+
+/**
+ * The joints that are needed to move plants of one tree so that no place in the box of a joint is further than the
+ * tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps all joints.
+ */
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance);
+
+}
+
+#endif

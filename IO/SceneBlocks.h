@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSceneBlocks_h
+#define LittoralSceneBlocks_h
+
+// What the blocks of a source are. Private: never installed.
+
+#include "Scene.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkMultiBlockDataSet;
+class vtkPolyData;
+
+namespace littoral
+{
+
+/// A block with the name that it has; "Block 2" for the third one where it has none.
+struct NamedBlock
+{
+  std::string Name;
+  vtkSmartPointer<vtkDataObject> Data;
+  unsigned int Index = 0; ///< among all blocks
+};
+
+/// Whether data are blocks.
+bool IsComposite(vtkDataObject* data);
+
+/// The blocks that there are.
+std::vector<NamedBlock> NamedBlocks(vtkMultiBlockDataSet* blocks);
+
+/// Whether blocks are levels of plants, as vtkPlantSource and those that work on plants put them out.
+bool ArePlants(vtkMultiBlockDataSet* blocks);
+
+/// Whether plants are one, with each level in the place of the others; false for a scattered forest.
+bool AreLevelsOfOne(vtkMultiBlockDataSet* plants);
+
+/// Whether plants tell segments of seaweeds.
+bool AreSeaweeds(vtkMultiBlockDataSet* plants);
+
+/// What a block is made of, as its arrays tell; a block of plants by its name.
+SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bool isOfSeaweed);
+
+/// Why points are no joints of moving plants, in words for a user; empty if they are.
+std::string WhyNoJoints(vtkPolyData* joints, const std::string& owner);
+
+/// Why the blocks of moving plants do not follow their joints, in words for a user; empty if they do.
+std::string WhyNotMoving(vtkMultiBlockDataSet* plants, const std::string& owner);
+
+/// The block of points that places prototypes, see vtkPlantScatterFilter; null if there is none.
+vtkPolyData* InstancesOf(vtkMultiBlockDataSet* blocks);
+
+/// The number of a prototype that a block is a part of; -1 if it is none.
+int PrototypeOf(vtkPolyData* part);
+
+/// Whether a part of a prototype has the tints of its instances.
+bool IsTinted(vtkPolyData* part);
+
+/// Whether a part of a prototype is one of a seaweed.
+bool IsOfSeaweed(vtkPolyData* part);
+
+/// Why points do not place prototypes, in words for a user; empty if they do.
+std::string WhyNoInstances(vtkPolyData* points, const std::string& owner);
+
+/// The places of the instances that are chosen by their prototypes.
+SceneInstances PlacesOf(vtkPolyData* points, const std::function<bool(int prototype)>& isChosen);
+
+}
+
+#endif

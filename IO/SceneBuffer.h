@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSceneBuffer_h
+#define LittoralSceneBuffer_h
+
+#include <tiny_gltf.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace littoral
+{
+
+/// The one buffer of a model: arrays one after the other, each at a multiple of four bytes. Functions return the index
+/// of the accessor, or of the buffer view.
+class SceneBuffer
+{
+public:
+  explicit SceneBuffer(tinygltf::Model& model)
+    : Model(model)
+  {
+  }
+
+  /// A file; the index is that of its buffer view.
+  int AddBytes(const std::vector<unsigned char>& bytes);
+
+  /// Numbers with so many components a tuple.
+  int AddNumbers(const std::vector<float>& numbers, int components);
+
+  /// An attribute of vertices, with its bounds.
+  int AddVertices(const std::vector<float>& numbers, int components);
+
+  /// Other numbers with their bounds.
+  int AddBounded(const std::vector<float>& numbers, int components);
+
+  /// Joints of vertices, four each.
+  int AddJoints(const std::vector<std::uint16_t>& joints);
+
+  /// Samples of rotations, whose parts are in units of 1/32767.
+  int AddRotations(const std::vector<std::int16_t>& rotations);
+
+  /// Translations by the negative of places, as matrices.
+  int AddInverses(const std::vector<float>& places);
+
+  /// Indices of so many vertices, in 16 bits where these are enough.
+  int AddIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
+
+private:
+  tinygltf::Model& Model;
+
+  int AddView(const void* from, std::size_t bytes, int target);
+  void SetBounds(int accessor, const std::vector<float>& numbers, int components);
+  int AddAccessor(int view, int component, int type, std::size_t count);
+};
+
+}
+
+#endif

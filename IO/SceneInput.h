@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSceneInput_h
+#define LittoralSceneInput_h
+
+// Data of VTK as a scene. Private: never installed.
+
+#include "Scene.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace littoral
+{
+
+/// Data with the name that they have in the scene.
+struct SceneSource
+{
+  std::string Name;
+  SceneKind Kind = SceneKind::Automatic;
+  vtkDataObject* Data = nullptr;
+};
+
+enum class SceneInstanceForm
+{
+  GpuInstancing, ///< a node for all places of a mesh
+  Nodes          ///< a node for each
+};
+
+enum class SceneLevelForm
+{
+  Switched, ///< all levels, as coarser ones of a node
+  AsShown,  ///< instances at the level that they have, single plants in full
+  High,
+  Medium,
+  Low
+};
+
+struct SceneOptions
+{
+  SceneInstanceForm Instances = SceneInstanceForm::GpuInstancing;
+  SceneLevelForm Levels = SceneLevelForm::Switched;
+  bool HasVelocity = false;
+  bool HasMotion = false;
+  double JointTolerance = 0.0; ///< [m]
+};
+
+/// Why a scene with a name and sources cannot be written, in words for a user; empty if it can. Nothing is copied yet.
+std::string WhyNoScene(const Scene& scene, const std::vector<SceneSource>& sources, const SceneOptions& options);
+
+/// Why a scene that was read is too large for a file, or for the memory; empty if it is not.
+std::string WhyTooLarge(const Scene& scene);
+
+}
+
+#endif

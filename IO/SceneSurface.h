@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSceneSurface_h
+#define LittoralSceneSurface_h
+
+// Meshes of a scene from polygonal data and images. Private: never installed.
+
+#include "Scene.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+namespace littoral
+{
+
+/// Why polygonal data cannot be drawn, in words for a user; empty if they can.
+std::string WhyNoSurface(vtkPolyData* data, const std::string& owner);
+
+/// Why an image is no terrain, one layer of elevations, in words for a user; empty if it is one.
+std::string WhyNoTerrain(vtkImageData* image, const std::string& owner);
+
+/// A good terrain as polygonal data: a point for each sample, with normals and, where the image has none, colors of the
+/// ground.
+vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image);
+
+/// What the mesh of a terrain will take in a file [bytes].
+double TerrainBytes(vtkImageData* image);
+
+/// What the mesh of good data will take in a file [bytes].
+double MeshBytes(vtkPolyData* data, bool hasVelocity);
+
+/// The mesh of good data, without name and material. Its place is that of the node: data in double precision may be far
+/// from the origin.
+SceneMesh MeshOf(vtkPolyData* data, bool hasVelocity, std::array<double, 3>& place);
+
+/// Where the vertices of such a mesh are, and their normals.
+SceneMesh::Target PlacesAt(vtkPolyData* data, const std::array<double, 3>& place);
+
+/// The point array of colors, bytes of three or four components; null where there is none.
+vtkUnsignedCharArray* ColorsOf(vtkPolyData* data);
+
+/// The texture coordinates of the points; null where there are none.
+vtkDataArray* TextureCoordinatesOf(vtkPolyData* data);
+
+}
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneSurface.h"
+
+#include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
+#include "Data/Inputs.h"
+#include "Data/PlantBlocks.h"
+#include "Terrain/GroundColor.h"
+
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr const char* Elevation = "Elevation";
+
+/// The elevations of an image, or else its active scalars; null with the reason where they are none.
+vtkDataArray* ElevationsOf(vtkImageData* image, ArrayReader& arrays)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  return arrays.Has(Elevation) || !scalars ? arrays.Need(Elevation, 1) : arrays.Fit(scalars, 1);
+}
+
+/// The samples of a raster.
+struct Samples
+{
+  vtkDataArray* Heights;
+  int Columns;
+  int Rows;
+  double Spacing[2];
+
+  double At(int column, int row) const
+  {
+    return this->Heights->GetComponent(static_cast<vtkIdType>(row) * this->Columns + column, 0);
+  }
+
+  /// n ~ (-dz/dx, -dz/dy, 1), of the differences between neighbors.
+  std::array<double, 3> NormalAt(int column, int row) const
+  {
+    const int west = std::max(0, column - 1);
+    const int east = std::min(this->Columns - 1, column + 1);
+    const int south = std::max(0, row - 1);
+    const int north = std::min(this->Rows - 1, row + 1);
+    std::array<double, 3> normal = { { (this->At(west, row) - this->At(east, row)) / ((east - west) * this->Spacing[0]),
+      (this->At(column, south) - this->At(column, north)) / ((north - south) * this->Spacing[1]), 1.0 } };
+    vtkMath::Normalize(normal.data());
+    return normal;
+  }
+};
+
+vtkSmartPointer<vtkCellArray> QuadsOf(vtkIdType columns, vtkIdType rows)
+{
+  auto quads = vtkSmartPointer<vtkCellArray>::New();
+  quads->AllocateExact((columns - 1) * (rows - 1), 4 * (columns - 1) * (rows - 1));
+  for (vtkIdType row = 0; row + 1 < rows; ++row)
+  {
+    for (vtkIdType column = 0; column + 1 < columns; ++column)
+    {
+      const vtkIdType first = row * columns + column;
+      quads->InsertNextCell({ first, first + 1, first + columns + 1, first + columns });
+    }
+  }
+  return quads;
+}
+
+/// Colors of the ground by slope, height and, if there is one, reflectance.
+vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
+  const Samples& samples, vtkFloatArray* normals, vtkDataArray* reflectance)
+{
+  const vtkIdType count = normals->GetNumberOfTuples();
+  auto colors = NewArray<vtkUnsignedCharArray>(plant::RGB, 3, count);
+  double range[2];
+  samples.Heights->GetRange(range);
+  for (vtkIdType sample = 0; sample < count; ++sample)
+  {
+    GroundPlace ground;
+    ground.Slope = std::acos(std::min(1.0, normals->GetComponent(sample, 2)));
+    ground.Height =
+      range[1] > range[0] ? (samples.Heights->GetComponent(sample, 0) - range[0]) / (range[1] - range[0]) : 0.0;
+    ground.Reflectance = reflectance ? reflectance->GetComponent(sample, 0) : ground.Reflectance;
+    const Color color = GroundColor(ground);
+    std::copy(color.begin(), color.end(), colors->GetPointer(3 * sample));
+  }
+  return colors;
+}
+
+}
+
+//----------------------------------------------------------------------------
+std::string WhyNoTerrain(vtkImageData* image, const std::string& owner)
+{
+  std::string reason = WhyUnfit(image, owner.c_str());
+  reason = reason.empty() ? WhyNoRaster(image, 2) : reason;
+  ArrayReader arrays = ArrayReader::OfPoints(image, owner);
+  arrays.NeedFinite(ElevationsOf(image, arrays));
+  arrays.NeedFinite(arrays.Find("Reflectance", 1));
+  return reason.empty() ? arrays.Reason() : reason;
+}
+
+//----------------------------------------------------------------------------
+double TerrainBytes(vtkImageData* image)
+{
+  const auto points = static_cast<double>(image->GetNumberOfPoints());
+  return ((3 + 3 + 3) * sizeof(float) + 2 * 3 * sizeof(int)) * points; // positions, normals, colors, two triangles
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
+{
+  ArrayReader arrays = ArrayReader::OfPoints(image, "");
+  const int* dimensions = image->GetDimensions();
+  const double* spacing = image->GetSpacing();
+  const Samples samples = { ElevationsOf(image, arrays), dimensions[0], dimensions[1], { spacing[0], spacing[1] } };
+  const vtkIdType count = image->GetNumberOfPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  const auto normals = NewArray<vtkFloatArray>("Normals", 3, count);
+  for (vtkIdType sample = 0; sample < count; ++sample)
+  {
+    const int column = static_cast<int>(sample % samples.Columns);
+    const int row = static_cast<int>(sample / samples.Columns);
+    double place[3];
+    image->GetPoint(sample, place);
+    place[2] = samples.At(column, row);
+    points->SetPoint(sample, place);
+    normals->SetTuple(sample, samples.NormalAt(column, row).data());
+  }
+  auto terrain = vtkSmartPointer<vtkPolyData>::New();
+  terrain->SetPoints(points);
+  terrain->SetPolys(QuadsOf(samples.Columns, samples.Rows));
+  vtkPointData* own = terrain->GetPointData();
+  own->SetNormals(normals);
+  if (vtkDataArray* colors = arrays.Any(plant::RGB))
+  {
+    own->AddArray(colors);
+  }
+  if (!ColorsOf(terrain))
+  {
+    own->AddArray(GroundColors(samples, normals, arrays.Find("Reflectance", 1)));
+  }
+  // Tells what it is, whatever the name of the scalars.
+  vtkNew<vtkFloatArray> heights;
+  heights->DeepCopy(samples.Heights);
+  heights->SetName(Elevation);
+  own->AddArray(heights);
+  return terrain;
+}
+
+}

@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A reader of GLB files that shares nothing with the library that writes them: struct, json and numpy."""
+
+import json
+import struct
+
+import numpy as np
+
+TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+PARTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+
+
+class Glb:
+    """The JSON of a file as attributes, and its arrays."""
+
+    def __init__(self, filename):
+        with open(filename, "rb") as file:
+            data = file.read()
+        magic, version, length = struct.unpack_from("<4sII", data)
+        assert (magic, version, length) == (b"glTF", 2, len(data))
+        size, kind = struct.unpack_from("<I4s", data, 12)
+        assert kind == b"JSON"
+        self.json = json.loads(data[20:20 + size])
+        _, kind = struct.unpack_from("<I4s", data, 20 + size)
+        assert kind == b"BIN\0"
+        self.binary = data[28 + size:]
+        self.worlds = {}
+
+    def __getattr__(self, name):
+        return self.json.get(name, [])
+
+    def view(self, index):
+        view = self.bufferViews[index]
+        first = view.get("byteOffset", 0)
+        return self.binary[first:first + view["byteLength"]]
+
+    def array(self, index):
+        """The array of an accessor [tuples, parts]; normalized integers as numbers from -1 to 1."""
+        accessor = self.accessors[index]
+        kind, parts = TYPES[accessor["componentType"]], PARTS[accessor["type"]]
+        array = np.frombuffer(self.view(accessor["bufferView"]), kind, accessor["count"] * parts)
+        array = array.reshape(-1, parts)
+        return array / np.iinfo(kind).max if accessor.get("normalized") else array
+
+    def named(self, name):
+        """Indices of the nodes with a name."""
+        return [k for k, node in enumerate(self.nodes) if node.get("name") == name]
+
+    def child(self, node, *names):
+        """The index of the node at a path of names below another one."""
+        for name in names:
+            node, = [k for k in self.nodes[node].get("children", []) if self.nodes[k].get("name") == name]
+        return node
+
+    def parents(self):
+        """The parent of each node; -1 for those that have none."""
+        parents = [-1] * len(self.nodes)
+        for index, node in enumerate(self.nodes):
+            for child in node.get("children", []):
+                parents[child] = index
+        return parents
+
+    def primitive(self, node, index=0):
+        return self.meshes[self.nodes[node]["mesh"]]["primitives"][index]
+
+    def attribute(self, node, name, index=0):
+        return self.array(self.primitive(node, index)["attributes"][name])
+
+    def matrices(self, frame=None):
+        """The place of each node in the world, at a frame of the animation."""
+        if frame in self.worlds:
+            return self.worlds[frame]
+        moved = {}
+        if frame is not None:
+            for animation in self.animations:
+                for channel in animation["channels"]:
+                    sampler = animation["samplers"][channel["sampler"]]
+                    target = channel["target"]
+                    moved[target["node"], target["path"]] = self.array(sampler["output"])
+        parents, found = self.parents(), {}
+
+        def own(index):
+            node = self.nodes[index]
+            turn = moved[index, "rotation"][frame] if (index, "rotation") in moved else node.get("rotation", (0, 0, 0, 1))
+            shift = moved[index, "translation"][frame] if (index, "translation") in moved else node.get("translation", (0, 0, 0))
+            return matrix(shift, turn, node.get("scale", (1, 1, 1)))
+
+        for first in range(len(self.nodes)):
+            chain = [first]
+            while chain[-1] not in found and parents[chain[-1]] >= 0:
+                chain.append(parents[chain[-1]])
+            for index in reversed(chain):
+                if index not in found:
+                    above = found[parents[index]] if parents[index] >= 0 else np.eye(4)
+                    found[index] = above @ own(index)
+        self.worlds[frame] = [found[k] for k in range(len(self.nodes))]
+        return self.worlds[frame]
+
+    def skinned(self, node, frame, index=0):
+        """Where a skin has its vertices at a frame, in the coordinates of Littoral: z up."""
+        skin, worlds = self.skins[self.nodes[node]["skin"]], self.matrices(frame)
+        inverses = self.array(skin["inverseBindMatrices"]).reshape(-1, 4, 4).transpose(0, 2, 1)
+        joints = np.array([worlds[k] for k in skin["joints"]]) @ inverses
+        points = self.attribute(node, "POSITION", index).astype(np.float64)
+        points = np.column_stack((points, np.ones(len(points))))
+        ids, weights = self.attribute(node, "JOINTS_0", index), self.attribute(node, "WEIGHTS_0", index)
+        at = sum(weights[:, k, None] * np.einsum("nij,nj->ni", joints[ids[:, k]], points) for k in range(4))
+        return np.column_stack((at[:, 0], -at[:, 2], at[:, 1]))  # y up
+
+
+def matrix(shift, turn, scale):
+    """Translation, rotation (quaternion x, y, z, w) and scale, in this order from the left."""
+    x, y, z, w = np.asarray(turn, np.float64) / np.linalg.norm(turn)
+    made = np.eye(4)
+    made[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                    [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                    [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+    made[:3, :3] *= np.asarray(scale)
+    made[:3, 3] = shift
+    return made

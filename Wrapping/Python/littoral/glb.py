@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes as files of glTF 2.0 (.glb), for Blender and other renderers."""
+
+import json
+import os
+
+import numpy as np
+
+
+def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None, kinds=None, **settings):
+    """Write sources as a scene of glTF 2.0 for Blender and other renderers; raises OSError or ValueError.
+
+    sources: algorithms or data by the names that they have in the scene, or a list of them.
+    times: begin and end of a motion [s] and its samples a second; default: as the sources are.
+    camera: a vtkCamera, or position, focal point, direction up and vertical angle [m, degrees].
+    sun: azimuth and elevation [degrees]; if a third number follows, the illuminance [lx].
+    extras: what renderers should know of water, fog, volumes and sky, as a dictionary.
+    kinds: the kind of a source by its name, such as "water", where the data do not tell it.
+    settings: any property of vtkGLTFSceneWriter, such as InstanceForm=1.
+
+    The file takes the place of an old one only when it is whole.
+    """
+    writer = _glb_writer(sources, kinds or {}, settings)
+    if times is not None:
+        writer.WriteMotionOn()
+        writer.SetStartTime(times[0])
+        writer.SetEndTime(times[1])
+        writer.SetFramesPerSecond(times[2] if len(times) > 2 else 24.0)
+    if camera is not None:
+        _set_camera(writer, camera)
+    if sun is not None:
+        writer.WriteSunOn()
+        writer.SetSunDirection(*_direction(*np.radians(sun[:2])))
+        if len(sun) > 2:
+            writer.SetSunIlluminance(sun[2])
+    if extras:
+        writer.SetExtras(json.dumps(extras, allow_nan=False))
+    writer.SetFileName(os.fspath(filename))
+    messages = []
+    writer.AddObserver("ErrorEvent", _keep_message(messages))
+    writer.GetExecutive().AddObserver("ErrorEvent", _keep_message(messages))
+    if not writer.Write():
+        raise OSError(messages[0] if messages else f"Cannot write the file {os.fspath(filename)}: a source failed.")
+
+
+def _glb_writer(sources, kinds, settings):
+    """A writer with sources, kinds and properties, by their names."""
+    from . import vtkGLTFSceneWriter
+
+    writer = vtkGLTFSceneWriter()
+    named = sources.items() if hasattr(sources, "items") else ((f"Source {k}", s) for k, s in enumerate(sources))
+    names = []
+    for index, (name, source) in enumerate(named):
+        if hasattr(source, "GetOutputPort"):
+            writer.AddInputConnection(source.GetOutputPort())
+        elif hasattr(source, "GetProducer"):  # a port of an algorithm
+            writer.AddInputConnection(source)
+        else:
+            writer.AddInputDataObject(0, source)
+        writer.SetSourceName(index, name)
+        names.append(name)
+    for name, kind in kinds.items():
+        if name not in names:
+            raise ValueError(f"kinds names {name!r}, which is no source")
+        writer.SetSourceKind(names.index(name), _kind(writer, kind))
+    for name, value in settings.items():
+        setter = getattr(writer, "Set" + name, None)
+        if setter is None:
+            raise ValueError(f"vtkGLTFSceneWriter has no property {name}")
+        setter(value) if np.isscalar(value) else setter(*value)
+    return writer
+
+
+def _kind(writer, kind):
+    """The number of a kind by its name, as in "water"."""
+    number = getattr(writer, str(kind).capitalize(), None)
+    if not isinstance(number, int):
+        raise ValueError(f"there is no kind {kind!r}")
+    return number
+
+
+def _set_camera(writer, camera):
+    if hasattr(camera, "GetFocalPoint"):
+        camera = camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp(), camera.GetViewAngle()
+    position, focus, up, angle = camera
+    writer.WriteCameraOn()
+    writer.SetCameraPosition(*position)
+    writer.SetCameraFocalPoint(*focus)
+    writer.SetCameraViewUp(*up)
+    writer.SetCameraViewAngle(angle)
+
+
+def _keep_message(messages):
+    """An observer of errors that keeps what they say, without the place in the sources."""
+    def keep(_source, _event, text):
+        messages.append(text.split(": ", 1)[-1].strip() if text.startswith("ERROR") else text.strip())
+    keep.CallDataType = "string0"
+    return keep
+
+
+def _direction(azimuth, elevation):
+    """Unit vector towards an azimuth, from north to the east, and an elevation [rad]."""
+    return np.sin(azimuth) * np.cos(elevation), np.cos(azimuth) * np.cos(elevation), np.sin(elevation)
