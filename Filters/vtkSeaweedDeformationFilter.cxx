@@ -51,6 +51,7 @@ public:
   vtkSmartPointer<vtkDataObject> Plants;
   vtkMTimeType PlantsTime = 0;
   std::vector<littoral::SeaweedSkinBlock> Skins;
+  littoral::FrameArrays Arrays;
 };
 
 //----------------------------------------------------------------------------
@@ -362,7 +363,7 @@ void vtkSeaweedDeformationFilter::Write(
   {
     scene.FindMotion();
   }
-  littoral::WriteSeaweeds(scene, this->Internals->Skins, plants, output);
+  littoral::WriteSeaweeds(scene, this->Internals->Skins, this->Internals->Arrays, plants, output);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(plants->GetFieldData());
   output->SetFieldData(fields);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/ArrayReader.h"
 
+#include "Data/ArraySearch.h"
 #include "Numerics/ParameterCheck.h"
 
 #include "vtkCellData.h"
@@ -21,31 +22,6 @@ namespace littoral
 
 namespace
 {
-
-/// The first number of an array that is not good; negative if all are, or for null.
-template <typename IsGood>
-vtkIdType FirstOutside(vtkDataArray* array, const IsGood& isGood)
-{
-  vtkIdType first = -1;
-  const auto look = [&](auto* typed) {
-    const auto* begin = typed ? typed->GetPointer(0) : nullptr;
-    const auto* end = typed ? begin + typed->GetNumberOfValues() : nullptr;
-    const auto* found = std::find_if_not(begin, end, isGood);
-    first = found == end ? first : found - begin;
-    return typed != nullptr;
-  };
-  if (look(vtkFloatArray::FastDownCast(array)) || look(vtkDoubleArray::FastDownCast(array)) ||
-    look(vtkIntArray::FastDownCast(array)))
-  {
-    return first;
-  }
-  const int components = array ? array->GetNumberOfComponents() : 1;
-  for (vtkIdType value = 0; array && first < 0 && value < array->GetNumberOfValues(); ++value)
-  {
-    first = isGood(array->GetComponent(value / components, static_cast<int>(value % components))) ? first : value;
-  }
-  return first;
-}
 
 std::string Components(int count)
 {
@@ -176,9 +152,7 @@ void ArrayReader::NeedFinite(vtkDataArray* array)
 
 void ArrayReader::NeedIds(vtkDataArray* array, vtkIdType count, const char* of, vtkIdType lowest)
 {
-  const auto low = static_cast<double>(lowest);
-  const auto high = static_cast<double>(count);
-  const vtkIdType bad = FirstOutside(array, [low, high](double id) { return id >= low && id < high; });
+  const vtkIdType bad = FirstOutside(array, IsWithin{ static_cast<double>(lowest), static_cast<double>(count) });
   if (bad >= 0)
   {
     const int components = array->GetNumberOfComponents();

@@ -37,9 +37,4 @@ vtkSmartPointer<vtkPoints> PointsOf(const std::vector<Vector3>& positions)
   return points;
 }
 
-vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other)
-{
-  return NewArray<vtkFloatArray>(other->GetName(), other->GetNumberOfComponents(), other->GetNumberOfTuples());
-}
-
 }

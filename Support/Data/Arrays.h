@@ -14,7 +14,6 @@
 #include <vector>
 
 class vtkAbstractArray;
-class vtkFloatArray;
 class vtkPoints;
 
 namespace littoral
@@ -53,9 +52,6 @@ vtkSmartPointer<Array> ArrayOf(const char* name, int components, const Tuples& t
 
 /// Single precision points [m].
 vtkSmartPointer<vtkPoints> PointsOf(const std::vector<Vector3>& positions);
-
-/// An array of the same name and size, not filled.
-vtkSmartPointer<vtkFloatArray> FloatsLike(vtkFloatArray* other);
 
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Cells.h"
 
+#include "Data/ArraySearch.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
@@ -24,15 +26,11 @@ std::string WhyBadCells(vtkCellArray* cells, vtkIdType points, const std::string
     return owner + " has cells whose offsets are not increasing.";
   }
   vtkDataArray* ids = cells->GetConnectivityArray();
-  for (vtkIdType corner = 0; corner < ids->GetNumberOfTuples(); ++corner)
-  {
-    const auto id = static_cast<vtkIdType>(ids->GetComponent(corner, 0));
-    if (id < 0 || id >= points)
-    {
-      return owner + " has a cell with point " + std::to_string(id) + ", but " + std::to_string(points) + " points.";
-    }
-  }
-  return {};
+  const vtkIdType corner = FirstOutside(ids, IsWithin{ 0.0, static_cast<double>(points) });
+  return corner < 0 ? std::string()
+                    : owner + " has a cell with point " +
+      std::to_string(static_cast<vtkIdType>(ids->GetComponent(corner, 0))) + ", but " + std::to_string(points) +
+      " points.";
 }
 
 }

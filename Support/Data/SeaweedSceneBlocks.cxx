@@ -27,12 +27,12 @@ struct MovedSkin
   vtkSmartPointer<vtkFloatArray> Normals;
   std::array<TupleRanges, 2> Ranges;
 
-  explicit MovedSkin(vtkPolyData* rest)
+  MovedSkin(vtkPolyData* rest, FrameArrays& arrays)
   {
     this->Rest = ReadSkin(rest);
-    this->Points = FloatsLike(FloatPointsOf(rest));
+    this->Points = arrays.Like(FloatPointsOf(rest));
     this->Normals =
-      NewArray<vtkFloatArray>(rest->GetPointData()->GetNormals()->GetName(), 3, rest->GetNumberOfPoints());
+      arrays.New<vtkFloatArray>(rest->GetPointData()->GetNormals()->GetName(), 3, rest->GetNumberOfPoints());
   }
 
   /// Moves a run of vertices; adds to the ranges of its points and normals.
@@ -59,13 +59,15 @@ struct MovedSkin
 };
 
 /// Replaces the skins among the blocks. All of a plant is done by one thread, at one go.
-void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* blocks)
+void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
+  vtkMultiBlockDataSet* blocks)
 {
+  arrays.BeginFrame();
   std::vector<MovedSkin> moved;
   moved.reserve(skins.size());
   for (const SeaweedSkinBlock& skin : skins)
   {
-    moved.emplace_back(skin.Rest);
+    moved.emplace_back(skin.Rest, arrays);
   }
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
   std::vector<JointChange> changes(scene.GetStand().GetSkeleton().Nodes.size());
@@ -185,8 +187,8 @@ std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& opt
 }
 
 //----------------------------------------------------------------------------
-void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* plants,
-  vtkMultiBlockDataSet* output)
+void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
+  vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output)
 {
   if (scene.GetStand().GetSkeleton().Nodes.empty())
   {
@@ -194,7 +196,7 @@ void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock
   }
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->ShallowCopy(FindBlock(plants, plant::High));
-  WriteSkins(scene, skins, blocks);
+  WriteSkins(scene, skins, arrays, blocks);
   WriteSkeleton(scene, PlantPartOf(plants, plant::High, plant::Skeleton), blocks);
   ReplaceBlock(output, plant::High, blocks);
 }

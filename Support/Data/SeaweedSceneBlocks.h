@@ -5,6 +5,7 @@
 
 // Scenes of seaweeds between blocks and the numerics. Private: never installed, never wrapped.
 
+#include "Data/FrameArrays.h"
 #include "Seaweed/SeaweedScene.h"
 #include "Seaweed/SeaweedSkin.h"
 
@@ -29,9 +30,9 @@ struct SeaweedSkinBlock
 std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea,
   SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins);
 
-/// Writes the plants of a scene as shown; `output` is a shallow copy of `plants`.
-void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, vtkMultiBlockDataSet* plants,
-  vtkMultiBlockDataSet* output);
+/// Writes the plants of a scene as shown, a frame of `arrays`; `output` is a shallow copy of `plants`.
+void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,
+  vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output);
 
 }
 

@@ -324,6 +324,7 @@ void SwayBlocks::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDa
 {
   progress->UpdateProgress(0.5);
   this->Scene->MoveTo(time, SmpFor);
+  this->Arrays.BeginFrame();
   std::vector<vtkSmartPointer<vtkPolyData>> moved;
   for (const Skin& skin : this->Skins)
   {
@@ -346,7 +347,7 @@ void SwayBlocks::Move(double time, vtkMultiBlockDataSet* plants, vtkMultiBlockDa
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkMultiBlockDataSet> SwayBlocks::MovedLevel(
-  const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved) const
+  const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   blocks->ShallowCopy(rest);
@@ -367,9 +368,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> SwayBlocks::MovedLevel(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones) const
+vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones)
 {
-  const auto positions = FloatsLike(FloatPointsOf(bones));
+  const auto positions = this->Arrays.Like(FloatPointsOf(bones));
   for (vtkIdType node = 0; node < positions->GetNumberOfTuples(); ++node)
   {
     const Vector3 position = this->Scene->JointPosition(static_cast<std::size_t>(node));
@@ -382,11 +383,11 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones) const
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
+vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin)
 {
   vtkFloatArray* restNormals = FindNormals(skin.Rest);
-  const auto points = FloatsLike(FloatPointsOf(skin.Rest));
-  const auto normals = restNormals ? FloatsLike(restNormals) : nullptr;
+  const auto points = this->Arrays.Like(FloatPointsOf(skin.Rest));
+  const auto normals = restNormals ? this->Arrays.Like(restNormals) : nullptr;
   RestSkin rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals ? restNormals->GetPointer(0) : nullptr,
     skin.Joints.data(), skin.Weights.data() };
   if (skin.Joints.empty())
@@ -419,10 +420,10 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin) const
 
 //----------------------------------------------------------------------------
 /// Texture coordinates and texture of the crowns, each with its picture of the moment.
-void SwayBlocks::ShowPictures(vtkPolyData* crowns) const
+void SwayBlocks::ShowPictures(vtkPolyData* crowns)
 {
   const vtkIdType points = crowns->GetNumberOfPoints();
-  const auto tcoords = NewArray<vtkFloatArray>("TCoords", 2, points);
+  const auto tcoords = this->Arrays.New<vtkFloatArray>("TCoords", 2, points);
   this->Scene->ShowPictures(static_cast<std::size_t>(points), tcoords->GetPointer(0), SmpFor);
   KeepRanges(tcoords.Get());
   crowns->GetPointData()->SetTCoords(tcoords);

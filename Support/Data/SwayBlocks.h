@@ -5,6 +5,7 @@
 
 // Plants in the wind between blocks and the numerics. Private: never installed, never wrapped.
 
+#include "Data/FrameArrays.h"
 #include "Data/PlantBlocks.h"
 #include "Data/PlantTable.h"
 #include "Sway/SwayScene.h"
@@ -57,6 +58,7 @@ private:
   bool Scattered = false;
   std::unique_ptr<SwayScene> Scene;
   std::vector<Skin> Skins;
+  FrameArrays Arrays;
   vtkSmartPointer<vtkImageData> PictureImage;
   vtkSmartPointer<vtkPolyData> PictureFields; // the same as field data
 
@@ -72,10 +74,10 @@ private:
   std::string ReadMedium(vtkMultiBlockDataSet* plants);
   std::string ReadMediumSkin(vtkPolyData* block, const char* name);
   vtkSmartPointer<vtkMultiBlockDataSet> MovedLevel(
-    const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved) const;
-  vtkSmartPointer<vtkPolyData> MovedBones(vtkPolyData* bones) const;
-  vtkSmartPointer<vtkPolyData> MovedSkin(const Skin& skin) const;
-  void ShowPictures(vtkPolyData* crowns) const;
+    const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved);
+  vtkSmartPointer<vtkPolyData> MovedBones(vtkPolyData* bones);
+  vtkSmartPointer<vtkPolyData> MovedSkin(const Skin& skin);
+  void ShowPictures(vtkPolyData* crowns);
 };
 
 }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report of a run as Markdown: machine, limits, kernels, cost over size, frames of the scenes."""
+"""The report of a run as Markdown: machine, limits, kernels, other tools, cost over size, frames of the scenes."""
 
 import os
 import platform
@@ -96,6 +96,22 @@ def of_sizes(series, charts):
             *[f"![{name}]({name})" for name in charts], ""]
 
 
+def of_peers(peers, silence, results):
+    """peers: what peers.py has measured; silence: what it has not, if so."""
+    rows = []
+    for peer, time in peers:
+        for result in results:
+            if (result.program, result.name) == (peer.program, peer.name):
+                rows.append((peer.work, figures(result.real), figures(result.processor), peer.tool, figures(time),
+                             f"{result.real / time:.2f}", f"{result.processor / time:.2f}"))
+    if not rows:
+        return [silence or "No peers were measured.", ""]
+    return ["Times of other tools are the least of some runs on one thread. Ratios are Littoral's time over theirs: by real "
+            "time, with the threads that the benchmark has, and by the processor's time of all threads.", "",
+            *table(("work", "real [ms]", "processor [ms]", "peer", "its time [ms]", "ratio", "ratio by processor"), rows),
+            *([silence, ""] if silence else [])]
+
+
 def of_frames(scenes, silence):
     """scenes: what bench_scenes.py has measured; silence: why it has not, if so."""
     if not scenes:
@@ -111,10 +127,10 @@ def of_frames(scenes, silence):
             *table(("scene", "most memory [MB]"), [(scene["scene"], f"{scene['memory']:.0f}") for scene in scenes])]
 
 
-def page(results, charts, scenes, silence):
+def page(results, charts, scenes, silence, peers=(), no_peers=""):
     """The whole report."""
     lines = ["# Benchmarks of Littoral", "", "## Machine", "", *table(("what", "which"), machine()),
              "## Limits of the machine", "", *of_machine(results), "## Kernels", "", *of_kernels(results),
-             "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
+             "## Beside other tools", "", *of_peers(peers, no_peers, results), "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
              "## Frames of the scenes", "", *of_frames(scenes, silence)]
     return "\n".join(lines)

@@ -6,10 +6,10 @@
     report.py PROGRAM... [--quick] [--csv FILE] [--against OLD.csv] [ARGUMENT...]
 
 PROGRAM: of Google Benchmark. Each is run with the ARGUMENTs that begin with --benchmark_; before, frames of two scenes are
-measured in ParaView. FILE (default: benchmarks.csv) takes the table of times. Beside it, with other endings, are the report
-(.md: machine, limits and shares of them, cost over size, frames) and a chart for each program with sizes (-PROGRAM.svg).
-With --quick what takes long is left out, and each benchmark has a tenth of the usual time, unless it has a number of
-iterations of its own. OLD.csv is the table of an earlier run on the same machine: what takes over 10 % longer is listed,
+measured in ParaView, and after, other tools at the same work (peers.py). FILE (default: benchmarks.csv) takes the table of times.
+Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, cost over size, frames)
+and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and each benchmark has a
+tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an earlier run on the same machine: what takes over 10 % longer is listed,
 and the exit code is 1. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others
 by the processor's time.
 """
@@ -27,6 +27,7 @@ import sys
 import tempfile
 
 import page
+import peers
 import scaling
 
 COLUMNS = "program", "benchmark", "real time [ms]", "CPU time [ms]", "items per second", "note"
@@ -135,7 +136,7 @@ def table_of(results):
     return text.getvalue()
 
 
-def write_report(results, scenes, silence, filename):
+def write_report(results, scenes, silence, others, filename):
     """Write the table, the charts and the report; returns the name of the report."""
     stem = os.path.splitext(filename)[0]
     charts = []
@@ -143,7 +144,7 @@ def write_report(results, scenes, silence, filename):
     for program in dict.fromkeys(one.program for one in series):
         charts.append(f"{stem}-{program}.svg")
         write(charts[-1], scaling.chart(program, [one for one in series if one.program == program]))
-    write(f"{stem}.md", page.page(results, [os.path.basename(name) for name in charts], scenes, silence))
+    write(f"{stem}.md", page.page(results, [os.path.basename(name) for name in charts], scenes, silence, *others))
     write(filename, table_of(results))
     return f"{stem}.md"
 
@@ -220,7 +221,8 @@ def main(words):
         results += measure(program, arguments)
     if not results:
         raise ValueError("no benchmark fits")
-    report = write_report(results, scenes, silence, options.csv)
+    others = ([], "Other tools were not timed.") if options.quick else peers.measure(results)
+    report = write_report(results, scenes, silence, others, options.csv)
     print(f"{len(results)} benchmarks: {options.csv}, {report}")
     if silence:
         print(silence)

@@ -115,6 +115,17 @@ class Benchmarks(unittest.TestCase):
         self.assertIn("1 of 3 benchmarks", done.stdout)
         self.assertIn("Tide: 20 ms", done.stdout)
 
+    def test_other_tools_stand_beside_their_work(self):
+        terrain = {"bench_terrain": [result("GrowTerrain/1/64/real_time", 10.0)]}
+        self.assertIn("R is not installed.", self.report_all(terrain))
+        self.make("Rscript", "#!/bin/sh\necho RandomFields,80.0\n")
+        report = self.report_all(terrain)
+        self.assertIn("| turning bands, 1024 x 1024, 64 lines | 20 | 10 | RandomFields, RPtbm of RMexp | 80 | 0.25 | 0.12 |",
+                      report)
+        self.assertIn("R has no spatstat.", report)
+        self.assertIn("Other tools were not timed.", self.report_all(terrain, "--quick"))
+        self.assertIn("No peers were measured.", self.report_all({"bench_waves": [result("Swell", 1.0)]}))
+
     def test_a_failure_leaves_the_old_table(self):
         self.report([result("Swell", 1.0)])
         failed = [result("Swell", 2.0), result("Surf", 0.0, error_occurred=True, error_message="no sea")]
