@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sun, sky and haze."""
+
+import math
+
+import bpy
+import mathutils
+
+from . import versions
+
+#: Strength of the sun's light for each lux, and of the sky's texture: a clear noon of 100 000 lx is exposed well.
+SUN_PER_LUX, SKY = 4.6e-5, 0.11
+#: Sine of the lowest elevation at which haze has the color of the sky.
+HORIZON = 0.06
+
+
+class Air:
+    """Sky and haze of a sun. towards: unit vector. sight: attenuation length [m] or None. height: scale height [m]."""
+
+    def __init__(self, towards, sight=None, height=260.0, dust=1.0, strength=1.0):
+        self.towards, self.sight, self.height, self.dust = towards, sight, height, dust
+        self.strength = SKY * strength
+
+    def sky(self, s, direction=None):
+        """The light of the sky from a direction; default: that of the ray."""
+        node = s.tree.nodes.new("ShaderNodeTexSky")
+        elevation = math.asin(max(-1.0, min(1.0, self.towards[2])))
+        versions.set_sky(node, elevation, math.atan2(self.towards[0], self.towards[1]), self.dust)
+        if direction is not None:
+            s.plug(node.inputs["Vector"], direction)
+        return node.outputs["Color"]
+
+    def before(self, s, shader):
+        """A shader seen through haze, whose density falls with height: only what the camera sees directly."""
+        if not self.sight:
+            return shader
+        away = s.node("CameraData", output="View Distance")
+        look = s.scaled(s.geometry("Incoming"), -1.0)
+        rise = s.math("DIVIDE", s.math("MULTIPLY", s.node("SeparateXYZ", {0: look}, "Z"), away), self.height)
+        rise = s.math("ADD", rise, 1e-3)  # (1 - exp(-rise)) / rise has no pole
+        # The mean along the ray of exp(-z / height), z from the eye.
+        mean = s.math("DIVIDE", s.math("SUBTRACT", 1.0, s.math("EXPONENT", s.math("MULTIPLY", rise, -1.0))), rise)
+        depth = s.math("MULTIPLY", s.math("DIVIDE", away, self.sight), mean)
+        left = s.math("EXPONENT", s.math("MULTIPLY", depth, -1.0))
+        flat = s.vector("MULTIPLY", look, (1.0, 1.0, 0.0))
+        low = s.vector("ADD", s.vector("NORMALIZE", flat), (0.0, 0.0, HORIZON))
+        veil = s.node("Emission", {"Color": self.sky(s, low), "Strength": self.strength})
+        share = s.math("MULTIPLY", s.math("SUBTRACT", 1.0, left), s.ray("Is Camera Ray"))
+        return s.mix(share, shader, veil)
+
+    def light_world(self):
+        """Let the sky light the scene."""
+        from .shading import Shading
+
+        world = bpy.data.worlds.new("Sky")
+        bpy.context.scene.world = world
+        world.use_nodes = True
+        s = Shading(world.node_tree)
+        shine = s.node("Background", {"Color": self.sky(s), "Strength": self.strength})
+        end = world.node_tree.nodes.new("ShaderNodeOutputWorld")
+        world.node_tree.links.new(shine, end.inputs["Surface"])
+        world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 256
+
+
+def add_sun(towards, lux, color, warmth=1.0, angle=0.0093):
+    """A lamp as far as the sun, of an angular diameter [rad]; a low sun is redder."""
+    lamp = bpy.data.lights.new("Sun", "SUN")
+    lamp.energy, lamp.angle = lux * SUN_PER_LUX, angle
+    path = 1.0 / max(0.12, towards[2])  # air masses
+    lamp.color = [c * math.exp(-warmth * k * (path - 1.0)) for c, k in zip(color, (0.035, 0.085, 0.19))]
+    thing = bpy.data.objects.new("Sun", lamp)
+    thing.rotation_euler = mathutils.Vector(towards).to_track_quat("Z", "Y").to_euler()
+    bpy.context.scene.collection.objects.link(thing)

@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Materials by the kind that the scene file gives them: bark, leaf, grass, blade, ground, water, particle, plain."""
+
+import os
+import tempfile
+
+import bpy
+
+from . import versions
+from .shading import Shading
+
+#: Shares of light that thin tissue passes, of what it does not mirror.
+PASSED = {"leaf": 0.42, "grass": 0.40, "blade": 0.45}
+#: Shares that it mirrors, and the roughness.
+GLOSS = {"leaf": (0.05, 0.42), "grass": (0.03, 0.5), "blade": (0.06, 0.35)}
+#: Light that went through a leaf has another color than what it reflects.
+THROUGH = {"leaf": (1.35, 1.45, 0.55), "grass": (1.3, 1.4, 0.6), "blade": (1.25, 1.05, 0.55)}
+
+
+class Materials:
+    """The materials of a file, made when they are first asked for. air: haze or None. water: its light or None."""
+
+    def __init__(self, file, air=None, water=None):
+        self.file, self.air, self.water = file, air, water
+        self.made, self.pictures = {}, {}
+
+    def get(self, index):
+        if index not in self.made:
+            self.made[index] = self._make(index)
+        return self.made[index]
+
+    def _make(self, index):
+        about = self.file.list("materials")[index] if index is not None else {}
+        kind = self.file.kind(index)
+        material = bpy.data.materials.new(about.get("name", kind))
+        material["kind"] = kind
+        material.use_nodes = True
+        versions.no_lamp(material)
+        s = Shading(material.node_tree)
+        base, alpha = self._base(s, about, kind)
+        make = {"ground": ground, "bark": bark, "particle": particle}.get(kind)
+        if kind in PASSED:
+            shader = thin(s, kind, base)
+        elif kind == "water" and self.water:
+            shader = self.water.surface(s)
+        elif kind == "water":
+            shader = sea(s)
+        else:
+            shader = make(s, base, self.water is not None) if make else plain(s, base)
+        if self.air and kind != "sky":
+            shader = self.air.before(s, shader)
+        if alpha is not None:
+            clear = s.node("BsdfTransparent", {"Color": (1.0, 1.0, 1.0)})
+            shader = s.mix(s.math("GREATER_THAN", alpha, 0.5), clear, shader)
+        s.end(shader)
+        return material
+
+    def _base(self, s, about, kind):
+        """The base color (vertices, picture, tint), and the picture's alpha or None."""
+        color = s.attribute("Color")
+        # Without an attribute a node gives black, and its alpha is 0: white then.
+        color = s.blend(s.attribute("Color", "Alpha"), (1.0, 1.0, 1.0), color)
+        surface = about.get("pbrMetallicRoughness", {})
+        if "baseColorFactor" in surface:
+            color = s.multiply(color, surface["baseColorFactor"][:3])
+        alpha, picture = None, surface.get("baseColorTexture", {}).get("index")
+        if picture is not None:
+            node = s.tree.nodes.new("ShaderNodeTexImage")
+            node.image, node.extension = self._picture(picture), "EXTEND"
+            color, alpha = s.multiply(color, node.outputs["Color"]), node.outputs["Alpha"]
+        if kind in ("leaf", "grass", "blade"):
+            tint = s.attribute("tint", "Vector", "INSTANCER")
+            tinted = s.math("GREATER_THAN", s.vector("LENGTH", tint, output="Value"), 1e-6)
+            color = s.multiply(color, s.blend(tinted, (1.0, 1.0, 1.0), tint))
+        elif kind == "particle":
+            color = s.attribute("tint", "Vector")
+        return color, alpha if about.get("alphaMode") in ("MASK", "BLEND") else None
+
+    def _picture(self, texture):
+        """The picture of a texture, packed into the scene."""
+        if texture not in self.pictures:
+            with tempfile.TemporaryDirectory() as folder:
+                name = os.path.join(folder, f"picture-{texture}.png")
+                with open(name, "wb") as file:
+                    file.write(self.file.picture(texture))
+                image = bpy.data.images.load(name)
+                image.pack()
+            self.pictures[texture] = image
+        return self.pictures[texture]
+
+
+def thin(s, kind, base):
+    """Thin tissue: it reflects, passes and mirrors light."""
+    passed = s.node("BsdfTranslucent", {"Color": s.multiply(base, THROUGH[kind])})
+    matt = s.mix(PASSED[kind], s.node("BsdfDiffuse", {"Color": base}), passed)
+    share, roughness = GLOSS[kind]
+    gloss = s.node("BsdfGlossy", {"Color": (0.9, 0.95, 1.0), "Roughness": roughness})
+    edge = s.node("LayerWeight", {"Blend": 0.25}, "Fresnel")
+    return s.mix(s.math("MULTIPLY", edge, 2.0 * share), matt, gloss)
+
+
+def bark(s, base, _under_water):
+    """Wood with furrows along the trunk."""
+    place = s.node("TexCoord", output="Object")
+    furrow = s.noise(s.multiply(place, (1.0, 1.0, 0.22)), 22.0, 3.0)
+    color = s.multiply(base, s.blend(s.ramp(furrow, 0.35, 0.65), (0.45, 0.43, 0.40), (1.25, 1.22, 1.18)))
+    return s.node("BsdfDiffuse", {"Color": color})
+
+
+def ground(s, base, under_water):
+    """Ground of the base color, with patches, litter and, where it is steep, rock; under water, sand as it is."""
+    place = s.geometry("Position")
+    fine, coarse = s.noise(place, 7.0, 6.0, 0.62), s.noise(place, 0.55, 4.0)
+    if under_water:
+        color = s.multiply(base, s.blend(s.ramp(fine, 0.3, 0.7), (0.80, 0.79, 0.77), (1.12, 1.12, 1.10)))
+        depth, distance = 0.5, 0.02
+    else:
+        patches = s.noise(place, 0.06, 3.0)
+        # Moss and litter on what is flat, by large patches and fine grain together.
+        grain = s.math("MULTIPLY_ADD", fine, 0.8, s.math("MULTIPLY", coarse, 0.7))
+        dark = s.multiply(base, (0.50, 0.46, 0.40))
+        dry = s.multiply(base, (1.50, 1.28, 0.85))
+        color = s.blend(s.ramp(grain, 0.55, 1.0), dark, base)
+        color = s.blend(s.math("MULTIPLY", s.ramp(patches, 0.45, 0.65), s.ramp(fine, 0.4, 0.7)), color, dry)
+        up = s.node("SeparateXYZ", {0: s.geometry("True Normal")}, "Z")
+        bare = s.ramp(s.math("MULTIPLY_ADD", coarse, 0.25, up), 0.98, 0.86)
+        rock = s.blend(s.ramp(fine, 0.3, 0.7), (0.10, 0.095, 0.085), (0.30, 0.28, 0.25))
+        color = s.blend(bare, color, rock)
+        depth, distance = 0.9, 0.25
+    height = s.math("MULTIPLY_ADD", fine, 0.35, s.math("MULTIPLY", coarse, 1.0))
+    bump = s.node("Bump", {"Strength": depth, "Distance": distance, "Height": height}, "Normal")
+    return s.node("BsdfDiffuse", {"Color": color, "Normal": bump})
+
+
+def particle(s, base, _under_water):
+    """Specks that scatter light to all sides."""
+    return s.mix(0.5, s.node("BsdfDiffuse", {"Color": base}), s.node("BsdfTranslucent", {"Color": base}))
+
+
+def sea(s):
+    """The sea from above: what it mirrors, and the light of the water below."""
+    mirror = s.node("BsdfGlossy", {"Color": (1.0, 1.0, 1.0), "Roughness": 0.06})
+    below = s.node("BsdfDiffuse", {"Color": (0.004, 0.030, 0.045)})
+    return s.mix(s.node("Fresnel", {"IOR": 1.333}), below, mirror)
+
+
+def plain(s, base):
+    node = s.tree.nodes.new("ShaderNodeBsdfPrincipled")
+    versions.roughness_specular(node, 0.7, 0.2)
+    s.plug(node.inputs["Base Color"], base)
+    return node.outputs[0]
