@@ -87,8 +87,7 @@ SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bo
 {
   if (isOfPlant)
   {
-    const std::string part = name.substr(name.rfind(' ') + 1); // instances' meshes have their prototype and level before it
-    const bool isWood = part == plant::Skin || part == plant::Trunk;
+    const bool isWood = name == plant::Skin || name == plant::Trunk;
     return isOfSeaweed ? SceneKind::Blade : isWood ? SceneKind::Bark : SceneKind::Leaf;
   }
   ArrayReader points = ArrayReader::OfPoints(block, "");

@@ -19,18 +19,18 @@ from littoral.glb import write_glb
 #: Start, end and focal point of the walk [m], height of the eye [m] and vertical angle of view [degrees].
 FIRST, LAST, TARGET = (7300.0, 8200.0), (7268.0, 8168.0), (4200.0, 3200.0)
 EYE_HEIGHT, VIEW_ANGLE, FRAMES = 2.3, 36.0, 120
-SUN = (160.0, 27.0)  # azimuth and elevation [degrees]
+SUN = (150.0, 33.0)  # azimuth and elevation [degrees]
 #: Farthest trees [m], and half the angle within which there are trees [degrees].
 REACH, HALF_ANGLE = 4200.0, 34.0
 #: Species with the seed of the prototype.
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))
 #: Trees that stand about the walk: distance ahead and to the right [m], and species.
 NEAR_TREES = (
-    (17, -9.5, 1), (21, 10.5, 2), (30, 12, 2), (26, -17, 2), (34, -14, 1), (37, 20, 1), (44, -9, 2), (52, 13, 0),
+    (17, -9.5, 1), (22, 10.5, 2), (30, 12, 2), (29, -13, 2), (38, -17, 1), (37, 20, 1), (44, -9, 2), (52, 13, 0),
     (58, -19, 0), (47, 17, 3), (60, -8, 3), (66, 15, 1), (72, -14, 2), (80, 19, 2), (88, -16, 0))
 #: The grove about the walk: reach [m], mean distance of trees [m], and half the width of the glade in it [m] at the
 #: camera and at the reach.
-GROVE, APART, GLADE = 620.0, 6.5, (9.0, 30.0)
+GROVE, APART, GLADE = 620.0, 7.0, (12.0, 34.0)
 GRASS_REACH = 75.0  # [m]
 #: A tuft of grass, as a shrub without wood.
 GRASS = dict(
@@ -175,8 +175,8 @@ def write_scene(filename, frame=0):
         "Undergrowth": scattered(bushes(country), [tree("Shrub", 4)], TintVariation=0.10),
         "Grass": scattered(tufts(country), [tuft()], TintVariation=0.10)}
     write_glb(
-        filename, sources, (eye, focus, (0.0, 0.0, 1.0), VIEW_ANGLE), (*SUN, 100000.0), kinds={"Grass": "grass"},
-        extras={"fog": {"sight": 2600.0, "height": 160.0}, "exposure": 0.7}, LevelForm=2)
+        filename, sources, camera=(eye, focus, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0), kinds={"Grass": "grass"},
+        extras={"fog": {"sight": 2600.0, "height": 160.0}, "exposure": 1.5}, LevelForm=2)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ import json
 import os
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import (
     numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy)
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -22,6 +21,11 @@ from . import display, files, scene
 from .elevation import array_from_image, image_from_array, read_elevation
 from .versions import create_texture
 from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
+
+try:
+    from paraview import simple
+except ImportError:  # plain VTK: all but the views works
+    simple = None
 
 #: Azimuth and elevation of the sun [degrees].
 SUN = (120.0, 34.0)

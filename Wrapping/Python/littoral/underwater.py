@@ -14,12 +14,11 @@ import math
 import re
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .landscape import points_with
+from .landscape import points_with, simple
 
 #: Towards the sun, as seen from under the water: its azimuth from north to the east and zenith angle [degrees].
 SUN = (12.0, 24.0)

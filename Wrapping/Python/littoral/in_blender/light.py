@@ -13,6 +13,8 @@ from . import versions
 SUN_PER_LUX, SKY = 4.6e-5, 0.11
 #: Sine of the lowest elevation at which haze has the color of the sky.
 HORIZON = 0.06
+#: How much brighter haze is towards the sun.
+GLOW = 1.2
 
 
 class Air:
@@ -45,7 +47,10 @@ class Air:
         left = s.math("EXPONENT", s.math("MULTIPLY", depth, -1.0))
         flat = s.vector("MULTIPLY", look, (1.0, 1.0, 0.0))
         low = s.vector("ADD", s.vector("NORMALIZE", flat), (0.0, 0.0, HORIZON))
-        veil = s.node("Emission", {"Color": self.sky(s, low), "Strength": self.strength})
+        # Haze scatters sunlight forward: it shines about the sun.
+        towards = s.math("MAXIMUM", s.vector("DOT_PRODUCT", look, tuple(self.towards), output=1), 0.0)
+        shine = s.math("MULTIPLY_ADD", s.math("POWER", towards, 3.0), self.strength * GLOW, self.strength)
+        veil = s.node("Emission", {"Color": self.sky(s, low), "Strength": shine})
         share = s.math("MULTIPLY", s.math("SUBTRACT", 1.0, left), s.ray("Is Camera Ray"))
         return s.mix(share, shader, veil)
 

@@ -38,6 +38,7 @@ class Materials:
         material.use_nodes = True
         versions.no_lamp(material)
         s = Shading(material.node_tree)
+        s.left = self.water.filter(s) if self.water else None
         base, alpha = self._base(s, about, kind)
         make = {"ground": ground, "bark": bark, "particle": particle}.get(kind)
         if kind in PASSED:
@@ -48,8 +49,9 @@ class Materials:
             shader = sea(s)
         else:
             shader = make(s, base, self.water is not None) if make else plain(s, base)
-        if self.air and kind != "sky":
-            shader = self.air.before(s, shader)
+        medium = self.water or self.air
+        if medium and kind != "sky":
+            shader = medium.before(s, shader)
         if alpha is not None:
             clear = s.node("BsdfTransparent", {"Color": (1.0, 1.0, 1.0)})
             shader = s.mix(s.math("GREATER_THAN", alpha, 0.5), clear, shader)
@@ -71,7 +73,7 @@ class Materials:
             color, alpha = s.multiply(color, node.outputs["Color"]), node.outputs["Alpha"]
         if kind in ("leaf", "grass", "blade"):
             tint = s.attribute("tint", "Vector", "INSTANCER")
-            tinted = s.math("GREATER_THAN", s.vector("LENGTH", tint, output="Value"), 1e-6)
+            tinted = s.math("GREATER_THAN", s.vector("LENGTH", tint, output=1), 1e-6)
             color = s.multiply(color, s.blend(tinted, (1.0, 1.0, 1.0), tint))
         elif kind == "particle":
             color = s.attribute("tint", "Vector")
@@ -92,10 +94,10 @@ class Materials:
 
 def thin(s, kind, base):
     """Thin tissue: it reflects, passes and mirrors light."""
-    passed = s.node("BsdfTranslucent", {"Color": s.multiply(base, THROUGH[kind])})
-    matt = s.mix(PASSED[kind], s.node("BsdfDiffuse", {"Color": base}), passed)
+    passed = s.bsdf("Translucent", s.multiply(base, THROUGH[kind]))
+    matt = s.mix(PASSED[kind], s.bsdf("Diffuse", base), passed)
     share, roughness = GLOSS[kind]
-    gloss = s.node("BsdfGlossy", {"Color": (0.9, 0.95, 1.0), "Roughness": roughness})
+    gloss = s.bsdf("Glossy", (0.9, 0.95, 1.0), Roughness=roughness)
     edge = s.node("LayerWeight", {"Blend": 0.25}, "Fresnel")
     return s.mix(s.math("MULTIPLY", edge, 2.0 * share), matt, gloss)
 
@@ -105,7 +107,7 @@ def bark(s, base, _under_water):
     place = s.node("TexCoord", output="Object")
     furrow = s.noise(s.multiply(place, (1.0, 1.0, 0.22)), 22.0, 3.0)
     color = s.multiply(base, s.blend(s.ramp(furrow, 0.35, 0.65), (0.45, 0.43, 0.40), (1.25, 1.22, 1.18)))
-    return s.node("BsdfDiffuse", {"Color": color})
+    return s.bsdf("Diffuse", color)
 
 
 def ground(s, base, under_water):
@@ -130,18 +132,18 @@ def ground(s, base, under_water):
         depth, distance = 0.9, 0.25
     height = s.math("MULTIPLY_ADD", fine, 0.35, s.math("MULTIPLY", coarse, 1.0))
     bump = s.node("Bump", {"Strength": depth, "Distance": distance, "Height": height}, "Normal")
-    return s.node("BsdfDiffuse", {"Color": color, "Normal": bump})
+    return s.bsdf("Diffuse", color, Normal=bump)
 
 
 def particle(s, base, _under_water):
     """Specks that scatter light to all sides."""
-    return s.mix(0.5, s.node("BsdfDiffuse", {"Color": base}), s.node("BsdfTranslucent", {"Color": base}))
+    return s.mix(0.5, s.bsdf("Diffuse", base), s.bsdf("Translucent", base))
 
 
 def sea(s):
     """The sea from above: what it mirrors, and the light of the water below."""
-    mirror = s.node("BsdfGlossy", {"Color": (1.0, 1.0, 1.0), "Roughness": 0.06})
-    below = s.node("BsdfDiffuse", {"Color": (0.004, 0.030, 0.045)})
+    mirror = s.bsdf("Glossy", (1.0, 1.0, 1.0), Roughness=0.06)
+    below = s.bsdf("Diffuse", (0.004, 0.030, 0.045))
     return s.mix(s.node("Fresnel", {"IOR": 1.333}), below, mirror)
 
 

@@ -28,23 +28,24 @@ def build(path):
     extras = file.extras
     towards, lux, color = file.sun() or (np.array((0.3, -0.5, 0.8)) / np.linalg.norm((0.3, -0.5, 0.8)), 1e5, (1, 1, 1))
     fog, sky = extras.get("fog", {}), extras.get("sky", {})
-    water = Water(extras["water"], towards) if "water" in extras else None
-    is_below = water is not None and eye_height(file) < water.level
+    water = Water(extras["water"], towards, lux) if "water" in extras else None
+    is_below = water is not None and eye(file)[2] < water.level
     air = light.Air(towards, None if is_below else fog.get("sight"), fog.get("height", 260.0), sky.get("dust", 1.0))
     air.light_world()
     light.add_sun(water.towards if is_below else towards, lux, color, 0.3 if is_below else 1.0)
     if is_below:
         surfaces, low, high = water_box(file)
-        water.focus(surfaces, low, high)
-        water.fill(low, high)
+        water.focus(surfaces, eye(file), low[2])
+        water.enclose(low, high)
     for volume in extras.get("volumes", []):
         add_volume(os.path.join(os.path.dirname(os.path.abspath(path)), volume["file"]), volume.get("kind"))
     Builder(file, Materials(file, None if is_below else air, water if is_below else None)).build()
     return file, extras
 
 
-def eye_height(file):
-    return next((matrix[2, 3] for node, matrix in file.nodes() if "camera" in node), np.inf)
+def eye(file):
+    """The place of the camera; far up if there is none."""
+    return next((matrix[:3, 3] for node, matrix in file.nodes() if "camera" in node), np.array((0.0, 0.0, np.inf)))
 
 
 def water_box(file):

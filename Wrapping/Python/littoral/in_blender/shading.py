@@ -7,7 +7,7 @@ class Shading:
     """A tree of shader nodes. Inputs of its functions are outputs of others, or values."""
 
     def __init__(self, tree):
-        self.tree = tree
+        self.tree, self.left = tree, None
         tree.nodes.clear()
 
     def node(self, kind, inputs=None, output=0, **settings):
@@ -39,6 +39,11 @@ class Shading:
     def multiply(self, a, b):
         """The product of two colors."""
         return self.vector("MULTIPLY", a, b)
+
+    def bsdf(self, kind, color, **inputs):
+        """A shader that reflects or passes light; of its color is left what the water before it leaves."""
+        color = color if self.left is None else self.multiply(color, self.left)
+        return self.node("Bsdf" + kind, {"Color": color, **inputs})
 
     def blend(self, factor, a, b):
         """A color from a to b as the factor goes from 0 to 1."""

@@ -3,38 +3,51 @@
 """Light under water: what the water absorbs and scatters, and what its moving surface focuses.
 
 A path tracer does not find the way of sunlight through a surface that refracts it. So the sun is a lamp in the refracted
-direction, the surface is clear to shadow rays, and it filters them by how much it focuses light at the place where a ray
-starts: rays through the surface's triangles are followed down to three levels and counted there.
+direction, the surface is clear to shadow rays, and it filters them by what the water absorbs on their way and by how much
+the surface focuses light at the place where they start: rays through the surface's triangles are followed down to three
+levels and counted there.
+
+The water is homogeneous, so what it absorbs and scatters between a surface and the eye is in the surface's shader instead
+of a volume, where chance would tell what is seen: absorption and scattering of a light that decays with depth in closed
+form, its focus by a few looks at random places along the ray.
 """
+
+import math
 
 import bpy
 import numpy as np
 
 from . import versions
+from .light import SUN_PER_LUX
 from .shading import Shading
 
 INDEX = 1.333
-#: Cells along a side of the caustics' picture.
-CELLS = 768
+#: Cells along a side of the caustics' picture, and the distance from the eye that it covers [m].
+CELLS, REACH = 1024, 34.0
+#: Looks for light along a ray, and the distance within which they are [m].
+LOOKS, SIGHT = 4, 30.0
+#: Asymmetry of the phase function, and light that was scattered more than once by that which was once.
+FORWARD, OFTEN = 0.62, 0.9
 
 
 class Water:
     """The light of a water level. about: `extras.water` of the file."""
 
-    def __init__(self, about, towards):
+    def __init__(self, about, towards, lux):
         self.level = float(about.get("level", 0.0))
         self.extinction = np.array(about.get("extinction", (0.15, 0.056, 0.046)), float)
-        color = np.array(about.get("color", (0.3, 0.6, 0.7)), float)
-        self.scattering = np.array(about.get("scattering", 0.6 * self.extinction * color), float)
-        self.glow = np.array(about.get("glow", 0.12 * self.scattering), float)
+        color = np.array(about.get("color", (0.5, 0.9, 1.0)), float)
+        self.scattering = np.array(about.get("scattering", 0.45 * self.extinction.min() * color / color.max()), float)
+        self.downward = self.extinction - 0.5 * self.scattering  # what is scattered forward is not lost
         self.towards = refracted(np.array([[0.0, 0.0, 1.0]]), np.asarray(towards, float)[None])[0]
+        self.light = lux * SUN_PER_LUX
         self.caustics = None
 
-    def focus(self, surfaces, low, high):
-        """Count the light below surfaces, pairs of points [n, 3] and triangles [m, 3], in a box."""
-        self.low, self.side = np.array(low[:2]), float(max(high[0] - low[0], high[1] - low[1]))
-        deepest = self.level - low[2]
-        self.depths = [0.22 * deepest, 0.55 * deepest, 0.97 * deepest]
+    def focus(self, surfaces, eye, lowest):
+        """Count the light below surfaces, triples of points [n, 3], normals and triangles, about a place."""
+        self.low, self.side = np.array(eye[:2]) - REACH, 2.0 * REACH
+        deepest = self.level - lowest
+        self.depths = [0.18 * deepest, 0.5 * deepest, 0.93 * deepest]
         pixels = np.ones((CELLS, CELLS, 4), np.float32)
         for channel, depth in enumerate(self.depths):
             pixels[..., channel] = light_below(surfaces, self.towards, self.level - depth, self.low, self.side)
@@ -44,58 +57,115 @@ class Water:
         image.pack()
         self.caustics = image
 
-    def surface(self, s):
-        """The surface: a mirror and a window to what the camera sees, a filter to light."""
-        glass = s.node("BsdfGlass", {"Color": (1.0, 1.0, 1.0), "Roughness": 0.0, "IOR": INDEX})
-        light = s.node("BsdfTransparent", {"Color": self._filter(s)})
-        is_light = s.math("MAXIMUM", s.ray("Is Shadow Ray"), s.ray("Is Diffuse Ray"))
-        is_light = s.math("MAXIMUM", is_light, s.ray("Is Volume Scatter Ray"))
-        return s.mix(is_light, glass, light)
+    # Shaders ------------------------------------------------------------------------------------
 
-    def _filter(self, s):
-        """How much light is focused where a shadow ray starts."""
+    def seen(self, s):
+        """1 for rays of the camera and what mirrors and windows make of them, 0 for those that gather light."""
+        return s.math("SUBTRACT", 1.0, s.math("MAXIMUM", s.ray("Is Shadow Ray"), s.ray("Is Diffuse Ray")))
+
+    def filter(self, s):
+        """What the water leaves of the light of a surface on its way to the eye, a color."""
+        way = s.math("MULTIPLY", s.ray("Ray Length"), self.seen(s))
+        return self.left(s, way, self.extinction)
+
+    def left(self, s, way, rates):
+        """exp(-rate way) for each color."""
+        parts = [s.math("EXPONENT", s.math("MULTIPLY", way, -float(rate))) for rate in rates]
+        return s.node("CombineXYZ", dict(enumerate(parts)))
+
+    def before(self, s, shader):
+        """A shader with the light that the water before it scatters to the eye."""
+        return s.node("AddShader", {0: shader, 1: self.veil(s)})
+
+    def veil(self, s):
+        """Sunlight, decaying with depth, scattered along the ray to the eye, as a glow."""
+        back, way = s.geometry("Incoming"), s.ray("Ray Length")
+        start = s.vector("ADD", s.geometry("Position"), s.scaled(back, way))
+        depth = s.math("SUBTRACT", self.level, s.node("SeparateXYZ", {0: start}, "Z"))
+        rise = s.math("MULTIPLY", s.node("SeparateXYZ", {0: back}, "Z"), -1.0)
+        parts = []
+        for extinction, downward, scattering in zip(self.extinction, self.downward, self.scattering):
+            # Integral of exp(-downward (depth - rise s)) exp(-extinction s) over s from 0 to way.
+            rate = s.math("MULTIPLY_ADD", rise, -float(downward), float(extinction) + 1.3e-4)
+            gone = s.math("SUBTRACT", 1.0, s.math("EXPONENT", s.math("MULTIPLY", s.math("MULTIPLY", rate, way), -1.0)))
+            above = s.math("EXPONENT", s.math("MULTIPLY", depth, -float(downward)))
+            parts.append(s.math("MULTIPLY", s.math("DIVIDE", gone, rate), s.math("MULTIPLY", above, float(scattering))))
+        color = s.node("CombineXYZ", dict(enumerate(parts)))
+        # Henyey and Greenstein's phase function, by the mean over all directions.
+        cosine = s.vector("DOT_PRODUCT", s.scaled(back, -1.0), tuple(self.towards), output=1)
+        base = s.math("MULTIPLY_ADD", cosine, -2.0 * FORWARD, 1.0 + FORWARD**2)
+        phase = s.math("DIVIDE", 1.0 - FORWARD**2, s.math("POWER", base, 1.5))
+        once = s.math("MULTIPLY", phase, self.focus_along(s, start, back, way))
+        strength = s.math("MULTIPLY", s.math("ADD", once, OFTEN), self.light / (4.0 * math.pi))
+        return s.node("Emission", {"Color": color, "Strength": s.math("MULTIPLY", strength, self.seen(s))})
+
+    def focus_along(self, s, start, back, way):
+        """The mean focus of light along a ray, by looks at random places, more of them near its start."""
         if self.caustics is None:
-            return (0.97, 0.97, 0.97)
-        back = s.scaled(s.geometry("Incoming"), s.ray("Ray Length"))
-        start = s.vector("ADD", s.geometry("Position"), back)
+            return 1.0
+        rate = float(self.extinction.min()) + 0.02
+        end = s.math("MINIMUM", way, SIGHT)
+        most = s.math("SUBTRACT", 1.0, s.math("EXPONENT", s.math("MULTIPLY", end, -rate)))
+        chance = s.node("TexWhiteNoise", {"Vector": s.geometry("Position")}, "Value", noise_dimensions="3D")
+        total = 0.0
+        for look in range(LOOKS):
+            share = s.math("MULTIPLY", s.math("MULTIPLY_ADD", chance, 1.0 / LOOKS, look / LOOKS), most)
+            along = s.math("DIVIDE", s.math("LOGARITHM", s.math("SUBTRACT", 1.0, share), math.e), -rate)
+            place = s.vector("SUBTRACT", start, s.scaled(back, along))
+            total = s.math("ADD", total, self.focus_at(s, place))
+        return s.math("MULTIPLY", total, 1.0 / LOOKS)
+
+    def focus_at(self, s, place):
+        """How much the surface focuses light at a place, 1 under a flat one."""
         node = s.tree.nodes.new("ShaderNodeTexImage")
         node.image, node.extension = self.caustics, "EXTEND"
-        shifted = s.vector("SUBTRACT", start, (*self.low, 0.0))
-        s.plug(node.inputs["Vector"], s.scaled(shifted, 1.0 / self.side))
-        parts = s.node("SeparateXYZ", {0: node.outputs["Color"]}).node.outputs
-        depth = s.math("SUBTRACT", self.level, s.node("SeparateXYZ", {0: start}, "Z"))
+        s.plug(node.inputs["Vector"], s.scaled(s.vector("SUBTRACT", place, (*self.low, 0.0)), 1.0 / self.side))
+        split = s.tree.nodes.new("ShaderNodeSeparateXYZ")
+        s.plug(split.inputs[0], node.outputs["Color"])
+        depth = s.math("SUBTRACT", self.level, s.node("SeparateXYZ", {0: place}, "Z"))
         value, above = 1.0, 0.0
-        for part, below in zip(parts, self.depths):
+        for part, below in zip(split.outputs, self.depths):
             share = s.node("MapRange", {"Value": depth, "From Min": above, "From Max": below})
             kept = s.math("MULTIPLY", s.math("SUBTRACT", 1.0, share), value)
             value, above = s.math("MULTIPLY_ADD", share, part, kept), below
-        value = s.math("MULTIPLY", value, 0.97)  # what the surface mirrors is gone
-        only = s.ray("Is Shadow Ray")
-        return s.blend(only, (1.0, 1.0, 1.0), s.node("CombineXYZ", {0: value, 1: value, 2: value}))
+        return value
 
-    def fill(self, low, high):
-        """A box of water: it absorbs, scatters forward, and glows by the light that was scattered often."""
-        corners = np.array([[x, y, z] for z in (low[2], self.level) for y in (low[1], high[1]) for x in (low[0], high[0])])
-        faces = np.array(((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7),
-                          (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)), np.int32)
-        mesh = bpy.data.meshes.new("Water")
-        mesh.vertices.add(8)
-        mesh.vertices.foreach_set("co", np.float32(corners).ravel())
-        versions.set_triangles(mesh, faces)
+    def surface(self, s):
+        """The surface: a mirror and a window to what the camera sees, a filter to light."""
+        glass = s.node("BsdfGlass", {"Color": self.filter(s), "Roughness": 0.0, "IOR": INDEX})
+        light = s.node("BsdfTransparent", {"Color": self._passed(s)})
+        return s.mix(self.seen(s), light, glass)
+
+    def _passed(self, s):
+        """The light that a shadow ray finds: what passes the surface, focused, and the water."""
+        way = s.ray("Ray Length")
+        start = s.vector("ADD", s.geometry("Position"), s.scaled(s.geometry("Incoming"), way))
+        value = self.focus_at(s, start) if self.caustics is not None else 1.0
+        return s.scaled(self.left(s, way, self.downward), s.math("MULTIPLY", value, 0.97))
+
+    def enclose(self, low, high):
+        """Walls near the end of the surface, where only water is seen; they shine as it does."""
+        (x, y), reach = 0.5 * (low[:2] + high[:2]), 0.47 * float(min(high[:2] - low[:2]))
+        turn = np.linspace(0.0, 2.0 * np.pi, 65)[:-1]
+        ring = np.column_stack((x + reach * np.cos(turn), y + reach * np.sin(turn)))
+        points = np.concatenate([np.column_stack((ring, np.full(64, z))) for z in (low[2] - 1.0, self.level + 1.5)])
+        points = np.concatenate((points, [[x, y, low[2] - 1.0]]))
+        k, after = np.arange(64), (np.arange(64) + 1) % 64
+        triangles = np.concatenate((np.column_stack((k, after, k + 64)), np.column_stack((after, after + 64, k + 64)),
+                                    np.column_stack((k, after, np.full(64, 128)))))
+        mesh = bpy.data.meshes.new("Far water")
+        mesh.vertices.add(len(points))
+        mesh.vertices.foreach_set("co", np.float32(points).ravel())
+        versions.set_triangles(mesh, triangles.astype(np.int32))
         mesh.update()
-        material = bpy.data.materials.new("water volume")
+        material = bpy.data.materials.new("far water")
         material.use_nodes = True
-        material.cycles.homogeneous_volume = True
+        versions.no_lamp(material)
         s = Shading(material.node_tree)
-        most = float(self.scattering.max())
-        scatter = s.node("VolumeScatter", {"Color": self.scattering / most, "Density": most, "Anisotropy": 0.55})
-        taken = self.extinction - self.scattering
-        absorb = s.node("VolumeAbsorption", {"Color": 1.0 - taken / taken.max(), "Density": float(taken.max())})
-        strongest = float(self.glow.max())
-        glow = s.node("Emission", {"Color": self.glow / strongest, "Strength": strongest})
-        s.end(volume=s.node("AddShader", {0: s.node("AddShader", {0: scatter, 1: absorb}), 1: glow}))
+        s.end(self.veil(s))
         mesh.materials.append(material)
-        thing = bpy.data.objects.new("Water", mesh)
+        thing = bpy.data.objects.new("Far water", mesh)
+        thing.visible_shadow = thing.visible_diffuse = False
         bpy.context.scene.collection.objects.link(thing)
 
 
