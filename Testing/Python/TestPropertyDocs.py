@@ -93,7 +93,7 @@ def is_default(text, value, owner):
     if text == "null":
         return value is None
     if isinstance(value, str):
-        return text.strip("`") == (value or "empty")
+        return text.strip("`") == value
     if re.fullmatch(r"[A-Za-z]\w*", text):
         return getattr(owner, text, None) == value
     values = value if isinstance(value, (tuple, list)) else (value,)
