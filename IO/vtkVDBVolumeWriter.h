@@ -83,7 +83,7 @@ public:
 
   ///@{
   /**
-   * Name of the grid in the file; default empty, the name of the array. Renderers know smoke and fog by the name
+   * Name of the grid in the file; default ``, the name of the array. Renderers know smoke and fog by the name
    * `density`. Only an input with one volume, of one array, may have it; more are an error.
    */
   vtkSetMacro(GridName, std::string);
