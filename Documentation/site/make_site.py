@@ -82,6 +82,8 @@ EXAMPLES = {
     "Examples/Python/sea_surface.py": ("Sea surface", "sea-surface.jpg"),
     "Examples/Python/drifting_particles.py": ("Drifting particles", "drifting-particles.jpg"),
     "Examples/Python/swaying_kelp.py": ("Swaying kelp", "swaying-kelp.jpg"),
+    "Examples/Blender/forest.py": ("A glade by path tracing", "light-forest.jpg"),
+    "Examples/Blender/underwater.py": ("A kelp bay by path tracing", "light-underwater.jpg"),
     "Examples/Python/pyvista_coast.py": ("Coast in PyVista", "pyvista-coast.jpg"),
 }
 
