@@ -11,15 +11,16 @@ namespace littoral
 {
 
 /// The half step that a moment is in. Halves are counted in whole numbers, so that their times do not depend on
-/// rounding.
+/// rounding; nor does a moment at a half step ask for the next one.
 CurrentSeries::Bracket CurrentSeries::HalfSteps(const TimeGrid& grid, const StepMoment& moment) const
 {
-  const double half = std::floor(2.0 * moment.Share);
-  const auto timeOf = [&](double halves) {
-    const double time = grid.Start + 0.5 * grid.Step * (2.0 * static_cast<double>(moment.Step) + halves);
+  const double halves = grid.WholeWithin(2.0 * moment.Share, static_cast<double>(moment.Step));
+  const double half = std::floor(halves);
+  const auto timeOf = [&](double count) {
+    const double time = grid.Start + 0.5 * grid.Step * (2.0 * static_cast<double>(moment.Step) + count);
     return std::clamp(time, this->Range[0], this->Range[1]);
   };
-  return { timeOf(half), timeOf(half + 1.0), 2.0 * moment.Share - half };
+  return { timeOf(half), timeOf(half + 1.0), halves - half };
 }
 
 /// Times of two snapshots around a moment, and the share of the second.

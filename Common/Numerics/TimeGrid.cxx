@@ -8,17 +8,20 @@
 namespace littoral
 {
 
+double TimeGrid::WholeWithin(double count, double steps)
+{
+  const double nearest = std::round(count);
+  return std::abs(count - nearest) < Tolerance * std::max(1.0, steps) ? nearest : count;
+}
+
 StepGoal TimeGrid::GoalAt(double time) const
 {
   const double elapsed = std::max(0.0, time - this->Start);
   const double steps = std::min(elapsed / this->Step, 2.0 * MaximumSteps);
-  const double nearest = std::round(steps);
-  if (std::abs(steps - nearest) < Tolerance * std::max(1.0, nearest))
-  {
-    return { time, static_cast<long long>(nearest), 0.0 };
-  }
-  const auto whole = static_cast<long long>(std::floor(steps));
-  return { time, whole, std::max(0.0, time - this->TimeOf(whole)) };
+  const double counted = WholeWithin(steps, std::round(steps));
+  const auto whole = static_cast<long long>(std::floor(counted));
+  const bool isOnGrid = counted == static_cast<double>(whole);
+  return { time, whole, isOnGrid ? 0.0 : std::max(0.0, time - this->TimeOf(whole)) };
 }
 
 std::string WhyTooFar(const TimeGrid& grid, double time)

@@ -40,6 +40,9 @@ struct TimeGrid
   /// Length [s] in units of a step; exactly 1 for a whole step.
   double ShareOf(double length) const { return length == this->Step ? 1.0 : length / this->Step; }
 
+  /// A count, or the whole number that rounding alone keeps it from, after a number of steps since Start.
+  static double WholeWithin(double count, double steps);
+
   /// The steps to a finite time, at most twice MaximumSteps.
   StepGoal GoalAt(double time) const;
 };

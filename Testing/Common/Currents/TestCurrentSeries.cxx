@@ -176,6 +176,25 @@ TEST(CurrentSeries, ContinuousOnesAreAskedForHalfStepsAlone)
   EXPECT_EQ(asked.size(), 101u); // each half step, the end of one being the beginning of the next, to the bit
 }
 
+TEST(CurrentSeries, FramesAtHalfStepsAskForNothingLater)
+{
+  CurrentSeries series;
+  series.IsContinuous = true;
+  series.Range[0] = -1e3;
+  series.Range[1] = 1e3;
+  const double start = 7.3;
+  const TimeGrid grid{ start - 1.0, 2.0 / 12.0 };
+  for (int frame = 0; frame < 500; ++frame)
+  {
+    const double now = start + frame / 12.0; // rounded to either side of the half step
+    const StepGoal goal = grid.GoalAt(now);
+    for (const double time : Supply(series, grid, { goal.Step, grid.ShareOf(goal.Remainder) }))
+    {
+      EXPECT_LE(time, now + 1e-9) << frame;
+    }
+  }
+}
+
 TEST(CurrentSeries, DropThoseFarthestFromTheLastOne)
 {
   CurrentSeries series;
