@@ -3,12 +3,12 @@
 #include "vtkImageSectionFilter.h"
 
 #include "Data/Inputs.h"
+#include "Data/PickedTuples.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -22,6 +22,7 @@
 #include <array>
 #include <set>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkImageSectionFilter);
 
@@ -56,7 +57,7 @@ public:
       {
         const vtkIdType id = this->Image->ComputePointId(sample);
         this->Points->InsertNextPoint(this->Image->GetPoint(id));
-        this->Samples->InsertNextId(id);
+        this->Samples.push_back(id);
       }
     }
     const vtkIdType end = this->Points->GetNumberOfPoints() - row;
@@ -77,14 +78,7 @@ public:
   {
     output->SetPoints(this->Points);
     output->SetPolys(this->Quads);
-    output->GetPointData()->CopyAllocate(this->Image->GetPointData(), this->Samples->GetNumberOfIds());
-    vtkNew<vtkIdList> places;
-    places->SetNumberOfIds(this->Samples->GetNumberOfIds());
-    for (vtkIdType i = 0; i < places->GetNumberOfIds(); ++i)
-    {
-      places->SetId(i, i);
-    }
-    output->GetPointData()->CopyData(this->Image->GetPointData(), this->Samples, places);
+    littoral::PickTuples(this->Image->GetPointData(), this->Samples, output->GetPointData());
   }
 
 private:
@@ -93,7 +87,7 @@ private:
   std::array<int, 6> Extent;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Quads;
-  vtkNew<vtkIdList> Samples; ///< of the image, one a point
+  std::vector<vtkIdType> Samples; ///< of the image, one a point
 };
 
 }

@@ -6,6 +6,7 @@
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/Inputs.h"
+#include "Data/PickedTuples.h"
 #include "Data/SeaStateTable.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
@@ -20,7 +21,6 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -37,6 +37,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkParticleLevelOfDetailFilter);
@@ -110,14 +111,9 @@ vtkSmartPointer<vtkCellArray> VerticesOf(vtkIdType count)
 void CarryArrays(vtkPointSet* input, const std::vector<littoral::ShownParticle>& level, vtkPointData* to)
 {
   const vtkIdType count = static_cast<vtkIdType>(level.size());
-  vtkNew<vtkIdList> from;
-  vtkNew<vtkIdList> places;
-  from->SetNumberOfIds(count);
-  places->SetNumberOfIds(count);
-  ForEach(count, [&](vtkIdType n) {
-    from->SetId(n, level[n].Particle);
-    places->SetId(n, n);
-  });
+  std::vector<vtkIdType> particles(level.size());
+  std::transform(
+    level.begin(), level.end(), particles.begin(), [](const littoral::ShownParticle& shown) { return shown.Particle; });
   vtkNew<vtkPointData> carried;
   carried->ShallowCopy(input->GetPointData());
   for (const char* name : { littoral::sea::Alpha, littoral::sea::TrainCount, littoral::sea::ErrorBound,
@@ -125,9 +121,7 @@ void CarryArrays(vtkPointSet* input, const std::vector<littoral::ShownParticle>&
   {
     carried->RemoveArray(name);
   }
-  to->CopyAllOn();
-  to->CopyAllocate(carried, count);
-  to->CopyData(carried, from, places);
+  littoral::PickTuples(carried, particles, to);
   if (!littoral::ArrayReader::OfPoints(input, "").Has(littoral::sea::ParticleId))
   {
     auto* ids = AddArray<vtkIdTypeArray>(to, littoral::sea::ParticleId, 1, count);
@@ -338,6 +332,8 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
   {
     return "";
   }
+  // Particles that drift keep most of their order, and the groups are found faster from it.
+  std::vector<int> former = internals.Groups ? internals.Groups->GetOrder() : std::vector<int>();
   internals = vtkInternals();
   littoral::GroupOptions options;
   options.Slaves = this->SlavesPerMaster;
@@ -369,8 +365,9 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
     }
     internals.MeanHeight += places[n].z / static_cast<double>(count);
   }
-  internals.Groups = std::make_unique<littoral::ParticleGroups>(places, options,
-    static_cast<std::size_t>(this->ParticlesPerCell), littoral::AbortableFor(this), littoral::PollOf(this));
+  internals.Groups =
+    std::make_unique<littoral::ParticleGroups>(places, options, static_cast<std::size_t>(this->ParticlesPerCell),
+      littoral::AbortableFor(this), littoral::PollOf(this), std::move(former));
   internals.Lowest = std::numeric_limits<double>::infinity();
   internals.Highest = -internals.Lowest;
   for (const littoral::ParticleGroups::Cell& cell : internals.Groups->GetCells())

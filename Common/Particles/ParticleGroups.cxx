@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace littoral
 {
@@ -65,9 +67,9 @@ struct ParticleGroups::Item
 };
 
 ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options,
-  std::size_t particlesPerCell, const ParallelFor& parallelFor, const Poll& poll)
+  std::size_t particlesPerCell, const ParallelFor& parallelFor, const Poll& poll, std::vector<int> former)
   : GroupSize(static_cast<std::size_t>(options.Slaves) + 1)
-  , Order(places.size())
+  , Order(std::move(former))
   , Masters(places.size())
   , Offsets(places.size(), Vector3(0.0))
 {
@@ -75,26 +77,32 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
   {
     return;
   }
+  if (this->Order.size() != places.size())
+  {
+    this->Order.resize(places.size());
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+  }
   std::vector<Item> items(places.size());
   for (std::size_t n = 0; n < places.size(); ++n)
   {
-    items[n] = { places[n], static_cast<int>(n) };
+    items[n] = { places[this->Order[n]], this->Order[n] };
   }
   const std::size_t group = this->GroupSize;
   const std::size_t cell = std::max(group, particlesPerCell);
   // A few large parts one after the other, each of them by a thread.
   std::vector<Cell> parts;
-  Split(items, 0, items.size(), group, std::max(cell, items.size() / 32), parts, poll);
+  const Cell all{ 0, items.size(), BoxOf(items, 0, items.size()) };
+  Split(items, all, group, std::max(cell, items.size() / 32), parts, poll);
   std::vector<std::vector<Cell>> cells(parts.size());
   parallelFor(parts.size(), [&](std::size_t first, std::size_t last) {
     std::vector<Cell> groups;
     for (std::size_t part = first; part < last; ++part)
     {
-      Split(items, parts[part].Begin, parts[part].End, group, cell, cells[part], NoPoll);
+      Split(items, parts[part], group, cell, cells[part], NoPoll);
       for (Cell& each : cells[part])
       {
         groups.clear();
-        Split(items, each.Begin, each.End, group, group, groups, NoPoll);
+        Split(items, each, group, group, groups, NoPoll);
         for (const Cell& one : groups)
         {
           this->Arrange(items, options, one.Begin, one.End);
@@ -111,30 +119,50 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
   }
 }
 
-void ParticleGroups::Split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::size_t group,
-  std::size_t cell, std::vector<Cell>& cells, const Poll& poll)
+Box ParticleGroups::BoxOf(const std::vector<Item>& items, std::size_t begin, std::size_t end)
 {
-  poll();
   Box bounds{ items[begin].Place, items[begin].Place };
   for (std::size_t n = begin + 1; n < end; ++n)
   {
     bounds.Low = glm::min(bounds.Low, items[n].Place);
     bounds.High = glm::max(bounds.High, items[n].Place);
   }
-  if (end - begin <= cell)
+  return bounds;
+}
+
+/// Puts the lower half of some particles along an axis before the upper one.
+void ParticleGroups::Halve(std::vector<Item>& items, std::size_t begin, std::size_t middle, std::size_t end, int axis)
+{
+  // Ties go by number, so that each half has the same particles whatever their order was.
+  const auto isBelow = [axis](const Item& a, const Item& b) {
+    return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Particle < b.Particle;
+  };
+  const auto at = [&items](std::size_t n) { return items.begin() + static_cast<std::ptrdiff_t>(n); };
+  const Item lowest = *std::min_element(at(middle), at(end), isBelow);
+  const Item highest = *std::max_element(at(begin), at(middle), isBelow);
+  if (isBelow(highest, lowest))
   {
-    cells.push_back({ begin, end, bounds });
     return;
   }
-  const int axis = LongestSide(bounds);
-  const std::size_t middle = begin + HalfOf(end - begin, group);
-  const auto at = [&items](std::size_t n) { return items.begin() + static_cast<std::ptrdiff_t>(n); };
-  // Ties go by number, so that each half has the same particles whatever their order was.
-  std::nth_element(at(begin), at(middle), at(end), [axis](const Item& a, const Item& b) {
-    return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Particle < b.Particle;
-  });
-  Split(items, begin, middle, group, cell, cells, poll);
-  Split(items, middle, end, group, cell, cells, poll);
+  // Whoever is below all of the upper half, or above all of the lower one, is in its half already.
+  const auto first = std::partition(at(begin), at(middle), [&](const Item& item) { return isBelow(item, lowest); });
+  const auto last = std::partition(at(middle), at(end), [&](const Item& item) { return isBelow(item, highest); });
+  std::nth_element(first, at(middle), last, isBelow);
+}
+
+void ParticleGroups::Split(std::vector<Item>& items, const Cell& all, std::size_t group, std::size_t cell,
+  std::vector<Cell>& cells, const Poll& poll)
+{
+  poll();
+  if (all.End - all.Begin <= cell)
+  {
+    cells.push_back(all);
+    return;
+  }
+  const std::size_t middle = all.Begin + HalfOf(all.End - all.Begin, group);
+  Halve(items, all.Begin, middle, all.End, LongestSide(all.Bounds));
+  Split(items, { all.Begin, middle, BoxOf(items, all.Begin, middle) }, group, cell, cells, poll);
+  Split(items, { middle, all.End, BoxOf(items, middle, all.End) }, group, cell, cells, poll);
 }
 
 void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end)

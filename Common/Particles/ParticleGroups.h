@@ -37,9 +37,11 @@ std::string WhyInvalid(const GroupOptions& options);
 class ParticleGroups
 {
 public:
-  /// About as many particles as asked for, at least one group, in a cell. Options must be valid, places finite.
+  /// About as many particles as asked for, at least one group, in a cell. Options must be valid, places finite. The
+  /// order of former groups of the same particles, if given, saves time where they have moved little; the groups are
+  /// the same without.
   ParticleGroups(const std::vector<Vector3>& places, const GroupOptions& options, std::size_t particlesPerCell,
-    const ParallelFor& parallelFor = SerialFor, const Poll& poll = NoPoll);
+    const ParallelFor& parallelFor = SerialFor, const Poll& poll = NoPoll, std::vector<int> former = {});
 
   /// Particles from begin up to end in the order, and the box that holds them, at their own places and as slaves.
   struct Cell
@@ -66,7 +68,9 @@ public:
 private:
   struct Item; ///< a particle with its place beside it
 
-  static void Split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::size_t group, std::size_t cell,
+  static Box BoxOf(const std::vector<Item>& items, std::size_t begin, std::size_t end);
+  static void Halve(std::vector<Item>& items, std::size_t begin, std::size_t middle, std::size_t end, int axis);
+  static void Split(std::vector<Item>& items, const Cell& all, std::size_t group, std::size_t cell,
     std::vector<Cell>& cells, const Poll& poll);
   void Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end);
 

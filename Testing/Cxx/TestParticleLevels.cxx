@@ -10,6 +10,7 @@
 #include "vtkSeaStateSource.h"
 
 #include "vtkActor.h"
+#include "vtkBitArray.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -33,7 +34,9 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -42,6 +45,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <string>
@@ -477,6 +481,105 @@ bool CheckSameBytes()
   return good;
 }
 
+/// Arrays of all layouts go along with their particles, attributes among them.
+bool CheckCarriedArrays()
+{
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(3000, VTK_FLOAT);
+  const vtkIdType count = particles->GetNumberOfPoints();
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkBitArray> bits;
+  vtkNew<vtkSOADataArrayTemplate<double>> apart;
+  vtkNew<vtkUnsignedCharArray> colors;
+  names->SetName("Names");
+  bits->SetName("Bits");
+  apart->SetName("Apart");
+  apart->SetNumberOfComponents(2);
+  apart->SetNumberOfTuples(count);
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    names->InsertNextValue(std::to_string(n));
+    bits->InsertNextValue(n % 3 == 0);
+    apart->SetTypedComponent(n, 0, 0.5 * static_cast<double>(n));
+    apart->SetTypedComponent(n, 1, -static_cast<double>(n));
+    const auto low = static_cast<unsigned char>(n % 256);
+    const unsigned char color[3] = { low, static_cast<unsigned char>(n / 256), 7 };
+    colors->InsertNextTypedTuple(color);
+  }
+  vtkPointData* arrays = particles->GetPointData();
+  for (vtkAbstractArray* array : std::initializer_list<vtkAbstractArray*>{ names, bits, apart, colors })
+  {
+    arrays->AddArray(array);
+  }
+  vtkNew<Levels> levels;
+  levels->SetInputData(0, particles);
+  levels->SetSeaStateConnection(sea->GetOutputPort());
+  LookAlongY(levels);
+  levels->Update();
+  bool good = true;
+  for (int index = 0; index < 3; ++index)
+  {
+    vtkPolyData* block = BlockOf(levels, index);
+    vtkPointData* carried = block->GetPointData();
+    vtkDataArray* ids = carried->GetArray("ParticleId");
+    good &= Check(carried->GetScalars() && std::string(carried->GetScalars()->GetName()) == "Tint", "no scalars");
+    for (vtkIdType n = 0; n < block->GetNumberOfPoints(); ++n)
+    {
+      const auto id = static_cast<vtkIdType>(ids->GetTuple1(n));
+      bool same = carried->GetScalars()->GetTuple1(n) == static_cast<double>(id);
+      for (int each = 0; each < arrays->GetNumberOfArrays(); ++each)
+      {
+        vtkAbstractArray* wanted = arrays->GetAbstractArray(each);
+        vtkAbstractArray* got = carried->GetAbstractArray(wanted->GetName());
+        same = same && got && got->GetDataType() == wanted->GetDataType();
+        for (int k = 0; same && k < wanted->GetNumberOfComponents(); ++k)
+        {
+          const int components = wanted->GetNumberOfComponents();
+          same = got->GetVariantValue(n * components + k) == wanted->GetVariantValue(id * components + k);
+        }
+      }
+      good &= Check(same, "an array has values of another particle");
+    }
+  }
+  return good;
+}
+
+/// A filter whose particles drift gives what a new one gives.
+bool CheckDriftedGroups()
+{
+  vtkNew<Sea> sea;
+  vtkNew<vtkPolyData> particles = Particles(9001, VTK_FLOAT);
+  const auto make = [&](Levels* levels) {
+    levels->SetInputData(0, particles);
+    levels->SetSeaStateConnection(sea->GetOutputPort());
+    LookAlongY(levels);
+  };
+  vtkNew<Levels> kept;
+  make(kept);
+  kept->Update();
+  bool good = true;
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    vtkPoints* points = particles->GetPoints();
+    for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
+    {
+      double place[3];
+      points->GetPoint(n, place);
+      points->SetPoint(n, place[0] + 0.3 * std::sin(place[1]), place[1] + 0.2, place[2] + 0.1 * std::sin(place[0]));
+    }
+    points->Modified();
+    particles->Modified();
+    vtkNew<Levels> fresh;
+    make(fresh);
+    kept->Update();
+    fresh->Update();
+    good &= Check(BytesOf(kept) == BytesOf(fresh), "former places have an effect");
+  }
+  return good;
+}
+
 bool CheckFog()
 {
   vtkNew<Sea> sea;
@@ -748,6 +851,8 @@ int TestParticleLevels(int argc, char* argv[])
   good &= CheckMotion();
   good &= CheckPixelPromise();
   good &= CheckSameBytes();
+  good &= CheckCarriedArrays();
+  good &= CheckDriftedGroups();
   good &= CheckFog();
   good &= CheckBadInput();
   return good && Picture(argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -20,8 +20,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace littoral;
@@ -336,6 +338,91 @@ TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
 
     const ParticleGroups again(places, options, 64, OnThreads(2));
     EXPECT_EQ(again.GetOrder(), groups.GetOrder());
+  }
+}
+
+/// Halves of the particles by a full sort along the longest side, down to groups: each as the set of its numbers.
+void HalvesBySorting(
+  const std::vector<Vector3>& places, std::vector<int> all, std::size_t group, std::vector<std::vector<int>>& sets)
+{
+  if (all.size() <= group)
+  {
+    std::sort(all.begin(), all.end());
+    sets.push_back(all);
+    return;
+  }
+  Vector3 low = places[all[0]];
+  Vector3 high = low;
+  for (const int n : all)
+  {
+    low = glm::min(low, places[n]);
+    high = glm::max(high, places[n]);
+  }
+  const Vector3 size = high - low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  std::sort(all.begin(), all.end(),
+    [&](int a, int b) { return std::make_pair(places[a][axis], a) < std::make_pair(places[b][axis], b); });
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>((all.size() + group - 1) / group / 2 * group);
+  HalvesBySorting(places, { all.begin(), middle }, group, sets);
+  HalvesBySorting(places, { middle, all.end() }, group, sets);
+}
+
+TEST(ParticleGroups, AreThoseOfASort)
+{
+  const GroupOptions options;
+  std::vector<Vector3> places = Places(3001, { { -9.0, 0.0, -9.0 }, { 9.0, 14.0, 0.0 } });
+  for (const double step : { 0.0, 1.5 }) // also on a lattice, with many ties
+  {
+    for (Vector3& place : places)
+    {
+      place = step > 0.0 ? step * glm::floor(place / step) : place;
+    }
+    std::vector<int> all(places.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<std::vector<int>> sets;
+    HalvesBySorting(places, all, 4, sets);
+    const ParticleGroups groups(places, options, 4);
+    ASSERT_EQ(groups.GetCells().size(), sets.size());
+    for (std::size_t n = 0; n < sets.size(); ++n)
+    {
+      const ParticleGroups::Cell& cell = groups.GetCells()[n];
+      const auto first = groups.GetOrder().begin() + static_cast<std::ptrdiff_t>(cell.Begin);
+      std::vector<int> found(first, first + static_cast<std::ptrdiff_t>(cell.End - cell.Begin));
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, sets[n]) << n;
+    }
+  }
+}
+
+TEST(ParticleGroups, AreTheSameWhateverWasBefore)
+{
+  GroupOptions options;
+  options.LargestOffset = 0.6;
+  std::vector<Vector3> places = Places(5000, { { -9.0, 0.0, -9.0 }, { 9.0, 14.0, 0.0 } });
+  std::vector<int> former(places.size());
+  std::iota(former.rbegin(), former.rend(), 0); // from last to first
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    const ParticleGroups fresh(places, options, 64);
+    const ParticleGroups later(places, options, 64, OnThreads(2), NoPoll, former);
+    EXPECT_EQ(later.GetOrder(), fresh.GetOrder()) << frame;
+    ASSERT_EQ(later.GetCells().size(), fresh.GetCells().size());
+    for (std::size_t n = 0; n < fresh.GetCells().size(); ++n)
+    {
+      EXPECT_EQ(later.GetCells()[n].Begin, fresh.GetCells()[n].Begin);
+      EXPECT_EQ(later.GetCells()[n].Bounds.Low, fresh.GetCells()[n].Bounds.Low);
+      EXPECT_EQ(later.GetCells()[n].Bounds.High, fresh.GetCells()[n].Bounds.High);
+    }
+    for (int particle = 0; particle < 5000; ++particle)
+    {
+      EXPECT_EQ(later.MasterOf(particle), fresh.MasterOf(particle));
+      EXPECT_EQ(later.OffsetOf(particle), fresh.OffsetOf(particle));
+    }
+    former = fresh.GetOrder();
+    for (Vector3& place : places) // a whirl
+    {
+      place += 0.05 * Vector3(-place.y, place.x, std::sin(place.x));
+    }
   }
 }
 
