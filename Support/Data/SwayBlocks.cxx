@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <mutex>
 
 namespace littoral
 {
@@ -393,11 +394,14 @@ vtkSmartPointer<vtkMultiBlockDataSet> SwayBlocks::MovedLevel(
 vtkSmartPointer<vtkPolyData> SwayBlocks::MovedBones(vtkPolyData* bones)
 {
   const auto positions = this->Arrays.Like(FloatPointsOf(bones));
-  for (vtkIdType node = 0; node < positions->GetNumberOfTuples(); ++node)
-  {
-    const Vector3 position = this->Scene->JointPosition(static_cast<std::size_t>(node));
-    positions->SetTuple(node, &position.x);
-  }
+  float* to = positions->GetPointer(0);
+  SmpFor(static_cast<std::size_t>(positions->GetNumberOfTuples()), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+    {
+      const Vector3 position = this->Scene->JointPosition(node);
+      std::transform(&position.x, &position.x + 3, to + 3 * node, [](double x) { return static_cast<float>(x); });
+    }
+  });
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->ShallowCopy(bones);
   moved->SetPoints(PointsWithRanges(positions));
@@ -418,19 +422,44 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin)
   }
   float* p = points->GetPointer(0);
   float* n = normals ? normals->GetPointer(0) : nullptr;
+  const bool isLeaves = std::strcmp(skin.Name, plant::Leaves) == 0;
+  TupleRanges places;
+  TupleRanges directions;
+  std::mutex adding;
   ForRanges(SmpFor, static_cast<std::size_t>(points->GetNumberOfTuples()), VertexGrain,
-    [&](std::size_t begin, std::size_t end) { MoveSkin(rest, this->Scene->GetChanges().data(), begin, end, p, n); });
-  if (std::strcmp(skin.Name, plant::Leaves) == 0)
+    [&](std::size_t begin, std::size_t end) {
+      MoveSkin(rest, this->Scene->GetChanges().data(), begin, end, p, n);
+      if (isLeaves)
+      {
+        return; // they turn yet
+      }
+      // Ranges are found while the vertices are at hand.
+      TupleRanges ofPlaces;
+      TupleRanges ofDirections;
+      ofPlaces.AddTuples(p + 3 * begin, p + 3 * end, 3);
+      if (n)
+      {
+        ofDirections.AddTuples(n + 3 * begin, n + 3 * end, 3);
+      }
+      const std::lock_guard<std::mutex> lock(adding);
+      places.Add(ofPlaces);
+      directions.Add(ofDirections);
+    });
+  if (isLeaves)
   {
     ForRanges(SmpFor, this->Scene->GetNumberOfLeaves(), LeafGrain,
       [&](std::size_t begin, std::size_t end) { this->Scene->TurnLeaves(begin, end, p, n); });
+  }
+  else
+  {
+    KeepRanges(points, places);
   }
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->ShallowCopy(skin.Rest);
   moved->SetPoints(PointsWithRanges(points));
   if (normals)
   {
-    KeepRanges(normals.Get());
+    isLeaves ? KeepRanges(normals.Get()) : KeepRanges(normals, directions);
     moved->GetPointData()->SetNormals(normals);
   }
   if (std::strcmp(skin.Name, plant::Crown) == 0)
