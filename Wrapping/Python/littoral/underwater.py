@@ -28,7 +28,7 @@ EXTINCTION, DOWNWARD = (0.150, 0.056, 0.046), (0.20, 0.050, 0.040)
 UPWARD_VIEW, LEVEL_VIEW, DOWNWARD_VIEW = (0.07, 0.50, 0.68), (0.008, 0.135, 0.235), (0.002, 0.040, 0.075)
 #: Number of ripples, the longest ones, that focus light; for the others the sun is too large.
 FOCUSING = 8
-#: Steps along a view ray at which shafts of light are looked up.
+#: Largest number of steps along a view ray at which shafts of light are looked up; fewer up to what is near.
 SHAFT_STEPS = 22
 #: Exposure of the image.
 EXPOSURE = 1.55
@@ -119,7 +119,8 @@ vec3 through(vec3 radiance)
   vec3 towards = ray / way;
   vec3 left = exp(-vec3EXTINCTION * way);
   float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  float pace = min(way, 26.0) / float(SHAFT_STEPS);
+  int steps = int(clamp(ceil(way / 26.0 * float(SHAFT_STEPS)), 4.0, float(SHAFT_STEPS)));
+  float pace = min(way, 26.0) / float(steps);
   vec2 along = pace * (towards.xy - sun.xy / sun.z * towards.z), at = entry(eyeMC) + jitter * along;
   float here[FOCUSING], before[FOCUSING], twice[FOCUSING];
   for (int n = 0; n < FOCUSING; ++n)
@@ -131,7 +132,7 @@ vec3 through(vec3 radiance)
   }
   float shaft = 0.0, weight = 0.0;
   float share = 1.0, fading = exp(pace * (0.09 * towards.z - 0.075)); // the same for both sums: from 1
-  for (int step = 0; step < SHAFT_STEPS; ++step)
+  for (int step = 0; step < steps; ++step)
   {
     vec3 bend = vec3(0.0);
     for (int n = 0; n < FOCUSING; ++n)
@@ -456,6 +457,7 @@ def show_fog(source, view, color=(0.50, 0.78, 0.76)):
     extinctions = (0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.2, 2.5, 5.0)
     shown = simple.Show(source, view, "UniformGridRepresentation")
     shown.SetRepresentationType("Fog")
+    shown.SampleDistance = 2.0
     shown.ColorArrayName = ["POINTS", "Extinction"]
     shown.LookupTable = simple.CreateLookupTable(
         ColorSpace="RGB", RGBPoints=[0.0, *color, extinctions[-1], *color], AutomaticRescaleRangeMode="Never")
