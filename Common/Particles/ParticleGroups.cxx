@@ -131,23 +131,19 @@ Box ParticleGroups::BoxOf(const std::vector<Item>& items, std::size_t begin, std
 }
 
 /// Puts the lower half of some particles along an axis before the upper one.
-void ParticleGroups::Halve(std::vector<Item>& items, std::size_t begin, std::size_t middle, std::size_t end, int axis)
+void ParticleGroups::Halve(std::vector<Item>& items, const Cell& low, const Cell& high, int axis)
 {
-  // Ties go by number, so that each half has the same particles whatever their order was.
-  const auto isBelow = [axis](const Item& a, const Item& b) {
-    return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Particle < b.Particle;
-  };
   const auto at = [&items](std::size_t n) { return items.begin() + static_cast<std::ptrdiff_t>(n); };
-  const Item lowest = *std::min_element(at(middle), at(end), isBelow);
-  const Item highest = *std::max_element(at(begin), at(middle), isBelow);
-  if (isBelow(highest, lowest))
-  {
-    return;
-  }
+  const auto middle = at(high.Begin);
   // Whoever is below all of the upper half, or above all of the lower one, is in its half already.
-  const auto first = std::partition(at(begin), at(middle), [&](const Item& item) { return isBelow(item, lowest); });
-  const auto last = std::partition(at(middle), at(end), [&](const Item& item) { return isBelow(item, highest); });
-  std::nth_element(first, at(middle), last, isBelow);
+  const double least = high.Bounds.Low[axis];
+  const double most = low.Bounds.High[axis];
+  const auto first = std::partition(at(low.Begin), middle, [=](const Item& item) { return item.Place[axis] < least; });
+  const auto last = std::partition(middle, at(high.End), [=](const Item& item) { return item.Place[axis] <= most; });
+  // Ties go by number, so that each half has the same particles whatever their order was.
+  std::nth_element(first, middle, last, [axis](const Item& a, const Item& b) {
+    return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Particle < b.Particle;
+  });
 }
 
 void ParticleGroups::Split(std::vector<Item>& items, const Cell& all, std::size_t group, std::size_t cell,
@@ -159,10 +155,18 @@ void ParticleGroups::Split(std::vector<Item>& items, const Cell& all, std::size_
     cells.push_back(all);
     return;
   }
+  const int axis = LongestSide(all.Bounds);
   const std::size_t middle = all.Begin + HalfOf(all.End - all.Begin, group);
-  Halve(items, all.Begin, middle, all.End, LongestSide(all.Bounds));
-  Split(items, { all.Begin, middle, BoxOf(items, all.Begin, middle) }, group, cell, cells, poll);
-  Split(items, { middle, all.End, BoxOf(items, middle, all.End) }, group, cell, cells, poll);
+  Cell low{ all.Begin, middle, BoxOf(items, all.Begin, middle) };
+  Cell high{ middle, all.End, BoxOf(items, middle, all.End) };
+  if (!(low.Bounds.High[axis] < high.Bounds.Low[axis]))
+  {
+    Halve(items, low, high, axis);
+    low.Bounds = BoxOf(items, low.Begin, low.End);
+    high.Bounds = BoxOf(items, high.Begin, high.End);
+  }
+  Split(items, low, group, cell, cells, poll);
+  Split(items, high, group, cell, cells, poll);
 }
 
 void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end)

@@ -69,7 +69,7 @@ private:
   struct Item; ///< a particle with its place beside it
 
   static Box BoxOf(const std::vector<Item>& items, std::size_t begin, std::size_t end);
-  static void Halve(std::vector<Item>& items, std::size_t begin, std::size_t middle, std::size_t end, int axis);
+  static void Halve(std::vector<Item>& items, const Cell& low, const Cell& high, int axis);
   static void Split(std::vector<Item>& items, const Cell& all, std::size_t group, std::size_t cell,
     std::vector<Cell>& cells, const Poll& poll);
   void Arrange(std::vector<Item>& items, const GroupOptions& options, std::size_t begin, std::size_t end);
