@@ -67,7 +67,7 @@ double Counter(vtkAlgorithm* algorithm, const char* name)
 /// Groups and cells of new places, and the levels.
 void NewParticles(benchmark::State& state)
 {
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     state.PauseTiming();
     Scene scene;
