@@ -16,8 +16,8 @@ namespace littoral
 /// A cell of a grid, counted along x first.
 using CellIndex = std::int32_t;
 
-/// The cells around each value of a grid and their eight neighbours. Directions 0 to 7 run counter-clockwise in steps of
-/// 45 degrees, 0 along x.
+/// The cells around each value of a grid and their eight neighbours. Directions 0 to 7 run counter-clockwise in steps
+/// of 45 degrees, 0 along x.
 class CellLattice
 {
 public:
@@ -67,7 +67,8 @@ public:
     const bool isInside = i > 0 && j > 0 && i < this->Width - 1 && j < this->Height - 1;
     for (int d = 0; d < Directions; ++d)
     {
-      if (isInside || (i + StepX[d] >= 0 && i + StepX[d] < this->Width && j + StepY[d] >= 0 && j + StepY[d] < this->Height))
+      if (isInside ||
+        (i + StepX[d] >= 0 && i + StepX[d] < this->Width && j + StepY[d] >= 0 && j + StepY[d] < this->Height))
       {
         visit(cell + this->Offsets[d], d);
       }

@@ -25,11 +25,10 @@ struct DepressionFlood
 
 /**
  * Exact levels of filled depressions over eight neighbours (priority-flood, Barnes, Lehman & Mulla 2014). Flats keep
- * one level; Toward leads out of them by the fewest steps from their rim. Cells of equal height are flooded in the order
- * in which they were reached, so the result is unique.
+ * one level; Toward leads out of them by the fewest steps from their rim. Cells of equal height are flooded in the
+ * order in which they were reached, so the result is unique.
  */
-DepressionFlood FloodDepressions(
-  const GridSamples& heights, const OutletMask& outlets, const Poll& poll = NoPoll);
+DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& outlets, const Poll& poll = NoPoll);
 
 }
 
