@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/GroundStatistics.h"
+
+#include "Drainage/DepressionFilling.h"
+#include "Drainage/FlowRouting.h"
+#include "Drainage/LeastSquaresLine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Calls visit(cell) for the cells that have all four neighbours, row by row.
+template <typename Visit>
+void ForEachInner(const GridSamples& heights, const Visit& visit)
+{
+  for (int j = 1; j < heights.Height - 1; ++j)
+  {
+    for (int i = 1; i < heights.Width - 1; ++i)
+    {
+      visit(static_cast<std::size_t>(j) * heights.Width + i);
+    }
+  }
+}
+
+/// Slopes to the receivers; NaN at outlets, which have none, and 0 out of depressions, where water stands.
+std::vector<double> StreamSlopes(const GridSamples& heights, const FlowRouting& routing, const ParallelFor& parallel)
+{
+  std::vector<double> slopes = SlopesToReceivers(heights, routing, parallel);
+  for (std::size_t cell = 0; cell < slopes.size(); ++cell)
+  {
+    const bool isOutlet = routing.Receiver[cell] == static_cast<CellIndex>(cell);
+    slopes[cell] = isOutlet ? std::numeric_limits<double>::quiet_NaN() : std::max(0.0, slopes[cell]);
+  }
+  return slopes;
+}
+
+}
+
+SampleShape ShapeOf(const std::vector<double>& values)
+{
+  SampleShape shape;
+  if (values.empty())
+  {
+    return shape;
+  }
+  const auto count = static_cast<double>(values.size());
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  shape.Minimum = *least;
+  shape.Maximum = *most;
+  double sum = 0.0;
+  for (const double value : values)
+  {
+    sum += value - shape.Minimum;
+  }
+  shape.Mean = shape.Minimum + sum / count;
+  double squares = 0.0;
+  double cubes = 0.0;
+  for (const double value : values)
+  {
+    const double rest = value - shape.Mean;
+    squares += rest * rest;
+    cubes += rest * rest * rest;
+  }
+  // g = m3/m2^(3/2)
+  shape.StandardDeviation = std::sqrt(squares / count);
+  shape.Skew = shape.Maximum > shape.Minimum ? cubes / count / std::pow(squares / count, 1.5)
+                                             : std::numeric_limits<double>::quiet_NaN();
+  return shape;
+}
+
+std::vector<double> GradientsOf(const GridSamples& heights)
+{
+  std::vector<double> slopes;
+  const std::vector<double>& z = heights.Values;
+  const std::size_t row = heights.Width;
+  ForEachInner(heights, [&](std::size_t cell) {
+    // |grad z|, z_x = (z_e - z_w)/2dx, z_y = (z_n - z_s)/2dy
+    const double x = (z[cell + 1] - z[cell - 1]) / (2.0 * heights.Spacing[0]);
+    const double y = (z[cell + row] - z[cell - row]) / (2.0 * heights.Spacing[1]);
+    slopes.push_back(std::sqrt(x * x + y * y));
+  });
+  return slopes;
+}
+
+std::vector<double> LaplaciansOf(const GridSamples& heights)
+{
+  std::vector<double> curvatures;
+  const std::vector<double>& z = heights.Values;
+  const std::size_t row = heights.Width;
+  ForEachInner(heights, [&](std::size_t cell) {
+    // (z_e - 2z + z_w)/dx^2 + (z_n - 2z + z_s)/dy^2
+    const double x = (z[cell + 1] - z[cell]) - (z[cell] - z[cell - 1]);
+    const double y = (z[cell + row] - z[cell]) - (z[cell] - z[cell - row]);
+    curvatures.push_back(x / (heights.Spacing[0] * heights.Spacing[0]) + y / (heights.Spacing[1] * heights.Spacing[1]));
+  });
+  return curvatures;
+}
+
+std::vector<double> QuantilesOf(std::vector<double> values, int count)
+{
+  if (values.empty())
+  {
+    return {};
+  }
+  std::sort(values.begin(), values.end());
+  std::vector<double> quantiles;
+  for (int k = 0; k < count; ++k)
+  {
+    const double place = static_cast<double>(k) / (count - 1) * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    const double rest = place - static_cast<double>(below);
+    quantiles.push_back((1.0 - rest) * values[below] + rest * values[above]);
+  }
+  return quantiles;
+}
+
+SlopeArea SlopeAreaOf(const std::vector<double>& slopes, const std::vector<CellIndex>& drainageCells, double cellArea,
+  CellIndex leastCells, int bins)
+{
+  const auto low = static_cast<double>(leastCells);
+  const double high = 0.1 * static_cast<double>(slopes.size());
+  SlopeArea profile;
+  if (high <= low)
+  {
+    return profile;
+  }
+  std::vector<SlopeAreaBin> sums(bins);
+  const double perLog = bins / std::log(high / low);
+  for (std::size_t cell = 0; cell < slopes.size(); ++cell)
+  {
+    const auto area = static_cast<double>(drainageCells[cell]);
+    if (area >= low && area <= high && !std::isnan(slopes[cell]))
+    {
+      SlopeAreaBin& bin = sums[std::min(bins - 1, static_cast<int>(perLog * std::log(area / low)))];
+      bin.Area += std::log(area * cellArea);
+      bin.Slope += slopes[cell];
+      ++bin.Cells;
+    }
+  }
+  std::vector<double> logAreas;
+  std::vector<double> logSlopes;
+  for (const SlopeAreaBin& sum : sums)
+  {
+    if (sum.Slope > 0.0)
+    {
+      logAreas.push_back(sum.Area / sum.Cells);
+      logSlopes.push_back(std::log(sum.Slope / sum.Cells));
+      profile.Bins.push_back({ std::exp(logAreas.back()), sum.Slope / sum.Cells, sum.Cells });
+    }
+  }
+  // ln S = ln k - theta ln A
+  const LeastSquaresLine line = LineThrough(logAreas, logSlopes);
+  profile.Concavity = -line.Slope;
+  profile.Steepness = std::exp(line.Intercept);
+  return profile;
+}
+
+double HackExponent(
+  const std::vector<double>& lengths, const std::vector<CellIndex>& drainageCells, CellIndex leastCells)
+{
+  std::vector<double> logAreas;
+  std::vector<double> logLengths;
+  for (std::size_t cell = 0; cell < lengths.size(); ++cell)
+  {
+    if (drainageCells[cell] >= leastCells && lengths[cell] > 0.0)
+    {
+      logAreas.push_back(std::log(drainageCells[cell]));
+      logLengths.push_back(std::log(lengths[cell]));
+    }
+  }
+  return LineThrough(logAreas, logLengths).Slope;
+}
+
+GroundStatistics MeasureGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells,
+  const ParallelFor& parallel, const Poll& poll)
+{
+  const CellLattice lattice(heights);
+  const auto count = static_cast<double>(heights.Values.size());
+  GroundStatistics ground;
+  ground.Heights = ShapeOf(heights.Values);
+  ground.Slopes = ShapeOf(GradientsOf(heights));
+  ground.Curvature = ShapeOf(LaplaciansOf(heights));
+  poll();
+  {
+    const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
+    ground.SunkShare = static_cast<double>(flood.Sunk) / count;
+    ground.FillRatio = flood.Volume / lattice.CellArea() / count / ground.Heights.StandardDeviation;
+  }
+  const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
+  const std::vector<CellIndex> cells = DrainageCells(routing);
+  ground.Profile = SlopeAreaOf(StreamSlopes(heights, routing, parallel), cells, lattice.CellArea(), leastCells);
+  ground.Hack = HackExponent(LongestFlowLengths(routing, lattice), cells, leastCells);
+  ground.Streams = ClassesByOrder(FindStreams(heights, routing, cells, leastCells).Rivers);
+  ground.Horton = RatiosOf(ground.Streams);
+  return ground;
+}
+
+}
