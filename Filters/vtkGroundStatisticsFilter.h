@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * Whether water also leaves wherever the ground is at or below SeaLevel; default off.
+   * Outlets wherever the ground is at or below SeaLevel, besides those at the border; default off.
    */
   vtkSetMacro(UseSeaLevel, bool);
   vtkGetMacro(UseSeaLevel, bool);

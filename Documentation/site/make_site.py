@@ -34,6 +34,7 @@ DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway
 FIELDS = (
     ("Terrain", "terrain", "terrain",
      ("vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter", "vtkTerrainLevelOfDetailFilter")),
+    ("Drainage", "drainage", "drainage", ("vtkDrainageFilter", "vtkGroundStatisticsFilter")),
     ("Point patterns", "patterns", "patterns", ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter")),
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
