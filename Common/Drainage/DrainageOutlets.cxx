@@ -67,6 +67,19 @@ OutletMask SeaOutlets(const GridSamples& heights, double seaLevel)
   return mask;
 }
 
+OutletMask DrainageOutlets::Of(const GridSamples& heights) const
+{
+  switch (this->Choice)
+  {
+    case OutletChoice::SeaLevel:
+      return SeaOutlets(heights, this->SeaLevel);
+    case OutletChoice::Chosen:
+      return this->Cells;
+    default:
+      return BorderOutlets(heights.Width, heights.Height);
+  }
+}
+
 std::string WhyUndrainable(const GridSamples& heights, const OutletMask& outlets)
 {
   ParameterCheck check;
