@@ -7,10 +7,11 @@
 #include "Drainage/DrainageOutlets.h"
 #include "Drainage/GroundMeasures.h"
 #include "Drainage/HeightQuantiles.h"
-#include "Drainage/RadialSpectrum.h"
+#include "Drainage/RingSpectrum.h"
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -21,17 +22,18 @@ namespace littoral
 struct CarvingTarget
 {
   HeightQuantiles Heights; ///< distribution of heights
-  RadialSpectrum Spectrum; ///< power by wave number of the heights less their plane
-  PlaneTrend Plane;        ///< the plane that is restored
-  GroundMeasures Measures; ///< hypsometry, semivariance and concavity to be met
+  RingSpectrum Spectrum;   ///< power by wave number of the heights less their plane
+  PlaneTrend Plane;        ///< the plane that is restored; flatter on a terrain that is longer than Sides
+  std::array<double, 2> Sides{ 0.0, 0.0 }; ///< of the ground of which it is the plane [m]
+  GroundMeasures Measures;                 ///< hypsometry, semivariance and concavity to be met
 };
 
 /// A target in numbers. Spectrum, plane, mean and standard deviation stay the terrain's own.
 struct CarvingNumbers
 {
-  bool OwnHeights = true;           ///< also the distribution of heights stays; else the two that follow
-  double HypsometricIntegral = 0.4; ///< above 0.02 and below 0.98
-  double HeightSkew = 0.4;          ///< less than 4 in size; must fit the integral: see WhyInvalid()
+  bool OwnHeights = true; ///< the distribution of heights stays the terrain's own too; else that of the two that follow
+  double HypsometricIntegral = 0.4; ///< (mean - lowest) / (highest - lowest), within IntegralsOfSkew()
+  double HeightSkew = 0.4;          ///< from -2 to 2
   double Concavity = 0.45;          ///< from 0 to 1
 };
 

@@ -34,7 +34,11 @@ struct GroundMeasures
   double CurvatureSkew = 0.0; ///< of the five-point Laplacian of inner cells
   double ChannelSlope = 0.0;  ///< mean slope at drainage areas of 100 to 200 cells [m/m]
   std::vector<SlopeAreaBin> SlopeArea;
-  std::vector<double> Semivariance; ///< [m^2] at the lags of SemivarianceLags()
+  std::vector<double> Lags;         ///< those of SemivarianceLags(), times the mean spacing [m]
+  std::vector<double> Semivariance; ///< [m^2] at these lags
+
+  /// Between the lags, by a power law; NaN beyond the last.
+  double SemivarianceAt(double lag) const;
 };
 
 /**

@@ -5,6 +5,7 @@
 
 #include "Numerics/Parallel.h"
 
+#include <array>
 #include <vector>
 
 namespace littoral
@@ -23,12 +24,15 @@ struct HeightQuantiles
 /// distribution has no steps.
 HeightQuantiles QuantilesOf(const std::vector<double>& heights);
 
-/// A beta distribution between two limits, of a mean, a standard deviation [m], a hypsometric integral (mean - lowest)
-/// / (highest - lowest) and a skew. Both must have the same sign of asymmetry: see WhyNoBeta().
-HeightQuantiles BetaQuantiles(double mean, double deviation, double integral, double skew);
+/**
+ * A distribution of a mean and a standard deviation [m], a skew, and a hypsometric integral (mean - lowest) / (highest
+ * - lowest): Pearson's type III (a shifted gamma distribution, Gauss's for skew 0) without its ends beyond one and the
+ * same probability. The integral must be within IntegralsOfSkew().
+ */
+HeightQuantiles TypeThreeQuantiles(double mean, double deviation, double integral, double skew);
 
-/// Whether a beta distribution has such an integral and skew.
-bool IsBeta(double integral, double skew);
+/// The least and the greatest hypsometric integral of such distributions of a skew, which is at most 2 in size.
+std::array<double, 2> IntegralsOfSkew(double skew);
 
 /// Replaces each height by the distribution's at the same rank; equal heights by their index. No two become equal.
 void MapRanks(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel = SerialFor);

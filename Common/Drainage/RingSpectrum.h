@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LittoralRadialSpectrum_h
-#define LittoralRadialSpectrum_h
+#ifndef LittoralRingSpectrum_h
+#define LittoralRingSpectrum_h
 
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
@@ -17,7 +17,7 @@ namespace littoral
  * which makes no jump there. Power is a density, mean |c|^2 times the area of a cell, so that grids of other size and
  * spacing can be compared.
  */
-struct RadialSpectrum
+struct RingSpectrum
 {
   double Step = 0.0;         ///< width of a ring [cycles/m]
   std::vector<double> Power; ///< [m^4] of ring r, centered at r Step; 0 in rings without waves
@@ -31,7 +31,7 @@ void CosineTransform(GridSamples& values, const ParallelFor& parallel = SerialFo
 void InverseCosineTransform(GridSamples& values, const ParallelFor& parallel = SerialFor);
 
 /// Of the coefficients of a field whose plane was removed.
-RadialSpectrum SpectrumOfCoefficients(const GridSamples& coefficients, const ParallelFor& parallel = SerialFor);
+RingSpectrum SpectrumOfCoefficients(const GridSamples& coefficients, const ParallelFor& parallel = SerialFor);
 
 /// Multiplies each coefficient by a gain that depends on its wave number: gains of rings of a width [cycles/m], linear
 /// between.
