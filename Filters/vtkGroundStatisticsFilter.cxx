@@ -39,31 +39,34 @@ void WriteNumbers(const littoral::GroundStatistics& ground, vtkTable* table)
   using Ground = littoral::GroundStatistics;
   const std::vector<Ground> row{ ground };
   const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, row, valueOf); };
-  column("SunkShare", [](const Ground& of) { return of.SunkShare; });
-  column("FillRatio", [](const Ground& of) { return of.FillRatio; });
-  column("HypsometricIntegral", [](const Ground& of) { return of.Heights.Integral(); });
-  column("HeightSkew", [](const Ground& of) { return of.Heights.Skew; });
-  column("HeightDeviation", [](const Ground& of) { return of.Heights.StandardDeviation; });
+  column("SunkShare", [](const Ground& of) { return of.Measures.SunkShare; });
+  column("FillRatio", [](const Ground& of) { return of.Measures.FillOverDeviation; });
+  column("HypsometricIntegral", [](const Ground& of) { return of.Measures.HypsometricIntegral; });
+  column("HeightSkew", [](const Ground& of) { return of.Measures.HeightSkew; });
+  column("HeightDeviation", [](const Ground& of) { return of.Measures.Deviation; });
   column("MeanSlope", [](const Ground& of) { return of.Slopes.Mean; });
   column("SlopeSkew", [](const Ground& of) { return of.Slopes.Skew; });
   column("CurvatureDeviation", [](const Ground& of) { return of.Curvature.StandardDeviation; });
   column("CurvatureSkew", [](const Ground& of) { return of.Curvature.Skew; });
-  column("Concavity", [](const Ground& of) { return of.Profile.Concavity; });
-  column("Steepness", [](const Ground& of) { return of.Profile.Steepness; });
+  column("Concavity", [](const Ground& of) { return of.Measures.Concavity; });
+  column("Steepness", [](const Ground& of) { return of.Steepness; });
   column("HackExponent", [](const Ground& of) { return of.Hack; });
   column("BifurcationRatio", [](const Ground& of) { return of.Horton.Bifurcation; });
   column("LengthRatio", [](const Ground& of) { return of.Horton.Length; });
   column("AreaRatio", [](const Ground& of) { return of.Horton.Area; });
 }
 
-void WriteProfile(const littoral::SlopeArea& profile, vtkTable* table)
+void WriteProfile(const littoral::GroundStatistics& ground, double cellArea, vtkTable* table)
 {
   using Bin = littoral::SlopeAreaBin;
-  const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, profile.Bins, valueOf); };
-  column("DrainageArea", [](const Bin& bin) { return bin.Area; });
+  const auto column = [&](const char* name, auto valueOf) {
+    littoral::AddColumn(table, name, ground.Measures.SlopeArea, valueOf);
+  };
+  column("DrainageArea", [=](const Bin& bin) { return bin.Cells * cellArea; });
   column("Slope", [](const Bin& bin) { return bin.Slope; });
-  column("PowerLaw", [&](const Bin& bin) { return profile.Steepness * std::pow(bin.Area, -profile.Concavity); });
-  column("Cells", [](const Bin& bin) { return static_cast<int>(bin.Cells); });
+  column("PowerLaw",
+    [&](const Bin& bin) { return ground.Steepness * std::pow(bin.Cells * cellArea, -ground.Measures.Concavity); });
+  column("Cells", [](const Bin& bin) { return static_cast<int>(bin.Count); });
 }
 
 void WriteDistributions(const littoral::GridSamples& heights, vtkTable* table)
@@ -77,9 +80,9 @@ void WriteDistributions(const littoral::GridSamples& heights, vtkTable* table)
     littoral::AddColumn(table, name, values, [](double value) { return value; });
   };
   column("Fraction", fractions);
-  column("Elevation", littoral::QuantilesOf(heights.Values, NumberOfQuantiles));
-  column("Slope", littoral::QuantilesOf(littoral::GradientsOf(heights), NumberOfQuantiles));
-  column("Curvature", littoral::QuantilesOf(littoral::LaplaciansOf(heights), NumberOfQuantiles));
+  column("Elevation", littoral::EvenQuantiles(heights.Values, NumberOfQuantiles));
+  column("Slope", littoral::EvenQuantiles(littoral::GradientsOf(heights), NumberOfQuantiles));
+  column("Curvature", littoral::EvenQuantiles(littoral::LaplaciansOf(heights), NumberOfQuantiles));
 }
 
 void WriteStreams(const std::vector<littoral::StreamOrderClass>& streams, vtkTable* table)
@@ -156,11 +159,11 @@ int vtkGroundStatisticsFilter::RequestData(
     return littoral::FailedRequest(this);
   }
   this->SetProgressText("Measuring ground");
-  const littoral::GroundStatistics ground = littoral::MeasureGround(
+  const littoral::GroundStatistics ground = littoral::DescribeGround(
     heights, outlets, this->MinimumDrainageCells, littoral::AbortableFor(this), littoral::PollOf(this));
   this->UpdateProgress(0.8);
   WriteNumbers(ground, vtkTable::GetData(outputVector, 0));
-  WriteProfile(ground.Profile, vtkTable::GetData(outputVector, 1));
+  WriteProfile(ground, heights.Spacing[0] * heights.Spacing[1], vtkTable::GetData(outputVector, 1));
   WriteDistributions(heights, vtkTable::GetData(outputVector, 2));
   WriteStreams(ground.Streams, vtkTable::GetData(outputVector, 3));
   this->UpdateProgress(1.0);

@@ -18,11 +18,11 @@
  * (Horton's R_B, R_L, R_A; see output 3). NaN where the grid is too small for a number. Hack's exponent and Horton's
  * ratios hardly tell a random surface from real ground.
  *
- * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from MinimumDrainageCells cells to a
- * tenth of the grid: `DrainageArea` [m^2], `Slope` [m/m], `PowerLaw` [m/m], `Cells`. Output 2: a vtkTable of the
- * distributions with 101 rows: `Fraction` of the cells below, `Elevation` [m], `Slope` [m/m], `Curvature` [1/m]. Output
- * 3: a vtkTable with a row per Strahler order: `Order`, `Streams`, `MeanLength` [m], `MeanArea` [m^2]; streams begin
- * where MinimumDrainageCells cells drain.
+ * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from 100 cells to a tenth of the grid, of
+ * the filled ground without its flats: `DrainageArea` [m^2], `Slope` [m/m], `PowerLaw` [m/m], `Cells`. Output 2: a
+ * vtkTable of the distributions with 101 rows: `Fraction` of the cells below, `Elevation` [m], `Slope` [m/m],
+ * `Curvature` [1/m]. Output 3: a vtkTable with a row per Strahler order: `Order`, `Streams`, `MeanLength` [m],
+ * `MeanArea` [m^2]; streams begin where MinimumDrainageCells cells drain.
  *
  * All of the image is asked for, and some 100 bytes of memory for each of its points. Piece 0 holds the whole tables,
  * other pieces are empty. A bad input or property is reported as one error.
@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * Number of cells that drain where streams begin, 2 to 10^9; default 100. Also the smallest drainage area of the
-   * slope-area relation and of Hack's law.
+   * Number of cells that drain where streams begin, 2 to 10^9; default 100. Also the smallest drainage area of Hack's
+   * law.
    */
   vtkSetMacro(MinimumDrainageCells, int);
   vtkGetMacro(MinimumDrainageCells, int);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drainage/GroundStatistics.h"
 
-#include "Drainage/DepressionFilling.h"
 #include "Drainage/FlowRouting.h"
 #include "Drainage/LeastSquaresLine.h"
 
@@ -28,16 +27,18 @@ void ForEachInner(const GridSamples& heights, const Visit& visit)
   }
 }
 
-/// Slopes to the receivers; NaN at outlets, which have none, and 0 out of depressions, where water stands.
-std::vector<double> StreamSlopes(const GridSamples& heights, const FlowRouting& routing, const ParallelFor& parallel)
+/// k_s of the line of least squares through the logarithms of slope and area.
+double SteepnessOf(const GroundMeasures& measures, double cellArea)
 {
-  std::vector<double> slopes = SlopesToReceivers(heights, routing, parallel);
-  for (std::size_t cell = 0; cell < slopes.size(); ++cell)
+  std::vector<double> logAreas;
+  std::vector<double> logSlopes;
+  for (const SlopeAreaBin& bin : measures.SlopeArea)
   {
-    const bool isOutlet = routing.Receiver[cell] == static_cast<CellIndex>(cell);
-    slopes[cell] = isOutlet ? std::numeric_limits<double>::quiet_NaN() : std::max(0.0, slopes[cell]);
+    logAreas.push_back(std::log(bin.Cells * cellArea));
+    logSlopes.push_back(std::log(bin.Slope));
   }
-  return slopes;
+  // ln S = ln k_s - theta ln A
+  return std::isnan(measures.Concavity) ? measures.Concavity : std::exp(LineThrough(logAreas, logSlopes).Intercept);
 }
 
 }
@@ -102,7 +103,7 @@ std::vector<double> LaplaciansOf(const GridSamples& heights)
   return curvatures;
 }
 
-std::vector<double> QuantilesOf(std::vector<double> values, int count)
+std::vector<double> EvenQuantiles(std::vector<double> values, int count)
 {
   if (values.empty())
   {
@@ -121,47 +122,6 @@ std::vector<double> QuantilesOf(std::vector<double> values, int count)
   return quantiles;
 }
 
-SlopeArea SlopeAreaOf(const std::vector<double>& slopes, const std::vector<CellIndex>& drainageCells, double cellArea,
-  CellIndex leastCells, int bins)
-{
-  const auto low = static_cast<double>(leastCells);
-  const double high = 0.1 * static_cast<double>(slopes.size());
-  SlopeArea profile;
-  if (high <= low)
-  {
-    return profile;
-  }
-  std::vector<SlopeAreaBin> sums(bins);
-  const double perLog = bins / std::log(high / low);
-  for (std::size_t cell = 0; cell < slopes.size(); ++cell)
-  {
-    const auto area = static_cast<double>(drainageCells[cell]);
-    if (area >= low && area <= high && !std::isnan(slopes[cell]))
-    {
-      SlopeAreaBin& bin = sums[std::min(bins - 1, static_cast<int>(perLog * std::log(area / low)))];
-      bin.Area += std::log(area * cellArea);
-      bin.Slope += slopes[cell];
-      ++bin.Cells;
-    }
-  }
-  std::vector<double> logAreas;
-  std::vector<double> logSlopes;
-  for (const SlopeAreaBin& sum : sums)
-  {
-    if (sum.Slope > 0.0)
-    {
-      logAreas.push_back(sum.Area / sum.Cells);
-      logSlopes.push_back(std::log(sum.Slope / sum.Cells));
-      profile.Bins.push_back({ std::exp(logAreas.back()), sum.Slope / sum.Cells, sum.Cells });
-    }
-  }
-  // ln S = ln k - theta ln A
-  const LeastSquaresLine line = LineThrough(logAreas, logSlopes);
-  profile.Concavity = -line.Slope;
-  profile.Steepness = std::exp(line.Intercept);
-  return profile;
-}
-
 double HackExponent(
   const std::vector<double>& lengths, const std::vector<CellIndex>& drainageCells, CellIndex leastCells)
 {
@@ -178,24 +138,19 @@ double HackExponent(
   return LineThrough(logAreas, logLengths).Slope;
 }
 
-GroundStatistics MeasureGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells,
+GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells,
   const ParallelFor& parallel, const Poll& poll)
 {
   const CellLattice lattice(heights);
-  const auto count = static_cast<double>(heights.Values.size());
   GroundStatistics ground;
-  ground.Heights = ShapeOf(heights.Values);
+  ground.Measures = MeasureGround(heights, outlets, parallel, poll);
+  ground.Steepness = SteepnessOf(ground.Measures, lattice.CellArea());
   ground.Slopes = ShapeOf(GradientsOf(heights));
   ground.Curvature = ShapeOf(LaplaciansOf(heights));
   poll();
-  {
-    const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
-    ground.SunkShare = static_cast<double>(flood.Sunk) / count;
-    ground.FillRatio = flood.Volume / lattice.CellArea() / count / ground.Heights.StandardDeviation;
-  }
   const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
   const std::vector<CellIndex> cells = DrainageCells(routing);
-  ground.Profile = SlopeAreaOf(StreamSlopes(heights, routing, parallel), cells, lattice.CellArea(), leastCells);
+  poll();
   ground.Hack = HackExponent(LongestFlowLengths(routing, lattice), cells, leastCells);
   ground.Streams = ClassesByOrder(FindStreams(heights, routing, cells, leastCells).Rivers);
   ground.Horton = RatiosOf(ground.Streams);

@@ -5,11 +5,11 @@
 
 #include "Drainage/CellLattice.h"
 #include "Drainage/DrainageOutlets.h"
+#include "Drainage/GroundMeasures.h"
 #include "Drainage/StreamNetwork.h"
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
-#include <limits>
 #include <vector>
 
 namespace littoral
@@ -23,9 +23,6 @@ struct SampleShape
   double Mean = 0.0;
   double StandardDeviation = 0.0;
   double Skew = 0.0; ///< NaN where all values are equal
-
-  /// (mean - minimum)/(maximum - minimum); of heights, the hypsometric integral (Strahler 1952). NaN as Skew.
-  double Integral() const { return (this->Mean - this->Minimum) / (this->Maximum - this->Minimum); }
 };
 SampleShape ShapeOf(const std::vector<double>& values);
 
@@ -36,31 +33,7 @@ std::vector<double> GradientsOf(const GridSamples& heights);
 std::vector<double> LaplaciansOf(const GridSamples& heights);
 
 /// Quantiles at 0, 1/n, 2/n ... 1 with n = count - 1, linear between the values in their order; count at least 2.
-std::vector<double> QuantilesOf(std::vector<double> values, int count);
-
-/// Cells of about one drainage area.
-struct SlopeAreaBin
-{
-  double Area = 0.0;  ///< [m^2], geometric mean
-  double Slope = 0.0; ///< [m/m], mean
-  CellIndex Cells = 0;
-};
-
-/// Slope over drainage area: S = Steepness A^-Concavity, A in m^2.
-struct SlopeArea
-{
-  std::vector<SlopeAreaBin> Bins;
-  double Concavity = std::numeric_limits<double>::quiet_NaN();
-  double Steepness = std::numeric_limits<double>::quiet_NaN();
-};
-
-/**
- * Mean slopes in `bins` bins of drainage area of equal ratio, from `leastCells` cells to a tenth of the grid, and the
- * line of least squares through their logarithms. Slopes that are NaN count nowhere; bins whose mean is not above 0 are
- * left out; fewer than two bins tell no concavity.
- */
-SlopeArea SlopeAreaOf(const std::vector<double>& slopes, const std::vector<CellIndex>& drainageCells, double cellArea,
-  CellIndex leastCells = 100, int bins = 20);
+std::vector<double> EvenQuantiles(std::vector<double> values, int count);
 
 /// Hack's exponent h (1957), longest flow length L ~ A^h, by least squares of logarithms over the cells that drain
 /// `leastCells` cells or more; NaN where there are none.
@@ -70,22 +43,20 @@ double HackExponent(
 /// What tells a landscape from a random surface.
 struct GroundStatistics
 {
-  SampleShape Heights;    ///< [m]
+  GroundMeasures Measures;
   SampleShape Slopes;     ///< [m/m]
   SampleShape Curvature;  ///< [1/m]
-  double SunkShare = 0.0; ///< of cells that are below the level of a flood from the outlets
-  double FillRatio = 0.0; ///< mean depth of that flood over all cells, over the standard deviation of the heights
-  SlopeArea Profile;
-  double Hack = 0.0;
+  double Steepness = 0.0; ///< k_s of S = k_s A^-theta, A in m^2; NaN where there is no concavity theta
+  double Hack = 0.0;      ///< exponent
   HortonRatios Horton{};
   std::vector<StreamOrderClass> Streams;
 };
 
 /**
- * Statistics of a grid without missing values that is not constant, of three rows and columns or more. Streams begin
- * where `leastCells` cells drain. The order of sums does not depend on the threads.
+ * Statistics of a grid without missing values that is not constant, of three rows and columns or more. Streams, and the
+ * cells of Hack's law, begin where `leastCells` cells drain. The order of sums does not depend on the threads.
  */
-GroundStatistics MeasureGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells = 100,
+GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells = 100,
   const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 }
