@@ -18,8 +18,8 @@
  * (Horton's R_B, R_L, R_A; see output 3). NaN where the grid is too small for a number. Hack's exponent and Horton's
  * ratios hardly tell a random surface from real ground.
  *
- * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from 100 cells to a tenth of the grid, of
- * the filled ground without its flats: `DrainageArea` [m^2], `Slope` [m/m], `PowerLaw` [m/m], `Cells`. Output 2: a
+ * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from 100 cells to a tenth of the grid:
+ * `DrainageArea` [m^2], `Slope` [m/m] (mean; 0 on flats and in depressions), `PowerLaw` [m/m], `Cells`. Output 2: a
  * vtkTable of the distributions with 101 rows: `Fraction` of the cells below, `Elevation` [m], `Slope` [m/m],
  * `Curvature` [1/m]. Output 3: a vtkTable with a row per Strahler order: `Order`, `Streams`, `MeanLength` [m],
  * `MeanArea` [m^2]; streams begin where MinimumDrainageCells cells drain.

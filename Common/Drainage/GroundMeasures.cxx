@@ -75,14 +75,14 @@ void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<dou
   SlopeAreaBin reference;
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
-    if (outlets[n] || slopes[n] <= 0.0 || cells[n] < LeastCells)
+    if (outlets[n] || cells[n] < LeastCells)
     {
       continue;
     }
     const double position = (std::log(static_cast<double>(cells[n])) - first) / (last - first) * SlopeAreaBins;
     const auto add = [&](SlopeAreaBin& bin) {
       bin.Cells += cells[n];
-      bin.Slope += slopes[n];
+      bin.Slope += std::max(0.0, slopes[n]); // water stands in depressions
       bin.Count += 1.0;
     };
     if (last > first && position >= 0.0 && position < SlopeAreaBins)
@@ -102,7 +102,7 @@ void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<dou
   double xy = 0.0;
   for (SlopeAreaBin& bin : bins)
   {
-    if (bin.Count > 0.0)
+    if (bin.Slope > 0.0)
     {
       bin.Cells /= bin.Count;
       bin.Slope /= bin.Count;
@@ -217,16 +217,14 @@ GroundMeasures MeasureGround(
     measures.Lags.push_back(0.5 * (heights.Spacing[0] + heights.Spacing[1]) * lag);
   }
 
-  GridSamples filled = heights;
   {
-    DepressionFlood flood = FloodDepressions(heights, outlets, poll);
+    const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
     const double area = heights.Spacing[0] * heights.Spacing[1];
     measures.SunkShare = static_cast<double>(flood.Sunk) / count;
     measures.FillOverDeviation = measures.Deviation > 0.0 ? flood.Volume / (area * count) / measures.Deviation : 0.0;
-    filled.Values = std::move(flood.Level);
   }
-  const FlowRouting routing = RouteFlow(filled, outlets, parallel, poll);
-  MeasureSlopeArea(DrainageCells(routing), SlopesToReceivers(filled, routing, parallel), outlets, measures);
+  const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
+  MeasureSlopeArea(DrainageCells(routing), SlopesToReceivers(heights, routing, parallel), outlets, measures);
   return measures;
 }
 

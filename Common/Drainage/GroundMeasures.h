@@ -43,7 +43,7 @@ struct GroundMeasures
 
 /**
  * Slope over area: 20 bins of the logarithm of drainage area, from 100 cells to a tenth of the grid. Slopes are those
- * of the filled ground along the receivers; flats, whose slope is 0, are left out, and so are outlets.
+ * along the receivers, 0 on flats and in depressions; outlets, which have none, are left out.
  */
 GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outlets,
   const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
