@@ -5,6 +5,7 @@
 #include "Drainage/CellLattice.h"
 #include "Drainage/ChannelGrading.h"
 #include "Drainage/FlowRouting.h"
+#include "Drainage/StreamPower.h"
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/ParameterCheck.h"
 
@@ -24,6 +25,13 @@ constexpr double LeastSlopePart = 0.3;
 
 /// Part of cutting in grading; the rest is filling.
 constexpr double CutPart = 0.3;
+
+/// Drainage area to which Incision belongs [cells], and m of the stream power that erodes.
+constexpr double IncisionCells = 100.0;
+constexpr double ErosionExponent = 0.45;
+
+/// Part of the work at which the rounds begin.
+constexpr double ErosionPart = 0.4;
 
 /// Gains of rings in one round.
 constexpr double LeastGain = 0.3;
@@ -92,21 +100,24 @@ public:
   {
     CarvingReport report;
     report.Before = this->Measure(this->Terrain);
+    if (report.Before.SunkShare > CarvingTolerances().SunkShare)
+    {
+      this->Erode();
+    }
     std::vector<double> best;
     double least = std::numeric_limits<double>::infinity();
     const int rounds = this->Parameters.MostRounds;
     for (int round = 0; round < rounds && !report.HasReachedTarget; ++round)
     {
-      this->Done = static_cast<double>(round) / rounds;
-      this->RestoreSpectrum();
-      MapRanks(this->Terrain.Values, this->Target.Heights, this->Parallel);
-      this->Advance(0.2);
+      this->AdvanceRound(round);
+      this->RestoreStatistics();
+      this->AdvanceRound(round + 0.2);
       this->SpreadGrading();
-      this->Advance(0.6);
+      this->AdvanceRound(round + 0.6);
       GridSamples graded = this->Terrain;
       graded.Values = this->Grade().Heights;
       MapRanks(graded.Values, this->Target.Heights, this->Parallel);
-      this->Advance(0.9);
+      this->AdvanceRound(round + 0.9);
       const GroundMeasures measures = this->Measure(graded);
       const double misfit = Misfit(measures, this->Target);
       if (misfit < least)
@@ -143,13 +154,42 @@ private:
     return missed;
   }
 
-  /// Part of a round.
-  void Advance(double part)
+  void Poll() const { this->Progress(this->Done); }
+
+  /// A step of a series between two parts of the work.
+  void Advance(double from, double to, double step, int steps)
   {
-    this->Part = part;
-    this->Progress(this->Done + part / this->Parameters.MostRounds);
+    this->Done = from + (to - from) * step / steps;
+    this->Poll();
   }
-  void Poll() const { this->Progress(this->Done + this->Part / this->Parameters.MostRounds); }
+  void AdvanceRound(double step) { this->Advance(ErosionPart, 1.0, step, this->Parameters.MostRounds); }
+
+  /// Rivers cut into the ground, whose statistics are restored before each step.
+  void Erode()
+  {
+    const CellLattice lattice(this->Terrain);
+    StreamPowerLaw law;
+    law.Uplift = 0.0; // the spectrum that is restored lifts
+    law.AreaExponent = ErosionExponent;
+    law.Erodibility = this->Parameters.Incision * std::sqrt(lattice.CellArea()) *
+      std::pow(IncisionCells * lattice.CellArea(), -ErosionExponent);
+    const littoral::Poll poll = [this] { this->Poll(); };
+    for (int step = 0; step < this->Parameters.ErosionSteps; ++step)
+    {
+      this->Advance(0.0, ErosionPart, step, this->Parameters.ErosionSteps);
+      this->RestoreStatistics();
+      const OutletMask outlets = this->Parameters.Outlets.Of(this->Terrain);
+      BreachDepressions(this->Terrain, outlets, BreachPath::FloodOrder, poll);
+      const FlowRouting routing = RouteFlow(this->Terrain, outlets, this->Parallel, poll);
+      StepStreamPower(this->Terrain, routing, DrainageArea(routing, lattice), law, 1.0);
+    }
+  }
+
+  void RestoreStatistics()
+  {
+    this->RestoreSpectrum();
+    MapRanks(this->Terrain.Values, this->Target.Heights, this->Parallel);
+  }
 
   GroundMeasures Measure(const GridSamples& ground) const
   {
@@ -277,7 +317,6 @@ private:
   double Step = 1.0;
   std::vector<double> Corrections; ///< of the rings' gains
   double Done = 0.0;
-  double Part = 0.0;
 };
 
 std::string WhyNoRelief(const GridSamples& ground, const char* name)
@@ -333,6 +372,8 @@ std::string WhyInvalid(const CarvingNumbers& numbers)
 std::string WhyInvalid(const GridSamples& terrain, const CarvingParameters& parameters)
 {
   ParameterCheck check;
+  check.Count("ErosionSteps", parameters.ErosionSteps, 0, 100);
+  check.Positive("Incision", parameters.Incision, "", 100.0);
   check.Count("MostRounds", parameters.MostRounds, 1, 100);
   check.Range("ChannelCells", parameters.ChannelCells, 1.0, 1e6);
   check.Range("ValleyWidth", parameters.ValleyWidth, 0.5, 50.0);
