@@ -205,7 +205,8 @@ bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
     littoral::ReadHeights(target, heights ? heights : target->GetPointData()->GetScalars(),
       this->GetInputArrayInformation(0), "Target", MemoryOf(target, true), place, reason);
     check.Require(reason);
-    check.Require(check.IsGood() ? littoral::WhyNoTarget(place) : reason);
+    reason = check.IsGood() ? littoral::WhyNoTarget(place) : "";
+    check.Require(reason.empty() ? reason : "The target is of no use. " + reason);
   }
   else if (check.IsGood())
   {

@@ -171,7 +171,7 @@ bool RiversFall(vtkDrainageFilter* drainage, int least)
 /// A carved field drains, keeps mean, variance and distribution of its heights, and the arrays that it had.
 bool CarvedGroundDrains()
 {
-  const auto terrain = Terrain(130);
+  const auto terrain = Terrain(100);
   terrain->ReflectanceOn();
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputConnection(terrain->GetOutputPort());
@@ -202,21 +202,23 @@ bool CarvedGroundDrains()
 /// A target of another size and spacing hands over its heights and concavity; without carving the ground stays.
 bool TargetIsTaken()
 {
-  const auto terrain = Terrain(120, 3);
+  const auto terrain = Terrain(80, 3);
   vtkNew<vtkImageData> place;
   {
     vtkNew<vtkDrainageFilter> carved;
-    const auto other = Terrain(140, 7);
+    const auto other = Terrain(90, 7);
     carved->SetInputConnection(other->GetOutputPort());
     carved->KeepHeightsOff();
     carved->SetHypsometricIntegral(0.3);
     carved->SetHeightSkew(0.8);
+    carved->SetNumberOfRounds(3);
     carved->Update();
     place->ShallowCopy(carved->GetOutput());
   }
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputConnection(terrain->GetOutputPort());
   drainage->SetInputData(1, place);
+  drainage->SetNumberOfRounds(3);
   drainage->Update();
   vtkNew<vtkGroundStatisticsFilter> statistics;
   double integral[2];
@@ -258,6 +260,7 @@ bool OutletsAreChosen()
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputData(image);
   drainage->SetOutletsToChosen();
+  drainage->SetNumberOfRounds(2);
   drainage->Update();
   vtkImageData* ground = drainage->GetOutput();
   bool good = Check(Value(ground, "DrainageArea", 15 * 40 + 20) == 1200 * 200.0, "water leaves elsewhere");
@@ -282,9 +285,11 @@ bool PartsAreOfOneWhole()
   const auto terrain = Terrain(70);
   vtkNew<vtkDrainageFilter> whole;
   whole->SetInputConnection(terrain->GetOutputPort());
+  whole->SetNumberOfRounds(2);
   whole->Update();
   vtkNew<vtkDrainageFilter> part;
   part->SetInputConnection(terrain->GetOutputPort());
+  part->SetNumberOfRounds(2);
   int extent[6] = { 20, 50, 11, 30, 0, 0 };
   part->UpdateExtent(extent);
   int got[6];
