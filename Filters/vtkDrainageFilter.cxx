@@ -8,6 +8,7 @@
 #include "Data/RiverLines.h"
 #include "Data/Tables.h"
 #include "Data/TerrainHeights.h"
+#include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageCarving.h"
 #include "Drainage/FlowRouting.h"
 #include "Drainage/GroundMeasures.h"
@@ -91,6 +92,7 @@ struct vtkDrainageFilter::Ground
   littoral::FlowRouting Routing;
   std::vector<littoral::CellIndex> Cells; ///< that drain through each one
   littoral::StreamNetwork Streams;
+  std::vector<double> Levels; ///< of a flood from the outlets [m]
 };
 
 //----------------------------------------------------------------------------
@@ -237,12 +239,14 @@ void vtkDrainageFilter::WriteGround(vtkImageData* image, const Ground& ground, v
   const auto areas = littoral::NewArray<vtkDoubleArray>("DrainageArea", 1, count);
   const auto directions = littoral::NewArray<vtkSignedCharArray>("FlowDirection", 1, count);
   const auto orders = littoral::NewArray<vtkUnsignedCharArray>("StreamOrder", 1, count);
+  const auto depths = littoral::NewArray<vtkDoubleArray>("DepressionDepth", 1, count);
   for (littoral::CellIndex cell = 0; cell < count; ++cell)
   {
     elevations->SetValue(cell, ground.Heights.Values[cell]);
     areas->SetValue(cell, ground.Cells[cell] * lattice.CellArea());
     directions->SetValue(cell, static_cast<signed char>(lattice.DirectionTo(cell, ground.Routing.Receiver[cell])));
     orders->SetValue(cell, static_cast<unsigned char>(ground.Streams.Orders[cell]));
+    depths->SetValue(cell, ground.Levels[cell] - ground.Heights.Values[cell]);
   }
   output->ShallowCopy(image);
   vtkPointData* points = output->GetPointData();
@@ -250,6 +254,7 @@ void vtkDrainageFilter::WriteGround(vtkImageData* image, const Ground& ground, v
   points->AddArray(areas);
   points->AddArray(directions);
   points->AddArray(orders);
+  points->AddArray(depths);
   points->SetActiveScalars("Elevation");
 }
 
@@ -282,6 +287,7 @@ int vtkDrainageFilter::RequestData(
   ground.Routing = littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll);
   ground.Cells = littoral::DrainageCells(ground.Routing);
   ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->MinimumDrainageCells);
+  ground.Levels = littoral::FloodDepressions(ground.Heights, outlets, poll).Level;
   this->UpdateProgress(0.95);
   this->WriteGround(image, ground, output);
   if (!littoral::AsksForLaterPiece(request, outputVector))

@@ -18,8 +18,8 @@
  * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
  * (of all cells that drain through a cell, itself included), `FlowDirection` signed char (the neighbour that takes the
  * water, 0 to 7 counter-clockwise in steps of 45 degrees, 0 along x; -1 at outlets), `StreamOrder` unsigned char
- * (Strahler's; 0 where fewer than MinimumDrainageCells cells drain). Drainage areas at the outlets sum to the area of
- * the grid.
+ * (Strahler's; 0 where fewer than MinimumDrainageCells cells drain), `DepressionDepth` double [m] (below the level at
+ * which water leaves; 0 where it runs). Drainage areas at the outlets sum to the area of the grid.
  *
  * Output 1: a vtkPolyData of the rivers, a polyline each from its head to the stream of higher order that takes it in,
  * or to an outlet. Cell arrays: `StreamOrder` int, `DrainageArea` double [m^2] at its lower end, `Length` double [m],

@@ -114,6 +114,7 @@ bool Drains(vtkImageData* ground)
   for (vtkIdType at = 0; at < count; ++at)
   {
     good &= walked[at] == Value(ground, "DrainageArea", at);
+    good &= Value(ground, "DepressionDepth", at) == 0.0;
     outflow += Value(ground, "FlowDirection", at) < 0.0 ? Value(ground, "DrainageArea", at) : 0.0;
   }
   return Check(good, "areas are not those of walks") &&
@@ -276,6 +277,11 @@ bool OutletsAreChosen()
     sea += isSea ? Value(ground, "DrainageArea", cell) : 0.0;
     good &= !isSea || Value(ground, "FlowDirection", cell) == -1.0;
   }
+  drainage->SetOutletsToBorder();
+  drainage->Update();
+  // the bowl's rim is lowest where the border is nearest to its middle
+  const double rim = 20.0 - 6.0;
+  good &= Check(std::abs(Value(ground, "DepressionDepth", 20 * 41 + 20) - (rim + 6.0)) < 1e-12, "another depth");
   return Check(good, "the sea flows") && Check(sea > 0.8 * 41 * 41 * 200.0, "the bowl does not drain to its sea");
 }
 
