@@ -8,6 +8,7 @@
 #include "Drainage/StreamPower.h"
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/RandomStream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +22,22 @@ namespace
 {
 
 /// Part of the target's slope in small channels that is the least slope of the channel law.
-constexpr double LeastSlopePart = 0.3;
+constexpr double LeastSlopePart = 0.2;
+constexpr double MostSlopePart = 0.8;
 
 /// Part of cutting in grading; the rest is filling.
 constexpr double CutPart = 0.3;
+constexpr double MostCutPart = 0.6;
 
 /// Drainage area to which Incision belongs [cells], and m of the stream power that erodes.
 constexpr double IncisionCells = 100.0;
-constexpr double ErosionExponent = 0.45;
+constexpr double ErosionExponent = 0.3;
 
 /// Part of the work at which the rounds begin.
 constexpr double ErosionPart = 0.4;
+
+/// Part of the target's power that a ring has at least, or else more waves are added.
+constexpr double LeastPowerPart = 0.1;
 
 /// Gains of rings in one round.
 constexpr double LeastGain = 0.3;
@@ -92,8 +98,7 @@ public:
       this->Concavity = CarvingNumbers().Concavity;
     }
     this->Concavity = std::clamp(this->Concavity, 0.0, 1.0);
-    this->Steepness =
-      LeastSlopePart * (target.Measures.ChannelSlope > 0.0 ? target.Measures.ChannelSlope : this->MeanSlope());
+    this->Steepness = (target.Measures.ChannelSlope > 0.0 ? target.Measures.ChannelSlope : this->MeanSlope());
   }
 
   CarvingReport Carve()
@@ -102,6 +107,7 @@ public:
     report.Before = this->Measure(this->Terrain);
     if (report.Before.SunkShare > CarvingTolerances().SunkShare)
     {
+      this->AddMissingWaves();
       this->Erode();
     }
     std::vector<double> best;
@@ -164,6 +170,46 @@ private:
   }
   void AdvanceRound(double step) { this->Advance(ErosionPart, 1.0, step, this->Parameters.MostRounds); }
 
+  /// Adds waves of random size and phase to rings that have too little power.
+  void AddMissingWaves()
+  {
+    GridSamples& terrain = this->Terrain;
+    GridSamples field = terrain;
+    RemovePlane(field);
+    CosineTransform(field, this->Parallel);
+    const RingSpectrum spectrum = SpectrumOfCoefficients(field, this->Parallel);
+    std::vector<double> sizes(spectrum.Power.size(), 0.0);
+    bool isMissing = false;
+    for (std::size_t ring = 1; ring < sizes.size(); ++ring)
+    {
+      const double wanted = this->Target.Spectrum.At(static_cast<double>(ring) * spectrum.Step);
+      const double power = spectrum.Power[ring];
+      isMissing = isMissing || power < LeastPowerPart * wanted;
+      sizes[ring] = power < LeastPowerPart * wanted ? std::sqrt((wanted - power) / this->CellArea()) : 0.0;
+    }
+    if (!isMissing)
+    {
+      return;
+    }
+    const RandomStream random(this->Parameters.Seed, RandomPurpose::DrainageWaves);
+    this->Parallel(field.Values.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        field.Values[n] = random.NormalPair(n, 0)[0];
+      }
+    });
+    MultiplyRings(field, spectrum.Step, sizes, this->Parallel);
+    InverseCosineTransform(field, this->Parallel);
+    this->Parallel(field.Values.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        terrain.Values[n] += field.Values[n];
+      }
+    });
+  }
+
+  double CellArea() const { return this->Terrain.Spacing[0] * this->Terrain.Spacing[1]; }
+
   /// Rivers cut into the ground, whose statistics are restored before each step.
   void Erode()
   {
@@ -182,6 +228,27 @@ private:
       BreachDepressions(this->Terrain, outlets, BreachPath::FloodOrder, poll);
       const FlowRouting routing = RouteFlow(this->Terrain, outlets, this->Parallel, poll);
       StepStreamPower(this->Terrain, routing, DrainageArea(routing, lattice), law, 1.0);
+      this->LowerRim();
+    }
+  }
+
+  /// Lowers the border, which no river cuts, to the ground beside it: else it would be left standing as a wall.
+  void LowerRim()
+  {
+    GridSamples& terrain = this->Terrain;
+    const auto lower = [&](int i, int j) {
+      const double beside = terrain.At(std::clamp(i, 1, terrain.Width - 2), std::clamp(j, 1, terrain.Height - 2));
+      terrain.At(i, j) = std::min(terrain.At(i, j), beside);
+    };
+    for (int i = 0; i < terrain.Width; ++i)
+    {
+      lower(i, 0);
+      lower(i, terrain.Height - 1);
+    }
+    for (int j = 0; j < terrain.Height; ++j)
+    {
+      lower(0, j);
+      lower(terrain.Width - 1, j);
     }
   }
 
@@ -253,10 +320,10 @@ private:
     GradedGround graded;
     graded.DrainageCells = DrainageCells(routing);
     ChannelLaw law;
-    law.Steepness = this->Steepness;
+    law.Steepness = this->SlopePart * this->Steepness;
     law.Concavity = this->Concavity;
     law.ChannelCells = this->Parameters.ChannelCells;
-    graded.Heights = GradeAlong(this->Terrain, routing, graded.DrainageCells, law, CutPart, this->Parallel);
+    graded.Heights = GradeAlong(this->Terrain, routing, graded.DrainageCells, law, this->Cut, this->Parallel);
     return graded;
   }
 
@@ -292,7 +359,11 @@ private:
     if (!std::isnan(missing))
     {
       this->Concavity = std::clamp(this->Concavity + std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
+      const double steeper = std::exp(-2.0 * std::clamp(missing, -0.15, 0.15));
+      this->SlopePart = std::clamp(this->SlopePart * steeper, 0.5 * LeastSlopePart, MostSlopePart);
     }
+    // Cuts bend the ground up, fills bend it down.
+    this->Cut = std::clamp(this->Cut - 0.1 * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
     for (std::size_t ring = 1; ring < this->Corrections.size(); ++ring)
     {
       // A wave differs most over half its length.
@@ -313,7 +384,9 @@ private:
   const ParallelFor& Parallel;
   const CarvingProgress& Progress;
   double Concavity; ///< of the law
-  double Steepness; ///< of the law, at its reference area
+  double Steepness; ///< the target's slope at the law's reference area
+  double SlopePart = LeastSlopePart;
+  double Cut = CutPart;
   double Step = 1.0;
   std::vector<double> Corrections; ///< of the rings' gains
   double Done = 0.0;

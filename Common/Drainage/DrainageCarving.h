@@ -42,11 +42,12 @@ struct CarvingParameters
 {
   DrainageOutlets Outlets;
   int ErosionSteps = 10;      ///< steps of stream power before the rounds, 0 to 100
-  double Incision = 1.0;      ///< K A^m dt / d of a step at a drainage area of 100 cells, above 0, at most 100
+  double Incision = 2.0;      ///< K A^m dt / d of a step at a drainage area of 100 cells, above 0, at most 100
   int MostRounds = 12;        ///< 1 to 100
   double ChannelCells = 50.0; ///< drainage area from which the channel law rules, hillslopes below [cells], 1 to 1e6
   double ValleyWidth = 3.0;   ///< standard deviation of the width over which a cut is spread [cells], 0.5 to 50
   BreachPath Path = BreachPath::LeastCost;
+  int Seed = 1; ///< of the waves that a terrain lacks
 };
 
 /// What is still allowed between carved ground and its target.
@@ -99,11 +100,13 @@ double Misfit(const GroundMeasures& measures, const CarvingTarget& target, const
 /**
  * Carves valleys that drain into a terrain, and keeps its measured statistics (Documentation/design/drainage.md).
  *
- * First rivers cut into it: in each of some steps the spectrum and the heights are made the target's (1 and 2 below),
- * depressions are breached in the order of the flood, and every cell takes an implicit step of stream power. Ground of
- * which no more than the tolerated share is sunk has its valleys and is spared this.
+ * Waves of which the terrain has less than a tenth of the target's power are made up at random, so that no other step
+ * has to blow up what is not there. Then rivers cut into it: in each of some steps the spectrum and the heights are
+ * made the target's (1 and 2 below), depressions are breached in the order of the flood, and every cell takes an
+ * implicit step of stream power. Ground of which no more than the tolerated share is sunk has its valleys and is spared
+ * this.
  *
- * Then each round
+ * At last each round
  * 1. multiplies the spectrum ring by ring to the target's, and restores the plane;
  * 2. maps heights to the target's distribution by their ranks;
  * 3. breaches depressions, routes water, and grades the ground along its ways: no slope is below the steady state of
