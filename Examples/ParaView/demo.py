@@ -37,7 +37,7 @@ from paraview import simple
 from littoral import (
     vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
 from littoral.chart import save_variogram_chart, slope_area_chart
-from littoral.elevation import read_elevation, write_vti
+from littoral.elevation import array_from_image, read_elevation, write_vti
 from littoral.picture import save_grounds, save_pair
 from littoral.scene import height_color
 from littoral.tables import column, model_names, write_csv
@@ -140,6 +140,12 @@ def carve(twin, place):
     return drainage.GetOutput()
 
 
+def semivariances(image, lags):
+    """Half the mean squared difference of heights so many cells apart, along x and y [m2]."""
+    z = array_from_image(image).astype(np.float64)
+    return np.array([0.25 * (np.mean((z[lag:] - z[:-lag]) ** 2) + np.mean((z[:, lag:] - z[:, :-lag]) ** 2)) for lag in lags])
+
+
 def draw_grounds(filename, grounds, size):
     """Place, Gaussian twin and twin with valleys as blocks with lakes and rivers, above their statistics."""
     waters, numbers, profiles = [], [], []
@@ -160,11 +166,14 @@ def draw_grounds(filename, grounds, size):
         values = [scale * number[column_name] for number in numbers]
         return (name, *(("*" if abs(value - values[0]) > tolerance else "") + form.format(value) for value in values))
 
+    lags = np.unique(np.geomspace(1, 100, 20).astype(int))
+    ratios = [semivariances(ground, lags) / semivariances(grounds[0], lags) for ground in grounds]
     names = "Jacksboro fault, Tennessee", "Gaussian twin", "Twin with valleys"
     save_grounds(
         filename, [water[0] for water in waters], [water[1] for water in waters], names,
         (f"measured \u00b7 {size}", "same variogram: water stands in hollows", "same variogram, and water runs"),
-        (row("Ground in hollows", "SunkShare", "{:.1f} %", 100.0, 5.0),
+        (("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
+         row("Ground in hollows", "SunkShare", "{:.1f} %", 100.0, 5.0),
          row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
          row("Skew of heights", "HeightSkew", "{:.2f}", 1.0, 0.15),
          row("Concavity of streams", "Concavity", "{:.2f}", 1.0, 0.1),

@@ -61,7 +61,8 @@ def slope_area_chart(profiles, names, oversampling=2):
     areas = np.concatenate([1e-6 * column(profile, "DrainageArea") for profile in profiles])
     slopes = np.concatenate([column(profile, "Slope") for profile in profiles])
     _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Drainage area (km\u00b2)", oversampling, areas)
-    _style_axis(chart.GetAxis(vtkAxis.LEFT), "Slope of streams", oversampling, slopes)
+    room = [0.3 * slopes[slopes > 0.0].min(), *slopes]  # for the legend
+    _style_axis(chart.GetAxis(vtkAxis.LEFT), "Slope of streams", oversampling, np.array(room))
     _style_legend(chart, oversampling, vtkChartLegend.LEFT)
     return chart
 

@@ -37,13 +37,13 @@ def save_pair(filename, images, titles, notes, exaggeration=1.0,
     _save_blocks(filename, images, exaggeration, coloring, list(zip(titles, notes)), size)
 
 
-def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exaggeration=1.0, size=(1600, 1000)):
+def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exaggeration=1.0, size=(1600, 960)):
     """Render terrains of the same size with lakes and rivers as blocks in a row, above a table of numbers and a chart.
 
     grounds, rivers: outputs 0 and 1 of `vtkDrainageFilter` without carving; rows: of the table, each a name and a text
     for each terrain, which stands in bold if it begins with `*`; chart: a `vtkChartXY`, or None.
     """
-    share = 0.40  # of the height, for the table
+    share = 0.42  # of the height, for the table
     width, count, aspect = scene.width_of(grounds[0]), len(grounds), size[0] / (size[1] * (1.0 - share))
     eye, focus, angle = scene.row_camera(width, count, aspect)
     distance = np.linalg.norm(eye - focus)
@@ -64,9 +64,9 @@ def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exa
     _look(above, eye, focus, angle)
     for k, (title, note) in enumerate(zip(titles, notes)):
         place = (k + 0.5) / count
-        above.AddActor(label(title, (place, 0.135), 50, INK))
-        above.AddActor(label(note, (place, 0.065), 34, FAINT))
-    _add_table(below, titles, rows, 0.03, 0.60 if chart else 0.97)
+        above.AddActor(label(title, (place, 0.15), 50, INK))
+        above.AddActor(label(note, (place, 0.07), 34, FAINT))
+    _add_table(below, [title.split(",")[0] for title in titles], rows, 0.03, 0.60 if chart else 0.97)
     window.AddRenderer(above)
     window.AddRenderer(below)
     if chart:

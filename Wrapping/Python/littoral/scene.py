@@ -289,10 +289,10 @@ def lake_block(ground, exaggeration=1.0, center=(0.0, 0.0)):
 def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
     """Rivers on the block of a terrain: pairs of a `vtkPolyData` with `RGB` and its stream order, low orders first.
 
-    Rivers in depressions, which are under water there, are left out where they would be below the level.
+    What runs through lakes is left out.
     """
-    bounds, heights = ground.GetBounds(), array_from_image(ground)
-    level = heights + array_from_image(ground, "DepressionDepth")
+    bounds, depth = ground.GetBounds(), array_from_image(ground, "DepressionDepth")
+    level = array_from_image(ground) + depth
     middle = 0.5 * np.array((bounds[0] + bounds[1], bounds[2] + bounds[3]))
     width = bounds[1] - bounds[0]
     places = vtk_to_numpy(rivers.GetPoints().GetData()).astype(np.float64)
@@ -300,13 +300,18 @@ def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
     rows = np.round((places[:, 1] - bounds[2]) / ground.GetSpacing()[1]).astype(int)
     places[:, :2] += np.array(center)[:2] - middle
     places[:, 2] = 0.07 * width + (level[rows, columns] - level.min()) * exaggeration + 0.0025 * width
+    dry = depth[rows, columns] <= 0.0
     points = vtkPoints()
     points.SetData(numpy_to_vtk(places, deep=True))
     orders = vtk_to_numpy(rivers.GetCellData().GetArray("StreamOrder"))
     for order in np.unique(orders):
         lines, cells = vtkPolyData(), vtkCellArray()
         for cell in np.flatnonzero(orders == order):
-            cells.InsertNextCell(rivers.GetCell(int(cell)).GetPointIds())
+            ids = rivers.GetCell(int(cell)).GetPointIds()
+            path = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+            for upper, lower in zip(path, path[1:]):
+                if dry[upper] or dry[lower]:
+                    cells.InsertNextCell(2, (upper, lower))
         lines.SetPoints(points)
         lines.SetLines(cells)
         lines.GetPointData().SetScalars(rivers.GetPointData().GetArray("RGB"))
