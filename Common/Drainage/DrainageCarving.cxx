@@ -496,7 +496,7 @@ CarvingTarget TargetOf(const GridSamples& terrain, const CarvingNumbers& numbers
   {
     const GroundMeasures& own = target.Measures;
     const double mean = own.Lowest + own.HypsometricIntegral * (own.Highest - own.Lowest);
-    target.Heights = TypeThreeQuantiles(mean, own.Deviation, numbers.HypsometricIntegral, numbers.HeightSkew);
+    target.Heights = LognormalQuantiles(mean, own.Deviation, numbers.HypsometricIntegral, numbers.HeightSkew);
     target.Measures.HypsometricIntegral = numbers.HypsometricIntegral;
     target.Measures.HeightSkew = numbers.HeightSkew;
   }
