@@ -23,7 +23,7 @@ namespace
 
 /// Part of the target's slope in small channels that is the least slope of the channel law.
 constexpr double LeastSlopePart = 0.2;
-constexpr double MostSlopePart = 0.8;
+constexpr double MostSlopePart = 0.5;
 
 /// Part of cutting in grading; the rest is filling.
 constexpr double CutPart = 0.3;
@@ -134,7 +134,7 @@ public:
       }
       report.Rounds = round + 1;
       report.HasReachedTarget = misfit <= 1.0;
-      this->Correct(measures);
+      this->Correct(measures, 1.0);
     }
     this->Terrain.Values = std::move(best);
     report.Missed = MissedOf(report.After, this->Target.Measures);
@@ -352,18 +352,19 @@ private:
     });
   }
 
-  /// Corrects the exponent of the law and the gains of the rings by what the last round left.
-  void Correct(const GroundMeasures& measures)
+  /// Corrects the channel law, the part of cuts and the gains of the rings by what the last round left, at a rate that
+  /// falls from round to round.
+  void Correct(const GroundMeasures& measures, double rate)
   {
     const double missing = this->Target.Measures.Concavity - measures.Concavity;
     if (!std::isnan(missing))
     {
-      this->Concavity = std::clamp(this->Concavity + std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
-      const double steeper = std::exp(-2.0 * std::clamp(missing, -0.15, 0.15));
+      this->Concavity = std::clamp(this->Concavity + rate * std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
+      const double steeper = std::exp(-2.0 * rate * std::clamp(missing, -0.15, 0.15));
       this->SlopePart = std::clamp(this->SlopePart * steeper, 0.5 * LeastSlopePart, MostSlopePart);
     }
     // Cuts bend the ground up, fills bend it down.
-    this->Cut = std::clamp(this->Cut - 0.1 * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
+    this->Cut = std::clamp(this->Cut - 0.1 * rate * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
     for (std::size_t ring = 1; ring < this->Corrections.size(); ++ring)
     {
       // A wave differs most over half its length.
@@ -373,7 +374,7 @@ private:
       if (ratio > 0.0)
       {
         double& correction = this->Corrections[ring];
-        correction = std::clamp(correction * std::sqrt(std::clamp(ratio, 0.6, 1.6)), LeastGain, MostGain);
+        correction = std::clamp(correction * std::pow(std::clamp(ratio, 0.6, 1.6), 0.5 * rate), LeastGain, MostGain);
       }
     }
   }
@@ -495,7 +496,7 @@ CarvingTarget TargetOf(const GridSamples& terrain, const CarvingNumbers& numbers
   {
     const GroundMeasures& own = target.Measures;
     const double mean = own.Lowest + own.HypsometricIntegral * (own.Highest - own.Lowest);
-    target.Heights = TypeThreeQuantiles(mean, own.Deviation, numbers.HypsometricIntegral, numbers.HeightSkew);
+    target.Heights = LognormalQuantiles(mean, own.Deviation, numbers.HypsometricIntegral, numbers.HeightSkew);
     target.Measures.HypsometricIntegral = numbers.HypsometricIntegral;
     target.Measures.HeightSkew = numbers.HeightSkew;
   }

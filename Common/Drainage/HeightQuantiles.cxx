@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drainage/HeightQuantiles.h"
 
-#include <boost/math/distributions/gamma.hpp>
+#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -54,29 +54,23 @@ void SortHeights(std::vector<RankedHeight>& ranked, const ParallelFor& parallel)
   }
 }
 
-/// Mean, standard deviation, skew and ends of a type III distribution of mean 0 and deviation 1 before its ends are
-/// cut.
-struct CutTypeThree
+/// The lognormal distribution (e^(s z) - 1) / s of a Gaussian z, without its ends beyond one and the same probability.
+struct CutLognormal
 {
   static constexpr int Points = 400;
 
-  CutTypeThree(double gammaSkew, double cut)
+  CutLognormal(double shape, const std::vector<double>& gaussians)
   {
-    const double shape = 4.0 / (gammaSkew * gammaSkew);
-    const boost::math::gamma_distribution<double> gamma(shape, 1.0);
-    double sum = 0.0;
     for (int point = 0; point <= Points; ++point)
     {
-      const double p = cut + (1.0 - 2.0 * cut) * Position(point);
-      this->Values[point] = (boost::math::quantile(gamma, p) - shape) / std::sqrt(shape);
-      sum += Weight(point) * this->Values[point];
+      this->Values[point] = std::expm1(shape * gaussians[point]) / shape;
+      this->Mean += Weight(point) * this->Values[point];
     }
-    this->Mean = sum;
     double second = 0.0;
     double third = 0.0;
     for (int point = 0; point <= Points; ++point)
     {
-      const double value = this->Values[point] - sum;
+      const double value = this->Values[point] - this->Mean;
       second += Weight(point) * value * value;
       third += Weight(point) * value * value * value;
     }
@@ -98,27 +92,34 @@ struct CutTypeThree
   }
 
   double Values[Points + 1];
-  double Mean;
+  double Mean = 0.0;
   double Deviation;
   double Skew;
   double Integral;
 };
 
-constexpr double LeastSkew = 1e-3;
+constexpr double LeastShape = 1e-4;
+constexpr double MostShape = 4.0;
 constexpr double LeastCut = 1e-8;
 constexpr double MostCut = 0.1;
 
 /// Whose skew without its ends is the given one, not negative.
-CutTypeThree WithSkew(double skew, double cut)
+CutLognormal WithSkew(double skew, double cut)
 {
-  double low = LeastSkew;
-  double high = 40.0;
+  const boost::math::normal_distribution<double> normal;
+  std::vector<double> gaussians;
+  for (int point = 0; point <= CutLognormal::Points; ++point)
+  {
+    gaussians.push_back(boost::math::quantile(normal, cut + (1.0 - 2.0 * cut) * CutLognormal::Position(point)));
+  }
+  double low = LeastShape;
+  double high = MostShape;
   for (int step = 0; step < 50; ++step)
   {
     const double middle = std::sqrt(low * high);
-    (CutTypeThree(middle, cut).Skew < skew ? low : high) = middle;
+    (CutLognormal(middle, gaussians).Skew < skew ? low : high) = middle;
   }
-  return { std::sqrt(low * high), cut };
+  return { std::sqrt(low * high), gaussians };
 }
 
 }
@@ -161,17 +162,17 @@ HeightQuantiles QuantilesOf(const std::vector<double>& heights)
 std::array<double, 2> IntegralsOfSkew(double skew)
 {
   // The integral grows with what is cut off as long as the longer tail is above.
-  const double size = std::max(std::abs(skew), LeastSkew);
+  const double size = std::abs(skew);
   const double least = WithSkew(size, LeastCut).Integral;
   const double most = WithSkew(size, MostCut).Integral;
   return skew < 0.0 ? std::array<double, 2>{ 1.0 - most, 1.0 - least } : std::array<double, 2>{ least, most };
 }
 
-HeightQuantiles TypeThreeQuantiles(double mean, double deviation, double integral, double skew)
+HeightQuantiles LognormalQuantiles(double mean, double deviation, double integral, double skew)
 {
   // A negative skew is the mirror image of a positive one.
   const double sign = skew < 0.0 ? -1.0 : 1.0;
-  const double size = std::max(std::abs(skew), LeastSkew);
+  const double size = std::abs(skew);
   const double wanted = skew < 0.0 ? 1.0 - integral : integral;
   double low = LeastCut;
   double high = MostCut;
@@ -180,12 +181,12 @@ HeightQuantiles TypeThreeQuantiles(double mean, double deviation, double integra
     const double middle = std::sqrt(low * high);
     (WithSkew(size, middle).Integral < wanted ? low : high) = middle;
   }
-  const CutTypeThree cut = WithSkew(size, std::sqrt(low * high));
+  const CutLognormal cut = WithSkew(size, std::sqrt(low * high));
   HeightQuantiles quantiles;
-  for (int n = 0; n <= CutTypeThree::Points; ++n)
+  for (int n = 0; n <= CutLognormal::Points; ++n)
   {
-    const int point = sign > 0.0 ? n : CutTypeThree::Points - n;
-    const double p = CutTypeThree::Position(point);
+    const int point = sign > 0.0 ? n : CutLognormal::Points - n;
+    const double p = CutLognormal::Position(point);
     const double height = mean + sign * deviation * (cut.Values[point] - cut.Mean) / cut.Deviation;
     if (quantiles.Heights.empty() || height > quantiles.Heights.back())
     {

@@ -26,10 +26,10 @@ HeightQuantiles QuantilesOf(const std::vector<double>& heights);
 
 /**
  * A distribution of a mean and a standard deviation [m], a skew, and a hypsometric integral (mean - lowest) / (highest
- * - lowest): Pearson's type III (a shifted gamma distribution, Gauss's for skew 0) without its ends beyond one and the
- * same probability. The integral must be within IntegralsOfSkew().
+ * - lowest): lognormal (Gauss's for skew 0, mirrored below), without its ends beyond one and the same probability. The
+ * integral must be within IntegralsOfSkew().
  */
-HeightQuantiles TypeThreeQuantiles(double mean, double deviation, double integral, double skew);
+HeightQuantiles LognormalQuantiles(double mean, double deviation, double integral, double skew);
 
 /// The least and the greatest hypsometric integral of such distributions of a skew, which is at most 2 in size.
 std::array<double, 2> IntegralsOfSkew(double skew);

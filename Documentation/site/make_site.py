@@ -57,6 +57,7 @@ ROOMS = {
     "Numerics": ("numerics", "Random streams, Fourier transforms, quadrature, rotations, threads."),
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
+    "Drainage": ("drainage", "Flow over terrain, rivers that cut into it, ground that drains and keeps its statistics."),
     "Patterns": ("patterns", "Laws of counts in quadrats, patterns by them, fits."),
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
     "Wind": ("wind", "Spectra, fields, loads."),
