@@ -171,7 +171,7 @@ def draw_grounds(filename, grounds, size):
     names = "Jacksboro fault, Tennessee", "Gaussian twin", "Twin with valleys"
     save_grounds(
         filename, [water[0] for water in waters], [water[1] for water in waters], names,
-        (f"measured \u00b7 {size}", "same variogram: water stands in hollows", "same variogram, and water runs"),
+        (f"measured \u00b7 {size}", "of the fitted model: water stands", "carved: water runs"),
         (("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
          row("Ground in hollows", "SunkShare", "{:.1f} %", 100.0, 5.0),
          row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),

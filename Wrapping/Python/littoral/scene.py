@@ -289,7 +289,7 @@ def lake_block(ground, exaggeration=1.0, center=(0.0, 0.0)):
 def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
     """Rivers on the block of a terrain: pairs of a `vtkPolyData` with `RGB` and its stream order, low orders first.
 
-    What runs through lakes is left out.
+    What runs through lakes is left out, but for shallow pools.
     """
     bounds, depth = ground.GetBounds(), array_from_image(ground, "DepressionDepth")
     level = array_from_image(ground) + depth
@@ -300,7 +300,7 @@ def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
     rows = np.round((places[:, 1] - bounds[2]) / ground.GetSpacing()[1]).astype(int)
     places[:, :2] += np.array(center)[:2] - middle
     places[:, 2] = 0.07 * width + (level[rows, columns] - level.min()) * exaggeration + 0.0025 * width
-    dry = depth[rows, columns] <= 0.0
+    dry = depth[rows, columns] <= 0.05 * np.std(level)  # shallow pools are part of a river
     points = vtkPoints()
     points.SetData(numpy_to_vtk(places, deep=True))
     orders = vtk_to_numpy(rivers.GetCellData().GetArray("StreamOrder"))
