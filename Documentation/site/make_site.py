@@ -25,7 +25,7 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "patterns", "plants", "forests", "wind", "sway",
+GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "drainage", "patterns", "plants", "forests", "wind", "sway",
          "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "blender", "speed", "troubleshooting")
 DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway", "sea", "currents", "particles",
           "seaweed", "paraview", "volumes", "scenes")
