@@ -89,7 +89,7 @@ void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<dou
     {
       add(bins[static_cast<std::size_t>(position)]);
     }
-    if (cells[n] <= 2.0 * LeastCells)
+    if (cells[n] <= 2.0 * LeastCells && slopes[n] > 0.0)
     {
       add(reference);
     }

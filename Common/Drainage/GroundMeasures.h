@@ -32,7 +32,7 @@ struct GroundMeasures
   double HeightSkew = 0.0;
   double Concavity = 0.0;     ///< minus the slope of log slope over log area; NaN where fewer than 3 bins have cells
   double CurvatureSkew = 0.0; ///< of the five-point Laplacian of inner cells
-  double ChannelSlope = 0.0;  ///< mean slope at drainage areas of 100 to 200 cells [m/m]
+  double ChannelSlope = 0.0;  ///< mean slope above 0 at drainage areas of 100 to 200 cells [m/m]
   std::vector<SlopeAreaBin> SlopeArea;
   std::vector<double> Lags;         ///< those of SemivarianceLags(), times the mean spacing [m]
   std::vector<double> Semivariance; ///< [m^2] at these lags
