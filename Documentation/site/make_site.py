@@ -27,8 +27,8 @@ DOCUMENTS = TOP / "Documentation"
 # Pages in the order of the menu, below Documentation.
 GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "drainage", "patterns", "plants", "forests", "wind", "sway",
          "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "blender", "speed", "troubleshooting")
-DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway", "sea", "currents", "particles",
-          "seaweed", "paraview", "volumes", "scenes")
+DESIGN = ("numerics", "geometry", "terrain", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
+          "particles", "seaweed", "paraview", "volumes", "scenes")
 
 # Classes by field: title, page of the guide, page of the design, classes.
 FIELDS = (

@@ -147,6 +147,7 @@ TEST(HeightQuantiles, RanksTakeTheTargetsHeights)
 TEST(HeightQuantiles, WholeMetresMakeNoSteps)
 {
   std::vector<double> heights;
+  heights.reserve(1000);
   for (int n = 0; n < 1000; ++n)
   {
     heights.push_back(std::floor(0.01 * n));
