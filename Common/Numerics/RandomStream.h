@@ -43,6 +43,7 @@ enum class RandomPurpose : std::uint32_t
   ParticleSizes = 65,
   ParticleOrientations = 66,
   SlaveOffsets = 72,
+  DrainageWaves = 80,
 };
 
 /**

@@ -42,6 +42,8 @@ def usual_inputs(name):
             GenerateMotion=1), {}),
         "BeamTreeDeformation": lambda: (simple.ReevesTree(), {"Wind": simple.WindField()}),
         "CovarianceFit": lambda: (simple.TurningBandsTerrain(), {}),
+        "Drainage": lambda: (simple.TurningBandsTerrain(), {}),
+        "GroundStatistics": lambda: (simple.TurningBandsTerrain(), {}),
         "TurningBandsTerrainFromFits": lambda: (simple.CovarianceFit(Input=simple.TurningBandsTerrain()), {}),
         "TerrainLevelOfDetail": lambda: (simple.TurningBandsTerrain(), {}),
         "WindStatistics": lambda: (simple.WindField(), {}),

@@ -25,15 +25,16 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "patterns", "plants", "forests", "wind", "sway",
+GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "drainage", "patterns", "plants", "forests", "wind", "sway",
          "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "blender", "speed", "troubleshooting")
-DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway", "sea", "currents", "particles",
-          "seaweed", "paraview", "volumes", "scenes")
+DESIGN = ("numerics", "geometry", "terrain", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
+          "particles", "seaweed", "paraview", "volumes", "scenes")
 
 # Classes by field: title, page of the guide, page of the design, classes.
 FIELDS = (
     ("Terrain", "terrain", "terrain",
      ("vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter", "vtkTerrainLevelOfDetailFilter")),
+    ("Drainage", "drainage", "drainage", ("vtkDrainageFilter", "vtkGroundStatisticsFilter")),
     ("Point patterns", "patterns", "patterns", ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter")),
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
@@ -56,6 +57,7 @@ ROOMS = {
     "Numerics": ("numerics", "Random streams, Fourier transforms, quadrature, rotations, threads."),
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
+    "Drainage": ("drainage", "Flow over terrain, rivers that cut into it, ground that drains and keeps its statistics."),
     "Patterns": ("patterns", "Laws of counts in quadrats, patterns by them, fits."),
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
     "Wind": ("wind", "Spectra, fields, loads."),

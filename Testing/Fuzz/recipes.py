@@ -29,6 +29,8 @@ RECIPES = {
     "vtkCovarianceFitFilter": (("vtkTurningBandsTerrainSource",), {"SetNumberOfLags": (6,),
                                                                    "SetNumberOfDirections": (4,), "SetFitNugget": (False,),
                                                                    "SetFitAnisotropy": (False,)}),
+    "vtkDrainageFilter": (("vtkTurningBandsTerrainSource",), {"SetMinimumDrainageCells": (4,), "SetNumberOfRounds": (2,)}),
+    "vtkGroundStatisticsFilter": (("vtkTurningBandsTerrainSource",), {"SetMinimumDrainageCells": (6,)}),
     "vtkWindStatisticsFilter": (("vtkWindFieldSource",), {}),
     "vtkSeaStatisticsFilter": (SEA, {}),
     "vtkQuadratAnalysisFilter": (("vtkQuadratPointSource",), {}),

@@ -93,6 +93,12 @@ CASES = {
         {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)}]),
     "vtkCovarianceFitFilter": (lambda: (terrain(),), [
         {"SetNumberOfLags": (12,)}, {"SetRemoveTrend": (False,)}, {"SetFitAnisotropy": (False,)}]),
+    "vtkDrainageFilter": (lambda: (terrain(60), terrain(50)), [
+        {"SetMinimumDrainageCells": (8,)}, {"SetCarve": (False,), "SetMinimumDrainageCells": (12,)},
+        {"SetOutlets": (1,), "SetSeaLevel": (180.0,), "SetNumberOfRounds": (2,)}]),
+    "vtkGroundStatisticsFilter": (lambda: (terrain(60),), [
+        {"SetMinimumDrainageCells": (8,)}, {"SetMinimumDrainageCells": (30,)},
+        {"SetUseSeaLevel": (True,), "SetSeaLevel": (180.0,)}]),
     "vtkWindStatisticsFilter": (lambda: (wind(),), [
         {"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}]),
     "vtkSeaStatisticsFilter": (lambda: (sea(),), [

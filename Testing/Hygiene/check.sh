@@ -66,6 +66,7 @@ case "${1:-}" in
         Sway) lower='Numerics|Geometry|Plants|Wind' ;;
         Currents) lower='Numerics|Geometry' ;;
         Particles) lower='Numerics|Geometry|Sea' ;;
+        Drainage) lower='Numerics|Geometry|Terrain' ;;
         Seaweed) lower='Numerics|Geometry|Plants|Sea|Currents' ;;
         *) echo "Common/$room: no room of this name is known here"; continue ;;
       esac

@@ -231,7 +231,7 @@ else:
     check("Sea", ["Surface"], ["Surface"], 60.0, ("Sea1", "PeakPeriod", 10.0))
     check("Underwater", ["Relief", "Sites", "Sugar Kelp", "Eelgrass", "Plants", "Kelp", "Bed", "Water", "Particles", "Surface"],
           ["Kelp", "Bed", "Particles", "Surface"], 60.0, ("Water", "Density", 20.0))
-    check("TwinOfAPlace", ["Ground"], ["Ground"], 1.0, ("TwinOfAPlace1", "Seed", 7))
+    check("TwinOfAPlace", ["Valleys", "Ground"], ["Valleys", "Ground"], 1.0, ("TwinOfAPlace1", "Seed", 7))
     check_murk("Kelp", 0.085)
     check_murk("Bed", 0.085)
     # VTK 9.6 hands on no depth to the shaders of points.

@@ -74,14 +74,17 @@ vtkSMSourceProxy* Make(vtkSMSessionProxyManager* manager, vtkPVXMLElement* descr
   return part;
 }
 
+/// Shows the output `port` of a part, or the first one.
 void Show(vtkSMSourceProxy* part, vtkPVXMLElement* look, vtkSMViewProxy* view)
 {
+  int port = 0;
+  look->GetScalarAttribute("port", &port);
   if (auto* natural = vtkSMNaturalDisplayProxy::SafeDownCast(part))
   {
     natural->SetLook(look);
   }
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-  controller->Show(part, 0, view);
+  controller->Show(part, port, view);
 }
 
 /// Gives a range of times without time steps the frames of a film, unless someone has chosen their number.

@@ -25,7 +25,8 @@ namespace littoral
  *
  * The attributes are those of NaturalDisplay, for the view. The source has the values of Set from the start. The rest
  * are ordinary sources and filters, made when the source is first shown; `to` names one before it, or the source by the
- * name of its type. Those with a NaturalDisplay are shown, in that way, which goes before the hint of their type.
+ * name of its type. Those with a NaturalDisplay are shown, in that way, which goes before the hint of their type; its
+ * attribute `port` numbers the output, 0 by default.
  */
 
 /// Sets the properties of a proxy to the values of a description.

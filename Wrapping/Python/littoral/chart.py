@@ -47,6 +47,26 @@ def save_variogram_chart(filename, variogram, models, size=(1200, 750), oversamp
     _write(chart, filename, size, oversampling)
 
 
+def slope_area_chart(profiles, names, oversampling=2):
+    """Chart of mean slope by drainage area: tables of `DrainageArea` [m2] and `Slope` [m/m] from `vtkGroundStatisticsFilter`."""
+    chart = vtkChartXY()
+    colors = (INK, OTHERS[3], OTHERS[0])
+    for profile, name, color in zip(profiles, names, colors):
+        table = table_of({"Area": 1e-6 * column(profile, "DrainageArea"), "Slope": column(profile, "Slope")})
+        line = chart.AddPlot(vtkChart.LINE)
+        line.SetInputData(table, "Area", "Slope")
+        line.SetLabel(f" {name}")
+        set_plot_color(line, color)
+        line.SetWidth(3.0 * oversampling)
+    areas = np.concatenate([1e-6 * column(profile, "DrainageArea") for profile in profiles])
+    slopes = np.concatenate([column(profile, "Slope") for profile in profiles])
+    _style_axis(chart.GetAxis(vtkAxis.BOTTOM), "Drainage area (km\u00b2)", oversampling, areas)
+    room = [0.3 * slopes[slopes > 0.0].min(), *slopes]  # for the legend
+    _style_axis(chart.GetAxis(vtkAxis.LEFT), "Slope of streams", oversampling, np.array(room))
+    _style_legend(chart, oversampling, vtkChartLegend.LEFT)
+    return chart
+
+
 def save_spectrum_chart(filename, spectra, components, size=(1200, 750), oversampling=2):
     """Draw power spectra: a table of `Frequency` [Hz] and two columns for each component.
 

@@ -15,7 +15,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .elevation import array_from_image
+from .elevation import array_from_image, image_from_array
 from .glb import write_glb  # noqa: F401 (scenes as files)
 
 #: Azimuth and elevation of the sun.
@@ -37,6 +37,7 @@ ROCK = np.array((0.260, 0.225, 0.185))
 ATLAS = np.array((
     (0.115, 0.190, 0.140), (0.210, 0.265, 0.150), (0.360, 0.320, 0.170), (0.330, 0.205, 0.105),
     (0.420, 0.360, 0.310)))
+LAKE = np.array((0.020, 0.062, 0.120))
 SOIL = np.array((0.075, 0.052, 0.034))
 BEDS = np.array(
     ((0.300, 0.235, 0.165), (0.200, 0.165, 0.130), (0.245, 0.170, 0.110), (0.260, 0.235, 0.200)))
@@ -270,6 +271,51 @@ def relief_block(image, exaggeration=1.0, sun=SUN, coloring=natural_color, cente
         (top[-1, ::-1], (0.0, 1.0, 0.0)), (top[::-1, 0], (-1.0, 0.0, 0.0)))
     walls = [_wall(edge, normal, direction(*sun), thickness) for edge, normal in sides]
     return _surface([(top, _to_bytes(light))] + walls)
+
+
+def lake_block(ground, exaggeration=1.0, center=(0.0, 0.0)):
+    """The block of a terrain whose depressions are full of water: output of `vtkDrainageFilter`, not carved."""
+    depth = array_from_image(ground, "DepressionDepth")
+    level = image_from_array(array_from_image(ground) + depth, ground.GetSpacing())
+    deep, _ = refined(depth, ground.GetSpacing())
+
+    def coloring(z, spacing, reflectance):
+        water = _step(deep, 0.0, 0.02 * np.std(z))
+        return _mix(natural_color(z, spacing, reflectance), LAKE, 0.92 * water)
+
+    return relief_block(level, exaggeration, coloring=coloring, center=center)
+
+
+def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
+    """Rivers on the block of a terrain: pairs of a `vtkPolyData` with `RGB` and its stream order, low orders first.
+
+    What runs through lakes is left out, but for shallow pools.
+    """
+    bounds, depth = ground.GetBounds(), array_from_image(ground, "DepressionDepth")
+    level = array_from_image(ground) + depth
+    middle = 0.5 * np.array((bounds[0] + bounds[1], bounds[2] + bounds[3]))
+    width = bounds[1] - bounds[0]
+    places = vtk_to_numpy(rivers.GetPoints().GetData()).astype(np.float64)
+    columns = np.round((places[:, 0] - bounds[0]) / ground.GetSpacing()[0]).astype(int)
+    rows = np.round((places[:, 1] - bounds[2]) / ground.GetSpacing()[1]).astype(int)
+    places[:, :2] += np.array(center)[:2] - middle
+    places[:, 2] = 0.07 * width + (level[rows, columns] - level.min()) * exaggeration + 0.0025 * width
+    dry = depth[rows, columns] <= 0.05 * np.std(level)  # shallow pools are part of a river
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    orders = vtk_to_numpy(rivers.GetCellData().GetArray("StreamOrder"))
+    for order in np.unique(orders):
+        lines, cells = vtkPolyData(), vtkCellArray()
+        for cell in np.flatnonzero(orders == order):
+            ids = rivers.GetCell(int(cell)).GetPointIds()
+            path = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+            for upper, lower in zip(path, path[1:]):
+                if dry[upper] or dry[lower]:
+                    cells.InsertNextCell(2, (upper, lower))
+        lines.SetPoints(points)
+        lines.SetLines(cells)
+        lines.GetPointData().SetScalars(rivers.GetPointData().GetArray("RGB"))
+        yield lines, int(order)
 
 
 def floor_shadow(bounds, sun=SUN, cells=400):

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralCellLattice_h
+#define LittoralCellLattice_h
+
+#include "Terrain/GridSamples.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace littoral
+{
+
+/// A cell of a grid, counted along x first.
+using CellIndex = std::int32_t;
+
+/// The cells around each value of a grid and their eight neighbours. Directions 0 to 7 run counter-clockwise in steps
+/// of 45 degrees, 0 along x.
+class CellLattice
+{
+public:
+  static constexpr int Directions = 8;
+  static constexpr std::array<int, Directions> StepX{ 1, 1, 0, -1, -1, -1, 0, 1 };
+  static constexpr std::array<int, Directions> StepY{ 0, 1, 1, 1, 0, -1, -1, -1 };
+
+  CellLattice(int width, int height, const std::array<double, 2>& spacing)
+    : Width(width)
+    , Height(height)
+    , Area(spacing[0] * spacing[1])
+  {
+    for (int d = 0; d < Directions; ++d)
+    {
+      this->Offsets[d] = StepY[d] * width + StepX[d];
+      this->Distances[d] = std::hypot(StepX[d] * spacing[0], StepY[d] * spacing[1]);
+    }
+  }
+  explicit CellLattice(const GridSamples& samples)
+    : CellLattice(samples.Width, samples.Height, samples.Spacing)
+  {
+  }
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  CellIndex Count() const { return static_cast<CellIndex>(static_cast<std::int64_t>(this->Width) * this->Height); }
+  /// Of one cell [m^2].
+  double CellArea() const { return this->Area; }
+  /// To the neighbour in a direction [m].
+  double Distance(int direction) const { return this->Distances[direction]; }
+  /// What leads to the neighbour's index.
+  CellIndex Offset(int direction) const { return this->Offsets[direction]; }
+
+  bool IsBorder(CellIndex cell) const
+  {
+    const int i = cell % this->Width;
+    const int j = cell / this->Width;
+    return i == 0 || j == 0 || i == this->Width - 1 || j == this->Height - 1;
+  }
+
+  /// Calls visit(neighbour, direction) for the neighbours within the grid, by direction.
+  template <typename Visit>
+  void ForEachNeighbour(CellIndex cell, const Visit& visit) const
+  {
+    const int i = cell % this->Width;
+    const int j = cell / this->Width;
+    const bool isInside = i > 0 && j > 0 && i < this->Width - 1 && j < this->Height - 1;
+    for (int d = 0; d < Directions; ++d)
+    {
+      if (isInside ||
+        (i + StepX[d] >= 0 && i + StepX[d] < this->Width && j + StepY[d] >= 0 && j + StepY[d] < this->Height))
+      {
+        visit(cell + this->Offsets[d], d);
+      }
+    }
+  }
+
+  /// The direction from a cell to one of its neighbours; -1 to itself and to cells that are none.
+  int DirectionTo(CellIndex cell, CellIndex neighbour) const
+  {
+    const int x = neighbour % this->Width - cell % this->Width;
+    const int y = neighbour / this->Width - cell / this->Width;
+    for (int d = 0; d < Directions; ++d)
+    {
+      if (x == StepX[d] && y == StepY[d])
+      {
+        return d;
+      }
+    }
+    return -1;
+  }
+
+private:
+  int Width;
+  int Height;
+  double Area;
+  std::array<CellIndex, Directions> Offsets{};
+  std::array<double, Directions> Distances{};
+};
+
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/ChannelGrading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+double ChannelLaw::SlopeAt(double cells) const
+{
+  const double area = std::max(cells, this->ChannelCells);
+  const double slope = this->Steepness * std::pow(area / this->ReferenceCells, -this->Concavity);
+  return cells < this->ChannelCells ? this->HillslopePart * slope : slope;
+}
+
+std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
+  const std::vector<CellIndex>& drainageCells, const ChannelLaw& law, double cut, const ParallelFor& parallel)
+{
+  const CellLattice lattice(heights);
+  std::vector<double> falls(heights.Values.size());
+  parallel(falls.size(), [&](std::size_t begin, std::size_t end) {
+    const double onHillslopes = law.SlopeAt(1.0);
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const auto cell = static_cast<CellIndex>(n);
+      const int direction = lattice.DirectionTo(cell, routing.Receiver[cell]);
+      const double cells = drainageCells[cell];
+      const double slope = cells < law.ChannelCells ? onHillslopes : law.SlopeAt(cells);
+      falls[n] = direction < 0 ? 0.0 : slope * lattice.Distance(direction);
+    }
+  });
+  // z_r = min(z_r, z - fall), from the divides down
+  std::vector<double> lowered = heights.Values;
+  for (std::size_t n = routing.Order.size(); n-- > 0;)
+  {
+    const CellIndex cell = routing.Order[n];
+    const CellIndex receiver = routing.Receiver[cell];
+    if (receiver != cell)
+    {
+      lowered[receiver] = std::min(lowered[receiver], lowered[cell] - falls[cell]);
+    }
+  }
+  // z = max(z, z_r + fall), from the outlets up
+  std::vector<double> graded = heights.Values;
+  for (const CellIndex cell : routing.Order)
+  {
+    const CellIndex receiver = routing.Receiver[cell];
+    if (receiver != cell)
+    {
+      graded[cell] = std::max(graded[cell], graded[receiver] + falls[cell]);
+    }
+  }
+  parallel(graded.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      graded[n] += cut * (lowered[n] - graded[n]);
+    }
+  });
+  return graded;
+}
+
+}

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/DepressionBreaching.h"
+
+#include "Drainage/CellLattice.h"
+#include "Drainage/FloodQueue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Fall of a channel that ends at an outlet which is not lower: part of the relief for each of its cells.
+constexpr double LeastFall = 1e-7;
+
+/// Cuts channels into the ground.
+class Breacher
+{
+public:
+  Breacher(GridSamples& heights, const OutletMask& outlets, const Poll& poll)
+    : Heights(heights.Values)
+    , Outlets(outlets)
+    , Lattice(heights)
+    , Steps(poll, 1 << 16)
+  {
+    const auto [low, high] = std::minmax_element(this->Heights.begin(), this->Heights.end());
+    this->Fall = LeastFall * (*high - *low);
+  }
+
+  /// The flood in the order of heights: each cell's way out, pits in the order in which they are reached.
+  void Flood()
+  {
+    const CellIndex count = this->Lattice.Count();
+    this->Toward.assign(count, -1);
+    std::vector<std::uint8_t> isFlooded(count, 0);
+    FloodQueue rim;
+    for (CellIndex cell = 0; cell < count; ++cell)
+    {
+      if (this->Outlets[cell])
+      {
+        this->Toward[cell] = cell;
+        rim.Push(cell, this->Heights[cell]);
+      }
+    }
+    while (!rim.IsEmpty())
+    {
+      this->Steps.Step();
+      const CellIndex cell = rim.Pop();
+      isFlooded[cell] = 1;
+      bool isPit = !this->Outlets[cell];
+      this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
+        const double other = this->Heights[neighbour];
+        isPit = isPit && other >= this->Heights[cell] && !(other == this->Heights[cell] && isFlooded[neighbour]);
+        if (this->Toward[neighbour] < 0)
+        {
+          this->Toward[neighbour] = cell;
+          rim.Push(neighbour, other);
+        }
+      });
+      if (isPit)
+      {
+        this->Pits.push_back(cell);
+      }
+    }
+  }
+
+  void CutInFloodOrder()
+  {
+    for (const CellIndex pit : this->Pits)
+    {
+      this->Steps.Step();
+      this->CutAlong(this->Toward, pit);
+    }
+  }
+
+  /// Lowest pits first, so that higher ones find their channels.
+  void CutAtLeastCost(std::size_t most)
+  {
+    std::stable_sort(this->Pits.begin(), this->Pits.end(),
+      [&](CellIndex a, CellIndex b) { return this->Heights[a] < this->Heights[b]; });
+    this->Cost.assign(this->Lattice.Count(), 0.0);
+    this->Seen.assign(this->Lattice.Count(), -1);
+    this->From.assign(this->Lattice.Count(), -1);
+    for (const CellIndex pit : this->Pits)
+    {
+      const CellIndex end = this->CheapestEnd(pit, most);
+      if (end < 0)
+      {
+        this->CutAlong(this->Toward, pit);
+        continue;
+      }
+      this->Way.clear();
+      for (CellIndex cell = end; cell != pit; cell = this->From[cell])
+      {
+        this->Way.push_back(cell);
+      }
+      std::reverse(this->Way.begin(), this->Way.end());
+      this->Cut(pit);
+    }
+  }
+
+  BreachCount Count() const
+  {
+    BreachCount count = this->Done;
+    count.Pits = this->Pits.size();
+    return count;
+  }
+
+private:
+  /// A cell at which the channel of a pit can end.
+  bool IsEnd(CellIndex cell, CellIndex pit) const
+  {
+    return this->Outlets[cell] || this->Heights[cell] < this->Heights[pit];
+  }
+
+  void CutAlong(const std::vector<CellIndex>& toward, CellIndex pit)
+  {
+    this->Way.clear();
+    CellIndex cell = pit;
+    do
+    {
+      cell = toward[cell];
+      this->Way.push_back(cell);
+    }
+    while (!this->IsEnd(cell, pit));
+    this->Cut(pit);
+  }
+
+  /// Cuts the way from a pit to its last cell, whose floor falls evenly.
+  void Cut(CellIndex pit)
+  {
+    const double from = this->Heights[pit];
+    const auto length = static_cast<double>(this->Way.size());
+    double& last = this->Heights[this->Way.back()];
+    if (last >= from)
+    {
+      this->Lower(this->Way.back(),
+        std::min(from - length * this->Fall, std::nextafter(from, -std::numeric_limits<double>::infinity())));
+    }
+    for (std::size_t n = 0; n + 1 < this->Way.size(); ++n)
+    {
+      // z = z_pit + (z_end - z_pit) s / s_end
+      this->Lower(this->Way[n], from + (last - from) * (static_cast<double>(n + 1) / length));
+    }
+  }
+
+  void Lower(CellIndex cell, double to)
+  {
+    double& height = this->Heights[cell];
+    if (to < height)
+    {
+      this->Done.Volume += (height - to) * this->Lattice.CellArea();
+      ++this->Done.Lowered;
+      height = to;
+    }
+  }
+
+  /// The end of the way from a pit whose depths of cut, times the distances, sum to the least (Dijkstra 1959); -1 if
+  /// it is not among the first cells.
+  CellIndex CheapestEnd(CellIndex pit, std::size_t most)
+  {
+    const double bottom = this->Heights[pit];
+    FloodQueue front;
+    this->Seen[pit] = pit;
+    this->Cost[pit] = 0.0;
+    front.Push(pit, 0.0);
+    for (std::size_t visited = 0; !front.IsEmpty() && visited < most; ++visited)
+    {
+      this->Steps.Step();
+      const double reached = front.LowestHeight();
+      const CellIndex cell = front.Pop();
+      if (reached > this->Cost[cell])
+      {
+        continue;
+      }
+      if (cell != pit && this->IsEnd(cell, pit))
+      {
+        return cell;
+      }
+      this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int direction) {
+        // c = sum of max(z - z_pit, 0) d
+        const double cut = std::max(this->Heights[neighbour] - bottom, 0.0);
+        const double cost = this->Cost[cell] + cut * this->Lattice.Distance(direction);
+        if (this->Seen[neighbour] != pit || cost < this->Cost[neighbour])
+        {
+          this->Seen[neighbour] = pit;
+          this->Cost[neighbour] = cost;
+          this->From[neighbour] = cell;
+          front.Push(neighbour, cost);
+        }
+      });
+    }
+    return -1;
+  }
+
+  std::vector<double>& Heights;
+  const OutletMask& Outlets;
+  CellLattice Lattice;
+  SteppedPoll Steps;
+  double Fall;
+  std::vector<CellIndex> Toward; ///< of the flood
+  std::vector<CellIndex> Pits;
+  std::vector<CellIndex> Way;  ///< from the cell after the pit to the end
+  std::vector<double> Cost;    ///< of the way from the pit that saw a cell last
+  std::vector<CellIndex> Seen; ///< that pit
+  std::vector<CellIndex> From; ///< the cell before on the way
+  BreachCount Done;
+};
+
+}
+
+BreachCount BreachDepressions(
+  GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll, std::size_t most)
+{
+  Breacher breacher(heights, outlets, poll);
+  breacher.Flood();
+  if (path == BreachPath::LeastCost)
+  {
+    breacher.CutAtLeastCost(most);
+  }
+  else
+  {
+    breacher.CutInFloodOrder();
+  }
+  return breacher.Count();
+}
+
+}

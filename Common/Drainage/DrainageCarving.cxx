@@ -1,0 +1,511 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/DrainageCarving.h"
+
+#include "Drainage/CellLattice.h"
+#include "Drainage/ChannelGrading.h"
+#include "Drainage/FlowRouting.h"
+#include "Drainage/StreamPower.h"
+#include "Drainage/ValleySpreading.h"
+#include "Numerics/ParameterCheck.h"
+#include "Numerics/RandomStream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Part of the target's slope in small channels that is the least slope of the channel law.
+constexpr double LeastSlopePart = 0.2;
+constexpr double MostSlopePart = 0.5;
+
+/// Part of cutting in grading; the rest is filling.
+constexpr double CutPart = 0.3;
+constexpr double MostCutPart = 0.6;
+
+/// Drainage area to which Incision belongs [cells], and m of the stream power that erodes.
+constexpr double IncisionCells = 100.0;
+constexpr double ErosionExponent = 0.3;
+
+/// Part of the work at which the rounds begin.
+constexpr double ErosionPart = 0.4;
+
+/// Part of the target's power that a ring has at least, or else more waves are added.
+constexpr double LeastPowerPart = 0.1;
+
+/// Gains of rings in one round.
+constexpr double LeastGain = 0.3;
+constexpr double MostGain = 3.0;
+
+/// A measure against what it shall be: 1 at its tolerance.
+struct Deviation
+{
+  const char* Name;
+  double Size;
+};
+
+double Relative(double difference, double tolerance)
+{
+  return std::isnan(difference) ? 0.0 : std::abs(difference) / tolerance;
+}
+
+double SemivarianceMisfit(const GroundMeasures& measures, const GroundMeasures& target)
+{
+  double most = 0.0;
+  for (std::size_t n = 0; n < measures.Lags.size(); ++n)
+  {
+    const double wanted = target.SemivarianceAt(measures.Lags[n]);
+    most = wanted > 0.0 ? std::max(most, std::abs(measures.Semivariance[n] / wanted - 1.0)) : most;
+  }
+  return most;
+}
+
+std::vector<Deviation> DeviationsOf(
+  const GroundMeasures& measures, const GroundMeasures& target, const CarvingTolerances& tolerances)
+{
+  return {
+    { "share of sunk cells", measures.SunkShare / tolerances.SunkShare },
+    { "hypsometric integral",
+      Relative(measures.HypsometricIntegral - target.HypsometricIntegral, tolerances.HypsometricIntegral) },
+    { "skew of heights", Relative(measures.HeightSkew - target.HeightSkew, tolerances.HeightSkew) },
+    { "semivariance", SemivarianceMisfit(measures, target) / tolerances.Semivariance },
+    { "concavity", Relative(measures.Concavity - target.Concavity, tolerances.Concavity) },
+    { "skew of curvature", Relative(measures.CurvatureSkew, tolerances.CurvatureSkew) },
+  };
+}
+
+/// The rounds of CarveDrainage().
+class Carver
+{
+public:
+  Carver(GridSamples& terrain, const CarvingTarget& target, const CarvingParameters& parameters,
+    const ParallelFor& parallel, const CarvingProgress& progress)
+    : Terrain(terrain)
+    , Target(target)
+    , Parameters(parameters)
+    , Parallel(parallel)
+    , Progress(progress)
+    , Concavity(target.Measures.Concavity)
+  {
+    if (std::isnan(this->Concavity))
+    {
+      this->Concavity = CarvingNumbers().Concavity;
+    }
+    this->Concavity = std::clamp(this->Concavity, 0.0, 1.0);
+    this->Steepness = (target.Measures.ChannelSlope > 0.0 ? target.Measures.ChannelSlope : this->MeanSlope());
+  }
+
+  CarvingReport Carve()
+  {
+    CarvingReport report;
+    report.Before = this->Measure(this->Terrain);
+    if (report.Before.SunkShare > CarvingTolerances().SunkShare)
+    {
+      this->AddMissingWaves();
+      this->Erode();
+    }
+    std::vector<double> best;
+    double least = std::numeric_limits<double>::infinity();
+    const int rounds = this->Parameters.MostRounds;
+    for (int round = 0; round < rounds && !report.HasReachedTarget; ++round)
+    {
+      this->AdvanceRound(round);
+      this->RestoreStatistics();
+      this->AdvanceRound(round + 0.2);
+      this->SpreadGrading();
+      this->AdvanceRound(round + 0.6);
+      GridSamples graded = this->Terrain;
+      graded.Values = this->Grade().Heights;
+      MapRanks(graded.Values, this->Target.Heights, this->Parallel);
+      this->AdvanceRound(round + 0.9);
+      const GroundMeasures measures = this->Measure(graded);
+      const double misfit = Misfit(measures, this->Target);
+      if (misfit < least)
+      {
+        least = misfit;
+        best = std::move(graded.Values);
+        report.After = measures;
+      }
+      report.Rounds = round + 1;
+      report.HasReachedTarget = misfit <= 1.0;
+      this->Correct(measures, 1.0);
+    }
+    this->Terrain.Values = std::move(best);
+    report.Missed = MissedOf(report.After, this->Target.Measures);
+    this->Done = 1.0;
+    this->Progress(1.0);
+    return report;
+  }
+
+private:
+  struct GradedGround
+  {
+    std::vector<double> Heights;
+    std::vector<CellIndex> DrainageCells;
+  };
+
+  static std::string MissedOf(const GroundMeasures& measures, const GroundMeasures& target)
+  {
+    std::string missed;
+    for (const Deviation& deviation : DeviationsOf(measures, target, {}))
+    {
+      missed += deviation.Size <= 1.0 ? "" : (missed.empty() ? "" : ", ") + std::string(deviation.Name);
+    }
+    return missed;
+  }
+
+  void Poll() const { this->Progress(this->Done); }
+
+  /// A step of a series between two parts of the work.
+  void Advance(double from, double to, double step, int steps)
+  {
+    this->Done = from + (to - from) * step / steps;
+    this->Poll();
+  }
+  void AdvanceRound(double step) { this->Advance(ErosionPart, 1.0, step, this->Parameters.MostRounds); }
+
+  /// Adds waves of random size and phase to rings that have too little power.
+  void AddMissingWaves()
+  {
+    GridSamples& terrain = this->Terrain;
+    GridSamples field = terrain;
+    RemovePlane(field);
+    CosineTransform(field, this->Parallel);
+    const RingSpectrum spectrum = SpectrumOfCoefficients(field, this->Parallel);
+    std::vector<double> sizes(spectrum.Power.size(), 0.0);
+    bool isMissing = false;
+    for (std::size_t ring = 1; ring < sizes.size(); ++ring)
+    {
+      const double wanted = this->Target.Spectrum.At(static_cast<double>(ring) * spectrum.Step);
+      const double power = spectrum.Power[ring];
+      isMissing = isMissing || power < LeastPowerPart * wanted;
+      sizes[ring] = power < LeastPowerPart * wanted ? std::sqrt((wanted - power) / this->CellArea()) : 0.0;
+    }
+    if (!isMissing)
+    {
+      return;
+    }
+    const RandomStream random(this->Parameters.Seed, RandomPurpose::DrainageWaves);
+    this->Parallel(field.Values.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        field.Values[n] = random.NormalPair(n, 0)[0];
+      }
+    });
+    MultiplyRings(field, spectrum.Step, sizes, this->Parallel);
+    InverseCosineTransform(field, this->Parallel);
+    this->Parallel(field.Values.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        terrain.Values[n] += field.Values[n];
+      }
+    });
+  }
+
+  double CellArea() const { return this->Terrain.Spacing[0] * this->Terrain.Spacing[1]; }
+
+  /// Rivers cut into the ground, whose statistics are restored before each step.
+  void Erode()
+  {
+    const CellLattice lattice(this->Terrain);
+    StreamPowerLaw law;
+    law.Uplift = 0.0; // the spectrum that is restored lifts
+    law.AreaExponent = ErosionExponent;
+    law.Erodibility = this->Parameters.Incision * std::sqrt(lattice.CellArea()) *
+      std::pow(IncisionCells * lattice.CellArea(), -ErosionExponent);
+    const littoral::Poll poll = [this] { this->Poll(); };
+    for (int step = 0; step < this->Parameters.ErosionSteps; ++step)
+    {
+      this->Advance(0.0, ErosionPart, step, this->Parameters.ErosionSteps);
+      this->RestoreStatistics();
+      const OutletMask outlets = this->Parameters.Outlets.Of(this->Terrain);
+      BreachDepressions(this->Terrain, outlets, BreachPath::FloodOrder, poll);
+      const FlowRouting routing = RouteFlow(this->Terrain, outlets, this->Parallel, poll);
+      StepStreamPower(this->Terrain, routing, DrainageArea(routing, lattice), law, 1.0);
+      this->LowerRim();
+    }
+  }
+
+  /// Lowers the border, which no river cuts, to the ground beside it: else it would be left standing as a wall.
+  void LowerRim()
+  {
+    GridSamples& terrain = this->Terrain;
+    const auto lower = [&](int i, int j) {
+      const double beside = terrain.At(std::clamp(i, 1, terrain.Width - 2), std::clamp(j, 1, terrain.Height - 2));
+      terrain.At(i, j) = std::min(terrain.At(i, j), beside);
+    };
+    for (int i = 0; i < terrain.Width; ++i)
+    {
+      lower(i, 0);
+      lower(i, terrain.Height - 1);
+    }
+    for (int j = 0; j < terrain.Height; ++j)
+    {
+      lower(0, j);
+      lower(terrain.Width - 1, j);
+    }
+  }
+
+  void RestoreStatistics()
+  {
+    this->RestoreSpectrum();
+    MapRanks(this->Terrain.Values, this->Target.Heights, this->Parallel);
+  }
+
+  GroundMeasures Measure(const GridSamples& ground) const
+  {
+    return MeasureGround(ground, this->Parameters.Outlets.Of(ground), this->Parallel, [this] { this->Poll(); });
+  }
+
+  /// Of neighbours along x and y.
+  double MeanSlope() const
+  {
+    const std::vector<double> semivariance = SemivarianceAlongAxes(this->Terrain, { 1 }, this->Parallel);
+    return std::sqrt(2.0 * semivariance[0]) / std::max(this->Terrain.Spacing[0], this->Terrain.Spacing[1]);
+  }
+
+  void RestoreSpectrum()
+  {
+    GridSamples& terrain = this->Terrain;
+    GridSamples field = terrain;
+    const PlaneTrend own = RemovePlane(field);
+    // What is no part of the field stays as it is: the plane, replaced by the target's.
+    CosineTransform(field, this->Parallel);
+    const RingSpectrum spectrum = SpectrumOfCoefficients(field, this->Parallel);
+    this->Corrections.resize(spectrum.Power.size(), 1.0);
+    std::vector<double> gains(spectrum.Power.size(), 1.0);
+    for (std::size_t ring = 1; ring < gains.size(); ++ring)
+    {
+      const double wanted = this->Target.Spectrum.At(static_cast<double>(ring) * spectrum.Step);
+      const double ratio = spectrum.Power[ring] > 0.0 ? std::sqrt(wanted / spectrum.Power[ring]) : 1.0;
+      gains[ring] = this->Corrections[ring] * std::clamp(ratio, LeastGain, MostGain);
+    }
+    gains[0] = gains.size() > 1 ? gains[1] : 1.0;
+    this->Step = spectrum.Step;
+    MultiplyRings(field, spectrum.Step, gains, this->Parallel);
+    InverseCosineTransform(field, this->Parallel);
+    std::array<double, 2> slope{};
+    const std::array<int, 2> count{ terrain.Width, terrain.Height };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      slope[axis] = this->Target.Plane.Slope[axis] *
+        std::min(1.0, this->Target.Sides[axis] / (count[axis] * terrain.Spacing[axis]));
+    }
+    this->Parallel(terrain.Height, [&](std::size_t begin, std::size_t end) {
+      for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
+      {
+        const double y = (j - 0.5 * (terrain.Height - 1)) * terrain.Spacing[1];
+        for (int i = 0; i < terrain.Width; ++i)
+        {
+          const double x = (i - 0.5 * (terrain.Width - 1)) * terrain.Spacing[0];
+          terrain.At(i, j) = own.Mean + slope[0] * x + slope[1] * y + field.At(i, j);
+        }
+      }
+    });
+  }
+
+  GradedGround Grade() const
+  {
+    const littoral::Poll poll = [this] { this->Poll(); };
+    GridSamples breached = this->Terrain;
+    const OutletMask outlets = this->Parameters.Outlets.Of(breached);
+    BreachDepressions(breached, outlets, this->Parameters.Path, poll);
+    const FlowRouting routing = RouteFlow(breached, outlets, this->Parallel, poll);
+    GradedGround graded;
+    graded.DrainageCells = DrainageCells(routing);
+    ChannelLaw law;
+    law.Steepness = this->SlopePart * this->Steepness;
+    law.Concavity = this->Concavity;
+    law.ChannelCells = this->Parameters.ChannelCells;
+    graded.Heights = GradeAlong(this->Terrain, routing, graded.DrainageCells, law, this->Cut, this->Parallel);
+    return graded;
+  }
+
+  /// Adds what grading changes, spread over the valleys.
+  void SpreadGrading()
+  {
+    GradedGround graded = this->Grade();
+    std::vector<double>& changes = graded.Heights;
+    std::vector<double> weights(changes.size());
+    const double least = 1e-9 * this->Target.Measures.Deviation;
+    this->Parallel(changes.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        changes[n] -= this->Terrain.Values[n];
+        const bool isChannel = graded.DrainageCells[n] >= this->Parameters.ChannelCells;
+        weights[n] = isChannel || std::abs(changes[n]) > least ? 1.0 : 0.0;
+      }
+    });
+    SpreadChanges(
+      changes, weights, this->Terrain.Width, this->Terrain.Height, this->Parameters.ValleyWidth, this->Parallel);
+    this->Parallel(changes.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        this->Terrain.Values[n] += changes[n];
+      }
+    });
+  }
+
+  /// Corrects the channel law, the part of cuts and the gains of the rings by what the last round left, at a rate that
+  /// falls from round to round.
+  void Correct(const GroundMeasures& measures, double rate)
+  {
+    const double missing = this->Target.Measures.Concavity - measures.Concavity;
+    if (!std::isnan(missing))
+    {
+      this->Concavity = std::clamp(this->Concavity + rate * std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
+      const double steeper = std::exp(-2.0 * rate * std::clamp(missing, -0.15, 0.15));
+      this->SlopePart = std::clamp(this->SlopePart * steeper, 0.5 * LeastSlopePart, MostSlopePart);
+    }
+    // Cuts bend the ground up, fills bend it down.
+    this->Cut = std::clamp(this->Cut - 0.1 * rate * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
+    for (std::size_t ring = 1; ring < this->Corrections.size(); ++ring)
+    {
+      // A wave differs most over half its length.
+      const double lag =
+        std::clamp(0.5 / (static_cast<double>(ring) * this->Step), measures.Lags.front(), measures.Lags.back());
+      const double ratio = this->Target.Measures.SemivarianceAt(lag) / measures.SemivarianceAt(lag);
+      if (ratio > 0.0)
+      {
+        double& correction = this->Corrections[ring];
+        correction = std::clamp(correction * std::pow(std::clamp(ratio, 0.6, 1.6), 0.5 * rate), LeastGain, MostGain);
+      }
+    }
+  }
+
+  GridSamples& Terrain;
+  const CarvingTarget& Target;
+  const CarvingParameters& Parameters;
+  const ParallelFor& Parallel;
+  const CarvingProgress& Progress;
+  double Concavity; ///< of the law
+  double Steepness; ///< the target's slope at the law's reference area
+  double SlopePart = LeastSlopePart;
+  double Cut = CutPart;
+  double Step = 1.0;
+  std::vector<double> Corrections; ///< of the rings' gains
+  double Done = 0.0;
+};
+
+std::string WhyNoRelief(const GridSamples& ground, const char* name)
+{
+  const auto [low, high] = std::minmax_element(ground.Values.begin(), ground.Values.end());
+  return *low < *high ? "" : std::string(name) + " has one height everywhere; there is nothing to carve.";
+}
+
+}
+
+double Misfit(const GroundMeasures& measures, const CarvingTarget& target, const CarvingTolerances& tolerances)
+{
+  double most = 0.0;
+  for (const Deviation& deviation : DeviationsOf(measures, target.Measures, tolerances))
+  {
+    most = std::max(most, deviation.Size);
+  }
+  return most;
+}
+
+std::string WhyNoTarget(const GridSamples& place)
+{
+  ParameterCheck check;
+  check.Require(WhyUndrainable(place, OutletMask(place.Values.size(), 1)));
+  if (check.IsGood())
+  {
+    check.Require(WhyNoRelief(place, "The target"));
+  }
+  return check.Reason();
+}
+
+std::string WhyInvalid(const CarvingNumbers& numbers)
+{
+  ParameterCheck check;
+  check.Range("Concavity", numbers.Concavity, 0.0, 1.0);
+  if (!numbers.OwnHeights)
+  {
+    check.Range("HeightSkew", numbers.HeightSkew, -2.0, 2.0);
+    check.Range("HypsometricIntegral", numbers.HypsometricIntegral, 0.0, 1.0);
+    if (check.IsGood())
+    {
+      const std::array<double, 2> integrals = IntegralsOfSkew(numbers.HeightSkew);
+      const auto rounded = [](double value) { return TextOf(std::round(1000.0 * value) / 1000.0); };
+      check.Require(numbers.HypsometricIntegral >= integrals[0] && numbers.HypsometricIntegral <= integrals[1],
+        "HypsometricIntegral", numbers.HypsometricIntegral, "",
+        "from " + rounded(integrals[0]) + " to " + rounded(integrals[1]) + " with a HeightSkew of " +
+          TextOf(numbers.HeightSkew));
+    }
+  }
+  return check.Reason();
+}
+
+std::string WhyInvalid(const GridSamples& terrain, const CarvingParameters& parameters)
+{
+  ParameterCheck check;
+  check.Count("ErosionSteps", parameters.ErosionSteps, 0, 100);
+  check.Positive("Incision", parameters.Incision, "", 100.0);
+  check.Count("MostRounds", parameters.MostRounds, 1, 100);
+  check.Range("ChannelCells", parameters.ChannelCells, 1.0, 1e6);
+  check.Range("ValleyWidth", parameters.ValleyWidth, 0.5, 50.0);
+  check.Choice("Path", static_cast<int>(parameters.Path), 2);
+  check.Choice("Outlets", static_cast<int>(parameters.Outlets.Choice), 3);
+  check.Finite("SeaLevel", parameters.Outlets.SeaLevel, "m");
+  if (check.IsGood())
+  {
+    const OutletMask all(terrain.Values.size(), 1);
+    check.Require(
+      WhyUndrainable(terrain, parameters.Outlets.Choice == OutletChoice::Chosen ? parameters.Outlets.Cells : all));
+  }
+  if (check.IsGood())
+  {
+    check.Require(WhyNoRelief(terrain, "The terrain"));
+  }
+  return check.Reason();
+}
+
+double CarvingMemory(int width, int height)
+{
+  // measured: see Documentation/design/drainage.md
+  constexpr double bytesPerCell = 120.0;
+  return bytesPerCell * width * height;
+}
+
+CarvingTarget TargetOf(const GridSamples& place, const DrainageOutlets& outlets, const ParallelFor& parallel)
+{
+  CarvingTarget target;
+  GridSamples field = place;
+  target.Plane = RemovePlane(field);
+  target.Sides = { place.Width * place.Spacing[0], place.Height * place.Spacing[1] };
+  CosineTransform(field, parallel);
+  target.Spectrum = SpectrumOfCoefficients(field, parallel);
+  target.Heights = QuantilesOf(place.Values);
+  target.Measures = MeasureGround(place, outlets.Of(place), parallel);
+  return target;
+}
+
+CarvingTarget TargetOf(const GridSamples& terrain, const CarvingNumbers& numbers, const DrainageOutlets& outlets,
+  const ParallelFor& parallel)
+{
+  CarvingTarget target = TargetOf(terrain, outlets, parallel);
+  target.Measures.Concavity = numbers.Concavity;
+  if (!numbers.OwnHeights)
+  {
+    const GroundMeasures& own = target.Measures;
+    const double mean = own.Lowest + own.HypsometricIntegral * (own.Highest - own.Lowest);
+    target.Heights = LognormalQuantiles(mean, own.Deviation, numbers.HypsometricIntegral, numbers.HeightSkew);
+    target.Measures.HypsometricIntegral = numbers.HypsometricIntegral;
+    target.Measures.HeightSkew = numbers.HeightSkew;
+  }
+  return target;
+}
+
+CarvingReport CarveDrainage(GridSamples& terrain, const CarvingTarget& target, const CarvingParameters& parameters,
+  const ParallelFor& parallel, const CarvingProgress& progress)
+{
+  return Carver(terrain, target, parameters, parallel, progress).Carve();
+}
+}

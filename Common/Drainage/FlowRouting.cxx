@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/FlowRouting.h"
+
+#include "Drainage/DepressionFilling.h"
+
+#include <atomic>
+#include <cstddef>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// The neighbour of steepest descent; -1 where none is lower.
+CellIndex SteepestNeighbour(const std::vector<double>& heights, const CellLattice& lattice, CellIndex cell)
+{
+  CellIndex receiver = -1;
+  double steepest = 0.0;
+  lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int direction) {
+    const double slope = (heights[cell] - heights[neighbour]) / lattice.Distance(direction);
+    if (slope > steepest)
+    {
+      steepest = slope;
+      receiver = neighbour;
+    }
+  });
+  return receiver;
+}
+
+/// Receivers of steepest descent, and whether all cells but outlets have one.
+bool FindReceivers(const std::vector<double>& heights, const OutletMask& outlets, const CellLattice& lattice,
+  const ParallelFor& parallel, std::vector<CellIndex>& receivers)
+{
+  std::atomic<bool> isDrained{ true };
+  parallel(lattice.GetHeight(), [&](std::size_t begin, std::size_t end) {
+    const auto width = static_cast<std::size_t>(lattice.GetWidth());
+    for (std::size_t n = begin * width; n < end * width; ++n)
+    {
+      const auto cell = static_cast<CellIndex>(n);
+      receivers[cell] = outlets[cell] ? cell : SteepestNeighbour(heights, lattice, cell);
+      if (receivers[cell] < 0)
+      {
+        isDrained = false;
+      }
+    }
+  });
+  return isDrained;
+}
+
+}
+
+FlowRouting RouteFlow(
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll)
+{
+  const CellLattice lattice(heights);
+  FlowRouting routing;
+  routing.Receiver.resize(lattice.Count());
+  if (!FindReceivers(heights.Values, outlets, lattice, parallel, routing.Receiver))
+  {
+    const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
+    FindReceivers(flood.Level, outlets, lattice, parallel, routing.Receiver);
+    for (CellIndex cell = 0; cell < lattice.Count(); ++cell)
+    {
+      if (routing.Receiver[cell] < 0)
+      {
+        routing.Receiver[cell] = flood.Toward[cell];
+      }
+    }
+  }
+  poll();
+  routing.Order = StackOrder(routing.Receiver);
+  return routing;
+}
+
+std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers)
+{
+  // Donors of cell r lie from first[r] to first[r + 1], by their index.
+  const auto count = static_cast<CellIndex>(receivers.size());
+  std::vector<CellIndex> first(static_cast<std::size_t>(count) + 1, 0);
+  for (CellIndex cell = 0; cell < count; ++cell)
+  {
+    if (receivers[cell] != cell)
+    {
+      ++first[static_cast<std::size_t>(receivers[cell]) + 1];
+    }
+  }
+  for (CellIndex cell = 0; cell < count; ++cell)
+  {
+    first[static_cast<std::size_t>(cell) + 1] += first[cell];
+  }
+  std::vector<CellIndex> donors(first[count]);
+  std::vector<CellIndex> next(first.begin(), first.end() - 1);
+  for (CellIndex cell = 0; cell < count; ++cell)
+  {
+    if (receivers[cell] != cell)
+    {
+      donors[next[receivers[cell]]++] = cell;
+    }
+  }
+  // Depth first from each outlet.
+  std::vector<CellIndex> order;
+  order.reserve(count);
+  std::vector<CellIndex> open;
+  for (CellIndex outlet = 0; outlet < count; ++outlet)
+  {
+    if (receivers[outlet] != outlet)
+    {
+      continue;
+    }
+    open.assign(1, outlet);
+    while (!open.empty())
+    {
+      const CellIndex cell = open.back();
+      open.pop_back();
+      order.push_back(cell);
+      for (CellIndex donor = first[static_cast<std::size_t>(cell) + 1]; donor > first[cell]; --donor)
+      {
+        open.push_back(donors[static_cast<std::size_t>(donor) - 1]);
+      }
+    }
+  }
+  return order;
+}
+
+std::vector<CellIndex> DrainageCells(const FlowRouting& routing)
+{
+  std::vector<CellIndex> cells(routing.Receiver.size(), 1);
+  for (std::size_t n = routing.Order.size(); n-- > 0;)
+  {
+    // A_r += A, from the divides down
+    const CellIndex cell = routing.Order[n];
+    if (routing.Receiver[cell] != cell)
+    {
+      cells[routing.Receiver[cell]] += cells[cell];
+    }
+  }
+  return cells;
+}
+
+std::vector<double> DrainageArea(const FlowRouting& routing, const CellLattice& lattice)
+{
+  const std::vector<CellIndex> cells = DrainageCells(routing);
+  std::vector<double> area(cells.size());
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    area[cell] = cells[cell] * lattice.CellArea();
+  }
+  return area;
+}
+
+std::vector<double> SlopesToReceivers(
+  const GridSamples& heights, const FlowRouting& routing, const ParallelFor& parallel)
+{
+  const CellLattice lattice(heights);
+  std::vector<double> slopes(routing.Receiver.size(), 0.0);
+  parallel(slopes.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      const auto cell = static_cast<CellIndex>(n);
+      const int direction = lattice.DirectionTo(cell, routing.Receiver[cell]);
+      if (direction >= 0)
+      {
+        const double fall = heights.Values[cell] - heights.Values[routing.Receiver[cell]];
+        slopes[cell] = fall / lattice.Distance(direction);
+      }
+    }
+  });
+  return slopes;
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralFlowRouting_h
+#define LittoralFlowRouting_h
+
+#include "Drainage/CellLattice.h"
+#include "Drainage/DrainageOutlets.h"
+#include "Numerics/Parallel.h"
+#include "Terrain/GridSamples.h"
+
+#include <vector>
+
+namespace littoral
+{
+
+/// The ways of water over a grid, one from each cell.
+struct FlowRouting
+{
+  std::vector<CellIndex> Receiver; ///< the neighbour to which a cell's water goes; outlets: themselves
+  std::vector<CellIndex> Order;    ///< all cells, each after its receiver, catchment by catchment
+};
+
+/**
+ * Each cell's receiver is its neighbour of steepest descent (D8, O'Callaghan & Mark 1984), the first by direction of
+ * equal ones. Where depressions or flats leave none, it is steepest on the filled ground, and on flats the way of the
+ * flood. The order is the stack of Braun & Willett (2013), in O(n).
+ */
+FlowRouting RouteFlow(const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel = SerialFor,
+  const Poll& poll = NoPoll);
+
+/// The stack of given receivers, outlets by their index.
+std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers);
+
+/// Number of cells that drain through each cell, itself included.
+std::vector<CellIndex> DrainageCells(const FlowRouting& routing);
+
+/// Drainage area of each cell [m^2], itself included: DrainageCells() times the area of a cell.
+std::vector<double> DrainageArea(const FlowRouting& routing, const CellLattice& lattice);
+
+/// Slope from each cell to its receiver [m/m]; 0 at outlets, negative out of depressions.
+std::vector<double> SlopesToReceivers(
+  const GridSamples& heights, const FlowRouting& routing, const ParallelFor& parallel = SerialFor);
+
+}
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/GroundMeasures.h"
+
+#include "Drainage/CellLattice.h"
+#include "Drainage/DepressionFilling.h"
+#include "Drainage/FlowRouting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr int SlopeAreaBins = 20;
+constexpr double LeastCells = 100.0;
+
+/// Count and central moments of a set of values.
+struct CentralMoments
+{
+  explicit CentralMoments(const std::vector<double>& values)
+  {
+    const auto count = static_cast<double>(values.size());
+    for (const double value : values)
+    {
+      this->Mean += value / count;
+    }
+    double third = 0.0;
+    for (const double value : values)
+    {
+      const double less = value - this->Mean;
+      this->Variance += less * less / count;
+      third += less * less * less / count;
+    }
+    this->Skew = this->Variance > 0.0 ? third / (this->Variance * std::sqrt(this->Variance)) : 0.0;
+  }
+
+  double Mean = 0.0;
+  double Variance = 0.0;
+  double Skew = 0.0;
+};
+
+/// z_xx + z_yy at inner cells.
+std::vector<double> Laplacians(const GridSamples& heights, const ParallelFor& parallel)
+{
+  const auto width = static_cast<std::size_t>(heights.Width - 2);
+  std::vector<double> curvature(width * (heights.Height - 2));
+  const double x2 = heights.Spacing[0] * heights.Spacing[0];
+  const double y2 = heights.Spacing[1] * heights.Spacing[1];
+  parallel(heights.Height - 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      const int j = static_cast<int>(row) + 1;
+      for (int i = 1; i < heights.Width - 1; ++i)
+      {
+        const double twice = 2.0 * heights.At(i, j);
+        curvature[row * width + i - 1] = (heights.At(i - 1, j) + heights.At(i + 1, j) - twice) / x2 +
+          (heights.At(i, j - 1) + heights.At(i, j + 1) - twice) / y2;
+      }
+    }
+  });
+  return curvature;
+}
+
+void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<double>& slopes, const OutletMask& outlets,
+  GroundMeasures& measures)
+{
+  const double first = std::log(LeastCells);
+  const double last = std::log(0.1 * static_cast<double>(cells.size()));
+  std::vector<SlopeAreaBin> bins(SlopeAreaBins);
+  SlopeAreaBin reference;
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    if (outlets[n] || cells[n] < LeastCells)
+    {
+      continue;
+    }
+    const double position = (std::log(static_cast<double>(cells[n])) - first) / (last - first) * SlopeAreaBins;
+    const auto add = [&](SlopeAreaBin& bin) {
+      bin.Cells += cells[n];
+      bin.Slope += std::max(0.0, slopes[n]); // water stands in depressions
+      bin.Count += 1.0;
+    };
+    if (last > first && position >= 0.0 && position < SlopeAreaBins)
+    {
+      add(bins[static_cast<std::size_t>(position)]);
+    }
+    if (cells[n] <= 2.0 * LeastCells && slopes[n] > 0.0)
+    {
+      add(reference);
+    }
+  }
+  // Least squares of ln S over ln A, every bin alike.
+  double n = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (SlopeAreaBin& bin : bins)
+  {
+    if (bin.Slope > 0.0)
+    {
+      bin.Cells /= bin.Count;
+      bin.Slope /= bin.Count;
+      measures.SlopeArea.push_back(bin);
+      const double a = std::log(bin.Cells);
+      const double s = std::log(bin.Slope);
+      n += 1.0;
+      x += a;
+      y += s;
+      xx += a * a;
+      xy += a * s;
+    }
+  }
+  measures.Concavity = n >= 3.0 ? -(n * xy - x * y) / (n * xx - x * x) : std::numeric_limits<double>::quiet_NaN();
+  measures.ChannelSlope = reference.Count > 0.0 ? reference.Slope / reference.Count : 0.0;
+}
+
+}
+
+double GroundMeasures::SemivarianceAt(double lag) const
+{
+  const auto at = std::lower_bound(this->Lags.begin(), this->Lags.end(), lag * (1.0 - 1e-9));
+  if (at == this->Lags.end() || lag <= 0.0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const std::size_t n = at - this->Lags.begin();
+  if (n == 0 || *at <= lag * (1.0 + 1e-9))
+  {
+    return this->Semivariance[n];
+  }
+  const double part = std::log(lag / this->Lags[n - 1]) / std::log(this->Lags[n] / this->Lags[n - 1]);
+  return std::pow(this->Semivariance[n - 1], 1.0 - part) * std::pow(this->Semivariance[n], part);
+}
+
+std::vector<int> SemivarianceLags(int width, int height)
+{
+  const int most = std::clamp(std::min(width, height) / 2, 1, 100);
+  std::vector<int> lags;
+  for (int lag = 1; lag < most; lag = std::max(lag + 1, lag * 5 / 4))
+  {
+    lags.push_back(lag);
+  }
+  lags.push_back(most);
+  return lags;
+}
+
+std::vector<double> SemivarianceAlongAxes(
+  const GridSamples& heights, const std::vector<int>& lags, const ParallelFor& parallel)
+{
+  // Sums of each row, then over the rows in order: whatever the threads.
+  const auto rows = static_cast<std::size_t>(heights.Height);
+  std::vector<double> sums(rows * lags.size(), 0.0);
+  parallel(rows, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+    {
+      const int j = static_cast<int>(row);
+      const double* here = &heights.Values[row * heights.Width];
+      for (std::size_t n = 0; n < lags.size(); ++n)
+      {
+        double sum = 0.0;
+        for (int i = 0; i + lags[n] < heights.Width; ++i)
+        {
+          const double difference = here[i + lags[n]] - here[i];
+          sum += difference * difference;
+        }
+        if (j + lags[n] < heights.Height)
+        {
+          const double* there = here + static_cast<std::size_t>(lags[n]) * heights.Width;
+          for (int i = 0; i < heights.Width; ++i)
+          {
+            const double difference = there[i] - here[i];
+            sum += difference * difference;
+          }
+        }
+        sums[row * lags.size() + n] = sum;
+      }
+    }
+  });
+  std::vector<double> semivariance;
+  for (std::size_t n = 0; n < lags.size(); ++n)
+  {
+    double sum = 0.0;
+    for (std::size_t row = 0; row < rows; ++row)
+    {
+      sum += sums[row * lags.size() + n];
+    }
+    const double pairs = static_cast<double>(std::max(0, heights.Width - lags[n])) * heights.Height +
+      static_cast<double>(std::max(0, heights.Height - lags[n])) * heights.Width;
+    semivariance.push_back(pairs > 0.0 ? 0.5 * sum / pairs : 0.0);
+  }
+  return semivariance;
+}
+
+GroundMeasures MeasureGround(
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll)
+{
+  GroundMeasures measures;
+  const auto count = static_cast<double>(heights.Values.size());
+  const CentralMoments moments(heights.Values);
+  const auto [low, high] = std::minmax_element(heights.Values.begin(), heights.Values.end());
+  measures.Lowest = *low;
+  measures.Highest = *high;
+  measures.Deviation = std::sqrt(moments.Variance);
+  measures.HypsometricIntegral = *high > *low ? (moments.Mean - *low) / (*high - *low) : 0.0;
+  measures.HeightSkew = moments.Skew;
+  measures.CurvatureSkew = CentralMoments(Laplacians(heights, parallel)).Skew;
+  const std::vector<int> lags = SemivarianceLags(heights.Width, heights.Height);
+  measures.Semivariance = SemivarianceAlongAxes(heights, lags, parallel);
+  for (const int lag : lags)
+  {
+    measures.Lags.push_back(0.5 * (heights.Spacing[0] + heights.Spacing[1]) * lag);
+  }
+
+  {
+    const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
+    const double area = heights.Spacing[0] * heights.Spacing[1];
+    measures.SunkShare = static_cast<double>(flood.Sunk) / count;
+    measures.FillOverDeviation = measures.Deviation > 0.0 ? flood.Volume / (area * count) / measures.Deviation : 0.0;
+  }
+  const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
+  MeasureSlopeArea(DrainageCells(routing), SlopesToReceivers(heights, routing, parallel), outlets, measures);
+  return measures;
+}
+
+}

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/GroundStatistics.h"
+
+#include "Drainage/FlowRouting.h"
+#include "Drainage/LeastSquaresLine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Calls visit(cell) for the cells that have all four neighbours, row by row.
+template <typename Visit>
+void ForEachInner(const GridSamples& heights, const Visit& visit)
+{
+  for (int j = 1; j < heights.Height - 1; ++j)
+  {
+    for (int i = 1; i < heights.Width - 1; ++i)
+    {
+      visit(static_cast<std::size_t>(j) * heights.Width + i);
+    }
+  }
+}
+
+/// k_s of the line of least squares through the logarithms of slope and area.
+double SteepnessOf(const GroundMeasures& measures, double cellArea)
+{
+  std::vector<double> logAreas;
+  std::vector<double> logSlopes;
+  for (const SlopeAreaBin& bin : measures.SlopeArea)
+  {
+    logAreas.push_back(std::log(bin.Cells * cellArea));
+    logSlopes.push_back(std::log(bin.Slope));
+  }
+  // ln S = ln k_s - theta ln A
+  return std::isnan(measures.Concavity) ? measures.Concavity : std::exp(LineThrough(logAreas, logSlopes).Intercept);
+}
+
+}
+
+SampleShape ShapeOf(const std::vector<double>& values)
+{
+  SampleShape shape;
+  if (values.empty())
+  {
+    return shape;
+  }
+  const auto count = static_cast<double>(values.size());
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  shape.Minimum = *least;
+  shape.Maximum = *most;
+  double sum = 0.0;
+  for (const double value : values)
+  {
+    sum += value - shape.Minimum;
+  }
+  shape.Mean = shape.Minimum + sum / count;
+  double squares = 0.0;
+  double cubes = 0.0;
+  for (const double value : values)
+  {
+    const double rest = value - shape.Mean;
+    squares += rest * rest;
+    cubes += rest * rest * rest;
+  }
+  // g = m3/m2^(3/2)
+  shape.StandardDeviation = std::sqrt(squares / count);
+  shape.Skew = shape.Maximum > shape.Minimum ? cubes / count / std::pow(squares / count, 1.5)
+                                             : std::numeric_limits<double>::quiet_NaN();
+  return shape;
+}
+
+std::vector<double> GradientsOf(const GridSamples& heights)
+{
+  std::vector<double> slopes;
+  const std::vector<double>& z = heights.Values;
+  const std::size_t row = heights.Width;
+  ForEachInner(heights, [&](std::size_t cell) {
+    // |grad z|, z_x = (z_e - z_w)/2dx, z_y = (z_n - z_s)/2dy
+    const double x = (z[cell + 1] - z[cell - 1]) / (2.0 * heights.Spacing[0]);
+    const double y = (z[cell + row] - z[cell - row]) / (2.0 * heights.Spacing[1]);
+    slopes.push_back(std::sqrt(x * x + y * y));
+  });
+  return slopes;
+}
+
+std::vector<double> LaplaciansOf(const GridSamples& heights)
+{
+  std::vector<double> curvatures;
+  const std::vector<double>& z = heights.Values;
+  const std::size_t row = heights.Width;
+  ForEachInner(heights, [&](std::size_t cell) {
+    // (z_e - 2z + z_w)/dx^2 + (z_n - 2z + z_s)/dy^2
+    const double x = (z[cell + 1] - z[cell]) - (z[cell] - z[cell - 1]);
+    const double y = (z[cell + row] - z[cell]) - (z[cell] - z[cell - row]);
+    curvatures.push_back(x / (heights.Spacing[0] * heights.Spacing[0]) + y / (heights.Spacing[1] * heights.Spacing[1]));
+  });
+  return curvatures;
+}
+
+std::vector<double> EvenQuantiles(std::vector<double> values, int count)
+{
+  if (values.empty())
+  {
+    return {};
+  }
+  std::sort(values.begin(), values.end());
+  std::vector<double> quantiles;
+  for (int k = 0; k < count; ++k)
+  {
+    const double place = static_cast<double>(k) / (count - 1) * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    const double rest = place - static_cast<double>(below);
+    quantiles.push_back((1.0 - rest) * values[below] + rest * values[above]);
+  }
+  return quantiles;
+}
+
+double HackExponent(
+  const std::vector<double>& lengths, const std::vector<CellIndex>& drainageCells, CellIndex leastCells)
+{
+  std::vector<double> logAreas;
+  std::vector<double> logLengths;
+  for (std::size_t cell = 0; cell < lengths.size(); ++cell)
+  {
+    if (drainageCells[cell] >= leastCells && lengths[cell] > 0.0)
+    {
+      logAreas.push_back(std::log(drainageCells[cell]));
+      logLengths.push_back(std::log(lengths[cell]));
+    }
+  }
+  return LineThrough(logAreas, logLengths).Slope;
+}
+
+GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells,
+  const ParallelFor& parallel, const Poll& poll)
+{
+  const CellLattice lattice(heights);
+  GroundStatistics ground;
+  ground.Measures = MeasureGround(heights, outlets, parallel, poll);
+  ground.Steepness = SteepnessOf(ground.Measures, lattice.CellArea());
+  ground.Slopes = ShapeOf(GradientsOf(heights));
+  ground.Curvature = ShapeOf(LaplaciansOf(heights));
+  poll();
+  const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
+  const std::vector<CellIndex> cells = DrainageCells(routing);
+  poll();
+  ground.Hack = HackExponent(LongestFlowLengths(routing, lattice), cells, leastCells);
+  ground.Streams = ClassesByOrder(FindStreams(heights, routing, cells, leastCells).Rivers);
+  ground.Horton = RatiosOf(ground.Streams);
+  return ground;
+}
+
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralGroundStatistics_h
+#define LittoralGroundStatistics_h
+
+#include "Drainage/CellLattice.h"
+#include "Drainage/DrainageOutlets.h"
+#include "Drainage/GroundMeasures.h"
+#include "Drainage/StreamNetwork.h"
+#include "Numerics/Parallel.h"
+#include "Terrain/GridSamples.h"
+
+#include <vector>
+
+namespace littoral
+{
+
+/// Moments of a sample, its extremes, and its skew, the third central moment over the cube of the standard deviation.
+struct SampleShape
+{
+  double Minimum = 0.0;
+  double Maximum = 0.0;
+  double Mean = 0.0;
+  double StandardDeviation = 0.0;
+  double Skew = 0.0; ///< NaN where all values are equal
+};
+SampleShape ShapeOf(const std::vector<double>& values);
+
+/// Slope of the inner cells, the size of the gradient by central differences [m/m], row by row.
+std::vector<double> GradientsOf(const GridSamples& heights);
+
+/// Curvature of the inner cells, the five-point Laplacian [1/m], row by row: above 0 in valleys.
+std::vector<double> LaplaciansOf(const GridSamples& heights);
+
+/// Quantiles at 0, 1/n, 2/n ... 1 with n = count - 1, linear between the values in their order; count at least 2.
+std::vector<double> EvenQuantiles(std::vector<double> values, int count);
+
+/// Hack's exponent h (1957), longest flow length L ~ A^h, by least squares of logarithms over the cells that drain
+/// `leastCells` cells or more; NaN where there are none.
+double HackExponent(
+  const std::vector<double>& lengths, const std::vector<CellIndex>& drainageCells, CellIndex leastCells = 100);
+
+/// What tells a landscape from a random surface.
+struct GroundStatistics
+{
+  GroundMeasures Measures;
+  SampleShape Slopes;     ///< [m/m]
+  SampleShape Curvature;  ///< [1/m]
+  double Steepness = 0.0; ///< k_s of S = k_s A^-theta, A in m^2; NaN where there is no concavity theta
+  double Hack = 0.0;      ///< exponent
+  HortonRatios Horton{};
+  std::vector<StreamOrderClass> Streams;
+};
+
+/**
+ * Statistics of a grid without missing values that is not constant, of three rows and columns or more. Streams, and the
+ * cells of Hack's law, begin where `leastCells` cells drain. The order of sums does not depend on the threads.
+ */
+GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells = 100,
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
+
+}
+
+#endif

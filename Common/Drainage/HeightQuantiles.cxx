@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/HeightQuantiles.h"
+
+#include <boost/math/distributions/normal.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Beyond the outermost quantiles heights go on by this part of the range for each unit of probability.
+constexpr double OuterSlope = 1e-3;
+
+/// Runs that are sorted by themselves, whatever the number of threads, and then merged two by two.
+constexpr std::size_t Runs = 16;
+
+struct RankedHeight
+{
+  double Height;
+  std::int32_t Cell;
+
+  bool operator<(const RankedHeight& other) const
+  {
+    return this->Height != other.Height ? this->Height < other.Height : this->Cell < other.Cell;
+  }
+};
+
+void SortHeights(std::vector<RankedHeight>& ranked, const ParallelFor& parallel)
+{
+  const std::size_t count = ranked.size();
+  const auto startOf = [&](
+                         std::size_t run) { return ranked.begin() + static_cast<std::ptrdiff_t>(count * run / Runs); };
+  parallel(Runs, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t run = begin; run < end; ++run)
+    {
+      std::sort(startOf(run), startOf(run + 1));
+    }
+  });
+  for (std::size_t length = 1; length < Runs; length *= 2)
+  {
+    parallel(Runs / (2 * length), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t pair = begin; pair < end; ++pair)
+      {
+        const std::size_t first = 2 * length * pair;
+        std::inplace_merge(startOf(first), startOf(first + length), startOf(first + 2 * length));
+      }
+    });
+  }
+}
+
+/// The lognormal distribution (e^(s z) - 1) / s of a Gaussian z, without its ends beyond one and the same probability.
+struct CutLognormal
+{
+  static constexpr int Points = 400;
+
+  CutLognormal(double shape, const std::vector<double>& gaussians)
+  {
+    for (int point = 0; point <= Points; ++point)
+    {
+      this->Values[point] = std::expm1(shape * gaussians[point]) / shape;
+      this->Mean += Weight(point) * this->Values[point];
+    }
+    double second = 0.0;
+    double third = 0.0;
+    for (int point = 0; point <= Points; ++point)
+    {
+      const double value = this->Values[point] - this->Mean;
+      second += Weight(point) * value * value;
+      third += Weight(point) * value * value * value;
+    }
+    this->Deviation = std::sqrt(second);
+    this->Skew = third / (second * this->Deviation);
+    this->Integral = (this->Mean - this->Values[0]) / (this->Values[Points] - this->Values[0]);
+  }
+
+  /// Probability of a point, closer to each other towards the ends: p = t^3 (10 - 15 t + 6 t^2).
+  static double Position(int point)
+  {
+    const double t = static_cast<double>(point) / Points;
+    return t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
+  }
+  /// Of the trapezoid rule.
+  static double Weight(int point)
+  {
+    return 0.5 * (Position(std::min(point + 1, Points)) - Position(std::max(point - 1, 0)));
+  }
+
+  double Values[Points + 1];
+  double Mean = 0.0;
+  double Deviation;
+  double Skew;
+  double Integral;
+};
+
+constexpr double LeastShape = 1e-4;
+constexpr double MostShape = 4.0;
+constexpr double LeastCut = 1e-8;
+constexpr double MostCut = 0.1;
+
+/// Whose skew without its ends is the given one, not negative.
+CutLognormal WithSkew(double skew, double cut)
+{
+  const boost::math::normal_distribution<double> normal;
+  std::vector<double> gaussians;
+  for (int point = 0; point <= CutLognormal::Points; ++point)
+  {
+    gaussians.push_back(boost::math::quantile(normal, cut + (1.0 - 2.0 * cut) * CutLognormal::Position(point)));
+  }
+  double low = LeastShape;
+  double high = MostShape;
+  for (int step = 0; step < 50; ++step)
+  {
+    const double middle = std::sqrt(low * high);
+    (CutLognormal(middle, gaussians).Skew < skew ? low : high) = middle;
+  }
+  return { std::sqrt(low * high), gaussians };
+}
+
+}
+
+double HeightQuantiles::At(double probability) const
+{
+  const auto next = std::upper_bound(this->Probabilities.begin(), this->Probabilities.end(), probability);
+  const double outer = OuterSlope * (this->Heights.back() - this->Heights.front());
+  if (next == this->Probabilities.begin())
+  {
+    return this->Heights.front() - (this->Probabilities.front() - probability) * outer;
+  }
+  if (next == this->Probabilities.end())
+  {
+    return this->Heights.back() + (probability - this->Probabilities.back()) * outer;
+  }
+  const std::size_t n = next - this->Probabilities.begin();
+  const double part =
+    (probability - this->Probabilities[n - 1]) / (this->Probabilities[n] - this->Probabilities[n - 1]);
+  return this->Heights[n - 1] + part * (this->Heights[n] - this->Heights[n - 1]);
+}
+
+HeightQuantiles QuantilesOf(const std::vector<double>& heights)
+{
+  std::vector<double> sorted = heights;
+  std::sort(sorted.begin(), sorted.end());
+  HeightQuantiles quantiles;
+  const auto count = static_cast<double>(sorted.size());
+  for (auto first = sorted.begin(); first != sorted.end();)
+  {
+    const auto last = std::upper_bound(first, sorted.end(), *first);
+    const auto ranks = static_cast<double>((first - sorted.begin()) + (last - sorted.begin()));
+    quantiles.Probabilities.push_back(0.5 * ranks / count);
+    quantiles.Heights.push_back(*first);
+    first = last;
+  }
+  return quantiles;
+}
+
+std::array<double, 2> IntegralsOfSkew(double skew)
+{
+  // The integral grows with what is cut off as long as the longer tail is above.
+  const double size = std::abs(skew);
+  const double least = WithSkew(size, LeastCut).Integral;
+  const double most = WithSkew(size, MostCut).Integral;
+  return skew < 0.0 ? std::array<double, 2>{ 1.0 - most, 1.0 - least } : std::array<double, 2>{ least, most };
+}
+
+HeightQuantiles LognormalQuantiles(double mean, double deviation, double integral, double skew)
+{
+  // A negative skew is the mirror image of a positive one.
+  const double sign = skew < 0.0 ? -1.0 : 1.0;
+  const double size = std::abs(skew);
+  const double wanted = skew < 0.0 ? 1.0 - integral : integral;
+  double low = LeastCut;
+  double high = MostCut;
+  for (int step = 0; step < 40; ++step)
+  {
+    const double middle = std::sqrt(low * high);
+    (WithSkew(size, middle).Integral < wanted ? low : high) = middle;
+  }
+  const CutLognormal cut = WithSkew(size, std::sqrt(low * high));
+  HeightQuantiles quantiles;
+  for (int n = 0; n <= CutLognormal::Points; ++n)
+  {
+    const int point = sign > 0.0 ? n : CutLognormal::Points - n;
+    const double p = CutLognormal::Position(point);
+    const double height = mean + sign * deviation * (cut.Values[point] - cut.Mean) / cut.Deviation;
+    if (quantiles.Heights.empty() || height > quantiles.Heights.back())
+    {
+      quantiles.Probabilities.push_back(sign > 0.0 ? p : 1.0 - p);
+      quantiles.Heights.push_back(height);
+    }
+  }
+  return quantiles;
+}
+
+void MapRanks(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel)
+{
+  std::vector<RankedHeight> ranked(heights.size());
+  parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      ranked[n] = { heights[n], static_cast<std::int32_t>(n) };
+    }
+  });
+  SortHeights(ranked, parallel);
+  const auto count = static_cast<double>(heights.size());
+  parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      heights[ranked[n].Cell] = quantiles.At((static_cast<double>(n) + 0.5) / count);
+    }
+  });
+}
+
+}

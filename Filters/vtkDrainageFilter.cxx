@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDrainageFilter.h"
+
+#include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
+#include "Data/Inputs.h"
+#include "Data/RiverLines.h"
+#include "Data/Tables.h"
+#include "Data/TerrainHeights.h"
+#include "Drainage/DepressionFilling.h"
+#include "Drainage/DrainageCarving.h"
+#include "Drainage/FlowRouting.h"
+#include "Drainage/GroundMeasures.h"
+#include "Drainage/StreamNetwork.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSignedCharArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkDrainageFilter);
+
+namespace
+{
+
+/// Heights, their flood, ways, areas, streams and the arrays of the output; what carving takes comes to it.
+constexpr double BytesACell = 100.0;
+constexpr long long MostDrainageCells = 1000000000;
+constexpr double MostChannelCells = 1e6;
+
+/// Memory of a cell of a grid [bytes].
+littoral::CellMemory MemoryOf(vtkImageData* image, bool carves)
+{
+  const int* size = image->GetDimensions();
+  const double cells = std::max(1.0, static_cast<double>(size[0]) * size[1]);
+  return { BytesACell + (carves ? littoral::CarvingMemory(size[0], size[1]) / cells : 0.0), "draining it" };
+}
+
+/// Cells at which the array Outlets is not 0.
+littoral::OutletMask ChosenOutlets(vtkImageData* image, std::string& reason)
+{
+  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "Terrain");
+  vtkDataArray* chosen = points.Need("Outlets", 1);
+  points.NeedFinite(chosen);
+  reason = reason.empty() ? points.Reason() : reason;
+  littoral::OutletMask outlets;
+  for (vtkIdType cell = 0; points.IsGood() && cell < image->GetNumberOfPoints(); ++cell)
+  {
+    outlets.push_back(chosen->GetComponent(cell, 0) != 0.0);
+  }
+  return outlets;
+}
+
+/// What is told of a carving, as field data of two components.
+void AddReport(const littoral::CarvingReport& report, vtkDataObject* data)
+{
+  const littoral::GroundMeasures& before = report.Before;
+  const littoral::GroundMeasures& after = report.After;
+  littoral::AddField(data, "SunkShare", { before.SunkShare, after.SunkShare });
+  littoral::AddField(data, "HypsometricIntegral", { before.HypsometricIntegral, after.HypsometricIntegral });
+  littoral::AddField(data, "HeightSkew", { before.HeightSkew, after.HeightSkew });
+  littoral::AddField(data, "Concavity", { before.Concavity, after.Concavity });
+  littoral::AddField(data, "CurvatureSkew", { before.CurvatureSkew, after.CurvatureSkew });
+  littoral::AddField(data, "Rounds", { static_cast<double>(report.Rounds) });
+  littoral::AddField(data, "ReachedTarget", { report.HasReachedTarget ? 1.0 : 0.0 });
+}
+
+}
+
+/// A terrain and what its water does.
+struct vtkDrainageFilter::Ground
+{
+  littoral::GridSamples Heights;
+  littoral::DrainageOutlets Outlets;
+  littoral::CarvingReport Report;
+  littoral::FlowRouting Routing;
+  std::vector<littoral::CellIndex> Cells; ///< that drain through each one
+  littoral::StreamNetwork Streams;
+  std::vector<double> Levels; ///< of a flood from the outlets [m]
+};
+
+//----------------------------------------------------------------------------
+vtkDrainageFilter::vtkDrainageFilter()
+  : Outlets(BORDER)
+  , SeaLevel(0.0)
+  , MinimumDrainageCells(100)
+  , Carve(true)
+  , KeepHeights(true)
+  , HypsometricIntegral(0.4)
+  , HeightSkew(0.4)
+  , Concavity(0.45)
+  , NumberOfRounds(12)
+  , ChannelCells(50.0)
+  , ValleyWidth(3.0)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//----------------------------------------------------------------------------
+vtkDrainageFilter::~vtkDrainageFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkDrainageFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkDrainageFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Water runs through the whole of a terrain.
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  littoral::RequestAll(inputVector[1]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& ground)
+{
+  littoral::ParameterCheck check;
+  check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen" });
+  check.Finite("SeaLevel", this->SeaLevel, "m");
+  check.Count("MinimumDrainageCells", this->MinimumDrainageCells, 2, MostDrainageCells);
+  check.Within("HypsometricIntegral", this->HypsometricIntegral, littoral::ValueInterval::Between(0.02, 0.98));
+  check.Within("HeightSkew", this->HeightSkew, littoral::ValueInterval::Between(-4.0, 4.0));
+  check.Range("Concavity", this->Concavity, 0.0, 1.0);
+  check.Count("NumberOfRounds", this->NumberOfRounds, 1, 100);
+  check.Range("ChannelCells", this->ChannelCells, 1.0, MostChannelCells);
+  check.Range("ValleyWidth", this->ValleyWidth, 0.5, 50.0, "cells");
+  std::string reason;
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain", reason);
+  if (image && check.IsGood())
+  {
+    littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0),
+      "Terrain", MemoryOf(image, this->Carve), ground.Heights, reason);
+  }
+  check.Require(reason);
+  if (check.IsGood())
+  {
+    ground.Outlets.Choice = static_cast<littoral::OutletChoice>(this->Outlets);
+    ground.Outlets.SeaLevel = this->SeaLevel;
+    ground.Outlets.Cells = this->Outlets == CHOSEN ? ChosenOutlets(image, reason) : littoral::OutletMask();
+    check.Require(reason);
+  }
+  if (check.IsGood())
+  {
+    check.Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
+    check.Require(littoral::WhyConstant(ground.Heights, "Terrain"));
+  }
+  if (!check.IsGood())
+  {
+    littoralErrorMacro("Cannot drain a terrain: " << check.Reason());
+  }
+  return check.IsGood();
+}
+
+//----------------------------------------------------------------------------
+bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& ground)
+{
+  littoral::CarvingNumbers numbers;
+  numbers.OwnHeights = this->KeepHeights;
+  numbers.HypsometricIntegral = this->HypsometricIntegral;
+  numbers.HeightSkew = this->HeightSkew;
+  numbers.Concavity = this->Concavity;
+  littoral::CarvingParameters parameters;
+  parameters.Outlets = ground.Outlets;
+  parameters.MostRounds = this->NumberOfRounds;
+  parameters.ChannelCells = this->ChannelCells;
+  parameters.ValleyWidth = this->ValleyWidth;
+  littoral::ParameterCheck check;
+  check.Require(littoral::WhyInvalid(ground.Heights, parameters));
+  std::string reason;
+  auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target", reason);
+  check.Require(reason);
+  littoral::GridSamples place;
+  if (check.IsGood() && target)
+  {
+    const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+    vtkDataArray* heights = name ? littoral::ArrayReader::OfPoints(target, "Target").Find(name, 1) : nullptr;
+    littoral::ReadHeights(target, heights ? heights : target->GetPointData()->GetScalars(),
+      this->GetInputArrayInformation(0), "Target", MemoryOf(target, true), place, reason);
+    check.Require(reason);
+    reason = check.IsGood() ? littoral::WhyNoTarget(place) : "";
+    check.Require(reason.empty() ? reason : "The target is of no use. " + reason);
+  }
+  else if (check.IsGood())
+  {
+    check.Require(littoral::WhyInvalid(numbers));
+  }
+  if (!check.IsGood())
+  {
+    littoralErrorMacro("Cannot carve a terrain: " << check.Reason());
+    return false;
+  }
+  const littoral::ParallelFor parallel = littoral::AbortableFor(this);
+  const littoral::CarvingTarget goal = target ? littoral::TargetOf(place, {}, parallel)
+                                              : littoral::TargetOf(ground.Heights, numbers, ground.Outlets, parallel);
+  const littoral::Poll poll = littoral::PollOf(this);
+  ground.Report = littoral::CarveDrainage(ground.Heights, goal, parameters, parallel, [&](double part) {
+    this->UpdateProgress(0.1 + 0.8 * part);
+    poll();
+  });
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void vtkDrainageFilter::WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output)
+{
+  const littoral::CellLattice lattice(ground.Heights);
+  const vtkIdType count = lattice.Count();
+  const auto elevations = littoral::NewArray<vtkDoubleArray>("Elevation", 1, count);
+  const auto areas = littoral::NewArray<vtkDoubleArray>("DrainageArea", 1, count);
+  const auto directions = littoral::NewArray<vtkSignedCharArray>("FlowDirection", 1, count);
+  const auto orders = littoral::NewArray<vtkUnsignedCharArray>("StreamOrder", 1, count);
+  const auto depths = littoral::NewArray<vtkDoubleArray>("DepressionDepth", 1, count);
+  for (littoral::CellIndex cell = 0; cell < count; ++cell)
+  {
+    elevations->SetValue(cell, ground.Heights.Values[cell]);
+    areas->SetValue(cell, ground.Cells[cell] * lattice.CellArea());
+    directions->SetValue(cell, static_cast<signed char>(lattice.DirectionTo(cell, ground.Routing.Receiver[cell])));
+    orders->SetValue(cell, static_cast<unsigned char>(ground.Streams.Orders[cell]));
+    depths->SetValue(cell, ground.Levels[cell] - ground.Heights.Values[cell]);
+  }
+  output->ShallowCopy(image);
+  vtkPointData* points = output->GetPointData();
+  points->AddArray(elevations);
+  points->AddArray(areas);
+  points->AddArray(directions);
+  points->AddArray(orders);
+  points->AddArray(depths);
+  points->SetActiveScalars("Elevation");
+}
+
+//----------------------------------------------------------------------------
+int vtkDrainageFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  littoral::ForgetExtent(info);
+  vtkImageData* output = vtkImageData::GetData(outputVector, 0);
+  vtkPolyData* rivers = vtkPolyData::GetData(outputVector, 1);
+  output->Initialize();
+  rivers->Initialize();
+  Ground ground;
+  this->SetProgressText("Draining the terrain");
+  if (!this->ReadGround(inputVector, ground) || (this->Carve && !this->CarveGround(inputVector, ground)))
+  {
+    return littoral::FailedRequest(this);
+  }
+  std::string none;
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain", none);
+  const littoral::Poll poll = littoral::PollOf(this);
+  const littoral::OutletMask outlets = ground.Outlets.Of(ground.Heights);
+  if (!this->Carve)
+  {
+    ground.Report.Before = ground.Report.After =
+      littoral::MeasureGround(ground.Heights, outlets, littoral::AbortableFor(this), poll);
+  }
+  this->UpdateProgress(0.9);
+  ground.Routing = littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll);
+  ground.Cells = littoral::DrainageCells(ground.Routing);
+  ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->MinimumDrainageCells);
+  ground.Levels = littoral::FloodDepressions(ground.Heights, outlets, poll).Level;
+  this->UpdateProgress(0.95);
+  this->WriteGround(image, ground, output);
+  if (!littoral::AsksForLaterPiece(request, outputVector))
+  {
+    littoral::WriteRivers(image, ground.Heights, ground.Cells, ground.Streams.Rivers, rivers);
+  }
+  for (vtkDataObject* data : { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(rivers) })
+  {
+    AddReport(ground.Report, data);
+  }
+  std::array<int, 6> extent = littoral::RequestedExtent(info);
+  output->Crop(extent.data());
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkDrainageFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
+void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Outlets: " << this->Outlets << "\n";
+  os << indent << "SeaLevel: " << this->SeaLevel << "\n";
+  os << indent << "MinimumDrainageCells: " << this->MinimumDrainageCells << "\n";
+  os << indent << "Carve: " << (this->Carve ? "on" : "off") << "\n";
+  os << indent << "KeepHeights: " << (this->KeepHeights ? "on" : "off") << "\n";
+  os << indent << "HypsometricIntegral: " << this->HypsometricIntegral << "\n";
+  os << indent << "HeightSkew: " << this->HeightSkew << "\n";
+  os << indent << "Concavity: " << this->Concavity << "\n";
+  os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";
+  os << indent << "ChannelCells: " << this->ChannelCells << "\n";
+  os << indent << "ValleyWidth: " << this->ValleyWidth << "\n";
+}

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDrainageFilter
+ * @brief   carve a terrain until it drains, and find its rivers
+ *
+ * Input 0: a vtkImageData of one layer, at least 3 x 3, with a scalar point array, the elevation [m]
+ * (SetInputArrayToProcess; default the active scalars, which also stand in for an absent `Elevation`), without missing
+ * values and not constant. Each value is the height of a cell. Input 1, optional: a vtkImageData of another terrain,
+ * the target, with the same array or its active scalars; its size and spacing may differ.
+ *
+ * With Carve the terrain is graded in rounds until every cell has a way downhill and the slopes of channels fall with
+ * their drainage area, S ~ A^-Concavity, while its statistics stay those of the target: the radial spectrum (and with
+ * it the variogram), the distribution of heights, and the plane. Without a target these are the terrain's own, but for
+ * what KeepHeights, HypsometricIntegral, HeightSkew and Concavity tell. After NumberOfRounds the round nearest to the
+ * target is taken, and what it misses is in the field data.
+ *
+ * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
+ * (of all cells that drain through a cell, itself included), `FlowDirection` signed char (the neighbour that takes the
+ * water, 0 to 7 counter-clockwise in steps of 45 degrees, 0 along x; -1 at outlets), `StreamOrder` unsigned char
+ * (Strahler's; 0 where fewer than MinimumDrainageCells cells drain), `DepressionDepth` double [m] (below the level at
+ * which water leaves; 0 where it runs). Drainage areas at the outlets sum to the area of the grid.
+ *
+ * Output 1: a vtkPolyData of the rivers, a polyline each from its head to the stream of higher order that takes it in,
+ * or to an outlet. Cell arrays: `StreamOrder` int, `DrainageArea` double [m^2] at its lower end, `Length` double [m],
+ * `Slope` double [m/m] from head to end. Point arrays: `DrainageArea` double [m^2], `RGB` (blue, the darker the higher
+ * the order). Field data of both outputs, of two components, before and after: `SunkShare` (of cells in depressions),
+ * `HypsometricIntegral`, `HeightSkew`, `Concavity`, `CurvatureSkew`; and `Rounds` and `ReachedTarget` (1 or 0).
+ *
+ * Sources: Barnes et al. 2014 (priority-flood), Lindsay 2016 (breaching), Braun & Willett 2013 (stream power in O(n)).
+ *
+ * All of the image is asked for, as water runs through the whole of a terrain, whatever part is asked of the filter.
+ * Threads and ranks change no byte. Rivers are in piece 0. A bad input or property is reported as one error.
+ *
+ * @sa vtkGroundStatisticsFilter
+ */
+#ifndef vtkDrainageFilter_h
+#define vtkDrainageFilter_h
+
+#include "LittoralFiltersModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+
+class LITTORALFILTERS_EXPORT vtkDrainageFilter : public vtkImageAlgorithm
+{
+public:
+  static vtkDrainageFilter* New();
+  vtkTypeMacro(vtkDrainageFilter, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  /// Places where water leaves the terrain.
+  enum OutletPlaces
+  {
+    BORDER = 0,
+    SEA = 1,
+    CHOSEN = 2
+  };
+
+  ///@{
+  /**
+   * Places where water leaves the terrain, 0 to 2; default BORDER, every cell at the border. SEA: also every cell at or
+   * below SeaLevel. CHOSEN: the cells at which the point array `Outlets` of the input is not 0, and no other.
+   */
+  vtkSetMacro(Outlets, int);
+  vtkGetMacro(Outlets, int);
+  void SetOutletsToBorder() { this->SetOutlets(BORDER); }
+  void SetOutletsToSea() { this->SetOutlets(SEA); }
+  void SetOutletsToChosen() { this->SetOutlets(CHOSEN); }
+  ///@}
+
+  ///@{
+  /**
+   * Height of the sea [m], a finite number; default 0. Used only with Outlets SEA.
+   */
+  vtkSetMacro(SeaLevel, double);
+  vtkGetMacro(SeaLevel, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of cells that drain where streams begin, 2 to 10^9; default 100.
+   */
+  vtkSetMacro(MinimumDrainageCells, int);
+  vtkGetMacro(MinimumDrainageCells, int);
+  ///@}
+
+  ///@{
+  /**
+   * Carving of the terrain; default on. If off, water runs over the terrain as it is, through depressions by way of the
+   * lowest sill.
+   */
+  vtkSetMacro(Carve, bool);
+  vtkGetMacro(Carve, bool);
+  vtkBooleanMacro(Carve, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Distribution of heights kept as the terrain has it; default on. If off, it is a beta distribution of
+   * HypsometricIntegral and HeightSkew. Used only without a target image.
+   */
+  vtkSetMacro(KeepHeights, bool);
+  vtkGetMacro(KeepHeights, bool);
+  vtkBooleanMacro(KeepHeights, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Hypsometric integral of the carved terrain, (mean - lowest)/(highest - lowest), between 0.02 and 0.98, both
+   * excluded; default 0.4. Used only without a target image and with KeepHeights off.
+   */
+  vtkSetMacro(HypsometricIntegral, double);
+  vtkGetMacro(HypsometricIntegral, double);
+  ///@}
+
+  ///@{
+  /**
+   * Skew of the heights of the carved terrain, less than 4 in size, which must fit HypsometricIntegral; default 0.4.
+   * Used only without a target image and with KeepHeights off.
+   */
+  vtkSetMacro(HeightSkew, double);
+  vtkGetMacro(HeightSkew, double);
+  ///@}
+
+  ///@{
+  /**
+   * Concavity of the channels of the carved terrain, 0 to 1; default 0.45. Used only without a target image.
+   */
+  vtkSetMacro(Concavity, double);
+  vtkGetMacro(Concavity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Maximum number of rounds of carving, 1 to 100; default 12. Carving ends before, when the target is met.
+   */
+  vtkSetMacro(NumberOfRounds, int);
+  vtkGetMacro(NumberOfRounds, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of cells that drain from which a channel rules the slope, 1 to 10^6; default 50. Below it the ground is
+   * hillslope.
+   */
+  vtkSetMacro(ChannelCells, double);
+  vtkGetMacro(ChannelCells, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width of valleys [cells], 0.5 to 50; default 3. The standard deviation over which a cut is spread.
+   */
+  vtkSetMacro(ValleyWidth, double);
+  vtkGetMacro(ValleyWidth, double);
+  ///@}
+
+  /// Connects the target, port 1.
+  void SetTargetConnection(vtkAlgorithmOutput* target) { this->SetInputConnection(1, target); }
+
+  /// Removes the connection of port 1, the target.
+  void RemoveTarget() { this->RemoveAllInputConnections(1); }
+
+protected:
+  vtkDrainageFilter();
+  ~vtkDrainageFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Outlets;
+  double SeaLevel;
+  int MinimumDrainageCells;
+  bool Carve;
+  bool KeepHeights;
+  double HypsometricIntegral;
+  double HeightSkew;
+  double Concavity;
+  int NumberOfRounds;
+  double ChannelCells;
+  double ValleyWidth;
+
+private:
+  vtkDrainageFilter(const vtkDrainageFilter&) = delete;
+  void operator=(const vtkDrainageFilter&) = delete;
+
+  struct Ground;
+
+  bool ReadGround(vtkInformationVector** inputVector, Ground& ground);
+  bool CarveGround(vtkInformationVector** inputVector, Ground& ground);
+  void WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output);
+};
+
+#endif

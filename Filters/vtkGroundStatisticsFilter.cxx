@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGroundStatisticsFilter.h"
+
+#include "Data/Inputs.h"
+#include "Data/Tables.h"
+#include "Data/TerrainHeights.h"
+#include "Drainage/GroundStatistics.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkGroundStatisticsFilter);
+
+namespace
+{
+
+/// Heights, flood, routing, areas and sorted copies of a cell.
+constexpr littoral::CellMemory Memory{ 100.0, "measuring" };
+/// Quantiles of the distributions: a row a percent.
+constexpr int NumberOfQuantiles = 101;
+/// A slope-area relation of more cells than grids have.
+constexpr long long MostDrainageCells = 1000000000;
+
+void WriteNumbers(const littoral::GroundStatistics& ground, vtkTable* table)
+{
+  using Ground = littoral::GroundStatistics;
+  const std::vector<Ground> row{ ground };
+  const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, row, valueOf); };
+  column("SunkShare", [](const Ground& of) { return of.Measures.SunkShare; });
+  column("FillRatio", [](const Ground& of) { return of.Measures.FillOverDeviation; });
+  column("HypsometricIntegral", [](const Ground& of) { return of.Measures.HypsometricIntegral; });
+  column("HeightSkew", [](const Ground& of) { return of.Measures.HeightSkew; });
+  column("HeightDeviation", [](const Ground& of) { return of.Measures.Deviation; });
+  column("MeanSlope", [](const Ground& of) { return of.Slopes.Mean; });
+  column("SlopeSkew", [](const Ground& of) { return of.Slopes.Skew; });
+  column("CurvatureDeviation", [](const Ground& of) { return of.Curvature.StandardDeviation; });
+  column("CurvatureSkew", [](const Ground& of) { return of.Curvature.Skew; });
+  column("Concavity", [](const Ground& of) { return of.Measures.Concavity; });
+  column("Steepness", [](const Ground& of) { return of.Steepness; });
+  column("HackExponent", [](const Ground& of) { return of.Hack; });
+  column("BifurcationRatio", [](const Ground& of) { return of.Horton.Bifurcation; });
+  column("LengthRatio", [](const Ground& of) { return of.Horton.Length; });
+  column("AreaRatio", [](const Ground& of) { return of.Horton.Area; });
+}
+
+void WriteProfile(const littoral::GroundStatistics& ground, double cellArea, vtkTable* table)
+{
+  using Bin = littoral::SlopeAreaBin;
+  const auto column = [&](const char* name, auto valueOf) {
+    littoral::AddColumn(table, name, ground.Measures.SlopeArea, valueOf);
+  };
+  column("DrainageArea", [=](const Bin& bin) { return bin.Cells * cellArea; });
+  column("Slope", [](const Bin& bin) { return bin.Slope; });
+  column("PowerLaw",
+    [&](const Bin& bin) { return ground.Steepness * std::pow(bin.Cells * cellArea, -ground.Measures.Concavity); });
+  column("Cells", [](const Bin& bin) { return static_cast<int>(bin.Count); });
+}
+
+void WriteDistributions(const littoral::GridSamples& heights, vtkTable* table)
+{
+  std::vector<double> fractions;
+  for (int k = 0; k < NumberOfQuantiles; ++k)
+  {
+    fractions.push_back(k / (NumberOfQuantiles - 1.0));
+  }
+  const auto column = [&](const char* name, const std::vector<double>& values) {
+    littoral::AddColumn(table, name, values, [](double value) { return value; });
+  };
+  column("Fraction", fractions);
+  column("Elevation", littoral::EvenQuantiles(heights.Values, NumberOfQuantiles));
+  column("Slope", littoral::EvenQuantiles(littoral::GradientsOf(heights), NumberOfQuantiles));
+  column("Curvature", littoral::EvenQuantiles(littoral::LaplaciansOf(heights), NumberOfQuantiles));
+}
+
+void WriteStreams(const std::vector<littoral::StreamOrderClass>& streams, vtkTable* table)
+{
+  using Class = littoral::StreamOrderClass;
+  littoral::AddColumn(table, "Order", streams, [](const Class& of) { return of.Order; });
+  littoral::AddColumn(table, "Streams", streams, [](const Class& of) { return of.Streams; });
+  littoral::AddColumn(table, "MeanLength", streams, [](const Class& of) { return of.MeanLength; });
+  littoral::AddColumn(table, "MeanArea", streams, [](const Class& of) { return of.MeanArea; });
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkGroundStatisticsFilter::vtkGroundStatisticsFilter()
+  : MinimumDrainageCells(100)
+  , UseSeaLevel(false)
+  , SeaLevel(0.0)
+{
+  this->SetNumberOfOutputPorts(4);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//----------------------------------------------------------------------------
+vtkGroundStatisticsFilter::~vtkGroundStatisticsFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkGroundStatisticsFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkGroundStatisticsFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Water runs through the whole of a terrain.
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkGroundStatisticsFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (littoral::AsksForLaterPiece(request, outputVector))
+  {
+    return 1;
+  }
+  littoral::ParameterCheck check;
+  check.Count("MinimumDrainageCells", this->MinimumDrainageCells, 2, MostDrainageCells);
+  check.Finite("SeaLevel", this->SeaLevel, "m");
+  std::string reason;
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
+  littoral::GridSamples heights;
+  if (image && check.IsGood())
+  {
+    littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0),
+      "Input", Memory, heights, reason);
+  }
+  check.Require(reason);
+  littoral::OutletMask outlets;
+  if (check.IsGood())
+  {
+    outlets = this->UseSeaLevel ? littoral::SeaOutlets(heights, this->SeaLevel)
+                                : littoral::BorderOutlets(heights.Width, heights.Height);
+    check.Require(littoral::WhyUndrainable(heights, outlets));
+    check.Require(littoral::WhyConstant(heights, "Input"));
+  }
+  if (!check.IsGood())
+  {
+    littoralErrorMacro("Cannot measure ground: " << check.Reason());
+    return littoral::FailedRequest(this);
+  }
+  this->SetProgressText("Measuring ground");
+  const littoral::GroundStatistics ground = littoral::DescribeGround(
+    heights, outlets, this->MinimumDrainageCells, littoral::AbortableFor(this), littoral::PollOf(this));
+  this->UpdateProgress(0.8);
+  WriteNumbers(ground, vtkTable::GetData(outputVector, 0));
+  WriteProfile(ground, heights.Spacing[0] * heights.Spacing[1], vtkTable::GetData(outputVector, 1));
+  WriteDistributions(heights, vtkTable::GetData(outputVector, 2));
+  WriteStreams(ground.Streams, vtkTable::GetData(outputVector, 3));
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkGroundStatisticsFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
+void vtkGroundStatisticsFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MinimumDrainageCells: " << this->MinimumDrainageCells << "\n";
+  os << indent << "UseSeaLevel: " << (this->UseSeaLevel ? "on" : "off") << "\n";
+  os << indent << "SeaLevel: " << this->SeaLevel << "\n";
+}

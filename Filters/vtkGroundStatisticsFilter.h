@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGroundStatisticsFilter
+ * @brief   compute the statistics by which real ground differs from a random surface
+ *
+ * Input: a vtkImageData of one layer, at least 3 x 3, with a scalar point array, the elevation [m]
+ * (SetInputArrayToProcess; default the active scalars, which also stand in for an absent `Elevation`), without missing
+ * values and not constant. Each value is the height of a cell; water runs to the neighbour of steepest descent of eight
+ * and leaves at the border, or at sea level with UseSeaLevel.
+ *
+ * Output 0: a vtkTable of one row: `SunkShare` (of cells in depressions: those that an exact priority-flood raises),
+ * `FillRatio` (mean depth of that flood over the standard deviation of the heights), `HypsometricIntegral` ((mean -
+ * minimum)/(maximum - minimum)), `HeightSkew`, `HeightDeviation` [m], `MeanSlope` [m/m] and `SlopeSkew` (size of the
+ * gradient by central differences), `CurvatureDeviation` [1/m] and `CurvatureSkew` (five-point Laplacian of inner
+ * cells, above 0 in valleys), `Concavity` and `Steepness` (S = Steepness A^-Concavity, S the slope to the receiver, A
+ * [m^2]; see output 1), `HackExponent` (longest flow length over A), `BifurcationRatio`, `LengthRatio` and `AreaRatio`
+ * (Horton's R_B, R_L, R_A; see output 3). NaN where the grid is too small for a number. Hack's exponent and Horton's
+ * ratios hardly tell a random surface from real ground.
+ *
+ * Output 1: a vtkTable with a row per bin of drainage area, 20 of equal ratio from 100 cells to a tenth of the grid:
+ * `DrainageArea` [m^2], `Slope` [m/m] (mean; 0 on flats and in depressions), `PowerLaw` [m/m], `Cells`. Output 2: a
+ * vtkTable of the distributions with 101 rows: `Fraction` of the cells below, `Elevation` [m], `Slope` [m/m],
+ * `Curvature` [1/m]. Output 3: a vtkTable with a row per Strahler order: `Order`, `Streams`, `MeanLength` [m],
+ * `MeanArea` [m^2]; streams begin where MinimumDrainageCells cells drain.
+ *
+ * All of the image is asked for, and some 100 bytes of memory for each of its points. Piece 0 holds the whole tables,
+ * other pieces are empty. A bad input or property is reported as one error.
+ *
+ * @sa vtkCovarianceFitFilter
+ */
+#ifndef vtkGroundStatisticsFilter_h
+#define vtkGroundStatisticsFilter_h
+
+#include "LittoralFiltersModule.h" // for export macro
+#include "vtkTableAlgorithm.h"
+
+class LITTORALFILTERS_EXPORT vtkGroundStatisticsFilter : public vtkTableAlgorithm
+{
+public:
+  static vtkGroundStatisticsFilter* New();
+  vtkTypeMacro(vtkGroundStatisticsFilter, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  ///@{
+  /**
+   * Number of cells that drain where streams begin, 2 to 10^9; default 100. Also the smallest drainage area of Hack's
+   * law.
+   */
+  vtkSetMacro(MinimumDrainageCells, int);
+  vtkGetMacro(MinimumDrainageCells, int);
+  ///@}
+
+  ///@{
+  /**
+   * Outlets wherever the ground is at or below SeaLevel, besides those at the border; default off.
+   */
+  vtkSetMacro(UseSeaLevel, bool);
+  vtkGetMacro(UseSeaLevel, bool);
+  vtkBooleanMacro(UseSeaLevel, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Height of the sea [m], a finite number; default 0. Used only with UseSeaLevel.
+   */
+  vtkSetMacro(SeaLevel, double);
+  vtkGetMacro(SeaLevel, double);
+  ///@}
+
+protected:
+  vtkGroundStatisticsFilter();
+  ~vtkGroundStatisticsFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int MinimumDrainageCells;
+  bool UseSeaLevel;
+  double SeaLevel;
+
+private:
+  vtkGroundStatisticsFilter(const vtkGroundStatisticsFilter&) = delete;
+  void operator=(const vtkGroundStatisticsFilter&) = delete;
+};
+
+#endif

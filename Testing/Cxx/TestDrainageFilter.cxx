@@ -1,0 +1,425 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Drainage through the pipeline: areas that sum to the grid's, rivers that fall, targets, outlets, parts, every bad
+// input.
+#include "Check.h"
+#include "ErrorCounter.h"
+#include "vtkDrainageFilter.h"
+#include "vtkGroundStatisticsFilter.h"
+#include "vtkTurningBandsTerrainSource.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#ifndef _WIN32
+#include <sys/resource.h>
+#endif
+
+namespace
+{
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr int StepX[8] = { 1, 1, 0, -1, -1, -1, 0, 1 };
+constexpr int StepY[8] = { 0, 1, 1, 1, 0, -1, -1, -1 };
+
+vtkNew<vtkImageData> Image(int nx, int ny, int nz, const std::function<double(int, int)>& valueAt)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(nx, ny, nz);
+  image->SetSpacing(10.0, 20.0, 1.0);
+  image->SetOrigin(500.0, -300.0, 0.0);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Elevation");
+  for (int n = 0; n < nx * ny * nz; ++n)
+  {
+    values->InsertNextValue(valueAt(n % nx, n / nx % ny));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+double Ramp(int i, int j)
+{
+  return 3.0 * i + 0.5 * j;
+}
+
+vtkNew<vtkTurningBandsTerrainSource> Terrain(int size, int seed = 1)
+{
+  vtkNew<vtkTurningBandsTerrainSource> terrain;
+  terrain->SetWholeExtent(0, size, 0, size - 10, 0, 0);
+  terrain->SetSpacing(20.0, 30.0, 1.0);
+  terrain->SetModelToBessel1();
+  terrain->SetRange(300.0);
+  terrain->SetSeed(seed);
+  return terrain;
+}
+
+double Value(vtkImageData* image, const char* name, vtkIdType cell)
+{
+  return image->GetPointData()->GetArray(name)->GetComponent(cell, 0);
+}
+
+double FieldOf(vtkDataObject* data, const char* name, int component)
+{
+  return data->GetFieldData()->GetArray(name)->GetComponent(0, component);
+}
+
+vtkPolyData* Rivers(vtkDrainageFilter* drainage)
+{
+  return vtkPolyData::SafeDownCast(drainage->GetOutputDataObject(1));
+}
+
+/// Water goes downhill to the border, along the directions; areas are the walks that pass, and sum to the grid's.
+bool Drains(vtkImageData* ground)
+{
+  const int* size = ground->GetDimensions();
+  const double cell = ground->GetSpacing()[0] * ground->GetSpacing()[1];
+  const vtkIdType count = ground->GetNumberOfPoints();
+  std::vector<double> walked(count, 0.0);
+  double outflow = 0.0;
+  bool good = true;
+  for (vtkIdType start = 0; start < count && good; ++start)
+  {
+    vtkIdType at = start;
+    walked[at] += cell;
+    while (Value(ground, "FlowDirection", at) >= 0.0)
+    {
+      const int direction = static_cast<int>(Value(ground, "FlowDirection", at));
+      const vtkIdType next = at + StepY[direction] * size[0] + StepX[direction];
+      good &= Check(Value(ground, "Elevation", next) < Value(ground, "Elevation", at), "water runs uphill");
+      at = next;
+      walked[at] += cell;
+    }
+    const vtkIdType i = at % size[0];
+    const vtkIdType j = at / size[0];
+    good &= Check(i == 0 || j == 0 || i == size[0] - 1 || j == size[1] - 1, "water ends within the grid");
+  }
+  for (vtkIdType at = 0; at < count; ++at)
+  {
+    good &= walked[at] == Value(ground, "DrainageArea", at);
+    good &= Value(ground, "DepressionDepth", at) == 0.0;
+    outflow += Value(ground, "FlowDirection", at) < 0.0 ? Value(ground, "DrainageArea", at) : 0.0;
+  }
+  return Check(good, "areas are not those of walks") &&
+    Check(outflow == cell * static_cast<double>(count), "lost water");
+}
+
+/// Rivers lie on the ground, fall, and are those of the orders of the points.
+bool RiversFall(vtkDrainageFilter* drainage, int least)
+{
+  vtkImageData* ground = drainage->GetOutput();
+  vtkPolyData* rivers = Rivers(drainage);
+  bool good = Check(rivers->GetNumberOfLines() > 3, "few rivers");
+  for (const char* name : { "StreamOrder", "DrainageArea", "Length", "Slope" })
+  {
+    good &= Check(rivers->GetCellData()->GetArray(name) != nullptr, name);
+  }
+  good &= Check(rivers->GetPointData()->GetArray("RGB")->GetNumberOfTuples() == rivers->GetNumberOfPoints(), "colors");
+  const double cell = ground->GetSpacing()[0] * ground->GetSpacing()[1];
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType row = 0; row < rivers->GetNumberOfCells() && good; ++row)
+  {
+    rivers->GetCellPoints(row, ids);
+    double length = 0.0;
+    double first[3] = { 0.0, 0.0, 0.0 };
+    double before[3] = { 0.0, 0.0, 0.0 };
+    double at[3];
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      rivers->GetPoint(ids->GetId(k), at);
+      double flat[3] = { at[0], at[1], 0.0 };
+      const vtkIdType point = ground->FindPoint(flat);
+      good &= Check(std::abs(Value(ground, "Elevation", point) - at[2]) < 1e-9, "a river off the ground");
+      good &= Check(Value(ground, "DrainageArea", point) >= least * cell, "a river of less water");
+      if (k > 0)
+      {
+        length += std::hypot(at[0] - before[0], at[1] - before[1]);
+        good &= Check(at[2] < before[2], "a river that rises");
+      }
+      else
+      {
+        std::copy(at, at + 3, first);
+        good &=
+          Value(ground, "StreamOrder", point) == rivers->GetCellData()->GetArray("StreamOrder")->GetComponent(row, 0);
+      }
+      std::copy(at, at + 3, before);
+    }
+    const double told = rivers->GetCellData()->GetArray("Length")->GetComponent(row, 0);
+    const double slope = rivers->GetCellData()->GetArray("Slope")->GetComponent(row, 0);
+    good &= Check(std::abs(told / length - 1.0) < 1e-12, "another length");
+    good &= Check(std::abs(slope * length / (first[2] - at[2]) - 1.0) < 1e-9, "another slope");
+  }
+  return Check(good, "rivers are not those of the ground");
+}
+
+/// A carved field drains, keeps mean, variance and distribution of its heights, and the arrays that it had.
+bool CarvedGroundDrains()
+{
+  const auto terrain = Terrain(100);
+  terrain->ReflectanceOn();
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputConnection(terrain->GetOutputPort());
+  drainage->SetMinimumDrainageCells(40);
+  drainage->Update();
+  vtkImageData* ground = drainage->GetOutput();
+  bool good = Drains(ground) && RiversFall(drainage, 40);
+  good &= Check(ground->GetPointData()->GetArray("Reflectance") != nullptr, "an array of the input is lost");
+  good &= Check(FieldOf(ground, "SunkShare", 0) > 0.1 && FieldOf(ground, "SunkShare", 1) == 0.0, "sunk cells");
+  good &= Check(FieldOf(Rivers(drainage), "Rounds", 0) >= 1.0, "no rounds");
+  std::vector<double> before;
+  std::vector<double> after;
+  for (vtkIdType cell = 0; cell < ground->GetNumberOfPoints(); ++cell)
+  {
+    before.push_back(Value(terrain->GetOutput(), "Elevation", cell));
+    after.push_back(Value(ground, "Elevation", cell));
+  }
+  std::sort(before.begin(), before.end());
+  std::sort(after.begin(), after.end());
+  const double range = before.back() - before.front();
+  for (std::size_t n = 0; n < before.size(); ++n)
+  {
+    good &= std::abs(after[n] - before[n]) < 0.005 * range;
+  }
+  return Check(good, "another distribution of heights");
+}
+
+/// A target of another size and spacing hands over its heights and concavity; without carving the ground stays.
+bool TargetIsTaken()
+{
+  const auto terrain = Terrain(80, 3);
+  vtkNew<vtkImageData> place;
+  {
+    vtkNew<vtkDrainageFilter> carved;
+    const auto other = Terrain(90, 7);
+    carved->SetInputConnection(other->GetOutputPort());
+    carved->KeepHeightsOff();
+    carved->SetHypsometricIntegral(0.3);
+    carved->SetHeightSkew(0.8);
+    carved->SetNumberOfRounds(3);
+    carved->Update();
+    place->ShallowCopy(carved->GetOutput());
+  }
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputConnection(terrain->GetOutputPort());
+  drainage->SetInputData(1, place);
+  drainage->SetNumberOfRounds(3);
+  drainage->Update();
+  vtkNew<vtkGroundStatisticsFilter> statistics;
+  double integral[2];
+  double skew[2];
+  int k = 0;
+  for (vtkImageData* ground : { place.Get(), drainage->GetOutput() })
+  {
+    statistics->SetInputData(ground);
+    statistics->Update();
+    auto* table = vtkTable::SafeDownCast(statistics->GetOutputDataObject(0));
+    integral[k] = table->GetValueByName(0, "HypsometricIntegral").ToDouble();
+    skew[k++] = table->GetValueByName(0, "HeightSkew").ToDouble();
+  }
+  bool good = Check(std::abs(integral[0] - 0.3) < 0.03 && std::abs(skew[0] - 0.8) < 0.15, "numbers are no target");
+  good &= Check(std::abs(integral[1] - integral[0]) < 0.03 && std::abs(skew[1] - skew[0]) < 0.15, "another hypsometry");
+  drainage->RemoveTarget();
+  drainage->CarveOff();
+  drainage->Update();
+  for (vtkIdType cell = 0; cell < drainage->GetOutput()->GetNumberOfPoints(); ++cell)
+  {
+    good &= Value(drainage->GetOutput(), "Elevation", cell) == Value(terrain->GetOutput(), "Elevation", cell);
+  }
+  good &= Check(good, "ground that is not carved has changed");
+  return good &&
+    Check(FieldOf(drainage->GetOutput(), "SunkShare", 0) == FieldOf(drainage->GetOutput(), "SunkShare", 1),
+      "measures of ground that has not changed");
+}
+
+/// All water leaves at the one outlet that is chosen, or at the sea.
+bool OutletsAreChosen()
+{
+  const auto image = Image(40, 30, 1, [](int i, int j) { return 100.0 + std::sin(0.7 * i) + std::cos(1.1 * j); });
+  vtkNew<vtkDoubleArray> outlets;
+  outlets->SetName("Outlets");
+  outlets->SetNumberOfTuples(1200);
+  outlets->Fill(0.0);
+  outlets->SetValue(15 * 40 + 20, 1.0);
+  image->GetPointData()->AddArray(outlets);
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputData(image);
+  drainage->SetOutletsToChosen();
+  drainage->SetNumberOfRounds(2);
+  drainage->Update();
+  vtkImageData* ground = drainage->GetOutput();
+  bool good = Check(Value(ground, "DrainageArea", 15 * 40 + 20) == 1200 * 200.0, "water leaves elsewhere");
+  good &= Check(Value(ground, "FlowDirection", 15 * 40 + 20) == -1.0, "the outlet flows");
+  drainage->SetInputData(Image(41, 41, 1, [](int i, int j) { return std::hypot(i - 20.0, j - 20.0) - 6.0; }));
+  drainage->SetOutletsToSea();
+  drainage->CarveOff();
+  drainage->Update();
+  double sea = 0.0;
+  for (vtkIdType cell = 0; cell < 41 * 41; ++cell)
+  {
+    const bool isSea = Value(ground, "Elevation", cell) <= 0.0;
+    sea += isSea ? Value(ground, "DrainageArea", cell) : 0.0;
+    good &= !isSea || Value(ground, "FlowDirection", cell) == -1.0;
+  }
+  drainage->SetOutletsToBorder();
+  drainage->Update();
+  // the bowl's rim is lowest where the border is nearest to its middle
+  const double rim = 20.0 - 6.0;
+  good &= Check(std::abs(Value(ground, "DepressionDepth", 20 * 41 + 20) - (rim + 6.0)) < 1e-12, "another depth");
+  return Check(good, "the sea flows") && Check(sea > 0.8 * 41 * 41 * 200.0, "the bowl does not drain to its sea");
+}
+
+/// A part is that of the whole; a later piece has no rivers.
+bool PartsAreOfOneWhole()
+{
+  const auto terrain = Terrain(70);
+  vtkNew<vtkDrainageFilter> whole;
+  whole->SetInputConnection(terrain->GetOutputPort());
+  whole->SetNumberOfRounds(2);
+  whole->Update();
+  vtkNew<vtkDrainageFilter> part;
+  part->SetInputConnection(terrain->GetOutputPort());
+  part->SetNumberOfRounds(2);
+  int extent[6] = { 20, 50, 11, 30, 0, 0 };
+  part->UpdateExtent(extent);
+  int got[6];
+  part->GetOutput()->GetExtent(got);
+  bool good = Check(std::equal(got, got + 6, extent), "another part than was asked for");
+  for (vtkIdType cell = 0; good && cell < part->GetOutput()->GetNumberOfPoints(); ++cell)
+  {
+    double place[3];
+    part->GetOutput()->GetPoint(cell, place);
+    const vtkIdType same = whole->GetOutput()->FindPoint(place);
+    for (const char* name : { "Elevation", "DrainageArea", "FlowDirection", "StreamOrder" })
+    {
+      good &= Value(part->GetOutput(), name, cell) == Value(whole->GetOutput(), name, same);
+    }
+  }
+  good = Check(good, "a part differs from the whole");
+  for (const int piece : { 1, 0 })
+  {
+    part->UpdateInformation();
+    vtkInformation* info = part->GetOutputInformation(1);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 2);
+    part->Update(1);
+    good &= Check((Rivers(part)->GetNumberOfLines() > 0) == (piece == 0), "rivers in another piece than the first");
+  }
+  return good;
+}
+
+bool Fails(const char* word, vtkImageData* image, const std::function<void(vtkDrainageFilter*)>& spoil = {})
+{
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputData(image);
+  if (spoil)
+  {
+    spoil(drainage);
+  }
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(drainage);
+  bool good = errors->ExpectOneNaming(word);
+  good &= Check(drainage->GetOutput()->GetNumberOfPoints() == 0, "a refused input leaves ground");
+  return good && Check(Rivers(drainage)->GetNumberOfPoints() == 0, "a refused input leaves rivers");
+}
+
+/// One message for each bad input, nothing half written, and the next good request works.
+bool BadInput()
+{
+  using Filter = vtkDrainageFilter;
+  const auto rough = [](int i, int j) { return static_cast<double>((i * 7919 + j * 104729) % 101); };
+  const auto fine = Image(24, 20, 1, rough);
+  bool good = Fails("constant", Image(20, 20, 1, [](int, int) { return 5.0; }));
+  good &= Fails("missing", Image(20, 20, 1, [](int i, int j) { return i == 3 && j == 4 ? NaN : Ramp(i, j); }));
+  good &= Fails("missing", Image(20, 20, 1, [](int, int) { return NaN; }));
+  good &= Fails("20 x 1", Image(20, 1, 1, Ramp));
+  good &= Fails("20 x 20 x 3", Image(20, 20, 3, Ramp));
+  good &= Fails("'Depth'", fine,
+    [](Filter* filter) { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth"); });
+  good &= Fails("Outlets is 3", fine, [](Filter* filter) { filter->SetOutlets(3); });
+  good &= Fails("Outlets", fine, [](Filter* filter) { filter->SetOutletsToChosen(); });
+  good &= Fails("SeaLevel", fine, [](Filter* filter) { filter->SetSeaLevel(NaN); });
+  good &= Fails("MinimumDrainageCells", fine, [](Filter* filter) { filter->SetMinimumDrainageCells(0); });
+  good &= Fails("Concavity", fine, [](Filter* filter) { filter->SetConcavity(1.5); });
+  good &= Fails("HypsometricIntegral", fine, [](Filter* filter) { filter->SetHypsometricIntegral(0.0); });
+  good &= Fails("HeightSkew", fine, [](Filter* filter) { filter->SetHeightSkew(NaN); });
+  good &= Fails("NumberOfRounds", fine, [](Filter* filter) { filter->SetNumberOfRounds(0); });
+  good &= Fails("ChannelCells", fine, [](Filter* filter) { filter->SetChannelCells(0.0); });
+  good &= Fails("ValleyWidth", fine, [](Filter* filter) { filter->SetValleyWidth(-1.0); });
+  // targets that contradict each other: most of the ground low, and a long tail downwards
+  good &= Fails("HeightSkew", fine, [](Filter* filter) {
+    filter->KeepHeightsOff();
+    filter->SetHypsometricIntegral(0.2);
+    filter->SetHeightSkew(-1.0);
+  });
+  const auto target = [](const vtkNew<vtkImageData>& image) {
+    return [&image](Filter* filter) { filter->SetInputData(1, image); };
+  };
+  const auto flat = Image(20, 20, 1, [](int, int) { return 5.0; });
+  const auto holed = Image(20, 20, 1, [](int i, int j) { return i == 3 && j == 4 ? NaN : Ramp(i, j); });
+  const auto row = Image(20, 1, 1, Ramp);
+  good &= Fails("target", fine, target(flat));
+  good &= Fails("target", fine, target(holed));
+  good &= Fails("20 x 1", fine, target(row));
+
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputData(fine);
+  drainage->SetConcavity(-1.0);
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(drainage);
+  good &= errors->ExpectOneNaming("Concavity");
+  drainage->SetConcavity(0.4);
+  drainage->Update();
+  return good && Check(drainage->GetOutput()->GetNumberOfPoints() == 480, "nothing after a mistake was mended");
+}
+
+/// What the memory does not suffice for is refused, and a smaller terrain is then drained.
+bool MemoryIsAsked()
+{
+  bool good = true;
+#ifndef _WIN32
+  vtkNew<vtkDrainageFilter> drainage;
+  drainage->SetInputData(Image(900, 800, 1, Ramp));
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(drainage);
+  rlimit before;
+  getrlimit(RLIMIT_DATA, &before);
+  rlimit limit = before;
+  limit.rlim_cur = static_cast<rlim_t>(1) << 20; // less than what is used
+  if (before.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_DATA, &limit) == 0)
+  {
+    good &= errors->ExpectOneNaming("GiB");
+    setrlimit(RLIMIT_DATA, &before);
+    drainage->SetInputData(Image(30, 30, 1, [](int i, int j) { return Ramp(i, j) + (i * j) % 7; }));
+    drainage->Update();
+    good &= Check(drainage->GetOutput()->GetNumberOfPoints() == 900, "nothing is drained after a refusal");
+  }
+#endif
+  return good;
+}
+
+}
+
+int TestDrainageFilter(int, char*[])
+{
+  return CarvedGroundDrains() && TargetIsTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && BadInput() &&
+      MemoryIsAsked()
+    ? EXIT_SUCCESS
+    : EXIT_FAILURE;
+}
