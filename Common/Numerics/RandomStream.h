@@ -43,6 +43,16 @@ enum class RandomPurpose : std::uint32_t
   ParticleSizes = 65,
   ParticleOrientations = 66,
   SlaveOffsets = 72,
+  ProcessCells = 96,
+  ProcessParents = 97,
+  ProcessClusters = 98,
+  ProcessPoints = 99,
+  ProcessThinning = 100,
+  ProcessBirths = 101,
+  ProcessLives = 102,
+  ProcessField = 103,
+  ProcessSpecies = 104,
+  ProcessMarks = 105,
 };
 
 /**
