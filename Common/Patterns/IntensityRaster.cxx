@@ -49,9 +49,9 @@ std::string WhyInvalid(const IntensityRaster& raster)
   return check.Reason();
 }
 
-IntensityFactor::IntensityFactor(const IntensityRaster& raster, double intensity)
+IntensityFactor::IntensityFactor(const IntensityRaster& raster)
   : Raster(&raster)
-  , Unit(1.0 / (raster.Scale == IntensityScale::Relative ? raster.Mean() : intensity))
+  , Most(raster.Highest() / raster.Mean())
   , OverHighest(1.0 / raster.Highest())
 {
 }

@@ -44,12 +44,12 @@ class IntensityFactor
 public:
   IntensityFactor() = default;
 
-  /// The raster must be valid, and must outlive this; the intensity is that of the process [1/m2].
-  IntensityFactor(const IntensityRaster& raster, double intensity);
+  /// The values over their mean. The raster must be valid, and must outlive this.
+  explicit IntensityFactor(const IntensityRaster& raster);
 
   bool IsOne() const { return !this->Raster; }
 
-  double Highest() const { return this->Raster ? this->Unit * this->Raster->Highest() : 1.0; }
+  double Highest() const { return this->Most; }
 
   /// The share of the points of the highest intensity that stay at a place.
   double ShareAt(double x, double y) const
@@ -64,7 +64,7 @@ public:
 
 private:
   const IntensityRaster* Raster = nullptr;
-  double Unit = 1.0;
+  double Most = 1.0;
   double OverHighest = 1.0;
 };
 

@@ -19,14 +19,20 @@ namespace
 
 using Parameters = PointProcessParameters;
 
-constexpr auto Intensity = MakeParameter<Parameters, &Parameters::Intensity>("Intensity", "1/m2", ValueInterval::Positive());
-constexpr auto ClusterSize = MakeParameter<Parameters, &Parameters::ClusterSize>("ClusterSize", "", ValueInterval::Above(0.0, 1e4));
-constexpr auto ClusterScale = MakeParameter<Parameters, &Parameters::ClusterScale>("ClusterScale", "m", ValueInterval::Positive());
-constexpr auto Variance = MakeParameter<Parameters, &Parameters::Variance>("Variance", "", ValueInterval::Above(0.0, 10.0));
+constexpr auto Intensity =
+  MakeParameter<Parameters, &Parameters::Intensity>("Intensity", "1/m2", ValueInterval::Positive());
+constexpr auto ClusterSize =
+  MakeParameter<Parameters, &Parameters::ClusterSize>("ClusterSize", "", ValueInterval::Above(0.0, 1e4));
+constexpr auto ClusterScale =
+  MakeParameter<Parameters, &Parameters::ClusterScale>("ClusterScale", "m", ValueInterval::Positive());
+constexpr auto Variance =
+  MakeParameter<Parameters, &Parameters::Variance>("Variance", "", ValueInterval::Above(0.0, 10.0));
 constexpr auto Range = MakeParameter<Parameters, &Parameters::Range>("Range", "m", ValueInterval::Positive());
 constexpr auto Distance = MakeParameter<Parameters, &Parameters::Distance>("Distance", "m", ValueInterval::Positive());
-constexpr auto Activity = MakeParameter<Parameters, &Parameters::Activity>("Activity", "1/m2", ValueInterval::Positive());
-constexpr auto Interaction = MakeParameter<Parameters, &Parameters::Interaction>("Interaction", "", ValueInterval::From(0.0, 1.0));
+constexpr auto Activity =
+  MakeParameter<Parameters, &Parameters::Activity>("Activity", "1/m2", ValueInterval::Positive());
+constexpr auto Interaction =
+  MakeParameter<Parameters, &Parameters::Interaction>("Interaction", "", ValueInterval::From(0.0, 1.0));
 
 constexpr ParameterList<Parameters> All = { { &Intensity, &ClusterSize, &ClusterScale, &Variance, &Range, &Distance,
   &Activity, &Interaction } };
@@ -64,12 +70,14 @@ double MaternPairs(const Parameters& process, double r)
   return 1.0 + 2.0 * overlap / (Pi * Pi * radius * radius * ParentIntensity(process));
 }
 
-/// K = pi r^2 + h(z) / kappa, h = 2 + ((8 z^2 - 4) arccos z - 2 arcsin z + 4 z (1 - z^2)^(3/2) - 6 z (1 - z^2)^(1/2)) / pi.
+/// K = pi r^2 + h(z) / kappa, h = 2 + ((8 z^2 - 4) arccos z - 2 arcsin z + 4 z (1 - z^2)^(3/2) - 6 z (1 - z^2)^(1/2)) /
+/// pi.
 double MaternRipley(const Parameters& process, double r)
 {
   const double z = std::min(1.0, r / (2.0 * process.ClusterScale));
   const double w = std::sqrt(1.0 - z * z);
-  const double h = 2.0 + ((8.0 * z * z - 4.0) * std::acos(z) - 2.0 * std::asin(z) + 4.0 * z * w * w * w - 6.0 * z * w) / Pi;
+  const double h =
+    2.0 + ((8.0 * z * z - 4.0) * std::acos(z) - 2.0 * std::asin(z) + 4.0 * z * w * w * w - 6.0 * z * w) / Pi;
   return Pi * r * r + h / ParentIntensity(process);
 }
 
@@ -86,8 +94,8 @@ double AreaOfTwoDiscs(double h, double r)
   return 2.0 * h * h * (Pi - std::acos(z) + z * std::sqrt(1.0 - z * z));
 }
 
-/// g = 2 (V (1 - exp(-p A)) - A (1 - exp(-p V))) / (A V (V - A) Intensity^2) beyond h, where A = pi h^2, V is the area of
-/// the two discs, and p the proposed intensity.
+/// g = 2 (V (1 - exp(-p A)) - A (1 - exp(-p V))) / (A V (V - A) Intensity^2) beyond h, where A = pi h^2, V is the area
+/// of the two discs, and p the proposed intensity.
 double InhibitedPairs(const Parameters& process, double r)
 {
   const double h = process.Distance;

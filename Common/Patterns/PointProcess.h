@@ -39,14 +39,14 @@ inline constexpr int NumberOfPointProcesses = 6;
 struct PointProcessParameters
 {
   PointProcess Process = PointProcess::Thomas;
-  double Intensity = 0.01;  ///< [1/m2]
-  double ClusterSize = 5.0; ///< mean number of points of a cluster
+  double Intensity = 0.01;   ///< [1/m2]
+  double ClusterSize = 5.0;  ///< mean number of points of a cluster
   double ClusterScale = 5.0; ///< [m]
-  double Variance = 1.0;    ///< of the logarithm of the intensity
-  double Range = 20.0;      ///< [m], distance at which its correlation is 1/e
-  double Distance = 5.0;    ///< [m], of inhibition
-  double Activity = 0.02;   ///< [1/m2], intensity that the points would have without interaction
-  double Interaction = 0.1; ///< 0: none nearer than Distance, 1: random
+  double Variance = 1.0;     ///< of the logarithm of the intensity
+  double Range = 20.0;       ///< [m], distance at which its correlation is 1/e
+  double Distance = 5.0;     ///< [m], of inhibition
+  double Activity = 0.02;    ///< [1/m2], intensity that the points would have without interaction
+  double Interaction = 0.1;  ///< 0: none nearer than Distance, 1: random
 };
 
 /// The row of a process: everything that sets it apart but its simulation, see ProcessPattern, and its fit, see
