@@ -19,6 +19,8 @@ enum class RandomPurpose : std::uint32_t
   QuadratCounts = 3,
   QuadratOrder = 4,
   QuadratPositions = 5,
+  UniformPoints = 14,
+  MarkOrder = 15,
   TreeBranches = 16,
   TreeLeaves = 17,
   ForkBranches = 18,

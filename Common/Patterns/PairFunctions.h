@@ -62,8 +62,7 @@ struct PairOptions
 /// Why the options cannot be, in words for a user; empty when they can.
 std::string WhyInvalid(const PairOptions& options);
 
-/// Values at all distances; a function that was not asked for is empty. g(0) is infinite where two points are closer
-/// than the half width, as its kernel has to be divided by r.
+/// Values at all distances; a function that was not asked for is empty. g(0) is NaN: its kernel is divided by r.
 struct PairFunctions
 {
   std::vector<double> K;               ///< Ripley's K [m2]; pi r^2 for a random pattern
@@ -77,8 +76,8 @@ struct PairFunctions
  *   K(r) = |W| / (n (n - 1)) sum over i != j of 1(d_ij <= r) e_ij
  *   g(r) = |W| / (2 pi r n (n - 1)) sum over i != j of kernel(r - d_ij) e_ij
  *
- * With Border: K(r) = |W| / n sum over i with b_i >= r of the points within r / number of such i, b_i the distance to the
- * edge. g and the mark correlation have no such form; they are empty then.
+ * With Border: K(r) = |W| / n sum over i with b_i >= r of the points within r / number of such i, b_i the distance to
+ * the edge. g and the mark correlation have no such form; they are empty then.
  */
 PairFunctions FindPairFunctions(const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const PairOptions& options, const ParallelFor& parallel = SerialFor);
