@@ -129,32 +129,35 @@ const PointProcessTraits Rows[] = {
 };
 static_assert(std::size(Rows) == NumberOfPointProcesses);
 
-/// The integral of 2 pi r g(r) from a to b.
+/// The integral of 2 pi r (g(r) - 1) from a to b.
 double PairsBetween(const PointProcessTraits& row, const Parameters& process, double a, double b)
 {
-  if (!(b > a))
-  {
-    return 0.0;
-  }
-  const auto pairs = [&](double r) { return TwoPi * r * row.PairCorrelation(process, r); };
+  const auto pairs = [&](double r) { return TwoPi * r * (row.PairCorrelation(process, r) - 1.0); };
   return boost::math::quadrature::gauss<double, 15>::integrate(pairs, a, b);
 }
 
-/// Steps of the integral of g are no longer than this part of the process's own lengths.
-double LongestStep(const Parameters& process)
+/// Steps of the integral of g, and the distance beyond which g is 1.
+struct PairSteps
 {
-  return 0.5 * (process.Process == PointProcess::LogGaussianCox ? process.Range : process.Distance);
+  double Longest;
+  double Reach;
+};
+
+PairSteps StepsOf(const Parameters& process)
+{
+  const bool isCox = process.Process == PointProcess::LogGaussianCox;
+  return { 0.5 * (isCox ? process.Range : process.Distance), isCox ? 45.0 * process.Range : 2.0 * process.Distance };
 }
 
-/// The same in steps short enough, with the jump of an inhibition at the end of one.
+/// The same in steps short enough, which end where an inhibition begins and ends.
 double IntegralOfPairs(const PointProcessTraits& row, const Parameters& process, double a, double b)
 {
-  const double step = LongestStep(process);
+  const PairSteps steps = StepsOf(process);
+  const double end = std::min(b, steps.Reach);
   double sum = 0.0;
-  for (double from = a; from < b;)
+  for (double from = a; from < end;)
   {
-    // Steps end at multiples of the longest one.
-    const double to = std::min(b, step * (std::floor(from / step + 1e-9) + 1.0));
+    const double to = std::min(end, steps.Longest * (std::floor(from / steps.Longest + 1e-9) + 1.0));
     sum += PairsBetween(row, process, from, to);
     from = to;
   }
@@ -226,7 +229,7 @@ std::vector<double> RipleyK(const PointProcessParameters& process, const std::ve
     {
       sum += IntegralOfPairs(row, process, at, distances[n]);
       at = distances[n];
-      result[n] = sum;
+      result[n] = Pi * at * at + sum;
     }
   }
   return result;

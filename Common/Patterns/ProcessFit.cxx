@@ -121,7 +121,7 @@ void Measure(const std::vector<PlanePosition>& points, const ObservationWindow& 
   pairs.WantsG = !pairs.WantsK;
   const PairFunctions functions = FindPairFunctions(points, window, pairs, parallel);
   const std::vector<double>& values = pairs.WantsK ? functions.K : functions.PairCorrelation;
-  const int first = pairs.WantsK ? 0 : pairs.Distances.Steps / 20;
+  const int first = pairs.WantsK ? 0 : 1; // g(0) can be infinite
   for (int k = first; k <= pairs.Distances.Steps; ++k)
   {
     distances.push_back(pairs.Distances[k]);
@@ -142,8 +142,8 @@ ProcessFit FitByContrast(PointProcess process, const std::vector<PlanePosition>&
   best.LogPseudoLikelihood = NaN;
   best.Contrast = std::numeric_limits<double>::infinity();
   // Several starts: the contrast has valleys of small and of wide clusters.
-  for (const double first : process == PointProcess::LogGaussianCox ? std::array<double, 2>{ 0.3, 2.0 }
-                                                                      : std::array<double, 2>{ 0.1, 0.7 })
+  for (const double first :
+    process == PointProcess::LogGaussianCox ? std::array<double, 2>{ 0.3, 2.0 } : std::array<double, 2>{ 0.1, 0.7 })
   {
     for (const double length : { 0.05, 0.15, 0.4 })
     {
@@ -321,7 +321,7 @@ namespace
 ProcessFit FitStraussDistance(const std::vector<PlanePosition>& points, const ObservationWindow& window,
   double intensity, const ParallelFor& parallel)
 {
-  const double farthest = std::sqrt(2.0 / (Pi * intensity));
+  const double farthest = std::sqrt(1.5 / (Pi * intensity));
   std::vector<ProcessFit> fits(DistancesTried);
   ForRanges(parallel, fits.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)

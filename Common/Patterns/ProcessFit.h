@@ -37,8 +37,8 @@ std::string WhyInvalid(const ContrastOptions& options);
 struct ProcessFit
 {
   PointProcessParameters Process;
-  bool Exists = false;   ///< false where the pattern has no such process: its parameters run away
-  double Contrast = 0.0; ///< by minimum contrast [m^(4 q) m for K, m for g]; else NaN
+  bool Exists = false;              ///< false where the pattern has no such process: its parameters run away
+  double Contrast = 0.0;            ///< by minimum contrast [m^(4 q) m for K, m for g]; else NaN
   double LogPseudoLikelihood = 0.0; ///< by pseudo-likelihood; else NaN
 };
 
@@ -47,12 +47,11 @@ struct ProcessFit
  *
  * - Poisson: n / |W|.
  * - Thomas, Matern cluster, log-Gaussian Cox: the minimum over the parameters of the integral of
- *   |K_measured^q - K^q|^2 (or g) from 0 to Largest; the intensity is n / |W|. For g the integral begins at a twentieth
- *   of Largest, since its estimates near 0 are those of the kernel.
+ *   |K_measured^q - K^q|^2 (or g) from 0 to Largest; the intensity is n / |W|.
  * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|.
- * - Strauss: the maximum of the pseudo-likelihood (Besag 1975) over Activity and Interaction at each of 64 distances, up
- *   to where the average disc holds two points, and over those. Points nearer to the edge than the longest of these are
- *   neighbours only; the integral is a sum over 256 by 256 places of the bounding box.
+ * - Strauss: the maximum of the pseudo-likelihood (Besag 1975) over Activity and Interaction at each of 64 distances,
+ * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest
+ * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box.
  */
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const ParallelFor& parallel = SerialFor);

@@ -252,7 +252,8 @@ TEST_P(AllProcesses, SameBytesOnAnyThreads)
     ASSERT_GT(one.Points.size(), 2000u);
     for (const int threads : { 2, 5 })
     {
-      EXPECT_TRUE(AreSame(one, SimulateProcess(process, options, window, NoPoll, littoral::testing::OnThreads(threads))));
+      EXPECT_TRUE(
+        AreSame(one, SimulateProcess(process, options, window, NoPoll, littoral::testing::OnThreads(threads))));
     }
     options.Seed = 2;
     EXPECT_FALSE(AreSame(one, SimulateProcess(process, options, window)));
