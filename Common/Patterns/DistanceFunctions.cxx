@@ -125,21 +125,18 @@ std::vector<double> Distribution(
   }
 }
 
-/// The middles of square cells over the bounding box that lie in the window.
+/// The middles of equal cells of the bounding box that lie in the window.
 std::vector<PlanePosition> PlacesIn(const ObservationWindow& window, int places)
 {
   const double width = window.GetHigh()[0] - window.GetLow()[0];
   const double height = window.GetHigh()[1] - window.GetLow()[1];
-  const double side = std::max(width, height) / places;
-  const int columns = std::max(1, static_cast<int>(std::lround(width / side)));
-  const int rows = std::max(1, static_cast<int>(std::lround(height / side)));
   std::vector<PlanePosition> middles;
-  for (int row = 0; row < rows; ++row)
+  for (int row = 0; row < places; ++row)
   {
-    for (int column = 0; column < columns; ++column)
+    for (int column = 0; column < places; ++column)
     {
-      const PlanePosition middle{ window.GetLow()[0] + width * (column + 0.5) / columns,
-        window.GetLow()[1] + height * (row + 0.5) / rows };
+      const PlanePosition middle{ window.GetLow()[0] + width * (column + 0.5) / places,
+        window.GetLow()[1] + height * (row + 0.5) / places };
       if (window.Contains(middle))
       {
         middles.push_back(middle);

@@ -37,7 +37,7 @@ DistanceRange DefaultNearestDistances(const ObservationWindow& window, std::size
 /**
  * Functions of one pattern, whose points must lie in the window.
  *
- * @param places number of places along the longer side of the bounding box from which F is measured: middles of squares
+ * @param places F is measured from the middles of places * places cells of the bounding box
  */
 DistanceFunctions FindDistanceFunctions(const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const DistanceRange& distances, DistanceCorrection correction, int places = 128,

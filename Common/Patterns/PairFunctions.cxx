@@ -96,6 +96,17 @@ void AddKernel(double* sums, int count, double first, double step, double weight
   }
 }
 
+/// Common areas for the translation correction, those of the options if they reach far enough.
+std::shared_ptr<const CommonAreaTable> AreasOf(
+  const ObservationWindow& window, const PairOptions& options, double reach, const ParallelFor& parallel)
+{
+  if (options.Correction != EdgeCorrection::Translation || (options.Areas && options.Areas->GetLargest() >= reach))
+  {
+    return options.Areas;
+  }
+  return std::make_shared<const CommonAreaTable>(window, reach, parallel);
+}
+
 /// The pairs of one pattern, or those from one to another.
 class PairSummation
 {
@@ -116,8 +127,7 @@ public:
     , To(to, Reach / 4.0)
     , OwnFrom(isCross ? PointCells(from, Reach / 4.0) : PointCells({}, 1.0))
     , From(isCross ? OwnFrom : To)
-    , Areas(options.Correction == EdgeCorrection::Translation ? CommonAreaTable(window, Reach, parallel)
-                                                              : CommonAreaTable(ObservationWindow(), 1.0))
+    , Areas(AreasOf(window, options, Reach, parallel))
   {
     for (std::size_t n = 0; n < this->From.Size(); ++n)
     {
@@ -228,7 +238,7 @@ private:
         return both *
           std::min(LargestWeight,
             this->Window.GetArea() /
-              this->Areas(this->To.GetX()[j] - this->From.GetX()[i], this->To.GetY()[j] - this->From.GetY()[i]));
+              (*this->Areas)(this->To.GetX()[j] - this->From.GetX()[i], this->To.GetY()[j] - this->From.GetY()[i]));
       default:
         return both;
     }
@@ -326,7 +336,7 @@ private:
   PointCells To;
   PointCells OwnFrom;
   const PointCells& From;
-  CommonAreaTable Areas;
+  std::shared_ptr<const CommonAreaTable> Areas;
   std::vector<double> EdgeDistances;
   std::vector<double> Marks;
 };

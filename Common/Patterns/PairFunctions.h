@@ -7,11 +7,14 @@
 #include "Patterns/ObservationWindow.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace littoral
 {
+
+class CommonAreaTable;
 
 // Second-order statistics of a point pattern: functions of the distance r between two points. All are sums over ordered
 // pairs with a weight e against the loss of pairs across the edge of the window W:
@@ -57,6 +60,8 @@ struct PairOptions
   double HalfWidth = 0.0;
   /// Standard deviation of the Gaussian kernel of the mark correlation [m]; 0: Silverman's rule for the distances.
   double MarkWidth = 0.0;
+  /// For many patterns in one window: its areas up to Largest and the half width; null: found anew for each pattern.
+  std::shared_ptr<const CommonAreaTable> Areas;
 };
 
 /// Why the options cannot be, in words for a user; empty when they can.

@@ -12,9 +12,9 @@ namespace
 {
 
 /// Sections over the height of a window.
-constexpr int SectionRows = 2048;
+constexpr int SectionRows = 1024;
 /// Spacings of a table's nodes from 0 to its largest distance.
-constexpr int TableSteps = 64;
+constexpr int TableSteps = 128;
 
 /// Length [m] that a section and another one, moved by dx [m], have in common.
 double CommonLength(const std::vector<double>& one, const std::vector<double>& other, double dx)
@@ -64,6 +64,7 @@ double CommonAreaOfRows(const ObservationWindow& window, double dx, double dy)
 
 CommonAreaTable::CommonAreaTable(const ObservationWindow& window, double largest, const ParallelFor& parallel)
   : Window(window)
+  , Largest(largest)
 {
   if (window.IsRectangle())
   {

@@ -20,7 +20,7 @@ double CommonAreaOfRows(const ObservationWindow& window, double dx, double dy);
 
 /**
  * The common areas of a window and of moved ones for all moves up to a distance [m]: exact for a rectangle, else
- * between the nodes of a grid, whose spacing is a 64th of the distance.
+ * between the nodes of a grid, whose spacing is a 128th of the distance.
  */
 class CommonAreaTable
 {
@@ -29,8 +29,11 @@ public:
 
   double operator()(double dx, double dy) const;
 
+  double GetLargest() const { return this->Largest; } ///< distance [m]
+
 private:
   ObservationWindow Window;
+  double Largest = 0.0;
   std::size_t Columns = 0; ///< nodes along x, from -largest
   double Across = 0.0;     ///< spacing of the nodes along x [m]
   double Along = 0.0;      ///< spacing along y, from 0 [m]

@@ -21,7 +21,7 @@ namespace
 /// The points of a mapped pattern of Examples/Data/patterns.
 std::vector<PlanePosition> Mapped(const std::string& name)
 {
-  std::ifstream file(std::string(LITTORAL_EXAMPLE_DATA) + "/patterns/" + name + ".csv");
+  std::ifstream file(std::string(LITTORAL_TEST_DATA) + "/../../Examples/Data/patterns/" + name + ".csv");
   std::string line;
   std::getline(file, line);
   std::vector<PlanePosition> points;
