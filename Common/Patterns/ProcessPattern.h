@@ -53,7 +53,7 @@ struct ProcessPattern
 };
 
 /// Lifetimes after which the simulation of a Strauss process ends even if its bounds have not met.
-inline constexpr int LongestRun = 128;
+inline constexpr int LongestRun = 64;
 
 /// Why there is no pattern of the process in the window, or one that takes too long, in words for a user; empty when
 /// there is one.
@@ -74,8 +74,9 @@ double ExpectedDraws(
  * - Log-Gaussian Cox: the Gaussian field by turning bands of 128 lines, constant on squares of Range / 16.
  * - Strauss: dominated coupling from the past (Kendall and Moller 2000). The random births and deaths of an infinite
  *   time are bounded from above and below; once the bounds have met in the window, what they have met in is a draw from
- *   the process, free of any error. Where they have not met after LongestRun lifetimes, the pattern is that of one
- *   birth-death process after this time from an empty window, and IsExact is false.
+ *   the process, free of any error. Where they have not met after LongestRun lifetimes, or cannot be hoped
+ *   to since Activity (1 - Interaction) pi Distance^2 is 8 or more, the pattern is that of one birth-death process after
+ *   this time from an empty window, and IsExact is false.
  *
  * A raster keeps each point of the process of the highest intensity with the share of its place, which keeps distances
  * of inhibition; for a Strauss process it is the activity that changes from place to place.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/Constants.h"
 #include "Numerics/RandomStream.h"
 #include "Patterns/ClusterOffsets.h"
 #include "Patterns/PoissonCount.h"
@@ -22,6 +23,9 @@ namespace
 constexpr int LongestLife = 30;
 /// Lifetimes of the first run; each following one is twice as long.
 constexpr int FirstRun = 8;
+/// Mean number of points within the distance that an interaction would remove from a random pattern, beyond which the
+/// bounds do not meet in any window that is not small.
+constexpr double MostRemoved = 8.0;
 /// Events between polls.
 constexpr std::size_t EventsAtOnce = 4096;
 
@@ -55,10 +59,11 @@ public:
 
   const PatternArea& GetDomain() const { return this->Domain; }
 
-  /// All that live at some time from so many lifetimes ago on, by their births.
-  std::vector<Birth> Since(int lifetimes) const
+  /// All that live at some time from so many lifetimes ago on, by their births, which were not earlier than a number of
+  /// lifetimes before.
+  std::vector<Birth> Since(int lifetimes, int history) const
   {
-    std::vector<std::vector<Birth>> slabs(static_cast<std::size_t>(lifetimes + LongestLife));
+    std::vector<std::vector<Birth>> slabs(static_cast<std::size_t>(lifetimes + history));
     this->Scene.Parallel(slabs.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t slab = begin; slab < end; ++slab)
       {
@@ -287,10 +292,11 @@ private:
 ProcessPattern DrawStrauss(const ProcessScene& scene)
 {
   const FreeProcess free(scene);
-  std::vector<Birth> births;
-  for (int lifetimes = FirstRun; lifetimes <= LongestRun; lifetimes *= 2)
+  const PointProcessParameters& process = scene.Process;
+  const double removed = process.Activity * (1.0 - process.Interaction) * Pi * process.Distance * process.Distance;
+  for (int lifetimes = FirstRun; removed < MostRemoved && lifetimes <= LongestRun; lifetimes *= 2)
   {
-    births = free.Since(lifetimes);
+    const std::vector<Birth> births = free.Since(lifetimes, LongestLife);
     BoundingProcesses processes(scene, free.GetDomain(), births);
     processes.Run(-lifetimes, true);
     if (processes.HaveMet())
@@ -298,9 +304,10 @@ ProcessPattern DrawStrauss(const ProcessScene& scene)
       return processes.Pattern();
     }
   }
-  BoundingProcesses process(scene, free.GetDomain(), births);
-  process.Run(-LongestRun, false);
-  ProcessPattern pattern = process.Pattern();
+  const std::vector<Birth> births = free.Since(LongestRun, 0);
+  BoundingProcesses processes(scene, free.GetDomain(), births);
+  processes.Run(-LongestRun, false);
+  ProcessPattern pattern = processes.Pattern();
   pattern.IsExact = false;
   return pattern;
 }
