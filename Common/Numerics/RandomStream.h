@@ -19,6 +19,7 @@ enum class RandomPurpose : std::uint32_t
   QuadratCounts = 3,
   QuadratOrder = 4,
   QuadratPositions = 5,
+  SimulationSeeds = 13,
   UniformPoints = 14,
   MarkOrder = 15,
   TreeBranches = 16,

@@ -170,16 +170,22 @@ CurveEnvelope FindCurveEnvelope(
 }
 
 std::vector<std::vector<double>> SimulateCurves(
-  const PatternOfNumber& law, const CurveOfPattern& curve, int simulations, const ParallelFor& parallel)
+  const CurveOfNumber& curve, int simulations, const ParallelFor& parallel)
 {
   std::vector<std::vector<double>> curves(static_cast<std::size_t>(simulations));
   ForRanges(parallel, curves.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
-      curves[n] = curve(law(static_cast<int>(n)));
+      curves[n] = curve(static_cast<int>(n));
     }
   });
   return curves;
+}
+
+std::vector<std::vector<double>> SimulateCurves(
+  const PatternOfNumber& law, const CurveOfPattern& curve, int simulations, const ParallelFor& parallel)
+{
+  return SimulateCurves([&](int number) { return curve(law(number)); }, simulations, parallel);
 }
 
 std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::size_t points, int seed, int number)
@@ -200,6 +206,27 @@ std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::
     }
   }
   return pattern;
+}
+
+std::vector<std::size_t> RandomOrder(std::size_t count, int seed, int number)
+{
+  const RandomStream random(seed, RandomPurpose::MarkOrder);
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  // Fisher and Yates.
+  for (std::size_t last = count; last > 1; --last)
+  {
+    const double u = random.UniformPair(static_cast<std::uint64_t>(number), last)[0];
+    const std::size_t other = std::min(last - 1, static_cast<std::size_t>(u * static_cast<double>(last)));
+    std::swap(order[last - 1], order[other]);
+  }
+  return order;
+}
+
+int SeedOfSimulation(int seed, int number)
+{
+  const RandomStream random(seed, RandomPurpose::SimulationSeeds);
+  return static_cast<int>(random.Words(static_cast<std::uint64_t>(number), 0)[0] >> 1);
 }
 
 }

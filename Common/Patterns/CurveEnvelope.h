@@ -54,12 +54,25 @@ using PatternOfNumber = std::function<std::vector<PlanePosition>(int number)>;
 /// What is measured of a pattern, a curve of a fixed length.
 using CurveOfPattern = std::function<std::vector<double>(const std::vector<PlanePosition>& points)>;
 
-/// The curves of so many patterns of a law, on all threads that the loop has.
+/// The curve of a simulation of a number.
+using CurveOfNumber = std::function<std::vector<double>(int number)>;
+
+/// The curves of so many simulations, on all threads that the loop has.
+std::vector<std::vector<double>> SimulateCurves(
+  const CurveOfNumber& curve, int simulations, const ParallelFor& parallel = SerialFor);
+
+/// The curves of so many patterns of a law.
 std::vector<std::vector<double>> SimulateCurves(
   const PatternOfNumber& law, const CurveOfPattern& curve, int simulations, const ParallelFor& parallel = SerialFor);
 
 /// So many points, uniform in a window and independent of each other: pattern `number` of a seed.
 std::vector<PlanePosition> UniformPattern(const ObservationWindow& window, std::size_t points, int seed, int number);
+
+/// A random order of so many things, each equally likely: order `number` of a seed.
+std::vector<std::size_t> RandomOrder(std::size_t count, int seed, int number);
+
+/// The seed of simulation `number` of a law that has a seed of its own: seeds of different simulations are unrelated.
+int SeedOfSimulation(int seed, int number);
 
 }
 

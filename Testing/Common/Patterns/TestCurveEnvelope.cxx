@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 using namespace littoral;
@@ -147,6 +148,25 @@ TEST(CurveEnvelope, SimulatesOnAnyThreads)
   const Curves serial = SimulateCurves(law, curve, 40);
   EXPECT_EQ(serial, SimulateCurves(law, curve, 40, OnThreads(7)));
   EXPECT_EQ(std::set<std::vector<double>>(serial.begin(), serial.end()).size(), 40u);
+}
+
+TEST(RandomOrder, IsEachOneEquallyOften)
+{
+  std::map<std::vector<std::size_t>, int> orders;
+  std::set<int> seeds;
+  for (int number = 0; number < 6000; ++number)
+  {
+    ++orders[RandomOrder(3, 5, number)];
+    seeds.insert(SeedOfSimulation(5, number));
+  }
+  ASSERT_EQ(orders.size(), 6u);
+  for (const auto& [order, count] : orders)
+  {
+    EXPECT_NEAR(count, 1000, 116); // four standard deviations
+  }
+  EXPECT_GE(seeds.size(), 5999u);
+  EXPECT_GE(*seeds.begin(), 0);
+  EXPECT_NE(SeedOfSimulation(5, 1), SeedOfSimulation(6, 0));
 }
 
 TEST(UniformPattern, FillsAPolygonEvenly)
