@@ -94,12 +94,13 @@ void WriteEnvelope(const littoral::PatternJudgement& judgement, bool isLength, v
   const auto column = [&](const char* name, const std::vector<double>& values) {
     littoral::AddColumn(table, name, rows, [&](std::size_t k) { return k < values.size() ? values[k] : NaN; });
   };
-  column("r", judgement.Distances);
+  column("Distance", judgement.Distances);
   column("Measured", judgement.Measured);
-  littoral::AddColumn(table, "Theory", rows, [&](std::size_t k) { return isLength ? judgement.Distances[k] : 1.0; });
+  littoral::AddColumn(
+    table, "Theoretical", rows, [&](std::size_t k) { return isLength ? judgement.Distances[k] : 1.0; });
   column("Mean", envelope.Mean);
-  column("Low", envelope.GlobalLow);
-  column("High", envelope.GlobalHigh);
+  column("GlobalLow", envelope.GlobalLow);
+  column("GlobalHigh", envelope.GlobalHigh);
 }
 
 }
@@ -110,8 +111,8 @@ vtkPatternVerdictFilter::vtkPatternVerdictFilter()
   , Size{ 0.0, 0.0 }
   , Function(PairCorrelation)
   , Contrast(FitRipley)
-  , LongestDistance(0.0)
-  , Simulations(99)
+  , LargestDistance(0.0)
+  , NumberOfSimulations(99)
   , Level(0.05)
   , Quadrats{ 0, 0 }
   , Seed(1)
@@ -154,9 +155,9 @@ int vtkPatternVerdictFilter::RequestData(
   }
   littoral::VerdictOptions options;
   options.Contrast.Function = static_cast<littoral::ContrastFunction>(this->Contrast);
-  options.Contrast.Largest = this->LongestDistance;
+  options.Contrast.Largest = this->LargestDistance;
   options.Function = static_cast<littoral::VerdictFunction>(this->Function);
-  options.Simulations = this->Simulations;
+  options.Simulations = this->NumberOfSimulations;
   options.Level = this->Level;
   options.Seed = this->Seed;
   options.Quadrats = { this->Quadrats[0], this->Quadrats[1] };
@@ -213,8 +214,8 @@ void vtkPatternVerdictFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "Function: " << this->Function << "\n";
   os << indent << "Contrast: " << this->Contrast << "\n";
-  os << indent << "LongestDistance: " << this->LongestDistance << "\n";
-  os << indent << "Simulations: " << this->Simulations << "\n";
+  os << indent << "LargestDistance: " << this->LargestDistance << "\n";
+  os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "Quadrats: " << this->Quadrats[0] << " " << this->Quadrats[1] << "\n";
   os << indent << "Seed: " << this->Seed << "\n";

@@ -54,6 +54,7 @@ public:
 
   /// The polygon of the window (port 1).
   void SetWindowConnection(vtkAlgorithmOutput* window) { this->SetInputConnection(1, window); }
+  void RemoveWindow() { this->SetInputConnection(1, nullptr); }
 
   ///@{
   /**
@@ -95,19 +96,19 @@ public:
 
   ///@{
   /**
-   * Longest distance that is compared [m], not negative; default 0, a quarter of the shorter side, at most that within
+   * Largest distance that is compared [m], not negative; default 0, a quarter of the shorter side, at most that within
    * which a thousand points are expected.
    */
-  vtkSetMacro(LongestDistance, double);
-  vtkGetMacro(LongestDistance, double);
+  vtkSetMacro(LargestDistance, double);
+  vtkGetMacro(LargestDistance, double);
   ///@}
 
   ///@{
   /**
    * Number of simulated patterns of each process and law, at least 1 / Level - 1; default 99.
    */
-  vtkSetMacro(Simulations, int);
-  vtkGetMacro(Simulations, int);
+  vtkSetMacro(NumberOfSimulations, int);
+  vtkGetMacro(NumberOfSimulations, int);
   ///@}
 
   ///@{
@@ -147,8 +148,8 @@ protected:
   double Size[2];
   int Function;
   int Contrast;
-  double LongestDistance;
-  int Simulations;
+  double LargestDistance;
+  int NumberOfSimulations;
   double Level;
   int Quadrats[2];
   int Seed;

@@ -223,7 +223,10 @@ std::string vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Rec
   {
     recipe.Raster.Scale = static_cast<littoral::IntensityScale>(this->IntensityScale);
     recipe.Options.Raster = &recipe.Raster;
-    check.Require(littoral::ReadIntensity(image, this->GetInputArrayToProcess(0, inputs), recipe.Raster));
+    vtkDataArray* values = littoral::NamesNoArray(this->GetInputArrayInformation(0))
+      ? image->GetPointData()->GetScalars()
+      : this->GetInputArrayToProcess(0, inputs);
+    check.Require(littoral::ReadIntensity(image, values, recipe.Raster));
   }
   return check.Reason();
 }

@@ -26,7 +26,7 @@
  *   no points. The array is that chosen by SetInputArrayToProcess, by default the active scalars.
  * - Window (port 2): vtkPolyData with one polygon, which replaces Origin and Size.
  *
- * Field data: `IsExact`, 0 where a Strauss pattern is that of a birth-death process after 64 lifetimes, since no end of
+ * Field data: `IsExact`, 0 where a Strauss pattern is that of a birth-death process after 32 lifetimes, since no end of
  * the exact simulation was seen by then; else 1.
  *
  * A piece holds a part of the points; all pieces together hold the same points for any number of pieces. A parameter
@@ -77,9 +77,11 @@ public:
 
   /// The image of the intensity (port 1).
   void SetIntensityImageConnection(vtkAlgorithmOutput* image) { this->SetInputConnection(1, image); }
+  void RemoveIntensityImage() { this->SetInputConnection(1, nullptr); }
 
   /// The polygon of the window (port 2).
   void SetWindowConnection(vtkAlgorithmOutput* window) { this->SetInputConnection(2, window); }
+  void RemoveWindow() { this->SetInputConnection(2, nullptr); }
 
   ///@{
   /**

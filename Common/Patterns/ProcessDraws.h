@@ -43,7 +43,7 @@ double ClusterReach(const PointProcessParameters& process);
 /// Around the box of a window, where a Strauss process has points too [m].
 inline double StraussMargin(const PointProcessParameters& process)
 {
-  return 4.0 * process.Distance;
+  return 2.0 * process.Distance;
 }
 
 /// Draws the points of one square.

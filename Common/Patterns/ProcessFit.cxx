@@ -26,6 +26,8 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Places along each side of the bounding box at which a pseudo-likelihood is summed.
 constexpr int PlacesOfSide = 256;
+/// Activities above so many intensities are those of packed points, between which next to no birth finds a place.
+constexpr double MostActivity = 100.0;
 /// Distances that are tried for a Strauss process.
 constexpr int DistancesTried = 64;
 
@@ -310,7 +312,8 @@ ProcessFit FitStrauss(
   fit.LogPseudoLikelihood = hasPairs ? -value : LogPseudoLikelihood(counts, 0.0, activity);
   LogPseudoLikelihood(counts, fit.Process.Interaction, activity);
   fit.Process.Activity = activity;
-  fit.Exists = fit.Process.Interaction < 0.999 && activity > 0.0;
+  const double intensity = static_cast<double>(points.size()) / window.GetArea();
+  fit.Exists = fit.Process.Interaction < 0.999 && activity > 0.0 && activity < MostActivity * intensity;
   return fit;
 }
 

@@ -51,7 +51,8 @@ struct ProcessFit
  * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|.
  * - Strauss: the maximum of the pseudo-likelihood (Besag 1975) over Activity and Interaction at each of 64 distances,
  * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest
- * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box.
+ * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box. Activities of more
+ * than a hundred intensities are left out: such points are packed, and no simulation of them ends.
  */
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const ParallelFor& parallel = SerialFor);

@@ -53,7 +53,7 @@ struct ProcessPattern
 };
 
 /// Lifetimes after which the simulation of a Strauss process ends even if its bounds have not met.
-inline constexpr int LongestRun = 64;
+inline constexpr int LongestRun = 32;
 
 /// Why there is no pattern of the process in the window, or one that takes too long, in words for a user; empty when
 /// there is one.
@@ -67,7 +67,7 @@ double ExpectedDraws(
 /**
  * The points of a process in a window, which must be valid together. All but Strauss are processes of the whole plane,
  * of which the window shows a part: the points in two windows are the same where the windows overlap. A Strauss process
- * has no points farther than four times its Distance from the bounding box of the window.
+ * has no points farther than twice its Distance from the bounding box of the window.
  *
  * - Poisson, Thomas, Matern cluster: counts of points or parents in squares, all parents in reach of the window.
  * - Matern II: ages of random points; an older one nearer than Distance ends a point.

@@ -40,6 +40,13 @@ struct Birth
   int Species;
 };
 
+void SortByTime(std::vector<Birth>& births)
+{
+  std::sort(births.begin(), births.end(), [](const Birth& a, const Birth& b) {
+    return std::tie(a.Time, a.Identity.Object, a.Identity.Draw) < std::tie(b.Time, b.Identity.Object, b.Identity.Draw);
+  });
+}
+
 /// Births of the free process of the plane, of Activity on 1 m2 in a lifetime.
 class FreeProcess
 {
@@ -68,17 +75,15 @@ public:
       for (std::size_t slab = begin; slab < end; ++slab)
       {
         this->AddSlab(slab, -lifetimes, slabs[slab]);
+        SortByTime(slabs[slab]);
       }
     });
+    // The first slab is the last in time.
     std::vector<Birth> births;
-    for (const std::vector<Birth>& slab : slabs)
+    for (auto slab = slabs.rbegin(); slab != slabs.rend(); ++slab)
     {
-      births.insert(births.end(), slab.begin(), slab.end());
+      births.insert(births.end(), slab->begin(), slab->end());
     }
-    std::sort(births.begin(), births.end(), [](const Birth& a, const Birth& b) {
-      return std::tie(a.Time, a.Identity.Object, a.Identity.Draw) <
-        std::tie(b.Time, b.Identity.Object, b.Identity.Draw);
-    });
     return births;
   }
 
