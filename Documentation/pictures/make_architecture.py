@@ -21,7 +21,7 @@ MODULES = ("Sources", "Filters", "IO")
 # meet no other room.
 ROOMS = {
     "Terrain": (0, 1, ("covariances, fits,", "turning bands")),
-    "Patterns": (1, 1, ("quadrat laws", "and their fits")),
+    "Patterns": (1, 2, ("quadrat laws,", "point processes")),
     "Wind": (2, 1, ("spectra, fields,", "loads")),
     "Sway": (3, 2, ("beams, trunks,", "leaves")),
     "Plants": (4, 1, ("skeletons, skins,", "scattering")),

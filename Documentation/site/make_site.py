@@ -34,7 +34,8 @@ DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway
 FIELDS = (
     ("Terrain", "terrain", "terrain",
      ("vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter", "vtkTerrainLevelOfDetailFilter")),
-    ("Point patterns", "patterns", "patterns", ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter")),
+    ("Point patterns", "patterns", "patterns",
+     ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter", "vtkPointProcessSource", "vtkPatternVerdictFilter")),
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
       "vtkPlantScatterFilter")),
@@ -56,7 +57,7 @@ ROOMS = {
     "Numerics": ("numerics", "Random streams, Fourier transforms, quadrature, rotations, threads."),
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
-    "Patterns": ("patterns", "Laws of counts in quadrats, patterns by them, fits."),
+    "Patterns": ("patterns", "Laws of counts in quadrats, point processes, patterns by them, fits, verdicts."),
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
     "Wind": ("wind", "Spectra, fields, loads."),
     "Sway": ("sway", "Modes and responses of beams, trunks and whole trees; leaves that move."),
