@@ -12,8 +12,9 @@
  * `Intensity` [1/m2], `ClusterSize`, `ClusterScale` [m], `Variance`, `Range` [m], `Distance` [m], `Activity` [1/m2],
  * `Interaction` and of laws `MeanPerQuadrat`, `Trials`, `ClusterShape`, `ClusterMean`, `ClusterSuccess` (NaN where
  * there is no such parameter), `PValue` of the global envelope test of extreme rank lengths (Myllymaki et al. 2017) and
- * `Verdict`: `best`; `not distinguishable`, where the test does not reject; `worse`, where it does; `does not exist`
- * where the points admit no such process or law. Field data: `Window` (corners), `Origin`, `Size`, `Quadrats`, `Level`.
+ * `Verdict`: `best` of those that the test does not reject, `not distinguishable` for the others of them; `worse` where
+ * it rejects, which may be everywhere; `does not exist` where the points admit no such process or law. Field data:
+ * `Window` (corners), `Origin`, `Size`, `Quadrats`, `Level`.
  *
  * Output 1: a vtkTable with a row per distance `r` [m], ready for a line chart: the `Measured` function, `Theory` (1
  * for g, r for L), and of the best row `Mean`, `Low` and `High`, the global envelope.

@@ -234,7 +234,7 @@ PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const Ob
       : law.Envelope.IsRejected ? PatternVerdict::Worse
                                 : PatternVerdict::NotDistinguishable;
   }
-  if (judgement.Laws.front().Exists())
+  if (judgement.Laws.front().Verdict == PatternVerdict::NotDistinguishable)
   {
     judgement.Laws.front().Verdict = PatternVerdict::Best;
   }

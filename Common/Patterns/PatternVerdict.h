@@ -43,7 +43,7 @@ std::string WhyInvalid(const VerdictOptions& options);
 /// What is said of a process or a law.
 enum class PatternVerdict
 {
-  Best = 0,
+  Best = 0,               ///< the largest p of all that are not rejected
   NotDistinguishable = 1, ///< the envelope test does not reject it
   Worse = 2,              ///< it does
   DoesNotExist = 3,       ///< the pattern admits no such process or law

@@ -125,8 +125,8 @@ bool CheckBadSources()
   good &= SourceFails("Intensity of the image is -1", [&](Source* s) { s->SetInputData(1, negative); });
   good &= SourceFails("0 everywhere", [&](Source* s) { s->SetInputData(1, zero); });
   good &= SourceFails("no point array", [&](Source* s) { s->SetInputData(1, bare); });
-  const auto crossed = Points({ { 0, 0 }, { 9, 9 }, { 9, 0 }, { 0, 9 } }, true);
-  good &= SourceFails("polygon", [&](Source* s) { s->SetInputData(2, crossed); });
+  const auto crossed = Points({ { 0, 0 }, { 9, 9 }, { 9, 0 }, { 0, 5 } }, true);
+  good &= SourceFails("cross", [&](Source* s) { s->SetInputData(2, crossed); });
   vtkNew<vtkTable> empty;
   good &= SourceFails("ProcessId", [&](Source* s) { s->SetInputData(empty); });
   return good;
@@ -229,6 +229,7 @@ bool CheckVerdict()
   source->SetOrigin(1000.0, -500.0);
   source->SetSize(200.0, 150.0);
   source->SetClusterScale(3.0);
+  source->SetIntensity(0.02);
   source->SetSeed(4);
   source->Update();
   vtkNew<Verdict> verdict;
