@@ -34,7 +34,7 @@ DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway
 FIELDS = (
     ("Terrain", "terrain", "terrain",
      ("vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter", "vtkTerrainLevelOfDetailFilter")),
-    ("Point patterns", "patterns", "patterns", ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter")),
+    ("Point patterns", "patterns", "patterns", ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter", "vtkPointPatternStatisticsFilter")),
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
       "vtkPlantScatterFilter")),
@@ -56,7 +56,7 @@ ROOMS = {
     "Numerics": ("numerics", "Random streams, Fourier transforms, quadrature, rotations, threads."),
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
-    "Patterns": ("patterns", "Laws of counts in quadrats, patterns by them, fits."),
+    "Patterns": ("patterns", "Laws of counts in quadrats, patterns by them, fits; windows, functions of distance, envelopes."),
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
     "Wind": ("wind", "Spectra, fields, loads."),
     "Sway": ("sway", "Modes and responses of beams, trunks and whole trees; leaves that move."),

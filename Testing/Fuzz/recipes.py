@@ -32,6 +32,8 @@ RECIPES = {
     "vtkWindStatisticsFilter": (("vtkWindFieldSource",), {}),
     "vtkSeaStatisticsFilter": (SEA, {}),
     "vtkQuadratAnalysisFilter": (("vtkQuadratPointSource",), {}),
+    "vtkPointPatternStatisticsFilter": (("vtkQuadratPointSource",), {"SetNumberOfSteps": (16,),
+                                                                     "SetNumberOfSimulations": (19,)}),
     "vtkTerrainLevelOfDetailFilter": (("vtkTurningBandsTerrainSource",), {}),
     "vtkPlantScatterFilter": (("vtkQuadratPointSource", *WOOD, "vtkTurningBandsTerrainSource"), {}),
     "vtkBeamTreeDeformationFilter": ((*WOOD, "vtkWindFieldSource"), {"SetTextureSize": (16, 8)}),

@@ -99,6 +99,9 @@ CASES = {
         {"SetNumberOfSectors": (4,)}, {"SetNumberOfSectors": (36,)}, {"SetNumberOfSectors": (90,)}]),
     "vtkQuadratAnalysisFilter": (lambda: (make("vtkQuadratPointSource"),), [
         {"SetQuadrats": (5, 5)}, {"SetQuadrats": (8, 6)}, {"SetOrigin": (-5.0, -5.0), "SetSize": (300.0, 300.0)}]),
+    "vtkPointPatternStatisticsFilter": (lambda: (make("vtkQuadratPointSource"),), [
+        {"SetFunction": (2,), "SetEdgeCorrection": (3,)}, {"SetFunction": (5,), "SetNumberOfSimulations": (19,)},
+        {"SetFunction": (0,), "SetEdgeCorrection": (1,), "SetSeed": (2,)}]),
     "vtkTerrainLevelOfDetailFilter": (lambda: (terrain(128),), [
         {"SetGroundColors": (False,)}, {"SetUseCulling": (False,)}, {"SetViewPoint": (0.0, 0.0, 90.0)}]),
     "vtkPlantScatterFilter": (lambda: (make("vtkQuadratPointSource"), tree()), [
