@@ -212,6 +212,7 @@ vtkPointPatternStatisticsFilter::vtkPointPatternStatisticsFilter()
   , LargestDistance(0.0)
   , NumberOfSteps(256)
   , Bandwidth(0.0)
+  , AllowCoincidentPoints(false)
   , NumberOfSimulations(99)
   , Level(0.05)
   , Seed(1)
@@ -384,7 +385,9 @@ std::string vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** 
   pattern.Points = littoral::PlanePositionsOf(pattern.Input);
   reason = window ? littoral::ReadWindow(window, pattern.Window)
                   : littoral::ReadWindow(pattern.Input, this->Origin, this->Size, pattern.Window);
-  reason = reason.empty() ? littoral::WhyInvalid(pattern.Points, pattern.Window, FewestPoints) : reason;
+  reason = reason.empty()
+    ? littoral::WhyInvalid(pattern.Points, pattern.Window, FewestPoints, this->AllowCoincidentPoints)
+    : reason;
   reason = reason.empty() ? this->ReadKinds(pattern) : reason;
   if (reason.empty() && pattern.Fits)
   {
@@ -562,6 +565,7 @@ void vtkPointPatternStatisticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LargestDistance: " << this->LargestDistance << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "Bandwidth: " << this->Bandwidth << "\n";
+  os << indent << "AllowCoincidentPoints: " << this->AllowCoincidentPoints << "\n";
   os << indent << "MarkArray: " << this->MarkArray << "\n";
   os << indent << "SpeciesArray: " << this->SpeciesArray << "\n";
   os << indent << "FirstSpecies: " << this->FirstSpecies << "\n";

@@ -28,9 +28,10 @@
  * the window; for MarkCorrelation the same points with marks in a random order; for cross functions the same points
  * with species in a random order.
  *
- * Fewer points, two at one place or one outside the window, a window whose polygon crosses itself, missing or not
- * positive marks, unknown species or a property out of range are reported as one error. Baddeley, Rubak and Turner
- * (2015), Spatial Point Patterns, chapters 7, 8, 10 and 14. Piece 0 holds the whole tables, other pieces are empty.
+ * Fewer points, two at one place unless AllowCoincidentPoints is on, one outside the window, a window whose polygon
+ * crosses itself, missing or not positive marks, unknown species or a property out of range are reported as one error.
+ * Baddeley, Rubak and Turner (2015), Spatial Point Patterns, chapters 7, 8, 10 and 14. Piece 0 holds the whole tables,
+ * other pieces are empty.
  *
  * @sa vtkQuadratAnalysisFilter
  */
@@ -155,6 +156,15 @@ public:
 
   ///@{
   /**
+   * Whether several points may be at one place, as in inventories with rounded coordinates; default off.
+   */
+  vtkSetMacro(AllowCoincidentPoints, bool);
+  vtkGetMacro(AllowCoincidentPoints, bool);
+  vtkBooleanMacro(AllowCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of the point array of marks, as the diameter of trees, above 0; default none (empty, or "None").
    */
   virtual void SetMarkArray(const char* name);
@@ -237,6 +247,7 @@ protected:
   double LargestDistance;
   int NumberOfSteps;
   double Bandwidth;
+  bool AllowCoincidentPoints;
   std::string MarkArray;
   std::string SpeciesArray;
   std::string FirstSpecies;

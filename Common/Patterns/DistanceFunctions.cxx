@@ -20,6 +20,9 @@ constexpr std::size_t SearchesOfTask = 1024;
 /// A distance that is by rounding above one of the range belongs to it.
 constexpr double RangeTolerance = 1e-12;
 
+/// Distances that are closer than this part of the range are the same to the Kaplan-Meier estimate.
+constexpr double SameDistance = 1e-5;
+
 /// Of a place the distance to the nearest point, and that to the edge [m].
 struct NearestDistance
 {
@@ -82,6 +85,8 @@ std::vector<double> BorderCorrected(const std::vector<NearestDistance>& places, 
 /// observed and the others censored at b.
 std::vector<double> KaplanMeier(const std::vector<NearestDistance>& places, const DistanceRange& distances)
 {
+  // Distances that differ by rounding are the same: coordinates of maps have few digits.
+  const double unit = SameDistance * distances.Largest;
   struct Event
   {
     double Distance;
@@ -90,7 +95,9 @@ std::vector<double> KaplanMeier(const std::vector<NearestDistance>& places, cons
   std::vector<Event> events;
   for (const NearestDistance& place : places)
   {
-    events.push_back({ std::min(place.Point, place.Edge), place.Point <= place.Edge });
+    const double point = std::round(place.Point / unit);
+    const double edge = std::round(place.Edge / unit);
+    events.push_back({ unit * std::min(point, edge), point <= edge });
   }
   std::sort(events.begin(), events.end(), [](const Event& one, const Event& other) {
     return one.Distance < other.Distance || (one.Distance == other.Distance && one.IsObserved > other.IsObserved);

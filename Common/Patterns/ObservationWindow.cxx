@@ -307,7 +307,8 @@ double ObservationWindow::CommonArea(double dx, double dy) const
   return CommonAreaOfRows(*this, dx, dy);
 }
 
-std::string WhyInvalid(const std::vector<PlanePosition>& points, const ObservationWindow& window, std::size_t least)
+std::string WhyInvalid(
+  const std::vector<PlanePosition>& points, const ObservationWindow& window, std::size_t least, bool mayCoincide)
 {
   if (points.size() < least)
   {
@@ -320,6 +321,10 @@ std::string WhyInvalid(const std::vector<PlanePosition>& points, const Observati
     {
       return "Point " + std::to_string(n) + ", at " + WordsOf(points[n]) + ", is outside the window.";
     }
+  }
+  if (mayCoincide)
+  {
+    return "";
   }
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

@@ -70,9 +70,9 @@ private:
 };
 
 /// Why points are no pattern in a window, in words for a user: fewer than `least`, one outside or not finite, two at
-/// one place. Empty when they are one.
-std::string WhyInvalid(
-  const std::vector<PlanePosition>& points, const ObservationWindow& window, std::size_t least = 5);
+/// one place unless they may be. Empty when they are one.
+std::string WhyInvalid(const std::vector<PlanePosition>& points, const ObservationWindow& window, std::size_t least = 5,
+  bool mayCoincide = false);
 
 }
 

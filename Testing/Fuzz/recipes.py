@@ -34,6 +34,8 @@ RECIPES = {
     "vtkWindStatisticsFilter": (("vtkWindFieldSource",), {}),
     "vtkSeaStatisticsFilter": (SEA, {}),
     "vtkQuadratAnalysisFilter": (("vtkQuadratPointSource",), {}),
+    "vtkPointPatternStatisticsFilter": (("vtkQuadratPointSource",), {"SetNumberOfSteps": (16,),
+                                                                     "SetNumberOfSimulations": (19,)}),
     "vtkPatternVerdictFilter": (("vtkPointProcessSource",), {"SetNumberOfSimulations": (19,)}),
     "vtkTerrainLevelOfDetailFilter": (("vtkTurningBandsTerrainSource",), {}),
     "vtkPlantScatterFilter": (("vtkQuadratPointSource", *WOOD, "vtkTurningBandsTerrainSource"), {}),

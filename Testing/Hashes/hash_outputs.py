@@ -102,6 +102,9 @@ CASES = {
         {"SetNumberOfSectors": (4,)}, {"SetNumberOfSectors": (36,)}, {"SetNumberOfSectors": (90,)}]),
     "vtkQuadratAnalysisFilter": (lambda: (make("vtkQuadratPointSource"),), [
         {"SetQuadrats": (5, 5)}, {"SetQuadrats": (8, 6)}, {"SetOrigin": (-5.0, -5.0), "SetSize": (300.0, 300.0)}]),
+    "vtkPointPatternStatisticsFilter": (lambda: (make("vtkQuadratPointSource"),), [
+        {"SetFunction": (2,), "SetEdgeCorrection": (3,)}, {"SetFunction": (5,), "SetNumberOfSimulations": (19,)},
+        {"SetFunction": (0,), "SetEdgeCorrection": (1,), "SetSeed": (2,)}]),
     "vtkPatternVerdictFilter": (lambda: (make("vtkPointProcessSource", SetSize=(80.0, 60.0), SetIntensity=(0.02,)),), [
         {"SetNumberOfSimulations": (19,)}, {"SetNumberOfSimulations": (19,), "SetFunction": (1,)},
         {"SetNumberOfSimulations": (19,), "SetContrast": (1,), "SetSeed": (2,)}]),

@@ -210,6 +210,7 @@ TEST(ObservationWindow, RefusesBadPatterns)
   bad = points;
   bad.push_back({ 0.5, 0.5 });
   EXPECT_TRUE(Has(WhyInvalid(bad, window), "Points 2 and 5 are at one place"));
+  EXPECT_EQ(WhyInvalid(bad, window, 5, true), "");
   bad = points;
   bad[3] = { 0.7, 1.2 };
   EXPECT_TRUE(Has(WhyInvalid(bad, window), "Point 3"));
