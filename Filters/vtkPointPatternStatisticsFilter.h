@@ -70,7 +70,7 @@ public:
 
   enum EdgeCorrectionType
   {
-    None = 0,
+    NoCorrection = 0,
     Border = 1,
     Isotropic = 2,
     Translation = 3,
@@ -90,6 +90,15 @@ public:
    */
   vtkSetMacro(Function, int);
   vtkGetMacro(Function, int);
+  void SetFunctionToK() { this->SetFunction(K); }
+  void SetFunctionToL() { this->SetFunction(L); }
+  void SetFunctionToPairCorrelation() { this->SetFunction(PairCorrelation); }
+  void SetFunctionToNearestNeighbor() { this->SetFunction(NearestNeighbor); }
+  void SetFunctionToEmptySpace() { this->SetFunction(EmptySpace); }
+  void SetFunctionToJ() { this->SetFunction(J); }
+  void SetFunctionToMarkCorrelation() { this->SetFunction(MarkCorrelation); }
+  void SetFunctionToCrossK() { this->SetFunction(CrossK); }
+  void SetFunctionToCrossPairCorrelation() { this->SetFunction(CrossPairCorrelation); }
   ///@}
 
   ///@{
@@ -112,11 +121,15 @@ public:
 
   ///@{
   /**
-   * Correction of pairs for the edge of the window: None, Border, Isotropic or Translation; default Isotropic. Border
-   * is for K and L; the other functions of pairs are then corrected by Translation.
+   * Correction of pairs for the edge of the window: NoCorrection, Border, Isotropic or Translation; default Isotropic.
+   * Border is for K and L; the other functions of pairs are then corrected by Translation.
    */
   vtkSetMacro(EdgeCorrection, int);
   vtkGetMacro(EdgeCorrection, int);
+  void SetEdgeCorrectionToNoCorrection() { this->SetEdgeCorrection(NoCorrection); }
+  void SetEdgeCorrectionToBorder() { this->SetEdgeCorrection(Border); }
+  void SetEdgeCorrectionToIsotropic() { this->SetEdgeCorrection(Isotropic); }
+  void SetEdgeCorrectionToTranslation() { this->SetEdgeCorrection(Translation); }
   ///@}
 
   ///@{
@@ -126,6 +139,9 @@ public:
    */
   vtkSetMacro(DistanceCorrection, int);
   vtkGetMacro(DistanceCorrection, int);
+  void SetDistanceCorrectionToUncorrected() { this->SetDistanceCorrection(Uncorrected); }
+  void SetDistanceCorrectionToReducedSample() { this->SetDistanceCorrection(ReducedSample); }
+  void SetDistanceCorrectionToKaplanMeier() { this->SetDistanceCorrection(KaplanMeier); }
   ///@}
 
   ///@{
@@ -165,7 +181,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array of marks, as the diameter of trees, above 0; default none (empty, or "None").
+   * Name of the point array of marks, as the diameter of trees, above 0; default None.
    */
   virtual void SetMarkArray(const char* name);
   const char* GetMarkArray() const { return this->MarkArray.c_str(); }
@@ -173,7 +189,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array of species, texts or numbers; default none (empty, or "None").
+   * Name of the point array of species, texts or numbers; default None.
    */
   virtual void SetSpeciesArray(const char* name);
   const char* GetSpeciesArray() const { return this->SpeciesArray.c_str(); }
@@ -181,7 +197,7 @@ public:
 
   ///@{
   /**
-   * Species that cross functions go from; default empty, the most frequent one.
+   * Species that cross functions go from; default ``, the most frequent one.
    */
   virtual void SetFirstSpecies(const char* name);
   const char* GetFirstSpecies() const { return this->FirstSpecies.c_str(); }
@@ -189,7 +205,7 @@ public:
 
   ///@{
   /**
-   * Species that cross functions go to; default empty, the most frequent one but for the first.
+   * Species that cross functions go to; default ``, the most frequent one but for the first.
    */
   virtual void SetSecondSpecies(const char* name);
   const char* GetSecondSpecies() const { return this->SecondSpecies.c_str(); }

@@ -200,20 +200,18 @@ bool ObservationWindow::Contains(const PlanePosition& point) const
       return false;
     }
   }
-  if (this->Rectangular)
-  {
-    return true;
-  }
+  return this->Rectangular || this->Surrounds(point) || this->DistanceToEdge(point) <= slack;
+}
+
+/// Whether a point is within the polygon; it may be either on the edge.
+bool ObservationWindow::Surrounds(const PlanePosition& point) const
+{
   // Edges to the right of the point, crossed upwards or downwards: an odd number from inside.
   bool inside = false;
   for (std::size_t k = 0; k < this->Corners.size(); ++k)
   {
     const PlanePosition& a = this->Corners[k];
     const PlanePosition& b = this->Corners[(k + 1) % this->Corners.size()];
-    if (SquaredDistance(point, a, b) <= slack * slack)
-    {
-      return true;
-    }
     if ((a[1] > point[1]) != (b[1] > point[1]))
     {
       inside ^= point[0] < a[0] + (b[0] - a[0]) * (point[1] - a[1]) / (b[1] - a[1]);
@@ -279,7 +277,7 @@ double ObservationWindow::CircleInside(const PlanePosition& center, double radiu
     }
   }
   const auto isInside = [&](double angle) {
-    return this->Contains({ center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle) });
+    return this->Surrounds({ center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle) });
   };
   if (angles.empty())
   {

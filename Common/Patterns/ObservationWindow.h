@@ -60,6 +60,7 @@ private:
   {
   };
   explicit ObservationWindow(Empty) {}
+  bool Surrounds(const PlanePosition& point) const;
   void Measure();
 
   std::vector<PlanePosition> Corners;
