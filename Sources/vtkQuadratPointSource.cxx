@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQuadratPointSource.h"
 
-#include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Inputs.h"
+#include "Data/QuadratTable.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
 #include "Pipeline/Mistakes.h"
@@ -166,56 +166,6 @@ int vtkQuadratPointSource::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-/// Takes over the first row of a table of fits. The reason why it cannot be, or nothing.
-std::string vtkQuadratPointSource::TakeFit(vtkTable* table, Recipe& recipe)
-{
-  littoral::ArrayReader rows = littoral::ArrayReader::OfRows(table, "the table of fits");
-  if (table->GetNumberOfRows() == 0 || !rows.Has("LawId"))
-  {
-    return "the table of fits has no row with a LawId; connect the first output of a quadrat analysis.";
-  }
-  littoral::QuadratLawParameters& law = recipe.Law;
-  vtkDataArray* ids = rows.Need("LawId", 1);
-  std::string reason = rows.Reason();
-  if (ids)
-  {
-    littoral::ReadWhole("LawId", ids->GetComponent(0, 0), 0, littoral::NumberOfQuadratLaws - 1, law.Law, reason);
-  }
-  littoral::ParameterCheck check;
-  for (const auto* parameter : littoral::AllQuadratLawParameters())
-  {
-    vtkDataArray* column = rows.Find(parameter->Name, 1);
-    const double number = column ? column->GetComponent(0, 0) : std::nan("");
-    if (std::isfinite(number)) // NaN: the law has no such parameter
-    {
-      check.Within(parameter->Name, number, parameter->Allowed, parameter->Unit);
-      check.Range(parameter->Name, number, -VTK_INT_MAX, VTK_INT_MAX); // some are whole
-    }
-    if (std::isfinite(number) && check.IsGood())
-    {
-      parameter->Set(law, number);
-    }
-  }
-  littoral::ArrayReader fields = littoral::ArrayReader::OfFields(table, "the table of fits", 1);
-  vtkDataArray* origin = fields.Find("Origin", 2);
-  vtkDataArray* size = fields.Find("Size", 2);
-  vtkDataArray* quadrats = fields.Find("Quadrats", 2);
-  check.Require(rows.Reason());
-  check.Require(fields.Reason());
-  reason = reason.empty() ? check.Reason() : reason;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    recipe.Grid.Origin[axis] = origin ? origin->GetComponent(0, axis) : recipe.Grid.Origin[axis];
-    recipe.Grid.Size[axis] = size ? size->GetComponent(0, axis) : recipe.Grid.Size[axis];
-    if (quadrats)
-    {
-      littoral::ReadWhole("Quadrats", quadrats->GetComponent(0, axis), 1, VTK_INT_MAX, recipe.Grid.Count[axis], reason);
-    }
-  }
-  return reason;
-}
-
-//----------------------------------------------------------------------------
 bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recipe)
 {
   littoral::QuadratLawParameters& law = recipe.Law;
@@ -229,7 +179,7 @@ bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recip
     { this->Quadrats[0], this->Quadrats[1] } };
   std::string reason;
   auto* table = littoral::OptionalInputOf<vtkTable>(fits, "Input", reason);
-  reason = table ? TakeFit(table, recipe) : reason;
+  reason = table ? littoral::ReadQuadratFit(table, recipe.Law, recipe.Grid) : reason;
   if (!reason.empty())
   {
     littoralErrorMacro("Cannot scatter points: " << reason);

@@ -183,7 +183,6 @@ private:
   void operator=(const vtkQuadratPointSource&) = delete;
 
   class Recipe;
-  static std::string TakeFit(vtkTable* table, Recipe& recipe);
   bool MakeRecipe(vtkInformationVector* fits, Recipe& recipe);
   std::string WhyInvalid(const Recipe& recipe) const;
 };

@@ -19,6 +19,9 @@ enum class RandomPurpose : std::uint32_t
   QuadratCounts = 3,
   QuadratOrder = 4,
   QuadratPositions = 5,
+  SimulationSeeds = 13,
+  UniformPoints = 14,
+  MarkOrder = 15,
   TreeBranches = 16,
   TreeLeaves = 17,
   ForkBranches = 18,
@@ -44,6 +47,16 @@ enum class RandomPurpose : std::uint32_t
   ParticleOrientations = 66,
   SlaveOffsets = 72,
   DrainageWaves = 80,
+  ProcessCells = 96,
+  ProcessParents = 97,
+  ProcessClusters = 98,
+  ProcessPoints = 99,
+  ProcessThinning = 100,
+  ProcessBirths = 101,
+  ProcessLives = 102,
+  ProcessField = 103,
+  ProcessSpecies = 104,
+  ProcessMarks = 105,
 };
 
 /**

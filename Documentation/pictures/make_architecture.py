@@ -22,7 +22,7 @@ MODULES = ("Sources", "Filters", "IO")
 ROOMS = {
     "Drainage": (0, 2, ("flow, rivers,", "carving")),
     "Terrain": (1, 1, ("covariances, fits,", "turning bands")),
-    "Patterns": (2, 1, ("quadrat laws", "and their fits")),
+    "Patterns": (2, 2, ("quadrat laws,", "point processes")),
     "Wind": (3, 1, ("spectra, fields,", "loads")),
     "Sway": (4, 2, ("beams, trunks,", "leaves")),
     "Plants": (5, 1, ("skeletons, skins,", "scattering")),

@@ -12,6 +12,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -85,6 +86,18 @@ vtkDataArray* ArrayReader::Any(const char* name) const
   vtkAbstractArray* array = this->Arrays->GetAbstractArray(name);
   ArrayReader reader = *this;
   return array ? reader.Check(array, name, array->GetNumberOfComponents(), VTK_VOID) : nullptr;
+}
+
+vtkStringArray* ArrayReader::FindTexts(const char* name)
+{
+  auto* texts = this->Arrays ? vtkStringArray::SafeDownCast(this->Arrays->GetAbstractArray(name)) : nullptr;
+  if (texts && (texts->GetNumberOfComponents() != 1 || texts->GetNumberOfTuples() != this->Tuples))
+  {
+    this->Complain(
+      std::string("a ") + this->Kind + " " + name + " that has not one text for each of its " + this->Elements);
+    return nullptr;
+  }
+  return texts;
 }
 
 bool ArrayReader::Has(const char* name) const

@@ -15,6 +15,7 @@
 class vtkDataObject;
 class vtkDataSet;
 class vtkFieldData;
+class vtkStringArray;
 class vtkTable;
 
 namespace littoral
@@ -59,6 +60,9 @@ public:
   {
     return Array::SafeDownCast(this->Check(array, array ? array->GetName() : nullptr, components, TypeOf<Array>()));
   }
+
+  /// The array of texts of one component; null if there is none, with a reason if it has another form.
+  vtkStringArray* FindTexts(const char* name);
 
   /// All arrays of the form, in their order.
   std::vector<vtkDataArray*> All(int components) const;

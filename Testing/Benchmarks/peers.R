@@ -21,4 +21,5 @@ if (has("RandomFields")) {
 if (has("spatstat.random")) {
   window <- spatstat.geom::owin(c(0, 1000), c(0, 1000))
   report("spatstat", function() rMatClust(0.25, 2, 4, win = window))
+  report("spatstat Thomas", function() rThomas(0.2, 0.5, 5, win = window))
 }

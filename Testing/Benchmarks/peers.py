@@ -61,6 +61,8 @@ PEERS = (
          "RandomFields, RPtbm of RMexp", "RandomFields", None),
     Peer("a million points in clusters", "vtkbench_quadrats",
          "ScatterPoints/mode:0/size:1000000/law:2/process_time/real_time", "spatstat, rMatClust", "spatstat", None),
+    Peer("a million points of a Thomas process", "vtkbench_quadrats",
+         "DrawProcess/process:1/process_time/real_time", "spatstat, rThomas", "spatstat Thomas", None),
     Peer("variogram, 1024 x 1024, lags to half the side", "bench_terrain",
          "MeasureVariogram/threads:1/size:1048576/real_time", "NumPy, five real transforms", None, variogram),
     Peer("wind, 12000 x 32 x 32 x 3", "bench_wind", "LargeField/iterations:3",

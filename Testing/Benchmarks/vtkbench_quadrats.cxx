@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of scattering and of analysing points, through the pipeline.
+// Speed of scattering and of analysing points, by quadrats and by processes, through the pipeline.
+#include "vtkPointProcessSource.h"
 #include "vtkQuadratAnalysisFilter.h"
 #include "vtkQuadratPointSource.h"
 
@@ -35,6 +36,31 @@ BENCHMARK(ScatterPoints)
   ->ArgsProduct({ { 0, 1 }, { 100 * 100, 400 * 400, 1000 * 1000 }, { vtkQuadratPointSource::Poisson } })
   ->ArgsProduct({ { 0, 1 }, { 1000 * 1000, 10000000 },
     { vtkQuadratPointSource::NegativeBinomial, vtkQuadratPointSource::PoissonPoisson } })
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+/// A million points, on the average.
+void DrawProcess(benchmark::State& state)
+{
+  vtkNew<vtkPointProcessSource> source;
+  source->SetSize(1000.0, 1000.0);
+  source->SetIntensity(1.0);
+  source->SetClusterSize(5.0);
+  source->SetClusterScale(0.5);
+  source->SetRange(50.0);
+  source->SetDistance(0.3);
+  source->SetProcess(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    source->Modified();
+    source->Update();
+  }
+  state.SetItemsProcessed(state.iterations() * source->GetOutput()->GetNumberOfPoints());
+}
+BENCHMARK(DrawProcess)
+  ->ArgName("process")
+  ->DenseRange(vtkPointProcessSource::Poisson, vtkPointProcessSource::MaternII)
   ->Unit(benchmark::kMillisecond)
   ->MeasureProcessCPUTime()
   ->UseRealTime();

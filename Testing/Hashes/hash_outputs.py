@@ -74,6 +74,9 @@ CASES = {
         {"SetWholeExtent": (5, 60, 0, 40, 0, 0), "SetAnisotropyRatio": (2.0,), "SetAnisotropyAngle": (30.0,)}]),
     "vtkQuadratPointSource": (lambda: (), [
         {"SetLaw": (1,), "SetSeed": (4,)}, {"SetLaw": (2,)}, {"SetMode": (1,), "SetMeanPerQuadrat": (3.0,)}]),
+    "vtkPointProcessSource": (lambda: (), [
+        {"SetProcess": (3,)}, {"SetProcess": (4,), "SetSeed": (2,)},
+        {"SetProcess": (5,), "SetSize": (100.0, 80.0), "SetNumberOfSpecies": (2,), "SetMarks": (True,)}]),
     "vtkReevesTreeSource": (lambda: (), [
         {"SetPreset": (1,), "SetSeed": (2,)}, {"SetPreset": (3,)}, {"SetPreset": (0,), "SetOrders": (2,)}]),
     "vtkAonoKuniiTreeSource": (lambda: (), [
@@ -105,6 +108,12 @@ CASES = {
         {"SetNumberOfSectors": (4,)}, {"SetNumberOfSectors": (36,)}, {"SetNumberOfSectors": (90,)}]),
     "vtkQuadratAnalysisFilter": (lambda: (make("vtkQuadratPointSource"),), [
         {"SetQuadrats": (5, 5)}, {"SetQuadrats": (8, 6)}, {"SetOrigin": (-5.0, -5.0), "SetSize": (300.0, 300.0)}]),
+    "vtkPointPatternStatisticsFilter": (lambda: (make("vtkQuadratPointSource"),), [
+        {"SetFunction": (2,), "SetEdgeCorrection": (3,)}, {"SetFunction": (5,), "SetNumberOfSimulations": (19,)},
+        {"SetFunction": (0,), "SetEdgeCorrection": (1,), "SetSeed": (2,)}]),
+    "vtkPatternVerdictFilter": (lambda: (make("vtkPointProcessSource", SetSize=(80.0, 60.0), SetIntensity=(0.02,)),), [
+        {"SetNumberOfSimulations": (19,)}, {"SetNumberOfSimulations": (19,), "SetFunction": (1,)},
+        {"SetNumberOfSimulations": (19,), "SetContrast": (1,), "SetSeed": (2,)}]),
     "vtkTerrainLevelOfDetailFilter": (lambda: (terrain(128),), [
         {"SetGroundColors": (False,)}, {"SetUseCulling": (False,)}, {"SetViewPoint": (0.0, 0.0, 90.0)}]),
     "vtkPlantScatterFilter": (lambda: (make("vtkQuadratPointSource"), tree()), [

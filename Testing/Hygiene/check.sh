@@ -62,7 +62,8 @@ case "${1:-}" in
       case "$room" in
         Numerics) lower= ;;
         Geometry) lower=Numerics ;;
-        Terrain | Patterns | Plants | Wind | Sea) lower='Numerics|Geometry' ;;
+        Terrain | Plants | Wind | Sea) lower='Numerics|Geometry' ;;
+        Patterns) lower='Numerics|Geometry|Terrain' ;;
         Sway) lower='Numerics|Geometry|Plants|Wind' ;;
         Currents) lower='Numerics|Geometry' ;;
         Particles) lower='Numerics|Geometry|Sea' ;;

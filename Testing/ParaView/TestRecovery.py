@@ -24,6 +24,7 @@ VALID = {
     "ParticleOrbits": lambda: dict(Input=particles(), SeaState=simple.SeaState()),
     "PlantScatter": lambda: dict(Sites=sites(), Prototypes=[tree()]),
     "QuadratAnalysis": lambda: dict(Input=sites()),
+    "PointPatternStatistics": lambda: dict(Input=sites()),
     "SeaStatistics": lambda: dict(Input=simple.SeaState()),
     "SeaSurface": lambda: dict(Input=simple.SeaState(), Radius=50.0),
     "SeaweedDeformation": lambda: dict(Input=simple.Seaweed(), SeaState=simple.SeaState(SeaLevel=8.0)),

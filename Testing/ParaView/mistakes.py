@@ -93,6 +93,8 @@ MISTAKES = [
     ("GroundStatistics", lambda: dict(Input=image()), "one layer", EMPTY),
     ("TerrainLevelOfDetail", lambda: dict(Input=image()), "one layer", EMPTY),
     ("QuadratAnalysis", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),
+    ("PointPatternStatistics", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),
+    ("PointPatternStatistics", lambda: dict(Input=sites(), Function="Mark Correlation"), "MarkArray", EMPTY),
     ("TurningBandsTerrainFromFits", lambda: dict(Input=simple.SeaState()), "covariance fit", EMPTY),
     ("QuadratPointsFromFits", lambda: dict(Input=simple.SeaState()), "quadrat analysis", EMPTY),
     ("MeasuredSeaState", lambda: dict(Input=simple.QuadratAnalysis(Input=sites())), "Frequency and Density", EMPTY),

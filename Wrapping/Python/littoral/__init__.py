@@ -26,7 +26,8 @@ if _release(_vtkVersion.GetVTKVersion()) != _release(_vtk_version):
 from .LittoralSources import *
 from .LittoralFilters import *
 
-versions.mend_calls((vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))
+versions.mend_calls(
+    (vtkPointProcessSource, vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))
 
 #: Writers by the libraries that they need.
 _writers = {"vtkVDBVolumeWriter": "OpenVDB", "vtkGLTFSceneWriter": "tinygltf"}

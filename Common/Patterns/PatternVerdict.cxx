@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Patterns/PatternVerdict.h"
+
+#include "Numerics/ParameterCheck.h"
+#include "Patterns/ProcessPattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Polls come so many times in the simulations of a law.
+constexpr int Polls = 8;
+
+/// A pattern of a fitted law from a seed.
+using PatternOfSeed = std::function<std::vector<PlanePosition>(int seed)>;
+
+/// As many quadrats as points, nearly square, unless told otherwise.
+QuadratGrid GridOf(const ObservationWindow& window, std::size_t points, const std::array<int, 2>& quadrats)
+{
+  QuadratGrid grid;
+  grid.Origin = window.GetLow();
+  grid.Size = { window.GetHigh()[0] - window.GetLow()[0], window.GetHigh()[1] - window.GetLow()[1] };
+  const double side = std::sqrt(grid.Size[0] * grid.Size[1] / static_cast<double>(points));
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int fitting = std::max(1, static_cast<int>(std::lround(grid.Size[axis] / side)));
+    grid.Count[axis] = quadrats[axis] > 0 ? quadrats[axis] : fitting;
+  }
+  return grid;
+}
+
+std::vector<long long> FrequenciesIn(const QuadratGrid& grid, const std::vector<PlanePosition>& points)
+{
+  std::vector<int> counts(static_cast<std::size_t>(grid.NumberOfQuadrats()), 0);
+  for (const PlanePosition& point : points)
+  {
+    const long long quadrat = QuadratOf(grid, point[0], point[1]);
+    if (quadrat >= 0)
+    {
+      ++counts[static_cast<std::size_t>(quadrat)];
+    }
+  }
+  return CountFrequencies(counts);
+}
+
+/// Points by a law of counts, each count drawn.
+std::vector<PlanePosition> DrawLaw(const QuadratLawParameters& law, const QuadratGrid& grid, int seed)
+{
+  const std::vector<int> counts = QuadratCounts(law, grid.NumberOfQuadrats(), QuadratMode::Sampling, seed);
+  const auto total = static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), 0ll));
+  std::vector<double> positions(3 * total);
+  std::vector<int> quadrats(total);
+  PlaceQuadratPoints(grid, seed, counts, 0, counts.size(), positions.data(), quadrats.data());
+  std::vector<PlanePosition> points(total);
+  for (std::size_t n = 0; n < total; ++n)
+  {
+    points[n] = { positions[3 * n], positions[3 * n + 1] };
+  }
+  return points;
+}
+
+/// Judges laws one by one.
+class Judge
+{
+public:
+  Judge(const std::vector<PlanePosition>& points, const ObservationWindow& window, const VerdictOptions& options)
+    : Window(window)
+    , Options(options)
+  {
+    this->Pairs.Distances = DefaultDistances(window, points.size(), options.Steps);
+    if (options.Contrast.Largest > 0.0)
+    {
+      this->Pairs.Distances.Largest = options.Contrast.Largest;
+    }
+    this->Pairs.Correction = options.Contrast.Correction;
+    this->Pairs.WantsG = options.Function == VerdictFunction::PairCorrelation;
+    this->Pairs.WantsK = !this->Pairs.WantsG;
+    // The kernel is that of the measured pattern in all (Stoyan's rule).
+    this->Pairs.HalfWidth = 0.15 / std::sqrt(static_cast<double>(points.size()) / window.GetArea());
+    this->Measured = this->CurveOf(points);
+  }
+
+  const std::vector<double>& GetMeasured() const { return this->Measured; }
+
+  std::vector<double> GetDistances() const
+  {
+    std::vector<double> distances;
+    for (int k = 1; k <= this->Pairs.Distances.Steps; ++k)
+    {
+      distances.push_back(this->Pairs.Distances[k]);
+    }
+    return distances;
+  }
+
+  CurveEnvelope Test(const PatternOfSeed& law, const Poll& poll, const ParallelFor& parallel) const
+  {
+    std::vector<std::vector<double>> curves;
+    for (int part = 0; part < Polls; ++part)
+    {
+      const int first = this->Options.Simulations * part / Polls;
+      const int end = this->Options.Simulations * (part + 1) / Polls;
+      const auto pattern = [&](int number) { return law(SeedOfSimulation(this->Options.Seed, first + number)); };
+      const auto curve = [&](const std::vector<PlanePosition>& points) { return this->CurveOf(points); };
+      for (std::vector<double>& each : SimulateCurves(pattern, curve, end - first, parallel))
+      {
+        curves.push_back(std::move(each));
+      }
+      poll();
+    }
+    return FindCurveEnvelope(this->Measured, curves, this->Options.Level);
+  }
+
+private:
+  /// g or L at all distances but 0; 0 of a pattern without a pair.
+  std::vector<double> CurveOf(const std::vector<PlanePosition>& points) const
+  {
+    if (points.size() < 2)
+    {
+      return std::vector<double>(static_cast<std::size_t>(this->Pairs.Distances.Steps), 0.0);
+    }
+    const PairFunctions functions = FindPairFunctions(points, this->Window, this->Pairs);
+    const std::vector<double> curve = this->Pairs.WantsG ? functions.PairCorrelation : BesagL(functions.K);
+    return { curve.begin() + 1, curve.end() };
+  }
+
+  const ObservationWindow& Window;
+  const VerdictOptions& Options;
+  PairOptions Pairs;
+  std::vector<double> Measured;
+};
+
+int ParametersOf(const JudgedLaw& law)
+{
+  return law.IsProcess ? TraitsOf(law.Process.Process.Process).Parameters.Size() : law.Law.Parameters;
+}
+
+/// The largest p first, then the fewest parameters; what does not exist last.
+bool IsBetter(const JudgedLaw& a, const JudgedLaw& b)
+{
+  if (a.Exists() != b.Exists())
+  {
+    return a.Exists();
+  }
+  if (!a.Exists())
+  {
+    return false;
+  }
+  return a.Envelope.PValue != b.Envelope.PValue ? a.Envelope.PValue > b.Envelope.PValue
+                                                : ParametersOf(a) < ParametersOf(b);
+}
+
+}
+
+std::string WhyInvalid(const VerdictOptions& options)
+{
+  ParameterCheck check;
+  check.Require(WhyInvalid(options.Contrast));
+  check.Choice("Function", static_cast<int>(options.Function), { "g", "L" });
+  check.Require(WhyNoEnvelope(options.Simulations, options.Level));
+  check.Count("Simulations", options.Simulations, 1, 100000);
+  check.Count("Steps", options.Steps, 8, 4096);
+  check.Require(
+    options.Function != VerdictFunction::PairCorrelation || options.Contrast.Correction != EdgeCorrection::Border,
+    "There is no g with the border correction; choose the isotropic or the translation correction.");
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    check.Count("Quadrats[" + std::to_string(axis) + "]", options.Quadrats[axis], 0, 1000);
+  }
+  return check.Reason();
+}
+
+const char* WordOf(PatternVerdict verdict)
+{
+  static constexpr const char* Words[] = { "best", "not distinguishable", "worse", "does not exist" };
+  return Words[static_cast<int>(verdict)];
+}
+
+const char* JudgedLaw::Name() const
+{
+  return this->IsProcess ? PointProcessName(this->Process.Process.Process) : QuadratLawName(this->Law.Law.Law);
+}
+
+PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const ObservationWindow& window,
+  const VerdictOptions& options, const Poll& poll, const ParallelFor& parallel)
+{
+  const Judge judge(points, window, options);
+  PatternJudgement judgement;
+  judgement.Distances = judge.GetDistances();
+  judgement.Measured = judge.GetMeasured();
+  judgement.Grid = GridOf(window, points.size(), options.Quadrats);
+  for (int id = 0; id < NumberOfPointProcesses; ++id)
+  {
+    JudgedLaw law;
+    law.Process = FitProcess(static_cast<PointProcess>(id), points, window, options.Contrast, parallel);
+    const PointProcessParameters& process = law.Process.Process;
+    law.Process.Exists = law.Process.Exists && WhyInvalid(process, {}, window).empty();
+    if (law.Process.Exists)
+    {
+      const auto draw = [&](int seed) {
+        ProcessOptions seeded;
+        seeded.Seed = seed;
+        return SimulateProcess(process, seeded, window).Points;
+      };
+      law.Envelope = judge.Test(draw, poll, parallel);
+    }
+    judgement.Laws.push_back(law);
+  }
+  if (window.IsRectangle())
+  {
+    for (const QuadratFit& fit : FitAllQuadratLaws(FrequenciesIn(judgement.Grid, points)))
+    {
+      JudgedLaw law;
+      law.IsProcess = false;
+      law.Law = fit;
+      if (fit.Exists)
+      {
+        law.Envelope = judge.Test([&](int seed) { return DrawLaw(fit.Law, judgement.Grid, seed); }, poll, parallel);
+      }
+      judgement.Laws.push_back(law);
+    }
+  }
+  std::stable_sort(judgement.Laws.begin(), judgement.Laws.end(), IsBetter);
+  for (JudgedLaw& law : judgement.Laws)
+  {
+    law.Verdict = !law.Exists() ? PatternVerdict::DoesNotExist
+      : law.Envelope.IsRejected ? PatternVerdict::Worse
+                                : PatternVerdict::NotDistinguishable;
+  }
+  if (judgement.Laws.front().Verdict == PatternVerdict::NotDistinguishable)
+  {
+    judgement.Laws.front().Verdict = PatternVerdict::Best;
+  }
+  return judgement;
+}
+
+}

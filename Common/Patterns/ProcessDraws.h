@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralProcessDraws_h
+#define LittoralProcessDraws_h
+
+// How each process is drawn in a box, for ProcessPattern.
+
+#include "Numerics/Parallel.h"
+#include "Patterns/CellLattice.h"
+#include "Patterns/IntensityRaster.h"
+#include "Patterns/ProcessPattern.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace littoral
+{
+
+/// A process in the bounding box of a window.
+struct ProcessScene
+{
+  PointProcessParameters Process; ///< of the highest intensity of the raster
+  const ProcessOptions& Options;
+  IntensityFactor Factor;
+  PatternArea Box;
+  const Poll& Called;
+  const ParallelFor& Parallel;
+};
+
+/// Side of the squares in which points of an intensity are drawn: four in each, on the average.
+double DrawingSide(double intensity);
+
+/// Side of the squares on which the field of a log-Gaussian Cox process is constant.
+inline double FieldSide(const PointProcessParameters& process)
+{
+  return process.Range / 16.0;
+}
+
+/// How far points of a cluster lie from their parent at most [m].
+double ClusterReach(const PointProcessParameters& process);
+
+/// Around the box of a window, where a Strauss process has points too [m].
+inline double StraussMargin(const PointProcessParameters& process)
+{
+  return 2.0 * process.Distance;
+}
+
+/// Draws the points of one square.
+using SquareTask = std::function<void(long long i, long long j, ProcessPattern& pattern)>;
+
+/// Puts what is drawn in the squares of a block together in their order, some squares of `each` points at a time.
+ProcessPattern DrawSquares(
+  const ProcessScene& scene, const CellBlock& block, double each, const std::function<SquareTask()>& makeTask);
+
+/// Puts parts of a pattern together, and frees them.
+ProcessPattern Joined(std::vector<ProcessPattern>& parts);
+
+/// Adds a point if it lies in the box and the raster keeps it.
+void KeepPoint(
+  const ProcessScene& scene, const PlanePosition& point, const PointIdentity& identity, ProcessPattern& pattern);
+
+ProcessPattern DrawPoisson(const ProcessScene& scene);
+ProcessPattern DrawClusters(const ProcessScene& scene);
+ProcessPattern DrawCox(const ProcessScene& scene);
+ProcessPattern DrawMaternII(const ProcessScene& scene);
+ProcessPattern DrawStrauss(const ProcessScene& scene);
+
+}
+
+#endif

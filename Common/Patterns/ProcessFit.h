@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralProcessFit_h
+#define LittoralProcessFit_h
+
+#include "Numerics/Parallel.h"
+#include "Patterns/ObservationWindow.h"
+#include "Patterns/PairFunctions.h"
+#include "Patterns/PointProcess.h"
+
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// Which function of the pattern a process of clusters or a Cox process is fitted to.
+enum class ContrastFunction
+{
+  Ripley = 0,          ///< K
+  PairCorrelation = 1, ///< g
+};
+
+/// How processes are fitted by minimum contrast (Diggle 1983; Waagepetersen 2007).
+struct ContrastOptions
+{
+  ContrastFunction Function = ContrastFunction::Ripley;
+  EdgeCorrection Correction = EdgeCorrection::Isotropic;
+  double Largest = 0.0; ///< [m], distance up to which functions are compared; 0: that of DefaultDistances()
+  double Power = 0.25;  ///< q
+};
+
+/// Why a contrast cannot be, in words for a user; empty when it can.
+std::string WhyInvalid(const ContrastOptions& options);
+
+/// A process, fitted.
+struct ProcessFit
+{
+  PointProcessParameters Process;
+  bool Exists = false;              ///< false where the pattern has no such process: its parameters run away
+  double Contrast = 0.0;            ///< by minimum contrast [m^(4 q) m for K, m for g]; else NaN
+  double LogPseudoLikelihood = 0.0; ///< by pseudo-likelihood; else NaN
+};
+
+/**
+ * Fits a process to the points of a window, of which there are at least five and no two at one place.
+ *
+ * - Poisson: n / |W|.
+ * - Thomas, Matern cluster, log-Gaussian Cox: the minimum over the parameters of the integral of
+ *   |K_measured^q - K^q|^2 (or g) from 0 to Largest; the intensity is n / |W|.
+ * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|.
+ * - Strauss: the maximum of the pseudo-likelihood (Besag 1975) over Activity and Interaction at each of 64 distances,
+ * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest
+ * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box. Activities of more
+ * than a hundred intensities are left out: such points are packed, and no simulation of them ends.
+ */
+ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
+  const ContrastOptions& options, const ParallelFor& parallel = SerialFor);
+
+/// A Strauss process of a given Distance, of the points that lie farther than the border [m] from the edge; it is not
+/// below the distance.
+ProcessFit FitStrauss(
+  const std::vector<PlanePosition>& points, const ObservationWindow& window, double distance, double border);
+
+}
+
+#endif

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Patterns/ProcessPattern.h"
+
+#include "Numerics/ParameterCheck.h"
+#include "Numerics/RandomStream.h"
+#include "Patterns/ClusterOffsets.h"
+#include "Patterns/ProcessDraws.h"
+#include "Patterns/SpeciesDraw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// More points, parents or cells of a field than this are hardly meant.
+constexpr double MostDraws = 1e9;
+/// More births at one time than this take minutes.
+constexpr double MostAlive = 5e5;
+/// In the lower half of the draw, names the cluster in place of one of its points: none has so many.
+constexpr std::uint64_t WholeCluster = 0xffffffff;
+/// Points drawn at a time, more or less.
+constexpr double PointsOfTask = 1 << 14;
+
+PatternArea BoxOf(const ObservationWindow& window)
+{
+  const PlanePosition& low = window.GetLow();
+  const PlanePosition& high = window.GetHigh();
+  return { low, { high[0] - low[0], high[1] - low[1] } };
+}
+
+IntensityFactor FactorOf(const ProcessOptions& options)
+{
+  return options.Raster ? IntensityFactor(*options.Raster) : IntensityFactor();
+}
+
+/// The process where the raster is highest.
+PointProcessParameters Highest(const PointProcessParameters& process, const ProcessOptions& options)
+{
+  PointProcessParameters highest = process;
+  if (options.Raster)
+  {
+    double& intensity = process.Process == PointProcess::Strauss ? highest.Activity : highest.Intensity;
+    intensity = options.Raster->Scale == IntensityScale::Absolute ? options.Raster->Mean() : intensity;
+    const double factor = FactorOf(options).Highest();
+    intensity *= factor;
+    highest.ClusterSize *= factor;
+  }
+  return highest;
+}
+
+/// Side of the smallest squares in which anything is drawn.
+double SmallestSide(const PointProcessParameters& process)
+{
+  switch (process.Process)
+  {
+    case PointProcess::LogGaussianCox:
+      return FieldSide(process);
+    case PointProcess::Thomas:
+    case PointProcess::MaternCluster:
+      return DrawingSide(ParentIntensity(process));
+    case PointProcess::Strauss:
+      return DrawingSide(process.Activity);
+    default:
+      return DrawingSide(process.Intensity);
+  }
+}
+
+/// Species of each point, of a draw of its own or of its cluster.
+std::vector<int> DrawSpecies(const ProcessPattern& pattern, const ProcessOptions& options)
+{
+  const SpeciesDraw speciesOf(options);
+  const bool isOfCluster = pattern.HasClusters && options.Grouping == SpeciesGrouping::Clusters;
+  const std::uint64_t whole = isOfCluster ? WholeCluster : 0;
+  std::vector<int> species;
+  species.reserve(pattern.Identities.size());
+  for (const PointIdentity& identity : pattern.Identities)
+  {
+    species.push_back(speciesOf({ identity.Object, identity.Draw | whole }));
+  }
+  return species;
+}
+
+/// Drops the points that are in the box of a polygon only.
+void CutToWindow(const ObservationWindow& window, ProcessPattern& pattern)
+{
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < pattern.Points.size(); ++n)
+  {
+    if (window.Contains(pattern.Points[n]))
+    {
+      pattern.Points[kept] = pattern.Points[n];
+      pattern.Identities[kept] = pattern.Identities[n];
+      if (!pattern.Species.empty())
+      {
+        pattern.Species[kept] = pattern.Species[n];
+      }
+      ++kept;
+    }
+  }
+  pattern.Points.resize(kept);
+  pattern.Identities.resize(kept);
+  pattern.Species.resize(pattern.Species.empty() ? 0 : kept);
+}
+
+std::string WhyInvalidSpecies(const ProcessOptions& options)
+{
+  ParameterCheck check;
+  double sum = 0.0;
+  for (const double share : options.SpeciesShares)
+  {
+    check.NotNegative("A share of the species", share);
+    sum += share;
+  }
+  check.Require(options.SpeciesShares.empty() || !check.IsGood() || sum > 0.0, "All shares of the species are 0.");
+  check.Choice("Grouping", static_cast<int>(options.Grouping), { "points", "clusters" });
+  check.Range("CrossInteraction", options.CrossInteraction, 0.0, 1.0);
+  return check.Reason();
+}
+
+std::string WhyTooMuch(
+  const PointProcessParameters& process, const ProcessOptions& options, const ObservationWindow& window)
+{
+  const double draws = ExpectedDraws(process, options, window);
+  const bool isStrauss = process.Process == PointProcess::Strauss;
+  const double most = isStrauss ? MostAlive : MostDraws;
+  const double side = SmallestSide(Highest(process, options));
+  double farthest = 0.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    farthest = std::max({ farthest, std::abs(window.GetLow()[axis]), std::abs(window.GetHigh()[axis]) });
+  }
+  ParameterCheck check;
+  check.Require(draws <= most,
+    "The process takes " + TextOf(draws) + " draws in this window, and at most " + TextOf(most) +
+      " are made; take a smaller window or other parameters.");
+  check.Require(farthest < 0.5 * CellLattice::MostIndex * side,
+    "The window lies too far from the origin for so many points; move it nearer.");
+  return check.Reason();
+}
+
+}
+
+double DrawingSide(double intensity)
+{
+  return std::sqrt(4.0 / intensity);
+}
+
+ProcessPattern DrawSquares(
+  const ProcessScene& scene, const CellBlock& block, double each, const std::function<SquareTask()>& makeTask)
+{
+  const std::size_t squares = block.Columns() * block.Rows();
+  const auto atOnce = static_cast<std::size_t>(std::clamp(PointsOfTask / std::max(each, 1e-9), 1.0, PointsOfTask));
+  const std::size_t tasks = (squares + atOnce - 1) / atOnce;
+  std::vector<ProcessPattern> parts(tasks);
+  scene.Parallel(tasks, [&](std::size_t begin, std::size_t end) {
+    const SquareTask task = makeTask();
+    for (std::size_t part = begin; part < end; ++part)
+    {
+      for (std::size_t q = part * atOnce; q < std::min(squares, (part + 1) * atOnce); ++q)
+      {
+        task(block.First[0] + static_cast<long long>(q % block.Columns()),
+          block.First[1] + static_cast<long long>(q / block.Columns()), parts[part]);
+      }
+    }
+  });
+  return Joined(parts);
+}
+
+ProcessPattern Joined(std::vector<ProcessPattern>& parts)
+{
+  if (parts.size() == 1)
+  {
+    return std::move(parts.front());
+  }
+  std::size_t points = 0;
+  for (const ProcessPattern& part : parts)
+  {
+    points += part.Points.size();
+  }
+  ProcessPattern pattern;
+  pattern.Points.reserve(points);
+  pattern.Identities.reserve(points);
+  for (ProcessPattern& part : parts)
+  {
+    pattern.Points.insert(pattern.Points.end(), part.Points.begin(), part.Points.end());
+    pattern.Identities.insert(pattern.Identities.end(), part.Identities.begin(), part.Identities.end());
+    part = {};
+  }
+  return pattern;
+}
+
+void KeepPoint(
+  const ProcessScene& scene, const PlanePosition& point, const PointIdentity& identity, ProcessPattern& pattern)
+{
+  if (!scene.Box.Contains(point[0], point[1]))
+  {
+    return;
+  }
+  if (!scene.Factor.IsOne())
+  {
+    const RandomStream random(scene.Options.Seed, RandomPurpose::ProcessThinning);
+    const double u = random.UniformPair(identity.Object, identity.Draw)[0];
+    if (u >= scene.Factor.ShareAt(point[0], point[1]))
+    {
+      return;
+    }
+  }
+  pattern.Points.push_back(point);
+  pattern.Identities.push_back(identity);
+}
+
+double ExpectedDraws(
+  const PointProcessParameters& process, const ProcessOptions& options, const ObservationWindow& window)
+{
+  const PointProcessParameters highest = Highest(process, options);
+  const PatternArea box = BoxOf(window);
+  switch (process.Process)
+  {
+    case PointProcess::Thomas:
+    case PointProcess::MaternCluster:
+      return box.Grown(ClusterReach(highest)).Measure() * (highest.Intensity + ParentIntensity(highest));
+    case PointProcess::LogGaussianCox:
+      return box.Grown(FieldSide(highest)).Measure() *
+        (highest.Intensity + 1.0 / (FieldSide(highest) * FieldSide(highest)));
+    case PointProcess::MaternII:
+      return box.Grown(highest.Distance).Measure() * ProposedIntensity(highest.Intensity, highest.Distance);
+    case PointProcess::Strauss:
+      return box.Grown(StraussMargin(highest)).Measure() * highest.Activity;
+    default:
+      return box.Measure() * highest.Intensity;
+  }
+}
+
+std::string WhyInvalid(
+  const PointProcessParameters& process, const ProcessOptions& options, const ObservationWindow& window)
+{
+  ParameterCheck check;
+  check.Require(window.WhyInvalid());
+  check.Require(options.Raster ? WhyInvalid(*options.Raster) : std::string());
+  check.Require(WhyInvalidSpecies(options));
+  check.Require(WhyInvalid(process));
+  if (!check.IsGood())
+  {
+    return check.Reason();
+  }
+  const PointProcessParameters highest = Highest(process, options);
+  if (options.Raster)
+  {
+    std::string reason = WhyInvalid(highest);
+    check.Require(reason.empty(), "Where the image of the intensity is highest: " + reason);
+  }
+  return check.IsGood() ? WhyTooMuch(process, options, window) : check.Reason();
+}
+
+ProcessPattern SimulateProcess(const PointProcessParameters& process, const ProcessOptions& options,
+  const ObservationWindow& window, const Poll& poll, const ParallelFor& parallel)
+{
+  using Draw = ProcessPattern (*)(const ProcessScene&);
+  static constexpr Draw Draws[] = { DrawPoisson, DrawClusters, DrawClusters, DrawCox, DrawMaternII, DrawStrauss };
+  const ProcessScene scene{ Highest(process, options), options, FactorOf(options), BoxOf(window), poll, parallel };
+  ProcessPattern pattern = Draws[static_cast<int>(process.Process)](scene);
+  pattern.HasClusters = process.Process == PointProcess::Thomas || process.Process == PointProcess::MaternCluster;
+  if (!options.SpeciesShares.empty())
+  {
+    pattern.Species = DrawSpecies(pattern, options);
+  }
+  if (!window.IsRectangle())
+  {
+    CutToWindow(window, pattern);
+  }
+  return pattern;
+}
+
+std::string WhyInvalid(const MarkOptions& options)
+{
+  ParameterCheck check;
+  check.Positive("MarkMean", options.Mean);
+  check.Range("MarkVariation", options.Variation, 0.0, 3.0);
+  check.Range("MarkSharing", options.Sharing, 0.0, 1.0);
+  return check.Reason();
+}
+
+std::vector<double> DrawMarks(const ProcessPattern& pattern, const MarkOptions& options)
+{
+  const RandomStream random(options.Seed, RandomPurpose::ProcessMarks);
+  // ln m = ln mean - s2 / 2 + s (share^(1/2) z of the cluster + (1 - share)^(1/2) z of the point), s2 = ln(1 + c^2)
+  const double s2 = std::log1p(options.Variation * options.Variation);
+  const double sharing = pattern.HasClusters ? options.Sharing : 0.0;
+  const double common = std::sqrt(s2 * sharing);
+  const double own = std::sqrt(s2 * (1.0 - sharing));
+  std::vector<double> marks;
+  marks.reserve(pattern.Identities.size());
+  for (const PointIdentity& identity : pattern.Identities)
+  {
+    const double z = random.NormalPair(identity.Object, identity.Draw)[0];
+    const double parent = random.NormalPair(identity.Object, identity.Draw | WholeCluster)[1];
+    marks.push_back(options.Mean * std::exp(-0.5 * s2 + own * z + common * parent));
+  }
+  return marks;
+}
+
+}

@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/Constants.h"
+#include "Numerics/RandomStream.h"
+#include "Patterns/ClusterOffsets.h"
+#include "Patterns/PoissonCount.h"
+#include "Patterns/ProcessDraws.h"
+#include "Patterns/SpeciesDraw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace littoral
+{
+
+namespace
+{
+
+/// Lifetimes are cut at so many mean ones: all but 1e-13 of them are shorter.
+constexpr int LongestLife = 30;
+/// Lifetimes of the first run; each following one is twice as long.
+constexpr int FirstRun = 8;
+/// Mean number of points within the distance that an interaction would remove from a random pattern, beyond which the
+/// bounds do not meet in any window that is not small.
+constexpr double MostRemoved = 8.0;
+/// Events between polls.
+constexpr std::size_t EventsAtOnce = 4096;
+
+/// A point of the free process, which knows of no interaction.
+struct Birth
+{
+  double Time;  ///< [mean lifetimes], below 0, which is the time of the pattern
+  double Death; ///< [mean lifetimes]
+  PlanePosition Place;
+  double Chance; ///< it enters if this is below the interaction with those that are there
+  PointIdentity Identity;
+  int Species;
+};
+
+void SortByTime(std::vector<Birth>& births)
+{
+  std::sort(births.begin(), births.end(), [](const Birth& a, const Birth& b) {
+    return std::tie(a.Time, a.Identity.Object, a.Identity.Draw) < std::tie(b.Time, b.Identity.Object, b.Identity.Draw);
+  });
+}
+
+/// Births of the free process of the plane, of Activity on 1 m2 in a lifetime.
+class FreeProcess
+{
+public:
+  explicit FreeProcess(const ProcessScene& scene)
+    : Scene(scene)
+    , Domain(scene.Box.Grown(StraussMargin(scene.Process)))
+    , Lattice(DrawingSide(scene.Process.Activity))
+    , Table(scene.Process.Activity * this->Lattice.GetSide() * this->Lattice.GetSide())
+    , Species(scene.Options)
+    , Counts(scene.Options.Seed, RandomPurpose::ProcessCells)
+    , Places(scene.Options.Seed, RandomPurpose::ProcessBirths)
+    , Lives(scene.Options.Seed, RandomPurpose::ProcessLives)
+    , Chances(scene.Options.Seed, RandomPurpose::ProcessThinning)
+  {
+  }
+
+  const PatternArea& GetDomain() const { return this->Domain; }
+
+  /// All that live at some time from so many lifetimes ago on, by their births, which were not earlier than a number of
+  /// lifetimes before.
+  std::vector<Birth> Since(int lifetimes, int history) const
+  {
+    std::vector<std::vector<Birth>> slabs(static_cast<std::size_t>(lifetimes + history));
+    this->Scene.Parallel(slabs.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slab = begin; slab < end; ++slab)
+      {
+        this->AddSlab(slab, -lifetimes, slabs[slab]);
+        SortByTime(slabs[slab]);
+      }
+    });
+    // The first slab is the last in time.
+    std::vector<Birth> births;
+    for (auto slab = slabs.rbegin(); slab != slabs.rend(); ++slab)
+    {
+      births.insert(births.end(), slab->begin(), slab->end());
+    }
+    return births;
+  }
+
+private:
+  /// Births of one lifetime, of which those count that live after a time.
+  void AddSlab(std::size_t slab, double after, std::vector<Birth>& births) const
+  {
+    const CellBlock block = this->Lattice.Covering(this->Domain);
+    for (long long j = block.First[1]; j <= block.Last[1]; ++j)
+    {
+      for (long long i = block.First[0]; i <= block.Last[0]; ++i)
+      {
+        const int count = this->Table(this->Counts.UniformPair(CellLattice::ObjectOf(i, j), slab)[0]);
+        for (int n = 0; n < count; ++n)
+        {
+          this->AddBirth(i, j, slab, n, after, births);
+        }
+      }
+    }
+  }
+
+  void AddBirth(long long i, long long j, std::size_t slab, int n, double after, std::vector<Birth>& births) const
+  {
+    const PointIdentity identity{ CellLattice::ObjectOf(i, j), slab << 20 | static_cast<std::uint64_t>(n) };
+    // Lifetimes are exponential: -ln u', u' on (exp(-LongestLife), 1).
+    auto life = this->Lives.UniformPair(identity.Object, identity.Draw);
+    constexpr double Least = 9.357622968840175e-14;
+    life[1] = Least + (1.0 - Least) * life[1];
+    MakeLogarithms(1, &life[1]);
+    const double time = -static_cast<double>(slab) - life[0];
+    const double death = time - life[1];
+    if (death <= after)
+    {
+      return;
+    }
+    const auto u = this->Places.UniformPair(identity.Object, identity.Draw);
+    const double side = this->Lattice.GetSide();
+    const PlanePosition place = { this->Lattice.EdgeOf(i) + side * u[0], this->Lattice.EdgeOf(j) + side * u[1] };
+    const auto chances = this->Chances.UniformPair(identity.Object, identity.Draw);
+    if (this->Domain.Contains(place[0], place[1]) && chances[1] < this->Scene.Factor.ShareAt(place[0], place[1]))
+    {
+      births.push_back({ time, death, place, chances[0], identity, this->Species(identity) });
+    }
+  }
+
+  const ProcessScene& Scene;
+  PatternArea Domain;
+  CellLattice Lattice;
+  PoissonTable Table;
+  SpeciesDraw Species;
+  RandomStream Counts;
+  RandomStream Places;
+  RandomStream Lives;
+  RandomStream Chances;
+};
+
+/// Two birth-death processes between which that of the Strauss process lies.
+class BoundingProcesses
+{
+public:
+  BoundingProcesses(const ProcessScene& scene, const PatternArea& domain, const std::vector<Birth>& births)
+    : Scene(scene)
+    , Births(births)
+    , Squares(scene.Process.Distance)
+    , Block(this->Squares.Covering(domain))
+    , Present(this->Block.Columns() * this->Block.Rows())
+    , IsInLower(births.size(), 0)
+  {
+  }
+
+  /// Follows both to time 0, from all that live at the time `from` and from none; or one from none.
+  void Run(double from, bool isBounding)
+  {
+    std::size_t birth = 0;
+    for (; birth < this->Births.size() && this->Births[birth].Time < from; ++birth)
+    {
+      if (isBounding)
+      {
+        this->SquareOf(this->Births[birth].Place).push_back(birth);
+      }
+    }
+    const std::vector<std::size_t> deaths = this->ByDeath();
+    SteppedPoll poll(this->Scene.Called, EventsAtOnce);
+    for (const std::size_t death : deaths)
+    {
+      const double time = std::min(this->Births[death].Death, 0.0);
+      for (; birth < this->Births.size() && this->Births[birth].Time < time; ++birth)
+      {
+        this->Enter(birth);
+        poll.Step();
+      }
+      if (time == 0.0)
+      {
+        break;
+      }
+      this->Leave(death);
+    }
+  }
+
+  /// Whether both have the same points in the box.
+  bool HaveMet() const
+  {
+    return std::all_of(this->Present.begin(), this->Present.end(), [&](const std::vector<std::size_t>& square) {
+      return std::all_of(square.begin(), square.end(), [&](std::size_t n) {
+        return this->IsInLower[n] || !this->Scene.Box.Contains(this->Births[n].Place[0], this->Births[n].Place[1]);
+      });
+    });
+  }
+
+  /// The points of the lower one in the box.
+  ProcessPattern Pattern() const
+  {
+    ProcessPattern pattern;
+    for (const std::vector<std::size_t>& square : this->Present)
+    {
+      for (const std::size_t n : square)
+      {
+        const Birth& birth = this->Births[n];
+        if (this->IsInLower[n] && this->Scene.Box.Contains(birth.Place[0], birth.Place[1]))
+        {
+          pattern.Points.push_back(birth.Place);
+          pattern.Identities.push_back(birth.Identity);
+        }
+      }
+    }
+    return pattern;
+  }
+
+private:
+  std::vector<std::size_t> ByDeath() const
+  {
+    std::vector<std::size_t> order(this->Births.size());
+    for (std::size_t n = 0; n < order.size(); ++n)
+    {
+      order[n] = n;
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::tie(this->Births[a].Death, a) < std::tie(this->Births[b].Death, b);
+    });
+    return order;
+  }
+
+  std::size_t IndexOf(long long i, long long j) const
+  {
+    return static_cast<std::size_t>(j - this->Block.First[1]) * this->Block.Columns() +
+      static_cast<std::size_t>(i - this->Block.First[0]);
+  }
+
+  std::vector<std::size_t>& SquareOf(const PlanePosition& place)
+  {
+    return this->Present[this->IndexOf(this->Squares.IndexOf(place[0]), this->Squares.IndexOf(place[1]))];
+  }
+
+  /// A birth enters each process if its chance is below the interaction with the points of the other one: the more
+  /// there are, the fewer enter, so that the upper process stays above and the lower one below.
+  void Enter(std::size_t n)
+  {
+    const Birth& birth = this->Births[n];
+    double upper = 1.0;
+    double lower = 1.0;
+    const long long i0 = this->Squares.IndexOf(birth.Place[0]);
+    const long long j0 = this->Squares.IndexOf(birth.Place[1]);
+    for (long long j = std::max(j0 - 1, this->Block.First[1]); j <= std::min(j0 + 1, this->Block.Last[1]); ++j)
+    {
+      for (long long i = std::max(i0 - 1, this->Block.First[0]); i <= std::min(i0 + 1, this->Block.Last[0]); ++i)
+      {
+        for (const std::size_t other : this->Present[this->IndexOf(i, j)])
+        {
+          const double factor = this->InteractionOf(birth, this->Births[other]);
+          upper *= factor;
+          lower *= this->IsInLower[other] ? factor : 1.0;
+        }
+      }
+    }
+    if (birth.Chance < lower)
+    {
+      this->Present[this->IndexOf(i0, j0)].push_back(n);
+      this->IsInLower[n] = birth.Chance < upper;
+    }
+  }
+
+  void Leave(std::size_t n)
+  {
+    std::vector<std::size_t>& square = this->SquareOf(this->Births[n].Place);
+    const auto at = std::find(square.begin(), square.end(), n);
+    if (at != square.end())
+    {
+      square.erase(at);
+    }
+  }
+
+  double InteractionOf(const Birth& a, const Birth& b) const
+  {
+    const double dx = a.Place[0] - b.Place[0];
+    const double dy = a.Place[1] - b.Place[1];
+    const bool isNear = dx * dx + dy * dy < this->Scene.Process.Distance * this->Scene.Process.Distance;
+    const double near = a.Species == b.Species ? this->Scene.Process.Interaction : this->Scene.Options.CrossInteraction;
+    return isNear ? near : 1.0;
+  }
+
+  const ProcessScene& Scene;
+  const std::vector<Birth>& Births;
+  CellLattice Squares;
+  CellBlock Block;
+  std::vector<std::vector<std::size_t>> Present; ///< births in the upper process, by squares
+  std::vector<char> IsInLower;
+};
+
+}
+
+ProcessPattern DrawStrauss(const ProcessScene& scene)
+{
+  const FreeProcess free(scene);
+  const PointProcessParameters& process = scene.Process;
+  const double removed = process.Activity * (1.0 - process.Interaction) * Pi * process.Distance * process.Distance;
+  for (int lifetimes = FirstRun; removed < MostRemoved && lifetimes <= LongestRun; lifetimes *= 2)
+  {
+    const std::vector<Birth> births = free.Since(lifetimes, LongestLife);
+    BoundingProcesses processes(scene, free.GetDomain(), births);
+    processes.Run(-lifetimes, true);
+    if (processes.HaveMet())
+    {
+      return processes.Pattern();
+    }
+  }
+  const std::vector<Birth> births = free.Since(LongestRun, 0);
+  BoundingProcesses processes(scene, free.GetDomain(), births);
+  processes.Run(-LongestRun, false);
+  ProcessPattern pattern = processes.Pattern();
+  pattern.IsExact = false;
+  return pattern;
+}
+
+}

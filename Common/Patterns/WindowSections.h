@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralWindowSections_h
+#define LittoralWindowSections_h
+
+#include "Numerics/Parallel.h"
+#include "Patterns/ObservationWindow.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace littoral
+{
+
+/// The section of a window by the line at a height y [m]: x [m] where it begins and ends in turn, increasing.
+std::vector<double> SectionAt(const ObservationWindow& window, double y);
+
+/// Area of what a window and the window moved by (dx, dy) [m] have in common [m2], from a thousand sections.
+double CommonAreaOfRows(const ObservationWindow& window, double dx, double dy);
+
+/**
+ * The common areas of a window and of moved ones for all moves up to a distance [m]: exact for a rectangle, else
+ * between the nodes of a grid, whose spacing is a 128th of the distance.
+ */
+class CommonAreaTable
+{
+public:
+  CommonAreaTable(const ObservationWindow& window, double largest, const ParallelFor& parallel = SerialFor);
+
+  double operator()(double dx, double dy) const;
+
+  double GetLargest() const { return this->Largest; } ///< distance [m]
+
+private:
+  ObservationWindow Window;
+  double Largest = 0.0;
+  std::size_t Columns = 0; ///< nodes along x, from -largest
+  double Across = 0.0;     ///< spacing of the nodes along x [m]
+  double Along = 0.0;      ///< spacing along y, from 0 [m]
+  std::vector<double> Areas;
+};
+
+}
+
+#endif

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternVerdictFilter.h"
+
+#include "Data/Inputs.h"
+#include "Data/PointPattern.h"
+#include "Data/Tables.h"
+#include "Numerics/ParameterCheck.h"
+#include "Patterns/PatternVerdict.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPatternVerdictFilter);
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+/// Fewer points say nothing about a pattern.
+constexpr std::size_t FewestPoints = 5;
+/// Polls of a verdict, for its progress: eight for each process and law.
+constexpr double MostPolls = 8.0 * (littoral::NumberOfPointProcesses + littoral::NumberOfQuadratLaws);
+
+using Judged = littoral::JudgedLaw;
+
+void WriteLaws(const std::vector<Judged>& laws, vtkTable* table)
+{
+  const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, laws, valueOf); };
+  column("Law", [](const Judged& law) { return std::string(law.Name()); });
+  column("Verdict", [](const Judged& law) { return std::string(littoral::WordOf(law.Verdict)); });
+  column("PValue", [](const Judged& law) { return law.Exists() ? law.Envelope.PValue : NaN; });
+  column(
+    "ProcessId", [](const Judged& law) { return law.IsProcess ? static_cast<int>(law.Process.Process.Process) : -1; });
+  column("LawId", [](const Judged& law) { return law.IsProcess ? -1 : static_cast<int>(law.Law.Law.Law); });
+  for (const auto* parameter : littoral::AllPointProcessParameters())
+  {
+    column(parameter->Name, [=](const Judged& law) {
+      const bool has = law.IsProcess && law.Exists() &&
+        littoral::TraitsOf(law.Process.Process.Process).Parameters.Has(parameter->Name);
+      return has ? parameter->Get(law.Process.Process) : NaN;
+    });
+  }
+  for (const auto* parameter : littoral::AllQuadratLawParameters())
+  {
+    column(parameter->Name, [=](const Judged& law) {
+      const bool has =
+        !law.IsProcess && law.Exists() && littoral::TraitsOf(law.Law.Law.Law).Parameters.Has(parameter->Name);
+      return has ? parameter->Get(law.Law.Law) : NaN;
+    });
+  }
+}
+
+/// Adds the window and the grid of the laws as field data.
+void AddPlace(
+  const littoral::ObservationWindow& window, const littoral::QuadratGrid& grid, double level, vtkTable* table)
+{
+  vtkNew<vtkDoubleArray> corners;
+  corners->SetName("Window");
+  corners->SetNumberOfComponents(2);
+  for (const littoral::PlanePosition& corner : window.GetCorners())
+  {
+    corners->InsertNextTuple(corner.data());
+  }
+  table->GetFieldData()->AddArray(corners);
+  littoral::AddField(table, "Origin", { grid.Origin[0], grid.Origin[1] });
+  littoral::AddField(table, "Size", { grid.Size[0], grid.Size[1] });
+  littoral::AddField(table, "Quadrats", { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]) });
+  littoral::AddField(table, "Level", { level });
+}
+
+void WriteEnvelope(const littoral::PatternJudgement& judgement, bool isLength, vtkTable* table)
+{
+  std::vector<std::size_t> rows(judgement.Distances.size());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    rows[k] = k;
+  }
+  const littoral::CurveEnvelope& envelope = judgement.Laws.front().Envelope;
+  const auto column = [&](const char* name, const std::vector<double>& values) {
+    littoral::AddColumn(table, name, rows, [&](std::size_t k) { return k < values.size() ? values[k] : NaN; });
+  };
+  column("Distance", judgement.Distances);
+  column("Measured", judgement.Measured);
+  littoral::AddColumn(
+    table, "Theoretical", rows, [&](std::size_t k) { return isLength ? judgement.Distances[k] : 1.0; });
+  column("Mean", envelope.Mean);
+  column("GlobalLow", envelope.GlobalLow);
+  column("GlobalHigh", envelope.GlobalHigh);
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkPatternVerdictFilter::vtkPatternVerdictFilter()
+  : Origin{ 0.0, 0.0 }
+  , Size{ 0.0, 0.0 }
+  , Function(PairCorrelation)
+  , Contrast(FitRipley)
+  , LargestDistance(0.0)
+  , NumberOfSimulations(99)
+  , Level(0.05)
+  , Quadrats{ 0, 0 }
+  , Seed(1)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//----------------------------------------------------------------------------
+vtkPatternVerdictFilter::~vtkPatternVerdictFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkPatternVerdictFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkPatternVerdictFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Statistics of a part are not those of the whole.
+  littoral::RequestAll(inputVector[0]->GetInformationObject(0));
+  littoral::RequestAll(inputVector[1]->GetInformationObject(0));
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkPatternVerdictFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (littoral::AsksForLaterPiece(request, outputVector))
+  {
+    return 1;
+  }
+  littoral::VerdictOptions options;
+  options.Contrast.Function = static_cast<littoral::ContrastFunction>(this->Contrast);
+  options.Contrast.Largest = this->LargestDistance;
+  options.Function = static_cast<littoral::VerdictFunction>(this->Function);
+  options.Simulations = this->NumberOfSimulations;
+  options.Level = this->Level;
+  options.Seed = this->Seed;
+  options.Quadrats = { this->Quadrats[0], this->Quadrats[1] };
+  std::string reason;
+  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input", reason);
+  auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputVector[1], "Window", reason);
+  littoral::ObservationWindow window;
+  std::vector<littoral::PlanePosition> points;
+  littoral::ParameterCheck check;
+  check.Require(reason);
+  check.Require(WhyInvalid(options));
+  if (check.IsGood())
+  {
+    points = littoral::PlanePositionsOf(input);
+    check.Require(
+      polygon ? littoral::ReadWindow(polygon, window) : littoral::ReadWindow(input, this->Origin, this->Size, window));
+  }
+  check.Require(check.IsGood() ? littoral::WhyInvalid(points, window, FewestPoints) : std::string());
+  if (!check.IsGood())
+  {
+    littoralErrorMacro("Cannot judge the pattern: " << check.Reason());
+    return littoral::FailedRequest(this);
+  }
+  this->SetProgressText("Simulating patterns");
+  const littoral::Poll heard = littoral::PollOf(this);
+  int polls = 0;
+  const auto poll = [&] {
+    this->UpdateProgress(++polls / MostPolls);
+    heard();
+  };
+  const littoral::PatternJudgement judgement =
+    littoral::JudgePattern(points, window, options, poll, littoral::AbortableFor(this));
+  vtkTable* laws = vtkTable::GetData(outputVector, 0);
+  WriteLaws(judgement.Laws, laws);
+  AddPlace(window, judgement.Grid, this->Level, laws);
+  WriteEnvelope(judgement, this->Function == BesagL, vtkTable::GetData(outputVector, 1));
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkPatternVerdictFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
+void vtkPatternVerdictFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "Function: " << this->Function << "\n";
+  os << indent << "Contrast: " << this->Contrast << "\n";
+  os << indent << "LargestDistance: " << this->LargestDistance << "\n";
+  os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
+  os << indent << "Level: " << this->Level << "\n";
+  os << indent << "Quadrats: " << this->Quadrats[0] << " " << this->Quadrats[1] << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}

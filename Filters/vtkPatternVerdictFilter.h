@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPatternVerdictFilter
+ * @brief   fit point processes and quadrat laws to points, and judge all by one envelope test
+ *
+ * Input (port 0): any vtkPointSet; only x and y are used. Optional window (port 1): vtkPolyData with one polygon, which
+ * replaces Origin and Size; laws of quadrats are for rectangles and are left out then.
+ *
+ * Output 0: a vtkTable with a row per process and law, the best (largest p-value) first, as vtkPointProcessSource reads
+ * it. Columns: `Law` (name), `ProcessId` and `LawId` (-1 for those of the other kind), the parameters of processes
+ * `Intensity` [1/m2], `ClusterSize`, `ClusterScale` [m], `Variance`, `Range` [m], `Distance` [m], `Activity` [1/m2],
+ * `Interaction` and of laws `MeanPerQuadrat`, `Trials`, `ClusterShape`, `ClusterMean`, `ClusterSuccess` (NaN where
+ * there is no such parameter), `PValue` of the global envelope test of extreme rank lengths (Myllymaki et al. 2017) and
+ * `Verdict`: `best` of those that the test does not reject, `not distinguishable` for the others of them; `worse` where
+ * it rejects, which may be everywhere; `does not exist` where the points admit no such process or law. Field data:
+ * `Window` (corners), `Origin`, `Size`, `Quadrats`, `Level`.
+ *
+ * Output 1: a vtkTable with a row per distance `r` [m], ready for a line chart: the `Measured` function, `Theory` (1
+ * for g, r for L), and of the best row `Mean`, `Low` and `High`, the global envelope.
+ *
+ * Thomas, Matern cluster and log-Gaussian Cox processes are fitted by minimum contrast, Strauss by pseudo-likelihood,
+ * laws by maximum likelihood. Fewer than five points, points outside of the window or at one place, and properties out
+ * of range are reported as one error.
+ *
+ * @sa vtkPointProcessSource vtkQuadratAnalysisFilter
+ */
+#ifndef vtkPatternVerdictFilter_h
+#define vtkPatternVerdictFilter_h
+
+#include "LittoralFiltersModule.h" // for export macro
+#include "vtkTableAlgorithm.h"
+
+class LITTORALFILTERS_EXPORT vtkPatternVerdictFilter : public vtkTableAlgorithm
+{
+public:
+  static vtkPatternVerdictFilter* New();
+  vtkTypeMacro(vtkPatternVerdictFilter, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  enum FunctionType
+  {
+    PairCorrelation = 0,
+    BesagL = 1,
+  };
+
+  enum ContrastType
+  {
+    FitRipley = 0,
+    FitPairCorrelation = 1,
+  };
+
+  /// The polygon of the window (port 1).
+  void SetWindowConnection(vtkAlgorithmOutput* window) { this->SetInputConnection(1, window); }
+  void RemoveWindow() { this->SetInputConnection(1, nullptr); }
+
+  ///@{
+  /**
+   * Lower left corner of the window [m]; default 0 0. Used only if Size is not 0 0.
+   */
+  vtkSetVector2Macro(Origin, double);
+  vtkGetVector2Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of the window [m], not negative; default 0 0, the bounding box of the points, which is a little
+   * smaller than the area in which they were mapped.
+   */
+  vtkSetVector2Macro(Size, double);
+  vtkGetVector2Macro(Size, double);
+  ///@}
+
+  ///@{
+  /**
+   * Function by which patterns are compared, a FunctionType; default PairCorrelation. PairCorrelation: g. BesagL: L.
+   */
+  vtkSetMacro(Function, int);
+  vtkGetMacro(Function, int);
+  void SetFunctionToPairCorrelation() { this->SetFunction(PairCorrelation); }
+  void SetFunctionToBesagL() { this->SetFunction(BesagL); }
+  ///@}
+
+  ///@{
+  /**
+   * Function to which Thomas, Matern cluster and log-Gaussian Cox processes are fitted, a ContrastType; default
+   * FitRipley. FitRipley: K. FitPairCorrelation: g.
+   */
+  vtkSetMacro(Contrast, int);
+  vtkGetMacro(Contrast, int);
+  void SetContrastToFitRipley() { this->SetContrast(FitRipley); }
+  void SetContrastToFitPairCorrelation() { this->SetContrast(FitPairCorrelation); }
+  ///@}
+
+  ///@{
+  /**
+   * Largest distance that is compared [m], not negative; default 0, a quarter of the shorter side, at most that within
+   * which a thousand points are expected.
+   */
+  vtkSetMacro(LargestDistance, double);
+  vtkGetMacro(LargestDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of simulated patterns of each process and law, at least 1 / Level - 1; default 99.
+   */
+  vtkSetMacro(NumberOfSimulations, int);
+  vtkGetMacro(NumberOfSimulations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Level of the test, above 0 and below 1; default 0.05.
+   */
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of quadrats of the laws along x and y, 0 to 1000; default 0 0, about as many nearly square quadrats as
+   * points.
+   */
+  vtkSetVector2Macro(Quadrats, int);
+  vtkGetVector2Macro(Quadrats, int);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the simulations, any integer; default 1.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+protected:
+  vtkPatternVerdictFilter();
+  ~vtkPatternVerdictFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double Origin[2];
+  double Size[2];
+  int Function;
+  int Contrast;
+  double LargestDistance;
+  int NumberOfSimulations;
+  double Level;
+  int Quadrats[2];
+  int Seed;
+
+private:
+  vtkPatternVerdictFilter(const vtkPatternVerdictFilter&) = delete;
+  void operator=(const vtkPatternVerdictFilter&) = delete;
+};
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/PointPattern.h"
+
+#include "Data/ArrayReader.h"
+#include "Numerics/ParameterCheck.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <utility>
+
+namespace littoral
+{
+
+std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points)
+{
+  std::vector<PlanePosition> positions(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  for (std::size_t n = 0; n < positions.size(); ++n)
+  {
+    double position[3];
+    points->GetPoint(static_cast<vtkIdType>(n), position);
+    positions[n] = { position[0], position[1] };
+  }
+  return positions;
+}
+
+std::string ReadWindow(vtkPointSet* points, const double origin[2], const double size[2], ObservationWindow& window)
+{
+  if (size[0] == 0.0 && size[1] == 0.0)
+  {
+    double bounds[6];
+    points->GetBounds(bounds);
+    if (!(bounds[1] > bounds[0] && bounds[3] > bounds[2]))
+    {
+      return "The points cover no area; set the Size of the window.";
+    }
+    window = ObservationWindow::Rectangle({ bounds[0], bounds[2] }, { bounds[1], bounds[3] });
+    return window.WhyInvalid();
+  }
+  ParameterCheck check;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const std::string component = "[" + std::to_string(axis) + "]";
+    check.Finite("Origin" + component, origin[axis], "m");
+    check.Positive("Size" + component, size[axis], "m");
+  }
+  if (check.IsGood())
+  {
+    window = ObservationWindow::Rectangle({ origin[0], origin[1] }, { origin[0] + size[0], origin[1] + size[1] });
+    check.Require(window.WhyInvalid());
+  }
+  return check.Reason();
+}
+
+std::string ReadWindow(vtkPolyData* polygon, ObservationWindow& window)
+{
+  const vtkIdType cells = polygon->GetNumberOfPolys() + polygon->GetNumberOfLines();
+  if (cells > 1)
+  {
+    return "The window has " + std::to_string(cells) + " polygons or lines; it must have one.";
+  }
+  vtkNew<vtkIdList> ids;
+  if (cells == 1)
+  {
+    (polygon->GetNumberOfPolys() > 0 ? polygon->GetPolys() : polygon->GetLines())->GetCellAtId(0, ids);
+  }
+  const vtkIdType count = cells == 1 ? ids->GetNumberOfIds() : polygon->GetNumberOfPoints();
+  std::vector<PlanePosition> corners;
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    const vtkIdType id = cells == 1 ? ids->GetId(n) : n;
+    if (id < 0 || id >= polygon->GetNumberOfPoints())
+    {
+      return "The window's polygon names a point that it does not have.";
+    }
+    double position[3];
+    polygon->GetPoint(id, position);
+    corners.push_back({ position[0], position[1] });
+  }
+  window = ObservationWindow::Polygon(std::move(corners));
+  return window.WhyInvalid();
+}
+
+std::string ReadMarks(vtkPointSet* points, const std::string& name, std::vector<double>& marks)
+{
+  ArrayReader reader = ArrayReader::OfPoints(points, "The input");
+  vtkDataArray* array = reader.Need(name.c_str(), 1);
+  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+  {
+    const double mark = array->GetComponent(n, 0);
+    if (!IsSensible(mark) || mark <= 0.0)
+    {
+      return "The mark " + name + " of point " + std::to_string(n) + " is missing or not positive.";
+    }
+    marks.push_back(mark);
+  }
+  return reader.Reason();
+}
+
+std::string ReadSpecies(vtkPointSet* points, const std::string& name, std::vector<std::string>& species)
+{
+  ArrayReader reader = ArrayReader::OfPoints(points, "The input");
+  if (vtkStringArray* texts = reader.FindTexts(name.c_str()))
+  {
+    for (vtkIdType n = 0; n < texts->GetNumberOfValues(); ++n)
+    {
+      species.push_back(texts->GetValue(n));
+    }
+    return reader.Reason();
+  }
+  vtkDataArray* array = reader.Need(name.c_str(), 1);
+  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+  {
+    species.push_back(TextOf(array->GetComponent(n, 0)));
+  }
+  return reader.Reason();
+}
+
+}

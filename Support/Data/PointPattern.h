@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportPointPattern_h
+#define LittoralSupportPointPattern_h
+
+// Mapped points, their window, and what kinds they are of. Private: never installed, never wrapped.
+
+#include "Patterns/ObservationWindow.h"
+
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+class vtkPolyData;
+
+namespace littoral
+{
+
+/// x and y of all points.
+std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points);
+
+/// A rectangle by its lower left corner and its size [m]; 0 0 is the bounding box of the points.
+std::string ReadWindow(vtkPointSet* points, const double origin[2], const double size[2], ObservationWindow& window);
+
+/// The one polygon or closed line of polygonal data, or its points in their order if it has no cell. The reason why it
+/// is no window, or nothing.
+std::string ReadWindow(vtkPolyData* polygon, ObservationWindow& window);
+
+/// Numbers of a point array, each above 0. The reason why there are none, or nothing.
+std::string ReadMarks(vtkPointSet* points, const std::string& name, std::vector<double>& marks);
+
+/// Values of a point array of texts or numbers, as texts. The reason why there are none, or nothing.
+std::string ReadSpecies(vtkPointSet* points, const std::string& name, std::vector<std::string>& species);
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSupportProcessTable_h
+#define LittoralSupportProcessTable_h
+
+// Point processes in tables of fits, and their intensities in images. Private: never installed, never wrapped.
+
+#include "Patterns/IntensityRaster.h"
+#include "Patterns/ObservationWindow.h"
+#include "Patterns/PointProcess.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkTable;
+
+namespace littoral
+{
+
+/// The process of the first row of a table of fits that has one, and the window of its pattern; what the table does not
+/// have stays as it is. The reason why it cannot be, or nothing.
+std::string ReadProcessFit(vtkTable* table, PointProcessParameters& process, ObservationWindow& window);
+
+/// An array of an image as an intensity. The reason why it is none, or nothing.
+std::string ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster);
+
+}
+
+#endif

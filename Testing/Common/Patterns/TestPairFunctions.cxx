@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Functions of pairs: definitions summed pair by pair, random patterns and lattices, spatstat's values, same bytes.
+#include "../OnThreads.h"
+#include "Numerics/Constants.h"
+#include "Patterns/CurveEnvelope.h"
+#include "Patterns/PairFunctions.h"
+#include "Patterns/PointCells.h"
+#include "Patterns/WindowSections.h"
+#include "SyntheticPatterns.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+using namespace littoral;
+using namespace littoral::testing;
+
+namespace
+{
+
+constexpr EdgeCorrection AllCorrections[] = { EdgeCorrection::None, EdgeCorrection::Border, EdgeCorrection::Isotropic,
+  EdgeCorrection::Translation };
+
+PairOptions Options(double largest, EdgeCorrection correction, int steps = 64)
+{
+  PairOptions options;
+  options.Distances = { largest, steps };
+  options.Correction = correction;
+  return options;
+}
+
+/// The definitions, over all pairs one by one.
+struct PairByPair
+{
+  std::vector<double> K;
+  std::vector<double> G;
+
+  PairByPair(const std::vector<PlanePosition>& from, const std::vector<PlanePosition>& to, bool isCross,
+    const ObservationWindow& window, const PairOptions& options)
+  {
+    const double area = window.GetArea();
+    const double pairs = static_cast<double>(from.size()) * (static_cast<double>(to.size()) - (isCross ? 0.0 : 1.0));
+    const double h = 0.15 * std::sqrt(area / static_cast<double>(to.size()));
+    for (std::size_t k = 0; k < options.Distances.Count(); ++k)
+    {
+      const double r = options.Distances[static_cast<int>(k)];
+      double within = 0.0;
+      double kernel = 0.0;
+      double centers = 0.0;
+      for (std::size_t i = 0; i < from.size(); ++i)
+      {
+        const bool isCenter = options.Correction != EdgeCorrection::Border || window.DistanceToEdge(from[i]) >= r;
+        centers += isCenter;
+        for (std::size_t j = 0; j < to.size(); ++j)
+        {
+          const double dx = to[j][0] - from[i][0];
+          const double dy = to[j][1] - from[i][1];
+          const double d = std::hypot(dx, dy);
+          if (!isCenter || (!isCross && i == j))
+          {
+            continue;
+          }
+          double weight = 1.0;
+          weight = options.Correction == EdgeCorrection::Isotropic ? 1.0 / window.CircleInside(from[i], d) : weight;
+          weight = options.Correction == EdgeCorrection::Translation ? area / window.CommonArea(dx, dy) : weight;
+          weight = std::min(weight, 100.0);
+          within += d <= r ? weight : 0.0;
+          kernel += std::abs(d - r) < h ? weight * 0.75 / h * (1.0 - (d - r) * (d - r) / (h * h)) : 0.0;
+        }
+      }
+      const bool isBorder = options.Correction == EdgeCorrection::Border;
+      this->K.push_back(area * within / (isBorder ? centers * static_cast<double>(to.size()) : pairs));
+      this->G.push_back(area * kernel / (pairs * TwoPi * r));
+    }
+  }
+};
+
+TEST(PairFunctions, FollowTheirDefinitions)
+{
+  for (const SyntheticPattern& pattern : SyntheticPatterns())
+  {
+    const bool isPolygon = !pattern.Window.IsRectangle();
+    const double largest = 0.3 * (pattern.Window.GetHigh()[0] - pattern.Window.GetLow()[0]);
+    const auto half = pattern.Points.begin() + static_cast<std::ptrdiff_t>(pattern.Points.size() / 3);
+    const std::vector<PlanePosition> from(pattern.Points.begin(), half);
+    const std::vector<PlanePosition> to(half, pattern.Points.end());
+    for (const EdgeCorrection correction : AllCorrections)
+    {
+      if (isPolygon && correction == EdgeCorrection::Translation)
+      {
+        continue; // by a table: see AgreeWithSpatstat
+      }
+      const PairOptions options = Options(largest, correction, 30);
+      for (const bool isCross : { false, true })
+      {
+        const PairFunctions found = isCross ? FindCrossFunctions(from, to, pattern.Window, options)
+                                            : FindPairFunctions(pattern.Points, pattern.Window, options);
+        const PairByPair wanted(
+          isCross ? from : pattern.Points, isCross ? to : pattern.Points, isCross, pattern.Window, options);
+        ASSERT_EQ(found.K.size(), 31u);
+        EXPECT_EQ(found.PairCorrelation.size(), correction == EdgeCorrection::Border ? 0u : 31u);
+        for (std::size_t k = 0; k < found.K.size(); ++k)
+        {
+          EXPECT_TRUE(std::isnan(wanted.K[k]) ? std::isnan(found.K[k])
+                                              : std::abs(found.K[k] - wanted.K[k]) <= 1e-10 * wanted.K[k])
+            << pattern.Name << " " << k << " " << found.K[k] << " " << wanted.K[k];
+        }
+        for (std::size_t k = 1; k < found.PairCorrelation.size(); ++k)
+        {
+          EXPECT_NEAR(found.PairCorrelation[k], wanted.G[k], 1e-10 * (1.0 + wanted.G[k])) << pattern.Name << " " << k;
+        }
+        EXPECT_TRUE(found.PairCorrelation.empty() || std::isnan(found.PairCorrelation[0]));
+      }
+    }
+  }
+}
+
+/// What is measured at a reference's distance.
+double ValueAt(const SyntheticPattern& pattern, const ReferenceValue& reference)
+{
+  const char* names[] = { "none", "border", "isotropic", "translate" };
+  PairOptions options = Options(0.0, EdgeCorrection::None, 512);
+  for (const EdgeCorrection correction : AllCorrections)
+  {
+    options.Correction = reference.Correction == names[static_cast<int>(correction)] ? correction : options.Correction;
+  }
+  options.Distances.Largest = 0.2 *
+    std::min(pattern.Window.GetHigh()[0] - pattern.Window.GetLow()[0],
+      pattern.Window.GetHigh()[1] - pattern.Window.GetLow()[1]);
+  const std::size_t k = static_cast<std::size_t>(std::lround(reference.Distance / options.Distances.Largest * 512.0));
+  const auto half = pattern.Points.begin() + static_cast<std::ptrdiff_t>(pattern.Points.size() / 2);
+  const PairFunctions found = reference.Function.find("cross") == 0
+    ? FindCrossFunctions({ pattern.Points.begin(), half }, { half, pattern.Points.end() }, pattern.Window, options)
+    : FindPairFunctions(pattern.Points, pattern.Marks, pattern.Window, options);
+  return reference.Function == "m"     ? found.MarkCorrelation[k]
+    : reference.Function.back() == 'K' ? found.K[k]
+                                       : found.PairCorrelation[k];
+}
+
+TEST(PairFunctions, AgreeWithSpatstat)
+{
+  const std::vector<ReferenceValue> references = ReadReference(LITTORAL_TEST_DATA "/PointPatterns/spatstat.csv");
+  int compared = 0;
+  for (const SyntheticPattern& pattern : SyntheticPatterns())
+  {
+    for (const ReferenceValue& reference : references)
+    {
+      if (reference.Pattern != pattern.Name || reference.Function == "G" || reference.Function == "F")
+      {
+        continue;
+      }
+      ++compared;
+      EXPECT_NEAR(ValueAt(pattern, reference), reference.Value, 0.01 * reference.Value)
+        << pattern.Name << " " << reference.Function << " " << reference.Correction << " at " << reference.Distance;
+    }
+  }
+  EXPECT_EQ(compared, 3 * 112);
+}
+
+// Random patterns have K = pi r^2 and g = 1, in any window, with any correction.
+TEST(PairFunctions, OfRandomPatternsAreThoseOfChance)
+{
+  constexpr int Patterns = 100;
+  for (const SyntheticPattern& shape : SyntheticPatterns())
+  {
+    for (const EdgeCorrection correction :
+      { EdgeCorrection::Border, EdgeCorrection::Isotropic, EdgeCorrection::Translation })
+    {
+      const double largest = 0.2 * std::sqrt(shape.Window.GetArea());
+      PairOptions options = Options(largest, correction, 8);
+      options.Areas = std::make_shared<CommonAreaTable>(shape.Window, 1.2 * largest);
+      // As a ratio, the estimate with a border is biased by about 1 / n.
+      const double bias = correction == EdgeCorrection::Border ? 0.02 : 0.0;
+      std::vector<double> k(9, 0.0), kSquare(9, 0.0), g(9, 0.0), gSquare(9, 0.0), cross(9, 0.0), crossSquare(9, 0.0);
+      for (int n = 0; n < Patterns; ++n)
+      {
+        const std::vector<PlanePosition> points = UniformPattern(shape.Window, 150, 3, n);
+        const PairFunctions found = FindPairFunctions(points, shape.Window, options);
+        const PairFunctions between = FindCrossFunctions(
+          { points.begin(), points.begin() + 60 }, { points.begin() + 60, points.end() }, shape.Window, options);
+        for (std::size_t step = 1; step < 9; ++step)
+        {
+          k[step] += found.K[step] / Patterns;
+          kSquare[step] += found.K[step] * found.K[step] / Patterns;
+          cross[step] += between.K[step] / Patterns;
+          crossSquare[step] += between.K[step] * between.K[step] / Patterns;
+          if (!found.PairCorrelation.empty())
+          {
+            g[step] += found.PairCorrelation[step] / Patterns;
+            gSquare[step] += found.PairCorrelation[step] * found.PairCorrelation[step] / Patterns;
+          }
+        }
+      }
+      const auto error = [&](double mean, double square) { return std::sqrt((square - mean * mean) / Patterns); };
+      for (std::size_t step = 2; step < 9; ++step)
+      {
+        const double r = options.Distances[static_cast<int>(step)];
+        EXPECT_NEAR(k[step], Pi * r * r, 4.0 * error(k[step], kSquare[step]) + bias * Pi * r * r)
+          << shape.Name << " " << step;
+        EXPECT_NEAR(cross[step], Pi * r * r, 4.0 * error(cross[step], crossSquare[step]) + bias * Pi * r * r)
+          << shape.Name << " " << step;
+        EXPECT_LT(error(k[step], kSquare[step]), 0.05 * Pi * r * r);
+        if (correction != EdgeCorrection::Border)
+        {
+          EXPECT_NEAR(g[step], 1.0, 4.0 * error(g[step], gSquare[step])) << shape.Name << " " << step;
+        }
+      }
+    }
+  }
+}
+
+// Points of a square lattice have 4, 8, 12, 20 others within 1, 1.4, 2, 2.2 m.
+TEST(PairFunctions, CountTheNeighborsOnALattice)
+{
+  std::vector<PlanePosition> points;
+  for (int i = 0; i < 20; ++i)
+  {
+    for (int j = 0; j < 20; ++j)
+    {
+      points.push_back({ 0.5 + i, 0.5 + j });
+    }
+  }
+  const ObservationWindow window = ObservationWindow::Rectangle({ 0.0, 0.0 }, { 20.0, 20.0 });
+  const PairFunctions border = FindPairFunctions(points, window, Options(3.0, EdgeCorrection::Border, 30));
+  const double neighbors[] = { 0, 4, 4, 8, 8, 12, 12, 20 }; // at 0.9, 1.0, 1.4, 1.5, 1.9, 2.0, 2.2, 2.3 m
+  const std::size_t steps[] = { 9, 10, 14, 15, 19, 20, 22, 23 };
+  for (int n = 0; n < 8; ++n)
+  {
+    EXPECT_NEAR(border.K[steps[n]], neighbors[n], 1e-12) << steps[n];
+  }
+  EXPECT_NEAR(BesagL(border.K)[10], std::sqrt(4.0 / Pi), 1e-12);
+  // e = |W| / |W moved| is 20 / 19 for the next ones: 2 * 2 * 19 * 20 ordered pairs.
+  const PairFunctions moved = FindPairFunctions(points, window, Options(1.2, EdgeCorrection::Translation, 12));
+  EXPECT_NEAR(moved.K[11], 400.0 / (400.0 * 399.0) * 1520.0 * 20.0 / 19.0, 1e-12);
+  EXPECT_EQ(moved.K[9], 0.0);
+}
+
+TEST(PairFunctions, OfMarksTellHowNeighborsAreAlike)
+{
+  const SyntheticPattern pattern = SyntheticPatterns().front();
+  const std::size_t count = pattern.Points.size();
+  const PairOptions options = Options(16.0, EdgeCorrection::Translation);
+  const auto correlation = [&](const std::vector<double>& marks, const PairOptions& how) {
+    return FindPairFunctions(pattern.Points, marks, pattern.Window, how).MarkCorrelation;
+  };
+  for (const double value : correlation(std::vector<double>(count, 7.0), options))
+  {
+    EXPECT_NEAR(value, 1.0, 1e-12);
+  }
+  // Marks that grow along x: those of near points are alike, so that products are the mean square.
+  std::vector<double> marks;
+  double mean = 0.0;
+  double square = 0.0;
+  for (const PlanePosition& point : pattern.Points)
+  {
+    marks.push_back(1.0 + point[0]);
+    mean += marks.back() / static_cast<double>(count);
+    square += marks.back() * marks.back() / static_cast<double>(count);
+  }
+  PairOptions narrow = options;
+  narrow.MarkWidth = 0.2;
+  EXPECT_NEAR(correlation(marks, narrow)[4], square / (mean * mean), 0.1);
+  EXPECT_NE(correlation(marks, narrow)[4], correlation(marks, options)[4]);
+  // In other units the same.
+  std::vector<double> others = marks;
+  std::transform(marks.begin(), marks.end(), others.begin(), [](double mark) { return 0.01 * mark; });
+  for (std::size_t k = 0; k <= 64; ++k)
+  {
+    EXPECT_NEAR(correlation(others, options)[k], correlation(marks, options)[k], 1e-12);
+  }
+  EXPECT_TRUE(correlation(marks, Options(16.0, EdgeCorrection::Border)).empty());
+  // A pair has no spread of distances to smooth over.
+  const PairFunctions two = FindPairFunctions(
+    { { 0.4, 0.5 }, { 0.6, 0.5 } }, { 1.0, 2.0 }, ObservationWindow(), Options(0.1, EdgeCorrection::None));
+  EXPECT_TRUE(std::isnan(two.MarkCorrelation[3]));
+}
+
+TEST(PairFunctions, LeaveOutWhatIsNotWanted)
+{
+  const SyntheticPattern pattern = SyntheticPatterns().front();
+  for (const EdgeCorrection correction : AllCorrections)
+  {
+    PairOptions options = Options(10.0, correction);
+    const PairFunctions both = FindPairFunctions(pattern.Points, pattern.Window, options);
+    options.WantsG = false;
+    const PairFunctions onlyK = FindPairFunctions(pattern.Points, pattern.Window, options);
+    EXPECT_TRUE(onlyK.PairCorrelation.empty());
+    EXPECT_TRUE(onlyK.MarkCorrelation.empty());
+    ASSERT_EQ(onlyK.K.size(), both.K.size());
+    for (std::size_t k = 0; k < both.K.size(); ++k)
+    {
+      EXPECT_NEAR(onlyK.K[k], both.K[k], 1e-9 * both.K[k]); // in another order
+    }
+    options.WantsG = true;
+    options.WantsK = false;
+    const PairFunctions onlyG = FindPairFunctions(pattern.Points, pattern.Window, options);
+    EXPECT_TRUE(onlyG.K.empty());
+    EXPECT_TRUE(std::equal(onlyG.PairCorrelation.begin() + (onlyG.PairCorrelation.empty() ? 0 : 1),
+      onlyG.PairCorrelation.end(), both.PairCorrelation.begin() + (both.PairCorrelation.empty() ? 0 : 1)));
+  }
+}
+
+TEST(PairFunctions, HaveTheSameBytesOnAnyThreads)
+{
+  const SyntheticPattern polygon = SyntheticPatterns().back();
+  const std::vector<PlanePosition> points = UniformPattern(polygon.Window, 3000, 5, 0);
+  std::vector<double> marks;
+  for (const PlanePosition& point : points)
+  {
+    marks.push_back(1.0 + std::abs(point[0]));
+  }
+  const auto backwards = [](std::size_t count, const RangeTask& task) {
+    for (std::size_t n = count; n-- > 0;)
+    {
+      task(n, n + 1);
+    }
+  };
+  const auto isSame = [](const std::vector<double>& one, const std::vector<double>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+      [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+  };
+  for (const EdgeCorrection correction : AllCorrections)
+  {
+    const PairOptions options = Options(6.0, correction);
+    const PairFunctions serial = FindPairFunctions(points, marks, polygon.Window, options);
+    for (const ParallelFor& parallel : { ParallelFor(backwards), OnThreads(2), OnThreads(7) })
+    {
+      const PairFunctions other = FindPairFunctions(points, marks, polygon.Window, options, parallel);
+      EXPECT_TRUE(isSame(serial.K, other.K));
+      EXPECT_TRUE(isSame(serial.PairCorrelation, other.PairCorrelation));
+      EXPECT_TRUE(isSame(serial.MarkCorrelation, other.MarkCorrelation));
+    }
+  }
+}
+
+TEST(PairFunctions, ChooseDistancesThatCanBeTrusted)
+{
+  const ObservationWindow window = ObservationWindow::Rectangle({ 0.0, 0.0 }, { 200.0, 100.0 });
+  EXPECT_DOUBLE_EQ(DefaultDistances(window, 100).Largest, 25.0);
+  EXPECT_DOUBLE_EQ(DefaultDistances(window, 200000).Largest, std::sqrt(100.0 / Pi)); // 10 points a square metre
+  EXPECT_EQ(DefaultDistances(window, 100).Steps, 512);
+}
+
+TEST(PairFunctions, RefuseBadOptions)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(WhyInvalid(Options(1.0, EdgeCorrection::None)), "");
+  for (const double largest : { 0.0, -1.0, nan })
+  {
+    EXPECT_NE(WhyInvalid(Options(largest, EdgeCorrection::None)).find("largest distance"), std::string::npos);
+  }
+  EXPECT_NE(WhyInvalid(Options(1.0, EdgeCorrection::None, 0)).find("steps"), std::string::npos);
+  EXPECT_NE(WhyInvalid(Options(1.0, static_cast<EdgeCorrection>(4))).find("edge correction"), std::string::npos);
+  PairOptions options = Options(1.0, EdgeCorrection::None);
+  options.HalfWidth = -1.0;
+  EXPECT_NE(WhyInvalid(options).find("half width"), std::string::npos);
+  options.HalfWidth = 0.0;
+  options.MarkWidth = nan;
+  EXPECT_NE(WhyInvalid(options).find("marks' kernel"), std::string::npos);
+}
+
+TEST(PointCells, FindAllThatAreNear)
+{
+  const std::vector<PlanePosition> points = UniformPattern(SyntheticPatterns().back().Window, 500, 2, 0);
+  for (const double size : { 0.01, 3.0, 40.0, 1000.0 })
+  {
+    const PointCells cells(points, size);
+    ASSERT_EQ(cells.Size(), points.size());
+    for (const PlanePosition& place : { PlanePosition{ 50.0, 50.0 }, { 0.0, 0.0 }, { -30.0, 200.0 }, points[7] })
+    {
+      double nearest = std::numeric_limits<double>::infinity();
+      std::size_t within = 0;
+      for (const PlanePosition& point : points)
+      {
+        const double distance = std::hypot(point[0] - place[0], point[1] - place[1]);
+        nearest = std::min(nearest, distance);
+        within += distance <= 20.0;
+      }
+      EXPECT_DOUBLE_EQ(cells.NearestDistance(place[0], place[1]), nearest);
+      std::vector<std::size_t> found;
+      cells.ForRangesNear(place[0], place[1], 20.0, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n)
+        {
+          if (std::hypot(cells.GetX()[n] - place[0], cells.GetY()[n] - place[1]) <= 20.0)
+          {
+            found.push_back(cells.GetOrder()[n]);
+          }
+        }
+      });
+      EXPECT_EQ(found.size(), within);
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(std::unique(found.begin(), found.end()), found.end());
+    }
+  }
+  EXPECT_TRUE(std::isinf(PointCells({ { 1.0, 1.0 } }, 1.0).NearestDistance(1.0, 1.0, 0)));
+}
+
+}

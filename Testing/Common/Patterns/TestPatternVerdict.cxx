@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../OnThreads.h"
+#include "Patterns/PatternVerdict.h"
+#include "Patterns/ProcessPattern.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+/// The points of a mapped pattern of Examples/Data/patterns.
+std::vector<PlanePosition> Mapped(const std::string& name)
+{
+  std::ifstream file(std::string(LITTORAL_TEST_DATA) + "/../../Examples/Data/patterns/" + name + ".csv");
+  std::string line;
+  std::getline(file, line);
+  std::vector<PlanePosition> points;
+  while (std::getline(file, line))
+  {
+    points.push_back({ std::stod(line), std::stod(line.substr(line.find(',') + 1)) });
+  }
+  return points;
+}
+
+ObservationWindow WindowOf(const std::string& name)
+{
+  const double low = name == "redwood" ? -1.0 : 0.0;
+  return ObservationWindow::Rectangle({ 0.0, low }, { 1.0, low + 1.0 });
+}
+
+const JudgedLaw& Find(const PatternJudgement& judgement, const std::string& name, bool isProcess)
+{
+  return *std::find_if(judgement.Laws.begin(), judgement.Laws.end(),
+    [&](const JudgedLaw& law) { return law.IsProcess == isProcess && law.Name() == name; });
+}
+
+}
+
+// g of each pattern lies in the global envelope of 99 simulations of what is called best; a random pattern is not made
+// of what has clusters.
+TEST(PatternVerdict, MappedPatternsAreRegrown)
+{
+  for (const char* name : { "redwood", "japanesepines" })
+  {
+    SCOPED_TRACE(name);
+    const PatternJudgement judgement = JudgePattern(Mapped(name), WindowOf(name), {});
+    ASSERT_EQ(judgement.Laws.size(), 12u);
+    const JudgedLaw& best = judgement.Laws.front();
+    EXPECT_EQ(best.Verdict, PatternVerdict::Best);
+    EXPECT_GT(best.Envelope.PValue, 0.05) << best.Name();
+    EXPECT_TRUE(best.Envelope.Outside.empty()) << best.Name();
+    for (std::size_t n = 1; n < judgement.Laws.size(); ++n)
+    {
+      const JudgedLaw& law = judgement.Laws[n];
+      EXPECT_EQ(law.Verdict == PatternVerdict::DoesNotExist, !law.Exists());
+      EXPECT_EQ(law.Verdict == PatternVerdict::Worse, law.Exists() && law.Envelope.PValue <= 0.05) << law.Name();
+      EXPECT_TRUE(!law.Exists() || law.Envelope.PValue <= judgement.Laws[n - 1].Envelope.PValue);
+    }
+    const bool isClustered = std::string(name) == "redwood";
+    EXPECT_EQ(Find(judgement, "Poisson", true).Verdict == PatternVerdict::Worse, isClustered);
+    EXPECT_EQ(Find(judgement, "Thomas", true).Exists(), isClustered);
+  }
+}
+
+// Cells keep soft distances: g falls slowly between 0.12 and 0.08 and is above 1.8 at 0.15, which neither a strict
+// distance nor that of Strauss makes. So nothing is best, and no cluster exists.
+TEST(PatternVerdict, WhatNothingMakesIsCalledByNoName)
+{
+  VerdictOptions options;
+  options.Simulations = 39;
+  const PatternJudgement judgement = JudgePattern(Mapped("cells"), WindowOf("cells"), options);
+  for (const JudgedLaw& law : judgement.Laws)
+  {
+    EXPECT_EQ(law.Verdict, law.Exists() ? PatternVerdict::Worse : PatternVerdict::DoesNotExist) << law.Name();
+  }
+  EXPECT_TRUE(Find(judgement, "Strauss", true).Exists());
+  EXPECT_FALSE(Find(judgement, "Thomas", true).Exists());
+}
+
+// In a polygon there are no quadrats, and processes are judged as in a rectangle; the same on any threads.
+TEST(PatternVerdict, PolygonsHaveProcessesOnly)
+{
+  PointProcessParameters process;
+  process.Process = PointProcess::Thomas;
+  process.Intensity = 60.0;
+  process.ClusterSize = 8.0;
+  process.ClusterScale = 0.02;
+  const ObservationWindow window =
+    ObservationWindow::Polygon({ { 0.0, 0.0 }, { 1.5, 0.2 }, { 1.4, 1.1 }, { 0.5, 1.3 }, { -0.2, 0.6 } });
+  const std::vector<PlanePosition> points = SimulateProcess(process, {}, window).Points;
+  VerdictOptions options;
+  options.Simulations = 39;
+  options.Contrast.Correction = EdgeCorrection::Translation;
+  options.Function = VerdictFunction::BesagL;
+  options.Steps = 16;
+  const PatternJudgement one = JudgePattern(points, window, options);
+  EXPECT_EQ(one.Laws.size(), static_cast<std::size_t>(NumberOfPointProcesses));
+  EXPECT_GT(Find(one, "Thomas", true).Envelope.PValue, 0.05);
+  EXPECT_LE(Find(one, "Poisson", true).Envelope.PValue, 0.05);
+  const PatternJudgement two = JudgePattern(points, window, options, NoPoll, littoral::testing::OnThreads(3));
+  for (std::size_t n = 0; n < one.Laws.size(); ++n)
+  {
+    EXPECT_STREQ(one.Laws[n].Name(), two.Laws[n].Name());
+    EXPECT_EQ(one.Laws[n].Envelope.PValue, two.Laws[n].Envelope.PValue);
+    EXPECT_EQ(one.Laws[n].Envelope.GlobalHigh, two.Laws[n].Envelope.GlobalHigh);
+  }
+}
+
+TEST(PatternVerdict, OptionsThatCannotBeAreNamed)
+{
+  const auto names = [](const VerdictOptions& options, const char* word) {
+    return WhyInvalid(options).find(word) != std::string::npos;
+  };
+  VerdictOptions options;
+  EXPECT_EQ(WhyInvalid(options), "");
+  options.Simulations = 10;
+  EXPECT_TRUE(names(options, "10"));
+  options = {};
+  options.Quadrats = { -1, 3 };
+  EXPECT_TRUE(names(options, "Quadrats"));
+  options = {};
+  options.Contrast.Correction = EdgeCorrection::Border;
+  EXPECT_TRUE(names(options, "border"));
+  options = {};
+  options.Steps = 2;
+  EXPECT_TRUE(names(options, "Steps"));
+}

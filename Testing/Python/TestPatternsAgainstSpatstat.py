@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Functions of five measured patterns against spatstat, which is run beside and brings the patterns: within 1 %.
+
+Skipped where R or spatstat is not installed. K and L jump where a pair has the distance r, and g is small where there
+are hardly any pairs: the difference is taken relative to the larger of the value and a tenth of that of a random
+pattern. F is measured by both from a grid of places.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from littoral import vtkPointPatternStatisticsFilter as Statistics
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SCRIPT = os.path.join(HERE, "TestPatternsAgainstSpatstat.R")
+CORRECTIONS = {"border": Statistics.Border, "isotropic": Statistics.Isotropic, "translate": Statistics.Translation,
+               "rs": Statistics.ReducedSample, "km": Statistics.KaplanMeier}
+COLUMNS = {"K": "K", "L": "L", "g": "PairCorrelation", "exact": "PairCorrelation", "m": "MarkCorrelation",
+           "G": "NearestNeighbor", "F": "EmptySpace", "J": "J", "crossK": "CrossK", "crossg": "CrossPairCorrelation"}
+TOLERANCE = 0.01
+EXACT = 1e-9
+
+
+def read(filename):
+    """A CSV file as a dictionary of columns, texts where they are no numbers."""
+    table = np.genfromtxt(filename, delimiter=",", names=True, dtype=None, encoding="utf-8", deletechars="", autostrip=True)
+    return {name: table[name] for name in table.dtype.names}
+
+
+def points_of(table):
+    """The points of a table, with its other columns as arrays."""
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.column_stack([table["x"], table["y"], np.zeros(len(table["x"]))]), deep=True))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    if "DBH" in table:
+        array = numpy_to_vtk(table["DBH"].astype(float), deep=True)
+        array.SetName("DBH")
+        data.GetPointData().AddArray(array)
+    if "Species" in table:
+        array = vtkStringArray()
+        array.SetName("Species")
+        for text in table["Species"]:
+            array.InsertNextValue(str(text))
+        data.GetPointData().AddArray(array)
+    return data
+
+
+def make(table, box, largest):
+    """A filter without simulations."""
+    statistics = Statistics()
+    statistics.SetInputData(points_of(table))
+    statistics.SetOrigin(box[0], box[2])
+    statistics.SetSize(box[1] - box[0], box[3] - box[2])
+    statistics.SetNumberOfSimulations(0)
+    statistics.SetNumberOfSteps(512)
+    statistics.SetLargestDistance(largest)
+    if "DBH" in table:
+        statistics.SetMarkArray("DBH")
+    if "Species" in table:
+        statistics.AllowCoincidentPointsOn()  # two of Lansing Woods' trees
+        statistics.SetSpeciesArray("Species")
+        statistics.SetFirstSpecies("maple")
+        statistics.SetSecondSpecies("hickory")
+    return statistics
+
+
+def column(statistics, name):
+    return vtk_to_numpy(statistics.GetOutput(2).GetColumnByName(name))
+
+
+def compare(pattern, found, statistics):
+    """The largest differences of all columns."""
+    r = found["r"]
+    half_width = 0.15 / np.sqrt(statistics.GetOutput(0).GetFieldData().GetArray("Intensity").GetValue(0))
+    for name in found:
+        if name == "r":
+            continue
+        function, correction = name.split(".")
+        if correction in ("rs", "km"):
+            statistics.SetDistanceCorrection(CORRECTIONS[correction])
+        else:
+            statistics.SetEdgeCorrection(CORRECTIONS[correction])
+        statistics.Update()
+        theirs = found[name].astype(float)
+        ours = column(statistics, COLUMNS[function])
+        chance = {"K": np.pi * r ** 2, "crossK": np.pi * r ** 2, "L": r}.get(function, np.ones(len(r)))
+        scale = np.maximum(np.abs(theirs), 0.1 * chance)
+        # g of small distances: the estimate divides by r a kernel that is cut off at 0.
+        good = np.isfinite(theirs) & (r > (half_width if function in ("g", "exact", "crossg") else r[-1] / 50))
+        if function == "J":
+            good &= column(statistics, "EmptySpace") < 0.9
+        assert np.all(np.isfinite(ours[good])), f"{pattern} {name}: no value"
+        differences = np.abs(ours - theirs)[good] / scale[good]
+        tolerance = EXACT if function == "exact" else TOLERANCE
+        print(f"{pattern} {name}: {differences.max():.2e} of {np.count_nonzero(good)} values", flush=True)
+        assert differences.max() < tolerance, f"{pattern} {name}: {differences.max():.3%} at r = {r[good][differences.argmax()]}"
+
+
+if not shutil.which("Rscript") or subprocess.run(
+        ["Rscript", "-e", "quit(status = !requireNamespace('spatstat', quietly = TRUE))"], check=False).returncode:
+    print("skipped: R with spatstat is not installed")
+    sys.exit(125)
+
+with tempfile.TemporaryDirectory() as folder:
+    lines = subprocess.run(["Rscript", SCRIPT, folder], check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+    for line in lines.splitlines():
+        words = line.split()
+        name, numbers = words[0], [float(word) for word in words[1:]]
+        if name == "published":
+            # The mark correlation of the pines' diameters, as spatstat's users know it.
+            table = read(os.path.join(folder, "longleaf.csv"))
+            statistics = make(table, (0.0, 200.0, 0.0, 200.0), numbers[-1])
+            statistics.SetEdgeCorrection(Statistics.Translation)
+            statistics.Update()
+            values = np.interp([2.0, 5.0, 10.0, 20.0], column(statistics, "Distance"),
+                               column(statistics, "MarkCorrelation"))
+            print("longleaf, mark correlation of DBH at 2, 5, 10, 20 m:", values.round(4))
+            assert np.allclose(values, [0.452, 0.627, 0.814, 0.949], rtol=TOLERANCE)
+            assert np.allclose(values, numbers[:4], rtol=TOLERANCE)
+            continue
+        table = read(os.path.join(folder, f"{name}.csv"))
+        for kind in ("pairs", "nearest"):
+            found = read(os.path.join(folder, f"{name}-{kind}.csv"))
+            statistics = make(table, numbers, found["r"][-1])
+            statistics.Update()
+            compare(name, found, statistics)
