@@ -162,7 +162,7 @@ GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& conte
   ReplacedFile file(path);
   if (!file.WhyFailed().empty())
   {
-    return { false, file.WhyFailed() };
+    return { false, file.WhyFailed(), true };
   }
   try
   {
@@ -182,7 +182,7 @@ GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& conte
     }
     CopyTo(file, memory.Name, progress);
     const bool isWritten = file.Close() && file.Commit();
-    return { isWritten, isWritten ? "" : file.WhyFailed() };
+    return { isWritten, isWritten ? "" : file.WhyFailed(), true };
   }
   catch (const Stopped&)
   {
@@ -200,7 +200,7 @@ GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& conte
   {
     // What the system said of the file is clearer than what the stream made of it.
     file.Close();
-    return { false, file.WhyFailed().empty() ? problem.what() : file.WhyFailed() };
+    return { false, file.WhyFailed().empty() ? problem.what() : file.WhyFailed(), true };
   }
 }
 

@@ -230,9 +230,12 @@ std::string vtkElevationWriter::WriteImage(vtkImageData* image)
     return !littoral::IsAborted(this);
   });
   this->IsWritten = outcome.Written;
-  if (!outcome.Written && outcome.Reason.empty())
+  if (!outcome.Written)
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
+    const bool isStopped = outcome.Reason.empty();
+    this->SetErrorCode(isStopped ? vtkErrorCode::UserError
+        : outcome.IsOfDisk       ? vtkErrorCode::CannotOpenFileError
+                                 : vtkErrorCode::UnknownError);
   }
   return outcome.Reason;
 }
@@ -253,7 +256,10 @@ void vtkElevationWriter::WriteData()
   if (!reason.empty())
   {
     this->Refuse(reason);
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    if (this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      this->SetErrorCode(vtkErrorCode::UnknownError);
+    }
   }
 }
 
