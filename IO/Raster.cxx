@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <system_error>
 #include <vector>
@@ -29,6 +30,27 @@ struct CloseDataset
   void operator()(void* dataset) const { GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
+
+/// Throws where a classic netCDF file is shorter than its numbers: the library reads zeros there.
+void CheckLength(const std::string& path, void* dataset)
+{
+  const GDALDriverH driver = GDALGetDatasetDriver(dataset);
+  std::ifstream file(path, std::ios_base::binary);
+  char magic[3] = {};
+  file.read(magic, sizeof(magic));
+  if (!driver || std::string(GDALGetDriverShortName(driver)) != "netCDF" || std::string(magic, 3) != "CDF")
+  {
+    return;
+  }
+  const int size = GDALGetDataTypeSizeBytes(GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)));
+  const double needed =
+    1.0 * size * GDALGetRasterXSize(dataset) * GDALGetRasterYSize(dataset) * GDALGetRasterCount(dataset);
+  file.seekg(0, std::ios_base::end);
+  if (static_cast<double>(file.tellg()) < needed)
+  {
+    throw RasterError("it is cut off or damaged (shorter than its heights)");
+  }
+}
 
 /// Arguments of a program of GDAL.
 class Arguments
@@ -135,6 +157,7 @@ Dataset OpenRaster(const RasterOptions& options, GdalMessages& messages)
   {
     throw RasterError("Band is " + std::to_string(options.Band) + "; it must be from 1 to " + std::to_string(bands));
   }
+  CheckLength(options.Path, dataset.get());
   return dataset;
 }
 
@@ -336,8 +359,8 @@ Dataset Warped(void* dataset, const OGRSpatialReference& from, const OGRSpatialR
   const RasterOptions& raster, bool hasNoData)
 {
   Arguments arguments;
-  // -et: pixels by which an approximate place may be wrong
-  arguments.Add("-of", "VRT").Add("-ot", "Float32").Add("-dstnodata", "nan").Add("-et", "0.01").Add("-novshift");
+  // -et 0: each pixel at its exact place
+  arguments.Add("-of", "VRT").Add("-ot", "Float32").Add("-dstnodata", "nan").Add("-et", "0").Add("-novshift");
   arguments.Add("-r", NameOf(raster.Resampling));
   if (hasNoData)
   {

@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 vtkStandardNewMacro(vtkElevationReader);
 
@@ -64,13 +65,20 @@ void HideHoles(vtkImageData* image, vtkFloatArray* heights)
   image->GetPointData()->AddArray(ghosts);
 }
 
+/// A number in six digits.
+std::string Short(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 std::string Summary(const littoral::RasterGrid& grid, const std::string& heightWords, const HeightRange& range)
 {
-  using littoral::TextOf;
   const vtkIdType missing = static_cast<vtkIdType>(grid.Points[0]) * grid.Points[1] - range.Count;
   return std::to_string(grid.Points[0]) + " x " + std::to_string(grid.Points[1]) + " heights, " +
-    TextOf(grid.Spacing[0]) + " x " + TextOf(grid.Spacing[1]) + " m apart, from " + TextOf(range.Low) + " to " +
-    TextOf(range.High) + " m; " + std::to_string(missing) + " missing; " + grid.SystemName + "; " + heightWords;
+    Short(grid.Spacing[0]) + " x " + Short(grid.Spacing[1]) + " m apart, from " + Short(range.Low) + " to " +
+    Short(range.High) + " m; " + std::to_string(missing) + " missing; " + grid.SystemName + "; " + heightWords;
 }
 
 }

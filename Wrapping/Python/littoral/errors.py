@@ -2,16 +2,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Errors of VTK's algorithms as texts, in place of messages on the terminal."""
 
+import re
+
 
 def kept(*algorithms):
-    """A list that fills with what the algorithms and their executives report, without the place in the sources."""
+    """A list that fills with what the algorithms report, without the place in the sources.
+
+    What executives add, that a request failed, is left out.
+    """
     messages = []
 
     def keep(_source, _event, text):
-        messages.append(text.split(": ", 1)[-1].strip() if text.startswith("ERROR") else text.strip())
+        messages.append(re.sub(r"^ERROR:.*\n.*?\(0x[0-9a-f]+\): ", "", text).strip())
 
-    keep.CallDataType = "string0"
+    def drop(_source, _event, _text):
+        pass
+
+    keep.CallDataType = drop.CallDataType = "string0"
     for algorithm in algorithms:
         algorithm.AddObserver("ErrorEvent", keep)
-        algorithm.GetExecutive().AddObserver("ErrorEvent", keep)
+        algorithm.GetExecutive().AddObserver("ErrorEvent", drop)
     return messages
