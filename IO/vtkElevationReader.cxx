@@ -145,14 +145,13 @@ littoral::RasterOptions vtkElevationReader::Options() const
 //----------------------------------------------------------------------------
 int vtkElevationReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const std::string reason = this->WhyInvalid();
-  if (!reason.empty())
-  {
-    this->Refuse(reason);
-    return littoral::FailedInformation(this, outputVector);
-  }
+  this->WhyUnread = this->WhyInvalid();
   try
   {
+    if (!this->WhyUnread.empty())
+    {
+      throw littoral::RasterError(this->WhyUnread);
+    }
     const littoral::Raster raster(this->Options());
     const littoral::RasterGrid& grid = raster.Grid();
     const std::array<int, 6> extent{ 0, grid.Points[0] - 1, 0, grid.Points[1] - 1, 0, 0 };
@@ -168,8 +167,13 @@ int vtkElevationReader::RequestInformation(vtkInformation*, vtkInformationVector
   }
   catch (const littoral::RasterError& error)
   {
-    this->Refuse(error.what());
-    return littoral::FailedInformation(this, outputVector);
+    this->WhyUnread = error.what();
+    const int result = littoral::FailedInformation(this, outputVector);
+    if (result == 0)
+    {
+      this->Refuse(this->WhyUnread);
+    }
+    return result; // ParaView also asks before a user could choose a projection: it is told with the data
   }
 }
 
@@ -182,6 +186,7 @@ int vtkElevationReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
   output->Initialize();
   if (littoral::IsAnnouncedEmpty(info))
   {
+    this->Refuse(this->WhyUnread);
     return littoral::FailedRequest(this);
   }
   try

@@ -216,6 +216,7 @@ private:
   bool LocalOrigin = false;
   bool UseNoDataValue = false;
   double NoDataValue = -9999.0;
+  std::string WhyUnread; ///< found by RequestInformation()
 };
 
 #endif
