@@ -107,7 +107,8 @@ void AddGrid(vtkImageData* image, vtkTable* table)
   const double* origin = image->GetOrigin();
   const double* spacing = image->GetSpacing();
   littoral::AddField(table, "GridExtent",
-    { double(extent[0]), double(extent[1]), double(extent[2]), double(extent[3]), double(extent[4]), double(extent[5]) });
+    { double(extent[0]), double(extent[1]), double(extent[2]), double(extent[3]), double(extent[4]),
+      double(extent[5]) });
   littoral::AddField(table, "GridOrigin", { origin[0], origin[1], origin[2] });
   littoral::AddField(table, "GridSpacing", { spacing[0], spacing[1], spacing[2] });
 }

@@ -83,8 +83,8 @@ void SetPlace(void* dataset, const GeoTiffContent& content, GdalMessages& messag
     OGRSpatialReference system;
     if (!ReadCoordinateSystem(content.System, system))
     {
-      throw RasterError("'" + content.System.substr(0, 60) +
-        "' is no coordinate system; it must be a code as EPSG:32632, or WKT");
+      throw RasterError(
+        "'" + content.System.substr(0, 60) + "' is no coordinate system; it must be a code as EPSG:32632, or WKT");
     }
     isSet = GDALSetSpatialRef(dataset, OGRSpatialReference::ToHandle(&system)) == CE_None;
   }

@@ -30,11 +30,12 @@ struct GeoTiffContent
 struct GeoTiffOutcome
 {
   bool Written = false;
-  std::string Reason;     ///< empty if written or stopped
+  std::string Reason;    ///< empty if written or stopped
   bool IsOfDisk = false; ///< whether the system refused the file
 };
 
-/// Writes a GeoTIFF, which takes the place of another file only when it is whole. The same content makes the same bytes.
+/// Writes a GeoTIFF, which takes the place of another file only when it is whole. The same content makes the same
+/// bytes.
 GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress);
 
 }

@@ -74,8 +74,8 @@ constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 
 Dataset OpenDataset(const std::string& name)
 {
-  return Dataset(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr,
-    nullptr));
+  return Dataset(
+    GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
 }
 
 /// Names of the rasters within a file, as GDAL opens them.
@@ -145,8 +145,8 @@ Dataset OpenRaster(const RasterOptions& options, GdalMessages& messages)
   }
   if (!dataset)
   {
-    throw RasterError(
-      "GDAL finds no whole raster in it (" + messages.ErrorOr("of no kind that it knows") + HintFor(options.Path) + ")");
+    throw RasterError("GDAL finds no whole raster in it (" + messages.ErrorOr("of no kind that it knows") +
+      HintFor(options.Path) + ")");
   }
   const int bands = GDALGetRasterCount(dataset.get());
   if (bands == 0)
@@ -528,8 +528,8 @@ public:
     }
     if (isProjected || (transform.IsKnown && !transform.IsUpright()))
     {
-      this->Append(Warped(this->Last(), system, target, this->Options, this->Options.UsesNoData),
-        "it cannot be projected");
+      this->Append(
+        Warped(this->Last(), system, target, this->Options, this->Options.UsesNoData), "it cannot be projected");
       CheckLengths(this->Last(), target, isProjected);
     }
     this->Place(target);
@@ -615,8 +615,7 @@ bool Raster::Read(const std::array<int, 4>& window, float* heights, const Raster
       {
         const std::size_t from = static_cast<std::size_t>(row) * width + i;
         const double value = values[from];
-        const bool isHole =
-          valid[from] == 0 || !std::isfinite(value) || (usesNoData && value == own.Options.NoData);
+        const bool isHole = valid[from] == 0 || !std::isfinite(value) || (usesNoData && value == own.Options.NoData);
         // z = scale * value + offset
         to[i] = isHole ? NaN : static_cast<float>(own.Height.Scale * value + own.Height.Offset);
       }

@@ -204,8 +204,8 @@ int vtkElevationReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
     const vtkIdType count = output->GetNumberOfPoints();
     auto heights = littoral::NewArray<vtkFloatArray>("Elevation", 1, count);
     this->SetProgressText("Reading heights");
-    const bool isRead = raster.Read({ extent[0], extent[1], extent[2], extent[3] }, heights->GetPointer(0),
-      [this](double share) {
+    const bool isRead =
+      raster.Read({ extent[0], extent[1], extent[2], extent[3] }, heights->GetPointer(0), [this](double share) {
         this->UpdateProgress(share);
         return !littoral::IsAborted(this);
       });

@@ -5,20 +5,21 @@
  * @brief   read a raster of heights in metres with its place on earth
  *
  * Reads GeoTIFF, ESRI ASCII grids, SRTM tiles (.hgt), netCDF and all other rasters that GDAL knows. Output: a
- * vtkImageData of one layer with the float point array `Elevation` [m], x to the east and y to the north, in metres. The
- * points are the centers of the pixels. Pixels without data are NaN, and hidden (`vtkGhostType`) so that they are holes
- * in every picture.
+ * vtkImageData of one layer with the float point array `Elevation` [m], x to the east and y to the north, in metres.
+ * The points are the centers of the pixels. Pixels without data are NaN, and hidden (`vtkGhostType`) so that they are
+ * holes in every picture.
  *
- * Coordinates that are no lengths are never taken for metres: degrees, and maps on which lengths differ by more than 5 %
- * from those on the ground (as the web's Mercator map), are refused, or projected with Projection. Feet become metres.
- * A raster whose rows do not run from west to east is resampled on a grid whose rows do. Without a named coordinate
- * system coordinates are taken for metres, unless they look like degrees; without any coordinates a pixel is 1 m.
+ * Coordinates that are no lengths are never taken for metres: degrees, and maps on which lengths differ by more than 5
+ * % from those on the ground (as the web's Mercator map), are refused, or projected with Projection. Feet become
+ * metres. A raster whose rows do not run from west to east is resampled on a grid whose rows do. Without a named
+ * coordinate system coordinates are taken for metres, unless they look like degrees; without any coordinates a pixel is
+ * 1 m.
  *
  * Field data: `CoordinateSystem` (text, WKT of the horizontal coordinate system), `CoordinateUnit` (metres per unit of
  * it) and `CoordinateOffset` (two numbers, m): map coordinates are (position + CoordinateOffset) / CoordinateUnit. All
  * filters of VTK pass field data on; vtkTurningBandsTerrainSource does on request; vtkElevationWriter writes them.
- * `ElevationSummary` (text) tells in a sentence what was read: size, spacing, range, missing heights, coordinate system,
- * unit.
+ * `ElevationSummary` (text) tells in a sentence what was read: size, spacing, range, missing heights, coordinate
+ * system, unit.
  *
  * Any subextent can be requested; only that part of the file is read. A file that is missing, cut off or of another
  * kind, and a coordinate system that cannot be read, are reported as one error.
@@ -158,8 +159,8 @@ public:
   ///@{
   /**
    * Origin of the output at its southwestern point, with the place of that point as `CoordinateOffset`; default off,
-   * coordinates of the map. Pictures and filters in single precision have steps of 0.25 to 0.5 m at the coordinates of a
-   * map, which are thousands of kilometres.
+   * coordinates of the map. Filters in single precision have steps of 0.25 to 0.5 m at such coordinates, which are
+   * thousands of kilometres.
    */
   vtkSetMacro(LocalOrigin, bool);
   vtkGetMacro(LocalOrigin, bool);

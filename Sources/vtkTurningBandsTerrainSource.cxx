@@ -279,7 +279,8 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
 //----------------------------------------------------------------------------
 bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 {
-  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] }, { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
+  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] },
+    { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
   littoral::TurningBandsParameters& bands = recipe.Bands;
   const bool automatic = bands.NumberOfLines == 0;
   bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
@@ -314,7 +315,8 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 bool vtkTurningBandsTerrainSource::Grow(
   const Recipe& recipe, const int extent[6], double first, double last, float* values)
 {
-  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] }, { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
+  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] },
+    { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
   const littoral::GridWindow window{ { extent[0], extent[2] }, { extent[1], extent[3] } };
   littoral::TurningBandsField field(recipe.Bands, grid, window);
   const double centerX = 0.5 * (this->Grid.WholeExtent[0] + static_cast<double>(this->Grid.WholeExtent[1]));
@@ -325,7 +327,8 @@ bool vtkTurningBandsTerrainSource::Grow(
   const bool levelled = recipe.TrendSides[0] > 0.0 && recipe.TrendSides[1] > 0.0;
   for (int axis = 0; axis < 2; ++axis)
   {
-    const double points = this->Grid.WholeExtent[2 * axis + 1] - static_cast<double>(this->Grid.WholeExtent[2 * axis]) + 1.0;
+    const double points =
+      this->Grid.WholeExtent[2 * axis + 1] - static_cast<double>(this->Grid.WholeExtent[2 * axis]) + 1.0;
     sides[axis] = std::max(recipe.TrendSides[axis], points * grid.Spacing[axis]);
   }
 

@@ -35,9 +35,9 @@ struct TerrainTile
 {
   std::array<int, 2> First{ 0, 0 };
   std::array<int, 2> Last{ 0, 0 };
-  Box Bounds;          ///< of the heights that are there
-  bool HasHoles = false; ///< some heights are missing: shown at level 0 alone
-  bool IsEmpty = false;  ///< all are
+  Box Bounds;                                    ///< of the heights that are there
+  bool HasHoles = false;                         ///< some heights are missing: shown at level 0 alone
+  bool IsEmpty = false;                          ///< all are
   std::array<float, MostTerrainLevels> Errors{}; ///< largest difference of a level from the samples [m]
 };
 

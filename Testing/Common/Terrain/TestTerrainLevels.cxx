@@ -465,8 +465,8 @@ TEST(TerrainLevels, LeaveOutMissingHeightsAtAnyLevel)
     for (int x = 0; x + 1 < samples.Width; ++x)
     {
       const bool isCut = isThere(x, y) && isThere(x + 1, y + 1);
-      wanted += 0.5 * samples.Spacing[0] * samples.Spacing[1] *
-        ((isCut && isThere(x + 1, y)) + (isCut && isThere(x, y + 1)));
+      wanted +=
+        0.5 * samples.Spacing[0] * samples.Spacing[1] * ((isCut && isThere(x + 1, y)) + (isCut && isThere(x, y + 1)));
     }
   }
   const TerrainPyramid pyramid(samples, 16, 4);
