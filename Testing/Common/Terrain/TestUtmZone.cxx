@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 using littoral::UtmZone;
@@ -35,7 +34,7 @@ TEST(UtmZone, HasItsEdges)
   {
     const double west = -180.0 + 6.0 * (number - 1);
     EXPECT_EQ(UtmZoneOf(west, 10.0).Number, number);
-    EXPECT_EQ(UtmZoneOf(std::nextafter(west + 6.0, west), -10.0).Number, number);
+    EXPECT_EQ(UtmZoneOf(west + 6.0 - 1e-9, -10.0).Number, number);
     EXPECT_EQ(UtmZoneOf(west + 363.0, 0.0).Number, number); // the same place, counted on
   }
   EXPECT_EQ(UtmZoneOf(180.0, 0.0).Number, 1);
