@@ -139,7 +139,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "littoral (= ${PROJECT_VERSION}), python
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst" "${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm")
 # A system without a display draws on a virtual one.
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-gdal, xvfb, xauth")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "xvfb, xauth")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "littoral (= ${PROJECT_VERSION}), libglm-dev")
 if (LITTORAL_WITH_PARAVIEW)
   set(CPACK_DEBIAN_LITTORAL_PACKAGE_DEPENDS "paraview")

@@ -37,6 +37,7 @@ endif ()
 if (NOT LITTORAL_WITH_VTK)
   set(LITTORAL_WITH_OPENVDB OFF)
   set(LITTORAL_WITH_TINYGLTF OFF)
+  set(LITTORAL_WITH_GDAL OFF)
   set(LITTORAL_WITH_PARAVIEW OFF)
   set(LITTORAL_WITH_PYTHON OFF)
   return ()
@@ -79,13 +80,22 @@ if (LITTORAL_WITH_TINYGLTF)
   endif ()
 endif ()
 
+# --- GDAL.
+if (LITTORAL_WITH_GDAL)
+  find_package(GDAL 3.4 QUIET)
+  if (NOT TARGET GDAL::GDAL)
+    message(STATUS "GDAL 3.4 or newer (Debian: libgdal-dev) was not found: no vtkElevationReader, no vtkElevationWriter")
+    set(LITTORAL_WITH_GDAL OFF)
+  endif ()
+endif ()
+
 # --- VTK, through ParaView if it is there.
 # Components are named so that only their dependencies are looked up. What the tests add is
 # optional: VTK would otherwise insist on the development files of every image format.
 set(littoral_vtk_components
   CommonCore CommonDataModel CommonExecutionModel RenderingCore)
 set(littoral_vtk_test_components)
-if (LITTORAL_WITH_OPENVDB OR LITTORAL_WITH_TINYGLTF)
+if (LITTORAL_WITH_OPENVDB OR LITTORAL_WITH_TINYGLTF OR LITTORAL_WITH_GDAL)
   list(APPEND littoral_vtk_components FiltersCore IOCore IOImage ParallelCore utf8)
 endif ()
 if (LITTORAL_WITH_PYTHON)

@@ -20,7 +20,7 @@ endif ()
 
 set(littoral_io_file)
 set(littoral_io_module)
-if (LITTORAL_WITH_OPENVDB OR LITTORAL_WITH_TINYGLTF)
+if (LITTORAL_WITH_OPENVDB OR LITTORAL_WITH_TINYGLTF OR LITTORAL_WITH_GDAL)
   set(littoral_io_file "${PROJECT_SOURCE_DIR}/IO/vtk.module")
   set(littoral_io_module Littoral::LittoralIO)
 endif ()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCovarianceFitFilter.h"
 
+#include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
@@ -96,6 +97,20 @@ void WriteFits(const std::vector<littoral::VariogramFit>& fits, const RemovedTre
   column("AtBound", [](const Fit& fit) { return static_cast<int>(fit.AtBound); });
   column("WeightedSSE", [](const Fit& fit) { return fit.WeightedSSE; });
   column("AICc", [](const Fit& fit) { return fit.AICc; });
+}
+
+/// The grid that was measured, as field data.
+void AddGrid(vtkImageData* image, vtkTable* table)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  const double* origin = image->GetOrigin();
+  const double* spacing = image->GetSpacing();
+  littoral::AddField(table, "GridExtent",
+    { double(extent[0]), double(extent[1]), double(extent[2]), double(extent[3]), double(extent[4]),
+      double(extent[5]) });
+  littoral::AddField(table, "GridOrigin", { origin[0], origin[1], origin[2] });
+  littoral::AddField(table, "GridSpacing", { spacing[0], spacing[1], spacing[2] });
 }
 
 /// Fractal dimensions by two methods, as field data.
@@ -364,6 +379,8 @@ int vtkCovarianceFitFilter::RequestData(
   vtkTable* table = vtkTable::GetData(outputVector, 0);
   WriteFits(fits, field.Trend, window, table);
   WriteVariogram(variogram, fits, window, vtkTable::GetData(outputVector, 1));
+  AddGrid(image, table);
+  littoral::PassGeoreference(image, table);
   littoral::AddField(table, "SampleVariance", { field.Variance });
   littoral::AddField(table, "NumberOfValues", { static_cast<double>(field.Moments.Count) });
   AddDimensions(field.Samples, map, littoral::AbortableFor(this), table);

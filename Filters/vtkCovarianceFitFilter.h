@@ -17,7 +17,8 @@
  * quarter of the shortest lag, or the fractal dimension within 0.01 of 2 or 3: determined by a bound, not by the data),
  * `WeightedSSE`, `AICc`. Field data: `SampleVariance` [m^2] (of the residuals when the plane is removed),
  * `NumberOfValues`, `PeriodogramDimension` and `VariogramDimension` (fractal dimension from the slope of either, in [2,
- * 3], with its standard error; NaN where the slope determines none, as for smooth fields and noise).
+ * 3], with its standard error; NaN where the slope determines none, as for smooth fields and noise); `GridExtent`,
+ * `GridOrigin` and `GridSpacing` of the image; and its place on earth (vtkElevationReader), if it has one.
  *
  * Output 1: a vtkTable with a row per lag, ready for a line chart: `Lag` [m], `Semivariance` [m^2], `Pairs`, a column
  * per model, and a column per direction (`Semivariance_000`, `Semivariance_015`..., degrees from x) where anisotropy is

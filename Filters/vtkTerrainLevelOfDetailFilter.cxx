@@ -18,6 +18,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -38,6 +39,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -102,7 +104,8 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
       continue;
     }
     const std::string name = array->GetName();
-    if (!name.empty() && name != "Elevation" && name != "Normals" && name != "TCoords")
+    const bool isOwn = name == "Elevation" || name == "Normals" || name == "TCoords";
+    if (!name.empty() && !isOwn && name != vtkDataSetAttributes::GhostArrayName()) // hidden points are not there
     {
       vtkSmartPointer<vtkDataArray> copy;
       copy.TakeReference(array->NewInstance());
@@ -132,10 +135,15 @@ public:
     , Reflectance(littoral::ArrayReader::OfPoints(image, "The image").Find("Reflectance", 1))
     , Paints(paints && !image->GetPointData()->HasArray("RGB"))
   {
-    const std::vector<float>& heights = pyramid.GetSamples().Values;
-    const auto ends = std::minmax_element(heights.begin(), heights.end());
-    this->Lowest = *ends.first;
-    this->Relief = std::max(static_cast<double>(*ends.second) - this->Lowest, 1e-9);
+    float lowest = std::numeric_limits<float>::infinity();
+    float highest = -lowest;
+    for (const littoral::TerrainTile& tile : pyramid.GetTiles())
+    {
+      lowest = tile.IsEmpty ? lowest : std::min(lowest, static_cast<float>(tile.Bounds.Low.z));
+      highest = tile.IsEmpty ? highest : std::max(highest, static_cast<float>(tile.Bounds.High.z));
+    }
+    this->Lowest = lowest;
+    this->Relief = std::max(static_cast<double>(highest) - this->Lowest, 1e-9);
   }
 
   explicit operator bool() const { return this->Paints; }
@@ -437,16 +445,24 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
 //----------------------------------------------------------------------------
 bool vtkTerrainLevelOfDetailFilter::CheckHeights(vtkDataArray* heights)
 {
+  bool isAnyThere = false;
   for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
   {
-    if (!std::isfinite(static_cast<float>(heights->GetComponent(i, 0))))
+    const float height = static_cast<float>(heights->GetComponent(i, 0));
+    if (std::isinf(height))
     {
-      littoralErrorMacro("The elevation is NaN or infinite at point "
+      littoralErrorMacro("The elevation is infinite at point "
         << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
       return false;
     }
+    isAnyThere = isAnyThere || !std::isnan(height);
   }
-  return true;
+  if (!isAnyThere)
+  {
+    littoralErrorMacro(
+      "The elevation is NaN at all points of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
+  }
+  return isAnyThere;
 }
 
 //----------------------------------------------------------------------------

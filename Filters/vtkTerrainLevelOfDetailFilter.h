@@ -5,7 +5,8 @@
  * @brief   show a terrain in tiles whose resolution depends on the view
  *
  * Input: a vtkImageData of one layer with a scalar point array of elevations [m] (SetInputArrayToProcess; default
- * `Elevation`, else the active scalars, also where an absent Elevation is chosen by name), all finite.
+ * `Elevation`, else the active scalars, also where an absent Elevation is chosen by name). Where it is NaN there is a
+ * hole: triangles with such a point are left out, and tiles with such points are shown at level 0.
  *
  * Output: a vtkMultiBlockDataSet of vtkPolyData: `Level0` (all samples), `Level1` (every second sample) and so on, and
  * `Seams`, vertical triangles that close the gaps between tiles of different levels, as Setas et al. propose in section
@@ -17,7 +18,8 @@
  *
  * What does not depend on the view is kept until the input changes. Piece 0 holds the whole output, other pieces are
  * empty. Defaults of inherited properties: NearDistance 250 m, FarDistance 4000 m. A property out of range, an image of
- * several layers or without a positive spacing, or an elevation that is not finite, is reported as one error.
+ * several layers or without a positive spacing, or an elevation that is infinite or NaN everywhere, is reported as one
+ * error.
  *
  * @sa vtkViewDependentAlgorithm
  */

@@ -4,12 +4,14 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
+#include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Terrain/TurningBands.h"
 
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -27,6 +29,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 vtkStandardNewMacro(vtkTurningBandsTerrainSource);
@@ -59,6 +62,7 @@ vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
   : WholeExtent{ 0, 500, 0, 500, 0, 0 }
   , Origin{ 0.0, 0.0, 0.0 }
   , Spacing{ 2.0, 2.0, 1.0 }
+  , UseMeasuredGrid(false)
   , Model(Fractal)
   , StandardDeviation(40.0)
   , Mean(200.0)
@@ -78,6 +82,7 @@ vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
   , ReflectanceRange(100.0)
   , ReflectanceMean(0.5)
   , ReflectanceStandardDeviation(0.15)
+  , Grid{}
 {
   this->SetNumberOfInputPorts(1);
 }
@@ -94,10 +99,52 @@ int vtkTurningBandsTerrainSource::FillInputPortInformation(int, vtkInformation* 
 }
 
 //----------------------------------------------------------------------------
-int vtkTurningBandsTerrainSource::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+std::string vtkTurningBandsTerrainSource::TakeGrid(vtkInformationVector* fits)
 {
-  const int* extent = this->WholeExtent;
+  std::copy_n(this->WholeExtent, 6, this->Grid.WholeExtent);
+  std::copy_n(this->Origin, 3, this->Grid.Origin);
+  std::copy_n(this->Spacing, 3, this->Grid.Spacing);
+  if (!this->UseMeasuredGrid)
+  {
+    return {};
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = fits->GetInformationObject(0);
+  if (info && info->Has(Pipeline::WHOLE_EXTENT()) && info->Has(vtkDataObject::ORIGIN()) &&
+    info->Has(vtkDataObject::SPACING()))
+  {
+    info->Get(Pipeline::WHOLE_EXTENT(), this->Grid.WholeExtent);
+    info->Get(vtkDataObject::ORIGIN(), this->Grid.Origin);
+    info->Get(vtkDataObject::SPACING(), this->Grid.Spacing);
+    return {};
+  }
+  // A table without the pipeline that made it.
+  vtkDataObject* table = info ? info->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
+  const auto take = [table](const char* name, int count, auto* numbers) {
+    vtkDataArray* array = table ? table->GetFieldData()->GetArray(name) : nullptr;
+    const bool isGood = array && array->GetNumberOfTuples() == 1 && array->GetNumberOfComponents() == count;
+    for (int i = 0; isGood && i < count; ++i)
+    {
+      numbers[i] = static_cast<std::decay_t<decltype(*numbers)>>(array->GetComponent(0, i));
+    }
+    return isGood;
+  };
+  const bool isTaken = take("GridExtent", 6, this->Grid.WholeExtent) && take("GridOrigin", 3, this->Grid.Origin) &&
+    take("GridSpacing", 3, this->Grid.Spacing);
+  return isTaken ? "" : "UseMeasuredGrid is on, but no table of fits names a grid; connect a covariance fit.";
+}
+
+//----------------------------------------------------------------------------
+int vtkTurningBandsTerrainSource::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::string reason = this->TakeGrid(inputVector[0]);
+  if (!reason.empty())
+  {
+    littoralErrorMacro(<< reason);
+    return littoral::FailedInformation(this, outputVector);
+  }
+  const int* extent = this->Grid.WholeExtent;
   if (extent[1] < extent[0] || extent[3] < extent[2])
   {
     littoralErrorMacro("WholeExtent " << extent[0] << " " << extent[1] << " " << extent[2] << " " << extent[3]
@@ -111,19 +158,19 @@ int vtkTurningBandsTerrainSource::RequestInformation(
     return littoral::FailedInformation(this, outputVector);
   }
   littoral::ParameterCheck check;
-  check.Positive("Spacing[0]", this->Spacing[0]);
-  check.Positive("Spacing[1]", this->Spacing[1]);
-  check.Finite("Spacing[2]", this->Spacing[2]);
-  check.Finite("Origin[2]", this->Origin[2]);
+  check.Positive("Spacing[0]", this->Grid.Spacing[0]);
+  check.Positive("Spacing[1]", this->Grid.Spacing[1]);
+  check.Finite("Spacing[2]", this->Grid.Spacing[2]);
+  check.Finite("Origin[2]", this->Grid.Origin[2]);
   if (!check.IsGood())
   {
     littoralErrorMacro(<< check.Reason());
     return littoral::FailedInformation(this, outputVector);
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->WholeExtent, 6);
-  info->Set(vtkDataObject::ORIGIN(), this->Origin, 3);
-  info->Set(vtkDataObject::SPACING(), this->Spacing, 3);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->Grid.WholeExtent, 6);
+  info->Set(vtkDataObject::ORIGIN(), this->Grid.Origin, 3);
+  info->Set(vtkDataObject::SPACING(), this->Grid.Spacing, 3);
   info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
   return 1;
@@ -232,7 +279,8 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
 //----------------------------------------------------------------------------
 bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 {
-  const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
+  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] },
+    { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
   littoral::TurningBandsParameters& bands = recipe.Bands;
   const bool automatic = bands.NumberOfLines == 0;
   bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
@@ -257,7 +305,7 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   if (automatic)
   {
     // By the whole grid, not by the part that is asked for, so that all parts belong to one terrain.
-    const int* whole = this->WholeExtent;
+    const int* whole = this->Grid.WholeExtent;
     bands.NumberOfLines = littoral::EnoughLines(bands, grid, { { whole[0], whole[2] }, { whole[1], whole[3] } });
   }
   return true;
@@ -267,18 +315,20 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 bool vtkTurningBandsTerrainSource::Grow(
   const Recipe& recipe, const int extent[6], double first, double last, float* values)
 {
-  const littoral::PlaneGrid grid{ { this->Origin[0], this->Origin[1] }, { this->Spacing[0], this->Spacing[1] } };
+  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] },
+    { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
   const littoral::GridWindow window{ { extent[0], extent[2] }, { extent[1], extent[3] } };
   littoral::TurningBandsField field(recipe.Bands, grid, window);
-  const double centerX = 0.5 * (this->WholeExtent[0] + static_cast<double>(this->WholeExtent[1]));
-  const double centerY = 0.5 * (this->WholeExtent[2] + static_cast<double>(this->WholeExtent[3]));
+  const double centerX = 0.5 * (this->Grid.WholeExtent[0] + static_cast<double>(this->Grid.WholeExtent[1]));
+  const double centerY = 0.5 * (this->Grid.WholeExtent[2] + static_cast<double>(this->Grid.WholeExtent[3]));
   const std::array<double, 2> center{ grid.Origin[0] + centerX * grid.Spacing[0],
     grid.Origin[1] + centerY * grid.Spacing[1] };
   std::array<double, 2> sides{ 0.0, 0.0 };
   const bool levelled = recipe.TrendSides[0] > 0.0 && recipe.TrendSides[1] > 0.0;
   for (int axis = 0; axis < 2; ++axis)
   {
-    const double points = this->WholeExtent[2 * axis + 1] - static_cast<double>(this->WholeExtent[2 * axis]) + 1.0;
+    const double points =
+      this->Grid.WholeExtent[2 * axis + 1] - static_cast<double>(this->Grid.WholeExtent[2 * axis]) + 1.0;
     sides[axis] = std::max(recipe.TrendSides[axis], points * grid.Spacing[axis]);
   }
 
@@ -316,10 +366,10 @@ bool vtkTurningBandsTerrainSource::Grow(
       extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, mean, values + begin * width);
     for (std::size_t j = begin; tilted && j < end; ++j)
     {
-      const double rise = slope[1] * this->Spacing[1] * (extent[2] + static_cast<double>(j) - centerY);
+      const double rise = slope[1] * this->Grid.Spacing[1] * (extent[2] + static_cast<double>(j) - centerY);
       for (std::size_t i = 0; i < width; ++i)
       {
-        const double x = this->Spacing[0] * (extent[0] + static_cast<double>(i) - centerX);
+        const double x = this->Grid.Spacing[0] * (extent[0] + static_cast<double>(i) - centerX);
         values[j * width + i] += static_cast<float>(slope[0] * x + rise);
       }
     }
@@ -407,8 +457,12 @@ int vtkTurningBandsTerrainSource::RequestData(
     return littoral::FailedRequest(this);
   }
   output->SetExtent(extent.data());
-  output->SetOrigin(this->Origin);
-  output->SetSpacing(this->Spacing);
+  output->SetOrigin(this->Grid.Origin);
+  output->SetSpacing(this->Grid.Spacing);
+  if (fits && this->UseMeasuredGrid)
+  {
+    littoral::PassGeoreference(fits, output);
+  }
   if (extent[1] < extent[0] || extent[3] < extent[2])
   {
     return 1; // a rank with nothing to do
@@ -447,6 +501,7 @@ void vtkTurningBandsTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
      << extent[4] << " " << extent[5] << "\n";
   os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2] << "\n";
   os << indent << "Spacing: " << this->Spacing[0] << " " << this->Spacing[1] << " " << this->Spacing[2] << "\n";
+  os << indent << "UseMeasuredGrid: " << (this->UseMeasuredGrid ? "on" : "off") << "\n";
   os << indent << "Model: " << this->Model << "\n";
   os << indent << "StandardDeviation: " << this->StandardDeviation << "\n";
   os << indent << "Mean: " << this->Mean << "\n";

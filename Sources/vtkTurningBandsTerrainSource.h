@@ -22,6 +22,9 @@
  * replaced by Mean and Slope: the twin then has the trend of the measured terrain and, on average, its variance about
  * the trend.
  *
+ * With UseMeasuredGrid the output is on the grid that was measured, and has its place on earth (field data
+ * `CoordinateSystem`, `CoordinateUnit` and `CoordinateOffset`, see vtkElevationReader).
+ *
  * A parameter out of range, an extent of several layers or a table without a row is reported as one error.
  *
  * @sa vtkCovarianceFitFilter
@@ -31,6 +34,8 @@
 
 #include "LittoralSourcesModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
+
+#include <string> // for reasons
 
 class vtkTable;
 
@@ -84,6 +89,16 @@ public:
    */
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Use of the measured grid and of its place on earth in place of WholeExtent, Origin and Spacing; default off. It
+   * needs a table of fits that names them.
+   */
+  vtkSetMacro(UseMeasuredGrid, bool);
+  vtkGetMacro(UseMeasuredGrid, bool);
+  vtkBooleanMacro(UseMeasuredGrid, bool);
   ///@}
 
   ///@{
@@ -280,6 +295,7 @@ protected:
   int WholeExtent[6];
   double Origin[3];
   double Spacing[3];
+  bool UseMeasuredGrid;
   int Model;
   double StandardDeviation;
   double Mean;
@@ -305,6 +321,16 @@ private:
   void operator=(const vtkTurningBandsTerrainSource&) = delete;
 
   class Recipe;
+  /// The grid of the output, known after RequestInformation().
+  struct TerrainGrid
+  {
+    int WholeExtent[6];
+    double Origin[3];
+    double Spacing[3];
+  };
+  TerrainGrid Grid;
+  /// Sets the grid by the properties or by a measured one; empty if it can be used, else the reason.
+  std::string TakeGrid(vtkInformationVector* fits);
   Recipe ElevationRecipe() const;
   Recipe ReflectanceRecipe() const;
   bool TakeFit(vtkTable* fits, Recipe& recipe);

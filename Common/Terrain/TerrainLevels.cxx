@@ -167,6 +167,10 @@ public:
         this->AddTriangle(c, this->Edge(j == lastY, Top, i), d, this->Edge(i == 0, Left, j), a);
       }
     }
+    if (this->Tile.HasHoles)
+    {
+      this->RemoveMissing();
+    }
     return std::move(this->Patch);
   }
 
@@ -247,6 +251,34 @@ private:
     triangles.insert(triangles.end(), { last, before, c });
   }
 
+  /// Leaves out triangles with a missing vertex, and the vertices that no triangle has then.
+  void RemoveMissing()
+  {
+    TerrainMesh& mesh = this->Patch.Surface;
+    TerrainMesh kept;
+    std::vector<int> places(mesh.Samples.size(), -1);
+    for (std::size_t first = 0; first < mesh.Triangles.size(); first += 3)
+    {
+      const int* corners = &mesh.Triangles[first];
+      const auto isMissing = [&](int corner) { return this->Samples.IsMissing(mesh.Samples[corner]); };
+      if (std::any_of(corners, corners + 3, isMissing))
+      {
+        continue;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        int& place = places[corners[k]];
+        if (place < 0)
+        {
+          place = static_cast<int>(kept.Samples.size());
+          kept.Samples.push_back(mesh.Samples[corners[k]]);
+        }
+        kept.Triangles.push_back(place);
+      }
+    }
+    mesh = std::move(kept);
+  }
+
   const HeightSamples& Samples;
   const TerrainTile& Tile;
   int Level;
@@ -322,18 +354,23 @@ void TerrainPyramid::MeasureTile(TerrainTile& tile) const
     tile.Bounds.Low[axis] = std::min(first[axis], last[axis]);
     tile.Bounds.High[axis] = std::max(first[axis], last[axis]);
   }
-  float low = this->Samples.Values[this->Samples.Index(tile.First[0], tile.First[1])];
-  float high = low;
+  float low = std::numeric_limits<float>::infinity();
+  float high = -low;
   for (int y = tile.First[1]; y <= tile.Last[1]; ++y)
   {
-    const auto row = this->Samples.Values.begin() + static_cast<std::ptrdiff_t>(this->Samples.Index(0, y));
-    const auto range = std::minmax_element(row + tile.First[0], row + tile.Last[0] + 1);
-    low = std::min(low, *range.first);
-    high = std::max(high, *range.second);
+    for (int x = tile.First[0]; x <= tile.Last[0]; ++x)
+    {
+      const float value = this->Samples.Values[this->Samples.Index(x, y)];
+      const bool isMissing = std::isnan(value);
+      tile.HasHoles = tile.HasHoles || isMissing;
+      low = isMissing ? low : std::min(low, value);
+      high = isMissing ? high : std::max(high, value);
+    }
   }
-  tile.Bounds.Low.z = low;
-  tile.Bounds.High.z = high;
-  for (int level = 1; level < this->Levels; ++level)
+  tile.IsEmpty = low > high;
+  tile.Bounds.Low.z = tile.IsEmpty ? 0.0 : low;
+  tile.Bounds.High.z = tile.IsEmpty ? 0.0 : high;
+  for (int level = 1; level < this->Levels && !tile.HasHoles; ++level)
   {
     const std::vector<int> xs = Places(tile.First[0], tile.Last[0], level);
     const std::vector<int> ys = Places(tile.First[1], tile.Last[1], level);
@@ -351,13 +388,21 @@ void TerrainPyramid::MeasureTile(TerrainTile& tile) const
 
 std::array<float, 3> TerrainPyramid::NormalAt(int x, int y) const
 {
-  const int x0 = std::max(0, x - 1);
-  const int x1 = std::min(this->Samples.Width - 1, x + 1);
-  const int y0 = std::max(0, y - 1);
-  const int y1 = std::min(this->Samples.Height - 1, y + 1);
+  const auto isThere = [&](int i, int j) {
+    return i >= 0 && j >= 0 && i < this->Samples.Width && j < this->Samples.Height &&
+      !this->Samples.IsMissing(this->Samples.Index(i, j));
+  };
+  if (!isThere(x, y))
+  {
+    return { 0.0f, 0.0f, 1.0f };
+  }
+  const int x0 = isThere(x - 1, y) ? x - 1 : x;
+  const int x1 = isThere(x + 1, y) ? x + 1 : x;
+  const int y0 = isThere(x, y - 1) ? y - 1 : y;
+  const int y1 = isThere(x, y + 1) ? y + 1 : y;
   const auto at = [&](int i, int j) { return static_cast<double>(this->Samples.Values[this->Samples.Index(i, j)]); };
-  const double slopeX = (at(x1, y) - at(x0, y)) / ((x1 - x0) * this->Samples.Spacing[0]);
-  const double slopeY = (at(x, y1) - at(x, y0)) / ((y1 - y0) * this->Samples.Spacing[1]);
+  const double slopeX = (at(x1, y) - at(x0, y)) / (std::max(1, x1 - x0) * this->Samples.Spacing[0]);
+  const double slopeY = (at(x, y1) - at(x, y0)) / (std::max(1, y1 - y0) * this->Samples.Spacing[1]);
   const Vector3 normal = glm::normalize(Vector3(-slopeX, -slopeY, 1.0));
   return { static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z) };
 }
@@ -403,7 +448,11 @@ std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& 
   for (const TerrainTile& tile : pyramid.GetTiles())
   {
     int level = Culled;
-    if (!rule.UseCulling || view.MayShow(tile.Bounds))
+    if (!tile.IsEmpty && tile.HasHoles && (!rule.UseCulling || view.MayShow(tile.Bounds)))
+    {
+      level = 0;
+    }
+    else if (!tile.IsEmpty && (!rule.UseCulling || view.MayShow(tile.Bounds)))
     {
       level = rule.ByPixelError ? pyramid.GetLevels() - 1
                                 : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());

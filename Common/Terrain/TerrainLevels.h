@@ -7,6 +7,7 @@
 #include "Numerics/Parallel.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -20,9 +21,10 @@ struct HeightSamples
   int Height = 0;
   std::array<double, 2> Origin{ 0.0, 0.0 };
   std::array<double, 2> Spacing{ 1.0, 1.0 };
-  std::vector<float> Values; ///< finite
+  std::vector<float> Values; ///< NaN where there is none
 
   std::size_t Index(int x, int y) const { return static_cast<std::size_t>(y) * Width + x; }
+  bool IsMissing(std::size_t index) const { return std::isnan(this->Values[index]); }
   Vector3 Position(std::size_t index) const;
 };
 
@@ -33,7 +35,9 @@ struct TerrainTile
 {
   std::array<int, 2> First{ 0, 0 };
   std::array<int, 2> Last{ 0, 0 };
-  Box Bounds;
+  Box Bounds;                                    ///< of the heights that are there
+  bool HasHoles = false;                         ///< some heights are missing: shown at level 0 alone
+  bool IsEmpty = false;                          ///< all are
   std::array<float, MostTerrainLevels> Errors{}; ///< largest difference of a level from the samples [m]
 };
 
@@ -42,7 +46,8 @@ int LevelsOfTiles(int tileSize, int levels);
 
 /**
  * The terrain in tiles, each in levels of resolution: level k takes every 2^k-th sample of a tile and, whatever its
- * size, the last. No level has cells larger than a tile. Nothing here depends on the view.
+ * size, the last. No level has cells larger than a tile. Nothing here depends on the view. A triangle with a missing
+ * height is left out, and tiles with such heights have level 0 alone, so that holes have one shape.
  */
 class TerrainPyramid
 {

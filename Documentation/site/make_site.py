@@ -50,6 +50,7 @@ FIELDS = (
      ("vtkSuspendedParticleSource", "vtkParticleLevelOfDetailFilter", "vtkParticleFogFilter")),
     ("Seaweeds", "seaweed", "seaweed", ("vtkSeaweedSource", "vtkSeaweedDeformationFilter", "vtkPlantWakeFilter")),
     ("Views", "terrain", "geometry", ("vtkViewDependentAlgorithm",)),
+    ("Rasters", "terrain", "terrain", ("vtkElevationReader", "vtkElevationWriter")),
     ("Volumes", "volumes", "volumes", ("vtkVDBVolumeWriter",)),
     ("Scenes", "saving", "scenes", ("vtkGLTFSceneWriter",)),
 )

@@ -4,7 +4,7 @@
 
     python3 fit_and_grow.py [FOLDER [ELEVATION_MODEL]]
 
-ELEVATION_MODEL: .npz, .vti, .dem or GeoTIFF; default: the Jacksboro fault, Tennessee. Writes
+ELEVATION_MODEL: .npz, .vti, GeoTIFF or another raster in metres; default: the Jacksboro fault, Tennessee. Writes
 variogram.png and grown.vti into FOLDER.
 """
 
@@ -26,9 +26,7 @@ fit.SetInputData(place)
 
 source = vtkTurningBandsTerrainSource()
 source.SetInputConnection(fit.GetOutputPort(0))
-source.SetWholeExtent(place.GetExtent())
-source.SetOrigin(place.GetOrigin())
-source.SetSpacing(place.GetSpacing())
+source.UseMeasuredGridOn()
 source.Update()
 
 fits = fit.GetOutput(0)

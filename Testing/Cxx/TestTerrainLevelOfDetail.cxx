@@ -313,11 +313,14 @@ bool BadInput()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto nothing = [](Filter*) {};
-  const auto hole = Hills();
-  hole->GetPointData()->GetArray("Elevation")->SetTuple1(77, nan);
+  const auto peak = Hills();
+  peak->GetPointData()->GetArray("Elevation")->SetTuple1(77, std::numeric_limits<double>::infinity());
+  const auto nowhere = Hills();
+  nowhere->GetPointData()->GetArray("Elevation")->FillComponent(0, nan);
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(5, 5, 1);
-  bool good = Fails("point 77", nothing, hole);
+  bool good = Fails("infinite at point 77", nothing, peak);
+  good &= Fails("NaN at all points", nothing, nowhere);
   good &= Fails("scalars", nothing, bare);
   good &= Fails("1 x 9 x 1", nothing, Hills(1, 9));
   good &= Fails("x 2 points", nothing, Hills(9, 9, 2));

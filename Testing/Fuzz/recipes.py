@@ -51,6 +51,8 @@ RECIPES = {
     "vtkCurrentDriftFilter": (WATER + FLOW, {}),
     "vtkSeaweedDeformationFilter": (("vtkSeaweedSource", *SEA), {"SetGenerateMotion": (True,)}),
     "vtkPlantWakeFilter": (("vtkSeaweedDeformationFilter",), {}),
+    "vtkElevationReader": ((), {"SetFileName": ("none.tif",)}),
+    "vtkElevationWriter": (("vtkTurningBandsTerrainSource",), {"SetFileName": ("terrain.tif",)}),
     "vtkVDBVolumeWriter": (("vtkWindFieldSource",), {"SetFileName": ("wind.vdb",)}),
     "vtkGLTFSceneWriter": (WOOD, {"SetFileName": ("tree.glb",), "SetWriteMotion": (True,), "SetEndTime": (0.1,),
                                   "SetWriteCamera": (True,), "SetWriteSun": (True,)}),

@@ -241,6 +241,18 @@ def print_scene():
                 print("vtkGLTFSceneWriter", form, hashlib.sha256(file.read()).hexdigest()[:16])
 
 
+def print_raster():
+    """Hashes of a raster that the writer writes, and of what the reader reads of it."""
+    for compression in (0, 1):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "terrain.tif")
+            writer = make("vtkElevationWriter", (terrain(),), SetFileName=(name,), SetCompression=(compression,))
+            writer.Write()
+            with open(name, "rb") as file:
+                print("vtkElevationWriter", compression, hashlib.sha256(file.read()).hexdigest()[:16])
+            print_outputs(make("vtkElevationReader", SetFileName=(name,)), f"vtkElevationReader {compression}")
+
+
 def main(wanted):
     """All classes, or those that are named."""
     for name, (inputs, variants) in CASES.items():
@@ -253,6 +265,7 @@ def main(wanted):
     if not wanted:
         print_volume()
         print_scene()
+        print_raster()
 
 
 if __name__ == "__main__":

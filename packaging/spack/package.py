@@ -17,6 +17,7 @@ class Littoral(CMakePackage):
     variant("paraview", default=True, description="Build the ParaView plugin, against ParaView's VTK")
     variant("openvdb", default=True, description="Build the writer of OpenVDB volumes")
     variant("tinygltf", default=True, description="Build the writer of glTF scenes")
+    variant("gdal", default=True, description="Build the reader and the writer of rasters of heights")
     variant("python", default=True, description="Build the Python package")
 
     depends_on("c", type="build")
@@ -34,6 +35,7 @@ class Littoral(CMakePackage):
     depends_on("vtk@9.1:", when="~paraview")
     depends_on("openvdb", when="+openvdb")
     depends_on("tinygltf", when="+tinygltf")
+    depends_on("gdal@3.4:", when="+gdal")
     extends("python", when="+python")
     depends_on("py-numpy", type="run", when="+python")
 
@@ -44,6 +46,7 @@ class Littoral(CMakePackage):
             self.define_from_variant("LITTORAL_WITH_PARAVIEW", "paraview"),
             self.define_from_variant("LITTORAL_WITH_OPENVDB", "openvdb"),
             self.define_from_variant("LITTORAL_WITH_TINYGLTF", "tinygltf"),
+            self.define_from_variant("LITTORAL_WITH_GDAL", "gdal"),
             self.define_from_variant("LITTORAL_WITH_PYTHON", "python"),
             self.define("LITTORAL_BUILD_TESTING", self.run_tests),
             self.define("LITTORAL_BUILD_BENCHMARKS", False),

@@ -25,16 +25,10 @@ def main():
     if place.PointData.GetNumberOfArrays() == 0:  # as of the GDAL reader
         place = simple.CellDatatoPointData(registrationName="Elevation", Input=place)
         place.UpdatePipeline()
-    info = place.GetDataInformation()
-    extent = info.GetExtent()
-    bounds = info.GetBounds()
-    cells = [max(1, extent[2 * axis + 1] - extent[2 * axis]) for axis in (0, 1)]
-    spacing = [(bounds[2 * axis + 1] - bounds[2 * axis]) / cells[axis] for axis in (0, 1)]
     fit = simple.CovarianceFit(registrationName="Fit", Input=place)
     fit.Array = ["POINTS", place.PointData.GetArray(0).Name]
     twin = simple.TurningBandsTerrainFromFits(
-        registrationName="Twin", Input=simple.OutputPort(fit, 0), WholeExtent=[0, cells[0], 0, cells[1], 0, 0],
-        Origin=[bounds[0], bounds[2], 0.0], Spacing=[*spacing, 1.0])
+        registrationName="Twin", Input=simple.OutputPort(fit, 0), UseMeasuredGrid=1)
     ground = simple.TerrainLevelOfDetail(registrationName="Ground", Input=twin)
     view = render_view()
     simple.Show(ground, view)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -441,6 +442,69 @@ TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
   EXPECT_GT(seen[1], 50000);
   ASSERT_GT(kept, 500);
   EXPECT_LT(tooFine, 0.25 * kept);
+}
+
+TEST(TerrainLevels, LeaveOutMissingHeightsAtAnyLevel)
+{
+  HeightSamples samples = MakeGround(99, 70, Ground::Rough, 11);
+  const float missing = std::numeric_limits<float>::quiet_NaN();
+  std::mt19937 random(3);
+  for (int k = 0; k < 30; ++k)
+  {
+    samples.Values[random() % samples.Values.size()] = missing;
+  }
+  for (int y = 0; y < 40; ++y) // more than a tile
+  {
+    std::fill_n(samples.Values.begin() + static_cast<std::ptrdiff_t>(samples.Index(10, y)), 45, missing);
+  }
+  // The ground is the halves of cells whose three corners are there.
+  double wanted = 0.0;
+  const auto isThere = [&](int x, int y) { return !std::isnan(samples.Values[samples.Index(x, y)]); };
+  for (int y = 0; y + 1 < samples.Height; ++y)
+  {
+    for (int x = 0; x + 1 < samples.Width; ++x)
+    {
+      const bool isCut = isThere(x, y) && isThere(x + 1, y + 1);
+      wanted +=
+        0.5 * samples.Spacing[0] * samples.Spacing[1] * ((isCut && isThere(x + 1, y)) + (isCut && isThere(x, y + 1)));
+    }
+  }
+  const TerrainPyramid pyramid(samples, 16, 4);
+  View view;
+  view.Point = { 1000.0, -500.0, 20.0 };
+  for (const double far : { 1e9, 400.0, 50.0 })
+  {
+    TerrainRule rule;
+    rule.NearDistance = far == 1e9 ? 1e8 : 20.0;
+    rule.FarDistance = far;
+    rule.UseCulling = false;
+    const std::vector<int> levels = SelectLevels(pyramid, ViewFrustum(view), rule);
+    double area = 0.0;
+    std::size_t empty = 0;
+    for (std::size_t tile = 0; tile < levels.size(); ++tile)
+    {
+      empty += levels[tile] == Culled;
+      if (levels[tile] == Culled)
+      {
+        continue;
+      }
+      const TerrainMesh mesh = MakePatch(pyramid, levels, tile).Surface;
+      std::set<int> used(mesh.Triangles.begin(), mesh.Triangles.end());
+      EXPECT_EQ(used.size(), mesh.Samples.size());
+      for (std::size_t i = 0; i < mesh.Triangles.size(); i += 3)
+      {
+        const auto corner = [&](std::size_t k) { return samples.Position(mesh.Samples[mesh.Triangles[i + k]]); };
+        const Vector3 across = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        area += 0.5 * across.z; // NaN with a missing height in the others, not in z
+        EXPECT_TRUE(std::isfinite(across.x + across.y));
+      }
+    }
+    EXPECT_NEAR(area, wanted, 1e-9 * wanted);
+    EXPECT_EQ(empty, 4u); // tiles that lie within the large hole
+  }
+  const std::vector<float>& normal = { pyramid.GetNormal(samples.Index(9, 20)).begin(),
+    pyramid.GetNormal(samples.Index(9, 20)).end() };
+  EXPECT_TRUE(std::isfinite(normal[0] + normal[1] + normal[2])); // at the edge of the hole, from its other side
 }
 
 TEST(TerrainLevels, ByDistanceAreTheSameEverywhereInParallelProjection)

@@ -29,16 +29,17 @@ from .LittoralFilters import *
 versions.mend_calls(
     (vtkPointProcessSource, vtkQuadratPointSource, vtkSeaStateSource, vtkTurningBandsTerrainSource))
 
-#: Writers by the libraries that they need.
-_writers = {"vtkVDBVolumeWriter": "OpenVDB", "vtkGLTFSceneWriter": "tinygltf"}
+#: Readers and writers by the libraries that they need.
+_files = {"vtkElevationReader": "GDAL", "vtkElevationWriter": "GDAL", "vtkVDBVolumeWriter": "OpenVDB",
+          "vtkGLTFSceneWriter": "tinygltf"}
 #: Missing classes by name, and the reasons.
-_absent = {name: f"this Littoral was built without {library}" for name, library in _writers.items()}
+_absent = {name: f"this Littoral was built without {library}" for name, library in _files.items()}
 try:
     from .LittoralIO import *
 except ModuleNotFoundError:
     pass
 except ImportError as error:
-    _absent = {name: f"its library cannot be loaded: {error}" for name in _writers}
+    _absent = {name: f"its library cannot be loaded: {error}" for name in _files}
 _absent = {name: reason for name, reason in _absent.items() if name not in globals()}
 
 

@@ -3,7 +3,10 @@
 """Elevation models as `vtkImageData` in metres.
 
 Images have one layer with the float point array `Elevation` [m], x to the east, y to the north,
-in metres.
+in metres. Where on earth they are stands in their field data (vtkElevationReader), and travels with them:
+
+    place = read_elevation("N36W085.hgt", projection="UTM")
+    write_tif(twin_of(place), "twin.tif")
 """
 
 import os
@@ -13,11 +16,12 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from . import files
+from . import errors, files
 
 #: Jacksboro fault, Tennessee: US Geological Survey, public domain, in Debian's package
 #: python-matplotlib-data.
 JACKSBORO = "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz"
+
 
 
 def metres_per_degree(latitude):
@@ -58,15 +62,21 @@ def array_from_image(image, name="Elevation"):
     return vtk_to_numpy(values).reshape(rows, columns)
 
 
-def read_elevation(filename=JACKSBORO):
-    """Read `.npz` or `.vti`, or else any raster that GDAL knows.
+def read_elevation(filename=JACKSBORO, projection=None, **settings):
+    """Read `.npz` or `.vti`, or else any raster that GDAL knows, as `read_raster`.
 
     Raises OSError for a file that cannot be opened, and ValueError for one that is damaged or holds no heights.
     """
-    with open(filename, "rb"):  # missing, a folder, or not to be read
-        pass
-    readers = {".npz": read_npz, ".vti": read_vti}
-    return readers.get(os.path.splitext(filename)[1].lower(), read_raster)(filename)
+    filename = os.fspath(filename)
+    if not filename.startswith("/vsi"):  # GDAL's names of files within archives
+        with open(filename, "rb"):  # missing, a folder, or not to be read
+            pass
+    reader = {".npz": read_npz, ".vti": read_vti}.get(os.path.splitext(filename)[1].lower())
+    if reader is None:
+        return read_raster(filename, projection, **settings)
+    if projection is not None or settings:
+        raise ValueError(f"{filename}: only rasters of GDAL are projected, or read with settings")
+    return reader(filename)
 
 
 def read_npz(filename):
@@ -106,37 +116,54 @@ def read_vti(filename):
     return image
 
 
-def read_raster(filename):
-    """Read a GeoTIFF or another raster through GDAL, with projected coordinates in metres.
+def read_raster(filename, projection=None, **settings):
+    """Read a GeoTIFF or another raster of GDAL by vtkElevationReader.
 
-    The centers of the pixels become the points; pixels without data become NaN.
+    projection: None, as in the file, which must have lengths and not degrees; "UTM", the zone of its center; or a
+    coordinate system as "EPSG:32632".
+    settings: any property of vtkElevationReader, such as Band=2.
     """
-    try:
-        from osgeo import gdal
-    except ImportError as error:
-        raise ImportError(f"{filename}: reading rasters takes Debian's package python3-gdal ({error})") from None
-    raising = gdal.GetUseExceptions()
-    gdal.UseExceptions()
-    try:
-        raster = gdal.Open(filename)
-        band = raster.GetRasterBand(1)
-        heights = band.ReadAsArray().astype(np.float32)
-        heights[band.GetMaskBand().ReadAsArray() == 0] = np.nan
-        west, east, row_east, north, column_north, south = raster.GetGeoTransform()
-    except (AttributeError, RuntimeError) as error:
-        raise ValueError(f"{filename}: no whole raster of heights ({error})") from None
-    finally:
-        if not raising:
-            gdal.DontUseExceptions()
-    place = raster.GetSpatialRef()
-    if place is not None and place.IsGeographic():
-        raise ValueError(f"{filename}: its coordinates are degrees; project it to metres first, as by gdalwarp")
-    if row_east or column_north or east <= 0.0 or south == 0.0:
-        raise ValueError(f"{filename}: its rows do not run from west to east; warp it first, as by gdalwarp")
-    if south > 0.0:  # the first row is the southernmost, or the raster has no place
-        return image_from_array(heights, (east, south), (west + 0.5 * east, north + 0.5 * south))
-    lowest = north + (len(heights) - 0.5) * south
-    return image_from_array(heights[::-1], (east, -south), (west + 0.5 * east, lowest))
+    from . import vtkElevationReader
+
+    reader = vtkElevationReader()
+    reader.SetFileName(os.fspath(filename))
+    if projection == "UTM":
+        reader.SetProjectionToUTM()
+    elif projection is not None:
+        reader.SetProjectionToGivenSystem()
+        reader.SetCoordinateSystem(projection)
+    _set(reader, settings)
+    messages = errors.kept(reader)
+    reader.Update()
+    if messages:
+        prefix = f"Cannot read {reader.GetFileName()}: "
+        raise ValueError(f"{filename}: {messages[0].removeprefix(prefix)}")
+    return reader.GetOutput()
+
+
+def _set(made, settings):
+    """Set properties by their names."""
+    for name, value in settings.items():
+        setter = getattr(made, "Set" + name, None)
+        if setter is None:
+            raise ValueError(f"{made.GetClassName()} has no property {name}")
+        setter(value)
+
+
+def twin_of(place, seed=1):
+    """A twin of a terrain: another one with its statistics, on its grid and in its place on earth."""
+    from . import vtkCovarianceFitFilter, vtkTurningBandsTerrainSource
+
+    fit, twin = vtkCovarianceFitFilter(), vtkTurningBandsTerrainSource()
+    fit.SetInputData(place)
+    twin.SetInputConnection(fit.GetOutputPort(0))
+    twin.UseMeasuredGridOn()
+    twin.SetSeed(seed)
+    messages = errors.kept(fit, twin)
+    twin.Update()
+    if messages:
+        raise ValueError(messages[0])
+    return twin.GetOutput()
 
 
 def write_vti(image, filename):
@@ -148,3 +175,24 @@ def write_vti(image, filename):
     # Inline data: with some versions of expat VTK cannot read appended data.
     writer.SetDataModeToBinary()
     files.write(writer, filename)
+
+
+def write_tif(image, filename, coordinate_system=""):
+    """Write the heights of an image as a GeoTIFF in its place on earth, by vtkElevationWriter.
+
+    coordinate_system: that of the image, as "EPSG:32632"; empty: the one in its field data.
+    Raises OSError where the disk refuses, and ValueError for an image that cannot be written, with an old file as it
+    was.
+    """
+    from vtkmodules.vtkCommonMisc import vtkErrorCode
+
+    from . import vtkElevationWriter
+
+    writer = vtkElevationWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(os.fspath(filename))
+    writer.SetCoordinateSystem(coordinate_system)
+    messages = errors.kept(writer)
+    if not writer.Write():
+        is_disk = writer.GetErrorCode() == vtkErrorCode.CannotOpenFileError
+        raise (OSError if is_disk else ValueError)(messages[0] if messages else f"Cannot write the file {filename}")

@@ -7,6 +7,8 @@ import os
 
 import numpy as np
 
+from . import errors
+
 
 def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None, kinds=None, **settings):
     """Write sources as a scene of glTF 2.0 for Blender and other renderers; raises OSError or ValueError.
@@ -37,9 +39,7 @@ def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None,
     if extras:
         writer.SetExtras(json.dumps(extras, allow_nan=False))
     writer.SetFileName(os.fspath(filename))
-    messages = []
-    writer.AddObserver("ErrorEvent", _keep_message(messages))
-    writer.GetExecutive().AddObserver("ErrorEvent", _keep_message(messages))
+    messages = errors.kept(writer)
     if not writer.Write():
         raise OSError(messages[0] if messages else f"Cannot write the file {os.fspath(filename)}: a source failed.")
 
@@ -89,14 +89,6 @@ def _set_camera(writer, camera):
     writer.SetCameraFocalPoint(*focus)
     writer.SetCameraViewUp(*up)
     writer.SetCameraViewAngle(angle)
-
-
-def _keep_message(messages):
-    """An observer of errors that keeps what they say, without the place in the sources."""
-    def keep(_source, _event, text):
-        messages.append(text.split(": ", 1)[-1].strip() if text.startswith("ERROR") else text.strip())
-    keep.CallDataType = "string0"
-    return keep
 
 
 def _direction(azimuth, elevation):

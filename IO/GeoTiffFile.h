@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralGeoTiffFile_h
+#define LittoralGeoTiffFile_h
+
+#include "Raster.h"
+
+#include <array>
+#include <string>
+
+namespace littoral
+{
+
+/// Heights and where they are on a map.
+struct GeoTiffContent
+{
+  std::array<int, 2> Points{ 0, 0 };
+  /// Map coordinates of the first point, and of the steps to the next one in a row and in the next row, in units of the
+  /// coordinate system.
+  std::array<double, 2> First{ 0.0, 0.0 };
+  std::array<double, 2> Along{ 1.0, 0.0 };
+  std::array<double, 2> Across{ 0.0, 1.0 };
+  std::string System;  ///< in any form that GDAL reads; empty: none
+  bool IsWide = false; ///< double instead of single precision
+  bool IsCompressed = true;
+  /// Fills a row of heights [m], NaN where there is none; rows in the order of the file.
+  std::function<void(int row, double* heights)> FillRow;
+};
+
+struct GeoTiffOutcome
+{
+  bool Written = false;
+  std::string Reason;    ///< empty if written or stopped
+  bool IsOfDisk = false; ///< whether the system refused the file
+};
+
+/// Writes a GeoTIFF, which takes the place of another file only when it is whole. The same content makes the same
+/// bytes.
+GeoTiffOutcome WriteGeoTiff(const std::string& path, const GeoTiffContent& content, const RasterProgress& progress);
+
+}
+
+#endif

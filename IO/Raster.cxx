@@ -1,0 +1,645 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Raster.h"
+
+#include "CoordinateSystem.h"
+#include "GdalMessages.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <system_error>
+#include <vector>
+
+#include <cpl_string.h>
+#include <gdal.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+namespace littoral
+{
+
+namespace
+{
+
+struct CloseDataset
+{
+  void operator()(void* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<void, CloseDataset>;
+
+/// Throws where a classic netCDF file is shorter than its numbers: the library reads zeros there.
+void CheckLength(const std::string& path, void* dataset)
+{
+  const GDALDriverH driver = GDALGetDatasetDriver(dataset);
+  std::ifstream file(path, std::ios_base::binary);
+  char magic[3] = {};
+  file.read(magic, sizeof(magic));
+  if (!driver || std::string(GDALGetDriverShortName(driver)) != "netCDF" || std::string(magic, 3) != "CDF")
+  {
+    return;
+  }
+  const int size = GDALGetDataTypeSizeBytes(GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)));
+  const double needed =
+    1.0 * size * GDALGetRasterXSize(dataset) * GDALGetRasterYSize(dataset) * GDALGetRasterCount(dataset);
+  file.seekg(0, std::ios_base::end);
+  if (static_cast<double>(file.tellg()) < needed)
+  {
+    throw RasterError("it is cut off or damaged (shorter than its heights)");
+  }
+}
+
+/// Arguments of a program of GDAL.
+class Arguments
+{
+public:
+  Arguments& Add(const std::string& argument)
+  {
+    this->List.AddString(argument.c_str());
+    return *this;
+  }
+  Arguments& Add(const char* name, const std::string& value) { return this->Add(name).Add(value); }
+  char** Get() { return this->List.List(); }
+
+private:
+  CPLStringList List;
+};
+
+constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+
+// --- Opening --------------------------------------------------------------------------------------------------------
+
+Dataset OpenDataset(const std::string& name)
+{
+  return Dataset(
+    GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
+}
+
+/// Names of the rasters within a file, as GDAL opens them.
+std::vector<std::string> InnerNames(void* dataset)
+{
+  std::vector<std::string> names;
+  char** list = GDALGetMetadata(dataset, "SUBDATASETS");
+  for (int number = 1;; ++number)
+  {
+    const char* name = CSLFetchNameValue(list, ("SUBDATASET_" + std::to_string(number) + "_NAME").c_str());
+    if (!name)
+    {
+      return names;
+    }
+    names.push_back(name);
+  }
+}
+
+/// The variable in the name of a raster within a file: z of NETCDF:"hills.nc":z.
+std::string VariableOf(const std::string& name)
+{
+  const std::size_t colon = name.find_last_of(':');
+  return colon == std::string::npos ? name : name.substr(colon + 1);
+}
+
+/// The raster of a name, or the first one, where a file holds several.
+Dataset OpenInner(Dataset outer, const std::string& wanted)
+{
+  const std::vector<std::string> names = InnerNames(outer.get());
+  if (names.empty() || (wanted.empty() && GDALGetRasterCount(outer.get()) > 0))
+  {
+    return outer;
+  }
+  std::string variables;
+  for (const std::string& name : names)
+  {
+    if (wanted.empty() || wanted == name || wanted == VariableOf(name))
+    {
+      return OpenDataset(name);
+    }
+    variables += (variables.empty() ? "" : ", ") + VariableOf(name);
+  }
+  throw RasterError("it holds no dataset '" + wanted + "'; it has " + variables);
+}
+
+/// What to add to GDAL's words about a file that it does not know.
+std::string HintFor(const std::string& path)
+{
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  return suffix == ".hgt" ? "; a whole SRTM tile is called by its southwestern corner, as N36W085.hgt" : "";
+}
+
+Dataset OpenRaster(const RasterOptions& options, GdalMessages& messages)
+{
+  GDALAllRegister();
+  std::error_code error;
+  const bool isVirtual = options.Path.rfind("/vsi", 0) == 0;
+  if (!isVirtual && !std::filesystem::exists(options.Path, error))
+  {
+    throw RasterError("there is no such file");
+  }
+  Dataset dataset = OpenDataset(options.Path);
+  if (dataset)
+  {
+    dataset = OpenInner(std::move(dataset), options.Dataset);
+  }
+  if (!dataset)
+  {
+    throw RasterError("GDAL finds no whole raster in it (" + messages.ErrorOr("of no kind that it knows") +
+      HintFor(options.Path) + ")");
+  }
+  const int bands = GDALGetRasterCount(dataset.get());
+  if (bands == 0)
+  {
+    throw RasterError("it holds no raster");
+  }
+  if (options.Band < 1 || options.Band > bands)
+  {
+    throw RasterError("Band is " + std::to_string(options.Band) + "; it must be from 1 to " + std::to_string(bands));
+  }
+  CheckLength(options.Path, dataset.get());
+  return dataset;
+}
+
+// --- Place ----------------------------------------------------------------------------------------------------------
+
+/// Map coordinates of pixels: x = T0 + T1 i + T2 j, y = T3 + T4 i + T5 j. Without a place pixels are units, the first
+/// row at the top.
+struct Transform
+{
+  std::array<double, 6> T{};
+  bool IsKnown = false;
+
+  explicit Transform(void* dataset)
+    : IsKnown(GDALGetGeoTransform(dataset, T.data()) == CE_None)
+  {
+    if (!this->IsKnown)
+    {
+      this->T = { 0.0, 1.0, 0.0, static_cast<double>(GDALGetRasterYSize(dataset)), 0.0, -1.0 };
+    }
+  }
+  std::array<double, 2> At(double i, double j) const
+  {
+    return { this->T[0] + this->T[1] * i + this->T[2] * j, this->T[3] + this->T[4] * i + this->T[5] * j };
+  }
+  bool IsUpright() const { return this->T[2] == 0.0 && this->T[4] == 0.0 && this->T[1] > 0.0 && this->T[5] != 0.0; }
+};
+
+std::array<double, 2> CenterOf(void* dataset)
+{
+  return Transform(dataset).At(0.5 * GDALGetRasterXSize(dataset), 0.5 * GDALGetRasterYSize(dataset));
+}
+
+/// Whether coordinates without a system are such as longitudes and latitudes have.
+bool LookLikeDegrees(void* dataset)
+{
+  const Transform transform(dataset);
+  const double columns = GDALGetRasterXSize(dataset);
+  const double rows = GDALGetRasterYSize(dataset);
+  const std::array<double, 2> ends[2] = { transform.At(0.0, 0.0), transform.At(columns, rows) };
+  const auto fits = [](const std::array<double, 2>& end) {
+    return std::abs(end[0]) <= 360.0 && std::abs(end[1]) <= 90.0 + 1e-6;
+  };
+  const double step = std::max(std::abs(transform.T[1]), std::abs(transform.T[5]));
+  return transform.IsKnown && fits(ends[0]) && fits(ends[1]) && step < 0.3;
+}
+
+/// Whether a file of a coordinate system lies beside a raster.
+bool HasSystemBeside(const std::string& path)
+{
+  std::error_code error;
+  for (const char* suffix : { ".prj", ".PRJ" })
+  {
+    if (std::filesystem::exists(std::filesystem::path(path).replace_extension(suffix), error))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+constexpr const char* NameTheSystem = "; set FileCoordinateSystem to the one it has, as EPSG:32632";
+
+/// The horizontal coordinate system of a raster; empty for none.
+OGRSpatialReference SystemOf(void* dataset, const RasterOptions& options, GdalMessages& messages)
+{
+  OGRSpatialReference system;
+  system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (!options.FileSystem.empty())
+  {
+    if (!ReadCoordinateSystem(options.FileSystem, system))
+    {
+      throw RasterError("FileCoordinateSystem is '" + options.FileSystem +
+        "', which is no coordinate system; it must be a code as EPSG:32632, or WKT");
+    }
+    DropHeights(system);
+    return system;
+  }
+  const OGRSpatialReferenceH named = GDALGetSpatialRef(dataset);
+  if (named)
+  {
+    system = *OGRSpatialReference::FromHandle(named);
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    DropHeights(system);
+  }
+  const std::string said = messages.About({ "PROJ", "proj_", "crs", "CRS", "EPSG", "SRS" });
+  const bool isLost = (system.IsEmpty() || system.IsLocal()) && !said.empty();
+  if (isLost || (system.IsEmpty() && HasSystemBeside(options.Path)))
+  {
+    throw RasterError("its coordinate system cannot be read" + (said.empty() ? "" : " (" + said + ")") + NameTheSystem);
+  }
+  return system;
+}
+
+/// The coordinate system to read in: that of the file, or the one that was asked for.
+OGRSpatialReference TargetOf(void* dataset, const OGRSpatialReference& system, const RasterOptions& options)
+{
+  if (options.Projection == RasterProjection::AsInFile)
+  {
+    return system;
+  }
+  if (system.IsEmpty())
+  {
+    throw RasterError(std::string("it names no coordinate system to project from") + NameTheSystem);
+  }
+  OGRSpatialReference target;
+  if (options.Projection == RasterProjection::Utm)
+  {
+    const std::array<double, 2> center = CenterOf(dataset);
+    if (!SetUtmZone(system, center[0], center[1], target))
+    {
+      throw RasterError("its center lies in no zone of UTM, which ends at 84 degrees north and 80 south; set "
+                        "Projection to Given System, and CoordinateSystem to one of the region, as EPSG:3413");
+    }
+    return target;
+  }
+  if (!ReadCoordinateSystem(options.GivenSystem, target))
+  {
+    throw RasterError("CoordinateSystem is '" + options.GivenSystem +
+      "', which is no coordinate system; it must be a code as EPSG:32632, or WKT");
+  }
+  DropHeights(target);
+  if (!target.IsProjected())
+  {
+    throw RasterError("CoordinateSystem is " + NameOf(target) + ", which is no projection; lengths need one, as UTM");
+  }
+  return target;
+}
+
+/// Lengths may be this much too long or too short on a map that is taken for the ground.
+constexpr double MostStretch = 0.05;
+
+/// Throws where coordinates are no lengths.
+void CheckLengths(void* dataset, const OGRSpatialReference& system, bool isProjectedNow)
+{
+  if (system.IsEmpty())
+  {
+    if (LookLikeDegrees(dataset))
+    {
+      throw RasterError("it names no coordinate system, and its coordinates look like degrees; set "
+                        "FileCoordinateSystem to EPSG:4326 and Projection to UTM");
+    }
+    return;
+  }
+  if (system.IsGeographic())
+  {
+    throw RasterError("its coordinates are degrees, not lengths; set Projection to UTM, or project the file to metres");
+  }
+  if (system.IsLocal())
+  {
+    return;
+  }
+  if (!system.IsProjected())
+  {
+    throw RasterError("its coordinate system, " + NameOf(system) + ", is no projection of the ground");
+  }
+  const std::array<double, 2> center = CenterOf(dataset);
+  const auto scale = MapScale(system, center[0], center[1]);
+  for (int axis = 0; scale && axis < 2; ++axis)
+  {
+    const double stretch = (*scale)[axis];
+    if (!(std::abs(stretch - 1.0) <= MostStretch))
+    {
+      char factor[32];
+      std::snprintf(factor, sizeof(factor), "%.3g", stretch);
+      throw RasterError("lengths on the map of " + NameOf(system) + " are " + factor + " times those on the ground; " +
+        (isProjectedNow ? "choose another CoordinateSystem, or UTM" : "set Projection to UTM"));
+    }
+  }
+}
+
+// --- What stands between the file and the grid ----------------------------------------------------------------------
+
+/// One band of a dataset, as a dataset that reads it on demand.
+Dataset OnlyBand(void* dataset, int band)
+{
+  Arguments arguments;
+  arguments.Add("-of", "VRT").Add("-b", std::to_string(band));
+  GDALTranslateOptions* options = GDALTranslateOptionsNew(arguments.Get(), nullptr);
+  Dataset result(GDALTranslate("", dataset, options, nullptr));
+  GDALTranslateOptionsFree(options);
+  return result;
+}
+
+const char* NameOf(RasterResampling resampling)
+{
+  switch (resampling)
+  {
+    case RasterResampling::Nearest:
+      return "near";
+    case RasterResampling::Bilinear:
+      return "bilinear";
+    default:
+      return "cubic";
+  }
+}
+
+/// A dataset on a grid of a coordinate system whose rows run from west to east, which resamples another on demand.
+Dataset Warped(void* dataset, const OGRSpatialReference& from, const OGRSpatialReference& to,
+  const RasterOptions& raster, bool hasNoData)
+{
+  Arguments arguments;
+  // -et 0: each pixel at its exact place
+  arguments.Add("-of", "VRT").Add("-ot", "Float32").Add("-dstnodata", "nan").Add("-et", "0").Add("-novshift");
+  arguments.Add("-r", NameOf(raster.Resampling));
+  if (hasNoData)
+  {
+    arguments.Add("-srcnodata", CPLSPrintf("%.17g", raster.NoData));
+  }
+  if (!from.IsEmpty())
+  {
+    arguments.Add("-s_srs", WktOf(from)).Add("-t_srs", WktOf(to));
+  }
+  if (raster.Spacing > 0.0)
+  {
+    const std::string spacing = CPLSPrintf("%.17g", raster.Spacing / (to.IsEmpty() ? 1.0 : to.GetLinearUnits()));
+    arguments.Add("-tr").Add(spacing).Add(spacing);
+  }
+  GDALWarpAppOptions* options = GDALWarpAppOptionsNew(arguments.Get(), nullptr);
+  GDALDatasetH source = dataset;
+  Dataset result(GDALWarp("", nullptr, 1, &source, options, nullptr));
+  GDALWarpAppOptionsFree(options);
+  return result;
+}
+
+// --- Heights --------------------------------------------------------------------------------------------------------
+
+/// A unit of heights as files call it.
+struct HeightUnit
+{
+  double Metres;
+  const char* Words;
+  std::vector<const char*> Names;
+};
+
+const std::vector<HeightUnit>& HeightUnits()
+{
+  static const std::vector<HeightUnit> units = {
+    { 1.0, "metres", { "m", "metre", "meter", "metres", "meters", "metre(s)" } },
+    { 0.3048, "feet", { "ft", "foot", "feet", "international foot", "international feet" } },
+    { 1200.0 / 3937.0, "US survey feet",
+      { "us survey foot", "us survey feet", "us-ft", "ftus", "foot_us", "sft", "us_survey_foot" } },
+    { 0.01, "centimetres", { "cm", "centimetre", "centimeter", "centimetres", "centimeters" } },
+    { 0.1, "decimetres", { "dm", "decimetre", "decimeter", "decimetres", "decimeters" } },
+    { 1000.0, "kilometres", { "km", "kilometre", "kilometer", "kilometres", "kilometers" } },
+  };
+  return units;
+}
+
+/// The unit of a name; null for none.
+const HeightUnit* FindUnit(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (const HeightUnit& unit : HeightUnits())
+  {
+    const auto isName = [&](const char* known) { return name == known; };
+    if (std::any_of(unit.Names.begin(), unit.Names.end(), isName))
+    {
+      return &unit;
+    }
+  }
+  return nullptr;
+}
+
+/// The unit in which a file says its heights are: by the band, else by a vertical coordinate system; empty for none.
+std::string NamedHeightUnit(void* dataset, void* band)
+{
+  const char* own = GDALGetRasterUnitType(band);
+  if (own && *own)
+  {
+    return own;
+  }
+  const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
+  if (!system || !OSRIsCompound(system))
+  {
+    return {};
+  }
+  char* name = nullptr;
+  OSRGetTargetLinearUnits(system, "VERT_CS", &name);
+  return name ? name : "";
+}
+
+/// Heights in metres: value times Scale plus Offset.
+struct HeightScale
+{
+  double Scale = 1.0;
+  double Offset = 0.0;
+  std::string Words;
+};
+
+HeightScale ScaleOf(void* dataset, void* band, double metresPerHeight)
+{
+  HeightScale scale;
+  double metres = metresPerHeight;
+  scale.Words = "heights times " + std::string(CPLSPrintf("%.6g", metres));
+  if (metresPerHeight <= 0.0)
+  {
+    const std::string name = NamedHeightUnit(dataset, band);
+    const HeightUnit* unit = name.empty() ? HeightUnits().data() : FindUnit(name);
+    if (!unit)
+    {
+      throw RasterError("its values are in '" + name + "', which is no unit of heights; set HeightUnit");
+    }
+    metres = unit->Metres;
+    scale.Words = name.empty() ? "no unit of heights named: metres" : std::string("heights in ") + unit->Words;
+  }
+  // Value = scale * stored + offset, in the unit of the file
+  scale.Scale = GDALGetRasterScale(band, nullptr) * metres;
+  scale.Offset = GDALGetRasterOffset(band, nullptr) * metres;
+  return scale;
+}
+
+}
+
+// --- The raster -----------------------------------------------------------------------------------------------------
+
+class Raster::Internals
+{
+public:
+  explicit Internals(const RasterOptions& options)
+    : Options(options)
+  {
+  }
+
+  RasterOptions Options;
+  GdalMessages Messages;
+  std::vector<Dataset> Chain; ///< from the file to the grid
+  HeightScale Height;
+  RasterGrid Grid;
+  bool IsSouthFirst = false;
+
+  ~Internals()
+  {
+    while (!this->Chain.empty())
+    {
+      this->Chain.pop_back(); // each reads from the one before it
+    }
+  }
+
+  void* Last() const { return this->Chain.back().get(); }
+
+  void Append(Dataset next, const char* otherwise)
+  {
+    if (!next)
+    {
+      throw RasterError(this->Messages.ErrorOr(otherwise));
+    }
+    this->Chain.push_back(std::move(next));
+  }
+
+  void Open()
+  {
+    this->Append(OpenRaster(this->Options, this->Messages), "it cannot be opened");
+    void* file = this->Last();
+    const OGRSpatialReference system = SystemOf(file, this->Options, this->Messages);
+    const OGRSpatialReference target = TargetOf(file, system, this->Options);
+    this->Height = ScaleOf(file, GDALGetRasterBand(file, this->Options.Band), this->Options.MetresPerHeight);
+    this->Messages.Forget();
+    this->Append(OnlyBand(file, this->Options.Band), "its band cannot be read alone");
+    const Transform transform(file);
+    if (!transform.IsKnown && GDALGetGCPCount(file) > 0)
+    {
+      throw RasterError("its place is told by ground control points alone; give it a grid first, as by gdalwarp");
+    }
+    const bool isProjected = this->Options.Projection != RasterProjection::AsInFile;
+    if (!isProjected)
+    {
+      CheckLengths(file, system, false);
+    }
+    if (isProjected || (transform.IsKnown && !transform.IsUpright()))
+    {
+      this->Append(
+        Warped(this->Last(), system, target, this->Options, this->Options.UsesNoData), "it cannot be projected");
+      CheckLengths(this->Last(), target, isProjected);
+    }
+    this->Place(target);
+  }
+
+  /// Where the points are: centers of pixels, as metres.
+  void Place(const OGRSpatialReference& system)
+  {
+    const Transform transform(this->Last());
+    RasterGrid& grid = this->Grid;
+    grid.Points = { GDALGetRasterXSize(this->Last()), GDALGetRasterYSize(this->Last()) };
+    grid.MetresPerUnit = system.IsEmpty() || system.IsGeographic() ? 1.0 : system.GetLinearUnits();
+    grid.System = WktOf(system);
+    grid.SystemName = system.IsEmpty() ? "no coordinate system named" : littoral::NameOf(system);
+    this->IsSouthFirst = transform.T[5] > 0.0;
+    const double southernmost = this->IsSouthFirst ? 0.5 : grid.Points[1] - 0.5;
+    const std::array<double, 2> corner = transform.At(0.5, southernmost);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      grid.Spacing[axis] = std::abs(axis == 0 ? transform.T[1] : transform.T[5]) * grid.MetresPerUnit;
+      const double place = corner[axis] * grid.MetresPerUnit;
+      grid.Offset[axis] = this->Options.HasLocalOrigin ? place : 0.0;
+      grid.Origin[axis] = this->Options.HasLocalOrigin ? 0.0 : place;
+    }
+  }
+};
+
+Raster::Raster(const RasterOptions& options)
+  : Own(std::make_unique<Internals>(options))
+{
+  this->Own->Open();
+}
+
+Raster::~Raster() = default;
+
+const RasterGrid& Raster::Grid() const
+{
+  return this->Own->Grid;
+}
+
+const std::string& Raster::HeightWords() const
+{
+  return this->Own->Height.Words;
+}
+
+bool Raster::Read(const std::array<int, 4>& window, float* heights, const RasterProgress& progress)
+{
+  Internals& own = *this->Own;
+  own.Messages.Forget();
+  const GDALRasterBandH band = GDALGetRasterBand(own.Last(), 1);
+  const GDALRasterBandH mask = GDALGetMaskBand(band);
+  const bool hasHoles = (GDALGetMaskFlags(band) & GMF_ALL_VALID) == 0;
+  const bool usesNoData = own.Options.UsesNoData && own.Chain.size() < 3; // else the projection has left them out
+  const int width = window[1] - window[0] + 1;
+  const int height = window[3] - window[2] + 1;
+  constexpr int rowsAtOnce = 64;
+  std::vector<double> values(static_cast<std::size_t>(width) * rowsAtOnce);
+  std::vector<unsigned char> valid(values.size(), 1);
+  for (int done = 0; done < height; done += rowsAtOnce)
+  {
+    if (!progress(static_cast<double>(done) / height))
+    {
+      return false;
+    }
+    // Rows in the order of the file, which is that in which it can be read fast.
+    const int rows = std::min(rowsAtOnce, height - done);
+    const int first = own.IsSouthFirst ? window[2] + done : own.Grid.Points[1] - 1 - window[3] + done;
+    bool isRead = GDALRasterIO(band, GF_Read, window[0], first, width, rows, values.data(), width, rows, GDT_Float64, 0,
+                    0) == CE_None;
+    isRead = isRead &&
+      (!hasHoles ||
+        GDALRasterIO(mask, GF_Read, window[0], first, width, rows, valid.data(), width, rows, GDT_Byte, 0, 0) ==
+          CE_None);
+    if (!isRead)
+    {
+      throw RasterError("it is cut off or damaged (" + own.Messages.ErrorOr("GDAL does not say how") + ")");
+    }
+    for (int row = 0; row < rows; ++row)
+    {
+      const int up = own.IsSouthFirst ? done + row : height - 1 - done - row;
+      float* to = heights + static_cast<std::size_t>(up) * width;
+      for (int i = 0; i < width; ++i)
+      {
+        const std::size_t from = static_cast<std::size_t>(row) * width + i;
+        const double value = values[from];
+        const bool isHole = valid[from] == 0 || !std::isfinite(value) || (usesNoData && value == own.Options.NoData);
+        // z = scale * value + offset
+        to[i] = isHole ? NaN : static_cast<float>(own.Height.Scale * value + own.Height.Offset);
+      }
+    }
+  }
+  return true;
+}
+
+bool IsPlacedRaster(const std::string& path)
+{
+  const GdalMessages quiet;
+  GDALAllRegister();
+  const Dataset dataset = OpenDataset(path);
+  if (!dataset)
+  {
+    return false;
+  }
+  if (GDALGetRasterCount(dataset.get()) == 0)
+  {
+    return !InnerNames(dataset.get()).empty();
+  }
+  const GDALColorInterp color = GDALGetRasterColorInterpretation(GDALGetRasterBand(dataset.get(), 1));
+  const bool isPicture = color == GCI_PaletteIndex || color == GCI_RedBand || color == GCI_YCbCr_YBand;
+  return Transform(dataset.get()).IsKnown && !isPicture;
+}
+
+}

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkElevationWriter.h"
+
+#include "CoordinateSystem.h"
+#include "Data/Georeference.h"
+#include "Data/Inputs.h"
+#include "GdalMessages.h"
+#include "GeoTiffFile.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <limits>
+
+#include <ogr_spatialref.h>
+
+vtkStandardNewMacro(vtkElevationWriter);
+
+namespace
+{
+
+/// Metres per unit of a coordinate system that was named by the user. Throws what a user should read.
+double MetresPerUnitOf(const std::string& text)
+{
+  const littoral::GdalMessages quiet;
+  OGRSpatialReference system;
+  if (!littoral::ReadCoordinateSystem(text, system))
+  {
+    throw littoral::RasterError("CoordinateSystem is '" + text.substr(0, 60) +
+      "', which is no coordinate system; it must be a code as EPSG:32632, or WKT");
+  }
+  if (!system.IsProjected() && !system.IsLocal())
+  {
+    throw littoral::RasterError(
+      "CoordinateSystem is " + littoral::NameOf(system) + "; that of an image in metres must be a projection, as UTM");
+  }
+  return system.GetLinearUnits();
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkElevationWriter::vtkElevationWriter()
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
+}
+
+//----------------------------------------------------------------------------
+vtkElevationWriter::~vtkElevationWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------
+int vtkElevationWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkTypeBool vtkElevationWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
+}
+
+//----------------------------------------------------------------------------
+int vtkElevationWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->InvokeEvent(vtkCommand::StartEvent);
+  this->WriteData();
+  this->InvokeEvent(vtkCommand::EndEvent);
+  this->WriteTime.Modified();
+  // An abort is no failure.
+  return this->IsWritten || this->GetErrorCode() == vtkErrorCode::UserError ? 1 : littoral::FailedRequest(this);
+}
+
+//----------------------------------------------------------------------------
+int vtkElevationWriter::Write()
+{
+  this->IsWritten = false;
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->SetErrorCode(vtkErrorCode::NoError);
+    this->Superclass::Write();
+  }
+  else
+  {
+    this->Refuse("there is no input.");
+  }
+  if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // an input failed, and has told why
+  }
+  return this->IsWritten ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+void vtkElevationWriter::Refuse(const std::string& reason)
+{
+  const std::string file = this->FileName && *this->FileName ? std::string("the file ") + this->FileName : "a raster";
+  vtkErrorMacro("Cannot write " << file << ": " << reason << (reason.back() == '.' ? "" : "."));
+}
+
+//----------------------------------------------------------------------------
+std::string vtkElevationWriter::WhyInvalid() const
+{
+  littoral::ParameterCheck check;
+  check.Require(this->FileName && *this->FileName, "FileName is empty.");
+  check.Choice("Compression", this->Compression, Deflate + 1);
+  return check.Reason();
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* vtkElevationWriter::FindHeights(vtkImageData* image, std::string& reason)
+{
+  vtkInformation* choice = this->GetInputArrayInformation(0);
+  vtkDataArray* heights = this->GetInputArrayToProcess(0, image);
+  if (!heights && littoral::NamesDefaultElevation(choice))
+  {
+    heights = image->GetPointData()->GetScalars();
+  }
+  if (!heights || heights->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+    reason = "the image has no point array '" + std::string(name ? name : "Elevation") + "'.";
+    return nullptr;
+  }
+  if (heights->GetNumberOfComponents() != 1)
+  {
+    reason = "the array '" + std::string(heights->GetName() ? heights->GetName() : "") + "' has " +
+      std::to_string(heights->GetNumberOfComponents()) + " components; heights have one.";
+    return nullptr;
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const
+{
+  std::string reason;
+  littoral::Georeference place = littoral::ReadGeoreference(image, reason);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  if (!this->CoordinateSystem.empty())
+  {
+    place.System = this->CoordinateSystem;
+    place.MetresPerUnit = MetresPerUnitOf(place.System);
+  }
+  const double* turn = image->GetDirectionMatrix()->GetData(); // columns are the axes
+  if (turn[2] != 0.0 || turn[5] != 0.0 || turn[6] != 0.0 || turn[7] != 0.0)
+  {
+    return "the image is tilted: its rows and columns must lie in the plane of x and y.";
+  }
+  int extent[6];
+  image->GetExtent(extent);
+  const double* spacing = image->GetSpacing();
+  // The first row of the file is the last one of the image.
+  double first[3];
+  image->TransformIndexToPhysicalPoint(extent[0], extent[3], extent[4], first);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    content.First[axis] = (first[axis] + place.Offset[axis]) / place.MetresPerUnit;
+    content.Along[axis] = turn[3 * axis] * spacing[0] / place.MetresPerUnit;
+    content.Across[axis] = -turn[3 * axis + 1] * spacing[1] / place.MetresPerUnit;
+  }
+  content.System = place.System;
+  return {};
+}
+
+//----------------------------------------------------------------------------
+std::string vtkElevationWriter::WriteImage(vtkImageData* image)
+{
+  std::string reason = this->WhyInvalid();
+  reason = reason.empty() ? littoral::WhyNoRaster(image, 1) : reason;
+  vtkDataArray* heights = reason.empty() ? this->FindHeights(image, reason) : nullptr;
+  if (!heights)
+  {
+    return reason;
+  }
+  littoral::GeoTiffContent content;
+  reason = this->SetPlace(image, content);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  content.Points = { dimensions[0], dimensions[1] };
+  content.IsWide = heights->GetDataType() == VTK_DOUBLE;
+  content.IsCompressed = this->Compression == Deflate;
+  // The file is made in memory, compressed or not at most as large as the heights and somewhat more.
+  const double bytes = (content.IsWide ? 8.8 : 4.4) * static_cast<double>(image->GetNumberOfPoints());
+  if (bytes > littoral::AvailableMemory())
+  {
+    return "it needs " + littoral::TextOf(bytes / 0x1p30) + " GiB of memory, more than this machine has free.";
+  }
+  vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
+  content.FillRow = [&](int row, double* values) {
+    const vtkIdType begin = static_cast<vtkIdType>(dimensions[1] - 1 - row) * dimensions[0];
+    for (int i = 0; i < dimensions[0]; ++i)
+    {
+      const double height = heights->GetComponent(begin + i, 0);
+      const bool isHidden = ghosts && (ghosts->GetValue(begin + i) & vtkDataSetAttributes::HIDDENPOINT);
+      values[i] = isHidden || !std::isfinite(height) ? std::numeric_limits<double>::quiet_NaN() : height;
+    }
+  };
+  this->SetProgressText("Writing heights");
+  const littoral::GeoTiffOutcome outcome = littoral::WriteGeoTiff(this->FileName, content, [this](double share) {
+    this->UpdateProgress(share);
+    return !littoral::IsAborted(this);
+  });
+  this->IsWritten = outcome.Written;
+  if (!outcome.Written)
+  {
+    const bool isStopped = outcome.Reason.empty();
+    this->SetErrorCode(isStopped ? vtkErrorCode::UserError
+        : outcome.IsOfDisk       ? vtkErrorCode::CannotOpenFileError
+                                 : vtkErrorCode::UnknownError);
+  }
+  return outcome.Reason;
+}
+
+//----------------------------------------------------------------------------
+void vtkElevationWriter::WriteData()
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  std::string reason = "there is no input.";
+  try
+  {
+    reason = image ? this->WriteImage(image) : reason;
+  }
+  catch (const littoral::RasterError& error)
+  {
+    reason = error.what();
+  }
+  if (!reason.empty())
+  {
+    this->Refuse(reason);
+    if (this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      this->SetErrorCode(vtkErrorCode::UnknownError);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkElevationWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n";
+  os << indent << "Compression: " << this->Compression << "\n";
+}

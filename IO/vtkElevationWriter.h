@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkElevationWriter
+ * @brief   write an image of heights as a GeoTIFF in its place on earth
+ *
+ * The input is a vtkImageData of one layer with a scalar point array of heights [m] (SetInputArrayToProcess; default
+ * `Elevation`, or else the active scalars). Each point becomes the center of a pixel, in single precision, or double
+ * precision if the array has that. Heights that are not finite, and hidden points, become NaN, which the file names as
+ * its value of no data. The first row is the northernmost.
+ *
+ * The place is that of the input's field data `CoordinateSystem`, `CoordinateUnit` and `CoordinateOffset`, as
+ * vtkElevationReader and vtkTurningBandsTerrainSource set them, or CoordinateSystem. A file without either has
+ * coordinates in metres and no coordinate system. Images turned in their plane are written as they are.
+ *
+ * The file is written under another name in the same folder and renamed when it is complete. On failure, an existing
+ * file of this name is unchanged, one error names file and reason, and Write() returns 0. The same input gives the same
+ * bytes.
+ *
+ * @sa vtkElevationReader
+ */
+#ifndef vtkElevationWriter_h
+#define vtkElevationWriter_h
+
+#include "LittoralIOModule.h" // for the export macro
+#include "vtkWriter.h"
+
+#include <string> // for the coordinate system
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace littoral
+{
+struct GeoTiffContent;
+}
+
+class LITTORALIO_EXPORT vtkElevationWriter : public vtkWriter
+{
+public:
+  static vtkElevationWriter* New();
+  vtkTypeMacro(vtkElevationWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum CompressionType
+  {
+    NoCompression = 0,
+    Deflate = 1,
+  };
+
+  ///@{
+  /**
+   * Name of the output file; default null, which is an error.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Coordinate system of the input, as `EPSG:32632` or WKT, projected or local; default ``, the one in its field data.
+   * It only names the system: nothing is projected.
+   */
+  vtkSetMacro(CoordinateSystem, std::string);
+  vtkGetMacro(CoordinateSystem, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Compression of the file, a CompressionType; default Deflate. Both are lossless.
+   */
+  vtkSetMacro(Compression, int);
+  vtkGetMacro(Compression, int);
+  void SetCompressionToNoCompression() { this->SetCompression(NoCompression); }
+  void SetCompressionToDeflate() { this->SetCompression(Deflate); }
+  ///@}
+
+  /**
+   * Writes the file; 0 where that fails, after a message.
+   */
+  int Write() override;
+
+protected:
+  vtkElevationWriter();
+  ~vtkElevationWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  void WriteData() override;
+
+private:
+  vtkElevationWriter(const vtkElevationWriter&) = delete;
+  void operator=(const vtkElevationWriter&) = delete;
+
+  std::string WhyInvalid() const;
+  /// Heights to write; null with the reason for none.
+  vtkDataArray* FindHeights(vtkImageData* image, std::string& reason);
+  /// Where the points are, in units of the coordinate system; empty if that can be written, else the reason.
+  std::string SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const;
+  /// The reason why the file could not be written, or nothing.
+  std::string WriteImage(vtkImageData* image);
+  /// One message that names the file.
+  void Refuse(const std::string& reason);
+
+  char* FileName = nullptr;
+  std::string CoordinateSystem;
+  int Compression = Deflate;
+  bool IsWritten = false;
+};
+
+#endif

@@ -1,0 +1,637 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rasters of heights against GDAL's own Python package: places, units, holes, projections, damaged files, twins."""
+
+import hashlib
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from osgeo import gdal, osr
+
+import littoral
+from littoral import errors
+from littoral.elevation import (
+    array_from_image, image_from_array, metres_per_degree, read_elevation, twin_of, write_tif, write_vti)
+from TestFiles import full_disk
+
+gdal.UseExceptions()
+RANDOM = np.random.default_rng(19)
+#: A raster in UTM zone 16 north: corner, spacings.
+UTM16 = (725000.0, 30.0, 0.0, 4040000.0, 0.0, -25.0)
+
+
+def hills(rows, columns):
+    """Smooth heights [m], float32, different in every pixel."""
+    y, x = np.mgrid[0:rows, 0:columns].astype(float)
+    return (300.0 + 40.0 * np.sin(x / 5.0) * np.cos(y / 7.0) + 0.01 * x + 0.5 * y).astype(np.float32)
+
+
+def system(code):
+    """A coordinate system of EPSG with x to the east first."""
+    made = osr.SpatialReference()
+    made.ImportFromEPSG(code)
+    made.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return made
+
+
+def create(name, heights, place=UTM16, code=32616, driver="GTiff", kind=gdal.GDT_Float32, change=None, options=()):
+    """Write bands of heights by GDAL; change: called with the dataset."""
+    bands = heights if heights.ndim == 3 else heights[None]
+    raster = gdal.GetDriverByName(driver).Create(
+        name, bands.shape[2], bands.shape[1], len(bands), kind, options=list(options))
+    if place is not None:
+        raster.SetGeoTransform(place)
+    if code:
+        raster.SetSpatialRef(system(code) if isinstance(code, int) else code)
+    for number, band in enumerate(bands, 1):
+        raster.GetRasterBand(number).WriteArray(band)
+    if change:
+        change(raster)
+    raster = None
+    return name
+
+
+def field(image, name):
+    """The values of a field array."""
+    array = image.GetFieldData().GetAbstractArray(name)
+    return None if array is None else [array.GetVariantValue(k) for k in range(array.GetNumberOfValues())]
+
+
+def numbers(image, name):
+    return [value.ToDouble() for value in field(image, name)]
+
+
+def text(image, name):
+    return field(image, name)[0].ToString()
+
+
+class Rasters(unittest.TestCase):
+    """A folder for files."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = temporary.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def refuses(self, pattern, name, **settings):
+        """One error, which names the file and then says why; the next good file is read as by a fresh object."""
+        reader = littoral.vtkElevationReader()
+        messages = errors.kept(reader)
+        reader.SetFileName(name)
+        for key, value in settings.items():
+            getattr(reader, "Set" + key)(value)
+        reader.Update()
+        self.assertEqual(len(messages), 1, messages)
+        self.assertRegex(messages[0], pattern)
+        self.assertTrue(messages[0].startswith(f"Cannot read {name}: "), messages[0])
+        self.assertNotIn("\n", messages[0])
+        self.assertTrue(messages[0].endswith("."), messages[0])
+        self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 0)
+        good = create(self.path("good.tif"), hills(4, 5))
+        fresh = littoral.vtkElevationReader()
+        for made in (reader, fresh):
+            made.SetFileName(good)
+        for key in settings:
+            getattr(reader, "Set" + key)(getattr(fresh, "Get" + key)())
+        reader.Update()
+        self.assertEqual(len(messages), 1, messages)
+        self.assertTrue(np.array_equal(array_from_image(reader.GetOutput()), hills(4, 5)[::-1]))
+
+
+class Places(Rasters):
+    """Points are centers of pixels, in metres, wherever the file says they are."""
+
+    def check_place(self, name, heights, image=None, code=32616, tolerance=0.0):
+        """Each point of the image against GDAL's transform of its pixel, and its height."""
+        image = image or read_elevation(name)
+        raster = gdal.Open(name)
+        transform = raster.GetGeoTransform()
+        rows, columns = heights.shape
+        found = array_from_image(image)
+        unit = system(code).GetLinearUnits() if code else 1.0
+        for row, column in ((0, 0), (rows - 1, 0), (rows // 2, columns - 1)):
+            x, y = gdal.ApplyGeoTransform(transform, column + 0.5, row + 0.5)
+            i = round((x * unit - image.GetOrigin()[0]) / image.GetSpacing()[0])
+            j = round((y * unit - image.GetOrigin()[1]) / image.GetSpacing()[1])
+            point = image.GetPoint(image.ComputePointId((i, j, 0)))
+            self.assertAlmostEqual(point[0], x * unit, delta=1e-6)
+            self.assertAlmostEqual(point[1], y * unit, delta=1e-6)
+            self.assertAlmostEqual(float(found[j, i]), float(heights[row, column]), delta=tolerance)
+        return image
+
+    def test_formats(self):
+        heights = hills(11, 7)
+        tif = create(self.path("a.tif"), heights)
+        south = create(self.path("south.tif"), heights, (725000.0, 30.0, 0.0, 4040000.0, 0.0, 25.0))
+        netcdf = gdal.Translate(self.path("a.nc"), tif, format="netCDF").GetDescription()
+        asc = gdal.Translate(self.path("a.asc"), create(self.path("square.tif"), heights, (725000.0, 30.0, 0.0,
+                             4040000.0, 0.0, -30.0)), format="AAIGrid", creationOptions=["DECIMAL_PRECISION=6"])
+        asc = asc.GetDescription()
+        for name, tolerance in ((tif, 0.0), (south, 0.0), (netcdf, 0.0), (asc, 1e-4)):
+            with self.subTest(name=os.path.basename(name)):
+                image = self.check_place(name, heights, tolerance=tolerance)
+                self.assertEqual(image.GetDimensions(), (7, 11, 1))
+                found = osr.SpatialReference(text(image, "CoordinateSystem"))
+                self.assertTrue(found.IsSame(system(32616)), name)
+                self.assertEqual(numbers(image, "CoordinateUnit"), [1.0])
+                self.assertEqual(numbers(image, "CoordinateOffset"), [0.0, 0.0])
+
+    def test_without_a_place_the_first_row_is_the_northernmost(self):
+        heights = hills(3, 4)
+        image = read_elevation(create(self.path("a.tif"), heights, place=None, code=0))
+        self.assertTrue(np.array_equal(array_from_image(image), heights[::-1]))
+        self.assertEqual((image.GetOrigin()[:2], image.GetSpacing()[:2]), ((0.5, 0.5), (1.0, 1.0)))
+        self.assertIsNone(field(image, "CoordinateSystem"))
+
+    def test_one_row_and_one_pixel(self):
+        for shape in ((1, 6), (6, 1), (1, 1)):
+            heights = hills(*shape)
+            name = create(self.path("line.tif"), heights)
+            self.check_place(name, heights)
+            os.remove(name)
+        fit = littoral.vtkCovarianceFitFilter()
+        messages = errors.kept(fit)
+        fit.SetInputData(read_elevation(create(self.path("row.tif"), hills(1, 60))))
+        fit.Update()
+        self.assertEqual(len(messages), 1, messages)
+
+    def test_local_origin(self):
+        name = create(self.path("a.tif"), hills(5, 6))
+        there, here = read_elevation(name), read_elevation(name, LocalOrigin=True)
+        self.assertEqual(here.GetOrigin()[:2], (0.0, 0.0))
+        self.assertEqual(tuple(numbers(here, "CoordinateOffset")), there.GetOrigin()[:2])
+        self.assertTrue(np.array_equal(array_from_image(here), array_from_image(there)))
+
+    def test_feet_become_metres(self):
+        heights = hills(6, 5)
+        name = create(self.path("feet.tif"), heights, (1500000.0, 100.0, 0.0, 700000.0, 0.0, -100.0), 2274,
+                      change=lambda raster: raster.GetRasterBand(1).SetUnitType("ft"))
+        foot = 1200.0 / 3937.0  # of the survey, in the plane
+        image = self.check_place(name, heights * np.float32(0.3048), code=2274, tolerance=1e-4)
+        self.assertAlmostEqual(image.GetSpacing()[0], 100.0 * foot, delta=1e-12 * 100)
+        self.assertAlmostEqual(numbers(image, "CoordinateUnit")[0], foot, delta=1e-12)
+        metres = array_from_image(read_elevation(name, HeightUnit=littoral.vtkElevationReader.Metres))
+        self.assertTrue(np.array_equal(metres, heights[::-1]))
+        survey = array_from_image(read_elevation(name, HeightUnit=littoral.vtkElevationReader.USSurveyFeet))
+        self.assertTrue(np.allclose(survey, heights[::-1] * foot, rtol=1e-6))
+
+    def test_heights_in_the_unit_of_a_vertical_system(self):
+        compound = osr.SpatialReference()
+        compound.SetFromUserInput("EPSG:32616+6360")  # NAVD88 height in US survey feet
+        image = read_elevation(create(self.path("a.tif"), hills(4, 4), code=compound))
+        self.assertTrue(np.allclose(array_from_image(image), hills(4, 4)[::-1] * 1200.0 / 3937.0, rtol=1e-6))
+        self.assertTrue(osr.SpatialReference(text(image, "CoordinateSystem")).IsSame(system(32616)))
+
+    def test_scaled_values(self):
+        def scale(raster):
+            raster.GetRasterBand(1).SetScale(0.1)
+            raster.GetRasterBand(1).SetOffset(-50.0)
+        stored = (hills(4, 5) * 10).astype(np.int16)
+        name = create(self.path("scaled.tif"), stored, kind=gdal.GDT_Int16, change=scale)
+        self.assertTrue(np.allclose(array_from_image(read_elevation(name)), stored[::-1] * 0.1 - 50.0, atol=1e-4))
+
+    def test_bands(self):
+        heights = np.stack([hills(4, 5), hills(4, 5) + 7.0, hills(4, 5) + 9.0])
+        name = create(self.path("bands.tif"), heights)
+        for band in (1, 2, 3):
+            self.assertTrue(np.array_equal(array_from_image(read_elevation(name, Band=band)), heights[band - 1][::-1]))
+        self.refuses("Band is 4; it must be from 1 to 3", name, Band=4)
+        self.refuses("Band is 0", name, Band=0)
+
+    def test_datasets(self):
+        # Two variables in one file, as many models of the sea floor have.
+        from osgeo import gdal_array  # noqa: F401
+        driver = gdal.GetDriverByName("netCDF")
+        file = driver.CreateMultiDimensional(self.path("two.nc"))
+        root = file.GetRootGroup()
+        y, x = root.CreateDimension("y", None, None, 4), root.CreateDimension("x", None, None, 5)
+        for name, along, size in (("x", x, 5), ("y", y, 4)):
+            axis = root.CreateMDArray(name, [along], gdal.ExtendedDataType.Create(gdal.GDT_Float64))
+            axis.Write(1000.0 + 30.0 * np.arange(size))
+            unit = axis.CreateAttribute("units", [], gdal.ExtendedDataType.CreateString())
+            unit.WriteString("m")
+            kind = axis.CreateAttribute("standard_name", [], gdal.ExtendedDataType.CreateString())
+            kind.WriteString(f"projection_{name}_coordinate")
+            unit = kind = axis = None
+        for name, shift in (("bottom", 0.0), ("top", 50.0)):
+            array = root.CreateMDArray(name, [y, x], gdal.ExtendedDataType.Create(gdal.GDT_Float32))
+            array.Write(hills(4, 5) + np.float32(shift))
+            array = None
+        root = x = y = file = None
+        first = array_from_image(read_elevation(self.path("two.nc")))
+        top = read_elevation(self.path("two.nc"), Dataset="top")
+        self.assertTrue(np.array_equal(array_from_image(top), hills(4, 5) + np.float32(50.0)))
+        self.assertTrue(np.array_equal(first, hills(4, 5)))
+        self.assertEqual(top.GetOrigin()[:2], (1000.0, 1000.0))
+        self.refuses("no dataset 'middle'; it has bottom, top", self.path("two.nc"), Dataset="middle")
+
+    def test_parts_are_those_of_the_whole(self):
+        name = create(self.path("a.tif"), hills(90, 70))
+        reader = littoral.vtkElevationReader()
+        reader.SetFileName(name)
+        reader.UpdateExtent((10, 33, 5, 80, 0, 0))
+        part = array_from_image(reader.GetOutput())
+        self.assertTrue(np.array_equal(part, hills(90, 70)[::-1][5:81, 10:34]))
+
+
+class Holes(Rasters):
+    """Heights that are missing are NaN, hidden, and counted."""
+
+    def test_no_data_values(self):
+        heights = hills(5, 6)
+        heights[1, 2] = heights[4, 0] = -32768.0
+        name = create(self.path("a.tif"), heights,
+                      change=lambda raster: raster.GetRasterBand(1).SetNoDataValue(-32768.0))
+        image = read_elevation(name)
+        found = array_from_image(image)
+        self.assertTrue(np.array_equal(np.isnan(found), heights[::-1] == -32768.0))
+        ghosts = array_from_image(image, "vtkGhostType")
+        self.assertTrue(np.array_equal(ghosts == 2, np.isnan(found)))
+        self.assertIn("; 2 missing; WGS 84 / UTM zone 16N (EPSG:32616);", text(image, "ElevationSummary"))
+        low, high = image.GetPointData().GetArray("Elevation").GetFiniteRange()
+        self.assertAlmostEqual(low, heights[heights > 0].min(), delta=1e-3)
+
+    def test_values_that_the_file_does_not_name(self):
+        heights = hills(5, 6)
+        heights[2, 2] = -9999.0
+        name = create(self.path("a.tif"), heights)
+        self.assertEqual(np.isnan(array_from_image(read_elevation(name))).sum(), 0)
+        self.assertIsNone(read_elevation(name).GetPointData().GetArray("vtkGhostType"))
+        self.assertEqual(np.isnan(array_from_image(read_elevation(name, UseNoDataValue=True))).sum(), 1)
+        projected = array_from_image(read_elevation(name, "EPSG:32617", UseNoDataValue=True))
+        self.assertGreater(np.nanmin(projected), 200.0)
+
+    def test_nan_infinity_and_masks(self):
+        heights = hills(5, 6)
+        heights[0, 0], heights[0, 1], heights[0, 2] = np.nan, np.inf, -np.inf
+        found = array_from_image(read_elevation(create(self.path("a.tif"), heights)))
+        self.assertTrue(np.array_equal(np.isnan(found), ~np.isfinite(heights[::-1])))
+
+        def mask(raster):
+            raster.CreateMaskBand(gdal.GMF_PER_DATASET)
+            raster.GetRasterBand(1).GetMaskBand().WriteArray(np.eye(5, 6, dtype=np.uint8) * 255)
+        masked = create(self.path("masked.tif"), hills(5, 6), change=mask)
+        found = array_from_image(read_elevation(masked))
+        self.assertTrue(np.array_equal(np.isfinite(found), np.eye(5, 6, dtype=bool)[::-1]))
+
+    def test_nothing_but_holes(self):
+        self.refuses("all of its 20 heights are missing", create(self.path("a.tif"), np.full((4, 5), np.nan)))
+
+
+class Degrees(Rasters):
+    """Coordinates that are no lengths are refused, or projected."""
+
+    def tile(self, name="N36W085.hgt", size=1201):
+        """A tile of the Shuttle mission: big-endian heights from north to south, a degree wide."""
+        y, x = np.mgrid[0:size, 0:size] / (size - 1.0)
+        heights = (500.0 + 200.0 * np.sin(9.0 * x) * np.cos(7.0 * y) + 100.0 * x).astype(np.int16)
+        heights[100:103, 50] = -32768
+        heights.astype(">i2").tofile(self.path(name))
+        return self.path(name), heights
+
+    def test_are_refused_with_what_to_do(self):
+        tile, _ = self.tile()
+        self.refuses("coordinates are degrees, not lengths; set Projection to UTM", tile)
+        with self.assertRaisesRegex(ValueError, "N36W085.hgt: its coordinates are degrees"):
+            read_elevation(tile)
+
+    def test_tile_in_its_zone(self):
+        tile, stored = self.tile()
+        image = read_elevation(tile, "UTM")
+        heights = array_from_image(image)
+        self.assertTrue(osr.SpatialReference(text(image, "CoordinateSystem")).IsSame(system(32616)))
+        # Where PROJ puts a few pixels, there they are.
+        way = osr.CoordinateTransformation(system(4326), system(32616))
+        for row, column in ((300, 300), (600, 601), (900, 120), (77, 1100)):
+            x, y, _ = way.TransformPoint(-85.0 + column / 1200.0, 37.0 - row / 1200.0)
+            i = (x - image.GetOrigin()[0]) / image.GetSpacing()[0]
+            j = (y - image.GetOrigin()[1]) / image.GetSpacing()[1]
+            around = heights[int(j):int(j) + 2, int(i):int(i) + 2]
+            s, t = i % 1.0, j % 1.0
+            there = (1 - t) * ((1 - s) * around[0, 0] + s * around[0, 1]) + t * ((1 - s) * around[1, 0] + s * around[1, 1])
+            self.assertAlmostEqual(there, stored[row, column], delta=1.5)  # of heights in whole metres
+        # The area is that on the ellipsoid, as far as UTM keeps lengths (0.1 %).
+        east, north = metres_per_degree(36.5)
+        inside = np.isfinite(heights)
+        area = inside.sum() * image.GetSpacing()[0] * image.GetSpacing()[1]
+        self.assertAlmostEqual(area / (east * north), 1.0, delta=0.003)
+
+    def test_truth_of_gdalwarp(self):
+        """The same as that program, block by block; as a whole it takes other blocks, and kernels of other widths."""
+        tile, _ = self.tile()
+        settings = {"dstSRS": "EPSG:32616", "resampleAlg": "cubic", "errorThreshold": 0.0,
+                    "outputType": gdal.GDT_Float32, "dstNodata": float("nan")}
+        wanted = gdal.Warp("", tile, format="VRT", **settings)
+        image = read_elevation(tile, "UTM")
+        found, truth = array_from_image(image)[::-1], wanted.ReadAsArray()
+        self.assertEqual(found.shape, truth.shape)
+        transform = wanted.GetGeoTransform()
+        self.assertAlmostEqual(image.GetOrigin()[0], transform[0] + 0.5 * transform[1], delta=1e-6)
+        both = np.isfinite(found) & np.isfinite(truth)
+        self.assertGreater(both.mean(), 0.9)
+        self.assertTrue(np.array_equal(found[both], truth[both]))
+        whole = gdal.Warp("", tile, format="MEM", **settings).ReadAsArray()
+        self.assertLess(np.nanpercentile(np.abs(found - whole), 99.0), 0.05)  # [m], of steps of 1 m
+        reader = littoral.vtkElevationReader()
+        reader.SetFileName(tile)
+        reader.SetProjectionToUTM()
+        reader.UpdateExtent((300, 500, 700, 900, 0, 0))
+        self.assertTrue(np.array_equal(array_from_image(reader.GetOutput()), found[::-1][700:901, 300:501]))
+
+    def test_spacing_on_request(self):
+        tile, _ = self.tile()
+        image = read_elevation(tile, "UTM", ProjectedSpacing=250.0)
+        self.assertEqual(image.GetSpacing()[:2], (250.0, 250.0))
+
+    def test_southern_zone_and_other_datum(self):
+        north = create(self.path("a.tif"), hills(40, 40), (-84.5, 0.001, 0.0, 36.5, 0.0, -0.001), 4269)
+        self.assertTrue(osr.SpatialReference(text(read_elevation(north, "UTM"), "CoordinateSystem"))
+                        .IsSame(system(26916)))  # NAD 83 stays
+        south = create(self.path("b.tif"), hills(40, 40), (150.0, 0.001, 0.0, -33.5, 0.0, -0.001), 4326)
+        self.assertTrue(osr.SpatialReference(text(read_elevation(south, "UTM"), "CoordinateSystem"))
+                        .IsSame(system(32756)))
+
+    def test_degrees_without_a_name(self):
+        name = self.path("a.asc")
+        with open(name, "w", encoding="utf-8") as file:
+            file.write("ncols 9\nnrows 9\nxllcorner -84.5\nyllcorner 36.1\ncellsize 0.001\n" + "1 2 3 4 5 6 7 8 9\n" * 9)
+        self.refuses("look like degrees; set FileCoordinateSystem to EPSG:4326 and Projection to UTM", name)
+        image = read_elevation(name, "UTM", FileCoordinateSystem="EPSG:4326")
+        self.assertTrue(osr.SpatialReference(text(image, "CoordinateSystem")).IsSame(system(32616)))
+        self.refuses("names no coordinate system to project from", name, Projection=1)
+
+    def test_maps_that_stretch(self):
+        web = create(self.path("web.tif"), hills(40, 40), (-9400000.0, 30.0, 0.0, 4360000.0, 0.0, -30.0), 3857)
+        # At 36.4 degrees of latitude lengths are 1/cos(latitude) times too long.
+        self.refuses(r"EPSG:3857\) are 1\.24 times those on the ground; set Projection to UTM", web)
+        image = read_elevation(web, "UTM")
+        self.assertAlmostEqual(image.GetSpacing()[0] / 30.0, np.cos(np.radians(36.4)), delta=0.01)
+        self.refuses("choose another CoordinateSystem", web, Projection=2, CoordinateSystem="EPSG:3857")
+
+    def test_no_zone_at_the_poles(self):
+        name = create(self.path("pole.tif"), hills(40, 40), (10.0, 0.01, 0.0, 87.0, 0.0, -0.01), 4326)
+        self.refuses("no zone of UTM", name, Projection=1)
+        self.assertTrue(np.isfinite(array_from_image(read_elevation(name, "EPSG:3413"))).any())
+
+    def test_systems_that_are_none(self):
+        name = create(self.path("a.tif"), hills(9, 9))
+        self.refuses("CoordinateSystem is 'nowhere', which is no", name, Projection=2, CoordinateSystem="nowhere")
+        self.refuses("CoordinateSystem is '', which is no", name, Projection=2)
+        self.refuses("CoordinateSystem is WGS 84 .*, which is no projection", name, Projection=2,
+                     CoordinateSystem="EPSG:4326")
+        self.refuses("FileCoordinateSystem is 'nowhere', which is no", name, FileCoordinateSystem="nowhere")
+
+    def test_turned_rasters(self):
+        """A plane on a turned grid is that plane on the upright one."""
+        turn, step = np.radians(30.0), 20.0
+        place = (725000.0, step * np.cos(turn), step * np.sin(turn), 4040000.0, step * np.sin(turn),
+                 -step * np.cos(turn))
+        j, i = np.mgrid[0:60, 0:80] + 0.5
+        x = place[0] + place[1] * i + place[2] * j
+        y = place[3] + place[4] * i + place[5] * j
+        plane = 0.02 * (x - 725000.0) - 0.05 * (y - 4040000.0)
+        image = read_elevation(create(self.path("turned.tif"), plane.astype(np.float32), place))
+        found = array_from_image(image)
+        rows, columns = np.nonzero(np.isfinite(found))
+        self.assertGreater(len(rows), 0.8 * plane.size)
+        x = image.GetOrigin()[0] + image.GetSpacing()[0] * columns
+        y = image.GetOrigin()[1] + image.GetSpacing()[1] * rows
+        wrong = np.abs(found[rows, columns] - (0.02 * (x - 725000.0) - 0.05 * (y - 4040000.0)))
+        self.assertLess(np.percentile(wrong, 90), 0.01)
+        self.assertLess(wrong.max(), 1.0)  # at the border, where half of the neighbours are missing
+
+
+class BadFiles(Rasters):
+    """One sentence, and no crash."""
+
+    def test_files_that_are_none(self):
+        missing = self.path("missing.tif")
+        self.refuses("there is no such file", missing)
+        with self.assertRaises(FileNotFoundError):
+            read_elevation(missing)
+        for name in ("text.tif", "text.asc", "N36W085.hgt", "text.nc"):
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write("no raster at all")
+            self.refuses("GDAL finds no whole raster in it", self.path(name))
+        self.refuses("SRTM tile is called by its southwestern corner", self.path("N36W085.hgt"))
+        reader = littoral.vtkElevationReader()
+        messages = errors.kept(reader)
+        reader.Update()
+        self.assertEqual(messages, ["Cannot read a raster: FileName is empty."])
+
+    def test_cut_files(self):
+        heights = RANDOM.normal(size=(150, 150)).astype(np.float32)
+        names = [create(self.path("a.tif"), heights), create(self.path("b.tif"), heights, options=["COMPRESS=DEFLATE"]),
+                 create(self.path("c.tif"), heights, options=["TILED=YES"])]
+        names.append(gdal.Translate(self.path("d.nc"), names[0], format="netCDF").GetDescription())
+        names.append(gdal.Translate(self.path("e.asc"), names[0], format="AAIGrid",
+                                    creationOptions=["FORCE_CELLSIZE=YES"]).GetDescription())
+        for name in names:
+            with open(name, "rb") as file:
+                whole = file.read()
+            for share in (0.3, 0.6, 0.9):
+                cut = self.path("cut" + os.path.splitext(name)[1])
+                with open(cut, "wb") as file:
+                    file.write(whole[:int(share * len(whole))])
+                with self.subTest(name=os.path.basename(name), share=share):
+                    self.refuses("cut off or damaged|no whole raster", cut)
+
+    def test_systems_that_cannot_be_read(self):
+        name = create(self.path("a.tif"), hills(9, 9))
+        with open(name, "rb") as file:
+            whole = file.read()
+        code = (32616).to_bytes(2, "little")
+        self.assertEqual(whole.count(code), 1)
+        with open(name, "wb") as file:
+            file.write(whole.replace(code, (32799).to_bytes(2, "little")))  # which EPSG does not have
+        self.refuses("its coordinate system cannot be read .*set FileCoordinateSystem", name)
+        self.assertEqual(read_elevation(name, FileCoordinateSystem="EPSG:32616").GetDimensions(), (9, 9, 1))
+        asc = self.path("b.asc")
+        with open(asc, "w", encoding="utf-8") as file:
+            file.write("ncols 3\nnrows 3\nxllcorner 500000\nyllcorner 4000000\ncellsize 30\n" + "1 2 3\n" * 3)
+        self.assertEqual(read_elevation(asc).GetSpacing()[:2], (30.0, 30.0))
+        with open(self.path("b.prj"), "w", encoding="utf-8") as file:
+            file.write("nonsense")
+        self.refuses("its coordinate system cannot be read", asc)
+
+    def test_values_that_are_no_heights(self):
+        name = create(self.path("a.tif"), hills(9, 9),
+                      change=lambda raster: raster.GetRasterBand(1).SetUnitType("Kelvin"))
+        self.refuses("values are in 'Kelvin', which is no unit of heights; set HeightUnit", name)
+
+    def test_pictures_are_left_to_other_readers(self):
+        reader = littoral.vtkElevationReader()
+        picture = create(self.path("picture.tif"), np.zeros((3, 9, 9)), None, 0, kind=gdal.GDT_Byte,
+                         options=["PHOTOMETRIC=RGB"])
+        photograph = create(self.path("photograph.tif"), np.zeros((3, 9, 9)), kind=gdal.GDT_Byte,
+                            options=["PHOTOMETRIC=RGB"])
+        self.assertEqual([reader.CanReadFile(name) for name in (
+            create(self.path("a.tif"), hills(9, 9)), picture, photograph, self.path("none.tif"))], [1, 0, 0, 0])
+
+
+class Written(Rasters):
+    """What is written has the same places, heights and coordinate system in GDAL's eyes."""
+
+    def check_twin(self, name, code, projection=None, **settings):
+        """Corners and coordinate system of a twin in a file are those of its place."""
+        place = read_elevation(name, projection, **settings)
+        twin = twin_of(place, seed=3)
+        write_tif(twin, self.path("twin.tif"))
+        raster = gdal.Open(self.path("twin.tif"))
+        self.assertTrue(raster.GetSpatialRef().IsSame(system(code)), raster.GetSpatialRef())
+        self.assertEqual(raster.GetSpatialRef().GetAuthorityCode(None), str(code))
+        self.assertTrue(np.array_equal(raster.ReadAsArray(), array_from_image(twin)[::-1]))
+        self.assertFalse(os.path.exists(self.path("twin.tif.aux.xml")))
+        return raster
+
+    def test_twin_lies_where_its_place_does(self):
+        for number, (place, code) in enumerate(((UTM16, 32616),
+                                                ((1500000.0, 100.0, 0.0, 700000.0, 0.0, -120.0), 2274))):
+            name = create(self.path(f"{number}.tif"), hills(40, 50) + RANDOM.normal(size=(40, 50)), place, code)
+            for local in (False, True):
+                found = self.check_twin(name, code, LocalOrigin=local).GetGeoTransform()
+                self.assertTrue(np.allclose(found, place, rtol=0.0, atol=1e-6), (found, place))
+
+    def test_twin_of_a_projected_place(self):
+        name = create(self.path("a.tif"), hills(60, 60) + RANDOM.normal(size=(60, 60)),
+                      (-84.5, 0.001, 0.0, 36.5, 0.0, -0.001), 4326)
+        truth = gdal.Warp("", name, format="MEM", dstSRS="EPSG:32616").GetGeoTransform()
+        found = self.check_twin(name, 32616, "UTM").GetGeoTransform()
+        self.assertTrue(np.allclose(found, truth, rtol=0.0, atol=1e-6), (found, truth))
+
+    def test_twin_through_a_table_without_its_pipeline(self):
+        name = create(self.path("a.tif"), hills(40, 50) + RANDOM.normal(size=(40, 50)))
+        fit = littoral.vtkCovarianceFitFilter()
+        fit.SetInputData(read_elevation(name))
+        fit.Update()
+        twin = littoral.vtkTurningBandsTerrainSource()
+        twin.SetInputData(fit.GetOutput(0))
+        twin.UseMeasuredGridOn()
+        twin.Update()
+        write_tif(twin.GetOutput(), self.path("twin.tif"))
+        self.assertEqual(gdal.Open(self.path("twin.tif")).GetGeoTransform(), UTM16)
+        # On another grid it is in no place.
+        twin.UseMeasuredGridOff()
+        twin.Update()
+        self.assertIsNone(field(twin.GetOutput(), "CoordinateSystem"))
+        self.assertEqual(twin.GetOutput().GetDimensions(), (501, 501, 1))
+        alone = littoral.vtkTurningBandsTerrainSource()
+        alone.UseMeasuredGridOn()
+        messages = errors.kept(alone)
+        alone.Update()
+        self.assertEqual(len(messages), 1, messages)
+        self.assertRegex(messages[0], "no table of fits names a grid")
+
+    def test_field_data_survive_a_vti(self):
+        place = read_elevation(create(self.path("a.tif"), hills(6, 7)), LocalOrigin=True)
+        write_vti(place, self.path("a.vti"))
+        write_tif(read_elevation(self.path("a.vti")), self.path("b.tif"))
+        self.assertEqual(gdal.Open(self.path("b.tif")).GetGeoTransform(), UTM16)
+        self.assertTrue(gdal.Open(self.path("b.tif")).GetSpatialRef().IsSame(system(32616)))
+
+    def test_holes_precision_and_names(self):
+        heights = hills(6, 7)
+        heights[2, 3] = np.nan
+        place = read_elevation(create(self.path("a.tif"), heights))
+        write_tif(place, self.path("b.tif"))
+        raster = gdal.Open(self.path("b.tif"))
+        band = raster.GetRasterBand(1)
+        self.assertTrue(np.isnan(band.GetNoDataValue()))
+        self.assertEqual(band.GetUnitType(), "m")
+        self.assertTrue(np.array_equal(band.ReadAsArray(), heights, equal_nan=True))
+        self.assertEqual(band.DataType, gdal.GDT_Float32)
+        self.assertEqual(band.GetMaskBand().ReadAsArray()[2, 3], 0)
+
+    def test_named_system_and_none(self):
+        image = image_from_array(hills(4, 5), (10.0, 20.0), (500005.0, 4000010.0))
+        write_tif(image, self.path("a.tif"))
+        raster = gdal.Open(self.path("a.tif"))
+        self.assertIsNone(raster.GetSpatialRef())
+        self.assertEqual(raster.GetGeoTransform(), (500000.0, 10.0, 0.0, 4000080.0, 0.0, -20.0))
+        write_tif(image, self.path("a.tif"), "EPSG:32632")
+        self.assertTrue(gdal.Open(self.path("a.tif")).GetSpatialRef().IsSame(system(32632)))
+        for bad in ("nowhere", "EPSG:4326"):
+            with self.assertRaisesRegex(ValueError, "CoordinateSystem is"):
+                write_tif(image, self.path("a.tif"), bad)
+        self.assertTrue(gdal.Open(self.path("a.tif")).GetSpatialRef().IsSame(system(32632)))
+
+    def test_turned_images(self):
+        image = image_from_array(hills(4, 5), (10.0, 20.0), (500005.0, 4000010.0))
+        c, s = np.cos(0.5), np.sin(0.5)
+        image.SetDirectionMatrix(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0)
+        write_tif(image, self.path("a.tif"))
+        raster = gdal.Open(self.path("a.tif"))
+        for row, column in ((0, 0), (3, 4), (2, 1)):
+            x, y = gdal.ApplyGeoTransform(raster.GetGeoTransform(), column + 0.5, row + 0.5)
+            point = image.GetPoint(image.ComputePointId((column, 3 - row, 0)))
+            self.assertTrue(np.allclose((x, y), point[:2], atol=1e-6))
+        image.SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c)
+        with self.assertRaisesRegex(ValueError, "tilted"):
+            write_tif(image, self.path("a.tif"))
+
+    def test_same_bytes(self):
+        sums = set()
+        for name in ("a.tif", "b.tif"):
+            write_tif(image_from_array(hills(200, 300), (10.0, 10.0)), self.path(name), "EPSG:32632")
+            with open(self.path(name), "rb") as file:
+                sums.add(hashlib.sha256(file.read()).digest())
+        self.assertEqual(len(sums), 1)
+
+    def test_images_that_cannot_be_written(self):
+        writer = littoral.vtkElevationWriter()
+        messages = errors.kept(writer)
+        writer.SetFileName(self.path("a.tif"))
+        self.assertEqual(writer.Write(), 0)
+        vector = image_from_array(hills(4, 5), (1.0, 1.0))
+        vector.GetPointData().GetScalars().SetNumberOfComponents(2)
+        vector.GetPointData().GetScalars().SetNumberOfTuples(20)
+        none = image_from_array(hills(4, 5), (1.0, 1.0))
+        none.GetPointData().Initialize()
+        layers = littoral.vtkWindFieldSource()
+        layers.SetDimensions(16, 4, 4)
+        layers.Update()
+        wrong = image_from_array(hills(4, 5), (1.0, 1.0))
+        from vtkmodules.vtkCommonCore import vtkDoubleArray
+        unit = vtkDoubleArray()
+        unit.SetName("CoordinateUnit")
+        unit.InsertNextValue(0.0)
+        wrong.GetFieldData().AddArray(unit)
+        for image, reason in ((vector, "2 components"), (none, "no point array 'Elevation'"),
+                              (layers.GetOutput(), "layer"), (wrong, "CoordinateUnit must be above 0")):
+            writer.SetInputData(image)
+            self.assertEqual(writer.Write(), 0)
+            self.assertRegex(messages[-1], reason)
+        self.assertEqual(len(messages), 5, messages)
+        self.assertEqual(os.listdir(self.folder), [])
+        writer.SetInputData(image_from_array(hills(4, 5), (1.0, 1.0)))
+        self.assertEqual(writer.Write(), 1)
+        self.assertEqual(len(messages), 5, messages)
+
+    def test_folder_and_full_disk(self):
+        image = image_from_array(RANDOM.normal(size=(400, 400)).astype(np.float32), (10.0, 10.0))
+        with self.assertRaisesRegex(OSError, "No such file or directory"):
+            write_tif(image, self.path("none/a.tif"))
+        with self.assertRaisesRegex(OSError, "Is a directory"):
+            write_tif(image, self.folder)
+        with full_disk(100000) as disk:
+            name = os.path.join(disk, "a.tif")
+            small = image_from_array(hills(8, 8), (10.0, 10.0))
+            write_tif(small, name)
+            with open(name, "rb") as file:
+                before = file.read()
+            with self.assertRaisesRegex(OSError, "No space left on device"):
+                write_tif(image, name)
+            with open(name, "rb") as file:
+                self.assertEqual(file.read(), before)
+            self.assertEqual(os.listdir(disk), ["a.tif"])
+
+
+if __name__ == "__main__":
+    unittest.main()
