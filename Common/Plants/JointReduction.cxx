@@ -110,6 +110,52 @@ ReducedJoints ChooseJoints(
 }
 
 //----------------------------------------------------------------------------
+/// The corners of the connected lines, one every so many frames, with the least sum of squared distances to values of
+/// all frames: A x = b, with the hat functions h of the corners, A_ij = sum h_i h_j, b_i = sum h_i y.
+std::vector<glm::dvec4> LinesThrough(const std::vector<glm::dvec4>& values, int stride)
+{
+  if (stride == 1)
+  {
+    return values;
+  }
+  const std::vector<int> corners = SampledFrames(static_cast<int>(values.size()), stride);
+  std::vector<double> diagonal(corners.size(), 0.0);
+  std::vector<double> beside(corners.size(), 0.0); // of a corner and the next one
+  std::vector<glm::dvec4> sums(corners.size(), glm::dvec4(0.0));
+  const auto add = [&](std::size_t corner, double share, const glm::dvec4& value) {
+    diagonal[corner] += (1.0 - share) * (1.0 - share);
+    sums[corner] += (1.0 - share) * value;
+    if (share > 0.0)
+    {
+      beside[corner] += share * (1.0 - share);
+      diagonal[corner + 1] += share * share;
+      sums[corner + 1] += share * value;
+    }
+  };
+  for (std::size_t corner = 0; corner + 1 < corners.size(); ++corner)
+  {
+    const double length = corners[corner + 1] - corners[corner];
+    for (int frame = corners[corner]; frame < corners[corner + 1]; ++frame)
+    {
+      add(corner, (frame - corners[corner]) / length, values[frame]);
+    }
+  }
+  add(corners.size() - 1, 0.0, values.back());
+  for (std::size_t row = 1; row < corners.size(); ++row)
+  {
+    const double factor = beside[row - 1] / diagonal[row - 1];
+    diagonal[row] -= factor * beside[row - 1];
+    sums[row] -= factor * sums[row - 1];
+  }
+  sums.back() /= diagonal.back();
+  for (std::size_t row = corners.size() - 1; row > 0; --row)
+  {
+    sums[row - 1] = (sums[row - 1] - beside[row - 1] * sums[row]) / diagonal[row - 1];
+  }
+  return sums;
+}
+
+//----------------------------------------------------------------------------
 /// A place that follows a kept joint, and where it belongs in each frame.
 struct Probe
 {
@@ -181,24 +227,30 @@ private:
     return this->Tree.Rests[this->Joints.Kept[kept]] - below;
   }
 
-  /// Samples of the right motion at some frames.
+  /// Samples between which the motion is closest to the right one, in the sense of least squares.
   JointTrack Sampled(int kept, int stride, bool isHeld) const
   {
-    JointTrack track;
-    track.Stride = stride;
+    std::vector<glm::dvec4> turns;
+    std::vector<glm::dvec4> places;
     glm::dquat last{ 1.0, 0.0, 0.0, 0.0 };
-    for (const int frame : SampledFrames(this->FrameCount(), stride))
+    for (int frame = 0; frame < this->FrameCount(); ++frame)
     {
       const Pose right = PoseOf(this->Frames[frame], this->Joints.Kept[kept]);
       const Pose below = this->Below(kept, frame);
-      glm::dquat turn = glm::normalize(glm::conjugate(below.Rotation) * right.Rotation);
-      turn = glm::dot(turn, last) < 0.0 ? -turn : turn;
-      last = turn;
-      track.Rotations.push_back(Rounded(turn));
-      if (!isHeld)
-      {
-        track.Translations.emplace_back(glm::conjugate(below.Rotation) * (right.Position - below.Position));
-      }
+      const glm::dquat turn = glm::normalize(glm::conjugate(below.Rotation) * right.Rotation);
+      last = glm::dot(turn, last) < 0.0 ? -turn : turn;
+      turns.emplace_back(last.x, last.y, last.z, last.w);
+      places.emplace_back(glm::conjugate(below.Rotation) * (right.Position - below.Position), 0.0);
+    }
+    JointTrack track;
+    track.Stride = stride;
+    for (const glm::dvec4& turn : LinesThrough(turns, stride))
+    {
+      track.Rotations.push_back(Rounded(glm::normalize(glm::dquat(turn.w, turn.x, turn.y, turn.z))));
+    }
+    for (const glm::dvec4& place : isHeld ? std::vector<glm::dvec4>() : LinesThrough(places, stride))
+    {
+      track.Translations.emplace_back(Vector3(place));
     }
     return track;
   }

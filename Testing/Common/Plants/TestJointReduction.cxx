@@ -186,9 +186,10 @@ TEST(JointReduction, TakesFewSamples)
   ASSERT_EQ(reduced.Kept, (std::vector<int>{ 0, 1, 2 }));
   EXPECT_EQ(reduced.Tracks[0][0].Rotations.size(), 1u);
   EXPECT_EQ(reduced.Tracks[0][1].Rotations.size(), 2u);
-  // a chord is off by l a (w h)^2 / 8 in the middle: 2 m * 0.02 * (2 pi stride / 24)^2 / 8 < 5 mm up to a stride of 3
-  EXPECT_EQ(reduced.Tracks[0][2].Stride, 3);
-  EXPECT_EQ(reduced.Tracks[0][2].Rotations.size(), 41u);
+  // a chord is off by l a (w h)^2 / 8 in the middle: 2 m * 0.02 * (2 pi stride / 24)^2 / 8 < 5 mm up to a stride of 3;
+  // the best lines are off by half of that, but more in the steepest places
+  EXPECT_EQ(reduced.Tracks[0][2].Stride, 4);
+  EXPECT_EQ(reduced.Tracks[0][2].Rotations.size(), 31u);
   double worst = 0.0;
   for (int sample = 0; sample < samples; ++sample)
   {
