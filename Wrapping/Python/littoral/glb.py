@@ -24,9 +24,10 @@ def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None,
     writer = _glb_writer(sources, kinds or {}, settings)
     if times is not None:
         writer.WriteMotionOn()
-        writer.SetStartTime(times[0])
-        writer.SetEndTime(times[1])
-        writer.SetFramesPerSecond(times[2] if len(times) > 2 else 24.0)
+        begin, end, rate = motion_of(times)
+        writer.SetStartTime(begin)
+        writer.SetEndTime(end)
+        writer.SetFramesPerSecond(rate)
     if camera is not None:
         _set_camera(writer, camera)
     if sun is not None:
@@ -38,8 +39,8 @@ def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None,
         writer.SetExtras(json.dumps(extras, allow_nan=False))
     writer.SetFileName(os.fspath(filename))
     messages = []
-    writer.AddObserver("ErrorEvent", _keep_message(messages))
-    writer.GetExecutive().AddObserver("ErrorEvent", _keep_message(messages))
+    writer.AddObserver("ErrorEvent", keep_message(messages))
+    writer.GetExecutive().AddObserver("ErrorEvent", keep_message(messages))
     if not writer.Write():
         raise OSError(messages[0] if messages else f"Cannot write the file {os.fspath(filename)}: a source failed.")
 
@@ -91,7 +92,12 @@ def _set_camera(writer, camera):
     writer.SetCameraViewAngle(angle)
 
 
-def _keep_message(messages):
+def motion_of(times):
+    """Begin, end and samples a second, 24 if there are only two numbers."""
+    return tuple(float(time) for time in times) if len(times) > 2 else (float(times[0]), float(times[1]), 24.0)
+
+
+def keep_message(messages):
     """An observer of errors that keeps what they say, without the place in the sources."""
     def keep(_source, _event, text):
         messages.append(text.split(": ", 1)[-1].strip() if text.startswith("ERROR") else text.strip())
