@@ -266,9 +266,10 @@ void ModelMaker::AddAnimation()
   std::map<int, int> times; // by strides
   for (const SceneTrack& track : this->From.Tracks)
   {
-    if (times.find(track.Stride) == times.end())
+    const auto known = times.try_emplace(track.Stride, -1);
+    if (known.second)
     {
-      times[track.Stride] = this->AddTimes(track.Stride);
+      known.first->second = this->AddTimes(track.Stride);
     }
   }
   tinygltf::Animation animation;

@@ -291,6 +291,7 @@ private:
   std::vector<Pose> Played(int kept, const JointTrack& track) const
   {
     std::vector<Pose> poses;
+    poses.reserve(this->Frames.size());
     for (int frame = 0; frame < this->FrameCount(); ++frame)
     {
       poses.push_back(this->PoseAt(kept, track, frame));
