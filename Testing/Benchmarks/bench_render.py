@@ -26,6 +26,11 @@ def write_trees(filename, frame=0):
     """Trees of four species in full, as instances, on hills; all of them before the camera."""
     ground = vtkTurningBandsTerrainSource()
     ground.SetWholeExtent(0, SIDE, 0, SIDE, 0, 0)
+    ground.SetSpacing(1.0, 1.0, 1.0)
+    ground.SetMean(0.0)
+    ground.SetStandardDeviation(9.0)
+    ground.SetRange(160.0)
+    ground.SetShortestWavelength(12.0)
     ground.Update()
     image = ground.GetOutput()
     height = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(SIDE + 1, SIDE + 1)
@@ -43,8 +48,8 @@ def write_trees(filename, frame=0):
     forest.Update()
     count = forest.GetOutput().GetFieldData().GetArray("PlantsShown").GetTuple1(0)
     assert count == TREES, count
-    eye = (0.5 * SIDE, -60.0, height.max() + 25.0)
-    write_glb(filename, {"Forest": forest, "Ground": image}, camera=(eye, (0.5 * SIDE, 0.5 * SIDE, 0.0), (0, 0, 1), 40.0),
+    eye = (0.5 * SIDE, -90.0, height.max() + 30.0)
+    write_glb(filename, {"Forest": forest, "Ground": image}, camera=(eye, (0.5 * SIDE, 0.4 * SIDE, 0.0), (0, 0, 1), 45.0),
               sun=(150.0, 35.0), LevelForm=2)
 
 
