@@ -1,25 +1,35 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes of glTF as three.js has them: counts, places, colors, joints and motion are those of VTK. Needs node and the
-package three: `npm install three` somewhere; LITTORAL_THREE names its folder, node_modules/three."""
+"""Scenes of glTF as three.js has them: counts, places, colors, joints and motion are those of VTK; and the page of the
+examples in Chromium, where there is one. Needs node and the package three: `npm install three` somewhere; LITTORAL_THREE
+names its folder, node_modules/three."""
 
+import functools
+import http.server
 import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 import littoral
 from TestSceneFiles import array, block, forest, linear, make, places, points_of, tree
 from littoral.glb import write_glb
 
 THREE = os.environ.get("LITTORAL_THREE", "")
-SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "three_scene.mjs")
+HERE = os.path.dirname(os.path.abspath(__file__))
+SCRIPT = os.path.join(HERE, "three_scene.mjs")
+PAGE = os.path.join(HERE, "..", "..", "Examples", "Web", "scene.html")
+#: A window of Chromium without a display and a graphics card.
+CHROMIUM = ("chromium", "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
+            "--enable-unsafe-swiftshader", "--window-size=320,240", "--virtual-time-budget=500")
 if not THREE or not shutil.which("node"):
     print("LITTORAL_THREE does not name the package three, or there is no node")
     sys.exit(125)
@@ -123,6 +133,45 @@ class Three(unittest.TestCase):
         for time, meshes in zip((0.0, 0.5, 1.0), found["times"]):
             sea.UpdateTimeStep(time)
             np.testing.assert_allclose(z_up(meshes[0]["places"]), places(sea.GetOutput()), atol=1e-5)
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+class Page(unittest.TestCase):
+    def picture(self, folder):
+        """What the page shows of the scene of a folder: numbers [row, column, part]."""
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=folder))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        name = os.path.join(folder, "page.png")
+        address = f"http://127.0.0.1:{server.server_port}/scene.html?scene.glb"
+        own = f"--user-data-dir={os.path.join(folder, 'browser')}"
+        subprocess.run([*CHROMIUM, own, f"--screenshot={name}", address], capture_output=True, check=True)
+        server.shutdown()
+        server.server_close()
+        reader = vtkPNGReader()
+        reader.SetFileName(name)
+        reader.Update()
+        columns, rows, _ = reader.GetOutput().GetDimensions()
+        return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, -1).astype(float)
+
+    def test_in_chromium(self):
+        if not shutil.which("chromium"):
+            self.skipTest("there is no chromium")
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+            shutil.copyfile(PAGE, os.path.join(folder, "scene.html"))
+            os.mkdir(os.path.join(folder, "node_modules"))
+            os.symlink(os.path.abspath(THREE), os.path.join(folder, "node_modules", "three"))
+            write_glb(os.path.join(folder, "scene.glb"), {"Forest": forest([tree()])}, LevelForm=3, sun=(200, 35),
+                      camera=((0, -60, 30), (0, 0, 5), (0, 0, 1), 50))
+            red, green, blue = np.moveaxis(self.picture(folder)[..., :3], -1, 0)
+        leaves = (green > 1.2 * blue) & (green > red)
+        self.assertGreater(leaves.mean(), 0.02, "the page shows no trees")
+        self.assertLess(leaves.mean(), 0.5)
+        sky = np.abs(np.stack((red, green, blue), -1) - (0xb9, 0xcb, 0xd8)).max(axis=-1) < 3
+        self.assertGreater(sky.mean(), 0.3)
 
 
 if __name__ == "__main__":
