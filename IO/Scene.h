@@ -91,10 +91,11 @@ struct SceneBinding
   std::vector<float> Rests;
 };
 
-/// How a node moves, a sample for each time of the scene; what is empty does not move.
+/// How a node moves; what is empty does not move.
 struct SceneTrack
 {
   int Node = -1;
+  int Stride = 1; ///< times of the scene from a sample to the next one; the last time has one in any case
   std::vector<std::int16_t> Rotations; ///< quaternions x, y, z, w times 32767
   std::vector<float> Translations;     ///< [m]
   std::vector<float> Weights;          ///< one for each target of the mesh

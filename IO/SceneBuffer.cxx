@@ -105,12 +105,38 @@ int SceneBuffer::AddJoints(const std::vector<std::uint16_t>& joints)
 }
 
 //----------------------------------------------------------------------------
+/// An accessor at the end of the view of samples, which is the last one: tuples are of four bytes or a multiple.
+int SceneBuffer::AddShared(const void* from, std::size_t bytes, int component, int type, std::size_t count)
+{
+  if (this->Shared < 0 || this->Shared + 1 != static_cast<int>(this->Model.bufferViews.size()))
+  {
+    this->Shared = this->AddView(nullptr, 0, 0);
+  }
+  tinygltf::BufferView& view = this->Model.bufferViews[this->Shared];
+  const std::size_t offset = view.byteLength;
+  const auto* first = static_cast<const unsigned char*>(from);
+  std::vector<unsigned char>& data = this->Model.buffers[0].data;
+  data.insert(data.end(), first, first + bytes);
+  view.byteLength += bytes;
+  const int index = this->AddAccessor(this->Shared, component, type, count);
+  this->Model.accessors[index].byteOffset = offset;
+  return index;
+}
+
+//----------------------------------------------------------------------------
 int SceneBuffer::AddRotations(const std::vector<std::int16_t>& rotations)
 {
-  const int view = this->AddView(rotations.data(), rotations.size() * sizeof(std::int16_t), 0);
-  const int index = this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_SHORT, TINYGLTF_TYPE_VEC4, rotations.size() / 4);
+  const int index = this->AddShared(rotations.data(), rotations.size() * sizeof(std::int16_t),
+    TINYGLTF_COMPONENT_TYPE_SHORT, TINYGLTF_TYPE_VEC4, rotations.size() / 4);
   this->Model.accessors[index].normalized = true;
   return index;
+}
+
+//----------------------------------------------------------------------------
+int SceneBuffer::AddSamples(const std::vector<float>& numbers, int components)
+{
+  return this->AddShared(numbers.data(), numbers.size() * sizeof(float), TINYGLTF_COMPONENT_TYPE_FLOAT,
+    TypeOf(components), numbers.size() / components);
 }
 
 //----------------------------------------------------------------------------

@@ -37,8 +37,10 @@ public:
   /// Joints of vertices, four each.
   int AddJoints(const std::vector<std::uint16_t>& joints);
 
-  /// Samples of rotations, whose parts are in units of 1/32767.
+  /// Samples of rotations, whose parts are in units of 1/32767. Those that follow one another share a view, as do
+  /// numbers of samples: a scene has very many of them.
   int AddRotations(const std::vector<std::int16_t>& rotations);
+  int AddSamples(const std::vector<float>& numbers, int components);
 
   /// Translations by the negative of places, as matrices.
   int AddInverses(const std::vector<float>& places);
@@ -49,7 +51,10 @@ public:
 private:
   tinygltf::Model& Model;
 
+  int Shared = -1; // view of samples
+
   int AddView(const void* from, std::size_t bytes, int target);
+  int AddShared(const void* from, std::size_t bytes, int component, int type, std::size_t count);
   void SetBounds(int accessor, const std::vector<float>& numbers, int components);
   int AddAccessor(int view, int component, int type, std::size_t count);
 };

@@ -3,6 +3,7 @@
 #include "SceneFile.h"
 
 #include "Numerics/Constants.h"
+#include "Plants/JointReduction.h"
 #include "ReplacedFile.h"
 #include "SceneBuffer.h"
 #include "SceneView.h"
@@ -114,6 +115,7 @@ private:
   void AddMesh(const SceneMesh& mesh);
   void AddPrimitives(const SceneMesh& from, tinygltf::Mesh& mesh);
   void AddSkins();
+  int AddTimes(int stride);
   void AddAnimation();
   void AddInstances(const SceneInstances& instances);
   void AddNode(const SceneNode& node);
@@ -243,18 +245,39 @@ void ModelMaker::AddSkins()
 }
 
 //----------------------------------------------------------------------------
+/// The times of samples with a stride.
+int ModelMaker::AddTimes(int stride)
+{
+  std::vector<float> times;
+  for (const int frame : SampledFrames(static_cast<int>(this->From.Times.size()), stride))
+  {
+    times.push_back(this->From.Times[frame]);
+  }
+  return this->Buffer.AddBounded(times, 1);
+}
+
+//----------------------------------------------------------------------------
 void ModelMaker::AddAnimation()
 {
   if (this->From.Tracks.empty())
   {
     return;
   }
-  const int times = this->Buffer.AddBounded(this->From.Times, 1);
+  std::map<int, int> times; // by strides
+  for (const SceneTrack& track : this->From.Tracks)
+  {
+    const auto known = times.try_emplace(track.Stride, -1);
+    if (known.second)
+    {
+      known.first->second = this->AddTimes(track.Stride);
+    }
+  }
   tinygltf::Animation animation;
   animation.name = "Motion";
+  int stride = 1;
   const auto add = [&](int node, const char* path, int output) {
     tinygltf::AnimationSampler sampler;
-    sampler.input = times;
+    sampler.input = times[stride];
     sampler.output = output;
     tinygltf::AnimationChannel channel;
     channel.sampler = static_cast<int>(animation.samplers.size());
@@ -265,17 +288,18 @@ void ModelMaker::AddAnimation()
   };
   for (const SceneTrack& track : this->From.Tracks)
   {
+    stride = track.Stride;
     if (!track.Rotations.empty())
     {
       add(track.Node, "rotation", this->Buffer.AddRotations(track.Rotations));
     }
     if (!track.Translations.empty())
     {
-      add(track.Node, "translation", this->Buffer.AddNumbers(track.Translations, 3));
+      add(track.Node, "translation", this->Buffer.AddSamples(track.Translations, 3));
     }
     if (!track.Weights.empty())
     {
-      add(track.Node, "weights", this->Buffer.AddNumbers(track.Weights, 1));
+      add(track.Node, "weights", this->Buffer.AddSamples(track.Weights, 1));
     }
   }
   this->Model.animations.push_back(animation);

@@ -7,6 +7,7 @@
 #include "Data/JointBlock.h"
 #include "Data/PlantBlocks.h"
 #include "Numerics/ParameterCheck.h"
+#include "Pipeline/Pipeline.h"
 #include "Plants/JointReduction.h"
 #include "SceneBlocks.h"
 #include "SceneSurface.h"
@@ -142,11 +143,27 @@ struct Holds
   float WeightOf(vtkIdType vertex, int hold) const { return this->Weights->GetTypedComponent(vertex, hold); }
 };
 
-/// The samples of a joint as those of its node.
-SceneTrack TrackOf(const JointTrack& joint, int node)
+/// Numbers with few decimals, which are short as text.
+Vector3 Short(const Vector3& place)
+{
+  constexpr double parts = 1e5; // of a metre
+  return glm::round(place * parts) / parts;
+}
+
+/// The samples of a joint as those of its node, whose own place stands for a single one.
+SceneTrack TrackOf(const JointTrack& joint, int index, SceneNode& node)
 {
   SceneTrack track;
-  track.Node = node;
+  track.Node = index;
+  track.Stride = joint.Stride;
+  if (joint.Rotations.size() == 1)
+  {
+    constexpr double parts = 1e6;
+    const std::array<std::int16_t, 4>& turn = joint.Rotations[0];
+    const glm::dvec4 unit = glm::round(glm::normalize(glm::dvec4(turn[0], turn[1], turn[2], turn[3])) * parts) / parts;
+    node.Rotation = { { unit.x, unit.y, unit.z, unit.w } };
+    return track;
+  }
   for (const std::array<std::int16_t, 4>& sample : joint.Rotations)
   {
     track.Rotations.insert(track.Rotations.end(), sample.begin(), sample.end());
@@ -456,7 +473,7 @@ JointTree MovingPlants::TreeOf(const Plant& plant)
     const int parent = this->Parents[joint];
     this->LocalJoints[joint] = static_cast<int>(tree.Parents.size());
     tree.Parents.push_back(parent < 0 ? -1 : this->LocalJoints[parent]);
-    tree.Rests.push_back(ToPlant(plant.Place, TripleAt(this->Rests, joint)));
+    tree.Rests.push_back(Short(ToPlant(plant.Place, TripleAt(this->Rests, joint))));
   }
   tree.Boxes.resize(tree.Parents.size());
   return tree;
@@ -510,7 +527,7 @@ void MovingPlants::AddGroup(const std::vector<const Plant*>& group, double toler
     motions.push_back(this->MotionOf(*plant));
     largest = std::max(largest, plant->Place.Scale);
   }
-  const ReducedJoints reduced = ReduceJoints(tree, motions, tolerance / largest);
+  const ReducedJoints reduced = ReduceJoints(tree, motions, tolerance / largest, SmpFor);
   if (reduced.Kept.size() > mostJoints)
   {
     throw std::length_error(this->Name + " has a plant of more than 65536 joints; take a larger JointTolerance.");
@@ -553,14 +570,18 @@ void MovingPlants::AddSkinned(const Plant& plant, const Plant& first, const Join
   {
     const int parent = reduced.Parents[kept];
     const Vector3 below = parent < 0 ? Vector3(0.0) : tree.Rests[reduced.Kept[parent]];
-    const Vector3 offset = tree.Rests[reduced.Kept[kept]] - below;
+    const Vector3 offset = Short(tree.Rests[reduced.Kept[kept]] - below);
     const int index = firstNode + static_cast<int>(kept);
     SceneNode node;
     node.Name = "j" + std::to_string(kept);
     node.Translation = { { offset.x, offset.y, offset.z } };
+    SceneTrack track = TrackOf(tracks[kept], index, node);
     (parent < 0 ? foot : scene.Nodes[firstNode + parent]).Children.push_back(index);
     scene.Nodes.push_back(node);
-    scene.Tracks.push_back(TrackOf(tracks[kept], index));
+    if (!track.Rotations.empty())
+    {
+      scene.Tracks.push_back(std::move(track));
+    }
     skin.Joints.push_back(index);
   }
   scene.Nodes[this->Node].Children.push_back(static_cast<int>(scene.Nodes.size()));

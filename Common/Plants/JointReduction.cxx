@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace littoral
 {
@@ -15,6 +16,14 @@ namespace
 
 constexpr double Unit = 32767.0;  // of a part of a quaternion
 constexpr double Rounding = 5e-5; // of positions in single precision [m]
+
+/// Shares of the tolerance: what follows a joint that is left out may be off by the first one, and the foot of a joint
+/// on another one by the second one.
+constexpr double LeftOutShare = 0.7;
+constexpr double FootShare = 0.25;
+
+/// Frames from a sample to the next one that are tried, besides the first and last frame alone.
+constexpr int Strides[] = { 60, 40, 30, 24, 20, 15, 12, 10, 8, 6, 5, 4, 3, 2 };
 
 /// Where a joint is.
 struct Pose
@@ -42,117 +51,379 @@ glm::dquat RotationOf(const std::array<std::int16_t, 4>& parts)
   return glm::normalize(glm::dquat(parts[3] / Unit, parts[0] / Unit, parts[1] / Unit, parts[2] / Unit));
 }
 
-/// Keeps joints one after the other, and knows where those that are kept will be.
-class Reduction
+/// The foot of a joint and the corners of its box: errors are affine in the place, so they are largest in a corner.
+std::vector<Vector3> CornersOf(const JointTree& tree, int joint)
+{
+  const JointTree::Box& box = tree.Boxes[joint];
+  std::vector<Vector3> corners = { tree.Rests[joint] };
+  for (int corner = 0; corner < 8 && !box.IsEmpty(); ++corner)
+  {
+    corners.emplace_back(
+      corner & 1 ? box.High.x : box.Low.x, corner & 2 ? box.High.y : box.Low.y, corner & 4 ? box.High.z : box.Low.z);
+  }
+  return corners;
+}
+
+//----------------------------------------------------------------------------
+/// Whether a joint takes another one and its box to where they belong, in all frames of all plants.
+bool IsCarried(
+  const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, int joint, int by, double tolerance)
+{
+  const std::vector<Vector3> corners = CornersOf(tree, joint);
+  for (const std::vector<JointFrame>& frames : plants)
+  {
+    for (const JointFrame& frame : frames)
+    {
+      const Pose right = PoseOf(frame, joint);
+      const Pose carrier = PoseOf(frame, by);
+      const bool isNear = std::all_of(corners.begin(), corners.end(), [&](const Vector3& corner) {
+        return glm::length(right.Of(corner - tree.Rests[joint]) - carrier.Of(corner - tree.Rests[by])) <= tolerance;
+      });
+      if (!isNear)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Keeps joints one after the other where what follows them is not carried by those that are kept.
+ReducedJoints ChooseJoints(
+  const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
+{
+  ReducedJoints result;
+  for (int joint = 0; joint < static_cast<int>(tree.Parents.size()); ++joint)
+  {
+    const int parent = tree.Parents[joint];
+    const int kept = parent < 0 ? -1 : result.Follows[parent];
+    const bool isEnough =
+      kept >= 0 && tolerance > 0.0 && IsCarried(tree, plants, joint, result.Kept[kept], tolerance);
+    result.Follows.push_back(isEnough ? kept : static_cast<int>(result.Kept.size()));
+    if (!isEnough)
+    {
+      result.Kept.push_back(joint);
+      result.Parents.push_back(kept);
+    }
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------
+/// The corners of the connected lines, one every so many frames, with the least sum of squared distances to values of
+/// all frames: A x = b, with the hat functions h of the corners, A_ij = sum h_i h_j, b_i = sum h_i y.
+std::vector<glm::dvec4> LinesThrough(const std::vector<glm::dvec4>& values, int stride)
+{
+  if (stride == 1)
+  {
+    return values;
+  }
+  const std::vector<int> corners = SampledFrames(static_cast<int>(values.size()), stride);
+  std::vector<double> diagonal(corners.size(), 0.0);
+  std::vector<double> beside(corners.size(), 0.0); // of a corner and the next one
+  std::vector<glm::dvec4> sums(corners.size(), glm::dvec4(0.0));
+  const auto add = [&](std::size_t corner, double share, const glm::dvec4& value) {
+    diagonal[corner] += (1.0 - share) * (1.0 - share);
+    sums[corner] += (1.0 - share) * value;
+    if (share > 0.0)
+    {
+      beside[corner] += share * (1.0 - share);
+      diagonal[corner + 1] += share * share;
+      sums[corner + 1] += share * value;
+    }
+  };
+  for (std::size_t corner = 0; corner + 1 < corners.size(); ++corner)
+  {
+    const double length = corners[corner + 1] - corners[corner];
+    for (int frame = corners[corner]; frame < corners[corner + 1]; ++frame)
+    {
+      add(corner, (frame - corners[corner]) / length, values[frame]);
+    }
+  }
+  add(corners.size() - 1, 0.0, values.back());
+  for (std::size_t row = 1; row < corners.size(); ++row)
+  {
+    const double factor = beside[row - 1] / diagonal[row - 1];
+    diagonal[row] -= factor * beside[row - 1];
+    sums[row] -= factor * sums[row - 1];
+  }
+  sums.back() /= diagonal.back();
+  for (std::size_t row = corners.size() - 1; row > 0; --row)
+  {
+    sums[row - 1] = (sums[row - 1] - beside[row - 1] * sums[row]) / diagonal[row - 1];
+  }
+  return sums;
+}
+
+//----------------------------------------------------------------------------
+/// A place that follows a kept joint, and where it belongs in each frame.
+struct Probe
+{
+  Vector3 Offset;             // from the joint at rest
+  bool IsFoot = false;        // of a kept joint that hangs on it
+  std::vector<Vector3> Right; // of the frames
+};
+
+/// Samples the kept joints of a plant from the root to the tips, relative to where those below will be: errors do not
+/// add up along a branch.
+class JointSampler
 {
 public:
-  Reduction(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
+  JointSampler(
+    const JointTree& tree, const ReducedJoints& joints, const std::vector<JointFrame>& frames, double tolerance)
     : Tree(tree)
-    , Plants(plants)
+    , Joints(joints)
+    , Frames(frames)
     , Tolerance(tolerance)
-    , Frames(plants.empty() ? 0 : plants[0].size())
+    , Followers(joints.Kept.size())
+    , Children(joints.Kept.size())
   {
-    this->Result.Tracks.resize(plants.size());
+    for (std::size_t joint = 0; joint < joints.Follows.size(); ++joint)
+    {
+      this->Followers[joints.Follows[joint]].push_back(static_cast<int>(joint));
+    }
+    for (std::size_t kept = 0; kept < joints.Kept.size(); ++kept)
+    {
+      if (joints.Parents[kept] >= 0)
+      {
+        this->Children[joints.Parents[kept]].push_back(joints.Kept[kept]);
+      }
+    }
   }
 
-  ReducedJoints Reduce()
+  std::vector<JointTrack> Sample()
   {
-    for (int joint = 0; joint < static_cast<int>(this->Tree.Parents.size()); ++joint)
+    std::vector<JointTrack> tracks;
+    for (int kept = 0; kept < static_cast<int>(this->Joints.Kept.size()); ++kept)
     {
-      const int parent = this->Tree.Parents[joint];
-      const int kept = parent < 0 ? -1 : this->Result.Follows[parent];
-      const bool isEnough = kept >= 0 && this->Tolerance > 0.0 && this->IsCarriedBy(joint, kept);
-      if (!isEnough)
-      {
-        this->Keep(joint, kept);
-      }
-      this->Result.Follows.push_back(isEnough ? kept : static_cast<int>(this->Result.Kept.size()) - 1);
+      tracks.push_back(this->TrackOf(kept));
+      this->Poses.push_back(this->Played(kept, tracks.back()));
     }
-    return std::move(this->Result);
+    return tracks;
   }
 
 private:
   const JointTree& Tree;
-  const std::vector<std::vector<JointFrame>>& Plants;
+  const ReducedJoints& Joints;
+  const std::vector<JointFrame>& Frames;
   double Tolerance;
-  std::size_t Frames;
-  ReducedJoints Result;
-  std::vector<std::vector<Pose>> Poses; // of kept joints as they will be, by plants and frames
+  std::vector<std::vector<int>> Followers; // joints of the tree that follow a kept one
+  std::vector<std::vector<int>> Children;  // joints of the tree that are kept and hang on a kept one
+  std::vector<std::vector<Pose>> Poses;    // of kept joints as they will be, by frames
 
-  Vector3 RestOf(int kept) const { return this->Tree.Rests[this->Result.Kept[kept]]; }
+  int FrameCount() const { return static_cast<int>(this->Frames.size()); }
 
-  /// Whether a kept joint takes the box of another one, and its foot, to where they belong.
-  bool IsCarriedBy(int joint, int kept) const
+  Pose Below(int kept, int frame) const
   {
-    const Vector3 own = this->Tree.Rests[joint];
-    const Vector3 other = this->RestOf(kept);
-    const JointTree::Box& box = this->Tree.Boxes[joint];
-    std::vector<Vector3> corners = { own };
-    for (int corner = 0; corner < 8 && !box.IsEmpty(); ++corner)
+    const int parent = this->Joints.Parents[kept];
+    return parent < 0 ? Pose() : this->Poses[parent][frame];
+  }
+
+  /// The foot of a kept joint from that of the one that it hangs on, at rest.
+  Vector3 Offset(int kept) const
+  {
+    const int parent = this->Joints.Parents[kept];
+    const Vector3 below = parent < 0 ? Vector3(0.0) : this->Tree.Rests[this->Joints.Kept[parent]];
+    return this->Tree.Rests[this->Joints.Kept[kept]] - below;
+  }
+
+  /// Samples between which the motion is closest to the right one, in the sense of least squares.
+  JointTrack Sampled(int kept, int stride, bool isHeld) const
+  {
+    std::vector<glm::dvec4> turns;
+    std::vector<glm::dvec4> places;
+    glm::dquat last{ 1.0, 0.0, 0.0, 0.0 };
+    for (int frame = 0; frame < this->FrameCount(); ++frame)
     {
-      corners.emplace_back(
-        corner & 1 ? box.High.x : box.Low.x, corner & 2 ? box.High.y : box.Low.y, corner & 4 ? box.High.z : box.Low.z);
+      const Pose right = PoseOf(this->Frames[frame], this->Joints.Kept[kept]);
+      const Pose below = this->Below(kept, frame);
+      const glm::dquat turn = glm::normalize(glm::conjugate(below.Rotation) * right.Rotation);
+      last = glm::dot(turn, last) < 0.0 ? -turn : turn;
+      turns.emplace_back(last.x, last.y, last.z, last.w);
+      places.emplace_back(glm::conjugate(below.Rotation) * (right.Position - below.Position), 0.0);
     }
-    // The error is an affine function of the place, so that it is largest in a corner.
-    for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
+    JointTrack track;
+    track.Stride = stride;
+    for (const glm::dvec4& turn : LinesThrough(turns, stride))
     {
-      for (std::size_t frame = 0; frame < this->Frames; ++frame)
+      track.Rotations.push_back(Rounded(glm::normalize(glm::dquat(turn.w, turn.x, turn.y, turn.z))));
+    }
+    for (const glm::dvec4& place : isHeld ? std::vector<glm::dvec4>() : LinesThrough(places, stride))
+    {
+      track.Translations.emplace_back(Vector3(place));
+    }
+    return track;
+  }
+
+  /// The one turn between those of all frames, so that the joint need not move.
+  JointTrack Still(int kept) const
+  {
+    glm::dquat sum{ 0.0, 0.0, 0.0, 0.0 };
+    for (int frame = 0; frame < this->FrameCount(); ++frame)
+    {
+      const Pose right = PoseOf(this->Frames[frame], this->Joints.Kept[kept]);
+      const glm::dquat turn = glm::conjugate(this->Below(kept, frame).Rotation) * right.Rotation;
+      sum += glm::dot(turn, sum) < 0.0 ? -turn : turn;
+    }
+    JointTrack track;
+    track.Rotations = { Rounded(glm::normalize(sum)) };
+    return track;
+  }
+
+  /// Where a track has a kept joint in a frame.
+  Pose PoseAt(int kept, const JointTrack& track, int frame) const
+  {
+    const std::size_t last = track.Rotations.size() - 1;
+    const std::size_t before = std::min(static_cast<std::size_t>(frame / track.Stride), last);
+    const std::size_t after = std::min(before + 1, last);
+    const int first = static_cast<int>(before) * track.Stride;
+    const int length = std::min(track.Stride, this->FrameCount() - 1 - first);
+    const double share = before == after || length <= 0 ? 0.0 : static_cast<double>(frame - first) / length;
+    const glm::dquat turn =
+      glm::slerp(RotationOf(track.Rotations[before]), RotationOf(track.Rotations[after]), share);
+    const Vector3 place = track.Translations.empty()
+      ? this->Offset(kept)
+      : glm::mix(Vector3(track.Translations[before]), Vector3(track.Translations[after]), share);
+    const Pose below = this->Below(kept, frame);
+    return { glm::normalize(below.Rotation * turn), below.Of(place) };
+  }
+
+  std::vector<Pose> Played(int kept, const JointTrack& track) const
+  {
+    std::vector<Pose> poses;
+    poses.reserve(this->Frames.size());
+    for (int frame = 0; frame < this->FrameCount(); ++frame)
+    {
+      poses.push_back(this->PoseAt(kept, track, frame));
+    }
+    return poses;
+  }
+
+  /// All that follows a kept joint.
+  std::vector<Probe> ProbesOf(int kept) const
+  {
+    const Vector3 rest = this->Tree.Rests[this->Joints.Kept[kept]];
+    std::vector<Probe> probes;
+    const auto add = [&](int joint, const Vector3& place, bool isFoot) {
+      Probe probe{ place - rest, isFoot, {} };
+      for (const JointFrame& frame : this->Frames)
       {
-        const Pose right = PoseOf(this->Plants[plant][frame], joint);
-        const Pose& carrier = this->Poses[kept][plant * this->Frames + frame];
-        for (const Vector3& corner : corners)
+        probe.Right.push_back(PoseOf(frame, joint).Of(place - this->Tree.Rests[joint]));
+      }
+      probes.push_back(std::move(probe));
+    };
+    for (const int joint : this->Followers[kept])
+    {
+      for (const Vector3& corner : CornersOf(this->Tree, joint))
+      {
+        add(joint, corner, false);
+      }
+    }
+    for (const int joint : this->Children[kept])
+    {
+      add(joint, this->Tree.Rests[joint], true);
+    }
+    return probes;
+  }
+
+  /// By how much a track is off in a place, at most.
+  std::vector<double> ErrorsOf(const std::vector<Probe>& probes, const std::vector<Pose>& poses) const
+  {
+    std::vector<double> errors;
+    for (const Probe& probe : probes)
+    {
+      double most = 0.0;
+      for (int frame = 0; frame < this->FrameCount(); ++frame)
+      {
+        most = std::max(most, glm::length(poses[frame].Of(probe.Offset) - probe.Right[frame]));
+      }
+      errors.push_back(most);
+    }
+    return errors;
+  }
+
+  bool IsGood(int kept, const std::vector<Probe>& probes, const std::vector<double>& limits,
+    const JointTrack& track) const
+  {
+    for (int frame = 0; frame < this->FrameCount(); ++frame)
+    {
+      const Pose pose = this->PoseAt(kept, track, frame);
+      for (std::size_t probe = 0; probe < probes.size(); ++probe)
+      {
+        if (glm::length(pose.Of(probes[probe].Offset) - probes[probe].Right[frame]) > limits[probe])
         {
-          if (glm::length(right.Of(corner - own) - carrier.Of(corner - other)) > this->Tolerance)
-          {
-            return false;
-          }
+          return false;
         }
       }
     }
     return true;
   }
 
-  /// The tracks of a joint are relative to where the kept one will be, so that errors do not add up.
-  void Keep(int joint, int kept)
+  /// As few samples as the tolerance allows.
+  JointTrack TrackOf(int kept) const
   {
-    const Vector3 rest = this->Tree.Rests[joint];
-    std::vector<Pose> poses;
-    poses.reserve(this->Plants.size() * this->Frames);
-    for (std::size_t plant = 0; plant < this->Plants.size(); ++plant)
+    const std::vector<Probe> probes = this->ProbesOf(kept);
+    const double tolerance = std::max(this->Tolerance, Rounding);
+    JointTrack track = this->Sampled(kept, 1, true);
+    std::vector<double> errors = this->ErrorsOf(probes, this->Played(kept, track));
+    bool isHeld = true;
+    for (std::size_t probe = 0; probe < probes.size(); ++probe)
     {
-      JointTrack track;
-      bool isHeld = true;
-      for (std::size_t frame = 0; frame < this->Frames; ++frame)
+      isHeld = isHeld && (probes[probe].IsFoot || errors[probe] <= tolerance);
+    }
+    if (!isHeld)
+    {
+      track = this->Sampled(kept, 1, false);
+      errors = this->ErrorsOf(probes, this->Played(kept, track));
+    }
+    if (this->Tolerance <= 0.0)
+    {
+      return track;
+    }
+    // What all samples cannot mend is no reason to take more of them.
+    std::vector<double> limits;
+    for (std::size_t probe = 0; probe < probes.size(); ++probe)
+    {
+      const double own = probes[probe].IsFoot ? FootShare * tolerance : tolerance;
+      limits.push_back(std::max(own, errors[probe] + (probes[probe].IsFoot ? 0.1 * tolerance : 0.0)));
+    }
+    return this->Thinned(kept, probes, limits, isHeld, track);
+  }
+
+  JointTrack Thinned(int kept, const std::vector<Probe>& probes, const std::vector<double>& limits, bool isHeld,
+    const JointTrack& all) const
+  {
+    if (isHeld && this->IsGood(kept, probes, limits, this->Still(kept)))
+    {
+      return this->Still(kept);
+    }
+    const int whole = this->FrameCount() - 1;
+    if (whole > Strides[0])
+    {
+      const JointTrack track = this->Sampled(kept, whole, isHeld);
+      if (this->IsGood(kept, probes, limits, track))
       {
-        const Pose right = PoseOf(this->Plants[plant][frame], joint);
-        const Pose below = kept < 0 ? Pose() : this->Poses[kept][plant * this->Frames + frame];
-        const Vector3 foot = kept < 0 ? Vector3(0.0) : this->RestOf(kept);
-        track.Rotations.push_back(Rounded(glm::normalize(glm::conjugate(below.Rotation) * right.Rotation)));
-        track.Translations.emplace_back(glm::conjugate(below.Rotation) * (right.Position - below.Position));
-        isHeld =
-          isHeld && glm::length(right.Position - below.Of(rest - foot)) <= std::max(Rounding, 0.25 * this->Tolerance);
-        poses.push_back({ below.Rotation * RotationOf(track.Rotations.back()), right.Position });
+        return track;
       }
-      if (isHeld)
+    }
+    for (const int stride : Strides)
+    {
+      if (stride <= whole)
       {
-        track.Translations.clear();
-        for (std::size_t frame = 0; frame < this->Frames; ++frame)
+        const JointTrack track = this->Sampled(kept, stride, isHeld);
+        if (this->IsGood(kept, probes, limits, track))
         {
-          const Vector3 foot = kept < 0 ? Vector3(0.0) : this->RestOf(kept);
-          const Pose below = kept < 0 ? Pose() : this->Poses[kept][plant * this->Frames + frame];
-          poses[plant * this->Frames + frame].Position = below.Of(rest - foot);
+          return track;
         }
       }
-      this->Result.Tracks[plant].push_back(std::move(track));
     }
-    this->Result.Kept.push_back(joint);
-    this->Result.Parents.push_back(kept);
-    this->Poses.push_back(std::move(poses));
+    return all;
   }
 };
 
 }
 
+//----------------------------------------------------------------------------
 void JointTree::Box::Add(const Vector3& place)
 {
   const bool isFirst = this->IsEmpty();
@@ -160,9 +431,31 @@ void JointTree::Box::Add(const Vector3& place)
   this->High = isFirst ? place : glm::max(this->High, place);
 }
 
-ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
+//----------------------------------------------------------------------------
+std::vector<int> SampledFrames(int frames, int stride)
 {
-  return Reduction(tree, plants, tolerance).Reduce();
+  std::vector<int> sampled;
+  for (int frame = 0; frame < frames - 1; frame += stride)
+  {
+    sampled.push_back(frame);
+  }
+  sampled.push_back(frames - 1);
+  return sampled;
+}
+
+//----------------------------------------------------------------------------
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance,
+  const ParallelFor& parallelFor)
+{
+  ReducedJoints result = ChooseJoints(tree, plants, LeftOutShare * tolerance);
+  result.Tracks.resize(plants.size());
+  parallelFor(plants.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t plant = begin; plant < end; ++plant)
+    {
+      result.Tracks[plant] = JointSampler(tree, result, plants[plant], tolerance).Sample();
+    }
+  });
+  return result;
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef LittoralJointReduction_h
 #define LittoralJointReduction_h
 
+#include "Numerics/Parallel.h"
 #include "Numerics/Vector3.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -39,12 +40,17 @@ struct JointFrame
   std::vector<glm::vec3> Positions;
 };
 
-/// The motion of a joint relative to the one that it hangs on, a sample a frame.
+/// The motion of a joint relative to the one that it hangs on: samples, with the shortest turn and a straight line
+/// from one to the next.
 struct JointTrack
 {
-  std::vector<std::array<std::int16_t, 4>> Rotations; ///< quaternions x, y, z, w times 32767
+  int Stride = 1; ///< frames from a sample to the next one, see SampledFrames()
+  std::vector<std::array<std::int16_t, 4>> Rotations; ///< quaternions x, y, z, w times 32767; one if always the same
   std::vector<glm::vec3> Translations; ///< [m]; empty where the joint stays at its place at rest on the other
 };
+
+/// Every so manieth frame from the first one on, and the last one.
+std::vector<int> SampledFrames(int frames, int stride);
 
 /// Fewer joints that do nearly what all of them do.
 struct ReducedJoints
@@ -56,10 +62,12 @@ struct ReducedJoints
 };
 
 /**
- * The joints that are needed to move plants of one tree so that no place in the box of a joint is further than the
- * tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps all joints.
+ * The joints and samples that are needed to move plants of one tree so that no place in the box of a joint is further
+ * than the tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps all
+ * joints and samples.
  */
-ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance);
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance,
+  const ParallelFor& parallelFor = SerialFor);
 
 }
 

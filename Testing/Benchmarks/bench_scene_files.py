@@ -50,6 +50,9 @@ def report(what, source, **settings):
         begin = time.perf_counter()
         write_glb(name, {"Forest": source}, **settings)
         seconds, size = time.perf_counter() - begin, os.path.getsize(name)
+    fields = source.GetOutput().GetFieldData()
+    levels = [name for name in ("PlantsHigh", "PlantsMedium", "PlantsLow") if fields.HasArray(name)]
+    what += "".join(f", {int(fields.GetArray(name).GetTuple1(0))} {name[6:]}" for name in levels)
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     print(f"{what}: {size / 1e6:.1f} MB, {seconds:.1f} s, {memory:.2f} GB, load {os.getloadavg()[0]:.1f}")
 

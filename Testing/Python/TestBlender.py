@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes in Blender: counts, places and materials of what VTK has; pictures that go on after an interruption. Skipped
-without Blender."""
+"""Scenes in Blender: counts, places and materials of what VTK has; films that go on after an interruption, full disks, fog,
+motion blur, EEVEE. Skipped without Blender."""
 
 import json
 import os
@@ -10,13 +10,17 @@ import subprocess
 import sys
 import tempfile
 
+import time
+
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import littoral
 from littoral import blender
+from TestFiles import full_disk
 
 if not hasattr(littoral, "vtkGLTFSceneWriter"):
     print("built without tinygltf")
@@ -119,6 +123,130 @@ def check_interruption(file):
     assert all(blender.is_whole(os.path.join("out", name)) for name in os.listdir("out"))
 
 
+def command(*words):
+    return [sys.executable, "-B", "-m", "littoral.blender", *words, "--size", "24", "16", "--samples", "1"]
+
+
+def check_film(file):
+    """A film of 12 frames that is killed in the middle and begun again: whole pictures, those that are there stay."""
+    pictures = [f"film/scene_{frame:04d}.png" for frame in range(12)]
+    killed = subprocess.Popen(command(file, "film", "--frames", "0", "11"), stdout=subprocess.PIPE)
+    until = time.monotonic() + 600.0
+    while not os.path.exists(pictures[4]) and time.monotonic() < until:
+        time.sleep(0.01)
+    killed.kill()
+    killed.wait()
+    killed.stdout.close()
+    made = [picture for picture in pictures if os.path.exists(picture)]
+    assert 5 <= len(made) < 12 and all(blender.is_whole(picture) for picture in made), made
+    for picture in made:
+        os.utime(picture, (1e9, 1e9))
+    ran = subprocess.run(command(file, "film", "--frames", "0", "11"), capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr
+    lines = ran.stdout.splitlines()
+    assert lines[0] == f"{len(made)} of 12 pictures are there" and len(lines) == 13 - len(made), lines
+    assert "s left" in lines[1] and "s left" not in lines[-1], lines
+    assert all(blender.is_whole(picture) for picture in pictures) and os.path.getsize("film/scene.ogv") > 100
+    assert {picture for picture in pictures if os.path.getmtime(picture) == 1e9} == set(made)
+    assert sorted(os.listdir("film")) == sorted([os.path.basename(p) for p in pictures] + ["scene.ogv"])
+
+
+def check_full_disk(file):
+    """One sentence, and the old picture stays, where the disk is full."""
+    with full_disk(8192) as folder:
+        picture = os.path.join(folder, "scene.png")
+        with open(picture, "wb") as old:
+            old.write(b"old")
+        with open(os.path.join(folder, "filler"), "wb") as filler:
+            filler.write(bytes(4096))
+        ran = subprocess.run(command(file, folder), capture_output=True, text=True, check=False)
+        assert ran.returncode == 1 and ran.stderr.count("\n") == 1 and "No space left on device" in ran.stderr, ran.stderr
+        with open(picture, "rb") as old:
+            assert old.read() == b"old"
+        assert sorted(os.listdir(folder)) == ["filler", "scene.png"]
+
+
+def pixels(name):
+    """The picture as numbers [row, column, part], the lowest row first."""
+    reader = vtkPNGReader()
+    reader.SetFileName(name)
+    reader.Update()
+    columns, rows, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, -1).astype(float)
+
+
+def square(velocity=None):
+    """A white square of 1 m about the origin."""
+    points, data = vtkPoints(), vtkPolyData()
+    for x, y in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)):
+        points.InsertNextPoint(x, y, 0.0)
+    data.SetPoints(points)
+    data.Allocate(1)
+    data.InsertNextCell(9, 4, [0, 1, 2, 3])
+    if velocity:
+        array = numpy_to_vtk(np.tile(np.float32(velocity), (4, 1)), deep=True)
+        array.SetName("Velocity")
+        data.GetPointData().AddArray(array)
+    return data
+
+
+ABOVE = dict(camera=((0.0, 0.0, 6.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 40.0), sun=(0.0, 80.0))
+
+
+def check_motion_blur():
+    """What moves by its own width while the shutter is open is twice as wide."""
+    wide = {}
+    write_glb("moving.glb", {"Square": square((float(blender.RATE), 0.0, 0.0))}, WriteVelocity=True, **ABOVE)
+    for blur in (0.0, 1.0):
+        blender.render("moving.glb", "moving.png", size=[96, 64], samples=64, blur=blur)
+        row = pixels("moving.png")[32].sum(axis=1)
+        wide[blur] = int((row > 0.15 * row.max()).sum())
+    assert 1.6 * wide[0.0] < wide[1.0] < 2.1 * wide[0.0], wide
+    write_glb("moving.glb", {"Square": square()}, **ABOVE)
+    blender.render("moving.glb", "moving.png", size=[96, 64], samples=64, blur=1.0)
+    row = pixels("moving.png")[32].sum(axis=1)
+    assert abs(int((row > 0.15 * row.max()).sum()) - wide[0.0]) <= 1, wide
+
+
+def check_fog():
+    """A volume beside the scene, with its grid named density, veils what is behind it."""
+    if not hasattr(littoral, "vtkVDBVolumeWriter"):
+        return
+    image = vtkImageData()
+    image.SetDimensions(9, 9, 9)
+    image.SetOrigin(-2.0, -2.0, 1.0)
+    image.SetSpacing(0.5, 0.5, 0.25)
+    values = numpy_to_vtk(np.full(729, 0.8, np.float32), deep=True)
+    values.SetName("Fog")
+    image.GetPointData().SetScalars(values)
+    writer = littoral.vtkVDBVolumeWriter()
+    writer.SetInputData(image)
+    writer.SetGridName("density")
+    writer.SetFileName("fog.vdb")
+    assert writer.Write()
+    found = {}
+    for name, extras in (("clear", None), ("fog", {"volumes": [{"file": "fog.vdb", "kind": "fog"}]})):
+        write_glb("fog.glb", {"Square": square()}, extras=extras, **ABOVE)
+        ran = subprocess.run([*command("fog.glb", name)[:-2], "--samples", "32"], capture_output=True, text=True, check=False)
+        assert ran.returncode == 0, ran.stderr
+        found[name] = pixels(f"{name}/fog.png").mean(axis=2)
+    middle, aside = (8, 12), (8, 7)  # the square, and fog before nothing
+    assert found["clear"][aside] < 5 and found["fog"][aside] > 20, (found["clear"][aside], found["fog"][aside])
+    contrast = {name: 1.0 - picture[aside] / picture[middle] for name, picture in found.items()}
+    assert contrast["clear"] > 0.9 and contrast["fog"] < 0.8, contrast
+
+
+def check_eevee():
+    """The other engine draws what the path tracer draws."""
+    write_glb("square.glb", {"Square": square()}, **ABOVE)
+    found = {}
+    for engine in ("cycles", "eevee"):
+        blender.render("square.glb", f"{engine}.png", size=[48, 32], samples=16, engine=engine)
+        found[engine] = pixels(f"{engine}.png").mean(axis=2)
+    away = np.abs(found["cycles"] - found["eevee"])
+    assert found["cycles"].max() > 40 and np.median(away) < 3 and away.mean() < 2, (away.mean(), found["cycles"].max())
+
+
 def check_mistakes():
     """Wrong files are refused in one sentence each."""
     for scene_file, text in (("none.glb", "no scene none.glb"), ("broken.glb", "Blender has failed")):
@@ -148,4 +276,9 @@ with tempfile.TemporaryDirectory() as folder:
         sys.exit(125)
     check_contents("scene.glb")
     check_interruption("scene.glb")
+    check_film("scene.glb")
+    check_full_disk("scene.glb")
+    check_motion_blur()
+    check_fog()
+    check_eevee()
     check_mistakes()

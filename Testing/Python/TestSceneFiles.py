@@ -459,7 +459,7 @@ class Motion(Written):
         self.assertLess(error, 0.0002)
         self.assertEqual(len(h.skins[0]["joints"]), block(source.GetOutput(), "High", "Skeleton").GetNumberOfPoints())
         self.assertLess(len(g.skins[0]["joints"]), 0.9 * len(h.skins[0]["joints"]), "the tolerance saves no joints")
-        times = g.array(g.animations[0]["samplers"][0]["input"])[:, 0]
+        times = h.array(h.animations[0]["samplers"][0]["input"])[:, 0]
         np.testing.assert_allclose(times, np.arange(9) / 8.0, atol=1e-7)
 
     def test_a_forest(self):

@@ -33,13 +33,13 @@ class Glb:
     def view(self, index):
         view = self.bufferViews[index]
         first = view.get("byteOffset", 0)
-        return self.binary[first:first + view["byteLength"]]
+        return memoryview(self.binary)[first:first + view["byteLength"]]
 
     def array(self, index):
         """The array of an accessor [tuples, parts]; normalized integers as numbers from -1 to 1."""
         accessor = self.accessors[index]
         kind, parts = TYPES[accessor["componentType"]], PARTS[accessor["type"]]
-        array = np.frombuffer(self.view(accessor["bufferView"]), kind, accessor["count"] * parts)
+        array = np.frombuffer(self.view(accessor["bufferView"]), kind, accessor["count"] * parts, accessor.get("byteOffset", 0))
         array = array.reshape(-1, parts)
         return array / np.iinfo(kind).max if accessor.get("normalized") else array
 
@@ -67,23 +67,26 @@ class Glb:
     def attribute(self, node, name, index=0):
         return self.array(self.primitive(node, index)["attributes"][name])
 
-    def matrices(self, frame=None):
-        """The place of each node in the world, at a frame of the animation."""
-        if frame in self.worlds:
+    def matrices(self, frame=None, time=None):
+        """The place of each node in the world, at a frame of the animation, those of its finest samples, or at a time."""
+        if frame in self.worlds and time is None:
             return self.worlds[frame]
         moved = {}
         if frame is not None:
             for animation in self.animations:
+                frames = {s["input"]: self.array(s["input"])[:, 0] for s in animation["samplers"]}
+                every = max(frames.values(), key=len)
                 for channel in animation["channels"]:
                     sampler = animation["samplers"][channel["sampler"]]
-                    target = channel["target"]
-                    moved[target["node"], target["path"]] = self.array(sampler["output"])
+                    target, at = channel["target"], frames[sampler["input"]]
+                    moved[target["node"], target["path"]] = between(
+                        at, self.array(sampler["output"]), every[frame] if time is None else time, target["path"])
         parents, found = self.parents(), {}
 
         def own(index):
             node = self.nodes[index]
-            turn = moved[index, "rotation"][frame] if (index, "rotation") in moved else node.get("rotation", (0, 0, 0, 1))
-            shift = moved[index, "translation"][frame] if (index, "translation") in moved else node.get("translation", (0, 0, 0))
+            turn = moved.get((index, "rotation"), node.get("rotation", (0, 0, 0, 1)))
+            shift = moved.get((index, "translation"), node.get("translation", (0, 0, 0)))
             return matrix(shift, turn, node.get("scale", (1, 1, 1)))
 
         for first in range(len(self.nodes)):
@@ -119,3 +122,17 @@ def matrix(shift, turn, scale):
     made[:3, :3] *= np.asarray(scale)
     made[:3, 3] = shift
     return made
+
+
+def between(times, values, time, path):
+    """The value at a time: the straight way between two samples, or the shortest turn, at a constant rate."""
+    after = int(np.clip(np.searchsorted(times, time, side="left"), 1, len(times) - 1)) if len(times) > 1 else 0
+    before = max(0, after - 1)
+    share = np.clip((time - times[before]) / (times[after] - times[before]), 0.0, 1.0) if after else 0.0
+    a, b = values[before], values[after]
+    if path != "rotation":
+        return (1.0 - share) * a + share * b
+    a, b = a / np.linalg.norm(a), b / np.linalg.norm(b)
+    b = -b if a @ b < 0.0 else b
+    angle = 2.0 * np.arctan2(np.linalg.norm(a - b), np.linalg.norm(a + b))
+    return a if angle < 1e-9 else (np.sin((1.0 - share) * angle) * a + np.sin(share * angle) * b) / np.sin(angle)

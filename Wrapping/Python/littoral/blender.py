@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and films of scenes by Blender's path tracer.
 
-    ./littoral render SCENE [FOLDER] [--engine cycles|eevee] [--samples N] [--size W H] [--frames A B] [--blend FILE]
+    ./littoral render SCENE [FOLDER] [--engine cycles|eevee] [--samples N] [--size W H] [--frames A B] [--blur SHARE]
+                      [--blend FILE]
 
 SCENE is a scene file (.glb), or a Python file with a function write_scene(filename, frame=0) that writes one, as those in
 Examples/Blender. Without --frames one picture is made, FOLDER/NAME.png; with it FOLDER/NAME_0001.png and so on, and the
@@ -37,8 +38,9 @@ def render(scene, picture=None, blend=None, report=None, **options):
     """Render a scene file (.glb) into a PNG, save it as a .blend, or tell what it holds.
 
     `report` is a JSON file: counts, bounds and kinds of meshes as Blender has them. Options: size (width and height in
-    pixels, default 960 x 540), samples (a pixel, default 48), engine (cycles or eevee). Files are replaced when they are
-    whole. Raises RenderError, and OSError where a file cannot be written.
+    pixels, default 960 x 540), samples (a pixel, default 48), engine (cycles or eevee), frame (of point caches, default
+    0), blur (the share of a frame that the shutter is open, default 0). Files are replaced when they are whole. Raises
+    RenderError, and OSError where a file cannot be written.
     """
     program = shutil.which("blender")
     if not program:
@@ -50,7 +52,7 @@ def render(scene, picture=None, blend=None, report=None, **options):
         made = {name: os.path.join(folder, name) for name in wanted}
         job = os.path.join(folder, "job.json")
         with open(job, "w", encoding="utf-8") as file:
-            json.dump({"scene": os.path.abspath(scene), **made, **options}, file)
+            json.dump({"scene": os.path.abspath(scene), "rate": RATE, **made, **options}, file)
         environment = {name: value for name, value in os.environ.items() if name not in OTHERS}
         ran = subprocess.run(
             [program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job], env=environment,
@@ -74,10 +76,7 @@ def is_whole(picture):
 
 
 def write_scene(scene, filename, frame):
-    """Write the scene file of a frame."""
-    if scene.endswith(".glb"):
-        shutil.copyfile(scene, filename)
-        return
+    """Write the scene file of a frame by a Python file."""
     functions = runpy.run_path(scene)
     if "write_scene" not in functions:
         raise RenderError(f"{scene} has no function write_scene(filename, frame=0).")
@@ -92,9 +91,11 @@ def render_frames(scene, pictures, blend=None, **options):
     begin = time.monotonic()
     for number, frame in enumerate(left, 1):
         with tempfile.TemporaryDirectory(prefix="littoral-") as folder:
-            file = os.path.join(folder, "scene.glb")
-            write_scene(scene, file, frame)
-            render(file, pictures[frame], blend if number == 1 else None, **options)
+            file = scene
+            if not scene.endswith(".glb"):  # those have files beside them
+                file = os.path.join(folder, "scene.glb")
+                write_scene(scene, file, frame)
+            render(file, pictures[frame], blend if number == 1 else None, frame=frame, **options)
         gone = time.monotonic() - begin
         rest = gone / number * (len(left) - number)
         print(f"{pictures[frame]}: {gone:.0f} s" + (f", about {rest:.0f} s left" if rest else ""), flush=True)
@@ -109,17 +110,21 @@ def main(words):
     parser.add_argument("--samples", type=int, default=48, help="of a pixel (default: %(default)s)")
     parser.add_argument("--size", type=int, nargs=2, metavar=("W", "H"), default=(960, 540), help="in pixels")
     parser.add_argument("--frames", type=int, nargs=2, metavar=("A", "B"), help="first and last frame of a film")
+    parser.add_argument("--blur", type=float, default=0.0, metavar="SHARE",
+                        help="motion blur: share of a frame that the shutter is open (default: %(default)s)")
     parser.add_argument("--blend", metavar="FILE", help="also save the scene, to go on by hand")
     given = parser.parse_args(words)
     if min(*given.size, given.samples) < 1:
         parser.error("sizes and samples are above 0")
+    if not 0.0 <= given.blur <= 1.0:
+        parser.error("the share of a frame is 0 to 1")
     if given.frames and given.frames[1] < given.frames[0]:
         parser.error("the last frame is before the first")
     if not os.path.isfile(given.scene):
         parser.error(f"there is no scene {given.scene}")
     os.makedirs(given.folder, exist_ok=True)
     stem = os.path.join(given.folder, os.path.splitext(os.path.basename(given.scene))[0])
-    options = {"engine": given.engine, "samples": given.samples, "size": list(given.size)}
+    options = {"engine": given.engine, "samples": given.samples, "size": list(given.size), "blur": given.blur}
     if not given.frames:
         render_frames(given.scene, {0: f"{stem}.png"}, given.blend, **options)
         return

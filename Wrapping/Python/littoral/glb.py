@@ -26,9 +26,10 @@ def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None,
     writer = _glb_writer(sources, kinds or {}, settings)
     if times is not None:
         writer.WriteMotionOn()
-        writer.SetStartTime(times[0])
-        writer.SetEndTime(times[1])
-        writer.SetFramesPerSecond(times[2] if len(times) > 2 else 24.0)
+        begin, end, rate = motion_of(times)
+        writer.SetStartTime(begin)
+        writer.SetEndTime(end)
+        writer.SetFramesPerSecond(rate)
     if camera is not None:
         _set_camera(writer, camera)
     if sun is not None:
@@ -89,6 +90,11 @@ def _set_camera(writer, camera):
     writer.SetCameraFocalPoint(*focus)
     writer.SetCameraViewUp(*up)
     writer.SetCameraViewAngle(angle)
+
+
+def motion_of(times):
+    """Begin, end and samples a second, 24 if there are only two numbers."""
+    return tuple(float(time) for time in times) if len(times) > 2 else (float(times[0]), float(times[1]), 24.0)
 
 
 def _direction(azimuth, elevation):

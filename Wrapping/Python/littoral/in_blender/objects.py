@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Objects of Blender from the nodes of a scene file: meshes from arrays, plants as instances of geometry nodes."""
 
+import os
+
 import bpy
 import mathutils
 import numpy as np
@@ -13,10 +15,11 @@ TRIANGLES, POINTS = 4, 0
 
 
 class Builder:
-    """Makes the objects of a file; `materials` gives the material of an index and a use."""
+    """Makes the objects of a file; `materials` gives the material of an index and a use, `caches` the point cache of the
+    node of a name."""
 
-    def __init__(self, file, materials):
-        self.file, self.materials = file, materials
+    def __init__(self, file, materials, caches):
+        self.file, self.materials, self.caches = file, materials, caches
         self.meshes, self.places = {}, {}
         self.prototypes = bpy.data.collections.new("Prototypes")  # in no scene: drawn by their instances alone
 
@@ -28,7 +31,7 @@ class Builder:
                 continue
             instances = self.file.instances(node)
             if instances is None:
-                self._add(node.get("name", "Mesh"), self._mesh((node["mesh"],)), matrix)
+                self._follow(node, self._add(node.get("name", "Mesh"), self._mesh((node["mesh"],)), matrix))
                 self._add_particles(node, matrix)
                 continue
             attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]
@@ -50,6 +53,21 @@ class Builder:
         thing.matrix_world = mathutils.Matrix(matrix.tolist())
         bpy.context.scene.collection.objects.link(thing)
         return thing
+
+    def _follow(self, node, thing):
+        """Let the vertices of an object follow the point cache of its node, if there is one."""
+        path = self.caches.get(node.get("name"))
+        if path is None or thing is None:
+            return
+        with open(path, "rb") as file:
+            header = file.read(32)
+        points, samples = (int.from_bytes(header[at:at + 4], "little") for at in (16, 28))
+        if points != len(thing.data.vertices):
+            raise ValueError(f"{path} has {points} points, and {node.get('name')} {len(thing.data.vertices)}")
+        cache = thing.modifiers.new("Motion", "MESH_CACHE")
+        cache.cache_format, cache.filepath, cache.frame_start = "PC2", os.path.abspath(path), 1
+        cache.forward_axis, cache.up_axis = "POS_Y", "POS_Z"
+        bpy.context.scene.frame_end = max(bpy.context.scene.frame_end, samples)
 
     def _mesh(self, indices):
         """A mesh with the triangles of meshes of the file; None if they have none."""
@@ -85,6 +103,9 @@ class Builder:
             at = np.concatenate([self._attribute(part, "TEXCOORD_0", p, (0.0, 0.0)) for part, p in zip(parts, points)])
             layer = mesh.uv_layers.new(name="UVMap")
             layer.data.foreach_set("uv", (at * (1, -1) + (0, 1)).astype(np.float32)[triangles.ravel()].ravel())
+        if any("_VELOCITY" in part["attributes"] for part in parts):
+            speeds = [self._attribute(part, "_VELOCITY", p, (0.0, 0.0, 0.0)) for part, p in zip(parts, points)]
+            _set_attribute(mesh, "velocity", np.concatenate(speeds))
         mesh.update()
         return mesh
 
@@ -122,8 +143,11 @@ class Builder:
             places = self.file.array(part["attributes"]["POSITION"])
             radius = self._attribute(part, "_RADIUS", places, (0.01,))[chosen, 0]
             colors = self._attribute(part, "COLOR_0", places, (1.0, 1.0, 1.0))[chosen, :3]
-            cloud = _cloud(f"{node.get('name', 'Points')} points", places[chosen], size=radius, tint=colors)
+            speeds = self._attribute(part, "_VELOCITY", places, (0.0, 0.0, 0.0))[chosen]
+            some = {"velocity": speeds} if "_VELOCITY" in part["attributes"] else {}
+            cloud = _cloud(f"{node.get('name', 'Points')} points", places[chosen], size=radius, tint=colors, **some)
             thing = self._add(cloud.name, cloud, matrix)
+            self._follow(node, thing)
             thing.modifiers.new("Spheres", "NODES").node_group = _spheres(self.materials.get(part.get("material")))
 
     def _add_camera(self, about, matrix):
@@ -141,10 +165,15 @@ def _cloud(name, places, **attributes):
     mesh.vertices.add(len(places))
     mesh.vertices.foreach_set("co", np.float32(places).ravel())
     for attribute, values in attributes.items():
-        kind, field = ("FLOAT", "value") if values.ndim == 1 else ("FLOAT_VECTOR", "vector")
-        mesh.attributes.new(attribute, kind, "POINT").data.foreach_set(field, np.float32(values).ravel())
+        _set_attribute(mesh, attribute, values)
     mesh.update()
     return mesh
+
+
+def _set_attribute(mesh, name, values):
+    """An attribute of the vertices, of one or three numbers each."""
+    kind, field = ("FLOAT", "value") if values.ndim == 1 else ("FLOAT_VECTOR", "vector")
+    mesh.attributes.new(name, kind, "POINT").data.foreach_set(field, np.float32(values).ravel())
 
 
 def _named(tree, name, kind="FLOAT_VECTOR"):

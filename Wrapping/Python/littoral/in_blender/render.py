@@ -3,7 +3,8 @@
 """Makes a scene of Blender from a scene file and renders it: blender -b -P render.py -- JOB.json
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
-engine; report, a JSON file to write with what the scene holds.
+engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of a frame that the shutter is
+open; report, a JSON file to write with what the scene holds.
 """
 
 import json
@@ -37,9 +38,11 @@ def build(path):
         surfaces, low, high = water_box(file)
         water.focus(surfaces, eye(file), low[2])
         water.enclose(low, high)
+    folder = os.path.dirname(os.path.abspath(path))
     for volume in extras.get("volumes", []):
-        add_volume(os.path.join(os.path.dirname(os.path.abspath(path)), volume["file"]), volume.get("kind"))
-    Builder(file, Materials(file, None if is_below else air, water if is_below else None)).build()
+        add_volume(os.path.join(folder, volume["file"]), volume.get("kind"))
+    caches = {name: os.path.join(folder, cache) for name, cache in extras.get("caches", {}).items()}
+    Builder(file, Materials(file, None if is_below else air, water if is_below else None), caches).build()
     return file, extras
 
 
@@ -91,6 +94,9 @@ def set_quality(job, extras):
     scene.render.resolution_percentage = 100
     scene.render.image_settings.file_format = "PNG"
     scene.render.image_settings.color_mode = "RGB"
+    scene.render.fps = job.get("rate", 12)
+    scene.frame_set(1 + job.get("frame", 0))
+    versions.set_shutter(scene, job.get("blur", 0.0))
     versions.set_film(scene, extras.get("exposure", 0.0))
     samples = job.get("samples", 48)
     if job.get("engine", "cycles") == "eevee":

@@ -50,8 +50,9 @@ class Shading:
         return self.node("MixRGB", {"Fac": factor, "Color1": a, "Color2": b})
 
     def mix(self, factor, a, b):
-        """A shader from a to b as the factor goes from 0 to 1."""
-        return self.node("MixShader", {"Fac": factor, 1: a, 2: b})
+        """A shader from a to b as the factor goes from 0 to 1; one that is None reflects nothing."""
+        given = {index: shader for index, shader in ((1, a), (2, b)) if shader is not None}
+        return self.node("MixShader", {"Fac": factor, **given})
 
     def attribute(self, name, output="Color", kind="GEOMETRY"):
         return self.node("Attribute", output=output, attribute_type=kind, attribute_name=name)

@@ -78,3 +78,12 @@ def no_lamp(material):
         material.cycles.emission_sampling = "NONE"
     else:
         material.cycles.sample_as_light = False
+
+
+def set_shutter(scene, share):
+    """The share of a frame that the shutter is open; up to 4.1 EEVEE had settings of its own."""
+    for settings, switch in ((scene.render, "use_motion_blur"), (scene.eevee, "use_motion_blur")):
+        if hasattr(settings, switch):
+            setattr(settings, switch, share > 0.0)
+        if share > 0.0 and hasattr(settings, "motion_blur_shutter"):
+            settings.motion_blur_shutter = share

@@ -74,8 +74,8 @@ class Water:
         return s.node("CombineXYZ", dict(enumerate(parts)))
 
     def before(self, s, shader):
-        """A shader with the light that the water before it scatters to the eye."""
-        return s.node("AddShader", {0: shader, 1: self.veil(s)})
+        """A shader with the light that the water before it scatters to the eye; other rays do not compute it."""
+        return s.node("AddShader", {0: shader, 1: s.mix(self.seen(s), None, self.veil(s))})
 
     def veil(self, s):
         """Sunlight, decaying with depth, scattered along the ray to the eye, as a glow."""
@@ -97,7 +97,7 @@ class Water:
         phase = s.math("DIVIDE", 1.0 - FORWARD**2, s.math("POWER", base, 1.5))
         once = s.math("MULTIPLY", phase, self.focus_along(s, start, back, way))
         strength = s.math("MULTIPLY", s.math("ADD", once, OFTEN), self.light / (4.0 * math.pi))
-        return s.node("Emission", {"Color": color, "Strength": s.math("MULTIPLY", strength, self.seen(s))})
+        return s.node("Emission", {"Color": color, "Strength": strength})
 
     def focus_along(self, s, start, back, way):
         """The mean focus of light along a ray, by looks at random places, more of them near its start."""
@@ -162,7 +162,7 @@ class Water:
         material.use_nodes = True
         versions.no_lamp(material)
         s = Shading(material.node_tree)
-        s.end(self.veil(s))
+        s.end(s.mix(self.seen(s), None, self.veil(s)))
         mesh.materials.append(material)
         thing = bpy.data.objects.new("Far water", mesh)
         thing.visible_shadow = thing.visible_diffuse = False
