@@ -110,6 +110,7 @@ struct Plants
 {
   std::vector<littoral::DataStamp> Stamps;
   std::vector<double> Numbers; ///< properties that they depend on
+  std::vector<std::string> Names;
   std::vector<littoral::PlantPlace> Places;
   std::unique_ptr<littoral::SceneCells> Cells;
 };
@@ -146,6 +147,9 @@ struct vtkPlantScatterFilter::Request
 vtkPlantScatterFilter::vtkPlantScatterFilter()
   : Seed(1)
   , ScaleVariation(0.15)
+  , UseDimensions(true)
+  , HeightArray(nullptr)
+  , DiameterArray(nullptr)
   , TintVariation(0.08)
   , SlopeLimit(90.0)
   , HeightRange{ -1e30, 1e30 }
@@ -157,6 +161,8 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
 {
+  this->SetHeightArray("Height");
+  this->SetDiameterArray("DBH");
   this->NearDistance = 30.0;
   this->FarDistance = 130.0;
   this->SetNumberOfInputPorts(3);
@@ -164,7 +170,11 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
 }
 
 //----------------------------------------------------------------------------
-vtkPlantScatterFilter::~vtkPlantScatterFilter() = default;
+vtkPlantScatterFilter::~vtkPlantScatterFilter()
+{
+  this->SetHeightArray(nullptr);
+  this->SetDiameterArray(nullptr);
+}
 
 //----------------------------------------------------------------------------
 void vtkPlantScatterFilter::SetWeight(int prototype, double weight)
@@ -364,11 +374,18 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   {
     options.Weights.push_back(this->GetWeight(prototype));
   }
+  littoral::DimensionArrays dimensions;
+  if (this->UseDimensions)
+  {
+    dimensions.Height = this->HeightArray ? this->HeightArray : "";
+    dimensions.Diameter = this->DiameterArray ? this->DiameterArray : "";
+  }
   const std::vector<littoral::DataStamp> stamps{ littoral::StampOf(sites), littoral::StampOf(terrain) };
   std::vector<double> numbers{ static_cast<double>(this->Seed), this->ScaleVariation, this->TintVariation,
     this->SlopeLimit, this->HeightRange[0], this->HeightRange[1], this->PlantsPerCell };
   numbers.insert(numbers.end(), options.Weights.begin(), options.Weights.end());
-  if (reason.empty() && stamps == scene.Stamps && numbers == scene.Numbers)
+  const std::vector<std::string> names{ dimensions.Height, dimensions.Diameter };
+  if (reason.empty() && stamps == scene.Stamps && numbers == scene.Numbers && names == scene.Names)
   {
     return true;
   }
@@ -376,7 +393,9 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   this->SetProgressText("Placing plants");
   const littoral::GroundLimits limits{ this->SlopeLimit * Degree, this->HeightRange[0], this->HeightRange[1] };
   reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
-  reason = reason.empty() ? littoral::PlacePlants(sites, terrain, options, limits, scene.Places) : reason;
+  reason = reason.empty() ? littoral::PlacePlants(
+                                sites, terrain, options, limits, scene.Places, dimensions, this->Internals->Species.Stems)
+                          : reason;
   if (!reason.empty())
   {
     littoralErrorMacro("Cannot scatter plants: " << reason);
@@ -392,6 +411,7 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   scene.Cells = std::make_unique<littoral::SceneCells>(feet, boxes, this->PlantsPerCell);
   scene.Stamps = stamps;
   scene.Numbers = numbers;
+  scene.Names = names;
   return true;
 }
 
@@ -520,6 +540,9 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "ScaleVariation: " << this->ScaleVariation << "\n";
+  os << indent << "UseDimensions: " << this->UseDimensions << "\n";
+  os << indent << "HeightArray: " << (this->HeightArray ? this->HeightArray : "(none)") << "\n";
+  os << indent << "DiameterArray: " << (this->DiameterArray ? this->DiameterArray : "(none)") << "\n";
   os << indent << "TintVariation: " << this->TintVariation << "\n";
   os << indent << "SlopeLimit: " << this->SlopeLimit << "\n";
   os << indent << "HeightRange: " << this->HeightRange[0] << " " << this->HeightRange[1] << "\n";

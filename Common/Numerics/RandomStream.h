@@ -43,6 +43,9 @@ enum class RandomPurpose : std::uint32_t
   ParticleSizes = 65,
   ParticleOrientations = 66,
   SlaveOffsets = 72,
+  StandDiameters = 90,
+  StandHeights = 91,
+  SitePreferences = 92,
 };
 
 /**

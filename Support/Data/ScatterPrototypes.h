@@ -9,6 +9,7 @@
 #include "Data/PlantMerge.h"
 #include "Geometry/TextureAtlas.h"
 #include "Plants/PlantScatter.h"
+#include "Plants/StemShape.h"
 
 #include "vtkFieldData.h"
 
@@ -61,6 +62,7 @@ struct ScatterPrototypes
 {
   std::vector<PlantPart> Parts;
   std::vector<PlantExtent> Extents;
+  std::vector<StemShape> Stems;
   TextureImage CrownAtlas;
   TextureImage LeafAtlas;
   PlantPart FacingLow; ///< one card a plant, not placed yet; plants without an impostor as in Low

@@ -30,16 +30,22 @@ struct SiteArrays
   vtkDataArray* Species = nullptr;
   vtkDataArray* Scale = nullptr;
   vtkDataArray* Azimuth = nullptr;
+  vtkDataArray* Height = nullptr;
+  vtkDataArray* Diameter = nullptr;
 
-  SiteArrays(vtkPointSet* sites, std::string& reason)
+  SiteArrays(vtkPointSet* sites, const DimensionArrays& dimensions, std::string& reason)
   {
     ArrayReader points = ArrayReader::OfPoints(sites, "a set of sites");
     this->SiteId = points.Find("SiteId", 1);
     this->Species = points.Find("Species", 1);
     this->Scale = points.Find("Scale", 1);
     this->Azimuth = points.Find("Azimuth", 1);
+    this->Height = dimensions.Height.empty() ? nullptr : points.Find(dimensions.Height.c_str(), 1);
+    this->Diameter = dimensions.Diameter.empty() ? nullptr : points.Find(dimensions.Diameter.c_str(), 1);
     reason = points.Reason();
   }
+
+  bool HasDimensions() const { return this->Height || this->Diameter; }
 };
 
 /// Whether a number identifies a site. Its fraction does not count.
@@ -93,6 +99,23 @@ bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDraws& d
   return true;
 }
 
+/// Gives the plant at a site the dimensions that it has there. False, with the reason, if it cannot have them.
+bool FitPlace(const SiteArrays& arrays, const std::vector<StemShape>& stems, PlantPlace& place, std::string& reason)
+{
+  const std::string ofSite = " of site " + std::to_string(place.Site);
+  TreeDimensions tree{ 1.0, 1.0 }; // what is not given is good
+  tree.Height = arrays.Height ? arrays.Height->GetComponent(place.Site, 0) : tree.Height;
+  tree.Diameter = arrays.Diameter ? arrays.Diameter->GetComponent(place.Site, 0) : tree.Diameter;
+  reason = WhyInvalid(tree, ofSite);
+  if (reason.empty())
+  {
+    const std::string why = stems[place.Species].Fit(
+      { arrays.Height ? tree.Height : 0.0, arrays.Diameter ? tree.Diameter : 0.0 }, place);
+    reason = why.empty() ? why : "the plant" + ofSite + " cannot have a DBH: " + why;
+  }
+  return reason.empty();
+}
+
 /// The terrain as the numerics see it. False, with the reason, if it is none.
 bool MakeGrid(vtkImageData* terrain, HeightGrid& grid, std::string& reason)
 {
@@ -134,7 +157,8 @@ bool MakeGrid(vtkImageData* terrain, HeightGrid& grid, std::string& reason)
 }
 
 std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
-  const GroundLimits& limits, std::vector<PlantPlace>& places)
+  const GroundLimits& limits, std::vector<PlantPlace>& places, const DimensionArrays& dimensions,
+  const std::vector<StemShape>& stems)
 {
   const vtkIdType count = sites->GetNumberOfPoints();
   const double bytes = sizeof(PlantPlace) + 2.0 * sizeof(Box);
@@ -144,12 +168,15 @@ std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const Scatter
   }
   places.resize(static_cast<std::size_t>(count));
   std::string reason;
-  const SiteArrays arrays(sites, reason);
+  const SiteArrays arrays(sites, dimensions, reason);
   const PlantDraws draws(options);
   const int species = static_cast<int>(options.Weights.size());
   for (vtkIdType site = 0; site < count && reason.empty(); ++site)
   {
-    MakePlace(sites, arrays, draws, species, site, places[site], reason);
+    if (MakePlace(sites, arrays, draws, species, site, places[site], reason) && arrays.HasDimensions())
+    {
+      FitPlace(arrays, stems, places[site], reason);
+    }
   }
   HeightGrid grid;
   if (reason.empty() && terrain && MakeGrid(terrain, grid, reason))
