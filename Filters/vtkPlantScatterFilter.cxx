@@ -482,7 +482,8 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const double bytes = littoral::InstanceBytes(request.Shown.size());
+  const std::vector<littoral::PlantPlace>& places = this->Internals->Scene.Places;
+  const double bytes = littoral::InstanceBytes(request.Shown.size(), littoral::HasGirths(places));
   const double available = littoral::AvailableMemory();
   if (bytes > available)
   {
@@ -490,7 +491,6 @@ bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDa
                        << available / Gigabyte << " GB are free. Switch on UseCulling, or set VisibleDistance.");
     return false;
   }
-  const std::vector<littoral::PlantPlace>& places = this->Internals->Scene.Places;
   output->ShallowCopy(this->Internals->Species.Levels);
   littoral::ReplaceBlock(output, InstancesBlock, littoral::InstancesOf(places, request.Shown));
   const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);

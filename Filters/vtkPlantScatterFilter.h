@@ -192,7 +192,7 @@ public:
   ///@{
   /**
    * Plants merged into a block for each part of each level, or as instances: points that refer to blocks
-   * of prototypes; default Merged. Instances take 84 bytes a plant, and far ones are the Low of their prototypes
+   * of prototypes; default Merged. Instances take 84 bytes a plant, or 92 with dimensions, and far ones are the Low of their prototypes
    * whatever FaceCamera is.
    */
   vtkSetMacro(OutputForm, int);

@@ -68,10 +68,11 @@ private:
 
 }
 
-double InstanceBytes(std::size_t plants)
+double InstanceBytes(std::size_t plants, bool hasGirths)
 {
   // Position, rotation, scale, tint; prototype, plant, species, level; identity; vertex with its offset.
-  constexpr double onePlant = (3 + 4 + 3 + 3) * sizeof(float) + 4 * sizeof(int) + 8 + 2 * sizeof(vtkIdType);
+  const double scales = hasGirths ? 3.0 : 1.0;
+  const double onePlant = (3 + 4 + scales + 3) * sizeof(float) + 4 * sizeof(int) + 8 + 2 * sizeof(vtkIdType);
   return onePlant * static_cast<double>(plants);
 }
 

@@ -18,8 +18,8 @@ namespace littoral
 /// Whether a plant has other proportions than its prototype, so that tables and instances say so of all.
 bool HasGirths(const std::vector<PlantPlace>& places);
 
-/// Bytes of the table of a plant.
-inline constexpr double TableBytes = 68.0;
+/// Bytes of the table of a plant, without its girth.
+inline constexpr double TableBytes = 60.0;
 
 /// Writes a row for each plant that is shown.
 void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, vtkFieldData* fields);

@@ -297,9 +297,9 @@ TEST(StandSpecies, TablesOfUsers)
   EXPECT_EQ(own.RowOf("oak", "Ginkgo biloba"), 0);
   EXPECT_EQ(own.RowOf("oak", ""), -1);
   const auto why = [](const char* text) {
-    std::string reason;
-    StandSpeciesTable(ReadLines(text), reason);
-    return reason;
+    std::string bad;
+    const StandSpeciesTable table(ReadLines(text), bad);
+    return bad;
   };
   EXPECT_TRUE(Says(why("name,kind\na,b\n"), "needs the columns species and kind"));
   EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,spline,1,1,1\n"), "row 1 of the table of species (yew)"));
