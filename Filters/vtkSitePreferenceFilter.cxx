@@ -230,9 +230,9 @@ int vtkSitePreferenceFilter::FillInputPortInformation(int port, vtkInformation* 
 {
   const char* types[] = { "vtkPointSet", "vtkImageData", "vtkTable" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
-  if (port == PreferencesPort)
+  if (port != SitesPort)
   {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // no terrain: our own, clearer message
   }
   return 1;
 }
@@ -265,7 +265,8 @@ int vtkSitePreferenceFilter::RequestData(
 {
   std::string reason;
   auto* sites = littoral::InputOf<vtkPointSet>(inputVector[SitesPort], "Sites", reason);
-  auto* terrain = littoral::InputOf<vtkImageData>(inputVector[TerrainPort], "Terrain", reason);
+  auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputVector[TerrainPort], "Terrain", reason);
+  reason = reason.empty() && !terrain ? "there is no terrain; connect one to Terrain." : reason;
   auto* table = littoral::OptionalInputOf<vtkTable>(inputVector[PreferencesPort], "Preferences", reason);
   Species species = littoral::UsualPreferences();
   if (reason.empty() && table)

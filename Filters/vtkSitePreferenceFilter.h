@@ -26,7 +26,7 @@
  * [degrees], and `Wetness` if the terrain has a DrainageArea. Field data: `SpeciesNames`. A site's fate depends on Seed
  * and its SiteId alone.
  *
- * A table that holds no preferences, a preference for wetness on a terrain without DrainageArea, a Species that has no
+ * A table that holds no preferences, no terrain, a preference for wetness on a terrain without DrainageArea, a Species that has no
  * row, and a site beyond the terrain are reported as one error.
  *
  * @sa vtkPlantScatterFilter

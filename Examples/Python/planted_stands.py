@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 
 import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
@@ -31,17 +32,18 @@ PICTURE = (1500, 700)  # pixels
 MAP = 0.42  # part of the width
 GROUND = (0.40, 0.40, 0.22)
 SKY = ((0.93, 0.95, 0.96), (0.62, 0.76, 0.90))
-COLORS = {"Pine": (0.16, 0.40, 0.24), "Oak": (0.42, 0.56, 0.20), "Birch": (0.72, 0.72, 0.30)}
+#: Of species on the map, in the order of their numbers.
+COLORS = ((0.30, 0.52, 0.30), (0.80, 0.56, 0.22), (0.42, 0.50, 0.62), (0.66, 0.34, 0.28), (0.56, 0.62, 0.24), (0.55, 0.45, 0.60))
 
 #: What R writes, and how it is read, for each inventory.
 LONGLEAF = ("write.csv(data.frame(x=longleaf$x, y=longleaf$y, dbh=longleaf$marks, species='longleaf pine'), "
             "file='{}', row.names=FALSE)")
 LANSING = "write.csv(data.frame(x=lansing$x, y=lansing$y, species=lansing$marks), file='{}', row.names=FALSE)"
 STANDS = (
-    ("longleaf", LONGLEAF, {}, "Longleaf pines, 4 ha in Georgia", (100.0, -3.0, 1.8), 12.0),
+    ("longleaf", LONGLEAF, {}, "Longleaf pines, 4 ha in Georgia", (85.0, -42.0, 38.0), (0.0, -17.0)),
     # 924 feet scaled to 1; two trees have the same place.
     ("lansing", LANSING, {"PlaceScale": 924.0, "units": {"place": "ft"}, "AllowCoincident": True},
-     "Lansing Woods, 7.9 ha in Michigan", (140.0, -3.0, 1.8), 12.0),
+     "Lansing Woods, 7.9 ha in Michigan", (140.0, -3.0, 1.8), (0.0, 10.0)),
 )
 
 
@@ -52,11 +54,20 @@ def inventory(command, filename):
         subprocess.run(["Rscript", "-e", script], capture_output=True, check=False).returncode == 0
 
 
+def species_of(trees):
+    """Names of the species, the most frequent first."""
+    names = trees.GetPointData().GetAbstractArray("SpeciesName")
+    counts = Counter(names.GetValue(k) for k in range(names.GetNumberOfValues()))
+    return [name for name, _ in counts.most_common()]
+
+
 def disks(trees):
-    """The crowns on the ground, with colors of their kinds."""
+    """The crowns on the ground, with colors of their species."""
     places = vtk_to_numpy(trees.GetPoints().GetData())
     radii = 0.5 * stand.numbers(trees, "CrownDiameter")
-    kinds = [COLORS[kind] for kind in stand.words(trees, "Kinds")]
+    color = {name: COLORS[k % len(COLORS)] for k, name in enumerate(species_of(trees))}
+    names = trees.GetPointData().GetAbstractArray("SpeciesName")
+    own = np.array([color[names.GetValue(k)] for k in range(len(places))])
     angles = np.arange(24) * 2.0 * np.pi / 24.0
     ring = np.column_stack((np.cos(angles), np.sin(angles), np.zeros(24)))
     order = np.argsort(-radii)
@@ -66,8 +77,8 @@ def disks(trees):
     points.SetData(numpy_to_vtk(corners.reshape(-1, 3), deep=True))
     for k in range(len(order)):
         cells.InsertNextCell(24, range(24 * k, 24 * k + 24))
-    colors = np.repeat([kinds[k] for k in stand.numbers(trees, "Species")[order]], 24, axis=0)
-    colors *= 0.85 + 0.15 * np.random.default_rng(1).random((len(order), 1)).repeat(24, axis=0)
+    shade = 0.85 + 0.15 * np.random.default_rng(1).random((len(order), 1))
+    colors = np.repeat(own[order] * shade, 24, axis=0)
     rgb = numpy_to_vtk((255.0 * colors).astype(np.uint8), deep=True)
     data.SetPoints(points)
     data.SetPolys(cells)
@@ -94,24 +105,29 @@ def draw_map(trees, title, window):
     x0, x1, y0, y1 = trees.GetBounds()[:4]
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
-    camera.SetFocalPoint(0.5 * (x0 + x1), 0.5 * (y0 + y1) + 0.03 * (y1 - y0), 0.0)
-    camera.SetPosition(0.5 * (x0 + x1), 0.5 * (y0 + y1) + 0.03 * (y1 - y0), 100.0)
-    camera.SetParallelScale(0.56 * (y1 - y0))
+    camera.SetFocalPoint(0.5 * (x0 + x1), 0.5 * (y0 + y1), 0.0)
+    camera.SetPosition(0.5 * (x0 + x1), 0.5 * (y0 + y1), 100.0)
+    camera.SetParallelScale(0.60 * (y1 - y0))
     window.AddRenderer(renderer)
-    renderer.AddActor(label(title, (0.5, 0.97), 44, INK))  # twice the size, which is halved again
+    # Letters of twice their height: the picture is halved.
+    renderer.AddActor(label(title, (0.5, 0.985), 44, INK))
+    for k, name in enumerate(species_of(trees)):
+        place = (k + 0.5) / len(species_of(trees)), 0.055
+        renderer.AddActor(label(name, place, 34, tuple(0.75 * c for c in COLORS[k % len(COLORS)])))
     renderer.ResetCameraClippingRange()
 
 
 def draw_wood(trees, eye, heading, window):
-    """The planted trees from inside the wood, in the right part of a window. heading: up from level [degrees]."""
+    """The planted trees, in the right part of a window. heading: from north to east, and up from level [degrees]."""
     renderer = vtkRenderer()
     renderer.SetViewport(MAP, 0.0, 1.0, 1.0)
     renderer.SetBackground(*SKY[0])
     renderer.SetBackground2(*SKY[1])
     renderer.GradientBackgroundOn()
     aspect = (1.0 - MAP) * PICTURE[0] / PICTURE[1]
-    forest = stand.plant(trees, UseLevels=True, UseCulling=True, NearDistance=45.0, FarDistance=110.0)
-    towards = (0.0, np.cos(np.radians(heading)), np.sin(np.radians(heading)))
+    forest = stand.plant(trees, UseLevels=True, UseCulling=True, NearDistance=90.0, FarDistance=200.0)
+    azimuth, up = np.radians(heading)
+    towards = (np.sin(azimuth) * np.cos(up), np.cos(azimuth) * np.cos(up), np.sin(up))
     forest.SetViewPoint(*eye)
     forest.SetViewDirection(*towards)
     forest.SetViewAngle(58.0)
@@ -122,9 +138,9 @@ def draw_wood(trees, eye, heading, window):
             renderer.AddActor(actor)
     x0, x1, y0, y1 = trees.GetBounds()[:4]
     ground = vtkPlaneSource()
-    ground.SetOrigin(x0 - 300.0, y0 - 30.0, 0.0)
-    ground.SetPoint1(x1 + 300.0, y0 - 30.0, 0.0)
-    ground.SetPoint2(x0 - 300.0, y1 + 600.0, 0.0)
+    ground.SetOrigin(x0 - 900.0, y0 - 90.0, 0.0)
+    ground.SetPoint1(x1 + 900.0, y0 - 90.0, 0.0)
+    ground.SetPoint2(x0 - 900.0, y1 + 1500.0, 0.0)
     ground.Update()
     floor = actor_of(ground.GetOutput(), 0.3)
     floor.GetProperty().SetColor(*GROUND)
@@ -135,7 +151,7 @@ def draw_wood(trees, eye, heading, window):
     camera.SetFocalPoint(*(e + t for e, t in zip(eye, towards)))
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(58.0)
-    renderer.ResetCameraClippingRange()
+    camera.SetClippingRange(0.5, 2500.0)
     window.AddRenderer(renderer)
     return forest
 

@@ -291,6 +291,7 @@ bool BadPreferences()
     species->SetValue(2, 5);
     s.Sites->GetPointData()->AddArray(species);
   });
+  good &= fails("there is no terrain", [](Slope& s) { s.Filter->RemoveAllInputConnections(1); });
   good &= fails("one layer", [](Slope& s) { s.Terrain->SetDimensions(11, 1, 1); });
   return good;
 }

@@ -32,6 +32,8 @@ RECIPES = {
     "vtkWindStatisticsFilter": (("vtkWindFieldSource",), {}),
     "vtkSeaStatisticsFilter": (SEA, {}),
     "vtkQuadratAnalysisFilter": (("vtkQuadratPointSource",), {}),
+    "vtkStandInventoryFilter": (SEA, {"SetXColumn": ("Direction",), "SetYColumn": ("Phase",)}),
+    "vtkSitePreferenceFilter": (("vtkQuadratPointSource", "vtkTurningBandsTerrainSource"), {}),
     "vtkTerrainLevelOfDetailFilter": (("vtkTurningBandsTerrainSource",), {}),
     "vtkPlantScatterFilter": (("vtkQuadratPointSource", *WOOD, "vtkTurningBandsTerrainSource"), {}),
     "vtkBeamTreeDeformationFilter": ((*WOOD, "vtkWindFieldSource"), {"SetTextureSize": (16, 8)}),
