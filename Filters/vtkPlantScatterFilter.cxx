@@ -393,9 +393,9 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   this->SetProgressText("Placing plants");
   const littoral::GroundLimits limits{ this->SlopeLimit * Degree, this->HeightRange[0], this->HeightRange[1] };
   reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
-  reason = reason.empty() ? littoral::PlacePlants(
-                                sites, terrain, options, limits, scene.Places, dimensions, this->Internals->Species.Stems)
-                          : reason;
+  reason = reason.empty()
+    ? littoral::PlacePlants(sites, terrain, options, limits, scene.Places, dimensions, this->Internals->Species.Stems)
+    : reason;
   if (!reason.empty())
   {
     littoralErrorMacro("Cannot scatter plants: " << reason);

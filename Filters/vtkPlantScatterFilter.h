@@ -35,12 +35,12 @@
  *
  * With OutputForm Instances, output 0 has the block `Instances`, a vertex for each shown plant at its foot, with the
  * point arrays `Prototype` (1 + 3 Species + Level, the index of another block), `Rotation` (quaternion w, x, y, z),
- * `Scale` (one value, or x, y and z if a site has DBH and Height), `Tint` (factors of red, green and blue, for all but the wood), `PlantId`, `SiteId`, `Species` and `Level`;
- * and then a block for each level of each prototype, as it is there: `0 High` {`Skin`, `Leaves`}, `0 Medium` {`Trunk`,
- * `Crown`}, `0 Low` {`Low`}, `1 High` and so on. Their parts have the field arrays `Prototype`, the same index, and
- * `Tinted` and `Seaweed`, 0 or 1. A plant is its prototype scaled, rotated and moved to the point, as vtkGlyph3DMapper
- * does with SourceIndexing, this output as SourceTableTree, quaternions, and three scales by components. The counters are field data, as of merged
- * plants.
+ * `Scale` (one value, or x, y and z if a site has DBH and Height), `Tint` (factors of red, green and blue, for all but
+ * the wood), `PlantId`, `SiteId`, `Species` and `Level`; and then a block for each level of each prototype, as it is
+ * there: `0 High` {`Skin`, `Leaves`}, `0 Medium` {`Trunk`, `Crown`}, `0 Low` {`Low`}, `1 High` and so on. Their parts
+ * have the field arrays `Prototype`, the same index, and `Tinted` and `Seaweed`, 0 or 1. A plant is its prototype
+ * scaled, rotated and moved to the point, as vtkGlyph3DMapper does with SourceIndexing, this output as SourceTableTree,
+ * quaternions, and three scales by components. The counters are field data, as of merged plants.
  *
  * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is
  * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are
@@ -103,8 +103,8 @@ public:
    * Trees with the dimensions of their sites, where the sites have the arrays HeightArray or DiameterArray; default on.
    * The highest point of a plant is then its height above the foot, and the girth of its stem 1.3 m above the foot is
    * pi times its diameter; in a tree lower than 2.6 m the stem is measured at half the height. Scale and
-   * ScaleVariation do not count. With both arrays a plant is its prototype scaled by one factor in height and another in
-   * width; with one of them it keeps the proportions of its prototype.
+   * ScaleVariation do not count. With both arrays a plant is its prototype scaled by one factor in height and another
+   * in width; with one of them it keeps the proportions of its prototype.
    */
   vtkSetMacro(UseDimensions, bool);
   vtkGetMacro(UseDimensions, bool);
@@ -192,8 +192,8 @@ public:
   ///@{
   /**
    * Plants merged into a block for each part of each level, or as instances: points that refer to blocks
-   * of prototypes; default Merged. Instances take 84 bytes a plant, or 92 with dimensions, and far ones are the Low of their prototypes
-   * whatever FaceCamera is.
+   * of prototypes; default Merged. Instances take 84 bytes a plant, or 92 with dimensions, and far ones are the Low of
+   * their prototypes whatever FaceCamera is.
    */
   vtkSetMacro(OutputForm, int);
   vtkGetMacro(OutputForm, int);

@@ -254,8 +254,7 @@ int vtkStandInventoryFilter::RequestData(
   const StandKinds kinds(species.GetSpecies(), stand.Trees);
   vtkInformation* output = outputVector->GetInformationObject(0);
   vtkPolyData* sites = vtkPolyData::GetData(output);
-  Writer writer(
-    stand.Trees, littoral::RequestedPart(output, static_cast<vtkIdType>(stand.Trees.size())), sites);
+  Writer writer(stand.Trees, littoral::RequestedPart(output, static_cast<vtkIdType>(stand.Trees.size())), sites);
   using Tree = littoral::StandTree;
   writer.WriteVertices();
   writer.Write<vtkTypeInt64Array>("SiteId", [](const Tree& tree) { return tree.Row; });

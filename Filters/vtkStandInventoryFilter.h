@@ -4,25 +4,25 @@
  * @class   vtkStandInventoryFilter
  * @brief   make sites of trees with dimensions from the table of a forest inventory
  *
- * Input, port 0: a vtkTable with a row a tree. Columns x and y are needed; species, dbh, height, plot, status and treeid
- * are used where there are. Known names, in any case and with a unit behind them, as in `dbh_mm` or `height (ft)`: x,
- * gx, easting; y, gy, northing; species, sp, mnemonic, latin; dbh, diameter, d130; height, ht; plot; status, dfstatus;
- * treeid, tag. A table with gx and gy is one of ForestGEO, whose dbh is in millimetres. Empty cells, NA, NaN, NULL and 0
- * are missing diameters and heights.
+ * Input, port 0: a vtkTable with a row a tree. Columns x and y are needed; species, dbh, height, plot, status and
+ * treeid are used where there are. Known names, in any case and with a unit behind them, as in `dbh_mm` or `height
+ * (ft)`: x, gx, easting; y, gy, northing; species, sp, mnemonic, latin; dbh, diameter, d130; height, ht; plot; status,
+ * dfstatus; treeid, tag. A table with gx and gy is one of ForestGEO, whose dbh is in millimetres. Empty cells, NA, NaN,
+ * NULL and 0 are missing diameters and heights.
  *
  * Input, port 1, optional: a vtkTable of species with the columns `species` (names, separated by semicolons), `kind`
  * (the plant that stands for it, as Pine, Oak, Birch or Shrub), and optionally `curve` (Curtis or Weibull), `a`, `b`,
  * `c`: height H [m] over diameter D [cm], H = 1.37 + a exp(-b D^c) or H = a (1 - exp(-b D^c)). Without it, the table of
- * Littoral: curves of 50 species and groups of the southern United States (Forest Vegetation Simulator, Keyser 2008) and
- * of all tropics (Feldpausch et al. 2012). A species is looked up by its whole name, then by its genus, else it counts
- * as OtherSpecies.
+ * Littoral: curves of 50 species and groups of the southern United States (Forest Vegetation Simulator, Keyser 2008)
+ * and of all tropics (Feldpausch et al. 2012). A species is looked up by its whole name, then by its genus, else it
+ * counts as OtherSpecies.
  *
  * Output: vtkPolyData, a vertex a tree, in double precision. Point arrays: `SiteId` (row of the table, from 0),
  * `Species` (index of the plant in Kinds, which is that of the prototype in vtkPlantScatterFilter), `DBH` and `Height`
- * [m], `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Drawn` (0 measured, 1
- * DBH drawn, 2 height drawn, 3 both) and `SpeciesName`. Field data: `Kinds`, the plants that occur, in the order of the
- * table of species; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2], of
- * the rectangles around the plots.
+ * [m], `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Drawn` (0 measured,
+ * 1 DBH drawn, 2 height drawn, 3 both) and `SpeciesName`. Field data: `Kinds`, the plants that occur, in the order of
+ * the table of species; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2],
+ * of the rectangles around the plots.
  *
  * Missing values are functions of Seed and of the row of the tree alone. A missing height is that of the curve, scaled
  * by trees with both measures where there are at least 5, with HeightVariation. A missing diameter is that of the curve

@@ -346,7 +346,8 @@ void MovingPlants::Finish(double tolerance, Scene& scene)
     const int alone = plant.Species < 0 ? static_cast<int>(index) : -1;
     if (!plant.Level.empty())
     {
-      groups[Key(plant.Species, alone, plant.Place.Girth, plant.Level, plant.Joints.size(), vertices)].push_back(&plant);
+      groups[Key(plant.Species, alone, plant.Place.Girth, plant.Level, plant.Joints.size(), vertices)].push_back(
+        &plant);
     }
   }
   for (const auto& [key, group] : groups)

@@ -11,9 +11,9 @@ namespace littoral
 /// A place on a terrain.
 struct GroundPoint
 {
-  bool IsCovered = false; ///< the grid reaches there
-  double Height = 0.0;    ///< [m]
-  double Slope = 0.0;     ///< steepest [radians]
+  bool IsCovered = false;            ///< the grid reaches there
+  double Height = 0.0;               ///< [m]
+  double Slope = 0.0;                ///< steepest [radians]
   double Gradient[2] = { 0.0, 0.0 }; ///< of the height along x and y
 };
 

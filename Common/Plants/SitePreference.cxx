@@ -18,8 +18,8 @@ namespace
 {
 
 constexpr double Degrees = 180.0 / Pi;
-constexpr double LeastSlope = 1e-3;    // tangent
-constexpr double SlopeOfAspect = 5.0;  // from which on aspect counts in full [degrees]
+constexpr double LeastSlope = 1e-3;   // tangent
+constexpr double SlopeOfAspect = 5.0; // from which on aspect counts in full [degrees]
 constexpr const char* FactorNames[] = { "elevation", "relative_elevation", "slope", "aspect", "wetness" };
 static_assert(std::size(FactorNames) == NumberOfGroundFactors, "a name a factor");
 
@@ -117,8 +117,7 @@ std::vector<SpeciesPreference> ReadPreferences(const TextTable& table, std::stri
       const std::string name = FactorNames[factor];
       FactorResponse& response = species.Responses[factor];
       response.Optimum = NumberIn(table, name, row, response.Optimum, reason);
-      response.Tolerance =
-        NumberIn(table, name + "_tolerance", row, std::numeric_limits<double>::quiet_NaN(), reason);
+      response.Tolerance = NumberIn(table, name + "_tolerance", row, std::numeric_limits<double>::quiet_NaN(), reason);
       if (response.Counts())
       {
         check.Positive(name + "_tolerance of " + species.Name, response.Tolerance);

@@ -58,8 +58,8 @@ struct SpeciesPreference
 /// The product of a species' responses, 0 to 1. Aspect counts the less the leveller the ground is below 5 degrees.
 double PreferenceFor(const SpeciesPreference& species, const GroundFactors& ground);
 
-/// Species of a table: columns `species`, `abundance` (default 1), and for each factor its optimum and its tolerance, as
-/// `elevation` and `elevation_tolerance`, `relative_elevation`, `slope`, `aspect`, `wetness`; an empty optimum: the
+/// Species of a table: columns `species`, `abundance` (default 1), and for each factor its optimum and its tolerance,
+/// as `elevation` and `elevation_tolerance`, `relative_elevation`, `slope`, `aspect`, `wetness`; an empty optimum: the
 /// species does not mind. A reason, in words for a user, if the table is none of these.
 std::vector<SpeciesPreference> ReadPreferences(const TextTable& table, std::string& reason);
 

@@ -97,9 +97,8 @@ public:
     this->Thick.Sort();
     this->Tall.Sort();
     const double density = static_cast<double>(stand.Trees.size()) / AreaOf(stand) * SquareMetres;
-    this->Mean = options.MeanDiameter > 0.0
-      ? options.MeanDiameter
-      : std::clamp(DiameterOfDensity(density), SmallestMean, LargestMean);
+    this->Mean = options.MeanDiameter > 0.0 ? options.MeanDiameter
+                                            : std::clamp(DiameterOfDensity(density), SmallestMean, LargestMean);
   }
 
   void Complete(StandTree& tree) const
@@ -109,7 +108,8 @@ public:
     if (tree.DrawnDiameter)
     {
       tree.Diameter = std::max(SmallestDiameter,
-        tree.DrawnHeight ? this->DiameterFor(tree) : DiameterOf(this->CurveOf(tree), tree.Height / this->FactorOf(tree)));
+        tree.DrawnHeight ? this->DiameterFor(tree)
+                         : DiameterOf(this->CurveOf(tree), tree.Height / this->FactorOf(tree)));
     }
     if (tree.DrawnHeight)
     {

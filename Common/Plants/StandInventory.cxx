@@ -181,15 +181,14 @@ const std::string& CellOf(const TextTable& table, const FoundColumn& column, std
 }
 
 /// A length of a cell [m], NaN where there is none. A reason if it holds another word.
-double LengthIn(
-  const TextTable& table, const FoundColumn& column, std::size_t row, double metres, std::string& reason)
+double LengthIn(const TextTable& table, const FoundColumn& column, std::size_t row, double metres, std::string& reason)
 {
   double number = std::numeric_limits<double>::quiet_NaN();
   const std::string& word = CellOf(table, column, row);
   if (column.Index >= 0 && !ReadNumber(word, number) && reason.empty())
   {
-    reason =
-      "row " + std::to_string(row + 1) + " has '" + word + "' for " + table.Names[column.Index] + ", which is no number.";
+    reason = "row " + std::to_string(row + 1) + " has '" + word + "' for " + table.Names[column.Index] +
+      ", which is no number.";
   }
   return metres * number;
 }
@@ -199,8 +198,8 @@ double Measure(double length, const char* name, std::size_t row, std::string& re
 {
   if (length < 0.0 && reason.empty())
   {
-    reason = std::string(name) + " of row " + std::to_string(row + 1) + " is " + TextOf(length) +
-      " m; it must be positive.";
+    reason =
+      std::string(name) + " of row " + std::to_string(row + 1) + " is " + TextOf(length) + " m; it must be positive.";
   }
   return length > 0.0 ? length : std::numeric_limits<double>::quiet_NaN();
 }
@@ -515,8 +514,8 @@ double AreaOf(const StandInventory& stand)
   return area;
 }
 
-std::string ReadInventory(const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options,
-  StandInventory& stand)
+std::string ReadInventory(
+  const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand)
 {
   stand = StandInventory();
   std::string reason = WhyInvalid(options, species);
@@ -528,8 +527,8 @@ std::string ReadInventory(const TextTable& table, const StandSpeciesTable& speci
   if (reason.empty() && stand.Trees.empty())
   {
     reason = table.NumberOfRows() == 0 ? "the table has no rows."
-                                       : "none of the " + std::to_string(table.NumberOfRows()) + " rows is a living tree" +
-        (options.Plot.empty() ? std::string(".") : " of the plot '" + options.Plot + "'.");
+                                       : "none of the " + std::to_string(table.NumberOfRows()) +
+        " rows is a living tree" + (options.Plot.empty() ? std::string(".") : " of the plot '" + options.Plot + "'.");
   }
   if (reason.empty())
   {

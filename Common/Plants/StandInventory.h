@@ -87,8 +87,8 @@ struct StandInventory
  * height (ft). Trees of several plots whose rectangles overlap are set in a row of plots along x, 20 m apart. Of stems
  * of one tree at one place the thickest counts. Why it cannot be read, in words for a user; empty if it was.
  */
-std::string ReadInventory(const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options,
-  StandInventory& stand);
+std::string ReadInventory(
+  const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand);
 
 /**
  * Draws the diameters and heights that are not known, each by the seed and the row of its tree. A diameter is that of

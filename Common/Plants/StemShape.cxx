@@ -92,8 +92,7 @@ std::string WhyInvalid(const TreeDimensions& tree, const std::string& site)
   return check.Reason();
 }
 
-StemShape::StemShape(
-  const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, double top)
+StemShape::StemShape(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, double top)
   : Top(top)
 {
   if (points.empty() || triangles.empty())
@@ -101,8 +100,8 @@ StemShape::StemShape(
     return;
   }
   Surfaces surfaces(points, triangles);
-  const auto lowest = std::min_element(triangles.begin(), triangles.end(),
-    [&](const auto& a, const auto& b) { return points[a[0]].z < points[b[0]].z; });
+  const auto lowest = std::min_element(
+    triangles.begin(), triangles.end(), [&](const auto& a, const auto& b) { return points[a[0]].z < points[b[0]].z; });
   const int stem = surfaces.Of((*lowest)[0]);
   for (const std::array<int, 3>& triangle : triangles)
   {

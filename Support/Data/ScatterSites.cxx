@@ -109,8 +109,8 @@ bool FitPlace(const SiteArrays& arrays, const std::vector<StemShape>& stems, Pla
   reason = WhyInvalid(tree, ofSite);
   if (reason.empty())
   {
-    const std::string why = stems[place.Species].Fit(
-      { arrays.Height ? tree.Height : 0.0, arrays.Diameter ? tree.Diameter : 0.0 }, place);
+    const std::string why =
+      stems[place.Species].Fit({ arrays.Height ? tree.Height : 0.0, arrays.Diameter ? tree.Diameter : 0.0 }, place);
     reason = why.empty() ? why : "the plant" + ofSite + " cannot have a DBH: " + why;
   }
   return reason.empty();

@@ -24,7 +24,8 @@ struct DimensionArrays
   std::string Diameter;
 };
 
-/// The plants at all sites, on the ground if there is a terrain; `stems` are those of the prototypes. Why they cannot stand there, or nothing.
+/// The plants at all sites, on the ground if there is a terrain; `stems` are those of the prototypes. Why they cannot
+/// stand there, or nothing.
 std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
   const GroundLimits& limits, std::vector<PlantPlace>& places, const DimensionArrays& dimensions = {},
   const std::vector<StemShape>& stems = {});

@@ -121,7 +121,8 @@ bool Pieces()
     {
       for (const char* name : { "SiteId", "DBH", "Height" })
       {
-        good &= Check(Of(part->GetOutput(), name)->GetTuple1(tree) == Of(whole->GetOutput(), name)->GetTuple1(next), name);
+        good &=
+          Check(Of(part->GetOutput(), name)->GetTuple1(tree) == Of(whole->GetOutput(), name)->GetTuple1(next), name);
       }
     }
   }
@@ -221,7 +222,8 @@ bool Preferences()
     const auto species = static_cast<int>(Of(kept, "Species")->GetTuple1(site));
     mean[species] += place[2];
     number[species] += 1.0;
-    good = good && std::abs(place[2] - 0.9 * place[1]) < 1e-4 && std::abs(Of(kept, "Elevation")->GetTuple1(site) - place[2]) < 1e-9;
+    good = good && std::abs(place[2] - 0.9 * place[1]) < 1e-4 &&
+      std::abs(Of(kept, "Elevation")->GetTuple1(site) - place[2]) < 1e-9;
     good = good && Of(kept, "Tag")->GetTuple1(site) == 3.0 * Of(kept, "SiteId")->GetTuple1(site);
     good = good && std::abs(Of(kept, "Aspect")->GetTuple1(site) - 180.0) < 1e-6;
     good = good && std::abs(std::tan(Of(kept, "Slope")->GetTuple1(site) * std::acos(-1.0) / 180.0) - 0.9) < 1e-6;
@@ -278,11 +280,11 @@ bool BadPreferences()
     wetness(s);
     s.AddDrainage(0.0);
   });
-  good &= fails("site 17 at (170, 3) lies outside", [](Slope& s) { s.Sites->GetPoints()->SetPoint(17, 170.0, 3.0, 0.0); });
+  good &=
+    fails("site 17 at (170, 3) lies outside", [](Slope& s) { s.Sites->GetPoints()->SetPoint(17, 170.0, 3.0, 0.0); });
   good &= fails("needs the column species", [](Slope& s) { s.Preferences->RemoveColumnByName("species"); });
-  good &= fails("elevation_tolerance of low is nan", [](Slope& s) {
-    s.Preferences->RemoveColumnByName("elevation_tolerance");
-  });
+  good &= fails(
+    "elevation_tolerance of low is nan", [](Slope& s) { s.Preferences->RemoveColumnByName("elevation_tolerance"); });
   good &= fails("Species of site 2 is 5", [](Slope& s) {
     vtkNew<vtkIntArray> species;
     species->SetName("Species");

@@ -291,8 +291,8 @@ bool NormalsAndRadii()
     at = isOwn && height > 1.3 ? radii->GetTuple1(node) : 0.0;
     last = isOwn && height <= 1.3 ? radii->GetTuple1(node) : last;
   }
-  good &= Check(2.0 * at < 0.68 && 2.0 * last > 0.656, "radii of the skeleton around breast height are " +
-      std::to_string(last) + " and " + std::to_string(at));
+  good &= Check(2.0 * at < 0.68 && 2.0 * last > 0.656,
+    "radii of the skeleton around breast height are " + std::to_string(last) + " and " + std::to_string(at));
   return good;
 }
 
@@ -307,8 +307,8 @@ bool BadInput()
     errors->Watch(stand.Filter);
     return Check(errors->ExpectOneNaming(words) && errors->ExpectOneNaming(words), words);
   };
-  bool good = fails("DBH of site 3 is 25 m; it must be positive and at most 20 m",
-    [](Stand& s) { s.Diameters->SetValue(3, 25.0); });
+  bool good = fails(
+    "DBH of site 3 is 25 m; it must be positive and at most 20 m", [](Stand& s) { s.Diameters->SetValue(3, 25.0); });
   good &= fails("DBH of site 3 is 0 m", [](Stand& s) { s.Diameters->SetValue(3, 0.0); });
   good &= fails("Height of site 4 is nan m", [](Stand& s) { s.Heights->SetValue(4, NaN); });
   good &= fails("Height of site 0 is 181 m", [](Stand& s) { s.Heights->SetValue(0, 181.0); });

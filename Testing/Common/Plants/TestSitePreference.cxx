@@ -105,7 +105,8 @@ TEST(SitePreference, CountsByClassFollowThePreferences)
 
 TEST(SitePreference, ResponsesAreGaussian)
 {
-  const auto species = Read("species,elevation,elevation_tolerance,aspect,aspect_tolerance\nfir,500,100,10,30\n").front();
+  const auto species =
+    Read("species,elevation,elevation_tolerance,aspect,aspect_tolerance\nfir,500,100,10,30\n").front();
   EXPECT_DOUBLE_EQ(PreferenceFor(species, { 500.0, 0.5, 20.0, 10.0, NaN }), 1.0);
   EXPECT_NEAR(PreferenceFor(species, { 600.0, 0.5, 20.0, 10.0, NaN }), std::exp(-0.5), 1e-15);
   // Aspects are apart the short way round, and count in part on nearly level ground.

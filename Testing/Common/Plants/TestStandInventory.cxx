@@ -134,7 +134,8 @@ TEST(StandInventory, KnownNamesAndUnits)
   EXPECT_TRUE(plain.Trees[1].DrawnHeight);
   EXPECT_EQ(Species().GetSpecies()[plain.Trees[1].Species].Name, "longleaf pine");
   // ForestGEO: millimetres, status, coordinates of the plot.
-  const StandInventory geo = Read("treeID,sp,gx,gy,dbh,status\n1,quru,3.5,4.5,250,A\n2,quru,8,9,NA,A\n3,quru,9,9,40,D\n");
+  const StandInventory geo =
+    Read("treeID,sp,gx,gy,dbh,status\n1,quru,3.5,4.5,250,A\n2,quru,8,9,NA,A\n3,quru,9,9,40,D\n");
   ASSERT_EQ(geo.Trees.size(), 2u);
   EXPECT_EQ(geo.Dropped, 1);
   EXPECT_DOUBLE_EQ(geo.Trees[0].Diameter, 0.25);

@@ -92,7 +92,8 @@ TEST(StemShape, NoStem)
   PlantPlace place;
   EXPECT_NE(StemShape().Fit({ 10.0, 0.3 }, place).find("no stem"), std::string::npos);
   EXPECT_FALSE(StemShape().IsThere());
-  EXPECT_NE(WhyInvalid(TreeDimensions{ 200.0, 0.3 }, " of site 3").find("Height of site 3 is 200 m"), std::string::npos);
+  EXPECT_NE(
+    WhyInvalid(TreeDimensions{ 200.0, 0.3 }, " of site 3").find("Height of site 3 is 200 m"), std::string::npos);
   EXPECT_NE(WhyInvalid(TreeDimensions{ 20.0, -0.3 }, " of site 3").find("DBH of site 3"), std::string::npos);
 }
 
