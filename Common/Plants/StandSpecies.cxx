@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/StandSpecies.h"
 
-#include "StandSpeciesText.h" // from StandSpecies.csv
+#include "Plants/StandSpeciesText.h" // from StandSpecies.csv
 
 #include <array>
 #include <charconv>

@@ -107,7 +107,7 @@ struct Stand
     return tops;
   }
 
-  /// The length of the cut of the bark by a level plane that is nearest to the axis of the plant, over pi [m].
+  /// The length of the cut of the stem by a level plane, over pi [m].
   double Diameter(vtkIdType plant, double height, const char* path = "High/Skin")
   {
     vtkPolyData* skin = this->Part(path);
@@ -140,8 +140,7 @@ struct Stand
     loops->SetInputConnection(joined->GetOutputPort());
     loops->SetMaximumLength(100000);
     loops->Update();
-    double girth = 0.0;
-    double nearest = 1e30;
+    std::vector<std::array<double, 3>> sections; // length, and the place of the middle
     vtkPolyData* lines = loops->GetOutput();
     for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
     {
@@ -158,10 +157,18 @@ struct Stand
         middle[0] += a[0] / static_cast<double>(size - 1);
         middle[1] += a[1] / static_cast<double>(size - 1);
       }
-      const double* foot = this->Feet->GetPoint(plant);
-      const double away = std::hypot(middle[0] - foot[0], middle[1] - foot[1]);
-      girth = away < nearest ? length : girth;
-      nearest = std::min(away, nearest);
+      sections.push_back({ length, middle[0], middle[1] });
+    }
+    // The stem's is the longest around the section that is nearest to the axis, as of a branch that begins in it.
+    const double* foot = this->Feet->GetPoint(plant);
+    const auto away = [foot](const auto& section) { return std::hypot(section[1] - foot[0], section[2] - foot[1]); };
+    const auto nearest = *std::min_element(
+      sections.begin(), sections.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    double girth = 0.0;
+    for (const auto& [length, x, y] : sections)
+    {
+      const bool isAround = std::hypot(x - nearest[1], y - nearest[2]) <= 0.5 * length / vtkMath::Pi();
+      girth = isAround ? std::max(girth, length) : girth;
     }
     return girth / vtkMath::Pi();
   }
