@@ -120,6 +120,12 @@ TEST(StemShape, NormalsOfAnEllipsoid)
     EXPECT_NEAR(std::hypot(point[0], point[1]), r, 1e-6);
     EXPECT_NEAR(length, z, 1e-6);
   }
+  Skeleton trunk;
+  trunk.StartBranch(-1, { 0.5, 0.0, 0.0 }, 0.3);
+  trunk.Grow({ 0.5, 0.0, 4.0 }, 0.2);
+  const Skeleton placed = Placed(trunk, place);
+  EXPECT_DOUBLE_EQ(placed.Nodes[1].Radius, 0.2 * 0.4 * 2.5);
+  EXPECT_NEAR(glm::length(placed.Nodes[1].Position), std::hypot(0.5, 1.6), 1e-12);
   const Box box = BoxOf(place, { 3.0, -1.0, 4.0 });
   EXPECT_DOUBLE_EQ(box.High.x, 3.0);
   EXPECT_DOUBLE_EQ(box.High.z, 1.6);
