@@ -78,6 +78,12 @@ public:
    */
   vtkSetMacro(PlaceUnit, int);
   vtkGetMacro(PlaceUnit, int);
+  void SetPlaceUnitToNamed() { this->SetPlaceUnit(Named); }
+  void SetPlaceUnitToMetre() { this->SetPlaceUnit(Metre); }
+  void SetPlaceUnitToCentimetre() { this->SetPlaceUnit(Centimetre); }
+  void SetPlaceUnitToMillimetre() { this->SetPlaceUnit(Millimetre); }
+  void SetPlaceUnitToFoot() { this->SetPlaceUnit(Foot); }
+  void SetPlaceUnitToInch() { this->SetPlaceUnit(Inch); }
   ///@}
 
   ///@{
@@ -87,6 +93,12 @@ public:
    */
   vtkSetMacro(DiameterUnit, int);
   vtkGetMacro(DiameterUnit, int);
+  void SetDiameterUnitToNamed() { this->SetDiameterUnit(Named); }
+  void SetDiameterUnitToMetre() { this->SetDiameterUnit(Metre); }
+  void SetDiameterUnitToCentimetre() { this->SetDiameterUnit(Centimetre); }
+  void SetDiameterUnitToMillimetre() { this->SetDiameterUnit(Millimetre); }
+  void SetDiameterUnitToFoot() { this->SetDiameterUnit(Foot); }
+  void SetDiameterUnitToInch() { this->SetDiameterUnit(Inch); }
   ///@}
 
   ///@{
@@ -95,6 +107,12 @@ public:
    */
   vtkSetMacro(HeightUnit, int);
   vtkGetMacro(HeightUnit, int);
+  void SetHeightUnitToNamed() { this->SetHeightUnit(Named); }
+  void SetHeightUnitToMetre() { this->SetHeightUnit(Metre); }
+  void SetHeightUnitToCentimetre() { this->SetHeightUnit(Centimetre); }
+  void SetHeightUnitToMillimetre() { this->SetHeightUnit(Millimetre); }
+  void SetHeightUnitToFoot() { this->SetHeightUnit(Foot); }
+  void SetHeightUnitToInch() { this->SetHeightUnit(Inch); }
   ///@}
 
   ///@{
