@@ -35,6 +35,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -112,6 +114,7 @@ struct Plants
   std::vector<double> Numbers; ///< properties that they depend on
   std::vector<std::string> Names;
   std::vector<littoral::PlantPlace> Places;
+  std::vector<littoral::PlantPlace> MediumPlaces; ///< where sites have dimensions
   std::unique_ptr<littoral::SceneCells> Cells;
 };
 
@@ -132,6 +135,7 @@ struct vtkPlantScatterFilter::Request
 {
   littoral::View Seen;
   std::vector<littoral::ShownPlant> Shown;
+  std::vector<littoral::PlantPlace> Places; ///< each in the level in which it is shown; none if levels are alike
   std::vector<char> CellsShown;
   long long FirstSite = 0;
   long long EndSite = 0;
@@ -401,12 +405,19 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
     littoralErrorMacro("Cannot scatter plants: " << reason);
     return false;
   }
+  scene.MediumPlaces = littoral::PlacesInLevel(sites, dimensions, this->Internals->Species.MediumStems, scene.Places);
   std::vector<littoral::Vector3> feet;
   std::vector<littoral::Box> boxes;
   for (const littoral::PlantPlace& place : scene.Places)
   {
     feet.push_back(place.Foot);
     boxes.push_back(littoral::BoxOf(place, extents[place.Species]));
+  }
+  for (std::size_t index = 0; index < scene.MediumPlaces.size(); ++index)
+  {
+    const littoral::PlantPlace& place = scene.MediumPlaces[index];
+    const littoral::Box box = littoral::BoxOf(place, extents[place.Species]);
+    boxes[index] = { glm::min(boxes[index].Low, box.Low), glm::max(boxes[index].High, box.High) };
   }
   scene.Cells = std::make_unique<littoral::SceneCells>(feet, boxes, this->PlantsPerCell);
   scene.Stamps = stamps;
@@ -440,6 +451,15 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
   request.Shown = littoral::ShownPlants(
     scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
+  if (!scene.MediumPlaces.empty())
+  {
+    request.Places = scene.Places;
+    for (const littoral::ShownPlant& plant : request.Shown)
+    {
+      const bool isMedium = plant.Level == littoral::PlantLevel::Medium;
+      request.Places[plant.Place] = isMedium ? scene.MediumPlaces[plant.Place] : scene.Places[plant.Place];
+    }
+  }
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs, 0);
   if (!(this->OutputForm == Instances ? this->AddInstances(request, output) : this->Merge(request, output)))
   {
@@ -454,9 +474,10 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const Plants& scene = this->Internals->Scene;
+  const std::vector<littoral::PlantPlace>& places =
+    request.Places.empty() ? this->Internals->Scene.Places : request.Places;
   littoral::ScatterMerge merge(
-    this->Internals->Species, scene.Places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
+    this->Internals->Species, places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())
   {
@@ -473,7 +494,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
     return true; // aborted
   }
   merge.AddTo(output);
-  littoral::WriteTable(scene.Places, request.Shown, output->GetFieldData());
+  littoral::WriteTable(places, request.Shown, output->GetFieldData());
   this->WriteCounters(request, merge.GetNumberOfPolygons(), merge.GetBytes(), output->GetFieldData());
   littoral::KeepRanges(output, littoral::PollOf(this));
   return true;
@@ -482,7 +503,8 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const std::vector<littoral::PlantPlace>& places = this->Internals->Scene.Places;
+  const std::vector<littoral::PlantPlace>& places =
+    request.Places.empty() ? this->Internals->Scene.Places : request.Places;
   const double bytes = littoral::InstanceBytes(request.Shown.size(), littoral::HasGirths(places));
   const double available = littoral::AvailableMemory();
   if (bytes > available)

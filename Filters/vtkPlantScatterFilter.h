@@ -104,7 +104,8 @@ public:
    * The highest point of a plant is then its height above the foot, and the girth of its stem 1.3 m above the foot is
    * pi times its diameter; in a tree lower than 2.6 m the stem is measured at half the height. Scale and
    * ScaleVariation do not count. With both arrays a plant is its prototype scaled by one factor in height and another
-   * in width; with one of them it keeps the proportions of its prototype.
+   * in width; with one of them it keeps the proportions of its prototype. Both hold for the
+   * polygons of High and Medium; a plant in Low has the factors of High.
    */
   vtkSetMacro(UseDimensions, bool);
   vtkGetMacro(UseDimensions, bool);

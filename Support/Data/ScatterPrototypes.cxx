@@ -46,11 +46,11 @@ PlantExtent ExtentOf(const PrototypeBlocks& blocks)
   return extent;
 }
 
-/// The top of the level High, and the stem of its bark.
-StemShape StemOf(const PrototypeBlocks& blocks)
+/// The top of a level, and the stem of its bark.
+StemShape StemOf(const PrototypeBlocks& blocks, PartIndex bark, PartIndex leaves)
 {
   double top = 0.0;
-  for (const PartIndex part : { SkinPart, LeavesPart })
+  for (const PartIndex part : { bark, leaves })
   {
     if (blocks[part] && blocks[part]->GetNumberOfPoints() > 0)
     {
@@ -59,7 +59,7 @@ StemShape StemOf(const PrototypeBlocks& blocks)
   }
   std::vector<Vector3> points;
   std::vector<std::array<int, 3>> triangles;
-  vtkPolyData* skin = blocks[SkinPart];
+  vtkPolyData* skin = blocks[bark];
   for (vtkIdType point = 0; skin && point < skin->GetNumberOfPoints(); ++point)
   {
     Vector3& position = points.emplace_back();
@@ -216,7 +216,8 @@ void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& pr
   for (const PrototypeBlocks& each : blocks)
   {
     prototypes.Extents.push_back(ExtentOf(each));
-    prototypes.Stems.push_back(StemOf(each));
+    prototypes.Stems.push_back(StemOf(each, SkinPart, LeavesPart));
+    prototypes.MediumStems.push_back(StemOf(each, TrunkPart, CrownPart));
   }
   TextureAtlas crownAtlas = JoinTextures(blocks, CrownPart, prototypes);
   TextureAtlas leafAtlas = JoinTextures(blocks, LeavesPart, prototypes);

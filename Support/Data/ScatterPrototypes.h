@@ -62,7 +62,8 @@ struct ScatterPrototypes
 {
   std::vector<PlantPart> Parts;
   std::vector<PlantExtent> Extents;
-  std::vector<StemShape> Stems;
+  std::vector<StemShape> Stems;       ///< of the level High
+  std::vector<StemShape> MediumStems; ///< of Medium, whose trunks have fewer corners
   TextureImage CrownAtlas;
   TextureImage LeafAtlas;
   PlantPart FacingLow; ///< one card a plant, not placed yet; plants without an impostor as in Low

@@ -152,4 +152,18 @@ std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const Scatter
   return reason;
 }
 
+std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,
+  const std::vector<StemShape>& stems, const std::vector<PlantPlace>& places)
+{
+  std::string reason; // none: the arrays have been read
+  const SiteArrays arrays(sites, dimensions, reason);
+  std::vector<PlantPlace> level;
+  for (const PlantPlace& place : arrays.HasDimensions() ? places : std::vector<PlantPlace>())
+  {
+    PlantPlace own = place;
+    level.push_back(FitPlace(arrays, stems, own, reason) ? own : place);
+  }
+  return level;
+}
+
 }

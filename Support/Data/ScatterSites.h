@@ -30,6 +30,10 @@ std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const Scatter
   const GroundLimits& limits, std::vector<PlantPlace>& places, const DimensionArrays& dimensions = {},
   const std::vector<StemShape>& stems = {});
 
+/// The same plants in a level of detail with other stems, where sites have dimensions; none where they have not.
+std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,
+  const std::vector<StemShape>& stems, const std::vector<PlantPlace>& places);
+
 }
 
 #endif

@@ -90,10 +90,10 @@ struct Stand
   }
 
   /// The highest points of the plants above their feet [m].
-  std::vector<double> Tops()
+  std::vector<double> Tops(const char* bark = "High/Skin", const char* leaves = "High/Leaves")
   {
     std::vector<double> tops(static_cast<std::size_t>(this->Feet->GetNumberOfPoints()), 0.0);
-    for (const char* path : { "High/Skin", "High/Leaves" })
+    for (const char* path : { bark, leaves })
     {
       vtkPolyData* part = this->Part(path);
       vtkDataArray* plants = part->GetPointData()->GetArray("PlantId");
@@ -202,6 +202,30 @@ bool HeightsAndDiameters()
     const double height = stand.Heights->GetValue(plant);
     good &= Near(tops[plant], height, 1e-4, "height" + ofPlant);
     good &= Near(stand.Diameter(plant, MeasuredAt(height)), stand.Diameters->GetValue(plant), 2e-3, "DBH" + ofPlant);
+  }
+  return good;
+}
+
+/// So have trees in the level Medium.
+bool InMedium()
+{
+  Stand stand;
+  stand.Add(stand.Heights);
+  stand.Add(stand.Diameters);
+  stand.Filter->UseLevelsOn();
+  stand.Filter->SetNearDistance(1.0);
+  stand.Filter->SetFarDistance(1e6);
+  stand.Filter->SetViewPoint(0.0, -900.0, 0.0);
+  stand.Filter->Update();
+  const std::vector<double> tops = stand.Tops("Medium/Trunk", "Medium/Crown");
+  bool good = true;
+  for (vtkIdType plant = 0; plant < stand.Feet->GetNumberOfPoints(); ++plant)
+  {
+    const std::string ofPlant = " of plant " + std::to_string(plant) + " in Medium";
+    const double height = stand.Heights->GetValue(plant);
+    good &= Near(tops[plant], height, 1e-4, "height" + ofPlant);
+    good &= Near(stand.Diameter(plant, MeasuredAt(height), "Medium/Trunk"), stand.Diameters->GetValue(plant), 2e-3,
+      "DBH" + ofPlant);
   }
   return good;
 }
@@ -328,6 +352,7 @@ bool BadInput()
 int TestTreeDimensions(int, char*[])
 {
   bool good = HeightsAndDiameters();
+  good &= InMedium();
   good &= OneOfThem();
   good &= AsInstances();
   good &= NormalsAndRadii();
