@@ -102,7 +102,8 @@ def prepare(name):
     for one in [] if name.endswith("FromFits") else inputs:
         show(one)
         simple.RenderAllViews()
-    show(getattr(simple, name)(**{"Sites" if name == "PlantScatter" else "Input": first}, **others), inputs)
+    port = {"PlantScatter": "Sites", "SitePreference": "Sites", "StandInventory": "Inventory"}.get(name, "Input")
+    show(getattr(simple, name)(**{port: first}, **others), inputs)
     simple.RenderAllViews()
     say_ready("made")
 
