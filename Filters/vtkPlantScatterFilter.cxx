@@ -35,6 +35,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -110,7 +112,9 @@ struct Plants
 {
   std::vector<littoral::DataStamp> Stamps;
   std::vector<double> Numbers; ///< properties that they depend on
+  std::vector<std::string> Names;
   std::vector<littoral::PlantPlace> Places;
+  std::vector<littoral::PlantPlace> MediumPlaces; ///< where sites have dimensions
   std::unique_ptr<littoral::SceneCells> Cells;
 };
 
@@ -131,6 +135,7 @@ struct vtkPlantScatterFilter::Request
 {
   littoral::View Seen;
   std::vector<littoral::ShownPlant> Shown;
+  std::vector<littoral::PlantPlace> Places; ///< each in the level in which it is shown; none if levels are alike
   std::vector<char> CellsShown;
   long long FirstSite = 0;
   long long EndSite = 0;
@@ -146,6 +151,9 @@ struct vtkPlantScatterFilter::Request
 vtkPlantScatterFilter::vtkPlantScatterFilter()
   : Seed(1)
   , ScaleVariation(0.15)
+  , UseDimensions(true)
+  , HeightArray(nullptr)
+  , DiameterArray(nullptr)
   , TintVariation(0.08)
   , SlopeLimit(90.0)
   , HeightRange{ -1e30, 1e30 }
@@ -157,6 +165,8 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
   , VisibleDistance(0.0)
   , Internals(std::make_unique<vtkInternals>())
 {
+  this->SetHeightArray("Height");
+  this->SetDiameterArray("DBH");
   this->NearDistance = 30.0;
   this->FarDistance = 130.0;
   this->SetNumberOfInputPorts(3);
@@ -164,7 +174,11 @@ vtkPlantScatterFilter::vtkPlantScatterFilter()
 }
 
 //----------------------------------------------------------------------------
-vtkPlantScatterFilter::~vtkPlantScatterFilter() = default;
+vtkPlantScatterFilter::~vtkPlantScatterFilter()
+{
+  this->SetHeightArray(nullptr);
+  this->SetDiameterArray(nullptr);
+}
 
 //----------------------------------------------------------------------------
 void vtkPlantScatterFilter::SetWeight(int prototype, double weight)
@@ -364,11 +378,18 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   {
     options.Weights.push_back(this->GetWeight(prototype));
   }
+  littoral::DimensionArrays dimensions;
+  if (this->UseDimensions)
+  {
+    dimensions.Height = this->HeightArray ? this->HeightArray : "";
+    dimensions.Diameter = this->DiameterArray ? this->DiameterArray : "";
+  }
   const std::vector<littoral::DataStamp> stamps{ littoral::StampOf(sites), littoral::StampOf(terrain) };
   std::vector<double> numbers{ static_cast<double>(this->Seed), this->ScaleVariation, this->TintVariation,
     this->SlopeLimit, this->HeightRange[0], this->HeightRange[1], this->PlantsPerCell };
   numbers.insert(numbers.end(), options.Weights.begin(), options.Weights.end());
-  if (reason.empty() && stamps == scene.Stamps && numbers == scene.Numbers)
+  const std::vector<std::string> names{ dimensions.Height, dimensions.Diameter };
+  if (reason.empty() && stamps == scene.Stamps && numbers == scene.Numbers && names == scene.Names)
   {
     return true;
   }
@@ -376,12 +397,15 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   this->SetProgressText("Placing plants");
   const littoral::GroundLimits limits{ this->SlopeLimit * Degree, this->HeightRange[0], this->HeightRange[1] };
   reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
-  reason = reason.empty() ? littoral::PlacePlants(sites, terrain, options, limits, scene.Places) : reason;
+  reason = reason.empty()
+    ? littoral::PlacePlants(sites, terrain, options, limits, scene.Places, dimensions, this->Internals->Species.Stems)
+    : reason;
   if (!reason.empty())
   {
     littoralErrorMacro("Cannot scatter plants: " << reason);
     return false;
   }
+  scene.MediumPlaces = littoral::PlacesInLevel(sites, dimensions, this->Internals->Species.MediumStems, scene.Places);
   std::vector<littoral::Vector3> feet;
   std::vector<littoral::Box> boxes;
   for (const littoral::PlantPlace& place : scene.Places)
@@ -389,9 +413,16 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
     feet.push_back(place.Foot);
     boxes.push_back(littoral::BoxOf(place, extents[place.Species]));
   }
+  for (std::size_t index = 0; index < scene.MediumPlaces.size(); ++index)
+  {
+    const littoral::PlantPlace& place = scene.MediumPlaces[index];
+    const littoral::Box box = littoral::BoxOf(place, extents[place.Species]);
+    boxes[index] = { glm::min(boxes[index].Low, box.Low), glm::max(boxes[index].High, box.High) };
+  }
   scene.Cells = std::make_unique<littoral::SceneCells>(feet, boxes, this->PlantsPerCell);
   scene.Stamps = stamps;
   scene.Numbers = numbers;
+  scene.Names = names;
   return true;
 }
 
@@ -420,6 +451,15 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
   request.CellsShown = scene.Cells->Show(littoral::ViewFrustum(view));
   request.Shown = littoral::ShownPlants(
     scene.Places, *scene.Cells, request.CellsShown, view, options, request.FirstSite, request.EndSite);
+  if (!scene.MediumPlaces.empty())
+  {
+    request.Places = scene.Places;
+    for (const littoral::ShownPlant& plant : request.Shown)
+    {
+      const bool isMedium = plant.Level == littoral::PlantLevel::Medium;
+      request.Places[plant.Place] = isMedium ? scene.MediumPlaces[plant.Place] : scene.Places[plant.Place];
+    }
+  }
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs, 0);
   if (!(this->OutputForm == Instances ? this->AddInstances(request, output) : this->Merge(request, output)))
   {
@@ -434,9 +474,10 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const Plants& scene = this->Internals->Scene;
+  const std::vector<littoral::PlantPlace>& places =
+    request.Places.empty() ? this->Internals->Scene.Places : request.Places;
   littoral::ScatterMerge merge(
-    this->Internals->Species, scene.Places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
+    this->Internals->Species, places, request.Shown, this->FaceCamera ? &request.Seen : nullptr);
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())
   {
@@ -453,7 +494,7 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
     return true; // aborted
   }
   merge.AddTo(output);
-  littoral::WriteTable(scene.Places, request.Shown, output->GetFieldData());
+  littoral::WriteTable(places, request.Shown, output->GetFieldData());
   this->WriteCounters(request, merge.GetNumberOfPolygons(), merge.GetBytes(), output->GetFieldData());
   littoral::KeepRanges(output, littoral::PollOf(this));
   return true;
@@ -462,7 +503,9 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
 //----------------------------------------------------------------------------
 bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDataSet* output)
 {
-  const double bytes = littoral::InstanceBytes(request.Shown.size());
+  const std::vector<littoral::PlantPlace>& places =
+    request.Places.empty() ? this->Internals->Scene.Places : request.Places;
+  const double bytes = littoral::InstanceBytes(request.Shown.size(), littoral::HasGirths(places));
   const double available = littoral::AvailableMemory();
   if (bytes > available)
   {
@@ -470,7 +513,6 @@ bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDa
                        << available / Gigabyte << " GB are free. Switch on UseCulling, or set VisibleDistance.");
     return false;
   }
-  const std::vector<littoral::PlantPlace>& places = this->Internals->Scene.Places;
   output->ShallowCopy(this->Internals->Species.Levels);
   littoral::ReplaceBlock(output, InstancesBlock, littoral::InstancesOf(places, request.Shown));
   const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);
@@ -520,6 +562,9 @@ void vtkPlantScatterFilter::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "ScaleVariation: " << this->ScaleVariation << "\n";
+  os << indent << "UseDimensions: " << this->UseDimensions << "\n";
+  os << indent << "HeightArray: " << (this->HeightArray ? this->HeightArray : "(none)") << "\n";
+  os << indent << "DiameterArray: " << (this->DiameterArray ? this->DiameterArray : "(none)") << "\n";
   os << indent << "TintVariation: " << this->TintVariation << "\n";
   os << indent << "SlopeLimit: " << this->SlopeLimit << "\n";
   os << indent << "HeightRange: " << this->HeightRange[0] << " " << this->HeightRange[1] << "\n";

@@ -10,7 +10,8 @@
  * array `Elevation` [m] or else the active scalars).
  *
  * Optional point arrays of the sites: `SiteId` (identity, which determines the random numbers; else the index of the
- * site), `Species` (index of the prototype), `Scale`, `Azimuth` [rad]. Missing values are random functions of the seed
+ * site), `Species` (index of the prototype), `Scale`, `Azimuth` [rad], `Height` [m] and `DBH` [m], see UseDimensions.
+ * Missing values are random functions of the seed
  * and the identity of the site alone, so a plant does not depend on the other sites.
  *
  * Output 0: vtkMultiBlockDataSet with the blocks `High` {`Skeleton`, `Skin`, `Leaves`}, `Medium` {`Trunk`, `Crown`} and
@@ -19,7 +20,8 @@
  * `JointIds` and `ParentId` refer to the nodes of the merged Skeleton. Each plant is in exactly one level.
  *
  * Field data of output 0: arrays with a value per shown plant: `PlantId`, `SiteId`, `Species`, `Scale`, `Azimuth`
- * [rad], `Position` [m] and `Level` (0 High, 1 Medium, 2 Low); and the counters `PlantsInAll`, `PlantsShown`,
+ * [rad], `Position` [m] and `Level` (0 High, 1 Medium, 2 Low), and `Girth` (factor of the width beside Scale) if a site
+ * has DBH and Height; and the counters `PlantsInAll`, `PlantsShown`,
  * `PlantsHigh`, `PlantsMedium`, `PlantsLow`, `CellsInAll`, `CellsShown` (cells that hold a plant), `PolygonsShown`,
  * `PolygonsInAll` (of all plants in full) and `OutputBytes` (without textures).
  *
@@ -33,12 +35,12 @@
  *
  * With OutputForm Instances, output 0 has the block `Instances`, a vertex for each shown plant at its foot, with the
  * point arrays `Prototype` (1 + 3 Species + Level, the index of another block), `Rotation` (quaternion w, x, y, z),
- * `Scale`, `Tint` (factors of red, green and blue, for all but the wood), `PlantId`, `SiteId`, `Species` and `Level`;
- * and then a block for each level of each prototype, as it is there: `0 High` {`Skin`, `Leaves`}, `0 Medium` {`Trunk`,
- * `Crown`}, `0 Low` {`Low`}, `1 High` and so on. Their parts have the field arrays `Prototype`, the same index, and
- * `Tinted` and `Seaweed`, 0 or 1. A plant is its prototype scaled, rotated and moved to the point, as vtkGlyph3DMapper
- * does with SourceIndexing, this output as SourceTableTree, and quaternions. The counters are field data, as of merged
- * plants.
+ * `Scale` (one value, or x, y and z if a site has DBH and Height), `Tint` (factors of red, green and blue, for all but
+ * the wood), `PlantId`, `SiteId`, `Species` and `Level`; and then a block for each level of each prototype, as it is
+ * there: `0 High` {`Skin`, `Leaves`}, `0 Medium` {`Trunk`, `Crown`}, `0 Low` {`Low`}, `1 High` and so on. Their parts
+ * have the field arrays `Prototype`, the same index, and `Tinted` and `Seaweed`, 0 or 1. A plant is its prototype
+ * scaled, rotated and moved to the point, as vtkGlyph3DMapper does with SourceIndexing, this output as SourceTableTree,
+ * quaternions, and three scales by components. The counters are field data, as of merged plants.
  *
  * Culling (Setas et al., section 4): the sites are sorted into a regular grid of cells; cells whose bounding box is
  * outside the view frustum are left out, and all plants in the others are kept. The grid and the plants' positions are
@@ -94,6 +96,37 @@ public:
    */
   vtkSetMacro(ScaleVariation, double);
   vtkGetMacro(ScaleVariation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Trees with the dimensions of their sites, where the sites have the arrays HeightArray or DiameterArray; default on.
+   * The highest point of a plant is then its height above the foot, and the girth of its stem 1.3 m above the foot is
+   * pi times its diameter; in a tree lower than 2.6 m the stem is measured at half the height. Scale and
+   * ScaleVariation do not count. With both arrays a plant is its prototype scaled by one factor in height and another
+   * in width; with one of them it keeps the proportions of its prototype. Both hold for the
+   * polygons of High and Medium; a plant in Low has the factors of High.
+   */
+  vtkSetMacro(UseDimensions, bool);
+  vtkGetMacro(UseDimensions, bool);
+  vtkBooleanMacro(UseDimensions, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of the sites that holds heights of trees [m], positive and at most 150 m; default `Height`.
+   */
+  vtkSetStringMacro(HeightArray);
+  vtkGetStringMacro(HeightArray);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of the sites that holds diameters at breast height [m], positive and at most 20 m; default
+   * `DBH`.
+   */
+  vtkSetStringMacro(DiameterArray);
+  vtkGetStringMacro(DiameterArray);
   ///@}
 
   ///@{
@@ -160,8 +193,8 @@ public:
   ///@{
   /**
    * Plants merged into a block for each part of each level, or as instances: points that refer to blocks
-   * of prototypes; default Merged. Instances take 84 bytes a plant, and far ones are the Low of their prototypes
-   * whatever FaceCamera is.
+   * of prototypes; default Merged. Instances take 84 bytes a plant, or 92 with dimensions, and far ones are the Low of
+   * their prototypes whatever FaceCamera is.
    */
   vtkSetMacro(OutputForm, int);
   vtkGetMacro(OutputForm, int);
@@ -210,6 +243,9 @@ protected:
 
   int Seed;
   double ScaleVariation;
+  bool UseDimensions;
+  char* HeightArray;
+  char* DiameterArray;
   double TintVariation;
   double SlopeLimit;
   double HeightRange[2];

@@ -106,7 +106,7 @@ struct SceneInstances
 {
   std::vector<float> Translations; ///< [m]
   std::vector<float> Rotations;    ///< quaternions x, y, z, w
-  std::vector<float> Scales;       ///< three equal ones
+  std::vector<float> Scales;       ///< along x, y and z
   std::vector<float> Tints;        ///< factors of the linear color
 };
 
@@ -115,7 +115,7 @@ struct SceneNode
   std::string Name;
   std::array<double, 3> Translation{ { 0.0, 0.0, 0.0 } };
   std::array<double, 4> Rotation{ { 0.0, 0.0, 0.0, 1.0 } }; ///< quaternion x, y, z, w
-  double Scale = 1.0;
+  std::array<double, 3> Scale{ { 1.0, 1.0, 1.0 } };
   int Mesh = -1;
   int Skin = -1;
   int Instances = -1;    ///< places of the mesh; -1: one, at the node

@@ -32,6 +32,13 @@ int NumberOf(vtkPolyData* block, const char* name, int otherwise)
   return numbers ? static_cast<int>(numbers->GetComponent(0, 0)) : otherwise;
 }
 
+/// The scales of plants, one each or one for each axis; null, with a reason, if there are none.
+vtkDataArray* ScalesOf(ArrayReader& arrays)
+{
+  vtkDataArray* any = arrays.Any("Scale");
+  return arrays.Need("Scale", any && any->GetNumberOfComponents() == 3 ? 3 : 1);
+}
+
 /// Tints are factors of displayed colors; those of linear light are nearly a power of them.
 float LinearFactor(double factor)
 {
@@ -184,7 +191,7 @@ std::string WhyNoInstances(vtkPolyData* points, const std::string& owner)
   arrays.NeedFinite(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
   arrays.NeedFinite(arrays.Need(Prototype, 1));
   arrays.NeedFinite(arrays.Need("Rotation", 4));
-  arrays.NeedFinite(arrays.Need("Scale", 1));
+  arrays.NeedFinite(ScalesOf(arrays));
   arrays.NeedFinite(arrays.Need("Tint", 3));
   return arrays.Reason();
 }
@@ -195,7 +202,8 @@ SceneInstances PlacesOf(vtkPolyData* points, const std::function<bool(int protot
   ArrayReader arrays = ArrayReader::OfPoints(points, "");
   vtkDataArray* prototypes = arrays.Find(Prototype, 1);
   vtkDataArray* rotations = arrays.Find("Rotation", 4);
-  vtkDataArray* scales = arrays.Find("Scale", 1);
+  vtkDataArray* scales = ScalesOf(arrays);
+  const int up = scales->GetNumberOfComponents() - 1;
   vtkDataArray* tints = arrays.Find("Tint", 3);
   SceneInstances places;
   for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
@@ -214,7 +222,10 @@ SceneInstances PlacesOf(vtkPolyData* points, const std::function<bool(int protot
     {
       places.Rotations.push_back(static_cast<float>(length > 0.0 ? turn[part] / length : part == 0 ? 1.0 : 0.0));
     }
-    places.Scales.insert(places.Scales.end(), 3, static_cast<float>(scales->GetComponent(point, 0)));
+    for (const int axis : { 0, up / 2, up })
+    {
+      places.Scales.push_back(static_cast<float>(scales->GetComponent(point, axis)));
+    }
     for (int part = 0; part < 3; ++part)
     {
       places.Tints.push_back(LinearFactor(tints->GetComponent(point, part)));

@@ -329,9 +329,9 @@ void ModelMaker::AddNode(const SceneNode& from)
   {
     node.rotation.assign(from.Rotation.begin(), from.Rotation.end());
   }
-  if (from.Scale != 1.0)
+  if (from.Scale != SceneNode().Scale)
   {
-    node.scale.assign(3, from.Scale);
+    node.scale.assign(from.Scale.begin(), from.Scale.end());
   }
   if (from.Tint)
   {

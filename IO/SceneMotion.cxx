@@ -83,7 +83,7 @@ void SetTriple(std::vector<float>& numbers, std::size_t index, const Vector3& tr
   }
 }
 
-/// A place in the world in the coordinates of a plant.
+/// A place in the world in the coordinates of a plant, which is as wide there as its girth makes it.
 Vector3 ToPlant(const PlantPlace& plant, const Vector3& place)
 {
   return (glm::conjugate(TurnOf(plant.Azimuth)) * (place - plant.Foot)) / plant.Scale;
@@ -350,7 +350,7 @@ std::vector<MovingPlants::Plant> MovingPlants::FindPlants() const
 void MovingPlants::Finish(double tolerance, Scene& scene)
 {
   const std::vector<Plant> plants = this->FindPlants();
-  using Key = std::tuple<int, int, std::string, std::size_t, std::vector<std::size_t>>;
+  using Key = std::tuple<int, int, double, std::string, std::size_t, std::vector<std::size_t>>;
   std::map<Key, std::vector<const Plant*>> groups;
   for (std::size_t index = 0; index < plants.size(); ++index)
   {
@@ -363,7 +363,8 @@ void MovingPlants::Finish(double tolerance, Scene& scene)
     const int alone = plant.Species < 0 ? static_cast<int>(index) : -1;
     if (!plant.Level.empty())
     {
-      groups[Key(plant.Species, alone, plant.Level, plant.Joints.size(), vertices)].push_back(&plant);
+      groups[Key(plant.Species, alone, plant.Place.Girth, plant.Level, plant.Joints.size(), vertices)].push_back(
+        &plant);
     }
   }
   for (const auto& [key, group] : groups)
@@ -504,7 +505,7 @@ std::optional<std::array<double, 3>> MovingPlants::TintOf(const Plant& plant, co
 }
 
 //----------------------------------------------------------------------------
-/// Plants of one species in one level: one mesh, and a skin for each.
+/// Plants of one species and proportion in one level: one mesh, and a skin for each.
 void MovingPlants::AddGroup(const std::vector<const Plant*>& group, double tolerance, Scene& scene)
 {
   constexpr std::size_t mostJoints = 65536; // of a skin
@@ -562,7 +563,7 @@ void MovingPlants::AddSkinned(const Plant& plant, const Plant& first, const Join
   foot.Name = this->Name + " " + plant.Level + " " + std::to_string(plant.Id);
   foot.Translation = { { plant.Place.Foot.x, plant.Place.Foot.y, plant.Place.Foot.z } };
   foot.Rotation = { { turn.x, turn.y, turn.z, turn.w } };
-  foot.Scale = plant.Place.Scale;
+  foot.Scale.fill(plant.Place.Scale);
   SceneSkin skin;
   skin.Binding = static_cast<int>(scene.Bindings.size()) - 1;
   const int firstNode = static_cast<int>(scene.Nodes.size());

@@ -381,7 +381,7 @@ std::vector<int> SceneReader::AddPlantNodes(const Level& level, const SceneInsta
     SceneNode& node = this->To.Nodes.back();
     std::copy_n(&places.Translations[3 * plant], 3, node.Translation.begin());
     std::copy_n(&places.Rotations[4 * plant], 4, node.Rotation.begin());
-    node.Scale = places.Scales[3 * plant];
+    std::copy_n(&places.Scales[3 * plant], 3, node.Scale.begin());
   }
   return nodes;
 }

@@ -19,6 +19,7 @@ vtkReevesTreeSource::vtkReevesTreeSource()
   , Preset(Oak)
   , SpeciesHeight(0.0)
   , SpeciesDiameter(0.0)
+  , SpeciesCrown(0.0)
   , CrownShape(Ellipsoid)
   , Height(12.0)
   , CrownRadius(5.4)
@@ -47,13 +48,15 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     isZeroOr(this->SpeciesHeight, 0.05, 150.0), "SpeciesHeight", this->SpeciesHeight, "m", "from 0.05 to 150 m, or 0");
   check.Require(isZeroOr(this->SpeciesDiameter, 0.002, 20.0), "SpeciesDiameter", this->SpeciesDiameter, "m",
     "from 0.002 to 20 m, or 0");
+  check.Require(
+    isZeroOr(this->SpeciesCrown, 0.02, 200.0), "SpeciesCrown", this->SpeciesCrown, "m", "from 0.02 to 200 m, or 0");
   if (!check.IsGood())
   {
     littoralErrorMacro(<< check.Reason());
     return false;
   }
   littoral::ReevesTreeParameters p = littoral::SizedParameters(
-    static_cast<littoral::TreePreset>(this->Preset), this->SpeciesHeight, this->SpeciesDiameter);
+    static_cast<littoral::TreePreset>(this->Preset), this->SpeciesHeight, this->SpeciesDiameter, this->SpeciesCrown);
   if (this->Preset == Custom)
   {
     p.Shape = static_cast<littoral::CrownShape>(this->CrownShape);
@@ -102,6 +105,7 @@ void vtkReevesTreeSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "SpeciesHeight: " << this->SpeciesHeight << "\n";
   os << indent << "SpeciesDiameter: " << this->SpeciesDiameter << "\n";
+  os << indent << "SpeciesCrown: " << this->SpeciesCrown << "\n";
   os << indent << "CrownShape: " << this->CrownShape << "\n";
   os << indent << "Height: " << this->Height << "\n";
   os << indent << "CrownRadius: " << this->CrownRadius << "\n";

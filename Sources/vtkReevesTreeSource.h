@@ -44,8 +44,8 @@ public:
 
   ///@{
   /**
-   * Species, a PresetType; default Oak. All parameters of the tree but Seed, SpeciesHeight and SpeciesDiameter are
-   * ignored unless it is Custom.
+   * Species, a PresetType; default Oak. All parameters of the tree but Seed, SpeciesHeight, SpeciesDiameter and
+   * SpeciesCrown are ignored unless it is Custom.
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
@@ -75,6 +75,15 @@ public:
    */
   vtkSetMacro(SpeciesDiameter, double);
   vtkGetMacro(SpeciesDiameter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Diameter of the crown of a tree of a preset species [m], 0.02 to 200, or 0 for one that scales with the diameter at
+   * breast height; default 0. Not used if Preset is Custom.
+   */
+  vtkSetMacro(SpeciesCrown, double);
+  vtkGetMacro(SpeciesCrown, double);
   ///@}
 
   ///@{
@@ -169,6 +178,7 @@ protected:
   int Preset;
   double SpeciesHeight;
   double SpeciesDiameter;
+  double SpeciesCrown;
   int CrownShape;
   double Height;
   double CrownRadius;

@@ -47,8 +47,22 @@ GroundPoint HeightGrid::At(double x, double y) const
   ground.Height = Mix(Mix(h00, h10, part[0]), Mix(h01, h11, part[0]), part[1]);
   const double alongX = Mix(h10 - h00, h11 - h01, part[1]) / this->Spacing[0];
   const double alongY = Mix(h01 - h00, h11 - h10, part[0]) / this->Spacing[1];
+  ground.Gradient[0] = alongX;
+  ground.Gradient[1] = alongY;
   ground.Slope = std::atan(std::hypot(alongX, alongY));
   return ground;
+}
+
+long long HeightGrid::Nearest(double x, double y) const
+{
+  const double place[2] = { x, y };
+  long long nearest[2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const long long last = this->Count[axis] - 1;
+    nearest[axis] = std::clamp(std::llround((place[axis] - this->Origin[axis]) / this->Spacing[axis]), 0LL, last);
+  }
+  return nearest[1] * this->Count[0] + nearest[0];
 }
 
 }

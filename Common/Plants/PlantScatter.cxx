@@ -39,6 +39,24 @@ double Uniform(int seed, RandomPurpose purpose, long long site)
   return RandomStream(seed, purpose).UniformPair(static_cast<std::uint64_t>(site), 0)[0];
 }
 
+/// A place of a plant that is wider by a factor.
+Vector3 Wide(const Vector3& place, double girth)
+{
+  return { girth * place.x, girth * place.y, place.z };
+}
+
+/// Its normals: n = (n_x / g, n_y / g, n_z), of the length it had.
+Vector3 WideNormal(const Vector3& normal, double girth)
+{
+  if (girth == 1.0)
+  {
+    return normal;
+  }
+  const Vector3 across(normal.x, normal.y, girth * normal.z);
+  const double length = glm::length(across);
+  return length > 0.0 ? across * (glm::length(normal) / length) : normal;
+}
+
 PlantLevel LevelAt(double distance, const PlantViewOptions& options)
 {
   if (!options.UseLevels || distance <= options.NearDistance)
@@ -150,7 +168,7 @@ void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places)
 
 Box BoxOf(const PlantPlace& place, const PlantExtent& extent)
 {
-  const double radius = place.Scale * extent.Radius;
+  const double radius = place.Scale * place.Girth * extent.Radius;
   return { place.Foot + Vector3(-radius, -radius, place.Scale * extent.Low),
     place.Foot + Vector3(radius, radius, place.Scale * extent.High) };
 }
@@ -163,11 +181,13 @@ ImpostorCard FacingCard(const ImpostorShape& shape, const PlantPlace& place, con
   const Vector3 towards =
     view.IsParallel ? -Normalised(view.Direction) : Normalised(view.Point - place.Foot - place.Scale * middle);
   const auto turned = [&](const Vector3& v) { return Vector3(c * v.x - s * v.y, s * v.x + c * v.y, v.z); };
-  ImpostorCard card = CardTowards(shape, { c * towards.x + s * towards.y, c * towards.y - s * towards.x, towards.z });
+  const double girth = place.Girth;
+  const Vector3 own(c * towards.x + s * towards.y, c * towards.y - s * towards.x, girth * towards.z);
+  ImpostorCard card = CardTowards(shape, girth == 1.0 ? own : Normalised(own));
   for (int corner = 0; corner < 4; ++corner)
   {
-    card.Corners[corner] = place.Foot + place.Scale * turned(card.Corners[corner]);
-    card.Normals[corner] = turned(card.Normals[corner]);
+    card.Corners[corner] = place.Foot + place.Scale * turned(Wide(card.Corners[corner], girth));
+    card.Normals[corner] = turned(WideNormal(card.Normals[corner], girth));
   }
   return card;
 }
@@ -199,9 +219,9 @@ Skeleton Placed(const Skeleton& prototype, const PlantPlace& place)
   Skeleton placed = prototype;
   for (SkeletonNode& node : placed.Nodes)
   {
-    const Vector3& p = node.Position;
+    const Vector3 p = Wide(node.Position, place.Girth);
     node.Position = place.Foot + place.Scale * Vector3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
-    node.Radius *= place.Scale;
+    node.Radius *= place.Scale * place.Girth;
   }
   return placed;
 }
@@ -215,8 +235,8 @@ PlantPlacement::PlantPlacement(const PlantPlace& place)
 
 void PlantPlacement::Points(const float* from, std::size_t count, float* to) const
 {
-  const double c = this->Place.Scale * this->Cosine;
-  const double s = this->Place.Scale * this->Sine;
+  const double c = this->Place.Scale * this->Place.Girth * this->Cosine;
+  const double s = this->Place.Scale * this->Place.Girth * this->Sine;
   for (std::size_t i = 0; i < 3 * count; i += 3)
   {
     to[i] = static_cast<float>(this->Place.Foot.x + c * from[i] - s * from[i + 1]);
@@ -236,13 +256,20 @@ void PlantPlacement::Directions(const float* from, std::size_t count, float* to)
     to[i] = c * x - s * y;
     to[i + 1] = s * x + c * y;
     to[i + 2] = from[i + 2];
+    if (this->Place.Girth != 1.0)
+    {
+      const Vector3 normal = WideNormal({ to[i], to[i + 1], to[i + 2] }, this->Place.Girth);
+      to[i] = static_cast<float>(normal.x);
+      to[i + 1] = static_cast<float>(normal.y);
+      to[i + 2] = static_cast<float>(normal.z);
+    }
   }
 }
 
 void PlantPlacement::Lengths(const float* from, std::size_t count, float* to) const
 {
-  std::transform(
-    from, from + count, to, [this](float length) { return static_cast<float>(this->Place.Scale * length); });
+  const double scale = this->Place.Scale * this->Place.Girth;
+  std::transform(from, from + count, to, [scale](float length) { return static_cast<float>(scale * length); });
 }
 
 void PlantPlacement::Colors(const unsigned char* from, std::size_t count, unsigned char* to) const

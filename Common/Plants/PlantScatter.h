@@ -53,13 +53,15 @@ struct PlantPlace
   int Site = 0;         ///< index of the site
   long long SiteId = 0; ///< the site's identity
   int Species = 0;
-  double Scale = 1.0;
+  double Scale = 1.0;            ///< of heights
+  double Girth = 1.0;            ///< of what is level, beside Scale: a plant is Scale Girth times as thick and wide
   double Azimuth = 0.0;          ///< turn about the vertical [radians]
   Vector3 Foot{ 0.0, 0.0, 0.0 }; ///< [m]
   std::array<float, 3> Tint{ 1.0f, 1.0f, 1.0f };
 };
 
-/// The skeleton of a prototype at a plant's site: scaled, turned about the vertical and moved to the foot.
+/// The skeleton of a prototype at a plant's site: scaled, turned about the vertical and moved to the foot. Radii scale
+/// as what is level.
 Skeleton Placed(const Skeleton& prototype, const PlantPlace& place);
 
 /// The box that holds a plant, however it is turned.
@@ -121,7 +123,9 @@ public:
   explicit PlantPlacement(const PlantPlace& place);
 
   void Points(const float* from, std::size_t count, float* to) const;
+  /// Normals, and other directions at right angles to a surface.
   void Directions(const float* from, std::size_t count, float* to) const;
+  /// Lengths across branches, as radii.
   void Lengths(const float* from, std::size_t count, float* to) const;
   void Colors(const unsigned char* from, std::size_t count, unsigned char* to) const;
 

@@ -374,11 +374,11 @@ ReevesTreeParameters PresetParameters(TreePreset preset)
   return TraitsOf(preset).Parameters();
 }
 
-ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter)
+ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter, double crown)
 {
   const ReevesTreeParameters own = PresetParameters(preset);
   ReevesTreeParameters p = own;
-  if (!(height > 0.0) && !(diameter > 0.0))
+  if (!(height > 0.0) && !(diameter > 0.0) && !(crown > 0.0))
   {
     return p;
   }
@@ -386,14 +386,14 @@ ReevesTreeParameters SizedParameters(TreePreset preset, double height, double di
   p.TrunkRadius = diameter > 0.0 ? 0.5 * diameter : own.TrunkRadius;
   const double wider = p.TrunkRadius / own.TrunkRadius;
   const double taller = p.Height / own.Height;
-  p.CrownRadius = wider * own.CrownRadius;
+  p.CrownRadius = crown > 0.0 ? 0.5 * crown : wider * own.CrownRadius;
   const double stouter = wider / taller;
   p.TrunkReach = 1.0 - (1.0 - own.TrunkReach) * std::min(1.0, stouter);
   const double part = (1.0 - own.CrownBase / own.Height) * std::sqrt(stouter);
   p.CrownBase = std::max(0.0, 1.0 - std::min(part, 1.0)) * p.Height;
   p.CrownBase = std::min(p.CrownBase, 0.8 * p.TrunkReach * p.Height);
   const double length = (p.Height - p.CrownBase) / (own.Height - own.CrownBase);
-  p.LeafSize = own.LeafSize * std::sqrt(wider * length);
+  p.LeafSize = own.LeafSize * std::sqrt(p.CrownRadius / own.CrownRadius * length);
   return p;
 }
 

@@ -3,7 +3,10 @@
 #include "Sway/SwaySpecies.h"
 
 #include "Numerics/Constants.h"
+#include "Plants/PlantScatter.h"
 #include "Sway/TrunkSkin.h"
+
+#include <algorithm>
 
 namespace littoral
 {
@@ -32,6 +35,16 @@ SwaySpecies MakeSpecies(const Skeleton& rest, const WoodParameters& wood, const 
   const BranchBeam trunk = TrunkBeam(species.Trunk, 1.0, 0.0, settings.With(wood));
   species.SwingFrequency = trunk.Modes.front().Frequency / TwoPi;
   return species;
+}
+
+TrunkMeasures WideTrunk(const SwaySpecies& species, double girth, const SwaySettings& settings)
+{
+  PlantPlace wide;
+  wide.Girth = girth;
+  std::vector<double> areas = species.LeafAreas;
+  std::for_each(areas.begin(), areas.end(), [girth](double& area) { area *= girth; });
+  const Skeleton rest = Placed(species.Rest, wide);
+  return MeasureTrunk(rest, FedLeafAreas(rest, areas, settings.Options.LeafAreaRatio));
 }
 
 bool HasModes(const SwaySpecies& species, const SwaySettings& settings)

@@ -46,6 +46,10 @@ struct SwaySpecies
 SwaySpecies MakeSpecies(const Skeleton& rest, const WoodParameters& wood, const std::vector<LeafCorners>& leaves,
   const SwaySettings& settings);
 
+/// What the trunk of a plant of a species bends by and bears, if it is wider and thicker by a factor. Leaves have an
+/// area as if upright.
+TrunkMeasures WideTrunk(const SwaySpecies& species, double girth, const SwaySettings& settings);
+
 /// Whether the trunk has the modes of a beam. It has not if its radii are so unlike that the stiffness of one segment
 /// hides that of the others in rounding.
 bool HasModes(const SwaySpecies& species, const SwaySettings& settings);

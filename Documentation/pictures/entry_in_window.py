@@ -19,6 +19,16 @@ def measured_spectrum():
     return simple.CSVReader(FileName=[file.name])
 
 
+def inventory():
+    """A table of 400 oaks, maples and pines."""
+    with tempfile.NamedTemporaryFile("w", suffix=".csv", delete=False) as file:
+        file.write("x,y,species,dbh\n")
+        for k in range(400):
+            x, y = 5.0 * (k % 20) + 2.0 * math.sin(9.1 * k), 5.0 * (k // 20) + 2.0 * math.cos(7.7 * k)
+            file.write(f"{x:.1f},{y:.1f},{('oak', 'sugar maple', 'loblolly pine')[k % 3]},{25 + 15 * math.sin(k):.1f}\n")
+    return simple.CSVReader(FileName=[file.name])
+
+
 def usual_inputs(name):
     """Makes and applies what an entry is usually applied to, shown as a user's view has it: (input, other inputs)."""
     make = {
@@ -31,6 +41,8 @@ def usual_inputs(name):
         "ParticleFog": lambda: (simple.SuspendedParticles(), {}),
         "QuadratAnalysis": lambda: (simple.QuadratPoints(), {}),
         "QuadratPointsFromFits": lambda: (simple.QuadratAnalysis(Input=simple.QuadratPoints()), {}),
+        "StandInventory": lambda: (inventory(), {}),
+        "SitePreference": lambda: (simple.QuadratPoints(), {"Terrain": simple.TurningBandsTerrain()}),
         "PlantScatter": lambda: (simple.QuadratPoints(Size=[200, 200]), {"Prototypes": simple.ReevesTree()}),
         "MeasuredSeaState": lambda: (measured_spectrum(), {}),
         "SeaStatistics": lambda: (simple.SeaState(), {}),
@@ -92,7 +104,8 @@ def prepare(name):
     for one in [] if name.endswith("FromFits") else inputs:
         show(one)
         simple.RenderAllViews()
-    show(getattr(simple, name)(**{"Sites" if name == "PlantScatter" else "Input": first}, **others), inputs)
+    port = {"PlantScatter": "Sites", "SitePreference": "Sites", "StandInventory": "Inventory"}.get(name, "Input")
+    show(getattr(simple, name)(**{port: first}, **others), inputs)
     simple.RenderAllViews()
     say_ready("made")
 

@@ -25,7 +25,7 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "drainage", "patterns", "plants", "forests", "wind", "sway",
+GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "drainage", "patterns", "plants", "forests", "stands", "wind", "sway",
          "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "blender", "speed", "troubleshooting")
 DESIGN = ("numerics", "geometry", "terrain", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
           "particles", "seaweed", "paraview", "volumes", "scenes")
@@ -38,6 +38,7 @@ FIELDS = (
     ("Point patterns", "patterns", "patterns",
      ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter", "vtkPointPatternStatisticsFilter", "vtkPointProcessSource",
       "vtkPatternVerdictFilter")),
+    ("Stands", "stands", "plants", ("vtkStandInventoryFilter", "vtkSitePreferenceFilter")),
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
       "vtkPlantScatterFilter")),
@@ -83,6 +84,7 @@ EXAMPLES = {
     "Examples/Cxx/GrowTerrain.cxx": ("Terrain in C++", "terrain.jpg"),
     "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
+    "Examples/Python/planted_stands.py": ("Planted inventories", "stand-longleaf.jpg"),
     "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),
     "Examples/Python/swaying_trees.py": ("Swaying trees", "swaying-trees.jpg"),
     "Examples/Python/sea_surface.py": ("Sea surface", "sea-surface.jpg"),

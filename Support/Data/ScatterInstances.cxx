@@ -5,6 +5,7 @@
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
 #include "Data/PlantBlocks.h"
+#include "Data/ScatterTable.h"
 #include "Data/SeaweedBlocks.h"
 
 #include "vtkCellArray.h"
@@ -67,10 +68,11 @@ private:
 
 }
 
-double InstanceBytes(std::size_t plants)
+double InstanceBytes(std::size_t plants, bool hasGirths)
 {
   // Position, rotation, scale, tint; prototype, plant, species, level; identity; vertex with its offset.
-  constexpr double onePlant = (3 + 4 + 1 + 3) * sizeof(float) + 4 * sizeof(int) + 8 + 2 * sizeof(vtkIdType);
+  const double scales = hasGirths ? 3.0 : 1.0;
+  const double onePlant = (3 + 4 + scales + 3) * sizeof(float) + 4 * sizeof(int) + 8 + 2 * sizeof(vtkIdType);
   return onePlant * static_cast<double>(plants);
 }
 
@@ -83,7 +85,8 @@ vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, 
   feet.reserve(count);
   Column<vtkIntArray> prototypes(arrays, PrototypeName, 1, count);
   Column<vtkFloatArray> rotations(arrays, "Rotation", 4, count);
-  Column<vtkFloatArray> scales(arrays, "Scale", 1, count);
+  const bool hasGirths = HasGirths(places);
+  Column<vtkFloatArray> scales(arrays, "Scale", hasGirths ? 3 : 1, count);
   Column<vtkFloatArray> tints(arrays, "Tint", 3, count);
   Column<vtkIntArray> plants(arrays, plant::PlantId, 1, count);
   Column<vtkTypeInt64Array> sites(arrays, "SiteId", 1, count);
@@ -99,6 +102,11 @@ vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, 
     rotations.Add(0.0);
     rotations.Add(0.0);
     rotations.Add(std::sin(0.5 * place.Azimuth));
+    if (hasGirths)
+    {
+      scales.Add(place.Scale * place.Girth);
+      scales.Add(place.Scale * place.Girth);
+    }
     scales.Add(place.Scale);
     for (const float factor : place.Tint)
     {

@@ -15,8 +15,8 @@
 namespace littoral
 {
 
-/// Memory of the points [bytes].
-double InstanceBytes(std::size_t plants);
+/// Memory of the points [bytes]; with girths they have scales along three axes.
+double InstanceBytes(std::size_t plants, bool hasGirths);
 
 /// A vertex for each shown plant, with the arrays that place its prototype.
 vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown);

@@ -31,7 +31,8 @@ ScatterMerge::ScatterMerge(const ScatterPrototypes& prototypes, const std::vecto
     this->Shown[static_cast<int>(plant.Level)].push_back(plant.Place);
   }
   this->Merges.reserve(NumberOfParts);
-  this->Bytes = TableBytes * static_cast<double>(shown.size());
+  const double girthBytes = HasGirths(places) ? sizeof(double) : 0.0;
+  this->Bytes = (TableBytes + girthBytes) * static_cast<double>(shown.size());
   for (int part = 0; part < NumberOfParts; ++part)
   {
     const bool isCards = part == LowPart && facing;

@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Blocks.h"
 
+#include "vtkCellArray.h"
 #include "vtkNew.h"
 
 #include <algorithm>
@@ -43,6 +44,39 @@ PlantExtent ExtentOf(const PrototypeBlocks& blocks)
     }
   }
   return extent;
+}
+
+/// The top of a level, and the stem of its bark.
+StemShape StemOf(const PrototypeBlocks& blocks, PartIndex bark, PartIndex leaves)
+{
+  double top = 0.0;
+  for (const PartIndex part : { bark, leaves })
+  {
+    if (blocks[part] && blocks[part]->GetNumberOfPoints() > 0)
+    {
+      top = std::max(top, blocks[part]->GetBounds()[5]);
+    }
+  }
+  std::vector<Vector3> points;
+  std::vector<std::array<int, 3>> triangles;
+  vtkPolyData* skin = blocks[bark];
+  for (vtkIdType point = 0; skin && point < skin->GetNumberOfPoints(); ++point)
+  {
+    Vector3& position = points.emplace_back();
+    skin->GetPoint(point, &position.x);
+  }
+  for (vtkIdType cell = 0; skin && cell < skin->GetNumberOfPolys(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    skin->GetPolys()->GetCellAtId(cell, size, corners);
+    for (vtkIdType corner = 2; corner < size; ++corner)
+    {
+      triangles.push_back(
+        { static_cast<int>(corners[0]), static_cast<int>(corners[corner - 1]), static_cast<int>(corners[corner]) });
+    }
+  }
+  return { points, triangles, top };
 }
 
 /// A block that is one card, to be placed.
@@ -182,6 +216,8 @@ void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& pr
   for (const PrototypeBlocks& each : blocks)
   {
     prototypes.Extents.push_back(ExtentOf(each));
+    prototypes.Stems.push_back(StemOf(each, SkinPart, LeavesPart));
+    prototypes.MediumStems.push_back(StemOf(each, TrunkPart, CrownPart));
   }
   TextureAtlas crownAtlas = JoinTextures(blocks, CrownPart, prototypes);
   TextureAtlas leafAtlas = JoinTextures(blocks, LeavesPart, prototypes);

@@ -9,6 +9,7 @@
 #include "Data/PlantMerge.h"
 #include "Geometry/TextureAtlas.h"
 #include "Plants/PlantScatter.h"
+#include "Plants/StemShape.h"
 
 #include "vtkFieldData.h"
 
@@ -61,6 +62,8 @@ struct ScatterPrototypes
 {
   std::vector<PlantPart> Parts;
   std::vector<PlantExtent> Extents;
+  std::vector<StemShape> Stems;       ///< of the level High
+  std::vector<StemShape> MediumStems; ///< of Medium, whose trunks have fewer corners
   TextureImage CrownAtlas;
   TextureImage LeafAtlas;
   PlantPart FacingLow; ///< one card a plant, not placed yet; plants without an impostor as in Low

@@ -3,7 +3,7 @@
 #include "Data/ScatterSites.h"
 
 #include "Data/ArrayReader.h"
-#include "Geometry/HeightGrid.h"
+#include "Data/TerrainGrid.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
@@ -30,16 +30,22 @@ struct SiteArrays
   vtkDataArray* Species = nullptr;
   vtkDataArray* Scale = nullptr;
   vtkDataArray* Azimuth = nullptr;
+  vtkDataArray* Height = nullptr;
+  vtkDataArray* Diameter = nullptr;
 
-  SiteArrays(vtkPointSet* sites, std::string& reason)
+  SiteArrays(vtkPointSet* sites, const DimensionArrays& dimensions, std::string& reason)
   {
     ArrayReader points = ArrayReader::OfPoints(sites, "a set of sites");
     this->SiteId = points.Find("SiteId", 1);
     this->Species = points.Find("Species", 1);
     this->Scale = points.Find("Scale", 1);
     this->Azimuth = points.Find("Azimuth", 1);
+    this->Height = dimensions.Height.empty() ? nullptr : points.Find(dimensions.Height.c_str(), 1);
+    this->Diameter = dimensions.Diameter.empty() ? nullptr : points.Find(dimensions.Diameter.c_str(), 1);
     reason = points.Reason();
   }
+
+  bool HasDimensions() const { return this->Height || this->Diameter; }
 };
 
 /// Whether a number identifies a site. Its fraction does not count.
@@ -93,48 +99,28 @@ bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDraws& d
   return true;
 }
 
-/// The terrain as the numerics see it. False, with the reason, if it is none.
-bool MakeGrid(vtkImageData* terrain, HeightGrid& grid, std::string& reason)
+/// Gives the plant at a site the dimensions that it has there. False, with the reason, if it cannot have them.
+bool FitPlace(const SiteArrays& arrays, const std::vector<StemShape>& stems, PlantPlace& place, std::string& reason)
 {
-  ArrayReader points = ArrayReader::OfPoints(terrain, "the Terrain");
-  vtkDataArray* heights =
-    points.Has("Elevation") ? points.Find("Elevation", 1) : points.Fit(terrain->GetPointData()->GetScalars(), 1);
-  int extent[6];
-  terrain->GetExtent(extent);
-  if (extent[5] != extent[4] || extent[1] <= extent[0] || extent[3] <= extent[2])
+  const std::string ofSite = " of site " + std::to_string(place.Site);
+  TreeDimensions tree{ 1.0, 1.0 }; // what is not given is good
+  tree.Height = arrays.Height ? arrays.Height->GetComponent(place.Site, 0) : tree.Height;
+  tree.Diameter = arrays.Diameter ? arrays.Diameter->GetComponent(place.Site, 0) : tree.Diameter;
+  reason = WhyInvalid(tree, ofSite);
+  if (reason.empty())
   {
-    reason = "the Terrain must be one layer of at least 2 x 2 points.";
-    return false;
+    const std::string why =
+      stems[place.Species].Fit({ arrays.Height ? tree.Height : 0.0, arrays.Diameter ? tree.Diameter : 0.0 }, place);
+    reason = why.empty() ? why : "the plant" + ofSite + " cannot have a DBH: " + why;
   }
-  if (!points.IsGood())
-  {
-    reason = points.Reason();
-    return false;
-  }
-  if (!heights)
-  {
-    reason = "the Terrain has neither a point array Elevation nor active scalars.";
-    return false;
-  }
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    grid.Spacing[axis] = terrain->GetSpacing()[axis];
-    grid.Origin[axis] = terrain->GetOrigin()[axis] + extent[2 * axis] * grid.Spacing[axis];
-    grid.Count[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
-    if (!(grid.Spacing[axis] > 0.0))
-    {
-      reason = "the spacing of the Terrain must be positive.";
-      return false;
-    }
-  }
-  grid.HeightOf = [heights](long long point) { return heights->GetComponent(static_cast<vtkIdType>(point), 0); };
-  return true;
+  return reason.empty();
 }
 
 }
 
 std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
-  const GroundLimits& limits, std::vector<PlantPlace>& places)
+  const GroundLimits& limits, std::vector<PlantPlace>& places, const DimensionArrays& dimensions,
+  const std::vector<StemShape>& stems)
 {
   const vtkIdType count = sites->GetNumberOfPoints();
   const double bytes = sizeof(PlantPlace) + 2.0 * sizeof(Box);
@@ -144,12 +130,15 @@ std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const Scatter
   }
   places.resize(static_cast<std::size_t>(count));
   std::string reason;
-  const SiteArrays arrays(sites, reason);
+  const SiteArrays arrays(sites, dimensions, reason);
   const PlantDraws draws(options);
   const int species = static_cast<int>(options.Weights.size());
   for (vtkIdType site = 0; site < count && reason.empty(); ++site)
   {
-    MakePlace(sites, arrays, draws, species, site, places[site], reason);
+    if (MakePlace(sites, arrays, draws, species, site, places[site], reason) && arrays.HasDimensions())
+    {
+      FitPlace(arrays, stems, places[site], reason);
+    }
   }
   HeightGrid grid;
   if (reason.empty() && terrain && MakeGrid(terrain, grid, reason))
@@ -161,6 +150,20 @@ std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const Scatter
     DropOutside(limits, places);
   }
   return reason;
+}
+
+std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,
+  const std::vector<StemShape>& stems, const std::vector<PlantPlace>& places)
+{
+  std::string reason; // none: the arrays have been read
+  const SiteArrays arrays(sites, dimensions, reason);
+  std::vector<PlantPlace> level;
+  for (const PlantPlace& place : arrays.HasDimensions() ? places : std::vector<PlantPlace>())
+  {
+    PlantPlace own = place;
+    level.push_back(FitPlace(arrays, stems, own, reason) ? own : place);
+  }
+  return level;
 }
 
 }

@@ -6,6 +6,7 @@
 // The sites of a scattered forest. Private: never installed, never wrapped.
 
 #include "Plants/PlantScatter.h"
+#include "Plants/StemShape.h"
 
 #include <string>
 #include <vector>
@@ -16,9 +17,22 @@ class vtkPointSet;
 namespace littoral
 {
 
-/// The plants at all sites, on the ground if there is a terrain. Why they cannot stand there, or nothing.
+/// Names of point arrays of the sites that hold heights and diameters at breast height [m]; empty: not used.
+struct DimensionArrays
+{
+  std::string Height;
+  std::string Diameter;
+};
+
+/// The plants at all sites, on the ground if there is a terrain; `stems` are those of the prototypes. Why they cannot
+/// stand there, or nothing.
 std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
-  const GroundLimits& limits, std::vector<PlantPlace>& places);
+  const GroundLimits& limits, std::vector<PlantPlace>& places, const DimensionArrays& dimensions = {},
+  const std::vector<StemShape>& stems = {});
+
+/// The same plants in a level of detail with other stems, where sites have dimensions; none where they have not.
+std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,
+  const std::vector<StemShape>& stems, const std::vector<PlantPlace>& places);
 
 }
 

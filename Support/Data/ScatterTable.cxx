@@ -10,6 +10,8 @@
 #include "vtkIntArray.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
+
 namespace littoral
 {
 
@@ -34,6 +36,11 @@ void AddPlantColumn(vtkFieldData* fields, const char* name, int components, std:
 
 }
 
+bool HasGirths(const std::vector<PlantPlace>& places)
+{
+  return std::any_of(places.begin(), places.end(), [](const PlantPlace& place) { return place.Girth != 1.0; });
+}
+
 void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, vtkFieldData* fields)
 {
   const auto of = [&](std::size_t index) -> const PlantPlace& { return places[shown[index].Place]; };
@@ -42,6 +49,10 @@ void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPl
   AddPlantColumn<vtkTypeInt64Array>(fields, "SiteId", 1, count, [&](auto i, int) { return of(i).SiteId; });
   AddPlantColumn<vtkIntArray>(fields, "Species", 1, count, [&](auto i, int) { return of(i).Species; });
   AddPlantColumn<vtkDoubleArray>(fields, "Scale", 1, count, [&](auto i, int) { return of(i).Scale; });
+  if (HasGirths(places))
+  {
+    AddPlantColumn<vtkDoubleArray>(fields, "Girth", 1, count, [&](auto i, int) { return of(i).Girth; });
+  }
   AddPlantColumn<vtkDoubleArray>(fields, "Azimuth", 1, count, [&](auto i, int) { return of(i).Azimuth; });
   AddPlantColumn<vtkDoubleArray>(fields, "Position", 3, count, [&](auto i, int axis) { return of(i).Foot[axis]; });
   AddPlantColumn<vtkIntArray>(fields, "Level", 1, count, [&](auto i, int) { return static_cast<int>(shown[i].Level); });

@@ -15,7 +15,10 @@ class vtkFieldData;
 namespace littoral
 {
 
-/// Bytes of the table of a plant.
+/// Whether a plant has other proportions than its prototype, so that tables and instances say so of all.
+bool HasGirths(const std::vector<PlantPlace>& places);
+
+/// Bytes of the table of a plant, without its girth.
 inline constexpr double TableBytes = 60.0;
 
 /// Writes a row for each plant that is shown.

@@ -36,6 +36,7 @@ bool BadInput()
   good &= Fails<Source>("Preset", [](Source* s) { s->SetPreset(9); });
   good &= Fails<Source>("SpeciesHeight", [](Source* s) { s->SetSpeciesHeight(0.01); });
   good &= Fails<Source>("SpeciesDiameter", [](Source* s) { s->SetSpeciesDiameter(0.001); });
+  good &= Fails<Source>("SpeciesCrown", [](Source* s) { s->SetSpeciesCrown(0.001); });
   good &= Fails<Source>("Height", [](Source* s) { s->SetHeight(0.0); });
   good &= Fails<Source>("Height", [=](Source* s) { s->SetHeight(nan); });
   good &= Fails<Source>("CrownBase", [](Source* s) { s->SetCrownBase(100.0); });

@@ -39,6 +39,8 @@ RECIPES = {
     "vtkPointPatternStatisticsFilter": (("vtkQuadratPointSource",), {"SetNumberOfSteps": (16,),
                                                                      "SetNumberOfSimulations": (19,)}),
     "vtkPatternVerdictFilter": (("vtkPointProcessSource",), {"SetNumberOfSimulations": (19,)}),
+    "vtkStandInventoryFilter": (SEA, {"SetXColumn": ("Direction",), "SetYColumn": ("Phase",)}),
+    "vtkSitePreferenceFilter": (("vtkQuadratPointSource", "vtkTurningBandsTerrainSource"), {}),
     "vtkTerrainLevelOfDetailFilter": (("vtkTurningBandsTerrainSource",), {}),
     "vtkPlantScatterFilter": (("vtkQuadratPointSource", *WOOD, "vtkTurningBandsTerrainSource"), {}),
     "vtkBeamTreeDeformationFilter": ((*WOOD, "vtkWindFieldSource"), {"SetTextureSize": (16, 8)}),

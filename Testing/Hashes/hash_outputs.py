@@ -19,6 +19,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPartitionedDataSetCollection, vtkPolyData, vtkTable,
     vtkUnstructuredGrid)
 from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 import littoral
@@ -60,6 +61,18 @@ def particles():
 
 def seaweed(**settings):
     return make("vtkSeaweedSource", SetSegmentsPerBranch=(4,), **settings)
+
+
+def inventory():
+    """A table of an inventory of two plots, most of it not measured."""
+    lines = ["plot,x,y,species,dbh,height"]
+    for k in range(30):
+        lines.append(f"{'AB'[k % 2]},{7 * (k % 5)},{6 * (k // 5)},{('oak', 'Pinus taeda', '')[k % 3]},,{'' if k % 7 else 11}")
+    reader = vtkDelimitedTextReader()
+    reader.SetReadFromInputString(True)
+    reader.SetInputString("\n".join(lines))
+    reader.SetHaveHeaders(True)
+    return reader
 
 
 def current():
@@ -118,6 +131,10 @@ CASES = {
         {"SetGroundColors": (False,)}, {"SetUseCulling": (False,)}, {"SetViewPoint": (0.0, 0.0, 90.0)}]),
     "vtkPlantScatterFilter": (lambda: (make("vtkQuadratPointSource"), tree()), [
         {"SetSeed": (2,)}, {"SetUseLevels": (False,), "SetUseCulling": (False,)}, {"SetViewPoint": (50.0, 50.0, 9.0)}]),
+    "vtkStandInventoryFilter": (lambda: (inventory(),), [
+        {"SetSeed": (2,)}, {"SetHeightVariation": (0.3,)}, {"SetPlot": ("B",), "SetMeanDiameter": (0.4,)}]),
+    "vtkSitePreferenceFilter": (lambda: (make("vtkQuadratPointSource", SetSize=(40.0, 40.0)), terrain()), [
+        {"SetSeed": (2,)}, {"SetThins": (False,)}, {"SetThins": (False,), "SetSeed": (3,)}]),
     "vtkBeamTreeDeformationFilter": (lambda: (tree(), wind()), [
         {"SetResponse": (1,)}, {"SetGravity": (True,)}, {"SetNumberOfModes": (1,), "SetWoodFromPlants": (False,)}]),
     "vtkParticleOrbitFilter": (lambda: (particles(), sea()), [

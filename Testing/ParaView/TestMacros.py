@@ -43,6 +43,30 @@ for (x, y), height in {(0, 0): 10.0, (20, 0): 12.0, (0, 30): 8.0, (20, 30): 6.0}
 print("a forest of four trees has their heights")
 
 simple.ResetSession()
+with tempfile.TemporaryDirectory() as folder:
+    file = os.path.join(folder, "plot.csv")
+    with open(file, "w", encoding="utf-8") as out:
+        out.write("gx,gy,sp,dbh,status\n0,0,Pinus taeda,250,A\n20,0,oak,420,A\n0,30,oak,NA,A\n20,30,elm,60,D\n")
+    table = simple.CSVReader(FileName=[file])
+    table.UpdatePipeline()
+    simple.SetActiveSource(table)
+    run("forest_from_inventory.py")
+    stand = servermanager.Fetch(simple.FindSource("Stand"))
+forest = simple.GetActiveSource()
+forest.UseLevels = 0
+forest.UseCulling = 0
+forest.UpdatePipeline()
+data = servermanager.Fetch(forest)
+assert data.GetFieldData().GetArray("PlantsShown").GetValue(0) == 3
+tops = np.zeros(3)
+for part in (1, 2):
+    leaf = data.GetBlock(0).GetBlock(part)
+    np.maximum.at(tops, vtk_to_numpy(leaf.GetPointData().GetArray("PlantId")),
+                  vtk_to_numpy(leaf.GetPoints().GetData())[:, 2])
+assert np.allclose(tops, vtk_to_numpy(stand.GetPointData().GetArray("Height")), rtol=1e-4), tops
+print("an inventory has the heights of its trees")
+
+simple.ResetSession()
 place = simple.TurningBandsTerrain(WholeExtent=[0, 150, 0, 120, 0, 0], Spacing=[10.0, 10.0, 1.0], Seed=5)
 place.UpdatePipeline()
 simple.SetActiveSource(place)
@@ -60,7 +84,7 @@ print("a twin has", ratio, "times the standard deviation of its place")
 for selected in (simple.Sphere(), None):
     simple.SetActiveSource(selected)
     before = len(simple.GetSources())
-    for name in ("twin_from_raster.py", "forest_from_table.py"):
+    for name in ("twin_from_raster.py", "forest_from_table.py", "forest_from_inventory.py"):
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
             run(name)

@@ -10,7 +10,7 @@ import numpy as np
 import quick
 import window
 from blocks import leaves
-from mistakes import MISTAKES, SMALL_WIND, Messages, particles, sites, tree
+from mistakes import MISTAKES, SMALL_WIND, Messages, inventory, particles, sites, tree
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -25,6 +25,8 @@ VALID = {
     "PlantScatter": lambda: dict(Sites=sites(), Prototypes=[tree()]),
     "QuadratAnalysis": lambda: dict(Input=sites()),
     "PointPatternStatistics": lambda: dict(Input=sites()),
+    "StandInventory": lambda: dict(Inventory=inventory()),
+    "SitePreference": lambda: dict(Sites=sites(), Terrain=simple.TurningBandsTerrain()),
     "SeaStatistics": lambda: dict(Input=simple.SeaState()),
     "SeaSurface": lambda: dict(Input=simple.SeaState(), Radius=50.0),
     "SeaweedDeformation": lambda: dict(Input=simple.Seaweed(), SeaState=simple.SeaState(SeaLevel=8.0)),

@@ -51,6 +51,13 @@ def blocks():
     return simple.GroupDatasets(Input=simple.Sphere())
 
 
+def inventory(head="x,y,species,dbh"):
+    """An opened table of twenty oaks."""
+    with tempfile.NamedTemporaryFile("w", suffix=".csv", delete=False) as file:
+        file.write(head + "\n" + "".join(f"{5 * (k % 5)},{6 * (k // 5)},oak,{20 + k}\n" for k in range(20)))
+    return simple.CSVReader(FileName=[file.name])
+
+
 # The proxy, its inputs and properties, what the one message names, and what comes out.
 MISTAKES = [
     ("BeamTreeDeformation", lambda: dict(Input=tree()), "There is no wind", UNMOVED),
@@ -95,6 +102,10 @@ MISTAKES = [
     ("QuadratAnalysis", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),
     ("PointPatternStatistics", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),
     ("PointPatternStatistics", lambda: dict(Input=sites(), Function="Mark Correlation"), "MarkArray", EMPTY),
+    ("StandInventory", lambda: dict(Inventory=inventory("east,north,species,dbh")), "no columns x and y", EMPTY),
+    ("StandInventory", lambda: dict(Inventory=inventory(), DiameterUnit="Metre"), "set DiameterUnit", EMPTY),
+    ("SitePreference", lambda: dict(Sites=sites()), "there is no terrain", EMPTY),
+    ("SitePreference", lambda: dict(Sites=sites(), Terrain=image()), "one layer", EMPTY),
     ("TurningBandsTerrainFromFits", lambda: dict(Input=simple.SeaState()), "covariance fit", EMPTY),
     ("QuadratPointsFromFits", lambda: dict(Input=simple.SeaState()), "quadrat analysis", EMPTY),
     ("MeasuredSeaState", lambda: dict(Input=simple.QuadratAnalysis(Input=sites())), "Frequency and Density", EMPTY),

@@ -22,7 +22,8 @@ LEFT_OUT = {
     (name, "Spectrum"): {"table": "MeasuredSeaState has it"} for name in ("SeaState", "Sea", "Underwater")
 }
 # Choices whose enumeration has another name than that of the property with Type.
-OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "ReflectanceModel": "ModelType"}
+OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "ReflectanceModel": "ModelType", "PlaceUnit": "UnitType",
+                     "DiameterUnit": "UnitType", "HeightUnit": "UnitType"}
 # Numbers that are chosen from a list, and choices of VTK's own.
 NOT_NAMED = {("GardnerPlant", "Frequency"), ("SuspendedParticles", "OutputPointsPrecision")}
 # Defaults that no method gives back.

@@ -73,12 +73,13 @@ std::vector<PresetNumber> NumbersOf(const SeaweedParameters& p)
 
 }
 
-std::vector<PresetNumber> PresetNumbersOf(const std::string& source, int preset, double height, double diameter)
+std::vector<PresetNumber> PresetNumbersOf(
+  const std::string& source, int preset, double height, double diameter, double crown)
 {
   const auto isBelow = [preset](int count) { return preset > 0 && preset < count; };
   if (source == "vtkReevesTreeSource" && isBelow(NumberOfTreePresets))
   {
-    return NumbersOf(SizedParameters(static_cast<TreePreset>(preset), height, diameter));
+    return NumbersOf(SizedParameters(static_cast<TreePreset>(preset), height, diameter, crown));
   }
   if (source == "vtkAonoKuniiTreeSource" && isBelow(NumberOfForkPresets))
   {

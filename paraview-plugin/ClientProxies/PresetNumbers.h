@@ -17,7 +17,8 @@ struct PresetNumber
 };
 
 /// What the preset of a source stands for; none if the class has no presets or the preset is Custom or does not exist.
-std::vector<PresetNumber> PresetNumbersOf(const std::string& source, int preset, double height, double diameter);
+std::vector<PresetNumber> PresetNumbersOf(
+  const std::string& source, int preset, double height, double diameter, double crown);
 
 }
 

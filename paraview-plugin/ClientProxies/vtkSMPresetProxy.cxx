@@ -31,8 +31,8 @@ void vtkSMPresetProxy::ShowPreset()
     return this->GetProperty(name) ? vtkSMPropertyHelper(this, name).GetAsDouble() : 0.0;
   };
   const char* source = this->GetVTKClassName();
-  const auto numbers = littoral::PresetNumbersOf(
-    source ? source : "", static_cast<int>(numberOf("Preset")), numberOf("SpeciesHeight"), numberOf("SpeciesDiameter"));
+  const auto numbers = littoral::PresetNumbersOf(source ? source : "", static_cast<int>(numberOf("Preset")),
+    numberOf("SpeciesHeight"), numberOf("SpeciesDiameter"), numberOf("SpeciesCrown"));
   for (const littoral::PresetNumber& number : numbers)
   {
     vtkSMPropertyHelper property(this, number.Property);

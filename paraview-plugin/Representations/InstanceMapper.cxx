@@ -31,7 +31,7 @@ namespace
 constexpr const char* Declarations = R"(
 in vec4 instancePlace; // and scale
 in vec4 instanceTurn;
-in vec4 instanceTint;
+in vec4 instanceTint; // and how wide, beside the scale
 vec3 instanceTurned(vec3 v)
 {
   vec3 q = instanceTurn.xyz;
@@ -40,10 +40,10 @@ vec3 instanceTurned(vec3 v)
 )";
 
 constexpr const char* Begin = R"(
-  vec4 instanceMC = vec4(instancePlace.xyz + instancePlace.w * instanceTurned(vertexMC.xyz), 1.0);
+  vec4 instanceMC = vec4(instancePlace.xyz + instancePlace.w * instanceTurned(vec3(instanceTint.ww, 1.0) * vertexMC.xyz), 1.0);
 #define vertexMC instanceMC
-#define normalMC instanceTurned(normalMC)
-#define scalarColor min(vec4(1.0), instanceTint * scalarColor)
+#define normalMC instanceTurned(normalMC / vec3(instanceTint.ww, 1.0))
+#define scalarColor min(vec4(1.0), vec4(instanceTint.rgb, 1.0) * scalarColor)
 )";
 
 }

@@ -25,10 +25,17 @@ vtkDataArray* ArrayWith(vtkFieldData* arrays, const char* name, int components)
   return array && array->GetNumberOfComponents() == components ? array : nullptr;
 }
 
+/// One scale a plant, or one for each axis.
+vtkDataArray* ScalesOf(vtkPointData* arrays)
+{
+  vtkDataArray* same = ArrayWith(arrays, "Scale", 1);
+  return same ? same : ArrayWith(arrays, "Scale", 3);
+}
+
 bool ArePoints(vtkPolyData* block)
 {
   vtkPointData* arrays = block ? block->GetPointData() : nullptr;
-  return ArrayWith(arrays, PrototypeName, 1) && ArrayWith(arrays, "Rotation", 4) && ArrayWith(arrays, "Scale", 1) &&
+  return ArrayWith(arrays, PrototypeName, 1) && ArrayWith(arrays, "Rotation", 4) && ScalesOf(arrays) &&
     ArrayWith(arrays, "Tint", 3);
 }
 
@@ -91,13 +98,16 @@ std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair)
     std::array<double, 3> tint{ 1.0, 1.0, 1.0 };
     instances->GetPoint(point, place.data());
     arrays->GetArray("Rotation")->GetTuple(point, rotation.data());
-    const double scale = arrays->GetArray("Scale")->GetTuple1(point);
+    vtkDataArray* scales = ScalesOf(arrays);
+    const double wide = scales->GetComponent(point, 0);
+    const double scale = scales->GetComponent(point, scales->GetNumberOfComponents() - 1);
+    const double girth = scale > 0.0 ? wide / scale : 1.0;
     if (isTinted)
     {
       arrays->GetArray("Tint")->GetTuple(point, tint.data());
     }
     for (const double number : { place[0], place[1], place[2], scale, rotation[1], rotation[2], rotation[3],
-           rotation[0], tint[0], tint[1], tint[2], 1.0 })
+           rotation[0], tint[0], tint[1], tint[2], girth })
     {
       batch->Values.push_back(static_cast<float>(number));
     }
@@ -106,6 +116,8 @@ std::shared_ptr<const InstanceBatch> BatchOf(const InstancedBlocks::Pair& pair)
       std::array<double, 3> own{};
       std::array<double, 3> at{};
       box.GetCorner(corner, own.data());
+      own[0] *= girth;
+      own[1] *= girth;
       vtkMath::RotateVectorByNormalizedQuaternion(own.data(), rotation.data(), at.data());
       batch->Bounds.AddPoint(place[0] + scale * at[0], place[1] + scale * at[1], place[2] + scale * at[2]);
     }

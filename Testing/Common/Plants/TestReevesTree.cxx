@@ -239,6 +239,10 @@ TEST_P(ReevesTreePresets, HasTheSizeThatIsAskedFor)
   const ReevesTreeParameters same = SizedParameters(GetParam(), 0.0, 0.0);
   EXPECT_EQ(same.CrownBase, own.CrownBase);
   EXPECT_EQ(same.LeafSize, own.LeafSize);
+  const ReevesTreeParameters wide = SizedParameters(GetParam(), 0.0, 0.0, 3.0 * own.CrownRadius);
+  EXPECT_DOUBLE_EQ(wide.CrownRadius, 1.5 * own.CrownRadius);
+  EXPECT_EQ(wide.TrunkRadius, own.TrunkRadius);
+  EXPECT_NEAR(wide.LeafSize, std::sqrt(1.5) * own.LeafSize, 1e-12);
   for (const double taller : { 0.7, 1.0, 1.6 })
   {
     for (const double wider : { 0.3, 1.0, 1.7 })

@@ -8,8 +8,7 @@ import struct
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import files
-from . import errors
+from . import errors, files
 from .glb import motion_of
 
 #: Signature, version, points, first frame, frames a sample, samples; then x, y, z of each point in each sample.

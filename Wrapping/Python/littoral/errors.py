@@ -39,4 +39,5 @@ def _observe(algorithm, messages):
 
     keep.CallDataType = drop.CallDataType = "string0"
     executive = algorithm.GetExecutive()
-    return [(algorithm, algorithm.AddObserver("ErrorEvent", keep)), (executive, executive.AddObserver("ErrorEvent", drop))]
+    return [(algorithm, algorithm.AddObserver("ErrorEvent", keep)),
+            (executive, executive.AddObserver("ErrorEvent", drop))]

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSitePreference_h
+#define LittoralSitePreference_h
+
+#include "Geometry/HeightGrid.h"
+#include "Plants/StandSpecies.h"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace littoral
+{
+
+/// What of the ground a species may prefer.
+enum class GroundFactor
+{
+  Elevation = 0,         ///< [m]
+  RelativeElevation = 1, ///< 0 at the lowest point of the terrain, 1 at the highest
+  Slope = 2,             ///< steepest [degrees]
+  Aspect = 3,            ///< direction that the slope faces, clockwise from north (y) [degrees]
+  Wetness = 4,           ///< topographic wetness index, ln(a / tan(slope)) with a in metres
+};
+
+inline constexpr int NumberOfGroundFactors = 5;
+
+/// The ground at a site, by factors; NaN where a factor is not known.
+using GroundFactors = std::array<double, NumberOfGroundFactors>;
+
+/**
+ * The topographic wetness index of Beven and Kirkby (1979): ln(a / tan b), where the drainage area [m2] over the width
+ * of a cell [m] is a, and b the slope [radians], at least 0.001 in its tangent.
+ */
+double WetnessOf(double drainageArea, double cellWidth, double slope);
+
+/// The direction that a slope faces, clockwise from north [degrees], 0 to 360; 0 where it is level.
+double AspectOf(const GroundPoint& ground);
+
+/// How a species answers to a factor: exp(-(v - o)^2 / (2 t^2)) (ter Braak and Looman 1986).
+struct FactorResponse
+{
+  double Optimum = std::numeric_limits<double>::quiet_NaN(); ///< NaN: the species does not mind
+  double Tolerance = 1.0;
+
+  bool Counts() const { return this->Optimum == this->Optimum; }
+};
+
+/// A species that prefers some ground.
+struct SpeciesPreference
+{
+  std::string Name;
+  double Abundance = 1.0; ///< how many there would be on the best of grounds, beside others
+  std::array<FactorResponse, NumberOfGroundFactors> Responses;
+};
+
+/// The product of a species' responses, 0 to 1. Aspect counts the less the leveller the ground is below 5 degrees.
+double PreferenceFor(const SpeciesPreference& species, const GroundFactors& ground);
+
+/// Species of a table: columns `species`, `abundance` (default 1), and for each factor its optimum and its tolerance,
+/// as `elevation` and `elevation_tolerance`, `relative_elevation`, `slope`, `aspect`, `wetness`; an empty optimum: the
+/// species does not mind. A reason, in words for a user, if the table is none of these.
+std::vector<SpeciesPreference> ReadPreferences(const TextTable& table, std::string& reason);
+
+/// Preferences of pine, oak, birch and shrub on any terrain: pines high, oaks low, birches between on level
+/// ground, shrubs on slopes.
+std::vector<SpeciesPreference> UsualPreferences();
+
+/// Whether one of the species answers to a factor.
+bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor factor);
+
+/// How sites get species.
+struct PreferenceOptions
+{
+  bool Thins = true; ///< else each site without a species gets one, unless all its preferences are 0
+  int Seed = 1;
+};
+
+/**
+ * The species of a site, by a number that depends on the seed and the site alone; -1: none grows there. A site has
+ * species s with probability a_s p_s / sum of a, or if all sites are to be kept a_s p_s / sum of a p.
+ */
+int SpeciesAt(const std::vector<SpeciesPreference>& species, const GroundFactors& ground,
+  const PreferenceOptions& options, long long site);
+
+/// Whether a plant of a species stays at its site: with probability p.
+bool StaysAt(
+  const SpeciesPreference& species, const GroundFactors& ground, const PreferenceOptions& options, long long site);
+
+}
+
+#endif

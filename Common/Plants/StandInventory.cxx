@@ -1,0 +1,547 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plants/StandInventory.h"
+
+#include "Numerics/ParameterCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace littoral
+{
+
+namespace
+{
+
+constexpr double PlotGap = 20.0; // between plots that are set in a row [m]
+// What no stand of trees has.
+constexpr double LargestDiameter = 12.0; // of the thickest tree on record, 11.6 m [m]
+constexpr double LargestHeight = 130.0;  // the tallest on record has 116 m [m]
+constexpr double ThickestMiddle = 2.5;   // median diameter [m]
+constexpr double ThinnestMiddle = 0.002; // [m]
+constexpr double TallestMiddle = 90.0;   // median height [m]
+constexpr double LowestMiddle = 0.3;     // [m]
+constexpr double MostSlender = 400.0;    // median of height over diameter
+constexpr double LeastSlender = 8.0;
+constexpr double DensestStand = 20.0; // trees a square metre
+constexpr std::size_t FewestForDensity = 20;
+constexpr double FarthestPlace = 1e8; // [m]
+
+struct UnitWord
+{
+  const char* Word;
+  LengthUnit Unit;
+};
+
+constexpr UnitWord UnitWords[] = { { "m", LengthUnit::Metre }, { "metre", LengthUnit::Metre },
+  { "metres", LengthUnit::Metre }, { "meters", LengthUnit::Metre }, { "cm", LengthUnit::Centimetre },
+  { "mm", LengthUnit::Millimetre }, { "ft", LengthUnit::Foot }, { "feet", LengthUnit::Foot },
+  { "in", LengthUnit::Inch }, { "inch", LengthUnit::Inch }, { "inches", LengthUnit::Inch } };
+
+constexpr const char* UnitNames[] = { "the unit of its name", "m", "cm", "mm", "ft", "in" };
+static_assert(std::size(UnitNames) == NumberOfLengthUnits, "a name a unit");
+
+/// A name of a column in two: what it is called, and the unit behind it.
+std::pair<std::string, LengthUnit> NameAndUnit(const std::string& name)
+{
+  const std::size_t cut = name.find_last_of(" _.([");
+  if (cut != std::string::npos && cut > 0)
+  {
+    const std::string last = PlainWord(name.substr(cut));
+    for (const UnitWord& unit : UnitWords)
+    {
+      if (last == unit.Word)
+      {
+        return { PlainWord(name.substr(0, cut)), unit.Unit };
+      }
+    }
+  }
+  return { PlainWord(name), LengthUnit::Named };
+}
+
+/// A column that was found.
+struct FoundColumn
+{
+  int Index = -1;
+  LengthUnit Unit = LengthUnit::Named; ///< by its name
+};
+
+std::string NamesOf(const TextTable& table)
+{
+  std::string names;
+  for (const std::string& name : table.Names)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+/// Finds columns by the names that are known, or by the one that is asked for.
+class ColumnFinder
+{
+public:
+  ColumnFinder(const TextTable& table, std::string& reason)
+    : Table(table)
+    , Reason(reason)
+  {
+  }
+
+  FoundColumn Find(const std::string& asked, std::initializer_list<const char*> known)
+  {
+    for (std::size_t column = 0; !asked.empty() && column < this->Table.Names.size(); ++column)
+    {
+      if (this->Table.Names[column] == asked)
+      {
+        return { static_cast<int>(column), NameAndUnit(asked).second };
+      }
+    }
+    if (!asked.empty())
+    {
+      const std::string why = "there is no column '" + asked + "'; the table has " + NamesOf(this->Table) + ".";
+      this->Reason = this->Reason.empty() ? why : this->Reason;
+      return {};
+    }
+    for (const char* name : known)
+    {
+      for (std::size_t column = 0; column < this->Table.Names.size(); ++column)
+      {
+        const auto [word, unit] = NameAndUnit(this->Table.Names[column]);
+        if (word == name)
+        {
+          return { static_cast<int>(column), unit };
+        }
+      }
+    }
+    return {};
+  }
+
+private:
+  const TextTable& Table;
+  std::string& Reason;
+};
+
+/// The columns of an inventory, and the units of its numbers.
+struct Layout
+{
+  FoundColumn X;
+  FoundColumn Y;
+  FoundColumn Species;
+  FoundColumn Diameter;
+  FoundColumn Height;
+  FoundColumn Plot;
+  FoundColumn Status;
+  FoundColumn Tree;
+  bool IsForestGeo = false;
+
+  Layout(const TextTable& table, const InventoryColumns& columns, std::string& reason)
+  {
+    ColumnFinder finder(table, reason);
+    this->X = finder.Find(columns.X, { "x", "gx", "easting", "xcoord", "xcoordinate", "xutm", "utmx" });
+    this->Y = finder.Find(columns.Y, { "y", "gy", "northing", "ycoord", "ycoordinate", "yutm", "utmy" });
+    this->Species = finder.Find(
+      columns.Species, { "species", "sp", "spp", "spcode", "mnemonic", "latin", "latinname", "scientificname" });
+    this->Diameter = finder.Find(columns.Diameter, { "dbh", "diameter", "diam", "d130", "d" });
+    this->Height = finder.Find(columns.Height, { "height", "ht", "totalheight", "treeheight", "h" });
+    this->Plot = finder.Find(columns.Plot, { "plot", "plotid", "plotname", "plotcode" });
+    this->Status = finder.Find("", { "status", "dfstatus" });
+    this->Tree = finder.Find("", { "treeid", "tag", "treetag" });
+    this->IsForestGeo = table.ColumnOf("gx") >= 0 && table.ColumnOf("gy") >= 0;
+    if (reason.empty() && (this->X.Index < 0 || this->Y.Index < 0))
+    {
+      reason = "there are no columns x and y, or gx and gy; the table has " + NamesOf(table) +
+        ". Name the columns of the places.";
+    }
+  }
+};
+
+/// The unit of a column: as told, as its name says, or the usual one.
+LengthUnit UnitOf(LengthUnit told, const FoundColumn& column, LengthUnit usual)
+{
+  return told != LengthUnit::Named ? told : column.Unit != LengthUnit::Named ? column.Unit : usual;
+}
+
+/// Whether a status says that a tree lives, in the words of ForestGEO and others.
+bool IsAlive(const std::string& status)
+{
+  static const std::set<std::string> dead{ "d", "dead", "m", "missing", "g", "gone", "p", "prior", "stemdead",
+    "stemgone", "loststem", "brokenbelow", "dc", "dn", "ds", "cut", "fallen" };
+  return dead.count(PlainWord(status)) == 0;
+}
+
+/// A cell as words; empty where there is no column.
+const std::string& CellOf(const TextTable& table, const FoundColumn& column, std::size_t row)
+{
+  static const std::string none;
+  return column.Index < 0 ? none : table.Columns[column.Index][row];
+}
+
+/// A length of a cell [m], NaN where there is none. A reason if it holds another word.
+double LengthIn(const TextTable& table, const FoundColumn& column, std::size_t row, double metres, std::string& reason)
+{
+  double number = std::numeric_limits<double>::quiet_NaN();
+  const std::string& word = CellOf(table, column, row);
+  if (column.Index >= 0 && !ReadNumber(word, number) && reason.empty())
+  {
+    reason = "row " + std::to_string(row + 1) + " has '" + word + "' for " + table.Names[column.Index] +
+      ", which is no number.";
+  }
+  return metres * number;
+}
+
+/// A measure that is 0 was not taken; below 0 it is wrong.
+double Measure(double length, const char* name, std::size_t row, std::string& reason)
+{
+  if (length < 0.0 && reason.empty())
+  {
+    reason =
+      std::string(name) + " of row " + std::to_string(row + 1) + " is " + TextOf(length) + " m; it must be positive.";
+  }
+  return length > 0.0 ? length : std::numeric_limits<double>::quiet_NaN();
+}
+
+double Median(std::vector<double> numbers)
+{
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+/// The numbers of trees that are known.
+template <typename ValueOf>
+std::vector<double> Known(const std::vector<StandTree>& trees, const ValueOf& valueOf)
+{
+  std::vector<double> known;
+  for (const StandTree& tree : trees)
+  {
+    const double value = valueOf(tree);
+    if (std::isfinite(value))
+    {
+      known.push_back(value);
+    }
+  }
+  return known;
+}
+
+/// Why lengths are in another unit than told; empty if they may be in it.
+std::string WhyImplausible(const char* name, const char* property, LengthUnit unit, const std::vector<double>& known,
+  double lowest, double highest, double largest)
+{
+  if (known.empty())
+  {
+    return {};
+  }
+  const double middle = Median(known);
+  const double most = *std::max_element(known.begin(), known.end());
+  if (middle >= lowest && middle <= highest && most <= largest)
+  {
+    return {};
+  }
+  const int told = static_cast<int>(unit);
+  std::string others;
+  for (int other = 1; other < NumberOfLengthUnits; ++other)
+  {
+    const double factor = MetresOf(static_cast<LengthUnit>(other)) / MetresOf(unit);
+    const bool fits = factor * middle >= lowest && factor * middle <= highest && factor * most <= largest;
+    others += fits ? (others.empty() ? " " : " or ") + std::string(UnitNames[other]) : "";
+  }
+  return std::string(name) + " in " + UnitNames[told] + " would have a median of " + TextOf(middle) +
+    " m and a maximum of " + TextOf(most) + " m, which is no stand of trees; set " + property +
+    (others.empty() ? "." : ", to" + others + ".");
+}
+
+std::string WhyImplausible(const StandInventory& stand, LengthUnit diameters, LengthUnit heights)
+{
+  std::string reason = WhyImplausible("DBH", "DiameterUnit", diameters,
+    Known(stand.Trees, [](const StandTree& tree) { return tree.Diameter; }), ThinnestMiddle, ThickestMiddle,
+    LargestDiameter);
+  reason = !reason.empty() ? reason
+                           : WhyImplausible("height", "HeightUnit", heights,
+                               Known(stand.Trees, [](const StandTree& tree) { return tree.Height; }), LowestMiddle,
+                               TallestMiddle, LargestHeight);
+  const std::vector<double> slenderness =
+    Known(stand.Trees, [](const StandTree& tree) { return tree.Height / tree.Diameter; });
+  if (reason.empty() && !slenderness.empty())
+  {
+    const double middle = Median(slenderness);
+    if (middle < LeastSlender || middle > MostSlender)
+    {
+      reason = "half of the trees are " + std::string(middle < LeastSlender ? "less" : "more") + " than " +
+        TextOf(std::floor(middle)) + " times as high as thick; the units of DBH (" +
+        UnitNames[static_cast<int>(diameters)] + ") and height (" + UnitNames[static_cast<int>(heights)] +
+        ") do not fit each other: set DiameterUnit or HeightUnit.";
+    }
+  }
+  return reason;
+}
+
+/// The rectangle around some trees.
+struct Rectangle
+{
+  double Low[2] = { 1e300, 1e300 };
+  double High[2] = { -1e300, -1e300 };
+
+  void Add(const StandTree& tree)
+  {
+    const double place[2] = { tree.X, tree.Y };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], place[axis]);
+      this->High[axis] = std::max(this->High[axis], place[axis]);
+    }
+  }
+
+  bool Overlaps(const Rectangle& other) const
+  {
+    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] && this->Low[1] <= other.High[1] &&
+      other.Low[1] <= this->High[1];
+  }
+};
+
+std::vector<Rectangle> RectanglesOf(const StandInventory& stand)
+{
+  std::vector<Rectangle> rectangles(stand.Plots.size());
+  for (const StandTree& tree : stand.Trees)
+  {
+    rectangles[tree.Plot].Add(tree);
+  }
+  return rectangles;
+}
+
+/// Sets plots that overlap in a row along x.
+void SetApart(StandInventory& stand)
+{
+  const std::vector<Rectangle> plots = RectanglesOf(stand);
+  bool isOver = false;
+  for (std::size_t one = 0; one < plots.size(); ++one)
+  {
+    for (std::size_t other = 0; other < one; ++other)
+    {
+      isOver |= plots[one].Overlaps(plots[other]);
+    }
+  }
+  if (!isOver)
+  {
+    return;
+  }
+  std::vector<double> shifts;
+  double next = plots.front().Low[0];
+  for (const Rectangle& plot : plots)
+  {
+    shifts.push_back(next - plot.Low[0]);
+    next += plot.High[0] - plot.Low[0] + PlotGap;
+  }
+  for (StandTree& tree : stand.Trees)
+  {
+    tree.X += shifts[tree.Plot];
+    tree.Y += plots.front().Low[1] - plots[tree.Plot].Low[1];
+  }
+}
+
+/// Keeps the thickest of the stems of one tree. Why other trees stand at one place; empty if none do.
+std::string JoinStems(const std::vector<std::string>& identities, bool allowed, StandInventory& stand)
+{
+  std::map<std::tuple<double, double, int>, std::size_t> first;
+  std::vector<StandTree> kept;
+  for (const StandTree& tree : stand.Trees)
+  {
+    const auto [found, isNew] = first.emplace(std::tuple(tree.X, tree.Y, tree.Plot), kept.size());
+    if (isNew)
+    {
+      kept.push_back(tree);
+      continue;
+    }
+    StandTree& other = kept[found->second];
+    const bool isSame =
+      !identities.empty() && !identities[tree.Row].empty() && identities[tree.Row] == identities[other.Row];
+    if (isSame)
+    {
+      ++stand.Dropped;
+      other = !(tree.Diameter <= other.Diameter) && std::isfinite(tree.Diameter) ? tree : other;
+    }
+    else if (allowed)
+    {
+      kept.push_back(tree);
+    }
+    else
+    {
+      return "rows " + std::to_string(other.Row + 1) + " and " + std::to_string(tree.Row + 1) +
+        " stand at the same place (" + TextOf(tree.X) + ", " + TextOf(tree.Y) +
+        ") m; remove one, give stems of one tree the same treeID, or set AllowCoincident.";
+    }
+  }
+  stand.Trees = std::move(kept);
+  return {};
+}
+
+std::string WhyTooDense(const StandInventory& stand)
+{
+  const double area = AreaOf(stand);
+  const double density = static_cast<double>(stand.Trees.size()) / area;
+  if (stand.Trees.size() < FewestForDensity || density <= DensestStand)
+  {
+    return {};
+  }
+  return std::to_string(stand.Trees.size()) + " trees on " + TextOf(area) +
+    " m2 are no stand; set PlaceScale or PlaceUnit, as of a plot on a unit square.";
+}
+
+/// Reads the rows, one by one.
+class RowReader
+{
+public:
+  RowReader(const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options,
+    StandInventory& stand, std::string& reason)
+    : Table(table)
+    , Species(species)
+    , Options(options)
+    , Stand(stand)
+    , Reason(reason)
+    , Columns(table, options.Columns, reason)
+    , Diameters(UnitOf(options.DiameterUnit, this->Columns.Diameter,
+        this->Columns.IsForestGeo ? LengthUnit::Millimetre : LengthUnit::Centimetre))
+    , Heights(UnitOf(options.HeightUnit, this->Columns.Height, LengthUnit::Metre))
+  {
+  }
+
+  LengthUnit GetDiameterUnit() const { return this->Diameters; }
+  LengthUnit GetHeightUnit() const { return this->Heights; }
+  const Layout& GetColumns() const { return this->Columns; }
+
+  void Read(std::size_t row)
+  {
+    StandTree tree;
+    tree.Row = static_cast<long long>(row);
+    const std::string& plot = CellOf(this->Table, this->Columns.Plot, row);
+    if ((!this->Options.Plot.empty() && plot != this->Options.Plot) ||
+      (!this->Options.KeepDead && !IsAlive(CellOf(this->Table, this->Columns.Status, row))))
+    {
+      ++this->Stand.Dropped;
+      return;
+    }
+    tree.X = this->PlaceIn(this->Columns.X, row);
+    tree.Y = this->PlaceIn(this->Columns.Y, row);
+    tree.Diameter = Measure(LengthIn(this->Table, this->Columns.Diameter, row, MetresOf(this->Diameters), this->Reason),
+      "DBH", row, this->Reason);
+    tree.Height = Measure(LengthIn(this->Table, this->Columns.Height, row, MetresOf(this->Heights), this->Reason),
+      "Height", row, this->Reason);
+    tree.Name = CellOf(this->Table, this->Columns.Species, row);
+    tree.Species = this->Species.RowOf(tree.Name, this->Options.OtherSpecies);
+    if (this->Columns.Species.Index >= 0 && !this->Species.Has(tree.Name) && this->Met.insert(tree.Name).second)
+    {
+      this->Stand.Unlisted.push_back(tree.Name);
+    }
+    const auto [found, isNew] = this->Plots.emplace(plot, static_cast<int>(this->Stand.Plots.size()));
+    tree.Plot = found->second;
+    if (isNew)
+    {
+      this->Stand.Plots.push_back(plot);
+    }
+    this->Stand.Trees.push_back(tree);
+  }
+
+private:
+  const TextTable& Table;
+  const StandSpeciesTable& Species;
+  const InventoryOptions& Options;
+  StandInventory& Stand;
+  std::string& Reason;
+  Layout Columns;
+  LengthUnit Diameters;
+  LengthUnit Heights;
+  std::map<std::string, int> Plots;
+  std::set<std::string> Met;
+
+  double PlaceIn(const FoundColumn& column, std::size_t row)
+  {
+    const double metres = MetresOf(UnitOf(this->Options.PlaceUnit, column, LengthUnit::Metre));
+    const double place = LengthIn(this->Table, column, row, this->Options.PlaceScale * metres, this->Reason);
+    if (!(std::abs(place) <= FarthestPlace) && this->Reason.empty())
+    {
+      this->Reason = "row " + std::to_string(row + 1) + " has no place: its " + this->Table.Names[column.Index] +
+        " is '" + CellOf(this->Table, column, row) + "'.";
+    }
+    return place;
+  }
+};
+
+/// Why the options cannot be; empty if they can.
+std::string WhyInvalid(const InventoryOptions& options, const StandSpeciesTable& species)
+{
+  ParameterCheck check;
+  check.Choice("PlaceUnit", static_cast<int>(options.PlaceUnit), NumberOfLengthUnits);
+  check.Choice("DiameterUnit", static_cast<int>(options.DiameterUnit), NumberOfLengthUnits);
+  check.Choice("HeightUnit", static_cast<int>(options.HeightUnit), NumberOfLengthUnits);
+  check.Positive("PlaceScale", options.PlaceScale);
+  check.NotNegative("MeanDiameter", options.MeanDiameter, "m", ThickestMiddle);
+  check.Range("HeightVariation", options.HeightVariation, 0.0, 0.4);
+  check.Require(species.Has(options.OtherSpecies),
+    "OtherSpecies is '" + options.OtherSpecies + "', which is not in the table of species.");
+  return check.Reason();
+}
+
+}
+
+double MetresOf(LengthUnit unit)
+{
+  constexpr double metres[] = { 0.0, 1.0, 0.01, 0.001, 0.3048, 0.0254 };
+  static_assert(std::size(metres) == NumberOfLengthUnits, "a length a unit");
+  return metres[static_cast<int>(unit)];
+}
+
+double AreaOf(const StandInventory& stand)
+{
+  const std::vector<Rectangle> plots = RectanglesOf(stand);
+  std::vector<double> trees(plots.size(), 0.0);
+  for (const StandTree& tree : stand.Trees)
+  {
+    trees[tree.Plot] += 1.0;
+  }
+  double area = 0.0;
+  for (std::size_t plot = 0; plot < plots.size(); ++plot)
+  {
+    // A side of n^(1/2) spacings, of which the outermost trees are one fewer apart.
+    const double wider = 1.0 + 1.0 / std::max(1.0, std::sqrt(trees[plot]));
+    const double width = wider * (plots[plot].High[0] - plots[plot].Low[0]);
+    const double depth = wider * (plots[plot].High[1] - plots[plot].Low[1]);
+    const double least = 1e-3 * std::max({ width, depth, 1.0 });
+    area += trees[plot] > 0.0 ? std::max(width, least) * std::max(depth, least) : 0.0;
+  }
+  return area;
+}
+
+std::string ReadInventory(
+  const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand)
+{
+  stand = StandInventory();
+  std::string reason = WhyInvalid(options, species);
+  RowReader rows(table, species, options, stand, reason);
+  for (std::size_t row = 0; row < table.NumberOfRows() && reason.empty(); ++row)
+  {
+    rows.Read(row);
+  }
+  if (reason.empty() && stand.Trees.empty())
+  {
+    reason = table.NumberOfRows() == 0 ? "the table has no rows."
+                                       : "none of the " + std::to_string(table.NumberOfRows()) +
+        " rows is a living tree" + (options.Plot.empty() ? std::string(".") : " of the plot '" + options.Plot + "'.");
+  }
+  if (reason.empty())
+  {
+    const int tree = rows.GetColumns().Tree.Index;
+    reason = JoinStems(tree < 0 ? std::vector<std::string>() : table.Columns[tree], options.AllowCoincident, stand);
+  }
+  reason = reason.empty() ? WhyImplausible(stand, rows.GetDiameterUnit(), rows.GetHeightUnit()) : reason;
+  reason = reason.empty() ? WhyTooDense(stand) : reason;
+  if (reason.empty())
+  {
+    SetApart(stand);
+  }
+  return reason;
+}
+
+}

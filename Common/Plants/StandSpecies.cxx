@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plants/StandSpecies.h"
+
+#include "Plants/StandSpeciesText.h" // from StandSpecies.csv
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+
+namespace littoral
+{
+
+namespace
+{
+
+bool IsSpace(char letter)
+{
+  return letter == ' ' || letter == '\t' || letter == '\r' || letter == '"';
+}
+
+std::string Trimmed(const std::string& word)
+{
+  std::size_t begin = 0;
+  std::size_t end = word.size();
+  while (begin < end && IsSpace(word[begin]))
+  {
+    ++begin;
+  }
+  while (end > begin && IsSpace(word[end - 1]))
+  {
+    --end;
+  }
+  return word.substr(begin, end - begin);
+}
+
+std::vector<std::string> Split(const std::string& line, char separator)
+{
+  std::vector<std::string> words;
+  std::istringstream stream(line);
+  for (std::string word; std::getline(stream, word, separator);)
+  {
+    words.push_back(Trimmed(word));
+  }
+  return words;
+}
+
+/// The first word of a name.
+std::string Genus(const std::string& name)
+{
+  const std::string trimmed = Trimmed(name);
+  return trimmed.substr(0, trimmed.find_first_of(" _."));
+}
+
+/// Columns of a table of species.
+struct SpeciesColumns
+{
+  int Species;
+  int Kind;
+  int Curve;
+  std::array<int, 3> Numbers;
+};
+
+/// The curve of a row; a reason if there is none.
+std::string ReadCurve(const TextTable& table, const SpeciesColumns& columns, std::size_t row, HeightCurve& curve)
+{
+  if (columns.Curve < 0)
+  {
+    return {};
+  }
+  const std::string form = PlainWord(table.Columns[columns.Curve][row]);
+  if (form.empty())
+  {
+    return {};
+  }
+  if (form != "curtis" && form != "weibull")
+  {
+    return "curve is '" + form + "'; it must be Curtis or Weibull.";
+  }
+  curve.Form = form == "curtis" ? HeightCurveForm::Curtis : HeightCurveForm::Weibull;
+  double* const numbers[] = { &curve.A, &curve.B, &curve.C };
+  for (int index = 0; index < 3; ++index)
+  {
+    const int column = columns.Numbers[index];
+    *numbers[index] = std::numeric_limits<double>::quiet_NaN();
+    if (column < 0 || !ReadNumber(table.Columns[column][row], *numbers[index]))
+    {
+      return std::string("there is no number ") + "abc"[index] + " of its curve.";
+    }
+  }
+  return WhyInvalid(curve);
+}
+
+}
+
+int TextTable::ColumnOf(const std::string& name) const
+{
+  const std::string wanted = PlainWord(name);
+  for (std::size_t column = 0; column < this->Names.size(); ++column)
+  {
+    if (PlainWord(this->Names[column]) == wanted)
+    {
+      return static_cast<int>(column);
+    }
+  }
+  return -1;
+}
+
+TextTable ReadLines(const std::string& text)
+{
+  TextTable table;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+  {
+    const std::vector<std::string> words = Split(line, ',');
+    if (Trimmed(line).empty())
+    {
+      continue;
+    }
+    if (table.Names.empty())
+    {
+      table.Names = words;
+      table.Columns.resize(words.size());
+      continue;
+    }
+    for (std::size_t column = 0; column < table.Columns.size(); ++column)
+    {
+      table.Columns[column].push_back(column < words.size() ? words[column] : "");
+    }
+  }
+  return table;
+}
+
+std::string PlainWord(const std::string& word)
+{
+  std::string plain;
+  for (const char letter : word)
+  {
+    const char small = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    const bool isBeyondAscii = (static_cast<unsigned char>(small) & 0x80u) != 0;
+    if ((small >= 'a' && small <= 'z') || (small >= '0' && small <= '9') || isBeyondAscii)
+    {
+      plain += small;
+    }
+  }
+  return plain;
+}
+
+bool ReadNumber(const std::string& word, double& number)
+{
+  const std::string trimmed = Trimmed(word);
+  const std::string plain = PlainWord(trimmed);
+  number = std::numeric_limits<double>::quiet_NaN();
+  if (plain.empty() || plain == "na" || plain == "nan" || plain == "null" || plain == "none")
+  {
+    return plain != "" || trimmed.size() <= 1;
+  }
+  const char* end = trimmed.data() + trimmed.size();
+  const char* begin = trimmed.data() + (trimmed.front() == '+' ? 1 : 0);
+  const auto [stop, error] = std::from_chars(begin, end, number);
+  return error == std::errc() && stop == end;
+}
+
+StandSpeciesTable::StandSpeciesTable()
+{
+  this->Read(ReadLines(StandSpeciesText));
+}
+
+StandSpeciesTable::StandSpeciesTable(const TextTable& table, std::string& reason)
+{
+  reason = this->Read(table);
+}
+
+std::string StandSpeciesTable::Read(const TextTable& table)
+{
+  const SpeciesColumns columns{ table.ColumnOf("species"), table.ColumnOf("kind"), table.ColumnOf("curve"),
+    { table.ColumnOf("a"), table.ColumnOf("b"), table.ColumnOf("c") } };
+  if (columns.Species < 0 || columns.Kind < 0 || table.NumberOfRows() == 0)
+  {
+    return "the table of species needs the columns species and kind, and a row.";
+  }
+  for (std::size_t row = 0; row < table.NumberOfRows(); ++row)
+  {
+    StandSpecies species;
+    const std::vector<std::string> names = Split(table.Columns[columns.Species][row], ';');
+    species.Kind = Trimmed(table.Columns[columns.Kind][row]);
+    species.Name = names.empty() ? "" : names.front();
+    std::string reason =
+      species.Name.empty() || species.Kind.empty() ? "it needs a species and a kind." : std::string();
+    reason = reason.empty() ? ReadCurve(table, columns, row, species.Curve) : reason;
+    if (!reason.empty())
+    {
+      return "row " + std::to_string(row + 1) + " of the table of species (" + species.Name + "): " + reason;
+    }
+    for (const std::string& name : names)
+    {
+      this->Rows.emplace(PlainWord(name), static_cast<int>(row));
+    }
+    this->Species.push_back(species);
+  }
+  return {};
+}
+
+int StandSpeciesTable::RowOf(const std::string& name, const std::string& otherwise) const
+{
+  for (const std::string& word : { name, Genus(name), otherwise })
+  {
+    const auto found = this->Rows.find(PlainWord(word));
+    if (found != this->Rows.end())
+    {
+      return found->second;
+    }
+  }
+  return -1;
+}
+
+}

@@ -1,0 +1,325 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSitePreferenceFilter.h"
+
+#include "Data/ArrayReader.h"
+#include "Data/Arrays.h"
+#include "Data/Inputs.h"
+#include "Data/TableTexts.h"
+#include "Data/TerrainGrid.h"
+#include "Numerics/Constants.h"
+#include "Numerics/ParameterCheck.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+#include "Plants/SitePreference.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSitePreferenceFilter);
+
+namespace
+{
+
+constexpr int SitesPort = 0;
+constexpr int TerrainPort = 1;
+constexpr int PreferencesPort = 2;
+constexpr double LargestIdentity = 9007199254740992.0; // 2^53
+constexpr double Degrees = 180.0 / littoral::Pi;
+
+using Factor = littoral::GroundFactor;
+using Species = std::vector<littoral::SpeciesPreference>;
+
+/// The ground of a terrain by factors.
+class Ground
+{
+public:
+  /// A reason, unless there is one, if it is no terrain, or lacks what species answer to.
+  Ground(vtkImageData* terrain, const Species& species, std::string& reason)
+  {
+    if (!reason.empty() || !littoral::MakeGrid(terrain, this->Grid, reason))
+    {
+      return;
+    }
+    littoral::ArrayReader points = littoral::ArrayReader::OfPoints(terrain, "the Terrain");
+    this->Drainage = points.Find("DrainageArea", 1);
+    reason = points.Reason();
+    if (reason.empty() && !this->Drainage && littoral::AnyAnswers(species, Factor::Wetness))
+    {
+      reason = "a species has a wetness, and the Terrain has no point array DrainageArea.";
+    }
+    const long long count = static_cast<long long>(this->Grid.Count[0]) * this->Grid.Count[1];
+    for (long long point = 0; point < count; ++point)
+    {
+      const double height = this->Grid.HeightOf(point);
+      this->Low = height < this->Low ? height : this->Low;
+      this->High = height > this->High ? height : this->High;
+    }
+  }
+
+  bool HasDrainage() const { return this->Drainage != nullptr; }
+
+  /// The ground at a place; false if there is none.
+  bool At(double x, double y, littoral::GroundFactors& factors) const
+  {
+    const littoral::GroundPoint point = this->Grid.At(x, y);
+    if (!point.IsCovered || !std::isfinite(point.Height))
+    {
+      return false;
+    }
+    const double range = this->High - this->Low;
+    factors = { point.Height, range > 0.0 ? (point.Height - this->Low) / range : 0.5, Degrees * point.Slope,
+      littoral::AspectOf(point), std::numeric_limits<double>::quiet_NaN() };
+    if (this->Drainage)
+    {
+      const double area = this->Drainage->GetComponent(static_cast<vtkIdType>(this->Grid.Nearest(x, y)), 0);
+      const double width = std::sqrt(this->Grid.Spacing[0] * this->Grid.Spacing[1]);
+      factors[static_cast<int>(Factor::Wetness)] = littoral::WetnessOf(area, width, point.Slope);
+      return area > 0.0 && std::isfinite(area);
+    }
+    return true;
+  }
+
+private:
+  littoral::HeightGrid Grid;
+  vtkDataArray* Drainage = nullptr;
+  double Low = 1e300;
+  double High = -1e300;
+};
+
+/// A site that is kept.
+struct KeptSite
+{
+  vtkIdType Site;
+  long long Identity;
+  int Species;
+  double Place[2];
+  littoral::GroundFactors Ground;
+};
+
+/// What sites tell of themselves.
+class Sites
+{
+public:
+  Sites(vtkPointSet* sites, std::string& reason)
+    : Points(sites)
+  {
+    if (reason.empty())
+    {
+      littoral::ArrayReader points = littoral::ArrayReader::OfPoints(sites, "a set of sites");
+      this->Identities = points.Find("SiteId", 1);
+      this->Kinds = points.Find("Species", 1);
+      reason = points.Reason();
+    }
+  }
+
+  /// Whether a site is kept, with what becomes of it. A reason if it cannot be told.
+  bool Keeps(vtkIdType site, const Species& species, const Ground& ground, const littoral::PreferenceOptions& options,
+    KeptSite& kept, std::string& reason) const
+  {
+    double place[3];
+    this->Points->GetPoint(site, place);
+    const double identity = this->Identities ? this->Identities->GetComponent(site, 0) : static_cast<double>(site);
+    littoral::ParameterCheck check;
+    const std::string ofSite = " of site " + std::to_string(site);
+    check.Range("SiteId" + ofSite, identity, -LargestIdentity, LargestIdentity);
+    check.Require(ground.At(place[0], place[1], kept.Ground),
+      "site " + std::to_string(site) + " at (" + littoral::TextOf(place[0]) + ", " + littoral::TextOf(place[1]) +
+        ") lies outside of the Terrain, or where it has no height or no drainage area.");
+    reason = check.Reason();
+    if (!reason.empty())
+    {
+      return false;
+    }
+    kept.Site = site;
+    kept.Identity = static_cast<long long>(identity);
+    std::copy_n(place, 2, kept.Place);
+    if (!this->Kinds)
+    {
+      kept.Species = littoral::SpeciesAt(species, kept.Ground, options, kept.Identity);
+      return kept.Species >= 0;
+    }
+    const auto last = static_cast<long long>(species.size()) - 1;
+    return littoral::ReadWhole("Species" + ofSite, this->Kinds->GetComponent(site, 0), 0, last, kept.Species, reason) &&
+      littoral::StaysAt(species[kept.Species], kept.Ground, options, kept.Identity);
+  }
+
+private:
+  vtkPointSet* Points;
+  vtkDataArray* Identities = nullptr;
+  vtkDataArray* Kinds = nullptr;
+};
+
+/// An array of a number a site.
+template <typename Array, typename ValueOf>
+void AddNumbers(vtkPolyData* output, const char* name, const std::vector<KeptSite>& sites, const ValueOf& valueOf)
+{
+  const auto array = littoral::NewArray<Array>(name, 1, static_cast<vtkIdType>(sites.size()));
+  for (std::size_t index = 0; index < sites.size(); ++index)
+  {
+    array->SetValue(static_cast<vtkIdType>(index), valueOf(sites[index]));
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+/// The sites that are kept, on the ground.
+void Write(const std::vector<KeptSite>& kept, vtkPointSet* sites, bool hasDrainage, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkPointData* arrays = output->GetPointData();
+  arrays->CopyAllocate(sites->GetPointData(), static_cast<vtkIdType>(kept.size()));
+  for (const KeptSite& site : kept)
+  {
+    const vtkIdType point = points->InsertNextPoint(site.Place[0], site.Place[1], site.Ground[0]);
+    arrays->CopyData(sites->GetPointData(), site.Site, point);
+    vertices->InsertNextCell(1, &point);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  const auto factor = [&](const char* name, Factor which) {
+    AddNumbers<vtkDoubleArray>(
+      output, name, kept, [which](const KeptSite& site) { return site.Ground[static_cast<int>(which)]; });
+  };
+  AddNumbers<vtkTypeInt64Array>(output, "SiteId", kept, [](const KeptSite& site) { return site.Identity; });
+  AddNumbers<vtkIntArray>(output, "Species", kept, [](const KeptSite& site) { return site.Species; });
+  factor("Elevation", Factor::Elevation);
+  factor("Slope", Factor::Slope);
+  factor("Aspect", Factor::Aspect);
+  if (hasDrainage)
+  {
+    factor("Wetness", Factor::Wetness);
+  }
+}
+
+}
+
+//----------------------------------------------------------------------------
+vtkSitePreferenceFilter::vtkSitePreferenceFilter()
+  : Thins(true)
+  , Seed(1)
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+//----------------------------------------------------------------------------
+vtkSitePreferenceFilter::~vtkSitePreferenceFilter() = default;
+
+//----------------------------------------------------------------------------
+int vtkSitePreferenceFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = { "vtkPointSet", "vtkImageData", "vtkTable" };
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
+  if (port != SitesPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // no terrain: our own, clearer message
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSitePreferenceFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSitePreferenceFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port : { SitesPort, TerrainPort, PreferencesPort })
+  {
+    for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
+    {
+      littoral::RequestAll(inputVector[port]->GetInformationObject(index));
+    }
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSitePreferenceFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  std::string reason;
+  auto* sites = littoral::InputOf<vtkPointSet>(inputVector[SitesPort], "Sites", reason);
+  auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputVector[TerrainPort], "Terrain", reason);
+  reason = reason.empty() && !terrain ? "there is no terrain; connect one to Terrain." : reason;
+  auto* table = littoral::OptionalInputOf<vtkTable>(inputVector[PreferencesPort], "Preferences", reason);
+  Species species = littoral::UsualPreferences();
+  if (reason.empty() && table)
+  {
+    const littoral::TextTable texts = littoral::TextsOf(table, reason);
+    species = reason.empty() ? littoral::ReadPreferences(texts, reason) : species;
+  }
+  const Ground ground(terrain, species, reason);
+  const Sites arrays(sites, reason);
+  std::vector<KeptSite> kept;
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  if (reason.empty())
+  {
+    const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());
+    for (long long site = part.Begin; site < part.End && reason.empty(); ++site)
+    {
+      KeptSite own{};
+      if (arrays.Keeps(site, species, ground, { this->Thins, this->Seed }, own, reason))
+      {
+        kept.push_back(own);
+      }
+    }
+  }
+  if (!reason.empty())
+  {
+    littoralErrorMacro("Cannot let the terrain decide: " << reason);
+    return littoral::FailedRequest(this);
+  }
+  vtkPolyData* result = vtkPolyData::GetData(output);
+  Write(kept, sites, ground.HasDrainage(), result);
+  vtkNew<vtkStringArray> names;
+  names->SetName("SpeciesNames");
+  for (const littoral::SpeciesPreference& each : species)
+  {
+    names->InsertNextValue(each.Name);
+  }
+  result->GetFieldData()->AddArray(names);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkSitePreferenceFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
+void vtkSitePreferenceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Thins: " << this->Thins << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}

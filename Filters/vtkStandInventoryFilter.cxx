@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkStandInventoryFilter.h"
+
+#include "Data/Arrays.h"
+#include "Data/Inputs.h"
+#include "Data/TableTexts.h"
+#include "Data/Tables.h"
+#include "Pipeline/Mistakes.h"
+#include "Pipeline/Pipeline.h"
+#include "Plants/StandInventory.h"
+
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkStandInventoryFilter);
+
+namespace
+{
+
+constexpr int InventoryPort = 0;
+constexpr int SpeciesPort = 1;
+
+std::string Word(const char* word)
+{
+  return word ? word : "";
+}
+
+/// Words as an array.
+vtkSmartPointer<vtkStringArray> WordsOf(const char* name, const std::vector<std::string>& words)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& word : words)
+  {
+    array->InsertNextValue(word);
+  }
+  return array;
+}
+
+/// The kinds of plants that occur in a stand, in the order of the table, and the number of the kind of each species.
+struct StandKinds
+{
+  std::vector<std::string> Names;
+  std::vector<int> OfSpecies;
+
+  StandKinds(const std::vector<littoral::StandSpecies>& species, const std::vector<littoral::StandTree>& trees)
+    : OfSpecies(species.size(), -1)
+  {
+    std::vector<char> occurs(species.size(), 0);
+    for (const littoral::StandTree& tree : trees)
+    {
+      occurs[tree.Species] = 1;
+    }
+    for (std::size_t row = 0; row < species.size(); ++row)
+    {
+      if (occurs[row])
+      {
+        const auto found = std::find(this->Names.begin(), this->Names.end(), species[row].Kind);
+        this->OfSpecies[row] = static_cast<int>(found - this->Names.begin());
+        if (found == this->Names.end())
+        {
+          this->Names.push_back(species[row].Kind);
+        }
+      }
+    }
+  }
+};
+
+/// The trees of a part of a stand as vertices with arrays.
+class Writer
+{
+public:
+  Writer(const std::vector<littoral::StandTree>& trees, const littoral::PieceRange& part, vtkPolyData* output)
+    : Trees(trees)
+    , First(static_cast<std::size_t>(part.Begin))
+    , Count(static_cast<std::size_t>(part.End - part.Begin))
+    , Output(output)
+  {
+  }
+
+  void WriteVertices()
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> vertices;
+    for (std::size_t index = 0; index < this->Count; ++index)
+    {
+      const littoral::StandTree& tree = this->Trees[this->First + index];
+      const vtkIdType point = points->InsertNextPoint(tree.X, tree.Y, 0.0);
+      vertices->InsertNextCell(1, &point);
+    }
+    this->Output->SetPoints(points);
+    this->Output->SetVerts(vertices);
+  }
+
+  template <typename Array, typename ValueOf>
+  void Write(const char* name, const ValueOf& valueOf)
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    for (std::size_t index = 0; index < this->Count; ++index)
+    {
+      array->InsertNextValue(valueOf(this->Trees[this->First + index]));
+    }
+    this->Output->GetPointData()->AddArray(array);
+  }
+
+private:
+  const std::vector<littoral::StandTree>& Trees;
+  std::size_t First;
+  std::size_t Count;
+  vtkPolyData* Output;
+};
+
+}
+
+//----------------------------------------------------------------------------
+vtkStandInventoryFilter::vtkStandInventoryFilter()
+  : PlaceUnit(Named)
+  , DiameterUnit(Named)
+  , HeightUnit(Named)
+  , PlaceScale(1.0)
+  , XColumn(nullptr)
+  , YColumn(nullptr)
+  , SpeciesColumn(nullptr)
+  , DiameterColumn(nullptr)
+  , HeightColumn(nullptr)
+  , PlotColumn(nullptr)
+  , Plot(nullptr)
+  , OtherSpecies(nullptr)
+  , KeepDead(false)
+  , AllowCoincident(false)
+  , MeanDiameter(0.0)
+  , HeightVariation(0.1)
+  , Seed(1)
+{
+  this->SetOtherSpecies("hardwood");
+  this->SetNumberOfInputPorts(2);
+}
+
+//----------------------------------------------------------------------------
+vtkStandInventoryFilter::~vtkStandInventoryFilter()
+{
+  this->SetXColumn(nullptr);
+  this->SetYColumn(nullptr);
+  this->SetSpeciesColumn(nullptr);
+  this->SetDiameterColumn(nullptr);
+  this->SetHeightColumn(nullptr);
+  this->SetPlotColumn(nullptr);
+  this->SetPlot(nullptr);
+  this->SetOtherSpecies(nullptr);
+}
+
+//----------------------------------------------------------------------------
+int vtkStandInventoryFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  if (port == SpeciesPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkStandInventoryFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkStandInventoryFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port : { InventoryPort, SpeciesPort })
+  {
+    for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
+    {
+      littoral::RequestAll(inputVector[port]->GetInformationObject(index));
+    }
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+littoral::InventoryOptions vtkStandInventoryFilter::Options() const
+{
+  littoral::InventoryOptions options;
+  options.Columns = { Word(this->XColumn), Word(this->YColumn), Word(this->SpeciesColumn), Word(this->DiameterColumn),
+    Word(this->HeightColumn), Word(this->PlotColumn) };
+  options.PlaceUnit = static_cast<littoral::LengthUnit>(this->PlaceUnit);
+  options.DiameterUnit = static_cast<littoral::LengthUnit>(this->DiameterUnit);
+  options.HeightUnit = static_cast<littoral::LengthUnit>(this->HeightUnit);
+  options.PlaceScale = this->PlaceScale;
+  options.Plot = Word(this->Plot);
+  options.OtherSpecies = Word(this->OtherSpecies);
+  options.KeepDead = this->KeepDead;
+  options.AllowCoincident = this->AllowCoincident;
+  options.MeanDiameter = this->MeanDiameter;
+  options.HeightVariation = this->HeightVariation;
+  options.Seed = this->Seed;
+  return options;
+}
+
+//----------------------------------------------------------------------------
+int vtkStandInventoryFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  std::string reason;
+  auto* inventory = littoral::InputOf<vtkTable>(inputVector[InventoryPort], "Inventory", reason);
+  auto* rows = littoral::OptionalInputOf<vtkTable>(inputVector[SpeciesPort], "Species", reason);
+  littoral::StandSpeciesTable species;
+  if (reason.empty() && rows)
+  {
+    const littoral::TextTable texts = littoral::TextsOf(rows, reason);
+    std::string why;
+    species = littoral::StandSpeciesTable(texts, why);
+    reason = reason.empty() ? why : reason;
+  }
+  const littoral::InventoryOptions options = this->Options();
+  littoral::StandInventory stand;
+  if (reason.empty())
+  {
+    this->SetProgressText("Reading trees");
+    const littoral::TextTable texts = littoral::TextsOf(inventory, reason);
+    this->UpdateProgress(0.3);
+    reason = reason.empty() ? littoral::ReadInventory(texts, species, options, stand) : reason;
+  }
+  if (!reason.empty())
+  {
+    littoralErrorMacro("Cannot read the inventory: " << reason);
+    return littoral::FailedRequest(this);
+  }
+  this->UpdateProgress(0.6);
+  littoral::CompleteStand(species, options, stand);
+  const StandKinds kinds(species.GetSpecies(), stand.Trees);
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  vtkPolyData* sites = vtkPolyData::GetData(output);
+  Writer writer(stand.Trees, littoral::RequestedPart(output, static_cast<vtkIdType>(stand.Trees.size())), sites);
+  using Tree = littoral::StandTree;
+  writer.WriteVertices();
+  writer.Write<vtkTypeInt64Array>("SiteId", [](const Tree& tree) { return tree.Row; });
+  writer.Write<vtkIntArray>("Species", [&](const Tree& tree) { return kinds.OfSpecies[tree.Species]; });
+  writer.Write<vtkDoubleArray>("DBH", [](const Tree& tree) { return tree.Diameter; });
+  writer.Write<vtkDoubleArray>("Height", [](const Tree& tree) { return tree.Height; });
+  writer.Write<vtkDoubleArray>(
+    "CrownDiameter", [](const Tree& tree) { return littoral::CrownDiameterOf(tree.Diameter, tree.Height); });
+  writer.Write<vtkIntArray>("Plot", [](const Tree& tree) { return tree.Plot; });
+  writer.Write<vtkIntArray>(
+    "Drawn", [](const Tree& tree) { return (tree.DrawnDiameter ? 1 : 0) + (tree.DrawnHeight ? 2 : 0); });
+  writer.Write<vtkStringArray>("SpeciesName", [](const Tree& tree) { return tree.Name; });
+  sites->GetFieldData()->AddArray(WordsOf("Kinds", kinds.Names));
+  sites->GetFieldData()->AddArray(WordsOf("Plots", stand.Plots));
+  sites->GetFieldData()->AddArray(WordsOf("Unlisted", stand.Unlisted));
+  littoral::AddField(sites, "RowsDropped", { static_cast<double>(stand.Dropped) });
+  littoral::AddField(sites, "Area", { littoral::AreaOf(stand) });
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkStandInventoryFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return littoral::WithoutExceptions(
+    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+//----------------------------------------------------------------------------
+void vtkStandInventoryFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PlaceUnit: " << this->PlaceUnit << "\n";
+  os << indent << "DiameterUnit: " << this->DiameterUnit << "\n";
+  os << indent << "HeightUnit: " << this->HeightUnit << "\n";
+  os << indent << "PlaceScale: " << this->PlaceScale << "\n";
+  os << indent << "XColumn: " << Word(this->XColumn) << "\n";
+  os << indent << "YColumn: " << Word(this->YColumn) << "\n";
+  os << indent << "SpeciesColumn: " << Word(this->SpeciesColumn) << "\n";
+  os << indent << "DiameterColumn: " << Word(this->DiameterColumn) << "\n";
+  os << indent << "HeightColumn: " << Word(this->HeightColumn) << "\n";
+  os << indent << "PlotColumn: " << Word(this->PlotColumn) << "\n";
+  os << indent << "Plot: " << Word(this->Plot) << "\n";
+  os << indent << "OtherSpecies: " << Word(this->OtherSpecies) << "\n";
+  os << indent << "KeepDead: " << this->KeepDead << "\n";
+  os << indent << "AllowCoincident: " << this->AllowCoincident << "\n";
+  os << indent << "MeanDiameter: " << this->MeanDiameter << "\n";
+  os << indent << "HeightVariation: " << this->HeightVariation << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}

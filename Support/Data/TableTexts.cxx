@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Data/TableTexts.h"
+
+#include "vtkDataArray.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+#include "vtkVariantArray.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+std::string TextOfNumber(double number)
+{
+  if (std::isnan(number))
+  {
+    return {};
+  }
+  char text[64];
+  return { text, std::to_chars(text, text + sizeof(text), number).ptr }; // the shortest that is read back the same
+}
+
+/// A value of a column as a word.
+std::string TextAt(vtkAbstractArray* column, vtkIdType row)
+{
+  if (auto* numbers = vtkDataArray::SafeDownCast(column))
+  {
+    return TextOfNumber(numbers->GetComponent(row, 0));
+  }
+  if (auto* words = vtkStringArray::SafeDownCast(column))
+  {
+    return words->GetValue(row);
+  }
+  auto* variants = vtkVariantArray::SafeDownCast(column);
+  return variants ? std::string(variants->GetValue(row).ToString()) : std::string();
+}
+
+}
+
+TextTable TextsOf(vtkTable* table, std::string& reason)
+{
+  TextTable texts;
+  const vtkIdType rows = table->GetNumberOfRows();
+  for (vtkIdType index = 0; index < table->GetNumberOfColumns(); ++index)
+  {
+    vtkAbstractArray* column = table->GetColumn(index);
+    if (!column || !column->GetName() || column->GetNumberOfComponents() != 1)
+    {
+      continue;
+    }
+    if (column->GetNumberOfTuples() != rows)
+    {
+      const std::string why = std::string("its column ") + column->GetName() + " has " +
+        std::to_string(column->GetNumberOfTuples()) + " values for " + std::to_string(rows) + " rows.";
+      reason = reason.empty() ? why : reason;
+      continue;
+    }
+    texts.Names.emplace_back(column->GetName());
+    std::vector<std::string>& words = texts.Columns.emplace_back();
+    words.reserve(static_cast<std::size_t>(rows));
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      words.push_back(TextAt(column, row));
+    }
+  }
+  return texts;
+}
+
+}

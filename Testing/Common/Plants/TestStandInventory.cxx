@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plants/StandInventory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+using namespace littoral;
+
+namespace
+{
+
+const StandSpeciesTable& Species()
+{
+  static const StandSpeciesTable table;
+  return table;
+}
+
+/// A stand of a text; empty with the reason if it cannot be read.
+StandInventory Read(const std::string& text, std::string& reason, const InventoryOptions& options = {})
+{
+  StandInventory stand;
+  reason = ReadInventory(ReadLines(text), Species(), options, stand);
+  if (reason.empty())
+  {
+    CompleteStand(Species(), options, stand);
+  }
+  return stand;
+}
+
+StandInventory Read(const std::string& text, const InventoryOptions& options = {})
+{
+  std::string reason;
+  StandInventory stand = Read(text, reason, options);
+  EXPECT_EQ(reason, "");
+  return stand;
+}
+
+std::string WhyNot(const std::string& text, const InventoryOptions& options = {})
+{
+  std::string reason;
+  Read(text, reason, options);
+  return reason;
+}
+
+bool Says(const std::string& reason, const char* words)
+{
+  return reason.find(words) != std::string::npos;
+}
+
+/// Trees on a square of places 4 m apart, with the rest of the row.
+std::string Grid(int side, const std::string& head, const std::string& rest)
+{
+  std::string text = head + "\n";
+  for (int tree = 0; tree < side * side; ++tree)
+  {
+    text += std::to_string(4 * (tree % side)) + "," + std::to_string(4 * (tree / side)) + rest + "\n";
+  }
+  return text;
+}
+
+}
+
+TEST(StandAllometry, CurvesOfTheForestVegetationSimulator)
+{
+  // H [ft] = 4.5 + P2 exp(-P3 D^P4), D in inches (Keyser 2008, Southern variant).
+  const auto feet = [](double p2, double p3, double p4, double inches) {
+    return 0.3048 * (4.5 + p2 * std::exp(-p3 * std::pow(inches, p4)));
+  };
+  const auto own = [](const char* name, double inches) {
+    return HeightOf(Species().GetSpecies()[Species().RowOf(name, "")].Curve, 0.0254 * inches);
+  };
+  for (const double inches : { 3.0, 8.0, 12.0, 25.0 })
+  {
+    EXPECT_NEAR(own("longleaf pine", inches), feet(98.56082813, 3.89930709, -0.86730393, inches), 1e-4);
+    EXPECT_NEAR(own("Quercus alba", inches), feet(170.1330787, 3.27815866, -0.48744214, inches), 1e-4);
+    EXPECT_NEAR(own("redoak", inches), feet(700.0636452, 4.10607389, -0.21392785, inches), 1e-4);
+    EXPECT_NEAR(own("Carya glabra", inches), feet(337.6684758, 3.62726466, -0.32083172, inches), 1e-4);
+  }
+  // Feldpausch et al. (2012), all tropics: 30 cm, 22.0 m.
+  EXPECT_NEAR(own("tropical", 30.0 / 2.54), 50.874 * (1.0 - std::exp(-0.042 * std::pow(30.0, 0.784))), 1e-9);
+}
+
+TEST(StandAllometry, GrowsFromBreastHeightAndBack)
+{
+  for (const StandSpecies& species : Species().GetSpecies())
+  {
+    EXPECT_EQ(WhyInvalid(species.Curve), "") << species.Name;
+    double last = 0.0;
+    for (double diameter = 0.001; diameter < 1.5; diameter *= 1.1)
+    {
+      const double height = HeightOf(species.Curve, diameter);
+      EXPECT_GT(height, last) << species.Name << " " << diameter;
+      EXPECT_LT(height, 80.0) << species.Name;
+      EXPECT_NEAR(DiameterOf(species.Curve, height), diameter, 1e-6 + 1e-4 * diameter) << species.Name;
+      last = height;
+    }
+  }
+  const HeightCurve curve;
+  EXPECT_NEAR(HeightOf(curve, 0.0762 - 1e-9), HeightOf(curve, 0.0762 + 1e-9), 1e-6);
+  EXPECT_NEAR(HeightOf(curve, 0.0), 1.3716, 1e-12);
+  EXPECT_NEAR(DiameterOf(curve, 500.0), 3.0, 1e-9);
+}
+
+TEST(StandAllometry, CrownsAndDensity)
+{
+  // D = 0.557 (H W)^0.809 exp(0.056^2 / 2)
+  const double width = CrownDiameterOf(0.3, 20.0);
+  EXPECT_NEAR(0.557 * std::pow(20.0 * width, 0.809) * std::exp(0.5 * 0.056 * 0.056), 30.0, 1e-9);
+  EXPECT_NEAR(width, 6.889, 1e-3);
+  EXPECT_NEAR(DiameterOfDensity(284.0), 0.254, 1e-12);
+  EXPECT_NEAR(284.0 * std::pow(2.0, 1.605), 864.0, 1.0); // half as thick
+  EXPECT_NEAR(DiameterOfDensity(284.0 * std::pow(2.0, 1.605)), 0.127, 1e-12);
+  double square = 0.0;
+  constexpr int draws = 100000;
+  for (int draw = 0; draw < draws; ++draw)
+  {
+    square += std::pow(DiameterInStand(0.3, (draw + 0.5) / draws), 2);
+  }
+  EXPECT_NEAR(std::sqrt(square / draws), 0.3, 1e-5);
+}
+
+TEST(StandInventory, KnownNamesAndUnits)
+{
+  const StandInventory plain = Read("x,y,species,DBH,Height\n1,2,oak,30,20\n5,7,Pinus palustris,12.5,\n");
+  ASSERT_EQ(plain.Trees.size(), 2u);
+  EXPECT_DOUBLE_EQ(plain.Trees[0].Diameter, 0.3);
+  EXPECT_DOUBLE_EQ(plain.Trees[0].Height, 20.0);
+  EXPECT_FALSE(plain.Trees[0].DrawnDiameter || plain.Trees[0].DrawnHeight);
+  EXPECT_TRUE(plain.Trees[1].DrawnHeight);
+  EXPECT_EQ(Species().GetSpecies()[plain.Trees[1].Species].Name, "longleaf pine");
+  // ForestGEO: millimetres, status, coordinates of the plot.
+  const StandInventory geo =
+    Read("treeID,sp,gx,gy,dbh,status\n1,quru,3.5,4.5,250,A\n2,quru,8,9,NA,A\n3,quru,9,9,40,D\n");
+  ASSERT_EQ(geo.Trees.size(), 2u);
+  EXPECT_EQ(geo.Dropped, 1);
+  EXPECT_DOUBLE_EQ(geo.Trees[0].Diameter, 0.25);
+  EXPECT_DOUBLE_EQ(geo.Trees[0].X, 3.5);
+  EXPECT_EQ(geo.Unlisted, std::vector<std::string>{ "quru" });
+  // Units in names, and told.
+  const StandInventory feet = Read("x_ft,y (ft),dbh_in,height [ft]\n10,20,10,50\n40,20,8,NA\n");
+  EXPECT_NEAR(feet.Trees[0].X, 3.048, 1e-12);
+  EXPECT_NEAR(feet.Trees[0].Diameter, 0.254, 1e-12);
+  EXPECT_NEAR(feet.Trees[0].Height, 15.24, 1e-12);
+  InventoryOptions options;
+  options.DiameterUnit = LengthUnit::Millimetre;
+  options.PlaceUnit = LengthUnit::Foot;
+  const StandInventory told = Read("x,y,dbh\n10,20,150\n", options);
+  EXPECT_DOUBLE_EQ(told.Trees[0].Diameter, 0.15);
+  EXPECT_NEAR(told.Trees[0].Y, 6.096, 1e-12);
+  // Any subset.
+  EXPECT_EQ(Read("x,y\n0,0\n3,4\n9,1\n").Trees.size(), 3u);
+  EXPECT_EQ(Read("x,y,height\n0,0,12\n3,4,13\n").Trees.size(), 2u);
+  InventoryOptions named;
+  named.Columns.Diameter = "marks";
+  EXPECT_DOUBLE_EQ(Read("x,y,marks\n0,0,32.9\n", named).Trees[0].Diameter, 0.329);
+}
+
+TEST(StandInventory, SeveralPlotsAndStems)
+{
+  const std::string text = "plot,x,y,dbh,treeid\nA,0,0,20,1\nA,10,8,30,2\nB,1,1,25,1\nB,5,9,35,2\nB,5,9,10,2\n";
+  const StandInventory both = Read(text);
+  ASSERT_EQ(both.Trees.size(), 4u);
+  EXPECT_EQ(both.Plots, (std::vector<std::string>{ "A", "B" }));
+  EXPECT_DOUBLE_EQ(both.Trees[2].X, 30.0); // 10 + 20, and the low corners in a line
+  EXPECT_DOUBLE_EQ(both.Trees[2].Y, 0.0);
+  EXPECT_DOUBLE_EQ(both.Trees[3].X, 34.0);
+  EXPECT_DOUBLE_EQ(both.Trees[3].Diameter, 0.35); // the thicker stem
+  EXPECT_EQ(both.Dropped, 1);
+  InventoryOptions options;
+  options.Plot = "B";
+  EXPECT_EQ(Read(text, options).Trees.size(), 2u);
+  // Plots apart stay where they are.
+  const StandInventory apart = Read("plot,x,y\nA,0,0\nA,9,9\nB,100,100\nB,109,120\n");
+  EXPECT_DOUBLE_EQ(apart.Trees[2].X, 100.0);
+}
+
+TEST(StandInventory, DrawsBySeedAndRow)
+{
+  const std::string text = Grid(20, "x,y,species", ",white oak");
+  const StandInventory one = Read(text);
+  const StandInventory same = Read(text);
+  InventoryOptions options;
+  options.Seed = 2;
+  const StandInventory other = Read(text, options);
+  int differences = 0;
+  for (std::size_t tree = 0; tree < one.Trees.size(); ++tree)
+  {
+    EXPECT_EQ(one.Trees[tree].Diameter, same.Trees[tree].Diameter);
+    EXPECT_EQ(one.Trees[tree].Height, same.Trees[tree].Height);
+    differences += one.Trees[tree].Diameter != other.Trees[tree].Diameter;
+  }
+  EXPECT_GT(differences, 390);
+  // A stand without any measure: its quadratic mean is Reineke's of 1 tree on 16 m2, cut to 0.05 m or more.
+  const double wanted = DiameterOfDensity(1e4 / 16.0);
+  EXPECT_NEAR(AreaOf(one), 400 * 16.0, 40.0);
+  const double square = std::accumulate(one.Trees.begin(), one.Trees.end(), 0.0,
+    [](double sum, const StandTree& tree) { return sum + tree.Diameter * tree.Diameter; });
+  EXPECT_NEAR(std::sqrt(square / 400.0) / wanted, 1.0, 0.05);
+  // Heights vary about the curve by a tenth.
+  double mean = 0.0;
+  double deviation = 0.0;
+  for (const StandTree& tree : one.Trees)
+  {
+    const double curve = HeightOf(Species().GetSpecies()[tree.Species].Curve, tree.Diameter) - 1.3716;
+    const double part = (tree.Height - 1.3716) / curve - 1.0;
+    mean += part / 400.0;
+    deviation += part * part / 400.0;
+    EXPECT_LE(std::abs(part), 0.2 + 1e-9);
+  }
+  EXPECT_NEAR(mean, 0.0, 0.015);
+  EXPECT_NEAR(std::sqrt(deviation), 0.1 * 0.96, 0.01); // cut at two standard deviations
+}
+
+TEST(StandInventory, DrawsFromWhatWasMeasured)
+{
+  // Half of the trees have a diameter, of 20 to 40 cm; all of those are a third higher than the curve.
+  const int row = Species().RowOf("white oak", "");
+  std::string text = "x,y,species,dbh,height\n";
+  for (int tree = 0; tree < 200; ++tree)
+  {
+    const double diameter = 0.2 + 0.001 * tree;
+    const double height = 4.0 / 3.0 * HeightOf(Species().GetSpecies()[row].Curve, diameter);
+    text += std::to_string(3 * tree) + ",1,white oak," + std::to_string(100.0 * diameter) + "," +
+      std::to_string(height) + "\n" + std::to_string(3 * tree) + ",5,white oak,,\n" + std::to_string(3 * tree) +
+      ",9,white oak,," + std::to_string(height) + "\n";
+  }
+  InventoryOptions options;
+  options.HeightVariation = 0.0;
+  const StandInventory stand = Read(text, options);
+  for (std::size_t tree = 0; tree < stand.Trees.size(); tree += 3)
+  {
+    EXPECT_FALSE(stand.Trees[tree].DrawnDiameter);
+    const StandTree& drawn = stand.Trees[tree + 1];
+    EXPECT_GE(drawn.Diameter, 0.2 - 1e-9);
+    EXPECT_LE(drawn.Diameter, 0.4);
+    EXPECT_NEAR(drawn.Height, 4.0 / 3.0 * HeightOf(Species().GetSpecies()[row].Curve, drawn.Diameter), 1e-3);
+    EXPECT_NEAR(stand.Trees[tree + 2].Diameter, stand.Trees[tree].Diameter, 1e-4);
+  }
+}
+
+TEST(StandInventory, OneMessageEach)
+{
+  EXPECT_TRUE(Says(WhyNot("a,b\n1,2\n"), "no columns x and y"));
+  EXPECT_TRUE(Says(WhyNot("a,b\n1,2\n"), "a, b"));
+  InventoryOptions options;
+  options.Columns.Diameter = "Dicke";
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,3\n", options), "no column 'Dicke'; the table has x, y, dbh."));
+  EXPECT_TRUE(Says(WhyNot("x,y\n"), "no rows"));
+  EXPECT_TRUE(Says(WhyNot("x,y,status\n1,2,dead\n"), "none of the 1 rows"));
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n3,4\n1,2\n"), "rows 1 and 3 stand at the same place (1, 2) m"));
+  options = {};
+  options.AllowCoincident = true;
+  EXPECT_EQ(WhyNot("x,y\n1,2\n3,4\n1,2\n", options), "");
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,thick\n"), "row 1 has 'thick' for dbh"));
+  EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,-3\n"), "DBH of row 1 is -0.03 m"));
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,NA\n"), "row 1 has no place: its y is 'NA'"));
+  // Millimetres said to be centimetres, and feet said to be metres.
+  EXPECT_TRUE(Says(WhyNot(Grid(3, "x,y,dbh", ",452")), "set DiameterUnit, to mm."));
+  EXPECT_TRUE(Says(WhyNot(Grid(3, "x,y,height", ",95")), "height in m would have a median of 95 m"));
+  options = {};
+  options.DiameterUnit = LengthUnit::Metre;
+  EXPECT_TRUE(Says(WhyNot(Grid(3, "x,y,dbh", ",12"), options), "to cm or mm or in"));
+  EXPECT_TRUE(Says(WhyNot(Grid(3, "x,y,dbh,height", ",150,10")), "do not fit each other"));
+  EXPECT_TRUE(Says(WhyNot(Grid(3, "x,y,dbh,height", ",2,20")), "do not fit each other"));
+  // A plot on a unit square.
+  std::string unit = "x,y\n";
+  for (int tree = 0; tree < 100; ++tree)
+  {
+    unit += std::to_string(0.1 * (tree % 10)) + "," + std::to_string(0.1 * static_cast<double>(tree / 10)) + "\n";
+  }
+  EXPECT_TRUE(Says(WhyNot(unit), "set PlaceScale"));
+  options = {};
+  options.PlaceScale = 924.0;
+  options.PlaceUnit = LengthUnit::Foot;
+  EXPECT_EQ(WhyNot(unit, options), "");
+  options = {};
+  options.OtherSpecies = "moss";
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "OtherSpecies is 'moss'"));
+  options = {};
+  options.HeightVariation = 0.5;
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "HeightVariation"));
+}
+
+TEST(StandSpecies, TablesOfUsers)
+{
+  std::string reason;
+  const StandSpeciesTable own(ReadLines("species,kind,curve,a,b,c\nGINKGO;Ginkgo biloba,Birch,weibull,30,0.03,0.9\n"
+                                        "Metasequoia,Pine,,,,\n"),
+    reason);
+  EXPECT_EQ(reason, "");
+  EXPECT_EQ(own.RowOf("ginkgo", ""), 0);
+  EXPECT_EQ(own.RowOf("Metasequoia glyptostroboides", ""), 1);
+  EXPECT_EQ(own.RowOf("oak", "Ginkgo biloba"), 0);
+  EXPECT_EQ(own.RowOf("oak", ""), -1);
+  const auto why = [](const char* text) {
+    std::string bad;
+    const StandSpeciesTable table(ReadLines(text), bad);
+    return bad;
+  };
+  EXPECT_TRUE(Says(why("name,kind\na,b\n"), "needs the columns species and kind"));
+  EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,spline,1,1,1\n"), "row 1 of the table of species (yew)"));
+  EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,curtis,1,1,1\n"), "c is 1"));
+  EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,curtis,x,1,-1\n"), "no number a"));
+  EXPECT_TRUE(Says(why("species,kind\nyew,\n"), "needs a species and a kind"));
+}
