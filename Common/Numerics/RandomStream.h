@@ -43,6 +43,8 @@ enum class RandomPurpose : std::uint32_t
   ParticleSizes = 65,
   ParticleOrientations = 66,
   SlaveOffsets = 72,
+  DatumShortWaves = 76,
+  DatumErrors = 77,
 };
 
 /**

@@ -63,6 +63,7 @@ case "${1:-}" in
         Numerics) lower= ;;
         Geometry) lower=Numerics ;;
         Terrain | Patterns | Plants | Wind | Sea) lower='Numerics|Geometry' ;;
+        Kriging) lower='Numerics|Geometry|Terrain' ;;
         Sway) lower='Numerics|Geometry|Plants|Wind' ;;
         Currents) lower='Numerics|Geometry' ;;
         Particles) lower='Numerics|Geometry|Sea' ;;
