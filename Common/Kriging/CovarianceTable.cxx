@@ -10,8 +10,9 @@ namespace littoral
 namespace
 {
 
-/// Largest difference of table and model, in parts of the variance.
+/// Largest difference of table and model near the origin, in parts of the variance, and steps in a row that keep it.
 constexpr double Tolerance = 1e-9;
+constexpr std::size_t StepsInARow = 16;
 
 }
 
@@ -32,7 +33,8 @@ CovarianceTable::CovarianceTable(const CovarianceParameters& field, double farth
     return n > 0 ? field.Variance * model.ByDistance[n] / distances[n] * length : 0.0;
   };
   this->Cubics.resize(steps);
-  std::size_t first = 1;
+  std::size_t good = 0;
+  std::size_t first = 0;
   for (std::size_t step = 0; step < steps; ++step)
   {
     // Hermite: c + d t + (3 D - 2 d - e) t^2 + (d + e - 2 D) t^3, D the difference over the step, d and e its slopes
@@ -44,10 +46,11 @@ CovarianceTable::CovarianceTable(const CovarianceParameters& field, double farth
     const auto& cubic = this->Cubics[step];
     const double middle = cubic[0] + 0.5 * (cubic[1] + 0.5 * (cubic[2] + 0.5 * cubic[3]));
     const bool isClose = std::abs(middle - value(2 * step + 1)) <= Tolerance * field.Variance;
-    first = isClose ? first : std::max(first, step + 1);
+    good = isClose && step > 0 ? good + 1 : 0;
+    first = first == 0 && good == StepsInARow ? step + 1 - StepsInARow : first;
   }
   this->StepsPerMetre = 1.0 / length;
-  this->FirstPosition = static_cast<double>(first);
+  this->FirstPosition = static_cast<double>(first > 0 ? first : steps);
   this->LastPosition = static_cast<double>(steps);
 }
 

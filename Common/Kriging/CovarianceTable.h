@@ -40,8 +40,8 @@ private:
 
 /**
  * The covariance of a field, without the noise of the data, at any distance up to a farthest one: cubic in even steps,
- * with the model's own values and slopes at their ends. Where a cubic is off by more than 1e-9 of the variance, which
- * is near the origin of a rough field, it is the model itself.
+ * with the model's own values and slopes at their ends. Near the origin, as long as cubics are off by more than 1e-9 of
+ * the variance, which they are for rough fields, it is the model itself.
  */
 class CovarianceTable
 {

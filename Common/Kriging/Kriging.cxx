@@ -471,13 +471,12 @@ std::size_t Kriging::GetNeighbors() const
   return this->Self->GetNeighbors();
 }
 
-double Kriging::MemoryFor(std::size_t data, std::size_t neighbors, bool leavesOut)
+double Kriging::MemoryFor(std::size_t data, std::size_t neighbors)
 {
   const auto count = static_cast<double>(data);
   const bool all = neighbors == 0 || neighbors >= data;
   // All: the matrix, its factor, and the columns of blocks in work. Neighbourhoods: places, values and the tree.
-  const double perPair = leavesOut ? 3.0 : 2.0;
-  return all ? sizeof(double) * count * (perPair * count + 16.0) : 160.0 * count;
+  return all ? sizeof(double) * count * (2.0 * count + 1024.0) : 160.0 * count;
 }
 
 }

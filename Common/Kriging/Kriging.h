@@ -80,8 +80,8 @@ public:
   /// Number of data that take part in an estimate.
   std::size_t GetNeighbors() const;
 
-  /// Bytes that so many data need, neighbourhoods or not.
-  static double MemoryFor(std::size_t data, std::size_t neighbors, bool leavesOut);
+  /// Bytes that so many data need, neighbourhoods or not, beside the columns of variances that each thread has in work.
+  static double MemoryFor(std::size_t data, std::size_t neighbors);
 
 private:
   class Internals;
