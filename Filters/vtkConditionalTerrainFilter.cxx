@@ -271,7 +271,10 @@ vtkDataArray* vtkConditionalTerrainFilter::ChosenArray(
   }
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   const char* owner = index == 2 ? "The Grid" : "Data";
-  const bool isNamed = name && !littoral::NamesNoArray(choice) && (index == 1 || !littoral::NamesDefaultElevation(choice));
+  // ParaView's word for no array of errors
+  const bool isNone = index == 1 && name && std::string(name) == "None";
+  const bool isNamed =
+    name && !isNone && !littoral::NamesNoArray(choice) && (index == 1 || !littoral::NamesDefaultElevation(choice));
   if (!array && isNamed)
   {
     reason = std::string(owner) + (index == 2 ? " has" : " have") + " no array '" + name + "'.";

@@ -20,6 +20,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid)
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 
 import littoral
 
@@ -40,6 +41,14 @@ def make(name, inputs=(), **settings):
 def terrain(size=40):
     return make("vtkTurningBandsTerrainSource", SetWholeExtent=(0, size, 0, size, 0, 0),
                 SetAnisotropyRatio=(3.0,))
+
+
+def survey():
+    """Points with elevations."""
+    ground = terrain(12)
+    points = vtkImageDataGeometryFilter()
+    points.SetInputConnection(ground.GetOutputPort())
+    return points
 
 
 def tree(name="vtkReevesTreeSource"):
@@ -93,6 +102,13 @@ CASES = {
         {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)}]),
     "vtkCovarianceFitFilter": (lambda: (terrain(),), [
         {"SetNumberOfLags": (12,)}, {"SetRemoveTrend": (False,)}, {"SetFitAnisotropy": (False,)}]),
+    "vtkConditionalTerrainFilter": (lambda: (survey(),), [
+        {"SetDimensions": (30, 20), "SetKrigingVariance": (True,), "SetCrossValidation": (True,)},
+        {"SetDimensions": (30, 20), "SetModel": (1,), "SetKrigingType": (2,), "SetNumberOfNeighbors": (12,)},
+        {"SetDimensions": (30, 20), "SetModel": (0,), "SetResult": (1,), "SetNormalScores": (True,)}]),
+    "vtkNormalScoresFilter": (lambda: (terrain(), terrain(30)), [
+        {"SetInverse": (True,)}, {"SetInverse": (False,)},
+        {"SetInputArrayToProcess": (0, 0, 0, 0, "Elevation")}]),
     "vtkWindStatisticsFilter": (lambda: (wind(),), [
         {"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}]),
     "vtkSeaStatisticsFilter": (lambda: (sea(),), [
