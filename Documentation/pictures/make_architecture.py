@@ -21,14 +21,15 @@ MODULES = ("Sources", "Filters", "IO")
 # meet no other room.
 ROOMS = {
     "Terrain": (0, 1, ("covariances, fits,", "turning bands")),
-    "Patterns": (1, 1, ("quadrat laws", "and their fits")),
-    "Wind": (2, 1, ("spectra, fields,", "loads")),
-    "Sway": (3, 2, ("beams, trunks,", "leaves")),
-    "Plants": (4, 1, ("skeletons, skins,", "scattering")),
-    "Seaweed": (5, 3, ("growth, motion,", "wakes")),
-    "Currents": (6, 2, ("flow primitives,", "drift")),
-    "Sea": (7, 1, ("dispersion,", "trains, orbits")),
-    "Particles": (8, 2, ("groups, levels,", "fog")),
+    "Kriging": (1, 2, ("kriging, fields", "through data")),
+    "Patterns": (2, 1, ("quadrat laws", "and their fits")),
+    "Wind": (3, 1, ("spectra, fields,", "loads")),
+    "Sway": (4, 2, ("beams, trunks,", "leaves")),
+    "Plants": (5, 1, ("skeletons, skins,", "scattering")),
+    "Seaweed": (6, 3, ("growth, motion,", "wakes")),
+    "Currents": (7, 2, ("flow primitives,", "drift")),
+    "Sea": (8, 1, ("dispersion,", "trains, orbits")),
+    "Particles": (9, 2, ("groups, levels,", "fog")),
 }
 GROUND = {
     "Geometry": "views, cells, height grids, textures",
@@ -44,7 +45,7 @@ COLORS = {
     "room": "#8a6d1f",
 }
 
-WIDTH, HEIGHT, LEFT, PITCH, BOX = 1120, 812, 28, 119, 110
+WIDTH, HEIGHT, LEFT, PITCH, BOX = 1239, 812, 28, 119, 110
 FLOOR_Y = {3: 390, 2: 476, 1: 562}
 ROOM_HEIGHT = 78
 

@@ -25,15 +25,16 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "patterns", "plants", "forests", "wind", "sway",
-         "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "blender", "speed", "troubleshooting")
-DESIGN = ("numerics", "geometry", "terrain", "patterns", "plants", "wind", "sway", "sea", "currents", "particles",
-          "seaweed", "paraview", "volumes", "scenes")
+GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "kriging", "patterns", "plants", "forests",
+         "wind", "sway", "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "blender", "speed", "troubleshooting")
+DESIGN = ("numerics", "geometry", "terrain", "kriging", "patterns", "plants", "wind", "sway", "sea", "currents",
+          "particles", "seaweed", "paraview", "volumes", "scenes")
 
 # Classes by field: title, page of the guide, page of the design, classes.
 FIELDS = (
     ("Terrain", "terrain", "terrain",
      ("vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter", "vtkTerrainLevelOfDetailFilter")),
+    ("Fields through data", "kriging", "kriging", ("vtkConditionalTerrainFilter", "vtkNormalScoresFilter")),
     ("Point patterns", "patterns", "patterns", ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter")),
     ("Plants", "plants", "plants",
      ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
@@ -56,6 +57,7 @@ ROOMS = {
     "Numerics": ("numerics", "Random streams, Fourier transforms, quadrature, rotations, threads."),
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
+    "Kriging": ("kriging", "Kriging with all data and in neighbourhoods, the field at data, normal scores."),
     "Patterns": ("patterns", "Laws of counts in quadrats, patterns by them, fits."),
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
     "Wind": ("wind", "Spectra, fields, loads."),
@@ -76,6 +78,7 @@ EXAMPLES = {
     "Examples/Python/grow_terrain.py": ("Terrain", "terrain.jpg"),
     "Examples/Cxx/GrowTerrain.cxx": ("Terrain in C++", "terrain.jpg"),
     "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
+    "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.png"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
     "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),
     "Examples/Python/swaying_trees.py": ("Swaying trees", "swaying-trees.jpg"),
