@@ -78,7 +78,7 @@ EXAMPLES = {
     "Examples/Python/grow_terrain.py": ("Terrain", "terrain.jpg"),
     "Examples/Cxx/GrowTerrain.cxx": ("Terrain in C++", "terrain.jpg"),
     "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
-    "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.png"),
+    "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.jpg"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
     "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),
     "Examples/Python/swaying_trees.py": ("Swaying trees", "swaying-trees.jpg"),

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measure a place at 300 points, and make fields through them.
+"""Measure a place at 600 points, and make fields through them.
 
     python3 conditional_terrain.py [FOLDER [ELEVATION_MODEL]]
 
 ELEVATION_MODEL: .npz, .vti, .dem or GeoTIFF; default: the Jacksboro fault, Tennessee. Writes
-conditional.png into FOLDER: the place; the survey; the kriging estimate; two conditional fields;
+conditional.jpg into FOLDER: the place; the survey; the kriging estimate; two conditional fields;
 the kriging standard deviation.
 """
 
@@ -17,9 +17,9 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter
 
-from littoral import vtkConditionalTerrainFilter
+from littoral import vtkConditionalTerrainFilter, vtkCovarianceFitFilter
 from littoral.elevation import JACKSBORO, array_from_image, read_elevation
 from littoral.tables import column
 
@@ -29,9 +29,9 @@ os.makedirs(folder, exist_ok=True)
 heights = array_from_image(place).astype(float)
 spacing = place.GetSpacing()[:2]
 
-# A survey: 300 points of the place, with their heights.
+# A survey: 600 points of the place, with their heights.
 random = np.random.default_rng(2)
-spots = random.permutation(heights.size)[:300]
+spots = random.permutation(heights.size)[:600]
 rows, columns = spots // heights.shape[1], spots % heights.shape[1]
 origin = np.array(place.GetOrigin()[:2])
 points = vtkPoints()
@@ -41,9 +41,14 @@ points.SetData(numpy_to_vtk(np.column_stack(
 survey = vtkPolyData()
 survey.SetPoints(points)  # without an array: z is the height
 
+# How rough the place is, which so few heights do not tell well.
+fit = vtkCovarianceFitFilter()
+fit.SetInputData(place)
+
 conditional = vtkConditionalTerrainFilter()
 conditional.SetInputData(survey)
 conditional.SetInputData(1, place)
+conditional.SetInputConnection(2, fit.GetOutputPort(0))
 fields = []
 for seed in 1, 2:
     conditional.SetSeed(seed)
@@ -68,19 +73,24 @@ print("the estimate is off by", round(np.sqrt(((kriged - heights)**2).mean())), 
       "a conditional field by", round(np.sqrt(((fields[0] - heights)**2).mean())), "m")
 
 
-def shaded(surface):
-    """Colors by height, with light from the upper left."""
-    rise_y, rise_x = np.gradient(surface, spacing[1], spacing[0])
-    light = (1.0 + 2.5 * (rise_x - rise_y)) / np.sqrt(1.0 + 6.25 * (rise_x**2 + rise_y**2)) / 1.3
+def colored(surface):
+    """Colors by height."""
     stops = np.array([[94, 122, 78], [150, 160, 100], [196, 176, 126], [150, 120, 96], [236, 232, 226]]) / 255.0
     part = np.clip((surface - heights.min()) / np.ptp(heights), 0.0, 1.0) * (len(stops) - 1)
-    colors = np.stack([np.interp(part, range(len(stops)), stops[:, k]) for k in range(3)], axis=-1)
-    return np.clip(colors * np.clip(light, 0.35, 1.25)[..., None], 0.0, 1.0)
+    return np.stack([np.interp(part, range(len(stops)), stops[:, k]) for k in range(3)], axis=-1)
+
+
+def shaded(surface):
+    """The same with light from the upper left."""
+    rise_y, rise_x = np.gradient(surface, spacing[1], spacing[0])
+    light = (1.0 + 2.5 * (rise_x - rise_y)) / np.sqrt(1.0 + 6.25 * (rise_x**2 + rise_y**2)) / 1.3
+    return np.clip(colored(surface) * np.clip(light, 0.35, 1.25)[..., None], 0.0, 1.0)
 
 
 known = np.full((*heights.shape, 3), 0.97)
+colors = colored(heights)
 for row, across in zip(rows, columns):
-    known[max(0, row - 2):row + 3, max(0, across - 2):across + 3] = shaded(heights)[row, across]
+    known[max(0, row - 2):row + 3, max(0, across - 2):across + 3] = colors[row, across]
 gray = np.repeat((1.0 - 0.8 * deviation / deviation.max())[..., None], 3, axis=-1)
 panels = [[shaded(heights), known, shaded(kriged)], [shaded(fields[0]), shaded(fields[1]), gray]]
 gap = np.ones((heights.shape[0], 8, 3))
@@ -89,8 +99,9 @@ pixels = (255.0 * np.vstack([lines[0], np.ones((8, lines[0].shape[1], 3)), lines
 picture = vtkImageData()
 picture.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
 picture.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, 3), deep=True))
-writer = vtkPNGWriter()
+writer = vtkJPEGWriter()
 writer.SetInputData(picture)
-writer.SetFileName(os.path.join(folder, "conditional.png"))
+writer.SetQuality(85)
+writer.SetFileName(os.path.join(folder, "conditional.jpg"))
 writer.Write()
-print("conditional.png is in", folder)
+print("conditional.jpg is in", folder)
