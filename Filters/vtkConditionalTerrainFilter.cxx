@@ -249,8 +249,8 @@ bool vtkConditionalTerrainFilter::CheckProperties()
 {
   littoral::ParameterCheck check;
   check.Choice("Result", this->Result, { "conditional field", "kriging estimate" });
-  check.Choice("KrigingType", this->KrigingType,
-    { "simple", "ordinary", "linear drift", "quadratic drift", "external drift" });
+  check.Choice(
+    "KrigingType", this->KrigingType, { "simple", "ordinary", "linear drift", "quadratic drift", "external drift" });
   check.Count("Model", this->Model, FittedToData, littoral::NumberOfCovarianceModels - 1);
   check.Within("StandardDeviation", this->StandardDeviation, Deviations);
   check.Finite("Mean", this->Mean);
@@ -309,7 +309,8 @@ bool vtkConditionalTerrainFilter::ReadData(vtkInformationVector** inputVector, S
   }
   if (errors && this->NormalScores && reason.empty())
   {
-    reason = "Measurement errors have no meaning for normal scores: choose no array of errors, or turn NormalScores off.";
+    reason =
+      "Measurement errors have no meaning for normal scores: choose no array of errors, or turn NormalScores off.";
   }
   if (!this->Refuse(reason))
   {
@@ -546,8 +547,8 @@ bool vtkConditionalTerrainFilter::Make(Survey& survey, const int extent[6], vtkI
     {
       throw littoral::KrigingFailure(reason);
     }
-    bands.NumberOfLines = this->NumberOfLines > 0 ? this->NumberOfLines
-                                                  : littoral::EnoughLines(bands, survey.Grid, survey.Window);
+    bands.NumberOfLines =
+      this->NumberOfLines > 0 ? this->NumberOfLines : littoral::EnoughLines(bands, survey.Grid, survey.Window);
     littoral::TurningBandsField& field = simulation.Field.emplace(bands, survey.Grid, survey.Window);
     if (!littoral::RunWithProgress(
           this, field.GetNumberOfLines(), 0.0, 0.2, [&](std::size_t line) { field.TabulateLine(line); }))
@@ -715,9 +716,8 @@ void vtkConditionalTerrainFilter::WriteTable(const Survey& survey, const Simulat
       standardized += row.Error * row.Error;
     }
   }
-  column("LeftOutEstimate", [&](const Row& row) {
-    return std::isnan(row.Left.Estimate) ? NaN : survey.Back(row.Left.Estimate);
-  });
+  column("LeftOutEstimate",
+    [&](const Row& row) { return std::isnan(row.Left.Estimate) ? NaN : survey.Back(row.Left.Estimate); });
   column("LeftOutDeviation", [](const Row& row) { return std::sqrt(row.Left.Variance); });
   column("StandardizedError", [](const Row& row) { return row.Error; });
   littoral::AddField(table, "MeanError", { sum / known });
@@ -759,7 +759,8 @@ int vtkConditionalTerrainFilter::RequestData(
   bool done = false;
   try
   {
-    done = this->Make(survey, extent.data(), output, littoral::AsksForLaterPiece(request, outputVector) ? nullptr : table);
+    done =
+      this->Make(survey, extent.data(), output, littoral::AsksForLaterPiece(request, outputVector) ? nullptr : table);
   }
   catch (const littoral::KrigingFailure& failure)
   {

@@ -14,8 +14,8 @@
  * their bounds. Array 2 of SetInputArrayToProcess, of the Grid (default the active scalars), is the external drift.
  *
  * Input 2 (Fits), optional: a table of fits from vtkCovarianceFitFilter. Its first row then replaces Model,
- * StandardDeviation, Mean, Range, SecondRange, FractalDimension, Nugget, AnisotropyRatio and AnisotropyAngle, each where
- * the table has its column.
+ * StandardDeviation, Mean, Range, SecondRange, FractalDimension, Nugget, AnisotropyRatio and AnisotropyAngle, each
+ * where the table has its column.
  *
  * Output 0: a vtkImageData with a double point array of the name of the values, else `Elevation`: the conditional
  * field, that is the field of vtkTurningBandsTerrainSource with the same model and Seed on the same grid, plus the
@@ -88,9 +88,9 @@ public:
 
   ///@{
   /**
-   * What is made, a ResultType; default ConditionalField. ConditionalField: a field as rough as the model that honours
-   * the data, another one for each Seed. KrigingEstimate: the expectation of all of these, which is smooth between
-   * data.
+   * Kind of field that is made, a ResultType; default ConditionalField. ConditionalField: a field as rough as the model
+   * that honours the data, another one for each Seed. KrigingEstimate: the expectation of all of these, which is smooth
+   * between data.
    */
   vtkSetMacro(Result, int);
   vtkGetMacro(Result, int);
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * What is known of the mean, a KrigingKind; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
+   * Knowledge of the mean, a KrigingKind; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
    * LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging). ExternalDrift: an unknown
    * constant and an unknown multiple of an array of the Grid.
    */

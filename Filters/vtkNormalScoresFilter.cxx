@@ -31,8 +31,7 @@ vtkNormalScoresFilter::vtkNormalScoresFilter()
   this->SetNumberOfInputPorts(2);
   for (int port : { 0, 1 })
   {
-    this->SetInputArrayToProcess(
-      port, port, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+    this->SetInputArrayToProcess(port, port, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   }
 }
 
@@ -127,7 +126,8 @@ int vtkNormalScoresFilter::RequestData(
   const littoral::NormalScores scores(std::move(distribution));
   if (reason.empty() && scores.IsEmpty())
   {
-    reason = std::string(hasReference ? "Reference" : "Input") + " has no two different values, and so no distribution.";
+    reason =
+      std::string(hasReference ? "Reference" : "Input") + " has no two different values, and so no distribution.";
   }
   if (!reason.empty())
   {

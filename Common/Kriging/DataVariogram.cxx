@@ -110,23 +110,24 @@ std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, con
   return bins;
 }
 
-bool FitToData(const KrigingData& data, KrigingType type, KrigingModel& model, std::string& reason,
-  const ParallelFor& parallel)
+bool FitToData(
+  const KrigingData& data, KrigingType type, KrigingModel& model, std::string& reason, const ParallelFor& parallel)
 {
   if (data.Places.size() < FewestForVariogram)
   {
     reason = "There " + std::string(data.Places.size() == 1 ? "is only 1 datum" : "are only ") +
-      (data.Places.size() == 1 ? "" : std::to_string(data.Places.size()) + " data") + ", and a model is fitted to at least " +
-      std::to_string(FewestForVariogram) + "; choose a Model or connect a table of fits.";
+      (data.Places.size() == 1 ? "" : std::to_string(data.Places.size()) + " data") +
+      ", and a model is fitted to at least " + std::to_string(FewestForVariogram) +
+      "; choose a Model or connect a table of fits.";
     return false;
   }
   const std::vector<LagBin> bins = DataVariogram(data, type, parallel);
-  const bool varies =
-    std::any_of(bins.begin(), bins.end(), [](const LagBin& bin) { return bin.Semivariance > 0.0; });
+  const bool varies = std::any_of(bins.begin(), bins.end(), [](const LagBin& bin) { return bin.Semivariance > 0.0; });
   if (!varies)
   {
-    reason = "The data do not vary about their drift, so that no model can be fitted to them; choose a Model or connect "
-             "a table of fits.";
+    reason =
+      "The data do not vary about their drift, so that no model can be fitted to them; choose a Model or connect "
+      "a table of fits.";
     return false;
   }
   VariogramFitOptions options;

@@ -85,8 +85,7 @@ public:
     , Reduced(ReduceAll(lattice, positions))
     , Tree(Reduced)
   {
-    const double area =
-      std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
+    const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
     this->Radius = DrawRadius * std::sqrt(area);
     // The box of a circle in the grid's indices, as that of the moving average
     this->Reach = { std::min(MostReach, this->Radius * std::hypot(lattice.StepY[0], lattice.StepY[1]) / area),
@@ -208,8 +207,8 @@ void SnapToGrid(const PlaneGrid& grid, std::vector<KrigingPlace>& places)
     const bool isNear = std::abs(position.Column) < FarthestIndex && std::abs(position.Row) < FarthestIndex;
     if (isNear && position.IsPoint())
     {
-      const KrigingPlace point = PlaceOfPoint(
-        grid, static_cast<int>(std::round(position.Column)), static_cast<int>(std::round(position.Row)));
+      const KrigingPlace point =
+        PlaceOfPoint(grid, static_cast<int>(std::round(position.Column)), static_cast<int>(std::round(position.Row)));
       place.X = point.X;
       place.Y = point.Y;
     }
@@ -239,8 +238,8 @@ std::vector<double> FieldAtData(const TurningBandsField& field, const TurningBan
       const GridPosition& position = positions[n];
       if (!isOff[n])
       {
-        values[n] = field.ValueAtPoint(
-          static_cast<int>(std::round(position.Column)), static_cast<int>(std::round(position.Row)));
+        values[n] =
+          field.ValueAtPoint(static_cast<int>(std::round(position.Column)), static_cast<int>(std::round(position.Row)));
       }
       else if (position.IsWithin(window))
       {

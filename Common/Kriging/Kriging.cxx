@@ -178,7 +178,8 @@ public:
     const double worst = this->Misses(values).lpNorm<Eigen::Infinity>();
     if (!(worst <= LargestMiss * scale))
     {
-      throw KrigingFailure("The kriging system is singular to working precision: its solution misses the data by up to " +
+      throw KrigingFailure(
+        "The kriging system is singular to working precision: its solution misses the data by up to " +
         TextOf(worst / scale) +
         " of their scale; give a nugget or measurement errors, leave out data that are close together, or take a "
         "rougher model.");
@@ -216,8 +217,8 @@ public:
           columns(n, n - first) = 1.0;
         }
         columns = this->Solver.Lower(columns);
-        const Matrix drift = lowerDrifts.cols() > 0 ? this->Solver.DriftRoot(lowerDrifts.transpose() * columns)
-                                                    : Matrix::Zero(1, width);
+        const Matrix drift =
+          lowerDrifts.cols() > 0 ? this->Solver.DriftRoot(lowerDrifts.transpose() * columns) : Matrix::Zero(1, width);
         for (Eigen::Index n = first; n < std::min(first + width, count); ++n)
         {
           diagonal(n) = SquaredLength(columns, n - first) - SquaredLength(drift, n - first);
@@ -409,8 +410,7 @@ private:
     if (drifts > 0)
     {
       const DriftFunctions::Values at = functions.At(place);
-      const Vector d =
-        Eigen::Map<const Vector>(at.data(), drifts) - local.Solver.LowerDrifts().transpose() * t;
+      const Vector d = Eigen::Map<const Vector>(at.data(), drifts) - local.Solver.LowerDrifts().transpose() * t;
       const Vector own = local.Solver.DriftRoot(d);
       const Vector other = local.Solver.DriftRoot(local.Solver.LowerDrifts().transpose() * u);
       found.Estimate += own.dot(other);

@@ -45,7 +45,7 @@ std::string WhyTwice(const KrigingData& data)
       return "Data " + std::to_string(a) + " and " + std::to_string(b) + " are both at " + PlaceText(p) +
         (same ? ", with the same value"
               : ", with the values " + TextOf(data.Values[a]) + " and " + TextOf(data.Values[b]) +
-                 ", which contradict each other") +
+              ", which contradict each other") +
         "; leave one of them out, or give them a measurement error or a nugget.";
     }
   }
@@ -79,14 +79,12 @@ std::string WhyInvalid(const KrigingData& data, const KrigingModel& model)
     if (!isGood || !IsSensible(data.Values[n]))
     {
       return "Datum " + std::to_string(n) + " at " + PlaceText(place) + " has " +
-        (isGood ? "the value " + TextOf(data.Values[n])
-                : "the drift " + TextOf(place.External)) +
+        (isGood ? "the value " + TextOf(data.Values[n]) : "the drift " + TextOf(place.External)) +
         "; places, values and drifts must be finite.";
     }
     if (!IsSensible(error) || error < 0.0)
     {
-      return "Datum " + std::to_string(n) + " has the error variance " + TextOf(error) +
-        "; it must be at least 0.";
+      return "Datum " + std::to_string(n) + " has the error variance " + TextOf(error) + "; it must be at least 0.";
     }
   }
   return model.Nugget > 0.0 ? "" : WhyTwice(data);

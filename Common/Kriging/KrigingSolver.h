@@ -83,10 +83,7 @@ public:
   const Matrix& LowerDrifts() const { return this->Drifts; }
 
   /// R'^-1 v with G = R' R: its squares sum to v' G^-1 v.
-  Matrix DriftRoot(const Matrix& v) const
-  {
-    return this->Root.triangularView<Eigen::Upper>().transpose().solve(v);
-  }
+  Matrix DriftRoot(const Matrix& v) const { return this->Root.triangularView<Eigen::Upper>().transpose().solve(v); }
 
   /// G^-1 v
   Vector SolveDrift(const Vector& v) const

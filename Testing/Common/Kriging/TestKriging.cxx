@@ -43,7 +43,9 @@ KrigingModel ModelOf(CovarianceModel kind, double nugget = 0.0, double ratio = 1
   KrigingModel model;
   model.Field.Model = kind;
   model.Field.Variance = 4.0;
-  model.Field.Range = kind == CovarianceModel::Fractal ? 300.0 : kind == CovarianceModel::DoubleExponential ? 8.0 : 25.0;
+  model.Field.Range = kind == CovarianceModel::Fractal ? 300.0
+    : kind == CovarianceModel::DoubleExponential       ? 8.0
+                                                       : 25.0;
   model.Field.SecondRange = 4.0;
   model.Field.FractalDimension = 2.4;
   model.Nugget = nugget;
@@ -221,7 +223,8 @@ TEST(Kriging, LeavesOneOut)
     const auto kriged = static_cast<KrigingType>(type);
     const KrigingModel model = ModelOf(CovarianceModel::Bessel1, 0.1, 2.0);
     const KrigingData data = SomeData(70, true);
-    const std::vector<LeftOut> closed = Kriging(model, data, OptionsOf(kriged)).LeaveOneOut(littoral::testing::OnThreads(3));
+    const std::vector<LeftOut> closed =
+      Kriging(model, data, OptionsOf(kriged)).LeaveOneOut(littoral::testing::OnThreads(3));
     for (std::size_t n = 0; n < data.Places.size(); ++n)
     {
       const LeftOut truth = Dense(model, data, kriged, data.Places[n], static_cast<long long>(n));
@@ -324,7 +327,8 @@ TEST(Kriging, RefusesSingularSystems)
   KrigingModel smooth = ModelOf(CovarianceModel::DoubleExponential);
   smooth.Field.Range = 3000.0;
   EXPECT_NE(FailureOf(smooth, SomeData(100, false), simple).find("singular"), std::string::npos);
-  EXPECT_NE(FailureOf(smooth, SomeData(100, false), OptionsOf(KrigingType::Simple, 40)).find("singular"), std::string::npos);
+  EXPECT_NE(
+    FailureOf(smooth, SomeData(100, false), OptionsOf(KrigingType::Simple, 40)).find("singular"), std::string::npos);
   smooth.Nugget = 0.01;
   EXPECT_EQ(FailureOf(smooth, SomeData(100, false), simple), "");
   // Data on a line tell no plane; an external drift that is constant is no second function.
@@ -338,7 +342,8 @@ TEST(Kriging, RefusesSingularSystems)
   EXPECT_NE(FailureOf(model, line, OptionsOf(KrigingType::LinearDrift)).find("tell"), std::string::npos);
   EXPECT_NE(FailureOf(model, line, OptionsOf(KrigingType::ExternalDrift)).find("tell"), std::string::npos);
   EXPECT_EQ(FailureOf(model, line, OptionsOf(KrigingType::Ordinary)), "");
-  EXPECT_NE(FailureOf(model, SomeData(2, false), OptionsOf(KrigingType::LinearDrift)).find("only 2 data"), std::string::npos);
+  EXPECT_NE(
+    FailureOf(model, SomeData(2, false), OptionsOf(KrigingType::LinearDrift)).find("only 2 data"), std::string::npos);
 }
 
 TEST(Kriging, RefusesBadData)
