@@ -43,6 +43,9 @@ def usual_inputs(name):
         "BeamTreeDeformation": lambda: (simple.ReevesTree(), {"Wind": simple.WindField()}),
         "CovarianceFit": lambda: (simple.TurningBandsTerrain(), {}),
         "TurningBandsTerrainFromFits": lambda: (simple.CovarianceFit(Input=simple.TurningBandsTerrain()), {}),
+        "ConditionalTerrain": lambda: (simple.MaskPoints(
+            Input=simple.TurningBandsTerrain(), OnRatio=997, GenerateVertices=1, SingleVertexPerCell=1), {}),
+        "NormalScores": lambda: (simple.TurningBandsTerrain(), {}),
         "TerrainLevelOfDetail": lambda: (simple.TurningBandsTerrain(), {}),
         "WindStatistics": lambda: (simple.WindField(), {}),
         "ImageSections": lambda: (simple.WindField(), {}),

@@ -87,6 +87,8 @@ MISTAKES = [
      "TimeStep", EMPTY),
     ("ParticleFog", lambda: dict(Input=particles(), ParticleRadius=-1.0), "ParticleRadius", EMPTY),
     ("CovarianceFit", lambda: dict(Input=image()), "one layer", EMPTY),
+    ("ConditionalTerrain", lambda: dict(Input=image()), "one layer", EMPTY),
+    ("NormalScores", lambda: dict(Input=image(), Inverse=1), "Reference", EMPTY),
     ("TerrainLevelOfDetail", lambda: dict(Input=image()), "one layer", EMPTY),
     ("QuadratAnalysis", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),
     ("TurningBandsTerrainFromFits", lambda: dict(Input=simple.SeaState()), "covariance fit", EMPTY),
