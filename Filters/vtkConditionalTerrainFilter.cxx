@@ -224,6 +224,11 @@ int vtkConditionalTerrainFilter::RequestInformation(
     grid->Get(vtkDataObject::ORIGIN(), origin);
     grid->Get(vtkDataObject::SPACING(), spacing);
   }
+  if (whole[1] < whole[0] || whole[3] < whole[2] || whole[5] < whole[4])
+  {
+    this->Refuse("The grid has no points.");
+    return littoral::FailedInformation(this, outputVector);
+  }
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
   output->Set(vtkDataObject::ORIGIN(), origin, 3);
   output->Set(vtkDataObject::SPACING(), spacing, 3);

@@ -77,7 +77,7 @@ public:
     Spherical = 6,
   };
 
-  enum KrigingKind
+  enum KrigingTypeType
   {
     Simple = 0,
     Ordinary = 1,
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Knowledge of the mean, a KrigingKind; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
+   * Knowledge of the mean, a KrigingTypeType; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
    * LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging). ExternalDrift: an unknown
    * constant and an unknown multiple of an array of the Grid.
    */

@@ -103,7 +103,7 @@ vtkDataArray* vtkNormalScoresFilter::Values(
 int vtkNormalScoresFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   std::string reason;
   vtkDataSet* input = nullptr;
   vtkDataSet* reference = nullptr;
@@ -147,7 +147,16 @@ int vtkNormalScoresFilter::RequestData(
       mapped->SetValue(n, std::isnan(value) ? value : inverse ? scores.ValueOf(value) : scores.ScoreOf(value));
     }
   });
-  output->GetPointData()->SetScalars(mapped);
+  vtkIdType holes = 0;
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    holes += std::isnan(mapped->GetValue(n)) ? 1 : 0;
+  }
+  if (holes > 0)
+  {
+    littoralWarningMacro(<< holes << " of " << count << " values are NaN, and stay NaN.");
+  }
+  output->GetAttributes(vtkDataObject::POINT)->SetScalars(mapped);
   return 1;
 }
 

@@ -14,7 +14,7 @@
  * the quantile (k - 1/2) / n of the standard normal distribution, equal values share the score of their mean rank, and
  * between values of the reference the map is linear. With Inverse the array, taken as scores, becomes values of the
  * reference, in an array of its name, else `Elevation`; scores beyond the outermost ones become the least and the
- * largest value. NaN stays NaN.
+ * largest value. NaN stays NaN, with a warning.
  *
  * A reference without two different values is reported as one error.
  *
@@ -24,17 +24,18 @@
 #define vtkNormalScoresFilter_h
 
 #include "LittoralFiltersModule.h" // for export macro
-#include "vtkDataSetAlgorithm.h"
+#include "vtkPassInputTypeAlgorithm.h"
 
 #include <string> // for reasons
 
 class vtkDataArray;
+class vtkDataSet;
 
-class LITTORALFILTERS_EXPORT vtkNormalScoresFilter : public vtkDataSetAlgorithm
+class LITTORALFILTERS_EXPORT vtkNormalScoresFilter : public vtkPassInputTypeAlgorithm
 {
 public:
   static vtkNormalScoresFilter* New();
-  vtkTypeMacro(vtkNormalScoresFilter, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkNormalScoresFilter, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Lets no exception leave a request, as for want of memory: it becomes an error.
