@@ -129,6 +129,13 @@ int vtkNormalScoresFilter::RequestData(
     reason =
       std::string(hasReference ? "Reference" : "Input") + " has no two different values, and so no distribution.";
   }
+  for (vtkIdType n = 0; reason.empty() && n < values->GetNumberOfTuples(); ++n)
+  {
+    if (std::isnan(values->GetComponent(n, 0)))
+    {
+      reason = "Value " + std::to_string(n) + " of the input is NaN, which has no score; fill holes first.";
+    }
+  }
   if (!reason.empty())
   {
     output->Initialize();
@@ -144,18 +151,9 @@ int vtkNormalScoresFilter::RequestData(
     for (auto n = static_cast<vtkIdType>(begin); n < static_cast<vtkIdType>(end); ++n)
     {
       const double value = values->GetComponent(n, 0);
-      mapped->SetValue(n, std::isnan(value) ? value : inverse ? scores.ValueOf(value) : scores.ScoreOf(value));
+      mapped->SetValue(n, inverse ? scores.ValueOf(value) : scores.ScoreOf(value));
     }
   });
-  vtkIdType holes = 0;
-  for (vtkIdType n = 0; n < count; ++n)
-  {
-    holes += std::isnan(mapped->GetValue(n)) ? 1 : 0;
-  }
-  if (holes > 0)
-  {
-    littoralWarningMacro(<< holes << " of " << count << " values are NaN, and stay NaN.");
-  }
   output->GetAttributes(vtkDataObject::POINT)->SetScalars(mapped);
   return 1;
 }

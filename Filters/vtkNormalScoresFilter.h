@@ -14,9 +14,10 @@
  * the quantile (k - 1/2) / n of the standard normal distribution, equal values share the score of their mean rank, and
  * between values of the reference the map is linear. With Inverse the array, taken as scores, becomes values of the
  * reference, in an array of its name, else `Elevation`; scores beyond the outermost ones become the least and the
- * largest value. NaN stays NaN, with a warning.
+ * largest value. NaN in the reference is left out.
  *
- * A reference without two different values is reported as one error.
+ * A value of input 0 that is NaN (vtkConditionalTerrainFilter fills holes), or a reference without two different
+ * values, is reported as one error.
  *
  * @sa vtkCovarianceFitFilter vtkTurningBandsTerrainSource
  */
