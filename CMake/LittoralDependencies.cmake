@@ -21,6 +21,7 @@ endfunction ()
 
 littoral_find_headers(Random123::Random123 Random123/philox.h)
 littoral_find_headers(kissfft::header kissfft/kissfft.hh)
+littoral_find_headers(nanoflann::header nanoflann.hpp)
 find_package(Threads REQUIRED)
 
 # --- FFTW in single precision, on request: it is GPL, and so is what is linked with it.

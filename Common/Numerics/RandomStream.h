@@ -46,6 +46,8 @@ enum class RandomPurpose : std::uint32_t
   ParticleSizes = 65,
   ParticleOrientations = 66,
   SlaveOffsets = 72,
+  DatumShortWaves = 76,
+  DatumErrors = 77,
   DrainageWaves = 80,
   StandDiameters = 90,
   StandHeights = 91,

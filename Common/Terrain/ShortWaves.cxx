@@ -128,6 +128,12 @@ public:
 
   double GetVariance() const { return this->Variance; }
 
+  double At(double r) const
+  {
+    // C_short(r) = C(r) - C_long(r) = (C_long(0) - C_long(r)) - gamma(r) + C_short(0)
+    return r < this->End ? this->Decay(r) - Semivariance(this->Unit, r) + this->Variance : 0.0;
+  }
+
   /// At the points of a lattice, with the indices of a discrete transform.
   void Sample(const PlaneLattice& lattice, FourierGrid& grid) const
   {
@@ -167,12 +173,6 @@ private:
       decays[n] = decay.At(n * step);
     }
     return Spline(decays, 0.0, step, { 0.0, 0.0 });
-  }
-
-  double At(double r) const
-  {
-    // C_short(r) = C(r) - C_long(r) = (C_long(0) - C_long(r)) - gamma(r) + C_short(0)
-    return r < this->End ? this->Decay(r) - Semivariance(this->Unit, r) + this->Variance : 0.0;
   }
 };
 
@@ -361,6 +361,7 @@ void ShortWaves::FindWeights(const CovarianceParameters& field, const PlaneLatti
     static_cast<int>(radius * Length(lattice.StepX) / area) };
 
   const ShortCovariance covariance(field, lattice, crossover);
+  this->Model = [covariance, variance = field.Variance](double distance) { return variance * covariance.At(distance); };
   FourierGrid grid(NextFastLength(5 * this->Reach[0] + 2), NextFastLength(5 * this->Reach[1] + 2));
   covariance.Sample(lattice, grid);
   TakeRootOfSpectrum(grid);

@@ -7,6 +7,7 @@
 #include "Terrain/CovarianceModels.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace littoral
@@ -60,6 +61,10 @@ public:
   /// Covariance of points i columns and j rows apart; at 0, 0 the variance.
   double Covariance(int i, int j) const;
 
+  /// Covariance that the model asks for at any distance [m] in the space where the field is isotropic, also between
+  /// places that are no points of the grid.
+  double CovarianceAt(double distance) const { return this->Model(distance); }
+
   /// Values at the points firstColumn <= i < firstColumn + width, firstRow <= j < firstRow + height, x fastest.
   void Fill(int firstColumn, int firstRow, int width, int height, std::vector<float>& values) const;
 
@@ -70,6 +75,7 @@ private:
   float Weight(int i, int j) const;
 
   RandomStream Random;
+  std::function<double(double)> Model;
   std::array<int, 2> Reach{ 0, 0 }; ///< largest |i| and |j| of a weight
   std::vector<float> Weights;       ///< of -Reach <= i, j <= Reach, i fastest
   /// The weights that are not zero, one of each pair of opposite ones, the middle first.

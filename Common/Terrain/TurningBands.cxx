@@ -703,6 +703,51 @@ void TurningBandsField::FillRows(int firstRow, int lastRow, double scale, double
   }
 }
 
+float TurningBandsField::ValueAtPoint(int column, int row) const
+{
+  std::vector<const Line*> alongX;
+  std::vector<const Line*> alongY;
+  for (const Line& line : this->Lines)
+  {
+    (line.AlongX ? alongX : alongY).push_back(&line);
+  }
+  std::vector<float> rowSums(Corner * TilePitch, 0.0f);
+  std::vector<float> columnSums(Corner * TilePitch, 0.0f);
+  this->AddLines(alongX, row, 1, column, 1, rowSums.data());
+  this->AddLines(alongY, column, 1, row, 1, columnSums.data());
+  AddTransposed(columnSums.data(), 1, 1, rowSums.data());
+  std::vector<float> shortWaves(1, 0.0f);
+  if (this->Short)
+  {
+    this->Short->Fill(column, row, 1, 1, shortWaves);
+  }
+  return 0.0f + 1.0f * (rowSums[0] + shortWaves[0]);
+}
+
+double TurningBandsField::LongWavesAt(double column, double row) const
+{
+  double sum = 0.0;
+  for (const Line& line : this->Lines)
+  {
+    // The projection x . u on the line, in nodes, and the four nodes around it
+    const double along = line.AlongX ? column : row;
+    const double across = line.AlongX ? row : column;
+    const double position = line.FirstPosition + line.Across * across + std::ldexp(along, line.StrideBits);
+    const long long node = Floor(position);
+    const double t = position - static_cast<double>(node);
+    const double u = 1.0 - t;
+    const double weights[4] = { u * u * u, 4.0 - t * t * (6.0 - 3.0 * t), 4.0 - u * u * (6.0 - 3.0 * u), t * t * t };
+    const auto first = static_cast<std::size_t>(node - 1 - line.FirstNode);
+    const std::size_t phases = (std::size_t(1) << line.StrideBits) - 1;
+    for (std::size_t tap = 0; tap < 4; ++tap)
+    {
+      const std::size_t place = first + tap;
+      sum += weights[tap] / 6.0 * line.Table[(place & phases) * line.PhaseLength + (place >> line.StrideBits)];
+    }
+  }
+  return sum;
+}
+
 double TurningBandsField::ValueAt(double x, double y) const
 {
   double sum = 0.0;

@@ -112,6 +112,18 @@ public:
   /// whole field if ShortestWavelength is given.
   double ValueAt(double x, double y) const;
 
+  /// The value that FillRows() has at a point of the window, with the same bytes.
+  float ValueAtPoint(int column, int row) const;
+
+  /// The long waves between the points of the window, at a place in columns and rows, from the tables.
+  double LongWavesAt(double column, double row) const;
+
+  /// What is added to the long waves at the points; null where lines carry all.
+  const ShortWaves* GetShortWaves() const { return this->Short ? &*this->Short : nullptr; }
+
+  /// The points in the space where the field is isotropic.
+  const PlaneLattice& GetLattice() const { return this->Lattice; }
+
   /**
    * A line's part in the plane that fits the field best by least squares over a rectangle of the given center and sides
    * [m]: the sum over lines is the field's. In closed form from the harmonics: it needs no TabulateLine, and no window

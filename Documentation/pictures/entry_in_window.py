@@ -57,6 +57,9 @@ def usual_inputs(name):
         "Drainage": lambda: (simple.TurningBandsTerrain(), {}),
         "GroundStatistics": lambda: (simple.TurningBandsTerrain(), {}),
         "TurningBandsTerrainFromFits": lambda: (simple.CovarianceFit(Input=simple.TurningBandsTerrain()), {}),
+        "ConditionalTerrain": lambda: (simple.MaskPoints(
+            Input=simple.TurningBandsTerrain(), OnRatio=997, GenerateVertices=1, SingleVertexPerCell=1), {}),
+        "NormalScores": lambda: (simple.TurningBandsTerrain(), {}),
         "TerrainLevelOfDetail": lambda: (simple.TurningBandsTerrain(), {}),
         "WindStatistics": lambda: (simple.WindField(), {}),
         "ImageSections": lambda: (simple.WindField(), {}),

@@ -22,14 +22,15 @@ MODULES = ("Sources", "Filters", "IO")
 ROOMS = {
     "Drainage": (0, 2, ("flow, rivers,", "carving")),
     "Terrain": (1, 1, ("covariances, fits,", "turning bands")),
-    "Patterns": (2, 2, ("quadrat laws,", "point processes")),
-    "Wind": (3, 1, ("spectra, fields,", "loads")),
-    "Sway": (4, 2, ("beams, trunks,", "leaves")),
-    "Plants": (5, 1, ("skeletons, skins,", "scattering")),
-    "Seaweed": (6, 3, ("growth, motion,", "wakes")),
-    "Currents": (7, 2, ("flow primitives,", "drift")),
-    "Sea": (8, 1, ("dispersion,", "trains, orbits")),
-    "Particles": (9, 2, ("groups, levels,", "fog")),
+    "Kriging": (2, 2, ("kriging, fields", "through data")),
+    "Patterns": (3, 2, ("quadrat laws,", "point processes")),
+    "Wind": (4, 1, ("spectra, fields,", "loads")),
+    "Sway": (5, 2, ("beams, trunks,", "leaves")),
+    "Plants": (6, 1, ("skeletons, skins,", "scattering")),
+    "Seaweed": (7, 3, ("growth, motion,", "wakes")),
+    "Currents": (8, 2, ("flow primitives,", "drift")),
+    "Sea": (9, 1, ("dispersion,", "trains, orbits")),
+    "Particles": (10, 2, ("groups, levels,", "fog")),
 }
 GROUND = {
     "Geometry": "views, cells, height grids, textures",
@@ -45,7 +46,7 @@ COLORS = {
     "room": "#8a6d1f",
 }
 
-WIDTH, HEIGHT, LEFT, PITCH, BOX = 1120, 812, 28, 107, 100
+WIDTH, HEIGHT, LEFT, PITCH, BOX = 1227, 812, 28, 107, 100
 FLOOR_Y = {3: 390, 2: 476, 1: 562}
 ROOM_HEIGHT = 78
 

@@ -25,9 +25,10 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "drainage", "patterns", "plants", "forests", "stands", "wind", "sway",
-         "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving", "blender", "speed", "troubleshooting")
-DESIGN = ("numerics", "geometry", "terrain", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
+GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "kriging", "drainage", "patterns", "plants", "forests",
+         "stands", "wind", "sway", "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving",
+         "blender", "speed", "troubleshooting")
+DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
           "particles", "seaweed", "paraview", "volumes", "scenes")
 
 # Classes by field: title, page of the guide, page of the design, classes.
@@ -35,6 +36,7 @@ FIELDS = (
     ("Terrain", "terrain", "terrain",
      ("vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter", "vtkTerrainLevelOfDetailFilter")),
     ("Drainage", "drainage", "drainage", ("vtkDrainageFilter", "vtkGroundStatisticsFilter")),
+    ("Fields through data", "kriging", "kriging", ("vtkConditionalTerrainFilter", "vtkNormalScoresFilter")),
     ("Point patterns", "patterns", "patterns",
      ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter", "vtkPointPatternStatisticsFilter", "vtkPointProcessSource",
       "vtkPatternVerdictFilter")),
@@ -62,6 +64,7 @@ ROOMS = {
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
     "Drainage": ("drainage", "Flow over terrain, rivers that cut into it, ground that drains and keeps its statistics."),
+    "Kriging": ("kriging", "Kriging with all data and in neighbourhoods, the field at data, normal scores."),
     "Patterns": ("patterns", "Laws of counts in quadrats, point processes, patterns by them, fits; windows, functions of "
                  "distance, envelopes, verdicts."),
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
@@ -83,6 +86,7 @@ EXAMPLES = {
     "Examples/Python/grow_terrain.py": ("Terrain", "terrain.jpg"),
     "Examples/Cxx/GrowTerrain.cxx": ("Terrain in C++", "terrain.jpg"),
     "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
+    "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.jpg"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
     "Examples/Python/planted_stands.py": ("Planted inventories", "stand-longleaf.jpg"),
     "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),

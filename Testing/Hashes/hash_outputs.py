@@ -21,6 +21,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 
 import littoral
 
@@ -41,6 +42,14 @@ def make(name, inputs=(), **settings):
 def terrain(size=40):
     return make("vtkTurningBandsTerrainSource", SetWholeExtent=(0, size, 0, size, 0, 0),
                 SetAnisotropyRatio=(3.0,))
+
+
+def survey():
+    """Points with elevations."""
+    ground = terrain(12)
+    points = vtkImageDataGeometryFilter()
+    points.SetInputConnection(ground.GetOutputPort())
+    return points
 
 
 def tree(name="vtkReevesTreeSource"):
@@ -115,6 +124,13 @@ CASES = {
     "vtkGroundStatisticsFilter": (lambda: (terrain(60),), [
         {"SetMinimumDrainageCells": (8,)}, {"SetMinimumDrainageCells": (30,)},
         {"SetUseSeaLevel": (True,), "SetSeaLevel": (180.0,)}]),
+    "vtkConditionalTerrainFilter": (lambda: (survey(),), [
+        {"SetDimensions": (30, 20), "SetKrigingVariance": (True,), "SetCrossValidation": (True,)},
+        {"SetDimensions": (30, 20), "SetModel": (1,), "SetKrigingType": (2,), "SetNumberOfNeighbors": (12,)},
+        {"SetDimensions": (30, 20), "SetModel": (0,), "SetResult": (1,), "SetNormalScores": (True,)}]),
+    "vtkNormalScoresFilter": (lambda: (terrain(), terrain(30)), [
+        {"SetInverse": (True,)}, {"SetInverse": (False,)},
+        {"SetInputArrayToProcess": (0, 0, 0, 0, "Elevation")}]),
     "vtkWindStatisticsFilter": (lambda: (wind(),), [
         {"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}]),
     "vtkSeaStatisticsFilter": (lambda: (sea(),), [

@@ -18,7 +18,7 @@ fail_if_found() { # MESSAGE, with the offending lines on standard input
 # Headers of Common that are installed, by their paths below it.
 installed_headers() {
   (cd Common && printf '%s\n' */*.h) |
-    grep -vxFf <(sed -n 's/^set(private_headers \(.*\))$/\1/p' Common/CMakeLists.txt | tr ' ' '\n')
+    grep -vxFf <(tr -s '\n ' ' ' <Common/CMakeLists.txt | grep -o 'set(private_headers [^)]*' | tr ' ' '\n')
 }
 
 # What sources of Common that a build tree compiles include first, before any other line of code.
@@ -63,7 +63,7 @@ case "${1:-}" in
         Numerics) lower= ;;
         Geometry) lower=Numerics ;;
         Terrain | Plants | Wind | Sea) lower='Numerics|Geometry' ;;
-        Patterns) lower='Numerics|Geometry|Terrain' ;;
+        Kriging | Patterns) lower='Numerics|Geometry|Terrain' ;;
         Sway) lower='Numerics|Geometry|Plants|Wind' ;;
         Currents) lower='Numerics|Geometry' ;;
         Particles) lower='Numerics|Geometry|Sea' ;;

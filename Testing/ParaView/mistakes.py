@@ -98,6 +98,8 @@ MISTAKES = [
     ("Drainage", lambda: dict(Input=simple.TurningBandsTerrain(WholeExtent=[0, 40, 0, 40, 0, 0]), Concavity=-1.0),
      "Concavity", EMPTY),
     ("GroundStatistics", lambda: dict(Input=image()), "one layer", EMPTY),
+    ("ConditionalTerrain", lambda: dict(Input=image()), "one layer", EMPTY),
+    ("NormalScores", lambda: dict(Input=image(), Inverse=1), "Reference", EMPTY),
     ("TerrainLevelOfDetail", lambda: dict(Input=image()), "one layer", EMPTY),
     ("QuadratAnalysis", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),
     ("PointPatternStatistics", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),

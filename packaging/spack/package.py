@@ -28,6 +28,7 @@ class Littoral(CMakePackage):
     depends_on("boost@1.70:")
     depends_on("glm")
     depends_on("kissfft")
+    depends_on("nanoflann")
     depends_on("random123")
     depends_on("paraview@5.11: +python +development_files", when="+paraview +python")
     depends_on("paraview@5.11: +development_files", when="+paraview")

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralCovarianceTable_h
+#define LittoralCovarianceTable_h
+
+#include "Kriging/KrigingModel.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace littoral
+{
+
+/// A place in the space where the field is isotropic [m].
+using ReducedPlace = std::array<double, 2>;
+
+/// Places of the plane as places of the space where the field is isotropic.
+class ReducedSpace
+{
+public:
+  explicit ReducedSpace(const KrigingModel& model)
+    : Cosine(std::cos(model.AnisotropyAngle))
+    , Sine(std::sin(model.AnisotropyAngle))
+    , Ratio(model.AnisotropyRatio)
+  {
+  }
+
+  ReducedPlace operator()(double x, double y) const
+  {
+    return { this->Cosine * x + this->Sine * y, this->Ratio * (this->Cosine * y - this->Sine * x) };
+  }
+
+private:
+  double Cosine;
+  double Sine;
+  double Ratio;
+};
+
+/**
+ * The covariance of a field, without the noise of the data, at any distance up to a farthest one: cubic in even steps,
+ * with the model's own values and slopes at their ends. Near the origin, as long as cubics are off by more than 1e-9 of
+ * the variance, which they are for rough fields, it is the model itself.
+ */
+class CovarianceTable
+{
+public:
+  CovarianceTable(const CovarianceParameters& field, double farthest, std::size_t steps);
+
+  /// Covariance at a distance [m] in the space where the field is isotropic.
+  double At(double distance) const
+  {
+    const double position = distance * this->StepsPerMetre;
+    if (position < this->FirstPosition || position >= this->LastPosition)
+    {
+      return this->Exact(distance);
+    }
+    const auto step = static_cast<std::size_t>(position);
+    const double t = position - static_cast<double>(step);
+    const std::array<double, 4>& cubic = this->Cubics[step];
+    return cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]));
+  }
+
+  double Between(const ReducedPlace& a, const ReducedPlace& b) const
+  {
+    const double x = a[0] - b[0];
+    const double y = a[1] - b[1];
+    return this->At(std::sqrt(x * x + y * y));
+  }
+
+  double GetVariance() const { return this->Field.Variance; }
+
+private:
+  double Exact(double distance) const;
+
+  CovarianceParameters Field;
+  double StepsPerMetre;
+  double FirstPosition; ///< in steps, before which the table is too coarse
+  double LastPosition;
+  std::vector<std::array<double, 4>> Cubics;
+};
+
+}
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralDriftFunctions_h
+#define LittoralDriftFunctions_h
+
+#include "Kriging/KrigingModel.h"
+
+#include <array>
+#include <cstddef>
+
+namespace littoral
+{
+
+/// The functions whose sum, with unknown factors, is the mean of the field: 1, x, y, x^2, x y, y^2, or 1 and an
+/// external quantity. Coordinates and quantity are scaled to about -1 ... 1, which no estimate depends on.
+class DriftFunctions
+{
+public:
+  static constexpr std::size_t Most = 6;
+  using Values = std::array<double, Most>;
+
+  /// Scaled to places that are given by `count` indices, which may be null: all of them.
+  DriftFunctions(
+    KrigingType type, const std::vector<KrigingPlace>& places, const std::size_t* indices, std::size_t count);
+
+  std::size_t GetCount() const { return this->Count; }
+
+  /// The functions at a place; those beyond Count are 0.
+  Values At(const KrigingPlace& place) const;
+
+private:
+  KrigingType Type;
+  std::size_t Count;
+  KrigingPlace Center;
+  KrigingPlace Half; ///< half the extents, 1 where that is 0
+};
+
+/// The number of functions of a kind of mean: 0, 1, 3, 6, 2.
+std::size_t NumberOfDriftFunctions(KrigingType type);
+
+}
+
+#endif

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkConditionalTerrainFilter
+ * @brief   make a field on a grid that honours data: conditional simulation and kriging
+ *
+ * Input 0 (Data): a vtkPointSet whose points are data, or a vtkImageData of one layer whose points are data except
+ * where the value is NaN. Values are the point array 0 of SetInputArrayToProcess (default the active scalars, which
+ * also stand in for an absent `Elevation`; points without scalars: their z coordinates). Array 1, optional: the
+ * standard deviation of the error of each datum, in the unit of the values. The x and y of points are places [m].
+ *
+ * Input 1 (Grid), optional: a vtkImageData of one layer that tells where the field is wanted. Without one it is the
+ * image of the data, whose points with a value then keep it, so that its holes are filled; for points, Dimensions over
+ * their bounds. Array 2 of SetInputArrayToProcess, of the Grid (default the active scalars), is the external drift.
+ *
+ * Input 2 (Fits), optional: a table of fits from vtkCovarianceFitFilter. Its first row then replaces Model,
+ * StandardDeviation, Mean, Range, SecondRange, FractalDimension, Nugget, AnisotropyRatio and AnisotropyAngle, each
+ * where the table has its column.
+ *
+ * Output 0: a vtkImageData with a double point array of the name of the values, else `Elevation`: the conditional
+ * field, that is the field of vtkTurningBandsTerrainSource with the same model and Seed on the same grid, plus the
+ * kriged differences of data and field at the data; or the kriging estimate itself. With KrigingVariance also the point
+ * array `KrigingVariance` [unit of the values squared]. Field data: `KrigingNeighbors`.
+ *
+ * Output 1: a vtkTable with a row per datum: `X`, `Y` [m], `Value`, `Field` (the output's field at the datum, also off
+ * the points of the grid); with CrossValidation `LeftOutEstimate`, `LeftOutDeviation` (estimate from the other data and
+ * its standard deviation, NaN where the others are too few) and `StandardizedError`. Field data: `Model` (name),
+ * `ModelId`, `Variance`, `Range`, `SecondRange`, `FractalDimension`, `Nugget`; with CrossValidation `MeanError`,
+ * `RootMeanSquareError` and `MeanSquaredStandardizedError`, which is near 1 for a model that knows how far it errs.
+ *
+ * Data without error are met; data with an error or a nugget, which is noise of all data, are smoothed. Data outside
+ * the grid count as those inside. Values are the same bytes for any subextent and number of threads or ranks.
+ *
+ * NaN among the points, two data without error at one place, a system that is singular to working precision, too few
+ * data for the drift, an external drift that is missing at a datum, or a property out of range is reported as one
+ * error.
+ *
+ * @sa vtkTurningBandsTerrainSource vtkCovarianceFitFilter vtkNormalScoresFilter
+ */
+#ifndef vtkConditionalTerrainFilter_h
+#define vtkConditionalTerrainFilter_h
+
+#include "LittoralFiltersModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+
+#include <string> // for reasons
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkTable;
+
+class LITTORALFILTERS_EXPORT vtkConditionalTerrainFilter : public vtkImageAlgorithm
+{
+public:
+  static vtkConditionalTerrainFilter* New();
+  vtkTypeMacro(vtkConditionalTerrainFilter, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Lets no exception leave a request, as for want of memory: it becomes an error.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  enum ResultType
+  {
+    ConditionalField = 0,
+    KrigingEstimate = 1,
+  };
+
+  enum ModelType
+  {
+    FittedToData = -1,
+    Fractal = 0,
+    SimpleExponential = 1,
+    DoubleExponential = 2,
+    Bessel1 = 3,
+    Bessel2 = 4,
+    Telis = 5,
+    Spherical = 6,
+  };
+
+  enum KrigingTypeType
+  {
+    Simple = 0,
+    Ordinary = 1,
+    LinearDrift = 2,
+    QuadraticDrift = 3,
+    ExternalDrift = 4,
+  };
+
+  ///@{
+  /**
+   * Kind of field that is made, a ResultType; default ConditionalField. ConditionalField: a field as rough as the model
+   * that honours the data, another one for each Seed. KrigingEstimate: the expectation of all of these, which is smooth
+   * between data.
+   */
+  vtkSetMacro(Result, int);
+  vtkGetMacro(Result, int);
+  void SetResultToConditionalField() { this->SetResult(ConditionalField); }
+  void SetResultToKrigingEstimate() { this->SetResult(KrigingEstimate); }
+  ///@}
+
+  ///@{
+  /**
+   * Knowledge of the mean, a KrigingTypeType; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
+   * LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging). ExternalDrift: an unknown
+   * constant and an unknown multiple of an array of the Grid.
+   */
+  vtkSetMacro(KrigingType, int);
+  vtkGetMacro(KrigingType, int);
+  void SetKrigingTypeToSimple() { this->SetKrigingType(Simple); }
+  void SetKrigingTypeToOrdinary() { this->SetKrigingType(Ordinary); }
+  void SetKrigingTypeToLinearDrift() { this->SetKrigingType(LinearDrift); }
+  void SetKrigingTypeToQuadraticDrift() { this->SetKrigingType(QuadraticDrift); }
+  void SetKrigingTypeToExternalDrift() { this->SetKrigingType(ExternalDrift); }
+  ///@}
+
+  ///@{
+  /**
+   * Covariance model, a ModelType; default FittedToData, the one of all that fits the variogram of the data best, with
+   * a nugget where the fit calls for one. That needs at least 20 data.
+   */
+  vtkSetMacro(Model, int);
+  vtkGetMacro(Model, int);
+  void SetModelToFittedToData() { this->SetModel(FittedToData); }
+  void SetModelToFractal() { this->SetModel(Fractal); }
+  void SetModelToSimpleExponential() { this->SetModel(SimpleExponential); }
+  void SetModelToDoubleExponential() { this->SetModel(DoubleExponential); }
+  void SetModelToBessel1() { this->SetModel(Bessel1); }
+  void SetModelToBessel2() { this->SetModel(Bessel2); }
+  void SetModelToTelis() { this->SetModel(Telis); }
+  void SetModelToSpherical() { this->SetModel(Spherical); }
+  ///@}
+
+  ///@{
+  /**
+   * Standard deviation of the field [unit of the values], from 1e-15 to 3e7; default 40. Not used with NormalScores,
+   * where it is 1.
+   */
+  vtkSetMacro(StandardDeviation, double);
+  vtkGetMacro(StandardDeviation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mean of the field [unit of the values]; default 200. Used only if KrigingType is Simple, without NormalScores.
+   */
+  vtkSetMacro(Mean, double);
+  vtkGetMacro(Mean, double);
+  ///@}
+
+  ///@{
+  /**
+   * Range parameter of the covariance model [m], positive; default 1000. Its meaning for each model is that of
+   * vtkTurningBandsTerrainSource.
+   */
+  vtkSetMacro(Range, double);
+  vtkGetMacro(Range, double);
+  ///@}
+
+  ///@{
+  /**
+   * Second range parameter of the Telis model [m], positive; default 50. Not used by other models.
+   */
+  vtkSetMacro(SecondRange, double);
+  vtkGetMacro(SecondRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fractal dimension of the surface, between 2 (smooth) and 3, both excluded; default 2.15. Used only by the Fractal
+   * model.
+   */
+  vtkSetMacro(FractalDimension, double);
+  vtkGetMacro(FractalDimension, double);
+  ///@}
+
+  ///@{
+  /**
+   * Variance of the noise of every datum [unit of the values squared], not negative; default 0.
+   */
+  vtkSetMacro(Nugget, double);
+  vtkGetMacro(Nugget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Ratio of the longest to the shortest range, at least 1; default 1.
+   */
+  vtkSetMacro(AnisotropyRatio, double);
+  vtkGetMacro(AnisotropyRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Direction of the longest range, counterclockwise from x [degrees]; default 0.
+   */
+  vtkSetMacro(AnisotropyAngle, double);
+  vtkGetMacro(AnisotropyAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of points along x and y where neither a Grid nor an image of data tells them, at least 2; default 301 301.
+   * They cover the bounds of the data and a twentieth of the longer side around them.
+   */
+  vtkSetVector2Macro(Dimensions, int);
+  vtkGetVector2Macro(Dimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of data that take part in an estimate, the nearest ones, not negative; default 0, all of up to 2000 data and
+   * 50 of more. The field of a few neighbours has small steps where the neighbourhood changes.
+   */
+  vtkSetMacro(NumberOfNeighbors, int);
+  vtkGetMacro(NumberOfNeighbors, int);
+  ///@}
+
+  ///@{
+  /**
+   * Transformation of the values to normal scores before and back after, for values whose distribution is not Gaussian;
+   * default off. The model is then that of the scores; nothing made is below the least or above the largest datum;
+   * KrigingEstimate is the median, and KrigingVariance is that of the scores. Data must be without error arrays.
+   */
+  vtkSetMacro(NormalScores, bool);
+  vtkGetMacro(NormalScores, bool);
+  vtkBooleanMacro(NormalScores, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Addition of the point array `KrigingVariance`; default off. With all data the time is proportional to their number
+   * squared times points.
+   */
+  vtkSetMacro(KrigingVariance, bool);
+  vtkGetMacro(KrigingVariance, bool);
+  vtkBooleanMacro(KrigingVariance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Estimation of each datum from the others, as columns of output 1; default off.
+   */
+  vtkSetMacro(CrossValidation, bool);
+  vtkGetMacro(CrossValidation, bool);
+  vtkBooleanMacro(CrossValidation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Number of lines of the simulated field, not negative; default 0, as many as its spectrum needs on the whole grid.
+   */
+  vtkSetMacro(NumberOfLines, int);
+  vtkGetMacro(NumberOfLines, int);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the random numbers, any integer; default 1. Another seed gives another field through the same data.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+protected:
+  vtkConditionalTerrainFilter();
+  ~vtkConditionalTerrainFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Result;
+  int KrigingType;
+  int Model;
+  double StandardDeviation;
+  double Mean;
+  double Range;
+  double SecondRange;
+  double FractalDimension;
+  double Nugget;
+  double AnisotropyRatio;
+  double AnisotropyAngle;
+  int Dimensions[2];
+  int NumberOfNeighbors;
+  bool NormalScores;
+  bool KrigingVariance;
+  bool CrossValidation;
+  int NumberOfLines;
+  int Seed;
+
+private:
+  vtkConditionalTerrainFilter(const vtkConditionalTerrainFilter&) = delete;
+  void operator=(const vtkConditionalTerrainFilter&) = delete;
+
+  class Survey;
+  class Simulation;
+  bool Refuse(const std::string& reason);
+  vtkDataArray* ChosenArray(int index, vtkInformationVector** inputs, vtkDataSet* data, std::string& reason);
+  bool CheckProperties();
+  bool ReadData(vtkInformationVector** inputs, Survey& survey);
+  bool ReadGrid(vtkInformationVector** inputs, Survey& survey);
+  bool ReadDrift(vtkInformationVector** inputs, Survey& survey);
+  bool FindModel(vtkInformationVector** inputs, Survey& survey);
+  bool TakeFit(vtkTable* fits, Survey& survey);
+  bool CheckMemory(const Survey& survey, const int extent[6]);
+  /// Runs all that can fail for want of a solution; false when aborted.
+  bool Make(Survey& survey, const int extent[6], vtkImageData* output, vtkTable* table);
+  void WriteTable(const Survey& survey, const Simulation& simulation, vtkTable* table);
+};
+
+#endif
