@@ -267,18 +267,19 @@ def check_mistakes():
         assert "write_scene" in str(error), error
 
 
-with tempfile.TemporaryDirectory() as folder:
-    os.chdir(folder)
-    scene("scene.glb")
-    check_without_blender("scene.glb")
-    if not shutil.which("blender"):
-        print("no Blender")
-        sys.exit(125)
-    check_contents("scene.glb")
-    check_interruption("scene.glb")
-    check_film("scene.glb")
-    check_full_disk("scene.glb")
-    check_motion_blur()
-    check_fog()
-    check_eevee()
-    check_mistakes()
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        scene("scene.glb")
+        check_without_blender("scene.glb")
+        if not shutil.which("blender"):
+            print("no Blender")
+            sys.exit(125)
+        check_contents("scene.glb")
+        check_interruption("scene.glb")
+        check_film("scene.glb")
+        check_full_disk("scene.glb")
+        check_motion_blur()
+        check_fog()
+        check_eevee()
+        check_mistakes()
