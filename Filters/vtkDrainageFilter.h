@@ -51,7 +51,7 @@ public:
   int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   /// Places where water leaves the terrain.
-  enum OutletPlaces
+  enum OutletsType
   {
     BORDER = 0,
     SEA = 1,
