@@ -97,7 +97,7 @@ struct vtkDrainageFilter::Ground
 
 //----------------------------------------------------------------------------
 vtkDrainageFilter::vtkDrainageFilter()
-  : Outlets(BORDER)
+  : Outlets(Border)
   , SeaLevel(0.0)
   , MinimumDrainageCells(100)
   , Carve(true)
@@ -167,7 +167,7 @@ bool vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   {
     ground.Outlets.Choice = static_cast<littoral::OutletChoice>(this->Outlets);
     ground.Outlets.SeaLevel = this->SeaLevel;
-    ground.Outlets.Cells = this->Outlets == CHOSEN ? ChosenOutlets(image, reason) : littoral::OutletMask();
+    ground.Outlets.Cells = this->Outlets == Chosen ? ChosenOutlets(image, reason) : littoral::OutletMask();
     check.Require(reason);
   }
   if (check.IsGood())

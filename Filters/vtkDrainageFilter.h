@@ -53,26 +53,26 @@ public:
   /// Places where water leaves the terrain.
   enum OutletsType
   {
-    BORDER = 0,
-    SEA = 1,
-    CHOSEN = 2
+    Border = 0,
+    Sea = 1,
+    Chosen = 2
   };
 
   ///@{
   /**
-   * Places where water leaves the terrain, 0 to 2; default BORDER, every cell at the border. SEA: also every cell at or
-   * below SeaLevel. CHOSEN: the cells at which the point array `Outlets` of the input is not 0, and no other.
+   * Places where water leaves the terrain, 0 to 2; default Border, every cell at the border. Sea: also every cell at or
+   * below SeaLevel. Chosen: the cells at which the point array `Outlets` of the input is not 0, and no other.
    */
   vtkSetMacro(Outlets, int);
   vtkGetMacro(Outlets, int);
-  void SetOutletsToBorder() { this->SetOutlets(BORDER); }
-  void SetOutletsToSea() { this->SetOutlets(SEA); }
-  void SetOutletsToChosen() { this->SetOutlets(CHOSEN); }
+  void SetOutletsToBorder() { this->SetOutlets(Border); }
+  void SetOutletsToSea() { this->SetOutlets(Sea); }
+  void SetOutletsToChosen() { this->SetOutlets(Chosen); }
   ///@}
 
   ///@{
   /**
-   * Height of the sea [m], a finite number; default 0. Used only with Outlets SEA.
+   * Height of the sea [m], a finite number; default 0. Used only with Outlets Sea.
    */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
