@@ -97,7 +97,7 @@ struct vtkDrainageFilter::Ground
 
 //----------------------------------------------------------------------------
 vtkDrainageFilter::vtkDrainageFilter()
-  : Outlets(BORDER)
+  : Outlets(Border)
   , SeaLevel(0.0)
   , MinimumDrainageCells(100)
   , Carve(true)
@@ -105,9 +105,10 @@ vtkDrainageFilter::vtkDrainageFilter()
   , HypsometricIntegral(0.4)
   , HeightSkew(0.4)
   , Concavity(0.45)
-  , NumberOfRounds(12)
+  , NumberOfRounds(20)
   , ChannelCells(50.0)
   , ValleyWidth(3.0)
+  , Seed(1)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -148,8 +149,8 @@ bool vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen" });
   check.Finite("SeaLevel", this->SeaLevel, "m");
   check.Count("MinimumDrainageCells", this->MinimumDrainageCells, 2, MostDrainageCells);
-  check.Within("HypsometricIntegral", this->HypsometricIntegral, littoral::ValueInterval::Between(0.02, 0.98));
-  check.Within("HeightSkew", this->HeightSkew, littoral::ValueInterval::Between(-4.0, 4.0));
+  check.Range("HypsometricIntegral", this->HypsometricIntegral, 0.0, 1.0);
+  check.Range("HeightSkew", this->HeightSkew, -2.0, 2.0);
   check.Range("Concavity", this->Concavity, 0.0, 1.0);
   check.Count("NumberOfRounds", this->NumberOfRounds, 1, 100);
   check.Range("ChannelCells", this->ChannelCells, 1.0, MostChannelCells);
@@ -166,7 +167,7 @@ bool vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   {
     ground.Outlets.Choice = static_cast<littoral::OutletChoice>(this->Outlets);
     ground.Outlets.SeaLevel = this->SeaLevel;
-    ground.Outlets.Cells = this->Outlets == CHOSEN ? ChosenOutlets(image, reason) : littoral::OutletMask();
+    ground.Outlets.Cells = this->Outlets == Chosen ? ChosenOutlets(image, reason) : littoral::OutletMask();
     check.Require(reason);
   }
   if (check.IsGood())
@@ -194,6 +195,7 @@ bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   parameters.MostRounds = this->NumberOfRounds;
   parameters.ChannelCells = this->ChannelCells;
   parameters.ValleyWidth = this->ValleyWidth;
+  parameters.Seed = this->Seed;
   littoral::ParameterCheck check;
   check.Require(littoral::WhyInvalid(ground.Heights, parameters));
   std::string reason;
@@ -327,4 +329,5 @@ void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";
   os << indent << "ChannelCells: " << this->ChannelCells << "\n";
   os << indent << "ValleyWidth: " << this->ValleyWidth << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
 }

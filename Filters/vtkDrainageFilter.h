@@ -51,28 +51,28 @@ public:
   int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   /// Places where water leaves the terrain.
-  enum OutletPlaces
+  enum OutletsType
   {
-    BORDER = 0,
-    SEA = 1,
-    CHOSEN = 2
+    Border = 0,
+    Sea = 1,
+    Chosen = 2
   };
 
   ///@{
   /**
-   * Places where water leaves the terrain, 0 to 2; default BORDER, every cell at the border. SEA: also every cell at or
-   * below SeaLevel. CHOSEN: the cells at which the point array `Outlets` of the input is not 0, and no other.
+   * Places where water leaves the terrain, 0 to 2; default Border, every cell at the border. Sea: also every cell at or
+   * below SeaLevel. Chosen: the cells at which the point array `Outlets` of the input is not 0, and no other.
    */
   vtkSetMacro(Outlets, int);
   vtkGetMacro(Outlets, int);
-  void SetOutletsToBorder() { this->SetOutlets(BORDER); }
-  void SetOutletsToSea() { this->SetOutlets(SEA); }
-  void SetOutletsToChosen() { this->SetOutlets(CHOSEN); }
+  void SetOutletsToBorder() { this->SetOutlets(Border); }
+  void SetOutletsToSea() { this->SetOutlets(Sea); }
+  void SetOutletsToChosen() { this->SetOutlets(Chosen); }
   ///@}
 
   ///@{
   /**
-   * Height of the sea [m], a finite number; default 0. Used only with Outlets SEA.
+   * Height of the sea [m], a finite number; default 0. Used only with Outlets Sea.
    */
   vtkSetMacro(SeaLevel, double);
   vtkGetMacro(SeaLevel, double);
@@ -108,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Hypsometric integral of the carved terrain, (mean - lowest)/(highest - lowest), between 0.02 and 0.98, both
-   * excluded; default 0.4. Used only without a target image and with KeepHeights off.
+   * Hypsometric integral of the carved terrain, (mean - lowest)/(highest - lowest), 0 to 1; default 0.4. It must fit
+   * HeightSkew: low for a positive one. Used only without a target image and with KeepHeights off.
    */
   vtkSetMacro(HypsometricIntegral, double);
   vtkGetMacro(HypsometricIntegral, double);
@@ -117,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Skew of the heights of the carved terrain, less than 4 in size, which must fit HypsometricIntegral; default 0.4.
-   * Used only without a target image and with KeepHeights off.
+   * Skew of the heights of the carved terrain, -2 to 2; default 0.4. Used only without a target image and with
+   * KeepHeights off.
    */
   vtkSetMacro(HeightSkew, double);
   vtkGetMacro(HeightSkew, double);
@@ -134,7 +134,7 @@ public:
 
   ///@{
   /**
-   * Maximum number of rounds of carving, 1 to 100; default 12. Carving ends before, when the target is met.
+   * Maximum number of rounds of carving, 1 to 100; default 20. Carving ends before, when the target is met.
    */
   vtkSetMacro(NumberOfRounds, int);
   vtkGetMacro(NumberOfRounds, int);
@@ -155,6 +155,15 @@ public:
    */
   vtkSetMacro(ValleyWidth, double);
   vtkGetMacro(ValleyWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the random waves that are added where the terrain has less than a tenth of the target's power, any integer;
+   * default 1.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
   ///@}
 
   /// Connects the target, port 1.
@@ -183,6 +192,7 @@ protected:
   int NumberOfRounds;
   double ChannelCells;
   double ValleyWidth;
+  int Seed;
 
 private:
   vtkDrainageFilter(const vtkDrainageFilter&) = delete;

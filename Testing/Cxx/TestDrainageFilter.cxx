@@ -357,7 +357,7 @@ bool BadInput()
   good &= Fails("SeaLevel", fine, [](Filter* filter) { filter->SetSeaLevel(NaN); });
   good &= Fails("MinimumDrainageCells", fine, [](Filter* filter) { filter->SetMinimumDrainageCells(0); });
   good &= Fails("Concavity", fine, [](Filter* filter) { filter->SetConcavity(1.5); });
-  good &= Fails("HypsometricIntegral", fine, [](Filter* filter) { filter->SetHypsometricIntegral(0.0); });
+  good &= Fails("HypsometricIntegral", fine, [](Filter* filter) { filter->SetHypsometricIntegral(1.5); });
   good &= Fails("HeightSkew", fine, [](Filter* filter) { filter->SetHeightSkew(NaN); });
   good &= Fails("NumberOfRounds", fine, [](Filter* filter) { filter->SetNumberOfRounds(0); });
   good &= Fails("ChannelCells", fine, [](Filter* filter) { filter->SetChannelCells(0.0); });
