@@ -89,16 +89,14 @@ bool IsCarried(
 }
 
 /// Keeps joints one after the other where what follows them is not carried by those that are kept.
-ReducedJoints ChooseJoints(
-  const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
+ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
 {
   ReducedJoints result;
   for (int joint = 0; joint < static_cast<int>(tree.Parents.size()); ++joint)
   {
     const int parent = tree.Parents[joint];
     const int kept = parent < 0 ? -1 : result.Follows[parent];
-    const bool isEnough =
-      kept >= 0 && tolerance > 0.0 && IsCarried(tree, plants, joint, result.Kept[kept], tolerance);
+    const bool isEnough = kept >= 0 && tolerance > 0.0 && IsCarried(tree, plants, joint, result.Kept[kept], tolerance);
     result.Follows.push_back(isEnough ? kept : static_cast<int>(result.Kept.size()));
     if (!isEnough)
     {
@@ -279,8 +277,7 @@ private:
     const int first = static_cast<int>(before) * track.Stride;
     const int length = std::min(track.Stride, this->FrameCount() - 1 - first);
     const double share = before == after || length <= 0 ? 0.0 : static_cast<double>(frame - first) / length;
-    const glm::dquat turn =
-      glm::slerp(RotationOf(track.Rotations[before]), RotationOf(track.Rotations[after]), share);
+    const glm::dquat turn = glm::slerp(RotationOf(track.Rotations[before]), RotationOf(track.Rotations[after]), share);
     const Vector3 place = track.Translations.empty()
       ? this->Offset(kept)
       : glm::mix(Vector3(track.Translations[before]), Vector3(track.Translations[after]), share);
@@ -342,8 +339,8 @@ private:
     return errors;
   }
 
-  bool IsGood(int kept, const std::vector<Probe>& probes, const std::vector<double>& limits,
-    const JointTrack& track) const
+  bool IsGood(
+    int kept, const std::vector<Probe>& probes, const std::vector<double>& limits, const JointTrack& track) const
   {
     for (int frame = 0; frame < this->FrameCount(); ++frame)
     {

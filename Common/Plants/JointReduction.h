@@ -44,7 +44,7 @@ struct JointFrame
 /// from one to the next.
 struct JointTrack
 {
-  int Stride = 1; ///< frames from a sample to the next one, see SampledFrames()
+  int Stride = 1;                                     ///< frames from a sample to the next one, see SampledFrames()
   std::vector<std::array<std::int16_t, 4>> Rotations; ///< quaternions x, y, z, w times 32767; one if always the same
   std::vector<glm::vec3> Translations; ///< [m]; empty where the joint stays at its place at rest on the other
 };
@@ -63,8 +63,8 @@ struct ReducedJoints
 
 /**
  * The joints and samples that are needed to move plants of one tree so that no place in the box of a joint is further
- * than the tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps all
- * joints and samples.
+ * than the tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps
+ * all joints and samples.
  */
 ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance,
   const ParallelFor& parallelFor = SerialFor);

@@ -180,7 +180,8 @@ TEST(JointReduction, TakesFewSamples)
   for (int sample = 0; sample < samples; ++sample)
   {
     const double time = sample / 24.0;
-    frames.push_back(Turned(tree, { 0.0, 0.1 * time, 0.02 * std::sin(2.0 * Pi * time), 0.0002 * std::sin(9.0 * time) }));
+    frames.push_back(
+      Turned(tree, { 0.0, 0.1 * time, 0.02 * std::sin(2.0 * Pi * time), 0.0002 * std::sin(9.0 * time) }));
   }
   const ReducedJoints reduced = ReduceJoints(tree, { frames }, 0.005);
   ASSERT_EQ(reduced.Kept, (std::vector<int>{ 0, 1, 2 }));
