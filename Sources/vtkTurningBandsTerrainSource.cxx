@@ -121,13 +121,13 @@ std::string vtkTurningBandsTerrainSource::TakeGrid(vtkInformationVector* fits)
   // A table without the pipeline that made it.
   vtkDataObject* table = info ? info->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
   const auto take = [table](const char* name, int count, auto* numbers) {
-    vtkDataArray* array = table ? table->GetFieldData()->GetArray(name) : nullptr;
-    const bool isGood = array && array->GetNumberOfTuples() == 1 && array->GetNumberOfComponents() == count;
-    for (int i = 0; isGood && i < count; ++i)
+    vtkDataArray* array =
+      table ? littoral::ArrayReader::OfFields(table, "The table of fits", 1).Find(name, count) : nullptr;
+    for (int i = 0; array && i < count; ++i)
     {
       numbers[i] = static_cast<std::decay_t<decltype(*numbers)>>(array->GetComponent(0, i));
     }
-    return isGood;
+    return array != nullptr;
   };
   const bool isTaken = take("GridExtent", 6, this->Grid.WholeExtent) && take("GridOrigin", 3, this->Grid.Origin) &&
     take("GridSpacing", 3, this->Grid.Spacing);
