@@ -104,14 +104,13 @@ std::string vtkTurningBandsTerrainSource::TakeGrid(vtkInformationVector* fits)
   std::copy_n(this->WholeExtent, 6, this->Grid.WholeExtent);
   std::copy_n(this->Origin, 3, this->Grid.Origin);
   std::copy_n(this->Spacing, 3, this->Grid.Spacing);
-  if (!this->UseMeasuredGrid)
+  vtkInformation* info = fits->GetInformationObject(0);
+  if (!this->UseMeasuredGrid || !info)
   {
     return {};
   }
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = fits->GetInformationObject(0);
-  if (info && info->Has(Pipeline::WHOLE_EXTENT()) && info->Has(vtkDataObject::ORIGIN()) &&
-    info->Has(vtkDataObject::SPACING()))
+  if (info->Has(Pipeline::WHOLE_EXTENT()) && info->Has(vtkDataObject::ORIGIN()) && info->Has(vtkDataObject::SPACING()))
   {
     info->Get(Pipeline::WHOLE_EXTENT(), this->Grid.WholeExtent);
     info->Get(vtkDataObject::ORIGIN(), this->Grid.Origin);
@@ -119,19 +118,19 @@ std::string vtkTurningBandsTerrainSource::TakeGrid(vtkInformationVector* fits)
     return {};
   }
   // A table without the pipeline that made it.
-  vtkDataObject* table = info ? info->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
+  vtkDataObject* table = info->Get(vtkDataObject::DATA_OBJECT());
   const auto take = [table](const char* name, int count, auto* numbers) {
-    vtkDataArray* array = table ? table->GetFieldData()->GetArray(name) : nullptr;
-    const bool isGood = array && array->GetNumberOfTuples() == 1 && array->GetNumberOfComponents() == count;
-    for (int i = 0; isGood && i < count; ++i)
+    vtkDataArray* array =
+      table ? littoral::ArrayReader::OfFields(table, "The table of fits", 1).Find(name, count) : nullptr;
+    for (int i = 0; array && i < count; ++i)
     {
       numbers[i] = static_cast<std::decay_t<decltype(*numbers)>>(array->GetComponent(0, i));
     }
-    return isGood;
+    return array != nullptr;
   };
   const bool isTaken = take("GridExtent", 6, this->Grid.WholeExtent) && take("GridOrigin", 3, this->Grid.Origin) &&
     take("GridSpacing", 3, this->Grid.Spacing);
-  return isTaken ? "" : "UseMeasuredGrid is on, but no table of fits names a grid; connect a covariance fit.";
+  return isTaken ? "" : "UseMeasuredGrid is on, but the table of fits names no grid; connect a covariance fit.";
 }
 
 //----------------------------------------------------------------------------

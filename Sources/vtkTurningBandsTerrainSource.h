@@ -93,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Use of the measured grid and of its place on earth in place of WholeExtent, Origin and Spacing; default off. It
-   * needs a table of fits that names them.
+   * Use of the measured grid and of its place on earth in place of WholeExtent, Origin and Spacing; default off. Used
+   * only with a table of fits, which must name them.
    */
   vtkSetMacro(UseMeasuredGrid, bool);
   vtkGetMacro(UseMeasuredGrid, bool);

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Georeference.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Tables.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
-
-#include <cmath>
 
 namespace littoral
 {
@@ -21,26 +20,19 @@ constexpr const char* SystemName = "CoordinateSystem";
 constexpr const char* UnitName = "CoordinateUnit";
 constexpr const char* OffsetName = "CoordinateOffset";
 
-/// Numbers of a field array; false with a reason if there are others than `count` finite ones. Absent is good.
-bool ReadNumbers(vtkFieldData* fields, const char* name, int count, double* numbers, std::string& reason)
+/// The index of a field array; -1 for none.
+int IndexOf(vtkDataObject* data, const char* name)
 {
-  if (!fields->GetAbstractArray(name))
+  vtkFieldData* fields = data->GetFieldData();
+  for (int index = 0; index < fields->GetNumberOfArrays(); ++index)
   {
-    return true;
+    const char* own = fields->GetAbstractArray(index)->GetName();
+    if (own && std::string(own) == name)
+    {
+      return index;
+    }
   }
-  vtkDataArray* array = fields->GetArray(name);
-  bool isGood = array && array->GetNumberOfValues() == count;
-  for (int i = 0; isGood && i < count; ++i)
-  {
-    numbers[i] = array->GetComponent(i / array->GetNumberOfComponents(), i % array->GetNumberOfComponents());
-    isGood = std::isfinite(numbers[i]);
-  }
-  if (!isGood && reason.empty())
-  {
-    reason = std::string("The field array ") + name + " must be " + std::to_string(count) + " finite number" +
-      (count > 1 ? "s." : ".");
-  }
-  return isGood;
+  return -1;
 }
 
 }
@@ -61,14 +53,27 @@ void AddGeoreference(vtkDataObject* data, const Georeference& place)
 Georeference ReadGeoreference(vtkDataObject* data, std::string& reason)
 {
   Georeference place;
-  vtkFieldData* fields = data->GetFieldData();
-  if (auto* system = vtkStringArray::SafeDownCast(fields->GetAbstractArray(SystemName)))
+  const int index = IndexOf(data, SystemName);
+  auto* system = index < 0 ? nullptr : vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(index));
+  if (system && system->GetNumberOfValues() > 0)
   {
-    place.System = system->GetNumberOfValues() > 0 ? static_cast<std::string>(system->GetValue(0)) : std::string();
+    place.System = system->GetValue(0);
   }
-  const bool isRead = ReadNumbers(fields, UnitName, 1, &place.MetresPerUnit, reason) &&
-    ReadNumbers(fields, OffsetName, 2, place.Offset.data(), reason);
-  if (isRead && !(place.MetresPerUnit > 0.0) && reason.empty())
+  ArrayReader fields = ArrayReader::OfFields(data, "The image", 1);
+  vtkDataArray* unit = fields.Find(UnitName, 1);
+  vtkDataArray* offset = fields.Find(OffsetName, 2);
+  fields.NeedFinite(unit);
+  fields.NeedFinite(offset);
+  if (unit)
+  {
+    place.MetresPerUnit = unit->GetComponent(0, 0);
+  }
+  if (offset)
+  {
+    place.Offset = { offset->GetComponent(0, 0), offset->GetComponent(0, 1) };
+  }
+  reason = reason.empty() ? fields.Reason() : reason;
+  if (reason.empty() && !(place.MetresPerUnit > 0.0))
   {
     reason = "The field array CoordinateUnit must be above 0.";
   }
@@ -79,9 +84,10 @@ void PassGeoreference(vtkDataObject* from, vtkDataObject* to)
 {
   for (const char* name : { SystemName, UnitName, OffsetName })
   {
-    if (vtkAbstractArray* array = from->GetFieldData()->GetAbstractArray(name))
+    const int index = IndexOf(from, name);
+    if (index >= 0)
     {
-      to->GetFieldData()->AddArray(array);
+      to->GetFieldData()->AddArray(from->GetFieldData()->GetAbstractArray(index));
     }
   }
 }

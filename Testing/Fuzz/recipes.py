@@ -3,6 +3,7 @@
 """A small working object of each class: what the cases vary, and what they hand to other classes as inputs."""
 
 import re
+from pathlib import Path
 
 import littoral
 
@@ -56,7 +57,7 @@ RECIPES = {
     "vtkCurrentDriftFilter": (WATER + FLOW, {}),
     "vtkSeaweedDeformationFilter": (("vtkSeaweedSource", *SEA), {"SetGenerateMotion": (True,)}),
     "vtkPlantWakeFilter": (("vtkSeaweedDeformationFilter",), {}),
-    "vtkElevationReader": ((), {"SetFileName": ("none.tif",)}),
+    "vtkElevationReader": ((), {"SetFileName": (str(Path(__file__).with_name("hills.asc")),)}),
     "vtkElevationWriter": (("vtkTurningBandsTerrainSource",), {"SetFileName": ("terrain.tif",)}),
     "vtkVDBVolumeWriter": (("vtkWindFieldSource",), {"SetFileName": ("wind.vdb",)}),
     "vtkGLTFSceneWriter": (WOOD, {"SetFileName": ("tree.glb",), "SetWriteMotion": (True,), "SetEndTime": (0.1,),

@@ -16,6 +16,7 @@ import littoral
 from littoral import errors
 from littoral.elevation import (
     array_from_image, image_from_array, metres_per_degree, read_elevation, twin_of, write_tif, write_vti)
+from littoral.tables import model_names, one_model, table_of
 from TestFiles import full_disk
 
 gdal.UseExceptions()
@@ -526,8 +527,14 @@ class Written(Rasters):
         alone.UseMeasuredGridOn()
         messages = errors.kept(alone)
         alone.Update()
+        self.assertEqual((messages, alone.GetOutput().GetDimensions()), ([], (501, 501, 1)))
+        alone.SetInputData(table_of({"ModelId": [1.0]}))
+        alone.Update()
         self.assertEqual(len(messages), 1, messages)
-        self.assertRegex(messages[0], "no table of fits names a grid")
+        self.assertRegex(messages[0], "the table of fits names no grid")
+        alone.SetInputData(one_model(fit.GetOutput(0), model_names(fit.GetOutput(0))[1]))
+        alone.Update()
+        self.assertEqual((len(messages), alone.GetOutput().GetDimensions()), (1, (50, 40, 1)))
 
     def test_field_data_survive_a_vti(self):
         place = read_elevation(create(self.path("a.tif"), hills(6, 7)), LocalOrigin=True)
