@@ -358,7 +358,9 @@ TEST(PointProcesses, StraussPointsObeyTheirConditionalIntensity)
       const double area = 0.02 * 0.02;
       for (int cell = 0; cell < steps * steps; ++cell)
       {
-        const int t = neighbours({ 0.07 + 0.02 * (cell % steps), 0.07 + 0.02 * (cell / steps) }, pattern.Points.size());
+        const int column = cell % steps;
+        const int row = cell / steps;
+        const int t = neighbours({ 0.07 + 0.02 * column, 0.07 + 0.02 * row }, pattern.Points.size());
         difference[std::min(t, 2)] -= t < 2 ? 150.0 * std::pow(interaction, t) * area : 0.0;
       }
       for (int t = 0; t < 2; ++t)
