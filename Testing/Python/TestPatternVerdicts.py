@@ -68,7 +68,7 @@ def main(wanted):
         verdict.Update()
         table = verdict.GetOutput()
         for row in range(table.GetNumberOfRows()):
-            print(name, *(table.GetValueByName(row, column) for column in ("Law", "Verdict", "PValue")))
+            print(name, *(table.GetValueByName(row, column) for column in ("Law", "Kind", "Verdict", "PValue")))
         assert table.GetValueByName(0, "Verdict").ToString() == "best"
         assert table.GetValueByName(0, "PValue").ToDouble() > 0.05, name
         envelope = verdict.GetOutput(1)
