@@ -31,6 +31,8 @@ def usual_inputs(name):
         "ParticleFog": lambda: (simple.SuspendedParticles(), {}),
         "QuadratAnalysis": lambda: (simple.QuadratPoints(), {}),
         "QuadratPointsFromFits": lambda: (simple.QuadratAnalysis(Input=simple.QuadratPoints()), {}),
+        "PatternVerdict": lambda: (simple.PointProcess(Size=[150, 150]), {}),
+        "ProcessPointsFromVerdict": lambda: (simple.PatternVerdict(Input=simple.PointProcess(Size=[150, 150])), {}),
         "PlantScatter": lambda: (simple.QuadratPoints(Size=[200, 200]), {"Prototypes": simple.ReevesTree()}),
         "MeasuredSeaState": lambda: (measured_spectrum(), {}),
         "SeaStatistics": lambda: (simple.SeaState(), {}),
