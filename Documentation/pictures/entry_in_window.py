@@ -30,6 +30,7 @@ def usual_inputs(name):
         "ParticleLevelOfDetail": lambda: (simple.SuspendedParticles(), {"SeaState": simple.SeaState()}),
         "ParticleFog": lambda: (simple.SuspendedParticles(), {}),
         "QuadratAnalysis": lambda: (simple.QuadratPoints(), {}),
+        "PointPatternStatistics": lambda: (simple.QuadratPoints(), {}),
         "QuadratPointsFromFits": lambda: (simple.QuadratAnalysis(Input=simple.QuadratPoints()), {}),
         "PlantScatter": lambda: (simple.QuadratPoints(Size=[200, 200]), {"Prototypes": simple.ReevesTree()}),
         "MeasuredSeaState": lambda: (measured_spectrum(), {}),
