@@ -30,6 +30,7 @@ def usual_inputs(name):
         "ParticleLevelOfDetail": lambda: (simple.SuspendedParticles(), {"SeaState": simple.SeaState()}),
         "ParticleFog": lambda: (simple.SuspendedParticles(), {}),
         "QuadratAnalysis": lambda: (simple.QuadratPoints(), {}),
+        "PointPatternStatistics": lambda: (simple.QuadratPoints(), {}),
         "QuadratPointsFromFits": lambda: (simple.QuadratAnalysis(Input=simple.QuadratPoints()), {}),
         "PatternVerdict": lambda: (simple.PointProcess(Size=[150, 150]), {}),
         "ProcessPointsFromVerdict": lambda: (simple.PatternVerdict(Input=simple.PointProcess(Size=[150, 150])), {}),
