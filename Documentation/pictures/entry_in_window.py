@@ -33,6 +33,8 @@ def usual_inputs(name):
         "PointPatternStatistics": lambda: (simple.QuadratPoints(), {}),
         "QuadratPointsFromFits": lambda: (simple.QuadratAnalysis(Input=simple.QuadratPoints()), {}),
         "PatternVerdict": lambda: (simple.PointProcess(Size=[150, 150]), {}),
+        "PointProcessOnImage": lambda: (
+            simple.TurningBandsTerrain(WholeExtent=[0, 100, 0, 100, 0, 0], Spacing=[5, 5, 1], Mean=100.0), {}),
         "ProcessPointsFromVerdict": lambda: (simple.PatternVerdict(Input=simple.PointProcess(Size=[150, 150])), {}),
         "PlantScatter": lambda: (simple.QuadratPoints(Size=[200, 200]), {"Prototypes": simple.ReevesTree()}),
         "MeasuredSeaState": lambda: (measured_spectrum(), {}),

@@ -105,6 +105,7 @@ MISTAKES = [
     ("SuspendedParticles", lambda: dict(SizeSpread=-1.0), "SizeSpread", EMPTY),
     ("QuadratPoints", lambda: dict(MeanPerQuadrat=-1.0), "Mean", EMPTY),
     ("PointProcess", lambda: dict(Intensity=-1.0), "Intensity", EMPTY),
+    ("PointProcessOnImage", lambda: dict(Input=image()), "one layer", EMPTY),
     ("PatternVerdict", lambda: dict(Input=simple.PointSource()), "at least 5", EMPTY),
     ("ProcessPointsFromVerdict", lambda: dict(Input=simple.SeaState()), "pattern verdict", EMPTY),
     ("FlowPrimitive", lambda: dict(FlowType="Vortex", CoreRadius=-1.0), "CoreRadius", EMPTY),
