@@ -42,6 +42,7 @@ void WriteLaws(const std::vector<Judged>& laws, vtkTable* table)
 {
   const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, laws, valueOf); };
   column("Law", [](const Judged& law) { return std::string(law.Name()); });
+  column("Kind", [](const Judged& law) { return std::string(law.IsProcess ? "process" : "quadrat law"); });
   column("Verdict", [](const Judged& law) { return std::string(littoral::WordOf(law.Verdict)); });
   column("PValue", [](const Judged& law) { return law.Exists() ? law.Envelope.PValue : NaN; });
   column(

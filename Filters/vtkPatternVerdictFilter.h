@@ -8,16 +8,17 @@
  * replaces Origin and Size; laws of quadrats are for rectangles and are left out then.
  *
  * Output 0: a vtkTable with a row per process and law, the best (largest p-value) first, as vtkPointProcessSource reads
- * it. Columns: `Law` (name), `ProcessId` and `LawId` (-1 for those of the other kind), the parameters of processes
+ * it. Columns: `Law` (name), `Kind` (process or quadrat law), `Verdict`: `best` of those that the test does not reject,
+ * `not distinguishable` for the others of them, `worse` where it rejects, which may be everywhere, `does not exist`
+ * where the points admit no such process or law; `PValue` of the global envelope test of extreme rank lengths
+ * (Myllymaki et al. 2017), `ProcessId` and `LawId` (-1 for those of the other kind), the parameters of processes
  * `Intensity` [1/m2], `ClusterSize`, `ClusterScale` [m], `Variance`, `Range` [m], `Distance` [m], `Activity` [1/m2],
  * `Interaction` and of laws `MeanPerQuadrat`, `Trials`, `ClusterShape`, `ClusterMean`, `ClusterSuccess` (NaN where
- * there is no such parameter), `PValue` of the global envelope test of extreme rank lengths (Myllymaki et al. 2017) and
- * `Verdict`: `best` of those that the test does not reject, `not distinguishable` for the others of them; `worse` where
- * it rejects, which may be everywhere; `does not exist` where the points admit no such process or law. Field data:
- * `Window` (corners), `Origin`, `Size`, `Quadrats`, `Level`.
+ * there is no such parameter). Field data: `Window` (corners), `Origin`, `Size`, `Quadrats`, `Level`.
  *
- * Output 1: a vtkTable with a row per distance `r` [m], ready for a line chart: the `Measured` function, `Theory` (1
- * for g, r for L), and of the best row `Mean`, `Low` and `High`, the global envelope.
+ * Output 1: a vtkTable with a row per `Distance` [m], ready for a line chart: the `Measured` function, `Theoretical`
+ * (of a random pattern: 1 for g, r for L), and of the best row `Mean`, `GlobalLow` and `GlobalHigh`, the global
+ * envelope.
  *
  * Thomas, Matern cluster and log-Gaussian Cox processes are fitted by minimum contrast, Strauss by pseudo-likelihood,
  * laws by maximum likelihood. Fewer than five points, points outside of the window or at one place, and properties out

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointProcessSource.h"
 
+#include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Inputs.h"
 #include "Data/PointPattern.h"
@@ -14,7 +15,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -132,6 +132,7 @@ vtkPointProcessSource::vtkPointProcessSource()
   , Distance(4.0)
   , Activity(0.02)
   , Interaction(0.1)
+  , IntensityArray("None")
   , IntensityScale(Relative)
   , NumberOfSpecies(1)
   , SpeciesGrouping(ByPoint)
@@ -143,12 +144,21 @@ vtkPointProcessSource::vtkPointProcessSource()
   , Seed(1)
 {
   this->SetNumberOfInputPorts(3);
-  this->SetInputArrayToProcess(
-    0, IntensityPort, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 //----------------------------------------------------------------------------
 vtkPointProcessSource::~vtkPointProcessSource() = default;
+
+//----------------------------------------------------------------------------
+void vtkPointProcessSource::SetIntensityArray(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->IntensityArray != wanted)
+  {
+    this->IntensityArray = wanted;
+    this->Modified();
+  }
+}
 
 //----------------------------------------------------------------------------
 int vtkPointProcessSource::FillInputPortInformation(int port, vtkInformation* info)
@@ -223,9 +233,11 @@ std::string vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Rec
   {
     recipe.Raster.Scale = static_cast<littoral::IntensityScale>(this->IntensityScale);
     recipe.Options.Raster = &recipe.Raster;
-    vtkDataArray* values = littoral::NamesNoArray(this->GetInputArrayInformation(0))
-      ? image->GetPointData()->GetScalars()
-      : this->GetInputArrayToProcess(0, inputs);
+    const bool isActive = this->IntensityArray.empty() || this->IntensityArray == "None";
+    littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "the intensity image");
+    vtkDataArray* values =
+      isActive ? points.Fit(image->GetPointData()->GetScalars(), 1) : points.Need(this->IntensityArray.c_str(), 1);
+    check.Require(points.Reason());
     check.Require(littoral::ReadIntensity(image, values, recipe.Raster));
   }
   return check.Reason();
@@ -311,6 +323,7 @@ void vtkPointProcessSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "Activity: " << this->Activity << "\n";
   os << indent << "Interaction: " << this->Interaction << "\n";
+  os << indent << "IntensityArray: " << this->IntensityArray << "\n";
   os << indent << "IntensityScale: " << this->IntensityScale << "\n";
   os << indent << "NumberOfSpecies: " << this->NumberOfSpecies << "\n";
   os << indent << "SpeciesGrouping: " << this->SpeciesGrouping << "\n";

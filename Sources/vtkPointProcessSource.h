@@ -23,7 +23,7 @@
  * - Input (port 0): a vtkTable of fits of vtkPatternVerdictFilter. Its first row that is a process replaces Process and
  *   its parameters, and its window replaces Origin and Size.
  * - Intensity image (port 1): vtkImageData, one layer; each point of it stands for the cell about it, outside there are
- *   no points. The array is that chosen by SetInputArrayToProcess, by default the active scalars.
+ *   no points. The array is IntensityArray.
  * - Window (port 2): vtkPolyData with one polygon, which replaces Origin and Size.
  *
  * Field data: `IsExact`, 0 where a Strauss pattern is that of a birth-death process after 32 lifetimes, since no end of
@@ -78,6 +78,14 @@ public:
   /// The image of the intensity (port 1).
   void SetIntensityImageConnection(vtkAlgorithmOutput* image) { this->SetInputConnection(1, image); }
   void RemoveIntensityImage() { this->SetInputConnection(1, nullptr); }
+
+  ///@{
+  /**
+   * Point array of the intensity image; default "None", the active scalars.
+   */
+  virtual void SetIntensityArray(const char* name);
+  const char* GetIntensityArray() const { return this->IntensityArray.c_str(); }
+  ///@}
 
   /// The polygon of the window (port 2).
   void SetWindowConnection(vtkAlgorithmOutput* window) { this->SetInputConnection(2, window); }
@@ -283,6 +291,7 @@ protected:
   double Distance;
   double Activity;
   double Interaction;
+  std::string IntensityArray;
   int IntensityScale;
   int NumberOfSpecies;
   int SpeciesGrouping;

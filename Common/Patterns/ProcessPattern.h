@@ -49,11 +49,13 @@ struct ProcessPattern
   std::vector<PointIdentity> Identities; ///< of the points
   std::vector<int> Species;              ///< of the points, 0 to number of shares - 1; empty with one species
   bool HasClusters = false;
-  bool IsExact = true; ///< false where the birth-death process of a Strauss process was only followed for LongestRun
+  bool IsExact = true; ///< false where the birth-death process of a Strauss process was only followed for InexactRun
 };
 
-/// Lifetimes after which the simulation of a Strauss process ends even if its bounds have not met.
-inline constexpr int LongestRun = 32;
+/// Lifetimes before the bounds of the exact simulation of a Strauss process are no longer waited for, and those after
+/// which a pattern is taken that is not exact.
+inline constexpr int LongestRun = 128;
+inline constexpr int InexactRun = 32;
 
 /// Why there is no pattern of the process in the window, or one that takes too long, in words for a user; empty when
 /// there is one.
@@ -75,8 +77,8 @@ double ExpectedDraws(
  * - Strauss: dominated coupling from the past (Kendall and Moller 2000). The random births and deaths of an infinite
  *   time are bounded from above and below; once the bounds have met in the window, what they have met in is a draw from
  *   the process, free of any error. Where they have not met after LongestRun lifetimes, or cannot be hoped
- *   to since Activity (1 - Interaction) pi Distance^2 is 8 or more, the pattern is that of one birth-death process after
- *   this time from an empty window, and IsExact is false.
+ *   to since Activity (1 - Interaction) pi Distance^2 is 4 or more, the pattern is that of one birth-death process
+ * after InexactRun lifetimes from an empty window, and IsExact is false.
  *
  * A raster keeps each point of the process of the highest intensity with the share of its place, which keeps distances
  * of inhibition; for a Strauss process it is the activity that changes from place to place.

@@ -25,7 +25,7 @@ constexpr int LongestLife = 30;
 constexpr int FirstRun = 8;
 /// Mean number of points within the distance that an interaction would remove from a random pattern, beyond which the
 /// bounds do not meet in any window that is not small.
-constexpr double MostRemoved = 8.0;
+constexpr double MostRemoved = 4.0;
 /// Events between polls.
 constexpr std::size_t EventsAtOnce = 4096;
 
@@ -309,9 +309,9 @@ ProcessPattern DrawStrauss(const ProcessScene& scene)
       return processes.Pattern();
     }
   }
-  const std::vector<Birth> births = free.Since(LongestRun, 0);
+  const std::vector<Birth> births = free.Since(InexactRun, 0);
   BoundingProcesses processes(scene, free.GetDomain(), births);
-  processes.Run(-LongestRun, false);
+  processes.Run(-InexactRun, false);
   ProcessPattern pattern = processes.Pattern();
   pattern.IsExact = false;
   return pattern;

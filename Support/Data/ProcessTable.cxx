@@ -95,7 +95,7 @@ std::string ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRa
   {
     return "the intensity: " + reason;
   }
-  if (!values || values->GetNumberOfComponents() != 1 || values->GetNumberOfTuples() != image->GetNumberOfPoints())
+  if (!values)
   {
     return "the intensity image has no point array of one component to take the intensity from.";
   }

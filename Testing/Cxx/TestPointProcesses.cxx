@@ -125,6 +125,10 @@ bool CheckBadSources()
   good &= SourceFails("Intensity of the image is -1", [&](Source* s) { s->SetInputData(1, negative); });
   good &= SourceFails("0 everywhere", [&](Source* s) { s->SetInputData(1, zero); });
   good &= SourceFails("no point array", [&](Source* s) { s->SetInputData(1, bare); });
+  good &= SourceFails("Density", [&](Source* s) {
+    s->SetInputData(1, bare);
+    s->SetIntensityArray("Density");
+  });
   const auto crossed = Points({ { 0, 0 }, { 9, 9 }, { 9, 0 }, { 0, 5 } }, true);
   good &= SourceFails("cross", [&](Source* s) { s->SetInputData(2, crossed); });
   vtkNew<vtkTable> empty;

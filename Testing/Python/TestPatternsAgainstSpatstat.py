@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Functions of five measured patterns against spatstat, which is run beside and brings the patterns: within 1 %.
+"""Functions of five measured patterns against spatstat, which brings the patterns: within 1 %.
 
-Skipped where R or spatstat is not installed. K and L jump where a pair has the distance r, and g is small where there
-are hardly any pairs: the difference is taken relative to the larger of the value and a tenth of that of a random
-pattern. F is measured by both from a grid of places.
+Skipped where R or spatstat is not installed. Where there are hardly any pairs a function is
+nearly 0: the difference is taken relative to the larger of the value and a tenth of that of a
+random pattern. F is measured by both from a grid of places.
 """
 
 import os
@@ -32,14 +32,16 @@ EXACT = 1e-9
 
 def read(filename):
     """A CSV file as a dictionary of columns, texts where they are no numbers."""
-    table = np.genfromtxt(filename, delimiter=",", names=True, dtype=None, encoding="utf-8", deletechars="", autostrip=True)
+    table = np.genfromtxt(filename, delimiter=",", names=True, dtype=None, encoding="utf-8",
+                          deletechars="", autostrip=True)
     return {name: table[name] for name in table.dtype.names}
 
 
 def points_of(table):
     """The points of a table, with its other columns as arrays."""
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.column_stack([table["x"], table["y"], np.zeros(len(table["x"]))]), deep=True))
+    positions = np.column_stack([table["x"], table["y"], np.zeros(len(table["x"]))])
+    points.SetData(numpy_to_vtk(positions, deep=True))
     data = vtkPolyData()
     data.SetPoints(points)
     if "DBH" in table:
@@ -96,14 +98,16 @@ def compare(pattern, found, statistics):
         chance = {"K": np.pi * r ** 2, "crossK": np.pi * r ** 2, "L": r}.get(function, np.ones(len(r)))
         scale = np.maximum(np.abs(theirs), 0.1 * chance)
         # g of small distances: the estimate divides by r a kernel that is cut off at 0.
-        good = np.isfinite(theirs) & (r > (half_width if function in ("g", "exact", "crossg") else r[-1] / 50))
+        least = half_width if function in ("g", "exact", "crossg") else r[-1] / 50
+        good = np.isfinite(theirs) & (r > least)
         if function == "J":
             good &= column(statistics, "EmptySpace") < 0.9
         assert np.all(np.isfinite(ours[good])), f"{pattern} {name}: no value"
         differences = np.abs(ours - theirs)[good] / scale[good]
         tolerance = EXACT if function == "exact" else TOLERANCE
         print(f"{pattern} {name}: {differences.max():.2e} of {np.count_nonzero(good)} values", flush=True)
-        assert differences.max() < tolerance, f"{pattern} {name}: {differences.max():.3%} at r = {r[good][differences.argmax()]}"
+        worst = r[good][differences.argmax()]
+        assert differences.max() < tolerance, f"{pattern} {name}: off at r = {worst}"
 
 
 if not shutil.which("Rscript") or subprocess.run(
@@ -112,7 +116,8 @@ if not shutil.which("Rscript") or subprocess.run(
     sys.exit(125)
 
 with tempfile.TemporaryDirectory() as folder:
-    lines = subprocess.run(["Rscript", SCRIPT, folder], check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+    lines = subprocess.run(["Rscript", SCRIPT, folder], check=True, stdout=subprocess.PIPE,
+                           encoding="utf-8").stdout
     for line in lines.splitlines():
         words = line.split()
         name, numbers = words[0], [float(word) for word in words[1:]]
