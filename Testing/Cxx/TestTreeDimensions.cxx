@@ -39,6 +39,23 @@ constexpr std::array<std::array<double, 2>, 8> Sizes{ { { 1.6, 0.012 }, { 2.4, 0
   { 18.1, 0.656 }, { 23.7, 0.336 }, { 35.0, 0.4 }, { 44.0, 2.1 } } };
 
 //----------------------------------------------------------------------------
+/// Plants of several kinds, which all stands share.
+struct Kinds
+{
+  vtkNew<vtkReevesTreeSource> Pine;
+  vtkNew<vtkReevesTreeSource> Oak;
+  vtkNew<vtkReevesTreeSource> Birch;
+  vtkNew<vtkAonoKuniiTreeSource> Forked;
+  vtkNew<vtkGardnerPlantSource> Tufts;
+
+  Kinds()
+  {
+    this->Pine->SetPresetToPine();
+    this->Birch->SetPresetToBirch();
+  }
+};
+
+//----------------------------------------------------------------------------
 /// A row of trees of several kinds, one of each size and kind.
 struct Stand
 {
@@ -47,21 +64,14 @@ struct Stand
   vtkNew<vtkDoubleArray> Heights;
   vtkNew<vtkDoubleArray> Diameters;
   vtkNew<vtkIntArray> Species;
-  vtkNew<vtkReevesTreeSource> Pine;
-  vtkNew<vtkReevesTreeSource> Oak;
-  vtkNew<vtkReevesTreeSource> Birch;
-  vtkNew<vtkAonoKuniiTreeSource> Forked;
-  vtkNew<vtkGardnerPlantSource> Tufts;
   vtkNew<vtkPlantScatterFilter> Filter;
 
-  Stand()
+  explicit Stand(Kinds& kinds)
   {
     this->Heights->SetName("Height");
     this->Diameters->SetName("DBH");
     this->Species->SetName("Species");
-    vtkPlantSource* const plants[] = { this->Pine, this->Oak, this->Birch, this->Forked, this->Tufts };
-    this->Pine->SetPresetToPine();
-    this->Birch->SetPresetToBirch();
+    vtkPlantSource* const plants[] = { kinds.Pine, kinds.Oak, kinds.Birch, kinds.Forked, kinds.Tufts };
     int species = 0;
     for (vtkPlantSource* plant : plants)
     {
@@ -188,9 +198,9 @@ bool Near(double value, double wanted, double tolerance, const std::string& what
 }
 
 /// Each tree has its height and its girth, within rounding.
-bool HeightsAndDiameters()
+bool HeightsAndDiameters(Kinds& kinds)
 {
-  Stand stand;
+  Stand stand(kinds);
   stand.Add(stand.Heights);
   stand.Add(stand.Diameters);
   stand.Filter->Update();
@@ -207,9 +217,9 @@ bool HeightsAndDiameters()
 }
 
 /// So have trees in the level Medium.
-bool InMedium()
+bool InMedium(Kinds& kinds)
 {
-  Stand stand;
+  Stand stand(kinds);
   stand.Add(stand.Heights);
   stand.Add(stand.Diameters);
   stand.Filter->UseLevelsOn();
@@ -231,15 +241,15 @@ bool InMedium()
 }
 
 /// One array alone keeps the proportions of the prototype, and switching it off leaves the sites their scales.
-bool OneOfThem()
+bool OneOfThem(Kinds& kinds)
 {
   bool good = true;
-  Stand tall;
+  Stand tall(kinds);
   tall.Add(tall.Heights);
   tall.Filter->Update();
   const std::vector<double> tops = tall.Tops();
   good &= Check(!tall.Filter->GetOutputDataObject(0)->GetFieldData()->HasArray("Girth"), "a Girth of nobody");
-  Stand thick;
+  Stand thick(kinds);
   thick.Add(thick.Diameters);
   thick.Filter->SetDiameterArray("Dicke");
   thick.Diameters->SetName("Dicke");
@@ -251,7 +261,7 @@ bool OneOfThem()
     good &= Near(thick.Diameter(plant, MeasuredAt(topsByGirth[plant])), thick.Diameters->GetValue(plant), 2e-3,
       "DBH alone of plant " + std::to_string(plant));
   }
-  Stand plain;
+  Stand plain(kinds);
   plain.Add(plain.Heights);
   plain.Add(plain.Diameters);
   plain.Filter->UseDimensionsOff();
@@ -263,9 +273,9 @@ bool OneOfThem()
 }
 
 /// Instances are the same trees.
-bool AsInstances()
+bool AsInstances(Kinds& kinds)
 {
-  Stand stand;
+  Stand stand(kinds);
   stand.Add(stand.Heights);
   stand.Add(stand.Diameters);
   stand.Filter->Update();
@@ -293,9 +303,9 @@ bool AsInstances()
 }
 
 /// Normals have the length 1, and radii are those of the bark.
-bool NormalsAndRadii()
+bool NormalsAndRadii(Kinds& kinds)
 {
-  Stand stand;
+  Stand stand(kinds);
   stand.Add(stand.Heights);
   stand.Add(stand.Diameters);
   stand.Filter->Update();
@@ -327,10 +337,10 @@ bool NormalsAndRadii()
   return good;
 }
 
-bool BadInput()
+bool BadInput(Kinds& kinds)
 {
-  const auto fails = [](const char* words, const std::function<void(Stand&)>& spoil) {
-    Stand stand;
+  const auto fails = [&kinds](const char* words, const std::function<void(Stand&)>& spoil) {
+    Stand stand(kinds);
     stand.Add(stand.Heights);
     stand.Add(stand.Diameters);
     spoil(stand);
@@ -351,11 +361,12 @@ bool BadInput()
 
 int TestTreeDimensions(int, char*[])
 {
-  bool good = HeightsAndDiameters();
-  good &= InMedium();
-  good &= OneOfThem();
-  good &= AsInstances();
-  good &= NormalsAndRadii();
-  good &= BadInput();
+  Kinds kinds;
+  bool good = HeightsAndDiameters(kinds);
+  good &= InMedium(kinds);
+  good &= OneOfThem(kinds);
+  good &= AsInstances(kinds);
+  good &= NormalsAndRadii(kinds);
+  good &= BadInput(kinds);
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -79,7 +79,7 @@ def inventory():
         lines.append(f"{'AB'[k % 2]},{7 * (k % 5)},{6 * (k // 5)},{('oak', 'Pinus taeda', '')[k % 3]},,{'' if k % 7 else 11}")
     reader = vtkDelimitedTextReader()
     reader.SetReadFromInputString(True)
-    reader.SetInputString("\n".join(lines))
+    reader.SetInputString("\n".join(lines) + "\n")
     reader.SetHaveHeaders(True)
     return reader
 
