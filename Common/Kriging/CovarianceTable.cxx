@@ -3,6 +3,7 @@
 #include "Kriging/CovarianceTable.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace littoral
 {
@@ -10,9 +11,11 @@ namespace littoral
 namespace
 {
 
-/// Largest difference of table and model near the origin, in parts of the variance, and steps in a row that keep it.
+/// Largest difference of table and model, in parts of the variance, and steps in a row that keep it where the table
+/// begins.
 constexpr double Tolerance = 1e-9;
 constexpr std::size_t StepsInARow = 16;
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 }
 
@@ -46,6 +49,7 @@ CovarianceTable::CovarianceTable(const CovarianceParameters& field, double farth
     const auto& cubic = this->Cubics[step];
     const double middle = cubic[0] + 0.5 * (cubic[1] + 0.5 * (cubic[2] + 0.5 * cubic[3]));
     const bool isClose = std::abs(middle - value(2 * step + 1)) <= Tolerance * field.Variance;
+    this->Cubics[step][0] = isClose ? cubic[0] : NaN;
     good = isClose && step > 0 ? good + 1 : 0;
     first = first == 0 && good == StepsInARow ? step + 1 - StepsInARow : first;
   }

@@ -40,8 +40,8 @@ private:
 
 /**
  * The covariance of a field, without the noise of the data, at any distance up to a farthest one: cubic in even steps,
- * with the model's own values and slopes at their ends. Near the origin, as long as cubics are off by more than 1e-9 of
- * the variance, which they are for rough fields, it is the model itself.
+ * with the model's own values and slopes at their ends. Where a cubic is off by more than 1e-9 of the variance, which
+ * is near the origin of a rough field and at a kink, it is the model itself.
  */
 class CovarianceTable
 {
@@ -59,7 +59,8 @@ public:
     const auto step = static_cast<std::size_t>(position);
     const double t = position - static_cast<double>(step);
     const std::array<double, 4>& cubic = this->Cubics[step];
-    return cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]));
+    const double value = cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]));
+    return value == value ? value : this->Exact(distance); // NaN where the model has a kink
   }
 
   double Between(const ReducedPlace& a, const ReducedPlace& b) const

@@ -27,7 +27,7 @@ OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "ReflectanceModel": "ModelType
 # Numbers that are chosen from a list, and choices of VTK's own.
 NOT_NAMED = {("GardnerPlant", "Frequency"), ("SuspendedParticles", "OutputPointsPrecision")}
 # Defaults that no method gives back.
-NO_GETTER = {("SuspendedParticles", "Boxes"), ("SuspendedParticles", "BoxNames"), ("ConditionalTerrain", "SelectErrors")}
+NO_GETTER = {("SuspendedParticles", "Boxes"), ("SuspendedParticles", "BoxNames")}
 
 problems = []
 counts = {"proxies": 0, "defaults": 0, "choices": 0, "domains": 0}
