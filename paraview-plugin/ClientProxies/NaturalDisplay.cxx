@@ -377,7 +377,10 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     ColorDirectly(representation, "RGB", true);
-    this->WaitForLegend(representation);
+    if (!this->LegendView) // else an output that was shown before waits for its colors
+    {
+      this->WaitForLegend(representation);
+    }
   }
   else if (this->Hint("direct-color"))
   {
