@@ -81,7 +81,7 @@ public:
 
   ///@{
   /**
-   * Point array of the intensity image; default "None", the active scalars.
+   * Point array of the intensity image; default `None`, the active scalars.
    */
   virtual void SetIntensityArray(const char* name);
   const char* GetIntensityArray() const { return this->IntensityArray.c_str(); }
@@ -192,8 +192,8 @@ public:
 
   ///@{
   /**
-   * How the values of the intensity image are meant, an IntensityScaleType; default Relative. Relative: proportional to
-   * the intensity, whose mean over the image is Intensity (Activity). Absolute: in points on 1 m2.
+   * Scale of the intensity image, an IntensityScaleType; default Relative. Relative: values are proportional to the
+   * intensity, whose mean over the image is Intensity (Activity). Absolute: values are points on 1 m2.
    */
   vtkSetMacro(IntensityScale, int);
   vtkGetMacro(IntensityScale, int);
@@ -212,8 +212,9 @@ public:
 
   ///@{
   /**
-   * What has a species, a SpeciesGroupingType; default ByPoint. ByPoint: each point, so that species share clusters and
-   * attract each other. ByCluster: each cluster of Thomas and MaternCluster, so that species are apart.
+   * Grouping of species, a SpeciesGroupingType; default ByPoint. ByPoint: each point has its own, so that species share
+   * clusters and attract each other. ByCluster: each cluster of Thomas and MaternCluster has one, so that species are
+   * apart.
    */
   vtkSetMacro(SpeciesGrouping, int);
   vtkGetMacro(SpeciesGrouping, int);

@@ -204,7 +204,7 @@ def draw(drawing):
     words = {
         "plugin": ("paraview-plugin", "menus, panels, the client's camera"),
         "Sources": ("Sources", "vtk...Source, without required input"),
-        "Filters": ("Filters", "vtk...Filter"), "IO": ("IO", "the writers of volumes and scenes"),
+        "Filters": ("Filters", "vtk...Filter"), "IO": ("IO", "rasters, volumes, scenes as files"),
         "Data": ("Support/Data", "arrays, blocks, tables, images"),
         "Pipeline": ("Support/Pipeline", "progress, abort, ranges, the camera's view")}
     for name, (x, y, width, height) in boxes.items():

@@ -23,7 +23,7 @@ LEFT_OUT = {
 }
 # Choices whose enumeration has another name than that of the property with Type.
 OTHER_ENUMERATION = {"FlowType": "PrimitiveType", "ReflectanceModel": "ModelType", "PlaceUnit": "UnitType",
-                     "DiameterUnit": "UnitType", "HeightUnit": "UnitType"}
+                     "DiameterUnit": "UnitType", ("StandInventory", "HeightUnit"): "UnitType"}
 # Numbers that are chosen from a list, and choices of VTK's own.
 NOT_NAMED = {("GardnerPlant", "Frequency"), ("SuspendedParticles", "OutputPointsPrecision")}
 # Defaults that no method gives back.
@@ -147,7 +147,7 @@ def check_choice(where, name, source, element, domain):
     counts["choices"] += 1
     entries = {int(entry.get("value")): entry.get("text") for entry in domain.iter("Entry")}
     command = element.get("command")[3:]
-    kind = OTHER_ENUMERATION.get(command, command + "Type")
+    kind = OTHER_ENUMERATION.get(command, OTHER_ENUMERATION.get((where, command), command + "Type"))
     members = enumerations(type(source)).get(kind)
     expect(members, f"{where}.{name}: no {kind} in {type(source).__name__}")
     if not members:
