@@ -173,6 +173,10 @@ int vtkPatternVerdictFilter::RequestData(
   if (check.IsGood())
   {
     points = littoral::PlanePositionsOf(input);
+    if (points.size() < FewestPoints)
+    {
+      check.Require(littoral::WhyInvalid(points, window, FewestPoints));
+    }
     check.Require(
       polygon ? littoral::ReadWindow(polygon, window) : littoral::ReadWindow(input, this->Origin, this->Size, window));
   }

@@ -282,11 +282,11 @@ double LogPseudoLikelihood(const NeighbourCounts& counts, double interaction, do
 std::string WhyInvalid(const ContrastOptions& options)
 {
   ParameterCheck check;
-  check.Choice("Function", static_cast<int>(options.Function), { "K", "g" });
+  check.Choice("Contrast", static_cast<int>(options.Function), { "K", "g" });
   check.Choice("Correction", static_cast<int>(options.Correction), { "none", "border", "isotropic", "translation" });
   check.Require(options.Function == ContrastFunction::Ripley || options.Correction != EdgeCorrection::Border,
     "There is no g with the border correction; choose the isotropic or the translation correction.");
-  check.NotNegative("Largest", options.Largest, "m");
+  check.NotNegative("LargestDistance", options.Largest, "m");
   check.Within("Power", options.Power, ValueInterval::Above(0.0, 1.0));
   return check.Reason();
 }

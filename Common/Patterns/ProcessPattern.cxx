@@ -118,7 +118,7 @@ std::string WhyInvalidSpecies(const ProcessOptions& options)
     sum += share;
   }
   check.Require(options.SpeciesShares.empty() || !check.IsGood() || sum > 0.0, "All shares of the species are 0.");
-  check.Choice("Grouping", static_cast<int>(options.Grouping), { "points", "clusters" });
+  check.Choice("SpeciesGrouping", static_cast<int>(options.Grouping), { "points", "clusters" });
   check.Range("CrossInteraction", options.CrossInteraction, 0.0, 1.0);
   return check.Reason();
 }

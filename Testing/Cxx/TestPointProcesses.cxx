@@ -111,7 +111,7 @@ bool CheckBadSources()
     s->SetVariance(-1.0);
   });
   good &= SourceFails("NumberOfSpecies", [](Source* s) { s->SetNumberOfSpecies(0); });
-  good &= SourceFails("Grouping", [](Source* s) { s->SetSpeciesGrouping(2); });
+  good &= SourceFails("SpeciesGrouping", [](Source* s) { s->SetSpeciesGrouping(2); });
   good &= SourceFails("CrossInteraction", [](Source* s) { s->SetCrossInteraction(-0.1); });
   good &= SourceFails("IntensityScale", [](Source* s) { s->SetIntensityScale(2); });
   good &= SourceFails("MarkMean", [](Source* s) {
@@ -144,7 +144,7 @@ bool CheckBadVerdicts()
   good &= VerdictFails("10", five, [](Verdict* v) { v->SetNumberOfSimulations(10); });
   good &= VerdictFails("evel", five, [](Verdict* v) { v->SetLevel(0.0); });
   good &= VerdictFails("Function", five, [](Verdict* v) { v->SetFunction(2); });
-  good &= VerdictFails("Function", five, [](Verdict* v) { v->SetContrast(2); });
+  good &= VerdictFails("Contrast", five, [](Verdict* v) { v->SetContrast(2); });
   good &= VerdictFails("Largest", five, [](Verdict* v) { v->SetLargestDistance(-1.0); });
   good &= VerdictFails("Quadrats", five, [](Verdict* v) { v->SetQuadrats(-1, 4); });
   good &= VerdictFails("Size", five, [](Verdict* v) { v->SetSize(-1.0, 1.0); });

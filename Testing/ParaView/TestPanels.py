@@ -14,6 +14,7 @@ from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterat
 
 # Labels of ParaView's own widget for arrays, and of levels that are not those of the base class.
 OTHER_LABELS = {"SelectInputScalars": "Array", "NearDistance": "Middle Distance", "Input": "Sites"}
+INVENTORY = ("StandInventory", "Input")  # its label is Inventory
 
 
 def words_of(name):
@@ -40,9 +41,9 @@ def properties_of(proxy, proxies):
 
 
 def groups_of(proxy, proxies):
-    """The groups of a panel, which a scene has from its first source."""
+    """The groups of a panel: first those of the proxy that it extends, which for a scene is its first source."""
     base = proxies.get(proxy.get("base_proxyname"))
-    return proxy.findall("PropertyGroup") or (groups_of(base, proxies) if base is not None else [])
+    return (groups_of(base, proxies) if base is not None else []) + proxy.findall("PropertyGroup")
 
 
 def text_of(one):
@@ -59,7 +60,7 @@ def check_labels(proxy, properties):
     """A label is the name in words, since Python takes its names from labels; units stand elsewhere."""
     for name, one in properties.items():
         label = one.get("label", name)
-        if label not in (words_of(name), OTHER_LABELS.get(name)):
+        if label not in (words_of(name), OTHER_LABELS.get(name)) and (proxy.get("name"), name) != INVENTORY:
             yield f"the label of {name} is '{label}', not '{words_of(name)}'"
     for one in proxy.iterfind("ExposedProperties/Property"):
         label = one.get("exposed_name", one.get("name"))

@@ -178,7 +178,7 @@ TEST(ProcessFits, OptionsThatCannotBeAreNamed)
   EXPECT_NE(WhyInvalid(options).find("Power"), std::string::npos);
   options = {};
   options.Largest = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(WhyInvalid(options).find("Largest"), std::string::npos);
+  EXPECT_NE(WhyInvalid(options).find("LargestDistance"), std::string::npos);
   options = {};
   options.Function = ContrastFunction::PairCorrelation;
   options.Correction = EdgeCorrection::Border;
