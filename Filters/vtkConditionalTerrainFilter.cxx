@@ -79,7 +79,7 @@ double BetweenPoints(const std::vector<double>& values, const littoral::PlaneGri
     cell[axis] = static_cast<std::size_t>(index);
     part[axis] = std::clamp(at[axis] - index, 0.0, last > 0.0 ? 1.0 : 0.0);
   }
-  const auto width = static_cast<std::size_t>(window.Last[0] - window.First[0] + 1);
+  const auto width = static_cast<std::size_t>(window.Last[0] - window.First[0]) + 1;
   double sum = 0.0;
   for (std::size_t corner = 0; corner < 4; ++corner)
   {
@@ -117,7 +117,7 @@ public:
 
   std::size_t Index(int column, int row) const
   {
-    const auto width = static_cast<std::size_t>(this->Window.Last[0] - this->Window.First[0] + 1);
+    const auto width = static_cast<std::size_t>(this->Window.Last[0] - this->Window.First[0]) + 1;
     return static_cast<std::size_t>(row - this->Window.First[1]) * width + (column - this->Window.First[0]);
   }
 
@@ -583,10 +583,10 @@ bool vtkConditionalTerrainFilter::Make(Survey& survey, const int extent[6], vtkI
 
   const auto width = static_cast<std::size_t>(std::max(0, extent[1] - extent[0] + 1));
   const auto height = static_cast<std::size_t>(std::max(0, extent[3] - extent[2] + 1));
-  const auto points = static_cast<vtkIdType>(width * height);
+  const auto points = static_cast<vtkIdType>(width) * static_cast<vtkIdType>(height);
   auto values = littoral::NewArray<vtkDoubleArray>(survey.Name.c_str(), 1, points);
   auto variances = littoral::NewArray<vtkDoubleArray>("KrigingVariance", 1, this->KrigingVariance ? points : 0);
-  const auto fullWidth = static_cast<std::size_t>(survey.Window.Last[0] - survey.Window.First[0] + 1);
+  const auto fullWidth = static_cast<std::size_t>(survey.Window.Last[0] - survey.Window.First[0]) + 1;
   const bool done = littoral::RunWithProgress(
     this, width > 0 ? (height + RowsAtOnce - 1) / RowsAtOnce : 0, 0.3, 0.95, [&](std::size_t piece) {
       const int first = extent[2] + static_cast<int>(piece) * RowsAtOnce;
@@ -604,7 +604,7 @@ bool vtkConditionalTerrainFilter::Make(Survey& survey, const int extent[6], vtkI
       {
         for (int i = extent[0]; i <= extent[1]; ++i)
         {
-          const vtkIdType id = static_cast<vtkIdType>((j - extent[2]) * width + (i - extent[0]));
+          const vtkIdType id = (j - extent[2]) * static_cast<vtkIdType>(width) + (i - extent[0]);
           const std::size_t whole = survey.Index(i, j);
           if (survey.IsRaster && !std::isnan(survey.Raster[whole]))
           {
@@ -700,8 +700,8 @@ void vtkConditionalTerrainFilter::WriteTable(const Survey& survey, const Simulat
   {
     value -= survey.Mean;
   }
-  const std::vector<littoral::LeftOut> left =
-    littoral::Kriging(survey.Model, std::move(data), options, parallel).LeaveOneOut(parallel);
+  const littoral::Kriging kriging(survey.Model, std::move(data), options, parallel);
+  const std::vector<littoral::LeftOut> left = kriging.LeaveOneOut(parallel);
   double sum = 0.0;
   double squares = 0.0;
   double standardized = 0.0;

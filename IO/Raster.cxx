@@ -4,6 +4,7 @@
 
 #include "CoordinateSystem.h"
 #include "GdalMessages.h"
+#include "Numerics/ParameterCheck.h"
 
 #include <algorithm>
 #include <cctype>
@@ -90,7 +91,7 @@ std::vector<std::string> InnerNames(void* dataset)
     {
       return names;
     }
-    names.push_back(name);
+    names.emplace_back(name);
   }
 }
 
@@ -320,8 +321,7 @@ void CheckLengths(void* dataset, const OGRSpatialReference& system, bool isProje
     const double stretch = (*scale)[axis];
     if (!(std::abs(stretch - 1.0) <= MostStretch))
     {
-      char factor[32];
-      std::snprintf(factor, sizeof(factor), "%.3g", stretch);
+      const std::string factor = TextOf(0.01 * std::round(100.0 * stretch));
       throw RasterError("lengths on the map of " + NameOf(system) + " are " + factor + " times those on the ground; " +
         (isProjectedNow ? "choose another CoordinateSystem, or UTM" : "set Projection to UTM"));
     }

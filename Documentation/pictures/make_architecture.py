@@ -63,7 +63,7 @@ def room_of(path):
 
 
 def read_arrows():
-    """The set of (includes, is included) between boxes."""
+    """The pairs (includes, is included) of boxes."""
     bases = [TOP / name for name in ("Common", "Support", "Sources", "Filters", "IO", "paraview-plugin")]
     files = [file for base in bases for kind in ("*.h", "*.cxx") for file in base.rglob(kind)]
     known, arrows = set(files), set()
@@ -73,7 +73,7 @@ def read_arrows():
                 if folder / name in known:
                     arrows.add((room_of(file), room_of(folder / name)))
                     break
-    return {arrow for arrow in arrows if arrow[0] != arrow[1]}
+    return sorted(arrow for arrow in arrows if arrow[0] != arrow[1])
 
 
 def read_links():

@@ -470,7 +470,7 @@ def escape(text):
 def installed_headers():
     """Those of Common, by their paths: all but those that Common/CMakeLists.txt calls private."""
     common = TOP / "Common"
-    private = re.search(r"^set\(private_headers (.*)\)$", (common / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)
+    private = re.search(r"^set\(private_headers ([^)]*)\)$", (common / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)
     there = {path.relative_to(common).as_posix() for path in common.glob("*/*.h")}
     return sorted(there - set(private[1].split()))
 
