@@ -93,7 +93,7 @@ std::vector<double> RankLengthValues(const std::vector<std::vector<double>>& sor
 std::string WhyNoEnvelope(int simulations, double level)
 {
   ParameterCheck check;
-  check.Within("The level", level, ValueInterval::Between(0.0, 1.0));
+  check.Within("Level", level, ValueInterval::Between(0.0, 1.0));
   if (check.IsGood() && !(level * (simulations + 1.0) >= 1.0 - RoundingSlack))
   {
     return std::to_string(simulations) + " simulations are too few for the level " + TextOf(level) +

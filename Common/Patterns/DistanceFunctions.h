@@ -35,9 +35,8 @@ struct DistanceFunctions
 DistanceRange DefaultNearestDistances(const ObservationWindow& window, std::size_t points, int steps = 512);
 
 /**
- * Functions of one pattern, whose points must lie in the window.
- *
- * @param places F is measured from the middles of places * places cells of the bounding box
+ * Functions of one pattern, whose points must lie in the window. F is measured from the middles of places * places
+ * cells of the bounding box.
  */
 DistanceFunctions FindDistanceFunctions(const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const DistanceRange& distances, DistanceCorrection correction, int places = 128,

@@ -85,7 +85,7 @@ TEST(CurveEnvelope, RefusesTooFewSimulations)
   EXPECT_NE(WhyNoEnvelope(0, 0.05), "");
   for (const double level : { 0.0, 1.0, -0.1, NaN })
   {
-    EXPECT_NE(WhyNoEnvelope(99, level).find("level"), std::string::npos);
+    EXPECT_NE(WhyNoEnvelope(99, level).find("Level"), std::string::npos);
   }
 }
 
