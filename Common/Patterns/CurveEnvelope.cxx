@@ -96,8 +96,8 @@ std::string WhyNoEnvelope(int simulations, double level)
   check.Within("Level", level, ValueInterval::Between(0.0, 1.0));
   if (check.IsGood() && !(level * (simulations + 1.0) >= 1.0 - RoundingSlack))
   {
-    return std::to_string(simulations) + " simulations are too few for the level " + TextOf(level) +
-      "; there must be " + TextOf(std::ceil(1.0 / level - 1.0 - RoundingSlack)) + ".";
+    return "NumberOfSimulations is " + std::to_string(simulations) + ", too few for Level " + TextOf(level) +
+      "; it must be at least " + TextOf(std::ceil(1.0 / level - 1.0 - RoundingSlack)) + ".";
   }
   return check.Reason();
 }

@@ -6,7 +6,7 @@
 // How each process is drawn in a box, for ProcessPattern.
 
 #include "Numerics/Parallel.h"
-#include "Patterns/CellLattice.h"
+#include "Patterns/PlaneLattice.h"
 #include "Patterns/IntensityRaster.h"
 #include "Patterns/ProcessPattern.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LittoralCellLattice_h
-#define LittoralCellLattice_h
+#ifndef LittoralPlaneLattice_h
+#define LittoralPlaneLattice_h
 
 #include <array>
 #include <cmath>
@@ -44,10 +44,10 @@ struct CellBlock
 
 /// The plane cut into squares, the same wherever one looks: what a process draws in a square depends on nothing but the
 /// seed and the square, so that all areas show parts of one pattern.
-class CellLattice
+class PlaneLattice
 {
 public:
-  explicit CellLattice(double side)
+  explicit PlaneLattice(double side)
     : Side(side)
   {
   }
