@@ -74,6 +74,8 @@ struct CarvingReport
 /// Part that is done, 0 to 1. It may end the work by an exception.
 using CarvingProgress = std::function<void(double)>;
 
+inline void NoProgress(double) {}
+
 /// Why ground cannot be a target: holes, too few rows, all heights equal; empty when it can.
 std::string WhyNoTarget(const GridSamples& place);
 
@@ -120,9 +122,8 @@ double Misfit(const GroundMeasures& measures, const CarvingTarget& target, const
  *
  * The whole grid is worked on. The result does not depend on the threads.
  */
-CarvingReport CarveDrainage(
-  GridSamples& terrain, const CarvingTarget& target, const CarvingParameters& parameters,
-  const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = [](double) {});
+CarvingReport CarveDrainage(GridSamples& terrain, const CarvingTarget& target, const CarvingParameters& parameters,
+  const ParallelFor& parallel = SerialFor, const CarvingProgress& progress = NoProgress);
 
 }
 

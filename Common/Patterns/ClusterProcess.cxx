@@ -21,7 +21,7 @@ constexpr std::size_t PointsAtOnce = 512;
 class RandomSquares
 {
 public:
-  RandomSquares(int seed, const PlaneLattice& lattice, double intensity)
+  RandomSquares(int seed, const ProcessLattice& lattice, double intensity)
     : Lattice(lattice)
     , Counts(seed, RandomPurpose::ProcessCells)
     , Places(seed, RandomPurpose::ProcessParents)
@@ -33,13 +33,13 @@ public:
 
   PlanePosition PlaceOf(long long i, long long j, std::uint64_t index) const
   {
-    const auto u = this->Places.UniformPair(PlaneLattice::ObjectOf(i, j), index);
+    const auto u = this->Places.UniformPair(ProcessLattice::ObjectOf(i, j), index);
     return { this->Lattice.EdgeOf(i) + this->Lattice.GetSide() * u[0],
       this->Lattice.EdgeOf(j) + this->Lattice.GetSide() * u[1] };
   }
 
 private:
-  PlaneLattice Lattice;
+  ProcessLattice Lattice;
   RandomStream Counts;
   RandomStream Places;
   PoissonTable Table;
@@ -49,7 +49,7 @@ private:
 class ClusterSquares
 {
 public:
-  explicit ClusterSquares(const ProcessScene& scene, const PlaneLattice& lattice)
+  explicit ClusterSquares(const ProcessScene& scene, const ProcessLattice& lattice)
     : Scene(scene)
     , Parents(scene.Options.Seed, lattice, ParentIntensity(scene.Process))
     , Sizes(scene.Options.Seed, RandomPurpose::ProcessClusters)
@@ -61,7 +61,7 @@ public:
 
   void Draw(long long i, long long j, ProcessPattern& pattern)
   {
-    const std::uint64_t square = PlaneLattice::ObjectOf(i, j);
+    const std::uint64_t square = ProcessLattice::ObjectOf(i, j);
     const int parents = this->Parents.CountIn(square);
     for (int p = 0; p < parents; ++p)
     {
@@ -129,11 +129,11 @@ double ClusterReach(const PointProcessParameters& process)
 
 ProcessPattern DrawPoisson(const ProcessScene& scene)
 {
-  const PlaneLattice lattice(DrawingSide(scene.Process.Intensity));
+  const ProcessLattice lattice(DrawingSide(scene.Process.Intensity));
   const RandomSquares squares(scene.Options.Seed, lattice, scene.Process.Intensity);
   return DrawSquares(scene, lattice.Covering(scene.Box), 4.0, [&]() -> SquareTask {
     return [&](long long i, long long j, ProcessPattern& pattern) {
-      const std::uint64_t square = PlaneLattice::ObjectOf(i, j);
+      const std::uint64_t square = ProcessLattice::ObjectOf(i, j);
       const int count = squares.CountIn(square);
       for (int n = 0; n < count; ++n)
       {
@@ -146,7 +146,7 @@ ProcessPattern DrawPoisson(const ProcessScene& scene)
 
 ProcessPattern DrawClusters(const ProcessScene& scene)
 {
-  const PlaneLattice lattice(DrawingSide(ParentIntensity(scene.Process)));
+  const ProcessLattice lattice(DrawingSide(ParentIntensity(scene.Process)));
   const CellBlock block = lattice.Covering(scene.Box.Grown(ClusterReach(scene.Process)));
   return DrawSquares(scene, block, 4.0 * scene.Process.ClusterSize, [&]() -> SquareTask {
     const auto squares = std::make_shared<ClusterSquares>(scene, lattice);

@@ -35,7 +35,8 @@ TurningBandsParameters FieldOf(const ProcessScene& scene)
 class CoxRows
 {
 public:
-  CoxRows(const ProcessScene& scene, const PlaneLattice& lattice, const CellBlock& block, const TurningBandsField& field)
+  CoxRows(
+    const ProcessScene& scene, const ProcessLattice& lattice, const CellBlock& block, const TurningBandsField& field)
     : Scene(scene)
     , Lattice(lattice)
     , Block(block)
@@ -65,7 +66,7 @@ private:
   {
     const double side = this->Lattice.GetSide();
     const double mean = this->Scene.Process.Intensity * side * side * std::exp(z - 0.5 * this->Scene.Process.Variance);
-    const std::uint64_t square = PlaneLattice::ObjectOf(i, j);
+    const std::uint64_t square = ProcessLattice::ObjectOf(i, j);
     const long long count = PoissonCount(mean, this->Counts, square, 0);
     for (long long n = 0; n < count; ++n)
     {
@@ -77,7 +78,7 @@ private:
   }
 
   const ProcessScene& Scene;
-  const PlaneLattice& Lattice;
+  const ProcessLattice& Lattice;
   const CellBlock& Block;
   const TurningBandsField& Field;
   RandomStream Counts;
@@ -88,7 +89,7 @@ private:
 
 ProcessPattern DrawCox(const ProcessScene& scene)
 {
-  const PlaneLattice lattice(FieldSide(scene.Process));
+  const ProcessLattice lattice(FieldSide(scene.Process));
   const CellBlock block = lattice.Covering(scene.Box);
   const double side = lattice.GetSide();
   const PlaneGrid grid{ { 0.5 * side, 0.5 * side }, { side, side } };

@@ -24,7 +24,7 @@ struct Proposal
 class ProposedSquares
 {
 public:
-  ProposedSquares(const ProcessScene& scene, const PlaneLattice& lattice, double intensity)
+  ProposedSquares(const ProcessScene& scene, const ProcessLattice& lattice, double intensity)
     : Lattice(lattice)
     , Nearest2(scene.Process.Distance * scene.Process.Distance)
     , Counts(scene.Options.Seed, RandomPurpose::ProcessCells)
@@ -36,7 +36,7 @@ public:
 
   void Draw(long long i, long long j, std::vector<Proposal>& proposals) const
   {
-    const std::uint64_t square = PlaneLattice::ObjectOf(i, j);
+    const std::uint64_t square = ProcessLattice::ObjectOf(i, j);
     const int count = this->Table(this->Counts.UniformPair(square, 0)[0]);
     const double side = this->Lattice.GetSide();
     proposals.clear();
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  const PlaneLattice& Lattice;
+  const ProcessLattice& Lattice;
   double Nearest2;
   RandomStream Counts;
   RandomStream Places;
@@ -72,7 +72,7 @@ private:
 ProcessPattern DrawMaternII(const ProcessScene& scene)
 {
   const double intensity = ProposedIntensity(scene.Process.Intensity, scene.Process.Distance);
-  const PlaneLattice lattice(std::max(scene.Process.Distance, std::sqrt(2.0 / intensity)));
+  const ProcessLattice lattice(std::max(scene.Process.Distance, std::sqrt(2.0 / intensity)));
   const ProposedSquares squares(scene, lattice, intensity);
   // All proposals of the squares in reach, then those without an older one in the nine squares about them.
   CellBlock block = lattice.Covering(scene.Box);
@@ -104,7 +104,7 @@ ProcessPattern DrawMaternII(const ProcessScene& scene)
         }
         if (stays)
         {
-          KeepPoint(scene, proposal.Place, { PlaneLattice::ObjectOf(i, j), n }, pattern);
+          KeepPoint(scene, proposal.Place, { ProcessLattice::ObjectOf(i, j), n }, pattern);
         }
       }
     };

@@ -6,8 +6,8 @@
 // How each process is drawn in a box, for ProcessPattern.
 
 #include "Numerics/Parallel.h"
-#include "Patterns/PlaneLattice.h"
 #include "Patterns/IntensityRaster.h"
+#include "Patterns/ProcessLattice.h"
 #include "Patterns/ProcessPattern.h"
 
 #include <cstddef>

@@ -139,7 +139,7 @@ std::string WhyTooMuch(
   check.Require(draws <= most,
     "The process takes " + TextOf(draws) + " draws in this window, and at most " + TextOf(most) +
       " are made; take a smaller window or other parameters.");
-  check.Require(farthest < 0.5 * PlaneLattice::MostIndex * side,
+  check.Require(farthest < 0.5 * ProcessLattice::MostIndex * side,
     "The window lies too far from the origin for so many points; move it nearer.");
   return check.Reason();
 }

@@ -96,7 +96,7 @@ private:
     {
       for (long long i = block.First[0]; i <= block.Last[0]; ++i)
       {
-        const int count = this->Table(this->Counts.UniformPair(PlaneLattice::ObjectOf(i, j), slab)[0]);
+        const int count = this->Table(this->Counts.UniformPair(ProcessLattice::ObjectOf(i, j), slab)[0]);
         for (int n = 0; n < count; ++n)
         {
           this->AddBirth(i, j, slab, n, after, births);
@@ -107,7 +107,7 @@ private:
 
   void AddBirth(long long i, long long j, std::size_t slab, int n, double after, std::vector<Birth>& births) const
   {
-    const PointIdentity identity{ PlaneLattice::ObjectOf(i, j), slab << 20 | static_cast<std::uint64_t>(n) };
+    const PointIdentity identity{ ProcessLattice::ObjectOf(i, j), slab << 20 | static_cast<std::uint64_t>(n) };
     // Lifetimes are exponential: -ln u', u' on (exp(-LongestLife), 1).
     auto life = this->Lives.UniformPair(identity.Object, identity.Draw);
     constexpr double Least = 9.357622968840175e-14;
@@ -131,7 +131,7 @@ private:
 
   const ProcessScene& Scene;
   PatternArea Domain;
-  PlaneLattice Lattice;
+  ProcessLattice Lattice;
   PoissonTable Table;
   SpeciesDraw Species;
   RandomStream Counts;
@@ -286,7 +286,7 @@ private:
 
   const ProcessScene& Scene;
   const std::vector<Birth>& Births;
-  PlaneLattice Squares;
+  ProcessLattice Squares;
   CellBlock Block;
   std::vector<std::vector<std::size_t>> Present; ///< births in the upper process, by squares
   std::vector<char> IsInLower;

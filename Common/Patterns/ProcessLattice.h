@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LittoralPlaneLattice_h
-#define LittoralPlaneLattice_h
+#ifndef LittoralProcessLattice_h
+#define LittoralProcessLattice_h
 
 #include <array>
 #include <cmath>
@@ -44,10 +44,10 @@ struct CellBlock
 
 /// The plane cut into squares, the same wherever one looks: what a process draws in a square depends on nothing but the
 /// seed and the square, so that all areas show parts of one pattern.
-class PlaneLattice
+class ProcessLattice
 {
 public:
-  explicit PlaneLattice(double side)
+  explicit ProcessLattice(double side)
     : Side(side)
   {
   }
