@@ -165,7 +165,7 @@ std::string WhyInvalid(const VerdictOptions& options)
   check.Require(WhyInvalid(options.Contrast));
   check.Choice("Function", static_cast<int>(options.Function), { "g", "L" });
   check.Require(WhyNoEnvelope(options.Simulations, options.Level));
-  check.Count("Simulations", options.Simulations, 1, 100000);
+  check.Count("NumberOfSimulations", options.Simulations, 1, 100000);
   check.Count("Steps", options.Steps, 8, 4096);
   check.Require(
     options.Function != VerdictFunction::PairCorrelation || options.Contrast.Correction != EdgeCorrection::Border,

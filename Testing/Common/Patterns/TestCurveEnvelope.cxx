@@ -80,8 +80,8 @@ TEST(CurveEnvelope, RefusesTooFewSimulations)
 {
   EXPECT_EQ(WhyNoEnvelope(19, 0.05), "");
   EXPECT_EQ(WhyNoEnvelope(99, 0.01), "");
-  EXPECT_NE(WhyNoEnvelope(18, 0.05).find("there must be 19"), std::string::npos);
-  EXPECT_NE(WhyNoEnvelope(98, 0.01).find("there must be 99"), std::string::npos);
+  EXPECT_NE(WhyNoEnvelope(18, 0.05).find("it must be at least 19"), std::string::npos);
+  EXPECT_NE(WhyNoEnvelope(98, 0.01).find("it must be at least 99"), std::string::npos);
   EXPECT_NE(WhyNoEnvelope(0, 0.05), "");
   for (const double level : { 0.0, 1.0, -0.1, NaN })
   {
