@@ -297,7 +297,7 @@ bool BadInputIsRefused()
   good &= Fails("NumberOfSteps", points, [](Filter* f) { f->SetNumberOfSteps(7); });
   good &= Fails("Bandwidth", points, [](Filter* f) { f->SetBandwidth(NaN); });
   good &= Fails("NumberOfSimulations", points, [](Filter* f) { f->SetNumberOfSimulations(-1); });
-  good &= Fails("there must be 19", points, [](Filter* f) { f->SetNumberOfSimulations(18); });
+  good &= Fails("at least 19", points, [](Filter* f) { f->SetNumberOfSimulations(18); });
   good &= Fails("Level", points, [](Filter* f) { f->SetLevel(1.0); });
   good &= Fails("needs marks", points, [](Filter* f) { f->SetFunction(Filter::MarkCorrelation); });
   good &= Fails("DBH", points, [](Filter* f) { f->SetMarkArray("DBH"); });
