@@ -73,14 +73,14 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
   , Masters(places.size())
   , Offsets(places.size(), Vector3(0.0))
 {
-  if (places.empty())
-  {
-    return;
-  }
   if (this->Order.size() != places.size())
   {
     this->Order.resize(places.size());
     std::iota(this->Order.begin(), this->Order.end(), 0);
+  }
+  if (places.empty())
+  {
+    return;
   }
   std::vector<Item> items(places.size());
   for (std::size_t n = 0; n < places.size(); ++n)

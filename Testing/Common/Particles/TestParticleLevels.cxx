@@ -430,6 +430,11 @@ TEST(ParticleGroups, OddSets)
 {
   const GroupOptions options;
   EXPECT_TRUE(ParticleGroups({}, options, 64).GetCells().empty());
+  // The order of other particles is of no use.
+  EXPECT_TRUE(ParticleGroups({}, options, 64, SerialFor, NoPoll, { 1, 0 }).GetOrder().empty());
+  const std::vector<Vector3> three = Places(3, { { 0.0, 0.0, -1.0 }, { 1.0, 1.0, 0.0 } });
+  EXPECT_EQ(ParticleGroups(three, options, 64, SerialFor, NoPoll, { 4, 2, 0, 1, 3 }).GetOrder(),
+    ParticleGroups(three, options, 64).GetOrder());
   for (const int count : { 1, 2, 3, 4, 5, 63, 64, 65, 257 })
   {
     const ParticleGroups alike(std::vector<Vector3>(count, Vector3(1.0, 2.0, -3.0)), options, 64);
