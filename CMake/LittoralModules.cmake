@@ -54,6 +54,11 @@ vtk_module_build(
 
 if (LITTORAL_WITH_PYTHON)
   add_subdirectory(Wrapping/Python)
+  foreach (module IN ITEMS Sources Filters IO)
+    if (TARGET Littoral${module}Python)
+      target_precompile_headers(Littoral${module}Python PRIVATE <vtkPythonArgs.h> <vtkPythonOverload.h> <sstream>)
+    endif ()
+  endforeach ()
 endif ()
 
 set(LITTORAL_PLUGIN_BUILD_DIR "")
@@ -77,4 +82,10 @@ if (LITTORAL_WITH_PARAVIEW)
     PLUGINS_COMPONENT runtime
     TARGET_COMPONENT runtime
     PLUGINS_FILE_NAME Littoral.plugins.xml)
+  foreach (module IN ITEMS Sources Filters IO ClientProxies Representations)
+    if (TARGET Littoral${module}CS)
+      target_precompile_headers(Littoral${module}CS PRIVATE
+        <vtkObject.h> <vtkClientServerInterpreter.h> <vtkClientServerStream.h>)
+    endif ()
+  endforeach ()
 endif ()

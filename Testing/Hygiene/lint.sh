@@ -56,12 +56,20 @@ known_to() { # BUILD, names on standard input
   done || true
 }
 
+# The commands of a build tree in a folder of their own, without headers that GCC has compiled: clang reads sources.
+plain_commands() { # BUILD
+  commands=$(mktemp -d)
+  trap 'rm -rf "$commands"' EXIT
+  sed 's/ -Winvalid-pch -include [^ ]*cmake_pch\.hxx//' "$1/compile_commands.json" >"$commands/compile_commands.json"
+}
+
 run_clang_tidy() { # BUILD [FILE...]
   local build=${1:?a build tree} from filter files
   shift
   [ -f "$build/compile_commands.json" ] || skip "there is no $build/compile_commands.json"
+  plain_commands "$build"
   if [ $# -gt 0 ]; then
-    printf '%s\n' "$@" | xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet
+    printf '%s\n' "$@" | xargs -P "$(nproc)" -n 1 clang-tidy -p "$commands" --quiet
     return
   fi
   git rev-parse -q --verify HEAD >/dev/null 2>&1 || skip "this is no git repository"
@@ -70,7 +78,7 @@ run_clang_tidy() { # BUILD [FILE...]
   files=$(git diff --numstat --diff-filter=d "$from" -- '*.cxx' | sort -k1,1nr -k3 | cut -f3 | known_to "$build" |
     sed -n 1,2p)
   echo "since $(git log -1 --format='%h, %s' "$from"):" ${files:-no sources}
-  [ -z "$files" ] || xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet --line-filter="$filter" <<<"$files"
+  [ -z "$files" ] || xargs -P "$(nproc)" -n 1 clang-tidy -p "$commands" --quiet --line-filter="$filter" <<<"$files"
 }
 
 run_cppcheck() {
