@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace littoral
 {
@@ -25,10 +26,10 @@ LITTORAL_INLINE SimdDouble4 Doubles(const SimdFloat4& four)
   return SimdDouble4(__builtin_convertvector(four, SimdDouble4::Register));
 }
 
-void AddOne(const float* vector, VectorRange& range, double& check)
+void AddOne(const float* vector, int components, VectorRange& range, double& check)
 {
   double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < components; ++axis)
   {
     range.Low[axis] = std::min(range.Low[axis], vector[axis]);
     range.High[axis] = std::max(range.High[axis], vector[axis]);
@@ -39,6 +40,32 @@ void AddOne(const float* vector, VectorRange& range, double& check)
   check += square - square;
 }
 
+/// Squared lengths of four tuples at a time.
+struct SquareRange
+{
+  SimdDouble4 Least{ std::numeric_limits<double>::infinity() };
+  SimdDouble4 Most{ -std::numeric_limits<double>::infinity() };
+  SimdDouble4 Checks{ 0.0 }; ///< no number as soon as one of them is not finite
+
+  LITTORAL_INLINE void Add(const SimdDouble4& squares)
+  {
+    this->Least = Min(this->Least, squares);
+    this->Most = Max(this->Most, squares);
+    this->Checks += squares - squares; // NOLINT(misc-redundant-expression): NaN where they are not finite
+  }
+
+  /// Adds those of all lanes to a range and a check.
+  LITTORAL_INLINE void End(VectorRange& range, double& check) const
+  {
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      range.LeastSquare = std::min(range.LeastSquare, this->Least.Values[lane]);
+      range.MostSquare = std::max(range.MostSquare, this->Most.Values[lane]);
+      check += this->Checks.Values[lane];
+    }
+  }
+};
+
 }
 
 LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count)
@@ -48,9 +75,7 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
   const SimdFloat4 most{ largest, largest, largest, largest };
   SimdFloat4 low[3] = { most, most, most };
   SimdFloat4 high[3] = { -most, -most, -most };
-  SimdDouble4 least(range.LeastSquare);
-  SimdDouble4 greatest(range.MostSquare);
-  SimdDouble4 checks(0.0); // no number as soon as one of them is not finite
+  SquareRange squares;
   std::size_t next = 0;
   for (; next + 4 <= count; next += 4)
   {
@@ -67,10 +92,7 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
     const SimdDouble4 x = Doubles(__builtin_shufflevector(xs, part[2], 0, 1, 2, 5));
     const SimdDouble4 y = Doubles(__builtin_shufflevector(ys, part[2], 0, 1, 2, 6));
     const SimdDouble4 z = Doubles(__builtin_shufflevector(zs, part[2], 0, 1, 4, 7));
-    const SimdDouble4 squares = x * x + y * y + z * z;
-    least = Min(least, squares);
-    greatest = Max(greatest, squares);
-    checks += squares - squares; // NOLINT(misc-redundant-expression): NaN where they are not finite
+    squares.Add(x * x + y * y + z * z);
   }
   for (int i = 0; i < 12; ++i)
   {
@@ -78,15 +100,47 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
     range.High[i % 3] = std::max(range.High[i % 3], high[i / 4][i % 4]);
   }
   double check = 0.0;
-  for (int lane = 0; lane < LaneCount; ++lane)
-  {
-    range.LeastSquare = std::min(range.LeastSquare, least.Values[lane]);
-    range.MostSquare = std::max(range.MostSquare, greatest.Values[lane]);
-    check += checks.Values[lane];
-  }
+  squares.End(range, check);
   for (; next < count; ++next)
   {
-    AddOne(vectors + 3 * next, range, check);
+    AddOne(vectors + 3 * next, 3, range, check);
+  }
+  range.IsFinite = check == 0.0;
+  return range;
+}
+
+LITTORAL_SIMD_CLONES VectorRange RangeOfPairs(const float* pairs, std::size_t count)
+{
+  VectorRange range;
+  constexpr float largest = VectorRange::Largest;
+  const SimdFloat4 most{ largest, largest, largest, largest };
+  SimdFloat4 low = most;
+  SimdFloat4 high = -most;
+  SquareRange squares;
+  std::size_t next = 0;
+  for (; next + 4 <= count; next += 4)
+  {
+    // x0 y0 x1 y1, x2 y2 x3 y3
+    const SimdFloat4 part[2] = { Load(pairs + 2 * next), Load(pairs + 2 * next + 4) };
+    for (const SimdFloat4& four : part)
+    {
+      low = four < low ? four : low;
+      high = high < four ? four : high;
+    }
+    const SimdDouble4 x = Doubles(__builtin_shufflevector(part[0], part[1], 0, 2, 4, 6));
+    const SimdDouble4 y = Doubles(__builtin_shufflevector(part[0], part[1], 1, 3, 5, 7));
+    squares.Add(x * x + y * y);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    range.Low[i % 2] = std::min(range.Low[i % 2], low[i]);
+    range.High[i % 2] = std::max(range.High[i % 2], high[i]);
+  }
+  double check = 0.0;
+  squares.End(range, check);
+  for (; next < count; ++next)
+  {
+    AddOne(pairs + 2 * next, 2, range, check);
   }
   range.IsFinite = check == 0.0;
   return range;

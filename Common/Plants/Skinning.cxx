@@ -14,9 +14,6 @@ namespace littoral
 namespace
 {
 
-/// Two vertices side by side, four floats each, of which the last means nothing.
-typedef float SimdPair __attribute__((vector_size(2 * sizeof(SimdFloat4))));
-
 /// Four floats; `isLast`: behind the first three there may be no memory.
 template <bool IsLast>
 LITTORAL_INLINE SimdFloat4 Load(const float* from)
@@ -33,27 +30,20 @@ LITTORAL_INLINE void Store(const SimdFloat4& from, float* to)
   std::memcpy(to, &from, (IsLast ? 3 : 4) * sizeof(float));
 }
 
-LITTORAL_INLINE SimdPair Join(const SimdFloat4& first, const SimdFloat4& second)
+LITTORAL_INLINE SimdFloat4 Column(const JointChange& change, int index)
 {
-  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
+  return Load<false>(change.Columns[index].data());
 }
 
-/// The same for both.
-LITTORAL_INLINE SimdPair Both(const std::array<float, 4>& numbers)
-{
-  const SimdFloat4 four = Load<false>(numbers.data());
-  return Join(four, four);
-}
-
-/// One number of each in all of its lanes.
+/// One number in all lanes.
 template <int Lane>
-LITTORAL_INLINE SimdPair All(const SimdPair& a)
+LITTORAL_INLINE SimdFloat4 All(const SimdFloat4& a)
 {
-  return __builtin_shufflevector(a, a, Lane, Lane, Lane, Lane, 4 + Lane, 4 + Lane, 4 + Lane, 4 + Lane);
+  return __builtin_shufflevector(a, a, Lane, Lane, Lane, Lane);
 }
 
 /// Matrix times vector.
-LITTORAL_INLINE SimdPair Turned(const SimdPair* columns, const SimdPair& vector)
+LITTORAL_INLINE SimdFloat4 Turned(const SimdFloat4* columns, const SimdFloat4& vector)
 {
   return columns[0] * All<0>(vector) + columns[1] * All<1>(vector) + columns[2] * All<2>(vector);
 }
@@ -64,20 +54,19 @@ LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
   return std::memcmp(a, b, 4 * sizeof(Number)) == 0; // NOLINT(bugprone-suspicious-memory-comparison): bit by bit
 }
 
-/// The joints that vertices follow, about the place of the first one.
+/// The joints that a vertex follows, about the place of the first one.
 struct FollowedJoints
 {
   const JointChange* Changes[4]{};
-  SimdPair Center{};
-  SimdPair Shifts[4]{};
+  SimdFloat4 Center{};
+  SimdFloat4 Shifts[4]{};
   std::size_t Count = 0;
   const int* Ids = nullptr;
 
-  LITTORAL_INLINE static SimdPair PlaceOf(const JointChange& change)
+  LITTORAL_INLINE static SimdFloat4 PlaceOf(const JointChange& change)
   {
     const auto& c = change.Columns;
-    const SimdFloat4 place{ c[0][3], c[1][3], c[2][3], 0.0f };
-    return Join(place, place);
+    return SimdFloat4{ c[0][3], c[1][3], c[2][3], 0.0f };
   }
 
   /// The first joints of a vertex, unless they are those of the vertex before.
@@ -94,9 +83,9 @@ struct FollowedJoints
     {
       // s_i + (R_i - 1) (c - r_i)
       const JointChange& change = joints[ids[i]];
-      const SimdPair columns[3] = { Both(change.Columns[0]), Both(change.Columns[1]), Both(change.Columns[2]) };
+      const SimdFloat4 columns[3] = { Column(change, 0), Column(change, 1), Column(change, 2) };
       this->Changes[i] = &change;
-      this->Shifts[i] = Both(change.Columns[3]) + Turned(columns, this->Center - PlaceOf(change));
+      this->Shifts[i] = Column(change, 3) + Turned(columns, this->Center - PlaceOf(change));
     }
   }
 };
@@ -112,103 +101,67 @@ LITTORAL_INLINE std::size_t JointsOf(const float* weights)
   return count;
 }
 
-/// The mean changes of the joints of two vertices, about the place of the first joint of each.
-struct Blend
-{
-  SimdPair Columns[3]{}; // of R - 1
-  SimdPair Shift{};
-  SimdPair Center{};
-
-  Blend() = default;
-  LITTORAL_INLINE Blend(const FollowedJoints& joints, const float* first, const float* second)
-    : Center(joints.Center)
-  {
-    // Linear blend skinning about c: [R - 1 | t] = sum over joints of w_i [R_i - 1 | s_i + (R_i - 1) (c - r_i)].
-    // A joint without weight changes no byte of a sum that began with 0.
-    for (std::size_t i = 0; i < joints.Count; ++i)
-    {
-      const SimdPair weight = Join(first[i] - SimdFloat4{}, second[i] - SimdFloat4{});
-      this->Columns[0] += weight * Both(joints.Changes[i]->Columns[0]);
-      this->Columns[1] += weight * Both(joints.Changes[i]->Columns[1]);
-      this->Columns[2] += weight * Both(joints.Changes[i]->Columns[2]);
-      this->Shift += weight * joints.Shifts[i];
-    }
-  }
-
-  /// The second vertex of another pair.
-  LITTORAL_INLINE void TakeSecond(const Blend& other)
-  {
-    const auto take = [](SimdPair& own, const SimdPair& from) {
-      own = __builtin_shufflevector(own, from, 0, 1, 2, 3, 12, 13, 14, 15);
-    };
-    take(this->Columns[0], other.Columns[0]);
-    take(this->Columns[1], other.Columns[1]);
-    take(this->Columns[2], other.Columns[2]);
-    take(this->Shift, other.Shift);
-    take(this->Center, other.Center);
-  }
-};
-
-/// The blends of one pair of vertices after the other. Vertices around a branch follow the same joints alike, those of
-/// a crown the same joints.
-class BlendWalk
+/// The mean change of the joints of one vertex after the other, about the place of the first joint of each. Vertices
+/// around a branch follow the same joints alike, those of a crown the same joints.
+class Blend
 {
 public:
-  Blend Now;
+  SimdFloat4 Columns[3]{}; // of R - 1
+  SimdFloat4 Shift{};
+  SimdFloat4 Center{};
 
-  LITTORAL_INLINE BlendWalk(const RestSkin& rest, const JointChange* changes)
+  LITTORAL_INLINE Blend(const RestSkin& rest, const JointChange* changes)
     : Rest(rest)
     , Changes(changes)
   {
   }
 
-  LITTORAL_INLINE void Enter(std::size_t first, std::size_t second)
+  LITTORAL_INLINE void Enter(std::size_t vertex)
   {
-    const int* ids[2] = { this->Rest.JointIds + 4 * first, this->Rest.JointIds + 4 * second };
-    const float* weights[2] = { this->Rest.JointWeights + 4 * first, this->Rest.JointWeights + 4 * second };
-    const bool isAlike = IsSame(ids[0], ids[1]);
-    const bool isOne = isAlike && IsSame(weights[0], weights[1]);
-    if (isOne && this->Weights && IsSame(ids[0], this->Joints.Ids) && IsSame(weights[0], this->Weights))
+    const int* ids = this->Rest.JointIds + 4 * vertex;
+    const float* weights = this->Rest.JointWeights + 4 * vertex;
+    if (this->Weights && IsSame(ids, this->Joints.Ids) && IsSame(weights, this->Weights))
     {
       return;
     }
-    this->Weights = isOne ? weights[0] : nullptr;
-    const std::size_t counts[2] = { JointsOf(weights[0]), JointsOf(weights[1]) };
-    this->Joints.Take(ids[0], isAlike ? std::max(counts[0], counts[1]) : counts[0], this->Changes);
-    this->Now = Blend(this->Joints, weights[0], weights[1]);
-    if (!isAlike)
+    this->Weights = weights;
+    this->Joints.Take(ids, JointsOf(weights), this->Changes);
+    this->Center = this->Joints.Center;
+    // Linear blend skinning about c: [R - 1 | t] = sum over joints of w_i [R_i - 1 | s_i + (R_i - 1) (c - r_i)].
+    // A joint without weight changes no byte of a sum that began with 0.
+    SimdFloat4 sums[4]{};
+    for (std::size_t i = 0; i < this->Joints.Count; ++i)
     {
-      this->Joints.Take(ids[1], counts[1], this->Changes);
-      this->Now.TakeSecond(Blend(this->Joints, weights[1], weights[1]));
+      const SimdFloat4 weight = weights[i] - SimdFloat4{};
+      const JointChange& change = *this->Joints.Changes[i];
+      sums[0] += weight * Column(change, 0);
+      sums[1] += weight * Column(change, 1);
+      sums[2] += weight * Column(change, 2);
+      sums[3] += weight * this->Joints.Shifts[i];
     }
+    std::copy(sums, sums + 3, this->Columns);
+    this->Shift = sums[3];
   }
 
 private:
   const RestSkin& Rest;
   const JointChange* Changes;
   FollowedJoints Joints;
-  const float* Weights = nullptr; // of all vertices of Now, where they are the same
+  const float* Weights = nullptr; // of the vertex
 };
 
-/// Moves two vertices; their normals get lengths later. The last pair of a range may be one vertex twice.
+/// Moves a vertex; its normal gets its length later.
 template <bool IsLast>
-LITTORAL_INLINE void MovePair(
-  const RestSkin& rest, const Blend& blend, std::size_t first, std::size_t second, float* points, float* normals)
+LITTORAL_INLINE void MoveVertex(
+  const RestSkin& rest, const Blend& blend, std::size_t vertex, float* points, float* normals)
 {
-  const auto load = [&](const float* from) {
-    return Join(Load<IsLast>(from + 3 * first), Load<IsLast>(from + 3 * second));
-  };
-  const auto store = [&](const SimdPair& pair, float* to) {
-    Store<IsLast>(__builtin_shufflevector(pair, pair, 0, 1, 2, 3), to + 3 * first);
-    Store<IsLast>(__builtin_shufflevector(pair, pair, 4, 5, 6, 7), to + 3 * second);
-  };
   // p + ((R - 1) (p - c) + t), n + (R - 1) n
-  const SimdPair place = load(rest.Points);
-  store(place + (Turned(blend.Columns, place - blend.Center) + blend.Shift), points);
+  const SimdFloat4 place = Load<IsLast>(rest.Points + 3 * vertex);
+  Store<IsLast>(place + (Turned(blend.Columns, place - blend.Center) + blend.Shift), points + 3 * vertex);
   if (rest.Normals)
   {
-    const SimdPair normal = load(rest.Normals);
-    store(normal + Turned(blend.Columns, normal), normals);
+    const SimdFloat4 normal = Load<IsLast>(rest.Normals + 3 * vertex);
+    Store<IsLast>(normal + Turned(blend.Columns, normal), normals + 3 * vertex);
   }
 }
 
@@ -280,26 +233,20 @@ LITTORAL_SIMD_CLONES void MoveSkin(
   const RestSkin& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points, float* normals)
 {
   constexpr std::size_t Block = 256; // vertices whose normals are still near when they get their lengths
-  BlendWalk walk(rest, joints);
+  Blend blend(rest, joints);
   for (std::size_t block = begin; block < end; block += Block)
   {
-    const std::size_t last = std::min(end, block + Block);
-    for (std::size_t vertex = block; vertex < last; vertex += 2)
+    const std::size_t last = std::min(end, block + Block) - 1;
+    for (std::size_t vertex = block; vertex < last; ++vertex)
     {
-      const std::size_t second = std::min(vertex + 1, last - 1);
-      walk.Enter(vertex, second);
-      if (second + 1 < last)
-      {
-        MovePair<false>(rest, walk.Now, vertex, second, points, normals);
-      }
-      else
-      {
-        MovePair<true>(rest, walk.Now, vertex, second, points, normals);
-      }
+      blend.Enter(vertex);
+      MoveVertex<false>(rest, blend, vertex, points, normals);
     }
+    blend.Enter(last);
+    MoveVertex<true>(rest, blend, last, points, normals);
     if (rest.Normals)
     {
-      KeepLengths(rest.Normals + 3 * block, last - block, normals + 3 * block);
+      KeepLengths(rest.Normals + 3 * block, last + 1 - block, normals + 3 * block);
     }
   }
 }

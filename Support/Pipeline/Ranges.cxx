@@ -80,9 +80,9 @@ public:
 
 }
 
-void TupleRanges::Add(const VectorRange& vectors)
+void TupleRanges::Add(const VectorRange& vectors, int components)
 {
-  for (int c = 0; c < 3; ++c)
+  for (int c = 0; c < components; ++c)
   {
     this->Components[c].Add(vectors.Low[c]);
     this->Components[c].Add(vectors.High[c]);
@@ -94,9 +94,10 @@ void TupleRanges::Add(const VectorRange& vectors)
 
 void TupleRanges::AddTuples(const float* tuple, const float* end, int components)
 {
-  if (components == 3)
+  if (components == 2 || components == 3)
   {
-    this->Add(RangeOf(tuple, static_cast<std::size_t>(end - tuple) / 3));
+    const std::size_t count = static_cast<std::size_t>(end - tuple) / static_cast<std::size_t>(components);
+    this->Add(components == 3 ? RangeOf(tuple, count) : RangeOfPairs(tuple, count), components);
     return;
   }
   this->AddTuples<float>(tuple, end, components);

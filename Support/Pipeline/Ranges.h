@@ -51,7 +51,7 @@ struct TupleRanges
   ValueRange SquaredLength;
   bool AreFinite = true;
 
-  void Add(const VectorRange& vectors);
+  void Add(const VectorRange& vectors, int components);
 
   void AddTuples(const float* tuple, const float* end, int components);
 

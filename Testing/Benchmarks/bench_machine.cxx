@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #ifdef LITTORAL_WITH_SLEEF
@@ -127,10 +129,16 @@ LITTORAL_FUNCTIONS(Of512, "avx512f", __m512, 16, _mm512, avx512f)
 LITTORAL_FUNCTIONS(Of256, "avx2,fma", __m256, 8, _mm256, avx2)
 LITTORAL_FUNCTIONS(Of128, "sse2", __m128, 4, _mm, sse2)
 
-/// Those of the widest instructions that the processor has.
+/// Those of the widest instructions that the processor has, or no wider than a set that the environment names.
 Functions Widest()
 {
-  if (__builtin_cpu_supports("avx512f"))
+  const char* named = std::getenv("LITTORAL_INSTRUCTIONS"); // NOLINT(concurrency-mt-unsafe): nothing sets it
+  const std::string most = named ? named : "AVX-512";
+  if (most == "SSE2")
+  {
+    return { "SSE2", SinesOf128, ExponentialsOf128 };
+  }
+  if (most == "AVX-512" && __builtin_cpu_supports("avx512f"))
   {
     return { "AVX-512", SinesOf512, ExponentialsOf512 };
   }

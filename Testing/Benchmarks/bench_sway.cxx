@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <thread>
 #include <vector>
 
@@ -186,10 +187,9 @@ struct FloatSkin
   }
 };
 
-void SkinOneTree(benchmark::State& state)
+/// Changes of the joints of a tree that is bent a little.
+std::vector<JointChange> BentTree(const Skeleton& tree)
 {
-  const Skeleton tree = Tree();
-  const FloatSkin skin(SkinOf(tree, {}));
   const PlantMotion motion(tree, 1);
   std::vector<JointPose> poses(tree.Nodes.size());
   motion.Pose(std::vector<Vector3>(tree.Branches.size(), Vector3(0.01, 0.02, 0.0)).data(), poses.data());
@@ -198,6 +198,27 @@ void SkinOneTree(benchmark::State& state)
   {
     changes.push_back(ChangeOf(poses[node], tree.Nodes[node].Position));
   }
+  return changes;
+}
+
+/// Skins of some trees: one stays in the cache, a stand of 250 does not.
+void SkinTrees(benchmark::State& state)
+{
+  const auto trees = static_cast<std::size_t>(state.range(0));
+  const Skeleton tree = Tree();
+  const FloatSkin one(SkinOf(tree, {}));
+  const std::vector<JointChange> bent = BentTree(tree);
+  FloatSkin skin = one;
+  std::vector<JointChange> changes = bent;
+  for (std::size_t other = 1; other < trees; ++other)
+  {
+    skin.Points.insert(skin.Points.end(), one.Points.begin(), one.Points.end());
+    skin.Normals.insert(skin.Normals.end(), one.Normals.begin(), one.Normals.end());
+    skin.Weights.insert(skin.Weights.end(), one.Weights.begin(), one.Weights.end());
+    std::transform(one.Ids.begin(), one.Ids.end(), std::back_inserter(skin.Ids),
+      [&](int id) { return id + static_cast<int>(other * bent.size()); });
+    changes.insert(changes.end(), bent.begin(), bent.end());
+  }
   std::vector<float> points(skin.Points.size());
   std::vector<float> normals(skin.Points.size());
   const RestSkin rest{ skin.Points.data(), skin.Normals.data(), skin.Ids.data(), skin.Weights.data() };
@@ -205,10 +226,11 @@ void SkinOneTree(benchmark::State& state)
   {
     MoveSkin(rest, changes.data(), 0, points.size() / 3, points.data(), normals.data());
     benchmark::DoNotOptimize(points.data());
+    benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<long long>(points.size() / 3));
 }
-BENCHMARK(SkinOneTree)->Unit(benchmark::kMicrosecond);
+BENCHMARK(SkinTrees)->ArgName("size")->Arg(1)->Arg(250)->Unit(benchmark::kMicrosecond);
 
 }
 

@@ -83,6 +83,18 @@ def of_kernels(results):
             *table(("program", "benchmark", "time [ms]", "rate", "share of the limit"), rows), *notes, ""]
 
 
+def of_sets(sets):
+    """sets: results of the same kernels by names of sets of instructions."""
+    if not sets:
+        return ["Sets of instructions were not compared.", ""]
+    names = list(sets)
+    times = {name: {(one.program, one.name): one.time for one in results} for name, results in sets.items()}
+    rows = [(*key, *(figures(times[name][key]) if key in times[name] else "" for name in names))
+            for key in times[names[-1]]]
+    return ["Times [ms] on one thread, with the widest instructions and with those that hide wider ones.", "",
+            *table(("program", "benchmark", *names), rows)]
+
+
 def of_sizes(series, charts):
     if not series:
         return ["No benchmark was run with two sizes.", ""]
@@ -127,10 +139,11 @@ def of_frames(scenes, silence):
             *table(("scene", "most memory [MB]"), [(scene["scene"], f"{scene['memory']:.0f}") for scene in scenes])]
 
 
-def page(results, charts, scenes, silence, peers=(), no_peers=""):
+def page(results, charts, sets, scenes, silence, peers=(), no_peers=""):
     """The whole report."""
     lines = ["# Benchmarks of Littoral", "", "## Machine", "", *table(("what", "which"), machine()),
              "## Limits of the machine", "", *of_machine(results), "## Kernels", "", *of_kernels(results),
-             "## Beside other tools", "", *of_peers(peers, no_peers, results), "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
+             "## Sets of instructions", "", *of_sets(sets), "## Beside other tools", "", *of_peers(peers, no_peers, results),
+             "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
              "## Frames of the scenes", "", *of_frames(scenes, silence)]
     return "\n".join(lines)

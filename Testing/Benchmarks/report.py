@@ -26,6 +26,7 @@ import subprocess
 import sys
 import tempfile
 
+import instruction_sets
 import page
 import peers
 import scaling
@@ -89,12 +90,14 @@ def results_of(program, written):
     return results
 
 
-def measure(program, arguments):
-    """Runs a program, which prints its progress, and returns its results. Raises ValueError where it fails."""
+def measure(program, arguments, settings=()):
+    """Runs a program, which prints its progress, with some variables of its environment set, and returns its results.
+    Raises ValueError where it fails."""
     name = os.path.basename(program)
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "results.json")
-        ran = subprocess.run([program, f"--benchmark_out={out}", "--benchmark_out_format=json", *arguments], check=False)
+        ran = subprocess.run([program, f"--benchmark_out={out}", "--benchmark_out_format=json", *arguments], check=False,
+                             env={**os.environ, **dict(settings)})
         if ran.returncode:
             raise ValueError(f"{name}: ended with {ran.returncode}")
         with open(out) as file:
@@ -136,7 +139,7 @@ def table_of(results):
     return text.getvalue()
 
 
-def write_report(results, scenes, silence, others, filename):
+def write_report(results, sets, scenes, silence, others, filename):
     """Write the table, the charts and the report; returns the name of the report."""
     stem = os.path.splitext(filename)[0]
     charts = []
@@ -144,7 +147,7 @@ def write_report(results, scenes, silence, others, filename):
     for program in dict.fromkeys(one.program for one in series):
         charts.append(f"{stem}-{program}.svg")
         write(charts[-1], scaling.chart(program, [one for one in series if one.program == program]))
-    write(f"{stem}.md", page.page(results, [os.path.basename(name) for name in charts], scenes, silence, *others))
+    write(f"{stem}.md", page.page(results, [os.path.basename(name) for name in charts], sets, scenes, silence, *others))
     write(filename, table_of(results))
     return f"{stem}.md"
 
@@ -222,7 +225,8 @@ def main(words):
     if not results:
         raise ValueError("no benchmark fits")
     others = ([], "Other tools were not timed.") if options.quick else peers.measure(results)
-    report = write_report(results, scenes, silence, others, options.csv)
+    sets = {} if is_filtered else instruction_sets.measure(options.programs, measure)
+    report = write_report(results, sets, scenes, silence, others, options.csv)
     print(f"{len(results)} benchmarks: {options.csv}, {report}")
     if silence:
         print(silence)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of seaweeds that move: a step of 10 000 physical plants of ten segments, and pictures of 300 plants with skins.
+// Speed of seaweeds that move: a step of 10 000 physical plants of ten segments, and pictures of plants with skins.
 #include "Data/PlantBlocks.h"
 #include "Seaweed/SeaweedMotion.h"
 #include "vtkPlantScatterFilter.h"
@@ -156,10 +156,11 @@ void StepMemory(benchmark::State& state)
 }
 BENCHMARK(StepMemory)->ArgName("size")->Arg(10000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Pictures of 300 seaweeds with skins: 0 procedural, 1 physical with a step each.
+/// Pictures of some seaweeds with skins: 0 procedural, 1 physical with a step each.
 void Pictures(benchmark::State& state)
 {
-  Scene scene(300, { littoral::plant::Skeleton, littoral::plant::Skin });
+  const auto plants = static_cast<int>(state.range(1));
+  Scene scene(plants, { littoral::plant::Skeleton, littoral::plant::Skin });
   scene.Move->SetMethod(static_cast<int>(state.range(0)));
   scene.Move->UpdateTimeStep(0.0);
   int step = 0;
@@ -170,9 +171,14 @@ void Pictures(benchmark::State& state)
   auto* high = vtkMultiBlockDataSet::SafeDownCast(
     littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(scene.Move->GetOutputDataObject(0)), littoral::plant::High));
   auto* skin = vtkPolyData::SafeDownCast(littoral::FindBlock(high, littoral::plant::Skin));
-  state.counters["points"] = static_cast<double>(skin->GetNumberOfPoints()) / 300.0;
+  state.counters["points"] = static_cast<double>(skin->GetNumberOfPoints()) / plants;
   state.counters["frames"] = benchmark::Counter(static_cast<double>(step), benchmark::Counter::kIsRate);
 }
-BENCHMARK(Pictures)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(Pictures)
+  ->ArgNames({ "method", "size" })
+  ->ArgsProduct({ { 0, 1 }, { 300, 10000 } })
+  ->MeasureProcessCPUTime()
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 
 }

@@ -39,14 +39,14 @@ def make(name, inputs=(), **settings):
     return made
 
 
-def terrain(size=40):
+def terrain(size=40, **settings):
     return make("vtkTurningBandsTerrainSource", SetWholeExtent=(0, size, 0, size, 0, 0),
-                SetAnisotropyRatio=(3.0,))
+                SetAnisotropyRatio=(3.0,), **settings)
 
 
 def survey():
-    """Points with elevations."""
-    ground = terrain(12)
+    """Points with elevations of a rough terrain: those of a smooth one tell too much of each other."""
+    ground = terrain(12, SetModel=(1,))
     points = vtkImageDataGeometryFilter()
     points.SetInputConnection(ground.GetOutputPort())
     return points
@@ -129,8 +129,7 @@ CASES = {
         {"SetDimensions": (30, 20), "SetModel": (1,), "SetKrigingType": (2,), "SetNumberOfNeighbors": (12,)},
         {"SetDimensions": (30, 20), "SetModel": (0,), "SetResult": (1,), "SetNormalScores": (True,)}]),
     "vtkNormalScoresFilter": (lambda: (terrain(), terrain(30)), [
-        {"SetInverse": (True,)}, {"SetInverse": (False,)},
-        {"SetInputArrayToProcess": (0, 0, 0, 0, "Elevation")}]),
+        {"SetInverse": (True,)}]),
     "vtkWindStatisticsFilter": (lambda: (wind(),), [
         {"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}]),
     "vtkSeaStatisticsFilter": (lambda: (sea(),), [

@@ -164,10 +164,11 @@ class Benchmarks(unittest.TestCase):
 
         text = self.report_all({
             "bench_machine": [rate("CopyMemory", 1, bytes_per_second=8e9), rate("CopyMemory", 2, bytes_per_second=1e10),
+                              rate("ReadMemory", 1, bytes_per_second=14e9), rate("WriteMemory", 1, bytes_per_second=4e9),
                               rate("SinesAndCosines", 2, items_per_second=1e9),
                               rate("Exponentials", 2, items_per_second=2e9)],
-            # 80 bytes at 8 GB/s: 10 ns, of 40 ns a vertex
-            "bench_sway": [result("SkinOneTree", 3.0, items_per_second=25e6),
+            # 56 bytes at 14 GB/s and 24 at 4 GB/s: 10 ns, of 40 ns a vertex
+            "bench_sway": [result("SkinTrees/size:250", 3.0, items_per_second=25e6),
                            result("TurnSamePoses/2/real_time", 2.0), result("TurnSamePoses/1/real_time", 3.0),
                            result("MoveForest/threads:2/in full:1000/real_time", 8.0)],
             # 1 ns and 0.5 ns, of 6 ns a particle and train
@@ -175,18 +176,18 @@ class Benchmarks(unittest.TestCase):
             # 20 times 4 ms of 200 ms
             "vtkbench_seaweed": [result("StepForest/size:10000/real_time", 100.0),
                                  result("StepMemory/size:10000/real_time", 2.0)],
-            "vtkbench_others": [result("SkinOneTree", 1.0, items_per_second=25e6)],
+            "vtkbench_others": [result("SkinTrees/size:250", 1.0, items_per_second=25e6)],
             # Its limit, WriteMemory, was not run.
             "vtkbench_scatter": [result("AllInFull/100/real_time", 1.0, bytes_per_second=1e9)]})
         for row in ("| CopyMemory/threads:2 | 10 GB/s | AVX2 |",
-                    "| bench_sway | SkinOneTree | 3 | 25 million/s | 25 % (1) |",
+                    "| bench_sway | SkinTrees/size:250 | 3 | 25 million/s | 25 % (1) |",
                     "| bench_sway | MoveForest/threads:2/in full:1000/real_time | 16 |  | 25 % (2) |",
                     "| vtkbench_orbits | MoveParticles<float>/depth:20/size:10/real_time | 2 | 167 million/s | 25 % (3) |",
                     "| vtkbench_seaweed | StepForest/size:10000/real_time | 200 |  | 40 % (4) |",
-                    "| vtkbench_others | SkinOneTree | 1 | 25 million/s |  |",
+                    "| vtkbench_others | SkinTrees/size:250 | 1 | 25 million/s |  |",
                     "| vtkbench_scatter | AllInFull/100/real_time | 2 | 1 GB/s |  |"):
             self.assertIn(row + "\n", text)
-        self.assertIn("1. 80 bytes a vertex", text)
+        self.assertIn("1. 56 bytes a vertex", text)
 
     def test_exponents_are_slopes_of_logarithms(self):
         # Times of 3, 24 and 96: by least squares, with sizes of 1, 4 and 16, an exponent of 1.25.
@@ -204,6 +205,41 @@ class Benchmarks(unittest.TestCase):
         x = [float(point.split(",")[0]) for point in lines[0]]
         self.assertAlmostEqual(x[1] - x[0], x[2] - x[1], delta=0.11)  # a logarithmic axis, rounded to 0.1
         self.assertIn("Surf/size: 1.00", [text.text for text in chart.iter(f"{svg}text")])
+
+    def test_kernels_are_measured_with_each_set_of_instructions(self):
+        sys.path.insert(0, os.path.dirname(REPORT))
+        import instruction_sets
+        import page
+        import report
+
+        here = instruction_sets.sets_here(self.folder)
+        names = list(here)
+        self.assertIsNone(here[names[-1]])  # the usual library takes the widest
+        self.assertEqual([os.path.basename(path) for path in list(here.values())[:-1]],
+                         [f"libLittoralCommon-{name.lower().replace('-', '')}.so" for name in names[:-1]])
+        libraries = os.path.join(self.folder, "lib", "instruction-sets")
+        programs = [os.path.join(self.folder, "bin", name) for name in ("bench_sway", "bench_waves")]
+        asked = []
+
+        def run(program, arguments, settings):
+            asked.append((os.path.basename(program), settings["LITTORAL_INSTRUCTIONS"], settings.get("LD_PRELOAD")))
+            return [report.Result("bench_sway", "Turn", 2.0, float(len(asked)), 0.0, 0.0, "")]
+
+        os.makedirs(os.path.join(self.folder, "bin"))
+        if len(names) > 1:
+            self.assertEqual(instruction_sets.measure(programs, run), {})  # the libraries are not there
+        os.makedirs(libraries)
+        for path in list(here.values())[:-1]:
+            with open(os.path.join(libraries, os.path.basename(path)), "w"):
+                pass
+        asked.clear()
+        sets = instruction_sets.measure(programs, run)
+        self.assertEqual([(name, bool(library)) for _, name, library in asked],
+                         [(name, name != names[-1]) for name in names])
+        self.assertEqual({program for program, *_ in asked}, {"bench_sway"})
+        row = " | ".join(str(number) for number in range(1, len(names) + 1))
+        self.assertIn(f"| bench_sway | Turn | {row} |", page.of_sets(sets))
+        self.assertIn("Sets of instructions were not compared.", page.of_sets({}))
 
     def test_the_report_tells_what_is_missing(self):
         self.report([result("Swell", 1.0)])

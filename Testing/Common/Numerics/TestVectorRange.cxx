@@ -73,3 +73,40 @@ TEST(VectorRange, NoVectorsHaveNone)
   EXPECT_GT(range.Low[0], range.High[0]);
   EXPECT_GT(range.LeastSquare, range.MostSquare);
 }
+
+TEST(VectorRange, FindsExtremesOfPairsWhereverTheyAre)
+{
+  // All pairs are (3, 4), of length 5, but one, which is (-1, 0) or (8, 15) or not finite.
+  for (std::size_t count = 2; count <= 13; ++count)
+  {
+    for (std::size_t odd = 0; odd < count; ++odd)
+    {
+      std::vector<float> pairs;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        pairs.insert(pairs.end(), { 3.0f, 4.0f });
+      }
+      pairs[2 * odd] = -1.0f;
+      pairs[2 * odd + 1] = 0.0f;
+      const VectorRange low = RangeOfPairs(pairs.data(), count);
+      EXPECT_TRUE(low.IsFinite);
+      EXPECT_EQ((std::array<float, 2>{ low.Low[0], low.Low[1] }), (std::array<float, 2>{ -1.0f, 0.0f }));
+      EXPECT_EQ((std::array<float, 2>{ low.High[0], low.High[1] }), (std::array<float, 2>{ 3.0f, 4.0f }));
+      EXPECT_EQ(low.LeastSquare, 1.0);
+      EXPECT_EQ(low.MostSquare, 25.0);
+      pairs[2 * odd] = 8.0f;
+      pairs[2 * odd + 1] = 15.0f;
+      const VectorRange high = RangeOfPairs(pairs.data(), count);
+      EXPECT_EQ((std::array<float, 2>{ high.Low[0], high.Low[1] }), (std::array<float, 2>{ 3.0f, 4.0f }));
+      EXPECT_EQ((std::array<float, 2>{ high.High[0], high.High[1] }), (std::array<float, 2>{ 8.0f, 15.0f }));
+      EXPECT_EQ(high.LeastSquare, 25.0);
+      EXPECT_EQ(high.MostSquare, 289.0);
+      for (std::size_t part = 0; part < 2; ++part)
+      {
+        pairs[2 * odd + part] = std::numeric_limits<float>::quiet_NaN();
+        EXPECT_FALSE(RangeOfPairs(pairs.data(), count).IsFinite) << odd << " of " << count;
+        pairs[2 * odd + part] = 1.0f;
+      }
+    }
+  }
+}
