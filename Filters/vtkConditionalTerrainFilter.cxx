@@ -49,6 +49,8 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Data of which all take part in each estimate, at most, and neighbours where there are more.
 constexpr std::size_t MostForAll = 2000;
 constexpr std::size_t UsualNeighbors = 50;
+/// Data at which neighbourhoods are tried with a fitted model, at most.
+constexpr std::size_t PlacesTried = 500;
 /// Rows of the grid that one thread fills at a time.
 constexpr int RowsAtOnce = 16;
 /// Margin around the bounds of the data, in parts of their longer side.
@@ -500,7 +502,6 @@ bool vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
   model.AnisotropyAngle = vtkMath::RadiansFromDegrees(this->AnisotropyAngle);
   survey.Mean = this->Mean;
 
-  const auto type = static_cast<littoral::KrigingType>(this->KrigingType);
   std::string reason;
   auto* fits = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Fits", reason);
   if (!this->Refuse(reason) || (fits && !this->TakeFit(fits, survey)) ||
@@ -520,16 +521,43 @@ bool vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
       value = survey.Scores->ScoreOf(value);
     }
   }
-  if (!fits && this->Model == FittedToData &&
-    !littoral::FitToData(survey.Data, type, survey.Model, reason, littoral::AbortableFor(this)))
-  {
-    return this->Refuse(reason);
-  }
   survey.Mean = this->KrigingType != Simple || survey.Scores ? 0.0 : survey.Mean;
   const std::size_t count = survey.Data.Places.size();
   const auto asked = static_cast<std::size_t>(this->NumberOfNeighbors);
   survey.Neighbors = asked > 0 ? std::min(asked, count) : count <= MostForAll ? count : UsualNeighbors;
-  return true;
+  return fits || this->Model != FittedToData || this->TakeFitted(survey);
+}
+
+//----------------------------------------------------------------------------
+bool vtkConditionalTerrainFilter::TakeFitted(Survey& survey)
+{
+  const auto parallel = littoral::AbortableFor(this);
+  std::string reason;
+  littoral::KrigingOptions options;
+  options.Type = static_cast<littoral::KrigingType>(this->KrigingType);
+  options.Neighbors = survey.Neighbors;
+  options.Low = options.High = survey.Data.Places[0];
+  const std::size_t step = (survey.Data.Places.size() + PlacesTried - 1) / PlacesTried;
+  for (const littoral::KrigingModel& model : littoral::FitToData(survey.Data, options.Type, reason, parallel))
+  {
+    survey.Model = model;
+    try
+    {
+      const littoral::Kriging kriging(model, survey.Data, options, parallel);
+      double estimate = 0.0;
+      for (std::size_t n = 0; kriging.GetNeighbors() < survey.Data.Places.size() && n < survey.Data.Places.size();
+           n += step)
+      {
+        kriging.Estimate(&survey.Data.Places[n], 1, &estimate);
+      }
+      return true;
+    }
+    catch (const littoral::KrigingFailure& failure)
+    {
+      reason = reason.empty() ? failure.what() : reason;
+    }
+  }
+  return this->Refuse(reason);
 }
 
 //----------------------------------------------------------------------------

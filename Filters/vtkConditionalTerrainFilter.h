@@ -128,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Covariance model, a ModelType; default FittedToData, the one of all that fits the variogram of the data best, with
-   * a nugget where the fit calls for one. That needs at least 20 data.
+   * Covariance model, a ModelType; default FittedToData, the one that fits the variogram of the data best of those
+   * whose kriging system can be solved, with a nugget where the fit calls for one. That needs at least 20 data.
    */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
@@ -318,6 +318,8 @@ private:
   bool ReadDrift(vtkInformationVector** inputs, Survey& survey);
   bool FindModel(vtkInformationVector** inputs, Survey& survey);
   bool TakeFit(vtkTable* fits, Survey& survey);
+  /// The best of the models fitted to the data whose system can be solved.
+  bool TakeFitted(Survey& survey);
   bool CheckMemory(const Survey& survey, const int extent[6]);
   /// Runs all that can fail for want of a solution; false when aborted.
   bool Make(Survey& survey, const int extent[6], vtkImageData* output, vtkTable* table);
