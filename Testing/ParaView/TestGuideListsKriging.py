@@ -49,7 +49,7 @@ def check_field():
 
 def columns(field, *names):
     """Columns of the output Data."""
-    table = simple.servermanager.Fetch(simple.OutputPort(field, 1))
+    table = field.GetClientSideObject().GetOutputDataObject(1)
     return [[table.GetColumnByName(name).GetValue(k) for k in range(table.GetNumberOfRows())] for name in names]
 
 
