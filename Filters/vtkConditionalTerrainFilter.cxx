@@ -15,6 +15,7 @@
 #include "Pipeline/Pipeline.h"
 #include "Terrain/TurningBands.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -24,6 +25,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
@@ -46,6 +49,8 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Data of which all take part in each estimate, at most, and neighbours where there are more.
 constexpr std::size_t MostForAll = 2000;
 constexpr std::size_t UsualNeighbors = 50;
+/// Data at which neighbourhoods are tried with a fitted model, at most.
+constexpr std::size_t PlacesTried = 500;
 /// Rows of the grid that one thread fills at a time.
 constexpr int RowsAtOnce = 16;
 /// Margin around the bounds of the data, in parts of their longer side.
@@ -135,7 +140,8 @@ public:
 
 //----------------------------------------------------------------------------
 vtkConditionalTerrainFilter::vtkConditionalTerrainFilter()
-  : Result(ConditionalField)
+  : ErrorArray("None")
+  , Result(ConditionalField)
   , KrigingType(Ordinary)
   , Model(FittedToData)
   , StandardDeviation(40.0)
@@ -155,13 +161,24 @@ vtkConditionalTerrainFilter::vtkConditionalTerrainFilter()
   , Seed(1)
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
-  this->SetInputArrayToProcess(2, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->SetInputArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 //----------------------------------------------------------------------------
 vtkConditionalTerrainFilter::~vtkConditionalTerrainFilter() = default;
+
+//----------------------------------------------------------------------------
+void vtkConditionalTerrainFilter::SetErrorArray(const char* name)
+{
+  const std::string text = name ? name : "None";
+  if (this->ErrorArray != text)
+  {
+    this->ErrorArray = text;
+    this->Modified();
+  }
+}
 
 //----------------------------------------------------------------------------
 int vtkConditionalTerrainFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -183,7 +200,8 @@ int vtkConditionalTerrainFilter::FillInputPortInformation(int port, vtkInformati
 //----------------------------------------------------------------------------
 int vtkConditionalTerrainFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkImageData" : "vtkTable");
+  constexpr const char* types[] = { "vtkImageData", "vtkTable", "vtkPolyData" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
 
@@ -270,19 +288,15 @@ vtkDataArray* vtkConditionalTerrainFilter::ChosenArray(
 {
   vtkInformation* choice = this->GetInputArrayInformation(index);
   vtkDataArray* array = this->GetInputArrayToProcess(index, inputVector);
-  if (!array && index != 1 && littoral::NamesDefaultElevation(choice))
+  if (!array && littoral::NamesDefaultElevation(choice))
   {
     array = data->GetPointData()->GetScalars();
   }
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  const char* owner = index == 2 ? "The Grid" : "Data";
-  // ParaView's word for no array of errors
-  const bool isNone = index == 1 && name && std::string(name) == "None";
-  const bool isNamed =
-    name && !isNone && !littoral::NamesNoArray(choice) && (index == 1 || !littoral::NamesDefaultElevation(choice));
-  if (!array && isNamed)
+  const char* owner = index == 1 ? "The Grid" : "Data";
+  if (!array && name && !littoral::NamesNoArray(choice) && !littoral::NamesDefaultElevation(choice))
   {
-    reason = std::string(owner) + (index == 2 ? " has" : " have") + " no array '" + name + "'.";
+    reason = std::string(owner) + (index == 1 ? " has" : " have") + " no array '" + name + "'.";
   }
   littoral::ArrayReader reader = littoral::ArrayReader::OfPoints(data, owner);
   array = array ? reader.Fit(array, 1) : nullptr;
@@ -307,7 +321,13 @@ bool vtkConditionalTerrainFilter::ReadData(vtkInformationVector** inputVector, S
     data = littoral::InputOf<vtkPointSet>(inputVector[0], "Data", reason);
   }
   vtkDataArray* values = data && reason.empty() ? this->ChosenArray(0, inputVector, data, reason) : nullptr;
-  vtkDataArray* errors = data && reason.empty() ? this->ChosenArray(1, inputVector, data, reason) : nullptr;
+  vtkDataArray* errors = nullptr;
+  if (data && reason.empty() && !this->ErrorArray.empty() && this->ErrorArray != "None")
+  {
+    littoral::ArrayReader reader = littoral::ArrayReader::OfPoints(data, "Data");
+    errors = reader.Need(this->ErrorArray.c_str(), 1);
+    reason = reader.Reason();
+  }
   if (survey.IsRaster && !values && reason.empty())
   {
     reason = "Data is an image without a point array of values.";
@@ -315,7 +335,7 @@ bool vtkConditionalTerrainFilter::ReadData(vtkInformationVector** inputVector, S
   if (errors && this->NormalScores && reason.empty())
   {
     reason =
-      "Measurement errors have no meaning for normal scores: choose no array of errors, or turn NormalScores off.";
+      "Measurement errors have no meaning for normal scores; set ErrorArray to None, or turn NormalScores off.";
   }
   if (!this->Refuse(reason))
   {
@@ -408,7 +428,7 @@ bool vtkConditionalTerrainFilter::ReadDrift(vtkInformationVector** inputVector, 
   }
   std::string reason;
   auto* grid = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Grid", reason);
-  vtkDataArray* drift = grid ? this->ChosenArray(2, inputVector, grid, reason) : nullptr;
+  vtkDataArray* drift = grid ? this->ChosenArray(1, inputVector, grid, reason) : nullptr;
   reason = reason.empty() && !drift ? "An external drift needs a Grid with a point array." : reason;
   if (!this->Refuse(reason))
   {
@@ -482,7 +502,6 @@ bool vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
   model.AnisotropyAngle = vtkMath::RadiansFromDegrees(this->AnisotropyAngle);
   survey.Mean = this->Mean;
 
-  const auto type = static_cast<littoral::KrigingType>(this->KrigingType);
   std::string reason;
   auto* fits = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Fits", reason);
   if (!this->Refuse(reason) || (fits && !this->TakeFit(fits, survey)) ||
@@ -502,16 +521,43 @@ bool vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
       value = survey.Scores->ScoreOf(value);
     }
   }
-  if (!fits && this->Model == FittedToData &&
-    !littoral::FitToData(survey.Data, type, survey.Model, reason, littoral::AbortableFor(this)))
-  {
-    return this->Refuse(reason);
-  }
   survey.Mean = this->KrigingType != Simple || survey.Scores ? 0.0 : survey.Mean;
   const std::size_t count = survey.Data.Places.size();
   const auto asked = static_cast<std::size_t>(this->NumberOfNeighbors);
   survey.Neighbors = asked > 0 ? std::min(asked, count) : count <= MostForAll ? count : UsualNeighbors;
-  return true;
+  return fits || this->Model != FittedToData || this->TakeFitted(survey);
+}
+
+//----------------------------------------------------------------------------
+bool vtkConditionalTerrainFilter::TakeFitted(Survey& survey)
+{
+  const auto parallel = littoral::AbortableFor(this);
+  std::string reason;
+  littoral::KrigingOptions options;
+  options.Type = static_cast<littoral::KrigingType>(this->KrigingType);
+  options.Neighbors = survey.Neighbors;
+  options.Low = options.High = survey.Data.Places[0];
+  const std::size_t step = (survey.Data.Places.size() + PlacesTried - 1) / PlacesTried;
+  for (const littoral::KrigingModel& model : littoral::FitToData(survey.Data, options.Type, reason, parallel))
+  {
+    survey.Model = model;
+    try
+    {
+      const littoral::Kriging kriging(model, survey.Data, options, parallel);
+      double estimate = 0.0;
+      for (std::size_t n = 0; kriging.GetNeighbors() < survey.Data.Places.size() && n < survey.Data.Places.size();
+           n += step)
+      {
+        kriging.Estimate(&survey.Data.Places[n], 1, &estimate);
+      }
+      return true;
+    }
+    catch (const littoral::KrigingFailure& failure)
+    {
+      reason = reason.empty() ? failure.what() : reason;
+    }
+  }
+  return this->Refuse(reason);
 }
 
 //----------------------------------------------------------------------------
@@ -731,6 +777,26 @@ void vtkConditionalTerrainFilter::WriteTable(const Survey& survey, const Simulat
 }
 
 //----------------------------------------------------------------------------
+void vtkConditionalTerrainFilter::WritePoints(const Survey& survey, vtkTable* table, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  for (std::size_t n = 0; n < survey.Measured.size(); ++n)
+  {
+    const littoral::KrigingPlace& place = survey.Data.Places[n];
+    const vtkIdType point = points->InsertNextPoint(place.X, place.Y, survey.Measured[n]);
+    vertices->InsertNextCell(1, &point);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  for (vtkIdType n = 2; n < table->GetNumberOfColumns(); ++n) // after X and Y
+  {
+    output->GetPointData()->AddArray(table->GetColumn(n));
+  }
+}
+
+//----------------------------------------------------------------------------
 int vtkConditionalTerrainFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -738,8 +804,10 @@ int vtkConditionalTerrainFilter::RequestData(
   littoral::ForgetExtent(info);
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
+  vtkPolyData* points = vtkPolyData::GetData(outputVector, 2);
   output->Initialize();
   table->Initialize();
+  points->Initialize();
   if (littoral::IsAnnouncedEmpty(info))
   {
     return littoral::FailedRequest(this);
@@ -780,6 +848,10 @@ int vtkConditionalTerrainFilter::RequestData(
     table->Initialize();
     return 1;
   }
+  if (table->GetNumberOfRows() > 0)
+  {
+    this->WritePoints(survey, table, points);
+  }
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -796,6 +868,7 @@ int vtkConditionalTerrainFilter::ProcessRequest(
 void vtkConditionalTerrainFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ErrorArray: " << this->ErrorArray << "\n";
   os << indent << "Result: " << this->Result << "\n";
   os << indent << "KrigingType: " << this->KrigingType << "\n";
   os << indent << "Model: " << this->Model << "\n";

@@ -6,8 +6,8 @@
  *
  * Input 0 (Data): a vtkPointSet whose points are data, or a vtkImageData of one layer whose points are data except
  * where the value is NaN. Values are the point array 0 of SetInputArrayToProcess (default the active scalars, which
- * also stand in for an absent `Elevation`; points without scalars: their z coordinates). Array 1, optional: the
- * standard deviation of the error of each datum, in the unit of the values. The x and y of points are places [m].
+ * also stand in for an absent `Elevation`; points without scalars: their z coordinates). ErrorArray names the standard
+ * deviations of their errors. The x and y of points are places [m].
  *
  * Input 1 (Grid), optional: a vtkImageData of one layer that tells where the field is wanted. Without one it is the
  * image of the data, whose points with a value then keep it, so that its holes are filled; for points, Dimensions over
@@ -28,6 +28,9 @@
  * `ModelId`, `Variance`, `Range`, `SecondRange`, `FractalDimension`, `Nugget`; with CrossValidation `MeanError`,
  * `RootMeanSquareError` and `MeanSquaredStandardizedError`, which is near 1 for a model that knows how far it errs.
  *
+ * Output 2: a vtkPolyData with a vertex per datum at (x, y, value), with the columns of output 1 but `X` and `Y` as point
+ * arrays.
+ *
  * Data without error are met; data with an error or a nugget, which is noise of all data, are smoothed. Data outside
  * the grid count as those inside. Values are the same bytes for any subextent and number of threads or ranks.
  *
@@ -43,10 +46,11 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
-#include <string> // for reasons
+#include <string> // for names and reasons
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkPolyData;
 class vtkTable;
 
 class LITTORALFILTERS_EXPORT vtkConditionalTerrainFilter : public vtkImageAlgorithm
@@ -88,6 +92,15 @@ public:
 
   ///@{
   /**
+   * Name of the point array of Data with the standard deviation of the error of each datum [unit of the values], not
+   * negative; default None: data are exact.
+   */
+  virtual void SetErrorArray(const char* name);
+  const char* GetErrorArray() const { return this->ErrorArray.c_str(); }
+  ///@}
+
+  ///@{
+  /**
    * Kind of field that is made, a ResultType; default ConditionalField. ConditionalField: a field as rough as the model
    * that honours the data, another one for each Seed. KrigingEstimate: the expectation of all of these, which is smooth
    * between data.
@@ -115,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Covariance model, a ModelType; default FittedToData, the one of all that fits the variogram of the data best, with
-   * a nugget where the fit calls for one. That needs at least 20 data.
+   * Covariance model, a ModelType; default FittedToData, the one that fits the variogram of the data best of those
+   * whose kriging system can be solved, with a nugget where the fit calls for one. That needs at least 20 data.
    */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
@@ -219,7 +232,7 @@ public:
   /**
    * Transformation of the values to normal scores before and back after, for values whose distribution is not Gaussian;
    * default off. The model is then that of the scores; nothing made is below the least or above the largest datum;
-   * KrigingEstimate is the median, and KrigingVariance is that of the scores. Data must be without error arrays.
+   * KrigingEstimate is the median, and KrigingVariance is that of the scores. ErrorArray must be None.
    */
   vtkSetMacro(NormalScores, bool);
   vtkGetMacro(NormalScores, bool);
@@ -271,6 +284,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  std::string ErrorArray;
   int Result;
   int KrigingType;
   int Model;
@@ -304,9 +318,13 @@ private:
   bool ReadDrift(vtkInformationVector** inputs, Survey& survey);
   bool FindModel(vtkInformationVector** inputs, Survey& survey);
   bool TakeFit(vtkTable* fits, Survey& survey);
+  /// The best of the models fitted to the data whose system can be solved.
+  bool TakeFitted(Survey& survey);
   bool CheckMemory(const Survey& survey, const int extent[6]);
   /// Runs all that can fail for want of a solution; false when aborted.
   bool Make(Survey& survey, const int extent[6], vtkImageData* output, vtkTable* table);
+  /// The data as vertices with the columns of their table.
+  void WritePoints(const Survey& survey, vtkTable* table, vtkPolyData* points);
   void WriteTable(const Survey& survey, const Simulation& simulation, vtkTable* table);
 };
 

@@ -110,8 +110,8 @@ std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, con
   return bins;
 }
 
-bool FitToData(
-  const KrigingData& data, KrigingType type, KrigingModel& model, std::string& reason, const ParallelFor& parallel)
+std::vector<KrigingModel> FitToData(
+  const KrigingData& data, KrigingType type, std::string& reason, const ParallelFor& parallel)
 {
   if (data.Places.size() < FewestForVariogram)
   {
@@ -119,7 +119,7 @@ bool FitToData(
       (data.Places.size() == 1 ? "" : std::to_string(data.Places.size()) + " data") +
       ", and a model is fitted to at least " + std::to_string(FewestForVariogram) +
       "; choose a Model or connect a table of fits.";
-    return false;
+    return {};
   }
   const std::vector<LagBin> bins = DataVariogram(data, type, parallel);
   const bool varies = std::any_of(bins.begin(), bins.end(), [](const LagBin& bin) { return bin.Semivariance > 0.0; });
@@ -128,23 +128,25 @@ bool FitToData(
     reason =
       "The data do not vary about their drift, so that no model can be fitted to them; choose a Model or connect "
       "a table of fits.";
-    return false;
+    return {};
   }
   VariogramFitOptions options;
   options.Nugget = true;
   options.MaximumRange = bins.back().Lag;
   options.FractalRange = 4.0 * bins.back().Lag;
-  const std::vector<VariogramFit> fits = FitAllModels(bins, options, parallel);
-  if (!std::isfinite(fits.front().AICc))
+  std::vector<KrigingModel> models;
+  for (const VariogramFit& fit : FitAllModels(bins, options, parallel))
+  {
+    if (std::isfinite(fit.AICc))
+    {
+      models.push_back({ fit.Field, fit.Nugget, 1.0, 0.0 });
+    }
+  }
+  if (models.empty())
   {
     reason = "No model could be fitted to the variogram of the data; choose a Model or connect a table of fits.";
-    return false;
   }
-  model.Field = fits.front().Field;
-  model.Nugget = fits.front().Nugget;
-  model.AnisotropyRatio = 1.0;
-  model.AnisotropyAngle = 0.0;
-  return true;
+  return models;
 }
 
 }

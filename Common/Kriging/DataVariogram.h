@@ -23,10 +23,10 @@ inline constexpr std::size_t FewestForVariogram = 20;
  */
 std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, const ParallelFor& parallel = SerialFor);
 
-/// The isotropic model of the seven that fits the variogram of the data best, with a nugget where the fit calls for
-/// one. False with a reason in words for a user, if there are too few data, or all are equal.
-bool FitToData(const KrigingData& data, KrigingType type, KrigingModel& model, std::string& reason,
-  const ParallelFor& parallel = SerialFor);
+/// The isotropic models of the seven, the one that fits the variogram of the data best first, with a nugget where the
+/// fit calls for one. None with a reason in words for a user, if there are too few data, or all are equal.
+std::vector<KrigingModel> FitToData(
+  const KrigingData& data, KrigingType type, std::string& reason, const ParallelFor& parallel = SerialFor);
 
 }
 

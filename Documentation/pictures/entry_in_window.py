@@ -63,7 +63,9 @@ def usual_inputs(name):
         "GroundStatistics": lambda: (simple.TurningBandsTerrain(), {}),
         "TurningBandsTerrainFromFits": lambda: (simple.CovarianceFit(Input=simple.TurningBandsTerrain()), {}),
         "ConditionalTerrain": lambda: (simple.MaskPoints(
-            Input=simple.TurningBandsTerrain(), OnRatio=997, GenerateVertices=1, SingleVertexPerCell=1), {}),
+            Input=simple.TurningBandsTerrain(Model="Bessel 1", Range=120, StandardDeviation=45), OnRatio=400,
+            RandomSampling=1, RandomSamplingMode="Spatially Stratified Random Sampling", MaximumNumberofPoints=400,
+            GenerateVertices=1, SingleVertexPerCell=1), {}),
         "NormalScores": lambda: (simple.TurningBandsTerrain(), {}),
         "TerrainLevelOfDetail": lambda: (simple.TurningBandsTerrain(), {}),
         "WindStatistics": lambda: (simple.WindField(), {}),

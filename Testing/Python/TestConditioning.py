@@ -13,7 +13,7 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 
 from littoral import vtkConditionalTerrainFilter, vtkCovarianceFitFilter, vtkNormalScoresFilter
 from littoral import vtkTurningBandsTerrainSource
@@ -173,8 +173,8 @@ own = vtk_to_numpy(part.GetOutput().GetPointData().GetScalars()).reshape(18, 7)
 assert (own == whole[3:21, 5:12]).all()
 
 # Errors of data: what they leave is the kriging variance of the field, and data are not met -------
-noisy = conditional(points_of(xy, heights, Error=np.full(count, 2.0)), grid_of(), Result=1, KrigingVariance=True)
-noisy.SetInputArrayToProcess(1, 0, 0, 0, "Error")
+noisy = conditional(points_of(xy, heights, Error=np.full(count, 2.0)), grid_of(), Result=1, KrigingVariance=True,
+                    ErrorArray="Error")
 system[:count, :count] += 4.0 * np.eye(count)
 weights = np.linalg.solve(system, right)
 assert np.allclose(values_of(noisy), weights[:count].T @ heights, rtol=0.0, atol=1e-7)
@@ -262,15 +262,18 @@ def refuses(word, made):
     assert output.GetPointData().GetNumberOfArrays() == 0
     if made.IsA("vtkConditionalTerrainFilter"):
         assert table_of(made).GetNumberOfColumns() == 0
+        assert made.GetOutputDataObject(2).GetNumberOfPoints() == 0
         fresh = conditional(survey, grid_of())
         for port in 1, 2:
             made.RemoveAllInputConnections(port)
         made.SetInputData(0, survey)
         made.SetInputData(1, grid_of())
+        made.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
+        made.SetInputArrayToProcess(1, 1, 0, 0, 0)
         for name in ("Model", "KrigingType", "Range", "StandardDeviation", "NormalScores", "NumberOfNeighbors",
                      "Nugget", "Result"):
             getattr(made, "Set" + name)(getattr(fresh, "Get" + name)())
-        made.SetInputArrayToProcess(1, 0, 0, 0, "None")
+        made.SetErrorArray("None")
         assert (values_of(made) == values_of(fresh)).all()
 
 
@@ -289,9 +292,35 @@ refuses("singular", conditional(points_of(spots, skewed), grid_of(), Model=2, Ra
 refuses("Nugget", conditional(survey, grid_of(), Nugget=-1.0))
 refuses("Model", conditional(survey, grid_of(), Model=9))
 refuses("at least one", conditional(points_of(np.empty((0, 2)), []), grid_of()))
+refuses("no point array Nothing", conditional(survey, grid_of(), ErrorArray="Nothing"))
 wrong = conditional(survey, grid_of())
-wrong.SetInputArrayToProcess(1, 0, 0, 0, "Nothing")
+wrong.SetInputArrayToProcess(0, 0, 0, 0, "Nothing")
 refuses("no array 'Nothing'", wrong)
+wrong = conditional(survey, grid_of(values=drift), KrigingType=4)
+wrong.SetInputArrayToProcess(1, 1, 0, 0, "Nothing")
+refuses("no array 'Nothing'", wrong)
+# Errors: below 0, NaN, and two data at one place that contradict each other within theirs
+for bad in -1.0, np.nan:
+    refuses("at least 0", conditional(points_of(xy, heights, Error=np.append(np.ones(count - 1), bad)), grid_of(),
+                                      ErrorArray="Error"))
+refuses("no meaning for normal scores", conditional(points_of(xy, heights, Error=np.ones(count)), grid_of(),
+                                                    ErrorArray="Error", NormalScores=True))
+refuses("contradict", conditional(points_of(twice, np.append(heights, 1.0), Error=np.zeros(count + 1)), grid_of(),
+                                  ErrorArray="Error"))
+# Rasters: all missing, one layer only, no array, too thick
+refuses("at least one", conditional(grid_of(values=np.full((SIZE, SIZE), np.nan))))
+refuses("without a point array", conditional(grid_of()))
+thick = vtkImageData()
+thick.SetDimensions(5, 5, 2)
+refuses("one layer", conditional(survey, thick))
+refuses("must be finite", conditional(points_of([[np.inf, 0.0]], [1.0]), grid_of()))
+holed_drift = drift.copy()
+holed_drift[3] = np.nan
+refuses("must be finite", conditional(survey, grid_of(values=holed_drift), KrigingType=4))
+refuses("needs a Grid", conditional(survey, KrigingType=4))
+unfitted = conditional(survey, grid_of())
+unfitted.SetInputData(2, vtkTable())
+refuses("table of fits is empty", unfitted)
 lost = vtkNormalScoresFilter()
 lost.SetInputData(grid_of(values=np.full((SIZE, SIZE), 2.0)))
 refuses("two different values", lost)
@@ -302,6 +331,29 @@ orphan = vtkNormalScoresFilter()
 orphan.InverseOn()
 orphan.SetInputData(grid_of(values=grown))
 refuses("Reference", orphan)
+
+# Two data at one place, with errors: kriged from both -------------------------------------------
+pair = conditional(points_of([[20.0, 20.0], [20.0, 20.0]], [1.0, 2.0], Error=[0.5, 0.5]), grid_of(), Result=1,
+                   ErrorArray="Error")
+assert abs(values_of(pair)[10 * SIZE + 10] - 1.5) < 1e-9
+# One of them exact: the field is the exact one there
+pair.SetInputData(points_of([[20.0, 20.0], [20.0, 20.0]], [1.0, 2.0], Error=[0.5, 0.0]))
+assert abs(values_of(pair)[10 * SIZE + 10] - 2.0) < 1e-9
+
+# One row of points, and data on one row ----------------------------------------------------------
+row = vtkImageData()
+row.SetDimensions(SIZE, 1, 1)
+row.SetSpacing(SPACING, SPACING, 1.0)
+assert np.allclose(values_of(conditional(survey, row, Result=1)), estimate[:SIZE], rtol=0.0, atol=1e-7)
+level = conditional(points_of([[0.0, 3.0], [9.0, 3.0]], [1.0, 2.0]), Dimensions=(4, 3))
+assert np.isfinite(values_of(level)).all()
+
+# The data as points: at their values, with the columns of the table ------------------------------
+checked.Update()
+dots = checked.GetOutputDataObject(2)
+assert (vtk_to_numpy(dots.GetPoints().GetData()) == np.column_stack([xy, heights])).all()
+assert dots.GetNumberOfVerts() == count
+assert (vtk_to_numpy(dots.GetPointData().GetArray("LeftOutEstimate")) == left).all()
 
 # One datum and constant data are fields like others.
 one = conditional(points_of([[20.0, 20.0]], [7.0]), grid_of())

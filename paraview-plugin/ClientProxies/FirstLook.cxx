@@ -147,9 +147,8 @@ void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, doubl
 }
 
 //----------------------------------------------------------------------------
-void ShowAsDots(vtkSMProxy* representation, double size)
+void ShowAsDots(vtkSMProxy* representation, double size, const double color[3])
 {
-  const double color[3] = { 0.16, 0.42, 0.30 };
   vtkSMPropertyHelper(representation, "Representation").Set("Points");
   vtkSMPropertyHelper(representation, "RenderPointsAsSpheres").Set(1);
   vtkSMPropertyHelper(representation, "PointSize").Set(size);

@@ -36,8 +36,8 @@ constexpr double SmallestSprite = 0.006;
 bool AreParticles(vtkPVDataInformation* data);
 void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, double smallest);
 
-/// Points as round dots of a size [pixels], which is the same in a survey of any extent and near the eye.
-void ShowAsDots(vtkSMProxy* representation, double size);
+/// Points as round dots of a color and a size [pixels], which is the same in a survey of any extent and near the eye.
+void ShowAsDots(vtkSMProxy* representation, double size, const double color[3]);
 
 /**
  * An image of extinction s [1/m] as a volume. Opacity is 1 - exp(-F s U) over the unit distance U, so that light is

@@ -40,7 +40,7 @@ namespace littoral
 namespace
 {
 
-/// Three coordinates of a hint; whether there are as many.
+/// Three numbers of a hint; whether there are as many.
 bool ReadPlace(const char* text, double place[3])
 {
   std::istringstream numbers(text);
@@ -89,12 +89,12 @@ std::vector<vtkSMProxy*> VisibleIn(vtkSMProxy* view)
   return visible;
 }
 
-/// Whether a view, seen from above, shows nothing but what a filter is made of.
-bool IsMapOfUpstream(vtkSMProxy* view, vtkSMProxy* filter)
+/// Whether a view shows nothing but what a filter is made of.
+bool ShowsUpstream(vtkSMProxy* view, vtkSMProxy* filter)
 {
   const std::set<vtkSMProxy*> upstream = UpstreamOf(filter);
   const std::vector<vtkSMProxy*> visible = VisibleIn(view);
-  return (IsMap(view) || IsFlat(view)) && !visible.empty() &&
+  return !visible.empty() &&
     std::all_of(visible.begin(), visible.end(),
       [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
 }
@@ -186,11 +186,17 @@ void NaturalDisplay::SetScene(vtkPVXMLElement* scene)
 }
 
 //----------------------------------------------------------------------------
-const char* NaturalDisplay::Hint(const char* name)
+const char* NaturalDisplay::Hint(const char* name, int port)
 {
-  vtkPVXMLElement* hints = this->Owner->GetHints();
-  vtkPVXMLElement* ofType = hints ? hints->FindNestedElementByName("NaturalDisplay") : nullptr;
-  vtkPVXMLElement* hint = this->Look ? this->Look.Get() : ofType;
+  vtkPVXMLElement* hint = this->Look;
+  vtkPVXMLElement* hints = hint ? nullptr : this->Owner->GetHints();
+  for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* one = hints->GetNestedElement(k);
+    const char* of = std::strcmp(one->GetName(), "NaturalDisplay") == 0 ? one->GetAttribute("port") : "";
+    const bool isOwn = of && *of && std::strtol(of, nullptr, 10) == port;
+    hint = isOwn || (!of && !hint) ? one : hint;
+  }
   return hint ? hint->GetAttribute(name) : nullptr;
 }
 
@@ -334,7 +340,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
   {
     this->WaitForData(representation, port);
   }
-  if (this->Hint("own-levels") && Offers(representation, "Full Surface"))
+  if (this->Hint("own-levels", port) && Offers(representation, "Full Surface"))
   {
     vtkSMPropertyHelper(representation, "Representation").Set("Full Surface");
   }
@@ -344,7 +350,7 @@ void NaturalDisplay::Show(vtkSMProxy* representation, int port)
     {
       this->ShowBlocks(representation, data->GetArrayInformation("SiteId", vtkDataObject::FIELD) != nullptr);
     }
-    this->TakeColors(representation, data);
+    this->TakeColors(representation, data, port);
   }
   representation->UpdateVTKObjects();
 }
@@ -368,9 +374,9 @@ void NaturalDisplay::ShowBlocks(vtkSMProxy* representation, bool isForest)
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data)
+void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port)
 {
-  if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color"))
+  if (data->GetArrayInformation("Normals", vtkDataObject::POINT) || this->Hint("direct-color", port))
   {
     ShadeSmoothly(representation, "Normals");
   }
@@ -382,35 +388,40 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
       this->WaitForLegend(representation);
     }
   }
-  else if (this->Hint("direct-color"))
+  else if (this->Hint("direct-color", port))
   {
     this->WaitForLegend(representation); // ParaView asks for the range of the array before it is there
   }
-  if (const char* ambient = this->Hint("ambient"))
+  if (const char* ambient = this->Hint("ambient", port))
   {
     ShadeAsWater(representation, std::strtod(ambient, nullptr));
   }
-  if (const char* sky = this->Hint("sky"))
+  if (const char* sky = this->Hint("sky", port))
   {
     ShadeUnderSky(representation, std::strtod(sky, nullptr));
   }
   if (AreParticles(data))
   {
-    const char* smallest = this->Hint("sprite");
+    const char* smallest = this->Hint("sprite", port);
     ShowAsSprites(representation, data, smallest ? std::strtod(smallest, nullptr) : SmallestSprite);
   }
-  if (const char* size = this->Hint("dots"))
+  if (const char* size = this->Hint("dots", port))
   {
-    ShowAsDots(representation, std::strtod(size, nullptr));
+    double ink[3] = { 0.16, 0.42, 0.30 };
+    if (const char* color = this->Hint("ink", port))
+    {
+      ReadPlace(color, ink);
+    }
+    ShowAsDots(representation, std::strtod(size, nullptr), ink);
   }
-  const char* fog = this->Hint("fog");
+  const char* fog = this->Hint("fog", port);
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
   {
     ShowAsFog(representation, data, fog);
     this->WaitForLegend(representation);
   }
-  const char* extinction = this->Hint("murk");
-  const char* mood = this->Hint("light");
+  const char* extinction = this->Hint("murk", port);
+  const char* mood = this->Hint("light", port);
   if (extinction && mood)
   {
     FadeAway(representation, mood, std::strtod(extinction, nullptr));
@@ -419,14 +430,14 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
       FadeSpritesAway(representation, mood, std::strtod(extinction, nullptr));
     }
   }
-  const char* array = this->Hint("color");
+  const char* array = this->Hint("color", port);
   if (array && data->GetArrayInformation(array, vtkDataObject::POINT))
   {
-    ColorByArray(representation, array, this->Hint("color-map"));
+    ColorByArray(representation, array, this->Hint("color-map", port));
     vtkSMRenderViewProxy* view = this->ActiveView();
-    if (view && IsEmpty(view) && this->Hint("light"))
+    if (view && IsEmpty(view) && this->Hint("light", port))
     {
-      ShowDarkLegend(representation, view, this->Hint("legend"));
+      ShowDarkLegend(representation, view, this->Hint("legend", port));
     }
   }
 }
@@ -548,7 +559,8 @@ void NaturalDisplay::StopWatchingVisibility()
 void NaturalDisplay::SetUpView(int port)
 {
   vtkSMRenderViewProxy* view = this->ActiveView();
-  const bool isMap = view && IsMapOfUpstream(view, this->Owner);
+  const bool isMap = view && ShowsUpstream(view, this->Owner) &&
+    (IsMap(view) || IsFlat(view) || (this->Hint("over-inputs", port) && !IsEmpty(view)));
   if (!view || (!IsEmpty(view) && !isMap))
   {
     return;

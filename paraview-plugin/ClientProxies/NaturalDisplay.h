@@ -35,6 +35,7 @@ namespace littoral
  *  - Particles are lit spheres with their radii, whatever the source, enlarged until the largest has the radius
  * `sprite` [diagonals of the data]; points with `dots` are dots of that size [pixels]; the array of `fog`
  * [1/m] is a volume.
+ *  - With `over-inputs` a view that shows nothing but what the filter is made of, as ParaView does, counts as empty.
  *  - What is connected to the property `replaces` is hidden in the view, for a proxy with the hint
  *    `<Visibility replace_input="0" />`, whose other inputs stay.
  *  - Only the properties `panel` of the display are in its panel without the gear.
@@ -45,6 +46,8 @@ namespace littoral
  *  - Where the source is the first thing in its view, the camera looks from `elevation` [degrees] above the horizon, z
  *    upwards, and `closer` times closer than ParaView would go to show all, or from `eye` to `target` [m]; and the view
  *    gets the background and the sun of `light`, see LightView, if it has ParaView's.
+ *
+ * An output has the hint with its number as `port`, if there is one, else the one without.
  *
  * A source with the hint `<View type="RenderView" />` makes a render view the active one where a table or a chart is,
  * when it is registered, so that Apply shows it in that view and not in a new one.
@@ -74,7 +77,7 @@ public:
   void SetScene(vtkPVXMLElement* scene);
 
 private:
-  const char* Hint(const char* name);
+  const char* Hint(const char* name, int port = 0);
   void OnRegister(vtkObject*, unsigned long, void* information);
   void TakeView();
   void HideReplaced();
@@ -82,7 +85,7 @@ private:
   void LookAtInput();
   void Show(vtkSMProxy* representation, int port);
   void ShowBlocks(vtkSMProxy* representation, bool isForest);
-  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data);
+  void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
   vtkSMRenderViewProxy* ActiveView();
