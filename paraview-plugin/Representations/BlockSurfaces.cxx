@@ -122,8 +122,7 @@ int BlockSurfaces::RequestDataObjectTree(
     Numbers& numbers = kept[index] = this->Kept[index];
     vtkNew<vtkPolyData> surface;
     surface->ShallowCopy(block);
-    surface->GetPointData()->AddArray(
-      Filled(numbers.OfPoints, "vtkCompositeIndex", index, block->GetNumberOfPoints()));
+    surface->GetPointData()->AddArray(Filled(numbers.OfPoints, "vtkCompositeIndex", index, block->GetNumberOfPoints()));
     surface->GetCellData()->AddArray(Filled(numbers.OfCells, "vtkCompositeIndex", index, block->GetNumberOfCells()));
     AddColor(surface, place % static_cast<unsigned int>(std::max(1, this->BlockColorsDistinctValues)));
     output->SetDataSet(leaf, surface);
