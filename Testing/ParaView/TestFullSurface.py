@@ -4,7 +4,8 @@
 """The representation Full Surface spares work that ParaView does for each frame, and nobody sees it.
 
 Two squares and a line that move: bounds are those of the visible blocks at each time, and the cells that are picked are
-those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips, ghost cells and volumes.
+those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips, ghost cells and volumes. Numbers of blocks, which
+ParaView makes anew at each time, are the same arrays at all times, and others when there are more points.
 """
 
 import numpy as np
@@ -88,6 +89,17 @@ def numbers(shown):
             if block.GetCellData().HasArray(name) or block.GetPointData().HasArray(name)}
 
 
+def block_numbers(shown):
+    """For each drawn block the arrays with its number, of points and of cells, and how many of which number they have."""
+    arrays = [(block.GetPointData().GetArray("vtkCompositeIndex"), block.GetCellData().GetArray("vtkCompositeIndex"))
+              for block in drawn(shown)]
+    sizes = [(block.GetNumberOfPoints(), block.GetNumberOfCells()) for block in drawn(shown)]
+    for number, (made, counts) in enumerate(zip(arrays, sizes), start=1):
+        assert [array.GetNumberOfTuples() for array in made] == list(counts), (number, counts)
+        assert {array.GetRange() for array in made} == {(number, number)}, [array.GetRange() for array in made]
+    return arrays
+
+
 def show(source, view, kind):
     shown = simple.Show(source, view)
     shown.SetRepresentationType(kind)
@@ -124,6 +136,20 @@ for time in (0.0, 1.0, 2.0):
     simple.Render(view)
     check_bounds(view, (time, time + 6.0, 0.0, 4.0), time)
 assert numbers(shown) == set(), numbers(shown)
+colors = [int(block.GetFieldData().GetArray("vtkBlockColors").GetValue(0)) for block in drawn(shown)]
+assert colors == [0, 1], colors
+before = block_numbers(shown)
+view.ViewTime = 1.0
+simple.Render(view)
+assert block_numbers(shown) == before, "numbers of blocks are made anew"
+blocks.Script = BLOCKS.replace("(0.5, 0.5)", "(0.5, 0.5), (0.25, 0.5)")  # one more point, and as many cells
+simple.Render(view)
+after = block_numbers(shown)
+changed = [(old[0] is not new[0], old[1] is not new[1]) for old, new in zip(before, after)]
+assert changed == [(True, False)] * 2, changed
+blocks.Script = BLOCKS
+view.ViewTime = 2.0
+simple.Render(view)
 
 simple.ResetCamera(view)
 simple.Render(view)

@@ -5,7 +5,7 @@
 
 Squares with known texels: the color of a pixel is that of the points times the texel over the mean of the texture, and
 nothing where the texel is transparent; visibility, picking and shaders of blocks as without textures; rendered by the
-client and by a server.
+client and by a server. A block that moves keeps in the graphics' memory what stays, and is seen and picked where it is.
 """
 
 import json
@@ -195,8 +195,46 @@ def check_picking(view, squares, shown, where):
         simple.Delete(selected)
 
 
+def actor_inputs(view):
+    """The class of the mapper that draws each visible actor, and the numbers of points that it draws."""
+    actors, found = view.GetRenderer().GetActors(), []
+    actors.InitTraversal()
+    for _ in range(actors.GetNumberOfItems()):
+        actor = actors.GetNextItem()
+        mapper = actor.GetMapper()
+        if actor.GetVisibility() and mapper and mapper.GetInputDataObject(0, 0):
+            found.append((mapper.GetClassName(), mapper.GetInputDataObject(0, 0).GetNumberOfElements(0)))
+    return found
+
+
+def check_motion(view, squares, shown):
+    """Squares that move and change their color, their cells and the choice of block colors: pixels and picks follow."""
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    picture(view)
+    alone = [points for kind, points in actor_inputs(view) if kind == "BlockMapper"]
+    assert alone == [4, 4, 4], f"each block has a mapper of its own: {actor_inputs(view)}"
+    squares.Script = SQUARES.replace("x + 2 * u, 2 * v, 0", "x + 2 * u, 2 * v + 2.5, 0")
+    seen = picture(view)
+    for x, color in ((1.0, (200, 100, 50)), (3.3, (200, 50, 0)), (7.0, (200, 200, 200))):
+        near(at(seen, x, 3.5), color, f"moved, at {x}")
+        near(at(seen, x), (0, 0, 255), f"moved away from {x}")
+    squares.Script = SQUARES.replace("(200, 100, 50)", "(50, 100, 200)")
+    near(at(picture(view), 1.0), (50, 100, 200), "another color of the points")
+    squares.Script = SQUARES.replace("(4, list(range(4)))", "(3, [0, 1, 2])")
+    seen = picture(view)
+    near(at(seen, 1.6, 0.4), (200, 100, 50), "the triangle that is left")
+    near(at(seen, 0.4, 1.6), (0, 0, 255), "the triangle that is gone")
+    squares.Script = SQUARES
+    check_picking(view, squares, shown, "moved back")
+    shown.BlockColors = ["/Root/Plain", "0", "1", "0"]
+    near(at(picture(view), 1.0), (0, 255, 0), "a color that a user chose for a block")
+    shown.BlockColors = []
+    near(at(picture(view), 1.0), (200, 100, 50), "the color of the points again")
+
+
 view, squares, shown, light = scene()
 check_colors(view, squares, shown, "alone")
+check_motion(view, squares, shown)
 check_light(view, shown, light, "alone")
 check_picking(view, squares, shown, "alone")
 check_shaders(view, shown)

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockActor.h"
 
+#include "BlockMapper.h"
 #include "InstanceMapper.h"
 
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
@@ -104,6 +107,40 @@ bool IsPicture(vtkDataArray* texels, vtkDataArray* size, int components)
     texels->GetNumberOfTuples() == static_cast<vtkIdType>(columns) * rows;
 }
 
+/// Whether a tree's mapper would draw its only leaf by nothing but the actor's property and arrays that it has.
+bool IsDrawnAlone(const PartOfTree& part, vtkMapper* like)
+{
+  const vtkCompositeDataDisplayAttributes* attributes = part.Attributes;
+  int association = 0;
+  return part.Block && CompositeMapper::SafeDownCast(like) && !attributes->HasBlockColors() &&
+    !attributes->HasBlockOpacities() && !attributes->HasBlockMaterials() && !attributes->HasBlockPickabilities() &&
+    like->GetScalarMode() != VTK_SCALAR_MODE_USE_FIELD_DATA &&
+    (!like->GetScalarVisibility() ||
+      vtkMapper::GetAbstractScalars(part.Block, like->GetScalarMode(), like->GetArrayAccessMode(), like->GetArrayId(),
+        like->GetArrayName(), association));
+}
+
+/// Whether the only leaf of a tree is visible: as the last block on the way to it says.
+bool IsVisible(vtkDataObject* node, const vtkCompositeDataDisplayAttributes* attributes, bool isVisible = true)
+{
+  if (attributes->HasBlockVisibility(node))
+  {
+    isVisible = attributes->GetBlockVisibility(node);
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(node);
+  if (!tree)
+  {
+    return isVisible;
+  }
+  // Branches without leaves come to nothing.
+  bool isAny = false;
+  for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+  {
+    isAny = isAny || IsVisible(child, attributes, isVisible);
+  }
+  return isAny;
+}
+
 }
 
 //----------------------------------------------------------------------------
@@ -149,9 +186,14 @@ bool BlockActor::IsTextured(vtkDataObject* block)
 //----------------------------------------------------------------------------
 void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper, bool isLit)
 {
+  const bool isAlone = !part.Prototype && IsDrawnAlone(part, mapper);
   if (part.Prototype)
   {
     this->TakeInstances(part, mapper);
+  }
+  else if (isAlone)
+  {
+    this->TakeBlock(part, mapper);
   }
   else
   {
@@ -163,7 +205,7 @@ void BlockActor::Draw(const PartOfTree& part, vtkActor* like, vtkMapper* mapper,
   this->Actor->GetProperty()->DeepCopy(like->GetProperty());
   this->Actor->SetPropertyKeys(like->GetPropertyKeys());
   this->Actor->SetPickable(like->GetPickable() && !part.Prototype);
-  this->Actor->SetVisibility(like->GetVisibility());
+  this->Actor->SetVisibility(like->GetVisibility() && (!isAlone || IsVisible(part.Tree, part.Attributes)));
   vtkProperty* property = like->GetProperty();
   const bool hasNormals = isLit && property->GetLighting() && property->GetRepresentation() == VTK_SURFACE;
   this->TakeTexture(part.Textured, like->GetShaderProperty(), hasNormals);
@@ -201,6 +243,33 @@ void BlockActor::TakeMapper(const PartOfTree& part, vtkMapper* like)
     own->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
   }
   this->Mapper->SetInputDataObject(part.Tree);
+}
+
+//----------------------------------------------------------------------------
+void BlockActor::TakeBlock(const PartOfTree& part, vtkMapper* like)
+{
+  auto* mapper = BlockMapper::SafeDownCast(this->Mapper);
+  auto* other = CompositeMapper::SafeDownCast(like);
+  // What is in the graphics' memory is not shifted anew.
+  if (!mapper || mapper->GetVBOShiftScaleMethod() != other->GetVBOShiftScaleMethod())
+  {
+    const auto made = vtkSmartPointer<BlockMapper>::New();
+    this->Mapper = mapper = made;
+    this->Actor->SetMapper(mapper);
+  }
+  mapper->vtkMapper::ShallowCopy(like); // its input is another one
+  mapper->SetSelection(like->GetSelection());
+  mapper->SetVBOShiftScaleMethod(other->GetVBOShiftScaleMethod());
+  mapper->SetSeamlessU(other->GetSeamlessU());
+  mapper->SetSeamlessV(other->GetSeamlessV());
+  mapper->SetPointIdArrayName(other->GetPointIdArrayName());
+  mapper->SetCellIdArrayName(other->GetCellIdArrayName());
+  mapper->SetProcessIdArrayName(other->GetProcessIdArrayName());
+  mapper->SetBlockIndex(part.BlockIndex);
+  if (mapper->GetInputDataObject(0, 0) != part.Block)
+  {
+    mapper->SetInputData(part.Block);
+  }
 }
 
 //----------------------------------------------------------------------------

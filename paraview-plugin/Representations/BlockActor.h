@@ -28,6 +28,8 @@ struct PartOfTree
   vtkSmartPointer<vtkDataObject> Textured; ///< the only leaf, if it carries a texture; else null
   vtkSmartPointer<vtkDataObject> Tree;
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> Attributes; ///< of its blocks
+  vtkSmartPointer<vtkPolyData> Block;                            ///< the only leaf, if it is a surface; else null
+  unsigned int BlockIndex = 0;                                   ///< of the only leaf in the tree
   vtkSmartPointer<vtkPolyData> Prototype;                        ///< drawn in place of the tree where it has instances
   std::shared_ptr<const InstanceBatch> Instances;
 };
@@ -81,6 +83,7 @@ private:
   };
 
   void TakeMapper(const PartOfTree& part, vtkMapper* like);
+  void TakeBlock(const PartOfTree& part, vtkMapper* like);
   void TakeInstances(const PartOfTree& part, vtkMapper* like);
   void TakeTexture(vtkDataObject* block, vtkShaderProperty* given, bool isLit);
   void SetShading(Shading shading, vtkShaderProperty* given);

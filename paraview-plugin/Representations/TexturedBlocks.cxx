@@ -14,10 +14,15 @@
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+
 namespace littoral
 {
 namespace
 {
+
+/// Surfaces without a texture that have an actor each.
+constexpr std::size_t MostAlone = 16;
 
 /// The branches of a tree, without its leaves.
 PartOfTree Branches(vtkDataObjectTree* tree)
@@ -120,8 +125,8 @@ void TexturedBlocks::Hide()
 }
 
 //----------------------------------------------------------------------------
-/// Each textured block and each prototype that has instances becomes a part of its own, the others are the first;
-/// without any there are no parts. Points of instances are not drawn.
+/// Each textured block and each prototype that has instances becomes a part of its own, and without any there are no
+/// parts. A few other surfaces are parts of their own too; the rest is the first. Points of instances are not drawn.
 void TexturedBlocks::Split(vtkDataObject* data)
 {
   this->Data = data;
@@ -133,6 +138,7 @@ void TexturedBlocks::Split(vtkDataObject* data)
     return;
   }
   this->Parts.push_back(Branches(tree));
+  std::size_t others = 0;
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
   const InstancedBlocks instanced = InstancesIn(tree);
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
@@ -143,13 +149,19 @@ void TexturedBlocks::Split(vtkDataObject* data)
       continue;
     }
     const bool isTextured = BlockActor::IsTextured(block);
+    const bool isAlone = isTextured || (vtkPolyData::SafeDownCast(block) && others++ < MostAlone);
     if (isTextured)
     {
       block = WithCoordinates(block);
-      this->Parts.push_back(Branches(tree));
-      this->Parts.back().Textured = block;
     }
-    PartOfTree& part = isTextured ? this->Parts.back() : this->Parts.front();
+    if (isAlone)
+    {
+      this->Parts.push_back(Branches(tree));
+      this->Parts.back().Textured = isTextured ? block : nullptr;
+      this->Parts.back().Block = vtkPolyData::SafeDownCast(block);
+      this->Parts.back().BlockIndex = leaf->GetCurrentFlatIndex();
+    }
+    PartOfTree& part = isAlone ? this->Parts.back() : this->Parts.front();
     vtkDataObjectTree::SafeDownCast(part.Tree)->SetDataSetFrom(leaf, block);
   }
   for (const InstancedBlocks::Pair& pair : instanced.Pairs)
@@ -161,7 +173,8 @@ void TexturedBlocks::Split(vtkDataObject* data)
     part.Instances = BatchOf(pair);
     this->Parts.push_back(part);
   }
-  if (this->Parts.size() == 1)
+  const auto isSpecial = [](const PartOfTree& part) { return part.Textured || part.Prototype; };
+  if (std::none_of(this->Parts.begin(), this->Parts.end(), isSpecial))
   {
     this->Parts.clear();
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFullSurfaceRepresentation.h"
 
+#include "BlockSurfaces.h"
 #include "Instances.h"
 #include "TexturedBlocks.h"
 
@@ -54,22 +55,15 @@ bool EachVisible(vtkDataObject* data, const vtkCompositeDataDisplayAttributes* a
   return true;
 }
 
-/// Whether the surface of data has their cells and points, in their order.
-bool IsItsOwnSurface(vtkDataObject* data)
-{
-  const auto isOwn = [](vtkDataObject* leaf) {
-    auto* surface = vtkPolyData::SafeDownCast(leaf);
-    return surface && surface->GetNumberOfStrips() == 0 && !surface->HasAnyGhostCells();
-  };
-  return data && EachVisible(data, nullptr, isOwn);
-}
-
 }
 
 //----------------------------------------------------------------------------
 vtkFullSurfaceRepresentation::vtkFullSurfaceRepresentation()
   : Textured(std::make_unique<littoral::TexturedBlocks>())
 {
+  this->GeometryFilter->Delete();
+  this->GeometryFilter = littoral::BlockSurfaces::New();
+  this->SetupDefaults();
 }
 
 //----------------------------------------------------------------------------
@@ -108,7 +102,7 @@ int vtkFullSurfaceRepresentation::RequestData(
   if (auto* surface = vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter))
   {
     const bool isNumbered =
-      input[0]->GetNumberOfInformationObjects() != 1 || !IsItsOwnSurface(vtkDataObject::GetData(input[0]));
+      input[0]->GetNumberOfInformationObjects() != 1 || !littoral::IsItsOwnSurface(vtkDataObject::GetData(input[0]));
     surface->SetPassThroughCellIds(isNumbered);
     surface->SetPassThroughPointIds(isNumbered);
   }

@@ -14,9 +14,11 @@
  * frame in which it was made, with rendering on the client and on a server. (The property SuppressLOD of
  * vtkGeometryRepresentation offers nothing, so that a surface which changes between two interactive pictures vanishes.)
  *
- * Two things that ParaView does anew for each frame of moving data are spared. Bounds are those of the points, where
+ * What ParaView does anew for each frame of moving data is spared. Bounds are those of the points, where
  * vtkGeometryRepresentation looks for the points that cells use; and where all blocks are polygonal data without
- * strips and ghost cells, cells and points are not given the numbers of those they came from, which are their own.
+ * strips and ghost cells, cells and points are not given the numbers of those they came from, which are their own, and
+ * keep the numbers of their blocks (littoral::BlockSurfaces). Where a block is textured, only arrays that have changed
+ * are sent to the graphics (littoral::BlockMapper).
  */
 #ifndef vtkFullSurfaceRepresentation_h
 #define vtkFullSurfaceRepresentation_h

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralBlockMapper_h
+#define LittoralBlockMapper_h
+
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h" // for the colors that are kept
+
+class vtkAbstractArray;
+
+namespace littoral
+{
+
+/**
+ * One block of a tree, drawn as by the mapper of the tree, and picked by the block's index in it.
+ *
+ * The mapper of a tree builds vertices and indices of all blocks anew when anything has changed; this one sends the
+ * arrays that have changed, such as points and normals of what moves, and keeps the others in the graphics' memory.
+ */
+class BlockMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static BlockMapper* New();
+  vtkTypeMacro(BlockMapper, vtkOpenGLPolyDataMapper);
+
+  /// The index of the block in its tree, by which it is picked.
+  void SetBlockIndex(unsigned int index) { this->BlockIndex = index; }
+
+  /// Colors of arrays that are colors are made once.
+  vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
+  using Superclass::MapScalars;
+
+protected:
+  BlockMapper() = default;
+  ~BlockMapper() override = default;
+
+  void ComputeBounds() override;
+  void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* block) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  BlockMapper(const BlockMapper&) = delete;
+  void operator=(const BlockMapper&) = delete;
+
+  /// What colors were made of.
+  struct Source
+  {
+    vtkSmartPointer<vtkAbstractArray> Array;
+    vtkMTimeType Time = 0;
+    double Alpha = 0.0;
+  };
+  Source Colored;
+  unsigned int BlockIndex = 0;
+};
+
+}
+
+#endif
