@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""The ripples of littoral.underwater move without a new shader, as the waves that its ripples() lists; a turn of the
-camera runs no filter.
+"""The ripples of littoral.underwater move without a new shader, as the waves that its ripples() lists, and states
+keep their time; a turn of the camera runs no filter.
 
 Mesa writes each program that it links into a folder, so their number is known. In the reference the time is a constant
 of the shaders.
@@ -122,6 +122,12 @@ def main():
         view.ViewTime = TIME
         at(view, shown, TIME)
         assert runs, "the clock does not run the filters"
+
+        state = os.path.join(folder, "scene.pvsm")
+        simple.SaveState(state)
+        with open(state) as stream:
+            kept = re.findall(r'name="SpecularColor"[^>]*>\s*<Element index="0" value="([^"]*)"', stream.read())
+        assert [float(value) for value in kept].count(TIME) == len(shown), f"the state keeps the times {kept}"
 
         moved = at(view, shown, TIME)
         assert np.abs(moved - pictures[0]).max() <= 1.0, "another picture at the same time"
