@@ -11,7 +11,6 @@ their curvature focuses it, there are caustics on surfaces and shafts of light a
 
 import json
 import math
-import re
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -40,7 +39,8 @@ PLACES = [
      "replacement": "//VTK::PositionVC::Impl\n  placeMC = vertexMC.xyz;\n"
                     "  eyeMC = -transpose(mat3(MCVCMatrix)) * MCVCMatrix[3].xyz;"},
     {"type": "fragment", "original": "//VTK::PositionVC::Dec",
-     "replacement": "//VTK::PositionVC::Dec\nin vec3 placeMC;\nin vec3 eyeMC;\n//LITTORAL::WATER"}]
+     "replacement": "//VTK::PositionVC::Dec\nin vec3 placeMC;\nin vec3 eyeMC;"},
+    {"type": "fragment", "original": "//VTK::Color::Dec", "replacement": "//VTK::Color::Dec\n//LITTORAL::WATER"}]
 
 NORMALS = [
     {"type": "vertex", "original": "//VTK::PositionVC::Dec",
@@ -52,7 +52,10 @@ NORMALS = [
 
 #: Ripples, caustics, shafts and haze. h: heights of the ripples; Hessian as xx, xy, yy.
 WATER = """
-const vec4 ripples[RIPPLES] = vec4[RIPPLES](WAVES); // k_x, k_y, amplitude, phase at the time
+const vec4 ripples[RIPPLES] = vec4[RIPPLES](WAVES); // k_x, k_y, amplitude, phase at the time 0
+const float rates[RIPPLES] = float[RIPPLES](RATES); // angular frequencies
+// k x - omega t + phi. The time comes as the red of the specular color, a uniform that these surfaces have no use for.
+float phaseAt(int n, vec2 at) { return dot(ripples[n].xy, at) + (ripples[n].w - rates[n] * specularColorUniform.r); }
 float noiseAt(vec2 cell) { return fract(sin(dot(cell, vec2(127.1, 311.7))) * 43758.5453); }
 float noise(vec2 at)
 {
@@ -67,7 +70,7 @@ vec2 rippleSlope(vec2 at, float least)
   for (int n = 0; n < RIPPLES; ++n)
   {
     float seen = smoothstep(0.0, 1.0, 1.5 - least * length(ripples[n].xy));
-    slope -= seen * ripples[n].z * ripples[n].xy * sin(dot(ripples[n].xy, at) + ripples[n].w);
+    slope -= seen * ripples[n].z * ripples[n].xy * sin(phaseAt(n, at));
   }
   return slope;
 }
@@ -87,14 +90,14 @@ float caustic(vec2 at, float depth, float blur)
   {
     vec2 slope = vec2(0.0);
     for (int n = 0; n < FOCUSING; ++n)
-      slope -= ripples[n].z * ripples[n].xy * sin(dot(ripples[n].xy, from) + ripples[n].w);
+      slope -= ripples[n].z * ripples[n].xy * sin(phaseAt(n, from));
     from = at + reach * slope;
   }
   vec3 bend = vec3(0.0);
   for (int n = 0; n < FOCUSING; ++n)
   {
     vec2 k = ripples[n].xy;
-    bend -= ripples[n].z * cos(dot(k, from) + ripples[n].w) * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
+    bend -= ripples[n].z * cos(phaseAt(n, from)) * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
   }
   return focused(bend, depth, blur);
 }
@@ -125,7 +128,7 @@ vec3 through(vec3 radiance)
   float here[FOCUSING], before[FOCUSING], twice[FOCUSING];
   for (int n = 0; n < FOCUSING; ++n)
   {
-    float phase = dot(ripples[n].xy, at) + ripples[n].w, turn = dot(ripples[n].xy, along);
+    float phase = phaseAt(n, at), turn = dot(ripples[n].xy, along);
     here[n] = ripples[n].z * cos(phase);
     before[n] = ripples[n].z * cos(phase - turn);
     twice[n] = 2.0 * cos(turn);
@@ -226,16 +229,23 @@ def ripples(time, count=14, seed=3):
     length = 4.6 * 0.82 ** np.arange(count)
     k = 2.0 * np.pi / length
     angle = random.normal(0.5, 0.95, count)
-    phase = random.uniform(0.0, 2.0 * np.pi, count) - np.sqrt(9.80665 * k) * time
+    phase = random.uniform(0.0, 2.0 * np.pi, count) - _rates(k) * time
     return np.column_stack((k * np.cos(angle), k * np.sin(angle), 0.0105 * length ** 1.1, phase))
 
 
-def water_shader(time):
-    """The GLSL functions of the water at a time [s]."""
+def _rates(k):
+    """Angular frequencies [rad/s] of waves in deep water by their wavenumbers [rad/m]."""
+    return np.sqrt(9.80665 * k)
+
+
+def water_shader():
+    """The GLSL functions of the water, the same at all times."""
     azimuth, zenith = np.radians(SUN)
     towards = (np.sin(zenith) * np.sin(azimuth), np.sin(zenith) * np.cos(azimuth), np.cos(zenith))
-    waves = ripples(time)
-    text = WATER.replace("WAVES", _wave_list(waves)).replace("RIPPLES", str(len(waves)))
+    waves = ripples(0.0)
+    listed = ", ".join("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in waves)
+    rates = ", ".join(f"{rate:.6f}" for rate in _rates(np.hypot(waves[:, 0], waves[:, 1])))
+    text = WATER.replace("WAVES", listed).replace("RATES", rates).replace("RIPPLES", str(len(waves)))
     for name, number in (("FOCUSING", FOCUSING), ("SHAFT_STEPS", SHAFT_STEPS), ("EXPOSURE", f"{EXPOSURE:.3f}")):
         text = text.replace(name, str(number))
     for name, value in (("SUN", towards), ("DOWNWARD_VIEW", DOWNWARD_VIEW), ("UPWARD_VIEW", UPWARD_VIEW),
@@ -244,15 +254,9 @@ def water_shader(time):
     return text
 
 
-def _wave_list(waves):
-    return ", ".join("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in waves)
-
-
 def set_time(shown, time):
-    """Move the ripples of a representation to a time [s]."""
-    shown.ShaderReplacements = re.sub(
-        r"(vec4 ripples\[\d+\] = vec4\[\d+\])\([^;]*\);", lambda found: f"{found[1]}({_wave_list(ripples(time))});",
-        shown.ShaderReplacements)
+    """Move the ripples of a representation to a time [s]. No shader is compiled for it."""
+    shown.SpecularColor = [time, 0.0, 0.0]
 
 
 # Meshes -------------------------------------------------------------------------------------------
@@ -483,10 +487,11 @@ def _shade(shown, changes, fragment, time):
     shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
     changes = json.loads(json.dumps(changes))
     declared = next(change for change in changes if "LITTORAL::WATER" in change["replacement"])
-    declared["replacement"] = declared["replacement"].replace("//LITTORAL::WATER", water_shader(time))
+    declared["replacement"] = declared["replacement"].replace("//LITTORAL::WATER", water_shader())
     last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
     shown.UseShaderReplacements = 1
     shown.ShaderReplacements = json.dumps(_merged(changes) + [last])
+    set_time(shown, time)
 
 
 def _merged(changes):
