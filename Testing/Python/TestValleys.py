@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Twins with valleys have the measures of their place, within the tolerances of Documentation/design/drainage.md.
+"""Twins with valleys have the measures of their place, within the tolerances of the design.
 
     python3 TestValleys.py [SEED...]
 
-Places: the Jacksboro fault; and R's `volcano` and the Kagwene sanctuary of its package spatstat.data, where R and the
-package are there. Seeds: 1 and 2, or those that are given. Heights, semivariance, curvature and sunk cells are measured
-here, by NumPy and a flood of its own; the concavity by vtkGroundStatisticsFilter.
+Places: the Jacksboro fault; and R's `volcano` and the Kagwene sanctuary of its package
+spatstat.data, where R and the package are there. Seeds: 1 and 2, or those that are given. Heights,
+semivariance, curvature and sunk cells are measured here, by NumPy and a flood of its own; the
+concavity by vtkGroundStatisticsFilter.
 """
 
 import heapq
@@ -19,7 +20,11 @@ import tempfile
 import numpy as np
 
 from littoral import (
-    vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
+    vtkCovarianceFitFilter,
+    vtkDrainageFilter,
+    vtkGroundStatisticsFilter,
+    vtkTurningBandsTerrainSource,
+)
 from littoral.elevation import array_from_image, image_from_array, read_elevation
 from littoral.tables import column
 
@@ -121,9 +126,10 @@ for name, place in places():
         drainage.Update()
         got = measures(drainage.GetOutput())
         ratios = got[5] / variogram
-        print(f"{name} {seed}: sunk {got[0]:.3f} ({sunk:.3f}), integral {got[1]:.3f} ({integral:.3f}), "
-              f"skew {got[2]:.2f} ({height_skew:.2f}), concavity {got[3]:.2f} ({concavity:.2f}), curvature "
-              f"{got[4]:.2f}, semivariance {ratios.min():.2f} to {ratios.max():.2f}")
+        print(f"{name} {seed}: sunk {got[0]:.3f} ({sunk:.3f}), integral {got[1]:.3f} "
+              f"({integral:.3f}), skew {got[2]:.2f} ({height_skew:.2f}), concavity {got[3]:.2f} "
+              f"({concavity:.2f}), curvature {got[4]:.2f}, semivariance {ratios.min():.2f} to "
+              f"{ratios.max():.2f}")
         assert got[0] <= max(0.05, sunk)
         assert abs(got[1] - integral) <= 0.03
         assert abs(got[2] - height_skew) <= 0.15
