@@ -134,7 +134,7 @@ public:
 
   ///@{
   /**
-   * Maximum number of rounds of carving, 1 to 100; default 20. Carving ends before, when the target is met.
+   * Maximum number of rounds of carving, 1 to 100; default 40. Carving ends before, when the target is met.
    */
   vtkSetMacro(NumberOfRounds, int);
   vtkGetMacro(NumberOfRounds, int);

@@ -5,6 +5,7 @@
 #include "Drainage/CellLattice.h"
 #include "Drainage/ChannelGrading.h"
 #include "Drainage/FlowRouting.h"
+#include "Drainage/SemivarianceBands.h"
 #include "Drainage/StreamPower.h"
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/ParameterCheck.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace littoral
@@ -42,6 +44,10 @@ constexpr double LeastPowerPart = 0.1;
 /// Gains of rings in one round.
 constexpr double LeastGain = 0.3;
 constexpr double MostGain = 3.0;
+
+/// Slope of the plane against the target's.
+constexpr double LeastPlane = 0.8;
+constexpr double MostPlane = 1.25;
 
 /// A measure against what it shall be: 1 at its tolerance.
 struct Deviation
@@ -287,16 +293,20 @@ private:
       gains[ring] = this->Corrections[ring] * std::clamp(ratio, LeastGain, MostGain);
     }
     gains[0] = gains.size() > 1 ? gains[1] : 1.0;
-    this->Step = spectrum.Step;
     MultiplyRings(field, spectrum.Step, gains, this->Parallel);
-    InverseCosineTransform(field, this->Parallel);
-    std::array<double, 2> slope{};
+    PlaneTrend plane = own;
     const std::array<int, 2> count{ terrain.Width, terrain.Height };
     for (int axis = 0; axis < 2; ++axis)
     {
-      slope[axis] = this->Target.Plane.Slope[axis] *
+      plane.Slope[axis] = this->PlaneGain * this->Target.Plane.Slope[axis] *
         std::min(1.0, this->Target.Sides[axis] / (count[axis] * terrain.Spacing[axis]));
     }
+    for (int wave = 0; wave < 9; ++wave)
+    {
+      field.At(wave % 3, wave / 3) *= this->WaveGains[wave];
+    }
+    this->Bands.emplace(field, spectrum.Step, gains.size(), plane, this->Parallel);
+    InverseCosineTransform(field, this->Parallel);
     this->Parallel(terrain.Height, [&](std::size_t begin, std::size_t end) {
       for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
       {
@@ -304,7 +314,7 @@ private:
         for (int i = 0; i < terrain.Width; ++i)
         {
           const double x = (i - 0.5 * (terrain.Width - 1)) * terrain.Spacing[0];
-          terrain.At(i, j) = own.Mean + slope[0] * x + slope[1] * y + field.At(i, j);
+          terrain.At(i, j) = plane.Mean + plane.Slope[0] * x + plane.Slope[1] * y + field.At(i, j);
         }
       }
     });
@@ -365,17 +375,23 @@ private:
     }
     // Cuts bend the ground up, fills bend it down.
     this->Cut = std::clamp(this->Cut - 0.1 * rate * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
+    const std::vector<int> lags = SemivarianceLags(this->Terrain.Width, this->Terrain.Height);
+    std::vector<double> wanted;
+    for (std::size_t n = 0; n < lags.size(); ++n)
+    {
+      wanted.push_back(this->Target.Measures.SemivarianceAt(measures.Lags[n]) / measures.Semivariance[n]);
+    }
+    const BandGains gains = this->Bands->GainsFor(lags, wanted);
+    this->PlaneGain = std::clamp(this->PlaneGain * std::pow(gains.Plane, rate), LeastPlane, MostPlane);
+    for (std::size_t wave = 0; wave < 9; ++wave)
+    {
+      this->WaveGains[wave] =
+        std::clamp(this->WaveGains[wave] * std::pow(gains.LongWaves[wave], rate), LeastGain, MostGain);
+    }
     for (std::size_t ring = 1; ring < this->Corrections.size(); ++ring)
     {
-      // A wave differs most over half its length.
-      const double lag =
-        std::clamp(0.5 / (static_cast<double>(ring) * this->Step), measures.Lags.front(), measures.Lags.back());
-      const double ratio = this->Target.Measures.SemivarianceAt(lag) / measures.SemivarianceAt(lag);
-      if (ratio > 0.0)
-      {
-        double& correction = this->Corrections[ring];
-        correction = std::clamp(correction * std::pow(std::clamp(ratio, 0.6, 1.6), 0.5 * rate), LeastGain, MostGain);
-      }
+      double& correction = this->Corrections[ring];
+      correction = std::clamp(correction * std::pow(gains.Rings[ring], rate), LeastGain, MostGain);
     }
   }
 
@@ -388,8 +404,10 @@ private:
   double Steepness; ///< the target's slope at the law's reference area
   double SlopePart = LeastSlopePart;
   double Cut = CutPart;
-  double Step = 1.0;
-  std::vector<double> Corrections; ///< of the rings' gains
+  double PlaneGain = 1.0;
+  std::array<double, 9> WaveGains{ 1, 1, 1, 1, 1, 1, 1, 1, 1 };
+  std::vector<double> Corrections;        ///< of the rings' gains
+  std::optional<SemivarianceBands> Bands; ///< of the field whose spectrum was restored last
   double Done = 0.0;
 };
 

@@ -43,7 +43,7 @@ struct CarvingParameters
   DrainageOutlets Outlets;
   int ErosionSteps = 10;      ///< steps of stream power before the rounds, 0 to 100
   double Incision = 2.0;      ///< K A^m dt / d of a step at a drainage area of 100 cells, above 0, at most 100
-  int MostRounds = 20;        ///< 1 to 100
+  int MostRounds = 40;        ///< 1 to 100
   double ChannelCells = 50.0; ///< drainage area from which the channel law rules, hillslopes below [cells], 1 to 1e6
   double ValleyWidth = 3.0;   ///< standard deviation of the width over which a cut is spread [cells], 0.5 to 50
   BreachPath Path = BreachPath::LeastCost;

@@ -3,6 +3,7 @@
 #include "../OnThreads.h"
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageCarving.h"
+#include "Drainage/SemivarianceBands.h"
 #include "Drainage/StreamPower.h"
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/Constants.h"
@@ -121,6 +122,74 @@ TEST(RingSpectrum, GainsOfRingsMultiplyTheirPower)
   for (std::size_t ring = 0; ring < before.Power.size(); ++ring)
   {
     EXPECT_NEAR(after.Power[ring], 2.25 * before.Power[ring], 1e-12 + 1e-12 * before.Power[ring]);
+  }
+}
+
+TEST(SemivarianceBands, AWaveOrAPlaneAloneHasItsOwnSemivariance)
+{
+  const double step = 0.5 / 66.0;
+  for (const auto& wave : { std::array<int, 2>{ 1, 0 }, { 0, 2 }, { 2, 1 }, { 5, 3 }, { 0, 11 } })
+  {
+    GridSamples coefficients = Ground(40, 22, { 2.0, 3.0 }, [](double, double) { return 0.0; });
+    coefficients.At(wave[0], wave[1]) = 7.0;
+    const SemivarianceBands bands(coefficients, step, 60, {}, OnThreads(3));
+    GridSamples field = coefficients;
+    InverseCosineTransform(field);
+    const std::vector<int> lags = SemivarianceLags(40, 22);
+    const std::vector<double> semivariance = SemivarianceAlongAxes(field, lags);
+    double variance = 0.0;
+    for (std::size_t band = 0; band < bands.Count(); ++band)
+    {
+      variance += bands.VarianceOf(band);
+    }
+    EXPECT_NEAR(variance, SumOfSquares(field) / 880.0, 1e-12);
+    for (std::size_t n = 0; n < lags.size(); ++n)
+    {
+      double sum = 0.0;
+      for (std::size_t band = 0; band < bands.Count(); ++band)
+      {
+        sum += bands.PartOf(band, lags[n]);
+      }
+      EXPECT_NEAR(sum, semivariance[n], 1e-12) << wave[0] << " " << wave[1] << " " << lags[n];
+    }
+  }
+  const GridSamples none = Ground(40, 22, { 2.0, 3.0 }, [](double, double) { return 0.0; });
+  GridSamples plane = Ground(40, 22, { 2.0, 3.0 }, [](double x, double y) { return 0.3 * x - 0.1 * y; });
+  const double semivariance = SemivarianceAlongAxes(plane, { 5 })[0];
+  const SemivarianceBands bands(none, step, 60, RemovePlane(plane));
+  EXPECT_NEAR(bands.PartOf(bands.Count() - 1, 5), semivariance, 1e-12);
+}
+
+TEST(SemivarianceBands, GainsGiveBackWhatAChangeOfPowerTook)
+{
+  const GridSamples field = NormalNoise(48, 48, { 1.0, 1.0 }, 4);
+  const std::vector<int> lags = SemivarianceLags(48, 48);
+  const double step = 0.5 / 48.0;
+  GridSamples changed = field;
+  CosineTransform(changed);
+  std::vector<double> less(68, 1.0);
+  std::fill(less.begin() + 30, less.end(), 0.9);
+  MultiplyRings(changed, step, less);
+  const SemivarianceBands bands(changed, step, less.size(), {});
+  InverseCosineTransform(changed);
+  // Against variance, so that the heights' own does not matter.
+  const std::vector<double> before = SemivarianceAlongAxes(field, lags);
+  const std::vector<double> after = SemivarianceAlongAxes(changed, lags);
+  const double scale = SumOfSquares(changed) / SumOfSquares(field);
+  std::vector<double> wanted;
+  for (std::size_t n = 0; n < lags.size(); ++n)
+  {
+    wanted.push_back(before[n] * scale / after[n]);
+  }
+  const BandGains gains = bands.GainsFor(lags, wanted);
+  EXPECT_GT(gains.Rings[55], gains.Rings[10]);
+  for (const double gain : bands.GainsFor(lags, std::vector<double>(lags.size(), 1.0)).Rings)
+  {
+    EXPECT_EQ(gain, 1.0);
+  }
+  for (const double gain : bands.GainsFor(lags, std::vector<double>(lags.size(), std::nan(""))).Rings)
+  {
+    EXPECT_EQ(gain, 1.0); // no lag in common
   }
 }
 

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LittoralSemivarianceBands_h
+#define LittoralSemivarianceBands_h
+
+#include "Numerics/Parallel.h"
+#include "Terrain/GridSamples.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace littoral
+{
+
+/// Changes of amplitude.
+struct BandGains
+{
+  std::vector<double> Rings;         ///< of each ring of the spectrum
+  std::array<double, 9> LongWaves{}; ///< of coefficient (i, j), i and j below 3, at 3 j + i, beside that of its ring
+  double Plane = 1.0;
+};
+
+/**
+ * What bands of waves of a field, and its plane, give to its semivariances along x and y. Each of the eight longest
+ * waves is a band of its own; the others have rings of the spectrum, of which each band has a fourth more than the one
+ * before.
+ */
+class SemivarianceBands
+{
+public:
+  /// Of the coefficients of a cosine transform, in so many rings of a width [cycles/m], and a plane.
+  SemivarianceBands(const GridSamples& coefficients, double step, std::size_t rings, const PlaneTrend& plane,
+    const ParallelFor& parallel = SerialFor);
+
+  /// Of the bands: long waves, rings, plane.
+  std::size_t Count() const { return LongWaves + this->First.size() + 1; }
+
+  /// Part of a band in the semivariance of a lag [cells]: half the mean squared difference of the pairs within the grid
+  /// of each of its waves alone.
+  double PartOf(std::size_t band, int lag) const;
+
+  /// Variance of the heights that a band gives.
+  double VarianceOf(std::size_t band) const;
+
+  /// Gains after which semivariances are `wanted` times what they are at lags [cells] while the variance stays, as far
+  /// as small changes suffice: least squares of the relative misfits, and of the changes of power times a weight.
+  BandGains GainsFor(const std::vector<int>& lags, const std::vector<double>& wanted) const;
+
+private:
+  static constexpr std::size_t LongWaves = 8;
+
+  bool IsPlane(std::size_t band) const { return band + 1 == this->Count(); }
+
+  int Width;
+  int Height;
+  std::size_t Rings;
+  std::array<double, 2> Fall;                ///< of the plane from cell to cell along x and y [m]
+  std::vector<std::size_t> First;            ///< of the rings of each band
+  std::vector<std::vector<double>> PowerOfX; ///< of each band: sum of squares by the wave along x
+  std::vector<std::vector<double>> PowerOfY;
+};
+
+}
+
+#endif
