@@ -3,7 +3,7 @@
 #include "SceneFile.h"
 
 #include "Numerics/Constants.h"
-#include "Plants/JointReduction.h"
+#include "Plants/SampledCurve.h"
 #include "ReplacedFile.h"
 #include "SceneBuffer.h"
 #include "SceneView.h"
@@ -275,10 +275,12 @@ void ModelMaker::AddAnimation()
   tinygltf::Animation animation;
   animation.name = "Motion";
   int stride = 1;
+  const char* between = "LINEAR";
   const auto add = [&](int node, const char* path, int output) {
     tinygltf::AnimationSampler sampler;
     sampler.input = times[stride];
     sampler.output = output;
+    sampler.interpolation = between;
     tinygltf::AnimationChannel channel;
     channel.sampler = static_cast<int>(animation.samplers.size());
     channel.target_node = node;
@@ -289,6 +291,7 @@ void ModelMaker::AddAnimation()
   for (const SceneTrack& track : this->From.Tracks)
   {
     stride = track.Stride;
+    between = track.IsSmooth ? "CUBICSPLINE" : "LINEAR";
     if (!track.Rotations.empty())
     {
       add(track.Node, "rotation", this->Buffer.AddRotations(track.Rotations));

@@ -156,6 +156,7 @@ SceneTrack TrackOf(const JointTrack& joint, int index, SceneNode& node)
   SceneTrack track;
   track.Node = index;
   track.Stride = joint.Stride;
+  track.IsSmooth = joint.IsSmooth;
   if (joint.Rotations.size() == 1)
   {
     constexpr double parts = 1e6;
@@ -173,6 +174,12 @@ SceneTrack TrackOf(const JointTrack& joint, int index, SceneNode& node)
     Append(track.Translations, Vector3(sample));
   }
   return track;
+}
+
+/// Frames a second.
+double RateOf(const std::vector<float>& times)
+{
+  return times.size() > 1 ? static_cast<double>(times.size() - 1) / (times.back() - times.front()) : 1.0;
 }
 
 /// The sum of colors.
@@ -528,7 +535,7 @@ void MovingPlants::AddGroup(const std::vector<const Plant*>& group, double toler
     motions.push_back(this->MotionOf(*plant));
     largest = std::max(largest, plant->Place.Scale);
   }
-  const ReducedJoints reduced = ReduceJoints(tree, motions, tolerance / largest, SmpFor);
+  const ReducedJoints reduced = ReduceJoints(tree, motions, tolerance / largest, RateOf(scene.Times), SmpFor);
   if (reduced.Kept.size() > mostJoints)
   {
     throw std::length_error(this->Name + " has a plant of more than 65536 joints; take a larger JointTolerance.");

@@ -123,6 +123,39 @@ def check_interruption(file):
     assert all(blender.is_whole(os.path.join("out", name)) for name in os.listdir("out"))
 
 
+def processes_with(word):
+    """Ids of the processes whose command names a word, apart from this one."""
+    found = []
+    for process in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{process}/cmdline", "rb") as line:
+                words = line.read()
+        except OSError:
+            continue
+        if word.encode() in words and int(process) != os.getpid():
+            found.append(int(process))
+    return found
+
+
+def check_orphan(file):
+    """A Blender whose starter is killed, while it draws, ends too and leaves nothing behind."""
+    folder = os.path.abspath("orphan")
+    os.makedirs(folder)
+    environment = {**os.environ, "TMPDIR": folder}
+    with subprocess.Popen([*command(file, "out"), "--size", "1920", "1080", "--samples", "4000"], env=environment) as starter:
+        until = time.monotonic() + 60.0
+        while not processes_with(f"{folder}/littoral-") and time.monotonic() < until:
+            time.sleep(0.05)
+        time.sleep(4.0)  # at work
+        assert starter.poll() is None and len(processes_with(f"{folder}/littoral-")) == 1
+        starter.kill()
+    until = time.monotonic() + 20.0
+    while processes_with(f"{folder}/littoral-") and time.monotonic() < until:
+        time.sleep(0.05)
+    assert not processes_with(f"{folder}/littoral-"), "Blender lives on without its starter"
+    assert not os.listdir(folder), os.listdir(folder)
+
+
 def command(*words):
     return [sys.executable, "-B", "-m", "littoral.blender", *words, "--size", "24", "16", "--samples", "1"]
 
@@ -278,6 +311,7 @@ if __name__ == "__main__":
         check_contents("scene.glb")
         check_interruption("scene.glb")
         check_film("scene.glb")
+        check_orphan("scene.glb")
         check_full_disk("scene.glb")
         check_motion_blur()
         check_fog()

@@ -52,18 +52,29 @@ def render(scene, picture=None, blend=None, report=None, **options):
         made = {name: os.path.join(folder, name) for name in wanted}
         job = os.path.join(folder, "job.json")
         with open(job, "w", encoding="utf-8") as file:
-            json.dump({"scene": os.path.abspath(scene), "rate": RATE, **made, **options}, file)
-        environment = {name: value for name, value in os.environ.items() if name not in OTHERS}
-        ran = subprocess.run(
-            [program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job], env=environment,
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
+            json.dump({"scene": os.path.abspath(scene), "rate": RATE, "lives": True, **made, **options}, file)
+        returned, output = run([program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job])
         missing = [name for name, path in made.items() if not os.path.isfile(path)]
-        if ran.returncode or missing or (picture and not is_whole(made["picture"])):
-            lines = [line for line in ran.stdout.splitlines() if line.strip()]
+        if returned or missing or (picture and not is_whole(made["picture"])):
+            lines = [line for line in output.splitlines() if line.strip()]
             raise RenderError("Blender has failed: " + " | ".join(lines[-4:]))
         for name, target in wanted.items():
             with files.replaced(target) as path:
                 shutil.copyfile(made[name], path)
+
+
+def run(words):
+    """Run Blender; returns its exit code and what it says. Its standard input is a pipe that ends when this process does,
+    however it ends: then Blender ends too."""
+    environment = {name: value for name, value in os.environ.items() if name not in OTHERS}
+    with subprocess.Popen(words, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace") as blender:
+        try:
+            output = blender.stdout.read()
+        except BaseException:
+            blender.kill()
+            raise
+        return blender.wait(), output
 
 
 def is_whole(picture):

@@ -4,12 +4,15 @@
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
 engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of a frame that the shutter is
-open; report, a JSON file to write with what the scene holds.
+open; report, a JSON file to write with what the scene holds; lives, whether standard input is a pipe that ends with the
+process that has started this.
 """
 
 import json
 import os
+import shutil
 import sys
+import threading
 
 import bpy
 import numpy as np
@@ -138,6 +141,18 @@ def about_mesh(mesh, matrices):
             "kinds": sorted({material.get("kind", "") for material in mesh.materials if material})}
 
 
+def end_with_starter(folder):
+    """End when standard input does, and take along the temporary folders, which nobody else would remove then."""
+    def watch():
+        while os.read(0, 1):
+            pass
+        for made in (folder, bpy.app.tempdir):
+            shutil.rmtree(made, ignore_errors=True)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
 def main(job):
     file, extras = build(job["scene"])
     set_quality(job, extras)
@@ -153,5 +168,9 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as text:
-        main(json.load(text))
+    path = sys.argv[sys.argv.index("--") + 1]
+    with open(path, encoding="utf-8") as text:
+        given = json.load(text)
+    if given.get("lives"):
+        end_with_starter(os.path.dirname(os.path.abspath(path)))
+    main(given)
