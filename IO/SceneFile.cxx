@@ -193,13 +193,16 @@ void ModelMaker::AddPrimitives(const SceneMesh& from, tinygltf::Mesh& mesh)
   add("POSITION", from.Positions, 3);
   add("NORMAL", from.Normals, 3);
   add("TEXCOORD_0", from.TextureCoordinates, 2);
-  add("COLOR_0", from.Colors, from.ColorParts);
   add("_VELOCITY", from.Velocities, 3);
   add("_RADIUS", from.Radii, 1);
-  add("WEIGHTS_0", from.JointWeights, 4);
+  if (!from.Colors.empty())
+  {
+    attributes["COLOR_0"] = this->Buffer.AddColors(from.Colors, from.ColorParts);
+  }
   if (!from.JointIds.empty())
   {
     attributes["JOINTS_0"] = this->Buffer.AddJoints(from.JointIds);
+    attributes["WEIGHTS_0"] = this->Buffer.AddWeights(from.JointWeights);
   }
   std::vector<std::map<std::string, int>> targets;
   for (const SceneMesh::Target& target : from.Targets)

@@ -21,12 +21,12 @@ constexpr double Rounding = 5e-5; // of positions in single precision [m]
 
 /// Shares of the tolerance: what follows a joint that is left out may be off by the first one, and the foot of a joint
 /// on another one by the second one.
-constexpr double LeftOutShare = 0.7;
-constexpr double FootShare = 0.25;
+constexpr double LeftOutShare = 0.85;
+constexpr double FootShare = 0.15;
 
 /// Frames from a sample to the next one that are tried, besides the first and last frame alone. Where twigs sway twice a
 /// second, the best cubic curves over 6 of 24 frames a second are closer than the best lines over 2, and keep as much.
-constexpr int Strides[] = { 60, 40, 30, 24, 20, 15, 12, 10, 8, 6, 5, 4, 3, 2 };
+constexpr int Strides[] = { 60, 40, 30, 24, 20, 17, 15, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2 };
 
 /// Where a joint is.
 struct Pose
@@ -82,13 +82,13 @@ std::vector<Vector3> CornersOf(const JointTree& tree, int joint)
 
 //----------------------------------------------------------------------------
 /// Whether a joint takes another one and its box to where they belong, in all frames of all plants.
-bool IsCarried(
-  const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, int joint, int by, double tolerance)
+bool IsCarried(const JointTree& tree, const std::vector<MovingPlant>& plants, int joint, int by)
 {
   const std::vector<Vector3> corners = CornersOf(tree, joint);
-  for (const std::vector<JointFrame>& frames : plants)
+  for (const MovingPlant& plant : plants)
   {
-    for (const JointFrame& frame : frames)
+    const double tolerance = LeftOutShare * plant.Tolerance;
+    for (const JointFrame& frame : plant.Frames)
     {
       const Pose right = PoseOf(frame, joint);
       const Pose carrier = PoseOf(frame, by);
@@ -105,14 +105,16 @@ bool IsCarried(
 }
 
 /// Keeps joints one after the other where what follows them is not carried by those that are kept.
-ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
+ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<MovingPlant>& plants)
 {
+  const bool isExact =
+    std::any_of(plants.begin(), plants.end(), [](const MovingPlant& plant) { return plant.Tolerance <= 0.0; });
   ReducedJoints result;
   for (int joint = 0; joint < static_cast<int>(tree.Parents.size()); ++joint)
   {
     const int parent = tree.Parents[joint];
     const int kept = parent < 0 ? -1 : result.Follows[parent];
-    const bool isEnough = kept >= 0 && tolerance > 0.0 && IsCarried(tree, plants, joint, result.Kept[kept], tolerance);
+    const bool isEnough = kept >= 0 && !isExact && IsCarried(tree, plants, joint, result.Kept[kept]);
     result.Follows.push_back(isEnough ? kept : static_cast<int>(result.Kept.size()));
     if (!isEnough)
     {
@@ -163,13 +165,12 @@ struct Probe
 class JointSampler
 {
 public:
-  JointSampler(const JointTree& tree, const ReducedJoints& joints, const std::vector<JointFrame>& frames,
-    double tolerance, double frameRate)
+  JointSampler(const JointTree& tree, const ReducedJoints& joints, const MovingPlant& plant, double frameRate)
     : Tree(tree)
     , Joints(joints)
-    , Frames(frames)
-    , Samplings(SamplingsOf(static_cast<int>(frames.size())))
-    , Tolerance(tolerance)
+    , Frames(plant.Frames)
+    , Samplings(SamplingsOf(static_cast<int>(plant.Frames.size())))
+    , Tolerance(plant.Tolerance)
     , FrameRate(frameRate)
     , Followers(joints.Kept.size())
     , Children(joints.Kept.size())
@@ -429,7 +430,7 @@ private:
     for (std::size_t probe = 0; probe < probes.size(); ++probe)
     {
       const double own = probes[probe].IsFoot ? FootShare * tolerance : tolerance;
-      limits.push_back(std::max(own, errors[probe] + (probes[probe].IsFoot ? 0.1 * tolerance : 0.0)));
+      limits.push_back(std::max(own, errors[probe] + (probes[probe].IsFoot ? 0.04 * tolerance : 0.0)));
     }
     if (isHeld && this->IsGood(kept, probes, limits, this->Still(kept)))
     {
@@ -458,15 +459,15 @@ void JointTree::Box::Add(const Vector3& place)
 }
 
 //----------------------------------------------------------------------------
-ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance,
-  double frameRate, const ParallelFor& parallelFor)
+ReducedJoints ReduceJoints(
+  const JointTree& tree, const std::vector<MovingPlant>& plants, double frameRate, const ParallelFor& parallelFor)
 {
-  ReducedJoints result = ChooseJoints(tree, plants, LeftOutShare * tolerance);
+  ReducedJoints result = ChooseJoints(tree, plants);
   result.Tracks.resize(plants.size());
   parallelFor(plants.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t plant = begin; plant < end; ++plant)
     {
-      result.Tracks[plant] = JointSampler(tree, result, plants[plant], tolerance, frameRate).Sample();
+      result.Tracks[plant] = JointSampler(tree, result, plants[plant], frameRate).Sample();
     }
   });
   return result;

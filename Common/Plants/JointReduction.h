@@ -40,6 +40,13 @@ struct JointFrame
   std::vector<glm::vec3> Positions;
 };
 
+/// The frames of a plant, and by how much what follows its joints may be off [m].
+struct MovingPlant
+{
+  std::vector<JointFrame> Frames;
+  double Tolerance = 0.0;
+};
+
 /// The motion of a joint relative to the one that it hangs on: samples, with the shortest turn and a straight line
 /// from one to the next, or cubic curves (Hermite's) of the numbers of the quaternion and of the place.
 struct JointTrack
@@ -61,11 +68,11 @@ struct ReducedJoints
 
 /**
  * The joints and samples that are needed to move plants of one tree so that no place in the box of a joint is further
- * than the tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps
+ * than the tolerance of the plant [m] from where all joints take it, in any frame. Roots are kept; tolerances of 0 keep
  * all joints and samples. There are frameRate frames a second.
  */
-ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance,
-  double frameRate, const ParallelFor& parallelFor = SerialFor);
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<MovingPlant>& plants, double frameRate,
+  const ParallelFor& parallelFor = SerialFor);
 
 }
 

@@ -39,8 +39,9 @@ class Glb:
         """The array of an accessor [tuples, parts]; normalized integers as numbers from -1 to 1."""
         accessor = self.accessors[index]
         kind, parts = TYPES[accessor["componentType"]], PARTS[accessor["type"]]
-        array = np.frombuffer(self.view(accessor["bufferView"]), kind, accessor["count"] * parts, accessor.get("byteOffset", 0))
-        array = array.reshape(-1, parts)
+        step = self.bufferViews[accessor["bufferView"]].get("byteStride", parts * np.dtype(kind).itemsize)
+        array = np.ndarray((accessor["count"], parts), kind, self.view(accessor["bufferView"]), accessor.get("byteOffset", 0),
+                           (step, np.dtype(kind).itemsize))
         return array / np.iinfo(kind).max if accessor.get("normalized") else array
 
     def named(self, name):

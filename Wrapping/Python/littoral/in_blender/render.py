@@ -34,7 +34,8 @@ def build(path):
     fog, sky = extras.get("fog", {}), extras.get("sky", {})
     water = Water(extras["water"], towards, lux) if "water" in extras else None
     is_below = water is not None and eye(file)[2] < water.level
-    air = light.Air(towards, None if is_below else fog.get("sight"), fog.get("height", 260.0), sky.get("dust", 1.0))
+    air = light.Air(towards, None if is_below else fog.get("sight"), fog.get("height", 260.0), sky.get("dust", 1.0),
+                    clouds=sky.get("clouds", 0.0))
     air.light_world()
     light.add_sun(water.towards if is_below else towards, lux, color, 0.3 if is_below else 1.0)
     if is_below:
