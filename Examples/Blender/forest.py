@@ -42,7 +42,7 @@ GRASS = dict(
 
 #: A flower on its stalk, as a tree with few leaves at the top.
 FLOWER = dict(
-    Height=0.42, CrownRadius=0.05, CrownBase=0.88, TrunkRadius=0.003, TrunkReach=0.95, Orders=1, MainBranches=4,
+    Height=0.42, CrownRadius=0.05, CrownBase=0.35, TrunkRadius=0.003, TrunkReach=0.95, Orders=1, MainBranches=4,
     BranchAngle=70.0, Lift=0.0, NumberOfLeaves=9, LeafSize=0.05, LeafWidth=0.7)
 #: A hazel, open and with shoots of unequal length.
 HAZEL = dict(

@@ -92,7 +92,7 @@ def kelp_sites(height, seed=9):
     feet = height(*tall.T)
     return landscape.points_with(
         np.concatenate((places, np.column_stack((tall, feet)))), Species=np.repeat(np.int32((0, 1)), (len(places), len(tall))),
-        Scale=np.concatenate((scale, (-0.3 - feet) / 14.6 * random.uniform(0.9, 1.12, len(tall)))))
+        Scale=np.concatenate((scale, (-0.5 - feet) / 14.6 * random.uniform(0.85, 1.0, len(tall)))))
 
 
 def kelp(sea, sites, time):

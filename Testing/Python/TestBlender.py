@@ -141,8 +141,11 @@ def check_orphan(file):
     """A Blender whose starter is killed, while it draws, ends too and leaves nothing behind."""
     folder = os.path.abspath("orphan")
     os.makedirs(folder)
+    script = "orphan.py"
+    with open(script, "w", encoding="utf-8") as text:
+        text.write(f"import shutil\ndef write_scene(name, frame=0):\n    shutil.copyfile({os.path.abspath(file)!r}, name)\n")
     environment = {**os.environ, "TMPDIR": folder}
-    with subprocess.Popen([*command(file, "out"), "--size", "1920", "1080", "--samples", "4000"], env=environment) as starter:
+    with subprocess.Popen([*command(script, "out"), "--size", "1920", "1080", "--samples", "4000"], env=environment) as starter:
         until = time.monotonic() + 60.0
         while not processes_with(f"{folder}/littoral-") and time.monotonic() < until:
             time.sleep(0.05)

@@ -488,6 +488,8 @@ class Motion(Written):
             count = g.accessors[sampler["output"]]["count"]
             self.assertEqual(count, 3 * g.accessors[sampler["input"]]["count"])
             self.assertLess(count, 73)
+        turns = [g.accessors[s["output"]]["count"] for s in samplers if g.accessors[s["output"]]["type"] == "VEC4"]
+        self.assertLess(sum(turns), 0.7 * 73 * len(turns))
 
     def test_kelp(self):
         state = make("vtkSeaStateSource", NumberOfTrains=12, SeaLevel=4.0)

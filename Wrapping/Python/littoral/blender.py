@@ -52,7 +52,8 @@ def render(scene, picture=None, blend=None, report=None, **options):
         made = {name: os.path.join(folder, name) for name in wanted}
         job = os.path.join(folder, "job.json")
         with open(job, "w", encoding="utf-8") as file:
-            json.dump({"scene": os.path.abspath(scene), "rate": RATE, "lives": True, **made, **options}, file)
+            json.dump({"scene": os.path.abspath(scene), "rate": RATE, **made, **options,
+                       "litter": [folder, *options.get("litter", ())]}, file)
         returned, output = run([program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job])
         missing = [name for name, path in made.items() if not os.path.isfile(path)]
         if returned or missing or (picture and not is_whole(made["picture"])):
@@ -101,12 +102,14 @@ def render_frames(scene, pictures, blend=None, **options):
         print(f"{len(pictures) - len(left)} of {len(pictures)} pictures are there", flush=True)
     begin = time.monotonic()
     for number, frame in enumerate(left, 1):
-        with tempfile.TemporaryDirectory(prefix="littoral-") as folder:
-            file = scene
-            if not scene.endswith(".glb"):  # those have files beside them
+        wanted = pictures[frame], blend if number == 1 else None
+        if scene.endswith(".glb"):  # those have files beside them
+            render(scene, *wanted, frame=frame, **options)
+        else:
+            with tempfile.TemporaryDirectory(prefix="littoral-") as folder:
                 file = os.path.join(folder, "scene.glb")
                 write_scene(scene, file, frame)
-            render(file, pictures[frame], blend if number == 1 else None, frame=frame, **options)
+                render(file, *wanted, frame=frame, litter=[folder], **options)
         gone = time.monotonic() - begin
         rest = gone / number * (len(left) - number)
         print(f"{pictures[frame]}: {gone:.0f} s" + (f", about {rest:.0f} s left" if rest else ""), flush=True)

@@ -4,8 +4,8 @@
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
 engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of a frame that the shutter is
-open; report, a JSON file to write with what the scene holds; lives, whether standard input is a pipe that ends with the
-process that has started this.
+open; report, a JSON file to write with what the scene holds; litter, temporary folders: then standard input is a pipe
+that ends with the process that has started this.
 """
 
 import json
@@ -142,12 +142,12 @@ def about_mesh(mesh, matrices):
             "kinds": sorted({material.get("kind", "") for material in mesh.materials if material})}
 
 
-def end_with_starter(folder):
-    """End when standard input does, and take along the temporary folders, which nobody else would remove then."""
+def end_with_starter(litter):
+    """End when standard input does, and take along temporary folders, which nobody else would remove then."""
     def watch():
         while os.read(0, 1):
             pass
-        for made in (folder, bpy.app.tempdir):
+        for made in (*litter, bpy.app.tempdir):
             shutil.rmtree(made, ignore_errors=True)
         os._exit(1)
 
@@ -169,9 +169,8 @@ def main(job):
 
 
 if __name__ == "__main__":
-    path = sys.argv[sys.argv.index("--") + 1]
-    with open(path, encoding="utf-8") as text:
+    with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as text:
         given = json.load(text)
-    if given.get("lives"):
-        end_with_starter(os.path.dirname(os.path.abspath(path)))
+    if "litter" in given:
+        end_with_starter(given["litter"])
     main(given)
