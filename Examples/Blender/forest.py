@@ -43,7 +43,7 @@ GRASS = dict(
 #: A flower on its stalk, as a tree with few leaves at the top.
 FLOWER = dict(
     Height=0.42, CrownRadius=0.05, CrownBase=0.35, TrunkRadius=0.003, TrunkReach=0.95, Orders=1, MainBranches=4,
-    BranchAngle=70.0, Lift=0.0, NumberOfLeaves=9, LeafSize=0.05, LeafWidth=0.7)
+    BranchAngle=70.0, Lift=0.0, NumberOfLeaves=9, LeafSize=0.065, LeafWidth=0.7)
 #: A hazel, open and with shoots of unequal length.
 HAZEL = dict(
     Height=3.4, CrownRadius=1.9, CrownBase=0.1, TrunkRadius=0.03, TrunkReach=0.3, Orders=3, MainBranches=9, SideBranches=6,
@@ -225,7 +225,7 @@ def write_scene(filename, frame=0):
     write_glb(
         filename, sources, camera=(eye, focus, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0), 
         kinds={"Grass": "grass", "Flowers": "grass"},
-        extras={"fog": {"sight": 1900.0, "height": 160.0}, "sky": {"clouds": 0.45}, "exposure": 1.9}, LevelForm=2)
+        extras={"fog": {"sight": 3000.0, "height": 160.0}, "sky": {"clouds": 0.6}, "exposure": 1.9}, LevelForm=2)
 
 
 if __name__ == "__main__":

@@ -140,8 +140,8 @@ def write_scene(filename, frame=0):
     write_glb(
         filename, sources, camera=(EYE, FOCUS, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0),
         kinds={"Surface": "water", "Bed": "ground", "Particles": "particle"},
-        extras={"water": {"level": 0.0, "extinction": underwater.EXTINCTION, "color": [0.55, 0.90, 1.0]},
-                "exposure": 0.9}, LevelForm=2)
+        extras={"water": {"level": 0.0, "extinction": underwater.EXTINCTION, "color": [0.32, 0.74, 1.0]},
+                "exposure": 1.0}, LevelForm=2)
 
 
 if __name__ == "__main__":
