@@ -24,8 +24,9 @@ constexpr double Rounding = 5e-5; // of positions in single precision [m]
 constexpr double LeftOutShare = 0.85;
 constexpr double FootShare = 0.15;
 
-/// Frames from a sample to the next one that are tried, besides the first and last frame alone. Where twigs sway twice a
-/// second, the best cubic curves over 6 of 24 frames a second are closer than the best lines over 2, and keep as much.
+/// Frames from a sample to the next one that are tried, besides the first and last frame alone. Where twigs sway twice
+/// a second, the best cubic curves over 6 of 24 frames a second are closer than the best lines over 2, and keep as
+/// much.
 constexpr int Strides[] = { 60, 40, 30, 24, 20, 17, 15, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2 };
 
 /// Where a joint is.
@@ -262,8 +263,7 @@ private:
       track.Rotations.push_back(
         Rounded(isSlope(index) ? this->FrameRate * turns[index] : glm::normalize(turns[index])));
     }
-    const std::vector<glm::dvec4> places =
-      isHeld ? std::vector<glm::dvec4>() : CurveThrough(motion.Places, sampling);
+    const std::vector<glm::dvec4> places = isHeld ? std::vector<glm::dvec4>() : CurveThrough(motion.Places, sampling);
     for (std::size_t index = 0; index < places.size(); ++index)
     {
       track.Translations.emplace_back(Vector3(isSlope(index) ? this->FrameRate * places[index] : places[index]));
@@ -322,14 +322,14 @@ private:
     const std::size_t before = std::min(static_cast<std::size_t>(frame / track.Stride), last);
     if (track.IsSmooth || last == 0)
     {
-      return RotationOf(last == 0 ? numbers(track.Rotations[0]) : this->ValueAt(track, track.Rotations, frame, numbers));
+      return RotationOf(
+        last == 0 ? numbers(track.Rotations[0]) : this->ValueAt(track, track.Rotations, frame, numbers));
     }
     const std::size_t after = std::min(before + 1, last);
     const int first = static_cast<int>(before) * track.Stride;
     const int length = std::min(track.Stride, this->FrameCount() - 1 - first);
     const double share = before == after || length <= 0 ? 0.0 : static_cast<double>(frame - first) / length;
-    return glm::slerp(
-      RotationOf(numbers(track.Rotations[before])), RotationOf(numbers(track.Rotations[after])), share);
+    return glm::slerp(RotationOf(numbers(track.Rotations[before])), RotationOf(numbers(track.Rotations[after])), share);
   }
 
   std::vector<Pose> Played(int kept, const JointTrack& track) const

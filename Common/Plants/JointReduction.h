@@ -51,8 +51,9 @@ struct MovingPlant
 /// from one to the next, or cubic curves (Hermite's) of the numbers of the quaternion and of the place.
 struct JointTrack
 {
-  int Stride = 1;        ///< frames from a sample to the next one, see SampledFrames()
-  bool IsSmooth = false; ///< cubic curves: three entries a sample, the slope [1/s] before it, its value, the slope after
+  int Stride = 1; ///< frames from a sample to the next one, see SampledFrames()
+  bool IsSmooth =
+    false; ///< cubic curves: three entries a sample, the slope [1/s] before it, its value, the slope after
   std::vector<std::array<std::int16_t, 4>> Rotations; ///< quaternions x, y, z, w times 32767; one if always the same
   std::vector<glm::vec3> Translations; ///< [m]; empty where the joint stays at its place at rest on the other
 };

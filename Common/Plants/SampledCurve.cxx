@@ -26,7 +26,8 @@ bool IsCubic(const Sampling& sampling, int length)
   return sampling.IsSmooth && length > 2;
 }
 
-/// A line: 1 - u and u. A cubic curve, Hermite's form: (1 + 2 u) (1 - u)^2, u^2 (3 - 2 u), L u (1 - u)^2, -L u^2 (1 - u).
+/// A line: 1 - u and u. A cubic curve, Hermite's form: (1 + 2 u) (1 - u)^2, u^2 (3 - 2 u), L u (1 - u)^2, -L u^2 (1 -
+/// u).
 Shares SharesAt(int step, int length, bool isCubic)
 {
   const double u = static_cast<double>(step) / length;

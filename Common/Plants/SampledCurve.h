@@ -20,8 +20,8 @@ struct Sampling
 /// Every so manieth frame from the first one on, and the last one.
 std::vector<int> SampledFrames(int frames, int stride);
 
-/// The numbers that a curve keeps: one a sample of lines; three of cubic curves, the slope before the sample, its value,
-/// and the slope after it.
+/// The numbers that a curve keeps: one a sample of lines; three of cubic curves, the slope before the sample, its
+/// value, and the slope after it.
 int CountOf(const Sampling& sampling, int frames);
 
 /**

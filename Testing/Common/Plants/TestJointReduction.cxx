@@ -132,19 +132,22 @@ Vector3 Played(const JointTree& tree, const ReducedJoints& reduced, int frames, 
   {
     const JointTrack& track = reduced.Tracks[plant][kept];
     const bool isSmooth = track.IsSmooth;
-    const Between found =
-      FindSamples(track.Rotations.size() / (isSmooth ? 3 : 1), track.Stride, frames, frame);
-    const glm::dvec4 smooth = !isSmooth ? glm::dvec4(0.0, 0.0, 0.0, 1.0) : SmoothAt([&](std::size_t index) {
-      const std::array<std::int16_t, 4>& parts = track.Rotations[index];
-      return glm::dvec4(parts[0], parts[1], parts[2], parts[3]) / 32767.0;
-    }, found);
-    const glm::dquat turn = isSmooth ? glm::normalize(glm::dquat(smooth.w, smooth.x, smooth.y, smooth.z))
-                                     : TurnBetween(track.Rotations[found.Before], track.Rotations[found.After], found.Share);
+    const Between found = FindSamples(track.Rotations.size() / (isSmooth ? 3 : 1), track.Stride, frames, frame);
+    const glm::dvec4 smooth = !isSmooth ? glm::dvec4(0.0, 0.0, 0.0, 1.0)
+                                        : SmoothAt(
+                                            [&](std::size_t index) {
+                                              const std::array<std::int16_t, 4>& parts = track.Rotations[index];
+                                              return glm::dvec4(parts[0], parts[1], parts[2], parts[3]) / 32767.0;
+                                            },
+                                            found);
+    const glm::dquat turn = isSmooth
+      ? glm::normalize(glm::dquat(smooth.w, smooth.x, smooth.y, smooth.z))
+      : TurnBetween(track.Rotations[found.Before], track.Rotations[found.After], found.Share);
     const int parent = reduced.Parents[kept];
     const Vector3 below = parent < 0 ? Vector3(0.0) : tree.Rests[reduced.Kept[parent]];
     const auto shift = [&](std::size_t index) { return glm::dvec4(Vector3(track.Translations[index]), 0.0); };
     const Vector3 offset = track.Translations.empty() ? tree.Rests[reduced.Kept[kept]] - below
-      : isSmooth ? Vector3(SmoothAt(shift, found))
+      : isSmooth                                      ? Vector3(SmoothAt(shift, found))
                  : Vector3(glm::mix(shift(found.Before), shift(found.After), found.Share));
     at = offset + turn * at;
   }
@@ -225,9 +228,9 @@ TEST(JointReduction, TakesFewSamples)
   ASSERT_EQ(reduced.Kept, (std::vector<int>{ 0, 1, 2 }));
   EXPECT_EQ(reduced.Tracks[0][0].Rotations.size(), 1u);
   EXPECT_EQ(reduced.Tracks[0][1].Rotations.size(), 2u);
-  // The best cubic curve over a time h is off by l a (w h / 2)^4 / 192: 2 m * 0.02 * (pi stride / 24)^4 / 192 is 5 mm at
-  // a stride of 17 and 10 mm at 20. The best lines are off by l a (w h)^2 / 16, which is 7 mm at a stride of 5, so they
-  // want 31 numbers.
+  // The best cubic curve over a time h is off by l a (w h / 2)^4 / 192: 2 m * 0.02 * (pi stride / 24)^4 / 192 is 5 mm
+  // at a stride of 17 and 10 mm at 20. The best lines are off by l a (w h)^2 / 16, which is 7 mm at a stride of 5, so
+  // they want 31 numbers.
   EXPECT_TRUE(reduced.Tracks[0][2].IsSmooth);
   EXPECT_EQ(reduced.Tracks[0][2].Stride, 17);
   EXPECT_EQ(reduced.Tracks[0][2].Rotations.size(), 27u);
@@ -335,7 +338,8 @@ std::vector<glm::dvec4> Noise(int count)
   return values;
 }
 
-double SumOfSquares(const std::vector<glm::dvec4>& curve, const Sampling& sampling, const std::vector<glm::dvec4>& values)
+double SumOfSquares(
+  const std::vector<glm::dvec4>& curve, const Sampling& sampling, const std::vector<glm::dvec4>& values)
 {
   double sum = 0.0;
   for (int frame = 0; frame < static_cast<int>(values.size()); ++frame)
@@ -373,8 +377,8 @@ TEST(SampledCurve, PassesThroughACubicPolynomial)
 TEST(SampledCurve, HasTheLeastSumOfSquares)
 {
   const std::vector<glm::dvec4> values = Noise(30);
-  for (const Sampling& sampling : { Sampling{ 2, false }, Sampling{ 5, false }, Sampling{ 4, true }, Sampling{ 7, true },
-         Sampling{ 29, true }, Sampling{ 29, false } })
+  for (const Sampling& sampling : { Sampling{ 2, false }, Sampling{ 5, false }, Sampling{ 4, true },
+         Sampling{ 7, true }, Sampling{ 29, true }, Sampling{ 29, false } })
   {
     const std::vector<glm::dvec4> curve = CurveThrough(values, sampling);
     const double least = SumOfSquares(curve, sampling, values);
