@@ -96,6 +96,8 @@ struct SceneTrack
 {
   int Node = -1;
   int Stride = 1; ///< times of the scene from a sample to the next one; the last time has one in any case
+  bool IsSmooth =
+    false; ///< cubic curves: three entries a sample, the slope [1/s] before it, its value, the slope after
   std::vector<std::int16_t> Rotations; ///< quaternions x, y, z, w times 32767
   std::vector<float> Translations;     ///< [m]
   std::vector<float> Weights;          ///< one for each target of the mesh

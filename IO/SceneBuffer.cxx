@@ -3,6 +3,7 @@
 #include "SceneBuffer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace littoral
@@ -98,10 +99,56 @@ void SceneBuffer::SetBounds(int index, const std::vector<float>& numbers, int co
 }
 
 //----------------------------------------------------------------------------
+/// Each vertex has the room of four parts, since it has to begin at a multiple of four bytes.
+int SceneBuffer::AddColors(const std::vector<float>& numbers, int components)
+{
+  constexpr float whole = 65535.0f;
+  constexpr std::size_t room = 4;
+  const std::size_t count = numbers.size() / components;
+  std::vector<std::uint16_t> parts(room * count, 0);
+  for (std::size_t number = 0; number < numbers.size(); ++number)
+  {
+    const float part = std::clamp(numbers[number], 0.0f, 1.0f);
+    parts[room * (number / components) + number % components] = static_cast<std::uint16_t>(std::lround(whole * part));
+  }
+  const int view = this->AddView(parts.data(), parts.size() * sizeof(std::uint16_t), TINYGLTF_TARGET_ARRAY_BUFFER);
+  this->Model.bufferViews[view].byteStride = room * sizeof(std::uint16_t);
+  const int index = this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TypeOf(components), count);
+  this->Model.accessors[index].normalized = true;
+  return index;
+}
+
+//----------------------------------------------------------------------------
 int SceneBuffer::AddJoints(const std::vector<std::uint16_t>& joints)
 {
   const int view = this->AddView(joints.data(), joints.size() * sizeof(std::uint16_t), TINYGLTF_TARGET_ARRAY_BUFFER);
   return this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4, joints.size() / 4);
+}
+
+//----------------------------------------------------------------------------
+/// Parts of 65535, whose sum is that: each is rounded with what the ones before it were off by.
+int SceneBuffer::AddWeights(const std::vector<float>& weights)
+{
+  constexpr double whole = 65535.0;
+  std::vector<std::uint16_t> parts;
+  parts.reserve(weights.size());
+  for (std::size_t first = 0; first < weights.size(); first += 4)
+  {
+    double sum = 0.0;
+    long given = 0;
+    for (std::size_t hold = 0; hold < 4; ++hold)
+    {
+      sum += static_cast<double>(weights[first + hold]);
+      const long part = (hold == 3 ? static_cast<long>(whole) : std::lround(whole * sum)) - given;
+      parts.push_back(static_cast<std::uint16_t>(part));
+      given += part;
+    }
+  }
+  const int view = this->AddView(parts.data(), parts.size() * sizeof(std::uint16_t), TINYGLTF_TARGET_ARRAY_BUFFER);
+  const int index =
+    this->AddAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4, parts.size() / 4);
+  this->Model.accessors[index].normalized = true;
+  return index;
 }
 
 //----------------------------------------------------------------------------

@@ -34,8 +34,14 @@ public:
   /// Other numbers with their bounds.
   int AddBounded(const std::vector<float>& numbers, int components);
 
+  /// Colors of vertices with three or four parts from 0 to 1, in units of 1/65535.
+  int AddColors(const std::vector<float>& numbers, int components);
+
   /// Joints of vertices, four each.
   int AddJoints(const std::vector<std::uint16_t>& joints);
+
+  /// Their weights, four each with the sum 1, in units of 1/65535.
+  int AddWeights(const std::vector<float>& weights);
 
   /// Samples of rotations, whose parts are in units of 1/32767. Those that follow one another share a view, as do
   /// numbers of samples: a scene has very many of them.

@@ -3,7 +3,7 @@
 #include "SceneFile.h"
 
 #include "Numerics/Constants.h"
-#include "Plants/JointReduction.h"
+#include "Plants/SampledCurve.h"
 #include "ReplacedFile.h"
 #include "SceneBuffer.h"
 #include "SceneView.h"
@@ -193,13 +193,16 @@ void ModelMaker::AddPrimitives(const SceneMesh& from, tinygltf::Mesh& mesh)
   add("POSITION", from.Positions, 3);
   add("NORMAL", from.Normals, 3);
   add("TEXCOORD_0", from.TextureCoordinates, 2);
-  add("COLOR_0", from.Colors, from.ColorParts);
   add("_VELOCITY", from.Velocities, 3);
   add("_RADIUS", from.Radii, 1);
-  add("WEIGHTS_0", from.JointWeights, 4);
+  if (!from.Colors.empty())
+  {
+    attributes["COLOR_0"] = this->Buffer.AddColors(from.Colors, from.ColorParts);
+  }
   if (!from.JointIds.empty())
   {
     attributes["JOINTS_0"] = this->Buffer.AddJoints(from.JointIds);
+    attributes["WEIGHTS_0"] = this->Buffer.AddWeights(from.JointWeights);
   }
   std::vector<std::map<std::string, int>> targets;
   for (const SceneMesh::Target& target : from.Targets)
@@ -275,10 +278,12 @@ void ModelMaker::AddAnimation()
   tinygltf::Animation animation;
   animation.name = "Motion";
   int stride = 1;
+  const char* between = "LINEAR";
   const auto add = [&](int node, const char* path, int output) {
     tinygltf::AnimationSampler sampler;
     sampler.input = times[stride];
     sampler.output = output;
+    sampler.interpolation = between;
     tinygltf::AnimationChannel channel;
     channel.sampler = static_cast<int>(animation.samplers.size());
     channel.target_node = node;
@@ -289,6 +294,7 @@ void ModelMaker::AddAnimation()
   for (const SceneTrack& track : this->From.Tracks)
   {
     stride = track.Stride;
+    between = track.IsSmooth ? "CUBICSPLINE" : "LINEAR";
     if (!track.Rotations.empty())
     {
       add(track.Node, "rotation", this->Buffer.AddRotations(track.Rotations));

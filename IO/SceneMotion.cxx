@@ -156,6 +156,7 @@ SceneTrack TrackOf(const JointTrack& joint, int index, SceneNode& node)
   SceneTrack track;
   track.Node = index;
   track.Stride = joint.Stride;
+  track.IsSmooth = joint.IsSmooth;
   if (joint.Rotations.size() == 1)
   {
     constexpr double parts = 1e6;
@@ -173,6 +174,12 @@ SceneTrack TrackOf(const JointTrack& joint, int index, SceneNode& node)
     Append(track.Translations, Vector3(sample));
   }
   return track;
+}
+
+/// Frames a second.
+double RateOf(const std::vector<float>& times)
+{
+  return times.size() > 1 ? static_cast<double>(times.size() - 1) / (times.back() - times.front()) : 1.0;
 }
 
 /// The sum of colors.
@@ -416,6 +423,7 @@ SceneMesh MovingPlants::RestOf(const Plant& plant, std::size_t part, JointTree& 
 /// The kept joints that the vertices of a part follow; those that have become one add their weights.
 void MovingPlants::AddHolds(const Plant& plant, std::size_t part, const ReducedJoints& reduced, SceneMesh& mesh) const
 {
+  constexpr float least = 2e-5f; // that is more than one part of 65535
   const Holds holds(this->Parts[part].Data);
   for (const std::uint32_t from : plant.Vertices[part])
   {
@@ -428,7 +436,7 @@ void MovingPlants::AddHolds(const Plant& plant, std::size_t part, const ReducedJ
       const float weight = holds.WeightOf(from, hold);
       const auto id = static_cast<std::uint16_t>(reduced.Follows[this->LocalJoints[holds.JointOf(from, hold)]]);
       const std::ptrdiff_t place = std::find(ids.begin(), ids.begin() + count, id) - ids.begin();
-      if (weight > 0.0f)
+      if (weight > least)
       {
         ids[place] = id;
         shares[place] += weight;
@@ -521,14 +529,12 @@ void MovingPlants::AddGroup(const std::vector<const Plant*>& group, double toler
       parts.push_back(part);
     }
   }
-  std::vector<std::vector<JointFrame>> motions;
-  double largest = 0.0;
+  std::vector<MovingPlant> motions;
   for (const Plant* plant : group)
   {
-    motions.push_back(this->MotionOf(*plant));
-    largest = std::max(largest, plant->Place.Scale);
+    motions.push_back({ this->MotionOf(*plant), tolerance / plant->Place.Scale });
   }
-  const ReducedJoints reduced = ReduceJoints(tree, motions, tolerance / largest, SmpFor);
+  const ReducedJoints reduced = ReduceJoints(tree, motions, RateOf(scene.Times), SmpFor);
   if (reduced.Kept.size() > mostJoints)
   {
     throw std::length_error(this->Name + " has a plant of more than 65536 joints; take a larger JointTolerance.");
@@ -573,8 +579,7 @@ void MovingPlants::AddSkinned(const Plant& plant, const Plant& first, const Join
     const Vector3 below = parent < 0 ? Vector3(0.0) : tree.Rests[reduced.Kept[parent]];
     const Vector3 offset = Short(tree.Rests[reduced.Kept[kept]] - below);
     const int index = firstNode + static_cast<int>(kept);
-    SceneNode node;
-    node.Name = "j" + std::to_string(kept);
+    SceneNode node; // without a name, as these are many
     node.Translation = { { offset.x, offset.y, offset.z } };
     SceneTrack track = TrackOf(tracks[kept], index, node);
     (parent < 0 ? foot : scene.Nodes[firstNode + parent]).Children.push_back(index);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/JointReduction.h"
 
+#include "Plants/SampledCurve.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -19,11 +21,13 @@ constexpr double Rounding = 5e-5; // of positions in single precision [m]
 
 /// Shares of the tolerance: what follows a joint that is left out may be off by the first one, and the foot of a joint
 /// on another one by the second one.
-constexpr double LeftOutShare = 0.7;
-constexpr double FootShare = 0.25;
+constexpr double LeftOutShare = 0.85;
+constexpr double FootShare = 0.15;
 
-/// Frames from a sample to the next one that are tried, besides the first and last frame alone.
-constexpr int Strides[] = { 60, 40, 30, 24, 20, 15, 12, 10, 8, 6, 5, 4, 3, 2 };
+/// Frames from a sample to the next one that are tried, besides the first and last frame alone. Where twigs sway twice
+/// a second, the best cubic curves over 6 of 24 frames a second are closer than the best lines over 2, and keep as
+/// much.
+constexpr int Strides[] = { 60, 40, 30, 24, 20, 17, 15, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2 };
 
 /// Where a joint is.
 struct Pose
@@ -40,15 +44,28 @@ Pose PoseOf(const JointFrame& frame, int joint)
   return { glm::normalize(glm::dquat(frame.Rotations[joint])), Vector3(frame.Positions[joint]) };
 }
 
-std::array<std::int16_t, 4> Rounded(const glm::dquat& turn)
+/// Numbers from -1 to 1, beyond which there are none: a slope may be too steep for them.
+std::array<std::int16_t, 4> Rounded(const glm::dvec4& numbers)
 {
-  const auto part = [](double number) { return static_cast<std::int16_t>(std::lround(number * Unit)); };
-  return { part(turn.x), part(turn.y), part(turn.z), part(turn.w) };
+  const auto part = [](double number) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(number, -1.0, 1.0) * Unit));
+  };
+  return { part(numbers.x), part(numbers.y), part(numbers.z), part(numbers.w) };
 }
 
-glm::dquat RotationOf(const std::array<std::int16_t, 4>& parts)
+glm::dvec4 NumbersOf(const std::array<std::int16_t, 4>& parts)
 {
-  return glm::normalize(glm::dquat(parts[3] / Unit, parts[0] / Unit, parts[1] / Unit, parts[2] / Unit));
+  return glm::dvec4(parts[0], parts[1], parts[2], parts[3]) / Unit;
+}
+
+glm::dvec4 NumbersOf(const glm::dquat& turn)
+{
+  return { turn.x, turn.y, turn.z, turn.w };
+}
+
+glm::dquat RotationOf(const glm::dvec4& numbers)
+{
+  return glm::normalize(glm::dquat(numbers.w, numbers.x, numbers.y, numbers.z));
 }
 
 /// The foot of a joint and the corners of its box: errors are affine in the place, so they are largest in a corner.
@@ -66,13 +83,13 @@ std::vector<Vector3> CornersOf(const JointTree& tree, int joint)
 
 //----------------------------------------------------------------------------
 /// Whether a joint takes another one and its box to where they belong, in all frames of all plants.
-bool IsCarried(
-  const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, int joint, int by, double tolerance)
+bool IsCarried(const JointTree& tree, const std::vector<MovingPlant>& plants, int joint, int by)
 {
   const std::vector<Vector3> corners = CornersOf(tree, joint);
-  for (const std::vector<JointFrame>& frames : plants)
+  for (const MovingPlant& plant : plants)
   {
-    for (const JointFrame& frame : frames)
+    const double tolerance = LeftOutShare * plant.Tolerance;
+    for (const JointFrame& frame : plant.Frames)
     {
       const Pose right = PoseOf(frame, joint);
       const Pose carrier = PoseOf(frame, by);
@@ -89,14 +106,16 @@ bool IsCarried(
 }
 
 /// Keeps joints one after the other where what follows them is not carried by those that are kept.
-ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance)
+ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<MovingPlant>& plants)
 {
+  const bool isExact =
+    std::any_of(plants.begin(), plants.end(), [](const MovingPlant& plant) { return plant.Tolerance <= 0.0; });
   ReducedJoints result;
   for (int joint = 0; joint < static_cast<int>(tree.Parents.size()); ++joint)
   {
     const int parent = tree.Parents[joint];
     const int kept = parent < 0 ? -1 : result.Follows[parent];
-    const bool isEnough = kept >= 0 && tolerance > 0.0 && IsCarried(tree, plants, joint, result.Kept[kept], tolerance);
+    const bool isEnough = kept >= 0 && !isExact && IsCarried(tree, plants, joint, result.Kept[kept]);
     result.Follows.push_back(isEnough ? kept : static_cast<int>(result.Kept.size()));
     if (!isEnough)
     {
@@ -107,50 +126,30 @@ ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<std::vector<
   return result;
 }
 
-//----------------------------------------------------------------------------
-/// The corners of the connected lines, one every so many frames, with the least sum of squared distances to values of
-/// all frames: A x = b, with the hat functions h of the corners, A_ij = sum h_i h_j, b_i = sum h_i y.
-std::vector<glm::dvec4> LinesThrough(const std::vector<glm::dvec4>& values, int stride)
+/// What a track may be, those that keep the fewest numbers first.
+std::vector<Sampling> SamplingsOf(int frames)
 {
-  if (stride == 1)
-  {
-    return values;
-  }
-  const std::vector<int> corners = SampledFrames(static_cast<int>(values.size()), stride);
-  std::vector<double> diagonal(corners.size(), 0.0);
-  std::vector<double> beside(corners.size(), 0.0); // of a corner and the next one
-  std::vector<glm::dvec4> sums(corners.size(), glm::dvec4(0.0));
-  const auto add = [&](std::size_t corner, double share, const glm::dvec4& value) {
-    diagonal[corner] += (1.0 - share) * (1.0 - share);
-    sums[corner] += (1.0 - share) * value;
-    if (share > 0.0)
+  std::vector<Sampling> samplings;
+  const auto add = [&](int stride, bool isSmooth) {
+    if (stride <= frames - 1 && CountOf({ stride, isSmooth }, frames) < frames)
     {
-      beside[corner] += share * (1.0 - share);
-      diagonal[corner + 1] += share * share;
-      sums[corner + 1] += share * value;
+      samplings.push_back({ stride, isSmooth });
     }
   };
-  for (std::size_t corner = 0; corner + 1 < corners.size(); ++corner)
+  for (const bool isSmooth : { false, true })
   {
-    const double length = corners[corner + 1] - corners[corner];
-    for (int frame = corners[corner]; frame < corners[corner + 1]; ++frame)
+    if (frames - 1 > Strides[0])
     {
-      add(corner, (frame - corners[corner]) / length, values[frame]);
+      add(frames - 1, isSmooth);
+    }
+    for (const int stride : Strides)
+    {
+      add(stride, isSmooth);
     }
   }
-  add(corners.size() - 1, 0.0, values.back());
-  for (std::size_t row = 1; row < corners.size(); ++row)
-  {
-    const double factor = beside[row - 1] / diagonal[row - 1];
-    diagonal[row] -= factor * beside[row - 1];
-    sums[row] -= factor * sums[row - 1];
-  }
-  sums.back() /= diagonal.back();
-  for (std::size_t row = corners.size() - 1; row > 0; --row)
-  {
-    sums[row - 1] = (sums[row - 1] - beside[row - 1] * sums[row]) / diagonal[row - 1];
-  }
-  return sums;
+  std::stable_sort(samplings.begin(), samplings.end(),
+    [&](const Sampling& a, const Sampling& b) { return CountOf(a, frames) < CountOf(b, frames); });
+  return samplings;
 }
 
 //----------------------------------------------------------------------------
@@ -167,12 +166,13 @@ struct Probe
 class JointSampler
 {
 public:
-  JointSampler(
-    const JointTree& tree, const ReducedJoints& joints, const std::vector<JointFrame>& frames, double tolerance)
+  JointSampler(const JointTree& tree, const ReducedJoints& joints, const MovingPlant& plant, double frameRate)
     : Tree(tree)
     , Joints(joints)
-    , Frames(frames)
-    , Tolerance(tolerance)
+    , Frames(plant.Frames)
+    , Samplings(SamplingsOf(static_cast<int>(plant.Frames.size())))
+    , Tolerance(plant.Tolerance)
+    , FrameRate(frameRate)
     , Followers(joints.Kept.size())
     , Children(joints.Kept.size())
   {
@@ -204,7 +204,9 @@ private:
   const JointTree& Tree;
   const ReducedJoints& Joints;
   const std::vector<JointFrame>& Frames;
+  std::vector<Sampling> Samplings;
   double Tolerance;
+  double FrameRate;
   std::vector<std::vector<int>> Followers; // joints of the tree that follow a kept one
   std::vector<std::vector<int>> Children;  // joints of the tree that are kept and hang on a kept one
   std::vector<std::vector<Pose>> Poses;    // of kept joints as they will be, by frames
@@ -225,11 +227,16 @@ private:
     return this->Tree.Rests[this->Joints.Kept[kept]] - below;
   }
 
-  /// Samples between which the motion is closest to the right one, in the sense of least squares.
-  JointTrack Sampled(int kept, int stride, bool isHeld) const
+  /// How a joint should move on the one that it hangs on, in all frames.
+  struct Motion
   {
-    std::vector<glm::dvec4> turns;
-    std::vector<glm::dvec4> places;
+    std::vector<glm::dvec4> Turns;
+    std::vector<glm::dvec4> Places;
+  };
+
+  Motion MotionOf(int kept) const
+  {
+    Motion motion;
     glm::dquat last{ 1.0, 0.0, 0.0, 0.0 };
     for (int frame = 0; frame < this->FrameCount(); ++frame)
     {
@@ -237,18 +244,29 @@ private:
       const Pose below = this->Below(kept, frame);
       const glm::dquat turn = glm::normalize(glm::conjugate(below.Rotation) * right.Rotation);
       last = glm::dot(turn, last) < 0.0 ? -turn : turn;
-      turns.emplace_back(last.x, last.y, last.z, last.w);
-      places.emplace_back(glm::conjugate(below.Rotation) * (right.Position - below.Position), 0.0);
+      motion.Turns.push_back(NumbersOf(last));
+      motion.Places.emplace_back(glm::conjugate(below.Rotation) * (right.Position - below.Position), 0.0);
     }
+    return motion;
+  }
+
+  /// Samples between which the motion is closest to the right one, in the sense of least squares.
+  JointTrack Sampled(const Motion& motion, const Sampling& sampling, bool isHeld) const
+  {
     JointTrack track;
-    track.Stride = stride;
-    for (const glm::dvec4& turn : LinesThrough(turns, stride))
+    track.Stride = sampling.Stride;
+    track.IsSmooth = sampling.IsSmooth;
+    const auto isSlope = [&](std::size_t index) { return sampling.IsSmooth && index % 3 != 1; };
+    const std::vector<glm::dvec4> turns = CurveThrough(motion.Turns, sampling);
+    for (std::size_t index = 0; index < turns.size(); ++index)
     {
-      track.Rotations.push_back(Rounded(glm::normalize(glm::dquat(turn.w, turn.x, turn.y, turn.z))));
+      track.Rotations.push_back(
+        Rounded(isSlope(index) ? this->FrameRate * turns[index] : glm::normalize(turns[index])));
     }
-    for (const glm::dvec4& place : isHeld ? std::vector<glm::dvec4>() : LinesThrough(places, stride))
+    const std::vector<glm::dvec4> places = isHeld ? std::vector<glm::dvec4>() : CurveThrough(motion.Places, sampling);
+    for (std::size_t index = 0; index < places.size(); ++index)
     {
-      track.Translations.emplace_back(Vector3(place));
+      track.Translations.emplace_back(Vector3(isSlope(index) ? this->FrameRate * places[index] : places[index]));
     }
     return track;
   }
@@ -264,25 +282,54 @@ private:
       sum += glm::dot(turn, sum) < 0.0 ? -turn : turn;
     }
     JointTrack track;
-    track.Rotations = { Rounded(glm::normalize(sum)) };
+    track.Rotations = { Rounded(NumbersOf(glm::normalize(sum))) };
     return track;
+  }
+
+  /// The samples of a track about a frame, those of what changes a second as changes a frame.
+  template <typename Samples, typename Number>
+  glm::dvec4 ValueAt(const JointTrack& track, const Samples& samples, int frame, const Number& numberOf) const
+  {
+    const int each = track.IsSmooth ? 3 : 1;
+    const int first = each * std::min(frame / track.Stride, static_cast<int>(samples.size()) / each - 1);
+    std::vector<glm::dvec4> near; // a sample and the next one
+    for (int index = first; index < std::min(first + 2 * each, static_cast<int>(samples.size())); ++index)
+    {
+      const bool isSlope = track.IsSmooth && index % 3 != 1;
+      near.push_back(numberOf(samples[index]) * (isSlope ? 1.0 / this->FrameRate : 1.0));
+    }
+    const int start = first / each * track.Stride;
+    return CurveAt(near, { track.Stride, track.IsSmooth }, this->FrameCount() - start, frame - start);
   }
 
   /// Where a track has a kept joint in a frame.
   Pose PoseAt(int kept, const JointTrack& track, int frame) const
   {
+    const glm::dquat turn = this->TurnAt(track, frame);
+    const Vector3 place = track.Translations.empty()
+      ? this->Offset(kept)
+      : Vector3(this->ValueAt(
+          track, track.Translations, frame, [](const glm::vec3& sample) { return glm::dvec4(Vector3(sample), 0.0); }));
+    const Pose below = this->Below(kept, frame);
+    return { glm::normalize(below.Rotation * turn), below.Of(place) };
+  }
+
+  /// The shortest turn between two samples of lines; the curve itself, with the length 1, of cubic ones.
+  glm::dquat TurnAt(const JointTrack& track, int frame) const
+  {
+    const auto numbers = [](const std::array<std::int16_t, 4>& parts) { return NumbersOf(parts); };
     const std::size_t last = track.Rotations.size() - 1;
     const std::size_t before = std::min(static_cast<std::size_t>(frame / track.Stride), last);
+    if (track.IsSmooth || last == 0)
+    {
+      return RotationOf(
+        last == 0 ? numbers(track.Rotations[0]) : this->ValueAt(track, track.Rotations, frame, numbers));
+    }
     const std::size_t after = std::min(before + 1, last);
     const int first = static_cast<int>(before) * track.Stride;
     const int length = std::min(track.Stride, this->FrameCount() - 1 - first);
     const double share = before == after || length <= 0 ? 0.0 : static_cast<double>(frame - first) / length;
-    const glm::dquat turn = glm::slerp(RotationOf(track.Rotations[before]), RotationOf(track.Rotations[after]), share);
-    const Vector3 place = track.Translations.empty()
-      ? this->Offset(kept)
-      : glm::mix(Vector3(track.Translations[before]), Vector3(track.Translations[after]), share);
-    const Pose below = this->Below(kept, frame);
-    return { glm::normalize(below.Rotation * turn), below.Of(place) };
+    return glm::slerp(RotationOf(numbers(track.Rotations[before])), RotationOf(numbers(track.Rotations[after])), share);
   }
 
   std::vector<Pose> Played(int kept, const JointTrack& track) const
@@ -361,7 +408,8 @@ private:
   {
     const std::vector<Probe> probes = this->ProbesOf(kept);
     const double tolerance = std::max(this->Tolerance, Rounding);
-    JointTrack track = this->Sampled(kept, 1, true);
+    const Motion motion = this->MotionOf(kept);
+    JointTrack track = this->Sampled(motion, {}, true);
     std::vector<double> errors = this->ErrorsOf(probes, this->Played(kept, track));
     bool isHeld = true;
     for (std::size_t probe = 0; probe < probes.size(); ++probe)
@@ -370,7 +418,7 @@ private:
     }
     if (!isHeld)
     {
-      track = this->Sampled(kept, 1, false);
+      track = this->Sampled(motion, {}, false);
       errors = this->ErrorsOf(probes, this->Played(kept, track));
     }
     if (this->Tolerance <= 0.0)
@@ -382,39 +430,21 @@ private:
     for (std::size_t probe = 0; probe < probes.size(); ++probe)
     {
       const double own = probes[probe].IsFoot ? FootShare * tolerance : tolerance;
-      limits.push_back(std::max(own, errors[probe] + (probes[probe].IsFoot ? 0.1 * tolerance : 0.0)));
+      limits.push_back(std::max(own, errors[probe] + (probes[probe].IsFoot ? 0.04 * tolerance : 0.0)));
     }
-    return this->Thinned(kept, probes, limits, isHeld, track);
-  }
-
-  JointTrack Thinned(int kept, const std::vector<Probe>& probes, const std::vector<double>& limits, bool isHeld,
-    const JointTrack& all) const
-  {
     if (isHeld && this->IsGood(kept, probes, limits, this->Still(kept)))
     {
       return this->Still(kept);
     }
-    const int whole = this->FrameCount() - 1;
-    if (whole > Strides[0])
+    for (const Sampling& sampling : this->Samplings)
     {
-      const JointTrack track = this->Sampled(kept, whole, isHeld);
-      if (this->IsGood(kept, probes, limits, track))
+      const JointTrack fewer = this->Sampled(motion, sampling, isHeld);
+      if (this->IsGood(kept, probes, limits, fewer))
       {
-        return track;
+        return fewer;
       }
     }
-    for (const int stride : Strides)
-    {
-      if (stride <= whole)
-      {
-        const JointTrack track = this->Sampled(kept, stride, isHeld);
-        if (this->IsGood(kept, probes, limits, track))
-        {
-          return track;
-        }
-      }
-    }
-    return all;
+    return track;
   }
 };
 
@@ -429,27 +459,15 @@ void JointTree::Box::Add(const Vector3& place)
 }
 
 //----------------------------------------------------------------------------
-std::vector<int> SampledFrames(int frames, int stride)
+ReducedJoints ReduceJoints(
+  const JointTree& tree, const std::vector<MovingPlant>& plants, double frameRate, const ParallelFor& parallelFor)
 {
-  std::vector<int> sampled;
-  for (int frame = 0; frame < frames - 1; frame += stride)
-  {
-    sampled.push_back(frame);
-  }
-  sampled.push_back(frames - 1);
-  return sampled;
-}
-
-//----------------------------------------------------------------------------
-ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance,
-  const ParallelFor& parallelFor)
-{
-  ReducedJoints result = ChooseJoints(tree, plants, LeftOutShare * tolerance);
+  ReducedJoints result = ChooseJoints(tree, plants);
   result.Tracks.resize(plants.size());
   parallelFor(plants.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t plant = begin; plant < end; ++plant)
     {
-      result.Tracks[plant] = JointSampler(tree, result, plants[plant], tolerance).Sample();
+      result.Tracks[plant] = JointSampler(tree, result, plants[plant], frameRate).Sample();
     }
   });
   return result;

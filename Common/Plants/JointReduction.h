@@ -40,17 +40,23 @@ struct JointFrame
   std::vector<glm::vec3> Positions;
 };
 
+/// The frames of a plant, and by how much what follows its joints may be off [m].
+struct MovingPlant
+{
+  std::vector<JointFrame> Frames;
+  double Tolerance = 0.0;
+};
+
 /// The motion of a joint relative to the one that it hangs on: samples, with the shortest turn and a straight line
-/// from one to the next.
+/// from one to the next, or cubic curves (Hermite's) of the numbers of the quaternion and of the place.
 struct JointTrack
 {
-  int Stride = 1;                                     ///< frames from a sample to the next one, see SampledFrames()
+  int Stride = 1; ///< frames from a sample to the next one, see SampledFrames()
+  bool IsSmooth =
+    false; ///< cubic curves: three entries a sample, the slope [1/s] before it, its value, the slope after
   std::vector<std::array<std::int16_t, 4>> Rotations; ///< quaternions x, y, z, w times 32767; one if always the same
   std::vector<glm::vec3> Translations; ///< [m]; empty where the joint stays at its place at rest on the other
 };
-
-/// Every so manieth frame from the first one on, and the last one.
-std::vector<int> SampledFrames(int frames, int stride);
 
 /// Fewer joints that do nearly what all of them do.
 struct ReducedJoints
@@ -63,10 +69,10 @@ struct ReducedJoints
 
 /**
  * The joints and samples that are needed to move plants of one tree so that no place in the box of a joint is further
- * than the tolerance [m] from where all joints take it, in any frame of any plant. Roots are kept; tolerance 0 keeps
- * all joints and samples.
+ * than the tolerance of the plant [m] from where all joints take it, in any frame. Roots are kept; tolerances of 0 keep
+ * all joints and samples. There are frameRate frames a second.
  */
-ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<std::vector<JointFrame>>& plants, double tolerance,
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<MovingPlant>& plants, double frameRate,
   const ParallelFor& parallelFor = SerialFor);
 
 }

@@ -19,7 +19,7 @@ from littoral.glb import write_glb
 #: Start, end and focal point of the walk [m], height of the eye [m] and vertical angle of view [degrees].
 FIRST, LAST, TARGET = (7300.0, 8200.0), (7268.0, 8168.0), (4200.0, 3200.0)
 EYE_HEIGHT, VIEW_ANGLE, FRAMES = 2.3, 36.0, 120
-SUN = (150.0, 33.0)  # azimuth and elevation [degrees]
+SUN = (163.0, 31.0)  # azimuth and elevation [degrees]
 #: Farthest trees [m], and half the angle within which there are trees [degrees].
 REACH, HALF_ANGLE = 4200.0, 34.0
 #: Species with the seed of the prototype.
@@ -31,11 +31,23 @@ NEAR_TREES = (
 #: The grove about the walk: reach [m], mean distance of trees [m], and half the width of the glade in it [m] at the
 #: camera and at the reach.
 GROVE, APART, GLADE = 620.0, 7.0, (12.0, 34.0)
-GRASS_REACH = 75.0  # [m]
+GRASS_REACH = 95.0  # [m]
+#: Half the width of the path [m].
+PATH = 0.55
 #: A tuft of grass, as a shrub without wood.
 GRASS = dict(
     Height=0.40, CrownRadius=0.30, CrownBase=0.0, TrunkRadius=0.004, TrunkReach=0.3, Orders=1, MainBranches=2,
     BranchAngle=35.0, Lift=0.3, NumberOfLeaves=40, LeafSize=0.34, LeafWidth=0.035)
+
+
+#: A flower on its stalk, as a tree with few leaves at the top.
+FLOWER = dict(
+    Height=0.42, CrownRadius=0.05, CrownBase=0.35, TrunkRadius=0.003, TrunkReach=0.95, Orders=1, MainBranches=4,
+    BranchAngle=70.0, Lift=0.0, NumberOfLeaves=9, LeafSize=0.065, LeafWidth=0.7)
+#: A hazel, open and with shoots of unequal length.
+HAZEL = dict(
+    Height=3.4, CrownRadius=1.9, CrownBase=0.1, TrunkRadius=0.03, TrunkReach=0.3, Orders=3, MainBranches=9, SideBranches=6,
+    BranchAngle=33.0, Lift=0.10, Variation=0.5, NumberOfLeaves=2600, LeafSize=0.15, LeafWidth=0.8)
 
 
 def ahead():
@@ -69,6 +81,19 @@ def grove(country, seed=6):
     chance = random.random(count)
     species = np.where(chance < 0.30 * edge, 2, np.where(chance < 0.62, 1, 0))
     return at[stays], species[stays]
+
+
+def path(far):
+    """How far right of the line of sight the path is at distances [m]."""
+    return 1.1 + 2.6 * np.sin(far / 13.0 - 0.35) * np.clip(far / 30.0, 0.15, 1.0) + 14.0 * np.sin(far / 55.0) * np.clip(
+        (far - 60.0) / 150.0, 0.0, 1.0)
+
+
+def off_path(places):
+    """How far beside the path places are, from its middle [m]."""
+    along, right = ahead()
+    away = places[:, :2] - FIRST
+    return np.abs(away @ right - path(away @ along))
 
 
 def in_view(places, reach, half_angle):
@@ -112,22 +137,39 @@ def on_ground(country, count, reach, seed, nearest=3.0, power=1.5):
 
 def tufts(country):
     """Sites of grass: in patches, and lower in the shade between."""
-    places, random = on_ground(country, 60000, GRASS_REACH, 3)
+    places, random = on_ground(country, 90000, GRASS_REACH, 3)
     x, y = places[:, :2].T
     patches = 0.5 + 0.28 * (np.sin(x / 1.9 + 2.0 * np.sin(y / 3.1)) + np.sin(y / 2.3 + np.sin(x / 4.7)))
-    stays = random.random(len(places)) < 0.25 + 0.75 * patches
+    beside = off_path(places) - PATH
+    stays = random.random(len(places)) < np.minimum(0.25 + 0.75 * patches, 0.06 + beside / 0.5)
     scale = np.clip(0.35 + 0.75 * patches + random.normal(0.0, 0.18, len(places)), 0.25, 1.5)
-    return landscape.points_with(places[stays], Scale=scale[stays])
+    return landscape.points_with(places[stays], Scale=(scale * np.clip(0.4 + beside / 1.5, 0.4, 1.0))[stays])
+
+
+def flowers(country):
+    """Sites of flowers in drifts on the glade, white and yellow."""
+    places, random = on_ground(country, 16000, 60.0, 11, 2.0)
+    x, y = places[:, :2].T
+    drifts = np.sin(x / 3.7 + 1.3 * np.sin(y / 5.3)) * np.sin(y / 4.1 + 0.7)
+    stays = (random.random(len(places)) < np.clip(1.4 * drifts - 0.25, 0.0, 0.8)) & (off_path(places) > PATH + 0.2)
+    kind = (np.sin(x / 9.0) * np.sin(y / 11.0) + random.normal(0.0, 0.3, len(places)) > 0.25).astype(np.int32)
+    return landscape.points_with(places[stays], Scale=random.uniform(0.6, 1.1, len(places))[stays], Species=kind[stays])
 
 
 def bushes(country):
-    """Sites of undergrowth: seedlings and shrubs, few in the glade."""
-    places, random = on_ground(country, 2600, 180.0, 5, 6.0, 1.2)
+    """Sites of undergrowth, in thickets, hardly any in the glade: hazels, shrubs, young birches and oaks."""
+    places, random = on_ground(country, 2600, 180.0, 5, 7.0, 1.2)
     along, right = ahead()
-    aside = np.abs((places[:, :2] - FIRST) @ right)
-    stays = random.random(len(places)) < np.clip((aside - 2.0) / 9.0, 0.04, 1.0)
-    scale = 0.18 + 0.65 * random.random(len(places))**2.5
-    return landscape.points_with(places[stays], Scale=scale[stays])
+    away = places[:, :2] - FIRST
+    aside = np.abs(away @ right)
+    x, y = places[:, :2].T
+    thickets = np.sin(x / 7.0 + np.sin(y / 9.0)) * np.sin(y / 6.0 + 1.0)
+    stays = random.random(len(places)) < np.clip((aside - 4.0 - 0.05 * (away @ along)) / 9.0, 0.0, 1.0) * np.clip(
+        0.45 + 0.9 * thickets, 0.05, 1.0)
+    species = random.choice(4, len(places), p=(0.38, 0.22, 0.25, 0.15)).astype(np.int32)
+    scale = np.choose(species, (0.3 + 0.8 * random.random(len(places)), 0.2 + 0.45 * random.random(len(places))**2,
+                                0.08 + 0.22 * random.random(len(places))**2, 0.06 + 0.12 * random.random(len(places))))
+    return landscape.points_with(places[stays], Scale=scale[stays], Species=species[stays])
 
 
 def scattered(sites, prototypes, **settings):
@@ -151,14 +193,15 @@ def tree(preset, seed):
     return source
 
 
-def tuft():
+def plant(settings, leaf, bark):
+    """A plant of a species of our own, with the colors of its leaves and its wood."""
     source = vtkReevesTreeSource()
     source.SetPresetToCustom()
-    for name, value in GRASS.items():
+    for name, value in settings.items():
         getattr(source, "Set" + name)(value)
     source.SetLeafFormToBlade()
-    source.SetLeafColor(0.50, 0.56, 0.26)
-    source.SetBarkColor(0.55, 0.58, 0.30)
+    source.SetLeafColor(*leaf)
+    source.SetBarkColor(*bark)
     return source
 
 
@@ -172,11 +215,17 @@ def write_scene(filename, frame=0):
     sources = {
         "Ground": ground(country),
         "Forest": scattered(trees(country), [tree(*species) for species in SPECIES]),
-        "Undergrowth": scattered(bushes(country), [tree("Shrub", 4)], TintVariation=0.10),
-        "Grass": scattered(tufts(country), [tuft()], TintVariation=0.10)}
+        "Undergrowth": scattered(
+            bushes(country), [plant(HAZEL, (0.50, 0.60, 0.28), (0.42, 0.36, 0.28)), tree("Shrub", 4), tree("Birch", 7),
+                              tree("Oak", 8)], TintVariation=0.12),
+        "Grass": scattered(
+            tufts(country), [plant(GRASS, (0.50, 0.56, 0.26), (0.55, 0.58, 0.30))], TintVariation=0.12),
+        "Flowers": scattered(
+            flowers(country), [plant(FLOWER, color, (0.45, 0.55, 0.25)) for color in ((0.97, 0.96, 0.93), (0.98, 0.85, 0.2))])}
     write_glb(
-        filename, sources, camera=(eye, focus, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0), kinds={"Grass": "grass"},
-        extras={"fog": {"sight": 2600.0, "height": 160.0}, "exposure": 1.5}, LevelForm=2)
+        filename, sources, camera=(eye, focus, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0), 
+        kinds={"Grass": "grass", "Flowers": "grass"},
+        extras={"fog": {"sight": 3000.0, "height": 160.0}, "sky": {"clouds": 0.6}, "exposure": 1.9}, LevelForm=2)
 
 
 if __name__ == "__main__":

@@ -15,13 +15,16 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
 from littoral import (
-    underwater, vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter, vtkSeaStateSource,
+    landscape, underwater, vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter, vtkSeaStateSource,
     vtkSeaweedDeformationFilter, vtkSeaweedSource)
 from littoral.glb import write_glb
 
 DEPTH = 9.5  # water depth [m]
-EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.9), (0.0, 10.0, -5.1), 64.0
-SUN = (12.0, 62.0)  # azimuth and elevation [degrees]
+EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -7.4), (0.0, 10.0, -4.9), 64.0
+SUN = (8.0, 50.0)  # azimuth and elevation [degrees]
+#: Giant kelp that rises beyond the upper edge of the picture: middle of a group [m] and plants in it.
+TALL = ((-4.4, 6.6, 3), (-6.3, 8.4, 3), (4.6, 6.9, 3), (6.9, 8.8, 3), (-2.9, 11.5, 2), (3.4, 13.0, 3), (-9.0, 13.0, 4),
+        (10.5, 13.5, 4), (-1.0, 19.0, 3), (6.0, 20.0, 4), (-7.0, 22.0, 4))
 #: Giant kelp, to be scaled by some 0.6 to this shallow water, with blades enlarged to keep their natural size.
 GIANT_KELP = dict(
     NumberOfFronds=4, HoldfastRadius=0.35, StipeLength=14.0, StipeRadius=0.012, BladeLength=2.0, BladeWidth=0.30,
@@ -78,6 +81,20 @@ def seaweed(preset, settings):
     return source
 
 
+def kelp_sites(height, seed=9):
+    """Sites of sugar kelp on the bed, and of giant kelp up to the surface."""
+    random = np.random.default_rng(seed)
+    low = underwater.kelp_sites(height, count=240)
+    species = vtk_to_numpy(low.GetPointData().GetArray("Species"))
+    scale = vtk_to_numpy(low.GetPointData().GetArray("Scale"))[species == 0]
+    places = vtk_to_numpy(low.GetPoints().GetData())[species == 0]
+    tall = np.array([(x, y) + random.normal(0.0, 0.55, 2) for x, y, count in TALL for _ in range(count)])
+    feet = height(*tall.T)
+    return landscape.points_with(
+        np.concatenate((places, np.column_stack((tall, feet)))), Species=np.repeat(np.int32((0, 1)), (len(places), len(tall))),
+        Scale=np.concatenate((scale, (-0.5 - feet) / 14.6 * random.uniform(0.85, 1.0, len(tall)))))
+
+
 def kelp(sea, sites, time):
     """The kelp in waves and current at a time. It starts long before: blades leave their rest pose slowly."""
     current = vtkFlowPrimitiveSource()
@@ -117,14 +134,14 @@ def write_scene(filename, frame=0):
     """Write the scene at a frame."""
     time, sea = TIME + frame / FRAMES_A_SECOND, sea_state()
     sand, height = underwater.bed(DEPTH, EYE)
-    plants = underwater.kelp_sites(height, count=240)
+    plants = kelp_sites(height)
     sources = {"Surface": surface(sea, time), "Bed": sand, "Kelp": kelp(sea, plants, time),
                "Particles": specks(sea, time, plants)}
     write_glb(
         filename, sources, camera=(EYE, FOCUS, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0),
         kinds={"Surface": "water", "Bed": "ground", "Particles": "particle"},
-        extras={"water": {"level": 0.0, "extinction": underwater.EXTINCTION, "color": [0.55, 0.90, 1.0]},
-                "exposure": 0.9}, LevelForm=2)
+        extras={"water": {"level": 0.0, "extinction": underwater.EXTINCTION, "color": [0.32, 0.74, 1.0]},
+                "exposure": 1.0}, LevelForm=2)
 
 
 if __name__ == "__main__":

@@ -28,6 +28,7 @@ if not hasattr(littoral, "vtkGLTFSceneWriter"):
 from littoral.glb import write_glb  # noqa: E402
 
 TINY = dict(size=[24, 16], samples=1)
+PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "guide", "blender.md")
 
 
 def scene(filename):
@@ -106,6 +107,41 @@ def check_contents(file):
     assert high > low + 20, "the picture is empty"
 
 
+#: What a saved scene holds when it is opened again.
+OPENED = """
+import bpy, json, sys
+instances = sum(one.is_instance for one in bpy.context.evaluated_depsgraph_get().object_instances)
+kinds = sorted({material.get("kind", "") for material in bpy.data.materials} - {""})
+camera = bpy.context.scene.camera
+with open("opened.json", "w") as out:
+    json.dump({"instances": instances, "kinds": kinds, "camera": list(camera.matrix_world.translation),
+               "engine": bpy.context.scene.render.engine,
+               "pictures": [i.packed_file is not None for i in bpy.data.images if i.type == "IMAGE"]}, out)
+"""
+
+
+def check_page():
+    """The lines of the guide's page make a picture, and a .blend that is whole when it is opened."""
+    with open(PAGE, encoding="utf-8") as page:
+        lines = page.read().split("```python\n")[1].split("```")[0]
+    assert lines.count("samples=16") == 1
+    names = {}
+    exec(lines.replace("samples=16", "samples=1, size=[32, 18]"), names)  # pylint: disable=exec-used
+    assert blender.is_whole("wood.png")
+    with open("opened.py", "w", encoding="utf-8") as script:
+        script.write(OPENED)
+    returned, said = blender.run([
+        "blender", "-b", os.path.abspath("wood.blend"), "--python-exit-code", "1", "-P", os.path.abspath("opened.py")])
+    assert returned == 0, said[-2000:]
+    with open("opened.json", encoding="utf-8") as text:
+        found = json.load(text)
+    names["forest"].Update()
+    shown = int(names["forest"].GetOutput().GetFieldData().GetArray("PlantsShown").GetTuple1(0))
+    assert found["instances"] == shown > 20, (found, shown)
+    assert found["kinds"] == ["bark", "leaf"] and found["engine"] == "CYCLES" and all(found["pictures"]), found
+    np.testing.assert_allclose(found["camera"], (100, -150, 40), atol=1e-4)
+
+
 def check_interruption(file):
     """Whole pictures stay, others are made; a render that is killed leaves none in part."""
     shutil.copyfile("scene.png", "one.png")
@@ -121,6 +157,42 @@ def check_interruption(file):
         killed.kill()
         killed.wait()
     assert all(blender.is_whole(os.path.join("out", name)) for name in os.listdir("out"))
+
+
+def processes_with(word):
+    """Ids of the processes whose command names a word, apart from this one."""
+    found = []
+    for process in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{process}/cmdline", "rb") as line:
+                words = line.read()
+        except OSError:
+            continue
+        if word.encode() in words and int(process) != os.getpid():
+            found.append(int(process))
+    return found
+
+
+def check_orphan(file):
+    """A Blender whose starter is killed, while it draws, ends too and leaves nothing behind."""
+    folder = os.path.abspath("orphan")
+    os.makedirs(folder)
+    script = "orphan.py"
+    with open(script, "w", encoding="utf-8") as text:
+        text.write(f"import shutil\ndef write_scene(name, frame=0):\n    shutil.copyfile({os.path.abspath(file)!r}, name)\n")
+    environment = {**os.environ, "TMPDIR": folder}
+    with subprocess.Popen([*command(script, "out"), "--size", "1920", "1080", "--samples", "4000"], env=environment) as starter:
+        until = time.monotonic() + 60.0
+        while not processes_with(f"{folder}/littoral-") and time.monotonic() < until:
+            time.sleep(0.05)
+        time.sleep(4.0)  # at work
+        assert starter.poll() is None and len(processes_with(f"{folder}/littoral-")) == 1
+        starter.kill()
+    until = time.monotonic() + 20.0
+    while processes_with(f"{folder}/littoral-") and time.monotonic() < until:
+        time.sleep(0.05)
+    assert not processes_with(f"{folder}/littoral-"), "Blender lives on without its starter"
+    assert not os.listdir(folder), os.listdir(folder)
 
 
 def command(*words):
@@ -276,8 +348,10 @@ if __name__ == "__main__":
             print("no Blender")
             sys.exit(125)
         check_contents("scene.glb")
+        check_page()
         check_interruption("scene.glb")
         check_film("scene.glb")
+        check_orphan("scene.glb")
         check_full_disk("scene.glb")
         check_motion_blur()
         check_fog()

@@ -410,23 +410,23 @@ class Instances(Written):
 class Motion(Written):
     TIMES = 0.5, 1.5, 8.0  # begin and end [s], samples a second
 
-    def compare(self, source, parts, tolerance, root="P", **settings):
+    def compare(self, source, parts, tolerance, root="P", times=TIMES, frames=(0, 3, 8), **settings):
         """VTK's skins at sampled times are those of the file."""
-        g = self.write({root: source}, times=self.TIMES, JointTolerance=tolerance, **settings)
+        g = self.write({root: source}, times=times, JointTolerance=tolerance, **settings)
         skinned = [k for k, node in enumerate(g.nodes) if "skin" in node]
         moved, largest = 0.0, 0.0
-        for frame in (0, 3, 8):
-            source.UpdateTimeStep(self.TIMES[0] + frame / self.TIMES[2])
+        for time in np.array(frames) / times[2]:
+            source.UpdateTimeStep(times[0] + time)
             for level, name in parts:
                 data = block(source.GetOutput(), level, name)
                 for node in skinned[::1 + len(skinned) // 20]:
                     for index in range(len(g.meshes[g.nodes[node]["mesh"]]["primitives"])):
                         wanted = self.plant_of(g, node, data, level)
-                        at = g.skinned(node, frame, index) if wanted is not None else None
+                        at = g.skinned(node, time, index) if wanted is not None else None
                         if at is None or len(at) != len(wanted) or self.is_other(g, node, index, name):
                             continue
                         largest = max(largest, np.linalg.norm(at - wanted, axis=1).max())
-                        rest = g.skinned(node, 0, index)
+                        rest = g.skinned(node, 0.0, index)
                         moved = max(moved, np.linalg.norm(at - rest, axis=1).max())
         self.assertGreater(moved, 10 * max(tolerance, 0.001), "nothing moves that could be compared")
         return g, largest
@@ -474,6 +474,22 @@ class Motion(Written):
         self.assertLessEqual(len([m for m in g.meshes if "JOINTS_0" in m["primitives"][0]["attributes"]]), 4)
         colors = [g.nodes[k].get("extras", {}).get("tint", (1, 1, 1)) for k, n in enumerate(g.nodes) if "skin" in n]
         self.assertGreater(np.std(colors), 0.01, "all plants have one tint")
+
+    def test_curves_between_few_samples(self):
+        """Cubic curves of the film's rate, at samples and between them, take fewer bytes than all samples."""
+        source = self.swaying(tree())
+        parts = (("High", "Skin"), ("High", "Leaves"))
+        g, error = self.compare(source, parts, 0.001, times=(0.5, 3.5, 24.0), frames=(0, 1, 5, 17, 26, 39, 50, 63, 70, 72))
+        self.assertLess(error, 0.001)
+        samplers = g.animations[0]["samplers"]
+        smooth = [s for s in samplers if s["interpolation"] == "CUBICSPLINE"]
+        self.assertGreater(len(smooth), 0.2 * len(samplers), "cubic curves are hardly used")
+        for sampler in smooth:
+            count = g.accessors[sampler["output"]]["count"]
+            self.assertEqual(count, 3 * g.accessors[sampler["input"]]["count"])
+            self.assertLess(count, 73)
+        turns = [g.accessors[s["output"]]["count"] for s in samplers if g.accessors[s["output"]]["type"] == "VEC4"]
+        self.assertLess(sum(turns), 0.7 * 73 * len(turns))
 
     def test_kelp(self):
         state = make("vtkSeaStateSource", NumberOfTrains=12, SeaLevel=4.0)

@@ -39,8 +39,9 @@ class Glb:
         """The array of an accessor [tuples, parts]; normalized integers as numbers from -1 to 1."""
         accessor = self.accessors[index]
         kind, parts = TYPES[accessor["componentType"]], PARTS[accessor["type"]]
-        array = np.frombuffer(self.view(accessor["bufferView"]), kind, accessor["count"] * parts, accessor.get("byteOffset", 0))
-        array = array.reshape(-1, parts)
+        step = self.bufferViews[accessor["bufferView"]].get("byteStride", parts * np.dtype(kind).itemsize)
+        array = np.ndarray((accessor["count"], parts), kind, self.view(accessor["bufferView"]), accessor.get("byteOffset", 0),
+                           (step, np.dtype(kind).itemsize))
         return array / np.iinfo(kind).max if accessor.get("normalized") else array
 
     def named(self, name):
@@ -67,20 +68,19 @@ class Glb:
     def attribute(self, node, name, index=0):
         return self.array(self.primitive(node, index)["attributes"][name])
 
-    def matrices(self, frame=None, time=None):
-        """The place of each node in the world, at a frame of the animation, those of its finest samples, or at a time."""
-        if frame in self.worlds and time is None:
-            return self.worlds[frame]
+    def matrices(self, time=None):
+        """The place of each node in the world, as it is without the animation or at a time of it."""
+        if time in self.worlds:
+            return self.worlds[time]
         moved = {}
-        if frame is not None:
+        if time is not None:
             for animation in self.animations:
                 frames = {s["input"]: self.array(s["input"])[:, 0] for s in animation["samplers"]}
-                every = max(frames.values(), key=len)
                 for channel in animation["channels"]:
                     sampler = animation["samplers"][channel["sampler"]]
                     target, at = channel["target"], frames[sampler["input"]]
-                    moved[target["node"], target["path"]] = between(
-                        at, self.array(sampler["output"]), every[frame] if time is None else time, target["path"])
+                    play = smooth if sampler["interpolation"] == "CUBICSPLINE" else between
+                    moved[target["node"], target["path"]] = play(at, self.array(sampler["output"]), time, target["path"])
         parents, found = self.parents(), {}
 
         def own(index):
@@ -97,12 +97,12 @@ class Glb:
                 if index not in found:
                     above = found[parents[index]] if parents[index] >= 0 else np.eye(4)
                     found[index] = above @ own(index)
-        self.worlds[frame] = [found[k] for k in range(len(self.nodes))]
-        return self.worlds[frame]
+        self.worlds[time] = [found[k] for k in range(len(self.nodes))]
+        return self.worlds[time]
 
-    def skinned(self, node, frame, index=0):
-        """Where a skin has its vertices at a frame, in the coordinates of Littoral: z up."""
-        skin, worlds = self.skins[self.nodes[node]["skin"]], self.matrices(frame)
+    def skinned(self, node, time, index=0):
+        """Where a skin has its vertices at a time, in the coordinates of Littoral: z up."""
+        skin, worlds = self.skins[self.nodes[node]["skin"]], self.matrices(time)
         inverses = self.array(skin["inverseBindMatrices"]).reshape(-1, 4, 4).transpose(0, 2, 1)
         joints = np.array([worlds[k] for k in skin["joints"]]) @ inverses
         points = self.attribute(node, "POSITION", index).astype(np.float64)
@@ -136,3 +136,15 @@ def between(times, values, time, path):
     b = -b if a @ b < 0.0 else b
     angle = 2.0 * np.arctan2(np.linalg.norm(a - b), np.linalg.norm(a + b))
     return a if angle < 1e-9 else (np.sin((1.0 - share) * angle) * a + np.sin(share * angle) * b) / np.sin(angle)
+
+
+def smooth(times, values, time, path):
+    """The value at a time of a cubic curve through samples (slope before, value, slope after), by its four points."""
+    after = int(np.clip(np.searchsorted(times, time, side="left"), 1, len(times) - 1))
+    length = times[after] - times[after - 1]
+    share = np.clip((time - times[after - 1]) / length, 0.0, 1.0)
+    (_, a, leaving), (arriving, b, _) = values.reshape(len(times), 3, -1)[after - 1:after + 1].astype(np.float64)
+    points = [a, a + leaving * length / 3.0, b - arriving * length / 3.0, b]
+    while len(points) > 1:
+        points = [(1.0 - share) * p + share * q for p, q in zip(points, points[1:])]
+    return points[0] / np.linalg.norm(points[0]) if path == "rotation" else points[0]

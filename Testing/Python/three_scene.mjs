@@ -35,6 +35,17 @@ function placesOf(mesh) {
   return places;
 }
 
+/** The numbers of an attribute, those of integers from 0 to 1. */
+function numbersOf(attribute) {
+  const numbers = [];
+  for (let vertex = 0; vertex < attribute.count; ++vertex) {
+    for (let part = 0; part < attribute.itemSize; ++part) {
+      numbers.push(attribute.getComponent(vertex, part));
+    }
+  }
+  return numbers;
+}
+
 function pathOf(thing) {
   return thing.parent && thing.parent !== scene.scene ? `${pathOf(thing.parent)}/${thing.name}` : thing.name;
 }
@@ -53,7 +64,7 @@ function look(isFirst) {
       Object.assign(about, {
         type: thing.type, instances: thing.isInstancedMesh ? thing.count : 1,
         corners: geometry.index ? geometry.index.count : geometry.attributes.position.count,
-        colors: geometry.attributes.color ? Array.from(geometry.attributes.color.array) : null,
+        colors: geometry.attributes.color ? numbersOf(geometry.attributes.color) : null,
         attributes: Object.keys(geometry.attributes), kind: material.userData.kind, alphaTest: material.alphaTest,
         double: material.side === THREE.DoubleSide, picture: material.map ? [material.map.image.width, material.map.image.height] : null,
         rests: thing.isSkinnedMesh ? thing.skeleton.boneInverses.flatMap((m) => m.elements.slice(12, 15)) : null,

@@ -14,6 +14,7 @@ suite_of() { # SYSTEM, whose name begins with that of the release
     debian-12*) echo bookworm ;;
     debian-13*) echo trixie ;;
     debian-forky*) echo forky ;;
+    debian-sid*) echo sid ;;
   esac
 }
 
@@ -26,6 +27,12 @@ inside() { # SYSTEM COMMAND: in the system's folder, without this machine's envi
 alone() { # SYSTEM COMMAND
   unshare --net sh -c 'ip link set lo up && exec chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin \
     LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive sh -c "$2"' sh "$matrix/$1" "$2" </dev/null
+}
+
+enter() { # SYSTEM: with /proc, /sys and /dev
+  local folder="$matrix/$1"
+  mount -t proc proc "$folder/proc" && mount --bind /sys "$folder/sys" && mount --bind /dev "$folder/dev" &&
+    mount --bind /dev/pts "$folder/dev/pts" && mount -t tmpfs tmpfs "$folder/dev/shm"
 }
 
 leave() { # SYSTEM
@@ -58,6 +65,5 @@ make_system() { # SYSTEM: a bare one, with /proc, /sys and /dev
   mkdir -p "$folder" && archive=$(bare_archive "$1") && tar -C "$folder" -xpf "$archive" || return
   # An archive that stands still for some days is no reason to stop.
   echo 'Acquire::Check-Valid-Until "false";' >"$folder/etc/apt/apt.conf.d/90littoral"
-  mount -t proc proc "$folder/proc" && mount --bind /sys "$folder/sys" && mount --bind /dev "$folder/dev" &&
-    mount --bind /dev/pts "$folder/dev/pts" && mount -t tmpfs tmpfs "$folder/dev/shm"
+  enter "$1"
 }

@@ -52,18 +52,30 @@ def render(scene, picture=None, blend=None, report=None, **options):
         made = {name: os.path.join(folder, name) for name in wanted}
         job = os.path.join(folder, "job.json")
         with open(job, "w", encoding="utf-8") as file:
-            json.dump({"scene": os.path.abspath(scene), "rate": RATE, **made, **options}, file)
-        environment = {name: value for name, value in os.environ.items() if name not in OTHERS}
-        ran = subprocess.run(
-            [program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job], env=environment,
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
+            json.dump({"scene": os.path.abspath(scene), "rate": RATE, **made, **options,
+                       "litter": [folder, *options.get("litter", ())]}, file)
+        returned, output = run([program, "-b", "--factory-startup", "--python-exit-code", "1", "-P", SCRIPT, "--", job])
         missing = [name for name, path in made.items() if not os.path.isfile(path)]
-        if ran.returncode or missing or (picture and not is_whole(made["picture"])):
-            lines = [line for line in ran.stdout.splitlines() if line.strip()]
+        if returned or missing or (picture and not is_whole(made["picture"])):
+            lines = [line for line in output.splitlines() if line.strip()]
             raise RenderError("Blender has failed: " + " | ".join(lines[-4:]))
         for name, target in wanted.items():
             with files.replaced(target) as path:
                 shutil.copyfile(made[name], path)
+
+
+def run(words):
+    """Run Blender; returns its exit code and what it says. Its standard input is a pipe that ends when this process does,
+    however it ends: then Blender ends too."""
+    environment = {name: value for name, value in os.environ.items() if name not in OTHERS}
+    with subprocess.Popen(words, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace") as blender:
+        try:
+            output = blender.stdout.read()
+        except BaseException:
+            blender.kill()
+            raise
+        return blender.wait(), output
 
 
 def is_whole(picture):
@@ -90,12 +102,14 @@ def render_frames(scene, pictures, blend=None, **options):
         print(f"{len(pictures) - len(left)} of {len(pictures)} pictures are there", flush=True)
     begin = time.monotonic()
     for number, frame in enumerate(left, 1):
-        with tempfile.TemporaryDirectory(prefix="littoral-") as folder:
-            file = scene
-            if not scene.endswith(".glb"):  # those have files beside them
+        wanted = pictures[frame], blend if number == 1 else None
+        if scene.endswith(".glb"):  # those have files beside them
+            render(scene, *wanted, frame=frame, **options)
+        else:
+            with tempfile.TemporaryDirectory(prefix="littoral-") as folder:
                 file = os.path.join(folder, "scene.glb")
                 write_scene(scene, file, frame)
-            render(file, pictures[frame], blend if number == 1 else None, frame=frame, **options)
+                render(file, *wanted, frame=frame, litter=[folder], **options)
         gone = time.monotonic() - begin
         rest = gone / number * (len(left) - number)
         print(f"{pictures[frame]}: {gone:.0f} s" + (f", about {rest:.0f} s left" if rest else ""), flush=True)

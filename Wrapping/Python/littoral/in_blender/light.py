@@ -18,11 +18,12 @@ GLOW = 1.2
 
 
 class Air:
-    """Sky and haze of a sun. towards: unit vector. sight: attenuation length [m] or None. height: scale height [m]."""
+    """Sky and haze of a sun. towards: unit vector. sight: attenuation length [m] or None. height: scale height [m].
+    clouds: share of the sky that they cover."""
 
-    def __init__(self, towards, sight=None, height=260.0, dust=1.0, strength=1.0):
+    def __init__(self, towards, sight=None, height=260.0, dust=1.0, strength=1.0, clouds=0.0):
         self.towards, self.sight, self.height, self.dust = towards, sight, height, dust
-        self.strength = SKY * strength
+        self.strength, self.clouds = SKY * strength, clouds
 
     def sky(self, s, direction=None):
         """The light of the sky from a direction; default: that of the ray."""
@@ -32,6 +33,21 @@ class Air:
         if direction is not None:
             s.plug(node.inputs["Vector"], direction)
         return node.outputs["Color"]
+
+    def cloudy(self, s):
+        """The sky with thin clouds in a layer of a flat earth, brighter towards the sun, lost in the haze of the horizon."""
+        look = s.node("TexCoord", output="Generated")
+        up = s.math("MAXIMUM", s.node("SeparateXYZ", {0: look}, "Z"), 0.0)
+        place = s.scaled(s.vector("MULTIPLY", look, (1.0, 1.0, 0.0)), s.math("DIVIDE", 1.0, s.math("ADD", up, 0.06)))
+        drawn = s.multiply(place, (1.0, 0.55, 1.0))  # by the wind
+        banks = s.noise(drawn, 0.35, 2.0)
+        wisps = s.noise(drawn, 1.1, 8.0, 0.62)
+        most = s.math("MULTIPLY_ADD", banks, 0.6, s.math("MULTIPLY", wisps, 0.5))
+        cover = s.ramp(most, 0.75 - 0.45 * self.clouds, 0.95 - 0.35 * self.clouds)
+        cover = s.math("MULTIPLY", s.math("MULTIPLY", cover, s.ramp(up, 0.01, 0.16)), 0.85)
+        towards = s.math("MAXIMUM", s.vector("DOT_PRODUCT", look, tuple(self.towards), output=1), 0.0)
+        shine = s.math("MULTIPLY_ADD", s.math("POWER", towards, 4.0), 9.0, 7.0)
+        return s.blend(cover, self.sky(s), s.scaled((1.0, 0.96, 0.92), shine))
 
     def before(self, s, shader):
         """A shader seen through haze, whose density falls with height: only what the camera sees directly."""
@@ -62,7 +78,8 @@ class Air:
         bpy.context.scene.world = world
         world.use_nodes = True
         s = Shading(world.node_tree)
-        shine = s.node("Background", {"Color": self.sky(s), "Strength": self.strength})
+        shine = s.node("Background", {"Color": self.cloudy(s) if self.clouds else self.sky(s),
+                                      "Strength": self.strength})
         end = world.node_tree.nodes.new("ShaderNodeOutputWorld")
         world.node_tree.links.new(shine, end.inputs["Surface"])
         world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 256

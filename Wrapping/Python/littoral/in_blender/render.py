@@ -4,12 +4,15 @@
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
 engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of a frame that the shutter is
-open; report, a JSON file to write with what the scene holds.
+open; report, a JSON file to write with what the scene holds; litter, temporary folders: then standard input is a pipe
+that ends with the process that has started this.
 """
 
 import json
 import os
+import shutil
 import sys
+import threading
 
 import bpy
 import numpy as np
@@ -31,7 +34,8 @@ def build(path):
     fog, sky = extras.get("fog", {}), extras.get("sky", {})
     water = Water(extras["water"], towards, lux) if "water" in extras else None
     is_below = water is not None and eye(file)[2] < water.level
-    air = light.Air(towards, None if is_below else fog.get("sight"), fog.get("height", 260.0), sky.get("dust", 1.0))
+    air = light.Air(towards, None if is_below else fog.get("sight"), fog.get("height", 260.0), sky.get("dust", 1.0),
+                    clouds=sky.get("clouds", 0.0))
     air.light_world()
     light.add_sun(water.towards if is_below else towards, lux, color, 0.3 if is_below else 1.0)
     if is_below:
@@ -138,6 +142,18 @@ def about_mesh(mesh, matrices):
             "kinds": sorted({material.get("kind", "") for material in mesh.materials if material})}
 
 
+def end_with_starter(litter):
+    """End when standard input does, and take along temporary folders, which nobody else would remove then."""
+    def watch():
+        while os.read(0, 1):
+            pass
+        for made in (*litter, bpy.app.tempdir):
+            shutil.rmtree(made, ignore_errors=True)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
 def main(job):
     file, extras = build(job["scene"])
     set_quality(job, extras)
@@ -154,4 +170,7 @@ def main(job):
 
 if __name__ == "__main__":
     with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as text:
-        main(json.load(text))
+        given = json.load(text)
+    if "litter" in given:
+        end_with_starter(given["litter"])
+    main(given)

@@ -27,7 +27,7 @@ CELLS, REACH = 1024, 34.0
 #: Looks for light along a ray, and the distance within which they are [m].
 LOOKS, SIGHT = 4, 30.0
 #: Asymmetry of the phase function, and light that was scattered more than once by that which was once.
-FORWARD, OFTEN = 0.62, 0.9
+FORWARD, OFTEN = 0.62, 0.5
 
 
 class Water:
