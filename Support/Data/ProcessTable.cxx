@@ -53,6 +53,12 @@ std::string ReadCorners(vtkTable* table, ObservationWindow& window)
 
 }
 
+bool FirstRowIsProcess(vtkTable* table)
+{
+  auto* ids = vtkDataArray::SafeDownCast(table->GetColumnByName("ProcessId"));
+  return ids && table->GetNumberOfRows() > 0 && FirstProcess(ids) == 0;
+}
+
 std::string ReadProcessFit(vtkTable* table, PointProcessParameters& process, ObservationWindow& window)
 {
   ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
