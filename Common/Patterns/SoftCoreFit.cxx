@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace littoral
@@ -61,12 +63,20 @@ Powers SumsAbout(const PointCells& cells, const PlanePosition& place, double uni
   return sums;
 }
 
-/// What the pseudo-likelihood is made of: sums about the points, and about places of equal area.
+/// What the pseudo-likelihood is made of: sums about the points and about places, and the areas for which these stand
+/// [m2]. Each place is the center of a cell, and shares it with the points in it.
 struct PotentialSums
 {
   std::vector<Powers> OfPoints;
+  std::vector<double> AreasOfPoints;
   std::vector<Powers> OfPlaces;
-  double Area = 0.0; ///< of a place [m2]
+  std::vector<double> Areas;
+
+  double Area() const
+  {
+    return std::accumulate(this->Areas.begin(), this->Areas.end(), 0.0) +
+      std::accumulate(this->AreasOfPoints.begin(), this->AreasOfPoints.end(), 0.0);
+  }
 };
 
 PotentialSums FindSums(const std::vector<PlanePosition>& points, const ObservationWindow& window, double unit,
@@ -77,15 +87,31 @@ PotentialSums FindSums(const std::vector<PlanePosition>& points, const Observati
   const PlanePosition& high = window.GetHigh();
   const std::array<double, 2> step = { (high[0] - low[0]) / PlacesOfSide, (high[1] - low[1]) / PlacesOfSide };
   PotentialSums sums;
-  sums.Area = step[0] * step[1];
+  const double area = step[0] * step[1];
+  const auto cellOf = [&](const PlanePosition& point) {
+    const auto index = [&](int axis) {
+      return std::min(PlacesOfSide - 1, static_cast<int>((point[axis] - low[axis]) / step[axis]));
+    };
+    return static_cast<std::size_t>(index(1) * PlacesOfSide + index(0));
+  };
+  const auto isCounted = [&](const PlanePosition& place) {
+    return window.Contains(place) && window.DistanceToEdge(place) >= border;
+  };
+  std::vector<double> sharing(static_cast<std::size_t>(PlacesOfSide) * PlacesOfSide, 1.0);
+  for (const PlanePosition& point : points)
+  {
+    sharing[cellOf(point)] += 1.0;
+  }
   for (std::size_t n = 0; n < points.size(); ++n)
   {
-    if (window.DistanceToEdge(points[n]) >= border)
+    if (isCounted(points[n]))
     {
       sums.OfPoints.push_back(SumsAbout(cells, points[n], unit, n));
+      sums.AreasOfPoints.push_back(area / sharing[cellOf(points[n])]);
     }
   }
   std::vector<std::vector<Powers>> rows(PlacesOfSide);
+  std::vector<std::vector<double>> areas(PlacesOfSide);
   ForRanges(parallel, rows.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
     {
@@ -93,16 +119,18 @@ PotentialSums FindSums(const std::vector<PlanePosition>& points, const Observati
       {
         const PlanePosition place = { low[0] + (column + 0.5) * step[0],
           low[1] + (static_cast<double>(row) + 0.5) * step[1] };
-        if (window.Contains(place) && window.DistanceToEdge(place) >= border)
+        if (isCounted(place))
         {
           rows[row].push_back(SumsAbout(cells, place, unit, points.size()));
+          areas[row].push_back(area / sharing[cellOf(place)]);
         }
       }
     }
   });
-  for (const std::vector<Powers>& row : rows)
+  for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    sums.OfPlaces.insert(sums.OfPlaces.end(), row.begin(), row.end());
+    sums.OfPlaces.insert(sums.OfPlaces.end(), rows[row].begin(), rows[row].end());
+    sums.Areas.insert(sums.Areas.end(), areas[row].begin(), areas[row].end());
   }
   return sums;
 }
@@ -112,18 +140,28 @@ PotentialSums FindSums(const std::vector<PlanePosition>& points, const Observati
 double LogPseudoLikelihood(const PotentialSums& sums, std::size_t softness, double logCore)
 {
   const double c = std::exp(2.0 * logCore / SoftnessOf(softness));
-  double integral = 0.0;
-  for (const Powers& place : sums.OfPlaces)
+  // By the largest term, since all of them underflow for a long core.
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Powers>* each : { &sums.OfPoints, &sums.OfPlaces })
   {
-    integral += std::exp(-c * place[softness]);
+    for (const Powers& one : *each)
+    {
+      least = std::min(least, c * one[softness]);
+    }
+  }
+  double integral = 0.0;
+  for (std::size_t place = 0; place < sums.OfPlaces.size(); ++place)
+  {
+    integral += sums.Areas[place] * std::exp(least - c * sums.OfPlaces[place][softness]);
   }
   double potential = 0.0;
-  for (const Powers& point : sums.OfPoints)
+  for (std::size_t point = 0; point < sums.OfPoints.size(); ++point)
   {
-    potential += c * point[softness];
+    potential += c * sums.OfPoints[point][softness];
+    integral += sums.AreasOfPoints[point] * std::exp(least - c * sums.OfPoints[point][softness]);
   }
   const auto n = static_cast<double>(sums.OfPoints.size());
-  return n * std::log(n / (integral * sums.Area)) - potential - n;
+  return n * (std::log(n / integral) + least) - potential - n;
 }
 
 }
@@ -160,7 +198,7 @@ ProcessFit FitSoftCore(
     }
   }
   const auto n = static_cast<double>(sums.OfPoints.size());
-  const double ofRandom = n * std::log(n / (sums.Area * static_cast<double>(sums.OfPlaces.size()))) - n;
+  const double ofRandom = n * std::log(n / sums.Area()) - n;
   best.Exists = best.LogPseudoLikelihood > ofRandom + LeastGain && WhyInvalid(best.Process).empty();
   return best;
 }

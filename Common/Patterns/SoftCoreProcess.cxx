@@ -107,6 +107,12 @@ private:
     return this->IndexOf(place[1], 1) * this->Count[0] + this->IndexOf(place[0], 0);
   }
 
+  /// The square itself, the next or the one before along an axis of the torus: which is 0, 1 or 2.
+  std::size_t Beside(std::size_t index, std::size_t which, int axis) const
+  {
+    return (index + (which == 2 ? this->Count[axis] - 1 : which)) % this->Count[axis];
+  }
+
   double SquareOfGap(const PlanePosition& a, const PlanePosition& b) const
   {
     double sum = 0.0;
@@ -130,8 +136,8 @@ private:
     // The square of the place comes first, whose points are the nearest.
     for (std::size_t n = 0; n < columns * rows && sum < most; ++n)
     {
-      const std::size_t i = (i0 + (n % columns) * (this->Count[0] - 1)) % this->Count[0];
-      const std::size_t j = (j0 + (n / columns) * (this->Count[1] - 1)) % this->Count[1];
+      const std::size_t i = this->Beside(i0, n % columns, 0);
+      const std::size_t j = this->Beside(j0, n / columns, 1);
       for (const std::size_t other : this->Squares[j * this->Count[0] + i])
       {
         const double r2 = other == except ? HUGE_VAL : this->SquareOfGap(place, this->Places[other]);

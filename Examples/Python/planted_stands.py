@@ -41,7 +41,7 @@ LONGLEAF = ("write.csv(data.frame(x=longleaf$x, y=longleaf$y, dbh=longleaf$marks
 LANSING = "write.csv(data.frame(x=lansing$x, y=lansing$y, species=lansing$marks), file='{}', row.names=FALSE)"
 STANDS = (
     ("longleaf", LONGLEAF, {}, "Longleaf pines, 4 ha in Georgia", (88.0, -14.0, 3.2), (3.0, 6.0),
-     {"colors": SAVANNA, "cover": 0.75}, {"count": 110000, "reach": 90.0, "height": 0.65, "blades": 8}),
+     {"colors": SAVANNA, "cover": 0.92}, {"count": 160000, "reach": 90.0, "height": 0.65, "blades": 8}),
     # 924 feet scaled to 1; two trees have the same place.
     ("lansing", LANSING, {"PlaceScale": 924.0, "units": {"place": "ft"}, "AllowCoincident": True},
      "Lansing Woods, 7.9 ha in Michigan", (140.0, -3.0, 1.9), (0.0, 6.0),

@@ -160,7 +160,7 @@ with tempfile.TemporaryDirectory() as folder:
                           ("Softness", "Distance"))
             print("cells with a soft core: kappa, sigma:", np.round(ours, 4), "spatstat:", numbers)
             assert abs(ours[0] - numbers[0]) < 1e-9
-            assert np.isclose(ours[1], numbers[1], rtol=0.02)
+            assert np.isclose(ours[1], numbers[1], rtol=0.03)  # other tiles
             continue
         table = read(os.path.join(folder, f"{name}.csv"))
         for kind in ("pairs", "nearest"):

@@ -16,8 +16,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 #: Colors of a floor: bare litter, other litter, grass, dry grass.
-BROADLEAVED = ((0.36, 0.25, 0.15), (0.50, 0.36, 0.20), (0.28, 0.36, 0.13), (0.46, 0.44, 0.22))
-SAVANNA = ((0.46, 0.34, 0.20), (0.56, 0.43, 0.26), (0.42, 0.45, 0.20), (0.66, 0.58, 0.33))
+BROADLEAVED = ((0.31, 0.24, 0.16), (0.44, 0.34, 0.22), (0.28, 0.36, 0.13), (0.46, 0.44, 0.22))
+SAVANNA = ((0.42, 0.34, 0.22), (0.54, 0.44, 0.28), (0.42, 0.45, 0.20), (0.66, 0.58, 0.33))
 HAZE = (0.80, 0.86, 0.90)
 #: Distance at which haze takes 63 % of a color [m].
 HAZE_DISTANCE = 1800.0
@@ -127,11 +127,11 @@ class Floor:
 
     def _about(self, count, reach):
         """Random places about the eye, of a density that falls with the distance."""
-        radius = reach * self.random.random(count) ** 0.75
+        radius = reach * self.random.random(count) ** 0.9
         angle = 2.0 * np.pi * self.random.random(count)
         return self.eye[0] + radius * np.sin(angle), self.eye[1] + radius * np.cos(angle)
 
-    def litter(self, count=60000, reach=35.0, size=0.09):
+    def litter(self, count=140000, reach=40.0, size=0.11):
         """Fallen leaves, flat on the ground; size: of the largest [m]."""
         x, y = self._about(count, reach)
         turn = 2.0 * np.pi * self.random.random(count)
@@ -145,7 +145,7 @@ class Floor:
         quads = np.stack([np.column_stack((middle + flat, z[:, None] + np.abs(rise))) for flat, rise in sides], axis=1)
         shade = self.random.random((count, 1))
         warm = np.where(self.random.random((count, 1)) < 0.25, (1.25, 1.0, 0.7), (1.0, 1.0, 1.0))
-        color = (self.colors[0] + shade * (1.35 * self.colors[1] - self.colors[0])) * warm
+        color = (self.colors[0] + shade * (1.5 * self.colors[1] - 0.6 * self.colors[0]) - 0.35 * self.colors[0]) * warm
         color = color * self.brightness(x, y)[:, None]
         return polygons(quads.reshape(-1, 3), np.arange(4 * count).reshape(-1, 4), np.repeat(color, 4, axis=0))
 
