@@ -88,7 +88,6 @@ EXAMPLES = {
     "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
     "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.jpg"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
-    "Examples/Python/regrow_inventories.py": ("Inventories regrown", "inventories.png"),
     "Examples/Python/planted_stands.py": ("Planted inventories", "stand-longleaf.jpg"),
     "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),
     "Examples/Python/swaying_trees.py": ("Swaying trees", "swaying-trees.jpg"),
