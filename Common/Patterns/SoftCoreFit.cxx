@@ -29,8 +29,8 @@ constexpr int SoftnessesTried = 15;
 /// Distances in mean distances of points: shorter ones are no interaction, longer ones that of frozen points.
 constexpr double ShortestCore = 0.02;
 constexpr double LongestCore = 1.4;
-/// By so much the logarithm of the pseudo-likelihood must exceed that of random points: by two parameters (AIC).
-constexpr double LeastGain = 2.0;
+/// By so much the logarithm of the pseudo-likelihood must exceed that of random points, of which chance makes 2 often.
+constexpr double LeastGain = 5.0;
 
 using Powers = std::array<double, SoftnessesTried>;
 
