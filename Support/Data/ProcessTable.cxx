@@ -55,7 +55,8 @@ std::string ReadCorners(vtkTable* table, ObservationWindow& window)
 
 bool FirstRowIsProcess(vtkTable* table)
 {
-  auto* ids = vtkDataArray::SafeDownCast(table->GetColumnByName("ProcessId"));
+  ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
+  vtkDataArray* ids = rows.Find("ProcessId", 1);
   return ids && table->GetNumberOfRows() > 0 && FirstProcess(ids) == 0;
 }
 
