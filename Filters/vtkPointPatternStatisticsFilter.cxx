@@ -4,6 +4,7 @@
 
 #include "Data/Inputs.h"
 #include "Data/PointPattern.h"
+#include "Data/ProcessTable.h"
 #include "Data/QuadratTable.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
@@ -11,6 +12,7 @@
 #include "Patterns/CurveEnvelope.h"
 #include "Patterns/DistanceFunctions.h"
 #include "Patterns/PairFunctions.h"
+#include "Patterns/ProcessPattern.h"
 #include "Patterns/WindowSections.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -163,6 +165,8 @@ struct vtkPointPatternStatisticsFilter::Pattern
   std::string First;
   std::string Second;
   vtkTable* Fits = nullptr;
+  bool HasProcess = false; ///< of the fits; else they have a law
+  littoral::PointProcessParameters Process;
   littoral::QuadratLawParameters QuadratLaw;
   littoral::QuadratGrid Grid;
 
@@ -181,9 +185,15 @@ struct vtkPointPatternStatisticsFilter::Pattern
     return both;
   }
 
-  /// A pattern of the law of the fits in the window, from its own seed.
+  /// A pattern of the law or process of the fits in the window, from its own seed.
   std::vector<littoral::PlanePosition> Scatter(int seed) const
   {
+    if (this->HasProcess)
+    {
+      littoral::ProcessOptions options;
+      options.Seed = seed;
+      return littoral::SimulateProcess(this->Process, options, this->Window).Points;
+    }
     const auto counts =
       littoral::QuadratCounts(this->QuadratLaw, this->Grid.NumberOfQuadrats(), littoral::QuadratMode::Sampling, seed);
     std::vector<littoral::PlanePosition> points;
@@ -368,6 +378,30 @@ std::string vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
 }
 
 //----------------------------------------------------------------------------
+std::string vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
+{
+  pattern.HasProcess = littoral::FirstRowIsProcess(pattern.Fits);
+  std::string reason;
+  double expected = 0.0;
+  if (pattern.HasProcess)
+  {
+    littoral::ObservationWindow ofFit;
+    reason = littoral::ReadProcessFit(pattern.Fits, pattern.Process, ofFit);
+    reason = reason.empty() ? littoral::WhyInvalid(pattern.Process, {}, pattern.Window) : reason;
+    expected = reason.empty() ? littoral::ExpectedDraws(pattern.Process, {}, pattern.Window) : 0.0;
+  }
+  else
+  {
+    reason = littoral::ReadQuadratFit(pattern.Fits, pattern.QuadratLaw, pattern.Grid);
+    reason = reason.empty() ? littoral::WhyInvalid(pattern.QuadratLaw) : reason;
+    reason = reason.empty() ? littoral::WhyInvalid(pattern.Grid) : reason;
+    expected = static_cast<double>(pattern.Grid.NumberOfQuadrats()) * (1.0 + pattern.QuadratLaw.Mean);
+  }
+  const bool isTooMuch = reason.empty() && 64.0 * expected > littoral::AvailableMemory();
+  return isTooMuch ? "the law of the table makes more points than this machine has memory for." : reason;
+}
+
+//----------------------------------------------------------------------------
 std::string vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const
 {
   std::string reason;
@@ -391,18 +425,7 @@ std::string vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** 
     ? littoral::WhyInvalid(pattern.Points, pattern.Window, FewestPoints, this->AllowCoincidentPoints)
     : reason;
   reason = reason.empty() ? this->ReadKinds(pattern) : reason;
-  if (reason.empty() && pattern.Fits)
-  {
-    reason = littoral::ReadQuadratFit(pattern.Fits, pattern.QuadratLaw, pattern.Grid);
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.QuadratLaw) : reason;
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.Grid) : reason;
-    const double expected = static_cast<double>(pattern.Grid.NumberOfQuadrats()) * (1.0 + pattern.QuadratLaw.Mean);
-    if (reason.empty() && 64.0 * expected > littoral::AvailableMemory())
-    {
-      reason = "the law of the table makes more points than this machine has memory for.";
-    }
-  }
-  return reason;
+  return reason.empty() && pattern.Fits ? ReadLaw(pattern) : reason;
 }
 
 //----------------------------------------------------------------------------

@@ -6,7 +6,8 @@
  *
  * Input 0: any vtkPointSet of at least 5 points; only x and y are used. Input 1 (optional): the window in which they
  * were mapped, vtkPolyData of one polygon or closed line, or of corners in a row. Input 2 (optional): a vtkTable of
- * fits of a vtkQuadratAnalysisFilter, whose first law is simulated instead of a random pattern.
+ * fits of a vtkQuadratAnalysisFilter or a vtkPatternVerdictFilter, whose first law or process is simulated instead of a
+ * random pattern.
  *
  * Output 0: a vtkTable for a line chart, with a row per distance: `Distance` r [m], the chosen function under its name
  * (`K` [m2], `L` [m], `PairCorrelation`, `NearestNeighbor`, `EmptySpace`, `J`, `MarkCorrelation`, `CrossK` [m2],
@@ -24,16 +25,16 @@
  *
  * Field data of all: `Points`, `Intensity` [1/m2], `WindowArea` [m2].
  *
- * Simulations have the points of the input, uniform in the window; with a table of fits, those that its law scatters in
- * the window; for MarkCorrelation the same points with marks in a random order; for cross functions the same points
- * with species in a random order.
+ * Simulations have the points of the input, uniform in the window; with a table of fits, those that its law or
+ * process scatters in the window; for MarkCorrelation the same points with marks in a random order; for cross functions
+ * the same points with species in a random order.
  *
  * Fewer points, two at one place unless AllowCoincidentPoints is on, one outside the window, a window whose polygon
  * crosses itself, missing or not positive marks, unknown species or a property out of range are reported as one error.
  * Baddeley, Rubak and Turner (2015), Spatial Point Patterns, chapters 7, 8, 10 and 14. Piece 0 holds the whole tables,
  * other pieces are empty.
  *
- * @sa vtkQuadratAnalysisFilter
+ * @sa vtkQuadratAnalysisFilter, vtkPatternVerdictFilter
  */
 #ifndef vtkPointPatternStatisticsFilter_h
 #define vtkPointPatternStatisticsFilter_h
@@ -242,7 +243,7 @@ public:
   ///@}
 
   ///@{
-  /// Connects the table of fits of the law, input 2, or takes it away.
+  /// Connects the table of fits of the law or process, input 2, or takes it away.
   void SetLawConnection(vtkAlgorithmOutput* fits);
   void RemoveLaw() { this->RemoveAllInputConnections(2); }
   ///@}
@@ -281,6 +282,7 @@ private:
   std::string WhyInvalid() const;
   std::string ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const;
   std::string ReadKinds(Pattern& pattern) const;
+  static std::string ReadLaw(Pattern& pattern);
   bool IsCross() const { return this->Function == CrossK || this->Function == CrossPairCorrelation; }
   bool IsOfPairs() const { return this->Function <= PairCorrelation || this->Function >= MarkCorrelation; }
 };

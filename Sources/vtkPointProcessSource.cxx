@@ -132,6 +132,7 @@ vtkPointProcessSource::vtkPointProcessSource()
   , Distance(4.0)
   , Activity(0.02)
   , Interaction(0.1)
+  , Softness(0.4)
   , IntensityArray("None")
   , IntensityScale(Relative)
   , NumberOfSpecies(1)
@@ -202,6 +203,7 @@ std::string vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Rec
   process.Distance = this->Distance;
   process.Activity = this->Activity;
   process.Interaction = this->Interaction;
+  process.Softness = this->Softness;
   recipe.Options.Seed = this->Seed;
   recipe.Options.Grouping = static_cast<littoral::SpeciesGrouping>(this->SpeciesGrouping);
   recipe.Options.CrossInteraction = this->CrossInteraction;
@@ -323,6 +325,7 @@ void vtkPointProcessSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "Activity: " << this->Activity << "\n";
   os << indent << "Interaction: " << this->Interaction << "\n";
+  os << indent << "Softness: " << this->Softness << "\n";
   os << indent << "IntensityArray: " << this->IntensityArray << "\n";
   os << indent << "IntensityScale: " << this->IntensityScale << "\n";
   os << indent << "NumberOfSpecies: " << this->NumberOfSpecies << "\n";

@@ -15,9 +15,11 @@
  * - LogGaussianCox: random points of the intensity exp(Z), where Z is a Gaussian field by turning bands with the
  *   covariance Variance exp(-r / Range); g(r) = exp(Variance exp(-r / Range));
  * - MaternII: random points, of which each falls that has an older one nearer than Distance;
- * - Strauss: density proportional to Activity^n Interaction^s for n points of which s pairs are nearer than Distance.
+ * - Strauss: density proportional to Activity^n Interaction^s for n points of which s pairs are nearer than Distance;
+ * - SoftCore: density proportional to exp(-sum over pairs of (Distance / r)^(2 / Softness)), of a given number of
+ * points on a torus, the bounding box and twice Distance on each side.
  *
- * All but Strauss are parts of one pattern of the plane: two windows show the same points where they overlap.
+ * All but the last two are parts of one pattern of the plane: two windows show the same points where they overlap.
  *
  * Optional inputs:
  * - Input (port 0): a vtkTable of fits of vtkPatternVerdictFilter. Its first row that is a process replaces Process and
@@ -27,7 +29,7 @@
  * - Window (port 2): vtkPolyData with one polygon, which replaces Origin and Size.
  *
  * Field data: `IsExact`, 0 where a Strauss pattern is that of a birth-death process after 32 lifetimes, since no end of
- * the exact simulation was seen by then; else 1.
+ * the exact simulation was seen by then, and of a SoftCore pattern, whose points were moved 20 to 200 times; else 1.
  *
  * A piece holds a part of the points; all pieces together hold the same points for any number of pieces. A parameter
  * out of range, an intensity that is negative or 0 everywhere, and more points than fit into memory are reported as one
@@ -61,6 +63,7 @@ public:
     LogGaussianCox = 3,
     MaternII = 4,
     Strauss = 5,
+    SoftCore = 6,
   };
 
   enum IntensityScaleType
@@ -119,13 +122,14 @@ public:
   void SetProcessToLogGaussianCox() { this->SetProcess(LogGaussianCox); }
   void SetProcessToMaternII() { this->SetProcess(MaternII); }
   void SetProcessToStrauss() { this->SetProcess(Strauss); }
+  void SetProcessToSoftCore() { this->SetProcess(SoftCore); }
   const char* GetProcessAsString() const;
   ///@}
 
   ///@{
   /**
-   * Mean number of points on 1 m2, positive; default 0.01. A MaternII process has less than 1 / (pi Distance^2). Not
-   * used by Strauss.
+   * Mean number of points on 1 m2, positive; default 0.01. A MaternII process has less than 1 / (pi Distance^2), a
+   * SoftCore process at most 2 / Distance^2. Not used by Strauss.
    */
   vtkSetMacro(Intensity, double);
   vtkGetMacro(Intensity, double);
@@ -167,7 +171,8 @@ public:
 
   ///@{
   /**
-   * Distance of inhibition of MaternII and Strauss [m], positive; default 4.
+   * Distance of inhibition of MaternII and Strauss, and at which the potential of two points of SoftCore is 1 [m],
+   * positive; default 4.
    */
   vtkSetMacro(Distance, double);
   vtkGetMacro(Distance, double);
@@ -188,6 +193,15 @@ public:
    */
   vtkSetMacro(Interaction, double);
   vtkGetMacro(Interaction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Softness of SoftCore, whose pairs have the potential (Distance / r)^(2 / Softness): 0.05, almost none nearer than
+   * Distance, to 0.8, an interaction that reaches far; default 0.4.
+   */
+  vtkSetMacro(Softness, double);
+  vtkGetMacro(Softness, double);
   ///@}
 
   ///@{
@@ -292,6 +306,7 @@ protected:
   double Distance;
   double Activity;
   double Interaction;
+  double Softness;
   std::string IntensityArray;
   int IntensityScale;
   int NumberOfSpecies;

@@ -62,6 +62,8 @@ enum class RandomPurpose : std::uint32_t
   ProcessField = 103,
   ProcessSpecies = 104,
   ProcessMarks = 105,
+  ProcessMoves = 106,
+  ProcessChances = 107,
 };
 
 /**

@@ -33,9 +33,14 @@ constexpr auto Activity =
   MakeParameter<Parameters, &Parameters::Activity>("Activity", "1/m2", ValueInterval::Positive());
 constexpr auto Interaction =
   MakeParameter<Parameters, &Parameters::Interaction>("Interaction", "", ValueInterval::From(0.0, 1.0));
+constexpr auto Softness =
+  MakeParameter<Parameters, &Parameters::Softness>("Softness", "", ValueInterval::From(0.05, 0.8));
 
 constexpr ParameterList<Parameters> All = { { &Intensity, &ClusterSize, &ClusterScale, &Variance, &Range, &Distance,
-  &Activity, &Interaction } };
+  &Activity, &Interaction, &Softness } };
+
+/// Points of a soft-core process on the square of Distance, at most.
+constexpr double MostSoftCores = 2.0;
 
 double RandomPairs(const Parameters&, double)
 {
@@ -119,6 +124,15 @@ std::string WhyNotInhibited(const Parameters& process)
   return check.Reason();
 }
 
+std::string WhyNoSoftCore(const Parameters& process)
+{
+  const double most = MostSoftCores / (process.Distance * process.Distance);
+  ParameterCheck check;
+  check.Require(process.Intensity <= most, "Intensity", process.Intensity, "1/m2",
+    "at most " + TextOf(most) + " 1/m2, " + TextOf(MostSoftCores) + " / Distance^2: denser points freeze");
+  return check.Reason();
+}
+
 const PointProcessTraits Rows[] = {
   { "Poisson", { { &Intensity } }, RandomPairs, RandomRipley },
   { "Thomas", { { &Intensity, &ClusterSize, &ClusterScale } }, ThomasPairs, ThomasRipley },
@@ -126,6 +140,7 @@ const PointProcessTraits Rows[] = {
   { "LogGaussianCox", { { &Intensity, &Variance, &Range } }, CoxPairs },
   { "MaternII", { { &Intensity, &Distance } }, InhibitedPairs, nullptr, WhyNotInhibited },
   { "Strauss", { { &Activity, &Interaction, &Distance } }, nullptr },
+  { "SoftCore", { { &Intensity, &Distance, &Softness } }, nullptr, nullptr, WhyNoSoftCore },
 };
 static_assert(std::size(Rows) == NumberOfPointProcesses);
 

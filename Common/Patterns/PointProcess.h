@@ -20,9 +20,10 @@ enum class PointProcess
   LogGaussianCox = 3,
   MaternII = 4,
   Strauss = 5,
+  SoftCore = 6,
 };
 
-inline constexpr int NumberOfPointProcesses = 6;
+inline constexpr int NumberOfPointProcesses = 7;
 
 /**
  * A stationary and isotropic process with its parameters. Intensity is the mean number of points on 1 m2.
@@ -34,6 +35,7 @@ inline constexpr int NumberOfPointProcesses = 6;
  * | LogGaussianCox | Poisson, of intensity exp(Z): Z is Gaussian with covariance Variance exp(-r / Range)        |
  * | MaternII       | random points, of which each falls that has an older one nearer than Distance               |
  * | Strauss        | density Activity^n Interaction^s, where s pairs of the n points are nearer than Distance    |
+ * | SoftCore       | density exp(-sum over pairs of (Distance / r)^(2 / Softness)) of a given number of points        |
  * Parents are random, of intensity Intensity / ClusterSize, and are no points themselves.
  */
 struct PointProcessParameters
@@ -47,6 +49,7 @@ struct PointProcessParameters
   double Distance = 5.0;     ///< [m], of inhibition
   double Activity = 0.02;    ///< [1/m2], intensity that the points would have without interaction
   double Interaction = 0.1;  ///< 0: none nearer than Distance, 1: random
+  double Softness = 0.4;     ///< 0.05: almost a hard core of Distance, to 0.8: one that is felt far away
 };
 
 /// The row of a process: everything that sets it apart but its simulation, see ProcessPattern, and its fit, see

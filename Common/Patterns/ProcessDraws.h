@@ -40,11 +40,20 @@ inline double FieldSide(const PointProcessParameters& process)
 /// How far points of a cluster lie from their parent at most [m].
 double ClusterReach(const PointProcessParameters& process);
 
-/// Around the box of a window, where a Strauss process has points too [m].
+/// Around the box of a window, where a Strauss or soft-core process has points too [m].
 inline double StraussMargin(const PointProcessParameters& process)
 {
   return 2.0 * process.Distance;
 }
+
+/// Potentials of two points that are below this are left out.
+inline constexpr double LeastPotential = 0.005;
+
+/// Distance up to which points of a soft-core process feel each other [m].
+double SoftCoreReach(const PointProcessParameters& process);
+
+/// How often each point is moved from its random place: 20 to 200 times, the more crowded the more.
+int SoftCoreSweeps(const PointProcessParameters& process);
 
 /// Draws the points of one square.
 using SquareTask = std::function<void(long long i, long long j, ProcessPattern& pattern)>;
@@ -65,6 +74,7 @@ ProcessPattern DrawClusters(const ProcessScene& scene);
 ProcessPattern DrawCox(const ProcessScene& scene);
 ProcessPattern DrawMaternII(const ProcessScene& scene);
 ProcessPattern DrawStrauss(const ProcessScene& scene);
+ProcessPattern DrawSoftCore(const ProcessScene& scene);
 
 }
 

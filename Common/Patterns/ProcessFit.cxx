@@ -31,6 +31,9 @@ constexpr double MostActivity = 100.0;
 /// Distances that are tried for a Strauss process.
 constexpr int DistancesTried = 64;
 
+/// Border of the fit of a soft core, in mean distances of points.
+constexpr double BorderOfSoftCore = 0.85;
+
 /// The differences of a measured function and that of a process, both to the power q, at all distances.
 class Contrast
 {
@@ -361,6 +364,8 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
       fit.Process.Distance = ShortestDistance(points) * n / (n + 1.0);
       fit.Exists = WhyInvalid(fit.Process).empty();
       return fit;
+    case PointProcess::SoftCore:
+      return FitSoftCore(points, window, BorderOfSoftCore / std::sqrt(intensity), parallel);
     case PointProcess::Strauss:
       return FitStraussDistance(points, window, intensity, parallel);
     default:

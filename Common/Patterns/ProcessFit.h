@@ -53,6 +53,7 @@ struct ProcessFit
  * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest
  * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box. Activities of more
  * than a hundred intensities are left out: such points are packed, and no simulation of them ends.
+ * - Soft core: FitSoftCore with a border of 0.85 mean distances of points, 1 / intensity^(1/2).
  */
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const ParallelFor& parallel = SerialFor);
@@ -61,6 +62,13 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
 /// below the distance.
 ProcessFit FitStrauss(
   const std::vector<PlanePosition>& points, const ObservationWindow& window, double distance, double border);
+
+/// A soft-core process by the maximum of the pseudo-likelihood over Distance at each Softness of 0.05, 0.1 ... 0.75,
+/// and over those. Points nearer to the edge than the border [m] are neighbours only; neighbours count up to three mean
+/// distances of points. The integral is a sum over 256 by 256 places and the points (Berman and Turner 1992). It exists
+/// where the logarithm of the pseudo-likelihood exceeds that of random points by more than 5.
+ProcessFit FitSoftCore(const std::vector<PlanePosition>& points, const ObservationWindow& window, double border,
+  const ParallelFor& parallel = SerialFor);
 
 }
 

@@ -20,7 +20,7 @@ namespace
 
 /// More points, parents or cells of a field than this are hardly meant.
 constexpr double MostDraws = 1e9;
-/// More births at one time than this take minutes.
+/// More births at one time, or points that are moved again and again, than this take minutes.
 constexpr double MostAlive = 5e5;
 /// In the lower half of the draw, names the cluster in place of one of its points: none has so many.
 constexpr std::uint64_t WholeCluster = 0xffffffff;
@@ -127,8 +127,8 @@ std::string WhyTooMuch(
   const PointProcessParameters& process, const ProcessOptions& options, const ObservationWindow& window)
 {
   const double draws = ExpectedDraws(process, options, window);
-  const bool isStrauss = process.Process == PointProcess::Strauss;
-  const double most = isStrauss ? MostAlive : MostDraws;
+  const bool isAlive = process.Process == PointProcess::Strauss || process.Process == PointProcess::SoftCore;
+  const double most = isAlive ? MostAlive : MostDraws;
   const double side = SmallestSide(Highest(process, options));
   double farthest = 0.0;
   for (int axis = 0; axis < 2; ++axis)
@@ -232,6 +232,8 @@ double ExpectedDraws(
       return box.Grown(highest.Distance).Measure() * ProposedIntensity(highest.Intensity, highest.Distance);
     case PointProcess::Strauss:
       return box.Grown(StraussMargin(highest)).Measure() * highest.Activity;
+    case PointProcess::SoftCore:
+      return box.Grown(StraussMargin(highest)).Measure() * highest.Intensity;
     default:
       return box.Measure() * highest.Intensity;
   }
@@ -262,7 +264,8 @@ ProcessPattern SimulateProcess(const PointProcessParameters& process, const Proc
   const ObservationWindow& window, const Poll& poll, const ParallelFor& parallel)
 {
   using Draw = ProcessPattern (*)(const ProcessScene&);
-  static constexpr Draw Draws[] = { DrawPoisson, DrawClusters, DrawClusters, DrawCox, DrawMaternII, DrawStrauss };
+  static constexpr Draw Draws[] = { DrawPoisson, DrawClusters, DrawClusters, DrawCox, DrawMaternII, DrawStrauss,
+    DrawSoftCore };
   const ProcessScene scene{ Highest(process, options), options, FactorOf(options), BoxOf(window), poll, parallel };
   ProcessPattern pattern = Draws[static_cast<int>(process.Process)](scene);
   pattern.HasClusters = process.Process == PointProcess::Thomas || process.Process == PointProcess::MaternCluster;

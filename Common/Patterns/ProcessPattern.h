@@ -67,7 +67,7 @@ double ExpectedDraws(
   const PointProcessParameters& process, const ProcessOptions& options, const ObservationWindow& window);
 
 /**
- * The points of a process in a window, which must be valid together. All but Strauss are processes of the whole plane,
+ * The points of a process in a window, which must be valid together. All but the last two are processes of the plane,
  * of which the window shows a part: the points in two windows are the same where the windows overlap. A Strauss process
  * has no points farther than twice its Distance from the bounding box of the window.
  *
@@ -79,6 +79,9 @@ double ExpectedDraws(
  *   the process, free of any error. Where they have not met after LongestRun lifetimes, or cannot be hoped
  *   to since Activity (1 - Interaction) pi Distance^2 is 4 or more, the pattern is that of one birth-death process
  * after InexactRun lifetimes from an empty window, and IsExact is false.
+ *
+ * - Soft core: the points of a torus, the bounding box of the window and twice Distance on each side, of which each is
+ *   moved 20 to 200 times, the more crowded the more, by the rule of Metropolis from random places; IsExact is false.
  *
  * A raster keeps each point of the process of the highest intensity with the share of its place, which keeps distances
  * of inhibition; for a Strauss process it is the activity that changes from place to place.

@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace littoral
@@ -163,24 +166,17 @@ public:
       if (isBounding)
       {
         this->SquareOf(this->Births[birth].Place).push_back(birth);
+        this->Deaths.push({ this->Births[birth].Death, birth });
       }
     }
-    const std::vector<std::size_t> deaths = this->ByDeath();
     SteppedPoll poll(this->Scene.Called, EventsAtOnce);
-    for (const std::size_t death : deaths)
+    for (; birth < this->Births.size() && this->Births[birth].Time < 0.0; ++birth)
     {
-      const double time = std::min(this->Births[death].Death, 0.0);
-      for (; birth < this->Births.size() && this->Births[birth].Time < time; ++birth)
-      {
-        this->Enter(birth);
-        poll.Step();
-      }
-      if (time == 0.0)
-      {
-        break;
-      }
-      this->Leave(death);
+      this->LeaveUntil(this->Births[birth].Time);
+      this->Enter(birth);
+      poll.Step();
     }
+    this->LeaveUntil(0.0);
   }
 
   /// Whether both have the same points in the box.
@@ -213,17 +209,13 @@ public:
   }
 
 private:
-  std::vector<std::size_t> ByDeath() const
+  /// Those of the upper process leave that die at a time or before.
+  void LeaveUntil(double time)
   {
-    std::vector<std::size_t> order(this->Births.size());
-    for (std::size_t n = 0; n < order.size(); ++n)
+    for (; !this->Deaths.empty() && this->Deaths.top().first <= time; this->Deaths.pop())
     {
-      order[n] = n;
+      this->Leave(this->Deaths.top().second);
     }
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return std::tie(this->Births[a].Death, a) < std::tie(this->Births[b].Death, b);
-    });
-    return order;
   }
 
   std::size_t IndexOf(long long i, long long j) const
@@ -262,17 +254,14 @@ private:
     {
       this->Present[this->IndexOf(i0, j0)].push_back(n);
       this->IsInLower[n] = birth.Chance < upper;
+      this->Deaths.push({ birth.Death, n });
     }
   }
 
   void Leave(std::size_t n)
   {
     std::vector<std::size_t>& square = this->SquareOf(this->Births[n].Place);
-    const auto at = std::find(square.begin(), square.end(), n);
-    if (at != square.end())
-    {
-      square.erase(at);
-    }
+    square.erase(std::find(square.begin(), square.end(), n));
   }
 
   double InteractionOf(const Birth& a, const Birth& b) const
@@ -290,6 +279,8 @@ private:
   CellBlock Block;
   std::vector<std::vector<std::size_t>> Present; ///< births in the upper process, by squares
   std::vector<char> IsInLower;
+  using Death = std::pair<double, std::size_t>;                               ///< its time, and who dies
+  std::priority_queue<Death, std::vector<Death>, std::greater<Death>> Deaths; ///< of the upper process
 };
 
 }

@@ -21,17 +21,17 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand
+from littoral.floor import BROADLEAVED, HAZE, SAVANNA, Floor, floor_actor
 from littoral.picture import INK, label, write_jpg
 from littoral.plants import add_daylight, level_actors
 
 PICTURE = (1500, 700)  # pixels
 MAP = 0.42  # part of the width
-GROUND = (0.40, 0.40, 0.22)
-SKY = ((0.93, 0.95, 0.96), (0.62, 0.76, 0.90))
+SKY = (0.45, 0.64, 0.86)
+SUN = (215.0, 38.0)  # azimuth and elevation [degrees]
 #: Of species on the map, in the order of their numbers.
 COLORS = ((0.30, 0.52, 0.30), (0.80, 0.56, 0.22), (0.42, 0.50, 0.62), (0.66, 0.34, 0.28), (0.56, 0.62, 0.24), (0.55, 0.45, 0.60))
 
@@ -40,10 +40,12 @@ LONGLEAF = ("write.csv(data.frame(x=longleaf$x, y=longleaf$y, dbh=longleaf$marks
             "file='{}', row.names=FALSE)")
 LANSING = "write.csv(data.frame(x=lansing$x, y=lansing$y, species=lansing$marks), file='{}', row.names=FALSE)"
 STANDS = (
-    ("longleaf", LONGLEAF, {}, "Longleaf pines, 4 ha in Georgia", (85.0, -42.0, 38.0), (0.0, -17.0)),
+    ("longleaf", LONGLEAF, {}, "Longleaf pines, 4 ha in Georgia", (88.0, -14.0, 3.2), (3.0, 6.0),
+     {"colors": SAVANNA, "cover": 0.92}, {"count": 160000, "reach": 90.0, "height": 0.65, "blades": 8}),
     # 924 feet scaled to 1; two trees have the same place.
     ("lansing", LANSING, {"PlaceScale": 924.0, "units": {"place": "ft"}, "AllowCoincident": True},
-     "Lansing Woods, 7.9 ha in Michigan", (140.0, -3.0, 1.8), (0.0, 10.0)),
+     "Lansing Woods, 7.9 ha in Michigan", (140.0, -3.0, 1.9), (0.0, 6.0),
+     {"colors": BROADLEAVED, "cover": 0.30}, {"count": 60000, "reach": 60.0, "height": 0.35}),
 )
 
 
@@ -117,12 +119,13 @@ def draw_map(trees, title, window):
     renderer.ResetCameraClippingRange()
 
 
-def draw_wood(trees, eye, heading, window):
-    """The planted trees, in the right part of a window. heading: from north to east, and up from level [degrees]."""
+def draw_wood(trees, eye, heading, ground, grass, window):
+    """The planted trees, in the right part of a window. heading: from north to east, and up from level [degrees].
+    ground, grass: arguments of Floor and of its grass."""
     renderer = vtkRenderer()
     renderer.SetViewport(MAP, 0.0, 1.0, 1.0)
-    renderer.SetBackground(*SKY[0])
-    renderer.SetBackground2(*SKY[1])
+    renderer.SetBackground(*HAZE)
+    renderer.SetBackground2(*SKY)
     renderer.GradientBackgroundOn()
     aspect = (1.0 - MAP) * PICTURE[0] / PICTURE[1]
     forest = stand.plant(trees, UseLevels=True, UseCulling=True, NearDistance=90.0, FarDistance=200.0)
@@ -136,22 +139,17 @@ def draw_wood(trees, eye, heading, window):
     for level in ("High", "Medium", "Low"):
         for actor in level_actors(forest, level):
             renderer.AddActor(actor)
-    x0, x1, y0, y1 = trees.GetBounds()[:4]
-    ground = vtkPlaneSource()
-    ground.SetOrigin(x0 - 900.0, y0 - 90.0, 0.0)
-    ground.SetPoint1(x1 + 900.0, y0 - 90.0, 0.0)
-    ground.SetPoint2(x0 - 900.0, y1 + 1500.0, 0.0)
-    ground.Update()
-    floor = actor_of(ground.GetOutput(), 0.3)
-    floor.GetProperty().SetColor(*GROUND)
-    renderer.AddActor(floor)
-    add_daylight(renderer)
+    floor = Floor(vtk_to_numpy(trees.GetPoints().GetData()), stand.numbers(trees, "Height"),
+                  stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, **ground)
+    for part in (floor.ground(), floor.litter(), floor.grass(**grass), floor.woods()):
+        renderer.AddActor(floor_actor(part))
+    add_daylight(renderer, SUN)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
     camera.SetFocalPoint(*(e + t for e, t in zip(eye, towards)))
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(58.0)
-    camera.SetClippingRange(0.5, 2500.0)
+    camera.SetClippingRange(0.5, 4500.0)
     window.AddRenderer(renderer)
     return forest
 
@@ -171,7 +169,7 @@ def main(folder):
     """Both stands as pictures."""
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
-        for name, command, settings, title, eye, heading in STANDS:
+        for name, command, settings, title, eye, heading, ground, grass in STANDS:
             filename = os.path.join(work, name + ".csv")
             if not inventory(command, filename):
                 print("There are no inventories: R and its package spatstat.data are not installed.")
@@ -180,7 +178,7 @@ def main(folder):
             report(name, trees)
             window = vtkRenderWindow()
             draw_map(trees, title, window)
-            forest = draw_wood(trees, eye, heading, window)
+            forest = draw_wood(trees, eye, heading, ground, grass, window)
             write_jpg(window, os.path.join(folder, f"stand-{name}.jpg"), PICTURE)
             del forest
 

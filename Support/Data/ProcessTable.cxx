@@ -53,6 +53,13 @@ std::string ReadCorners(vtkTable* table, ObservationWindow& window)
 
 }
 
+bool FirstRowIsProcess(vtkTable* table)
+{
+  ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
+  vtkDataArray* ids = rows.Find("ProcessId", 1);
+  return ids && table->GetNumberOfRows() > 0 && FirstProcess(ids) == 0;
+}
+
 std::string ReadProcessFit(vtkTable* table, PointProcessParameters& process, ObservationWindow& window)
 {
   ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");

@@ -18,6 +18,9 @@ class vtkTable;
 namespace littoral
 {
 
+/// Whether the first row of a table of fits is a process.
+bool FirstRowIsProcess(vtkTable* table);
+
 /// The process of the first row of a table of fits that has one, and the window of its pattern; what the table does not
 /// have stays as it is. The reason why it cannot be, or nothing.
 std::string ReadProcessFit(vtkTable* table, PointProcessParameters& process, ObservationWindow& window);

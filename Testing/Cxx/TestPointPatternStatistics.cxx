@@ -3,7 +3,9 @@
 // Statistics of point patterns through the pipeline: columns, verdicts, windows, marks, species, laws, every bad input.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "vtkPatternVerdictFilter.h"
 #include "vtkPointPatternStatisticsFilter.h"
+#include "vtkPointProcessSource.h"
 #include "vtkQuadratAnalysisFilter.h"
 #include "vtkQuadratPointSource.h"
 
@@ -192,6 +194,48 @@ bool LawIsRecognized()
   return Check(high[0] == high[2] && high[1] == high[3], "another result on one thread") && good;
 }
 
+/// Thomas clusters are no random pattern, and one of the process that a verdict finds for them; not of what it rejects.
+bool ProcessIsRecognized()
+{
+  vtkNew<vtkPointProcessSource> source;
+  source->SetProcessToThomas();
+  source->SetSize(100.0, 100.0);
+  source->SetIntensity(0.03);
+  source->SetClusterScale(3.0);
+  vtkNew<vtkPatternVerdictFilter> judge;
+  judge->SetInputConnection(source->GetOutputPort());
+  judge->SetSize(100.0, 100.0);
+  judge->SetNumberOfSimulations(39);
+  vtkNew<Filter> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetSize(100.0, 100.0);
+  filter->SetNumberOfSteps(64);
+  filter->Update();
+  bool good = Check(Word(filter, "Verdict") == "differs", "clusters are random");
+  filter->SetLawConnection(judge->GetOutputPort());
+  for (const int function : { Filter::L, Filter::PairCorrelation, Filter::NearestNeighbor })
+  {
+    filter->SetFunction(function);
+    filter->Update();
+    good &= Check(Word(filter, "Verdict") == "not distinguishable", "the process is not recognized");
+    good &= Check(Word(filter, "Pattern").empty(), "a pattern that was not tested against chance");
+  }
+  // A table with a process that has no clusters.
+  vtkNew<vtkTable> table;
+  table->DeepCopy(Output(judge, 0));
+  vtkTable* rows = table;
+  rows->GetColumnByName("ProcessId")->SetVariantValue(0, vtkVariant(vtkPointProcessSource::Poisson));
+  filter->SetInputData(2, table);
+  filter->SetFunction(Filter::L);
+  filter->Update();
+  good &= Check(Word(filter, "Verdict") == "differs", "clusters are a Poisson process");
+  rows->GetColumnByName("Intensity")->SetVariantValue(0, vtkVariant(-1.0));
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(filter);
+  filter->Modified();
+  return errors->ExpectOneNaming("Intensity") && good;
+}
+
 /// Marks and species that follow each other, and their functions.
 bool KindsAreRead()
 {
@@ -336,5 +380,7 @@ bool BadInputIsRefused()
 
 int TestPointPatternStatistics(int, char*[])
 {
-  return LatticeIsRegular() && LawIsRecognized() && KindsAreRead() && BadInputIsRefused() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return LatticeIsRegular() && LawIsRecognized() && ProcessIsRecognized() && KindsAreRead() && BadInputIsRefused()
+    ? EXIT_SUCCESS
+    : EXIT_FAILURE;
 }

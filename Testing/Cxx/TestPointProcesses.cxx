@@ -90,7 +90,15 @@ bool CheckBadSources()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   bool good = true;
-  good &= SourceFails("Process", [](Source* s) { s->SetProcess(6); });
+  good &= SourceFails("Process", [](Source* s) { s->SetProcess(7); });
+  good &= SourceFails("Softness", [](Source* s) {
+    s->SetProcess(Source::SoftCore);
+    s->SetSoftness(0.9);
+  });
+  good &= SourceFails("Distance^2", [](Source* s) {
+    s->SetProcess(Source::SoftCore);
+    s->SetIntensity(1.0);
+  });
   good &= SourceFails("Intensity", [](Source* s) { s->SetIntensity(0.0); });
   good &= SourceFails("Intensity", [](Source* s) { s->SetIntensity(-1.0); });
   good &= SourceFails("ClusterSize", [](Source* s) { s->SetClusterSize(0.0); });
@@ -243,7 +251,7 @@ bool CheckVerdict()
   verdict->SetNumberOfSimulations(39);
   verdict->Update();
   vtkTable* table = verdict->GetOutput();
-  bool good = Check(table->GetNumberOfRows() == 12, "not twelve processes and laws");
+  bool good = Check(table->GetNumberOfRows() == 13, "not seven processes and six laws");
   good &= Check(table->GetValueByName(0, "Verdict").ToString() == "best", "the first row is not the best");
   bool isPoissonWorse = false;
   bool isThomasGood = false;

@@ -98,7 +98,8 @@ CASES = {
         {"SetLaw": (1,), "SetSeed": (4,)}, {"SetLaw": (2,)}, {"SetMode": (1,), "SetMeanPerQuadrat": (3.0,)}]),
     "vtkPointProcessSource": (lambda: (), [
         {"SetProcess": (3,)}, {"SetProcess": (4,), "SetSeed": (2,)},
-        {"SetProcess": (5,), "SetSize": (100.0, 80.0), "SetNumberOfSpecies": (2,), "SetMarks": (True,)}]),
+        {"SetProcess": (5,), "SetSize": (100.0, 80.0), "SetNumberOfSpecies": (2,), "SetMarks": (True,)},
+        {"SetProcess": (6,), "SetSize": (100.0, 80.0), "SetIntensity": (0.03,)}]),
     "vtkReevesTreeSource": (lambda: (), [
         {"SetPreset": (1,), "SetSeed": (2,)}, {"SetPreset": (3,)}, {"SetPreset": (0,), "SetOrders": (2,)}]),
     "vtkAonoKuniiTreeSource": (lambda: (), [

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mapped patterns, fitted and regrown: g of each lies in the global envelope of 99 simulations of the best process.
 
-Two patterns are in Examples/Data/patterns; longleaf pines and the trees of Lansing Woods are read from the R package
-spatstat.data, where it is installed. For the cells, which nothing regrows, see Testing/Common/Patterns.
+Three patterns are in Examples/Data/patterns; longleaf pines and the trees of Lansing Woods are read from the R package
+spatstat.data, where it is installed.
 """
 # run-with: python3
 
@@ -22,7 +22,7 @@ DATA = Path(__file__).resolve().parents[2] / "Examples" / "Data" / "patterns"
 #: Name, lower left corner and side of the window [m], largest distance [m] (0: the default), of the R package or not.
 PATTERNS = (
     ("japanesepines", (0.0, 0.0), 1.0, 0.0, False), ("redwood", (0.0, -1.0), 1.0, 0.0, False),
-    ("longleaf", (0.0, 0.0), 200.0, 0.0, True),
+    ("cells", (0.0, 0.0), 1.0, 0.0, False), ("longleaf", (0.0, 0.0), 200.0, 0.0, True),
     ("lansing", (0.0, 0.0), 1.0, 0.1, True))
 
 

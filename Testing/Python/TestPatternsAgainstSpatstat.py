@@ -18,6 +18,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from littoral import vtkPatternVerdictFilter
 from littoral import vtkPointPatternStatisticsFilter as Statistics
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -80,6 +81,19 @@ def column(statistics, name):
     return vtk_to_numpy(statistics.GetOutput(2).GetColumnByName(name))
 
 
+def fitted(table, box, process, names):
+    """Parameters of a process that was fitted to the points of a table."""
+    verdict = vtkPatternVerdictFilter()
+    verdict.SetInputData(points_of(table))
+    verdict.SetOrigin(box[0], box[2])
+    verdict.SetSize(box[1] - box[0], box[3] - box[2])
+    verdict.SetNumberOfSimulations(19)
+    verdict.Update()
+    laws = verdict.GetOutput()
+    rows = [row for row in range(laws.GetNumberOfRows()) if laws.GetValueByName(row, "Law").ToString() == process]
+    return np.array([laws.GetValueByName(rows[0], name).ToDouble() for name in names])
+
+
 def compare(pattern, found, statistics):
     """The largest differences of all columns."""
     r = found["r"]
@@ -132,6 +146,21 @@ with tempfile.TemporaryDirectory() as folder:
             print("longleaf, mark correlation of DBH at 2, 5, 10, 20 m:", values.round(4))
             assert np.allclose(values, [0.452, 0.627, 0.814, 0.949], rtol=TOLERANCE)
             assert np.allclose(values, numbers[:4], rtol=TOLERANCE)
+            continue
+        if name == "redwood-as-thomas":
+            intensity, scale, size = fitted(read(os.path.join(folder, "redwood.csv")), (0.0, 1.0, -1.0, 0.0), "Thomas",
+                                            ("Intensity", "ClusterScale", "ClusterSize"))
+            ours = [intensity / size, scale, size]
+            print("redwood as Thomas: kappa, sigma, mu:", np.round(ours, 4), "spatstat:", numbers)
+            assert np.allclose(ours, numbers, rtol=0.02)
+            assert np.allclose(ours, [23.55, 0.0470, 2.633], rtol=0.02)
+            continue
+        if name == "cells-with-soft-core":
+            ours = fitted(read(os.path.join(folder, "cells.csv")), (0.0, 1.0, 0.0, 1.0), "SoftCore",
+                          ("Softness", "Distance"))
+            print("cells with a soft core: kappa, sigma:", np.round(ours, 4), "spatstat:", numbers)
+            assert abs(ours[0] - numbers[0]) < 1e-9
+            assert np.isclose(ours[1], numbers[1], rtol=0.03)  # other tiles
             continue
         table = read(os.path.join(folder, f"{name}.csv"))
         for kind in ("pairs", "nearest"):

@@ -53,7 +53,7 @@ TEST(PatternVerdict, MappedPatternsAreRegrown)
   {
     SCOPED_TRACE(name);
     const PatternJudgement judgement = JudgePattern(Mapped(name), WindowOf(name), {});
-    ASSERT_EQ(judgement.Laws.size(), 12u);
+    ASSERT_EQ(judgement.Laws.size(), static_cast<std::size_t>(NumberOfPointProcesses + NumberOfQuadratLaws));
     const JudgedLaw& best = judgement.Laws.front();
     EXPECT_EQ(best.Verdict, PatternVerdict::Best);
     EXPECT_GT(best.Envelope.PValue, 0.05) << best.Name();
@@ -72,18 +72,38 @@ TEST(PatternVerdict, MappedPatternsAreRegrown)
 }
 
 // Cells keep soft distances: g falls slowly between 0.12 and 0.08 and is above 1.8 at 0.15, which neither a strict
-// distance nor that of Strauss makes. So nothing is best, and no cluster exists.
-TEST(PatternVerdict, WhatNothingMakesIsCalledByNoName)
+// distance nor that of Strauss makes, but a soft core does.
+TEST(PatternVerdict, CellsHaveASoftCoreAndNothingElse)
 {
-  VerdictOptions options;
-  options.Simulations = 39;
-  const PatternJudgement judgement = JudgePattern(Mapped("cells"), WindowOf("cells"), options);
-  for (const JudgedLaw& law : judgement.Laws)
+  const PatternJudgement judgement = JudgePattern(Mapped("cells"), WindowOf("cells"), {});
+  const JudgedLaw& best = judgement.Laws.front();
+  EXPECT_STREQ(best.Name(), "SoftCore");
+  EXPECT_EQ(best.Verdict, PatternVerdict::Best);
+  EXPECT_TRUE(best.Envelope.Outside.empty());
+  for (std::size_t n = 1; n < judgement.Laws.size(); ++n)
   {
+    const JudgedLaw& law = judgement.Laws[n];
     EXPECT_EQ(law.Verdict, law.Exists() ? PatternVerdict::Worse : PatternVerdict::DoesNotExist) << law.Name();
   }
   EXPECT_TRUE(Find(judgement, "Strauss", true).Exists());
   EXPECT_FALSE(Find(judgement, "Thomas", true).Exists());
+}
+
+// Points at the corners of squares keep more order than any process or law has.
+TEST(PatternVerdict, WhatNothingMakesIsCalledByNoName)
+{
+  std::vector<PlanePosition> points;
+  for (int n = 0; n < 100; ++n)
+  {
+    points.push_back({ 0.05 + 0.1 * (n % 10), 0.05 + 0.1 * (n / 10) + 1e-3 * (n % 7) });
+  }
+  VerdictOptions options;
+  options.Simulations = 39;
+  const PatternJudgement judgement = JudgePattern(points, ObservationWindow(), options);
+  for (const JudgedLaw& law : judgement.Laws)
+  {
+    EXPECT_EQ(law.Verdict, law.Exists() ? PatternVerdict::Worse : PatternVerdict::DoesNotExist) << law.Name();
+  }
 }
 
 // In a polygon there are no quadrats, and processes are judged as in a rectangle; the same on any threads.

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Patterns/ProcessFit.h"
+#include "Patterns/ProcessPattern.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+PointProcessParameters SoftCore(double intensity, double distance, double softness)
+{
+  PointProcessParameters process;
+  process.Process = PointProcess::SoftCore;
+  process.Intensity = intensity;
+  process.Distance = distance;
+  process.Softness = softness;
+  return process;
+}
+
+std::vector<PlanePosition> Cells()
+{
+  std::ifstream file(std::string(LITTORAL_TEST_DATA) + "/../../Examples/Data/patterns/cells.csv");
+  std::string line;
+  std::getline(file, line);
+  std::vector<PlanePosition> points;
+  while (std::getline(file, line))
+  {
+    points.push_back({ std::stod(line), std::stod(line.substr(line.find(',') + 1)) });
+  }
+  return points;
+}
+
+/// Square of the gradient, and Laplacian, of the potential of a point: of (D / r)^m they are m (D / r)^m / r along the
+/// line to the other point, and m^2 (D / r)^m / r^2.
+struct Curvature
+{
+  double Square = 0.0;
+  double Laplacian = 0.0;
+};
+
+Curvature CurvatureAt(const std::vector<PlanePosition>& points, std::size_t at, const PointProcessParameters& process)
+{
+  const double m = 2.0 / process.Softness;
+  double gradient[2] = { 0.0, 0.0 };
+  Curvature result;
+  for (std::size_t n = 0; n < points.size(); ++n)
+  {
+    const double dx = points[at][0] - points[n][0];
+    const double dy = points[at][1] - points[n][1];
+    const double r2 = dx * dx + dy * dy;
+    const double potential = n == at ? 0.0 : std::pow(process.Distance * process.Distance / r2, 0.5 * m);
+    if (potential > 0.005)
+    {
+      gradient[0] += m * potential * dx / r2;
+      gradient[1] += m * potential * dy / r2;
+      result.Laplacian += m * m * potential / r2;
+    }
+  }
+  result.Square = gradient[0] * gradient[0] + gradient[1] * gradient[1];
+  return result;
+}
+
+}
+
+// In equilibrium the mean of |grad U|^2 is that of the Laplacian of U (Rugh 1997; integration by parts of exp(-U)), for
+// points that are crowded and for such that are not. Points that still overlap, as random ones do, have more of the
+// former.
+TEST(SoftCore, ForcesBalanceAsInEquilibrium)
+{
+  for (const auto& [distance, softness] : { std::pair(0.03, 0.4), std::pair(0.1, 0.2), std::pair(0.1, 0.4) })
+  {
+    const PointProcessParameters process = SoftCore(100.0, distance, softness);
+    double sum = 0.0;
+    double squares = 0.0;
+    double laplacians = 0.0;
+    const int seeds = 30;
+    for (int seed = 1; seed <= seeds; ++seed)
+    {
+      ProcessOptions options;
+      options.Seed = seed;
+      const std::vector<PlanePosition> points = SimulateProcess(process, options, ObservationWindow()).Points;
+      const double margin = distance * std::pow(0.005, -0.5 * softness);
+      double difference = 0.0;
+      for (std::size_t n = 0; n < points.size(); ++n)
+      {
+        const bool isInside =
+          points[n][0] > margin && points[n][0] < 1.0 - margin && points[n][1] > margin && points[n][1] < 1.0 - margin;
+        if (isInside)
+        {
+          const Curvature curvature = CurvatureAt(points, n, process);
+          difference += curvature.Square - curvature.Laplacian;
+          laplacians += curvature.Laplacian;
+        }
+      }
+      sum += difference;
+      squares += difference * difference;
+    }
+    const double error = std::sqrt((squares - sum * sum / seeds) * seeds / (seeds - 1.0));
+    EXPECT_NEAR(sum, 0.0, 3.0 * error) << distance << " " << softness;
+    EXPECT_LT(error, 0.15 * laplacians) << distance << " " << softness; // the test sees a difference
+  }
+}
+
+// The number of points in the torus is given, so that the intensity is too.
+TEST(SoftCore, IntensityIsThatAskedFor)
+{
+  double points = 0.0;
+  for (int seed = 1; seed <= 60; ++seed)
+  {
+    ProcessOptions options;
+    options.Seed = seed;
+    const ProcessPattern pattern = SimulateProcess(SoftCore(60.3, 0.1, 0.3), options, ObservationWindow());
+    EXPECT_FALSE(pattern.IsExact);
+    points += static_cast<double>(pattern.Points.size()) / 60.0;
+  }
+  EXPECT_NEAR(points, 60.3, 0.8);
+}
+
+// ppm of spatstat with Softcore(0.45), a border of 0.13 and nd = 256: sigma = 0.1294; the maximum over kappa, in steps
+// of 0.05, is there too.
+TEST(SoftCore, CellsAreThoseOfSpatstat)
+{
+  const ProcessFit fit = FitSoftCore(Cells(), ObservationWindow(), 0.13);
+  ASSERT_TRUE(fit.Exists);
+  EXPECT_NEAR(fit.Process.Softness, 0.45, 1e-9);
+  EXPECT_NEAR(fit.Process.Distance, 0.1294, 0.03 * 0.1294);
+  EXPECT_DOUBLE_EQ(fit.Process.Intensity, 42.0);
+}
+
+// The pseudo-likelihood finds more than there is: a tenth of the distance and 0.1 of the softness, on the average.
+TEST(SoftCore, WhatWasSimulatedIsFoundAgainAndRandomPointsHaveNone)
+{
+  double distance = 0.0;
+  double softness = 0.0;
+  int random = 0;
+  const int seeds = 8;
+  for (int seed = 1; seed <= seeds; ++seed)
+  {
+    ProcessOptions options;
+    options.Seed = seed;
+    const ProcessFit fit =
+      FitSoftCore(SimulateProcess(SoftCore(200.0, 0.05, 0.4), options, ObservationWindow()).Points, {}, 0.07);
+    ASSERT_TRUE(fit.Exists) << seed;
+    distance += fit.Process.Distance / seeds;
+    softness += fit.Process.Softness / seeds;
+    PointProcessParameters poisson;
+    poisson.Process = PointProcess::Poisson;
+    poisson.Intensity = 200.0;
+    random += FitSoftCore(SimulateProcess(poisson, options, ObservationWindow()).Points, {}, 0.07).Exists;
+  }
+  EXPECT_NEAR(distance, 0.05, 0.15 * 0.05);
+  EXPECT_NEAR(softness, 0.4, 0.15);
+  EXPECT_LE(random, 1);
+}
+
+TEST(SoftCore, FrozenPointsAreRefused)
+{
+  EXPECT_NE(WhyInvalid(SoftCore(100.0, 0.15, 0.4)).find("Distance^2"), std::string::npos);
+  EXPECT_EQ(WhyInvalid(SoftCore(100.0, 0.14, 0.4)), "");
+}
