@@ -334,8 +334,7 @@ bool vtkConditionalTerrainFilter::ReadData(vtkInformationVector** inputVector, S
   }
   if (errors && this->NormalScores && reason.empty())
   {
-    reason =
-      "Measurement errors have no meaning for normal scores; set ErrorArray to None, or turn NormalScores off.";
+    reason = "Measurement errors have no meaning for normal scores; set ErrorArray to None, or turn NormalScores off.";
   }
   if (!this->Refuse(reason))
   {

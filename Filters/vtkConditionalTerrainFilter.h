@@ -28,8 +28,8 @@
  * `ModelId`, `Variance`, `Range`, `SecondRange`, `FractalDimension`, `Nugget`; with CrossValidation `MeanError`,
  * `RootMeanSquareError` and `MeanSquaredStandardizedError`, which is near 1 for a model that knows how far it errs.
  *
- * Output 2: a vtkPolyData with a vertex per datum at (x, y, value), with the columns of output 1 but `X` and `Y` as point
- * arrays.
+ * Output 2: a vtkPolyData with a vertex per datum at (x, y, value), with the columns of output 1 but `X` and `Y` as
+ * point arrays.
  *
  * Data without error are met; data with an error or a nugget, which is noise of all data, are smoothed. Data outside
  * the grid count as those inside. Values are the same bytes for any subextent and number of threads or ranks.

@@ -94,9 +94,9 @@ bool ShowsUpstream(vtkSMProxy* view, vtkSMProxy* filter)
 {
   const std::set<vtkSMProxy*> upstream = UpstreamOf(filter);
   const std::vector<vtkSMProxy*> visible = VisibleIn(view);
-  return !visible.empty() &&
-    std::all_of(visible.begin(), visible.end(),
-      [&](vtkSMProxy* one) { return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1; });
+  return !visible.empty() && std::all_of(visible.begin(), visible.end(), [&](vtkSMProxy* one) {
+    return upstream.count(vtkSMPropertyHelper(one, "Input").GetAsProxy()) == 1;
+  });
 }
 
 /// Whether proxies are registered by a state file, or by undo and redo.
