@@ -169,7 +169,7 @@ CASES = {
     "vtkCurrentDriftFilter": (lambda: (particles(), current()), [
         {"SetStartTime": (0.5,)}, {"SetStartTime": (-2.0,), "SetTimeStep": (0.25,)}, {"SetGenerateCurrent": (True,)}]),
     "vtkSeaweedDeformationFilter": (lambda: (seaweed(), sea(4.0)), [
-        {"SetMethod": (0,)}, {"SetIntegrator": (1,)}, {"SetGenerateMotion": (True,)}]),
+        {"SetMethod": (0,)}, {"SetIntegrator": (1,), "SetTimeStep": (0.0025,)}, {"SetGenerateMotion": (True,)}]),
     "vtkPlantWakeFilter": (
         lambda: (make("vtkSeaweedDeformationFilter", (seaweed(), sea(4.0)), SetGenerateMotion=(True,)),), [
             {"SetPrimitive": (1,)}, {"SetStrength": (2.0,)}, {"SetMargin": (1.0,)}]),
