@@ -31,7 +31,8 @@ CASES = {
     "external": (4, "z ~ d", 'vgm(9, "Exp", 12)', {}),
     "spherical": (1, "z ~ 1", 'vgm(9, "Sph", 20)', {"Model": 6, "Range": 20.0}),
     "error": (2, "z ~ x + y", 'vgm(9, "Exp", 12, add.to = vgm(0.5, "Err", 0))', {"Nugget": 0.5}),
-    "anisotropy": (1, "z ~ 1", 'vgm(9, "Exp", 12, anis = c(60, 0.4))', {"AnisotropyRatio": 2.5, "AnisotropyAngle": 30.0}),
+    "anisotropy": (1, "z ~ 1", 'vgm(9, "Exp", 12, anis = c(60, 0.4))',
+                   {"AnisotropyRatio": 2.5, "AnisotropyAngle": 30.0}),
     "neighbors": (1, "z ~ 1", 'vgm(9, "Exp", 12)', {"NumberOfNeighbors": 9}),
 }
 SCRIPT = """
@@ -41,7 +42,8 @@ s <- all[all$known == 1, ]; n <- all[all$known == 0, ]
 coordinates(s) <- ~x+y; coordinates(n) <- ~x+y
 k <- krige(FORMULA, s, n, MODEL, debug.level = 0 MORE)
 c <- krige.cv(FORMULA, s, MODEL, debug.level = 0, verbose = FALSE MORE)
-show <- function(a, b) write.table(format(cbind(a, b), digits = 15), row.names = FALSE, col.names = FALSE, quote = FALSE)
+show <- function(a, b) write.table(format(cbind(a, b), digits = 15), row.names = FALSE, col.names = FALSE,
+                                   quote = FALSE)
 show(k$var1.pred, k$var1.var)
 show(c$var1.pred, c$var1.var)
 """
@@ -55,7 +57,8 @@ drift = plane + 0.01 * nodes[:, 0] * nodes[:, 1]
 at_data = 0.3 * places[:, 0] - 0.2 * places[:, 1] + 7.0 + 0.01 * places[:, 0] * places[:, 1]
 heights = MEAN + 3.0 * random.normal(size=len(places)) + 0.1 * at_data
 rows = "x y z d known\n" + "".join(
-    f"{x!r} {y!r} {z!r} {d!r} 1\n" for (x, y), z, d in zip(places.tolist(), heights.tolist(), at_data.tolist())) + "".join(
+    f"{x!r} {y!r} {z!r} {d!r} 1\n"
+    for (x, y), z, d in zip(places.tolist(), heights.tolist(), at_data.tolist())) + "".join(
     f"{x!r} {y!r} 0 {d!r} 0\n" for (x, y), d in zip(nodes.tolist(), drift.tolist()))
 
 points = vtkPoints()
@@ -96,5 +99,6 @@ for name, (kind, formula, model, settings) in CASES.items():
             column(table, "LeftOutEstimate"), column(table, "LeftOutDeviation")**2 - noise)
     theirs = (peer[:SIZE * SIZE, 0], peer[:SIZE * SIZE, 1], peer[SIZE * SIZE:, 0], peer[SIZE * SIZE:, 1])
     worst = [abs(a - b).max() for a, b in zip(ours, theirs)]
-    print(f"{name}: estimate {worst[0]:.1e}, variance {worst[1]:.1e}; left out {worst[2]:.1e}, {worst[3]:.1e}", flush=True)
+    print(f"{name}: estimate {worst[0]:.1e}, variance {worst[1]:.1e}; "
+          f"left out {worst[2]:.1e}, {worst[3]:.1e}", flush=True)
     assert max(worst) < 1e-6, name
