@@ -10,7 +10,8 @@ measured in ParaView, and after, other tools at the same work (peers.py). FILE (
 Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, cost over size, frames)
 and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and each benchmark has a
 tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an earlier run on the same machine: what takes over 10 % longer is listed,
-and the exit code is 1. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others
+and the exit code is 1; benchmarks without a counterpart there, as those with a new name, are listed too, and so are, after a
+run of all, those of OLD.csv that were not run. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others
 by the processor's time.
 """
 
@@ -52,6 +53,7 @@ class Result:
     items_per_second: float  # 0: unknown
     bytes_per_second: float
     note: str
+    counters: dict = dataclasses.field(default_factory=dict)  # and all else that was written about it
 
     @property
     def time(self):
@@ -86,7 +88,7 @@ def results_of(program, written):
         unit = MILLISECONDS[result["time_unit"]]
         results.append(Result(program, result["name"], result["real_time"] * unit, result["cpu_time"] * unit,
                               result.get("items_per_second", 0.0), result.get("bytes_per_second", 0.0),
-                              result.get("label", "")))
+                              result.get("label", ""), result))
     return results
 
 
@@ -168,16 +170,17 @@ def read_table(filename):
 
 
 def compare(results, old):
-    """Sentences about what is slower than in an earlier run, and how many benchmarks both have."""
-    slower, both = [], 0
-    for result in results:
-        before = old.get((result.program, result.name))
-        if before:
-            both += 1
-            if result.time > SLOWER * before:
-                slower.append(f"{result.program}, {result.name}: {result.time:.4g} ms, "
-                              f"{result.time / before:.2f} times {before:.4g} ms")
-    return slower, both
+    """Sentences about what is slower than in an earlier run, how many benchmarks both have, and names of those that only
+    this and only that run has, as "program, benchmark"."""
+    slower, now = [], {(result.program, result.name): result for result in results}
+    both = [key for key in now if key in old]
+    for key in both:
+        time, before = now[key].time, old[key]
+        if time > SLOWER * before:
+            times = f"{time / before:.2f} times" if before else "after"
+            slower.append(f"{', '.join(key)}: {time:.4g} ms, {times} {before:.4g} ms")
+    return slower, len(both), *([", ".join(key) for key in some if key not in others]
+                                for some, others in ((now, old), (old, now)))
 
 
 def check_writable(filename):
@@ -232,7 +235,13 @@ def main(words):
         print(silence)
     if not options.against:
         return 0
-    slower, both = compare(results, old)
+    slower, both, new, gone = compare(results, old)
+    if new:
+        print("\n".join([f"{len(new)} benchmarks are new, or have another name than in {options.against}:", *new]))
+    if gone:
+        is_part = options.quick or is_filtered
+        print(f"{len(gone)} benchmarks of {options.against} were not run{'' if is_part else ':'}")
+        print("\n".join([] if is_part else gone), end="" if is_part else "\n")
     print(f"{len(slower)} of {both} benchmarks take over 10 % longer than in {options.against}")
     print("\n".join(slower), end="\n" if slower else "")
     return 1 if slower else 0
