@@ -6,10 +6,10 @@
 
 SCENE: forest or underwater, the examples of Examples/ParaView; or an entry of Sources > Littoral, such as SwayingForest.
 Each of the FRAMES (default: 12) is a step of 1/12 s, or, where nothing moves, a turn of the camera by 1 degree: first the
-pipeline is updated, then the picture is drawn, then drawn again, of the same scene. Printed, or written as JSON, are means of
-wall and processor time [s] of update and first drawing ("render"); what of the update is spent in Littoral's algorithms, in
-other ones, and outside of any; and of the rendering, "raster", which is the second drawing, and "upload and building", the
-first less the second; the wall time until the first picture [s], and the most memory of the process [MB].
+pipeline is updated, then the picture is drawn, then drawn again, of the same scene. Printed, or written as JSON, are means
+of wall and processor time [s] of update and first drawing ("render"); what of the update is spent in Littoral's algorithms,
+in other ones, and outside of any; and of the rendering, "raster", which is the second drawing, and "upload and building",
+the first less the second; the wall time until the first picture [s], and the most memory of the process [MB].
 """
 
 import json

@@ -48,9 +48,9 @@ def of_particles(ran, table):
         rows += [row_of(f"gain by {WORDS[key]}, paper", ratios(PARTICLES[key], PARTICLES[0, 0])),
                  row_of("here, in updates a second", ratios(rates[key], rates[0, 0])),
                  row_of("here, in trains times particles", ratios(trains[0, 0], trains[key]))]
-    return ["Table 1 of Coulais et al., on an AMD Athlon XP 2400+ with an nVIDIA GeForce FX 5700 LE: 4000 particles, 30 wave "
-            "trains, a uniform current. Here: current, levels and orbits; 45 degrees, 480 lines, wind of 10 m/s, which the "
-            "paper does not give.", "",
+    return ["Table 1 of Coulais et al., on an AMD Athlon XP 2400+ with an nVIDIA GeForce FX 5700 LE: 4000 particles, 30 "
+            "wave trains, a uniform current. Here: current, levels and orbits; 45 degrees, 480 lines, wind of 10 m/s, which "
+            "the paper does not give.", "",
             *table(("distance [m]", *DISTANCES), rows)]
 
 
@@ -61,7 +61,8 @@ def of_seaweeds(ran, table):
     rows = []
     for words, published, here in zip(("no levels", "levels of detail"), SEAWEEDS, rates):
         rows += [row_of(f"{words}, paper [1/s]", published), row_of(f"{words}, here [1/s]", here)]
-    rows += [row_of("gain, paper", ratios(*reversed(SEAWEEDS))), row_of("here, in updates a second", ratios(rates[1], rates[0])),
+    rows += [row_of("gain, paper", ratios(*reversed(SEAWEEDS))),
+             row_of("here, in updates a second", ratios(*reversed(rates))),
              row_of("here, in segments moved", ratios(*segments))]
     return ["Table 2 of Coulais et al., on the same computer: simple seaweeds on 40 m x 10 m, seen lengthwise. Here: "
             "procedural plants of six segments with skins, moved by waves and current.", "",
@@ -93,5 +94,5 @@ def lines(results, table):
             continue  # not all of it was run
     if not made:
         return ["The scenes of the papers were not measured.", ""]
-    return ["Papers give frames a second, drawing included; here are updates a second of the filters, which draw nothing, by "
-            "real time. Ratios within a table are what compares, above all those of what is counted.", "", *made]
+    return ["Papers give frames a second, drawing included; here are updates a second of the filters, which draw nothing, "
+            "by real time. Ratios within a table are what compares, above all those of what is counted.", "", *made]

@@ -6,13 +6,13 @@
     report.py PROGRAM... [--quick] [--csv FILE] [--against OLD.csv] [ARGUMENT...]
 
 PROGRAM: of Google Benchmark. Each is run with the ARGUMENTs that begin with --benchmark_; before, frames of two scenes are
-measured in ParaView, and after, other tools at the same work (peers.py). FILE (default: benchmarks.csv) takes the table of times.
-Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, cost over size, frames)
-and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and each benchmark has a
-tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an earlier run on the same machine: what takes over 10 % longer is listed,
-and the exit code is 1; benchmarks without a counterpart there, as those with a new name, are listed too, and so are, after a
-run of all, those of OLD.csv that were not run. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others
-by the processor's time.
+measured in ParaView, and after, other tools at the same work (peers.py). FILE (default: benchmarks.csv) takes the table of
+times. Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, papers, cost over size,
+frames) and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and each benchmark
+has a tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an earlier run on the
+same machine: what takes over 10 % longer is listed, and the exit code is 1. Benchmarks without a counterpart there, as those
+with a new name, are listed too; and so are, after a run of all, those of OLD.csv that were not run. Benchmarks with several
+threads are judged by real time, which a loaded machine spoils, the others by the processor's time.
 """
 
 import argparse
@@ -38,9 +38,10 @@ SLOWER = 1.10  # time over that of the earlier run, above which a benchmark is l
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bench_scenes.py")
 
 #: With --quick: what is left out, the scenes, and the frames of each. The examples take a minute to build.
-SLOW = "Abort", "SwayForest", "AllInFull", "FirstViewOfForest"
+SLOW = "Abort", "SwayForest", "AllInFull", "FirstViewOfForest", "in full:1000"
 QUICK_SCENES, ALL_SCENES = ("SwayingForest", "Underwater"), ("forest", "underwater")
 QUICK_FRAMES, ALL_FRAMES = 4, 12
+QUICK_TIME = 0.05  # that each benchmark has at least, unless it has a number of iterations [s]
 
 
 @dataclasses.dataclass
@@ -216,7 +217,7 @@ def main(words):
     check_writable(options.csv)
     is_filtered = any(argument.startswith("--benchmark_filter") for argument in arguments)
     if options.quick:
-        arguments.append("--benchmark_min_time=0.05")
+        arguments.append(f"--benchmark_min_time={QUICK_TIME}")
         arguments += [] if is_filtered else [f"--benchmark_filter=-{'|'.join(SLOW)}"]
     scenes, silence = [], "No frames were measured: benchmarks were chosen by name."
     if not is_filtered:
@@ -228,7 +229,8 @@ def main(words):
     if not results:
         raise ValueError("no benchmark fits")
     others = ([], "Other tools were not timed.") if options.quick else peers.measure(results)
-    sets = {} if is_filtered else instruction_sets.measure(options.programs, measure)
+    seconds = [QUICK_TIME] if options.quick else []
+    sets = {} if is_filtered else instruction_sets.measure(options.programs, measure, *seconds)
     report = write_report(results, sets, scenes, silence, others, options.csv)
     print(f"{len(results)} benchmarks: {options.csv}, {report}")
     if silence:

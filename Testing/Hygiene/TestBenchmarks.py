@@ -115,8 +115,8 @@ class Benchmarks(unittest.TestCase):
             done = self.report(renamed, words, "--against", "old.csv")
             self.assertIn("1 benchmarks of old.csv were not run\n0 of 1", done.stdout)
         done = self.report([result("Swell", 10.0), result("Surf", 10.0)], "--against", "old.csv")
-        self.assertTrue(done.stdout.endswith("there is no pvpython.\n0 of 2 benchmarks take over 10 % longer than in old.csv\n"),
-                        done.stdout)
+        self.assertTrue(done.stdout.endswith(
+            "there is no pvpython.\n0 of 2 benchmarks take over 10 % longer than in old.csv\n"), done.stdout)
 
     def test_papers_stand_beside_their_scenes(self):
         def particles(distance, levels, selection):
@@ -147,7 +147,8 @@ class Benchmarks(unittest.TestCase):
         text = self.report_all({"vtkbench_papers": table_1[1:] + table_2})
         self.assertNotIn("Table 1 of Coulais", text)
         self.assertIn("Table 2 of Coulais", text)
-        self.assertIn("The scenes of the papers were not measured.", self.report_all({"bench_waves": [result("Swell", 1.0)]}))
+        text = self.report_all({"bench_waves": [result("Swell", 1.0)]})
+        self.assertIn("The scenes of the papers were not measured.", text)
 
     def test_threads_are_judged_by_real_time(self):
         def both(real, processor):
