@@ -36,10 +36,10 @@ def ratios(numbers, others):
 def of_particles(ran, table):
     """ran: results by name."""
     def of(key, value):
-        return [value(ran[f"Particles/distance:{distance}/levels:{key[0]}/selection:{key[1]}/real_time"])
+        return [value(ran[f"Particles/distance:{distance}/levels:{key[0]}/selection:{key[1]}/process_time"])
                 for distance in DISTANCES]
 
-    rates = {key: of(key, lambda one: 1e3 / one.real) for key in PARTICLES}
+    rates = {key: of(key, lambda one: 1e3 / one.processor) for key in PARTICLES}
     trains = {key: of(key, lambda one: one.counters["trains"]) for key in PARTICLES}
     rows = []
     for key, published in PARTICLES.items():
@@ -55,9 +55,9 @@ def of_particles(ran, table):
 
 
 def of_seaweeds(ran, table):
-    both = [[ran[f"Seaweeds/plants:{plants}/levels:{levels}/real_time"] for plants in PLANTS] for levels in (0, 1)]
+    both = [[ran[f"Seaweeds/plants:{plants}/levels:{levels}/process_time"] for plants in PLANTS] for levels in (0, 1)]
     rates, segments = ([[value(one) for one in row] for row in both]
-                       for value in (lambda one: 1e3 / one.real, lambda one: one.counters["segments"]))
+                       for value in (lambda one: 1e3 / one.processor, lambda one: one.counters["segments"]))
     rows = []
     for words, published, here in zip(("no levels", "levels of detail"), SEAWEEDS, rates):
         rows += [row_of(f"{words}, paper [1/s]", published), row_of(f"{words}, here [1/s]", here)]
@@ -70,11 +70,11 @@ def of_seaweeds(ran, table):
 
 
 def of_trees(ran, table):
-    by_cells = [ran[f"Trees/cells:{cells}/iterations:90/real_time"] for cells in (0, 1)]
+    by_cells = [ran[f"Trees/cells:{cells}/iterations:90/process_time"] for cells in (0, 1)]
     polygons = {(levels, cells): one.counters["polygons" if levels else "polygons in full"]
                 for cells, one in enumerate(by_cells) for levels in (0, 1)}
     rows = [(IN_TREES[key], short(published), short(published / TREES[0, 0]), short(1e-3 * polygons[key]),
-             short(polygons[0, 0] / polygons[key]), short(1e3 / by_cells[key[1]].real) if key[0] else "")
+             short(polygons[0, 0] / polygons[key]), short(1e3 / by_cells[key[1]].processor) if key[0] else "")
             for key, published in TREES.items()]
     return ["Figure 9 of Setas et al., on an SGI Indigo IRIS XS24, at 1000 trees: the frame rates that the text gives, on a "
             "random path, with two levels. Here: means over 90 views from evenly spread places within 500 m x 500 m, with "
@@ -95,4 +95,5 @@ def lines(results, table):
     if not made:
         return ["The scenes of the papers were not measured.", ""]
     return ["Papers give frames a second, drawing included; here are updates a second of the filters, which draw nothing, "
-            "by real time. Ratios within a table are what compares, above all those of what is counted.", "", *made]
+            "by the processor's time of all threads. Ratios within a table are what compares, above all those of what is "
+            "counted.", "", *made]

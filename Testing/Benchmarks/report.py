@@ -7,12 +7,13 @@
 
 PROGRAM: of Google Benchmark. Each is run with the ARGUMENTs that begin with --benchmark_; before, frames of two scenes are
 measured in ParaView, and after, other tools at the same work (peers.py). FILE (default: benchmarks.csv) takes the table of
-times. Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, papers, cost over size,
-frames) and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and each benchmark
-has a tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an earlier run on the
-same machine: what takes over 10 % longer is listed, and the exit code is 1. Benchmarks without a counterpart there, as those
-with a new name, are listed too; and so are, after a run of all, those of OLD.csv that were not run. Benchmarks with several
-threads are judged by real time, which a loaded machine spoils, the others by the processor's time.
+times. Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, papers, cost
+over size, frames) and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and
+each benchmark has a tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an
+earlier run on the same machine: what takes over 10 % longer is listed, and the exit code is 1. Benchmarks without a
+counterpart there, as those with a new name, are listed too; and so are, after a run of all, those of OLD.csv that were not
+run. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others by the processor's
+time.
 """
 
 import argparse
