@@ -73,7 +73,7 @@ void Particles(benchmark::State& state)
   orbits->UpdateTimeStep(0.0);
   state.counters["trains"] = Field(select, "TrainSums")->GetTuple1(0);
   int frame = 0;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     // A second, over and over: the current carries the particles by a decimetre at most.
     orbits->UpdateTimeStep(Frame * (++frame % 24));
@@ -126,7 +126,7 @@ void Seaweeds(benchmark::State& state)
   move->UpdateTimeStep(0.0);
   state.counters["segments"] = Field(move, "SegmentsMoved")->GetTuple1(0);
   int frame = 0;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     move->UpdateTimeStep(Frame * ++frame);
   }
@@ -167,7 +167,7 @@ void Trees(benchmark::State& state)
   double shown = 0.0;
   double full = 0.0;
   int view = 0;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     // Multiples of powers of 1 / 1.2207, the root of g^4 = g + 1, but for wholes.
     ++view;
@@ -188,7 +188,13 @@ void Trees(benchmark::State& state)
   state.counters["polygons"] = shown / Views;
   state.counters["polygons in full"] = full / Views;
 }
-BENCHMARK(Trees)->ArgName("cells")->Arg(0)->Arg(1)->Iterations(90)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(Trees)
+  ->ArgName("cells")
+  ->Arg(0)
+  ->Arg(1)
+  ->Iterations(90)
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime();
 
 }
 
