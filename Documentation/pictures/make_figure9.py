@@ -38,7 +38,7 @@ CURVES = (
     ("None", "neither", (0.35, 0.36, 0.39)),
     ("Levels", "levels of detail", (0.80, 0.55, 0.15)),
     ("Cells", "cells", (0.20, 0.45, 0.68)),
-    ("Both", "levels and cells", (0.24, 0.52, 0.25)))
+    ("Both", "both", (0.24, 0.52, 0.25)))
 
 
 def prototypes():

@@ -26,8 +26,9 @@ def sets_here(folder):
             for name in names}
 
 
-def measure(programs, run):
-    """Results of run(program, arguments, settings) by names of sets; none where there are no such libraries."""
+def measure(programs, run, seconds=0.2):
+    """Results of run(program, arguments, settings) by names of sets, each benchmark for some seconds at least; none where
+    there are no such libraries."""
     found = {}
     for name, library in sets_here(os.path.join(os.path.dirname(programs[0]), "..", "lib", "instruction-sets")).items():
         if library and not os.path.exists(library):
@@ -39,6 +40,6 @@ def measure(programs, run):
             kernels = KERNELS.get(os.path.basename(program))
             if kernels:
                 print(f"{os.path.basename(program)}, {name}:", flush=True)
-                arguments = [f"--benchmark_filter={kernels}", "--benchmark_min_time=0.2"]
+                arguments = [f"--benchmark_filter={kernels}", f"--benchmark_min_time={seconds}"]
                 found[name] += run(program, arguments, settings)
     return found

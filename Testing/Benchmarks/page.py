@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report of a run as Markdown: machine, limits, kernels, other tools, cost over size, frames of the scenes."""
+"""The report of a run as Markdown: machine, limits, kernels, other tools, papers, cost over size, frames of the scenes."""
 
 import os
 import platform
 import re
 
 import limits
+import papers
 import scaling
 
 
@@ -133,8 +134,14 @@ def of_frames(scenes, silence):
         for part, (wall, processor) in scene["frame"].items():
             rows.append((scene["scene"], part, figures(1e3 * wall), figures(1e3 * processor)))
         rows.append((scene["scene"], "first picture", figures(1e3 * scene["first picture"]), ""))
-    return ["Means of a frame. The update makes no picture, and is the sum of the three parts below it; rendering follows. "
-            "Algorithms are the sources, filters and representations of the scene, with what runs inside of them.", "",
+    return ["Means of a frame. The update makes no picture, and is the sum of the three parts below it; rendering follows, "
+            "until the picture is complete. Algorithms are the sources, filters and representations of the scene, with what "
+            "runs inside of them.", "",
+            "The graphics library does not tell raster and upload apart, so each picture is drawn a second time, of the "
+            "same scene, in which nothing is new. *Raster* is that second rendering: it draws all again, and has what VTK "
+            "does for each picture. *Upload and building* is the first rendering less the second: buffers, textures and "
+            "shaders made anew of what has changed, and sent. It is a difference of two times, so it scatters as both do, "
+            "and may come out below 0.", "",
             *table(("scene", "part", "wall time [ms]", "processor time [ms]"), rows),
             *table(("scene", "most memory [MB]"), [(scene["scene"], f"{scene['memory']:.0f}") for scene in scenes])]
 
@@ -144,6 +151,7 @@ def page(results, charts, sets, scenes, silence, peers=(), no_peers=""):
     lines = ["# Benchmarks of Littoral", "", "## Machine", "", *table(("what", "which"), machine()),
              "## Limits of the machine", "", *of_machine(results), "## Kernels", "", *of_kernels(results),
              "## Sets of instructions", "", *of_sets(sets), "## Beside other tools", "", *of_peers(peers, no_peers, results),
+             "## The papers", "", *papers.lines(results, table),
              "## Cost over size", "", *of_sizes(scaling.series_of(results), charts),
              "## Frames of the scenes", "", *of_frames(scenes, silence)]
     return "\n".join(lines)

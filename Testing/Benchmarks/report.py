@@ -6,12 +6,14 @@
     report.py PROGRAM... [--quick] [--csv FILE] [--against OLD.csv] [ARGUMENT...]
 
 PROGRAM: of Google Benchmark. Each is run with the ARGUMENTs that begin with --benchmark_; before, frames of two scenes are
-measured in ParaView, and after, other tools at the same work (peers.py). FILE (default: benchmarks.csv) takes the table of times.
-Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, cost over size, frames)
-and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and each benchmark has a
-tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an earlier run on the same machine: what takes over 10 % longer is listed,
-and the exit code is 1. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others
-by the processor's time.
+measured in ParaView, and after, other tools at the same work (peers.py). FILE (default: benchmarks.csv) takes the table of
+times. Beside it, with other endings, are the report (.md: machine, limits and shares of them, other tools, papers, cost
+over size, frames) and a chart for each program with sizes (-PROGRAM.svg). With --quick what takes long is left out, and
+each benchmark has a tenth of the usual time, unless it has a number of iterations of its own. OLD.csv is the table of an
+earlier run on the same machine: what takes over 10 % longer is listed, and the exit code is 1. Benchmarks without a
+counterpart there, as those with a new name, are listed too; and so are, after a run of all, those of OLD.csv that were not
+run. Benchmarks with several threads are judged by real time, which a loaded machine spoils, the others by the processor's
+time.
 """
 
 import argparse
@@ -37,9 +39,10 @@ SLOWER = 1.10  # time over that of the earlier run, above which a benchmark is l
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bench_scenes.py")
 
 #: With --quick: what is left out, the scenes, and the frames of each. The examples take a minute to build.
-SLOW = "Abort", "SwayForest", "AllInFull", "FirstViewOfForest"
+SLOW = "Abort", "SwayForest", "AllInFull", "FirstViewOfForest", "in full:1000"
 QUICK_SCENES, ALL_SCENES = ("SwayingForest", "Underwater"), ("forest", "underwater")
 QUICK_FRAMES, ALL_FRAMES = 4, 12
+QUICK_TIME = 0.05  # that each benchmark has at least, unless it has a number of iterations [s]
 
 
 @dataclasses.dataclass
@@ -52,6 +55,7 @@ class Result:
     items_per_second: float  # 0: unknown
     bytes_per_second: float
     note: str
+    counters: dict = dataclasses.field(default_factory=dict)  # and all else that was written about it
 
     @property
     def time(self):
@@ -86,7 +90,7 @@ def results_of(program, written):
         unit = MILLISECONDS[result["time_unit"]]
         results.append(Result(program, result["name"], result["real_time"] * unit, result["cpu_time"] * unit,
                               result.get("items_per_second", 0.0), result.get("bytes_per_second", 0.0),
-                              result.get("label", "")))
+                              result.get("label", ""), result))
     return results
 
 
@@ -168,16 +172,17 @@ def read_table(filename):
 
 
 def compare(results, old):
-    """Sentences about what is slower than in an earlier run, and how many benchmarks both have."""
-    slower, both = [], 0
-    for result in results:
-        before = old.get((result.program, result.name))
-        if before:
-            both += 1
-            if result.time > SLOWER * before:
-                slower.append(f"{result.program}, {result.name}: {result.time:.4g} ms, "
-                              f"{result.time / before:.2f} times {before:.4g} ms")
-    return slower, both
+    """Sentences about what is slower than in an earlier run, how many benchmarks both have, and names of those that only
+    this and only that run has, as "program, benchmark"."""
+    slower, now = [], {(result.program, result.name): result for result in results}
+    both = [key for key in now if key in old]
+    for key in both:
+        time, before = now[key].time, old[key]
+        if time > SLOWER * before:
+            times = f"{time / before:.2f} times" if before else "after"
+            slower.append(f"{', '.join(key)}: {time:.4g} ms, {times} {before:.4g} ms")
+    return slower, len(both), *([", ".join(key) for key in some if key not in others]
+                                for some, others in ((now, old), (old, now)))
 
 
 def check_writable(filename):
@@ -213,7 +218,7 @@ def main(words):
     check_writable(options.csv)
     is_filtered = any(argument.startswith("--benchmark_filter") for argument in arguments)
     if options.quick:
-        arguments.append("--benchmark_min_time=0.05")
+        arguments.append(f"--benchmark_min_time={QUICK_TIME}")
         arguments += [] if is_filtered else [f"--benchmark_filter=-{'|'.join(SLOW)}"]
     scenes, silence = [], "No frames were measured: benchmarks were chosen by name."
     if not is_filtered:
@@ -225,14 +230,21 @@ def main(words):
     if not results:
         raise ValueError("no benchmark fits")
     others = ([], "Other tools were not timed.") if options.quick else peers.measure(results)
-    sets = {} if is_filtered else instruction_sets.measure(options.programs, measure)
+    seconds = [QUICK_TIME] if options.quick else []
+    sets = {} if is_filtered else instruction_sets.measure(options.programs, measure, *seconds)
     report = write_report(results, sets, scenes, silence, others, options.csv)
     print(f"{len(results)} benchmarks: {options.csv}, {report}")
     if silence:
         print(silence)
     if not options.against:
         return 0
-    slower, both = compare(results, old)
+    slower, both, new, gone = compare(results, old)
+    if new:
+        print("\n".join([f"{len(new)} benchmarks are new, or have another name than in {options.against}:", *new]))
+    if gone:
+        is_part = options.quick or is_filtered
+        print(f"{len(gone)} benchmarks of {options.against} were not run{'' if is_part else ':'}")
+        print("\n".join([] if is_part else gone), end="" if is_part else "\n")
     print(f"{len(slower)} of {both} benchmarks take over 10 % longer than in {options.against}")
     print("\n".join(slower), end="\n" if slower else "")
     return 1 if slower else 0

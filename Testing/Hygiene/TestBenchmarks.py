@@ -102,6 +102,54 @@ class Benchmarks(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertTrue(done.stdout.endswith("0 of 1 benchmarks take over 10 % longer than in old.csv\n"), done.stdout)
 
+    def test_what_has_no_counterpart_is_told(self):
+        self.report([result("Swell", 10.0), result("Surf", 10.0)], "--csv", "old.csv")
+        renamed = [result("Swell", 10.0), result("Breaker", 99.0)]
+        done = self.report(renamed, "--against", "old.csv")
+        self.assertEqual(done.returncode, 0)
+        self.assertTrue(done.stdout.endswith(
+            "1 benchmarks are new, or have another name than in old.csv:\nbench_waves, Breaker\n"
+            "1 benchmarks of old.csv were not run:\nbench_waves, Surf\n"
+            "0 of 1 benchmarks take over 10 % longer than in old.csv\n"), done.stdout)
+        for words in ("--quick", "--benchmark_filter=Swell"):  # not all is meant to be run
+            done = self.report(renamed, words, "--against", "old.csv")
+            self.assertIn("1 benchmarks of old.csv were not run\n0 of 1", done.stdout)
+        done = self.report([result("Swell", 10.0), result("Surf", 10.0)], "--against", "old.csv")
+        self.assertTrue(done.stdout.endswith(
+            "there is no pvpython.\n0 of 2 benchmarks take over 10 % longer than in old.csv\n"), done.stdout)
+
+    def test_papers_stand_beside_their_scenes(self):
+        def particles(distance, levels, selection):
+            # 100, 125, 250 and 500 updates a second.
+            time = (10.0, 8.0, 4.0, 2.0)[levels + 2 * selection]
+            return result(f"Particles/distance:{distance}/levels:{levels}/selection:{selection}/process_time", time,
+                          trains=120000 / (1 + 3 * levels) / (1 + selection))
+
+        table_1 = [particles(distance, levels, selection)
+                   for distance in (0, 3, 6, 9, 12) for levels in (0, 1) for selection in (0, 1)]
+        table_2 = [result(f"Seaweeds/plants:{plants}/levels:{levels}/process_time", 0.02 * plants / (1 + levels),
+                          segments=6 * plants / (1 + levels)) for plants in (25, 50, 100, 200, 300) for levels in (0, 1)]
+        figure_9 = [result(f"Trees/cells:{cells}/iterations:90/process_time", 20.0 - 10.0 * cells,
+                           **{"polygons": 4e5 / (1 + 3 * cells), "polygons in full": 3e7 / (1 + 5 * cells)})
+                    for cells in (0, 1)]
+        text = self.report_all({"vtkbench_papers": [*table_1, *table_2, *figure_9]})
+        for row in ("| levels of detail, paper [1/s] | 20 | 23 | 29 | 45 | 97 |",
+                    "| levels of detail, here [1/s] | 125 | 125 | 125 | 125 | 125 |",
+                    "| gain by both, paper | 2 | 2.55 | 3.45 | 5.64 | 11.1 |\n"
+                    "| here, in updates a second | 5 | 5 | 5 | 5 | 5 |\n"
+                    "| here, in trains times particles | 8 | 8 | 8 | 8 | 8 |",
+                    "| no levels, here [1/s] | 2000 | 1000 | 500 | 250 | 167 |",
+                    "| gain, paper | 1.3 | 1.44 | 1.58 | 1.69 | 1.78 |",
+                    "| here, in segments moved | 2 | 2 | 2 | 2 | 2 |",
+                    "| neither | 0.9 | 1 | 30000 | 1 |  |", "| levels of detail | 3.7 | 4.11 | 400 | 75 | 50 |",
+                    "| cells | 5.2 | 5.78 | 5000 | 6 |  |", "| both | 12.2 | 13.6 | 100 | 300 | 100 |"):
+            self.assertIn(row + "\n", text)
+        text = self.report_all({"vtkbench_papers": table_1[1:] + table_2})
+        self.assertNotIn("Table 1 of Coulais", text)
+        self.assertIn("Table 2 of Coulais", text)
+        text = self.report_all({"bench_waves": [result("Swell", 1.0)]})
+        self.assertIn("The scenes of the papers were not measured.", text)
+
     def test_threads_are_judged_by_real_time(self):
         def both(real, processor):
             return [result(name, processor) | {"real_time": real} for name in ("Swell/real_time", "Surf/1/manual_time",

@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenes of two papers: what they have published, beside what vtkbench_papers has measured.
+
+Papers give frames a second, drawing included, on computers of their time; here are updates a second of the filters,
+which draw nothing. So the ratios of a table are to be compared, and most of all those of what is counted.
+"""
+
+#: Setas et al., figure 9: frames a second with 1000 trees, by (levels, cells), as the text has them.
+TREES = {(0, 0): 0.9, (1, 0): 3.7, (0, 1): 5.2, (1, 1): 12.2}
+#: Coulais et al., table 1: frames a second by (levels, selection of trains), at distances [m].
+DISTANCES = 0, 3, 6, 9, 12
+PARTICLES = {(0, 0): (11, 11, 11, 11, 11), (1, 0): (20, 23, 29, 45, 97),
+             (0, 1): (13, 16, 21, 28, 30), (1, 1): (22, 28, 38, 62, 122)}
+#: Coulais et al., table 2: frames a second without and with levels, by numbers of plants.
+PLANTS = 25, 50, 100, 200, 300
+SEAWEEDS = (63, 41, 24, 13, 9), (82, 59, 38, 22, 16)
+
+WORDS = {(0, 0): "neither", (1, 0): "levels of detail", (0, 1): "selection of trains", (1, 1): "both"}
+IN_TREES = {**WORDS, (0, 1): "cells"}
+
+
+def short(number):
+    """Three figures that mean something."""
+    return f"{number:.3g}" if number < 1000.0 else f"{number:.0f}"
+
+
+def row_of(words, numbers):
+    return (words, *map(short, numbers))
+
+
+def ratios(numbers, others):
+    return [number / other for number, other in zip(numbers, others)]
+
+
+def of_particles(ran, table):
+    """ran: results by name."""
+    def of(key, value):
+        return [value(ran[f"Particles/distance:{distance}/levels:{key[0]}/selection:{key[1]}/process_time"])
+                for distance in DISTANCES]
+
+    rates = {key: of(key, lambda one: 1e3 / one.processor) for key in PARTICLES}
+    trains = {key: of(key, lambda one: one.counters["trains"]) for key in PARTICLES}
+    rows = []
+    for key, published in PARTICLES.items():
+        rows += [row_of(f"{WORDS[key]}, paper [1/s]", published), row_of(f"{WORDS[key]}, here [1/s]", rates[key])]
+    for key in list(PARTICLES)[1:]:
+        rows += [row_of(f"gain by {WORDS[key]}, paper", ratios(PARTICLES[key], PARTICLES[0, 0])),
+                 row_of("here, in updates a second", ratios(rates[key], rates[0, 0])),
+                 row_of("here, in trains times particles", ratios(trains[0, 0], trains[key]))]
+    return ["Table 1 of Coulais et al., on an AMD Athlon XP 2400+ with an nVIDIA GeForce FX 5700 LE: 4000 particles, 30 "
+            "wave trains, a uniform current. Here: current, levels and orbits; 45 degrees, 480 lines, wind of 10 m/s, which "
+            "the paper does not give.", "",
+            *table(("distance [m]", *DISTANCES), rows)]
+
+
+def of_seaweeds(ran, table):
+    both = [[ran[f"Seaweeds/plants:{plants}/levels:{levels}/process_time"] for plants in PLANTS] for levels in (0, 1)]
+    rates, segments = ([[value(one) for one in row] for row in both]
+                       for value in (lambda one: 1e3 / one.processor, lambda one: one.counters["segments"]))
+    rows = []
+    for words, published, here in zip(("no levels", "levels of detail"), SEAWEEDS, rates):
+        rows += [row_of(f"{words}, paper [1/s]", published), row_of(f"{words}, here [1/s]", here)]
+    rows += [row_of("gain, paper", ratios(*reversed(SEAWEEDS))),
+             row_of("here, in updates a second", ratios(*reversed(rates))),
+             row_of("here, in segments moved", ratios(*segments))]
+    return ["Table 2 of Coulais et al., on the same computer: simple seaweeds on 40 m x 10 m, seen lengthwise. Here: "
+            "procedural plants of six segments with skins, moved by waves and current.", "",
+            *table(("seaweeds", *PLANTS), rows)]
+
+
+def of_trees(ran, table):
+    by_cells = [ran[f"Trees/cells:{cells}/iterations:90/process_time"] for cells in (0, 1)]
+    polygons = {(levels, cells): one.counters["polygons" if levels else "polygons in full"]
+                for cells, one in enumerate(by_cells) for levels in (0, 1)}
+    rows = [(IN_TREES[key], short(published), short(published / TREES[0, 0]), short(1e-3 * polygons[key]),
+             short(polygons[0, 0] / polygons[key]), short(1e3 / by_cells[key[1]].processor) if key[0] else "")
+            for key, published in TREES.items()]
+    return ["Figure 9 of Setas et al., on an SGI Indigo IRIS XS24, at 1000 trees: the frame rates that the text gives, on a "
+            "random path, with two levels. Here: means over 90 views from evenly spread places within 500 m x 500 m, with "
+            "three levels. Trees in full are counted, not made, so the rate of updates without levels is not known.", "",
+            *table(("with", "paper [1/s]", "gain, paper", "here [1000 polygons a view]", "gain, here", "updates here [1/s]"),
+                   rows)]
+
+
+def lines(results, table):
+    """Lines of the section; table(head, rows): those of a table."""
+    ran = {one.name: one for one in results if one.program == "vtkbench_papers"}
+    made = []
+    for part in (of_trees, of_particles, of_seaweeds):
+        try:
+            made += part(ran, table)
+        except KeyError:
+            continue  # not all of it was run
+    if not made:
+        return ["The scenes of the papers were not measured.", ""]
+    return ["Papers give frames a second, drawing included; here are updates a second of the filters, which draw nothing, "
+            "by the processor's time of all threads. Ratios within a table are what compares, above all those of what is "
+            "counted.", "", *made]
