@@ -293,7 +293,11 @@ def mesh(points, normals=None, colors=None):
 
 
 def bed(depth, eye, size=120.0, samples=900, seed=5):
-    """A sandy bed with stones around a position, with the array RGB; and a function of its height [m]."""
+    """A sandy bed with stones around a position, with the array RGB; and a function of its height [m].
+
+    Of the samples some rows and columns away from the position are left out, so that a cell's sides are at most about
+    1/75 of its distance, or as long as those of the samples.
+    """
     heights = 0.45 * _field(size, samples, 30.0, 4.5, seed)
     stones = _field(size, samples, 7.0, 3.6, seed + 1)
     bumps = _field(size, samples, 2.2, 2.8, seed + 2)
@@ -318,7 +322,17 @@ def bed(depth, eye, size=120.0, samples=900, seed=5):
         row = np.clip(np.rint((np.asarray(at_y) - y[0, 0]) / step).astype(int), 0, samples - 1)
         return z[row, column]
 
-    return mesh(np.stack((x, y, z), axis=-1), normals, color), height
+    seen = np.ix_(_spread(along, -0.35 * size), _spread(along, 0.0))
+    return mesh(np.stack((x, y, z), axis=-1)[seen], normals[seen], color[seen]), height
+
+
+def _spread(along, middle, fineness=75.0):
+    """Numbers of even samples, with steps that grow with the distance from a middle."""
+    step, chosen = along[1] - along[0], [0]
+    while chosen[-1] < len(along) - 1:
+        skip = max(1, int(abs(along[chosen[-1]] - middle) / (fineness * step)))
+        chosen.append(min(chosen[-1] + skip, len(along) - 1))
+    return np.array(chosen)
 
 
 def _field(size, samples, reach, smoothness, seed):
@@ -334,6 +348,7 @@ def _field(size, samples, reach, smoothness, seed):
 def kelp_sites(height, count=130, seed=4, top=-0.8):
     """Sites for Plant Scatter before the camera, in groves, with Species (0 sugar kelp, 1 giant kelp) and Scale.
 
+    From near to far, so that most hidden fragments are not shaded.
     height: function of the bed's height [m]; top: largest height of giant kelp [m].
     """
     random = np.random.default_rng(seed)
@@ -348,10 +363,11 @@ def kelp_sites(height, count=130, seed=4, top=-0.8):
             continue  # keep the view free
         places.append((x, y, float(height(x, y))))
         species.append(int(giant))
-    places = np.array(places)
+    places, species = np.array(places), np.array(species, dtype=np.int32)
     largest = (top - places[:, 2]) / 14.6  # height of giant kelp [m]
     scale = np.where(species, largest * random.uniform(0.75, 1.0, len(places)), random.uniform(0.7, 1.15, len(places)))
-    return points_with(places, Species=np.array(species, dtype=np.int32), Scale=scale)
+    nearest = np.argsort(np.hypot(places[:, 0], places[:, 1]))
+    return points_with(places[nearest], Species=species[nearest], Scale=scale[nearest])
 
 
 def particles(box, count, radius, color, seed=1, clumps=0.0, plants=None, share=0.03):
@@ -406,6 +422,7 @@ def prepare_view(view):
     view.BackgroundColorMode = "Single Color"
     view.Background = [0.0, 0.25, 0.33]
     view.UseFXAA = 1
+    view.DepthPeeling = 0  # it would draw the fog again for each layer of particles, which hide little of each other
 
 
 def show_surface(source, view, time):
