@@ -46,14 +46,22 @@ def reader(name, data, folder):
     return simple.XMLPolyDataReader(registrationName=name, FileName=[filename], TimeArray="None")
 
 
-def moving_specks(name, particles, currents, sea):
-    """Particles in currents and waves: those near enough to be seen individually."""
+def drifting(name, particles, currents):
+    """Particles in currents."""
     # With this time step the wake is requested only at frame times.
-    drift = simple.CurrentDrift(registrationName=name, Input=particles, Currents=currents, WaterDepth=DEPTH,
-                                StartTime=TIME - 1.0, TimeStep=2.0 / FRAMES_A_SECOND)
-    levels = simple.ParticleLevelOfDetail(
-        registrationName=f"{name}Levels", Input=drift, SeaState=sea, VisibleDistance=30.0)
-    riding = simple.ParticleOrbits(registrationName=f"{name}OnWaves", Input=levels, SeaState=sea)
+    return simple.CurrentDrift(registrationName=name, Input=particles, Currents=currents, WaterDepth=DEPTH,
+                               StartTime=TIME - 1.0, TimeStep=2.0 / FRAMES_A_SECOND)
+
+
+def levels(name, particles, sea, culling=1):
+    """Levels of particles: those near enough to be seen individually, and the others for the fog."""
+    return simple.ParticleLevelOfDetail(
+        registrationName=name, Input=particles, SeaState=sea, VisibleDistance=30.0, UseCulling=culling)
+
+
+def on_waves(name, particles, sea):
+    """Those of the levels that are seen individually, in waves."""
+    riding = simple.ParticleOrbits(registrationName=name, Input=particles, SeaState=sea)
     return simple.ExtractBlock(Input=riding, Selectors=["/Root/Near", "/Root/MasterSlave"])
 
 
@@ -81,10 +89,14 @@ def build(folder, view):
     about, beyond = underwater.split_about(underwater.particles(
         (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.9, plants=plants),
         plants)
-    specks = [
-        moving_specks("Stirred", reader("ParticlesAboutKelp", about, folder), [current, wake], sea),
-        moving_specks("Drifting", reader("OtherParticles", beyond, folder), [current], sea)]
-    fog = simple.ParticleFog(registrationName="Fog", Input=simple.FindSource("DriftingLevels"), GridBy="Spacing",
+    stirred = levels("StirredLevels", drifting("Stirred", reader("ParticlesAboutKelp", about, folder),
+                                               [current, wake]), sea)
+    # The current alone moves the others, all by the same step: their levels are chosen before, and again only when the
+    # camera moves. In 6 s they drift by 0.5 m, the distance in which levels blend.
+    carried = drifting("Drifting", levels("DriftingLevels", reader("OtherParticles", beyond, folder), sea, culling=0),
+                       [current])
+    specks = [on_waves("StirredOnWaves", stirred, sea), on_waves("DriftingOnWaves", carried, sea)]
+    fog = simple.ParticleFog(registrationName="Fog", Input=carried, GridBy="Spacing",
                              Spacing=0.5, UseBounds=1, Bounds=[-17.0, 17.0, -1.0, 29.0, -DEPTH, 0.0])
 
     underwater.prepare_view(view)

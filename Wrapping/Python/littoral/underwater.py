@@ -113,18 +113,15 @@ vec3 veil(vec3 towards)
   float glow = max(0.0, dot(towards, sun));
   return light * (1.0 + 0.8 * pow(glow, 4.0) + 2.2 * pow(glow, 24.0));
 }
-// A surface of a radiance, seen through the water between. Shafts of light are summed along the view ray, at even steps
-// from the eye: there the ripples' phases grow evenly, and cos(p + d) = 2 cos(d) cos(p) - cos(p - d).
-vec3 through(vec3 radiance)
+// Shafts of light along the view ray to a place, summed at even steps from the eye, of which the first is a part long:
+// there the ripples' phases grow evenly, and cos(p + d) = 2 cos(d) cos(p) - cos(p - d).
+float shafts(vec3 eye, vec3 ray, float part)
 {
-  vec3 ray = placeMC - eyeMC;
   float way = length(ray);
   vec3 towards = ray / way;
-  vec3 left = exp(-vec3EXTINCTION * way);
-  float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   int steps = int(clamp(ceil(way / 26.0 * float(SHAFT_STEPS)), 4.0, float(SHAFT_STEPS)));
   float pace = min(way, 26.0) / float(steps);
-  vec2 along = pace * (towards.xy - sun.xy / sun.z * towards.z), at = entry(eyeMC) + jitter * along;
+  vec2 along = pace * (towards.xy - sun.xy / sun.z * towards.z), at = entry(eye) + part * along;
   float here[FOCUSING], before[FOCUSING], twice[FOCUSING];
   for (int n = 0; n < FOCUSING; ++n)
   {
@@ -152,11 +149,38 @@ vec3 through(vec3 radiance)
     share *= fading;
   }
   shaft = weight > 0.0 ? shaft / weight : 1.0;
-  float lit = mix(1.0, shaft * shaft * 0.72, 0.70 * smoothstep(-0.35, 0.25, towards.z) + 0.12);
-  return radiance * left + veil(towards) * (1.0 - left) * lit;
+  return mix(1.0, shaft * shaft * 0.72, 0.70 * smoothstep(-0.35, 0.25, towards.z) + 0.12);
+}
+"""
+
+#: For fragments.
+THROUGH = """
+// A surface of a radiance, seen through the water between.
+vec3 through(vec3 radiance)
+{
+  vec3 ray = placeMC - eyeMC;
+  float way = length(ray);
+  vec3 left = exp(-vec3EXTINCTION * way);
+  return radiance * left + veil(ray / way) * (1.0 - left) * shaftsHere();
 }
 vec3 toned(vec3 light) { return pow(1.0 - exp(-EXPOSURE * light), vec3(1.0 / 2.0)); }
 """
+
+#: Shafts of light at each fragment, or between vertices where triangles are smaller than a few pixels.
+SHAFTS_OF_FRAGMENT = """
+float shaftsHere()
+{
+  float part = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  return shafts(eyeMC, placeMC - eyeMC, part);
+}
+"""
+SHAFTS_OF_VERTICES = "in float shaftsMC;\nfloat shaftsHere() { return shaftsMC; }\n"
+SHAFTS = [
+    {"type": "vertex", "original": "//VTK::PositionVC::Dec",
+     "replacement": "//VTK::PositionVC::Dec\nuniform vec3 specularColorUniform;\nout float shaftsMC;\n"
+                    "//LITTORAL::WATER"},
+    {"type": "vertex", "original": "//VTK::PositionVC::Impl",
+     "replacement": "//VTK::PositionVC::Impl\n  shaftsMC = shafts(eyeMC, placeMC - eyeMC, 0.5);"}]
 
 #: The surface from below: the sky through Snell's window, mirrored water outside it.
 SURFACE = """
@@ -238,14 +262,14 @@ def _rates(k):
     return np.sqrt(9.80665 * k)
 
 
-def water_shader():
-    """The GLSL functions of the water, the same at all times."""
+def water_shader(more=SHAFTS_OF_FRAGMENT + THROUGH):
+    """The GLSL functions of the water, the same at all times, with more functions that use them."""
     azimuth, zenith = np.radians(SUN)
     towards = (np.sin(zenith) * np.sin(azimuth), np.sin(zenith) * np.cos(azimuth), np.cos(zenith))
     waves = ripples(0.0)
     listed = ", ".join("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in waves)
     rates = ", ".join(f"{rate:.6f}" for rate in _rates(np.hypot(waves[:, 0], waves[:, 1])))
-    text = WATER.replace("WAVES", listed).replace("RATES", rates).replace("RIPPLES", str(len(waves)))
+    text = (WATER + more).replace("WAVES", listed).replace("RATES", rates).replace("RIPPLES", str(len(waves)))
     for name, number in (("FOCUSING", FOCUSING), ("SHAFT_STEPS", SHAFT_STEPS), ("EXPOSURE", f"{EXPOSURE:.3f}")):
         text = text.replace(name, str(number))
     for name, value in (("SUN", towards), ("DOWNWARD_VIEW", DOWNWARD_VIEW), ("UPWARD_VIEW", UPWARD_VIEW),
@@ -293,7 +317,11 @@ def mesh(points, normals=None, colors=None):
 
 
 def bed(depth, eye, size=120.0, samples=900, seed=5):
-    """A sandy bed with stones around a position, with the array RGB; and a function of its height [m]."""
+    """A sandy bed with stones around a position, with the array RGB; and a function of its height [m].
+
+    Of the samples some rows and columns away from the position are left out, so that a cell's sides are at most about
+    1/75 of its distance, or as long as those of the samples.
+    """
     heights = 0.45 * _field(size, samples, 30.0, 4.5, seed)
     stones = _field(size, samples, 7.0, 3.6, seed + 1)
     bumps = _field(size, samples, 2.2, 2.8, seed + 2)
@@ -318,7 +346,17 @@ def bed(depth, eye, size=120.0, samples=900, seed=5):
         row = np.clip(np.rint((np.asarray(at_y) - y[0, 0]) / step).astype(int), 0, samples - 1)
         return z[row, column]
 
-    return mesh(np.stack((x, y, z), axis=-1), normals, color), height
+    seen = np.ix_(_spread(along, -0.35 * size), _spread(along, 0.0))
+    return mesh(np.stack((x, y, z), axis=-1)[seen], normals[seen], color[seen]), height
+
+
+def _spread(along, middle, fineness=75.0):
+    """Numbers of even samples, with steps that grow with the distance from a middle."""
+    step, chosen = along[1] - along[0], [0]
+    while chosen[-1] < len(along) - 1:
+        skip = max(1, int(abs(along[chosen[-1]] - middle) / (fineness * step)))
+        chosen.append(min(chosen[-1] + skip, len(along) - 1))
+    return np.array(chosen)
 
 
 def _field(size, samples, reach, smoothness, seed):
@@ -406,6 +444,7 @@ def prepare_view(view):
     view.BackgroundColorMode = "Single Color"
     view.Background = [0.0, 0.25, 0.33]
     view.UseFXAA = 1
+    view.DepthPeeling = 0  # it would draw the fog again for each layer of particles, which hide little of each other
 
 
 def show_surface(source, view, time):
@@ -424,7 +463,7 @@ def show_bed(source, view, time):
 def show_seaweeds(source, view, time):
     """Show the level High of seaweeds, from Seaweed or Plant Scatter."""
     parts = simple.ExtractBlock(Input=source, Selectors=["/Root/High/Skin", "/Root/High/Leaves"])
-    shown = _show_lit(parts, view, SEAWEED, time)
+    shown = _show_lit(parts, view, SEAWEED, time, fine=True)
     shown.SetRepresentationType("Full Surface")
     return shown
 
@@ -472,22 +511,24 @@ def show_fog(source, view, color=(0.50, 0.78, 0.76)):
     return shown
 
 
-def _show_lit(source, view, fragment, time):
+def _show_lit(source, view, fragment, time, fine=False):
     """Show a data set with the arrays RGB and Normals."""
     shown = simple.Show(source, view)
     shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
-    _shade(shown, PLACES + NORMALS, fragment, time)
+    _shade(shown, PLACES + NORMALS, fragment, time, fine)
     return shown
 
 
-def _shade(shown, changes, fragment, time):
-    """Set shader replacements of a representation."""
+def _shade(shown, changes, fragment, time, fine=False):
+    """Set shader replacements of a representation; fine: look up shafts of light at its vertices, not fragments."""
     shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
     shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
-    changes = json.loads(json.dumps(changes))
-    declared = next(change for change in changes if "LITTORAL::WATER" in change["replacement"])
-    declared["replacement"] = declared["replacement"].replace("//LITTORAL::WATER", water_shader())
+    functions = {"vertex": water_shader(""),
+                 "fragment": water_shader((SHAFTS_OF_VERTICES if fine else SHAFTS_OF_FRAGMENT) + THROUGH)}
+    changes = json.loads(json.dumps(changes + SHAFTS if fine else changes))
+    for change in changes:
+        change["replacement"] = change["replacement"].replace("//LITTORAL::WATER", functions[change["type"]])
     last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
     shown.UseShaderReplacements = 1
     shown.ShaderReplacements = json.dumps(_merged(changes) + [last])
