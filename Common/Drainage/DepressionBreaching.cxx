@@ -41,7 +41,8 @@ public:
     this->Pits.clear();
     this->Toward.assign(count, -1);
     std::vector<std::uint8_t> isFlooded(count, 0);
-    FloodQueue rim;
+    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+    FloodQueue rim(*lowest, *highest, heights.size());
     for (CellIndex cell = 0; cell < count; ++cell)
     {
       if (this->Outlets[cell])

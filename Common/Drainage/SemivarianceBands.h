@@ -36,10 +36,6 @@ public:
   /// Of the bands: long waves, rings, plane.
   std::size_t Count() const { return LongWaves + this->First.size() + 1; }
 
-  /// Part of a band in the semivariance of a lag [cells]: half the mean squared difference of the pairs within the grid
-  /// of each of its waves alone.
-  double PartOf(std::size_t band, int lag) const;
-
   /// Variance of the heights that a band gives.
   double VarianceOf(std::size_t band) const;
 
@@ -49,6 +45,19 @@ public:
 
 private:
   static constexpr std::size_t LongWaves = 8;
+
+  /// Sums of squared differences of the waves along x and y at a lag.
+  struct LagWaves
+  {
+    std::vector<double> OfX;
+    std::vector<double> OfY;
+  };
+
+  LagWaves WavesOf(int lag) const;
+
+  /// Part of a band in the semivariance of a lag [cells]: half the mean squared difference of the pairs within the grid
+  /// of each of its waves alone.
+  double PartOf(std::size_t band, int lag, const LagWaves& waves) const;
 
   bool IsPlane(std::size_t band) const { return band + 1 == this->Count(); }
 
