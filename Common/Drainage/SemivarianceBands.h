@@ -36,6 +36,10 @@ public:
   /// Of the bands: long waves, rings, plane.
   std::size_t Count() const { return LongWaves + this->First.size() + 1; }
 
+  /// Part of a band in the semivariance of a lag [cells]: half the mean squared difference of the pairs within the grid
+  /// of each of its waves alone.
+  double PartOf(std::size_t band, int lag) const { return this->PartOf(band, lag, this->WavesOf(lag)); }
+
   /// Variance of the heights that a band gives.
   double VarianceOf(std::size_t band) const;
 
@@ -55,8 +59,6 @@ private:
 
   LagWaves WavesOf(int lag) const;
 
-  /// Part of a band in the semivariance of a lag [cells]: half the mean squared difference of the pairs within the grid
-  /// of each of its waves alone.
   double PartOf(std::size_t band, int lag, const LagWaves& waves) const;
 
   bool IsPlane(std::size_t band) const { return band + 1 == this->Count(); }
