@@ -403,6 +403,11 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   {
     ShowAsDots(representation, std::strtod(size, nullptr));
   }
+  const char* width = this->Hint("lines");
+  if (width && data->GetDataSetType() == VTK_POLY_DATA)
+  {
+    DrawLines(representation, std::strtod(width, nullptr));
+  }
   const char* fog = this->Hint("fog");
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
   {
