@@ -101,7 +101,7 @@ vtkDrainageFilter::vtkDrainageFilter()
   , SeaLevel(0.0)
   , MinimumDrainageCells(100)
   , Carve(true)
-  , KeepHeights(true)
+  , KeepHeights(false)
   , HypsometricIntegral(0.4)
   , HeightSkew(0.4)
   , Concavity(0.45)
@@ -289,7 +289,8 @@ int vtkDrainageFilter::RequestData(
   ground.Routing = littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll);
   ground.Cells = littoral::DrainageCells(ground.Routing);
   ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->MinimumDrainageCells);
-  ground.Levels = littoral::FloodDepressions(ground.Heights, outlets, poll).Level;
+  ground.Levels =
+    ground.Routing.Sunk == 0 ? ground.Heights.Values : littoral::FloodDepressions(ground.Heights, outlets, poll).Level;
   this->UpdateProgress(0.95);
   this->WriteGround(image, ground, output);
   if (!littoral::AsksForLaterPiece(request, outputVector))

@@ -35,18 +35,20 @@ public:
   }
 
   /// The flood in the order of heights: each cell's way out, pits in the order in which they are reached.
-  void Flood()
+  void Flood(const std::vector<double>& heights)
   {
     const CellIndex count = this->Lattice.Count();
+    this->Pits.clear();
     this->Toward.assign(count, -1);
     std::vector<std::uint8_t> isFlooded(count, 0);
-    FloodQueue rim;
+    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+    FloodQueue rim(*lowest, *highest, heights.size());
     for (CellIndex cell = 0; cell < count; ++cell)
     {
       if (this->Outlets[cell])
       {
         this->Toward[cell] = cell;
-        rim.Push(cell, this->Heights[cell]);
+        rim.Push(cell, heights[cell]);
       }
     }
     while (!rim.IsEmpty())
@@ -56,8 +58,8 @@ public:
       isFlooded[cell] = 1;
       bool isPit = !this->Outlets[cell];
       this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
-        const double other = this->Heights[neighbour];
-        isPit = isPit && other >= this->Heights[cell] && !(other == this->Heights[cell] && isFlooded[neighbour]);
+        const double other = heights[neighbour];
+        isPit = isPit && other >= heights[cell] && !(other == heights[cell] && isFlooded[neighbour]);
         if (this->Toward[neighbour] < 0)
         {
           this->Toward[neighbour] = cell;
@@ -73,6 +75,7 @@ public:
 
   void CutInFloodOrder()
   {
+    this->Flood(this->Heights);
     for (const CellIndex pit : this->Pits)
     {
       this->Steps.Step();
@@ -83,16 +86,22 @@ public:
   /// Lowest pits first, so that higher ones find their channels.
   void CutAtLeastCost(std::size_t most)
   {
-    std::stable_sort(this->Pits.begin(), this->Pits.end(),
-      [&](CellIndex a, CellIndex b) { return this->Heights[a] < this->Heights[b]; });
+    const std::vector<double> uncut = this->Heights;
+    if (!this->FindClearPits())
+    {
+      this->Flood(uncut);
+      this->SortPits();
+    }
     this->Cost.assign(this->Lattice.Count(), 0.0);
     this->Seen.assign(this->Lattice.Count(), -1);
     this->From.assign(this->Lattice.Count(), -1);
-    for (const CellIndex pit : this->Pits)
+    const std::vector<CellIndex> pits = this->Pits;
+    for (const CellIndex pit : pits)
     {
       const CellIndex end = this->CheapestEnd(pit, most);
       if (end < 0)
       {
+        this->FloodOnce(uncut);
         this->CutAlong(this->Toward, pit);
         continue;
       }
@@ -114,6 +123,48 @@ public:
   }
 
 private:
+  /// Finds pits without a flood, the lowest first; whether none lies on a flat or is as high as another, where the
+  /// order of the flood decides.
+  bool FindClearPits()
+  {
+    for (CellIndex cell = 0; cell < this->Lattice.Count(); ++cell)
+    {
+      if (this->Outlets[cell])
+      {
+        continue;
+      }
+      const double height = this->Heights[cell];
+      double lowest = std::numeric_limits<double>::infinity();
+      this->Lattice.ForEachNeighbour(
+        cell, [&](CellIndex neighbour, int) { lowest = std::min(lowest, this->Heights[neighbour]); });
+      if (lowest == height)
+      {
+        return false;
+      }
+      if (lowest > height)
+      {
+        this->Pits.push_back(cell);
+      }
+    }
+    this->SortPits();
+    return std::adjacent_find(this->Pits.begin(), this->Pits.end(),
+             [&](CellIndex a, CellIndex b) { return this->Heights[a] == this->Heights[b]; }) == this->Pits.end();
+  }
+
+  void SortPits()
+  {
+    std::stable_sort(this->Pits.begin(), this->Pits.end(),
+      [&](CellIndex a, CellIndex b) { return this->Heights[a] < this->Heights[b]; });
+  }
+
+  void FloodOnce(const std::vector<double>& heights)
+  {
+    if (this->Toward.empty())
+    {
+      this->Flood(heights);
+    }
+  }
+
   /// A cell at which the channel of a pit can end.
   bool IsEnd(CellIndex cell, CellIndex pit) const
   {
@@ -167,7 +218,8 @@ private:
   CellIndex CheapestEnd(CellIndex pit, std::size_t most)
   {
     const double bottom = this->Heights[pit];
-    FloodQueue front;
+    FloodQueue& front = this->Front;
+    front.Clear();
     this->Seen[pit] = pit;
     this->Cost[pit] = 0.0;
     front.Push(pit, 0.0);
@@ -211,6 +263,7 @@ private:
   std::vector<double> Cost;    ///< of the way from the pit that saw a cell last
   std::vector<CellIndex> Seen; ///< that pit
   std::vector<CellIndex> From; ///< the cell before on the way
+  FloodQueue Front;            ///< of the search
   BreachCount Done;
 };
 
@@ -220,7 +273,6 @@ BreachCount BreachDepressions(
   GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll, std::size_t most)
 {
   Breacher breacher(heights, outlets, poll);
-  breacher.Flood();
   if (path == BreachPath::LeastCost)
   {
     breacher.CutAtLeastCost(most);

@@ -4,6 +4,8 @@
 
 #include "Drainage/FloodQueue.h"
 
+#include <algorithm>
+
 namespace littoral
 {
 
@@ -14,7 +16,8 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   DepressionFlood flood;
   flood.Level = heights.Values;
   flood.Toward.assign(count, -1);
-  FloodQueue rim;
+  const auto [lowest, highest] = std::minmax_element(heights.Values.begin(), heights.Values.end());
+  FloodQueue rim(*lowest, *highest, heights.Values.size());
   for (CellIndex cell = 0; cell < count; ++cell)
   {
     if (outlets[cell])

@@ -49,6 +49,9 @@ constexpr double MostGain = 3.0;
 constexpr double LeastPlane = 0.8;
 constexpr double MostPlane = 1.25;
 
+/// Rounds without a better one after which no better one is waited for.
+constexpr int MostVainRounds = 12;
+
 /// A measure against what it shall be: 1 at its tolerance.
 struct Deviation
 {
@@ -118,8 +121,9 @@ public:
     }
     std::vector<double> best;
     double least = std::numeric_limits<double>::infinity();
+    int vain = 0;
     const int rounds = this->Parameters.MostRounds;
-    for (int round = 0; round < rounds && !report.HasReachedTarget; ++round)
+    for (int round = 0; round < rounds && vain < MostVainRounds && !report.HasReachedTarget; ++round)
     {
       this->AdvanceRound(round);
       this->RestoreStatistics();
@@ -132,8 +136,10 @@ public:
       this->AdvanceRound(round + 0.9);
       const GroundMeasures measures = this->Measure(graded);
       const double misfit = Misfit(measures, this->Target);
+      ++vain;
       if (misfit < least)
       {
+        vain = 0;
         least = misfit;
         best = std::move(graded.Values);
         report.After = measures;

@@ -60,6 +60,8 @@ FlowRouting RouteFlow(
   if (!FindReceivers(heights.Values, outlets, lattice, parallel, routing.Receiver))
   {
     const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
+    routing.Sunk = flood.Sunk;
+    routing.Volume = flood.Volume;
     FindReceivers(flood.Level, outlets, lattice, parallel, routing.Receiver);
     for (CellIndex cell = 0; cell < lattice.Count(); ++cell)
     {

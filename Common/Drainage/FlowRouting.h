@@ -8,6 +8,7 @@
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace littoral
@@ -18,6 +19,8 @@ struct FlowRouting
 {
   std::vector<CellIndex> Receiver; ///< the neighbour to which a cell's water goes; outlets: themselves
   std::vector<CellIndex> Order;    ///< all cells, each after its receiver, catchment by catchment
+  std::size_t Sunk = 0;            ///< cells in depressions
+  double Volume = 0.0;             ///< [m^3] of the depressions
 };
 
 /**

@@ -3,7 +3,6 @@
 #include "Drainage/GroundMeasures.h"
 
 #include "Drainage/CellLattice.h"
-#include "Drainage/DepressionFilling.h"
 #include "Drainage/FlowRouting.h"
 
 #include <algorithm>
@@ -217,13 +216,10 @@ GroundMeasures MeasureGround(
     measures.Lags.push_back(0.5 * (heights.Spacing[0] + heights.Spacing[1]) * lag);
   }
 
-  {
-    const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
-    const double area = heights.Spacing[0] * heights.Spacing[1];
-    measures.SunkShare = static_cast<double>(flood.Sunk) / count;
-    measures.FillOverDeviation = measures.Deviation > 0.0 ? flood.Volume / (area * count) / measures.Deviation : 0.0;
-  }
   const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
+  const double area = heights.Spacing[0] * heights.Spacing[1];
+  measures.SunkShare = static_cast<double>(routing.Sunk) / count;
+  measures.FillOverDeviation = measures.Deviation > 0.0 ? routing.Volume / (area * count) / measures.Deviation : 0.0;
   MeasureSlopeArea(DrainageCells(routing), SlopesToReceivers(heights, routing, parallel), outlets, measures);
   return measures;
 }

@@ -126,20 +126,29 @@ CutLognormal WithSkew(double skew, double cut)
 
 double HeightQuantiles::At(double probability) const
 {
-  const auto next = std::upper_bound(this->Probabilities.begin(), this->Probabilities.end(), probability);
+  return this->Below(this->After(probability), probability);
+}
+
+std::size_t HeightQuantiles::After(double probability) const
+{
+  return std::upper_bound(this->Probabilities.begin(), this->Probabilities.end(), probability) -
+    this->Probabilities.begin();
+}
+
+double HeightQuantiles::Below(std::size_t next, double probability) const
+{
   const double outer = OuterSlope * (this->Heights.back() - this->Heights.front());
-  if (next == this->Probabilities.begin())
+  if (next == 0)
   {
     return this->Heights.front() - (this->Probabilities.front() - probability) * outer;
   }
-  if (next == this->Probabilities.end())
+  if (next == this->Probabilities.size())
   {
     return this->Heights.back() + (probability - this->Probabilities.back()) * outer;
   }
-  const std::size_t n = next - this->Probabilities.begin();
   const double part =
-    (probability - this->Probabilities[n - 1]) / (this->Probabilities[n] - this->Probabilities[n - 1]);
-  return this->Heights[n - 1] + part * (this->Heights[n] - this->Heights[n - 1]);
+    (probability - this->Probabilities[next - 1]) / (this->Probabilities[next] - this->Probabilities[next - 1]);
+  return this->Heights[next - 1] + part * (this->Heights[next] - this->Heights[next - 1]);
 }
 
 HeightQuantiles QuantilesOf(const std::vector<double>& heights)
@@ -209,9 +218,15 @@ void MapRanks(std::vector<double>& heights, const HeightQuantiles& quantiles, co
   SortHeights(ranked, parallel);
   const auto count = static_cast<double>(heights.size());
   parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t next = quantiles.After((static_cast<double>(begin) + 0.5) / count);
     for (std::size_t n = begin; n < end; ++n)
     {
-      heights[ranked[n].Cell] = quantiles.At((static_cast<double>(n) + 0.5) / count);
+      const double probability = (static_cast<double>(n) + 0.5) / count;
+      while (next < quantiles.Probabilities.size() && quantiles.Probabilities[next] <= probability)
+      {
+        ++next;
+      }
+      heights[ranked[n].Cell] = quantiles.Below(next, probability);
     }
   });
 }

@@ -6,6 +6,7 @@
 #include "Numerics/Parallel.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace littoral
@@ -18,6 +19,9 @@ struct HeightQuantiles
   std::vector<double> Heights;       ///< increasing [m]
 
   double At(double probability) const;
+  /// Number of the first quantile above a probability, and the height at a probability of which it is known.
+  std::size_t After(double probability) const;
+  double Below(std::size_t next, double probability) const;
 };
 
 /// Of given heights. Equal ones, as of whole metres, are taken as a height at the middle of their ranks: so the

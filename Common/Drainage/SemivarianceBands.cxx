@@ -97,7 +97,21 @@ SemivarianceBands::SemivarianceBands(
   }
 }
 
-double SemivarianceBands::PartOf(std::size_t band, int lag) const
+SemivarianceBands::LagWaves SemivarianceBands::WavesOf(int lag) const
+{
+  LagWaves waves;
+  for (int p = 0; p < this->Width; ++p)
+  {
+    waves.OfX.push_back(SquaredDifferences(p, lag, this->Width));
+  }
+  for (int q = 0; q < this->Height; ++q)
+  {
+    waves.OfY.push_back(SquaredDifferences(q, lag, this->Height));
+  }
+  return waves;
+}
+
+double SemivarianceBands::PartOf(std::size_t band, int lag, const LagWaves& waves) const
 {
   const double alongX = static_cast<double>(std::max(0, this->Width - lag)) * this->Height;
   const double alongY = static_cast<double>(std::max(0, this->Height - lag)) * this->Width;
@@ -110,11 +124,11 @@ double SemivarianceBands::PartOf(std::size_t band, int lag) const
   {
     for (int p = 0; p < this->Width; ++p)
     {
-      sum += this->PowerOfX[band][p] * SquaredDifferences(p, lag, this->Width);
+      sum += this->PowerOfX[band][p] * waves.OfX[p];
     }
     for (int q = 0; q < this->Height; ++q)
     {
-      sum += this->PowerOfY[band][q] * SquaredDifferences(q, lag, this->Height);
+      sum += this->PowerOfY[band][q] * waves.OfY[q];
     }
   }
   const double pairs = alongX + alongY;
@@ -149,9 +163,10 @@ BandGains SemivarianceBands::GainsFor(const std::vector<int>& lags, const std::v
     {
       continue; // the target has no such lag
     }
+    const LagWaves waves = this->WavesOf(lags[n]);
     for (Eigen::Index band = 0; band < bands; ++band)
     {
-      parts(n, band) = this->PartOf(band, lags[n]);
+      parts(n, band) = this->PartOf(band, lags[n], waves);
     }
     // What all bands gain together is taken back by the heights, whose variance stays.
     parts.row(n) = parts.row(n) / parts.row(n).sum() - variances;

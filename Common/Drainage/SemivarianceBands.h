@@ -38,7 +38,7 @@ public:
 
   /// Part of a band in the semivariance of a lag [cells]: half the mean squared difference of the pairs within the grid
   /// of each of its waves alone.
-  double PartOf(std::size_t band, int lag) const;
+  double PartOf(std::size_t band, int lag) const { return this->PartOf(band, lag, this->WavesOf(lag)); }
 
   /// Variance of the heights that a band gives.
   double VarianceOf(std::size_t band) const;
@@ -49,6 +49,17 @@ public:
 
 private:
   static constexpr std::size_t LongWaves = 8;
+
+  /// Sums of squared differences of the waves along x and y at a lag.
+  struct LagWaves
+  {
+    std::vector<double> OfX;
+    std::vector<double> OfY;
+  };
+
+  LagWaves WavesOf(int lag) const;
+
+  double PartOf(std::size_t band, int lag, const LagWaves& waves) const;
 
   bool IsPlane(std::size_t band) const { return band + 1 == this->Count(); }
 

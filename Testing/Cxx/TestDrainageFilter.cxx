@@ -177,6 +177,7 @@ bool CarvedGroundDrains()
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputConnection(terrain->GetOutputPort());
   drainage->SetMinimumDrainageCells(40);
+  drainage->KeepHeightsOn();
   drainage->Update();
   vtkImageData* ground = drainage->GetOutput();
   bool good = Drains(ground) && RiversFall(drainage, 40);

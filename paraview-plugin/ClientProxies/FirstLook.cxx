@@ -147,6 +147,14 @@ void ShowAsSprites(vtkSMProxy* representation, vtkPVDataInformation* data, doubl
 }
 
 //----------------------------------------------------------------------------
+void DrawLines(vtkSMProxy* representation, double width)
+{
+  vtkSMPropertyHelper(representation, "LineWidth").Set(width);
+  vtkSMPropertyHelper(representation, "Ambient").Set(1.0); // as drawn on a map, not lit
+  vtkSMPropertyHelper(representation, "Diffuse").Set(0.0);
+}
+
+//----------------------------------------------------------------------------
 void ShowAsDots(vtkSMProxy* representation, double size, const double color[3])
 {
   vtkSMPropertyHelper(representation, "Representation").Set("Points");

@@ -414,6 +414,11 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
     }
     ShowAsDots(representation, std::strtod(size, nullptr), ink);
   }
+  const char* width = this->Hint("lines", port);
+  if (width && data->GetDataSetType() == VTK_POLY_DATA)
+  {
+    DrawLines(representation, std::strtod(width, nullptr));
+  }
   const char* fog = this->Hint("fog", port);
   if (fog && data->GetArrayInformation(fog, vtkDataObject::POINT))
   {
