@@ -98,8 +98,8 @@ public:
 
   ///@{
   /**
-   * Distribution of heights kept as the terrain has it; default off: a lognormal distribution of HypsometricIntegral and
-   * HeightSkew. Used only without a target image.
+   * Distribution of heights kept as the terrain has it; default off: a lognormal distribution of HypsometricIntegral
+   * and HeightSkew. Used only without a target image.
    */
   vtkSetMacro(KeepHeights, bool);
   vtkGetMacro(KeepHeights, bool);
