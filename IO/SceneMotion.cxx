@@ -529,7 +529,7 @@ void MovingPlants::AddGroup(const std::vector<const Plant*>& group, double toler
       parts.push_back(part);
     }
   }
-  std::vector<MovingPlant> motions;
+  std::vector<PlantFrames> motions;
   for (const Plant* plant : group)
   {
     motions.push_back({ this->MotionOf(*plant), tolerance / plant->Place.Scale });

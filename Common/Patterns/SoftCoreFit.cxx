@@ -92,7 +92,7 @@ PotentialSums FindSums(const std::vector<PlanePosition>& points, const Observati
     const auto index = [&](int axis) {
       return std::min(PlacesOfSide - 1, static_cast<int>((point[axis] - low[axis]) / step[axis]));
     };
-    return static_cast<std::size_t>(index(1) * PlacesOfSide + index(0));
+    return static_cast<std::size_t>(index(1)) * PlacesOfSide + static_cast<std::size_t>(index(0));
   };
   const auto isCounted = [&](const PlanePosition& place) {
     return window.Contains(place) && window.DistanceToEdge(place) >= border;

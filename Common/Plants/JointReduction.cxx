@@ -83,10 +83,10 @@ std::vector<Vector3> CornersOf(const JointTree& tree, int joint)
 
 //----------------------------------------------------------------------------
 /// Whether a joint takes another one and its box to where they belong, in all frames of all plants.
-bool IsCarried(const JointTree& tree, const std::vector<MovingPlant>& plants, int joint, int by)
+bool IsCarried(const JointTree& tree, const std::vector<PlantFrames>& plants, int joint, int by)
 {
   const std::vector<Vector3> corners = CornersOf(tree, joint);
-  for (const MovingPlant& plant : plants)
+  for (const PlantFrames& plant : plants)
   {
     const double tolerance = LeftOutShare * plant.Tolerance;
     for (const JointFrame& frame : plant.Frames)
@@ -106,10 +106,10 @@ bool IsCarried(const JointTree& tree, const std::vector<MovingPlant>& plants, in
 }
 
 /// Keeps joints one after the other where what follows them is not carried by those that are kept.
-ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<MovingPlant>& plants)
+ReducedJoints ChooseJoints(const JointTree& tree, const std::vector<PlantFrames>& plants)
 {
   const bool isExact =
-    std::any_of(plants.begin(), plants.end(), [](const MovingPlant& plant) { return plant.Tolerance <= 0.0; });
+    std::any_of(plants.begin(), plants.end(), [](const PlantFrames& plant) { return plant.Tolerance <= 0.0; });
   ReducedJoints result;
   for (int joint = 0; joint < static_cast<int>(tree.Parents.size()); ++joint)
   {
@@ -166,7 +166,7 @@ struct Probe
 class JointSampler
 {
 public:
-  JointSampler(const JointTree& tree, const ReducedJoints& joints, const MovingPlant& plant, double frameRate)
+  JointSampler(const JointTree& tree, const ReducedJoints& joints, const PlantFrames& plant, double frameRate)
     : Tree(tree)
     , Joints(joints)
     , Frames(plant.Frames)
@@ -460,7 +460,7 @@ void JointTree::Box::Add(const Vector3& place)
 
 //----------------------------------------------------------------------------
 ReducedJoints ReduceJoints(
-  const JointTree& tree, const std::vector<MovingPlant>& plants, double frameRate, const ParallelFor& parallelFor)
+  const JointTree& tree, const std::vector<PlantFrames>& plants, double frameRate, const ParallelFor& parallelFor)
 {
   ReducedJoints result = ChooseJoints(tree, plants);
   result.Tracks.resize(plants.size());

@@ -41,7 +41,7 @@ struct JointFrame
 };
 
 /// The frames of a plant, and by how much what follows its joints may be off [m].
-struct MovingPlant
+struct PlantFrames
 {
   std::vector<JointFrame> Frames;
   double Tolerance = 0.0;
@@ -72,7 +72,7 @@ struct ReducedJoints
  * than the tolerance of the plant [m] from where all joints take it, in any frame. Roots are kept; tolerances of 0 keep
  * all joints and samples. There are frameRate frames a second.
  */
-ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<MovingPlant>& plants, double frameRate,
+ReducedJoints ReduceJoints(const JointTree& tree, const std::vector<PlantFrames>& plants, double frameRate,
   const ParallelFor& parallelFor = SerialFor);
 
 }

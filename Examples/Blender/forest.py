@@ -223,7 +223,7 @@ def write_scene(filename, frame=0):
         "Flowers": scattered(
             flowers(country), [plant(FLOWER, color, (0.45, 0.55, 0.25)) for color in ((0.97, 0.96, 0.93), (0.98, 0.85, 0.2))])}
     write_glb(
-        filename, sources, camera=(eye, focus, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0), 
+        filename, sources, camera=(eye, focus, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0),
         kinds={"Grass": "grass", "Flowers": "grass"},
         extras={"fog": {"sight": 3000.0, "height": 160.0}, "sky": {"clouds": 0.6}, "exposure": 1.9}, LevelForm=2)
 
