@@ -33,9 +33,9 @@ def exported(name, view, **options):
 
 
 def below_root(scene):
-    """The names below the root node, and beside it."""
-    root, *others = scene["scenes"][0]["nodes"]
-    return sorted(scene["nodes"][k]["name"] for k in scene["nodes"][root].get("children", []) + others)
+    """The names below the root node."""
+    root, = scene["scenes"][0]["nodes"]
+    return sorted(scene["nodes"][k]["name"] for k in scene["nodes"][root]["children"])
 
 
 def triangles(scene):
@@ -44,7 +44,7 @@ def triangles(scene):
 
 
 def camera_of(scene):
-    """Where the camera is and looks to, with z up."""
+    """Where the camera is, where it looks to, and its angle, below the root node, where z is up."""
     node, = [node for node in scene["nodes"] if "camera" in node]
     x, y, z, w = node["rotation"]
     ahead = -np.array((2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)))
@@ -58,7 +58,7 @@ def check_window():
     session.apply()
     session.menu("menu_File", "actionExport")
     session.event(f"{WINDOW}/FileExportDialog", "filesSelected", os.path.abspath("window.glb"))
-    session.event(f"{WINDOW}/Dialog/widget/OKButton")
+    session.event(f"{WINDOW}/ProxyWidgetDialog/widget/OKButton")
     session.play()
     scene = scene_of("window.glb")
     assert {"Hills", "Trees", "Camera", "Sun"} <= set(below_root(scene)), below_root(scene)
@@ -71,6 +71,7 @@ def check_script():
     text = simple.Text(Text="no surface")
     for source in (land, tree, text):
         simple.Show(source, view)
+    simple.Render(view)  # the first look places the camera
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [10, -30, 12], [10, 5, 2], [0, 0, 1]
     view.CameraViewAngle = 40
     simple.Render(view)
@@ -78,14 +79,16 @@ def check_script():
     assert below_root(scene) == ["Café", "Camera", "Sun", "TurningBandsTerrain1"], below_root(scene)
     assert scene["scenes"][0]["name"] == "Place"
     place, ahead, angle = camera_of(scene)
-    np.testing.assert_allclose(place, (10, 12, 30), atol=1e-5)  # y up
-    np.testing.assert_allclose(ahead, np.array((0, -10, -35)) / np.hypot(10, 35), atol=1e-6)
+    np.testing.assert_allclose(place, (10, -30, 12), atol=1e-5)
+    np.testing.assert_allclose(ahead, np.array((0, 35, -10)) / np.hypot(10, 35), atol=1e-6)
     assert abs(angle - np.radians(40.0)) < 1e-6
     sun, = [node for node in scene["nodes"] if node.get("name") == "Sun"]
     x, y, z, w = sun["rotation"]
     towards = np.array((2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)))
-    wanted = np.array(view.AdditionalLights[0].LightPosition) - np.array(view.AdditionalLights[0].FocalPoint)
-    np.testing.assert_allclose(towards, wanted[[0, 2, 1]] * (1, 1, -1) / np.linalg.norm(wanted), atol=1e-6)
+    light = simple.GetLight(0, view)
+    place, focus = (np.array(light.GetProperty(name).GetData()) for name in ("LightPosition", "FocalPoint"))
+    wanted = place - focus
+    np.testing.assert_allclose(towards, wanted / np.linalg.norm(wanted), atol=1e-6)
     whole = triangles(scene)
 
     # What is hidden is left out, what is shown twice is there once; the options of the dialog.
@@ -104,7 +107,7 @@ def check_script():
 
     # The time is that of the view, and the file has the motion that is asked for.
     simple.Delete(tree)
-    sea = simple.SeaSurface(SeaState=simple.SeaState(NumberOfTrains=6), Radius=20)
+    sea = simple.SeaSurface(Input=simple.SeaState(NumberOfTrains=6), Radius=20)
     simple.Show(sea, second)
     second.ViewTime = 3.0
     simple.Render(second)

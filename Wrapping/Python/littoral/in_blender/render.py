@@ -111,7 +111,7 @@ def set_quality(job, extras):
     cycles = scene.cycles
     cycles.samples, cycles.use_adaptive_sampling, cycles.seed = samples, False, job.get("seed", 0)
     versions.denoise(scene)
-    cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = 5, 3, 1
+    cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = 4, 2, 1
     cycles.transmission_bounces, cycles.volume_bounces, cycles.transparent_max_bounces = 4, 0, 24
     cycles.caustics_reflective = cycles.caustics_refractive = False
     cycles.sample_clamp_indirect, cycles.sample_clamp_direct = 2.0, 12.0
