@@ -52,7 +52,7 @@ def camera_of(scene):
 
 
 def check_window():
-    """The scene Forest by the menu, its trees as instances with the names of the browser, camera and sun."""
+    """The scene Forest by the menu, with the names of the pipeline browser, camera and sun."""
     session = Session(__file__)
     session.source("Forest")
     session.apply()
@@ -61,7 +61,8 @@ def check_window():
     session.event(f"{WINDOW}/ProxyWidgetDialog/widget/OKButton")
     session.play()
     scene = scene_of("window.glb")
-    assert {"Hills", "Trees", "Camera", "Sun"} <= set(below_root(scene)), below_root(scene)
+    assert below_root(scene) == ["Camera", "Ground", "Sun", "Trees"], below_root(scene)
+    assert triangles(scene) > 100000
 
 
 def check_script():
