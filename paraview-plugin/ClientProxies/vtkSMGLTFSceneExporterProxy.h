@@ -4,8 +4,8 @@
  * @class   vtkSMGLTFSceneExporterProxy
  * @brief   what a render view shows as one scene of glTF
  *
- * File, Export Scene. The data of all visible representations go to one vtkGLTFSceneWriter, the subproxy Writer, which is
- * where the data are, on the server if there is one: instances stay instances, and sources keep the names of the
+ * File, Export Scene. The data of all visible representations go to one vtkGLTFSceneWriter, the subproxy Writer, which
+ * is where the data are, on the server if there is one: instances stay instances, and sources keep the names of the
  * pipeline browser. A source that is shown twice is written once; data that are no surfaces, such as texts and charts,
  * are left out. While WriteCamera is on, the scene has the camera of the view, unless its projection is parallel; while
  * WriteSun is on, a sun in the direction of the view's first directional light that stands still in the scene, if there
