@@ -34,7 +34,8 @@ DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", 
 # Classes by field: title, page of the guide, page of the design, classes.
 FIELDS = (
     ("Terrain", "terrain", "terrain",
-     ("vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter", "vtkTerrainLevelOfDetailFilter")),
+     ("vtkRandomFieldAlgorithm", "vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter",
+      "vtkTerrainLevelOfDetailFilter")),
     ("Drainage", "drainage", "drainage", ("vtkDrainageFilter", "vtkGroundStatisticsFilter")),
     ("Fields through data", "kriging", "kriging", ("vtkConditionalTerrainFilter", "vtkNormalScoresFilter")),
     ("Point patterns", "patterns", "patterns",
