@@ -65,8 +65,9 @@ ProcessFit FitStrauss(
 
 /// A soft-core process by the maximum of the pseudo-likelihood over Distance at each Softness of 0.05, 0.1 ... 0.75,
 /// and over those. Points nearer to the edge than the border [m] are neighbours only; neighbours count up to three mean
-/// distances of points. The integral is a sum over 256 by 256 places and the points (Berman and Turner 1992). It exists
-/// where the logarithm of the pseudo-likelihood exceeds that of random points by more than 5.
+/// distances of points. The integral is a sum over 128 by 128 places and the points (Berman and Turner 1992). It exists
+/// where the logarithm of the pseudo-likelihood exceeds that of random points by more than 5, as by chance one random
+/// pattern in twenty.
 ProcessFit FitSoftCore(const std::vector<PlanePosition>& points, const ObservationWindow& window, double border,
   const ParallelFor& parallel = SerialFor);
 

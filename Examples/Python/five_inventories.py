@@ -225,7 +225,7 @@ def draw_stand(renderer, trees, side):
     eye = (0.5 * side, -0.50 * side, 0.20 * side + 1.1 * float(np.median(heights)))
     focus = (0.5 * side, 0.5 * side, 0.4 * float(np.median(heights)))
     towards = np.subtract(focus, eye)
-    forest = stand.plant(trees, UseLevels=True, NearDistance=0.8 * side, FarDistance=1.2 * side, AspectRatio=1.88)
+    forest = stand.plant(trees, UseLevels=True, NearDistance=55.0, FarDistance=170.0, AspectRatio=1.88)
     forest.SetViewPoint(*eye)
     forest.SetViewDirection(*(towards / np.linalg.norm(towards)))
     forest.SetViewAngle(36.0)
