@@ -22,4 +22,9 @@ if (has("spatstat.random")) {
   window <- spatstat.geom::owin(c(0, 1000), c(0, 1000))
   report("spatstat", function() rMatClust(0.25, 2, 4, win = window))
   report("spatstat Thomas", function() rThomas(0.2, 0.5, 5, win = window))
+  if (requireNamespace("spatstat.explore", quietly = TRUE)) {
+    square <- spatstat.geom::owin(c(0, 100), c(0, 100))
+    points <- rpoispp(1, win = square)
+    report("spatstat pcf", function() spatstat.explore::pcf(points, r = seq(0, sqrt(1000 / pi), length.out = 513)))
+  }
 }
