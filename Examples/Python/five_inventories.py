@@ -213,7 +213,7 @@ def ticks_up_to(high):
 def spelled(name):
     """`LogGaussianCox` as words."""
     words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in name).strip()
-    return {"log gaussian cox": "log-Gaussian Cox", "thomas": "Thomas", "matern cluster": "Matérn cluster"}.get(words, words)
+    return {"log gaussian cox": "log-Gaussian Cox"}.get(words, words.replace("matern", "Matérn").capitalize())
 
 
 def draw_stand(renderer, trees, side):
