@@ -355,10 +355,14 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
   std::vector<littoral::Vector3> places(static_cast<std::size_t>(count));
   const littoral::Poll poll = littoral::PollOf(this);
   littoral::SteppedPoll steps(poll);
+  auto* single = vtkFloatArray::SafeDownCast(points);
+  ForEach(count, [&](vtkIdType n) {
+    single ? static_cast<void>(std::copy_n(single->GetPointer(3 * n), 3, &places[n].x))
+           : points->GetTuple(n, &places[n].x);
+  });
   for (vtkIdType n = 0; n < count; ++n)
   {
     steps.Step();
-    points->GetTuple(n, &places[n].x);
     if (!littoral::IsFinite(places[n]))
     {
       return "point " + std::to_string(n) + " has a coordinate that is no finite number.";

@@ -450,6 +450,7 @@ def prepare_view(view):
 def show_surface(source, view, time):
     """Show the surface of the water, moved by Particle Orbits, from below."""
     shown = simple.Show(source, view)
+    shown.SetRepresentationType("Full Surface")  # whose bounds are those of the points, at each time
     shown.ColorArrayName = [None, ""]
     _shade(shown, PLACES + NORMALS, SURFACE, time)
     return shown
