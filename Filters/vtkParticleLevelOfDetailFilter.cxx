@@ -78,11 +78,12 @@ Array* AddArray(vtkPointData* arrays, const char* name, int components, vtkIdTyp
   return array;
 }
 
-/// Calls a function for each place in a level, on all threads.
+/// Calls a function for each place in a level, on all threads where they are worth calling.
 template <typename Function>
 void ForEach(vtkIdType count, const Function& function)
 {
-  littoral::SmpFor(static_cast<std::size_t>(count), [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t atOnce = 1 << 14;
+  littoral::ForRanges(littoral::SmpFor, static_cast<std::size_t>(count), atOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
       function(static_cast<vtkIdType>(n));
