@@ -9,7 +9,8 @@
  *
  *     opacity = Strength Alpha exp(-Extinction d),
  *
- * with the point array Alpha, or 1, and the distance d from Eye. All else is as in Point Gaussian.
+ * with the point array Alpha, or 1, and the distance d from Eye. All else is as in Point Gaussian, which has no
+ * opacities where points have no colors.
  */
 #ifndef vtkParticleRepresentation_h
 #define vtkParticleRepresentation_h
