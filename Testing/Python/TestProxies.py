@@ -16,6 +16,8 @@ NUMBERS = {"IntVectorProperty": int, "DoubleVectorProperty": float}
 # Where a proxy differs from its class on purpose, with the reason.
 OTHER_DEFAULTS = {
     ("MeasuredSeaState", "Spectrum"): "the table of a measured spectrum, which this proxy has as its input",
+    ("GLTFSceneViewWriter", "WriteCamera"): "a view has a camera",
+    ("GLTFSceneViewWriter", "WriteSun"): "a view has lights",
 }
 # Choices of a class that a proxy leaves out on purpose, with the reason.
 LEFT_OUT = {
