@@ -11,7 +11,7 @@
  *
  * Input 1 (Grid), optional: a vtkImageData of one layer that tells where the field is wanted. Without one it is the
  * image of the data, whose points with a value then keep it, so that its holes are filled; for points, Dimensions over
- * their bounds. Array 2 of SetInputArrayToProcess, of the Grid (default the active scalars), is the external drift.
+ * their bounds. DriftArray names the external drift.
  *
  * Input 2 (Fits), optional: a table of fits from vtkCovarianceFitFilter. Its first row then replaces Model,
  * StandardDeviation, Mean, Range, SecondRange, FractalDimension, Nugget, AnisotropyRatio and AnisotropyAngle, each
@@ -44,24 +44,25 @@
 #define vtkConditionalTerrainFilter_h
 
 #include "LittoralFiltersModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkRandomFieldAlgorithm.h"
 
 #include <string> // for names and reasons
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkPolyData;
 class vtkTable;
 
-class LITTORALFILTERS_EXPORT vtkConditionalTerrainFilter : public vtkImageAlgorithm
+namespace littoral
+{
+struct Survey;
+}
+
+class LITTORALFILTERS_EXPORT vtkConditionalTerrainFilter : public vtkRandomFieldAlgorithm
 {
 public:
   static vtkConditionalTerrainFilter* New();
-  vtkTypeMacro(vtkConditionalTerrainFilter, vtkImageAlgorithm);
+  vtkTypeMacro(vtkConditionalTerrainFilter, vtkRandomFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// Lets no exception leave a request, as for want of memory: it becomes an error.
-  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   enum ResultType
   {
@@ -69,16 +70,10 @@ public:
     KrigingEstimate = 1,
   };
 
-  enum ModelType
+  /// Beside the ModelType of the base class.
+  enum FittedModelType
   {
     FittedToData = -1,
-    Fractal = 0,
-    SimpleExponential = 1,
-    DoubleExponential = 2,
-    Bessel1 = 3,
-    Bessel2 = 4,
-    Telis = 5,
-    Spherical = 6,
   };
 
   enum KrigingTypeType
@@ -101,6 +96,15 @@ public:
 
   ///@{
   /**
+   * Name of the point array of the Grid that is the external drift; default ``, its active scalars. Used only if
+   * KrigingType is ExternalDrift.
+   */
+  virtual void SetDriftArray(const char* name);
+  const char* GetDriftArray() const { return this->DriftArray.c_str(); }
+  ///@}
+
+  ///@{
+  /**
    * Kind of field that is made, a ResultType; default ConditionalField. ConditionalField: a field as rough as the model
    * that honours the data, another one for each Seed. KrigingEstimate: the expectation of all of these, which is smooth
    * between data.
@@ -115,7 +119,7 @@ public:
   /**
    * Knowledge of the mean, a KrigingTypeType; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
    * LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging). ExternalDrift: an unknown
-   * constant and an unknown multiple of an array of the Grid.
+   * constant and an unknown multiple of DriftArray.
    */
   vtkSetMacro(KrigingType, int);
   vtkGetMacro(KrigingType, int);
@@ -126,65 +130,11 @@ public:
   void SetKrigingTypeToExternalDrift() { this->SetKrigingType(ExternalDrift); }
   ///@}
 
-  ///@{
   /**
-   * Covariance model, a ModelType; default FittedToData, the one that fits the variogram of the data best of those
+   * Choice of the covariance model, default FittedToData: the one that fits the variogram of the data best of those
    * whose kriging system can be solved, with a nugget where the fit calls for one. That needs at least 20 data.
    */
-  vtkSetMacro(Model, int);
-  vtkGetMacro(Model, int);
   void SetModelToFittedToData() { this->SetModel(FittedToData); }
-  void SetModelToFractal() { this->SetModel(Fractal); }
-  void SetModelToSimpleExponential() { this->SetModel(SimpleExponential); }
-  void SetModelToDoubleExponential() { this->SetModel(DoubleExponential); }
-  void SetModelToBessel1() { this->SetModel(Bessel1); }
-  void SetModelToBessel2() { this->SetModel(Bessel2); }
-  void SetModelToTelis() { this->SetModel(Telis); }
-  void SetModelToSpherical() { this->SetModel(Spherical); }
-  ///@}
-
-  ///@{
-  /**
-   * Standard deviation of the field [unit of the values], from 1e-15 to 3e7; default 40. Not used with NormalScores,
-   * where it is 1.
-   */
-  vtkSetMacro(StandardDeviation, double);
-  vtkGetMacro(StandardDeviation, double);
-  ///@}
-
-  ///@{
-  /**
-   * Mean of the field [unit of the values]; default 200. Used only if KrigingType is Simple, without NormalScores.
-   */
-  vtkSetMacro(Mean, double);
-  vtkGetMacro(Mean, double);
-  ///@}
-
-  ///@{
-  /**
-   * Range parameter of the covariance model [m], positive; default 1000. Its meaning for each model is that of
-   * vtkTurningBandsTerrainSource.
-   */
-  vtkSetMacro(Range, double);
-  vtkGetMacro(Range, double);
-  ///@}
-
-  ///@{
-  /**
-   * Second range parameter of the Telis model [m], positive; default 50. Not used by other models.
-   */
-  vtkSetMacro(SecondRange, double);
-  vtkGetMacro(SecondRange, double);
-  ///@}
-
-  ///@{
-  /**
-   * Fractal dimension of the surface, between 2 (smooth) and 3, both excluded; default 2.15. Used only by the Fractal
-   * model.
-   */
-  vtkSetMacro(FractalDimension, double);
-  vtkGetMacro(FractalDimension, double);
-  ///@}
 
   ///@{
   /**
@@ -192,22 +142,6 @@ public:
    */
   vtkSetMacro(Nugget, double);
   vtkGetMacro(Nugget, double);
-  ///@}
-
-  ///@{
-  /**
-   * Ratio of the longest to the shortest range, at least 1; default 1.
-   */
-  vtkSetMacro(AnisotropyRatio, double);
-  vtkGetMacro(AnisotropyRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Direction of the longest range, counterclockwise from x [degrees]; default 0.
-   */
-  vtkSetMacro(AnisotropyAngle, double);
-  vtkGetMacro(AnisotropyAngle, double);
   ///@}
 
   ///@{
@@ -258,22 +192,6 @@ public:
   vtkBooleanMacro(CrossValidation, bool);
   ///@}
 
-  ///@{
-  /**
-   * Number of lines of the simulated field, not negative; default 0, as many as its spectrum needs on the whole grid.
-   */
-  vtkSetMacro(NumberOfLines, int);
-  vtkGetMacro(NumberOfLines, int);
-  ///@}
-
-  ///@{
-  /**
-   * Seed of the random numbers, any integer; default 1. Another seed gives another field through the same data.
-   */
-  vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
-  ///@}
-
 protected:
   vtkConditionalTerrainFilter();
   ~vtkConditionalTerrainFilter() override;
@@ -285,47 +203,31 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   std::string ErrorArray;
+  std::string DriftArray;
   int Result;
   int KrigingType;
-  int Model;
-  double StandardDeviation;
-  double Mean;
-  double Range;
-  double SecondRange;
-  double FractalDimension;
   double Nugget;
-  double AnisotropyRatio;
-  double AnisotropyAngle;
   int Dimensions[2];
   int NumberOfNeighbors;
   bool NormalScores;
   bool KrigingVariance;
   bool CrossValidation;
-  int NumberOfLines;
-  int Seed;
 
 private:
   vtkConditionalTerrainFilter(const vtkConditionalTerrainFilter&) = delete;
   void operator=(const vtkConditionalTerrainFilter&) = delete;
 
-  class Survey;
-  class Simulation;
   bool Refuse(const std::string& reason);
-  vtkDataArray* ChosenArray(int index, vtkInformationVector** inputs, vtkDataSet* data, std::string& reason);
+  void SetName(std::string& own, const std::string& name);
+  vtkDataArray* ValueArray(vtkInformationVector** inputs, vtkDataSet* data, std::string& reason);
   bool CheckProperties();
-  bool ReadData(vtkInformationVector** inputs, Survey& survey);
-  bool ReadGrid(vtkInformationVector** inputs, Survey& survey);
-  bool ReadDrift(vtkInformationVector** inputs, Survey& survey);
-  bool FindModel(vtkInformationVector** inputs, Survey& survey);
-  bool TakeFit(vtkTable* fits, Survey& survey);
-  /// The best of the models fitted to the data whose system can be solved.
-  bool TakeFitted(Survey& survey);
-  bool CheckMemory(const Survey& survey, const int extent[6]);
+  bool ReadData(vtkInformationVector** inputs, littoral::Survey& survey);
+  bool ReadGrid(vtkInformationVector** inputs, littoral::Survey& survey);
+  bool ReadDrift(vtkInformationVector** inputs, littoral::Survey& survey);
+  bool FindModel(vtkInformationVector** inputs, littoral::Survey& survey);
+  bool CheckMemory(const littoral::Survey& survey, const int extent[6]);
   /// Runs all that can fail for want of a solution; false when aborted.
-  bool Make(Survey& survey, const int extent[6], vtkImageData* output, vtkTable* table);
-  /// The data as vertices with the columns of their table.
-  void WritePoints(const Survey& survey, vtkTable* table, vtkPolyData* points);
-  void WriteTable(const Survey& survey, const Simulation& simulation, vtkTable* table);
+  bool Make(const littoral::Survey& survey, const int extent[6], vtkImageData* output, vtkTable* table);
 };
 
 #endif

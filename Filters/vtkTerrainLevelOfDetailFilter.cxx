@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Blocks.h"
+#include "Data/GroundWetness.h"
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
@@ -52,6 +53,7 @@ class vtkTerrainLevelOfDetailFilter::vtkInternals
 {
 public:
   std::optional<littoral::TerrainPyramid> Pyramid;
+  std::vector<double> Wetness; ///< of each sample, or none
   vtkMTimeType ImageTime = 0;
   vtkMTimeType HeightsTime = 0;
   int TileSize = 0;
@@ -118,20 +120,14 @@ CarriedArrays NewCarriedArrays(vtkImageData* image, vtkDataArray* heights, vtkId
   return carried;
 }
 
-/// Why the reflectance of an image cannot color the ground; empty if it can, or if there is none.
-std::string WhyBadReflectance(vtkImageData* image)
-{
-  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "the image");
-  points.NeedFinite(points.Find("Reflectance", 1));
-  return points.Reason();
-}
-
 /// Colors of the ground, or nothing where the image has its own or none are wanted.
 class GroundPainter
 {
 public:
-  GroundPainter(const littoral::TerrainPyramid& pyramid, vtkImageData* image, bool paints)
+  GroundPainter(
+    const littoral::TerrainPyramid& pyramid, const std::vector<double>& wetness, vtkImageData* image, bool paints)
     : Pyramid(pyramid)
+    , Wetness(wetness)
     , Reflectance(littoral::ArrayReader::OfPoints(image, "The image").Find("Reflectance", 1))
     , Paints(paints && !image->GetPointData()->HasArray("RGB"))
   {
@@ -157,11 +153,13 @@ public:
     {
       place.Reflectance = this->Reflectance->GetComponent(static_cast<vtkIdType>(sample), 0);
     }
+    place.Wetness = this->Wetness.empty() ? place.Wetness : this->Wetness[sample];
     return littoral::GroundColor(place);
   }
 
 private:
   const littoral::TerrainPyramid& Pyramid;
+  const std::vector<double>& Wetness; ///< of each sample, or none
   vtkDataArray* Reflectance;
   bool Paints;
   double Lowest = 0.0;
@@ -503,6 +501,7 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
     samples.Values[i] = static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(i), 0));
   }
   internals.Pyramid.emplace(std::move(samples), this->TileSize, this->NumberOfLevels, littoral::AbortableFor(this));
+  internals.Wetness = littoral::SpreadWetness(image, heights, littoral::AbortableFor(this));
   internals.ImageTime = image->GetMTime();
   internals.HeightsTime = heights->GetMTime();
   internals.TileSize = this->TileSize;
@@ -528,7 +527,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
 {
   std::string reason;
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
-  reason = image && this->GroundColors ? WhyBadReflectance(image) : reason;
+  reason = image && this->GroundColors ? littoral::WhyUncolorable(image, "the image") : reason;
   if (!reason.empty())
   {
     littoralErrorMacro("Cannot make levels: " << reason);
@@ -566,7 +565,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
     return 1;
   }
   shown.Sort(pyramid, levels, view);
-  const GroundPainter painter(pyramid, image, this->GroundColors);
+  const GroundPainter painter(pyramid, this->Internals->Wetness, image, this->GroundColors);
   const std::size_t blocks = shown.Layouts.size();
   double polygons = 0.0;
   for (std::size_t block = 0; block < blocks; ++block)

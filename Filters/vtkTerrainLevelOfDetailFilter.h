@@ -101,8 +101,8 @@ public:
   ///@{
   /**
    * Addition of the point array `RGB`, the ground colors of a temperate landscape; default on. Meadows are green,
-   * ground where the input array `Reflectance` is high has dry grass, steep ground is rock. An array `RGB` of the input
-   * has priority.
+   * lush beside water where the input has the array `DrainageArea` [m^2]; ground where the input array `Reflectance` is
+   * high has dry grass, steep ground is rock. An array `RGB` of the input has priority.
    */
   vtkSetMacro(GroundColors, bool);
   vtkGetMacro(GroundColors, bool);

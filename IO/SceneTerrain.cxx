@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
+#include "Data/GroundWetness.h"
 #include "Data/Inputs.h"
 #include "Data/PlantBlocks.h"
 #include "Terrain/GroundColor.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace littoral
 {
@@ -77,9 +79,9 @@ vtkSmartPointer<vtkCellArray> QuadsOf(vtkIdType columns, vtkIdType rows)
   return quads;
 }
 
-/// Colors of the ground by slope, height and, if there is one, reflectance.
+/// Colors of the ground by slope, height and, if they are there, reflectance and wetness.
 vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
-  const Samples& samples, vtkFloatArray* normals, vtkDataArray* reflectance)
+  const Samples& samples, vtkFloatArray* normals, vtkDataArray* reflectance, const std::vector<double>& wetness)
 {
   const vtkIdType count = normals->GetNumberOfTuples();
   auto colors = NewArray<vtkUnsignedCharArray>(plant::RGB, 3, count);
@@ -92,6 +94,7 @@ vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
     ground.Height =
       range[1] > range[0] ? (samples.Heights->GetComponent(sample, 0) - range[0]) / (range[1] - range[0]) : 0.0;
     ground.Reflectance = reflectance ? reflectance->GetComponent(sample, 0) : ground.Reflectance;
+    ground.Wetness = wetness.empty() ? ground.Wetness : wetness[static_cast<std::size_t>(sample)];
     const Color color = GroundColor(ground);
     std::copy(color.begin(), color.end(), colors->GetPointer(3 * sample));
   }
@@ -107,8 +110,8 @@ std::string WhyNoTerrain(vtkImageData* image, const std::string& owner)
   reason = reason.empty() ? WhyNoRaster(image, 2) : reason;
   ArrayReader arrays = ArrayReader::OfPoints(image, owner);
   arrays.NeedFinite(ElevationsOf(image, arrays));
-  arrays.NeedFinite(arrays.Find("Reflectance", 1));
-  return reason.empty() ? arrays.Reason() : reason;
+  reason = reason.empty() ? arrays.Reason() : reason;
+  return reason.empty() ? WhyUncolorable(image, owner) : reason;
 }
 
 //----------------------------------------------------------------------------
@@ -151,7 +154,8 @@ vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
   }
   if (!ColorsOf(terrain))
   {
-    own->AddArray(GroundColors(samples, normals, arrays.Find("Reflectance", 1)));
+    own->AddArray(GroundColors(
+      samples, normals, arrays.Find("Reflectance", 1), SpreadWetness(image, samples.Heights)));
   }
   // Tells what it is, whatever the name of the scalars.
   vtkNew<vtkFloatArray> heights;

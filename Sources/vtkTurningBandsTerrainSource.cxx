@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
+#include "Data/FieldStatistics.h"
 #include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
@@ -49,12 +50,22 @@ class vtkTurningBandsTerrainSource::Recipe
 public:
   littoral::TurningBandsParameters Bands;
   double Mean = 0.0;
-  double Slope[2] = { 0.0, 0.0 };
-  double TrendSides[2] = { 0.0, 0.0 }; ///< [m], of the rectangle over which mean and slope are all the trend there is
+  std::array<double, 2> Slope{ 0.0, 0.0 };
+  std::array<double, 2> TrendSides{ 0.0, 0.0 }; ///< [m], over which mean and slope are all the trend there is
   const char* Name = "";
   std::string Prefix;              ///< of the properties that each field has for itself
   const char* Unit = "";           ///< of its values
   std::optional<double> Deviation; ///< the standard deviation; none where a table gives the variance
+
+  void Take(const littoral::FieldStatistics& statistics)
+  {
+    this->Bands.Field = statistics.Field;
+    this->Bands.AnisotropyRatio = statistics.AnisotropyRatio;
+    this->Bands.AnisotropyAngle = statistics.AnisotropyAngle;
+    this->Mean = statistics.Mean;
+    this->Slope = statistics.Slope;
+    this->TrendSides = statistics.TrendSides;
+  }
 };
 
 //----------------------------------------------------------------------------
@@ -63,20 +74,10 @@ vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
   , Origin{ 0.0, 0.0, 0.0 }
   , Spacing{ 2.0, 2.0, 1.0 }
   , UseMeasuredGrid(false)
-  , Model(Fractal)
-  , StandardDeviation(40.0)
-  , Mean(200.0)
   , Slope{ 0.0, 0.0 }
-  , Range(1000.0)
-  , SecondRange(50.0)
-  , FractalDimension(2.15)
-  , NumberOfLines(0)
   , NumberOfHarmonics(300)
   , HarmonicSpacing(Adaptive)
   , ShortestWavelength(0.0)
-  , AnisotropyRatio(1.0)
-  , AnisotropyAngle(0.0)
-  , Seed(1)
   , Reflectance(false)
   , ReflectanceModel(SimpleExponential)
   , ReflectanceRange(100.0)
@@ -191,20 +192,13 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ElevationReci
   recipe.Name = "Elevation";
   recipe.Unit = "m";
   recipe.Deviation = this->StandardDeviation;
-  recipe.Mean = this->Mean;
-  recipe.Slope[0] = this->Slope[0];
-  recipe.Slope[1] = this->Slope[1];
+  littoral::FieldStatistics statistics = this->OwnStatistics();
+  statistics.Slope = { this->Slope[0], this->Slope[1] };
+  recipe.Take(statistics);
   littoral::TurningBandsParameters& bands = recipe.Bands;
-  bands.Field.Model = static_cast<littoral::CovarianceModel>(this->Model);
-  bands.Field.Variance = this->StandardDeviation * this->StandardDeviation;
-  bands.Field.Range = this->Range;
-  bands.Field.SecondRange = this->SecondRange;
-  bands.Field.FractalDimension = this->FractalDimension;
   bands.NumberOfLines = this->NumberOfLines;
   bands.NumberOfHarmonics = this->NumberOfHarmonics;
   bands.Bins = this->HarmonicSpacing == Uniform ? littoral::HarmonicBins::Uniform : littoral::HarmonicBins::Adaptive;
-  bands.AnisotropyRatio = this->AnisotropyRatio;
-  bands.AnisotropyAngle = vtkMath::RadiansFromDegrees(this->AnisotropyAngle);
   bands.ShortestWavelength = this->ShortestWavelength;
   bands.Seed = this->Seed;
   bands.Purpose = littoral::RandomPurpose::ElevationLines;
@@ -234,45 +228,17 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ReflectanceRe
 //----------------------------------------------------------------------------
 bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
 {
-  if (fits->GetNumberOfRows() == 0)
-  {
-    littoralErrorMacro("The table of fits is empty; connect the first output of a covariance fit.");
-    return false;
-  }
-  littoral::TurningBandsParameters& bands = recipe.Bands;
-  littoral::ArrayReader rows = littoral::ArrayReader::OfRows(fits, "The table of fits");
-  const auto take = [&rows](const char* column, double& value) {
-    vtkDataArray* array = rows.Find(column, 1);
-    value = array ? array->GetComponent(0, 0) : value;
-  };
-  double model = -1.0;
-  take("ModelId", model);
-  if (!(model >= 0.0) && rows.IsGood())
-  {
-    littoralErrorMacro(
-      "The table of fits has no column ModelId with a model; connect the first output of a covariance fit.");
-    return false;
-  }
-  std::string reason = rows.Reason();
-  littoral::ReadWhole("ModelId", model, 0, littoral::NumberOfCovarianceModels - 1, bands.Field.Model, reason);
-  take("Variance", bands.Field.Variance);
-  recipe.Deviation = rows.Has("Variance") ? std::nullopt : recipe.Deviation;
-  take("Range", bands.Field.Range);
-  take("SecondRange", bands.Field.SecondRange);
-  take("FractalDimension", bands.Field.FractalDimension);
-  take("AnisotropyRatio", bands.AnisotropyRatio);
-  take("AnisotropyAngle", bands.AnisotropyAngle);
-  take("Mean", recipe.Mean);
-  take("SlopeX", recipe.Slope[0]);
-  take("SlopeY", recipe.Slope[1]);
-  take("TrendWidth", recipe.TrendSides[0]);
-  take("TrendHeight", recipe.TrendSides[1]);
-  reason = reason.empty() ? rows.Reason() : reason;
+  littoral::FieldStatistics statistics = this->OwnStatistics();
+  statistics.Slope = { this->Slope[0], this->Slope[1] };
+  const std::string reason = littoral::TakeFit(fits, statistics);
   if (!reason.empty())
   {
     littoralErrorMacro("Cannot grow " << recipe.Name << ": " << reason);
+    return false;
   }
-  return reason.empty();
+  recipe.Take(statistics);
+  recipe.Deviation = statistics.HasFittedVariance ? std::nullopt : recipe.Deviation;
+  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -478,20 +444,6 @@ int vtkTurningBandsTerrainSource::RequestData(
 }
 
 //----------------------------------------------------------------------------
-const char* vtkTurningBandsTerrainSource::GetModelAsString() const
-{
-  return littoral::NameOfRow<littoral::CovarianceModel>(this->Model, littoral::NumberOfCovarianceModels);
-}
-
-//----------------------------------------------------------------------------
-int vtkTurningBandsTerrainSource::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
-}
-
-//----------------------------------------------------------------------------
 void vtkTurningBandsTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -501,20 +453,10 @@ void vtkTurningBandsTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2] << "\n";
   os << indent << "Spacing: " << this->Spacing[0] << " " << this->Spacing[1] << " " << this->Spacing[2] << "\n";
   os << indent << "UseMeasuredGrid: " << (this->UseMeasuredGrid ? "on" : "off") << "\n";
-  os << indent << "Model: " << this->Model << "\n";
-  os << indent << "StandardDeviation: " << this->StandardDeviation << "\n";
-  os << indent << "Mean: " << this->Mean << "\n";
   os << indent << "Slope: " << this->Slope[0] << " " << this->Slope[1] << "\n";
-  os << indent << "Range: " << this->Range << "\n";
-  os << indent << "SecondRange: " << this->SecondRange << "\n";
-  os << indent << "FractalDimension: " << this->FractalDimension << "\n";
-  os << indent << "NumberOfLines: " << this->NumberOfLines << "\n";
   os << indent << "NumberOfHarmonics: " << this->NumberOfHarmonics << "\n";
   os << indent << "HarmonicSpacing: " << this->HarmonicSpacing << "\n";
   os << indent << "ShortestWavelength: " << this->ShortestWavelength << "\n";
-  os << indent << "AnisotropyRatio: " << this->AnisotropyRatio << "\n";
-  os << indent << "AnisotropyAngle: " << this->AnisotropyAngle << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Reflectance: " << (this->Reflectance ? "on" : "off") << "\n";
   os << indent << "ReflectanceModel: " << this->ReflectanceModel << "\n";
   os << indent << "ReflectanceRange: " << this->ReflectanceRange << "\n";

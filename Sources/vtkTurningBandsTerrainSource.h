@@ -33,32 +33,18 @@
 #define vtkTurningBandsTerrainSource_h
 
 #include "LittoralSourcesModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkRandomFieldAlgorithm.h"
 
 #include <string> // for reasons
 
 class vtkTable;
 
-class LITTORALSOURCES_EXPORT vtkTurningBandsTerrainSource : public vtkImageAlgorithm
+class LITTORALSOURCES_EXPORT vtkTurningBandsTerrainSource : public vtkRandomFieldAlgorithm
 {
 public:
   static vtkTurningBandsTerrainSource* New();
-  vtkTypeMacro(vtkTurningBandsTerrainSource, vtkImageAlgorithm);
+  vtkTypeMacro(vtkTurningBandsTerrainSource, vtkRandomFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// Lets no exception leave a request, as for want of memory: it becomes an error.
-  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-  enum ModelType
-  {
-    Fractal = 0,
-    SimpleExponential = 1,
-    DoubleExponential = 2,
-    Bessel1 = 3,
-    Bessel2 = 4,
-    Telis = 5,
-    Spherical = 6,
-  };
 
   enum HarmonicSpacingType
   {
@@ -103,79 +89,10 @@ public:
 
   ///@{
   /**
-   * Covariance model, a ModelType; default Fractal.
-   */
-  vtkSetMacro(Model, int);
-  vtkGetMacro(Model, int);
-  const char* GetModelAsString() const;
-  void SetModelToFractal() { this->SetModel(Fractal); }
-  void SetModelToSimpleExponential() { this->SetModel(SimpleExponential); }
-  void SetModelToDoubleExponential() { this->SetModel(DoubleExponential); }
-  void SetModelToBessel1() { this->SetModel(Bessel1); }
-  void SetModelToBessel2() { this->SetModel(Bessel2); }
-  void SetModelToTelis() { this->SetModel(Telis); }
-  void SetModelToSpherical() { this->SetModel(Spherical); }
-  ///@}
-
-  ///@{
-  /**
-   * Standard deviation of the elevation [m], 0, or from 1e-15 to 3e7; default 40.
-   */
-  vtkSetMacro(StandardDeviation, double);
-  vtkGetMacro(StandardDeviation, double);
-  ///@}
-
-  ///@{
-  /**
-   * Mean elevation at the center of the extent [m]; default 200.
-   */
-  vtkSetMacro(Mean, double);
-  vtkGetMacro(Mean, double);
-  ///@}
-
-  ///@{
-  /**
    * Gradient of the linear trend along x and y [m/m]; default 0 0.
    */
   vtkSetVector2Macro(Slope, double);
   vtkGetVector2Macro(Slope, double);
-  ///@}
-
-  ///@{
-  /**
-   * Range parameter of the covariance model [m], positive; default 1000. It is 1/b of the exponential and Bessel
-   * models, one of the two scales of Telis, the distance beyond which Spherical has no correlation, or the longest
-   * wavelength of Fractal. With anisotropy it holds along AnisotropyAngle.
-   */
-  vtkSetMacro(Range, double);
-  vtkGetMacro(Range, double);
-  ///@}
-
-  ///@{
-  /**
-   * Second range parameter of the Telis model [m], positive; default 50. Not used by other models.
-   */
-  vtkSetMacro(SecondRange, double);
-  vtkGetMacro(SecondRange, double);
-  ///@}
-
-  ///@{
-  /**
-   * Fractal dimension D of the surface (eq. 5), between 2 (smooth) and 3, both excluded; default 2.15. Used only by the
-   * Fractal model.
-   */
-  vtkSetMacro(FractalDimension, double);
-  vtkGetMacro(FractalDimension, double);
-  ///@}
-
-  ///@{
-  /**
-   * Number L of lines (eq. 1), not negative; default 0, as many as the spectrum needs on the whole grid, 64 to 1024, so
-   * that the gaps between lines show no streaks (Documentation/design/terrain.md). The number in use is the field data
-   * `ElevationLines` (and `ReflectanceLines`). The computation time is proportional to lines times points.
-   */
-  vtkSetMacro(NumberOfLines, int);
-  vtkGetMacro(NumberOfLines, int);
   ///@}
 
   ///@{
@@ -207,30 +124,6 @@ public:
    */
   vtkSetMacro(ShortestWavelength, double);
   vtkGetMacro(ShortestWavelength, double);
-  ///@}
-
-  ///@{
-  /**
-   * Ratio of the longest to the shortest range, at least 1; default 1.
-   */
-  vtkSetMacro(AnisotropyRatio, double);
-  vtkGetMacro(AnisotropyRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Direction of the longest range, counterclockwise from x [degrees]; default 0.
-   */
-  vtkSetMacro(AnisotropyAngle, double);
-  vtkGetMacro(AnisotropyAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * Seed of the random numbers, any integer; default 1. The same seed gives the same terrain.
-   */
-  vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
@@ -296,20 +189,10 @@ protected:
   double Origin[3];
   double Spacing[3];
   bool UseMeasuredGrid;
-  int Model;
-  double StandardDeviation;
-  double Mean;
   double Slope[2];
-  double Range;
-  double SecondRange;
-  double FractalDimension;
-  int NumberOfLines;
   int NumberOfHarmonics;
   int HarmonicSpacing;
   double ShortestWavelength;
-  double AnisotropyRatio;
-  double AnisotropyAngle;
-  int Seed;
   bool Reflectance;
   int ReflectanceModel;
   double ReflectanceRange;

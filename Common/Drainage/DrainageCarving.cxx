@@ -4,6 +4,7 @@
 
 #include "Drainage/CellLattice.h"
 #include "Drainage/ChannelGrading.h"
+#include "Drainage/CoarseGround.h"
 #include "Drainage/FlowRouting.h"
 #include "Drainage/SemivarianceBands.h"
 #include "Drainage/StreamPower.h"
@@ -31,6 +32,12 @@ constexpr double MostSlopePart = 0.5;
 constexpr double CutPart = 0.3;
 constexpr double MostCutPart = 0.6;
 
+/// Standard deviation of what grading may change, part of that of the heights; the law's slopes are made so much
+/// flatter where it is more, some times.
+constexpr double MostChange = 0.4;
+constexpr double FlatterPart = 0.7;
+constexpr int MostFlatter = 8;
+
 /// Drainage area to which Incision belongs [cells], and m of the stream power that erodes.
 constexpr double IncisionCells = 100.0;
 constexpr double ErosionExponent = 0.3;
@@ -49,8 +56,15 @@ constexpr double MostGain = 3.0;
 constexpr double LeastPlane = 0.8;
 constexpr double MostPlane = 1.25;
 
-/// Rounds without a better one after which no better one is waited for.
+/// Ground of more cells is carved on half as many along each side before; then fewer steps of erosion and rounds are
+/// left to do.
+constexpr std::size_t MostCellsAtOnce = std::size_t{ 1 } << 18;
+constexpr int FineErosionSteps = 3;
+constexpr double CoarsePart = 0.2; ///< of the work
+
+/// Rounds without a better one after which no better one is waited for; fewer where coarse ground has told the law.
 constexpr int MostVainRounds = 12;
+constexpr int MostVainFineRounds = 5;
 
 /// A measure against what it shall be: 1 at its tolerance.
 struct Deviation
@@ -100,13 +114,13 @@ public:
     , Parameters(parameters)
     , Parallel(parallel)
     , Progress(progress)
-    , Concavity(target.Measures.Concavity)
   {
-    if (std::isnan(this->Concavity))
+    this->Law.Concavity = target.Measures.Concavity;
+    if (std::isnan(this->Law.Concavity))
     {
-      this->Concavity = CarvingNumbers().Concavity;
+      this->Law.Concavity = CarvingNumbers().Concavity;
     }
-    this->Concavity = std::clamp(this->Concavity, 0.0, 1.0);
+    this->Law.Concavity = std::clamp(this->Law.Concavity, 0.0, 1.0);
     this->Steepness = (target.Measures.ChannelSlope > 0.0 ? target.Measures.ChannelSlope : this->MeanSlope());
   }
 
@@ -117,13 +131,19 @@ public:
     if (report.Before.SunkShare > CarvingTolerances().SunkShare)
     {
       this->AddMissingWaves();
-      this->Erode();
+      const bool isBegun = this->Terrain.Values.size() > MostCellsAtOnce;
+      if (isBegun)
+      {
+        this->CarveCoarse();
+      }
+      this->Erode(isBegun ? std::min(FineErosionSteps, this->Parameters.ErosionSteps) : this->Parameters.ErosionSteps);
     }
     std::vector<double> best;
     double least = std::numeric_limits<double>::infinity();
     int vain = 0;
     const int rounds = this->Parameters.MostRounds;
-    for (int round = 0; round < rounds && vain < MostVainRounds && !report.HasReachedTarget; ++round)
+    const int mostVain = this->Begun > 0.0 ? MostVainFineRounds : MostVainRounds;
+    for (int round = 0; round < rounds && vain < mostVain && !report.HasReachedTarget; ++round)
     {
       this->AdvanceRound(round);
       this->RestoreStatistics();
@@ -156,6 +176,14 @@ public:
   }
 
 private:
+  /// The law of grading, corrected from round to round.
+  struct GradingLaw
+  {
+    double Concavity = 0.0;
+    double SlopePart = LeastSlopePart;
+    double Cut = CutPart;
+  };
+
   struct GradedGround
   {
     std::vector<double> Heights;
@@ -220,10 +248,28 @@ private:
     });
   }
 
+  /// The long waves of coarse ground that was carved, and what that took.
+  void CarveCoarse()
+  {
+    GridSamples coarse = CoarseGround(this->Terrain, this->Parallel);
+    CarvingParameters parameters = this->Parameters;
+    parameters.Outlets = CoarseOutlets(this->Parameters.Outlets, this->Terrain);
+    const CarvingProgress progress = [this](double part) {
+      this->Done = CoarsePart * part;
+      this->Poll();
+    };
+    Carver carver(coarse, this->Target, parameters, this->Parallel, progress);
+    carver.Carve();
+    this->Law = carver.Law;
+    this->Gains = carver.Gains;
+    TakeLongWaves(this->Terrain, coarse, this->Parallel);
+    this->Begun = CoarsePart;
+  }
+
   double CellArea() const { return this->Terrain.Spacing[0] * this->Terrain.Spacing[1]; }
 
   /// Rivers cut into the ground, whose statistics are restored before each step.
-  void Erode()
+  void Erode(int steps)
   {
     const CellLattice lattice(this->Terrain);
     StreamPowerLaw law;
@@ -232,9 +278,9 @@ private:
     law.Erodibility = this->Parameters.Incision * std::sqrt(lattice.CellArea()) *
       std::pow(IncisionCells * lattice.CellArea(), -ErosionExponent);
     const littoral::Poll poll = [this] { this->Poll(); };
-    for (int step = 0; step < this->Parameters.ErosionSteps; ++step)
+    for (int step = 0; step < steps; ++step)
     {
-      this->Advance(0.0, ErosionPart, step, this->Parameters.ErosionSteps);
+      this->Advance(this->Begun, ErosionPart, step, steps);
       this->RestoreStatistics();
       const OutletMask outlets = this->Parameters.Outlets.Of(this->Terrain);
       BreachDepressions(this->Terrain, outlets, BreachPath::FloodOrder, poll);
@@ -290,13 +336,13 @@ private:
     // What is no part of the field stays as it is: the plane, replaced by the target's.
     CosineTransform(field, this->Parallel);
     const RingSpectrum spectrum = SpectrumOfCoefficients(field, this->Parallel);
-    this->Corrections.resize(spectrum.Power.size(), 1.0);
+    this->Gains.Rings.resize(spectrum.Power.size(), 1.0);
     std::vector<double> gains(spectrum.Power.size(), 1.0);
     for (std::size_t ring = 1; ring < gains.size(); ++ring)
     {
       const double wanted = this->Target.Spectrum.At(static_cast<double>(ring) * spectrum.Step);
       const double ratio = spectrum.Power[ring] > 0.0 ? std::sqrt(wanted / spectrum.Power[ring]) : 1.0;
-      gains[ring] = this->Corrections[ring] * std::clamp(ratio, LeastGain, MostGain);
+      gains[ring] = this->Gains.Rings[ring] * std::clamp(ratio, LeastGain, MostGain);
     }
     gains[0] = gains.size() > 1 ? gains[1] : 1.0;
     MultiplyRings(field, spectrum.Step, gains, this->Parallel);
@@ -304,12 +350,12 @@ private:
     const std::array<int, 2> count{ terrain.Width, terrain.Height };
     for (int axis = 0; axis < 2; ++axis)
     {
-      plane.Slope[axis] = this->PlaneGain * this->Target.Plane.Slope[axis] *
+      plane.Slope[axis] = this->Gains.Plane * this->Target.Plane.Slope[axis] *
         std::min(1.0, this->Target.Sides[axis] / (count[axis] * terrain.Spacing[axis]));
     }
     for (int wave = 0; wave < 9; ++wave)
     {
-      field.At(wave % 3, wave / 3) *= this->WaveGains[wave];
+      field.At(wave % 3, wave / 3) *= this->Gains.LongWaves[wave];
     }
     this->Bands.emplace(field, spectrum.Step, gains.size(), plane, this->Parallel);
     InverseCosineTransform(field, this->Parallel);
@@ -326,7 +372,9 @@ private:
     });
   }
 
-  GradedGround Grade() const
+  /// Breaches, and grades along the ways of water. Where long rivers would lift the ground by more than it may be
+  /// changed, the law is made flatter.
+  GradedGround Grade()
   {
     const littoral::Poll poll = [this] { this->Poll(); };
     GridSamples breached = this->Terrain;
@@ -335,12 +383,35 @@ private:
     const FlowRouting routing = RouteFlow(breached, outlets, this->Parallel, poll);
     GradedGround graded;
     graded.DrainageCells = DrainageCells(routing);
-    ChannelLaw law;
-    law.Steepness = this->SlopePart * this->Steepness;
-    law.Concavity = this->Concavity;
-    law.ChannelCells = this->Parameters.ChannelCells;
-    graded.Heights = GradeAlong(this->Terrain, routing, graded.DrainageCells, law, this->Cut, this->Parallel);
+    for (int flatter = 0; flatter <= MostFlatter; ++flatter)
+    {
+      ChannelLaw law;
+      law.Steepness = this->Law.SlopePart * this->Steepness;
+      law.Concavity = this->Law.Concavity;
+      law.ChannelCells = this->Parameters.ChannelCells;
+      graded.Heights = GradeAlong(this->Terrain, routing, graded.DrainageCells, law, this->Law.Cut, this->Parallel);
+      if (this->ChangeOf(graded.Heights) <= MostChange * this->Target.Measures.Deviation)
+      {
+        break;
+      }
+      this->Law.SlopePart *= FlatterPart;
+    }
     return graded;
+  }
+
+  /// Standard deviation of what grading changes [m].
+  double ChangeOf(const std::vector<double>& graded) const
+  {
+    const auto count = static_cast<double>(graded.size());
+    double mean = 0.0;
+    double squares = 0.0;
+    for (std::size_t n = 0; n < graded.size(); ++n)
+    {
+      const double change = graded[n] - this->Terrain.Values[n];
+      mean += change / count;
+      squares += change * change / count;
+    }
+    return std::sqrt(std::max(0.0, squares - mean * mean));
   }
 
   /// Adds what grading changes, spread over the valleys.
@@ -375,12 +446,13 @@ private:
     const double missing = this->Target.Measures.Concavity - measures.Concavity;
     if (!std::isnan(missing))
     {
-      this->Concavity = std::clamp(this->Concavity + rate * std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
+      this->Law.Concavity = std::clamp(this->Law.Concavity + rate * std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
       const double steeper = std::exp(-2.0 * rate * std::clamp(missing, -0.15, 0.15));
-      this->SlopePart = std::clamp(this->SlopePart * steeper, 0.5 * LeastSlopePart, MostSlopePart);
+      this->Law.SlopePart = std::clamp(this->Law.SlopePart * steeper, 0.5 * LeastSlopePart, MostSlopePart);
     }
     // Cuts bend the ground up, fills bend it down.
-    this->Cut = std::clamp(this->Cut - 0.1 * rate * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
+    this->Law.Cut =
+      std::clamp(this->Law.Cut - 0.1 * rate * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
     const std::vector<int> lags = SemivarianceLags(this->Terrain.Width, this->Terrain.Height);
     std::vector<double> wanted;
     for (std::size_t n = 0; n < lags.size(); ++n)
@@ -388,15 +460,15 @@ private:
       wanted.push_back(this->Target.Measures.SemivarianceAt(measures.Lags[n]) / measures.Semivariance[n]);
     }
     const BandGains gains = this->Bands->GainsFor(lags, wanted);
-    this->PlaneGain = std::clamp(this->PlaneGain * std::pow(gains.Plane, rate), LeastPlane, MostPlane);
+    this->Gains.Plane = std::clamp(this->Gains.Plane * std::pow(gains.Plane, rate), LeastPlane, MostPlane);
     for (std::size_t wave = 0; wave < 9; ++wave)
     {
-      this->WaveGains[wave] =
-        std::clamp(this->WaveGains[wave] * std::pow(gains.LongWaves[wave], rate), LeastGain, MostGain);
+      this->Gains.LongWaves[wave] =
+        std::clamp(this->Gains.LongWaves[wave] * std::pow(gains.LongWaves[wave], rate), LeastGain, MostGain);
     }
-    for (std::size_t ring = 1; ring < this->Corrections.size(); ++ring)
+    for (std::size_t ring = 1; ring < this->Gains.Rings.size(); ++ring)
     {
-      double& correction = this->Corrections[ring];
+      double& correction = this->Gains.Rings[ring];
       correction = std::clamp(correction * std::pow(gains.Rings[ring], rate), LeastGain, MostGain);
     }
   }
@@ -406,14 +478,11 @@ private:
   const CarvingParameters& Parameters;
   const ParallelFor& Parallel;
   const CarvingProgress& Progress;
-  double Concavity; ///< of the law
   double Steepness; ///< the target's slope at the law's reference area
-  double SlopePart = LeastSlopePart;
-  double Cut = CutPart;
-  double PlaneGain = 1.0;
-  std::array<double, 9> WaveGains{ 1, 1, 1, 1, 1, 1, 1, 1, 1 };
-  std::vector<double> Corrections;        ///< of the rings' gains
-  std::optional<SemivarianceBands> Bands; ///< of the field whose spectrum was restored last
+  GradingLaw Law;
+  BandGains Gains{ {}, { 1, 1, 1, 1, 1, 1, 1, 1, 1 }, 1.0 }; ///< beside those that give the target's spectrum
+  std::optional<SemivarianceBands> Bands;                    ///< of the field whose spectrum was restored last
+  double Begun = 0.0;                                        ///< part of the work that the coarse ground was
   double Done = 0.0;
 };
 

@@ -188,6 +188,17 @@ drifted = conditional(points_of(nodes[on_nodes], 5.0 + 2.0 * drift[on_nodes]), g
                       KrigingType=4, Result=1)
 assert np.allclose(values_of(drifted), 5.0 + 2.0 * drift, rtol=0.0, atol=1e-6)
 
+# By its name among the arrays of the grid, whatever array of errors there is
+two = grid_of(values=drift - 7.0 * nodes[:, 0])
+named = numpy_to_vtk(drift, deep=True)
+named.SetName("Coarse")
+two.GetPointData().AddArray(named)
+chosen = conditional(points_of(nodes[on_nodes], 5.0 + 2.0 * drift[on_nodes], Error=np.full(len(on_nodes), 1e-6)), two,
+                     KrigingType=4, Result=1, ErrorArray="Error", DriftArray="Coarse")
+assert np.allclose(values_of(chosen), 5.0 + 2.0 * drift, rtol=0.0, atol=1e-4)
+chosen.SetDriftArray("")
+assert not np.allclose(values_of(chosen), 5.0 + 2.0 * drift, rtol=0.0, atol=1e-1)
+
 # Holes of a raster --------------------------------------------------------------------------------
 place = grown.astype(float).reshape(SIZE, SIZE).copy()
 place[8:12, 9:15] = np.nan
@@ -269,7 +280,7 @@ def refuses(word, made):
         made.SetInputData(0, survey)
         made.SetInputData(1, grid_of())
         made.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
-        made.SetInputArrayToProcess(1, 1, 0, 0, 0)
+        made.SetDriftArray("")
         for name in ("Model", "KrigingType", "Range", "StandardDeviation", "NormalScores", "NumberOfNeighbors",
                      "Nugget", "Result"):
             getattr(made, "Set" + name)(getattr(fresh, "Get" + name)())
@@ -297,8 +308,8 @@ wrong = conditional(survey, grid_of())
 wrong.SetInputArrayToProcess(0, 0, 0, 0, "Nothing")
 refuses("no array 'Nothing'", wrong)
 wrong = conditional(survey, grid_of(values=drift), KrigingType=4)
-wrong.SetInputArrayToProcess(1, 1, 0, 0, "Nothing")
-refuses("no array 'Nothing'", wrong)
+wrong.SetDriftArray("Nothing")
+refuses("no point array Nothing", wrong)
 # Errors: below 0, NaN, and two data at one place that contradict each other within theirs
 for bad in -1.0, np.nan:
     refuses("at least 0", conditional(points_of(xy, heights, Error=np.append(np.ones(count - 1), bad)), grid_of(),

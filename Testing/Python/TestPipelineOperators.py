@@ -24,7 +24,7 @@ from vtkmodules.util.execution_model import select_ports  # noqa: E402, not ther
 NO_PROPERTIES = {"Weight"}
 #: Properties that are objects, or None.
 OBJECTS = {"Controller"}
-ABSTRACT = {"vtkPlantSource", "vtkLeafyTreeSource", "vtkViewDependentAlgorithm"}
+ABSTRACT = {"vtkPlantSource", "vtkRandomFieldAlgorithm", "vtkLeafyTreeSource", "vtkViewDependentAlgorithm"}
 
 
 def snake(name):

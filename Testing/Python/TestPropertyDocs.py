@@ -25,7 +25,8 @@ WEAK = {"of", "by", "from", "to", "in", "on", "at", "with", "for", "that", "what
 WITHOUT_DEFAULT = {"vtkSuspendedParticleSource::SetBoxName", "vtkViewDependentAlgorithm::SetCamera"}
 # Defaults that are no value of a Get method, or that subclasses have.
 IN_WORDS = {"vtkVDBVolumeWriter::SetController", "vtkGLTFSceneWriter::SetSourceName", "vtkGLTFSceneWriter::SetSourceKind",
-            "vtkPlantScatterFilter::SetWeight",
+            "vtkPlantScatterFilter::SetWeight", "vtkRandomFieldAlgorithm::SetModel",
+            "vtkConditionalTerrainFilter::SetModelToFittedToData",
             "vtkViewDependentAlgorithm::SetNearDistance", "vtkViewDependentAlgorithm::SetFarDistance",
             "vtkLeafyTreeSource::SetVariation", "vtkLeafyTreeSource::SetTrunkRadius",
             "vtkLeafyTreeSource::SetNumberOfLeaves", "vtkLeafyTreeSource::SetLeafSize",

@@ -38,13 +38,23 @@ TEST(GroundColor, IsDrierWhereTheReflectanceIsHigh)
   }
 }
 
+TEST(GroundColor, IsDarkGreenBesideStreamsAndNotOnTheirRocks)
+{
+  const Color dry = GroundColor({ 0.1, 0.2, 0.8 });
+  const Color wet = GroundColor({ 0.1, 0.2, 0.8, 12.0 });
+  EXPECT_EQ(GroundColor({ 0.1, 0.2, 0.8, 3.0 }), dry);
+  EXPECT_GT(Greenness(wet), Greenness(dry));
+  EXPECT_LT(wet[1], dry[1]);
+  EXPECT_EQ(GroundColor({ 60.0 * Pi / 180.0, 0.2, 0.8, 12.0 }), GroundColor({ 60.0 * Pi / 180.0, 0.2, 0.8 }));
+}
+
 TEST(GroundColor, ChangesWithoutSteps)
 {
   Color before = GroundColor({ 0.0, 0.0, 0.0 });
   for (int k = 1; k <= 1000; ++k)
   {
     const double share = k / 1000.0;
-    const Color now = GroundColor({ 1.2 * share, share, share });
+    const Color now = GroundColor({ 1.2 * share, share, share, 12.0 * share });
     for (int c = 0; c < 3; ++c)
     {
       EXPECT_LE(std::abs(now[c] - before[c]), 2) << "at " << share;

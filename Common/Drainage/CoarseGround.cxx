@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drainage/CoarseGround.h"
+
+#include "Drainage/RingSpectrum.h"
+
+#include <cmath>
+
+namespace littoral
+{
+
+namespace
+{
+
+int HalfOf(int cells)
+{
+  return (cells + 1) / 2;
+}
+
+/// Adds a plane through the middle of a grid.
+void AddPlane(GridSamples& ground, const PlaneTrend& plane, const ParallelFor& parallel)
+{
+  parallel(ground.Height, [&](std::size_t begin, std::size_t end) {
+    for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
+    {
+      const double y = (j - 0.5 * (ground.Height - 1)) * ground.Spacing[1];
+      for (int i = 0; i < ground.Width; ++i)
+      {
+        const double x = (i - 0.5 * (ground.Width - 1)) * ground.Spacing[0];
+        ground.At(i, j) += plane.Mean + plane.Slope[0] * x + plane.Slope[1] * y;
+      }
+    }
+  });
+}
+
+/// What a coefficient of the orthonormal transform of one grid is on another of the same area: c' = c sqrt(N' / N).
+double ScaleBetween(const GridSamples& from, const GridSamples& to)
+{
+  return std::sqrt(static_cast<double>(to.Values.size()) / static_cast<double>(from.Values.size()));
+}
+
+}
+
+GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel)
+{
+  GridSamples field = ground;
+  const PlaneTrend plane = RemovePlane(field);
+  CosineTransform(field, parallel);
+  GridSamples coarse;
+  coarse.Width = HalfOf(ground.Width);
+  coarse.Height = HalfOf(ground.Height);
+  coarse.Spacing = { ground.Spacing[0] * ground.Width / coarse.Width,
+    ground.Spacing[1] * ground.Height / coarse.Height };
+  coarse.Values.resize(static_cast<std::size_t>(coarse.Width) * coarse.Height);
+  const double scale = ScaleBetween(ground, coarse);
+  for (int j = 0; j < coarse.Height; ++j)
+  {
+    for (int i = 0; i < coarse.Width; ++i)
+    {
+      coarse.At(i, j) = scale * field.At(i, j);
+    }
+  }
+  InverseCosineTransform(coarse, parallel);
+  AddPlane(coarse, plane, parallel);
+  return coarse;
+}
+
+void TakeLongWaves(GridSamples& ground, const GridSamples& coarse, const ParallelFor& parallel)
+{
+  RemovePlane(ground);
+  CosineTransform(ground, parallel);
+  GridSamples waves = coarse;
+  const PlaneTrend plane = RemovePlane(waves);
+  CosineTransform(waves, parallel);
+  const double scale = ScaleBetween(waves, ground);
+  for (int j = 0; j < waves.Height; ++j)
+  {
+    for (int i = 0; i < waves.Width; ++i)
+    {
+      ground.At(i, j) = scale * waves.At(i, j);
+    }
+  }
+  InverseCosineTransform(ground, parallel);
+  AddPlane(ground, plane, parallel);
+}
+
+DrainageOutlets CoarseOutlets(const DrainageOutlets& outlets, const GridSamples& ground)
+{
+  DrainageOutlets coarse = outlets;
+  if (outlets.Choice != OutletChoice::Chosen)
+  {
+    return coarse;
+  }
+  const int width = HalfOf(ground.Width);
+  const int height = HalfOf(ground.Height);
+  coarse.Cells.assign(static_cast<std::size_t>(width) * height, 0);
+  for (std::size_t cell = 0; cell < outlets.Cells.size(); ++cell)
+  {
+    // the coarse cell in which the middle of the cell lies
+    const auto i = static_cast<std::size_t>((2 * (cell % ground.Width) + 1) * width / (2 * ground.Width));
+    const auto j = static_cast<std::size_t>((2 * (cell / ground.Width) + 1) * height / (2 * ground.Height));
+    coarse.Cells[j * width + i] = outlets.Cells[cell] ? 1 : coarse.Cells[j * width + i];
+  }
+  return coarse;
+}
+
+}

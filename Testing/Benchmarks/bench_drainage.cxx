@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Cost of carving valleys, and of its steps, by the number of cells: time, rounds, memory a cell.
+#include "Drainage/DepressionBreaching.h"
+#include "Drainage/DepressionFilling.h"
+#include "Drainage/DrainageCarving.h"
+#include "Drainage/FlowRouting.h"
+#include "Terrain/TurningBands.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace littoral;
+
+namespace
+{
+
+constexpr double Spacing = 80.0;
+
+/// A loop on two threads.
+void OnTwoThreads(std::size_t count, const RangeTask& task)
+{
+  std::thread other([&] { task(count / 2, count); });
+  task(0, count / 2);
+  other.join();
+}
+
+/// A square of hills, and what is carved into it, as a twin of ridges and valleys of some tens of kilometres.
+GridSamples Hills(int width, int seed)
+{
+  TurningBandsParameters bands;
+  bands.Field.Model = CovarianceModel::Bessel1;
+  bands.Field.Variance = 150.0 * 150.0;
+  bands.Field.Range = 1400.0;
+  bands.Seed = seed;
+  const PlaneGrid grid{ { 0.0, 0.0 }, { Spacing, Spacing } };
+  const GridWindow window{ { 0, 0 }, { width - 1, width - 1 } };
+  bands.NumberOfLines = 1;
+  bands.NumberOfLines = EnoughLines(bands, grid, window);
+  TurningBandsField field(bands, grid, window);
+  OnTwoThreads(field.GetNumberOfLines(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t line = begin; line < end; ++line)
+    {
+      field.TabulateLine(line);
+    }
+  });
+  std::vector<float> heights(static_cast<std::size_t>(width) * width);
+  OnTwoThreads(width, [&](std::size_t begin, std::size_t end) {
+    field.FillRows(static_cast<int>(begin), static_cast<int>(end) - 1, 1.0, 500.0, &heights[begin * width]);
+  });
+  GridSamples hills;
+  hills.Width = width;
+  hills.Height = width;
+  hills.Spacing = { Spacing, Spacing };
+  hills.Values.assign(heights.begin(), heights.end());
+  return hills;
+}
+
+/// The most memory that this process has had since ForgetMostMemory() [bytes]; 0 where /proc does not tell.
+double MostMemory()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+  {
+    double kibibytes = 0.0;
+    if (word == "VmHWM:" && status >> kibibytes)
+    {
+      return 1024.0 * kibibytes;
+    }
+  }
+  return 0.0;
+}
+
+void ForgetMostMemory()
+{
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+int WidthOf(const benchmark::State& state)
+{
+  return static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0)))));
+}
+
+void Carve(benchmark::State& state, const GridSamples& hills, const CarvingTarget& target)
+{
+  CarvingReport report;
+  for (auto _ : state)
+  {
+    GridSamples ground = hills;
+    ForgetMostMemory();
+    const double before = MostMemory();
+    report = CarveDrainage(ground, target, {}, OnTwoThreads);
+    state.counters["bytes_a_cell"] = (MostMemory() - before) / static_cast<double>(state.range(0));
+  }
+  state.counters["rounds"] = report.Rounds;
+  state.counters["reached"] = report.HasReachedTarget ? 1.0 : 0.0;
+}
+
+/// With the statistics of a place: those of other hills, of a quarter million cells, into which valleys were carved.
+void CarveLikePlace(benchmark::State& state)
+{
+  GridSamples place = Hills(512, 7);
+  CarvingNumbers numbers;
+  numbers.Concavity = 0.35;
+  CarveDrainage(place, TargetOf(place, numbers, {}, OnTwoThreads), {}, OnTwoThreads);
+  Carve(state, Hills(WidthOf(state), 1), TargetOf(place, {}, OnTwoThreads));
+}
+
+/// With the terrain's own statistics.
+void CarveAlone(benchmark::State& state)
+{
+  const GridSamples hills = Hills(WidthOf(state), 1);
+  Carve(state, hills, TargetOf(hills, CarvingNumbers(), {}, OnTwoThreads));
+}
+
+void Flood(benchmark::State& state)
+{
+  const GridSamples hills = Hills(WidthOf(state), 1);
+  const OutletMask outlets = BorderOutlets(hills.Width, hills.Height);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(FloodDepressions(hills, outlets).Sunk);
+  }
+}
+
+void Breach(benchmark::State& state)
+{
+  const GridSamples hills = Hills(WidthOf(state), 1);
+  const OutletMask outlets = BorderOutlets(hills.Width, hills.Height);
+  const BreachPath path = state.range(1) ? BreachPath::LeastCost : BreachPath::FloodOrder;
+  for (auto _ : state)
+  {
+    GridSamples ground = hills;
+    benchmark::DoNotOptimize(BreachDepressions(ground, outlets, path).Volume);
+  }
+}
+
+void Route(benchmark::State& state)
+{
+  const GridSamples hills = Hills(WidthOf(state), 1);
+  const OutletMask outlets = BorderOutlets(hills.Width, hills.Height);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(DrainageCells(RouteFlow(hills, outlets, OnTwoThreads)).data());
+  }
+}
+
+/// 4096^2 cells as the last argument: minutes; leave them out with --benchmark_filter='-size:16777216'.
+void Sizes(benchmark::internal::Benchmark* bench)
+{
+  bench->ArgName("size")->Arg(1 << 16)->Arg(1 << 18)->Arg(1 << 20)->Arg(1 << 24);
+  bench->Iterations(1)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kSecond);
+}
+
+}
+
+BENCHMARK(CarveLikePlace)->Apply(Sizes);
+BENCHMARK(CarveAlone)->Apply(Sizes);
+BENCHMARK(Flood)->ArgName("size")->Arg(1 << 18)->Arg(1 << 20)->Arg(1 << 22)->Unit(benchmark::kMillisecond);
+BENCHMARK(Breach)
+  ->ArgNames({ "size", "least cost" })
+  ->ArgsProduct({ { 1 << 18, 1 << 20, 1 << 22 }, { 0, 1 } })
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK(Route)
+  ->ArgName("size")
+  ->Arg(1 << 18)
+  ->Arg(1 << 20)
+  ->Arg(1 << 22)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
