@@ -33,8 +33,8 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Fewer points say nothing about a pattern.
 constexpr std::size_t FewestPoints = 5;
-/// Polls of a verdict, for its progress: eight for each process and law.
-constexpr double MostPolls = 8.0 * (littoral::NumberOfPointProcesses + littoral::NumberOfQuadratLaws);
+/// Polls of a verdict, for its progress.
+constexpr double MostPolls = littoral::PollsOfLaw * (littoral::NumberOfPointProcesses + littoral::NumberOfQuadratLaws);
 
 using Judged = littoral::JudgedLaw;
 

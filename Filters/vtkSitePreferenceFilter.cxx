@@ -28,9 +28,11 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -169,6 +171,22 @@ private:
   vtkDataArray* Kinds = nullptr;
 };
 
+/// Colors of species in turn: dark green, ochre, light green, red, blue, violet.
+constexpr unsigned char Colors[][3] = { { 34, 84, 61 }, { 204, 132, 36 }, { 146, 190, 76 }, { 178, 60, 48 },
+  { 64, 110, 160 }, { 130, 90, 150 } };
+
+/// The color of each site's species.
+void AddColors(vtkPolyData* output, const std::vector<KeptSite>& sites)
+{
+  const auto array = littoral::NewArray<vtkUnsignedCharArray>("RGB", 3, static_cast<vtkIdType>(sites.size()));
+  for (std::size_t index = 0; index < sites.size(); ++index)
+  {
+    array->SetTypedTuple(
+      static_cast<vtkIdType>(index), Colors[static_cast<std::size_t>(sites[index].Species) % std::size(Colors)]);
+  }
+  output->GetPointData()->AddArray(array);
+}
+
 /// An array of a number a site.
 template <typename Array, typename ValueOf>
 void AddNumbers(vtkPolyData* output, const char* name, const std::vector<KeptSite>& sites, const ValueOf& valueOf)
@@ -203,6 +221,7 @@ void Write(const std::vector<KeptSite>& kept, vtkPointSet* sites, bool hasDraina
   };
   AddNumbers<vtkTypeInt64Array>(output, "SiteId", kept, [](const KeptSite& site) { return site.Identity; });
   AddNumbers<vtkIntArray>(output, "Species", kept, [](const KeptSite& site) { return site.Species; });
+  AddColors(output, kept);
   factor("Elevation", Factor::Elevation);
   factor("Slope", Factor::Slope);
   factor("Aspect", Factor::Aspect);
@@ -216,7 +235,7 @@ void Write(const std::vector<KeptSite>& kept, vtkPointSet* sites, bool hasDraina
 
 //----------------------------------------------------------------------------
 vtkSitePreferenceFilter::vtkSitePreferenceFilter()
-  : Thins(true)
+  : Thins(false)
   , Seed(1)
 {
   this->SetNumberOfInputPorts(3);
@@ -268,7 +287,8 @@ int vtkSitePreferenceFilter::RequestData(
   auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputVector[TerrainPort], "Terrain", reason);
   reason = reason.empty() && !terrain ? "there is no terrain; connect one to Terrain." : reason;
   auto* table = littoral::OptionalInputOf<vtkTable>(inputVector[PreferencesPort], "Preferences", reason);
-  Species species = littoral::UsualPreferences();
+  const bool knowsDrainage = terrain && terrain->GetPointData()->HasArray("DrainageArea");
+  Species species = littoral::UsualPreferences(knowsDrainage);
   if (reason.empty() && table)
   {
     const littoral::TextTable texts = littoral::TextsOf(table, reason);

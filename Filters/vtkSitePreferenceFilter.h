@@ -15,16 +15,16 @@
  * [m]; Beven and Kirkby 1979). An empty optimum: the species does not mind. The preference of a species for a site is
  * the product over its factors of exp(-(v - optimum)^2 / (2 tolerance^2)) (ter Braak and Looman 1986); aspect counts in
  * proportion to the slope below 5 degrees. Without a table there are four species: Pine prefers high ground, Oak low
- * ground, Birch level ground between, and Shrub slopes.
+ * ground, Birch level ground between, or moist ground where the terrain has a DrainageArea, and Shrub slopes.
  *
- * A site with the point array `Species` (index of a row) keeps its species, and is kept itself with the probability of
- * its preference. A site without it gets species s with probability a(s) p(s) / sum of a, where a is the abundance and
- * p the preference, or none and is left out.
+ * A site gets species s with probability a(s) p(s) / sum of a p, where a is the abundance and p the preference. With
+ * Thins it gets s with probability a(s) p(s) / sum of a, or none and is left out. A site with the point array `Species`
+ * (index of a row) keeps its species; with Thins it is kept itself with the probability of its preference.
  *
  * Output: vtkPolyData, a vertex for each site that is kept, at the height of the terrain, with the point arrays of the
  * sites and `Species`, `SiteId` (index of the site, unless the sites have one), `Elevation` [m], `Slope` and `Aspect`
- * [degrees], and `Wetness` if the terrain has a DrainageArea. Field data: `SpeciesNames`. A site's fate depends on Seed
- * and its SiteId alone.
+ * [degrees], `RGB` (a color a species), and `Wetness` if the terrain has a DrainageArea. Field data: `SpeciesNames`. A
+ * site's fate depends on Seed and its SiteId alone.
  *
  * A table that holds no preferences, no terrain, a preference for wetness on a terrain without DrainageArea, a Species
  * that has no row, and a site beyond the terrain are reported as one error.
@@ -49,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Sites with few species that like them stay bare; default on. If off, all sites are kept, and those without a
-   * species get s with probability a(s) p(s) / sum of a p; only where all preferences are 0 a site is left out.
+   * Sites with few species that like them stay bare; default off: all sites are kept, and those without a species get s
+   * with probability a(s) p(s) / sum of a p; only where all preferences are 0 a site is left out.
    */
   vtkSetMacro(Thins, bool);
   vtkGetMacro(Thins, bool);

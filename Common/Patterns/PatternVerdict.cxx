@@ -3,6 +3,7 @@
 #include "Patterns/PatternVerdict.h"
 
 #include "Numerics/ParameterCheck.h"
+#include "Patterns/PairHistogram.h"
 #include "Patterns/ProcessPattern.h"
 
 #include <algorithm>
@@ -15,9 +16,6 @@ namespace littoral
 
 namespace
 {
-
-/// Polls come so many times in the simulations of a law.
-constexpr int Polls = 8;
 
 /// A pattern of a fitted law from a seed.
 using PatternOfSeed = std::function<std::vector<PlanePosition>(int seed)>;
@@ -71,21 +69,14 @@ std::vector<PlanePosition> DrawLaw(const QuadratLawParameters& law, const Quadra
 class Judge
 {
 public:
-  Judge(const std::vector<PlanePosition>& points, const ObservationWindow& window, const VerdictOptions& options)
-    : Window(window)
-    , Options(options)
+  // The kernel is that of the measured pattern in all (Stoyan's rule).
+  Judge(const std::vector<PlanePosition>& points, const ObservationWindow& window, const VerdictOptions& options,
+    const ParallelFor& parallel)
+    : Options(options)
+    , Distances(DistancesOf(points, window, options))
+    , Pairs(window, Distances, 0.15 / std::sqrt(static_cast<double>(points.size()) / window.GetArea()), parallel)
+    , Measured(CurveOf(points))
   {
-    this->Pairs.Distances = DefaultDistances(window, points.size(), options.Steps);
-    if (options.Contrast.Largest > 0.0)
-    {
-      this->Pairs.Distances.Largest = options.Contrast.Largest;
-    }
-    this->Pairs.Correction = options.Contrast.Correction;
-    this->Pairs.WantsG = options.Function == VerdictFunction::PairCorrelation;
-    this->Pairs.WantsK = !this->Pairs.WantsG;
-    // The kernel is that of the measured pattern in all (Stoyan's rule).
-    this->Pairs.HalfWidth = 0.15 / std::sqrt(static_cast<double>(points.size()) / window.GetArea());
-    this->Measured = this->CurveOf(points);
   }
 
   const std::vector<double>& GetMeasured() const { return this->Measured; }
@@ -93,9 +84,9 @@ public:
   std::vector<double> GetDistances() const
   {
     std::vector<double> distances;
-    for (int k = 1; k <= this->Pairs.Distances.Steps; ++k)
+    for (int k = 1; k <= this->Distances.Steps; ++k)
     {
-      distances.push_back(this->Pairs.Distances[k]);
+      distances.push_back(this->Distances[k]);
     }
     return distances;
   }
@@ -103,10 +94,10 @@ public:
   CurveEnvelope Test(const PatternOfSeed& law, const Poll& poll, const ParallelFor& parallel) const
   {
     std::vector<std::vector<double>> curves;
-    for (int part = 0; part < Polls; ++part)
+    for (int part = 0; part < PollsOfLaw; ++part)
     {
-      const int first = this->Options.Simulations * part / Polls;
-      const int end = this->Options.Simulations * (part + 1) / Polls;
+      const int first = this->Options.Simulations * part / PollsOfLaw;
+      const int end = this->Options.Simulations * (part + 1) / PollsOfLaw;
       const auto pattern = [&](int number) { return law(SeedOfSimulation(this->Options.Seed, first + number)); };
       const auto curve = [&](const std::vector<PlanePosition>& points) { return this->CurveOf(points); };
       for (std::vector<double>& each : SimulateCurves(pattern, curve, end - first, parallel))
@@ -119,21 +110,26 @@ public:
   }
 
 private:
+  static DistanceRange DistancesOf(
+    const std::vector<PlanePosition>& points, const ObservationWindow& window, const VerdictOptions& options)
+  {
+    DistanceRange distances = DefaultDistances(window, points.size(), options.Steps);
+    distances.Largest = options.Contrast.Largest > 0.0 ? options.Contrast.Largest : distances.Largest;
+    return distances;
+  }
+
   /// g or L at all distances but 0; 0 of a pattern without a pair.
   std::vector<double> CurveOf(const std::vector<PlanePosition>& points) const
   {
-    if (points.size() < 2)
-    {
-      return std::vector<double>(static_cast<std::size_t>(this->Pairs.Distances.Steps), 0.0);
-    }
-    const PairFunctions functions = FindPairFunctions(points, this->Window, this->Pairs);
-    const std::vector<double> curve = this->Pairs.WantsG ? functions.PairCorrelation : BesagL(functions.K);
+    const std::vector<double> curve = this->Options.Function == VerdictFunction::PairCorrelation
+      ? this->Pairs.PairCorrelation(points)
+      : BesagL(this->Pairs.RipleyK(points));
     return { curve.begin() + 1, curve.end() };
   }
 
-  const ObservationWindow& Window;
   const VerdictOptions& Options;
-  PairOptions Pairs;
+  DistanceRange Distances;
+  PairHistogram Pairs;
   std::vector<double> Measured;
 };
 
@@ -191,7 +187,7 @@ const char* JudgedLaw::Name() const
 PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const VerdictOptions& options, const Poll& poll, const ParallelFor& parallel)
 {
-  const Judge judge(points, window, options);
+  const Judge judge(points, window, options, parallel);
   PatternJudgement judgement;
   judgement.Distances = judge.GetDistances();
   judgement.Measured = judge.GetMeasured();

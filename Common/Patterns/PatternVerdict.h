@@ -25,6 +25,10 @@ enum class VerdictFunction
   BesagL = 1,          ///< L
 };
 
+/// The poll of a judgement comes so many times in the simulations of a law, each time after a part of them on all
+/// threads.
+inline constexpr int PollsOfLaw = 4;
+
 /// How processes and laws are judged.
 struct VerdictOptions
 {
@@ -77,7 +81,8 @@ struct PatternJudgement
 /**
  * Fits all processes and, in a rectangle, all laws of quadrats to a pattern, simulates each so many times in the
  * window, and compares g or L of the pattern with those of its simulations by the global envelope test of extreme rank
- * lengths (CurveEnvelope), the same for all. g has the same kernel in all of them. What is best has the largest p, of
+ * lengths (CurveEnvelope), the same for all. g has the same kernel in all of them, and both have the translation
+ * correction, whatever the fits have (PairHistogram). What is best has the largest p, of
  * equal ones the fewest parameters.
  *
  * As parameters were fitted to the same pattern, the test rejects less often than its level says (Baddeley et al.

@@ -46,12 +46,6 @@ inline double StraussMargin(const PointProcessParameters& process)
   return 2.0 * process.Distance;
 }
 
-/// Potentials of two points that are below this are left out.
-inline constexpr double LeastPotential = 0.005;
-
-/// Distance up to which points of a soft-core process feel each other [m].
-double SoftCoreReach(const PointProcessParameters& process);
-
 /// How often each point is moved from its random place: 20 to 200 times, the more crowded the more.
 int SoftCoreSweeps(const PointProcessParameters& process);
 

@@ -365,7 +365,8 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
       fit.Exists = WhyInvalid(fit.Process).empty();
       return fit;
     case PointProcess::SoftCore:
-      return FitSoftCore(points, window, BorderOfSoftCore / std::sqrt(intensity), parallel);
+      fit = FitSoftCore(points, window, BorderOfSoftCore / std::sqrt(intensity), parallel);
+      return fit.Exists ? RefineSoftCore(fit, points, window, parallel) : fit;
     case PointProcess::Strauss:
       return FitStraussDistance(points, window, intensity, parallel);
     default:

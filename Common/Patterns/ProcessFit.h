@@ -53,7 +53,7 @@ struct ProcessFit
  * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest
  * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box. Activities of more
  * than a hundred intensities are left out: such points are packed, and no simulation of them ends.
- * - Soft core: FitSoftCore with a border of 0.85 mean distances of points, 1 / intensity^(1/2).
+ * - Soft core: FitSoftCore with a border of 0.85 mean distances of points, 1 / intensity^(1/2), then RefineSoftCore.
  */
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const ParallelFor& parallel = SerialFor);
@@ -65,10 +65,18 @@ ProcessFit FitStrauss(
 
 /// A soft-core process by the maximum of the pseudo-likelihood over Distance at each Softness of 0.05, 0.1 ... 0.75,
 /// and over those. Points nearer to the edge than the border [m] are neighbours only; neighbours count up to three mean
-/// distances of points. The integral is a sum over 256 by 256 places and the points (Berman and Turner 1992). It exists
-/// where the logarithm of the pseudo-likelihood exceeds that of random points by more than 5.
+/// distances of points. The integral is a sum over 128 by 128 places and the points (Berman and Turner 1992). It exists
+/// where the logarithm of the pseudo-likelihood exceeds that of random points by more than 5, as by chance one random
+/// pattern in twenty.
 ProcessFit FitSoftCore(const std::vector<PlanePosition>& points, const ObservationWindow& window, double border,
   const ParallelFor& parallel = SerialFor);
+
+/// The maximum of the likelihood from a fit on, by simulations with the number of points given. There, the integrals of
+/// g times the derivatives of the potential by ln Distance and by Softness are those of the pattern (with translation
+/// correction, up to half the shorter side); 24 rounds of 40 sweeps of one simulation, with Newton's steps whose
+/// derivatives are the covariances of these sums, shortened as 1, 1/2, 1/3 ... from the ninth on (Robbins and Monro).
+ProcessFit RefineSoftCore(const ProcessFit& start, const std::vector<PlanePosition>& points,
+  const ObservationWindow& window, const ParallelFor& parallel = SerialFor);
 
 }
 

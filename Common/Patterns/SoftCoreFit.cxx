@@ -21,7 +21,7 @@ namespace
 {
 
 /// Places along each side of the bounding box at which the pseudo-likelihood is summed.
-constexpr int PlacesOfSide = 256;
+constexpr int PlacesOfSide = 128;
 /// Neighbours count up to so many mean distances of points.
 constexpr double Reach = 3.0;
 /// Softnesses that are tried: from 0.05 on in steps of as much.

@@ -22,8 +22,6 @@ namespace littoral
 namespace
 {
 
-/// Lifetimes are cut at so many mean ones: all but 1e-13 of them are shorter.
-constexpr int LongestLife = 30;
 /// Lifetimes of the first run; each following one is twice as long.
 constexpr int FirstRun = 8;
 /// Mean number of points within the distance that an interaction would remove from a random pattern, beyond which the
@@ -69,30 +67,41 @@ public:
 
   const PatternArea& GetDomain() const { return this->Domain; }
 
-  /// All that live at some time from so many lifetimes ago on, by their births, which were not earlier than a number of
-  /// lifetimes before.
-  std::vector<Birth> Since(int lifetimes, int history) const
+  /// All that live at some time from so many lifetimes ago to now, by their births.
+  std::vector<Birth> Since(int lifetimes) const
   {
-    std::vector<std::vector<Birth>> slabs(static_cast<std::size_t>(lifetimes + history));
+    // Of points that live for exponential times, those that die in a lifetime are as many as those that are born in it,
+    // and those that live now: so they are drawn by their deaths, in slab 0 those that are alive.
+    std::vector<std::vector<Birth>> slabs(static_cast<std::size_t>(lifetimes) + 1);
     this->Scene.Parallel(slabs.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t slab = begin; slab < end; ++slab)
       {
-        this->AddSlab(slab, -lifetimes, slabs[slab]);
-        SortByTime(slabs[slab]);
+        this->AddSlab(slab, slabs[slab]);
       }
     });
-    // The first slab is the last in time.
-    std::vector<Birth> births;
-    for (auto slab = slabs.rbegin(); slab != slabs.rend(); ++slab)
+    // By the lifetime in which they were born, the earliest first; those of the first part are there at the start.
+    std::vector<std::vector<Birth>> parts(slabs.size());
+    for (const std::vector<Birth>& slab : slabs)
     {
-      births.insert(births.end(), slab->begin(), slab->end());
+      for (const Birth& birth : slab)
+      {
+        parts[static_cast<std::size_t>(std::max(0.0, lifetimes + std::floor(birth.Time) + 1.0))].push_back(birth);
+      }
+    }
+    this->Scene.Parallel(parts.size(), [&](std::size_t begin, std::size_t end) {
+      std::for_each(&parts[begin], &parts[begin] + (end - begin), SortByTime);
+    });
+    std::vector<Birth> births;
+    for (const std::vector<Birth>& part : parts)
+    {
+      births.insert(births.end(), part.begin(), part.end());
     }
     return births;
   }
 
 private:
-  /// Births of one lifetime, of which those count that live after a time.
-  void AddSlab(std::size_t slab, double after, std::vector<Birth>& births) const
+  /// Those that die in one lifetime.
+  void AddSlab(std::size_t slab, std::vector<Birth>& births) const
   {
     const CellBlock block = this->Lattice.Covering(this->Domain);
     for (long long j = block.First[1]; j <= block.Last[1]; ++j)
@@ -102,26 +111,20 @@ private:
         const int count = this->Table(this->Counts.UniformPair(ProcessLattice::ObjectOf(i, j), slab)[0]);
         for (int n = 0; n < count; ++n)
         {
-          this->AddBirth(i, j, slab, n, after, births);
+          this->AddBirth(i, j, slab, n, births);
         }
       }
     }
   }
 
-  void AddBirth(long long i, long long j, std::size_t slab, int n, double after, std::vector<Birth>& births) const
+  void AddBirth(long long i, long long j, std::size_t slab, int n, std::vector<Birth>& births) const
   {
     const PointIdentity identity{ ProcessLattice::ObjectOf(i, j), slab << 20 | static_cast<std::uint64_t>(n) };
-    // Lifetimes are exponential: -ln u', u' on (exp(-LongestLife), 1).
+    // Lifetimes are exponential: -ln u. Those that are alive have an exponential age.
     auto life = this->Lives.UniformPair(identity.Object, identity.Draw);
-    constexpr double Least = 9.357622968840175e-14;
-    life[1] = Least + (1.0 - Least) * life[1];
     MakeLogarithms(1, &life[1]);
-    const double time = -static_cast<double>(slab) - life[0];
-    const double death = time - life[1];
-    if (death <= after)
-    {
-      return;
-    }
+    const double death = slab == 0 ? 1.0 : 1.0 - static_cast<double>(slab) - life[0];
+    const double time = std::min(0.0, death) + life[1];
     const auto u = this->Places.UniformPair(identity.Object, identity.Draw);
     const double side = this->Lattice.GetSide();
     const PlanePosition place = { this->Lattice.EdgeOf(i) + side * u[0], this->Lattice.EdgeOf(j) + side * u[1] };
@@ -292,7 +295,7 @@ ProcessPattern DrawStrauss(const ProcessScene& scene)
   const double removed = process.Activity * (1.0 - process.Interaction) * Pi * process.Distance * process.Distance;
   for (int lifetimes = FirstRun; removed < MostRemoved && lifetimes <= LongestRun; lifetimes *= 2)
   {
-    const std::vector<Birth> births = free.Since(lifetimes, LongestLife);
+    const std::vector<Birth> births = free.Since(lifetimes);
     BoundingProcesses processes(scene, free.GetDomain(), births);
     processes.Run(-lifetimes, true);
     if (processes.HaveMet())
@@ -300,7 +303,7 @@ ProcessPattern DrawStrauss(const ProcessScene& scene)
       return processes.Pattern();
     }
   }
-  const std::vector<Birth> births = free.Since(InexactRun, 0);
+  const std::vector<Birth> births = free.Since(InexactRun);
   BoundingProcesses processes(scene, free.GetDomain(), births);
   processes.Run(-InexactRun, false);
   ProcessPattern pattern = processes.Pattern();

@@ -131,10 +131,18 @@ std::vector<SpeciesPreference> ReadPreferences(const TextTable& table, std::stri
   return all;
 }
 
-std::vector<SpeciesPreference> UsualPreferences()
+std::vector<SpeciesPreference> UsualPreferences(bool knowsDrainage)
 {
-  return { Usual("Pine", 1.0, { 0.85, 0.25 }, { 15.0, 15.0 }), Usual("Oak", 1.0, { 0.2, 0.25 }, { 0.0, 15.0 }),
-    Usual("Birch", 0.6, { 0.45, 0.3 }, { 0.0, 10.0 }), Usual("Shrub", 0.6, {}, { 25.0, 10.0 }) };
+  std::vector<SpeciesPreference> species = { Usual("Pine", 1.0, { 0.85, 0.25 }, { 15.0, 15.0 }),
+    Usual("Oak", 1.0, { 0.2, 0.25 }, { 0.0, 15.0 }), Usual("Birch", 0.6, { 0.45, 0.3 }, { 0.0, 10.0 }),
+    Usual("Shrub", 0.6, {}, { 25.0, 10.0 }) };
+  if (knowsDrainage)
+  {
+    // Valley floors of 2 m cells have an index of 8 or more, slopes of 4 to 6.
+    species[2].Responses[IndexOf(GroundFactor::RelativeElevation)] = {};
+    species[2].Responses[IndexOf(GroundFactor::Wetness)] = { 9.0, 2.0 };
+  }
+  return species;
 }
 
 bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor factor)

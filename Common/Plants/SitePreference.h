@@ -65,7 +65,7 @@ std::vector<SpeciesPreference> ReadPreferences(const TextTable& table, std::stri
 
 /// Preferences of pine, oak, birch and shrub on any terrain: pines high, oaks low, birches between on level
 /// ground, shrubs on slopes.
-std::vector<SpeciesPreference> UsualPreferences();
+std::vector<SpeciesPreference> UsualPreferences(bool knowsDrainage = false);
 
 /// Whether one of the species answers to a factor.
 bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor factor);

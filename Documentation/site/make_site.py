@@ -90,6 +90,7 @@ EXAMPLES = {
     "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.jpg"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
     "Examples/Python/planted_stands.py": ("Planted inventories", "stand-longleaf.jpg"),
+    "Examples/Python/five_inventories.py": ("Five inventories", "five-inventories.jpg"),
     "Examples/Python/wind_spectrum.py": ("Wind spectra", "wind-spectrum.png"),
     "Examples/Python/swaying_trees.py": ("Swaying trees", "swaying-trees.jpg"),
     "Examples/Python/sea_surface.py": ("Sea surface", "sea-surface.jpg"),

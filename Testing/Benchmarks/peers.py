@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Other tools at the same work, timed in the same run on one thread: NumPy in this process, packages of R where they are
-installed (Debian: r-cran-randomfields, r-cran-spatstat.random)."""
+installed (Debian: r-cran-randomfields, r-cran-spatstat.random, r-cran-spatstat.explore)."""
 
 import collections
 import os
@@ -63,6 +63,8 @@ PEERS = (
          "ScatterPoints/mode:0/size:1000000/law:2/process_time/real_time", "spatstat, rMatClust", "spatstat", None),
     Peer("a million points of a Thomas process", "vtkbench_quadrats",
          "DrawProcess/process:1/process_time/real_time", "spatstat, rThomas", "spatstat Thomas", None),
+    Peer("g of 10 000 points", "vtkbench_quadrats", "MeasurePairs/size:10000/process_time/real_time",
+         "spatstat, pcf", "spatstat pcf", None),
     Peer("variogram, 1024 x 1024, lags to half the side", "bench_terrain",
          "MeasureVariogram/threads:1/size:1048576/real_time", "NumPy, five real transforms", None, variogram),
     Peer("wind, 12000 x 32 x 32 x 3", "bench_wind", "LargeField/iterations:3",

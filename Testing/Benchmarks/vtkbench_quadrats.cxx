@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of scattering and of analysing points, by quadrats and by processes, through the pipeline.
+// Speed of scattering and of analysing points, by quadrats, by processes and by pairs, through the pipeline.
+#include "vtkPatternVerdictFilter.h"
+#include "vtkPointPatternStatisticsFilter.h"
 #include "vtkPointProcessSource.h"
 #include "vtkQuadratAnalysisFilter.h"
 #include "vtkQuadratPointSource.h"
@@ -61,6 +63,65 @@ void DrawProcess(benchmark::State& state)
 BENCHMARK(DrawProcess)
   ->ArgName("process")
   ->DenseRange(vtkPointProcessSource::Poisson, vtkPointProcessSource::MaternII)
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+/// g of random points, each with a thousand others within the longest distance.
+void MeasurePairs(benchmark::State& state)
+{
+  const double side = std::sqrt(static_cast<double>(state.range(0)));
+  vtkNew<vtkPointProcessSource> source;
+  source->SetProcess(vtkPointProcessSource::Poisson);
+  source->SetIntensity(1.0);
+  source->SetSize(side, side);
+  source->Update();
+  vtkNew<vtkPointPatternStatisticsFilter> statistics;
+  statistics->SetInputData(source->GetOutput());
+  statistics->SetSize(side, side);
+  statistics->SetFunction(vtkPointPatternStatisticsFilter::PairCorrelation);
+  statistics->SetNumberOfSimulations(0);
+  for (auto _ : state)
+  {
+    statistics->Modified();
+    statistics->Update();
+  }
+  state.SetItemsProcessed(state.iterations() * source->GetOutput()->GetNumberOfPoints());
+}
+BENCHMARK(MeasurePairs)
+  ->ArgName("size")
+  ->Arg(10000)
+  ->Arg(100000)
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+/// The verdict on points that inhibit each other weakly, as trees of a wood do, by 99 simulations of each process and
+/// law.
+void JudgePattern(benchmark::State& state)
+{
+  const double side = std::sqrt(static_cast<double>(state.range(0)));
+  vtkNew<vtkPointProcessSource> source;
+  source->SetProcess(vtkPointProcessSource::Strauss);
+  source->SetActivity(1.15);
+  source->SetDistance(0.6);
+  source->SetInteraction(0.88);
+  source->SetSize(side, side);
+  source->Update();
+  vtkNew<vtkPatternVerdictFilter> verdict;
+  verdict->SetInputData(source->GetOutput());
+  verdict->SetSize(side, side);
+  for (auto _ : state)
+  {
+    verdict->Modified();
+    verdict->Update();
+  }
+}
+BENCHMARK(JudgePattern)
+  ->ArgName("size")
+  ->Arg(560)
+  ->Arg(2250)
+  ->Iterations(1)
   ->Unit(benchmark::kMillisecond)
   ->MeasureProcessCPUTime()
   ->UseRealTime();

@@ -213,9 +213,12 @@ bool Preferences()
   Slope slope;
   slope.AddDrainage(300.0);
   slope.Filter->Update();
+  bool good = Check(slope.Filter->GetOutput()->GetNumberOfPoints() == 10000, "all sites stay by default");
+  slope.Filter->ThinsOn();
+  slope.Filter->Update();
   vtkPolyData* kept = slope.Filter->GetOutput();
   const vtkIdType count = kept->GetNumberOfPoints();
-  bool good = Check(count > 2000 && count < 6000 && kept->GetNumberOfVerts() == count, "sites are thinned");
+  good &= Check(count > 2000 && count < 6000 && kept->GetNumberOfVerts() == count, "sites are thinned");
   double mean[2] = { 0.0, 0.0 };
   double number[2] = { 0.0, 0.0 };
   for (vtkIdType site = 0; site < count; ++site)
@@ -262,7 +265,25 @@ bool Preferences()
   slope.Filter->RemovePreferences();
   slope.Filter->Update();
   Of(slope.Filter->GetOutput(), "Species")->GetRange(range);
-  return good & Check(range[0] == 0.0 && range[1] == 3.0, "the usual species");
+  good &= Check(range[0] == 0.0 && range[1] == 3.0, "the usual species");
+  // On ground as wet as birches like it there are more of them than on dry ground.
+  const auto birches = [&](double area) {
+    slope.AddDrainage(area);
+    slope.Filter->Update();
+    vtkPolyData* sites = slope.Filter->GetOutput();
+    long long found = 0;
+    for (vtkIdType site = 0; site < sites->GetNumberOfPoints(); ++site)
+    {
+      double color[3];
+      Of(sites, "RGB")->GetTuple(site, color);
+      const bool isBirch = Of(sites, "Species")->GetTuple1(site) == 2.0;
+      found += isBirch && color[0] == 146.0 && color[1] == 190.0;
+    }
+    return found;
+  };
+  const long long dry = birches(300.0);
+  const long long wet = birches(10.0 * 0.9 * std::exp(9.0));
+  return good & Check(wet > 2 * dry && dry > 0, std::to_string(dry) + " and " + std::to_string(wet) + " birches");
 }
 
 bool BadPreferences()

@@ -150,7 +150,7 @@ CASES = {
     "vtkStandInventoryFilter": (lambda: (inventory(),), [
         {"SetSeed": (2,)}, {"SetHeightVariation": (0.3,)}, {"SetPlot": ("B",), "SetMeanDiameter": (0.4,)}]),
     "vtkSitePreferenceFilter": (lambda: (make("vtkQuadratPointSource", SetSize=(40.0, 40.0)), terrain()), [
-        {"SetSeed": (2,)}, {"SetThins": (False,)}, {"SetThins": (False,), "SetSeed": (3,)}]),
+        {"SetSeed": (2,)}, {"SetThins": (True,)}, {"SetThins": (True,), "SetSeed": (3,)}]),
     "vtkBeamTreeDeformationFilter": (lambda: (tree(), wind()), [
         {"SetResponse": (1,)}, {"SetGravity": (True,)}, {"SetNumberOfModes": (1,), "SetWoodFromPlants": (False,)}]),
     "vtkParticleOrbitFilter": (lambda: (particles(), sea()), [

@@ -224,7 +224,7 @@ if len(sys.argv) == 4:
         exec(compile(script.read(), sys.argv[1], "exec"), {"__name__": "__main__"})
     np.savez(sys.argv[3], **state(simple.GetActiveView(), float(sys.argv[2])))
 else:
-    check("Forest", ["Hills", "Valleys", "Pine", "Oak", "Birch", "Trees", "Ground"], ["Valleys", "Trees", "Ground"], 1.0,
+    check("Forest", ["Hills", "Valleys", "Pine", "Oak", "Birch", "Shrub", "Sites", "Trees", "Ground"], ["Valleys", "Trees", "Ground"], 1.0,
           ("Hills", "StandardDeviation", 30.0))
     check("SwayingForest", ["Hill", "Sites", "Birch", "Pine", "Wood", "Trees", "Ground"], ["Trees", "Ground"], 59.9,
           ("Sites", "MeanPerQuadrat", 1.5))

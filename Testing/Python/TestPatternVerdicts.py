@@ -22,7 +22,7 @@ DATA = Path(__file__).resolve().parents[2] / "Examples" / "Data" / "patterns"
 #: Name, lower left corner and side of the window [m], largest distance [m] (0: the default), of the R package or not.
 PATTERNS = (
     ("japanesepines", (0.0, 0.0), 1.0, 0.0, False), ("redwood", (0.0, -1.0), 1.0, 0.0, False),
-    ("cells", (0.0, 0.0), 1.0, 0.0, False), ("longleaf", (0.0, 0.0), 200.0, 0.0, True),
+    ("cells", (0.0, 0.0), 1.0, 0.0, False), ("longleaf", (0.0, 0.0), 200.0, 20.0, True),
     ("lansing", (0.0, 0.0), 1.0, 0.1, True))
 
 

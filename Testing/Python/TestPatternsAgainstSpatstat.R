@@ -62,13 +62,8 @@ for (name in c("redwood", "japanesepines", "cells", "longleaf", "lansing")) {
   write.csv(format(found, digits = 17), file.path(folder, paste0(name, "-nearest.csv")), row.names = FALSE, quote = FALSE)
   cat(name, box$xrange, box$yrange, "\n")
 }
-# Fits: of redwood as Thomas clusters, and of cells with a soft core whose softness is searched.
+# The fit of redwood as Thomas clusters; that of cells with a soft core is in Testing/Common/Patterns/TestSoftCore.cxx.
 thomas <- parameters(kppm(redwood, ~1, "Thomas", statistic = "K"))
 cat("redwood-as-thomas", thomas$kappa, thomas$scale, thomas$mu, "\n")
-border <- 0.85 / sqrt(intensity(cells))
-softness <- seq(0.05, 0.75, by = 0.05)
-fits <- lapply(softness, function(k) suppressWarnings(ppm(cells ~ 1, Softcore(k, sigma0 = 0.1), rbord = border, nd = 256)))
-best <- which.max(sapply(fits, function(fit) as.numeric(suppressWarnings(logLik(fit)))))
-cat("cells-with-soft-core", softness[best], 0.1 * coef(fits[[best]])[[2]]^(softness[best] / 2), "\n")
 curve <- markcorr(longleaf, correction = "translate")
 cat("published", as.function(curve, value = "trans")(c(2, 5, 10, 20)), max(curve$r), "\n")

@@ -155,13 +155,6 @@ with tempfile.TemporaryDirectory() as folder:
             assert np.allclose(ours, numbers, rtol=0.02)
             assert np.allclose(ours, [23.55, 0.0470, 2.633], rtol=0.02)
             continue
-        if name == "cells-with-soft-core":
-            ours = fitted(read(os.path.join(folder, "cells.csv")), (0.0, 1.0, 0.0, 1.0), "SoftCore",
-                          ("Softness", "Distance"))
-            print("cells with a soft core: kappa, sigma:", np.round(ours, 4), "spatstat:", numbers)
-            assert abs(ours[0] - numbers[0]) < 1e-9
-            assert np.isclose(ours[1], numbers[1], rtol=0.03)  # other tiles
-            continue
         table = read(os.path.join(folder, f"{name}.csv"))
         for kind in ("pairs", "nearest"):
             found = read(os.path.join(folder, f"{name}-{kind}.csv"))

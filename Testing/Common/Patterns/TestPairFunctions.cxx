@@ -5,6 +5,7 @@
 #include "Numerics/Constants.h"
 #include "Patterns/CurveEnvelope.h"
 #include "Patterns/PairFunctions.h"
+#include "Patterns/PairHistogram.h"
 #include "Patterns/PointCells.h"
 #include "Patterns/WindowSections.h"
 #include "SyntheticPatterns.h"
@@ -399,4 +400,33 @@ TEST(PointCells, FindAllThatAreNear)
   EXPECT_TRUE(std::isinf(PointCells({ { 1.0, 1.0 } }, 1.0).NearestDistance(1.0, 1.0, 0)));
 }
 
+}
+
+// Sums in bins are those pair by pair: K but for rounding, g but for what a distance can be off, a 64th of a step.
+TEST(PairFunctions, BinsGiveTheSame)
+{
+  for (const SyntheticPattern& pattern : SyntheticPatterns())
+  {
+    const double largest = 0.25 * (pattern.Window.GetHigh()[0] - pattern.Window.GetLow()[0]);
+    PairOptions options = Options(largest, EdgeCorrection::Translation, 40);
+    options.HalfWidth = 0.15 / std::sqrt(static_cast<double>(pattern.Points.size()) / pattern.Window.GetArea());
+    // The same table of a polygon, which reaches as far as the histogram's.
+    options.Areas = std::make_shared<const CommonAreaTable>(pattern.Window, largest + options.HalfWidth);
+    const PairFunctions pairs = FindPairFunctions(pattern.Points, pattern.Window, options);
+    const PairHistogram bins(pattern.Window, options.Distances, options.HalfWidth);
+    const std::vector<double> k = bins.RipleyK(pattern.Points);
+    const std::vector<double> g = bins.PairCorrelation(pattern.Points);
+    ASSERT_EQ(k.size(), pairs.K.size());
+    EXPECT_TRUE(std::isnan(g[0]));
+    // The slope of the kernel is 2 / h at most: 1.5 / h g of pairs within h, which are 2 h g.
+    const double off = options.Distances[1] / 64.0 / options.HalfWidth;
+    for (std::size_t n = 1; n < k.size(); ++n)
+    {
+      EXPECT_NEAR(k[n], pairs.K[n], 1e-9 * pairs.K[n]) << pattern.Name << " " << n;
+      EXPECT_NEAR(g[n], pairs.PairCorrelation[n], 2.0 * off * std::max(1.0, pairs.PairCorrelation[n]))
+        << pattern.Name << " " << n;
+    }
+    EXPECT_EQ(bins.RipleyK({ pattern.Points[0] }), std::vector<double>(k.size(), 0.0));
+    EXPECT_EQ(bins.PairCorrelation({}).back(), 0.0);
+  }
 }

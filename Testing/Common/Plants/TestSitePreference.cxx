@@ -174,4 +174,5 @@ TEST(SitePreference, OneMessageEach)
   says(WhyNot("species,slope,slope_tolerance\noak,steep,3\n"), "slope of row 1 is 'steep'");
   EXPECT_TRUE(AnyAnswers(UsualPreferences(), GroundFactor::Slope));
   EXPECT_FALSE(AnyAnswers(UsualPreferences(), GroundFactor::Wetness));
+  EXPECT_TRUE(AnyAnswers(UsualPreferences(true), GroundFactor::Wetness));
 }

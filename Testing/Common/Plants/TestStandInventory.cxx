@@ -77,11 +77,14 @@ TEST(StandAllometry, CurvesOfTheForestVegetationSimulator)
   for (const double inches : { 3.0, 8.0, 12.0, 25.0 })
   {
     EXPECT_NEAR(own("longleaf pine", inches), feet(98.56082813, 3.89930709, -0.86730393, inches), 1e-4);
+    EXPECT_NEAR(own("loblolly pine", inches), feet(243.860648, 4.28460566, -0.47130185, inches), 1e-4);
+    EXPECT_NEAR(own("shortleaf pine", inches), feet(444.0921666, 4.11876312, -0.30617043, inches), 1e-4);
+    EXPECT_NEAR(own("slash pine", inches), feet(1087.101439, 5.10450596, -0.24284896, inches), 2e-4);
     EXPECT_NEAR(own("Quercus alba", inches), feet(170.1330787, 3.27815866, -0.48744214, inches), 1e-4);
     EXPECT_NEAR(own("redoak", inches), feet(700.0636452, 4.10607389, -0.21392785, inches), 1e-4);
     EXPECT_NEAR(own("Carya glabra", inches), feet(337.6684758, 3.62726466, -0.32083172, inches), 1e-4);
   }
-  // Feldpausch et al. (2012), all tropics: 30 cm, 22.0 m.
+  // Feldpausch et al. (2012), all tropics: 30 cm, 23.1 m.
   EXPECT_NEAR(own("tropical", 30.0 / 2.54), 50.874 * (1.0 - std::exp(-0.042 * std::pow(30.0, 0.784))), 1e-9);
 }
 
@@ -112,6 +115,8 @@ TEST(StandAllometry, CrownsAndDensity)
   const double width = CrownDiameterOf(0.3, 20.0);
   EXPECT_NEAR(0.557 * std::pow(20.0 * width, 0.809) * std::exp(0.5 * 0.056 * 0.056), 30.0, 1e-9);
   EXPECT_NEAR(width, 6.889, 1e-3);
+  // R's itcSegment, dbh(H = 25, CA = 8, biome = 0), by the coefficients of its table: 0.557, 0.809, 0.056.
+  EXPECT_NEAR(CrownDiameterOf(0.4055734, 25.0), 8.0, 1e-4);
   EXPECT_NEAR(DiameterOfDensity(284.0), 0.254, 1e-12);
   EXPECT_NEAR(284.0 * std::pow(2.0, 1.605), 864.0, 1.0); // half as thick
   EXPECT_NEAR(DiameterOfDensity(284.0 * std::pow(2.0, 1.605)), 0.127, 1e-12);

@@ -20,7 +20,9 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from . import display, files, scene
 from .elevation import array_from_image, image_from_array, read_elevation
 from .versions import create_texture
+from .LittoralFilters import vtkDrainageFilter, vtkSitePreferenceFilter
 from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
+from .stand import table_of_words
 
 try:
     from paraview import simple
@@ -152,11 +154,38 @@ def _sampled(values, spacing, x, y):
 # Woods --------------------------------------------------------------------------------------------
 
 
+#: Preferences of the species of woods, as vtkSitePreferenceFilter reads them: pines on ridges and warm slopes, oaks on
+#: low ground, birches where it is moist, shrubs on what is steep.
+PREFERENCES = {
+    "species": ("pine", "oak", "birch", "shrub"), "abundance": (1.0, 1.4, 0.8, 0.3),
+    "relative_elevation": (0.75, 0.3, "", ""), "relative_elevation_tolerance": (0.3, 0.3, "", ""),
+    "slope": (18.0, 8.0, 0.0, 30.0), "slope_tolerance": (12.0, 12.0, 12.0, 8.0),
+    "aspect": (200.0, "", "", ""), "aspect_tolerance": (90.0, "", "", ""),
+    "wetness": ("", "", 10.0, ""), "wetness_tolerance": ("", "", 2.0, "")}
+
+
+def preferred_species(terrain, x, y, seed=1):
+    """Indices of the species of PREFERENCES that grow at positions x, y [m] of a terrain, by its heights and drainage."""
+    drainage, sites = vtkDrainageFilter(), vtkSitePreferenceFilter()
+    drainage.SetInputData(terrain)
+    drainage.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
+    drainage.CarveOff()
+    sites.SetInputData(points_with(np.column_stack((x, y, np.zeros(len(x))))))
+    sites.SetTerrainConnection(drainage.GetOutputPort())
+    sites.SetInputData(2, table_of_words(PREFERENCES, PREFERENCES.values()))
+    sites.SetSeed(seed)
+    sites.Update()
+    arrays = sites.GetOutput().GetPointData()
+    species = np.ones(len(x), int)  # oaks where nothing feels at home
+    species[vtk_to_numpy(arrays.GetArray("SiteId"))] = vtk_to_numpy(arrays.GetArray("Species"))
+    return species
+
+
 def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
     """Sites of trees on a rectangle, with the point array Species: 0 pine, 1 oak, 2 birch, 3 shrub.
 
-    Candidates are clustered by the Neyman type A law; they are kept in woods, a few also on meadows.
-    Pines prefer high ground, birches the edges of woods.
+    Candidates are clustered by the Neyman type A law; they are kept in woods, a few also on meadows. Which species
+    they are is decided by the ground (PREFERENCES); half of those on meadows are shrubs.
 
     alone: further trees, positions [n, 2] and species [n]; no other tree stands within 25 m.
     """
@@ -171,14 +200,12 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
     source.Update()
     points = vtk_to_numpy(source.GetOutput().GetPoints().GetData())
     x, y = points[:, 0].astype(float), points[:, 1].astype(float)
-    chance = np.random.default_rng(seed).random((3, len(x)))
+    chance = np.random.default_rng(seed).random((2, len(x)))
     wood = _sampled(country.wood, country.spacing, x, y)
     z = country.height(x, y)
     stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.03, 1.0)
-    high = np.clip((z - np.percentile(country.z, 30.0)) / (0.6 * np.ptp(country.z)), 0.05, 0.85)
-    edge = np.exp(-((wood - 0.45) / 0.25) ** 2)
-    species = np.where(chance[1] < high, 0, np.where(chance[2] < 0.15 + 0.5 * edge, 2, 1))
-    species[(wood < 0.35) & (chance[2] < 0.5)] = 3
+    species = preferred_species(country.image, x, y, seed)
+    species[(wood < 0.35) & (chance[1] < 0.5)] = 3
     if alone is not None:
         places, kinds = alone
         apart = np.hypot(x[:, None] - places[:, 0], y[:, None] - places[:, 1]).min(axis=1)
@@ -251,20 +278,26 @@ def points_with(places, **arrays):
 
 def write_sky(filename, columns=6144, rows=1024, seed=4):
     """A sky with fair-weather clouds as a PNG: azimuth along rows, elevation upwards."""
-    cells = 2048
-    clouds = _cloud_field(cells, seed)
+    clouds = np.pad(_cloud_field(2048, seed), (0, 1), mode="wrap")
     elevation = np.linspace(0.0, 0.5 * np.pi, rows)[:, None]
     azimuth = np.linspace(0.0, 2.0 * np.pi, columns)[None]
+    # A few rows at a time: in double precision all of them would take 0.8 GB.
+    parts = [_sky_colors(clouds, some, azimuth) for some in np.array_split(elevation, max(1, rows // 32))]
+    _write_png(filename, np.concatenate(parts))
+
+
+def _sky_colors(clouds, elevation, azimuth):
+    """Bytes of the sky in some directions."""
+    cells = len(clouds) - 1
     reach = 200.0 * np.cos(elevation) / (np.sin(elevation) + 0.06)  # on the layer of clouds
     density = _sampled(
-        np.pad(clouds, (0, 1), mode="wrap"), (1.0, 1.0), (reach * np.sin(azimuth)) % cells,
-        (reach * np.cos(azimuth)) % cells)
+        clouds, (1.0, 1.0), (reach * np.sin(azimuth)) % cells, (reach * np.cos(azimuth)) % cells)
     cover = scene._step(density, 0.45, 2.1) * np.clip((elevation - 0.03) / 0.25, 0.0, 0.92)
     low = np.exp(-3.4 * np.sin(elevation)) * np.ones_like(azimuth)
     blue = scene._mix(np.array((0.26, 0.46, 0.76)), np.array((0.76, 0.85, 0.92)), low)
     shade = 1.0 - 0.22 * np.clip((density - 1.2) / 1.6, 0.0, 1.0)
     color = scene._mix(blue, np.array((1.0, 0.99, 0.97)) * shade[..., None], cover)
-    _write_png(filename, np.round(255.0 * np.clip(color, 0.0, 1.0)).astype(np.uint8))
+    return np.round(255.0 * np.clip(color, 0.0, 1.0)).astype(np.uint8)
 
 
 def _cloud_field(cells, seed):

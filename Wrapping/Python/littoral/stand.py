@@ -42,10 +42,11 @@ def read_table(path):
     wrong = next((k for k, row in enumerate(rows, 1) if len(row) > len(rows[0])), None)
     if wrong:
         raise ValueError(f"{path}: row {wrong} has {len(rows[wrong - 1])} cells, and the first row has {len(rows[0])}")
-    return _table_of(rows[0], ([row[k] if k < len(row) else "" for row in rows[1:]] for k in range(len(rows[0]))))
+    return table_of_words(rows[0], ([row[k] if k < len(row) else "" for row in rows[1:]] for k in range(len(rows[0]))))
 
 
-def _table_of(names, columns):
+def table_of_words(names, columns):
+    """Columns of words or numbers as a vtkTable of words, as read_table() makes it."""
     table = vtkTable()
     for name, words in zip(names, columns):
         column = vtkStringArray()
@@ -74,7 +75,7 @@ def species_table(species):
         return next((c for c in listed if c), ["", "", "", ""])
 
     rows[1:1] = [[name, kind, *curve(name)] for name, kind in species.items()]
-    return _table_of(rows[0], zip(*rows[1:]))
+    return table_of_words(rows[0], zip(*rows[1:]))
 
 
 def _run(algorithm, what):
