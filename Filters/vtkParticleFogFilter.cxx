@@ -29,6 +29,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -71,7 +72,7 @@ std::string WhyBadPoint(vtkIdType n, double radius, double alpha)
 
 /// Adds the particles of a point set. Why it cannot be done, in words for a user; empty when it was.
 std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficiency,
-  std::vector<littoral::FogParticle>& particles, const littoral::Poll& poll)
+  std::vector<littoral::FogParticle>& particles, const littoral::ParallelFor& parallelFor)
 {
   littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
   vtkDataArray* radii = points.Find(littoral::sea::Radius, 1);
@@ -81,22 +82,39 @@ std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficien
   {
     return points.Reason();
   }
-  littoral::SteppedPoll steps(poll);
-  for (vtkIdType n = 0; n < set->GetNumberOfPoints(); ++n)
-  {
-    steps.Step();
-    littoral::FogParticle particle;
-    set->GetPoint(n, &particle.Place.x);
-    const double radius = radii ? radii->GetComponent(n, 0) : defaultRadius;
-    const double alpha = alphas ? alphas->GetComponent(n, 0) : 1.0;
-    if (!littoral::ValueInterval::NotNegative().Contains(radius) || !(alpha >= 0.0 && alpha <= 1.0))
+  const std::size_t first = particles.size();
+  particles.resize(first + static_cast<std::size_t>(set->GetNumberOfPoints()));
+  std::atomic<vtkIdType> bad(set->GetNumberOfPoints());
+  const auto numbers = [](vtkDataArray* array) {
+    const auto* single = vtkFloatArray::SafeDownCast(array);
+    return [array, single](vtkIdType n) {
+      return single ? static_cast<double>(single->GetValue(n)) : array->GetComponent(n, 0);
+    };
+  };
+  const auto radiusOf = numbers(radii);
+  const auto alphaOf = numbers(alphas);
+  auto* places = vtkFloatArray::SafeDownCast(set->GetPoints()->GetData());
+  parallelFor(static_cast<std::size_t>(set->GetNumberOfPoints()), [&](std::size_t begin, std::size_t end) {
+    for (auto n = static_cast<vtkIdType>(begin); n < static_cast<vtkIdType>(end); ++n)
     {
-      return WhyBadPoint(n, radius, alpha);
+      littoral::FogParticle& particle = particles[first + static_cast<std::size_t>(n)];
+      places ? static_cast<void>(std::copy_n(places->GetPointer(3 * n), 3, &particle.Place.x))
+             : set->GetPoints()->GetData()->GetTuple(n, &particle.Place.x);
+      const double radius = radii ? radiusOf(n) : defaultRadius;
+      const double alpha = alphas ? alphaOf(n) : 1.0;
+      particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
+      if (!littoral::ValueInterval::NotNegative().Contains(radius) || !(alpha >= 0.0 && alpha <= 1.0))
+      {
+        vtkIdType former = bad; // the first of them
+        while (n < former && !bad.compare_exchange_weak(former, n))
+        {
+        }
+      }
     }
-    particle.CrossSection = alpha * efficiency * littoral::Pi * radius * radius;
-    particles.push_back(particle);
-  }
-  return "";
+  });
+  const vtkIdType n = bad;
+  return n < set->GetNumberOfPoints() ? WhyBadPoint(n, radii ? radiusOf(n) : defaultRadius, alphas ? alphaOf(n) : 1.0)
+                                      : "";
 }
 
 /// The box of the particles, no thinner than a length [m]; a unit box without any.
@@ -308,7 +326,7 @@ int vtkParticleFogFilter::RequestData(
   for (vtkPointSet* set : sets)
   {
     reason = reason.empty()
-      ? AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles, littoral::PollOf(this))
+      ? AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles, littoral::AbortableFor(this))
       : reason;
   }
   if (!reason.empty())

@@ -78,11 +78,12 @@ Array* AddArray(vtkPointData* arrays, const char* name, int components, vtkIdTyp
   return array;
 }
 
-/// Calls a function for each place in a level, on all threads.
+/// Calls a function for each place in a level, on all threads where they are worth calling.
 template <typename Function>
 void ForEach(vtkIdType count, const Function& function)
 {
-  littoral::SmpFor(static_cast<std::size_t>(count), [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t atOnce = 1 << 14;
+  littoral::ForRanges(littoral::SmpFor, static_cast<std::size_t>(count), atOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
       function(static_cast<vtkIdType>(n));
@@ -355,10 +356,14 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
   std::vector<littoral::Vector3> places(static_cast<std::size_t>(count));
   const littoral::Poll poll = littoral::PollOf(this);
   littoral::SteppedPoll steps(poll);
+  auto* single = vtkFloatArray::SafeDownCast(points);
+  ForEach(count, [&](vtkIdType n) {
+    single ? static_cast<void>(std::copy_n(single->GetPointer(3 * n), 3, &places[n].x))
+           : points->GetTuple(n, &places[n].x);
+  });
   for (vtkIdType n = 0; n < count; ++n)
   {
     steps.Step();
-    points->GetTuple(n, &places[n].x);
     if (!littoral::IsFinite(places[n]))
     {
       return "point " + std::to_string(n) + " has a coordinate that is no finite number.";

@@ -121,7 +121,7 @@ int vtkPlantWakeFilter::RequestData(
   check.Require(littoral::WhyInvalid(options));
   std::string reason = check.Reason();
   const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), "Input", reason);
-  reason = reason.empty() ? littoral::WhyNoPlants(blocks) : reason;
+  reason = reason.empty() ? littoral::WhyNoSkeleton(blocks) : reason;
   vtkPolyData* bones = littoral::PlantPartOf(blocks, littoral::plant::High, littoral::plant::Skeleton);
   std::vector<std::vector<MovingPoint>> plants;
   std::vector<int> plantIds;

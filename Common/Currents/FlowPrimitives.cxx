@@ -267,6 +267,17 @@ FlowField::FlowField(const std::vector<FlowPrimitive>& primitives, const WaterLa
     }
   }
   this->Cells = BoxCells(this->Reaches);
+  const auto isLimitedSource = [](const Local& local) {
+    return (local.Type == FlowType::Source || local.Type == FlowType::Sink) && local.InverseMargin > 0.0 &&
+      local.InverseInfluence == 0.0;
+  };
+  if (std::all_of(this->Ending.begin(), this->Ending.end(), isLimitedSource))
+  {
+    for (const Local& local : this->Ending)
+    {
+      this->Limited.Add({ local.Center, local.Factor, local.CoreSquared, local.Whole, local.InverseMargin });
+    }
+  }
 }
 
 void FlowField::Add(const Local& local, const FlowPrimitive& primitive)
@@ -491,7 +502,13 @@ Vector3 FlowField::Velocity(const Vector3& place) const
   {
     return sum;
   }
-  for (const int near : this->Cells.Near(place))
+  const BoxCells::List list = this->Cells.Near(place);
+  if (this->Limited.Size() > 0)
+  {
+    this->Limited.AddFlow(list.begin(), list.end(), place, sum);
+    return sum;
+  }
+  for (const int near : list)
   {
     const Local& local = this->Ending[near];
     const Vector3 arm = place - local.Center;

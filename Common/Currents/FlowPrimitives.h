@@ -3,6 +3,7 @@
 #ifndef LittoralFlowPrimitives_h
 #define LittoralFlowPrimitives_h
 
+#include "Currents/LimitedSources.h"
 #include "Currents/WaterLayer.h"
 #include "Geometry/BoxCells.h"
 #include "Geometry/ViewFrustum.h"
@@ -168,6 +169,7 @@ private:
   Vector3 Everywhere{ 0.0 };
   std::vector<Local> Around; ///< those without an end
   std::vector<Local> Ending; ///< those with one
+  LimitedSources Limited;    ///< the same, if all are sources and sinks that end about a box
   std::vector<Box> Reaches;  ///< where they end
   std::vector<Column> Columns;
   BoxCells Cells; ///< of Reaches

@@ -63,6 +63,43 @@ struct Located
   double CrossSection;
 };
 
+/// Particles that one thread locates at a time.
+constexpr std::size_t ParticlesAtOnce = 1 << 14;
+
+/// Some of the particles by layer of cells, in their order.
+struct Run
+{
+  std::vector<std::vector<Located>> Layers;
+  long long Outside = 0;
+};
+
+/// The particles in runs, one after the other.
+std::vector<Run> RunsOf(
+  const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
+{
+  std::vector<Run> runs((particles.size() + ParticlesAtOnce - 1) / ParticlesAtOnce);
+  parallelFor(runs.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t run = first; run < last; ++run)
+    {
+      runs[run].Layers.resize(grid.Count[2] - 1);
+      const std::size_t end = std::min(particles.size(), (run + 1) * ParticlesAtOnce);
+      for (std::size_t n = run * ParticlesAtOnce; n < end; ++n)
+      {
+        Location where;
+        if (Locate(grid, particles[n].Place, where))
+        {
+          runs[run].Layers[where.Cell[2]].push_back({ where, particles[n].CrossSection });
+        }
+        else
+        {
+          ++runs[run].Outside;
+        }
+      }
+    }
+  });
+  return runs;
+}
+
 /// Adds to the samples of a layer what the particles of the cells above (side 0) or below (side 1) give to it.
 void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int side, std::vector<double>& layer)
 {
@@ -91,33 +128,24 @@ ParticleFog::ParticleFog(
 {
   // Layers of cells keep the order of the particles; a layer of samples adds the cells below, then those above. So the
   // order of sums is that of the particles, on any threads.
-  std::vector<std::vector<Located>> layers(grid.Count[2] - 1);
-  SteppedPoll steps(poll);
-  for (const FogParticle& particle : particles)
+  poll();
+  const std::vector<Run> runs = RunsOf(grid, particles, parallelFor);
+  for (const Run& run : runs)
   {
-    steps.Step();
-    Location where;
-    if (Locate(grid, particle.Place, where))
-    {
-      layers[where.Cell[2]].push_back({ where, particle.CrossSection });
-    }
-    else
-    {
-      ++this->Outside;
-    }
+    this->Outside += run.Outside;
   }
   parallelFor(static_cast<std::size_t>(grid.Count[2]), [&](std::size_t begin, std::size_t end) {
     std::vector<double> layer(static_cast<std::size_t>(grid.Count[0]) * grid.Count[1]);
     for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
     {
       std::fill(layer.begin(), layer.end(), 0.0);
-      if (k > 0)
+      for (std::size_t run = 0; k > 0 && run < runs.size(); ++run)
       {
-        AddLayer(grid, layers[k - 1], 1, layer);
+        AddLayer(grid, runs[run].Layers[k - 1], 1, layer);
       }
-      if (k < grid.Count[2] - 1)
+      for (std::size_t run = 0; k < grid.Count[2] - 1 && run < runs.size(); ++run)
       {
-        AddLayer(grid, layers[k], 0, layer);
+        AddLayer(grid, runs[run].Layers[k], 0, layer);
       }
       for (int j = 0; j < grid.Count[1]; ++j)
       {

@@ -133,9 +133,16 @@ def build(folder, view):
         registrationName="Tufts", Origin=list(np.minimum(FIRST, LAST) - GRASS_REACH),
         Size=list(size), Quadrats=[int(length / 2.0) for length in size], Law="Poisson Poisson",
         MeanPerQuadrat=5.0, ClusterMean=3.0)
+    # Of a near tuft only the blades, and of these what is seen: most of its memory is in wood and joints.
+    blades = simple.PassArrays(
+        registrationName="Blades", PointDataArrays=["Normals", "RGB", "TCoords"],
+        FieldDataArrays=["Texture", "TextureSize", "TextureMean"],
+        Input=simple.ExtractBlock(
+            Input=simple.ReevesTree(registrationName="Tuft", **GRASS),
+            Selectors=["/Root/High/Leaves", "/Root/Medium", "/Root/Low"]))
     grass = simple.PlantScatter(
         registrationName="Grass", Sites=tufts, Terrain=terrain, NearDistance=300.0,
-        Prototypes=[simple.ReevesTree(registrationName="Tuft", **GRASS)], FarDistance=300.0,
+        Prototypes=[blades], FarDistance=300.0,
         VisibleDistance=GRASS_REACH, ScaleVariation=0.35, TintVariation=0.04, **STEADY)
 
     landscape.prepare_view(view)
@@ -143,8 +150,8 @@ def build(folder, view):
     landscape.show_sky(sky, view, file("sky.png"))
     landscape.show_ground(ground, view)
     landscape.show_shadows(shadows, view)
-    blades = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
-    blades.Ambient, blades.Diffuse = 0.75, 0.45  # translucency
+    shown = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
+    shown.Ambient, shown.Diffuse = 0.75, 0.45  # translucency
     landscape.show_plants(sway, view, landscape.PLANT_PARTS[:-1])
     landscape.show_plants(forest, view, landscape.PLANT_PARTS[-1:])  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):

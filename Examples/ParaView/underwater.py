@@ -32,6 +32,7 @@ GIANT_KELP = dict(
 TIME, FRAMES_A_SECOND = 7.3, 12
 CURRENT = 0.08  # [m/s]
 LEAD = 20.0  # time of kelp motion before the first frame [s]
+SEEN = ["/Root/Near", "/Root/MasterSlave"]  # levels of particles that are seen individually
 STIR = 25.0  # strength of plant wakes [m2 s], above nature, to be visible
 
 
@@ -60,9 +61,11 @@ def levels(name, particles, sea, culling=1):
 
 
 def on_waves(name, particles, sea):
-    """Those of the levels that are seen individually, in waves."""
-    riding = simple.ParticleOrbits(registrationName=name, Input=particles, SeaState=sea)
-    return simple.ExtractBlock(Input=riding, Selectors=["/Root/Near", "/Root/MasterSlave"])
+    """Those of the levels that are seen individually, in waves, which do not move the others."""
+    seen = simple.ExtractBlock(Input=particles, Selectors=SEEN)
+    riding = simple.ParticleOrbits(registrationName=name, Input=seen, SeaState=sea)
+    # Shown as this script says, and not as Littoral shows what is in waves.
+    return simple.ExtractBlock(Input=riding, Selectors=SEEN)
 
 
 def build(folder, view):

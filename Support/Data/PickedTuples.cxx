@@ -16,6 +16,9 @@ namespace littoral
 namespace
 {
 
+/// Tuples that one thread copies at a time.
+constexpr std::size_t TuplesAtOnce = 1 << 14;
+
 /// Bytes of a tuple where they lie side by side; 0 for strings, bits and arrays of another layout.
 std::size_t TupleBytes(vtkAbstractArray* array)
 {
@@ -46,7 +49,7 @@ void PickTuples(vtkDataSetAttributes* from, const std::vector<vtkIdType>& places
     }
     const auto* source = static_cast<const unsigned char*>(whole->GetVoidPointer(0));
     auto* target = static_cast<unsigned char*>(picked->GetVoidPointer(0));
-    SmpFor(places.size(), [&](std::size_t begin, std::size_t end) {
+    ForRanges(SmpFor, places.size(), TuplesAtOnce, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
       {
         std::memcpy(target + n * bytes, source + static_cast<std::size_t>(places[n]) * bytes, bytes);

@@ -140,6 +140,14 @@ std::string WhyBadDrawing(vtkPolyData* block, const std::string& owner)
 }
 
 //----------------------------------------------------------------------------
+std::string WhyNoSkeleton(vtkMultiBlockDataSet* plants)
+{
+  std::string reason;
+  vtkPolyData* bones = FindPart(plants, BlockNames[0], reason);
+  return bones ? WhyBadBlock(bones, bones->GetNumberOfPoints(), "High/Skeleton of the plants") : WhyNoPlants(plants);
+}
+
+//----------------------------------------------------------------------------
 std::string WhyNoPlants(vtkMultiBlockDataSet* plants)
 {
   ArrayReader fields = ArrayReader::OfFields(plants, "The plants", 1);

@@ -21,6 +21,9 @@ namespace littoral
  */
 std::string WhyNoPlants(vtkMultiBlockDataSet* plants);
 
+/// The same for those that read the block High/Skeleton alone, if there is one.
+std::string WhyNoSkeleton(vtkMultiBlockDataSet* plants);
+
 /// Why polygonal data cannot be drawn: cells, positions, normals or texture coordinates are bad. Empty if they can.
 std::string WhyBadDrawing(vtkPolyData* block, const std::string& owner);
 

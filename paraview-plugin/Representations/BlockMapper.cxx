@@ -5,9 +5,13 @@
 #include "vtkHardwareSelector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <vector>
 
 namespace littoral
 {
@@ -43,6 +47,20 @@ void BlockMapper::ComputeBounds()
   if (block && block->GetNumberOfPoints() > 0)
   {
     block->GetPoints()->GetBounds(this->Bounds);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// What is in the graphics' memory need not stay here too: VTK keeps the vertices that it has sent.
+void BlockMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::BuildBufferObjects(renderer, actor);
+  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord" })
+  {
+    if (vtkOpenGLVertexBufferObject* sent = this->VBOs->GetVBO(name))
+    {
+      std::vector<float>().swap(sent->GetPackedVBO());
+    }
   }
 }
 

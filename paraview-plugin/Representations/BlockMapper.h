@@ -35,6 +35,7 @@ protected:
   ~BlockMapper() override = default;
 
   void ComputeBounds() override;
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* block) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 

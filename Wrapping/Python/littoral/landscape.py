@@ -278,20 +278,26 @@ def points_with(places, **arrays):
 
 def write_sky(filename, columns=6144, rows=1024, seed=4):
     """A sky with fair-weather clouds as a PNG: azimuth along rows, elevation upwards."""
-    cells = 2048
-    clouds = _cloud_field(cells, seed)
+    clouds = np.pad(_cloud_field(2048, seed), (0, 1), mode="wrap")
     elevation = np.linspace(0.0, 0.5 * np.pi, rows)[:, None]
     azimuth = np.linspace(0.0, 2.0 * np.pi, columns)[None]
+    # A few rows at a time: in double precision all of them would take 0.8 GB.
+    parts = [_sky_colors(clouds, some, azimuth) for some in np.array_split(elevation, max(1, rows // 32))]
+    _write_png(filename, np.concatenate(parts))
+
+
+def _sky_colors(clouds, elevation, azimuth):
+    """Bytes of the sky in some directions."""
+    cells = len(clouds) - 1
     reach = 200.0 * np.cos(elevation) / (np.sin(elevation) + 0.06)  # on the layer of clouds
     density = _sampled(
-        np.pad(clouds, (0, 1), mode="wrap"), (1.0, 1.0), (reach * np.sin(azimuth)) % cells,
-        (reach * np.cos(azimuth)) % cells)
+        clouds, (1.0, 1.0), (reach * np.sin(azimuth)) % cells, (reach * np.cos(azimuth)) % cells)
     cover = scene._step(density, 0.45, 2.1) * np.clip((elevation - 0.03) / 0.25, 0.0, 0.92)
     low = np.exp(-3.4 * np.sin(elevation)) * np.ones_like(azimuth)
     blue = scene._mix(np.array((0.26, 0.46, 0.76)), np.array((0.76, 0.85, 0.92)), low)
     shade = 1.0 - 0.22 * np.clip((density - 1.2) / 1.6, 0.0, 1.0)
     color = scene._mix(blue, np.array((1.0, 0.99, 0.97)) * shade[..., None], cover)
-    _write_png(filename, np.round(255.0 * np.clip(color, 0.0, 1.0)).astype(np.uint8))
+    return np.round(255.0 * np.clip(color, 0.0, 1.0)).astype(np.uint8)
 
 
 def _cloud_field(cells, seed):

@@ -450,6 +450,7 @@ def prepare_view(view):
 def show_surface(source, view, time):
     """Show the surface of the water, moved by Particle Orbits, from below."""
     shown = simple.Show(source, view)
+    shown.SetRepresentationType("Full Surface")  # whose bounds are those of the points, at each time
     shown.ColorArrayName = [None, ""]
     _shade(shown, PLACES + NORMALS, SURFACE, time)
     return shown
@@ -479,16 +480,14 @@ def show_beyond(view, time, eye, radius=150.0):
 
 def show_particles(source, view, eye):
     """Show particles as soft spots with Radius, RGB and Alpha, faded by their distance in water from the camera."""
-    haze = "exp(-0.11 * sqrt((coordsX - {})^2 + (coordsY - {})^2 + (coordsZ - {})^2))".format(*eye)
-    faded = simple.Calculator(Input=source, ResultArrayName="Opacity", Function=f"0.75 * Alpha * {haze}")
-    shown = simple.Show(faded, view, "GeometryRepresentation")
-    shown.SetRepresentationType("Point Gaussian")
+    shown = simple.Show(source, view, "GeometryRepresentation")
+    shown.SetRepresentationType("Particles")
+    shown.Extinction, shown.Strength, shown.Eye = 0.11, 0.75, list(eye)
     shown.ColorArrayName = ["POINTS", "RGB"]
     shown.MapScalars = 0
     shown.ShaderPreset = "Gaussian Blur"
     shown.GaussianRadius = 1.0
     shown.ScaleByArray, shown.SetScaleArray, shown.UseScaleFunction = 1, ["POINTS", "Radius"], 0
-    shown.OpacityByArray, shown.OpacityArray = 1, ["POINTS", "Opacity"]
     shown.OpacityTransferFunction = simple.CreatePiecewiseFunction(Points=[0.0, 0.0, 0.5, 0.0, 1.0, 1.0, 0.5, 0.0])
     shown.Emissive = 0
     shown.Opacity = 0.99  # drawn as translucent, so that it does not hide the fog behind it

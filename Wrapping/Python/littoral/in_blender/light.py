@@ -49,10 +49,11 @@ class Air:
         shine = s.math("MULTIPLY_ADD", s.math("POWER", towards, 4.0), 9.0, 7.0)
         return s.blend(cover, self.sky(s), s.scaled((1.0, 0.96, 0.92), shine))
 
-    def before(self, s, shader):
-        """A shader seen through haze, whose density falls with height: only what the camera sees directly."""
+    def before(self, s, make):
+        """What `make` makes, seen through haze, whose density falls with height: only what the camera sees directly. It is
+        made twice, so that other rays need not compute the haze."""
         if not self.sight:
-            return shader
+            return make()
         away = s.node("CameraData", output="View Distance")
         look = s.scaled(s.geometry("Incoming"), -1.0)
         rise = s.math("DIVIDE", s.math("MULTIPLY", s.node("SeparateXYZ", {0: look}, "Z"), away), self.height)
@@ -67,8 +68,7 @@ class Air:
         towards = s.math("MAXIMUM", s.vector("DOT_PRODUCT", look, tuple(self.towards), output=1), 0.0)
         shine = s.math("MULTIPLY_ADD", s.math("POWER", towards, 3.0), self.strength * GLOW, self.strength)
         veil = s.node("Emission", {"Color": self.sky(s, low), "Strength": shine})
-        share = s.math("MULTIPLY", s.math("SUBTRACT", 1.0, left), s.ray("Is Camera Ray"))
-        return s.mix(share, shader, veil)
+        return s.mix(s.ray("Is Camera Ray"), make(), s.mix(s.math("SUBTRACT", 1.0, left), make(), veil))
 
     def light_world(self):
         """Let the sky light the scene."""

@@ -6,6 +6,7 @@ import os
 import tempfile
 
 import bpy
+import numpy as np
 
 from . import versions
 from .shading import Shading
@@ -16,6 +17,11 @@ PASSED = {"leaf": 0.42, "grass": 0.40, "blade": 0.45}
 GLOSS = {"leaf": (0.05, 0.42), "grass": (0.03, 0.5), "blade": (0.06, 0.35)}
 #: Light that went through a leaf has another color than what it reflects.
 THROUGH = {"leaf": (1.35, 1.45, 0.55), "grass": (1.3, 1.4, 0.6), "blade": (1.25, 1.05, 0.55)}
+
+#: The share of a leaf that its mask may cut away without being a hole.
+HEM = 0.03
+#: Even places in a triangle, by their shares of its corners.
+WITHIN = np.array([(i + 1 / 3, j + 1 / 3, 20 - 2 / 3 - i - j) for i in range(20) for j in range(20 - i)]) / 20.0
 
 
 class Materials:
@@ -39,26 +45,29 @@ class Materials:
         versions.no_lamp(material)
         s = Shading(material.node_tree)
         s.left = self.water.filter(s) if self.water else None
-        base, alpha = self._base(s, about, kind)
-        make = {"ground": ground, "bark": bark, "particle": particle}.get(kind)
-        if kind in PASSED:
-            shader = thin(s, kind, base)
-        elif kind == "water" and self.water:
-            shader = self.water.surface(s)
-        elif kind == "water":
-            shader = sea(s)
-        else:
-            shader = make(s, base, self.water is not None) if make else plain(s, base)
+        base, alpha = self._base(s, index, about, kind)
+        def make():
+            return self._surface(s, kind, base)
+
         medium = self.water or self.air
-        if medium and kind != "sky":
-            shader = medium.before(s, shader)
+        shader = medium.before(s, make) if medium and kind != "sky" else make()
         if alpha is not None:
             clear = s.node("BsdfTransparent", {"Color": (1.0, 1.0, 1.0)})
-            shader = s.mix(s.math("GREATER_THAN", alpha, 0.5), clear, shader)
+            # A shadow ray asks for holes alone: it need not compute what a leaf looks like.
+            shader = s.mix(s.math("GREATER_THAN", alpha, 0.5), clear, s.mix(s.ray("Is Shadow Ray"), shader, None))
         s.end(shader)
         return material
 
-    def _base(self, s, about, kind):
+    def _surface(self, s, kind, base):
+        """The shader of a kind with a base color."""
+        if kind in PASSED:
+            return thin(s, kind, base)
+        if kind == "water":
+            return self.water.surface(s) if self.water else sea(s)
+        make = {"ground": ground, "bark": bark, "particle": particle}.get(kind, plain)
+        return make(s, base, self.water is not None)
+
+    def _base(self, s, index, about, kind):
         """The base color (vertices, picture, tint), and the picture's alpha or None."""
         color = s.attribute("Color")
         # Without an attribute a node gives black, and its alpha is 0: white then.
@@ -77,7 +86,28 @@ class Materials:
             color = s.multiply(color, s.blend(tinted, (1.0, 1.0, 1.0), tint))
         elif kind == "particle":
             color = s.attribute("tint", "Vector")
+        if about.get("alphaMode") == "MASK" and picture is not None and not self._has_holes(index, self._picture(picture)):
+            alpha = None
         return color, alpha if about.get("alphaMode") in ("MASK", "BLEND") else None
+
+    def _has_holes(self, index, image):
+        """Whether a mask cuts away more than a hem of what the meshes of a material have of the picture. Rays end at what
+        has no holes: a kelp is cheap to draw then."""
+        width, height = image.size
+        texels = np.empty(width * height * 4, np.float32)
+        image.pixels.foreach_get(texels)
+        alpha = texels.reshape(height, width, 4)[..., 3]
+        if alpha.min() > 0.5:
+            return False
+        parts = [part for mesh in self.file.list("meshes") for part in mesh["primitives"] if part.get("material") == index]
+        for part in parts:
+            at = self.file.array(part["attributes"]["TEXCOORD_0"])
+            corners = np.unique(np.round(at[self.file.array(part["indices"]).reshape(-1, 3)].reshape(-1, 6), 3), axis=0)
+            u, v = np.einsum("cp,kpi->ick", WITHIN, corners.reshape(-1, 3, 2))
+            column, row = np.int32(np.clip(u, 0.0, 0.999) * width), np.int32(np.clip(1.0 - v, 0.0, 0.999) * height)
+            if (alpha[row, column] > 0.5).mean() < 1.0 - HEM:
+                return True
+        return False
 
     def _picture(self, texture):
         """The picture of a texture, packed into the scene."""
@@ -147,7 +177,7 @@ def sea(s):
     return s.mix(s.node("Fresnel", {"IOR": 1.333}), below, mirror)
 
 
-def plain(s, base):
+def plain(s, base, _under_water):
     node = s.tree.nodes.new("ShaderNodeBsdfPrincipled")
     versions.roughness_specular(node, 0.7, 0.2)
     s.plug(node.inputs["Base Color"], base)

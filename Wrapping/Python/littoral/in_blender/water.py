@@ -73,9 +73,9 @@ class Water:
         parts = [s.math("EXPONENT", s.math("MULTIPLY", way, -float(rate))) for rate in rates]
         return s.node("CombineXYZ", dict(enumerate(parts)))
 
-    def before(self, s, shader):
-        """A shader with the light that the water before it scatters to the eye; other rays do not compute it."""
-        return s.node("AddShader", {0: shader, 1: s.mix(self.seen(s), None, self.veil(s))})
+    def before(self, s, make):
+        """What `make` makes, with the light that the water before it scatters to the eye; other rays do not compute it."""
+        return s.node("AddShader", {0: make(), 1: s.mix(self.seen(s), None, self.veil(s))})
 
     def veil(self, s):
         """Sunlight, decaying with depth, scattered along the ray to the eye, as a glow."""
@@ -176,7 +176,7 @@ def refracted(normals, towards):
     return (towards - cosine * normals) / INDEX + inside * normals
 
 
-def light_below(surfaces, flat, height, low, side, splits=3):
+def light_below(surfaces, flat, height, low, side, splits=2):
     """Light on a horizontal square at a height, by that under a flat surface: rays through the surface, counted.
 
     flat: direction to the sun under a flat surface; the mean of the picture where the surface covers it is 1.

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython
+"""File > Export Scene writes what a view shows as one scene of glTF: in the window, and by ExportView in a script."""
+import json
+import os
+import struct
+import sys
+
+import numpy as np
+import quick  # noqa: F401
+from paraview import servermanager, simple
+from player import WINDOW, Session
+
+if not hasattr(servermanager.writers, "GLTFSceneWriter"):
+    print("built without tinygltf")
+    sys.exit(125)
+
+
+def scene_of(file):
+    """The JSON of a scene file."""
+    with open(file, "rb") as opened:
+        data = opened.read()
+    assert struct.unpack_from("<I", data, 8)[0] == len(data), "the file is not whole"
+    return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
+
+
+def exported(name, view, **options):
+    if os.path.exists(name):
+        os.remove(name)
+    simple.ExportView(name, view=view, **options)
+    return scene_of(name)
+
+
+def below_root(scene):
+    """The names below the root node, and beside it."""
+    root, *others = scene["scenes"][0]["nodes"]
+    return sorted(scene["nodes"][k]["name"] for k in scene["nodes"][root].get("children", []) + others)
+
+
+def triangles(scene):
+    return sum(scene["accessors"][part["indices"]]["count"] // 3 for mesh in scene["meshes"] for part in mesh["primitives"]
+               if part.get("mode", 4) == 4)
+
+
+def camera_of(scene):
+    """Where the camera is and looks to, with z up."""
+    node, = [node for node in scene["nodes"] if "camera" in node]
+    x, y, z, w = node["rotation"]
+    ahead = -np.array((2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)))
+    return np.array(node["translation"]), ahead, scene["cameras"][node["camera"]]["perspective"]["yfov"]
+
+
+def check_window():
+    """The scene Forest by the menu, its trees as instances with the names of the browser, camera and sun."""
+    session = Session(__file__)
+    session.source("Forest")
+    session.apply()
+    session.menu("menu_File", "actionExport")
+    session.event(f"{WINDOW}/FileExportDialog", "filesSelected", os.path.abspath("window.glb"))
+    session.event(f"{WINDOW}/Dialog/widget/OKButton")
+    session.play()
+    scene = scene_of("window.glb")
+    assert {"Hills", "Trees", "Camera", "Sun"} <= set(below_root(scene)), below_root(scene)
+
+
+def check_script():
+    view = simple.CreateRenderView()
+    land, tree = simple.TurningBandsTerrain(WholeExtent=[0, 20, 0, 10, 0, 0]), simple.ReevesTree(NumberOfLeaves=100)
+    simple.RenameSource("Café", tree)
+    text = simple.Text(Text="no surface")
+    for source in (land, tree, text):
+        simple.Show(source, view)
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [10, -30, 12], [10, 5, 2], [0, 0, 1]
+    view.CameraViewAngle = 40
+    simple.Render(view)
+    scene = exported("all.glb", view, SceneName="Place", LevelForm="High")
+    assert below_root(scene) == ["Café", "Camera", "Sun", "TurningBandsTerrain1"], below_root(scene)
+    assert scene["scenes"][0]["name"] == "Place"
+    place, ahead, angle = camera_of(scene)
+    np.testing.assert_allclose(place, (10, 12, 30), atol=1e-5)  # y up
+    np.testing.assert_allclose(ahead, np.array((0, -10, -35)) / np.hypot(10, 35), atol=1e-6)
+    assert abs(angle - np.radians(40.0)) < 1e-6
+    sun, = [node for node in scene["nodes"] if node.get("name") == "Sun"]
+    x, y, z, w = sun["rotation"]
+    towards = np.array((2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)))
+    wanted = np.array(view.AdditionalLights[0].LightPosition) - np.array(view.AdditionalLights[0].FocalPoint)
+    np.testing.assert_allclose(towards, wanted[[0, 2, 1]] * (1, 1, -1) / np.linalg.norm(wanted), atol=1e-6)
+    whole = triangles(scene)
+
+    # What is hidden is left out, what is shown twice is there once; the options of the dialog.
+    simple.Hide(tree, view)
+    simple.Hide(text, view)
+    second = simple.CreateRenderView()
+    simple.Show(tree, second)
+    scene = exported("land.glb", view, WriteCamera=0, WriteSun=0)
+    assert below_root(scene) == ["TurningBandsTerrain1"] and triangles(scene) == 2 * 20 * 10 < whole
+    view.CameraParallelProjection = 1
+    assert below_root(exported("flat.glb", view)) == ["Sun", "TurningBandsTerrain1"]
+    view.CameraParallelProjection = 0
+    assert below_root(exported("again.glb", view)) == ["Camera", "Sun", "TurningBandsTerrain1"]
+    scene = exported("second.glb", second, LevelForm="High", WriteSun=0)
+    assert below_root(scene) == ["Café", "Camera"] and triangles(scene) == whole - 2 * 20 * 10
+
+    # The time is that of the view, and the file has the motion that is asked for.
+    simple.Delete(tree)
+    sea = simple.SeaSurface(SeaState=simple.SeaState(NumberOfTrains=6), Radius=20)
+    simple.Show(sea, second)
+    second.ViewTime = 3.0
+    simple.Render(second)
+    now = exported("now.glb", second)
+    second.ViewTime = 4.0
+    later = exported("later.glb", second)
+    bounds = [scene["accessors"][scene["meshes"][0]["primitives"][0]["attributes"]["POSITION"]] for scene in (now, later)]
+    points = servermanager.Fetch(sea)
+    assert bounds[0]["count"] == points.GetNumberOfPoints() and bounds[0]["max"] != bounds[1]["max"]
+    scene = exported("motion.glb", second, WriteMotion=1, EndTime=0.5, FramesPerSecond=4.0)
+    assert len(scene["meshes"][0]["primitives"][0]["targets"]) == 2 and len(scene["animations"]) == 1
+
+
+if __name__ == "__main__":
+    check_window()
+    check_script()
+    print("done")
