@@ -64,7 +64,7 @@ constexpr double CoarsePart = 0.2; ///< of the work
 
 /// Rounds without a better one after which no better one is waited for; fewer where coarse ground has told the law.
 constexpr int MostVainRounds = 12;
-constexpr int MostVainFineRounds = 5;
+constexpr int MostVainFineRounds = 3;
 
 /// A measure against what it shall be: 1 at its tolerance.
 struct Deviation

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kriging/CovarianceTable.h"
 
+#include "Numerics/SimdClones.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -16,6 +18,21 @@ namespace
 constexpr double Tolerance = 1e-9;
 constexpr std::size_t StepsInARow = 16;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::size_t Places = CovarianceTable::PlacesAtOnce;
+
+/// Distances of a datum from some places, in steps of the table.
+LITTORAL_INLINE void PositionsOf(const std::array<ReducedPlace, Places>& places, const ReducedPlace& datum,
+  double stepsPerMetre, double* distances, double* positions)
+{
+  for (std::size_t p = 0; p < Places; ++p)
+  {
+    const double x = places[p][0] - datum[0];
+    const double y = places[p][1] - datum[1];
+    distances[p] = std::sqrt(x * x + y * y);
+    positions[p] = distances[p] * stepsPerMetre;
+  }
+}
 
 }
 
@@ -56,6 +73,32 @@ CovarianceTable::CovarianceTable(const CovarianceParameters& field, double farth
   this->StepsPerMetre = 1.0 / length;
   this->FirstPosition = static_cast<double>(first > 0 ? first : steps);
   this->LastPosition = static_cast<double>(steps);
+}
+
+LITTORAL_SIMD_CLONES void CovarianceTable::AddWeighted(const std::array<ReducedPlace, PlacesAtOnce>& places,
+  const std::vector<ReducedPlace>& data, const double* weights, std::array<double, PlacesAtOnce>& sums) const
+{
+  const std::array<double, 4>* cubics = this->Cubics.data();
+  double own[Places] = { sums[0], sums[1], sums[2], sums[3] };
+  for (std::size_t n = 0; n < data.size(); ++n)
+  {
+    double distances[Places];
+    double positions[Places];
+    PositionsOf(places, data[n], this->StepsPerMetre, distances, positions);
+    for (std::size_t p = 0; p < Places; ++p)
+    {
+      // the step that lies there, or any one where the table holds none
+      const bool isInside = positions[p] >= this->FirstPosition && positions[p] < this->LastPosition;
+      const double position = isInside ? positions[p] : 0.0;
+      const auto step = static_cast<std::int32_t>(position);
+      const double t = position - step;
+      const std::array<double, 4>& cubic = cubics[step];
+      const double value = cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]));
+      const bool isTabulated = isInside && value == value;
+      own[p] += weights[n] * (isTabulated ? value : this->Exact(distances[p]));
+    }
+  }
+  std::copy_n(own, Places, sums.begin());
 }
 
 double CovarianceTable::Exact(double distance) const

@@ -70,6 +70,14 @@ public:
     return this->At(std::sqrt(x * x + y * y));
   }
 
+  /// Places whose sums go side by side.
+  static constexpr std::size_t PlacesAtOnce = 4;
+
+  /// Adds to the sum of each place the weighted covariances with data, in their order: s += w_i C(x - x_i), as by
+  /// Between(), to the bit.
+  void AddWeighted(const std::array<ReducedPlace, PlacesAtOnce>& places, const std::vector<ReducedPlace>& data,
+    const double* weights, std::array<double, PlacesAtOnce>& sums) const;
+
   double GetVariance() const { return this->Field.Variance; }
 
 private:

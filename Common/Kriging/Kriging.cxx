@@ -188,7 +188,13 @@ public:
 
   void Estimate(const KrigingPlace* places, std::size_t count, double* estimates, double* variances) const override
   {
-    for (std::size_t n = 0; n < count; ++n)
+    constexpr std::size_t some = CovarianceTable::PlacesAtOnce;
+    std::size_t n = 0;
+    for (; n + some <= count; n += some)
+    {
+      this->EstimateSome(places + n, estimates + n);
+    }
+    for (; n < count; ++n)
     {
       estimates[n] = this->EstimateAt(places[n]);
     }
@@ -246,6 +252,27 @@ private:
     {
       sum += this->Weights(n) * this->Table.Between(here, this->Reduced[n]);
     }
+    return this->WithDrift(sum, place);
+  }
+
+  /// The same at some places side by side, to the bit.
+  void EstimateSome(const KrigingPlace* places, double* estimates) const
+  {
+    std::array<ReducedPlace, CovarianceTable::PlacesAtOnce> here;
+    std::array<double, CovarianceTable::PlacesAtOnce> sums{};
+    for (std::size_t n = 0; n < here.size(); ++n)
+    {
+      here[n] = this->Reduce(places[n].X, places[n].Y);
+    }
+    this->Table.AddWeighted(here, this->Reduced, this->Weights.data(), sums);
+    for (std::size_t n = 0; n < here.size(); ++n)
+    {
+      estimates[n] = this->WithDrift(sums[n], places[n]);
+    }
+  }
+
+  double WithDrift(double sum, const KrigingPlace& place) const
+  {
     const DriftFunctions::Values functions = this->Functions.At(place);
     for (Eigen::Index m = 0; m < this->Factors.size(); ++m)
     {

@@ -98,6 +98,7 @@ void Carve(benchmark::State& state, const GridSamples& hills, const CarvingTarge
     state.counters["bytes_a_cell"] = (MostMemory() - before) / static_cast<double>(state.range(0));
   }
   state.counters["rounds"] = report.Rounds;
+  state.SetLabel(report.Missed);
   state.counters["reached"] = report.HasReachedTarget ? 1.0 : 0.0;
 }
 

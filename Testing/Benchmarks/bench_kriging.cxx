@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <thread>
 #include <vector>
 
 using namespace littoral;
@@ -101,8 +102,34 @@ void EstimateFromFifty(benchmark::State& state)
   }
 }
 
+/// A whole field on two threads: nodes of a square, all data or neighbourhoods.
+void Nodes(benchmark::State& state)
+{
+  const auto neighbors = static_cast<std::size_t>(state.range(1));
+  const Kriging kriging(Exponential(), Survey(static_cast<std::size_t>(state.range(2))), Square(neighbors));
+  const std::vector<KrigingPlace> places = Places(static_cast<std::size_t>(state.range(0)));
+  std::vector<double> estimates(places.size());
+  const auto estimate = [&](std::size_t begin, std::size_t end) {
+    kriging.Estimate(&places[begin], end - begin, &estimates[begin]);
+  };
+  for (auto _ : state)
+  {
+    std::thread other([&] { estimate(places.size() / 2, places.size()); });
+    estimate(0, places.size() / 2);
+    other.join();
+  }
 }
 
+}
+
+BENCHMARK(Nodes)
+  ->ArgNames({ "size", "neighbors", "data" })
+  ->ArgsProduct({ { 10000, 100000, 1000000 }, { 0 }, { 1000 } })
+  ->ArgsProduct({ { 10000, 100000, 1000000 }, { 50 }, { 100000 } })
+  ->Iterations(1)
+  ->UseRealTime()
+  ->MeasureProcessCPUTime()
+  ->Unit(benchmark::kSecond);
 BENCHMARK(Factor)->ArgName("size")->Arg(250)->Arg(500)->Arg(1000)->Arg(2000)->Unit(benchmark::kMillisecond);
 BENCHMARK(EstimateFromAll)->ArgName("size")->Arg(250)->Arg(1000)->Arg(4000)->Unit(benchmark::kMillisecond);
 BENCHMARK(VariancesFromAll)->ArgName("size")->Arg(250)->Arg(1000)->Unit(benchmark::kMillisecond);
