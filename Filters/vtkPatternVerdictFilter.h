@@ -20,9 +20,9 @@
  * (of a random pattern: 1 for g, r for L), and of the best row `Mean`, `GlobalLow` and `GlobalHigh`, the global
  * envelope.
  *
- * Thomas, Matern cluster and log-Gaussian Cox processes are fitted by minimum contrast, Strauss by pseudo-likelihood, soft
- * core and laws by maximum likelihood. g and L have the translation correction. Fewer than five points, points outside of the window or at one place,
- * and properties out of range are reported as one error.
+ * Thomas, Matern cluster and log-Gaussian Cox processes are fitted by minimum contrast, Strauss by pseudo-likelihood,
+ * soft core and laws by maximum likelihood. g and L have the translation correction. Fewer than five points, points
+ * outside of the window or at one place, and properties out of range are reported as one error.
  *
  * @sa vtkPointProcessSource vtkQuadratAnalysisFilter
  */

@@ -95,7 +95,7 @@ def build(folder, view):
     stirred = levels("StirredLevels", drifting("Stirred", reader("ParticlesAboutKelp", about, folder),
                                                [current, wake]), sea)
     # The current alone moves the others, all by the same step: their levels are chosen before, and again only when the
-    # camera moves. In 6 s they drift by 0.5 m, the distance in which levels blend.
+    # camera moves. In 6 s they drift by 0.5 m, the distance in which levels blend: paraview.TestDriftedLevels.
     carried = drifting("Drifting", levels("DriftingLevels", reader("OtherParticles", beyond, folder), sea, culling=0),
                        [current])
     specks = [on_waves("StirredOnWaves", stirred, sea), on_waves("DriftingOnWaves", carried, sea)]

@@ -39,6 +39,14 @@ class Mutations(unittest.TestCase):
         self.assertEqual(mutate.why_unfit(first._replace(tests=["Cxx/TestNothing"])),
                          "Common/Sea/Dispersion.cxx: there is no test Cxx/TestNothing")
 
+    def test_mutations_of_the_plugin_ask_tests_in_paraview(self):
+        mutation = mutate.Mutation("paraview-plugin/A.cxx", "a", "b", ["ParaView/TestTextures"], "")
+        self.assertEqual(mutate.plugin_tests(mutation), ["-R", "paraview.(TestTextures)$"])
+        self.assertEqual(mutate.plugin_tests(mutation._replace(tests=[])), ["-L", "paraview"])
+        self.assertEqual((mutate.kind_of(mutation, False), mutate.targets_of(mutation, mutate.PLUGIN)),
+                         (mutate.PLUGIN, ["all"]))
+        self.assertEqual(mutate.kind_of(mutation._replace(file="Common/Sea/Dispersion.cxx"), False), mutate.ALL)
+
     def test_a_mirror_writes_what_differs_and_no_more(self):
         with tempfile.TemporaryDirectory() as folder:
             source, copy = os.path.join(folder, "a"), os.path.join(folder, "b")

@@ -16,7 +16,8 @@ no test looks at. A list names a file and its mutations:
 `-` is a piece of a line that stands once in the file, or the whole line, and `+` what stands there instead. First the
 tests of that room of Common are asked, and those elsewhere that include the file's header; then, unless one of them
 fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--rooms` those of Testing/Cxx are not asked, the
-copy is built without VTK, and the lists of files outside of Common are left out. A mutation that no test can notice,
+copy is built without VTK, and the lists of files outside of Common are left out. Mutations of the plugin ask tests of
+Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own. A mutation that no test can notice,
 since the results are the same, has a line `=` with the reason; it must survive.
 
 Built are only the programs that are asked. A second run builds what has changed since the first.
@@ -44,6 +45,7 @@ LONGEST = 600
 USUAL = ["-DLITTORAL_BUILD_BENCHMARKS=OFF", "-DLITTORAL_BUILD_HELP=OFF", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON"]
 ROOMS = ("build-rooms", ["-DLITTORAL_WITH_VTK=OFF", *USUAL])
 ALL = ("build", ["-DLITTORAL_WITH_PYTHON=OFF", *USUAL])
+PLUGIN = ("build-plugin", USUAL)
 
 #: The program of the tests in Testing/Cxx.
 CLASSES = "LittoralCxxTests"
@@ -93,7 +95,8 @@ def why_unfit(mutation, source=SOURCE):
     if mutation.old == mutation.new:
         return f"{mutation.file}: '{mutation.old}' is not changed"
     for test in mutation.tests:
-        if not os.path.isfile(os.path.join(source, "Testing", test + ".cxx")):
+        path = os.path.join(source, "Testing", test)
+        if not os.path.isfile(path + (".py" if test.startswith("ParaView/") else ".cxx")):
             return f"{mutation.file}: there is no test {test}"
     return "" if place(text, mutation.old) >= 0 else f"{mutation.file}: '{mutation.old}' does not stand there once"
 
@@ -124,6 +127,17 @@ def class_tests(mutation):
     return ["-R", f"Cxx-({'|'.join(names)})$"] if names else []
 
 
+def plugin_tests(mutation):
+    """The arguments of ctest for the tests in ParaView that are asked: those of the list."""
+    names = [os.path.basename(test) for test in mutation.tests if test.startswith("ParaView/")]
+    return ["-R", f"paraview.({'|'.join(names)})$"] if names else ["-L", "paraview"]
+
+
+def kind_of(mutation, rooms):
+    """Which build shows a mutation."""
+    return ROOMS if rooms else PLUGIN if mutation.file.startswith("paraview-plugin/") else ALL
+
+
 def run(command, log):
     """Whether a command succeeds; its output goes into a file."""
     with open(log, "wb") as output:
@@ -151,42 +165,51 @@ def mirror(source, copy, left=()):
 
 
 def prepare(mutations, rooms):
-    """A copy of the tree as it is, with its own build."""
-    folder, options = ROOMS if rooms else ALL
-    mirror(SOURCE, COPY, [ROOMS[0], ALL[0], "build-mutation.log"])
+    """A copy of the tree as it is, with its own builds."""
+    mirror(SOURCE, COPY, [ROOMS[0], ALL[0], PLUGIN[0], "build-mutation.log"])
     log = os.path.join(COPY, "build-mutation.log")
-    programs = {program for mutation in mutations for program in room_tests(mutation)}
-    if not rooms and any(class_tests(mutation) for mutation in mutations):
-        programs.add(CLASSES)
-    configure = ["cmake", "--preset", "release", "-B", folder, *options]
-    if not run(configure, log) or not build(log, rooms, sorted(programs)):
-        sys.exit(f"The tree does not build, see {log}")
+    targets = collections.defaultdict(set)
+    for mutation in mutations:
+        folder, options = kind = kind_of(mutation, rooms)
+        targets[folder, tuple(options)].update(targets_of(mutation, kind))
+    for (folder, options), names in targets.items():
+        configure = ["cmake", "--preset", "release", "-B", folder, *options]
+        if not run(configure, log) or not build(log, folder, sorted(names)):
+            sys.exit(f"The tree does not build, see {log}")
 
 
-def build(log, rooms, targets):
-    return run(["cmake", "--build", (ROOMS if rooms else ALL)[0], "--target", *targets], log)
+def targets_of(mutation, kind):
+    """What the tests of a mutation need."""
+    if kind is PLUGIN:
+        return ["all"]
+    return [*room_tests(mutation), *([CLASSES] if kind is ALL and class_tests(mutation) else [])]
+
+
+def build(log, folder, targets):
+    return run(["cmake", "--build", folder, "--target", *targets], log)
 
 
 def failing_test(mutation, rooms, log):
     """What fails, the tests of the room first: the build, a program or a test of a class; empty if nothing does."""
-    folder = (ROOMS if rooms else ALL)[0]
+    kind = kind_of(mutation, rooms)
+    folder = kind[0]
     environment = os.path.join(COPY, folder, "bin", "littoral-env")
-    programs = room_tests(mutation)
-    if programs and not build(log, rooms, programs):
+    programs = [] if kind is PLUGIN else room_tests(mutation)
+    if programs and not build(log, folder, programs):
         return "the build"
     for program in programs:
         if not run([environment, os.path.join(folder, "bin", program), "--gtest_fail_fast"], log):
             return program
-    chosen = [] if rooms else class_tests(mutation)
+    chosen = {ROOMS[0]: [], PLUGIN[0]: plugin_tests(mutation)}.get(folder, class_tests(mutation))
     if not chosen:
         return ""
-    if not build(log, rooms, [CLASSES]):
+    if not build(log, folder, ["all"] if kind is PLUGIN else [CLASSES]):
         return "the build"
     if run([environment, "xvfb-run", "-a", "ctest", "--test-dir", folder, "--stop-on-failure", "--no-tests=error",
             "--timeout", str(LONGEST), "--parallel", str(os.cpu_count()), *chosen], log):
         return ""
     with open(log, encoding="utf-8", errors="replace") as output:
-        failed = re.findall(r"Cxx-(\w+) .*\*\*\*", output.read())
+        failed = re.findall(r"(?:Cxx-|paraview\.)(\w+) .*\*\*\*", output.read())
     return " ".join(failed) or "ctest"
 
 
