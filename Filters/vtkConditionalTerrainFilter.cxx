@@ -67,6 +67,12 @@ vtkConditionalTerrainFilter::vtkConditionalTerrainFilter()
 vtkConditionalTerrainFilter::~vtkConditionalTerrainFilter() = default;
 
 //----------------------------------------------------------------------------
+const char* vtkConditionalTerrainFilter::GetModelAsString() const
+{
+  return this->Model == FittedToData ? "FittedToData" : this->Superclass::GetModelAsString();
+}
+
+//----------------------------------------------------------------------------
 void vtkConditionalTerrainFilter::SetErrorArray(const char* name)
 {
   this->SetName(this->ErrorArray, name ? name : "None");
@@ -308,8 +314,7 @@ bool vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, 
   }
   survey.Mean = this->KrigingType != Simple || survey.Scores ? 0.0 : survey.Mean;
   littoral::TakeNeighbors(this->NumberOfNeighbors, survey);
-  return fits || this->Model != FittedToData ||
-    this->Refuse(littoral::FitModel(survey, littoral::AbortableFor(this)));
+  return fits || this->Model != FittedToData || this->Refuse(littoral::FitModel(survey, littoral::AbortableFor(this)));
 }
 
 //----------------------------------------------------------------------------

@@ -70,10 +70,17 @@ public:
     KrigingEstimate = 1,
   };
 
-  /// Beside the ModelType of the base class.
-  enum FittedModelType
+  /// Those of the base class, and one more.
+  enum ModelType
   {
     FittedToData = -1,
+    Fractal = 0,
+    SimpleExponential = 1,
+    DoubleExponential = 2,
+    Bessel1 = 3,
+    Bessel2 = 4,
+    Telis = 5,
+    Spherical = 6,
   };
 
   enum KrigingTypeType
@@ -135,6 +142,7 @@ public:
    * whose kriging system can be solved, with a nugget where the fit calls for one. That needs at least 20 data.
    */
   void SetModelToFittedToData() { this->SetModel(FittedToData); }
+  const char* GetModelAsString() const override;
 
   ///@{
   /**

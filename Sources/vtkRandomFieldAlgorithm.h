@@ -46,7 +46,7 @@ public:
    */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
-  const char* GetModelAsString() const;
+  virtual const char* GetModelAsString() const;
   void SetModelToFractal() { this->SetModel(Fractal); }
   void SetModelToSimpleExponential() { this->SetModel(SimpleExponential); }
   void SetModelToDoubleExponential() { this->SetModel(DoubleExponential); }

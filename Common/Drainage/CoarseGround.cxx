@@ -4,6 +4,7 @@
 
 #include "Drainage/RingSpectrum.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace littoral
@@ -67,21 +68,34 @@ GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel)
 
 void TakeLongWaves(GridSamples& ground, const GridSamples& coarse, const ParallelFor& parallel)
 {
-  RemovePlane(ground);
-  CosineTransform(ground, parallel);
+  // Changes of the plane are added as a plane, those of the rest as waves.
+  GridSamples before = CoarseGround(ground, parallel);
   GridSamples waves = coarse;
-  const PlaneTrend plane = RemovePlane(waves);
+  PlaneTrend plane = RemovePlane(waves);
+  const PlaneTrend old = RemovePlane(before);
+  plane.Mean -= old.Mean;
+  plane.Slope = { plane.Slope[0] - old.Slope[0], plane.Slope[1] - old.Slope[1] };
+  for (std::size_t n = 0; n < waves.Values.size(); ++n)
+  {
+    waves.Values[n] -= before.Values[n];
+  }
   CosineTransform(waves, parallel);
+  GridSamples change = ground;
+  std::fill(change.Values.begin(), change.Values.end(), 0.0);
   const double scale = ScaleBetween(waves, ground);
   for (int j = 0; j < waves.Height; ++j)
   {
     for (int i = 0; i < waves.Width; ++i)
     {
-      ground.At(i, j) = scale * waves.At(i, j);
+      change.At(i, j) = scale * waves.At(i, j);
     }
   }
-  InverseCosineTransform(ground, parallel);
-  AddPlane(ground, plane, parallel);
+  InverseCosineTransform(change, parallel);
+  AddPlane(change, plane, parallel);
+  for (std::size_t n = 0; n < ground.Values.size(); ++n)
+  {
+    ground.Values[n] += change.Values[n];
+  }
 }
 
 DrainageOutlets CoarseOutlets(const DrainageOutlets& outlets, const GridSamples& ground)

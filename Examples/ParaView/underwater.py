@@ -108,6 +108,8 @@ def build(folder, view):
     for animated in (surface, bending, *specks):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
+    # The color map editor of ParaView 5.11's window fails on the histogram of a fog that is still empty.
+    simple.SetActiveSource(sea)
     underwater.show_fog(fog, view)
     for near in specks:
         underwater.show_particles(near, view, EYE)

@@ -266,7 +266,13 @@ bool Preferences()
   slope.Filter->Update();
   Of(slope.Filter->GetOutput(), "Species")->GetRange(range);
   good &= Check(range[0] == 0.0 && range[1] == 3.0, "the usual species");
-  // On ground as wet as birches like it there are more of them than on dry ground.
+  // On gentle ground as wet as birches like it there are more of them than on dry ground.
+  vtkDataArray* heights = slope.Terrain->GetPointData()->GetScalars();
+  for (vtkIdType point = 0; point < heights->GetNumberOfTuples(); ++point)
+  {
+    heights->SetTuple1(point, 0.1 * heights->GetTuple1(point));
+  }
+  heights->Modified();
   const auto birches = [&](double area) {
     slope.AddDrainage(area);
     slope.Filter->Update();
@@ -281,8 +287,8 @@ bool Preferences()
     }
     return found;
   };
-  const long long dry = birches(300.0);
-  const long long wet = birches(10.0 * 0.9 * std::exp(9.0));
+  const long long dry = birches(10.0 * 0.09 * std::exp(5.0));
+  const long long wet = birches(10.0 * 0.09 * std::exp(9.0));
   return good & Check(wet > 2 * dry && dry > 0, std::to_string(dry) + " and " + std::to_string(wet) + " birches");
 }
 

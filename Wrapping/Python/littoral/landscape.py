@@ -159,9 +159,9 @@ def _sampled(values, spacing, x, y):
 PREFERENCES = {
     "species": ("pine", "oak", "birch", "shrub"), "abundance": (1.0, 1.4, 0.8, 0.3),
     "relative_elevation": (0.75, 0.3, "", ""), "relative_elevation_tolerance": (0.3, 0.3, "", ""),
-    "slope": (18.0, 8.0, 0.0, 30.0), "slope_tolerance": (12.0, 12.0, 12.0, 8.0),
+    "slope": (18.0, 8.0, 0.0, 30.0), "slope_tolerance": (12.0, 12.0, 16.0, 8.0),
     "aspect": (200.0, "", "", ""), "aspect_tolerance": (90.0, "", "", ""),
-    "wetness": ("", "", 10.0, ""), "wetness_tolerance": ("", "", 2.0, "")}
+    "wetness": ("", "", 8.5, ""), "wetness_tolerance": ("", "", 2.5, "")}
 
 
 def preferred_species(terrain, x, y, seed=1):
