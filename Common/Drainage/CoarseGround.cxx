@@ -34,10 +34,17 @@ void AddPlane(GridSamples& ground, const PlaneTrend& plane, const ParallelFor& p
   });
 }
 
-/// What a coefficient of the orthonormal transform of one grid is on another of the same area: c' = c sqrt(N' / N).
-double ScaleBetween(const GridSamples& from, const GridSamples& to)
+/// Puts the waves that both grids have into another of the same area: of orthonormal transforms c' = c sqrt(N' / N).
+void CopyWaves(const GridSamples& from, GridSamples& to)
 {
-  return std::sqrt(static_cast<double>(to.Values.size()) / static_cast<double>(from.Values.size()));
+  const double scale = std::sqrt(static_cast<double>(to.Values.size()) / static_cast<double>(from.Values.size()));
+  for (int j = 0; j < std::min(from.Height, to.Height); ++j)
+  {
+    for (int i = 0; i < std::min(from.Width, to.Width); ++i)
+    {
+      to.At(i, j) = scale * from.At(i, j);
+    }
+  }
 }
 
 }
@@ -53,14 +60,7 @@ GridSamples CoarseGround(const GridSamples& ground, const ParallelFor& parallel)
   coarse.Spacing = { ground.Spacing[0] * ground.Width / coarse.Width,
     ground.Spacing[1] * ground.Height / coarse.Height };
   coarse.Values.resize(static_cast<std::size_t>(coarse.Width) * coarse.Height);
-  const double scale = ScaleBetween(ground, coarse);
-  for (int j = 0; j < coarse.Height; ++j)
-  {
-    for (int i = 0; i < coarse.Width; ++i)
-    {
-      coarse.At(i, j) = scale * field.At(i, j);
-    }
-  }
+  CopyWaves(field, coarse);
   InverseCosineTransform(coarse, parallel);
   AddPlane(coarse, plane, parallel);
   return coarse;
@@ -82,14 +82,7 @@ void TakeLongWaves(GridSamples& ground, const GridSamples& coarse, const Paralle
   CosineTransform(waves, parallel);
   GridSamples change = ground;
   std::fill(change.Values.begin(), change.Values.end(), 0.0);
-  const double scale = ScaleBetween(waves, ground);
-  for (int j = 0; j < waves.Height; ++j)
-  {
-    for (int i = 0; i < waves.Width; ++i)
-    {
-      change.At(i, j) = scale * waves.At(i, j);
-    }
-  }
+  CopyWaves(waves, change);
   InverseCosineTransform(change, parallel);
   AddPlane(change, plane, parallel);
   for (std::size_t n = 0; n < ground.Values.size(); ++n)
