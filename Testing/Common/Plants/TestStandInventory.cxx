@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <string>
+#include <utility>
 
 using namespace littoral;
 
@@ -65,27 +67,112 @@ std::string Grid(int side, const std::string& head, const std::string& rest)
 
 }
 
+namespace
+{
+
+/// H [ft] = 4.5 + P2 exp(-P3 D^P4), D in inches.
+struct CurveInFeet
+{
+  const char* Species;
+  double P2;
+  double P3;
+  double P4;
+
+  /// Height [m] at a diameter [inches].
+  double HeightAt(double inches) const
+  {
+    return 0.3048 * (4.5 + this->P2 * std::exp(-this->P3 * std::pow(inches, this->P4)));
+  }
+};
+
+/// The Southern variant of the Forest Vegetation Simulator, table SNALL of its source sn/htdbh.f.
+constexpr CurveInFeet SouthernVariant[] = {
+  { "fir", 2163.946776, 6.26880851, -0.2161439 },
+  { "eastern redcedar", 212.7932729, 3.47154903, -0.3258523 },
+  { "spruce", 2163.946776, 6.26880851, -0.2161439 },
+  { "sand pine", 3919.995225, 6.87312726, -0.19063343 },
+  { "shortleaf pine", 444.0921666, 4.11876312, -0.30617043 },
+  { "slash pine", 1087.101439, 5.10450596, -0.24284896 },
+  { "longleaf pine", 98.56082813, 3.89930709, -0.86730393 },
+  { "pitch pine", 208.7773185, 3.72806565, -0.410875 },
+  { "pond pine", 142.7468108, 3.97260802, -0.5870983 },
+  { "eastern white pine", 2108.844224, 5.65948135, -0.18563136 },
+  { "loblolly pine", 243.860648, 4.28460566, -0.47130185 },
+  { "Virginia pine", 926.1802712, 4.46209203, -0.20053974 },
+  { "baldcypress", 119.5749091, 4.13535453, -0.79625456 },
+  { "hemlock", 266.4562239, 3.99313675, -0.38600287 },
+  { "red maple", 268.5564351, 3.11432843, -0.29411156 },
+  { "silver maple", 80.51179925, 26.98331005, -2.02202808 },
+  { "sugar maple", 209.8555358, 2.95281334, -0.36787496 },
+  { "buckeye", 630.9504602, 4.51086779, -0.26826208 },
+  { "birch", 170.5253403, 2.68833651, -0.40080716 },
+  { "American hornbeam", 628.0209077, 3.88103963, -0.15387585 },
+  { "hickory", 337.6684758, 3.62726466, -0.32083172 },
+  { "hackberry", 484.7529797, 3.93933286, -0.25998833 },
+  { "flowering dogwood", 863.0501053, 4.38560239, -0.14812185 },
+  { "American beech", 526.1392688, 3.89232121, -0.22587084 },
+  { "ash", 251.4042514, 3.26919806, -0.35905996 },
+  { "white ash", 91.35276617, 6.99605268, -1.22937669 },
+  { "green ash", 404.9692122, 3.39019741, -0.255096 },
+  { "black walnut", 93.71042027, 3.6575094, -0.88246833 },
+  { "sweetgum", 290.90548, 3.6239536, -0.3720123 },
+  { "yellow-poplar", 625.7696614, 3.87320571, -0.23349496 },
+  { "magnolia", 585.6609078, 3.41972033, -0.17661706 },
+  { "blackgum", 319.9788466, 3.67313408, -0.30651323 },
+  { "sourwood", 690.4917743, 4.15983216, -0.18613455 },
+  { "sycamore", 644.3567687, 3.92045786, -0.21444786 },
+  { "black cherry", 364.0247807, 3.55987361, -0.27263121 },
+  { "white oak", 170.1330787, 3.27815866, -0.48744214 },
+  { "scarlet oak", 196.0564703, 3.0067167, -0.38499624 },
+  { "southern red oak", 150.4300023, 3.13270999, -0.49925872 },
+  { "water oak", 470.0617193, 3.78892643, -0.25123824 },
+  { "northern red oak", 700.0636452, 4.10607389, -0.21392785 },
+  { "post oak", 765.2907525, 4.22375114, -0.18974706 },
+  { "black oak", 224.716279, 3.11648501, -0.35982064 },
+  { "live oak", 153.9588254, 3.11348786, -0.38947124 },
+  { "black locust", 880.2844971, 4.59642097, -0.21824277 },
+  { "willow", 408.2772475, 3.81808285, -0.27210505 },
+  { "sassafras", 755.1038099, 4.39496421, -0.21778831 },
+  { "basswood", 293.5715132, 3.52261899, -0.35122247 },
+  { "elm", 1005.80672, 4.6473994, -0.20336143 },
+  { "softwood", 212.7932729, 3.47154903, -0.32585230 },
+  { "hardwood", 109.7324294, 2.25025802, -0.41297463 },
+};
+
+double OwnHeight(const char* name, double inches)
+{
+  return HeightOf(Species().GetSpecies()[Species().RowOf(name, "")].Curve, 0.0254 * inches);
+}
+
+}
+
 TEST(StandAllometry, CurvesOfTheForestVegetationSimulator)
 {
-  // H [ft] = 4.5 + P2 exp(-P3 D^P4), D in inches (Keyser 2008, Southern variant).
-  const auto feet = [](double p2, double p3, double p4, double inches) {
-    return 0.3048 * (4.5 + p2 * std::exp(-p3 * std::pow(inches, p4)));
-  };
-  const auto own = [](const char* name, double inches) {
-    return HeightOf(Species().GetSpecies()[Species().RowOf(name, "")].Curve, 0.0254 * inches);
-  };
-  for (const double inches : { 3.0, 8.0, 12.0, 25.0 })
+  EXPECT_EQ(std::size(SouthernVariant) + 1, Species().GetSpecies().size()); // and all tropics
+  for (const CurveInFeet& curve : SouthernVariant)
   {
-    EXPECT_NEAR(own("longleaf pine", inches), feet(98.56082813, 3.89930709, -0.86730393, inches), 1e-4);
-    EXPECT_NEAR(own("loblolly pine", inches), feet(243.860648, 4.28460566, -0.47130185, inches), 1e-4);
-    EXPECT_NEAR(own("shortleaf pine", inches), feet(444.0921666, 4.11876312, -0.30617043, inches), 1e-4);
-    EXPECT_NEAR(own("slash pine", inches), feet(1087.101439, 5.10450596, -0.24284896, inches), 2e-4);
-    EXPECT_NEAR(own("Quercus alba", inches), feet(170.1330787, 3.27815866, -0.48744214, inches), 1e-4);
-    EXPECT_NEAR(own("redoak", inches), feet(700.0636452, 4.10607389, -0.21392785, inches), 1e-4);
-    EXPECT_NEAR(own("Carya glabra", inches), feet(337.6684758, 3.62726466, -0.32083172, inches), 1e-4);
+    for (const double inches : { 3.0, 8.0, 12.0, 40.0 })
+    {
+      const double wanted = curve.HeightAt(inches);
+      EXPECT_NEAR(OwnHeight(curve.Species, inches), wanted, 1e-6 * wanted) << curve.Species;
+    }
   }
-  // Feldpausch et al. (2012), all tropics: 30 cm, 23.1 m.
-  EXPECT_NEAR(own("tropical", 30.0 / 2.54), 50.874 * (1.0 - std::exp(-0.042 * std::pow(30.0, 0.784))), 1e-9);
+}
+
+// Other names lead to the same rows.
+TEST(StandAllometry, SpeciesHaveOtherNames)
+{
+  for (const auto& [other, name] : { std::pair("Quercus alba", "white oak"), std::pair("redoak", "northern red oak"),
+         std::pair("Carya glabra", "hickory"), std::pair("Pinus", "loblolly pine") })
+  {
+    EXPECT_EQ(Species().RowOf(other, ""), Species().RowOf(name, "")) << other;
+  }
+}
+
+// Feldpausch et al. (2012), all tropics: 30 cm, 23.1 m.
+TEST(StandAllometry, CurveOfAllTropics)
+{
+  EXPECT_NEAR(OwnHeight("tropical", 30.0 / 2.54), 50.874 * (1.0 - std::exp(-0.042 * std::pow(30.0, 0.784))), 1e-9);
 }
 
 TEST(StandAllometry, GrowsFromBreastHeightAndBack)
