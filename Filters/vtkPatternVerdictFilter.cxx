@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -48,6 +49,7 @@ void WriteLaws(const std::vector<Judged>& laws, vtkTable* table)
   column(
     "ProcessId", [](const Judged& law) { return law.IsProcess ? static_cast<int>(law.Process.Process.Process) : -1; });
   column("LawId", [](const Judged& law) { return law.IsProcess ? -1 : static_cast<int>(law.Law.Law.Law); });
+  column("TrendDegree", [](const Judged& law) { return law.Process.Trend.Exists() ? law.Process.Trend.Degree : 0; });
   for (const auto* parameter : littoral::AllPointProcessParameters())
   {
     column(parameter->Name, [=](const Judged& law) {
@@ -84,6 +86,23 @@ void AddPlace(
   littoral::AddField(table, "Level", { level });
 }
 
+/// Adds the coefficients of the trend as field data, which all processes share that have one.
+void AddTrend(const std::vector<Judged>& laws, vtkTable* table)
+{
+  const auto found = std::find_if(
+    laws.begin(), laws.end(), [](const Judged& law) { return law.IsProcess && law.Process.Trend.Exists(); });
+  if (found != laws.end())
+  {
+    vtkNew<vtkDoubleArray> coefficients;
+    coefficients->SetName("Trend");
+    for (const double coefficient : found->Process.Trend.Coefficients)
+    {
+      coefficients->InsertNextValue(coefficient);
+    }
+    table->GetFieldData()->AddArray(coefficients);
+  }
+}
+
 void WriteEnvelope(const littoral::PatternJudgement& judgement, bool isLength, vtkTable* table)
 {
   std::vector<std::size_t> rows(judgement.Distances.size());
@@ -112,6 +131,7 @@ vtkPatternVerdictFilter::vtkPatternVerdictFilter()
   , Size{ 0.0, 0.0 }
   , Function(PairCorrelation)
   , Contrast(FitRipley)
+  , TrendDegree(0)
   , LargestDistance(0.0)
   , NumberOfSimulations(99)
   , Level(0.05)
@@ -156,6 +176,7 @@ int vtkPatternVerdictFilter::RequestData(
   }
   littoral::VerdictOptions options;
   options.Contrast.Function = static_cast<littoral::ContrastFunction>(this->Contrast);
+  options.Contrast.TrendDegree = this->TrendDegree;
   options.Contrast.Largest = this->LargestDistance;
   options.Function = static_cast<littoral::VerdictFunction>(this->Function);
   options.Simulations = this->NumberOfSimulations;
@@ -198,6 +219,7 @@ int vtkPatternVerdictFilter::RequestData(
   vtkTable* laws = vtkTable::GetData(outputVector, 0);
   WriteLaws(judgement.Laws, laws);
   AddPlace(window, judgement.Grid, this->Level, laws);
+  AddTrend(judgement.Laws, laws);
   WriteEnvelope(judgement, this->Function == BesagL, vtkTable::GetData(outputVector, 1));
   this->UpdateProgress(1.0);
   return 1;
@@ -219,6 +241,7 @@ void vtkPatternVerdictFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "Function: " << this->Function << "\n";
   os << indent << "Contrast: " << this->Contrast << "\n";
+  os << indent << "TrendDegree: " << this->TrendDegree << "\n";
   os << indent << "LargestDistance: " << this->LargestDistance << "\n";
   os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
   os << indent << "Level: " << this->Level << "\n";

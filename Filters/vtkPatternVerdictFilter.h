@@ -11,16 +11,19 @@
  * it. Columns: `Law` (name), `Kind` (process or quadrat law), `Verdict`: `best` of those that the test does not reject,
  * `not distinguishable` for the others of them, `worse` where it rejects, which may be everywhere, `does not exist`
  * where the points admit no such process or law; `PValue` of the global envelope test of extreme rank lengths
- * (Myllymaki et al. 2017), `ProcessId` and `LawId` (-1 for those of the other kind), the parameters of processes
- * `Intensity` [1/m2], `ClusterSize`, `ClusterScale` [m], `Variance`, `Range` [m], `Distance` [m], `Activity` [1/m2],
- * `Interaction` and of laws `MeanPerQuadrat`, `Trials`, `ClusterShape`, `ClusterMean`, `ClusterSuccess` (NaN where
- * there is no such parameter). Field data: `Window` (corners), `Origin`, `Size`, `Quadrats`, `Level`.
+ * (Myllymaki et al. 2017), `TrendDegree` (0: no trend), `ProcessId` and `LawId` (-1 for those of the other kind), the
+ * parameters of processes `Intensity` [1/m2], `ClusterSize`, `ClusterScale` [m], `Variance`, `Range` [m], `Distance`
+ * [m], `Activity` [1/m2], `Interaction` and of laws `MeanPerQuadrat`, `Trials`, `ClusterShape`, `ClusterMean`,
+ * `ClusterSuccess` (NaN where there is no such parameter). Field data: `Window` (corners), `Origin`, `Size`,
+ * `Quadrats`, `Level`, and `Trend`, the coefficients of 1, u, v, u^2, u v, v^2, u^3 ..., where u and v go from -1 to 1
+ * over the bounding box of the window and the intensity [1/m2] is the exponential of the sum, if there is a trend.
  *
  * Output 1: a vtkTable with a row per `Distance` [m], ready for a line chart: the `Measured` function, `Theoretical`
  * (of a random pattern: 1 for g, r for L), and of the best row `Mean`, `GlobalLow` and `GlobalHigh`, the global
  * envelope.
  *
- * Thomas, Matern cluster and log-Gaussian Cox processes are fitted by minimum contrast, Strauss by pseudo-likelihood,
+ * Trends are fitted by composite likelihood (Waagepetersen 2007); Thomas, Matern cluster and log-Gaussian Cox processes
+ * by minimum contrast, with a trend of the K or g of points weighted by 1 / intensity; Strauss by pseudo-likelihood,
  * soft core and laws by maximum likelihood. g and L have the translation correction. Fewer than five points, points
  * outside of the window or at one place, and properties out of range are reported as one error.
  *
@@ -98,6 +101,15 @@ public:
 
   ///@{
   /**
+   * Degree of the polynomial in x and y that the logarithm of the intensity is, 0 to 3; default 0, the same intensity
+   * everywhere. A trend is for Poisson, Thomas, Matern cluster and log-Gaussian Cox processes; the others have none.
+   */
+  vtkSetMacro(TrendDegree, int);
+  vtkGetMacro(TrendDegree, int);
+  ///@}
+
+  ///@{
+  /**
    * Largest distance that is compared [m], not negative; default 0, a quarter of the shorter side, at most that within
    * which a thousand points are expected.
    */
@@ -150,6 +162,7 @@ protected:
   double Size[2];
   int Function;
   int Contrast;
+  int TrendDegree;
   double LargestDistance;
   int NumberOfSimulations;
   double Level;

@@ -167,8 +167,18 @@ struct vtkPointPatternStatisticsFilter::Pattern
   vtkTable* Fits = nullptr;
   bool HasProcess = false; ///< of the fits; else they have a law
   littoral::PointProcessParameters Process;
+  littoral::IntensityRaster Trend; ///< without values: there is none
   littoral::QuadratLawParameters QuadratLaw;
   littoral::QuadratGrid Grid;
+
+  /// How the process is simulated with a seed.
+  littoral::ProcessOptions Simulation(int seed) const
+  {
+    littoral::ProcessOptions options;
+    options.Seed = seed;
+    options.Raster = this->Trend.Values.empty() ? nullptr : &this->Trend;
+    return options;
+  }
 
   /// The points of the first and the second species when place n has the species of place order[n].
   std::array<std::vector<littoral::PlanePosition>, 2> Split(const std::vector<std::size_t>& order) const
@@ -190,9 +200,7 @@ struct vtkPointPatternStatisticsFilter::Pattern
   {
     if (this->HasProcess)
     {
-      littoral::ProcessOptions options;
-      options.Seed = seed;
-      return littoral::SimulateProcess(this->Process, options, this->Window).Points;
+      return littoral::SimulateProcess(this->Process, this->Simulation(seed), this->Window).Points;
     }
     const auto counts =
       littoral::QuadratCounts(this->QuadratLaw, this->Grid.NumberOfQuadrats(), littoral::QuadratMode::Sampling, seed);
@@ -386,9 +394,10 @@ std::string vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
   if (pattern.HasProcess)
   {
     littoral::ObservationWindow ofFit;
-    reason = littoral::ReadProcessFit(pattern.Fits, pattern.Process, ofFit);
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.Process, {}, pattern.Window) : reason;
-    expected = reason.empty() ? littoral::ExpectedDraws(pattern.Process, {}, pattern.Window) : 0.0;
+    reason = littoral::ReadProcessFit(pattern.Fits, pattern.Process, ofFit, pattern.Trend);
+    const littoral::ProcessOptions options = pattern.Simulation(1);
+    reason = reason.empty() ? littoral::WhyInvalid(pattern.Process, options, pattern.Window) : reason;
+    expected = reason.empty() ? littoral::ExpectedDraws(pattern.Process, options, pattern.Window) : 0.0;
   }
   else
   {

@@ -229,12 +229,15 @@ std::string vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Rec
   auto* image = littoral::OptionalInputOf<vtkImageData>(inputs[IntensityPort], "IntensityImage", reason);
   auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window", reason);
   check.Require(reason);
-  check.Require(table ? littoral::ReadProcessFit(table, process, recipe.Window) : std::string());
+  check.Require(table ? littoral::ReadProcessFit(table, process, recipe.Window, recipe.Raster) : std::string());
   check.Require(polygon ? littoral::ReadWindow(polygon, recipe.Window) : std::string());
+  if (image || !recipe.Raster.Values.empty())
+  {
+    recipe.Options.Raster = &recipe.Raster;
+  }
   if (image)
   {
     recipe.Raster.Scale = static_cast<littoral::IntensityScale>(this->IntensityScale);
-    recipe.Options.Raster = &recipe.Raster;
     const bool isActive = this->IntensityArray.empty() || this->IntensityArray == "None";
     littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "the intensity image");
     vtkDataArray* values =

@@ -23,9 +23,9 @@
  *
  * Optional inputs:
  * - Input (port 0): a vtkTable of fits of vtkPatternVerdictFilter. Its first row that is a process replaces Process and
- *   its parameters, and its window replaces Origin and Size.
+ *   its parameters, its window replaces Origin and Size, and the intensity follows its trend, if it has one.
  * - Intensity image (port 1): vtkImageData, one layer; each point of it stands for the cell about it, outside there are
- *   no points. The array is IntensityArray.
+ *   no points. The array is IntensityArray. It replaces the trend of the table.
  * - Window (port 2): vtkPolyData with one polygon, which replaces Origin and Size.
  *
  * Field data: `IsExact`, 0 where a Strauss pattern is that of a birth-death process after 32 lifetimes, since no end of

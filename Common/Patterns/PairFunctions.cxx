@@ -137,6 +137,10 @@ public:
     {
       this->Marks.push_back(marks[this->From.GetOrder()[n]]);
     }
+    for (std::size_t n = 0; n < options.Weights.size(); ++n)
+    {
+      this->Weights.push_back(options.Weights[this->From.GetOrder()[n]]);
+    }
   }
 
   /// Sums of blocks of points, added in their order.
@@ -282,7 +286,8 @@ private:
       }
       return;
     }
-    const double weight = this->WeightOf(i, j, distance);
+    const double own = this->Weights.empty() ? 1.0 : this->Weights[i] * this->Weights[j];
+    const double weight = own * this->WeightOf(i, j, distance);
     if (this->Options.WantsK)
     {
       sums.Within[this->StepOf(distance)] += weight;
@@ -339,6 +344,7 @@ private:
   std::shared_ptr<const CommonAreaTable> Areas;
   std::vector<double> EdgeDistances;
   std::vector<double> Marks;
+  std::vector<double> Weights;
 };
 
 /// K from the sums; `pairs` is the number of ordered pairs, `target` the number of points that are counted.
@@ -451,6 +457,19 @@ std::vector<double> MarkCorrelationOf(const PairSums& sums, const PairOptions& o
   return correlation;
 }
 
+/// The number of ordered pairs of one pattern, or what weights make of it: (sum of w)^2 - sum of w^2.
+double PairsOf(std::size_t points, const std::vector<double>& weights)
+{
+  double sum = static_cast<double>(points);
+  double squares = sum;
+  if (!weights.empty())
+  {
+    sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    squares = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
+  }
+  return sum * sum - squares;
+}
+
 PairFunctions FunctionsOf(const std::vector<PlanePosition>& from, const std::vector<PlanePosition>& to, bool isCross,
   const std::vector<double>& marks, const ObservationWindow& window, const PairOptions& options,
   const ParallelFor& parallel)
@@ -459,7 +478,7 @@ PairFunctions FunctionsOf(const std::vector<PlanePosition>& from, const std::vec
   const PairSums sums = summation.Sum(parallel);
   const double area = window.GetArea();
   const double target = static_cast<double>(to.size());
-  const double pairs = static_cast<double>(from.size()) * (isCross ? target : target - 1.0);
+  const double pairs = isCross ? static_cast<double>(from.size()) * target : PairsOf(from.size(), options.Weights);
   PairFunctions functions;
   if (options.WantsK)
   {

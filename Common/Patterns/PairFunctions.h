@@ -60,6 +60,9 @@ struct PairOptions
   double HalfWidth = 0.0;
   /// Standard deviation of the Gaussian kernel of the mark correlation [m]; 0: Silverman's rule for the distances.
   double MarkWidth = 0.0;
+  /// Of the points, 1 / intensity, where the intensity changes from place to place; empty: it is the same everywhere.
+  /// Not for Border and cross functions.
+  std::vector<double> Weights;
   /// For many patterns in one window: its areas up to Largest and the half width; null: found anew for each pattern.
   std::shared_ptr<const CommonAreaTable> Areas;
 };
@@ -80,6 +83,9 @@ struct PairFunctions
  *
  *   K(r) = |W| / (n (n - 1)) sum over i != j of 1(d_ij <= r) e_ij
  *   g(r) = |W| / (2 pi r n (n - 1)) sum over i != j of kernel(r - d_ij) e_ij
+ *
+ * Where weights w_i are given (Baddeley, Moller and Waagepetersen 2000), each pair counts w_i w_j, and n (n - 1) is
+ * (sum of w)^2 - sum of w^2.
  *
  * With Border: K(r) = |W| / n sum over i with b_i >= r of the points within r / number of such i, b_i the distance to
  * the edge. g and the mark correlation have no such form; they are empty then.

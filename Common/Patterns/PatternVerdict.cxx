@@ -135,7 +135,9 @@ private:
 
 int ParametersOf(const JudgedLaw& law)
 {
-  return law.IsProcess ? TraitsOf(law.Process.Process.Process).Parameters.Size() : law.Law.Parameters;
+  const int trend = static_cast<int>(law.Process.Trend.Coefficients.size());
+  return law.IsProcess ? TraitsOf(law.Process.Process.Process).Parameters.Size() + std::max(0, trend - 1)
+                       : law.Law.Parameters;
 }
 
 /// The largest p first, then the fewest parameters; what does not exist last.
@@ -197,11 +199,18 @@ PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const Ob
     JudgedLaw law;
     law.Process = FitProcess(static_cast<PointProcess>(id), points, window, options.Contrast, parallel);
     const PointProcessParameters& process = law.Process.Process;
-    law.Process.Exists = law.Process.Exists && WhyInvalid(process, {}, window).empty();
+    IntensityRaster raster;
+    ProcessOptions simulation;
+    if (law.Process.Trend.Exists())
+    {
+      raster = RasterOf(law.Process.Trend, window);
+      simulation.Raster = &raster;
+    }
+    law.Process.Exists = law.Process.Exists && WhyInvalid(process, simulation, window).empty();
     if (law.Process.Exists)
     {
       const auto draw = [&](int seed) {
-        ProcessOptions seeded;
+        ProcessOptions seeded = simulation;
         seeded.Seed = seed;
         return SimulateProcess(process, seeded, window).Points;
       };

@@ -116,7 +116,7 @@ bool IsFound(const PointProcessParameters& process, double largest, double point
 
 /// Distances of the contrast and the measured function there, to the power q.
 void Measure(const std::vector<PlanePosition>& points, const ObservationWindow& window, const ContrastOptions& options,
-  const ParallelFor& parallel, std::vector<double>& distances, std::vector<double>& powers)
+  const IntensityTrend& trend, const ParallelFor& parallel, std::vector<double>& distances, std::vector<double>& powers)
 {
   PairOptions pairs;
   pairs.Distances = DefaultDistances(window, points.size());
@@ -124,6 +124,10 @@ void Measure(const std::vector<PlanePosition>& points, const ObservationWindow& 
   pairs.Correction = options.Correction;
   pairs.WantsK = options.Function == ContrastFunction::Ripley;
   pairs.WantsG = !pairs.WantsK;
+  for (std::size_t n = 0; trend.Exists() && n < points.size(); ++n)
+  {
+    pairs.Weights.push_back(1.0 / trend.At(window, points[n]));
+  }
   const PairFunctions functions = FindPairFunctions(points, window, pairs, parallel);
   const std::vector<double>& values = pairs.WantsK ? functions.K : functions.PairCorrelation;
   const int first = pairs.WantsK ? 0 : 1; // g(0) can be infinite
@@ -135,11 +139,12 @@ void Measure(const std::vector<PlanePosition>& points, const ObservationWindow& 
 }
 
 ProcessFit FitByContrast(PointProcess process, const std::vector<PlanePosition>& points,
-  const ObservationWindow& window, const ContrastOptions& options, const ParallelFor& parallel)
+  const ObservationWindow& window, const ContrastOptions& options, const IntensityTrend& trend,
+  const ParallelFor& parallel)
 {
   std::vector<double> distances;
   std::vector<double> powers;
-  Measure(points, window, options, parallel, distances, powers);
+  Measure(points, window, options, trend, parallel, distances, powers);
   const double intensity = static_cast<double>(points.size()) / window.GetArea();
   const Contrast contrast(process, intensity, distances, powers, options);
   const double largest = distances.back();
@@ -170,6 +175,7 @@ ProcessFit FitByContrast(PointProcess process, const std::vector<PlanePosition>&
       }
     }
   }
+  best.Trend = trend;
   best.Exists = IsFound(best.Process, largest, static_cast<double>(points.size())) && WhyInvalid(best.Process).empty();
   return best;
 }
@@ -291,6 +297,9 @@ std::string WhyInvalid(const ContrastOptions& options)
     "There is no g with the border correction; choose the isotropic or the translation correction.");
   check.NotNegative("LargestDistance", options.Largest, "m");
   check.Within("Power", options.Power, ValueInterval::Above(0.0, 1.0));
+  check.Count("TrendDegree", options.TrendDegree, 0, MostTrendDegree);
+  check.Require(options.TrendDegree == 0 || options.Correction != EdgeCorrection::Border,
+    "There is no trend with the border correction; choose the isotropic or the translation correction.");
   return check.Reason();
 }
 
@@ -344,6 +353,13 @@ ProcessFit FitStraussDistance(const std::vector<PlanePosition>& points, const Ob
   return *std::max_element(fits.begin(), fits.end(), isBetter);
 }
 
+/// The trend that was asked for; none without a degree.
+IntensityTrend TrendOf(
+  const std::vector<PlanePosition>& points, const ObservationWindow& window, const ContrastOptions& options)
+{
+  return options.TrendDegree > 0 ? FitTrend(points, window, options.TrendDegree) : IntensityTrend();
+}
+
 }
 
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
@@ -358,7 +374,8 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
   switch (process)
   {
     case PointProcess::Poisson:
-      fit.Exists = true;
+      fit.Trend = TrendOf(points, window, options);
+      fit.Exists = options.TrendDegree == 0 || fit.Trend.Exists();
       return fit;
     case PointProcess::MaternII:
       fit.Process.Distance = ShortestDistance(points) * n / (n + 1.0);
@@ -370,7 +387,10 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
     case PointProcess::Strauss:
       return FitStraussDistance(points, window, intensity, parallel);
     default:
-      return FitByContrast(process, points, window, options, parallel);
+      fit.Trend = TrendOf(points, window, options);
+      return options.TrendDegree > 0 && !fit.Trend.Exists()
+        ? fit
+        : FitByContrast(process, points, window, options, fit.Trend, parallel);
   }
 }
 

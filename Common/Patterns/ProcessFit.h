@@ -4,6 +4,7 @@
 #define LittoralProcessFit_h
 
 #include "Numerics/Parallel.h"
+#include "Patterns/IntensityTrend.h"
 #include "Patterns/ObservationWindow.h"
 #include "Patterns/PairFunctions.h"
 #include "Patterns/PointProcess.h"
@@ -28,6 +29,7 @@ struct ContrastOptions
   EdgeCorrection Correction = EdgeCorrection::Isotropic;
   double Largest = 0.0; ///< [m], distance up to which functions are compared; 0: that of DefaultDistances()
   double Power = 0.25;  ///< q
+  int TrendDegree = 0;  ///< of the logarithm of the intensity over the window, 0 (none) to MostTrendDegree
 };
 
 /// Why a contrast cannot be, in words for a user; empty when it can.
@@ -37,6 +39,7 @@ std::string WhyInvalid(const ContrastOptions& options);
 struct ProcessFit
 {
   PointProcessParameters Process;
+  IntensityTrend Trend;             ///< none unless it was asked for, and for processes of inhibition
   bool Exists = false;              ///< false where the pattern has no such process: its parameters run away
   double Contrast = 0.0;            ///< by minimum contrast [m^(4 q) m for K, m for g]; else NaN
   double LogPseudoLikelihood = 0.0; ///< by pseudo-likelihood; else NaN
@@ -48,6 +51,8 @@ struct ProcessFit
  * - Poisson: n / |W|.
  * - Thomas, Matern cluster, log-Gaussian Cox: the minimum over the parameters of the integral of
  *   |K_measured^q - K^q|^2 (or g) from 0 to Largest; the intensity is n / |W|.
+ * - These and Poisson with a trend: FitTrend first, and then the same with the K or g of points that are weighted by
+ *   1 / intensity (Waagepetersen and Guan 2009). Intensity and ClusterSize are those of places of the mean intensity.
  * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|.
  * - Strauss: the maximum of the pseudo-likelihood (Besag 1975) over Activity and Interaction at each of 64 distances,
  * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest

@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Inputs.h"
 #include "Numerics/ParameterCheck.h"
+#include "Patterns/IntensityTrend.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -51,6 +52,42 @@ std::string ReadCorners(vtkTable* table, ObservationWindow& window)
   return window.WhyInvalid();
 }
 
+/// The trend of a row: its degree in the column, its coefficients in the field data.
+std::string ReadTrend(vtkTable* table, vtkIdType row, const ObservationWindow& window, IntensityRaster& raster)
+{
+  ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
+  vtkDataArray* degrees = rows.Find("TrendDegree", 1);
+  IntensityTrend trend;
+  std::string reason = rows.Reason();
+  if (degrees && reason.empty())
+  {
+    ReadWhole("TrendDegree", degrees->GetComponent(row, 0), 0, MostTrendDegree, trend.Degree, reason);
+  }
+  if (!reason.empty() || trend.Degree == 0)
+  {
+    return reason;
+  }
+  ArrayReader fields = ArrayReader::OfFields(table, "the table of fits");
+  vtkDataArray* coefficients = fields.Need("Trend", 1);
+  fields.NeedFinite(coefficients);
+  if (!fields.IsGood())
+  {
+    return fields.Reason();
+  }
+  if (coefficients->GetNumberOfTuples() != TermsOfTrend(trend.Degree))
+  {
+    return "the array Trend of the table of fits has " + std::to_string(coefficients->GetNumberOfTuples()) +
+      " numbers; a trend of the degree " + std::to_string(trend.Degree) + " has " +
+      std::to_string(TermsOfTrend(trend.Degree)) + ".";
+  }
+  for (vtkIdType n = 0; n < coefficients->GetNumberOfTuples(); ++n)
+  {
+    trend.Coefficients.push_back(coefficients->GetComponent(n, 0));
+  }
+  raster = RasterOf(trend, window);
+  return WhyInvalid(raster);
+}
+
 }
 
 bool FirstRowIsProcess(vtkTable* table)
@@ -60,7 +97,8 @@ bool FirstRowIsProcess(vtkTable* table)
   return ids && table->GetNumberOfRows() > 0 && FirstProcess(ids) == 0;
 }
 
-std::string ReadProcessFit(vtkTable* table, PointProcessParameters& process, ObservationWindow& window)
+std::string ReadProcessFit(
+  vtkTable* table, PointProcessParameters& process, ObservationWindow& window, IntensityRaster& trend)
 {
   ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
   if (table->GetNumberOfRows() == 0 || !rows.Has("ProcessId"))
@@ -93,7 +131,7 @@ std::string ReadProcessFit(vtkTable* table, PointProcessParameters& process, Obs
   }
   check.Require(rows.Reason());
   check.Require(ReadCorners(table, window));
-  return check.Reason();
+  return check.IsGood() ? ReadTrend(table, row, window, trend) : check.Reason();
 }
 
 std::string ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster)

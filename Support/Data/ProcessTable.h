@@ -21,9 +21,10 @@ namespace littoral
 /// Whether the first row of a table of fits is a process.
 bool FirstRowIsProcess(vtkTable* table);
 
-/// The process of the first row of a table of fits that has one, and the window of its pattern; what the table does not
-/// have stays as it is. The reason why it cannot be, or nothing.
-std::string ReadProcessFit(vtkTable* table, PointProcessParameters& process, ObservationWindow& window);
+/// The process of the first row of a table of fits that has one, the window of its pattern, and its trend, without
+/// values if it has none; what the table does not have stays as it is. The reason why it cannot be, or nothing.
+std::string ReadProcessFit(
+  vtkTable* table, PointProcessParameters& process, ObservationWindow& window, IntensityRaster& trend);
 
 /// An array of an image as an intensity. The reason why it is none, or nothing.
 std::string ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster);
