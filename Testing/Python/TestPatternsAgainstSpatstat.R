@@ -65,5 +65,13 @@ for (name in c("redwood", "japanesepines", "cells", "longleaf", "lansing")) {
 # The fit of redwood as Thomas clusters; that of cells with a soft core is in Testing/Common/Patterns/TestSoftCore.cxx.
 thomas <- parameters(kppm(redwood, ~1, "Thomas", statistic = "K"))
 cat("redwood-as-thomas", thomas$kappa, thomas$scale, thomas$mu, "\n")
+# Longleaf pines with a trend: composite likelihood, and K of weighted points.
+for (cluster in c("LGCP", "Thomas", "MatClust")) {
+  fit <- kppm(unmark(longleaf), ~polynom(x, y, 2), cluster, statistic = "K")
+  cat(paste0("longleaf-as-", cluster), fit$modelpar[1:2], "\n")
+}
+places <- expand.grid(x = c(10, 70, 130, 190), y = c(10, 70, 130, 190))
+fit <- ppm(unmark(longleaf), ~polynom(x, y, 2), nd = 256)
+cat("longleaf-trend", predict(fit, locations = ppp(places$x, places$y, window = Window(longleaf))), "\n")
 curve <- markcorr(longleaf, correction = "translate")
 cat("published", as.function(curve, value = "trans")(c(2, 5, 10, 20)), max(curve$r), "\n")

@@ -81,15 +81,20 @@ def column(statistics, name):
     return vtk_to_numpy(statistics.GetOutput(2).GetColumnByName(name))
 
 
-def fitted(table, box, process, names):
-    """Parameters of a process that was fitted to the points of a table."""
+def verdict_of(table, box, degree=0):
+    """The table of verdicts on the points of a table."""
     verdict = vtkPatternVerdictFilter()
     verdict.SetInputData(points_of(table))
     verdict.SetOrigin(box[0], box[2])
     verdict.SetSize(box[1] - box[0], box[3] - box[2])
     verdict.SetNumberOfSimulations(19)
+    verdict.SetTrendDegree(degree)
     verdict.Update()
-    laws = verdict.GetOutput()
+    return verdict.GetOutput()
+
+
+def fitted(laws, process, names):
+    """Parameters of a process of a table of verdicts."""
     rows = [row for row in range(laws.GetNumberOfRows()) if laws.GetValueByName(row, "Law").ToString() == process]
     return np.array([laws.GetValueByName(rows[0], name).ToDouble() for name in names])
 
@@ -148,12 +153,30 @@ with tempfile.TemporaryDirectory() as folder:
             assert np.allclose(values, numbers[:4], rtol=TOLERANCE)
             continue
         if name == "redwood-as-thomas":
-            intensity, scale, size = fitted(read(os.path.join(folder, "redwood.csv")), (0.0, 1.0, -1.0, 0.0), "Thomas",
-                                            ("Intensity", "ClusterScale", "ClusterSize"))
+            laws = verdict_of(read(os.path.join(folder, "redwood.csv")), (0.0, 1.0, -1.0, 0.0))
+            intensity, scale, size = fitted(laws, "Thomas", ("Intensity", "ClusterScale", "ClusterSize"))
             ours = [intensity / size, scale, size]
             print("redwood as Thomas: kappa, sigma, mu:", np.round(ours, 4), "spatstat:", numbers)
             assert np.allclose(ours, numbers, rtol=0.02)
             assert np.allclose(ours, [23.55, 0.0470, 2.633], rtol=0.02)
+            continue
+        if name == "longleaf-as-LGCP":
+            trended = verdict_of(read(os.path.join(folder, "longleaf.csv")), (0.0, 200.0, 0.0, 200.0), 2)
+        if name == "longleaf-trend":
+            trend = vtk_to_numpy(trended.GetFieldData().GetArray("Trend"))
+            y, x = np.meshgrid([-0.9, -0.3, 0.3, 0.9], [-0.9, -0.3, 0.3, 0.9], indexing="ij")
+            ours = np.exp(trend @ [np.ones(16), x.ravel(), y.ravel(), x.ravel() ** 2, (x * y).ravel(), y.ravel() ** 2])
+            print(f"longleaf, trend: within {np.abs(ours / numbers - 1.0).max():.2e}")
+            assert np.allclose(ours, numbers, rtol=TOLERANCE)
+            continue
+        if name.startswith("longleaf-as-"):
+            process = {"LGCP": "LogGaussianCox", "MatClust": "MaternCluster"}.get(name[12:], name[12:])
+            ours = fitted(trended, process, ("Variance", "Range") if process == "LogGaussianCox"
+                          else ("ClusterSize", "ClusterScale"))
+            if process != "LogGaussianCox":
+                ours[0] = 584 / 40000.0 / ours[0]
+            print(name, ours.round(5), "spatstat:", numbers)
+            assert np.allclose(ours, numbers, rtol=0.02)
             continue
         table = read(os.path.join(folder, f"{name}.csv"))
         for kind in ("pairs", "nearest"):
