@@ -6,9 +6,10 @@
  *
  * Input, port 0: a vtkTable with a row a tree. Columns x and y are needed; species, dbh, height, plot, status and
  * treeid are used where there are. Known names, in any case and with a unit behind them, as in `dbh_mm` or `height
- * (ft)`: x, gx, easting; y, gy, northing; species, sp, mnemonic, latin; dbh, diameter, d130; height, ht; plot; status,
- * dfstatus; treeid, tag. A table with gx and gy is one of ForestGEO, whose dbh is in millimetres. Empty cells, NA, NaN,
- * NULL and 0 are missing diameters and heights.
+ * (ft)`: x, gx, px, easting; y, gy, py, northing; species, sp, mnemonic, latin, and genus before it; dbh, diameter,
+ * d130, or of girths gbh, cbh, girth, circumference; height, ht; plot; status, dfstatus; treeid, tag. A table with gx
+ * and gy, or px and py, is one of ForestGEO, whose dbh is in millimetres. Empty cells, NA, NaN, NULL and 0 are missing
+ * diameters and heights.
  *
  * Input, port 1, optional: a vtkTable of species with the columns `species` (names, separated by semicolons), `kind`
  * (the plant that stands for it, as Pine, Oak, Birch or Shrub), and optionally `curve` (Curtis or Weibull), `a`, `b`,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/StandInventory.h"
 
+#include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 
 #include <algorithm>
@@ -130,6 +131,7 @@ struct Layout
 {
   FoundColumn X;
   FoundColumn Y;
+  FoundColumn Genus; ///< of a species in two columns
   FoundColumn Species;
   FoundColumn Diameter;
   FoundColumn Height;
@@ -137,20 +139,28 @@ struct Layout
   FoundColumn Status;
   FoundColumn Tree;
   bool IsForestGeo = false;
+  double OfDiameter = 1.0; ///< diameter over what the column of diameters has: 1 / pi of a girth
 
   Layout(const TextTable& table, const InventoryColumns& columns, std::string& reason)
   {
     ColumnFinder finder(table, reason);
-    this->X = finder.Find(columns.X, { "x", "gx", "easting", "xcoord", "xcoordinate", "xutm", "utmx" });
-    this->Y = finder.Find(columns.Y, { "y", "gy", "northing", "ycoord", "ycoordinate", "yutm", "utmy" });
+    this->X = finder.Find(columns.X, { "x", "gx", "px", "easting", "xcoord", "xcoordinate", "xutm", "utmx" });
+    this->Y = finder.Find(columns.Y, { "y", "gy", "py", "northing", "ycoord", "ycoordinate", "yutm", "utmy" });
     this->Species = finder.Find(
       columns.Species, { "species", "sp", "spp", "spcode", "mnemonic", "latin", "latinname", "scientificname" });
+    this->Genus = columns.Species.empty() ? finder.Find("", { "genus" }) : FoundColumn();
     this->Diameter = finder.Find(columns.Diameter, { "dbh", "diameter", "diam", "d130", "d" });
+    if (this->Diameter.Index < 0)
+    {
+      this->Diameter = finder.Find("", { "gbh", "cbh", "girth", "circumference" });
+      this->OfDiameter = this->Diameter.Index < 0 ? 1.0 : 1.0 / Pi;
+    }
     this->Height = finder.Find(columns.Height, { "height", "ht", "totalheight", "treeheight", "h" });
     this->Plot = finder.Find(columns.Plot, { "plot", "plotid", "plotname", "plotcode" });
     this->Status = finder.Find("", { "status", "dfstatus" });
     this->Tree = finder.Find("", { "treeid", "tag", "treetag" });
-    this->IsForestGeo = table.ColumnOf("gx") >= 0 && table.ColumnOf("gy") >= 0;
+    this->IsForestGeo = (table.ColumnOf("gx") >= 0 && table.ColumnOf("gy") >= 0) ||
+      (table.ColumnOf("px") >= 0 && table.ColumnOf("py") >= 0);
     if (reason.empty() && (this->X.Index < 0 || this->Y.Index < 0))
     {
       reason = "there are no columns x and y, or gx and gy; the table has " + NamesOf(table) +
@@ -188,7 +198,7 @@ double LengthIn(const TextTable& table, const FoundColumn& column, std::size_t r
   if (column.Index >= 0 && !ReadNumber(word, number) && reason.empty())
   {
     reason = "row " + std::to_string(row + 1) + " has '" + word + "' for " + table.Names[column.Index] +
-      ", which is no number.";
+      ", which is no number" + (word.find(',') == std::string::npos ? "." : "; a decimal comma must be a point.");
   }
   return metres * number;
 }
@@ -387,7 +397,8 @@ std::string WhyTooDense(const StandInventory& stand)
     return {};
   }
   return std::to_string(stand.Trees.size()) + " trees on " + TextOf(area) +
-    " m2 are no stand; set PlaceScale or PlaceUnit, as of a plot on a unit square.";
+    " m2 are no stand; set PlaceScale or PlaceUnit, as of a plot on a unit square. Degrees must be projected to "
+    "metres.";
 }
 
 /// Reads the rows, one by one.
@@ -425,13 +436,14 @@ public:
     }
     tree.X = this->PlaceIn(this->Columns.X, row);
     tree.Y = this->PlaceIn(this->Columns.Y, row);
-    tree.Diameter = Measure(LengthIn(this->Table, this->Columns.Diameter, row, MetresOf(this->Diameters), this->Reason),
-      "DBH", row, this->Reason);
+    const double unit = this->Columns.OfDiameter * MetresOf(this->Diameters);
+    tree.Diameter =
+      Measure(LengthIn(this->Table, this->Columns.Diameter, row, unit, this->Reason), "DBH", row, this->Reason);
     tree.Height = Measure(LengthIn(this->Table, this->Columns.Height, row, MetresOf(this->Heights), this->Reason),
       "Height", row, this->Reason);
-    tree.Name = CellOf(this->Table, this->Columns.Species, row);
+    tree.Name = this->NameIn(row);
     tree.Species = this->Species.RowOf(tree.Name, this->Options.OtherSpecies);
-    if (this->Columns.Species.Index >= 0 && !this->Species.Has(tree.Name) && this->Met.insert(tree.Name).second)
+    if (!tree.Name.empty() && !this->Species.Has(tree.Name) && this->Met.insert(tree.Name).second)
     {
       this->Stand.Unlisted.push_back(tree.Name);
     }
@@ -455,6 +467,14 @@ private:
   LengthUnit Heights;
   std::map<std::string, int> Plots;
   std::set<std::string> Met;
+
+  /// The species, with its genus where that has a column of its own.
+  std::string NameIn(std::size_t row) const
+  {
+    const std::string& genus = CellOf(this->Table, this->Columns.Genus, row);
+    const std::string& species = CellOf(this->Table, this->Columns.Species, row);
+    return genus.empty() || species.empty() ? genus + species : genus + " " + species;
+  }
 
   double PlaceIn(const FoundColumn& column, std::size_t row)
   {

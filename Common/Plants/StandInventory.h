@@ -82,10 +82,11 @@ struct StandInventory
 };
 
 /**
- * Reads an inventory. Known names of columns, in any case: x, gx, easting; y, gy, northing; species, sp, mnemonic,
- * latin; dbh, diameter, d130; height, ht; plot; status, dfstatus; treeid, tag. A unit may follow in the name: dbh_mm,
- * height (ft). Trees of several plots whose rectangles overlap are set in a row of plots along x, 20 m apart. Of stems
- * of one tree at one place the thickest counts. Why it cannot be read, in words for a user; empty if it was.
+ * Reads an inventory. Known names of columns, in any case: x, gx, px, easting; y, gy, py, northing; species, sp,
+ * mnemonic, latin, and genus before it; dbh, diameter, d130, or of girths gbh, cbh, girth, circumference; height, ht;
+ * plot; status, dfstatus; treeid, tag. A unit may follow in the name: dbh_mm, height (ft). Trees of several plots whose
+ * rectangles overlap are set in a row of plots along x, 20 m apart. Of stems of one tree at one place the thickest
+ * counts. Why it cannot be read, in words for a user; empty if it was.
  */
 std::string ReadInventory(
   const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand);

@@ -25,28 +25,28 @@ from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand, vtkPatternVerdictFilter, vtkPointProcessSource
+from littoral.floor import BROADLEAVED, HAZE, SAVANNA, Floor, floor_actor
 from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight, block, level_actors
 from littoral.tables import column, table_of
 from littoral.versions import set_plot_color
 
 PAPER = (0.97, 0.965, 0.95)
-GROUND = (0.42, 0.42, 0.24)
 SUN = (215.0, 42.0)  # azimuth and elevation [degrees]
 #: Left edges of the columns and lower edges of the rows, as parts of the picture.
 COLUMNS = (0.0, 0.185, 0.445, 0.63, 1.0)
 ROW, TOP = 0.192, 0.04
 PICTURE = (1600, 1840)  # pixels
 
-#: Name in R; title; side of the plot [m]; longest distance [sides], 0 for the default; side [m], kind, median height [m]
-#: and variation of the plants, None for those of the inventory. Seedlings and saplings stand there as grown trees, four
-#: and ten times as far apart.
+#: Name in R; title; side of the plot [m]; degree of the trend; side [m], kind, median height [m] and variation of the
+#: plants, None for those of the inventory. Seedlings and saplings stand there as grown trees, four and ten times as far
+#: apart.
 INVENTORIES = (
-    ("longleaf", "Longleaf pines", 200.0, 0.1, None),
-    ("lansing", "Lansing Woods", 281.6, 0.1, None),
-    ("redwood", "Redwood seedlings", 23.0, 0.0, (92.0, "Pine", 15.0, 0.15)),
-    ("japanesepines", "Japanese black pines", 5.7, 0.0, (57.0, "Pine", 9.0, 0.2)),
-    ("cells", "Cells", 1.0, 0.0, (24.0, "Shrub", 2.4, 0.1)),
+    ("longleaf", "Longleaf pines", 200.0, 2, None),
+    ("lansing", "Lansing Woods", 281.6, 0, None),
+    ("redwood", "Redwood seedlings", 23.0, 0, (92.0, "Pine", 15.0, 0.15)),
+    ("japanesepines", "Japanese black pines", 5.7, 0, (57.0, "Pine", 9.0, 0.2)),
+    ("cells", "Cells", 1.0, 0, (24.0, "Shrub", 2.4, 0.1)),
 )
 
 
@@ -75,12 +75,12 @@ def points_of(x, y):
     return data
 
 
-def judge(found, side, largest):
-    """The verdict on a map in metres."""
+def judge(found, side, degree):
+    """The verdict on a map in metres, with a trend of the degree."""
     verdict = vtkPatternVerdictFilter()
     verdict.SetInputData(points_of(side * found["x"], side * found["y"]))
     verdict.SetSize(side, side)
-    verdict.SetLargestDistance(largest * side)
+    verdict.SetTrendDegree(degree)
     verdict.Update()
     return verdict
 
@@ -216,10 +216,10 @@ def spelled(name):
     return {"log gaussian cox": "log-Gaussian Cox"}.get(words, words.replace("matern", "Matérn").capitalize())
 
 
-def draw_stand(renderer, trees, side):
-    """Plants on a piece of ground, seen from its southern edge, with their shadows."""
-    renderer.SetBackground(0.80, 0.86, 0.92)
-    renderer.SetBackground2(0.58, 0.72, 0.88)
+def draw_stand(renderer, trees, side, colors, cover):
+    """Plants on ground of colors, of which the cover is grass, in the shade of the crowns, seen from the southern edge."""
+    renderer.SetBackground(*HAZE)
+    renderer.SetBackground2(0.45, 0.64, 0.86)
     renderer.GradientBackgroundOn()
     heights = stand.numbers(trees, "Height")
     eye = (0.5 * side, -0.50 * side, 0.20 * side + 1.1 * float(np.median(heights)))
@@ -233,27 +233,10 @@ def draw_stand(renderer, trees, side):
     for path in (("High", "Leaves"), ("Medium", "Crown"), ("Low",)):
         for actor in level_actors(forest, path[0]) if block(forest.GetOutput(), *path) else ():
             renderer.AddActor(actor)
-    ground, corners = vtkPolyData(), vtkPoints()
-    far = 40.0 * side
-    for corner in ((-far, -far), (far, -far), (far, far), (-far, far)):
-        corners.InsertNextPoint(*corner, 0.0)
-    cells = vtkCellArray()
-    cells.InsertNextCell(4, range(4))
-    ground.SetPoints(corners)
-    ground.SetPolys(cells)
-    parts = [(ground, GROUND, 0.0)]
     places = vtk_to_numpy(trees.GetPoints().GetData())[:, :2].astype(float)
-    parts.append((shadows(places, heights, stand.numbers(trees, "CrownDiameter")), (0.20, 0.21, 0.12), 1.0))
-    for data, color, lifted in parts:
-        mapper, actor = vtkPolyDataMapper(), vtkActor()
-        mapper.SetInputData(data)
-        mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -8.0 * lifted)
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetColor(*color)
-        actor.GetProperty().SetAmbient(0.9)
-        actor.GetProperty().SetDiffuse(0.1)
-        renderer.AddActor(actor)
+    floor = Floor(places, heights, stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, colors=colors, cover=cover)
+    for part in (floor.ground(900, 1800), floor.woods()):
+        renderer.AddActor(floor_actor(part))
     add_daylight(renderer, SUN)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
@@ -264,36 +247,16 @@ def draw_stand(renderer, trees, side):
     return forest
 
 
-def shadows(places, heights, crowns):
-    """Ellipses on the ground, away from the sun."""
-    azimuth, elevation = np.radians(SUN)
-    away = -np.array((np.sin(azimuth), np.cos(azimuth)))
-    across = np.array((-away[1], away[0]))
-    long = 0.5 * np.hypot(crowns, heights / np.tan(elevation) * 0.7)
-    centers = places + away * (0.45 * heights / np.tan(elevation))[:, None]
-    angles = np.arange(20) * 2.0 * np.pi / 20.0
-    corners = centers[:, None] + (long[:, None] * np.cos(angles))[..., None] * away + \
-        (0.5 * crowns[:, None] * np.sin(angles))[..., None] * across
-    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
-    flat = np.concatenate((corners.reshape(-1, 2), np.full((corners.shape[0] * 20, 1), 1e-4)), axis=1)
-    points.SetData(numpy_to_vtk(flat, deep=True))
-    for k in range(len(places)):
-        cells.InsertNextCell(20, range(20 * k, 20 * k + 20))
-    data.SetPoints(points)
-    data.SetPolys(cells)
-    return data
-
-
 def main(folder):
     """All rows as a picture."""
     os.makedirs(folder, exist_ok=True)
     window, kept = vtkRenderWindow(), []
-    for row, (name, title, side, largest, kind) in enumerate(INVENTORIES):
+    for row, (name, title, side, degree, kind) in enumerate(INVENTORIES):
         found = read(name)
         if found is None:
             print("There are no inventories: R and its package spatstat.data are not installed.")
             return
-        verdict = judge(found, side, largest)
+        verdict = judge(found, side, degree)
         places = regrow(verdict)
         law = verdict.GetOutput(0).GetValueByName(0, "Law").ToString()
         p = verdict.GetOutput(0).GetValueByName(0, "PValue").ToDouble()
@@ -308,7 +271,8 @@ def main(folder):
         names = trees.GetPointData().GetAbstractArray("SpeciesName") if "species" in found else None
         species = [names.GetValue(k) for k in range(len(places))] if names else None
         draw_map(parts[2], *(places / side).T, (0.24, 0.42, 0.30), f"regrown: {len(places)}", species)
-        kept.append(draw_stand(parts[3], trees, ground))
+        meadow = (BROADLEAVED, 0.3) if "species" in found else (SAVANNA, 0.85)
+        kept.append(draw_stand(parts[3], trees, ground, *meadow))
         for part in parts:
             window.AddRenderer(part)
     head = vtkRenderer()

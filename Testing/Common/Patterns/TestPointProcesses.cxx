@@ -404,6 +404,24 @@ TEST(PointProcesses, StraussPointsThatAreTooDenseAreNotCalledExact)
   EXPECT_GT(pattern.Points.size(), 100u);
 }
 
+// Where the bounds could meet in the end, but have not within 128 lifetimes, the pattern says so too: as dense as hard
+// discs that are tried at all, whose upper bound always keeps some points more.
+TEST(PointProcesses, StraussPointsWhoseBoundsDoNotMeetAreNotCalledExact)
+{
+  PointProcessParameters process = Process(5);
+  process.Interaction = 0.0;
+  process.Distance = 1.0;
+  process.Activity = 3.9 / Pi;
+  for (int seed = 1; seed <= 3; ++seed)
+  {
+    ProcessOptions options;
+    options.Seed = seed;
+    EXPECT_FALSE(SimulateProcess(process, options, Box(0.0, 0.0, 20.0, 20.0)).IsExact) << seed;
+  }
+  process.Activity = 1.0 / Pi;
+  EXPECT_TRUE(SimulateProcess(process, {}, Box(0.0, 0.0, 20.0, 20.0)).IsExact);
+}
+
 TEST(PointProcesses, SpeciesShareClustersOrHaveTheirOwn)
 {
   ProcessOptions options;

@@ -244,6 +244,16 @@ TEST(StandInventory, KnownNamesAndUnits)
   const StandInventory told = Read("x,y,dbh\n10,20,150\n", options);
   EXPECT_DOUBLE_EQ(told.Trees[0].Diameter, 0.15);
   EXPECT_NEAR(told.Trees[0].Y, 6.096, 1e-12);
+  // Girths, a genus of its own, ForestGEO's other names, a species that is not said.
+  const StandInventory girths = Read("x,y,genus,species,girth\n1,2,Pinus,taeda,62.8318530718\n5,7,Quercus,alba,94\n");
+  EXPECT_NEAR(girths.Trees[0].Diameter, 0.2, 1e-12);
+  EXPECT_EQ(Species().GetSpecies()[girths.Trees[0].Species].Name, "loblolly pine");
+  EXPECT_EQ(girths.Trees[1].Name, "Quercus alba");
+  EXPECT_TRUE(girths.Unlisted.empty());
+  EXPECT_DOUBLE_EQ(Read("x,y,dbh,girth\n1,2,30,95\n").Trees[0].Diameter, 0.3);
+  EXPECT_NEAR(Read("x,y,gbh_in\n1,2,31.4159265359\n").Trees[0].Diameter, 0.254, 1e-10);
+  EXPECT_DOUBLE_EQ(Read("TreeID,Mnemonic,PX,PY,DBH,Status\n1,quru,3.5,4.5,250,alive\n").Trees[0].Diameter, 0.25);
+  EXPECT_TRUE(Read("x,y,species\n1,2,\n").Unlisted.empty());
   // Any subset.
   EXPECT_EQ(Read("x,y\n0,0\n3,4\n9,1\n").Trees.size(), 3u);
   EXPECT_EQ(Read("x,y,height\n0,0,12\n3,4,13\n").Trees.size(), 2u);
@@ -349,6 +359,11 @@ TEST(StandInventory, OneMessageEach)
   options.AllowCoincident = true;
   EXPECT_EQ(WhyNot("x,y\n1,2\n3,4\n1,2\n", options), "");
   EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,thick\n"), "row 1 has 'thick' for dbh"));
+  TextTable commas;
+  commas.Names = { "x", "y" };
+  commas.Columns = { { "3,5" }, { "4" } };
+  StandInventory none;
+  EXPECT_TRUE(Says(ReadInventory(commas, Species(), {}, none), "row 1 has '3,5' for x, which is no number; a decimal"));
   EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,-3\n"), "DBH of row 1 is -0.03 m"));
   EXPECT_TRUE(Says(WhyNot("x,y\n1,NA\n"), "row 1 has no place: its y is 'NA'"));
   // Millimetres said to be centimetres, and feet said to be metres.
@@ -366,6 +381,7 @@ TEST(StandInventory, OneMessageEach)
     unit += std::to_string(0.1 * (tree % 10)) + "," + std::to_string(0.1 * static_cast<double>(tree / 10)) + "\n";
   }
   EXPECT_TRUE(Says(WhyNot(unit), "set PlaceScale"));
+  EXPECT_TRUE(Says(WhyNot(unit), "Degrees must be projected"));
   options = {};
   options.PlaceScale = 924.0;
   options.PlaceUnit = LengthUnit::Foot;

@@ -13,6 +13,7 @@ Lengths are in metres, x is east, y north, z up.
 import csv
 import math
 import os
+import re
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -31,7 +32,8 @@ PRESETS = {"Pine": 1, "Oak": 2, "Birch": 3, "Shrub": 4}
 
 
 def read_table(path):
-    """Comma-, semicolon- or tab-separated values as a vtkTable of words. Raises OSError and ValueError."""
+    """Comma-, semicolon- or tab-separated values as a vtkTable of words. Between semicolons and tabs, the comma of `3,5`
+    is a decimal one. Raises OSError and ValueError."""
     with open(path, newline="", encoding="utf-8-sig", errors="replace") as file:
         head = file.readline()
         file.seek(0)
@@ -42,6 +44,8 @@ def read_table(path):
     wrong = next((k for k, row in enumerate(rows, 1) if len(row) > len(rows[0])), None)
     if wrong:
         raise ValueError(f"{path}: row {wrong} has {len(rows[wrong - 1])} cells, and the first row has {len(rows[0])}")
+    if separator != ",":
+        rows[1:] = [[re.sub(r"^\s*([-+]?\d*),(\d+)\s*$", r"\1.\2", cell) for cell in row] for row in rows[1:]]
     return table_of_words(rows[0], ([row[k] if k < len(row) else "" for row in rows[1:]] for k in range(len(rows[0]))))
 
 
