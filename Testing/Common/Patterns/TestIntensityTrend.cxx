@@ -81,7 +81,8 @@ TEST(IntensityTrend, MeetsTheEquationsOfTheLikelihood)
       const int steps = 400;
       for (int n = 0; n < steps * steps; ++n)
       {
-        const PlanePosition place = { 3.0 + 4.0 * (n % steps + 0.5) / steps, -2.0 + 2.0 * (n / steps + 0.5) / steps };
+        const int row = n / steps;
+        const PlanePosition place = { 3.0 + 4.0 * (n % steps + 0.5) / steps, -2.0 + 2.0 * (row + 0.5) / steps };
         const double expected = window.Contains(place) ? 8.0 / (steps * steps) * trend.At(window, place) : 0.0;
         integrals[0] += expected;
         integrals[1] += expected * place[0];
@@ -223,7 +224,8 @@ TEST(IntensityTrend, WhatHasNoTrend)
   for (int n = 0; n < 100; ++n)
   {
     line.push_back({ 0.005 + 0.01 * n, 0.25 });
-    even.push_back({ 0.05 + 0.1 * (n % 10), 0.05 + 0.1 * (n / 10) });
+    const int row = n / 10;
+    even.push_back({ 0.05 + 0.1 * (n % 10), 0.05 + 0.1 * row });
   }
   EXPECT_FALSE(FitTrend(line, window, 2).Exists());
   ContrastOptions options;
