@@ -3,8 +3,8 @@
 """Makes a scene of Blender from a scene file and renders it: blender -b -P render.py -- JOB.json
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
-engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of a frame that the shutter is
-open; report, a JSON file to write with what the scene holds; litter, temporary folders: then standard input is a pipe
+noise, at which a pixel is done; engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of
+a frame that the shutter is open; report, a JSON file to write with what the scene holds; litter, temporary folders: then standard input is a pipe
 that ends with the process that has started this.
 """
 
@@ -22,6 +22,9 @@ from in_blender import gltf, light, versions  # noqa: E402
 from in_blender.materials import Materials  # noqa: E402
 from in_blender.objects import Builder  # noqa: E402
 from in_blender.water import Water  # noqa: E402
+
+#: A pixel is done when its noise is below this share (Cycles' noise threshold).
+NOISE = 0.05
 
 
 def build(path):
@@ -109,7 +112,9 @@ def set_quality(job, extras):
         return
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
-    cycles.samples, cycles.use_adaptive_sampling, cycles.seed = samples, False, job.get("seed", 0)
+    cycles.samples, cycles.seed, noise = samples, job.get("seed", 0), job.get("noise", NOISE)
+    cycles.use_adaptive_sampling, cycles.adaptive_threshold = noise > 0.0, max(noise, 1e-3)
+    cycles.adaptive_min_samples = max(4, samples // 3)
     versions.denoise(scene)
     cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = 4, 2, 1
     cycles.transmission_bounces, cycles.volume_bounces, cycles.transparent_max_bounces = 4, 0, 24
