@@ -76,12 +76,21 @@ def water_box(file):
 
 
 def add_volume(path, kind):
-    """An OpenVDB volume as fog."""
-    if kind != "fog" or not os.path.exists(path):
-        print(f"littoral: the volume {path} of kind {kind} is not drawn", flush=True)
+    """An OpenVDB volume: fog is drawn; wind is there for the modifiers and simulations of Blender, and not drawn."""
+    if kind not in ("fog", "wind") or not os.path.exists(path):
+        print(f"littoral: the volume {path} of kind {kind} is left out", flush=True)
         return
-    volume = bpy.data.volumes.new("Fog")
+    volume = bpy.data.volumes.new(kind.capitalize())
     volume.filepath = path
+    thing = bpy.data.objects.new(volume.name, volume)
+    thing.hide_render = kind == "wind"
+    bpy.context.scene.collection.objects.link(thing)
+    if kind == "fog":
+        volume.materials.append(fog_of(volume))
+
+
+def fog_of(volume):
+    """The material of fog, by the first grid of its volume."""
     material = bpy.data.materials.new("fog")
     material.use_nodes = True
     nodes = material.node_tree.nodes
@@ -90,8 +99,7 @@ def add_volume(path, kind):
     volume.grids.load()
     scatter.inputs["Density Attribute"].default_value = volume.grids[0].name if len(volume.grids) else "density"
     material.node_tree.links.new(scatter.outputs[0], end.inputs["Volume"])
-    volume.materials.append(material)
-    bpy.context.scene.collection.objects.link(bpy.data.objects.new("Fog", volume))
+    return material
 
 
 def set_quality(job, extras):
