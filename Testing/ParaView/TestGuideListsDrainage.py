@@ -70,6 +70,7 @@ def main():
     write_raster("place.tif")
     walk = Walk(__file__, "drainage")
     walk.next()
+    walk.small_view()  # off: tables and charts need the whole window
     walk.open("place.tif", "GDALRasterReader")
     walk.apply()
     walk.next()
