@@ -15,10 +15,10 @@ no test looks at. A list names a file and its mutations:
 
 `-` is a piece of a line that stands once in the file, or the whole line, and `+` what stands there instead. First the
 tests of that room of Common are asked, and those elsewhere that include the file's header; then, unless one of them
-fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--rooms` those of Testing/Cxx are not asked, the
-copy is built without VTK, and the lists of files outside of Common are left out. Mutations of the plugin ask tests of
-Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own. A mutation that no test can notice,
-since the results are the same, has a line `=` with the reason; it must survive.
+fails, those of a line `?`, or all of Testing/Cxx if there is none. With `--rooms` those of Testing/Cxx are not asked,
+the copy is built without VTK, and the lists of files outside of Common are left out. Mutations of the plugin ask tests
+of Testing/ParaView alone, as `ParaView/TestTextures`, in a build of their own, unless they name one of Testing/Cxx. A
+mutation that no test can notice, since the results are the same, has a line `=` with the reason; it must survive.
 
 Built are only the programs that are asked. A second run builds what has changed since the first.
 """
@@ -135,7 +135,8 @@ def plugin_tests(mutation):
 
 def kind_of(mutation, rooms):
     """Which build shows a mutation."""
-    return ROOMS if rooms else PLUGIN if mutation.file.startswith("paraview-plugin/") else ALL
+    of_plugin = mutation.file.startswith("paraview-plugin/") and not any(test.startswith("Cxx/") for test in mutation.tests)
+    return ROOMS if rooms else PLUGIN if of_plugin else ALL
 
 
 def run(command, log):

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Littoral contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The mapper of a block draws what VTK's draws, also after a move and when the graphics are taken from it and given
+// back, and keeps none of the vertices that it has sent.
+#include "BlockMapper.h"
+#include "Check.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// Where the ball is [m], so far from the origin that VTK shifts its points before it sends them.
+constexpr double East = 500000.0;
+constexpr double North = 4000000.0;
+
+/// A sphere with normals and colors of its points.
+void FillBall(vtkPolyData* ball)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(East, North, 0.0);
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(40);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  ball->ShallowCopy(source->GetOutput());
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  const int points = static_cast<int>(ball->GetNumberOfPoints());
+  for (int n = 0; n < points; ++n)
+  {
+    colors->InsertNextTuple3(n % 256, 5 * n % 256, 200);
+  }
+  ball->GetPointData()->SetScalars(colors);
+}
+
+/// A mapper of a ball in a window of its own.
+struct Shown
+{
+  explicit Shown(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* ball)
+    : Mapper(mapper)
+  {
+    mapper->SetInputData(ball);
+    this->Actor->SetMapper(mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->GetActiveCamera()->SetFocalPoint(East, North, 0.0);
+    this->Renderer->GetActiveCamera()->SetPosition(East, North, 4.0);
+    this->Window->OffScreenRenderingOn();
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(60, 60);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  std::vector<unsigned char> Picture()
+  {
+    this->Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    this->Window->GetPixelData(0, 0, 59, 59, /*front=*/0, pixels);
+    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+  }
+
+  /// For how many numbers of vertices that the graphics have there is memory.
+  std::size_t KeptNumbers(const char* attribute)
+  {
+    vtkOpenGLVertexBufferObject* sent = this->Mapper->GetVBOs()->GetVBO(attribute);
+    return sent ? sent->GetPackedVBO().capacity() : 1;
+  }
+
+  vtkOpenGLPolyDataMapper* Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+bool CheckKeptNumbers(Shown& blocks, Shown& plain, const std::string& when)
+{
+  const bool good = Check(plain.KeptNumbers("vertexMC") > 1, when + ": VTK keeps no vertices");
+  return Check(blocks.KeptNumbers("vertexMC") == 0, when + ": vertices are sent and kept") && good;
+}
+
+}
+
+int TestBlockMapper(int, char*[])
+{
+  vtkNew<vtkPolyData> ball;
+  FillBall(ball);
+  vtkNew<littoral::BlockMapper> ofBlocks;
+  vtkNew<vtkOpenGLPolyDataMapper> ofVtk;
+  Shown blocks(ofBlocks, ball);
+  Shown plain(ofVtk, ball);
+  const std::vector<unsigned char> first = plain.Picture();
+  bool good = Check(blocks.Picture() == first, "first: another picture than VTK's");
+  good &= CheckKeptNumbers(blocks, plain, "first");
+
+  vtkPoints* points = ball->GetPoints();
+  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
+  {
+    const double* point = points->GetPoint(n);
+    points->SetPoint(n, 0.5 * (point[0] + East) + 0.4, point[1], point[2]);
+  }
+  points->Modified();
+  ball->Modified();
+  const std::vector<unsigned char> moved = plain.Picture();
+  good &= Check(moved != first, "the ball has not moved");
+  good &= Check(blocks.Picture() == moved, "moved: another picture than VTK's");
+  good &= CheckKeptNumbers(blocks, plain, "moved");
+
+  ofBlocks->ReleaseGraphicsResources(blocks.Window);
+  good &= Check(blocks.Picture() == moved, "after a release: another picture than VTK's");
+  good &= CheckKeptNumbers(blocks, plain, "after a release");
+  return good ? 0 : 1;
+}
