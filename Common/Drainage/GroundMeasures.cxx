@@ -18,8 +18,8 @@ namespace
 constexpr int SlopeAreaBins = 20;
 constexpr double LeastCells = 100.0;
 
-/// Drainage area at which the concavity ends [cells]: a tenth of the grid, or less where that is asked for; 0 where it is
-/// less than a decade.
+/// Drainage area at which the concavity ends [cells]: a tenth of the grid, or less where that is asked for; 0 where it
+/// is less than a decade.
 double MostCellsOf(double count, double most)
 {
   const double tenth = 0.1 * count;
@@ -209,8 +209,8 @@ std::vector<double> SemivarianceAlongAxes(
   return semivariance;
 }
 
-GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel,
-  const Poll& poll, double mostArea)
+GroundMeasures MeasureGround(
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll, double mostArea)
 {
   GroundMeasures measures;
   const auto count = static_cast<double>(heights.Values.size());

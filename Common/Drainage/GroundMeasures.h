@@ -44,8 +44,8 @@ struct GroundMeasures
 };
 
 /**
- * Slope over area: 20 bins of the logarithm of drainage area, from 100 cells to a tenth of the grid, and no further than
- * to an area [m^2]; none where that is less than a decade. Slopes are those along the receivers, 0 on flats and in
+ * Slope over area: 20 bins of the logarithm of drainage area, from 100 cells to a tenth of the grid, and no further
+ * than to an area [m^2]; none where that is less than a decade. Slopes are those along the receivers, 0 on flats and in
  * depressions; outlets, which have none, are left out.
  */
 GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outlets,
