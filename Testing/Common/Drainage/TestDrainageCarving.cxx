@@ -401,11 +401,11 @@ TEST(DrainageCarving, GroundMuchLargerThanItsPlaceDrainsWithThePlacesHeights)
   const GridSamples place = RiverGround(112, 104, 0.4, 7);
   const CarvingTarget target = TargetOf(place);
   GridSamples wide = NormalNoise(560, 520, place.Spacing, 3);
-  std::vector<double> sizes;
+  std::vector<double> sizes(800);
   const double step = 0.5 / (520 * place.Spacing[1]);
-  for (int ring = 0; ring < 800; ++ring)
+  for (std::size_t ring = 0; ring < sizes.size(); ++ring)
   {
-    sizes.push_back(std::sqrt(target.Spectrum.At(ring * step) / target.CellArea));
+    sizes[ring] = std::sqrt(target.Spectrum.At(static_cast<double>(ring) * step) / target.CellArea);
   }
   MultiplyRings(wide, step, sizes);
   InverseCosineTransform(wide);
