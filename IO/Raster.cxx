@@ -83,7 +83,7 @@ Dataset OpenDataset(const std::string& name)
 std::vector<std::string> InnerNames(void* dataset)
 {
   std::vector<std::string> names;
-  char** list = GDALGetMetadata(dataset, "SUBDATASETS");
+  const auto list = GDALGetMetadata(dataset, "SUBDATASETS");
   for (int number = 1;; ++number)
   {
     const char* name = CSLFetchNameValue(list, ("SUBDATASET_" + std::to_string(number) + "_NAME").c_str());

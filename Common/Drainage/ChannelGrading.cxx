@@ -12,7 +12,8 @@ double ChannelLaw::SlopeAt(double cells) const
 {
   const double area = std::max(cells, this->ChannelCells);
   const double slope = this->Steepness * std::pow(area / this->ReferenceCells, -this->Concavity);
-  return cells < this->ChannelCells ? this->HillslopePart * slope : slope;
+  const double known = slope * std::min(1.0, this->MostCells / area);
+  return cells < this->ChannelCells ? this->HillslopePart * known : known;
 }
 
 std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,

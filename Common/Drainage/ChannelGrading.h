@@ -7,19 +7,22 @@
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
+#include <limits>
 #include <vector>
 
 namespace littoral
 {
 
-/// The least slope along the ways of water, the steady state of stream power: S = k_s (A / ReferenceCells)^-Concavity.
+/// The least slope along the ways of water, the steady state of stream power: S = k_s (A / ReferenceCells)^-Concavity,
+/// and that times MostCells / A above MostCells.
 struct ChannelLaw
 {
-  double Steepness = 0.01;       ///< k_s, the slope at the reference area [m/m]
-  double ReferenceCells = 100.0; ///< drainage area [cells]
-  double Concavity = 0.45;       ///< m/n
-  double ChannelCells = 50.0;    ///< drainage area of the smallest channel [cells]
-  double HillslopePart = 0.1;    ///< part of the law's slope at ChannelCells that holds on hillslopes
+  double Steepness = 0.01;                                    ///< k_s, the slope at the reference area [m/m]
+  double ReferenceCells = 100.0;                              ///< drainage area [cells]
+  double Concavity = 0.45;                                    ///< m/n
+  double ChannelCells = 50.0;                                 ///< drainage area of the smallest channel [cells]
+  double MostCells = std::numeric_limits<double>::infinity(); ///< drainage area up to which the law is known [cells]
+  double HillslopePart = 0.1; ///< part of the law's slope at ChannelCells that holds on hillslopes
 
   double SlopeAt(double cells) const;
 };

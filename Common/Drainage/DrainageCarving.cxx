@@ -62,6 +62,9 @@ constexpr std::size_t MostCellsAtOnce = std::size_t{ 1 } << 18;
 constexpr int FineErosionSteps = 3;
 constexpr double CoarsePart = 0.2; ///< of the work
 
+/// Rounds of coarse ground: its cells are no place's, so to meet the target there would bend the law.
+constexpr int CoarseRounds = 1;
+
 /// Rounds without a better one after which no better one is waited for; fewer where coarse ground has told the law.
 constexpr int MostVainRounds = 12;
 constexpr int MostVainFineRounds = 3;
@@ -254,6 +257,7 @@ private:
     GridSamples coarse = CoarseGround(this->Terrain, this->Parallel);
     CarvingParameters parameters = this->Parameters;
     parameters.Outlets = CoarseOutlets(this->Parameters.Outlets, this->Terrain);
+    parameters.MostRounds = CoarseRounds;
     const CarvingProgress progress = [this](double part) {
       this->Done = CoarsePart * part;
       this->Poll();
@@ -283,7 +287,9 @@ private:
       this->Advance(this->Begun, ErosionPart, step, steps);
       this->RestoreStatistics();
       const OutletMask outlets = this->Parameters.Outlets.Of(this->Terrain);
-      BreachDepressions(this->Terrain, outlets, BreachPath::FloodOrder, poll);
+      // Coarse ground has told where rivers run; what is left to breach is short.
+      BreachDepressions(
+        this->Terrain, outlets, this->Begun > 0.0 ? BreachPath::LeastCost : BreachPath::FloodOrder, poll);
       const FlowRouting routing = RouteFlow(this->Terrain, outlets, this->Parallel, poll);
       StepStreamPower(this->Terrain, routing, DrainageArea(routing, lattice), law, 1.0);
       this->LowerRim();
@@ -318,7 +324,9 @@ private:
 
   GroundMeasures Measure(const GridSamples& ground) const
   {
-    return MeasureGround(ground, this->Parameters.Outlets.Of(ground), this->Parallel, [this] { this->Poll(); });
+    const littoral::Poll poll = [this] { this->Poll(); };
+    return MeasureGround(
+      ground, this->Parameters.Outlets.Of(ground), this->Parallel, poll, this->Target.Measures.LargestArea);
   }
 
   /// Of neighbours along x and y.
@@ -388,6 +396,8 @@ private:
       ChannelLaw law;
       law.Steepness = this->Law.SlopePart * this->Steepness;
       law.Concavity = this->Law.Concavity;
+      law.ReferenceCells *= this->Target.CellArea / this->CellArea();
+      law.MostCells = this->MostCellsOfLaw();
       law.ChannelCells = this->Parameters.ChannelCells;
       graded.Heights = GradeAlong(this->Terrain, routing, graded.DrainageCells, law, this->Law.Cut, this->Parallel);
       if (this->ChangeOf(graded.Heights) <= MostChange * this->Target.Measures.Deviation)
@@ -397,6 +407,14 @@ private:
       this->Law.SlopePart *= FlatterPart;
     }
     return graded;
+  }
+
+  /// Drainage area up to which the target tells of slopes, where the terrain has much larger ones.
+  double MostCellsOfLaw() const
+  {
+    const double known = this->Target.Measures.LargestArea / this->CellArea();
+    const double tenth = 0.1 * static_cast<double>(this->Terrain.Values.size());
+    return known * (1.0 + 1e-9) < tenth ? known : std::numeric_limits<double>::infinity();
   }
 
   /// Standard deviation of what grading changes [m].
@@ -572,6 +590,7 @@ CarvingTarget TargetOf(const GridSamples& place, const DrainageOutlets& outlets,
   CarvingTarget target;
   GridSamples field = place;
   target.Plane = RemovePlane(field);
+  target.CellArea = place.Spacing[0] * place.Spacing[1];
   target.Sides = { place.Width * place.Spacing[0], place.Height * place.Spacing[1] };
   CosineTransform(field, parallel);
   target.Spectrum = SpectrumOfCoefficients(field, parallel);

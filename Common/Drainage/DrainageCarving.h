@@ -25,6 +25,7 @@ struct CarvingTarget
   RingSpectrum Spectrum;   ///< power by wave number of the heights less their plane
   PlaneTrend Plane;        ///< the plane that is restored; flatter on a terrain that is longer than Sides
   std::array<double, 2> Sides{ 0.0, 0.0 }; ///< of the ground of which it is the plane [m]
+  double CellArea = 0.0;                   ///< of that ground [m^2]
   GroundMeasures Measures;                 ///< hypsometry, semivariance and concavity to be met
 };
 

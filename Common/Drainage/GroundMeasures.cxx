@@ -18,6 +18,18 @@ namespace
 constexpr int SlopeAreaBins = 20;
 constexpr double LeastCells = 100.0;
 
+/// Drainage area at which the concavity ends [cells]: a tenth of the grid, or less where that is asked for; 0 where it
+/// is less than a decade.
+double MostCellsOf(double count, double most)
+{
+  const double tenth = 0.1 * count;
+  if (most * (1.0 + 1e-9) >= tenth) // that of a grid of the same area
+  {
+    return tenth;
+  }
+  return most < 10.0 * LeastCells ? 0.0 : most;
+}
+
 /// Count and central moments of a set of values.
 struct CentralMoments
 {
@@ -65,11 +77,12 @@ std::vector<double> Laplacians(const GridSamples& heights, const ParallelFor& pa
   return curvature;
 }
 
+/// Up to a drainage area of so many cells.
 void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<double>& slopes, const OutletMask& outlets,
-  GroundMeasures& measures)
+  double mostCells, GroundMeasures& measures)
 {
   const double first = std::log(LeastCells);
-  const double last = std::log(0.1 * static_cast<double>(cells.size()));
+  const double last = std::log(mostCells);
   std::vector<SlopeAreaBin> bins(SlopeAreaBins);
   SlopeAreaBin reference;
   for (std::size_t n = 0; n < cells.size(); ++n)
@@ -197,7 +210,7 @@ std::vector<double> SemivarianceAlongAxes(
 }
 
 GroundMeasures MeasureGround(
-  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll)
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll, double mostArea)
 {
   GroundMeasures measures;
   const auto count = static_cast<double>(heights.Values.size());
@@ -220,7 +233,9 @@ GroundMeasures MeasureGround(
   const double area = heights.Spacing[0] * heights.Spacing[1];
   measures.SunkShare = static_cast<double>(routing.Sunk) / count;
   measures.FillOverDeviation = measures.Deviation > 0.0 ? routing.Volume / (area * count) / measures.Deviation : 0.0;
-  MeasureSlopeArea(DrainageCells(routing), SlopesToReceivers(heights, routing, parallel), outlets, measures);
+  const double mostCells = MostCellsOf(count, mostArea / area);
+  measures.LargestArea = mostCells * area;
+  MeasureSlopeArea(DrainageCells(routing), SlopesToReceivers(heights, routing, parallel), outlets, mostCells, measures);
   return measures;
 }
 

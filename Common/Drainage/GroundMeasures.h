@@ -7,6 +7,7 @@
 #include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
+#include <limits>
 #include <vector>
 
 namespace littoral
@@ -31,6 +32,7 @@ struct GroundMeasures
   double HypsometricIntegral = 0.0; ///< (mean - lowest) / (highest - lowest)
   double HeightSkew = 0.0;
   double Concavity = 0.0;     ///< minus the slope of log slope over log area; NaN where fewer than 3 bins have cells
+  double LargestArea = 0.0;   ///< upper end of the drainage areas of the concavity [m^2]
   double CurvatureSkew = 0.0; ///< of the five-point Laplacian of inner cells
   double ChannelSlope = 0.0;  ///< mean slope above 0 at drainage areas of 100 to 200 cells [m/m]
   std::vector<SlopeAreaBin> SlopeArea;
@@ -42,11 +44,13 @@ struct GroundMeasures
 };
 
 /**
- * Slope over area: 20 bins of the logarithm of drainage area, from 100 cells to a tenth of the grid. Slopes are those
- * along the receivers, 0 on flats and in depressions; outlets, which have none, are left out.
+ * Slope over area: 20 bins of the logarithm of drainage area, from 100 cells to a tenth of the grid, and no further
+ * than to an area [m^2]; none where that is less than a decade. Slopes are those along the receivers, 0 on flats and in
+ * depressions; outlets, which have none, are left out.
  */
 GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outlets,
-  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
+  const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll,
+  double mostArea = std::numeric_limits<double>::infinity());
 
 /// The lags of the semivariances [cells]: 1 to 100, or to half the shorter side, in steps that grow.
 std::vector<int> SemivarianceLags(int width, int height);

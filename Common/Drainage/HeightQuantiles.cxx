@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace littoral
 {
@@ -17,8 +18,11 @@ namespace
 /// Beyond the outermost quantiles heights go on by this part of the range for each unit of probability.
 constexpr double OuterSlope = 1e-3;
 
-/// Runs that are sorted by themselves, whatever the number of threads, and then merged two by two.
-constexpr std::size_t Runs = 16;
+/// Parts of the cells that are counted by themselves, whatever the number of threads.
+constexpr std::size_t Parts = 16;
+
+/// Mean number of heights in an interval, which are sorted by comparison.
+constexpr std::size_t HeightsOfInterval = 256;
 
 struct RankedHeight
 {
@@ -31,27 +35,71 @@ struct RankedHeight
   }
 };
 
-void SortHeights(std::vector<RankedHeight>& ranked, const ParallelFor& parallel)
+/// Intervals of height of equal length between the lowest and the highest.
+struct HeightIntervals
 {
-  const std::size_t count = ranked.size();
-  const auto startOf = [&](
-                         std::size_t run) { return ranked.begin() + static_cast<std::ptrdiff_t>(count * run / Runs); };
-  parallel(Runs, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t run = begin; run < end; ++run)
-    {
-      std::sort(startOf(run), startOf(run + 1));
-    }
-  });
-  for (std::size_t length = 1; length < Runs; length *= 2)
+  explicit HeightIntervals(const std::vector<double>& heights)
+    : Count(heights.size() / HeightsOfInterval + 1)
   {
-    parallel(Runs / (2 * length), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t pair = begin; pair < end; ++pair)
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    this->Lowest = *low;
+    this->PerHeight = *high > *low ? static_cast<double>(this->Count) / (*high - *low) : 0.0;
+  }
+
+  std::size_t Of(double height) const
+  {
+    const double interval = (height - this->Lowest) * this->PerHeight;
+    return interval < static_cast<double>(this->Count) ? static_cast<std::size_t>(interval) : this->Count - 1;
+  }
+
+  std::size_t Count;
+  double Lowest;
+  double PerHeight;
+};
+
+/// Cells in the order of their heights: put into intervals of height by counting, which are then sorted one by one.
+std::vector<RankedHeight> SortedHeights(const std::vector<double>& heights, const ParallelFor& parallel)
+{
+  const HeightIntervals intervals(heights);
+  const std::size_t count = heights.size();
+  const auto forParts = [&](const auto& visit) {
+    parallel(Parts, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t part = begin; part < end; ++part)
       {
-        const std::size_t first = 2 * length * pair;
-        std::inplace_merge(startOf(first), startOf(first + length), startOf(first + 2 * length));
+        for (std::size_t n = count * part / Parts; n < count * (part + 1) / Parts; ++n)
+        {
+          visit(part, n);
+        }
       }
     });
+  };
+  // First place of each part in each interval: those of an interval follow each other.
+  std::vector<std::uint32_t> next(Parts * intervals.Count, 0);
+  forParts([&](std::size_t part, std::size_t n) { ++next[part * intervals.Count + intervals.Of(heights[n])]; });
+  std::vector<std::size_t> first;
+  first.reserve(intervals.Count + 1);
+  std::uint32_t sum = 0;
+  for (std::size_t interval = 0; interval < intervals.Count; ++interval)
+  {
+    first.push_back(sum);
+    for (std::size_t part = 0; part < Parts; ++part)
+    {
+      sum += std::exchange(next[part * intervals.Count + interval], sum);
+    }
   }
+  first.push_back(sum);
+  std::vector<RankedHeight> ranked(count);
+  forParts([&](std::size_t part, std::size_t n) {
+    ranked[next[part * intervals.Count + intervals.Of(heights[n])]++] = { heights[n], static_cast<std::int32_t>(n) };
+  });
+  parallel(intervals.Count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t interval = begin; interval < end; ++interval)
+    {
+      std::sort(ranked.begin() + static_cast<std::ptrdiff_t>(first[interval]),
+        ranked.begin() + static_cast<std::ptrdiff_t>(first[interval + 1]));
+    }
+  });
+  return ranked;
 }
 
 /// The lognormal distribution (e^(s z) - 1) / s of a Gaussian z, without its ends beyond one and the same probability.
@@ -208,14 +256,7 @@ HeightQuantiles LognormalQuantiles(double mean, double deviation, double integra
 
 void MapRanks(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel)
 {
-  std::vector<RankedHeight> ranked(heights.size());
-  parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      ranked[n] = { heights[n], static_cast<std::int32_t>(n) };
-    }
-  });
-  SortHeights(ranked, parallel);
+  const std::vector<RankedHeight> ranked = SortedHeights(heights, parallel);
   const auto count = static_cast<double>(heights.size());
   parallel(heights.size(), [&](std::size_t begin, std::size_t end) {
     std::size_t next = quantiles.After((static_cast<double>(begin) + 0.5) / count);

@@ -27,7 +27,7 @@ std::vector<double> TwoSidedRanks(const std::vector<double>& values)
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<double> ranks(count);
+  std::vector<double> ranks(count, 0.0);
   for (std::size_t begin = 0, end = 0; begin < count; begin = end)
   {
     while (end < count && !(values[order[begin]] < values[order[end]]))

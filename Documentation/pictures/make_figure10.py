@@ -164,8 +164,8 @@ def draw(folder):
     landscape.show_sky(sky, view, os.path.join(folder, "sky.png"))
     landscape.show_ground(
         simple.TerrainLevelOfDetail(Input=terrain, NearDistance=3000.0, FarDistance=9000.0), view)
-    landscape.show_shadows(dark, view)
-    landscape.show_shadows(homes, view)
+    landscape.show_on_ground(dark, view)
+    landscape.show_on_ground(homes, view)
     landscape.show_plants(sway, view)
     sway.UpdatePipeline(TIME)
     simple.Render(view)

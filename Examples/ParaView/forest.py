@@ -8,7 +8,8 @@
                                                     the film walk.ogv and the wind as wind.vdb
                                                     into FOLDER
 
-The terrain is a refined part of the elevation model of the Jacksboro fault; trees are in its woods.
+The terrain is a refined part of the elevation model of the Jacksboro fault. Meadows, woods and rock follow its drainage
+and its slopes, trees are in its woods, and brooks run where its water gathers.
 Levels of detail of terrain and trees follow the camera. Trees near the camera sway in a turbulent
 wind.
 """
@@ -26,7 +27,7 @@ from littoral.elevation import write_vti
 from littoral.film import folder_size_frames, save_film
 
 #: Start, end and focal point of the walk [m].
-FIRST, LAST, TARGET = (7300.0, 8200.0), (7268.0, 8168.0), (4200.0, 3200.0)
+FIRST, LAST, TARGET = (7000.0, 8250.0), (6968.0, 8218.0), (4200.0, 3200.0)
 EYE_HEIGHT, VIEW_ANGLE = 7.0, 30.0
 #: Frames per second, and wind speed [m/s].
 RATE, WIND_SPEED = 12, 16.0
@@ -40,8 +41,8 @@ NEAR_TREES = (
     (52, -21, 1), (78, -27, 2), (86, -34, 2), (70, 24, 2), (95, 33, 1), (118, 22, 0), (135, 30, 0),
     (150, 41, 0), (47, 17, 3), (60, -8, 3), (160, -50, 1), (185, -36, 0), (200, -44, 0),
     (170, 10, 3), (210, 62, 1), (235, 48, 2), (140, -16, 2), (240, -10, 1), (260, 2, 1))
-#: Distance of grass and of shadows from the walk [m].
-GRASS_REACH, SHADOW_REACH = 70.0, 900.0
+#: Distance of grass, of shadows and of brooks from the walk [m].
+GRASS_REACH, SHADOW_REACH, BROOK_REACH = 70.0, 900.0, 2500.0
 #: Camera motion [m] and rotation [degrees] after which levels of detail are updated.
 STEADY = dict(MoveTolerance=10.0, TurnTolerance=2.0)
 #: A tuft of grass, as a shrub without wood.
@@ -74,12 +75,14 @@ def eye_at(country, share):
 
 
 def near_trees(country):
-    """The trees along the walk: positions and species."""
+    """The trees along the walk, but for those that would stand in a brook: positions and species."""
     ahead = np.array(TARGET) - FIRST
     ahead /= np.hypot(*ahead)
     right = np.array((ahead[1], -ahead[0]))
     distance, aside, species = np.array(NEAR_TREES).T
-    return FIRST + distance[:, None] * ahead + aside[:, None] * right, species.astype(int)
+    places = FIRST + distance[:, None] * ahead + aside[:, None] * right
+    dry = country.water.distance_to(places) > 1.5
+    return places[dry], species[dry].astype(int)
 
 
 def wind_center():
@@ -108,6 +111,7 @@ def build(folder, view):
     woods = landscape.wood_sites(country, *WOODS, alone=near_trees(country))
     write_polydata(woods, file("sites.vtp"))
     write_polydata(shadows_near(country, woods), file("shadows.vtp"))
+    write_polydata(landscape.brook_bands(country, eye_at(country, 0.5), BROOK_REACH), file("brooks.vtp"))
     write_polydata(landscape.sky_dome(eye_at(country, 0.5)), file("sky.vtp"))
     landscape.write_sky(file("sky.png"))
 
@@ -115,6 +119,7 @@ def build(folder, view):
     sites = reader(simple.XMLPolyDataReader, "Sites", file("sites.vtp"))
     sky = reader(simple.XMLPolyDataReader, "Sky", file("sky.vtp"))
     shadows = reader(simple.XMLPolyDataReader, "Shadows", file("shadows.vtp"))
+    brooks = reader(simple.XMLPolyDataReader, "Brooks", file("brooks.vtp"))
     trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
              for name, seed in SPECIES]
     ground = simple.TerrainLevelOfDetail(
@@ -149,7 +154,8 @@ def build(folder, view):
     look(country, view, 0.0)
     landscape.show_sky(sky, view, file("sky.png"))
     landscape.show_ground(ground, view)
-    landscape.show_shadows(shadows, view)
+    landscape.show_on_ground(brooks, view)
+    landscape.show_on_ground(shadows, view)
     shown = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
     shown.Ambient, shown.Diffuse = 0.75, 0.45  # translucency
     landscape.show_plants(sway, view, landscape.PLANT_PARTS[:-1])

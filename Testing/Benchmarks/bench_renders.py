@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times and memory of Blender's path tracer: 2000 trees in full, and the two examples.
+"""Times and memory of Blender's path tracer: two woods of over 2000 trees in full, and the two examples.
 
     ./littoral run /usr/bin/python3 Testing/Benchmarks/bench_renders.py [CASE...]
 
-Cases: trees (960 x 540, 48 samples), underwater (800 x 450, 64 samples), forest (960 x 540, 48 samples); default: the
-first two. Each in a process of its own, from the start of Blender to the whole picture, without the writing of the scene
+Cases: trees and hills (960 x 540, 48 samples), underwater (800 x 450, 64 samples), forest (960 x 540, 48 samples);
+default: all but the last. Each in a process of its own, from the start of Blender to the whole picture, without the writing of the scene
 file. On a machine with other work, processor time by the number of cores is what an idle machine would need at least.
 LITTORAL_RENDERS names a folder that keeps the pictures.
 """
@@ -26,11 +26,12 @@ from littoral.glb import write_glb
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Blender")
 #: Size, samples, and the most seconds and gigabytes that are wanted.
-CASES = {"trees": ((960, 540), 48, 60, 3), "underwater": ((800, 450), 64, 120, None), "forest": ((960, 540), 48, None, None)}
+CASES = {"trees": ((960, 540), 48, 60, 3), "hills": ((960, 540), 48, 60, 3), "underwater": ((800, 450), 64, 120, None),
+         "forest": ((960, 540), 48, None, None)}
 
 
-def trees(filename, count=2000, side=400.0):
-    """Trees of four species in full on a random terrain, seen from its edge."""
+def wood(filename, count, side, above, extras):
+    """Trees of four species in full on a random terrain, seen from its edge, from a height above the highest tree's foot."""
     land = vtkTurningBandsTerrainSource()
     land.SetWholeExtent(0, 200, 0, 200, 0, 0)
     land.SetSpacing(side / 200.0, side / 200.0, 1.0)
@@ -40,27 +41,41 @@ def trees(filename, count=2000, side=400.0):
     heights = vtk_to_numpy(land.GetOutput().GetPointData().GetScalars()).reshape(201, 201)
     column, row = np.random.default_rng(5).integers(0, 201, (2, count))
     places = np.column_stack((column * side / 200.0, row * side / 200.0, heights[row, column]))
-    wood = vtkPlantScatterFilter()
-    wood.SetInputData(0, landscape.points_with(places, Species=np.arange(count, dtype=np.int32) % 4))
+    forest = vtkPlantScatterFilter()
+    forest.SetInputData(0, landscape.points_with(places, Species=np.arange(count, dtype=np.int32) % 4))
     for preset in (1, 2, 3, 4):
         tree = vtkReevesTreeSource()
         tree.SetPreset(preset)
-        wood.AddPrototypeConnection(tree.GetOutputPort())
-    wood.SetOutputFormToInstances()
-    wood.SetUseLevels(False)
-    wood.SetUseCulling(False)
+        forest.AddPrototypeConnection(tree.GetOutputPort())
+    forest.SetOutputFormToInstances()
+    forest.SetUseLevels(False)
+    forest.SetUseCulling(False)
     middle = places.mean(axis=0)
-    eye = (middle[0], places[:, 1].min() - 30.0, places[:, 2].max() + 12.0)
-    write_glb(filename, {"Ground": land, "Forest": wood}, camera=(eye, tuple(middle), (0, 0, 1), 40.0), sun=(150, 35, 100000.0),
-              extras={"fog": {"sight": 2600.0, "height": 160.0}, "exposure": 1.0}, LevelForm=2)
+    eye = (middle[0], places[:, 1].min() - 30.0, places[:, 2].max() + above)
+    write_glb(filename, {"Ground": land, "Forest": forest}, camera=(eye, tuple(middle), (0, 0, 1), 40.0),
+              sun=(150, 35, 100000.0), extras=extras, LevelForm=2)
+
+
+def trees(filename):
+    """2000 trees on 400 x 400 m, with haze: no sky is seen."""
+    wood(filename, 2000, 400.0, 12.0, {"fog": {"sight": 2600.0, "height": 160.0}, "exposure": 1.0})
+
+
+def hills(filename):
+    """2265 trees that stand apart on hills, in clear air below the sky."""
+    wood(filename, 2265, 1000.0, -6.0, {"exposure": 1.0})
+
+
+#: Scenes that are made here.
+MADE = {"trees": trees, "hills": hills}
 
 
 def measure(case):
     size, samples, seconds, memory = CASES[case]
     with tempfile.TemporaryDirectory() as folder:
         name = os.path.join(folder, "scene.glb")
-        if case == "trees":
-            trees(name)
+        if case in MADE:
+            MADE[case](name)
         else:
             runpy.run_path(os.path.join(EXAMPLES, f"{case}.py"))["write_scene"](name)
         kept = os.environ.get("LITTORAL_RENDERS", folder)
@@ -79,5 +94,5 @@ if __name__ == "__main__":
     if os.environ.get("LITTORAL_RENDER_CASE"):
         measure(os.environ["LITTORAL_RENDER_CASE"])
     else:
-        for one in sys.argv[1:] or ("trees", "underwater"):
+        for one in sys.argv[1:] or ("trees", "hills", "underwater"):
             subprocess.run([sys.executable, __file__], env={**os.environ, "LITTORAL_RENDER_CASE": one}, check=True)

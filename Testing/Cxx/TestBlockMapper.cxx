@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mapper of a block draws what VTK's draws, also after a move and when the graphics are taken from it and given
-// back, and keeps none of the vertices that it has sent.
+// The mapper of a block draws what VTK's draws, also after a move, with other colors and when the graphics are taken
+// from it and given back, and keeps none of the vertices that it has sent.
 #include "BlockMapper.h"
 #include "Check.h"
 
@@ -56,6 +56,7 @@ struct Shown
     : Mapper(mapper)
   {
     mapper->SetInputData(ball);
+    mapper->SetColorModeToDirectScalars();
     this->Actor->SetMapper(mapper);
     this->Renderer->AddActor(this->Actor);
     this->Renderer->GetActiveCamera()->SetFocalPoint(East, North, 0.0);
@@ -120,8 +121,16 @@ int TestBlockMapper(int, char*[])
   good &= Check(blocks.Picture() == moved, "moved: another picture than VTK's");
   good &= CheckKeptNumbers(blocks, plain, "moved");
 
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(ball->GetPointData()->GetScalars());
+  colors->FillComponent(0, 255.0);
+  colors->Modified();
+  const std::vector<unsigned char> colored = plain.Picture();
+  good &= Check(colored != moved, "the ball has its former colors");
+  good &= Check(blocks.Picture() == colored, "colored: another picture than VTK's");
+  good &= CheckKeptNumbers(blocks, plain, "colored");
+
   ofBlocks->ReleaseGraphicsResources(blocks.Window);
-  good &= Check(blocks.Picture() == moved, "after a release: another picture than VTK's");
+  good &= Check(blocks.Picture() == colored, "after a release: another picture than VTK's");
   good &= CheckKeptNumbers(blocks, plain, "after a release");
   return good ? 0 : 1;
 }

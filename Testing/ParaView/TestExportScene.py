@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""File > Export Scene writes what a view shows as one scene of glTF: in the window, and by ExportView in a script."""
+"""File > Export Scene writes what a view shows as one scene of glTF: in the window, by ExportView in a script, and on a
+server, whose file holds the same bytes."""
 import json
 import os
 import struct
@@ -11,10 +12,13 @@ import numpy as np
 import quick  # noqa: F401
 from paraview import servermanager, simple
 from player import WINDOW, Session
+from server import connected
 
 if not hasattr(servermanager.writers, "GLTFSceneWriter"):
     print("built without tinygltf")
     sys.exit(125)
+
+PORT = 21571
 
 
 def scene_of(file):
@@ -123,7 +127,35 @@ def check_script():
     assert len(scene["meshes"][0]["primitives"][0]["targets"]) == 2 and len(scene["animations"]) == 1
 
 
+def wood(name):
+    """A view of a terrain with trees as instances, exported."""
+    simple.ResetSession()
+    view = simple.CreateRenderView()
+    land = simple.TurningBandsTerrain(WholeExtent=[0, 20, 0, 10, 0, 0])
+    trees = simple.PlantScatter(
+        Sites=simple.QuadratPoints(Quadrats=[4, 4]), Prototypes=[simple.ReevesTree(NumberOfLeaves=100)],
+        OutputForm="Instances", UseCulling=0, FollowCamera=0)
+    for source, text in ((land, "Land"), (trees, "Wood")):
+        simple.RenameSource(text, source)
+        simple.Show(source, view)
+    simple.Render(view)
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [10, -30, 12], [10, 5, 2], [0, 0, 1]
+    simple.Render(view)
+    exported(name, view)
+    with open(name, "rb") as file:
+        return file.read()
+
+
+def check_server():
+    """The writer runs where the data are: the file is on the server, with the bytes that the client alone writes."""
+    alone = wood("alone.glb")
+    assert {"Land", "Wood", "Camera", "Sun"} <= set(below_root(scene_of("alone.glb")))
+    with connected(PORT):
+        assert wood("remote.glb") == alone
+
+
 if __name__ == "__main__":
     check_window()
     check_script()
+    check_server()
     print("done")

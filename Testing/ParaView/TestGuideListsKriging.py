@@ -9,7 +9,7 @@ import quick
 from paraview import simple
 
 from guide import Walk, compare
-from player import PANEL, difference
+from player import difference
 
 
 def write_survey(file):
@@ -61,12 +61,6 @@ def check_estimate():
     assert len(errors) == 90 and all(map(math.isfinite, errors))
 
 
-def tick(walk, label):
-    """Tick a box."""
-    walk.say(label)
-    walk.event(f"{PANEL}/{walk.named(label)}/CheckBox", "set_boolean", "true")
-
-
 def main():
     write_survey("survey.csv")
     walk = Walk(__file__, "kriging")
@@ -88,8 +82,8 @@ def main():
     walk.say("Result")
     walk.say("Kriging Estimate")
     walk.choose("Result", "Kriging Estimate")
-    tick(walk, "Kriging Variance")
-    tick(walk, "Cross Validation")
+    walk.tick("Kriging Variance")
+    walk.tick("Cross Validation")
     walk.apply()
     walk.call(check_estimate)
     walk.look("estimate")

@@ -13,7 +13,7 @@ import re
 
 import quick
 from paraview import simple
-from player import PIPELINE, SHELL, WINDOW, Session, difference, drawn
+from player import PANEL, PIPELINE, SHELL, WINDOW, Session, difference, drawn
 
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 GUIDE = os.path.join(TOP, "Documentation", "guide")
@@ -128,6 +128,11 @@ class Walk(Session):
         name = self.named(label)
         for k, value in enumerate(values):
             self.field(name, value, f"{widget}{k}")
+
+    def tick(self, label):
+        """Tick a box."""
+        self.say(label)
+        self.event(f"{PANEL}/{self.named(label)}/CheckBox", "set_boolean", "true")
 
     def slide(self, label, value, said):
         """Type a value into the field beside a slider."""

@@ -280,6 +280,30 @@ def check_motion_blur():
     assert abs(int((row > 0.15 * row.max()).sum()) - wide[0.0]) <= 1, wide
 
 
+#: What a saved scene holds of volumes.
+VOLUMES = """
+import bpy, json
+with open("volumes.json", "w") as out:
+    json.dump([(v.name, v.type, v.hide_render, v.data.grids.load() and v.data.grids[0].name)
+               for v in bpy.context.scene.objects if v.type == "VOLUME"], out)
+"""
+
+
+def check_wind(clear):
+    """A volume of wind is in the scene, and not drawn; one that is not there is left out."""
+    volumes = [{"file": "fog.vdb", "kind": "wind"}, {"file": "none.vdb", "kind": "fog"}]
+    write_glb("wind.glb", {"Square": square()}, extras={"volumes": volumes}, **ABOVE)
+    blender.render("wind.glb", "wind.png", "wind.blend", size=[24, 16], samples=32)
+    np.testing.assert_array_equal(pixels("wind.png").mean(axis=2), clear)
+    with open("volumes.py", "w", encoding="utf-8") as script:
+        script.write(VOLUMES)
+    returned, said = blender.run([
+        "blender", "-b", os.path.abspath("wind.blend"), "--python-exit-code", "1", "-P", os.path.abspath("volumes.py")])
+    assert returned == 0, said[-2000:]
+    with open("volumes.json", encoding="utf-8") as text:
+        assert json.load(text) == [["Wind", "VOLUME", True, "density"]]
+
+
 def check_fog():
     """A volume beside the scene, with its grid named density, veils what is behind it."""
     if not hasattr(littoral, "vtkVDBVolumeWriter"):
@@ -306,6 +330,17 @@ def check_fog():
     assert found["clear"][aside] < 5 and found["fog"][aside] > 20, (found["clear"][aside], found["fog"][aside])
     contrast = {name: 1.0 - picture[aside] / picture[middle] for name, picture in found.items()}
     assert contrast["clear"] > 0.9 and contrast["fog"] < 0.8, contrast
+    check_wind(found["clear"])
+
+
+def check_noise(file):
+    """A pixel whose noise is low gets no more samples: the picture is another one than with all of them, by little."""
+    found = {}
+    for noise in (0.0, 0.01, 1.0):
+        blender.render(file, "noise.png", size=[48, 32], samples=96, noise=noise)
+        found[noise] = pixels("noise.png")
+    away = [np.abs(found[noise] - found[0.0]).mean() for noise in (0.01, 1.0)]
+    assert away[0] < away[1] and 0.02 < away[1] < 1.0, away
 
 
 def check_eevee():
@@ -355,5 +390,6 @@ if __name__ == "__main__":
         check_full_disk("scene.glb")
         check_motion_blur()
         check_fog()
+        check_noise("scene.glb")
         check_eevee()
         check_mistakes()

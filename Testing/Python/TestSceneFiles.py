@@ -19,7 +19,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData, vtkTable, vtkUnstructuredGrid)
+    vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 import littoral
@@ -268,6 +268,26 @@ class Meshes(Written):
         shown = [name for name in ("Level0", "Level1", "Level2", "Level3", "Level4", "Seams")
                  if block(tiles.GetOutput(), name) and block(tiles.GetOutput(), name).GetNumberOfCells() > 0]
         self.assertEqual(levels, shown)
+
+    def test_wet_ground(self):
+        """Where water gathers, the color of the ground is another one; on ridges it is as on dry ground."""
+        x, y = np.meshgrid(np.arange(-20, 21), np.arange(41))
+        valley = vtkImageData()
+        valley.SetDimensions(41, 41, 1)
+        valley.SetSpacing(10.0, 10.0, 1.0)
+        heights = numpy_to_vtk((3.0 * np.abs(x) + 0.5 * y).ravel().astype(float), deep=True)
+        heights.SetName("Elevation")
+        valley.GetPointData().SetScalars(heights)
+        drainage = littoral.vtkDrainageFilter()
+        drainage.SetInputData(valley)
+        drainage.CarveOff()
+        found = {}
+        for name, source in (("dry", valley), ("wet", drainage)):
+            g = self.write({"Land": source})
+            found[name] = g.attribute(g.named("Land")[0], "COLOR_0").reshape(41, 41, -1)
+        away = np.abs(found["wet"] - found["dry"]).max(axis=2)
+        self.assertGreater(away[:30, 20].min(), 0.02)
+        self.assertEqual(away[:, np.abs(x[0]) > 10].max(), 0.0)
 
     def test_plain_data(self):
         far = points_of(np.array([(0, 0, 0), (0.25, 0, 0), (0.25, 0.125, 0), (1, 1, 1)]) + (4.5e5, 5.4e6, 100.0), lines=True)

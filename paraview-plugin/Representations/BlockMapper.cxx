@@ -27,14 +27,13 @@ vtkUnsignedCharArray* BlockMapper::MapScalars(vtkDataSet* input, double alpha, i
   const bool areColors = this->ScalarVisibility && this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS &&
     vtkUnsignedCharArray::SafeDownCast(array);
   const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (areColors && this->Colors && !this->ColorTextureMap && this->Colored.Array == array &&
-    this->Colored.Time == time && this->Colored.Alpha == alpha)
+  if (areColors && this->Colors && !this->ColorTextureMap && this->Colored.Time == time && this->Colored.Alpha == alpha)
   {
     cellFlag = association;
     return this->Colors;
   }
   vtkUnsignedCharArray* colors = this->Superclass::MapScalars(input, alpha, cellFlag);
-  this->Colored = areColors ? Source{ array, time, alpha } : Source{};
+  this->Colored = areColors ? Source{ time, alpha } : Source{};
   return colors;
 }
 

@@ -4,9 +4,6 @@
 #define LittoralBlockMapper_h
 
 #include "vtkOpenGLPolyDataMapper.h"
-#include "vtkSmartPointer.h" // for the colors that are kept
-
-class vtkAbstractArray;
 
 namespace littoral
 {
@@ -43,10 +40,9 @@ private:
   BlockMapper(const BlockMapper&) = delete;
   void operator=(const BlockMapper&) = delete;
 
-  /// What colors were made of.
+  /// What colors were made of: no two arrays were ever changed at one time.
   struct Source
   {
-    vtkSmartPointer<vtkAbstractArray> Array;
     vtkMTimeType Time = 0;
     double Alpha = 0.0;
   };

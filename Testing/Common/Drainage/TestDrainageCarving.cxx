@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../OnThreads.h"
+#include "Drainage/ChannelGrading.h"
 #include "Drainage/DepressionFilling.h"
 #include "Drainage/DrainageCarving.h"
 #include "Drainage/SemivarianceBands.h"
@@ -327,6 +328,38 @@ TEST(GroundMeasures, FindsTheConcavityOfRivers)
   }
 }
 
+TEST(GroundMeasures, TheConcavityEndsAtAnAreaThatIsAskedFor)
+{
+  const GridSamples ground = RiverGround(160, 140, 0.4, 1);
+  const OutletMask outlets = BorderOutlets(160, 140);
+  const double cell = 50.0 * 50.0;
+  const GroundMeasures whole = MeasureGround(ground, outlets);
+  EXPECT_DOUBLE_EQ(whole.LargestArea, 2240.0 * cell);
+  const GroundMeasures part = MeasureGround(ground, outlets, SerialFor, NoPoll, 1500.0 * cell);
+  EXPECT_DOUBLE_EQ(part.LargestArea, 1500.0 * cell);
+  ASSERT_FALSE(part.SlopeArea.empty());
+  EXPECT_LT(part.SlopeArea.back().Cells, 1500.0);
+  EXPECT_GT(whole.SlopeArea.back().Cells, 1500.0);
+  EXPECT_NEAR(part.Concavity, 0.4, 0.05);
+  const GroundMeasures same = MeasureGround(ground, outlets, SerialFor, NoPoll, whole.LargestArea);
+  EXPECT_EQ(same.Concavity, whole.Concavity);
+  const GroundMeasures none = MeasureGround(ground, outlets, SerialFor, NoPoll, 900.0 * cell); // less than a decade
+  EXPECT_TRUE(std::isnan(none.Concavity) && none.SlopeArea.empty());
+}
+
+TEST(ChannelLaw, FallsFasterBeyondTheAreasThatAreKnown)
+{
+  ChannelLaw law;
+  law.Steepness = 0.02;
+  law.Concavity = 0.5;
+  EXPECT_DOUBLE_EQ(law.SlopeAt(100.0), 0.02);
+  EXPECT_DOUBLE_EQ(law.SlopeAt(1e4), 0.002);
+  EXPECT_DOUBLE_EQ(law.SlopeAt(10.0), law.HillslopePart * law.SlopeAt(50.0));
+  law.MostCells = 2500.0;
+  EXPECT_DOUBLE_EQ(law.SlopeAt(2500.0), 0.004);
+  EXPECT_DOUBLE_EQ(law.SlopeAt(1e4), 0.0005); // and a fourth of it
+}
+
 TEST(GroundMeasures, CountsWhatIsSunk)
 {
   GridSamples ground = Ground(12, 10, { 2.0, 3.0 }, [](double, double) { return 5.0; });
@@ -360,6 +393,31 @@ TEST(DrainageCarving, MeetsThePlacesMeasures)
     }
     EXPECT_EQ(Misfit(measures, target), Misfit(report.After, target));
   }
+}
+
+TEST(DrainageCarving, GroundMuchLargerThanItsPlaceDrainsWithThePlacesHeights)
+{
+  // 25 times the area: carved at a quarter and half the resolution before
+  const GridSamples place = RiverGround(112, 104, 0.4, 7);
+  const CarvingTarget target = TargetOf(place);
+  GridSamples wide = NormalNoise(560, 520, place.Spacing, 3);
+  std::vector<double> sizes(800);
+  const double step = 0.5 / (520 * place.Spacing[1]);
+  for (std::size_t ring = 0; ring < sizes.size(); ++ring)
+  {
+    sizes[ring] = std::sqrt(target.Spectrum.At(static_cast<double>(ring) * step) / target.CellArea);
+  }
+  MultiplyRings(wide, step, sizes);
+  InverseCosineTransform(wide);
+  CarvingParameters parameters;
+  parameters.MostRounds = 2;
+  const CarvingReport report = CarveDrainage(wide, target, parameters, OnThreads(2));
+  EXPECT_GT(report.Before.SunkShare, 0.05);
+  EXPECT_EQ(report.After.SunkShare, 0.0);
+  EXPECT_NEAR(report.After.HypsometricIntegral, target.Measures.HypsometricIntegral, 0.03);
+  EXPECT_NEAR(report.After.HeightSkew, target.Measures.HeightSkew, 0.15);
+  EXPECT_LT(std::abs(report.After.CurvatureSkew), 1.0);
+  EXPECT_DOUBLE_EQ(report.After.LargestArea, target.Measures.LargestArea); // the concavity of the place's own areas
 }
 
 TEST(DrainageCarving, TargetsInNumbers)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and films of scenes by Blender's path tracer.
 
-    ./littoral render SCENE [FOLDER] [--engine cycles|eevee] [--samples N] [--size W H] [--frames A B] [--blur SHARE]
-                      [--blend FILE]
+    ./littoral render SCENE [FOLDER] [--engine cycles|eevee] [--samples N] [--noise SHARE] [--size W H] [--frames A B]
+                      [--blur SHARE] [--blend FILE]
 
 SCENE is a scene file (.glb), or a Python file with a function write_scene(filename, frame=0) that writes one, as those in
 Examples/Blender. Without --frames one picture is made, FOLDER/NAME.png; with it FOLDER/NAME_0001.png and so on, and the
@@ -38,9 +38,10 @@ def render(scene, picture=None, blend=None, report=None, **options):
     """Render a scene file (.glb) into a PNG, save it as a .blend, or tell what it holds.
 
     `report` is a JSON file: counts, bounds and kinds of meshes as Blender has them. Options: size (width and height in
-    pixels, default 960 x 540), samples (a pixel, default 48), engine (cycles or eevee), frame (of point caches, default
-    0), blur (the share of a frame that the shutter is open, default 0). Files are replaced when they are whole. Raises
-    RenderError, and OSError where a file cannot be written.
+    pixels, default 960 x 540), samples (of a pixel at most, default 48), noise (of a pixel, as a share, at which no more
+    samples are taken, 0 for never, default 0.05), engine (cycles or eevee), frame (of point caches, default 0), blur (the
+    share of a frame that the shutter is open, default 0). Files are replaced when they are whole. Raises RenderError,
+    and OSError where a file cannot be written.
     """
     program = shutil.which("blender")
     if not program:
@@ -121,7 +122,9 @@ def main(words):
     parser.add_argument("scene", help="a .glb, or a Python file with write_scene(filename, frame=0)")
     parser.add_argument("folder", nargs="?", default=".", help="of the pictures (default: the current one)")
     parser.add_argument("--engine", choices=("cycles", "eevee"), default="cycles")
-    parser.add_argument("--samples", type=int, default=48, help="of a pixel (default: %(default)s)")
+    parser.add_argument("--samples", type=int, default=48, help="of a pixel at most (default: %(default)s)")
+    parser.add_argument("--noise", type=float, default=0.05, metavar="SHARE",
+                        help="with which a pixel is done after a third of its samples, 0: never (default: %(default)s)")
     parser.add_argument("--size", type=int, nargs=2, metavar=("W", "H"), default=(960, 540), help="in pixels")
     parser.add_argument("--frames", type=int, nargs=2, metavar=("A", "B"), help="first and last frame of a film")
     parser.add_argument("--blur", type=float, default=0.0, metavar="SHARE",
@@ -130,6 +133,8 @@ def main(words):
     given = parser.parse_args(words)
     if min(*given.size, given.samples) < 1:
         parser.error("sizes and samples are above 0")
+    if not 0.0 <= given.noise <= 1.0:
+        parser.error("the share of noise is 0 to 1")
     if not 0.0 <= given.blur <= 1.0:
         parser.error("the share of a frame is 0 to 1")
     if given.frames and given.frames[1] < given.frames[0]:
@@ -138,7 +143,8 @@ def main(words):
         parser.error(f"there is no scene {given.scene}")
     os.makedirs(given.folder, exist_ok=True)
     stem = os.path.join(given.folder, os.path.splitext(os.path.basename(given.scene))[0])
-    options = {"engine": given.engine, "samples": given.samples, "size": list(given.size), "blur": given.blur}
+    options = {"engine": given.engine, "samples": given.samples, "noise": given.noise, "size": list(given.size),
+               "blur": given.blur}
     if not given.frames:
         render_frames(given.scene, {0: f"{stem}.png"}, given.blend, **options)
         return

@@ -17,10 +17,10 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from . import display, files, scene
+from . import brooks, display, files, scene
 from .elevation import array_from_image, image_from_array, read_elevation
 from .versions import create_texture
-from .LittoralFilters import vtkDrainageFilter, vtkSitePreferenceFilter
+from .LittoralFilters import vtkSitePreferenceFilter
 from .LittoralSources import vtkQuadratPointSource, vtkTurningBandsTerrainSource
 from .stand import table_of_words
 
@@ -33,6 +33,8 @@ except ImportError:  # plain VTK: all but the views works
 SUN = (120.0, 34.0)
 #: Color of the haze, and its attenuation length [m].
 HAZE, SIGHT = (0.70, 0.79, 0.88), 9000.0
+#: Fraction of a cell under water from which no tree grows there.
+WET_CELL = 0.12
 #: Radius of the sky [m]. It is drawn behind everything at any distance: a dome beyond the land
 #: would move the near plane of the view away from the camera.
 SKY = 4000.0
@@ -79,7 +81,8 @@ class Country:
     """A refined part of an elevation model, with synthetic small relief, lit colors and woods.
 
     image: the terrain, with the point arrays Elevation [m] and RGB; wood: fraction of the ground
-    covered by trees, by row and column.
+    covered by trees, by row and column; water: where it runs, a `brooks.Water`. Meadows are along it, woods on
+    what is drier and steeper, rock where it is too steep for both.
     """
 
     def __init__(self, corner=(10500.0, 6500.0), size=10000.0, refinements=3, seed=1):
@@ -93,9 +96,10 @@ class Country:
         relief, reflectance = _small_relief(z.shape, spacing, seed)
         self.z = z + relief * np.clip(scene.steepness(z, spacing) / 12.0, 0.15, 1.5)
         self.spacing = spacing
-        cover = scene._relief(self.z, spacing, reflectance)
-        self.wood = scene._wooded(*cover)
         self.image = image_from_array(self.z.astype(np.float32), (*spacing, 1.0))
+        self.water = brooks.Water(self.image)
+        cover = scene._relief(self.z, spacing, reflectance, self.water.wetness)
+        self.wood = scene._wooded(*cover) * (self.water.cover < WET_CELL)
         self._paint(scene._colored(*cover))
 
     @classmethod
@@ -104,6 +108,7 @@ class Country:
         country = cls.__new__(cls)
         country.z, country.spacing = z, spacing
         country.wood = np.zeros(z.shape) if wood is None else wood
+        country.water = None
         country.image = image_from_array(z.astype(np.float32), (*spacing, 1.0))
         country._paint(scene.natural_color(z, spacing, reflectance))
         return country
@@ -164,14 +169,11 @@ PREFERENCES = {
     "wetness": ("", "", 8.5, ""), "wetness_tolerance": ("", "", 2.5, "")}
 
 
-def preferred_species(terrain, x, y, seed=1):
-    """Indices of the species of PREFERENCES that grow at positions x, y [m] of a terrain, by its heights and drainage."""
-    drainage, sites = vtkDrainageFilter(), vtkSitePreferenceFilter()
-    drainage.SetInputData(terrain)
-    drainage.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
-    drainage.CarveOff()
+def preferred_species(water, x, y, seed=1):
+    """Indices of the species of PREFERENCES that grow at positions x, y [m], by the heights and the drainage of the ground."""
+    sites = vtkSitePreferenceFilter()
     sites.SetInputData(points_with(np.column_stack((x, y, np.zeros(len(x))))))
-    sites.SetTerrainConnection(drainage.GetOutputPort())
+    sites.SetInputData(1, water.image)
     sites.SetInputData(2, table_of_words(PREFERENCES, PREFERENCES.values()))
     sites.SetSeed(seed)
     sites.Update()
@@ -204,7 +206,7 @@ def wood_sites(country, origin, size, mean_distance=13.0, seed=1, alone=None):
     wood = _sampled(country.wood, country.spacing, x, y)
     z = country.height(x, y)
     stays = chance[0] < np.clip(1.25 * wood - 0.2, 0.03, 1.0)
-    species = preferred_species(country.image, x, y, seed)
+    species = preferred_species(country.water, x, y, seed)
     species[(wood < 0.35) & (chance[1] < 0.5)] = 3
     if alone is not None:
         places, kinds = alone
@@ -243,6 +245,11 @@ def shadows(country, places, radius, height, sun=SUN):
     rgba[:, :3] = (30, 38, 34)
     rgba[:, 3] = np.repeat((135, 120, 0), (1, 12, 12))
     return polygons_with(points, triangles.reshape(-1, 3), np.tile(rgba, (len(places), 1)))
+
+
+def brook_bands(country, near, reach):
+    """Brooks within a distance [m] of a place as translucent bands on the ground, as `shadows`."""
+    return polygons_with(*brooks.bands(country.water.courses, country.height, np.asarray(near)[:2], reach))
 
 
 def polygons_with(points, triangles, colors):
@@ -416,8 +423,8 @@ def show_plants(source, view, parts=PLANT_PARTS):
     return shown
 
 
-def show_shadows(source, view):
-    """Show shadows on the ground."""
+def show_on_ground(source, view):
+    """Show shadows or brooks on the ground."""
     shown = _show_colored(source, view)
     _bake(shown)
     return shown

@@ -30,6 +30,7 @@ BACKGROUND = (0.96, 0.955, 0.945), (0.74, 0.80, 0.86)
 
 MEADOW = np.array((0.150, 0.168, 0.060))
 PASTURE = np.array((0.238, 0.215, 0.104))
+LUSH = np.array((0.098, 0.150, 0.044))
 FOREST = np.array((0.050, 0.080, 0.034))
 UPLAND = np.array((0.095, 0.105, 0.042))
 ROCK = np.array((0.260, 0.225, 0.185))
@@ -156,28 +157,30 @@ def wood_share(z, spacing, reflectance=None):
     return _wooded(*_relief(z, spacing, reflectance))
 
 
-def _colored(slope, height, hollow, patches, grain):
+def _colored(slope, height, hollow, patches, grain, wet):
     """The natural color, by the factors of plant cover."""
-    dry = _step(patches + 0.4 * grain - 0.3 * hollow, -0.5, 1.8)
+    dry = _step(patches + 0.4 * grain - 0.3 * hollow - 0.8 * wet, -0.5, 1.8)
     high = _step(height + 0.4 * patches, 0.2, 2.2)
     steep = slope + 4.0 * np.maximum(height - 1.0, 0.0) + 2.0 * patches + grain
     wood = _mix(FOREST, UPLAND, high) * (1.0 + 0.14 * grain[..., None])
-    color = _mix(_mix(MEADOW, PASTURE, dry), wood, _wooded(slope, height, hollow, patches, grain))
+    open_land = _mix(_mix(MEADOW, PASTURE, dry), LUSH, 0.8 * _step(wet, 0.8, 2.4))
+    color = _mix(open_land, wood, _wooded(slope, height, hollow, patches, grain, wet))
     return _mix(color, ROCK * (1.0 + 0.08 * grain[..., None]), 0.9 * _step(steep, 24.0, 36.0))
 
 
-def _wooded(slope, height, hollow, patches, grain):
+def _wooded(slope, height, hollow, patches, grain, wet):
     """The fraction covered by trees, by the factors of plant cover."""
-    wooded = 0.10 * (slope - 7.0) + 0.45 * hollow + 0.35 * height - 0.6 * patches + 0.25 * grain
+    wooded = 0.10 * (slope - 7.0) + 0.45 * hollow + 0.35 * height - 0.6 * patches + 0.25 * grain - 0.4 * wet
     return _step(wooded, -0.9, 0.7)
 
 
-def _relief(z, spacing, reflectance):
-    """Factors of plant cover: slope [degrees], height, hollows, patches and grain."""
+def _relief(z, spacing, reflectance, wetness=None):
+    """Factors of plant cover: slope [degrees], height, hollows, patches, grain, and wet ground, 0 unless it is known."""
     slope = steepness(z, spacing)
     slope *= 25.0 / max(25.0, np.percentile(slope, 95.0))  # rock stays rare in steep terrain
     patches = _noise(z.shape, 10, seed=1) if reflectance is None else 4.0 * (reflectance - 0.5)
-    return slope, _standard(z), _standard(z - blur(z, 28)), patches, _noise(z.shape, 0, seed=2)
+    wet = np.zeros(z.shape) if wetness is None else _standard(wetness)
+    return slope, _standard(z), _standard(z - blur(z, 28)), patches, _noise(z.shape, 0, seed=2), wet
 
 
 def height_color(z, spacing, reflectance=None):

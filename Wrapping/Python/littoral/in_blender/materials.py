@@ -46,8 +46,9 @@ class Materials:
         s = Shading(material.node_tree)
         s.left = self.water.filter(s) if self.water else None
         base, alpha = self._base(s, index, about, kind)
-        def make():
-            return self._surface(s, kind, base)
+
+        def make(is_seen=True):
+            return self._surface(s, kind, base, is_seen)
 
         medium = self.water or self.air
         shader = medium.before(s, make) if medium and kind != "sky" else make()
@@ -58,14 +59,16 @@ class Materials:
         s.end(shader)
         return material
 
-    def _surface(self, s, kind, base):
-        """The shader of a kind with a base color."""
+    def _surface(self, s, kind, base, is_seen):
+        """The shader of a kind with a base color. What is not seen, but scatters light to what is, needs neither gloss nor
+        bumps."""
         if kind in PASSED:
-            return thin(s, kind, base)
+            return thin(s, kind, base, is_seen)
         if kind == "water":
             return self.water.surface(s) if self.water else sea(s)
-        make = {"ground": ground, "bark": bark, "particle": particle}.get(kind, plain)
-        return make(s, base, self.water is not None)
+        if kind == "ground":
+            return ground(s, base, self.water is not None, is_seen)
+        return {"bark": bark, "particle": particle}.get(kind, plain)(s, base)
 
     def _base(self, s, index, about, kind):
         """The base color (vertices, picture, tint), and the picture's alpha or None."""
@@ -122,17 +125,19 @@ class Materials:
         return self.pictures[texture]
 
 
-def thin(s, kind, base):
-    """Thin tissue: it reflects, passes and mirrors light."""
+def thin(s, kind, base, is_seen):
+    """Thin tissue: it reflects, passes and, where it is seen, mirrors light."""
     passed = s.bsdf("Translucent", s.multiply(base, THROUGH[kind]))
     matt = s.mix(PASSED[kind], s.bsdf("Diffuse", base), passed)
+    if not is_seen:
+        return matt
     share, roughness = GLOSS[kind]
     gloss = s.bsdf("Glossy", (0.9, 0.95, 1.0), Roughness=roughness)
     edge = s.node("LayerWeight", {"Blend": 0.25}, "Fresnel")
     return s.mix(s.math("MULTIPLY", edge, 2.0 * share), matt, gloss)
 
 
-def bark(s, base, _under_water):
+def bark(s, base):
     """Wood with furrows along the trunk."""
     place = s.node("TexCoord", output="Object")
     furrow = s.noise(s.multiply(place, (1.0, 1.0, 0.22)), 22.0, 3.0)
@@ -140,7 +145,7 @@ def bark(s, base, _under_water):
     return s.bsdf("Diffuse", color)
 
 
-def ground(s, base, under_water):
+def ground(s, base, under_water, is_seen):
     """Ground of the base color, with patches, litter and, where it is steep, rock; under water, sand as it is."""
     place = s.geometry("Position")
     fine, coarse = s.noise(place, 7.0, 6.0, 0.62), s.noise(place, 0.55, 4.0)
@@ -160,12 +165,14 @@ def ground(s, base, under_water):
         rock = s.blend(s.ramp(fine, 0.3, 0.7), (0.10, 0.095, 0.085), (0.30, 0.28, 0.25))
         color = s.blend(bare, color, rock)
         depth, distance = 0.9, 0.25
+    if not is_seen:
+        return s.bsdf("Diffuse", color)
     height = s.math("MULTIPLY_ADD", fine, 0.35, s.math("MULTIPLY", coarse, 1.0))
     bump = s.node("Bump", {"Strength": depth, "Distance": distance, "Height": height}, "Normal")
     return s.bsdf("Diffuse", color, Normal=bump)
 
 
-def particle(s, base, _under_water):
+def particle(s, base):
     """Specks that scatter light to all sides."""
     return s.mix(0.5, s.bsdf("Diffuse", base), s.bsdf("Translucent", base))
 
@@ -177,7 +184,7 @@ def sea(s):
     return s.mix(s.node("Fresnel", {"IOR": 1.333}), below, mirror)
 
 
-def plain(s, base, _under_water):
+def plain(s, base):
     node = s.tree.nodes.new("ShaderNodeBsdfPrincipled")
     versions.roughness_specular(node, 0.7, 0.2)
     s.plug(node.inputs["Base Color"], base)

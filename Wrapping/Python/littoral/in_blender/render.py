@@ -3,8 +3,8 @@
 """Makes a scene of Blender from a scene file and renders it: blender -b -P render.py -- JOB.json
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
-engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of a frame that the shutter is
-open; report, a JSON file to write with what the scene holds; litter, temporary folders: then standard input is a pipe
+noise, at which a pixel is done; engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of
+a frame that the shutter is open; report, a JSON file to write with what the scene holds; litter, temporary folders: then standard input is a pipe
 that ends with the process that has started this.
 """
 
@@ -22,6 +22,9 @@ from in_blender import gltf, light, versions  # noqa: E402
 from in_blender.materials import Materials  # noqa: E402
 from in_blender.objects import Builder  # noqa: E402
 from in_blender.water import Water  # noqa: E402
+
+#: A pixel is done when its noise is below this share (Cycles' noise threshold).
+NOISE = 0.05
 
 
 def build(path):
@@ -73,12 +76,21 @@ def water_box(file):
 
 
 def add_volume(path, kind):
-    """An OpenVDB volume as fog."""
-    if kind != "fog" or not os.path.exists(path):
-        print(f"littoral: the volume {path} of kind {kind} is not drawn", flush=True)
+    """An OpenVDB volume: fog is drawn; wind is there for the modifiers and simulations of Blender, and not drawn."""
+    if kind not in ("fog", "wind") or not os.path.exists(path):
+        print(f"littoral: the volume {path} of kind {kind} is left out", flush=True)
         return
-    volume = bpy.data.volumes.new("Fog")
+    volume = bpy.data.volumes.new(kind.capitalize())
     volume.filepath = path
+    thing = bpy.data.objects.new(volume.name, volume)
+    thing.hide_render = kind == "wind"
+    bpy.context.scene.collection.objects.link(thing)
+    if kind == "fog":
+        volume.materials.append(fog_of(volume))
+
+
+def fog_of(volume):
+    """The material of fog, by the first grid of its volume."""
     material = bpy.data.materials.new("fog")
     material.use_nodes = True
     nodes = material.node_tree.nodes
@@ -87,8 +99,7 @@ def add_volume(path, kind):
     volume.grids.load()
     scatter.inputs["Density Attribute"].default_value = volume.grids[0].name if len(volume.grids) else "density"
     material.node_tree.links.new(scatter.outputs[0], end.inputs["Volume"])
-    volume.materials.append(material)
-    bpy.context.scene.collection.objects.link(bpy.data.objects.new("Fog", volume))
+    return material
 
 
 def set_quality(job, extras):
@@ -109,7 +120,9 @@ def set_quality(job, extras):
         return
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
-    cycles.samples, cycles.use_adaptive_sampling, cycles.seed = samples, False, job.get("seed", 0)
+    cycles.samples, cycles.seed, noise = samples, job.get("seed", 0), job.get("noise", NOISE)
+    cycles.use_adaptive_sampling, cycles.adaptive_threshold = noise > 0.0, max(noise, 1e-3)
+    cycles.adaptive_min_samples = max(4, samples // 3)
     versions.denoise(scene)
     cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = 4, 2, 1
     cycles.transmission_bounces, cycles.volume_bounces, cycles.transparent_max_bounces = 4, 0, 24

@@ -80,6 +80,14 @@ def no_lamp(material):
         material.cycles.sample_as_light = False
 
 
+def no_hits(lamp):
+    """Let light of a lamp be asked for by every surface, and not be found by chance as well: it has no mirror images. The
+    property was Cycles' own before 5.0."""
+    for settings in (getattr(lamp, "cycles", None), lamp):
+        if hasattr(settings, "use_multiple_importance_sampling"):
+            settings.use_multiple_importance_sampling = False
+
+
 def set_shutter(scene, share):
     """The share of a frame that the shutter is open; up to 4.1 EEVEE had settings of its own."""
     for settings, switch in ((scene.render, "use_motion_blur"), (scene.eevee, "use_motion_blur")):

@@ -75,7 +75,8 @@ class Water:
 
     def before(self, s, make):
         """What `make` makes, with the light that the water before it scatters to the eye; other rays do not compute it."""
-        return s.node("AddShader", {0: make(), 1: s.mix(self.seen(s), None, self.veil(s))})
+        seen = s.node("AddShader", {0: make(), 1: self.veil(s)})
+        return s.mix(self.seen(s), make(False), seen)
 
     def veil(self, s):
         """Sunlight, decaying with depth, scattered along the ray to the eye, as a glow."""
