@@ -34,8 +34,9 @@
  * Plots whose rectangles overlap are set in a row along x, 20 m apart. Of the stems of a tree, by treeid, the thickest
  * is taken. Rows of dead trees are left out.
  *
- * A column that is not there, a cell that is no number, trees at the same place, dimensions that no stand has in the
- * unit that was said, and a table without trees are reported as one error.
+ * A column that is not there, columns of which none is known but places, plots and numbers, a cell that is no
+ * number, trees at the same place, dimensions that no stand has in the unit that was said, and a table without trees
+ * are reported as one error.
  *
  * @sa vtkPlantScatterFilter
  */

@@ -6,6 +6,7 @@
 #include "Numerics/ParameterCheck.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
@@ -166,6 +167,37 @@ struct Layout
       reason = "there are no columns x and y, or gx and gy; the table has " + NamesOf(table) +
         ". Name the columns of the places.";
     }
+    const std::string strange = this->HasTrees() ? std::string() : this->StrangeNames(table);
+    if (reason.empty() && !strange.empty())
+    {
+      reason = "none of " + strange +
+        " is known as a species, a diameter or a height. Name the columns that are, or leave all of them out.";
+    }
+  }
+
+private:
+  /// Whether anything but places is known of the trees.
+  bool HasTrees() const
+  {
+    return this->Species.Index >= 0 || this->Genus.Index >= 0 || this->Diameter.Index >= 0 || this->Height.Index >= 0;
+  }
+
+  /// Names of columns that nothing is read from.
+  std::string StrangeNames(const TextTable& table) const
+  {
+    std::string names;
+    for (int column = 0; column < static_cast<int>(table.Names.size()); ++column)
+    {
+      const std::array<int, 5> read{ this->X.Index, this->Y.Index, this->Plot.Index, this->Status.Index,
+        this->Tree.Index };
+      const std::string& name = table.Names[static_cast<std::size_t>(column)];
+      const bool isNumber = name.empty() || NameAndUnit(name).first == "id"; // of the row
+      if (!isNumber && std::find(read.begin(), read.end(), column) == read.end())
+      {
+        names += (names.empty() ? "" : ", ") + name;
+      }
+    }
+    return names;
   }
 };
 

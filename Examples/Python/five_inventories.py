@@ -177,7 +177,7 @@ def draw_curve(renderer, verdict, size):
         line.SetWidth(width)
     for which, title, high in (
             (vtkAxis.BOTTOM, "distance [m]", values["Distance"].max()),
-            (vtkAxis.LEFT, "g", 1.05 * max(np.nanmax(values["GlobalHigh"][1:]), np.nanmax(values["Measured"][1:])))):
+            (vtkAxis.LEFT, "", 1.05 * max(np.nanmax(values["GlobalHigh"][1:]), np.nanmax(values["Measured"][1:])))):
         axis = chart.GetAxis(which)
         axis.SetTitle(title)
         axis.SetBehavior(vtkAxis.FIXED)
@@ -278,7 +278,7 @@ def main(folder):
     head = vtkRenderer()
     head.SetViewport(0.0, 1.0 - TOP, 1.0, 1.0)
     head.SetBackground(*PAPER)
-    for k, text in enumerate(("measured", "fitted", "regrown", "planted")):
+    for k, text in enumerate(("measured", "fitted: pair correlation g", "regrown", "planted")):
         head.AddActor(label(text, (0.5 * (COLUMNS[k] + COLUMNS[k + 1]), 0.85), 38, INK))
     window.AddRenderer(head)
     write_jpg(window, os.path.join(folder, "five-inventories.jpg"), PICTURE)

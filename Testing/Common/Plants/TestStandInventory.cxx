@@ -352,6 +352,9 @@ TEST(StandInventory, OneMessageEach)
   InventoryOptions options;
   options.Columns.Diameter = "Dicke";
   EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,3\n", options), "no column 'Dicke'; the table has x, y, dbh."));
+  EXPECT_TRUE(Says(WhyNot("x,y,tag,Art,Dicke\n1,2,7,Eiche,30\n"), "none of Art, Dicke is known as a species"));
+  EXPECT_EQ(WhyNot("id,x,y,plot,status,tag\n1,1,2,A,alive,7\n"), "");
+  EXPECT_EQ(WhyNot("x,y,dbh,Art\n1,2,30,Eiche\n"), "");
   EXPECT_TRUE(Says(WhyNot("x,y\n"), "no rows"));
   EXPECT_TRUE(Says(WhyNot("x,y,status\n1,2,dead\n"), "none of the 1 rows"));
   EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n3,4\n1,2\n"), "rows 1 and 3 stand at the same place (1, 2) m"));
