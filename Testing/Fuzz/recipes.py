@@ -43,7 +43,8 @@ RECIPES = {
     "vtkPointPatternStatisticsFilter": (("vtkQuadratPointSource",), {"SetNumberOfSteps": (16,),
                                                                      "SetNumberOfSimulations": (19,)}),
     "vtkPatternVerdictFilter": (("vtkPointProcessSource",), {"SetNumberOfSimulations": (19,)}),
-    "vtkStandInventoryFilter": (SEA, {"SetXColumn": ("Direction",), "SetYColumn": ("Phase",)}),
+    "vtkStandInventoryFilter": (  # phases stand for heights
+        SEA, {"SetXColumn": ("Direction",), "SetYColumn": ("Phase",), "SetHeightColumn": ("Phase",)}),
     "vtkSitePreferenceFilter": (("vtkQuadratPointSource", "vtkTurningBandsTerrainSource"), {}),
     "vtkTerrainLevelOfDetailFilter": (("vtkTurningBandsTerrainSource",), {}),
     "vtkPlantScatterFilter": (("vtkQuadratPointSource", *WOOD, "vtkTurningBandsTerrainSource"), {}),
