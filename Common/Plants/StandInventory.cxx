@@ -185,11 +185,11 @@ private:
   /// Names of columns that nothing is read from.
   std::string StrangeNames(const TextTable& table) const
   {
+    const std::array<int, 5> read{ this->X.Index, this->Y.Index, this->Plot.Index, this->Status.Index,
+      this->Tree.Index };
     std::string names;
     for (int column = 0; column < static_cast<int>(table.Names.size()); ++column)
     {
-      const std::array<int, 5> read{ this->X.Index, this->Y.Index, this->Plot.Index, this->Status.Index,
-        this->Tree.Index };
       const std::string& name = table.Names[static_cast<std::size_t>(column)];
       const bool isNumber = name.empty() || NameAndUnit(name).first == "id"; // of the row
       if (!isNumber && std::find(read.begin(), read.end(), column) == read.end())

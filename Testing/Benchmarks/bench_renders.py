@@ -5,9 +5,9 @@
     ./littoral run /usr/bin/python3 Testing/Benchmarks/bench_renders.py [CASE...]
 
 Cases: trees and hills (960 x 540, 48 samples), underwater (800 x 450, 64 samples), forest (960 x 540, 48 samples);
-default: all but the last. Each in a process of its own, from the start of Blender to the whole picture, without the writing of the scene
-file. On a machine with other work, processor time by the number of cores is what an idle machine would need at least.
-LITTORAL_RENDERS names a folder that keeps the pictures.
+default: all but the last. Each in a process of its own, from the start of Blender to the whole picture, without the
+writing of the scene file. On a machine with other work, processor time by the number of cores is what an idle machine
+would need at least. LITTORAL_RENDERS names a folder that keeps the pictures.
 """
 
 import os

@@ -4,8 +4,8 @@
 
 The job has: scene, the .glb file; and optionally picture, a PNG to write; blend, a .blend file to write; size; samples;
 noise, at which a pixel is done; engine; frame, of the point caches, from 0 on; rate, frames a second; blur, the share of
-a frame that the shutter is open; report, a JSON file to write with what the scene holds; litter, temporary folders: then standard input is a pipe
-that ends with the process that has started this.
+a frame that the shutter is open; report, a JSON file to write with what the scene holds; litter, temporary folders: then
+standard input is a pipe that ends with the process that has started this.
 """
 
 import json
