@@ -3,24 +3,13 @@
 # run-with: pvpython
 """The guide's list from a raster of heights to its twin with valleys, in the window, and back to a raster by GDAL."""
 
-import sys
+import quick  # noqa: F401
+from paraview import simple
 
-import quick
-from paraview import servermanager, simple
-
+from geotiff import gdal, set_place
 from guide import Walk
 from player import drawn
 
-if not hasattr(servermanager.writers, "ElevationWriter"):
-    print("built without GDAL")
-    sys.exit(125)
-try:
-    from osgeo import gdal, osr
-except ImportError:
-    print("no python3-gdal")
-    sys.exit(125)
-
-gdal.UseExceptions()
 #: Corner and pixels [m] in UTM zone 16 north.
 PLACE, SYSTEM = (725000.0, 90.0, 0.0, 4040000.0, 0.0, -90.0), 32616
 
@@ -32,10 +21,7 @@ def write_raster(file):
     simple.SaveData(file, proxy=simple.Drainage(Input=hills, NumberOfRounds=5))
     simple.ResetSession()
     raster = gdal.Open(file, gdal.GA_Update)
-    system = osr.SpatialReference()
-    system.ImportFromEPSG(SYSTEM)
-    raster.SetSpatialRef(system)
-    raster.SetGeoTransform(PLACE)
+    set_place(raster, PLACE, SYSTEM)
 
 
 def statistics(source):

@@ -2,22 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """File > Open reads a raster of heights in metres, and Save Data writes its twin in the same place."""
 import os
-import sys
 import tempfile
 
 import numpy as np
+from geotiff import gdal, set_place
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
-if not hasattr(servermanager.writers, "ElevationWriter"):
-    print("built without GDAL")
-    sys.exit(125)
-try:
-    from osgeo import gdal, osr
-except ImportError:
-    print("no python3-gdal")
-    sys.exit(125)
-gdal.UseExceptions()
 PLACES = {32616: (725000.0, 30.0, 0.0, 4040000.0, 0.0, -25.0), 4326: (-84.5, 0.001, 0.0, 36.5, 0.0, -0.001)}
 
 
@@ -28,10 +19,7 @@ def raster(folder, code):
     heights[10:15, 20:25] = -9999.0
     name = os.path.join(folder, f"{code}.tif")
     made = gdal.GetDriverByName("GTiff").Create(name, 60, 40, 1, gdal.GDT_Float32)
-    system = osr.SpatialReference()
-    system.ImportFromEPSG(code)
-    made.SetSpatialRef(system)
-    made.SetGeoTransform(PLACES[code])
+    set_place(made, PLACES[code], code)
     made.GetRasterBand(1).SetNoDataValue(-9999.0)
     made.GetRasterBand(1).WriteArray(heights)
     made = None

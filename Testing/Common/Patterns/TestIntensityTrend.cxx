@@ -114,7 +114,7 @@ TEST(IntensityTrend, WhatWasSimulatedIsFoundAgain)
   for (const PointProcess id : { PointProcess::Poisson, PointProcess::Thomas })
   {
     process.Process = id;
-    constexpr int seeds = 100;
+    constexpr int seeds = 300;
     double sums[3] = {};
     double squares[3] = {};
     for (int seed = 1; seed <= seeds; ++seed)
@@ -132,7 +132,7 @@ TEST(IntensityTrend, WhatWasSimulatedIsFoundAgain)
       const double mean = sums[term] / seeds;
       const double error = std::sqrt((squares[term] / seeds - mean * mean) / (seeds - 1));
       EXPECT_NEAR(mean, term == 1 ? 1.0 : -1.0, 3.0 * error) << PointProcessName(id);
-      EXPECT_LT(error, 0.05); // the test sees 15 %
+      EXPECT_LT(error, 0.03); // the test sees 10 %
     }
   }
 }
