@@ -23,10 +23,12 @@ and data, then two films of FRAMES frames each (default: 48; 0 for none):
     walk.ogv           a walk in the forest in that wind; its frames are walk.0000.png ...
 """
 
+import atexit
 import errno
 import os
 import runpy
 import shutil
+import subprocess
 import sys
 import tempfile
 import time
@@ -197,6 +199,22 @@ def clear():
         simple.Delete(source)
 
 
+def begin_forest(folder):
+    """Draw the forest in a process of its own, on the core that the next steps leave idle."""
+    process = subprocess.Popen(["pvbatch", FOREST, folder, *map(str, FILM_SIZE)],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    atexit.register(process.kill)  # should the demo end before
+    return process
+
+
+def end_forest(process):
+    """Wait for the forest's picture, and show what was said."""
+    said = process.communicate()[0]
+    print(said, end="", flush=True)
+    if process.returncode != 0:
+        sys.exit("The forest was not drawn.")
+
+
 def need_space(folder, frames):
     """Raises OSError if the disk of the output is too full, before anything is computed."""
     needed, free = STILL_BYTES + frames * FRAME_BYTES, shutil.disk_usage(folder).free
@@ -234,7 +252,8 @@ def main(folder, frames=48):
     progress.begin("drawing variogram.png")
     save_variogram_chart(file("variogram.png"), variogram, models)
 
-    progress.begin("carving valleys into the twin")
+    forest_process = begin_forest(folder)
+    progress.begin("carving valleys into the twin, and drawing forest.png beside it")
     valleys = carve(twin, place)
 
     progress.begin("drawing twin-terrain.png")
@@ -251,19 +270,17 @@ def main(folder, frames=48):
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
 
-    forest = runpy.run_path(FOREST, run_name="forest")
     underwater = runpy.run_path(UNDERWATER, run_name="underwater")
-    progress.begin("drawing forest.png")
-    forest["main"](folder, FILM_SIZE)
-    clear()
     progress.begin("drawing underwater.png")
     scene = underwater["main"](folder, FILM_SIZE)
+    progress.begin("waiting for forest.png")
+    end_forest(forest_process)
     if frames:
         progress.begin("filming underwater.ogv: all pictures are there, the films take longer")
         underwater["film"](*scene, folder, frames, progress.film)
         clear()
-        progress.begin("filming walk.ogv")  # its scene is made anew: both at once would take the memory of both
-        forest["main"](folder, FILM_SIZE, frames, progress.film)
+        progress.begin("filming walk.ogv")  # one film after the other: each keeps both cores busy
+        runpy.run_path(FOREST, run_name="forest")["main"](folder, FILM_SIZE, frames, progress.film)
     progress.begin(f"all written into {folder}")
 
 
