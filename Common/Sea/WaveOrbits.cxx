@@ -213,14 +213,38 @@ LITTORAL_WIDE_SIMD_CLONES void AddGradient(const float* __restrict p, const floa
   }
 }
 
-template <int Components>
-void Store(const float (*sums)[BlockSize], int count, float* to)
+/// Centers by coordinate; z from sea level, not outside of the water, and the height over the bed.
+LITTORAL_WIDE_SIMD_CLONES void ReadCenters(const float* __restrict centers, double seaLevel, double depth, int count,
+  double* __restrict x, double* __restrict y, float* __restrict z, float* __restrict heightOverBed)
 {
   for (int i = 0; i < count; ++i)
   {
-    for (int c = 0; c < Components; ++c)
+    x[i] = centers[3 * i];
+    y[i] = centers[3 * i + 1];
+    const double inWater = std::min(0.0, std::max(centers[3 * i + 2] - seaLevel, -depth));
+    z[i] = static_cast<float>(inWater);
+    heightOverBed[i] = static_cast<float>(inWater + depth);
+  }
+}
+
+LITTORAL_WIDE_SIMD_CLONES void StoreVectors(const float (*__restrict sums)[BlockSize], int count, float* __restrict to)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    to[3 * i] = sums[0][i];
+    to[3 * i + 1] = sums[1][i];
+    to[3 * i + 2] = sums[2][i];
+  }
+}
+
+LITTORAL_WIDE_SIMD_CLONES void StoreGradients(
+  const float (*__restrict sums)[BlockSize], int count, float* __restrict to)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 5; ++c)
     {
-      to[Components * i + c] = sums[c][i];
+      to[5 * i + c] = sums[c][i];
     }
   }
 }
@@ -428,44 +452,42 @@ void WaveOrbits::EvaluateBlock(Block& block, const OrbitRequest<float>& request,
   const auto to = [begin](float* array, int components) { return array ? array + components * begin : nullptr; };
   if (request.Displacement)
   {
-    Store<3>(block.Displacement, count, to(request.Displacement, 3));
+    StoreVectors(block.Displacement, count, to(request.Displacement, 3));
   }
   if (request.Velocity)
   {
-    Store<3>(block.Velocity, count, to(request.Velocity, 3));
+    StoreVectors(block.Velocity, count, to(request.Velocity, 3));
   }
   if (request.Acceleration)
   {
-    Store<3>(block.Acceleration, count, to(request.Acceleration, 3));
+    StoreVectors(block.Acceleration, count, to(request.Acceleration, 3));
   }
   if (request.Gradient)
   {
-    Store<5>(block.Gradient, count, to(request.Gradient, 5));
+    StoreGradients(block.Gradient, count, to(request.Gradient, 5));
   }
   if (request.VelocityGradient)
   {
-    Store<5>(block.VelocityGradient, count, to(request.VelocityGradient, 5));
+    StoreGradients(block.VelocityGradient, count, to(request.VelocityGradient, 5));
   }
 }
 
-/// Centers of the points; all sums 0.
+/// Centers of the points; sums that are requested, and the displacement, 0.
 void WaveOrbits::StartBlock(Block& block, const OrbitRequest<float>& request, std::size_t begin, int count) const
 {
-  const float* centers = request.Centers + 3 * begin;
-  const double depth = this->Sea.Depth;
-  for (int i = 0; i < count; ++i)
-  {
-    block.X[i] = centers[3 * i];
-    block.Y[i] = centers[3 * i + 1];
-    const double z = std::min(0.0, std::max(centers[3 * i + 2] - this->Sea.SeaLevel, -depth));
-    block.Z[i] = static_cast<float>(z);
-    block.HeightOverBed[i] = static_cast<float>(z + depth);
-  }
+  ReadCenters(request.Centers + 3 * begin, this->Sea.SeaLevel, this->Sea.Depth, count, block.X, block.Y, block.Z,
+    block.HeightOverBed);
   std::memset(block.Displacement, 0, sizeof block.Displacement);
-  std::memset(block.Velocity, 0, sizeof block.Velocity);
-  std::memset(block.Acceleration, 0, sizeof block.Acceleration);
-  std::memset(block.Gradient, 0, sizeof block.Gradient);
-  std::memset(block.VelocityGradient, 0, sizeof block.VelocityGradient);
+  const auto clear = [](const float* requested, auto& sums) {
+    if (requested)
+    {
+      std::memset(sums, 0, sizeof sums);
+    }
+  };
+  clear(request.Velocity, block.Velocity);
+  clear(request.Acceleration, block.Acceleration);
+  clear(request.Gradient, block.Gradient);
+  clear(request.VelocityGradient, block.VelocityGradient);
 }
 
 /// Moves the centers with the Stokes drift of their trains; `counts` as in the request, of this block.
