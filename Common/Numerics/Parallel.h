@@ -53,8 +53,8 @@ private:
   std::size_t Done = 0;
 };
 
-/// A parallel loop in ranges of a length [elements], the last one shorter. What is no longer than one runs at once:
-/// threads cost some 0.1 ms to call.
+/// A parallel loop in ranges of a length [elements], the last one shorter, on however few threads. What is no longer
+/// than one runs at once: threads cost some 0.1 ms to call.
 inline void ForRanges(const ParallelFor& parallel, std::size_t count, std::size_t length, const RangeTask& task)
 {
   const std::size_t size = std::max<std::size_t>(1, length);
@@ -63,8 +63,12 @@ inline void ForRanges(const ParallelFor& parallel, std::size_t count, std::size_
     task(0, count);
     return;
   }
-  parallel((count + size - 1) / size,
-    [&](std::size_t begin, std::size_t end) { task(begin * size, std::min(count, end * size)); });
+  parallel((count + size - 1) / size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t range = begin; range < end; ++range)
+    {
+      task(range * size, std::min(count, (range + 1) * size));
+    }
+  });
 }
 
 }

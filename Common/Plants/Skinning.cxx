@@ -48,20 +48,12 @@ LITTORAL_INLINE SimdFloat4 Turned(const SimdFloat4* columns, const SimdFloat4& v
   return columns[0] * All<0>(vector) + columns[1] * All<1>(vector) + columns[2] * All<2>(vector);
 }
 
-template <typename Number>
-LITTORAL_INLINE bool IsSame(const Number* a, const Number* b)
-{
-  return std::memcmp(a, b, 4 * sizeof(Number)) == 0; // NOLINT(bugprone-suspicious-memory-comparison): bit by bit
-}
-
 /// The joints that a vertex follows, about the place of the first one.
 struct FollowedJoints
 {
   const JointChange* Changes[4]{};
   SimdFloat4 Center{};
   SimdFloat4 Shifts[4]{};
-  std::size_t Count = 0;
-  const int* Ids = nullptr;
 
   LITTORAL_INLINE static SimdFloat4 PlaceOf(const JointChange& change)
   {
@@ -69,20 +61,13 @@ struct FollowedJoints
     return SimdFloat4{ c[0][3], c[1][3], c[2][3], 0.0f };
   }
 
-  /// The first joints of a vertex, unless they are those of the vertex before.
-  LITTORAL_INLINE void Take(const int* ids, std::size_t count, const JointChange* joints)
+  LITTORAL_INLINE void Take(const SkinBinding::Run& run, const JointChange* joints)
   {
-    if (this->Count >= count && IsSame(ids, this->Ids))
-    {
-      return;
-    }
-    this->Ids = ids;
-    this->Count = count;
-    this->Center = PlaceOf(joints[ids[0]]);
-    for (std::size_t i = 0; i < count; ++i)
+    this->Center = PlaceOf(joints[run.Joints[0]]);
+    for (int i = 0; i < run.Count; ++i)
     {
       // s_i + (R_i - 1) (c - r_i)
-      const JointChange& change = joints[ids[i]];
+      const JointChange& change = joints[run.Joints[i]];
       const SimdFloat4 columns[3] = { Column(change, 0), Column(change, 1), Column(change, 2) };
       this->Changes[i] = &change;
       this->Shifts[i] = Column(change, 3) + Turned(columns, this->Center - PlaceOf(change));
@@ -90,19 +75,26 @@ struct FollowedJoints
   }
 };
 
-/// Joints up to the last one with a weight.
-LITTORAL_INLINE std::size_t JointsOf(const float* weights)
+/// Asks for the memory of a value that is read soon.
+template <typename Value>
+LITTORAL_INLINE void Prefetch(const Value* value)
 {
-  std::size_t count = 4;
-  while (count > 1 && weights[count - 1] == 0.0f)
-  {
-    --count;
-  }
-  return count;
+#if defined(__GNUC__)
+  __builtin_prefetch(value);
+#endif
 }
 
-/// The mean change of the joints of one vertex after the other, about the place of the first joint of each. Vertices
-/// around a branch follow the same joints alike, those of a crown the same joints.
+/// Weights that move towards the largest one alone.
+LITTORAL_INLINE void Stiffen(float rigidity, int count, float* weights)
+{
+  const auto largest = std::max_element(weights, weights + count) - weights;
+  for (int i = 0; i < count; ++i)
+  {
+    weights[i] += rigidity * ((i == largest ? 1.0f : 0.0f) - weights[i]);
+  }
+}
+
+/// The mean change of the joints of one vertex after the other, about the place of the first joint of each.
 class Blend
 {
 public:
@@ -110,27 +102,39 @@ public:
   SimdFloat4 Shift{};
   SimdFloat4 Center{};
 
-  LITTORAL_INLINE Blend(const RestSkin& rest, const JointChange* changes)
-    : Rest(rest)
+  LITTORAL_INLINE Blend(const SkinBinding& binding, const JointChange* changes, float rigidity, std::size_t begin)
+    : Binding(binding)
     , Changes(changes)
+    , Rigidity(rigidity)
+    , Next(binding.RunOf(begin))
+    , End(binding.EndOfRuns())
+    , Until(begin)
   {
   }
 
   LITTORAL_INLINE void Enter(std::size_t vertex)
   {
-    const int* ids = this->Rest.JointIds + 4 * vertex;
-    const float* weights = this->Rest.JointWeights + 4 * vertex;
-    if (this->Weights && IsSame(ids, this->Joints.Ids) && IsSame(weights, this->Weights))
+    if (vertex == this->Until)
+    {
+      this->Run = this->Next++;
+      this->Fetch(this->Run + RunsAhead);
+      this->Until = this->Run->End;
+      this->Joints.Take(*this->Run, this->Changes);
+      this->Center = this->Joints.Center;
+    }
+    else if (!this->Run->Varies)
     {
       return;
     }
-    this->Weights = weights;
-    this->Joints.Take(ids, JointsOf(weights), this->Changes);
-    this->Center = this->Joints.Center;
+    float weights[4];
+    std::copy_n(this->Binding.WeightsOf(*this->Run, vertex), this->Run->Count, weights);
+    if (this->Rigidity > 0.0f)
+    {
+      Stiffen(this->Rigidity, this->Run->Count, weights);
+    }
     // Linear blend skinning about c: [R - 1 | t] = sum over joints of w_i [R_i - 1 | s_i + (R_i - 1) (c - r_i)].
-    // A joint without weight changes no byte of a sum that began with 0.
     SimdFloat4 sums[4]{};
-    for (std::size_t i = 0; i < this->Joints.Count; ++i)
+    for (int i = 0; i < this->Run->Count; ++i)
     {
       const SimdFloat4 weight = weights[i] - SimdFloat4{};
       const JointChange& change = *this->Joints.Changes[i];
@@ -144,10 +148,26 @@ public:
   }
 
 private:
-  const RestSkin& Rest;
+  static constexpr std::ptrdiff_t RunsAhead = 8;
+
+  /// Has the changes of a run brought near, while others are blended: more than a cache of the first level has them.
+  LITTORAL_INLINE void Fetch(const SkinBinding::Run* run) const
+  {
+    if (run < this->End)
+    {
+      Prefetch(this->Changes + run->Joints[0]);
+      Prefetch(this->Changes + run->Joints[run->Count - 1]);
+    }
+  }
+
+  const SkinBinding& Binding;
   const JointChange* Changes;
+  float Rigidity;
+  const SkinBinding::Run* Run = nullptr;
+  const SkinBinding::Run* Next;
+  const SkinBinding::Run* End;
+  std::size_t Until; ///< the first vertex of the next run
   FollowedJoints Joints;
-  const float* Weights = nullptr; // of the vertex
 };
 
 /// Moves a vertex; its normal gets its length later.
@@ -229,11 +249,11 @@ Vector3 JointChange::Of(const Vector3& place) const
 }
 
 //----------------------------------------------------------------------------
-LITTORAL_SIMD_CLONES void MoveSkin(
-  const RestSkin& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points, float* normals)
+LITTORAL_SIMD_CLONES void MoveSkin(const RestSkin& rest, const SkinBinding& binding, const JointChange* joints,
+  std::size_t begin, std::size_t end, float* points, float* normals, float rigidity)
 {
   constexpr std::size_t Block = 256; // vertices whose normals are still near when they get their lengths
-  Blend blend(rest, joints);
+  Blend blend(binding, joints, rigidity, begin);
   for (std::size_t block = begin; block < end; block += Block)
   {
     const std::size_t last = std::min(end, block + Block) - 1;

@@ -4,6 +4,7 @@
 #define LittoralSkinning_h
 
 #include "Numerics/Rotation.h"
+#include "Plants/SkinBinding.h"
 
 #include <array>
 #include <cstddef>
@@ -32,20 +33,19 @@ struct alignas(64) JointChange
 /// The change of a joint that lies at a position at rest.
 JointChange ChangeOf(const JointPose& pose, const Vector3& rest);
 
-/// A skin over joints at rest; tuples of 3, 4 and 4 numbers, one a vertex. Weights sum to 1.
+/// A skin at rest; tuples of three numbers, one a vertex.
 struct RestSkin
 {
   const float* Points = nullptr;
   const float* Normals = nullptr; ///< may be null
-  const int* JointIds = nullptr;
-  const float* JointWeights = nullptr;
 };
 
 /// Linear blend skinning of the vertices [begin, end): where joints are at rest, vertices stay to the last bit. Normals
 /// keep their lengths. In single precision: displacements are exact to some 1e-7 of themselves and of the distance from
-/// the joint.
-void MoveSkin(
-  const RestSkin& rest, const JointChange* joints, std::size_t begin, std::size_t end, float* points, float* normals);
+/// the joint. Weights of a vertex sum to 1; `rigidity` is 0 where it follows up to four joints so, 1 where it follows
+/// the one of the largest weight alone.
+void MoveSkin(const RestSkin& rest, const SkinBinding& binding, const JointChange* joints, std::size_t begin,
+  std::size_t end, float* points, float* normals, float rigidity = 0.0f);
 
 }
 

@@ -101,7 +101,7 @@ public:
   const std::vector<Vector3>& GetVelocities() const { return this->Velocities; }
   const std::vector<Vector3>& GetAccelerations() const { return this->Accelerations; }
 
-  /// How rigid the skin of a plant is in its level, 0 to 1; see MoveRun.
+  /// How rigid the skin of a plant is in its level, 0 to 1; see MoveSkin.
   float RigidityOf(std::size_t plant) const { return this->Rigidities[plant]; }
 
   /// Rotations of the links as skins show them; empty: those of their poses.

@@ -28,27 +28,4 @@ SeaweedSkin::SeaweedSkin(const int* jointIds, std::size_t vertices, const Seawee
   }
 }
 
-void MoveRun(const SkinRun& run, const RestSkin& rest, const std::vector<JointChange>& changes, float rigidity,
-  float* points, float* normals)
-{
-  if (rigidity <= 0.0f)
-  {
-    MoveSkin(rest, changes.data(), run.First, run.End, points, normals);
-    return;
-  }
-  std::vector<float> weights(rest.JointWeights + 4 * run.First, rest.JointWeights + 4 * run.End);
-  for (std::size_t vertex = 0; vertex < run.End - run.First; ++vertex)
-  {
-    float* weight = &weights[4 * vertex];
-    const auto largest = std::max_element(weight, weight + 4) - weight;
-    for (int i = 0; i < 4; ++i)
-    {
-      weight[i] += rigidity * ((i == largest ? 1.0f : 0.0f) - weight[i]);
-    }
-  }
-  RestSkin own = rest;
-  own.JointWeights = weights.data() - 4 * run.First;
-  MoveSkin(own, changes.data(), run.First, run.End, points, normals);
-}
-
 }

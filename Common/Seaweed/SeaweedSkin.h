@@ -3,7 +3,6 @@
 #ifndef LittoralSeaweedSkin_h
 #define LittoralSeaweedSkin_h
 
-#include "Plants/Skinning.h"
 #include "Seaweed/SeaweedStand.h"
 
 #include <cstddef>
@@ -34,11 +33,6 @@ private:
   std::vector<SkinRun> Runs;         ///< by plants
   std::vector<std::size_t> FirstRun; ///< of a plant, and an end
 };
-
-/// Moves a run of a skin by the changes of all nodes. `rigidity` is 0 where a vertex follows up to four nodes, 1 where
-/// it follows the one of the largest weight alone. The ends of the run count from the beginning of the arrays.
-void MoveRun(const SkinRun& run, const RestSkin& rest, const std::vector<JointChange>& changes, float rigidity,
-  float* points, float* normals);
 
 }
 

@@ -59,12 +59,12 @@ std::vector<FlutteringLeaf> FlutteringLeaves(const SwaySpecies& species, const L
 }
 
 /// Moves the leaves' points to a time [s].
-void MoveLeaves(const SwaySpecies& species, const RestSkin& skin, double time, PlantSway& sway,
+void MoveLeaves(const SwaySpecies& species, const CrownModel& crown, double time, PlantSway& sway,
   const SwaySettings& settings, const LeafFlutter& flutter, std::vector<FlutteringLeaf>& leaves, PlantMesh& mesh)
 {
   const std::vector<JointChange> changes = ChangesAt(species, time, sway, settings.Options.NumberOfModes);
   std::vector<float> points(3 * mesh.Points.size());
-  MoveSkin(skin, changes.data(), 0, mesh.Points.size(), points.data(), nullptr);
+  MoveSkin(crown.LeafSkin, crown.LeafBinding, changes.data(), 0, mesh.Points.size(), points.data(), nullptr);
   const LeafWind wind = LeafWindOf(sway.Wind(time), settings.Leaves);
   TurnLeaves(flutter, flutter.MomentOf(time), &wind, 0, leaves.size(), leaves.data(), points.data(), nullptr);
   for (std::size_t point = 0; point < mesh.Points.size(); ++point)
@@ -95,7 +95,7 @@ std::vector<TextureImage> CrownPictures(const SwaySpecies& species, const CrownM
     if (settings.Pictures > 1)
     {
       const double time = picture / (settings.Pictures * species.SwingFrequency);
-      MoveLeaves(species, crown.LeafSkin, time, sway, settings, flutter, fluttering, leaves);
+      MoveLeaves(species, crown, time, sway, settings, flutter, fluttering, leaves);
     }
     pictures.push_back(
       CylindricalProjection({ leaves, texture }, *crown.Volume, settings.TextureSize[0], settings.TextureSize[1]));

@@ -22,7 +22,8 @@ struct CrownModel
   std::optional<CrownVolume> Volume; ///< of the crown's envelope; none: there is no envelope
   TextureImage StillPicture;         ///< of the envelope; empty: white
   PlantMesh Leaves;                  ///< points, colors and texture coordinates, at rest
-  RestSkin LeafSkin;                 ///< the same points, and the joints that they follow
+  RestSkin LeafSkin;                 ///< the same points
+  SkinBinding LeafBinding;           ///< and the joints that they follow
   TextureImage LeafTexture;          ///< factor of the leaves' colors; empty: none
 };
 

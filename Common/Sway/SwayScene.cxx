@@ -17,6 +17,16 @@ namespace
 constexpr int NotMet = -2;
 constexpr int StandsStill = -1;
 
+int LowestCorner(const FlutteringLeaf& leaf)
+{
+  return *std::min_element(leaf.Corners.begin(), leaf.Corners.end());
+}
+
+int HighestCorner(const FlutteringLeaf& leaf)
+{
+  return *std::max_element(leaf.Corners.begin(), leaf.Corners.end());
+}
+
 /// The settings, with the wind's period as that of the leaves.
 SwaySettings InWind(SwaySettings settings, const FrozenWind& wind)
 {
@@ -85,11 +95,20 @@ std::string SwayScene::AddPlant(int row, const Skeleton& rest, const std::vector
   return {};
 }
 
+std::array<std::size_t, 2> SwayScene::VerticesOfLeaves(std::size_t begin, std::size_t end, std::size_t vertices) const
+{
+  const auto firstOf = [&](std::size_t leaf) { return static_cast<std::size_t>(LowestCorner(this->Leaves[leaf])); };
+  return { begin == 0 ? 0 : firstOf(begin), end == this->Leaves.size() ? vertices : firstOf(end) };
+}
+
 void SwayScene::AddLeaf(const std::array<int, 4>& corners, int plant, std::uint64_t identity)
 {
   const bool isFirst = this->Leaves.empty() || this->Leaves.back().Plant != plant;
   this->LeafOfPlant = isFirst ? 0 : this->LeafOfPlant + 1;
-  this->Leaves.push_back(this->Flutter.Leaf(corners, plant, (identity << 32) + this->LeafOfPlant));
+  const FlutteringLeaf leaf = this->Flutter.Leaf(corners, plant, (identity << 32) + this->LeafOfPlant);
+  this->LeavesInOrder =
+    this->LeavesInOrder && (this->Leaves.empty() || LowestCorner(leaf) > HighestCorner(this->Leaves.back()));
+  this->Leaves.push_back(leaf);
 }
 
 std::string SwayScene::FindTrunk(int row, int& plant)

@@ -85,6 +85,13 @@ public:
   /// The position of a joint [m] at the time of MoveTo.
   Vector3 JointPosition(std::size_t node) const { return this->Rest.Nodes[node].Position + this->Poses[node].Shift; }
 
+  /// Whether each leaf's corners come behind those of the leaf before.
+  bool AreLeavesInOrder() const { return this->LeavesInOrder; }
+
+  /// Where they are: the vertices [first, end) of the leaves [begin, end) among so many, the first and last leaves with
+  /// all before and behind.
+  std::array<std::size_t, 2> VerticesOfLeaves(std::size_t begin, std::size_t end, std::size_t vertices) const;
+
   /// Turns the leaves [begin, end) of skins that MoveSkin has moved, at the time of MoveTo.
   /// Ranges that do not overlap may be turned at once.
   void TurnLeaves(std::size_t begin, std::size_t end, float* points, float* normals);
@@ -119,6 +126,7 @@ private:
   std::vector<SwayingPlant> Plants;
   LeafFlutter Flutter;
   std::vector<FlutteringLeaf> Leaves;
+  bool LeavesInOrder = true;
   std::uint64_t LeafOfPlant = 0; // the last leaf's number in its plant
   std::vector<Crown> Crowns;
   std::vector<AtlasArea> Areas;

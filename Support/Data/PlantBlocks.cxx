@@ -265,11 +265,20 @@ vtkFloatArray* FindNormals(vtkPolyData* block)
 
 RestSkin ReadSkin(vtkPolyData* block)
 {
-  ArrayReader points = ArrayReader::OfPoints(block, "a skin");
   vtkFloatArray* normals = FindNormals(block);
-  return { FloatPointsOf(block)->GetPointer(0), normals ? normals->GetPointer(0) : nullptr,
-    points.Need<vtkIntArray>(plant::JointIds, 4)->GetPointer(0),
-    points.Need<vtkFloatArray>(plant::JointWeights, 4)->GetPointer(0) };
+  return { FloatPointsOf(block)->GetPointer(0), normals ? normals->GetPointer(0) : nullptr };
+}
+
+const int* ReadJointIds(vtkPolyData* block)
+{
+  return ArrayReader::OfPoints(block, "a skin").Need<vtkIntArray>(plant::JointIds, 4)->GetPointer(0);
+}
+
+SkinBinding ReadBinding(vtkPolyData* block)
+{
+  const float* weights =
+    ArrayReader::OfPoints(block, "a skin").Need<vtkFloatArray>(plant::JointWeights, 4)->GetPointer(0);
+  return { ReadJointIds(block), weights, static_cast<std::size_t>(block->GetNumberOfPoints()) };
 }
 
 vtkIntArray* FindPlantIds(vtkPolyData* block, std::string& reason)
@@ -287,7 +296,7 @@ std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
   {
     return leaves;
   }
-  const RestSkin skin = ReadSkin(block);
+  const int* nodes = ReadJointIds(block);
   vtkNew<vtkIdList> cell;
   for (vtkIdType leaf = 0; leaf < block->GetNumberOfPolys(); ++leaf)
   {
@@ -303,7 +312,7 @@ std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
       one.Corners[i] = static_cast<int>(cell->GetId(i));
       block->GetPoint(cell->GetId(i), &corners[i].x);
     }
-    one.Node = skin.JointIds[4 * one.Corners[0]];
+    one.Node = nodes[4 * one.Corners[0]];
     one.Area = 0.5 * glm::length(glm::cross(corners[2] - corners[0], corners[3] - corners[1]));
     leaves.push_back(one);
   }

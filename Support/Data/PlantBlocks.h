@@ -104,6 +104,12 @@ vtkFloatArray* FindNormals(vtkPolyData* block);
 /// The skin of a block, which is good; valid as long as the block.
 RestSkin ReadSkin(vtkPolyData* block);
 
+/// The joints that it follows.
+SkinBinding ReadBinding(vtkPolyData* block);
+
+/// The four joints of each of its vertices.
+const int* ReadJointIds(vtkPolyData* block);
+
 /// The plants of points; null if they do not tell, and the reason if they do so in another form.
 vtkIntArray* FindPlantIds(vtkPolyData* block, std::string& reason);
 

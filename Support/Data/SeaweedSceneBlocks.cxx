@@ -24,16 +24,17 @@ namespace
 struct MovedSkin
 {
   RestSkin Rest;
+  const SkinBinding* Binding;
   vtkSmartPointer<vtkFloatArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
   std::array<TupleRanges, 2> Ranges;
 
-  MovedSkin(vtkPolyData* rest, FrameArrays& arrays)
+  MovedSkin(const SeaweedSkinBlock& skin, FrameArrays& arrays)
+    : Rest(ReadSkin(skin.Rest))
+    , Binding(&skin.Binding)
+    , Points(arrays.Like(FloatPointsOf(skin.Rest)))
+    , Normals(arrays.Like(FindNormals(skin.Rest)))
   {
-    this->Rest = ReadSkin(rest);
-    this->Points = arrays.Like(FloatPointsOf(rest));
-    this->Normals =
-      arrays.New<vtkFloatArray>(rest->GetPointData()->GetNormals()->GetName(), 3, rest->GetNumberOfPoints());
   }
 
   /// Moves a run of vertices; adds to the ranges of its points and normals.
@@ -42,7 +43,7 @@ struct MovedSkin
   {
     float* p = this->Points->GetPointer(0);
     float* n = this->Normals->GetPointer(0);
-    MoveRun(run, this->Rest, changes, rigidity, p, n);
+    MoveSkin(this->Rest, *this->Binding, changes.data(), run.First, run.End, p, n, rigidity);
     ranges[0].AddTuples(p + 3 * run.First, p + 3 * run.End, 3);
     ranges[1].AddTuples(n + 3 * run.First, n + 3 * run.End, 3);
   }
@@ -68,7 +69,7 @@ void WriteSkins(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& 
   moved.reserve(skins.size());
   for (const SeaweedSkinBlock& skin : skins)
   {
-    moved.emplace_back(skin.Rest, arrays);
+    moved.emplace_back(skin, arrays);
   }
   arrays.EndFrame();
   const std::vector<glm::dquat> rotations = scene.SkinRotations();
@@ -137,7 +138,7 @@ std::string ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedStand& stand, s
       return reason;
     }
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
-    skins.push_back({ name, block, SeaweedSkin(ReadSkin(block).JointIds, vertices, stand) });
+    skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), ReadBinding(block) });
   }
   return {};
 }

@@ -6,6 +6,7 @@
 // Scenes of seaweeds between blocks and the numerics. Private: never installed, never wrapped.
 
 #include "Data/FrameArrays.h"
+#include "Plants/SkinBinding.h"
 #include "Seaweed/SeaweedScene.h"
 #include "Seaweed/SeaweedSkin.h"
 
@@ -24,6 +25,7 @@ struct SeaweedSkinBlock
   const char* Name;
   vtkPolyData* Rest;
   SeaweedSkin Skin;
+  SkinBinding Binding;
 };
 
 /// Reads plants into a scene, and their skins. Why they cannot be read, in words for a user; empty when they were.

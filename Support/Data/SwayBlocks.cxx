@@ -20,9 +20,9 @@ namespace littoral
 namespace
 {
 
-constexpr std::size_t LeafGrain = 1024;    // leaves a task
-constexpr std::size_t VertexGrain = 16384; // vertices a task
-constexpr double BytesOfTrunk = 4000.0;    // of a trunk's skeleton, about
+constexpr std::size_t LeafGrain = 1024;   // leaves a task
+constexpr std::size_t VertexGrain = 4096; // vertices a task
+constexpr double BytesOfTrunk = 4000.0;   // of a trunk's skeleton, about
 constexpr double MegaByte = 1e6;
 
 std::string WhyTooLarge(double bytes)
@@ -210,7 +210,7 @@ std::string SwayBlocks::ReadHighSkins(
     {
       return reason;
     }
-    this->Skins.push_back({ plant::High, name, block, {}, {} });
+    this->Skins.push_back({ plant::High, name, block, ReadBinding(block) });
   }
   std::vector<int> plantOf;
   for (std::size_t index = 0; index < skeletons.size(); ++index)
@@ -288,8 +288,8 @@ std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
   }
   const bool isCrown = std::strcmp(name, plant::Crown) == 0;
   const vtkIdType count = block->GetNumberOfPoints();
-  const auto values = 4 * static_cast<std::size_t>(count);
-  Skin skin{ plant::Medium, name, block, std::vector<int>(values, 0), std::vector<float>(values, 0.0f) };
+  std::vector<int> joints(4 * static_cast<std::size_t>(count), 0);
+  std::vector<float> weights(joints.size(), 0.0f);
   for (vtkIdType begin = 0, end = 0; begin < count; begin = end)
   {
     const int row = this->RowAt(plantIds, begin);
@@ -314,10 +314,11 @@ std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
     if (plant >= 0)
     {
       this->Scene->FollowTrunk(plant, points->GetPointer(0), static_cast<std::size_t>(begin),
-        static_cast<std::size_t>(end), skin.Joints.data(), skin.Weights.data());
+        static_cast<std::size_t>(end), joints.data(), weights.data());
     }
   }
-  this->Skins.push_back(std::move(skin));
+  this->Skins.push_back(
+    { plant::Medium, name, block, { joints.data(), weights.data(), static_cast<std::size_t>(count) } });
   return {};
 }
 
@@ -355,13 +356,12 @@ void SwayBlocks::AddJoints(vtkMultiBlockDataSet* output) const
   for (const Skin& skin : this->Skins)
   {
     vtkPolyData* block = PlantPartOf(output, skin.Level, skin.Name);
-    if (block && !skin.Joints.empty())
+    if (block && std::strcmp(skin.Level, plant::Medium) == 0) // the others tell them themselves
     {
       const vtkIdType points = block->GetNumberOfPoints();
       const auto joints = NewArray<vtkIntArray>(plant::JointIds, 4, points);
       const auto weights = NewArray<vtkFloatArray>(plant::JointWeights, 4, points);
-      std::copy(skin.Joints.begin(), skin.Joints.end(), joints->GetPointer(0));
-      std::copy(skin.Weights.begin(), skin.Weights.end(), weights->GetPointer(0));
+      skin.Binding.Write(joints->GetPointer(0), weights->GetPointer(0));
       block->GetPointData()->AddArray(joints);
       block->GetPointData()->AddArray(weights);
     }
@@ -414,52 +414,54 @@ vtkSmartPointer<vtkPolyData> SwayBlocks::MovedSkin(const Skin& skin)
   vtkFloatArray* restNormals = FindNormals(skin.Rest);
   const auto points = this->Arrays.Like(FloatPointsOf(skin.Rest));
   const auto normals = restNormals ? this->Arrays.Like(restNormals) : nullptr;
-  RestSkin rest{ FloatPointsOf(skin.Rest)->GetPointer(0), restNormals ? restNormals->GetPointer(0) : nullptr,
-    skin.Joints.data(), skin.Weights.data() };
-  if (skin.Joints.empty())
-  {
-    rest = ReadSkin(skin.Rest);
-  }
+  const RestSkin rest = ReadSkin(skin.Rest);
+  const auto vertices = static_cast<std::size_t>(points->GetNumberOfTuples());
   float* p = points->GetPointer(0);
   float* n = normals ? normals->GetPointer(0) : nullptr;
-  const bool isLeaves = std::strcmp(skin.Name, plant::Leaves) == 0;
   TupleRanges places;
   TupleRanges directions;
   std::mutex adding;
-  ForRanges(SmpFor, static_cast<std::size_t>(points->GetNumberOfTuples()), VertexGrain,
-    [&](std::size_t begin, std::size_t end) {
-      MoveSkin(rest, this->Scene->GetChanges().data(), begin, end, p, n);
-      if (isLeaves)
-      {
-        return; // they turn yet
-      }
-      // Ranges are found while the vertices are at hand.
-      TupleRanges ofPlaces;
-      TupleRanges ofDirections;
-      ofPlaces.AddTuples(p + 3 * begin, p + 3 * end, 3);
-      if (n)
-      {
-        ofDirections.AddTuples(n + 3 * begin, n + 3 * end, 3);
-      }
-      const std::lock_guard<std::mutex> lock(adding);
-      places.Add(ofPlaces);
-      directions.Add(ofDirections);
-    });
-  if (isLeaves)
+  const auto move = [&](std::size_t begin, std::size_t end) {
+    MoveSkin(rest, skin.Binding, this->Scene->GetChanges().data(), begin, end, p, n);
+  };
+  const auto addToRanges = [&](std::size_t begin, std::size_t end) {
+    TupleRanges ofPlaces;
+    TupleRanges ofDirections;
+    ofPlaces.AddTuples(p + 3 * begin, p + 3 * end, 3);
+    if (n)
+    {
+      ofDirections.AddTuples(n + 3 * begin, n + 3 * end, 3);
+    }
+    const std::lock_guard<std::mutex> lock(adding);
+    places.Add(ofPlaces);
+    directions.Add(ofDirections);
+  };
+  // Leaves are turned, and ranges found, while the vertices are at hand.
+  if (std::strcmp(skin.Name, plant::Leaves) == 0)
   {
-    ForRanges(SmpFor, this->Scene->GetNumberOfLeaves(), LeafGrain,
-      [&](std::size_t begin, std::size_t end) { this->Scene->TurnLeaves(begin, end, p, n); });
+    const std::size_t leaves = this->Scene->GetNumberOfLeaves();
+    ForRanges(
+      SmpFor, leaves, this->Scene->AreLeavesInOrder() ? LeafGrain : leaves, [&](std::size_t begin, std::size_t end) {
+        const auto [first, last] = this->Scene->VerticesOfLeaves(begin, end, vertices);
+        move(first, last);
+        this->Scene->TurnLeaves(begin, end, p, n);
+        addToRanges(first, last);
+      });
   }
   else
   {
-    KeepRanges(points, places);
+    ForRanges(SmpFor, vertices, VertexGrain, [&](std::size_t begin, std::size_t end) {
+      move(begin, end);
+      addToRanges(begin, end);
+    });
   }
+  KeepRanges(points, places);
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->ShallowCopy(skin.Rest);
   moved->SetPoints(PointsWithRanges(points));
   if (normals)
   {
-    isLeaves ? KeepRanges(normals.Get()) : KeepRanges(normals, directions);
+    KeepRanges(normals, directions);
     moved->GetPointData()->SetNormals(normals);
   }
   if (std::strcmp(skin.Name, plant::Crown) == 0)

@@ -52,8 +52,7 @@ private:
     const char* Level;
     const char* Name;
     vtkPolyData* Rest = nullptr;
-    std::vector<int> Joints; ///< where the block does not tell them
-    std::vector<float> Weights;
+    SkinBinding Binding;
   };
 
   bool Whole = false;

@@ -76,6 +76,7 @@ CrownModel SwayPrototype::MakeCrown() const
     model.LeafTexture = ReadTexture(this->Leaves);
     model.LeafSkin = ReadSkin(this->Leaves);
     model.LeafSkin.Normals = nullptr;
+    model.LeafBinding = ReadBinding(this->Leaves);
   }
   return model;
 }

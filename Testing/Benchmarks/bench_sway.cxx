@@ -221,10 +221,11 @@ void SkinTrees(benchmark::State& state)
   }
   std::vector<float> points(skin.Points.size());
   std::vector<float> normals(skin.Points.size());
-  const RestSkin rest{ skin.Points.data(), skin.Normals.data(), skin.Ids.data(), skin.Weights.data() };
+  const RestSkin rest{ skin.Points.data(), skin.Normals.data() };
+  const SkinBinding binding(skin.Ids.data(), skin.Weights.data(), points.size() / 3);
   for (auto _ : state)
   {
-    MoveSkin(rest, changes.data(), 0, points.size() / 3, points.data(), normals.data());
+    MoveSkin(rest, binding, changes.data(), 0, points.size() / 3, points.data(), normals.data());
     benchmark::DoNotOptimize(points.data());
     benchmark::ClobberMemory();
   }

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <vector>
 
 using namespace littoral;
@@ -61,8 +63,8 @@ TEST(Skinning, NormalsOfBlendedTurnsKeepTheirLengths)
     ChangeOf(TurnedBy(-angle, Vector3(0.0)), Vector3(0.0)) };
   std::vector<float> movedPoints(points.size());
   std::vector<float> movedNormals(normals.size());
-  MoveSkin({ points.data(), normals.data(), ids.data(), weights.data() }, joints.data(), 0, count, movedPoints.data(),
-    movedNormals.data());
+  MoveSkin({ points.data(), normals.data() }, { ids.data(), weights.data(), count }, joints.data(), 0, count,
+    movedPoints.data(), movedNormals.data());
   for (int n = 0; n < count; ++n)
   {
     EXPECT_NEAR(movedPoints[3 * n], 0.5, 1e-6);
@@ -125,10 +127,9 @@ struct RandomSkin
     }
   }
 
-  RestSkin Rest() const
-  {
-    return { this->Points.data(), this->Normals.data(), this->Ids.data(), this->Weights.data() };
-  }
+  RestSkin Rest() const { return { this->Points.data(), this->Normals.data() }; }
+
+  SkinBinding Binding() const { return { this->Ids.data(), this->Weights.data(), Vertices }; }
 
   /// Linear blend skinning in double precision, by its definition.
   Vector3 PointAt(int vertex) const
@@ -167,7 +168,7 @@ TEST(Skinning, FollowsItsDefinitionNearAndFar)
     const RandomSkin skin({ far, -far, 2.0 });
     std::vector<float> points(skin.Points.size());
     std::vector<float> normals(skin.Points.size());
-    MoveSkin(skin.Rest(), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
+    MoveSkin(skin.Rest(), skin.Binding(), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
     double worst = 0.0;
     double turned = 0.0;
     for (int vertex = 0; vertex < RandomSkin::Vertices; ++vertex)
@@ -192,7 +193,7 @@ TEST(Skinning, AnyRangeHasTheSameBytes)
   const RandomSkin skin({ 50.0, 20.0, 1.0 });
   std::vector<float> points(skin.Points.size());
   std::vector<float> normals(skin.Points.size());
-  MoveSkin(skin.Rest(), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
+  MoveSkin(skin.Rest(), skin.Binding(), skin.Changes.data(), 0, RandomSkin::Vertices, points.data(), normals.data());
   for (const std::size_t length : { 1, 2, 5, 300 })
   {
     std::vector<float> p(points.size());
@@ -200,9 +201,94 @@ TEST(Skinning, AnyRangeHasTheSameBytes)
     for (std::size_t begin = 0; begin < RandomSkin::Vertices; begin += length)
     {
       const std::size_t end = std::min<std::size_t>(RandomSkin::Vertices, begin + length);
-      MoveSkin(skin.Rest(), skin.Changes.data(), begin, end, p.data(), n.data());
+      MoveSkin(skin.Rest(), skin.Binding(), skin.Changes.data(), begin, end, p.data(), n.data());
     }
     EXPECT_EQ(p, points);
     EXPECT_EQ(n, normals);
   }
+}
+
+TEST(Skinning, RigidVerticesFollowOneJoint)
+{
+  const std::vector<float> points{ 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f };
+  const std::vector<float> normals{ 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 1.0f };
+  const std::vector<int> ids{ 0, 1, 0, 0, 0, 1, 0, 0 };
+  const std::vector<float> weights{ 0.75f, 0.25f, 0.0f, 0.0f, 0.25f, 0.75f, 0.0f, 0.0f };
+  const RestSkin rest{ points.data(), normals.data() };
+  const SkinBinding binding(ids.data(), weights.data(), 2);
+  // The first joint stays, the second goes up by 1 m.
+  const std::vector<JointChange> changes{ ChangeOf(JointPose(), Vector3(0.0)),
+    ChangeOf(JointPose{ { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } }, Vector3(0.0)) };
+  for (const float rigidity : { 0.0f, 0.5f, 1.0f })
+  {
+    std::vector<float> p(6, -1.0f);
+    std::vector<float> n(6, -1.0f);
+    MoveSkin(rest, binding, changes.data(), 1, 2, p.data(), n.data(), rigidity);
+    EXPECT_EQ(p[2], -1.0f); // not among them
+    EXPECT_FLOAT_EQ(p[5], 0.75f + 0.25f * rigidity);
+    MoveSkin(rest, binding, changes.data(), 0, 1, p.data(), n.data(), rigidity);
+    EXPECT_FLOAT_EQ(p[2], 0.25f - 0.25f * rigidity);
+  }
+}
+
+TEST(Skinning, NoVerticesAreNoWork)
+{
+  const RandomSkin skin({ 0.0, 0.0, 0.0 });
+  std::vector<float> points(3, 7.0f);
+  MoveSkin(skin.Rest(), skin.Binding(), skin.Changes.data(), 0, 0, points.data(), nullptr);
+  MoveSkin({}, {}, nullptr, 0, 0, points.data(), nullptr);
+  EXPECT_EQ(points, std::vector<float>(3, 7.0f));
+}
+
+TEST(SkinBinding, KeepsTheArraysItIsMadeOf)
+{
+  const RandomSkin skin({ 0.0, 0.0, 0.0 });
+  std::vector<int> ids(skin.Ids.size(), -1);
+  std::vector<float> weights(skin.Weights.size(), -1.0f);
+  skin.Binding().Write(ids.data(), weights.data());
+  EXPECT_EQ(ids, skin.Ids);
+  EXPECT_EQ(weights, skin.Weights);
+}
+
+TEST(SkinBinding, VerticesAlikeAndVerticesOfTheSameJointsAreRuns)
+{
+  struct Vertex
+  {
+    int Joints[4];
+    float Weights[4];
+  };
+  const std::vector<Vertex> vertices{
+    { { 1, 2, 0, 0 }, { 0.5f, 0.5f, 0.0f, 0.0f } }, // alike
+    { { 1, 2, 0, 0 }, { 0.5f, 0.5f, 0.0f, 0.0f } }, { { 1, 2, 0, 0 }, { 0.5f, 0.5f, 0.0f, 0.0f } },
+    { { 1, 2, 0, 0 }, { 0.3f, 0.7f, 0.0f, 0.0f } }, // each with weights of its own
+    { { 1, 2, 0, 0 }, { 0.2f, 0.8f, 0.0f, 0.0f } }, { { 1, 2, 0, 0 }, { 0.2f, 0.8f, 0.0f, 0.0f } },
+    { { 1, 2, 0, 0 }, { 1.0f, 0.0f, 0.0f, 0.0f } }, // fewer joints
+    { { 1, 3, 0, 0 }, { 1.0f, 0.0f, 0.0f, 0.0f } }, // another one, though without weight
+    { { 0, 3, 5, 6 }, { 0.0f, 0.0f, 0.0f, 0.0f } }, // none with a weight
+  };
+  std::vector<int> ids;
+  std::vector<float> weights;
+  for (const Vertex& vertex : vertices)
+  {
+    ids.insert(ids.end(), std::begin(vertex.Joints), std::end(vertex.Joints));
+    weights.insert(weights.end(), std::begin(vertex.Weights), std::end(vertex.Weights));
+  }
+  const SkinBinding binding(ids.data(), weights.data(), vertices.size());
+  EXPECT_EQ(binding.GetNumberOfVertices(), vertices.size());
+  std::vector<std::array<std::size_t, 2>> ends;
+  for (std::size_t vertex = 0; vertex < vertices.size(); ++vertex)
+  {
+    const SkinBinding::Run* run = binding.RunOf(vertex);
+    EXPECT_EQ(run->Varies, run->Begin == 3);
+    for (int i = 0; i < run->Count; ++i)
+    {
+      EXPECT_EQ(binding.WeightsOf(*run, vertex)[i], vertices[vertex].Weights[i]) << vertex;
+      EXPECT_EQ(run->Joints[i], vertices[vertex].Joints[i]) << vertex;
+    }
+    if (run->Begin == vertex)
+    {
+      ends.push_back({ run->Begin, run->End });
+    }
+  }
+  EXPECT_EQ(ends, (std::vector<std::array<std::size_t, 2>>{ { 0, 3 }, { 3, 6 }, { 6, 7 }, { 7, 8 }, { 8, 9 } }));
 }

@@ -405,28 +405,6 @@ TEST(SeaweedSkin, RunsHoldAllVerticesOfAPlant)
   EXPECT_EQ(vertices[1], (std::vector<std::size_t>{ 2, 3, 4, 6 }));
 }
 
-TEST(SeaweedSkin, RigidVerticesFollowOneNode)
-{
-  const std::vector<float> points{ 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f };
-  const std::vector<float> normals{ 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 1.0f };
-  const std::vector<int> ids{ 0, 1, 0, 0, 0, 1, 0, 0 };
-  const std::vector<float> weights{ 0.75f, 0.25f, 0.0f, 0.0f, 0.25f, 0.75f, 0.0f, 0.0f };
-  const RestSkin rest{ points.data(), normals.data(), ids.data(), weights.data() };
-  // The first node stays, the second goes up by 1 m.
-  const std::vector<JointChange> changes{ ChangeOf(JointPose(), Vector3(0.0)),
-    ChangeOf(JointPose{ { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } }, Vector3(0.0)) };
-  for (const float rigidity : { 0.0f, 0.5f, 1.0f })
-  {
-    std::vector<float> p(6, -1.0f);
-    std::vector<float> n(6, -1.0f);
-    MoveRun({ 1, 2, 0 }, rest, changes, rigidity, p.data(), n.data());
-    EXPECT_EQ(p[2], -1.0f); // not of the run
-    EXPECT_FLOAT_EQ(p[5], 0.75f + 0.25f * rigidity);
-    MoveRun({ 0, 1, 0 }, rest, changes, rigidity, p.data(), n.data());
-    EXPECT_FLOAT_EQ(p[2], 0.25f - 0.25f * rigidity);
-  }
-}
-
 TEST(SeaweedLevels, SharesFallFromOneToZeroOverTheBand)
 {
   SeaweedLevels levels; // 5 m, 20 m, 12 m

@@ -51,7 +51,8 @@ struct SmallTree
         this->Points.push_back(static_cast<float>(this->Crown.Leaves.Points[point][axis]));
       }
     }
-    this->Crown.LeafSkin = { this->Points.data(), nullptr, this->JointIds.data(), this->JointWeights.data() };
+    this->Crown.LeafSkin = { this->Points.data(), nullptr };
+    this->Crown.LeafBinding = { this->JointIds.data(), this->JointWeights.data(), this->Crown.Leaves.Points.size() };
   }
   SmallTree(const SmallTree&) = delete;
 
@@ -125,6 +126,7 @@ TEST(CrownPictures, GoAlongWithTheTrunk)
   {
     tree.JointIds[i] = 1;
   }
+  tree.Crown.LeafBinding = { tree.JointIds.data(), tree.JointWeights.data(), tree.Crown.Leaves.Points.size() };
   tree.Settings.Leaves.LargestAlignment = 0.0;
   tree.Settings.Leaves.FlutterAngle = 0.0;
   const TextureImage rest = CylindricalProjection({ tree.Crown.Leaves, nullptr }, *tree.Crown.Volume, 48, 32);

@@ -94,8 +94,9 @@ FloatSkin MovedSkin(const PlantMesh& mesh, const std::vector<JointChange>& chang
   const FloatSkin rest(mesh);
   const std::vector<float> weights = Floats(mesh.JointWeights);
   FloatSkin moved = rest;
-  MoveSkin({ rest.Points.data(), rest.Normals.data(), mesh.JointIds[0].data(), weights.data() }, changes.data(), 0,
-    mesh.Points.size(), moved.Points.data(), moved.Normals.data());
+  const SkinBinding binding(mesh.JointIds[0].data(), weights.data(), mesh.Points.size());
+  MoveSkin({ rest.Points.data(), rest.Normals.data() }, binding, changes.data(), 0, mesh.Points.size(),
+    moved.Points.data(), moved.Normals.data());
   return moved;
 }
 

@@ -252,8 +252,8 @@ TEST(SwayScene, BlocksOfTheMiddleLevelFollowTheirTrunk)
   scene.FollowTrunk(plant, points.data(), 1, nodes + 1, joints.data(), weights.data());
   scene.MoveTo(5.0);
   std::vector<float> moved(points.size());
-  MoveSkin(RestSkin{ points.data(), nullptr, joints.data(), weights.data() }, scene.GetChanges().data(), 0, nodes + 1,
-    moved.data(), nullptr);
+  MoveSkin({ points.data(), nullptr }, { joints.data(), weights.data(), nodes + 1 }, scene.GetChanges().data(), 0,
+    nodes + 1, moved.data(), nullptr);
   EXPECT_TRUE(std::equal(moved.begin(), moved.begin() + 3, points.begin()));
   for (std::size_t node = 1; node + 1 < nodes; ++node)
   {
@@ -327,6 +327,27 @@ TEST(SwayScene, CrownsShowLaterWhatTheWindBringsLater)
     EXPECT_GT(shifted, 32);
     EXPECT_EQ(shown.size(), static_cast<std::size_t>(Pictures));
   }
+}
+
+TEST(SwayScene, LeavesInOrderShareTheVerticesOut)
+{
+  const WindAlong wind;
+  SwayScene scene({}, FieldOf(wind), { PlaceAt(Vector3(0.0)) }, {});
+  EXPECT_TRUE(scene.AreLeavesInOrder());
+  EXPECT_EQ(scene.VerticesOfLeaves(0, 0, 7), (std::array<std::size_t, 2>{ 0, 7 }));
+  // Vertices of no leaf before, between and behind them; corners in any order.
+  scene.AddLeaf({ 5, 2, 3, 4 }, 0, 1);
+  scene.AddLeaf({ 6, 7, 8, 9 }, 0, 1);
+  scene.AddLeaf({ 15, 14, 13, 12 }, 0, 1);
+  EXPECT_TRUE(scene.AreLeavesInOrder());
+  EXPECT_EQ(scene.VerticesOfLeaves(0, 1, 20), (std::array<std::size_t, 2>{ 0, 6 }));
+  EXPECT_EQ(scene.VerticesOfLeaves(1, 2, 20), (std::array<std::size_t, 2>{ 6, 12 }));
+  EXPECT_EQ(scene.VerticesOfLeaves(2, 3, 20), (std::array<std::size_t, 2>{ 12, 20 }));
+  EXPECT_EQ(scene.VerticesOfLeaves(0, 3, 20), (std::array<std::size_t, 2>{ 0, 20 }));
+  scene.AddLeaf({ 16, 10, 18, 19 }, 0, 1); // one corner before the last leaf
+  EXPECT_FALSE(scene.AreLeavesInOrder());
+  scene.AddLeaf({ 20, 21, 22, 23 }, 0, 1);
+  EXPECT_FALSE(scene.AreLeavesInOrder());
 }
 
 TEST(SwayScene, LeavesFlutterAloneAndRestInCalm)
