@@ -117,7 +117,7 @@ public:
     if (vertex == this->Until)
     {
       this->Run = this->Next++;
-      this->Fetch(this->Run + RunsAhead);
+      this->FetchAhead();
       this->Until = this->Run->End;
       this->Joints.Take(*this->Run, this->Changes);
       this->Center = this->Joints.Center;
@@ -150,13 +150,14 @@ public:
 private:
   static constexpr std::ptrdiff_t RunsAhead = 8;
 
-  /// Has the changes of a run brought near, while others are blended: more than a cache of the first level has them.
-  LITTORAL_INLINE void Fetch(const SkinBinding::Run* run) const
+  /// Has the changes of a later run brought near: all of a stand are more than the cache of a core holds.
+  LITTORAL_INLINE void FetchAhead() const
   {
-    if (run < this->End)
+    if (this->End - this->Run > RunsAhead)
     {
-      Prefetch(this->Changes + run->Joints[0]);
-      Prefetch(this->Changes + run->Joints[run->Count - 1]);
+      const SkinBinding::Run& run = this->Run[RunsAhead];
+      Prefetch(this->Changes + run.Joints[0]);
+      Prefetch(this->Changes + run.Joints[run.Count - 1]);
     }
   }
 

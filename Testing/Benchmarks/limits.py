@@ -18,8 +18,8 @@ Twin = collections.namedtuple("Twin", "program name other times reason")
 
 FUNCTIONS = {"SinesAndCosines": 1, "Exponentials": 1}
 LIMITS = (
-    Rates("bench_sway", r"SkinTrees/size:250", 1, {"ReadMemory": 56, "WriteMemory": 24},
-          "56 bytes a vertex are read (point, normal, 4 ids and 4 weights) and 24 written (RestSkin, floats)"),
+    Rates("bench_sway", r"SkinTrees/size:250", 1, {"ReadMemory": 36, "WriteMemory": 24},
+          "36 bytes a vertex are read (point and normal of floats, and its share of a run of SkinBinding) and 24 written"),
     Rates("vtkbench_orbits", r"MoveParticles<float>/.*", 2, FUNCTIONS,
           "a sine with its cosine and an exponential for each particle and train (WaveOrbits), by SLEEF"),
     Rates("vtkbench_orbits", r"OrbitFilterFrame/.*", 0, FUNCTIONS,
