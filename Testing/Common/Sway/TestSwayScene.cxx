@@ -338,13 +338,13 @@ TEST(SwayScene, LeavesInOrderShareTheVerticesOut)
   // Vertices of no leaf before, between and behind them; corners in any order.
   scene.AddLeaf({ 5, 2, 3, 4 }, 0, 1);
   scene.AddLeaf({ 6, 7, 8, 9 }, 0, 1);
-  scene.AddLeaf({ 15, 14, 13, 12 }, 0, 1);
+  scene.AddLeaf({ 16, 14, 13, 12 }, 0, 1);
   EXPECT_TRUE(scene.AreLeavesInOrder());
   EXPECT_EQ(scene.VerticesOfLeaves(0, 1, 20), (std::array<std::size_t, 2>{ 0, 6 }));
   EXPECT_EQ(scene.VerticesOfLeaves(1, 2, 20), (std::array<std::size_t, 2>{ 6, 12 }));
   EXPECT_EQ(scene.VerticesOfLeaves(2, 3, 20), (std::array<std::size_t, 2>{ 12, 20 }));
   EXPECT_EQ(scene.VerticesOfLeaves(0, 3, 20), (std::array<std::size_t, 2>{ 0, 20 }));
-  scene.AddLeaf({ 16, 10, 18, 19 }, 0, 1); // one corner before the last leaf
+  scene.AddLeaf({ 17, 15, 18, 19 }, 0, 1); // one corner among those of the last leaf
   EXPECT_FALSE(scene.AreLeavesInOrder());
   scene.AddLeaf({ 20, 21, 22, 23 }, 0, 1);
   EXPECT_FALSE(scene.AreLeavesInOrder());
