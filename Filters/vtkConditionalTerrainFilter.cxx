@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/ConditionalField.h"
 #include "Data/FieldStatistics.h"
+#include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Data/Survey.h"
 #include "Data/Tables.h"
@@ -41,6 +42,13 @@ constexpr littoral::ValueInterval Deviations = littoral::ValueInterval::From(1e-
 vtkImageData* ImageAmongData(vtkInformationVector* inputs)
 {
   return vtkImageData::SafeDownCast(vtkDataObject::GetData(inputs));
+}
+
+/// The image whose points the field has; null where it spans the data.
+vtkImageData* GridAmongInputs(vtkInformationVector** inputs)
+{
+  auto* grid = vtkImageData::SafeDownCast(vtkDataObject::GetData(inputs[1]));
+  return grid ? grid : ImageAmongData(inputs[0]);
 }
 
 }
@@ -391,6 +399,10 @@ int vtkConditionalTerrainFilter::RequestData(
   output->SetSpacing(survey.Grid.Spacing[0], survey.Grid.Spacing[1], survey.SpacingZ);
   info->Set(vtkDataObject::ORIGIN(), output->GetOrigin(), 3);
   info->Set(vtkDataObject::SPACING(), output->GetSpacing(), 3);
+  if (vtkImageData* grid = GridAmongInputs(inputVector))
+  {
+    littoral::PassGeoreference(grid, output);
+  }
   this->SetProgressText("Making a field through data");
   bool done = false;
   try
