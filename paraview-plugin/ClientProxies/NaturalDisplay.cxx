@@ -155,8 +155,8 @@ void ShortenPanel(vtkSMProxy* representation, const char* names)
 //----------------------------------------------------------------------------
 NaturalDisplay::~NaturalDisplay()
 {
-  this->StopWaitingForLegend();
-  this->StopWatchingVisibility();
+  StopObserving(this->Pictures);
+  StopObserving(this->Visibilities);
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -383,10 +383,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     ColorDirectly(representation, "RGB", true);
-    if (!this->LegendView) // else an output that was shown before waits for its colors
-    {
-      this->WaitForLegend(representation);
-    }
+    this->WaitForLegend(representation);
   }
   else if (this->Hint("direct-color", port))
   {
@@ -486,78 +483,80 @@ vtkSMRenderViewProxy* NaturalDisplay::ActiveView()
 }
 
 //----------------------------------------------------------------------------
+/// ParaView shows the legend once the representation is in its view, which no event names: any of them can be that one.
 void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 {
-  this->StopWaitingForLegend();
-  this->Colored = representation;
-  this->LegendView = this->ActiveView();
-  if (this->LegendView)
+  this->Colored.emplace_back(representation);
+  StopObserving(this->Pictures);
+  for (unsigned int k = 0; k < this->Manager->GetNumberOfProxies("views"); ++k)
   {
-    this->LegendObserver =
-      this->LegendView->AddObserver(vtkCommand::StartEvent, this, &NaturalDisplay::OnStartOfPicture);
+    vtkSMProxy* view = this->Manager->GetProxy("views", this->Manager->GetProxyName("views", k));
+    if (vtkSMRenderViewProxy::SafeDownCast(view))
+    {
+      this->Pictures.push_back(
+        { view, view->AddObserver(vtkCommand::StartEvent, this, &NaturalDisplay::OnStartOfPicture) });
+    }
   }
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
+void NaturalDisplay::OnStartOfPicture(vtkObject* object, unsigned long, void*)
 {
-  if (IsEmpty(this->LegendView))
+  vtkSMProxy* view = vtkSMProxy::SafeDownCast(object);
+  std::vector<vtkWeakPointer<vtkSMProxy>> waiting;
+  waiting.swap(this->Colored);
+  for (const auto& one : waiting)
   {
-    return; // a new view draws itself before it gets what it is made for
-  }
-  if (this->Colored)
-  {
-    if (ColorHelper::GetUsingScalarColoring(this->Colored))
+    if (one && vtkSMViewProxy::FindView(one) == view)
     {
-      ColorHelper::SetScalarBarVisibility(this->Colored, this->LegendView, false);
+      this->TakeLegendAway(one, view);
     }
-    const char* array = this->Hint("direct-color");
-    if (array && vtkSMPropertyHelper(this->Colored, "MapScalars").GetAsInt() != 0)
+    else if (one) // in another view, or not yet in this one
     {
-      ColorDirectly(this->Colored, array, false);
+      this->Colored.push_back(one);
     }
   }
-  this->StopWaitingForLegend();
+  if (this->Colored.empty())
+  {
+    StopObserving(this->Pictures);
+  }
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::StopWaitingForLegend()
+void NaturalDisplay::TakeLegendAway(vtkSMProxy* representation, vtkSMProxy* view)
 {
-  if (this->LegendView)
+  if (ColorHelper::GetUsingScalarColoring(representation))
   {
-    this->LegendView->RemoveObserver(this->LegendObserver);
+    ColorHelper::SetScalarBarVisibility(representation, view, false);
   }
-  this->LegendView = nullptr;
+  const char* array = this->Hint("direct-color");
+  if (array && vtkSMPropertyHelper(representation, "MapScalars").GetAsInt() != 0)
+  {
+    ColorDirectly(representation, array, false);
+  }
 }
 
 //----------------------------------------------------------------------------
 /// ParaView shows a legend whenever a representation is shown again, though colors that are not mapped have none.
 void NaturalDisplay::WatchVisibility(vtkSMProxy* representation)
 {
-  this->StopWatchingVisibility();
-  this->Watched = representation;
-  this->VisibilityObserver = representation->GetProperty("Visibility")
-                               ->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility);
+  const auto isGone = [](const Observation& one) { return !one.Object; };
+  this->Visibilities.erase(
+    std::remove_if(this->Visibilities.begin(), this->Visibilities.end(), isGone), this->Visibilities.end());
+  vtkSMProperty* visibility = representation->GetProperty("Visibility");
+  this->Visibilities.push_back(
+    { visibility, visibility->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility) });
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::OnVisibility(vtkObject*, unsigned long, void*)
+void NaturalDisplay::OnVisibility(vtkObject* object, unsigned long, void*)
 {
-  if (this->Watched && vtkSMPropertyHelper(this->Watched, "Visibility").GetAsInt() != 0 &&
-    vtkSMPropertyHelper(this->Watched, "MapScalars").GetAsInt() == 0)
+  vtkSMProxy* representation = vtkSMProperty::SafeDownCast(object)->GetParent();
+  if (representation && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0 &&
+    vtkSMPropertyHelper(representation, "MapScalars").GetAsInt() == 0)
   {
-    this->WaitForLegend(this->Watched);
+    this->WaitForLegend(representation);
   }
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::StopWatchingVisibility()
-{
-  if (this->Watched)
-  {
-    this->Watched->GetProperty("Visibility")->RemoveObserver(this->VisibilityObserver);
-  }
-  this->Watched = nullptr;
 }
 
 //----------------------------------------------------------------------------
