@@ -24,8 +24,11 @@ def check(step):
 
 
 def other_view():
-    """In the client: a second view, which is the active one."""
-    simple.SetActiveView(simple.CreateView("RenderView"))
+    """In the client: a second view beside the first, which is the active one."""
+    layout = simple.GetLayout(simple.GetRenderViews()[0])
+    view = simple.CreateView("RenderView")
+    simple.AssignViewToLayout(view=view, layout=layout, hint=0)
+    simple.SetActiveView(view)
 
 
 def first_view():

@@ -18,6 +18,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMProxyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
@@ -488,10 +489,11 @@ void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 {
   this->Colored.emplace_back(representation);
   StopObserving(this->Pictures);
-  for (unsigned int k = 0; k < this->Manager->GetNumberOfProxies("views"); ++k)
+  vtkNew<vtkSMProxyIterator> views; // of which two can have the same name
+  views->SetSessionProxyManager(this->Manager);
+  for (views->Begin("views"); !views->IsAtEnd(); views->Next())
   {
-    vtkSMProxy* view = this->Manager->GetProxy("views", this->Manager->GetProxyName("views", k));
-    if (vtkSMRenderViewProxy::SafeDownCast(view))
+    if (auto* view = vtkSMRenderViewProxy::SafeDownCast(views->GetProxy()))
     {
       this->Pictures.push_back(
         { view, view->AddObserver(vtkCommand::StartEvent, this, &NaturalDisplay::OnStartOfPicture) });
