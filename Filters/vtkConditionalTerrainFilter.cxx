@@ -300,7 +300,9 @@ bool vtkConditionalTerrainFilter::ReadDrift(vtkInformationVector** inputVector, 
     drift = isNamed ? reader.Need(this->DriftArray.c_str(), 1) : scalars ? reader.Fit(scalars, 1) : nullptr;
     reason = reason.empty() ? reader.Reason() : reason;
   }
-  reason = reason.empty() && !drift ? "An external drift needs a Grid with a point array." : reason;
+  reason = reason.empty() && !drift
+    ? "An external drift is a point array of the Grid, but there is none; connect an image that has one as Grid."
+    : reason;
   return this->Refuse(reason) && this->Refuse(littoral::TakeDrift(drift, survey));
 }
 

@@ -63,7 +63,7 @@ numbers = simple.GroundStatistics(Input=valleys)
 scores = simple.NormalScores(Input=terrain)
 survey = simple.Calculator(Input=simple.QuadratPoints(Quadrats=[8, 5], Size=[120.0, 90.0], MeanPerQuadrat=1.5),
                            ResultArrayName="Elevation", Function="sin(coordsX/17)*cos(coordsY/23)")
-through = simple.ConditionalTerrain(Data=survey, Grid=twin, Model="Simple Exponential", StandardDeviation=1.0,
+through = simple.ConditionalTerrain(Input=survey, Grid=twin, Model="Simple Exponential", StandardDeviation=1.0,
                                     Range=30.0, KrigingVariance=1, CrossValidation=1)
 for proxy in (valleys, numbers, scores, through):
     proxy.UpdatePipeline()
@@ -71,12 +71,15 @@ for proxy, name, grid in ((valleys, "Elevation", twin), (valleys, "DrainageArea"
                           (valleys, "StreamOrder", twin), (scores, "NormalScores", terrain),
                           (through, "Elevation", twin), (through, "KrigingVariance", twin)):
     result.append(hashlib.sha256(whole_image(proxy, name, grid).tobytes()).hexdigest())
-rivers = servermanager.Fetch(simple.OutputPort(valleys, 1))
+# Rivers and tables are on the first rank, and on no other.
+rivers = valleys.GetClientSideObject().GetOutputDataObject(1)
 assert rivers.GetNumberOfLines() > 20, f"{rivers.GetNumberOfLines()} rivers on {ranks} ranks"
+assert valleys.GetDataInformation(1).GetNumberOfCells() == rivers.GetNumberOfLines()
 result.append(hashlib.sha256(vtk_to_numpy(rivers.GetPoints().GetData()).tobytes()).hexdigest())
-for table, rows in ((simple.OutputPort(numbers, 0), {1}), (simple.OutputPort(through, 1), range(20, 200))):
-    table = servermanager.Fetch(table)
+for proxy, port, rows in ((numbers, 0, {1}), (through, 1, range(20, 200))):
+    table = proxy.GetClientSideObject().GetOutputDataObject(port)
     assert table.GetNumberOfRows() in rows, f"{table.GetNumberOfRows()} rows on {ranks} ranks"
+    assert proxy.GetDataInformation(port).GetNumberOfRows() == table.GetNumberOfRows()
     for k in range(table.GetNumberOfColumns()):
         result.append(hashlib.sha256(vtk_to_numpy(table.GetColumn(k)).tobytes()).hexdigest())
 scored = simple.NormalScores(Input=survey)

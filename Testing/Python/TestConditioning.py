@@ -365,7 +365,7 @@ refuses("must be finite", conditional(points_of([[np.inf, 0.0]], [1.0]), grid_of
 holed_drift = drift.copy()
 holed_drift[3] = np.nan
 refuses("must be finite", conditional(survey, grid_of(values=holed_drift), KrigingType=4))
-refuses("needs a Grid", conditional(survey, KrigingType=4))
+refuses("as Grid", conditional(survey, KrigingType=4))
 unfitted = conditional(survey, grid_of())
 unfitted.SetInputData(2, vtkTable())
 refuses("table of fits is empty", unfitted)

@@ -474,6 +474,26 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
     return;
   }
   this->Show(representation, this->EmptyPort);
+  this->LookAtFirstData(representation);
+}
+
+//----------------------------------------------------------------------------
+/// Where nothing else is shown the camera was placed for a picture of nothing, as after a mistake.
+void NaturalDisplay::LookAtFirstData(vtkSMProxy* representation)
+{
+  auto* view = vtkSMRenderViewProxy::SafeDownCast(vtkSMViewProxy::FindView(representation));
+  if (!view || this->Hint("eye"))
+  {
+    return;
+  }
+  const std::vector<vtkSMProxy*> visible = VisibleIn(view);
+  const bool isAlone = std::all_of(visible.begin(), visible.end(),
+    [&](vtkSMProxy* one) { return vtkSMPropertyHelper(one, "Input").GetAsProxy() == this->Owner; });
+  if (isAlone)
+  {
+    const char* closer = this->Hint("closer");
+    this->Camera.ShowAll(view, closer ? std::strtod(closer, nullptr) : 1.0);
+  }
 }
 
 //----------------------------------------------------------------------------

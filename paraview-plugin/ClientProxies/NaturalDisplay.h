@@ -91,6 +91,7 @@ private:
   void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
+  void LookAtFirstData(vtkSMProxy* representation);
   vtkSMRenderViewProxy* ActiveView();
   void WaitForLegend(vtkSMProxy* representation);
   void OnStartOfPicture(vtkObject* view, unsigned long, void*);
