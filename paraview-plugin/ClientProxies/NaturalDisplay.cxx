@@ -507,7 +507,10 @@ vtkSMRenderViewProxy* NaturalDisplay::ActiveView()
 /// ParaView shows the legend once the representation is in its view, which no event names: any of them can be that one.
 void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 {
-  this->Colored.emplace_back(representation);
+  if (std::find(this->Colored.begin(), this->Colored.end(), representation) == this->Colored.end())
+  {
+    this->Colored.emplace_back(representation);
+  }
   StopObserving(this->Pictures);
   vtkNew<vtkSMProxyIterator> views; // of which two can have the same name
   views->SetSessionProxyManager(this->Manager);
@@ -547,7 +550,9 @@ void NaturalDisplay::OnStartOfPicture(vtkObject* object, unsigned long, void*)
 //----------------------------------------------------------------------------
 void NaturalDisplay::TakeLegendAway(vtkSMProxy* representation, vtkSMProxy* view)
 {
-  if (ColorHelper::GetUsingScalarColoring(representation))
+  // Colors of an array that was not known have no map, and so no legend.
+  if (ColorHelper::GetUsingScalarColoring(representation) &&
+    vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy())
   {
     ColorHelper::SetScalarBarVisibility(representation, view, false);
   }
