@@ -37,7 +37,7 @@ for layer in layers:
                  "extent": [extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()],
                  "values": [value if good else None for value, good in samples]})
 print(json.dumps(said), flush=True)
-os._exit(0)  # QGIS 3.22 ends in a crash while layers are there
+os._exit(0)  # without what QGIS does at its end
 """
 
 
