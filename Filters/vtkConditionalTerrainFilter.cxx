@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/ConditionalField.h"
 #include "Data/FieldStatistics.h"
+#include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Data/Survey.h"
 #include "Data/Tables.h"
@@ -41,6 +42,13 @@ constexpr littoral::ValueInterval Deviations = littoral::ValueInterval::From(1e-
 vtkImageData* ImageAmongData(vtkInformationVector* inputs)
 {
   return vtkImageData::SafeDownCast(vtkDataObject::GetData(inputs));
+}
+
+/// The image whose points the field has; null where it spans the data.
+vtkImageData* GridAmongInputs(vtkInformationVector** inputs)
+{
+  auto* grid = vtkImageData::SafeDownCast(vtkDataObject::GetData(inputs[1]));
+  return grid ? grid : ImageAmongData(inputs[0]);
 }
 
 }
@@ -292,7 +300,9 @@ bool vtkConditionalTerrainFilter::ReadDrift(vtkInformationVector** inputVector, 
     drift = isNamed ? reader.Need(this->DriftArray.c_str(), 1) : scalars ? reader.Fit(scalars, 1) : nullptr;
     reason = reason.empty() ? reader.Reason() : reason;
   }
-  reason = reason.empty() && !drift ? "An external drift needs a Grid with a point array." : reason;
+  reason = reason.empty() && !drift
+    ? "An external drift is a point array of the Grid, but there is none; connect an image that has one as Grid."
+    : reason;
   return this->Refuse(reason) && this->Refuse(littoral::TakeDrift(drift, survey));
 }
 
@@ -391,6 +401,10 @@ int vtkConditionalTerrainFilter::RequestData(
   output->SetSpacing(survey.Grid.Spacing[0], survey.Grid.Spacing[1], survey.SpacingZ);
   info->Set(vtkDataObject::ORIGIN(), output->GetOrigin(), 3);
   info->Set(vtkDataObject::SPACING(), output->GetSpacing(), 3);
+  if (vtkImageData* grid = GridAmongInputs(inputVector))
+  {
+    littoral::PassGeoreference(grid, output);
+  }
   this->SetProgressText("Making a field through data");
   bool done = false;
   try

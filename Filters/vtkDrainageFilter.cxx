@@ -27,10 +27,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSignedCharArray.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -79,6 +81,30 @@ void AddReport(const littoral::CarvingReport& report, vtkDataObject* data)
   littoral::AddField(data, "CurvatureSkew", { before.CurvatureSkew, after.CurvatureSkew });
   littoral::AddField(data, "Rounds", { static_cast<double>(report.Rounds) });
   littoral::AddField(data, "ReachedTarget", { report.HasReachedTarget ? 1.0 : 0.0 });
+  littoral::AddText(data, "Missed", report.Missed);
+}
+
+/// Takes what the first row of a table of statistics tells of heights and channels.
+std::string TakeStatistics(vtkTable* table, littoral::CarvingNumbers& numbers)
+{
+  littoral::ArrayReader rows = littoral::ArrayReader::OfRows(table, "Statistics");
+  bool hasNumbers = false;
+  const auto take = [&](const char* column, double& value) {
+    vtkDataArray* array = table->GetNumberOfRows() > 0 ? rows.Find(column, 1) : nullptr;
+    if (array && std::isfinite(array->GetComponent(0, 0)))
+    {
+      value = array->GetComponent(0, 0);
+      hasNumbers = true;
+    }
+  };
+  take("HypsometricIntegral", numbers.HypsometricIntegral);
+  take("HeightSkew", numbers.HeightSkew);
+  take("Concavity", numbers.Concavity);
+  numbers.OwnHeights = false;
+  return !rows.IsGood() ? rows.Reason()
+    : hasNumbers        ? ""
+                 : "Statistics have no number HypsometricIntegral, HeightSkew or Concavity; connect the first output "
+                   "of Ground Statistics.";
 }
 
 }
@@ -110,7 +136,7 @@ vtkDrainageFilter::vtkDrainageFilter()
   , ValleyWidth(3.0)
   , Seed(1)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
@@ -121,8 +147,8 @@ vtkDrainageFilter::~vtkDrainageFilter() = default;
 //----------------------------------------------------------------------------
 int vtkDrainageFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkTable" : "vtkImageData");
   return 1;
 }
 
@@ -139,6 +165,7 @@ int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector
   // Water runs through the whole of a terrain.
   littoral::RequestAll(inputVector[0]->GetInformationObject(0));
   littoral::RequestAll(inputVector[1]->GetInformationObject(0));
+  littoral::RequestAll(inputVector[2]->GetInformationObject(0));
   return 1;
 }
 
@@ -200,7 +227,10 @@ bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   check.Require(littoral::WhyInvalid(ground.Heights, parameters));
   std::string reason;
   auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target", reason);
+  auto* statistics = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Statistics", reason);
   check.Require(reason);
+  check.Require(target && statistics ? "Target and Statistics both tell what it shall be like; disconnect one of them."
+                                     : "");
   littoral::GridSamples place;
   if (check.IsGood() && target)
   {
@@ -214,6 +244,7 @@ bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   }
   else if (check.IsGood())
   {
+    check.Require(statistics ? TakeStatistics(statistics, numbers) : "");
     check.Require(littoral::WhyInvalid(numbers));
   }
   if (!check.IsGood())

@@ -7,7 +7,9 @@
  * Input 0: a vtkImageData of one layer, at least 3 x 3, with a scalar point array, the elevation [m]
  * (SetInputArrayToProcess; default the active scalars, which also stand in for an absent `Elevation`), without missing
  * values and not constant. Each value is the height of a cell. Input 1, optional: a vtkImageData of another terrain,
- * the target, with the same array or its active scalars; its size and spacing may differ.
+ * the target, with the same array or its active scalars; its size and spacing may differ. Input 2, optional and without
+ * a target alone: a vtkTable as output 0 of vtkGroundStatisticsFilter, whose first row replaces HypsometricIntegral,
+ * HeightSkew and Concavity, each where the table has its column and a number there; KeepHeights does not count then.
  *
  * With Carve the terrain is graded in rounds until every cell has a way downhill and the slopes of channels fall with
  * their drainage area, S ~ A^-Concavity, while its statistics stay those of the target: the radial spectrum (and with
@@ -25,7 +27,8 @@
  * or to an outlet. Cell arrays: `StreamOrder` int, `DrainageArea` double [m^2] at its lower end, `Length` double [m],
  * `Slope` double [m/m] from head to end. Point arrays: `DrainageArea` double [m^2], `RGB` (blue, the darker the higher
  * the order). Field data of both outputs, of two components, before and after: `SunkShare` (of cells in depressions),
- * `HypsometricIntegral`, `HeightSkew`, `Concavity`, `CurvatureSkew`; and `Rounds` and `ReachedTarget` (1 or 0).
+ * `HypsometricIntegral`, `HeightSkew`, `Concavity`, `CurvatureSkew`; and `Rounds`, `ReachedTarget` (1 or 0) and
+ * `Missed` (text: the measures that are not met).
  *
  * Sources: Barnes et al. 2014 (priority-flood), Lindsay 2016 (breaching), Braun & Willett 2013 (stream power in O(n)).
  *
@@ -99,7 +102,7 @@ public:
   ///@{
   /**
    * Distribution of heights kept as the terrain has it; default off: a lognormal distribution of HypsometricIntegral
-   * and HeightSkew. Used only without a target image.
+   * and HeightSkew. Used only without a target image and a table of statistics.
    */
   vtkSetMacro(KeepHeights, bool);
   vtkGetMacro(KeepHeights, bool);
@@ -171,6 +174,12 @@ public:
 
   /// Removes the connection of port 1, the target.
   void RemoveTarget() { this->RemoveAllInputConnections(1); }
+
+  /// Connects the table of statistics, port 2.
+  void SetStatisticsConnection(vtkAlgorithmOutput* statistics) { this->SetInputConnection(2, statistics); }
+
+  /// Removes the connection of port 2, the table of statistics.
+  void RemoveStatistics() { this->RemoveAllInputConnections(2); }
 
 protected:
   vtkDrainageFilter();

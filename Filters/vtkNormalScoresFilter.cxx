@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Arrays.h"
 #include "Data/Inputs.h"
+#include "Data/Tables.h"
 #include "Kriging/NormalScores.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
@@ -19,6 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -101,8 +103,10 @@ vtkDataArray* vtkNormalScoresFilter::Values(
 
 //----------------------------------------------------------------------------
 int vtkNormalScoresFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  littoral::ForgetExtent(info);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   std::string reason;
   vtkDataSet* input = nullptr;
@@ -155,6 +159,15 @@ int vtkNormalScoresFilter::RequestData(
     }
   });
   output->GetAttributes(vtkDataObject::POINT)->SetScalars(mapped);
+  if (auto* image = vtkImageData::SafeDownCast(output))
+  {
+    std::array<int, 6> extent = littoral::RequestedExtent(info);
+    image->Crop(extent.data());
+  }
+  else if (littoral::AsksForLaterPiece(request, outputVector))
+  {
+    output->Initialize(); // the first piece has all points
+  }
   return 1;
 }
 

@@ -16,6 +16,8 @@
  * reference, in an array of its name, else `Elevation`; scores beyond the outermost ones become the least and the
  * largest value. NaN in the reference is left out.
  *
+ * All of both inputs is asked for. An image is cut to what is asked of it; points are in piece 0.
+ *
  * A value of input 0 that is NaN (vtkConditionalTerrainFilter fills holes), or a reference without two different
  * values, is reported as one error.
  *

@@ -18,22 +18,6 @@ int HalfOf(int cells)
   return (cells + 1) / 2;
 }
 
-/// Adds a plane through the middle of a grid.
-void AddPlane(GridSamples& ground, const PlaneTrend& plane, const ParallelFor& parallel)
-{
-  parallel(ground.Height, [&](std::size_t begin, std::size_t end) {
-    for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
-    {
-      const double y = (j - 0.5 * (ground.Height - 1)) * ground.Spacing[1];
-      for (int i = 0; i < ground.Width; ++i)
-      {
-        const double x = (i - 0.5 * (ground.Width - 1)) * ground.Spacing[0];
-        ground.At(i, j) += plane.Mean + plane.Slope[0] * x + plane.Slope[1] * y;
-      }
-    }
-  });
-}
-
 /// Puts the waves that both grids have into another of the same area: of orthonormal transforms c' = c sqrt(N' / N).
 void CopyWaves(const GridSamples& from, GridSamples& to)
 {

@@ -37,36 +37,16 @@ public:
   /// The flood in the order of heights: each cell's way out, pits in the order in which they are reached.
   void Flood(const std::vector<double>& heights)
   {
-    const CellIndex count = this->Lattice.Count();
     this->Pits.clear();
-    this->Toward.assign(count, -1);
-    std::vector<std::uint8_t> isFlooded(count, 0);
-    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
-    FloodQueue rim(*lowest, *highest, heights.size());
-    for (CellIndex cell = 0; cell < count; ++cell)
+    this->BeginFlood(heights);
+    while (!this->Rim.IsEmpty())
     {
-      if (this->Outlets[cell])
-      {
-        this->Toward[cell] = cell;
-        rim.Push(cell, heights[cell]);
-      }
-    }
-    while (!rim.IsEmpty())
-    {
-      this->Steps.Step();
-      const CellIndex cell = rim.Pop();
-      isFlooded[cell] = 1;
-      bool isPit = !this->Outlets[cell];
-      this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
+      bool isPit = true;
+      const CellIndex cell = this->FloodNext([&](CellIndex lowest, CellIndex neighbour) {
         const double other = heights[neighbour];
-        isPit = isPit && other >= heights[cell] && !(other == heights[cell] && isFlooded[neighbour]);
-        if (this->Toward[neighbour] < 0)
-        {
-          this->Toward[neighbour] = cell;
-          rim.Push(neighbour, other);
-        }
+        isPit = isPit && other >= heights[lowest] && !(other == heights[lowest] && this->IsFlooded[neighbour]);
       });
-      if (isPit)
+      if (isPit && !this->Outlets[cell])
       {
         this->Pits.push_back(cell);
       }
@@ -101,7 +81,7 @@ public:
       const CellIndex end = this->CheapestEnd(pit, most);
       if (end < 0)
       {
-        this->FloodOnce(uncut);
+        this->FloodUntil(pit, uncut);
         this->CutAlong(this->Toward, pit);
         continue;
       }
@@ -157,11 +137,53 @@ private:
       [&](CellIndex a, CellIndex b) { return this->Heights[a] < this->Heights[b]; });
   }
 
-  void FloodOnce(const std::vector<double>& heights)
+  /// The flood with outlets alone.
+  void BeginFlood(const std::vector<double>& heights)
+  {
+    const CellIndex count = this->Lattice.Count();
+    this->FloodedHeights = heights.data();
+    this->Toward.assign(count, -1);
+    this->IsFlooded.assign(count, 0);
+    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+    this->Rim = FloodQueue(*lowest, *highest, heights.size());
+    for (CellIndex cell = 0; cell < count; ++cell)
+    {
+      if (this->Outlets[cell])
+      {
+        this->Toward[cell] = cell;
+        this->Rim.Push(cell, heights[cell]);
+      }
+    }
+  }
+
+  /// Floods the lowest cell of the rim, and calls visit(cell, neighbour) for its neighbours.
+  template <typename Visit>
+  CellIndex FloodNext(const Visit& visit)
+  {
+    this->Steps.Step();
+    const CellIndex cell = this->Rim.Pop();
+    this->IsFlooded[cell] = 1;
+    this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
+      visit(cell, neighbour);
+      if (this->Toward[neighbour] < 0)
+      {
+        this->Toward[neighbour] = cell;
+        this->Rim.Push(neighbour, this->FloodedHeights[neighbour]);
+      }
+    });
+    return cell;
+  }
+
+  /// Floods no more than it takes to know the way out of a pit.
+  void FloodUntil(CellIndex pit, const std::vector<double>& heights)
   {
     if (this->Toward.empty())
     {
-      this->Flood(heights);
+      this->BeginFlood(heights);
+    }
+    while (this->Toward[pit] < 0)
+    {
+      this->FloodNext([](CellIndex, CellIndex) {});
     }
   }
 
@@ -257,7 +279,10 @@ private:
   CellLattice Lattice;
   SteppedPoll Steps;
   double Fall;
-  std::vector<CellIndex> Toward; ///< of the flood
+  const double* FloodedHeights = nullptr;
+  FloodQueue Rim;                      ///< of the flood
+  std::vector<CellIndex> Toward;       ///< the flood's way out of each cell that it has reached; -1
+  std::vector<std::uint8_t> IsFlooded; ///< by the flood
   std::vector<CellIndex> Pits;
   std::vector<CellIndex> Way;  ///< from the cell after the pit to the end
   std::vector<double> Cost;    ///< of the way from the pit that saw a cell last

@@ -338,10 +338,9 @@ private:
 
   void RestoreSpectrum()
   {
-    GridSamples& terrain = this->Terrain;
-    GridSamples field = terrain;
-    const PlaneTrend own = RemovePlane(field);
+    GridSamples& field = this->Terrain;
     // What is no part of the field stays as it is: the plane, replaced by the target's.
+    PlaneTrend plane = RemovePlane(field);
     CosineTransform(field, this->Parallel);
     const RingSpectrum spectrum = SpectrumOfCoefficients(field, this->Parallel);
     this->Gains.Rings.resize(spectrum.Power.size(), 1.0);
@@ -354,12 +353,11 @@ private:
     }
     gains[0] = gains.size() > 1 ? gains[1] : 1.0;
     MultiplyRings(field, spectrum.Step, gains, this->Parallel);
-    PlaneTrend plane = own;
-    const std::array<int, 2> count{ terrain.Width, terrain.Height };
+    const std::array<int, 2> count{ field.Width, field.Height };
     for (int axis = 0; axis < 2; ++axis)
     {
       plane.Slope[axis] = this->Gains.Plane * this->Target.Plane.Slope[axis] *
-        std::min(1.0, this->Target.Sides[axis] / (count[axis] * terrain.Spacing[axis]));
+        std::min(1.0, this->Target.Sides[axis] / (count[axis] * field.Spacing[axis]));
     }
     for (int wave = 0; wave < 9; ++wave)
     {
@@ -367,17 +365,7 @@ private:
     }
     this->Bands.emplace(field, spectrum.Step, gains.size(), plane, this->Parallel);
     InverseCosineTransform(field, this->Parallel);
-    this->Parallel(terrain.Height, [&](std::size_t begin, std::size_t end) {
-      for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
-      {
-        const double y = (j - 0.5 * (terrain.Height - 1)) * terrain.Spacing[1];
-        for (int i = 0; i < terrain.Width; ++i)
-        {
-          const double x = (i - 0.5 * (terrain.Width - 1)) * terrain.Spacing[0];
-          terrain.At(i, j) = plane.Mean + plane.Slope[0] * x + plane.Slope[1] * y + field.At(i, j);
-        }
-      }
-    });
+    AddPlane(field, plane, this->Parallel);
   }
 
   /// Breaches, and grades along the ways of water. Where long rivers would lift the ground by more than it may be

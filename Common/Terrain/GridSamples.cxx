@@ -104,4 +104,19 @@ PlaneTrend RemovePlane(GridSamples& samples)
   return trend;
 }
 
+void AddPlane(GridSamples& samples, const PlaneTrend& plane, const ParallelFor& parallel)
+{
+  parallel(samples.Height, [&](std::size_t begin, std::size_t end) {
+    for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
+    {
+      const double y = (j - 0.5 * (samples.Height - 1)) * samples.Spacing[1];
+      for (int i = 0; i < samples.Width; ++i)
+      {
+        const double x = (i - 0.5 * (samples.Width - 1)) * samples.Spacing[0];
+        samples.At(i, j) += plane.Mean + plane.Slope[0] * x + plane.Slope[1] * y;
+      }
+    }
+  });
+}
+
 }

@@ -3,6 +3,8 @@
 #ifndef LittoralGridSamples_h
 #define LittoralGridSamples_h
 
+#include "Numerics/Parallel.h"
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -44,6 +46,9 @@ PlaneTrend RemovePlane(GridSamples& samples);
 
 /// Subtracts the mean alone.
 PlaneTrend RemoveMean(GridSamples& samples);
+
+/// Adds a plane.
+void AddPlane(GridSamples& samples, const PlaneTrend& plane, const ParallelFor& parallel = SerialFor);
 
 }
 

@@ -154,7 +154,7 @@ void Route(benchmark::State& state)
 /// 4096^2 cells as the last argument: minutes; leave them out with --benchmark_filter='-size:16777216'.
 void Sizes(benchmark::internal::Benchmark* bench)
 {
-  bench->ArgName("size")->Arg(1 << 16)->Arg(1 << 18)->Arg(1 << 20)->Arg(1 << 24);
+  bench->ArgName("size")->Arg(1 << 16)->Arg(1 << 18)->Arg(1 << 20)->Arg(1 << 22)->Arg(1 << 24);
   bench->Iterations(1)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kSecond);
 }
 

@@ -23,9 +23,12 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 #ifndef _WIN32
@@ -121,6 +124,35 @@ bool Drains(vtkImageData* ground)
     Check(outflow == cell * static_cast<double>(count), "lost water");
 }
 
+/// Rivers are blue, the darker the higher their order, and those of one order are alike.
+bool RiversAreBlue(vtkPolyData* rivers)
+{
+  vtkDataArray* colors = rivers->GetPointData()->GetArray("RGB");
+  vtkDataArray* orders = rivers->GetCellData()->GetArray("StreamOrder");
+  std::map<int, std::array<double, 3>> known;
+  bool good = true;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType row = 0; row < rivers->GetNumberOfCells(); ++row)
+  {
+    rivers->GetCellPoints(row, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      std::array<double, 3> color;
+      colors->GetTuple(ids->GetId(k), color.data());
+      good &= known.emplace(static_cast<int>(orders->GetComponent(row, 0)), color).first->second == color;
+      good &= color[2] > color[1] && color[1] > color[0];
+    }
+  }
+  double before = 3.0 * 255.0;
+  for (const auto& [order, color] : known)
+  {
+    const double light = color[0] + color[1] + color[2];
+    good &= light < before - 20.0;
+    before = light;
+  }
+  return Check(known.size() > 2, "few orders of streams") && Check(good, "rivers are not blue, or not the darker");
+}
+
 /// Rivers lie on the ground, fall, and are those of the orders of the points.
 bool RiversFall(vtkDrainageFilter* drainage, int least)
 {
@@ -180,7 +212,7 @@ bool CarvedGroundDrains()
   drainage->KeepHeightsOn();
   drainage->Update();
   vtkImageData* ground = drainage->GetOutput();
-  bool good = Drains(ground) && RiversFall(drainage, 40);
+  bool good = Drains(ground) && RiversFall(drainage, 40) && RiversAreBlue(Rivers(drainage));
   good &= Check(ground->GetPointData()->GetArray("Reflectance") != nullptr, "an array of the input is lost");
   good &= Check(FieldOf(ground, "SunkShare", 0) > 0.1 && FieldOf(ground, "SunkShare", 1) == 0.0, "sunk cells");
   good &= Check(FieldOf(Rivers(drainage), "Rounds", 0) >= 1.0, "no rounds");
@@ -247,6 +279,40 @@ bool TargetIsTaken()
   return good &&
     Check(FieldOf(drainage->GetOutput(), "SunkShare", 0) == FieldOf(drainage->GetOutput(), "SunkShare", 1),
       "measures of ground that has not changed");
+}
+
+/// A table of statistics hands over heights and concavity, as the same numbers set one by one do.
+bool StatisticsAreTaken()
+{
+  const auto terrain = Terrain(80, 3);
+  vtkNew<vtkTable> table;
+  for (const auto& [name, value] : { std::pair{ "HypsometricIntegral", 0.33 }, { "HeightSkew", 0.7 },
+         { "Concavity", 0.3 }, { "SunkShare", 0.05 } })
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    column->InsertNextValue(value);
+    table->AddColumn(column);
+  }
+  vtkNew<vtkDrainageFilter> told;
+  vtkNew<vtkDrainageFilter> set;
+  told->SetInputData(2, table);
+  told->KeepHeightsOn();
+  set->SetHypsometricIntegral(0.33);
+  set->SetHeightSkew(0.7);
+  set->SetConcavity(0.3);
+  for (vtkDrainageFilter* drainage : { told.Get(), set.Get() })
+  {
+    drainage->SetInputConnection(terrain->GetOutputPort());
+    drainage->SetNumberOfRounds(3);
+    drainage->Update();
+  }
+  bool good = Check(FieldOf(told->GetOutput(), "HypsometricIntegral", 1) < 0.36, "another hypsometric integral");
+  for (vtkIdType cell = 0; cell < set->GetOutput()->GetNumberOfPoints(); ++cell)
+  {
+    good &= Value(told->GetOutput(), "Elevation", cell) == Value(set->GetOutput(), "Elevation", cell);
+  }
+  return Check(good, "a table is not what its numbers are");
 }
 
 /// All water leaves at the one outlet that is chosen, or at the sea.
@@ -378,6 +444,21 @@ bool BadInput()
   good &= Fails("target", fine, target(flat));
   good &= Fails("target", fine, target(holed));
   good &= Fails("20 x 1", fine, target(row));
+  vtkNew<vtkTable> other;
+  vtkNew<vtkDoubleArray> column;
+  column->SetName("Concavity");
+  other->AddColumn(column);
+  const auto statistics = [&other](Filter* filter) { filter->SetInputData(2, other); };
+  good &= Fails("Ground Statistics", fine, statistics); // without rows
+  column->InsertNextValue(NaN);
+  good &= Fails("Ground Statistics", fine, statistics);
+  column->SetValue(0, 1.5);
+  good &= Fails("Concavity is 1.5", fine, statistics);
+  column->SetValue(0, 0.4);
+  good &= Fails("disconnect one", fine, [&](Filter* filter) {
+    filter->SetInputData(1, fine);
+    filter->SetInputData(2, other);
+  });
 
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputData(fine);
@@ -419,7 +500,7 @@ bool MemoryIsAsked()
 
 int TestDrainageFilter(int, char*[])
 {
-  return CarvedGroundDrains() && TargetIsTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && BadInput() &&
+  return CarvedGroundDrains() && TargetIsTaken() && StatisticsAreTaken() && OutletsAreChosen() && PartsAreOfOneWhole() && BadInput() &&
       MemoryIsAsked()
     ? EXIT_SUCCESS
     : EXIT_FAILURE;

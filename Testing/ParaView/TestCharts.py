@@ -92,6 +92,22 @@ table, sheet = show(fit, 0, "SpreadSheetView")
 shown = {"Model", "Variance", "Range", "AtBound", "AICc"}
 assert not shown & set(sheet.HiddenColumnLabels) and "TrendWidth" in sheet.HiddenColumnLabels
 
+# The slopes of streams by drainage area with their law, and the hypsometric curve.
+ground = simple.GroundStatistics(Input=terrain)
+chart, view = show(ground, 1)
+assert chart.XArrayName == "DrainageArea" and set(chart.SeriesVisibility) == {"Slope", "PowerLaw"}
+markers, lines = pairs(chart.SeriesMarkerStyle), pairs(chart.SeriesLineStyle)
+assert (markers["Slope"], lines["Slope"]) == ("4", "0") and (markers["PowerLaw"], lines["PowerLaw"]) == ("0", "1")
+assert (view.BottomAxisTitle, view.LeftAxisTitle) == ("Drainage area [m²]", "Slope [m/m]")
+assert view.BottomAxisLogScale == 1 and view.LeftAxisLogScale == 1
+compare(view, "chart-ground")
+chart, view = show(ground, 2)
+assert chart.XArrayName == "Fraction" and set(chart.SeriesVisibility) == {"Elevation"}
+assert view.BottomAxisLogScale == 0 and view.LeftAxisTitle == "Elevation [m]"
+_, sheet = show(ground, 0, "SpreadSheetView")
+shown = {"SunkShare", "HypsometricIntegral", "HeightSkew", "Concavity", "CurvatureSkew"}
+assert not shown & set(sheet.HiddenColumnLabels) and "HackExponent" in sheet.HiddenColumnLabels
+
 analysis = simple.QuadratAnalysis(
     Input=simple.QuadratPoints(Quadrats=[30, 20], Law="Negative Binomial", MeanPerQuadrat=2.0))
 # The same sheet for another table: columns of both are as wanted.

@@ -10,6 +10,7 @@ import numpy as np
 import quick
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -231,6 +232,38 @@ def check_view_after_table():
     simple.Delete(scene)
 
 
+def check_first_data_after_mistake():
+    """What had no data at first, for want of a grid, is looked at once it has some, from the same side."""
+    survey = simple.Calculator(Input=simple.QuadratPoints(Quadrats=[6, 6], Size=[120.0, 120.0]),
+                               ResultArrayName="Elevation", Function="700+sin(coordsX/17)")
+    grid = simple.TurningBandsTerrain(WholeExtent=[0, 30, 0, 30, 0, 0], Spacing=[4, 4, 1])
+    field = simple.ConditionalTerrain(Input=survey, KrigingType="External Drift", Model="Simple Exponential",
+                                      StandardDeviation=1.0, Range=30.0)
+    view = empty_view()
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    simple.Show(field, view)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    vtkOutputWindow.SetInstance(before)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
+    assert window.GetOutput().count("as Grid") == 1, window.GetOutput()
+    without = picture(view)
+    field.Grid = grid
+    simple.Render(view)
+    drawn = (np.abs(picture(view) - without).sum(axis=2) > 20).mean()
+    print(f"Conditional Terrain after a mistake: {drawn:.3f} drawn", flush=True)
+    assert drawn > 0.1, f"{drawn:.4f} of the picture is drawn"
+    assert list(view.CameraViewUp) == [0.0, 0.0, 1.0]
+    # Later changes leave the camera.
+    place = list(view.CameraPosition)
+    field.Seed = 5
+    simple.Render(view)
+    assert list(view.CameraPosition) == place
+    simple.Delete(view)
+
+
 def check_legend():
     """The legend of a wind has words and a unit."""
     view = empty_view()
@@ -267,6 +300,7 @@ if RANKS == 1:
     check_kelp_under_sea()
     check_drift_beside_currents()
     check_view_after_table()
+    check_first_data_after_mistake()
     check_legend()
     check_fog(check_particles())
 os.remove("look.png")

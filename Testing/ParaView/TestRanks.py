@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvbatch mpi=1,2,3
-"""The same terrain, fit, twin, points, sea, wood, drift, levels of detail, fog and seaweeds on any number of ranks.
+"""The same terrain, fit, twin, valleys, fields through data, points, sea, wood, drift, levels of detail, fog and
+seaweeds on any number of ranks.
 
 The run on one rank writes its result; the others compare with it.
 """
@@ -18,14 +19,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
 
-def whole_image(proxy):
-    """Elevations of all ranks as one array [row, column]; neighbours' shared points must agree."""
+def whole_image(proxy, name="Elevation", grid=None):
+    """An array of all ranks as one [row, column]; neighbours' shared points must agree."""
     cloud = servermanager.Fetch(simple.ConvertToPointCloud(Input=proxy))
     extent = proxy.GetDataInformation().GetExtent()
-    spacing = np.array(proxy.Spacing[:2])
+    spacing = np.array((grid or proxy).Spacing[:2])
     column, row = np.rint(vtk_to_numpy(cloud.GetPoints().GetData())[:, :2] / spacing).astype(int).T
-    values = vtk_to_numpy(cloud.GetPointData().GetArray("Elevation"))
-    image = np.full((extent[3] + 1, extent[1] + 1), np.nan, np.float32)
+    values = vtk_to_numpy(cloud.GetPointData().GetArray(name)).astype(float)
+    image = np.full((extent[3] + 1, extent[1] + 1), np.nan)
     image[row, column] = values
     assert (image[row, column] == values).all(), "ranks disagree where they meet"
     assert not np.isnan(image).any(), "some points are on no rank"
@@ -56,6 +57,38 @@ assert fits.GetNumberOfRows() == 7, f"{fits.GetNumberOfRows()} rows on {ranks} r
 result = [hashlib.sha256(whole_image(proxy).tobytes()).hexdigest() for proxy in (terrain, twin)]
 for name in ("ModelId", "Variance", "Range", "AICc"):
     result.append(vtk_to_numpy(fits.GetColumnByName(name)).tobytes().hex())
+# Valleys and rivers, statistics of ground, normal scores, and a field through points that lie on different ranks.
+valleys = simple.Drainage(Input=twin, Target=terrain, NumberOfRounds=2)
+numbers = simple.GroundStatistics(Input=valleys)
+scores = simple.NormalScores(Input=terrain)
+survey = simple.Calculator(Input=simple.QuadratPoints(Quadrats=[8, 5], Size=[120.0, 90.0], MeanPerQuadrat=1.5),
+                           ResultArrayName="Elevation", Function="sin(coordsX/17)*cos(coordsY/23)")
+through = simple.ConditionalTerrain(Input=survey, Grid=twin, Model="Simple Exponential", StandardDeviation=1.0,
+                                    Range=30.0, KrigingVariance=1, CrossValidation=1)
+for proxy in (valleys, numbers, scores, through):
+    proxy.UpdatePipeline()
+for proxy, name, grid in ((valleys, "Elevation", twin), (valleys, "DrainageArea", twin),
+                          (valleys, "StreamOrder", twin), (scores, "NormalScores", terrain),
+                          (through, "Elevation", twin), (through, "KrigingVariance", twin)):
+    result.append(hashlib.sha256(whole_image(proxy, name, grid).tobytes()).hexdigest())
+# Rivers and tables are on the first rank, and on no other.
+rivers = valleys.GetClientSideObject().GetOutputDataObject(1)
+assert rivers.GetNumberOfLines() > 20, f"{rivers.GetNumberOfLines()} rivers on {ranks} ranks"
+assert valleys.GetDataInformation(1).GetNumberOfCells() == rivers.GetNumberOfLines()
+result.append(hashlib.sha256(vtk_to_numpy(rivers.GetPoints().GetData()).tobytes()).hexdigest())
+for proxy, port, rows in ((numbers, 0, {1}), (through, 1, range(20, 200))):
+    table = proxy.GetClientSideObject().GetOutputDataObject(port)
+    assert table.GetNumberOfRows() in rows, f"{table.GetNumberOfRows()} rows on {ranks} ranks"
+    assert proxy.GetDataInformation(port).GetNumberOfRows() == table.GetNumberOfRows()
+    for k in range(table.GetNumberOfColumns()):
+        result.append(hashlib.sha256(vtk_to_numpy(table.GetColumn(k)).tobytes()).hexdigest())
+scored = simple.NormalScores(Input=survey)
+scored.UpdatePipeline()
+cloud = servermanager.Fetch(scored)
+order = np.argsort(vtk_to_numpy(cloud.GetPointData().GetArray("SiteId")))
+assert len(order) == servermanager.Fetch(survey).GetNumberOfPoints(), f"{len(order)} scores on {ranks} ranks"
+result.append(hashlib.sha256(vtk_to_numpy(cloud.GetPointData().GetArray("NormalScores"))[order].tobytes()).hexdigest())
+
 points = simple.QuadratPoints(Quadrats=[30, 20], Law="Negative Binomial", MeanPerQuadrat=2.0)
 cloud = servermanager.Fetch(points)
 sites = vtk_to_numpy(cloud.GetPointData().GetArray("SiteId"))

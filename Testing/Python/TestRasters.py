@@ -536,6 +536,40 @@ class Written(Rasters):
         alone.Update()
         self.assertEqual((len(messages), alone.GetOutput().GetDimensions()), (1, (50, 40, 1)))
 
+    def test_filled_raster_and_its_carved_twin(self):
+        """Holes filled by kriging, normal scores and their way back, valleys: each step keeps the place on earth."""
+        heights = hills(40, 50) + RANDOM.normal(size=(40, 50)).astype(np.float32)
+        holed = heights.copy()
+        holed[20:24, 30:33] = np.nan
+        filled = littoral.vtkConditionalTerrainFilter()
+        filled.SetInputData(read_elevation(create(self.path("a.tif"), holed), LocalOrigin=True))
+        filled.SetResultToKrigingEstimate()
+        filled.SetModelToSimpleExponential()
+        filled.Update()
+        place = filled.GetOutput()
+        self.assertTrue(np.isfinite(array_from_image(place)).all())
+        scores, back, drainage = (littoral.vtkNormalScoresFilter(), littoral.vtkNormalScoresFilter(),
+                                  littoral.vtkDrainageFilter())
+        scores.SetInputData(place)
+        scores.Update()
+        back.SetInputData(twin_of(scores.GetOutput(), seed=3))
+        back.SetInputData(1, place)
+        back.InverseOn()
+        drainage.SetInputConnection(back.GetOutputPort())
+        drainage.SetInputData(1, place)
+        drainage.SetNumberOfRounds(2)
+        drainage.Update()
+        for number, image in enumerate((place, back.GetOutput(), drainage.GetOutput())):
+            with self.subTest(number=number):
+                name = self.path(f"{number}.tif")
+                write_tif(image, name)
+                raster = gdal.Open(name)
+                self.assertEqual(raster.GetGeoTransform(), UTM16)
+                self.assertTrue(raster.GetSpatialRef().IsSame(system(32616)))
+        known = np.isfinite(holed)
+        written = gdal.Open(self.path("0.tif")).ReadAsArray()
+        self.assertTrue(np.allclose(written[known], holed[known], rtol=0.0, atol=1e-4))
+
     def test_field_data_survive_a_vti(self):
         place = read_elevation(create(self.path("a.tif"), hills(6, 7)), LocalOrigin=True)
         write_vti(place, self.path("a.vti"))

@@ -397,17 +397,4 @@ void ChartDisplay::OnPicture(vtkObject* object, unsigned long, void*)
   StopObserving(done);
 }
 
-//----------------------------------------------------------------------------
-void ChartDisplay::StopObserving(std::vector<Observation>& observed)
-{
-  for (const Observation& one : observed)
-  {
-    if (one.Object)
-    {
-      one.Object->RemoveObserver(one.Tag);
-    }
-  }
-  observed.clear();
-}
-
 }

@@ -3,6 +3,8 @@
 #ifndef LittoralChartDisplay_h
 #define LittoralChartDisplay_h
 
+#include "Observation.h"
+
 #include "vtkWeakPointer.h" // for observed proxies
 
 #include <string>
@@ -72,11 +74,6 @@ private:
     int Port;
     std::vector<std::string> Names;
   };
-  struct Observation
-  {
-    vtkWeakPointer<vtkObject> Object;
-    unsigned long Tag;
-  };
 
   vtkPVXMLElement* Hint(const char* name, int port);
   std::vector<std::string> TextsOf(const char* column, int port, int count);
@@ -90,7 +87,6 @@ private:
   void HideColumns(vtkSMProxy* view, vtkPVXMLElement* hint, int port);
   void WaitForView(vtkSMProxy* representation, int port);
   vtkSMProxy* ActiveView();
-  static void StopObserving(std::vector<Observation>& observed);
 
   vtkSMSourceProxy* Owner;
   vtkWeakPointer<vtkSMSessionProxyManager> Manager;

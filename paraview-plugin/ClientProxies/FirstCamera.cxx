@@ -154,6 +154,25 @@ void FirstCamera::WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place)
 }
 
 //----------------------------------------------------------------------------
+void FirstCamera::ShowAll(vtkSMRenderViewProxy* view, double closer)
+{
+  this->Stop();
+  this->Place = {};
+  this->Place.Closer = closer;
+  this->View = view;
+  this->StartObserver = view->AddObserver(vtkCommand::StartEvent, this, &FirstCamera::OnStartWithData, BeforeOthers);
+}
+
+//----------------------------------------------------------------------------
+void FirstCamera::OnStartWithData(vtkObject*, unsigned long, void*)
+{
+  vtkSMRenderViewProxy* view = this->View;
+  this->Stop();
+  view->ResetCamera();
+  view->GetActiveCamera()->Dolly(std::max(0.1, this->Place.Closer));
+}
+
+//----------------------------------------------------------------------------
 void FirstCamera::OnResetCamera(vtkObject*, unsigned long, void*)
 {
   if (!this->WasReset && !IsEmpty(this->View))

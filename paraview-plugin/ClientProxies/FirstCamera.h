@@ -58,7 +58,11 @@ public:
 
   void WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place);
 
+  /// Shows all of what is drawn in the next picture, so many times closer than ParaView does, as the camera looks.
+  void ShowAll(vtkSMRenderViewProxy* view, double closer);
+
 private:
+  void OnStartWithData(vtkObject*, unsigned long, void*);
   void OnResetCamera(vtkObject*, unsigned long, void*);
   void OnStart(vtkObject*, unsigned long, void*);
   void OnPicture(vtkObject*, unsigned long, void*);

@@ -18,6 +18,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMProxyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
@@ -155,8 +156,8 @@ void ShortenPanel(vtkSMProxy* representation, const char* names)
 //----------------------------------------------------------------------------
 NaturalDisplay::~NaturalDisplay()
 {
-  this->StopWaitingForLegend();
-  this->StopWatchingVisibility();
+  StopObserving(this->Pictures);
+  StopObserving(this->Visibilities);
   if (this->Manager)
   {
     this->Manager->RemoveObserver(this->RegisterObserver);
@@ -383,10 +384,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (data->GetArrayInformation("RGB", vtkDataObject::POINT))
   {
     ColorDirectly(representation, "RGB", true);
-    if (!this->LegendView) // else an output that was shown before waits for its colors
-    {
-      this->WaitForLegend(representation);
-    }
+    this->WaitForLegend(representation);
   }
   else if (this->Hint("direct-color", port))
   {
@@ -476,6 +474,26 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
     return;
   }
   this->Show(representation, this->EmptyPort);
+  this->LookAtFirstData(representation);
+}
+
+//----------------------------------------------------------------------------
+/// Where nothing else is shown the camera was placed for a picture of nothing, as after a mistake.
+void NaturalDisplay::LookAtFirstData(vtkSMProxy* representation)
+{
+  auto* view = vtkSMRenderViewProxy::SafeDownCast(vtkSMViewProxy::FindView(representation));
+  if (!view || this->Hint("eye"))
+  {
+    return;
+  }
+  const std::vector<vtkSMProxy*> visible = VisibleIn(view);
+  const bool isAlone = std::all_of(visible.begin(), visible.end(),
+    [&](vtkSMProxy* one) { return vtkSMPropertyHelper(one, "Input").GetAsProxy() == this->Owner; });
+  if (isAlone)
+  {
+    const char* closer = this->Hint("closer");
+    this->Camera.ShowAll(view, closer ? std::strtod(closer, nullptr) : 1.0);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -486,78 +504,86 @@ vtkSMRenderViewProxy* NaturalDisplay::ActiveView()
 }
 
 //----------------------------------------------------------------------------
+/// ParaView shows the legend once the representation is in its view, which no event names: any of them can be that one.
 void NaturalDisplay::WaitForLegend(vtkSMProxy* representation)
 {
-  this->StopWaitingForLegend();
-  this->Colored = representation;
-  this->LegendView = this->ActiveView();
-  if (this->LegendView)
+  if (std::find(this->Colored.begin(), this->Colored.end(), representation) == this->Colored.end())
   {
-    this->LegendObserver =
-      this->LegendView->AddObserver(vtkCommand::StartEvent, this, &NaturalDisplay::OnStartOfPicture);
+    this->Colored.emplace_back(representation);
+  }
+  StopObserving(this->Pictures);
+  vtkNew<vtkSMProxyIterator> views; // of which two can have the same name
+  views->SetSessionProxyManager(this->Manager);
+  for (views->Begin("views"); !views->IsAtEnd(); views->Next())
+  {
+    if (auto* view = vtkSMRenderViewProxy::SafeDownCast(views->GetProxy()))
+    {
+      this->Pictures.push_back(
+        { view, view->AddObserver(vtkCommand::StartEvent, this, &NaturalDisplay::OnStartOfPicture) });
+    }
   }
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::OnStartOfPicture(vtkObject*, unsigned long, void*)
+void NaturalDisplay::OnStartOfPicture(vtkObject* object, unsigned long, void*)
 {
-  if (IsEmpty(this->LegendView))
+  vtkSMProxy* view = vtkSMProxy::SafeDownCast(object);
+  std::vector<vtkWeakPointer<vtkSMProxy>> waiting;
+  waiting.swap(this->Colored);
+  for (const auto& one : waiting)
   {
-    return; // a new view draws itself before it gets what it is made for
-  }
-  if (this->Colored)
-  {
-    if (ColorHelper::GetUsingScalarColoring(this->Colored))
+    if (one && vtkSMViewProxy::FindView(one) == view)
     {
-      ColorHelper::SetScalarBarVisibility(this->Colored, this->LegendView, false);
+      this->TakeLegendAway(one, view);
     }
-    const char* array = this->Hint("direct-color");
-    if (array && vtkSMPropertyHelper(this->Colored, "MapScalars").GetAsInt() != 0)
+    else if (one) // in another view, or not yet in this one
     {
-      ColorDirectly(this->Colored, array, false);
+      this->Colored.push_back(one);
     }
   }
-  this->StopWaitingForLegend();
+  if (this->Colored.empty())
+  {
+    StopObserving(this->Pictures);
+  }
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::StopWaitingForLegend()
+void NaturalDisplay::TakeLegendAway(vtkSMProxy* representation, vtkSMProxy* view)
 {
-  if (this->LegendView)
+  // Colors of an array that was not known have no map, and so no legend.
+  if (ColorHelper::GetUsingScalarColoring(representation) &&
+    vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy())
   {
-    this->LegendView->RemoveObserver(this->LegendObserver);
+    ColorHelper::SetScalarBarVisibility(representation, view, false);
   }
-  this->LegendView = nullptr;
+  const char* array = this->Hint("direct-color");
+  if (array && vtkSMPropertyHelper(representation, "MapScalars").GetAsInt() != 0)
+  {
+    ColorDirectly(representation, array, false);
+  }
 }
 
 //----------------------------------------------------------------------------
 /// ParaView shows a legend whenever a representation is shown again, though colors that are not mapped have none.
 void NaturalDisplay::WatchVisibility(vtkSMProxy* representation)
 {
-  this->StopWatchingVisibility();
-  this->Watched = representation;
-  this->VisibilityObserver = representation->GetProperty("Visibility")
-                               ->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility);
+  const auto isGone = [](const Observation& one) { return !one.Object; };
+  this->Visibilities.erase(
+    std::remove_if(this->Visibilities.begin(), this->Visibilities.end(), isGone), this->Visibilities.end());
+  vtkSMProperty* visibility = representation->GetProperty("Visibility");
+  this->Visibilities.push_back(
+    { visibility, visibility->AddObserver(vtkCommand::ModifiedEvent, this, &NaturalDisplay::OnVisibility) });
 }
 
 //----------------------------------------------------------------------------
-void NaturalDisplay::OnVisibility(vtkObject*, unsigned long, void*)
+void NaturalDisplay::OnVisibility(vtkObject* object, unsigned long, void*)
 {
-  if (this->Watched && vtkSMPropertyHelper(this->Watched, "Visibility").GetAsInt() != 0 &&
-    vtkSMPropertyHelper(this->Watched, "MapScalars").GetAsInt() == 0)
+  vtkSMProxy* representation = vtkSMProperty::SafeDownCast(object)->GetParent();
+  if (representation && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0 &&
+    vtkSMPropertyHelper(representation, "MapScalars").GetAsInt() == 0)
   {
-    this->WaitForLegend(this->Watched);
+    this->WaitForLegend(representation);
   }
-}
-
-//----------------------------------------------------------------------------
-void NaturalDisplay::StopWatchingVisibility()
-{
-  if (this->Watched)
-  {
-    this->Watched->GetProperty("Visibility")->RemoveObserver(this->VisibilityObserver);
-  }
-  this->Watched = nullptr;
 }
 
 //----------------------------------------------------------------------------

@@ -4,9 +4,12 @@
 #define LittoralNaturalDisplay_h
 
 #include "FirstCamera.h"
+#include "Observation.h"
 
 #include "vtkSmartPointer.h" // for the look of a part of a scene
 #include "vtkWeakPointer.h"  // for what is watched
+
+#include <vector>
 
 class vtkObject;
 class vtkPVDataInformation;
@@ -88,13 +91,13 @@ private:
   void TakeColors(vtkSMProxy* representation, vtkPVDataInformation* data, int port);
   void WaitForData(vtkSMProxy* representation, int port);
   void OnData(vtkObject*, unsigned long, void*);
+  void LookAtFirstData(vtkSMProxy* representation);
   vtkSMRenderViewProxy* ActiveView();
   void WaitForLegend(vtkSMProxy* representation);
-  void OnStartOfPicture(vtkObject*, unsigned long, void*);
-  void StopWaitingForLegend();
+  void OnStartOfPicture(vtkObject* view, unsigned long, void*);
+  void TakeLegendAway(vtkSMProxy* representation, vtkSMProxy* view);
   void WatchVisibility(vtkSMProxy* representation);
-  void OnVisibility(vtkObject*, unsigned long, void*);
-  void StopWatchingVisibility();
+  void OnVisibility(vtkObject* property, unsigned long, void*);
   void SetUpView(int port);
 
   vtkSMSourceProxy* Owner;
@@ -105,11 +108,9 @@ private:
   vtkWeakPointer<vtkSMProxy> Empty; ///< what was shown without data
   int EmptyPort = 0;
   unsigned long DataObserver = 0;
-  vtkWeakPointer<vtkSMProxy> Colored; ///< whose legend would mean nothing
-  vtkWeakPointer<vtkSMRenderViewProxy> LegendView;
-  unsigned long LegendObserver = 0;
-  vtkWeakPointer<vtkSMProxy> Watched; ///< the newest representation
-  unsigned long VisibilityObserver = 0;
+  std::vector<vtkWeakPointer<vtkSMProxy>> Colored; ///< whose legends would mean nothing, until the next pictures
+  std::vector<Observation> Pictures;               ///< of all views, as long as some are colored
+  std::vector<Observation> Visibilities;           ///< of all representations
   FirstCamera Camera;
 };
 

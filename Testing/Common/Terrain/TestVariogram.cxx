@@ -208,3 +208,18 @@ TEST(GridSamples, APlaneIsFoundAndRemovedAroundHoles)
   EXPECT_NEAR(trend.Slope[1], -0.5, 1e-12);
   EXPECT_NEAR(Moments(samples).Variance, 0.0, 1e-20);
 }
+
+TEST(GridSamples, APlaneThatIsRemovedCanBeAdded)
+{
+  const GridSamples samples = Noise(30, 20);
+  GridSamples changed = samples;
+  AddPlane(changed, { 4.0, { 0.3, -0.7 } }, OnThreads(3));
+  EXPECT_NEAR(changed.At(0, 0) - samples.At(0, 0), 4.0 - 0.3 * 29.0 + 0.7 * 28.5, 1e-12);
+  EXPECT_NEAR(changed.At(29, 0) - samples.At(29, 0), 4.0 + 0.3 * 29.0 + 0.7 * 28.5, 1e-12);
+  AddPlane(changed, RemovePlane(changed));
+  AddPlane(changed, { -4.0, { -0.3, 0.7 } });
+  for (std::size_t n = 0; n < samples.Values.size(); ++n)
+  {
+    EXPECT_NEAR(changed.Values[n], samples.Values[n], 1e-11);
+  }
+}
