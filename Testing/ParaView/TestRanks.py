@@ -74,10 +74,9 @@ for process in ("Thomas", "Matern II", "Log Gaussian Cox", "Strauss"):
     result.append(hashlib.sha256(vtk_to_numpy(found.GetPoints().GetData())[order].tobytes()).hexdigest())
 statistics = simple.PointPatternStatistics(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
 verdict = simple.PatternVerdict(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
-for table, column in ((simple.OutputPort(statistics, 0), "GlobalHigh"), (simple.OutputPort(statistics, 2), "J"),
-                      (simple.OutputPort(verdict, 0), "PValue"), (simple.OutputPort(verdict, 1), "Measured")):
-    values = servermanager.Fetch(table).GetColumnByName(column)
-    result.append(vtk_to_numpy(values).tobytes().hex())
+for table, columns in ((statistics, ("L", "GlobalHigh")), (verdict, ("PValue", "ClusterScale"))):
+    found = servermanager.Fetch(simple.OutputPort(table, 0))
+    result += [vtk_to_numpy(found.GetColumnByName(name)).tobytes().hex() for name in columns]
 stand = servermanager.Fetch(simple.StandInventory(Inventory=inventory()))
 assert stand.GetNumberOfPoints() == 20, f"{stand.GetNumberOfPoints()} trees on {ranks} ranks"
 order = np.argsort(vtk_to_numpy(stand.GetPointData().GetArray("SiteId")))
