@@ -102,7 +102,8 @@ public:
   ///@{
   /**
    * Degree of the polynomial in x and y that the logarithm of the intensity is, 0 to 3; default 0, the same intensity
-   * everywhere. A trend is for Poisson, Thomas, Matern cluster and log-Gaussian Cox processes; the others have none.
+   * everywhere. A trend is for Poisson, Thomas, Matern cluster, log-Gaussian Cox and Matern II processes; the others
+   * have none.
    */
   vtkSetMacro(TrendDegree, int);
   vtkGetMacro(TrendDegree, int);

@@ -25,6 +25,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -51,6 +52,10 @@ constexpr int NumberOfFunctions = 9;
 const char* const FunctionNames[NumberOfFunctions] = { "K", "L", "PairCorrelation", "NearestNeighbor", "EmptySpace",
   "J", "MarkCorrelation", "CrossK", "CrossPairCorrelation" };
 
+using Curves = std::array<Curve, NumberOfFunctions>;
+/// In place of the number of a function.
+constexpr int AllFunctions = -1;
+
 /// How functions are found.
 struct Measure
 {
@@ -67,39 +72,62 @@ struct Measure
     return options;
   }
 
-  /// One function of points, and of their marks if it is of them.
-  Curve Find(int function, const std::vector<littoral::PlanePosition>& points, const Curve& marks,
+  /// One of the functions of points, or all of them, each pair and each nearest point being looked for once. Those of
+  /// marks are empty without marks, and those of species always.
+  Curves Find(int function, const std::vector<littoral::PlanePosition>& points, const Curve& marks,
     const littoral::ParallelFor& parallel) const
   {
-    littoral::PairOptions options = function <= Filter::L ? this->Pairs : this->OtherPairs();
-    options.WantsK = function <= Filter::L;
-    options.WantsG = function == Filter::PairCorrelation;
-    switch (function)
+    const auto wants = [&](int number) { return function == AllFunctions || function == number; };
+    const littoral::PairFunctions pairs = this->FindPairs(wants(Filter::K) || wants(Filter::L),
+      wants(Filter::PairCorrelation), wants(Filter::MarkCorrelation), [&](const littoral::PairOptions& options) {
+        return littoral::FindPairFunctions(points, marks, this->Window, options, parallel);
+      });
+    Curves found;
+    found[Filter::K] = pairs.K;
+    found[Filter::L] = littoral::BesagL(pairs.K);
+    found[Filter::PairCorrelation] = pairs.PairCorrelation;
+    found[Filter::MarkCorrelation] = pairs.MarkCorrelation;
+    if (wants(Filter::NearestNeighbor) || wants(Filter::EmptySpace) || wants(Filter::J))
     {
-      case Filter::K:
-        return littoral::FindPairFunctions(points, this->Window, options, parallel).K;
-      case Filter::L:
-        return littoral::BesagL(littoral::FindPairFunctions(points, this->Window, options, parallel).K);
-      case Filter::PairCorrelation:
-        return littoral::FindPairFunctions(points, this->Window, options, parallel).PairCorrelation;
-      case Filter::MarkCorrelation:
-        return littoral::FindPairFunctions(points, marks, this->Window, options, parallel).MarkCorrelation;
-      default:
-        break;
+      const auto nearest =
+        littoral::FindDistanceFunctions(points, this->Window, this->Pairs.Distances, this->Nearest, 128, parallel);
+      found[Filter::NearestNeighbor] = nearest.G;
+      found[Filter::EmptySpace] = nearest.F;
+      found[Filter::J] = nearest.J;
     }
-    const auto nearest =
-      littoral::FindDistanceFunctions(points, this->Window, options.Distances, this->Nearest, 128, parallel);
-    return function == Filter::NearestNeighbor ? nearest.G : function == Filter::EmptySpace ? nearest.F : nearest.J;
+    return found;
   }
 
-  Curve FindCross(int function, const std::vector<littoral::PlanePosition>& from,
-    const std::vector<littoral::PlanePosition>& to, const littoral::ParallelFor& parallel) const
+  /// One of the functions of two species, or both.
+  Curves FindCross(int function, const std::array<std::vector<littoral::PlanePosition>, 2>& species,
+    const littoral::ParallelFor& parallel) const
   {
-    littoral::PairOptions options = function == Filter::CrossK ? this->Pairs : this->OtherPairs();
-    options.WantsK = function == Filter::CrossK;
-    options.WantsG = !options.WantsK;
-    const auto found = littoral::FindCrossFunctions(from, to, this->Window, options, parallel);
-    return options.WantsK ? found.K : found.PairCorrelation;
+    const littoral::PairFunctions pairs = this->FindPairs(function != Filter::CrossPairCorrelation,
+      function != Filter::CrossK, false, [&](const littoral::PairOptions& options) {
+        return littoral::FindCrossFunctions(species[0], species[1], this->Window, options, parallel);
+      });
+    Curves found;
+    found[Filter::CrossK] = pairs.K;
+    found[Filter::CrossPairCorrelation] = pairs.PairCorrelation;
+    return found;
+  }
+
+private:
+  /// K and other functions of pairs by `find`, at once where they have the same correction.
+  template <typename FindOfOptions>
+  littoral::PairFunctions FindPairs(bool wantsK, bool wantsG, bool wantsMarks, const FindOfOptions& find) const
+  {
+    littoral::PairOptions others = this->OtherPairs();
+    const bool isOne = others.Correction == this->Pairs.Correction;
+    others.WantsK = wantsK && isOne;
+    others.WantsG = wantsG;
+    const bool wantsOthers = others.WantsK || wantsG || wantsMarks;
+    littoral::PairFunctions pairs = wantsOthers ? find(others) : littoral::PairFunctions();
+    if (wantsK && !isOne)
+    {
+      pairs.K = find(this->Pairs).K;
+    }
+    return pairs;
   }
 };
 
@@ -469,7 +497,7 @@ int vtkPointPatternStatisticsFilter::RequestData(
 
   // All functions of the pattern.
   this->SetProgressText("Measuring the pattern");
-  const auto parallel = littoral::AbortableFor(this, 0.0, 0.2);
+  const auto parallel = littoral::AbortableFor(this);
   if (measure.OtherPairs().Correction == littoral::EdgeCorrection::Translation)
   {
     const double h = 0.15 * std::sqrt(pattern.Window.GetArea() / static_cast<double>(points));
@@ -483,25 +511,22 @@ int vtkPointPatternStatisticsFilter::RequestData(
   }
   vtkTable* all = vtkTable::GetData(outputVector, 2);
   AddCurve(all, "Distance", r);
-  Curve measured;
+  Curves functions = measure.Find(AllFunctions, pattern.Points, pattern.Marks, parallel);
+  this->UpdateProgress(0.15);
+  if (!pattern.Species.empty())
+  {
+    const Curves crossed = measure.FindCross(AllFunctions, pattern.Split({}), parallel);
+    std::copy(crossed.begin() + CrossK, crossed.end(), functions.begin() + CrossK);
+  }
+  this->UpdateProgress(0.2);
   for (int function = 0; function < NumberOfFunctions; ++function)
   {
-    const bool isCross = function >= CrossK;
-    if ((function == MarkCorrelation && pattern.Marks.empty()) || (isCross && pattern.Species.empty()))
+    if (!functions[function].empty())
     {
-      continue;
-    }
-    const auto split = isCross ? pattern.Split({}) : std::array<std::vector<littoral::PlanePosition>, 2>();
-    const Curve curve = isCross ? measure.FindCross(function, split[0], split[1], littoral::SmpFor)
-                                : measure.Find(function, pattern.Points, pattern.Marks, littoral::SmpFor);
-    AddCurve(all, FunctionNames[function], curve);
-    measured = function == this->Function ? curve : measured;
-    this->UpdateProgress(0.02 * (function + 1));
-    if (littoral::IsAborted(this))
-    {
-      return 1;
+      AddCurve(all, FunctionNames[function], functions[function]);
     }
   }
+  const Curve& measured = functions[this->Function];
 
   // The chosen one of simulated patterns.
   const double intensity = static_cast<double>(points) / pattern.Window.GetArea();
@@ -512,8 +537,8 @@ int vtkPointPatternStatisticsFilter::RequestData(
     const littoral::CurveOfNumber simulate = [&](int number) {
       if (this->IsCross())
       {
-        const auto split = pattern.Split(littoral::RandomOrder(points, this->Seed, number));
-        return measure.FindCross(this->Function, split[0], split[1], littoral::SerialFor);
+        const auto order = littoral::RandomOrder(points, this->Seed, number);
+        return measure.FindCross(this->Function, pattern.Split(order), littoral::SerialFor)[this->Function];
       }
       if (this->Function == MarkCorrelation)
       {
@@ -522,12 +547,12 @@ int vtkPointPatternStatisticsFilter::RequestData(
         {
           marks.push_back(pattern.Marks[n]);
         }
-        return measure.Find(this->Function, pattern.Points, marks, littoral::SerialFor);
+        return measure.Find(this->Function, pattern.Points, marks, littoral::SerialFor)[this->Function];
       }
       const auto simulated = pattern.Fits ? pattern.Scatter(littoral::SeedOfSimulation(this->Seed, number))
                                           : littoral::UniformPattern(pattern.Window, points, this->Seed, number);
       return simulated.size() < 2 ? Curve(r.size(), NaN)
-                                  : measure.Find(this->Function, simulated, {}, littoral::SerialFor);
+                                  : measure.Find(this->Function, simulated, {}, littoral::SerialFor)[this->Function];
     };
     const auto curves =
       littoral::SimulateCurves(simulate, this->NumberOfSimulations, littoral::AbortableFor(this, 0.2, 1.0));

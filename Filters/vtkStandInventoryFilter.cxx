@@ -9,6 +9,7 @@
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Plants/StandInventory.h"
+#include "Plants/StandPlants.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -24,7 +25,6 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -53,41 +53,35 @@ vtkSmartPointer<vtkStringArray> WordsOf(const char* name, const std::vector<std:
   return array;
 }
 
-/// The kinds of plants that occur in a stand, in the order of the table, and the number of the kind of each species.
-struct StandKinds
+/// Adds plants as field data.
+void AddPlants(const std::vector<littoral::StandPlant>& plants, vtkPolyData* sites)
 {
-  std::vector<std::string> Names;
-  std::vector<int> OfSpecies;
-
-  StandKinds(const std::vector<littoral::StandSpecies>& species, const std::vector<littoral::StandTree>& trees)
-    : OfSpecies(species.size(), -1)
+  std::vector<std::string> kinds;
+  vtkNew<vtkDoubleArray> sizes[3];
+  const char* const names[] = { "PlantDBH", "PlantHeight", "PlantCrownDiameter" };
+  for (const littoral::StandPlant& plant : plants)
   {
-    std::vector<char> occurs(species.size(), 0);
-    for (const littoral::StandTree& tree : trees)
-    {
-      occurs[tree.Species] = 1;
-    }
-    for (std::size_t row = 0; row < species.size(); ++row)
-    {
-      if (occurs[row])
-      {
-        const auto found = std::find(this->Names.begin(), this->Names.end(), species[row].Kind);
-        this->OfSpecies[row] = static_cast<int>(found - this->Names.begin());
-        if (found == this->Names.end())
-        {
-          this->Names.push_back(species[row].Kind);
-        }
-      }
-    }
+    kinds.push_back(plant.Kind);
+    sizes[0]->InsertNextValue(plant.Diameter);
+    sizes[1]->InsertNextValue(plant.Height);
+    sizes[2]->InsertNextValue(plant.CrownDiameter);
   }
-};
+  sites->GetFieldData()->AddArray(WordsOf("Kinds", kinds));
+  for (int size = 0; size < 3; ++size)
+  {
+    sizes[size]->SetName(names[size]);
+    sites->GetFieldData()->AddArray(sizes[size]);
+  }
+}
 
 /// The trees of a part of a stand as vertices with arrays.
 class Writer
 {
 public:
-  Writer(const std::vector<littoral::StandTree>& trees, const littoral::PieceRange& part, vtkPolyData* output)
+  Writer(const std::vector<littoral::StandTree>& trees, const std::vector<int>& plants,
+    const littoral::PieceRange& part, vtkPolyData* output)
     : Trees(trees)
+    , Plants(plants)
     , First(static_cast<std::size_t>(part.Begin))
     , Count(static_cast<std::size_t>(part.End - part.Begin))
     , Output(output)
@@ -109,6 +103,17 @@ public:
     this->Output->SetVerts(vertices);
   }
 
+  void WritePlants()
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName("Species");
+    for (std::size_t index = 0; index < this->Count; ++index)
+    {
+      array->InsertNextValue(this->Plants[this->First + index]);
+    }
+    this->Output->GetPointData()->AddArray(array);
+  }
+
   template <typename Array, typename ValueOf>
   void Write(const char* name, const ValueOf& valueOf)
   {
@@ -123,6 +128,7 @@ public:
 
 private:
   const std::vector<littoral::StandTree>& Trees;
+  const std::vector<int>& Plants;
   std::size_t First;
   std::size_t Count;
   vtkPolyData* Output;
@@ -148,6 +154,7 @@ vtkStandInventoryFilter::vtkStandInventoryFilter()
   , AllowCoincident(false)
   , MeanDiameter(0.0)
   , HeightVariation(0.1)
+  , SizeClasses(1)
   , Seed(1)
 {
   this->SetOtherSpecies("hardwood");
@@ -217,6 +224,7 @@ littoral::InventoryOptions vtkStandInventoryFilter::Options() const
   options.MeanDiameter = this->MeanDiameter;
   options.HeightVariation = this->HeightVariation;
   options.Seed = this->Seed;
+  options.SizeClasses = this->SizeClasses;
   return options;
 }
 
@@ -251,14 +259,15 @@ int vtkStandInventoryFilter::RequestData(
   }
   this->UpdateProgress(0.6);
   littoral::CompleteStand(species, options, stand);
-  const StandKinds kinds(species.GetSpecies(), stand.Trees);
+  const littoral::StandPlants plants = littoral::PlantsOf(species, stand, options.SizeClasses);
   vtkInformation* output = outputVector->GetInformationObject(0);
   vtkPolyData* sites = vtkPolyData::GetData(output);
-  Writer writer(stand.Trees, littoral::RequestedPart(output, static_cast<vtkIdType>(stand.Trees.size())), sites);
+  Writer writer(
+    stand.Trees, plants.OfTree, littoral::RequestedPart(output, static_cast<vtkIdType>(stand.Trees.size())), sites);
   using Tree = littoral::StandTree;
   writer.WriteVertices();
   writer.Write<vtkTypeInt64Array>("SiteId", [](const Tree& tree) { return tree.Row; });
-  writer.Write<vtkIntArray>("Species", [&](const Tree& tree) { return kinds.OfSpecies[tree.Species]; });
+  writer.WritePlants();
   writer.Write<vtkDoubleArray>("DBH", [](const Tree& tree) { return tree.Diameter; });
   writer.Write<vtkDoubleArray>("Height", [](const Tree& tree) { return tree.Height; });
   writer.Write<vtkDoubleArray>(
@@ -267,7 +276,7 @@ int vtkStandInventoryFilter::RequestData(
   writer.Write<vtkIntArray>(
     "Drawn", [](const Tree& tree) { return (tree.DrawnDiameter ? 1 : 0) + (tree.DrawnHeight ? 2 : 0); });
   writer.Write<vtkStringArray>("SpeciesName", [](const Tree& tree) { return tree.Name; });
-  sites->GetFieldData()->AddArray(WordsOf("Kinds", kinds.Names));
+  AddPlants(plants.Plants, sites);
   sites->GetFieldData()->AddArray(WordsOf("Plots", stand.Plots));
   sites->GetFieldData()->AddArray(WordsOf("Unlisted", stand.Unlisted));
   littoral::AddField(sites, "RowsDropped", { static_cast<double>(stand.Dropped) });
@@ -304,5 +313,6 @@ void vtkStandInventoryFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AllowCoincident: " << this->AllowCoincident << "\n";
   os << indent << "MeanDiameter: " << this->MeanDiameter << "\n";
   os << indent << "HeightVariation: " << this->HeightVariation << "\n";
+  os << indent << "SizeClasses: " << this->SizeClasses << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -19,10 +19,11 @@
  * counts as OtherSpecies.
  *
  * Output: vtkPolyData, a vertex a tree, in double precision. Point arrays: `SiteId` (row of the table, from 0),
- * `Species` (index of the plant in Kinds, which is that of the prototype in vtkPlantScatterFilter), `DBH` and `Height`
- * [m], `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Drawn` (0 measured,
- * 1 DBH drawn, 2 height drawn, 3 both) and `SpeciesName`. Field data: `Kinds`, the plants that occur, in the order of
- * the table of species; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2],
+ * `Species` (index of the plant, which is that of the prototype in vtkPlantScatterFilter), `DBH` and `Height` [m],
+ * `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Drawn` (0 measured, 1 DBH
+ * drawn, 2 height drawn, 3 both) and `SpeciesName`. Field data: `Kinds`, the kinds of the plants, in the order of the
+ * table of species, and `PlantDBH`, `PlantHeight` and `PlantCrownDiameter` [m], the medians of the trees that each
+ * plant stands for; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2],
  * of the rectangles around the plots.
  *
  * Missing values are functions of Seed and of the row of the tree alone. A missing height is that of the curve, scaled
@@ -227,6 +228,15 @@ public:
 
   ///@{
   /**
+   * Plants for the trees of a kind, at most, 1 to 20; default 1. With more than one, trees are divided by their
+   * diameters into classes of equally many, each with a plant of its own.
+   */
+  vtkSetMacro(SizeClasses, int);
+  vtkGetMacro(SizeClasses, int);
+  ///@}
+
+  ///@{
+  /**
    * Seed of the random numbers, any integer; default 1.
    */
   vtkSetMacro(Seed, int);
@@ -264,6 +274,7 @@ protected:
   bool AllowCoincident;
   double MeanDiameter;
   double HeightVariation;
+  int SizeClasses;
   int Seed;
 
 private:

@@ -9,6 +9,7 @@
 #include "Patterns/WindowSections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -25,74 +26,95 @@ constexpr double LargestWeight = 100.0;
 /// Points whose pairs are summed one after the other, at least, and so many sums at most, whatever the threads.
 constexpr std::size_t PointsOfBlock = 256;
 constexpr std::size_t MostBlocks = 256;
-/// Distances that are looked at together.
-constexpr std::size_t DistancesAtOnce = 1024;
+/// Parts of bins of all sums, at most.
+constexpr std::size_t MostParts = 1u << 22u;
+/// Pairs that are looked at together.
+constexpr std::size_t PairsAtOnce = 256;
+/// Parts of a step of the range, between which no kernel of g begins or ends.
+constexpr std::size_t PartsOfStep = 3;
 /// Bins of the distances that the mark correlation is smoothed from, a step of the range.
 constexpr int BinsOfStep = 8;
 /// A distance that is by rounding above one of the range belongs to it.
 constexpr double StepTolerance = 1e-9;
 
-/// Sums over pairs by distance.
+/// Sums over pairs by distance. Bin 0 has those at the distance 0, bin k those above r(k - 1) and up to r(k); u is the
+/// distance above r(k - 1), in steps.
 struct PairSums
 {
-  std::vector<double> Within;   ///< weights of pairs with a distance up to r(k), and not up to r(k - 1)
-  std::vector<double> Kernel;   ///< sums of weight * (1 - (r - d)^2 / h^2), from `Margin` steps before 0
-  std::vector<double> Counts;   ///< pairs near each bin's middle, by linear shares
-  std::vector<double> Weights;  ///< their weights
-  std::vector<double> Products; ///< their weights * products of marks
+  std::vector<std::array<double, 3>> Moments; ///< sums of weight, weight u and weight u^2, by bin and part
+  std::vector<double> Counts;                 ///< pairs near the middle of each bin of marks, by linear shares
+  std::vector<double> Weights;                ///< their weights
+  std::vector<double> Products;               ///< their weights * products of marks
 
   void Add(const PairSums& other)
   {
+    for (std::size_t part = 0; part < this->Moments.size(); ++part)
+    {
+      for (std::size_t power = 0; power < 3; ++power)
+      {
+        this->Moments[part][power] += other.Moments[part][power];
+      }
+    }
     const auto add = [](std::vector<double>& sums, const std::vector<double>& more) {
       std::transform(sums.begin(), sums.end(), more.begin(), sums.begin(), std::plus<>());
     };
-    add(this->Within, other.Within);
-    add(this->Kernel, other.Kernel);
     add(this->Counts, other.Counts);
     add(this->Weights, other.Weights);
     add(this->Products, other.Products);
   }
 };
 
-/// Some points within reach of one, gathered for a loop.
-struct NearPoints
+/// Some pairs of one point.
+struct PairBatch
 {
-  std::array<std::size_t, DistancesAtOnce> Index;
-  std::array<double, DistancesAtOnce> Square;
   std::size_t Size = 0;
+  std::array<double, PairsAtOnce> X; ///< moves from the point to the others [m]
+  std::array<double, PairsAtOnce> Y;
+  std::array<double, PairsAtOnce> Distance; ///< [m]
+  std::array<double, PairsAtOnce> Weight;
+  std::array<double, PairsAtOnce> First;  ///< weight u
+  std::array<double, PairsAtOnce> Second; ///< weight u^2
+  std::array<int, PairsAtOnce> Part;      ///< of all bins
 };
 
-/// Those of a range of at most DistancesAtOnce points whose squared distance is at most `square`.
+/// Moves and distances from a point to `batch.Size` others.
 LITTORAL_SIMD_CLONES
-void Gather(const double* xs, const double* ys, std::size_t begin, std::size_t end, double x, double y, double square,
-  NearPoints& near)
+void FindMoves(const double* xs, const double* ys, double x, double y, PairBatch& batch)
 {
-  std::array<double, DistancesAtOnce> squares;
-  const std::size_t count = end - begin;
-  for (std::size_t n = 0; n < count; ++n)
+  for (std::size_t n = 0; n < batch.Size; ++n)
   {
-    const double dx = xs[begin + n] - x;
-    const double dy = ys[begin + n] - y;
-    squares[n] = dx * dx + dy * dy;
+    const double dx = xs[n] - x;
+    const double dy = ys[n] - y;
+    batch.X[n] = dx;
+    batch.Y[n] = dy;
+    batch.Distance[n] = std::sqrt(dx * dx + dy * dy);
   }
-  std::size_t size = 0;
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    near.Index[size] = begin + n;
-    near.Square[size] = squares[n];
-    size += squares[n] <= square;
-  }
-  near.Size = size;
 }
 
-/// Adds weight * max(0, 1 - (r / h)^2) to `count` sums, r from the first distance [m] on in steps [m].
+/// |W| / ((a - |dx|) (b - |dy|)), the translation correction of a rectangle of sides a and b, some times.
 LITTORAL_SIMD_CLONES
-void AddKernel(double* sums, int count, double first, double step, double weight, double perWidth)
+void MoveRectangle(double a, double b, double times, PairBatch& batch)
 {
-  for (int k = 0; k < count; ++k)
+  const double area = a * b;
+  for (std::size_t n = 0; n < batch.Size; ++n)
   {
-    const double t = (first + k * step) * perWidth;
-    sums[k] += weight * std::max(0.0, 1.0 - t * t);
+    const double common = (a - std::abs(batch.X[n])) * (b - std::abs(batch.Y[n]));
+    batch.Weight[n] = times * area / std::max(area / LargestWeight, common);
+  }
+}
+
+/// The part of each pair and its moments; distances beyond `most` steps are all in the bin of that number.
+LITTORAL_SIMD_CLONES
+void FindParts(double stepsOfMetre, double most, double firstCut, double secondCut, PairBatch& batch)
+{
+  for (std::size_t n = 0; n < batch.Size; ++n)
+  {
+    const double next = std::min(most, batch.Distance[n] * stepsOfMetre) + 1.0;
+    const int bin = static_cast<int>(next - StepTolerance);
+    const double u = next - bin;
+    batch.First[n] = batch.Weight[n] * u;
+    batch.Second[n] = batch.First[n] * u;
+    batch.Part[n] = static_cast<int>(PartsOfStep) * bin + (u > firstCut ? 1 : 0) + (u > secondCut ? 1 : 0);
   }
 }
 
@@ -122,8 +144,9 @@ public:
                                         : 0.15 / std::sqrt(static_cast<double>(to.size()) / window.GetArea()))
     , WantsG(options.WantsG && options.Correction != EdgeCorrection::Border)
     , WantsMarks(!marks.empty() && options.Correction != EdgeCorrection::Border)
-    , Margin(WantsG ? static_cast<int>(2.0 * HalfWidth / Step) + 3 : 0)
+    , Cuts(WantsG ? CutsOf(HalfWidth / Step) : std::array<double, PartsOfStep + 1>{ 0.0, 1.0, 1.0, 1.0 })
     , Reach(options.Distances.Largest + (WantsG ? HalfWidth : 0.0))
+    , Bins(static_cast<std::size_t>(Reach / Step) + 3)
     , To(to, Reach / 4.0)
     , OwnFrom(isCross ? PointCells(from, Reach / 4.0) : PointCells({}, 1.0))
     , From(isCross ? OwnFrom : To)
@@ -147,7 +170,8 @@ public:
   PairSums Sum(const ParallelFor& parallel) const
   {
     const std::size_t points = this->From.Size();
-    const std::size_t length = std::max(PointsOfBlock, points / MostBlocks + 1);
+    const std::size_t most = std::clamp<std::size_t>(MostParts / (PartsOfStep * this->Bins), 1, MostBlocks);
+    const std::size_t length = std::max(PointsOfBlock, points / most + 1);
     std::vector<PairSums> blocks((points + length - 1) / length);
     const auto sum = [&](std::size_t begin, std::size_t end) {
       for (std::size_t block = begin; block < end; ++block)
@@ -179,12 +203,56 @@ public:
     return centers;
   }
 
-  int GetMargin() const { return this->Margin; }
+  /// The weights of pairs by distance: with a distance up to r(k), and not up to r(k - 1).
+  std::vector<double> WithinSteps(const PairSums& sums) const
+  {
+    std::vector<double> within(this->Options.Distances.Count(), 0.0);
+    for (std::size_t k = 0; k < within.size(); ++k)
+    {
+      for (std::size_t part = 0; part < PartsOfStep; ++part)
+      {
+        within[k] += sums.Moments[PartsOfStep * k + part][0];
+      }
+    }
+    return within;
+  }
+
+  /// sum of weight (1 - (r(k) - d)^2 / h^2) over the pairs with d nearer than h to r(k), whose parts of bins are wholly
+  /// within that.
+  double KernelAt(const PairSums& sums, std::size_t k) const
+  {
+    const double width = this->HalfWidth / this->Step;
+    const double place = static_cast<double>(k);
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(place - width)));
+    const auto last = std::min(this->Bins - 2, static_cast<std::size_t>(std::ceil(place + width)));
+    double sum = 0.0;
+    for (std::size_t bin = first; bin <= last; ++bin)
+    {
+      const double off = place - static_cast<double>(bin) + 1.0; // of r from where u is 0
+      for (std::size_t part = 0; part < PartsOfStep; ++part)
+      {
+        if (std::abs(off - 0.5 * (this->Cuts[part] + this->Cuts[part + 1])) < width)
+        {
+          const auto& [weight, once, twice] = sums.Moments[PartsOfStep * bin + part];
+          sum += weight - (off * off * weight - 2.0 * off * once + twice) / (width * width);
+        }
+      }
+    }
+    return sum;
+  }
+
   double GetHalfWidth() const { return this->HalfWidth; }
   bool HasG() const { return this->WantsG; }
   bool HasMarks() const { return this->WantsMarks; }
 
 private:
+  /// Where kernels begin and end that are so many steps wide on each side, within a step.
+  static std::array<double, PartsOfStep + 1> CutsOf(double width)
+  {
+    const double rest = width - std::floor(width);
+    return { 0.0, std::min(rest, 1.0 - rest), std::max(rest, 1.0 - rest), 1.0 };
+  }
+
   bool NeedsEdge() const
   {
     return this->Options.Correction == EdgeCorrection::Border || this->Options.Correction == EdgeCorrection::Isotropic;
@@ -194,12 +262,10 @@ private:
 
   PairSums NoSums() const
   {
-    const std::size_t count = this->Options.Distances.Count();
     const std::size_t bins =
       this->WantsMarks ? static_cast<std::size_t>(this->Options.Distances.Steps) * BinsOfStep + 2 : 0;
     PairSums sums;
-    sums.Within.assign(this->Options.WantsK ? count + 1 : 0, 0.0);
-    sums.Kernel.assign(this->WantsG ? count + 2 * static_cast<std::size_t>(this->Margin) : 0, 0.0);
+    sums.Moments.assign(PartsOfStep * this->Bins, {});
     sums.Counts.assign(bins, 0.0);
     sums.Weights.assign(bins, 0.0);
     sums.Products.assign(bins, 0.0);
@@ -220,7 +286,7 @@ private:
     return static_cast<std::size_t>(std::min(k, static_cast<double>(this->Options.Distances.Steps)));
   }
 
-  /// The weight of a center [of the first pattern] for a distance.
+  /// The weight of a center of the first pattern for a distance.
   double CircleWeight(std::size_t n, double distance) const
   {
     if (distance <= this->EdgeDistances[n])
@@ -230,21 +296,45 @@ private:
     return std::min(LargestWeight, 1.0 / this->Window.CircleInside(this->FromAt(n), distance));
   }
 
-  /// The weights of the pair i, j and, within one pattern, of the pair j, i.
-  double WeightOf(std::size_t i, std::size_t j, double distance) const
+  /// The weights of both pairs of point i and each point from `first` on, or of one to each point of another pattern.
+  void FindWeights(std::size_t i, std::size_t first, PairBatch& batch) const
   {
     const double both = this->IsCross ? 1.0 : 2.0;
-    switch (this->Options.Correction)
+    if (this->Options.Correction == EdgeCorrection::Translation)
     {
-      case EdgeCorrection::Isotropic:
-        return this->CircleWeight(i, distance) + (this->IsCross ? 0.0 : this->CircleWeight(j, distance));
-      case EdgeCorrection::Translation:
-        return both *
-          std::min(LargestWeight,
-            this->Window.GetArea() /
-              (*this->Areas)(this->To.GetX()[j] - this->From.GetX()[i], this->To.GetY()[j] - this->From.GetY()[i]));
-      default:
-        return both;
+      this->FindTranslationWeights(both, batch);
+      return;
+    }
+    std::fill_n(batch.Weight.begin(), batch.Size, both);
+    // Where the point is twice as far from the edge as it reaches, all circles are within the window.
+    if (this->Options.Correction == EdgeCorrection::Isotropic && this->EdgeDistances[i] < 2.0 * this->Reach)
+    {
+      for (std::size_t n = 0; n < batch.Size; ++n)
+      {
+        const double distance = batch.Distance[n];
+        if (distance <= this->Reach)
+        {
+          batch.Weight[n] =
+            this->CircleWeight(i, distance) + (this->IsCross ? 0.0 : this->CircleWeight(first + n, distance));
+        }
+      }
+    }
+  }
+
+  void FindTranslationWeights(double both, PairBatch& batch) const
+  {
+    const PlanePosition& low = this->Window.GetLow();
+    const PlanePosition& high = this->Window.GetHigh();
+    if (this->Window.IsRectangle())
+    {
+      MoveRectangle(high[0] - low[0], high[1] - low[1], both, batch);
+      return;
+    }
+    const double area = this->Window.GetArea();
+    for (std::size_t n = 0; n < batch.Size; ++n)
+    {
+      const double common = batch.Distance[n] <= this->Reach ? (*this->Areas)(batch.X[n], batch.Y[n]) : area;
+      batch.Weight[n] = both * std::min(LargestWeight, area / common);
     }
   }
 
@@ -255,8 +345,8 @@ private:
     const std::size_t end = this->StepsUpTo(this->EdgeDistances[center]) + 1;
     if (first < end && this->Options.WantsK)
     {
-      sums.Within[first] += 1.0;
-      sums.Within[end] -= 1.0;
+      sums.Moments[PartsOfStep * first][0] += 1.0;
+      sums.Moments[PartsOfStep * end][0] -= 1.0;
     }
   }
 
@@ -275,53 +365,67 @@ private:
     }
   }
 
-  void AddPair(std::size_t i, std::size_t j, double distance, PairSums& sums) const
+  /// Pairs of which only those count whose center is far from the edge.
+  void AddBorders(std::size_t i, std::size_t first, const PairBatch& batch, PairSums& sums) const
   {
-    if (this->Options.Correction == EdgeCorrection::Border)
+    for (std::size_t n = 0; n < batch.Size; ++n)
     {
-      this->AddBorder(i, distance, sums);
-      if (!this->IsCross)
+      if (batch.Distance[n] <= this->Reach)
       {
-        this->AddBorder(j, distance, sums);
+        this->AddBorder(i, batch.Distance[n], sums);
+        if (!this->IsCross)
+        {
+          this->AddBorder(first + n, batch.Distance[n], sums);
+        }
       }
-      return;
-    }
-    const double own = this->Weights.empty() ? 1.0 : this->Weights[i] * this->Weights[j];
-    const double weight = own * this->WeightOf(i, j, distance);
-    if (this->Options.WantsK)
-    {
-      sums.Within[this->StepOf(distance)] += weight;
-    }
-    if (this->WantsG)
-    {
-      const int first = static_cast<int>(std::floor((distance - this->HalfWidth) / this->Step));
-      AddKernel(&sums.Kernel[static_cast<std::size_t>(this->Margin + first)], this->Margin,
-        first * this->Step - distance, this->Step, weight, 1.0 / this->HalfWidth);
-    }
-    if (this->WantsMarks && distance <= this->Options.Distances.Largest)
-    {
-      this->AddMarks(i, j, distance, weight, sums);
     }
   }
 
-  PairSums SumOf(std::size_t first, std::size_t last) const
+  /// The pairs of point i and of points from `first` on.
+  void AddBatch(std::size_t i, std::size_t first, PairBatch& batch, PairSums& sums) const
+  {
+    FindMoves(&this->To.GetX()[first], &this->To.GetY()[first], this->From.GetX()[i], this->From.GetY()[i], batch);
+    if (this->Options.Correction == EdgeCorrection::Border)
+    {
+      this->AddBorders(i, first, batch, sums);
+      return;
+    }
+    this->FindWeights(i, first, batch);
+    for (std::size_t n = 0; !this->Weights.empty() && n < batch.Size; ++n)
+    {
+      batch.Weight[n] *= this->Weights[i] * this->Weights[first + n];
+    }
+    FindParts(1.0 / this->Step, static_cast<double>(this->Bins - 1), this->Cuts[1], this->Cuts[2], batch);
+    for (std::size_t n = 0; n < batch.Size; ++n)
+    {
+      std::array<double, 3>& moments = sums.Moments[static_cast<std::size_t>(batch.Part[n])];
+      moments[0] += batch.Weight[n];
+      moments[1] += batch.First[n];
+      moments[2] += batch.Second[n];
+    }
+    for (std::size_t n = 0; this->WantsMarks && n < batch.Size; ++n)
+    {
+      if (batch.Distance[n] <= this->Options.Distances.Largest)
+      {
+        this->AddMarks(i, first + n, batch.Distance[n], batch.Weight[n], sums);
+      }
+    }
+  }
+
+  PairSums SumOf(std::size_t begin, std::size_t end) const
   {
     PairSums sums = this->NoSums();
-    NearPoints near;
-    for (std::size_t i = first; i < last; ++i)
+    PairBatch batch;
+    for (std::size_t i = begin; i < end; ++i)
     {
       const double x = this->From.GetX()[i];
       const double y = this->From.GetY()[i];
-      const auto add = [&](std::size_t begin, std::size_t end) {
+      const auto add = [&](std::size_t first, std::size_t last) {
         // Within one pattern each pair once: with the points that are sorted behind this one.
-        for (std::size_t from = this->IsCross ? begin : std::max(begin, i + 1); from < end; from += DistancesAtOnce)
+        for (std::size_t from = this->IsCross ? first : std::max(first, i + 1); from < last; from += PairsAtOnce)
         {
-          Gather(this->To.GetX().data(), this->To.GetY().data(), from, std::min(end, from + DistancesAtOnce), x, y,
-            this->Reach * this->Reach, near);
-          for (std::size_t n = 0; n < near.Size; ++n)
-          {
-            this->AddPair(i, near.Index[n], std::sqrt(near.Square[n]), sums);
-          }
+          batch.Size = std::min(PairsAtOnce, last - from);
+          this->AddBatch(i, from, batch, sums);
         }
       };
       this->To.ForRangesNear(x, y, this->Reach, this->IsCross ? 0 : this->To.RowOf(y), add);
@@ -336,8 +440,9 @@ private:
   double HalfWidth;
   bool WantsG;
   bool WantsMarks;
-  int Margin; ///< steps of the kernel's width, and some
-  double Reach;
+  std::array<double, PartsOfStep + 1> Cuts; ///< where the parts of a step end
+  double Reach;                             ///< farthest pairs that count [m]
+  std::size_t Bins;                         ///< of which the last one is of pairs that do not count
   PointCells To;
   PointCells OwnFrom;
   const PointCells& From;
@@ -351,8 +456,8 @@ private:
 std::vector<double> KOf(const PairSummation& summation, const PairSums& sums, const PairOptions& options, double area,
   double pairs, double target)
 {
-  std::vector<double> k(options.Distances.Count());
-  std::partial_sum(sums.Within.begin(), sums.Within.end() - 1, k.begin());
+  std::vector<double> k = summation.WithinSteps(sums);
+  std::partial_sum(k.begin(), k.end(), k.begin());
   if (options.Correction == EdgeCorrection::Border)
   {
     const std::vector<double> centers = summation.CentersBeyond();
@@ -377,8 +482,7 @@ std::vector<double> PairCorrelationOf(
   const double scale = area / (pairs * 2.0 * Pi) * 3.0 / (4.0 * summation.GetHalfWidth());
   for (std::size_t k = 1; k < g.size(); ++k)
   {
-    g[k] =
-      scale * sums.Kernel[k + static_cast<std::size_t>(summation.GetMargin())] / options.Distances[static_cast<int>(k)];
+    g[k] = scale * summation.KernelAt(sums, k) / options.Distances[static_cast<int>(k)];
   }
   return g;
 }

@@ -3,12 +3,13 @@
 #include "Patterns/PatternVerdict.h"
 
 #include "Numerics/ParameterCheck.h"
-#include "Patterns/PairHistogram.h"
 #include "Patterns/ProcessPattern.h"
+#include "Patterns/WindowSections.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numeric>
 
 namespace littoral
@@ -72,9 +73,9 @@ public:
   // The kernel is that of the measured pattern in all (Stoyan's rule).
   Judge(const std::vector<PlanePosition>& points, const ObservationWindow& window, const VerdictOptions& options,
     const ParallelFor& parallel)
-    : Options(options)
-    , Distances(DistancesOf(points, window, options))
-    , Pairs(window, Distances, 0.15 / std::sqrt(static_cast<double>(points.size()) / window.GetArea()), parallel)
+    : Window(window)
+    , Options(options)
+    , Pairs(PairsOf(points, window, options, parallel))
     , Measured(CurveOf(points))
   {
   }
@@ -84,9 +85,9 @@ public:
   std::vector<double> GetDistances() const
   {
     std::vector<double> distances;
-    for (int k = 1; k <= this->Distances.Steps; ++k)
+    for (int k = 1; k <= this->Pairs.Distances.Steps; ++k)
     {
-      distances.push_back(this->Distances[k]);
+      distances.push_back(this->Pairs.Distances[k]);
     }
     return distances;
   }
@@ -110,26 +111,35 @@ public:
   }
 
 private:
-  static DistanceRange DistancesOf(
-    const std::vector<PlanePosition>& points, const ObservationWindow& window, const VerdictOptions& options)
+  static PairOptions PairsOf(const std::vector<PlanePosition>& points, const ObservationWindow& window,
+    const VerdictOptions& options, const ParallelFor& parallel)
   {
-    DistanceRange distances = DefaultDistances(window, points.size(), options.Steps);
-    distances.Largest = options.Contrast.Largest > 0.0 ? options.Contrast.Largest : distances.Largest;
-    return distances;
+    PairOptions pairs;
+    pairs.Distances = DefaultDistances(window, points.size(), options.Steps);
+    pairs.Distances.Largest = options.Contrast.Largest > 0.0 ? options.Contrast.Largest : pairs.Distances.Largest;
+    pairs.Correction = EdgeCorrection::Translation;
+    pairs.WantsG = options.Function == VerdictFunction::PairCorrelation;
+    pairs.WantsK = !pairs.WantsG;
+    pairs.HalfWidth = 0.15 / std::sqrt(static_cast<double>(points.size()) / window.GetArea());
+    pairs.Areas = std::make_shared<const CommonAreaTable>(window, pairs.Distances.Largest + pairs.HalfWidth, parallel);
+    return pairs;
   }
 
   /// g or L at all distances but 0; 0 of a pattern without a pair.
   std::vector<double> CurveOf(const std::vector<PlanePosition>& points) const
   {
-    const std::vector<double> curve = this->Options.Function == VerdictFunction::PairCorrelation
-      ? this->Pairs.PairCorrelation(points)
-      : BesagL(this->Pairs.RipleyK(points));
+    if (points.size() < 2)
+    {
+      return std::vector<double>(static_cast<std::size_t>(this->Pairs.Distances.Steps), 0.0);
+    }
+    const PairFunctions functions = FindPairFunctions(points, this->Window, this->Pairs);
+    const std::vector<double> curve = this->Pairs.WantsG ? functions.PairCorrelation : BesagL(functions.K);
     return { curve.begin() + 1, curve.end() };
   }
 
+  const ObservationWindow& Window;
   const VerdictOptions& Options;
-  DistanceRange Distances;
-  PairHistogram Pairs;
+  PairOptions Pairs;
   std::vector<double> Measured;
 };
 
@@ -194,18 +204,15 @@ PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const Ob
   judgement.Distances = judge.GetDistances();
   judgement.Measured = judge.GetMeasured();
   judgement.Grid = GridOf(window, points.size(), options.Quadrats);
+  const IntensityTrend trend = TrendOf(points, window, options.Contrast);
+  const IntensityRaster raster = trend.Exists() ? RasterOf(trend, window) : IntensityRaster();
   for (int id = 0; id < NumberOfPointProcesses; ++id)
   {
     JudgedLaw law;
-    law.Process = FitProcess(static_cast<PointProcess>(id), points, window, options.Contrast, parallel);
+    law.Process = FitProcess(static_cast<PointProcess>(id), points, window, options.Contrast, trend, parallel);
     const PointProcessParameters& process = law.Process.Process;
-    IntensityRaster raster;
     ProcessOptions simulation;
-    if (law.Process.Trend.Exists())
-    {
-      raster = RasterOf(law.Process.Trend, window);
-      simulation.Raster = &raster;
-    }
+    simulation.Raster = law.Process.Trend.Exists() ? &raster : nullptr;
     law.Process.Exists = law.Process.Exists && WhyInvalid(process, simulation, window).empty();
     if (law.Process.Exists)
     {

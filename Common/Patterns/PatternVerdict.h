@@ -82,8 +82,7 @@ struct PatternJudgement
  * Fits all processes and, in a rectangle, all laws of quadrats to a pattern, simulates each so many times in the
  * window, and compares g or L of the pattern with those of its simulations by the global envelope test of extreme rank
  * lengths (CurveEnvelope), the same for all. g has the same kernel in all of them, and both have the translation
- * correction, whatever the fits have (PairHistogram). What is best has the largest p, of
- * equal ones the fewest parameters.
+ * correction, whatever the fits have. What is best has the largest p, of equal ones the fewest parameters.
  *
  * As parameters were fitted to the same pattern, the test rejects less often than its level says (Baddeley et al.
  * 2017).

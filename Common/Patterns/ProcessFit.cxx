@@ -353,17 +353,22 @@ ProcessFit FitStraussDistance(const std::vector<PlanePosition>& points, const Ob
   return *std::max_element(fits.begin(), fits.end(), isBetter);
 }
 
-/// The trend that was asked for; none without a degree.
+}
+
 IntensityTrend TrendOf(
   const std::vector<PlanePosition>& points, const ObservationWindow& window, const ContrastOptions& options)
 {
   return options.TrendDegree > 0 ? FitTrend(points, window, options.TrendDegree) : IntensityTrend();
 }
 
+ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
+  const ContrastOptions& options, const ParallelFor& parallel)
+{
+  return FitProcess(process, points, window, options, TrendOf(points, window, options), parallel);
 }
 
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
-  const ContrastOptions& options, const ParallelFor& parallel)
+  const ContrastOptions& options, const IntensityTrend& trend, const ParallelFor& parallel)
 {
   const auto n = static_cast<double>(points.size());
   const double intensity = n / window.GetArea();
@@ -371,15 +376,17 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
   fit.Contrast = fit.LogPseudoLikelihood = NaN;
   fit.Process.Process = process;
   fit.Process.Intensity = intensity;
+  const bool hasTrend = options.TrendDegree == 0 || trend.Exists(); // as asked for
   switch (process)
   {
     case PointProcess::Poisson:
-      fit.Trend = TrendOf(points, window, options);
-      fit.Exists = options.TrendDegree == 0 || fit.Trend.Exists();
+      fit.Trend = trend;
+      fit.Exists = hasTrend;
       return fit;
     case PointProcess::MaternII:
+      fit.Trend = trend;
       fit.Process.Distance = ShortestDistance(points) * n / (n + 1.0);
-      fit.Exists = WhyInvalid(fit.Process).empty();
+      fit.Exists = hasTrend && WhyInvalid(fit.Process).empty();
       return fit;
     case PointProcess::SoftCore:
       fit = FitSoftCore(points, window, BorderOfSoftCore / std::sqrt(intensity), parallel);
@@ -387,10 +394,7 @@ ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& po
     case PointProcess::Strauss:
       return FitStraussDistance(points, window, intensity, parallel);
     default:
-      fit.Trend = TrendOf(points, window, options);
-      return options.TrendDegree > 0 && !fit.Trend.Exists()
-        ? fit
-        : FitByContrast(process, points, window, options, fit.Trend, parallel);
+      return hasTrend ? FitByContrast(process, points, window, options, trend, parallel) : fit;
   }
 }
 

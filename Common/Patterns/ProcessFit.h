@@ -39,7 +39,7 @@ std::string WhyInvalid(const ContrastOptions& options);
 struct ProcessFit
 {
   PointProcessParameters Process;
-  IntensityTrend Trend;             ///< none unless it was asked for, and for processes of inhibition
+  IntensityTrend Trend;             ///< none unless it was asked for, and for Strauss and the soft core
   bool Exists = false;              ///< false where the pattern has no such process: its parameters run away
   double Contrast = 0.0;            ///< by minimum contrast [m^(4 q) m for K, m for g]; else NaN
   double LogPseudoLikelihood = 0.0; ///< by pseudo-likelihood; else NaN
@@ -53,7 +53,8 @@ struct ProcessFit
  *   |K_measured^q - K^q|^2 (or g) from 0 to Largest; the intensity is n / |W|.
  * - These and Poisson with a trend: FitTrend first, and then the same with the K or g of points that are weighted by
  *   1 / intensity (Waagepetersen and Guan 2009). Intensity and ClusterSize are those of places of the mean intensity.
- * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|.
+ * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|, and
+ *   a trend that thins points, as SimulateProcess() does.
  * - Strauss: the maximum of the pseudo-likelihood (Besag 1975) over Activity and Interaction at each of 64 distances,
  * up to where the average disc holds one and a half points, and over those. Points nearer to the edge than the longest
  * of these are neighbours only; the integral is a sum over 256 by 256 places of the bounding box. Activities of more
@@ -62,6 +63,14 @@ struct ProcessFit
  */
 ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
   const ContrastOptions& options, const ParallelFor& parallel = SerialFor);
+
+/// The trend that options ask for, FitTrend(); none without a degree.
+IntensityTrend TrendOf(
+  const std::vector<PlanePosition>& points, const ObservationWindow& window, const ContrastOptions& options);
+
+/// The same with TrendOf() the points, which all processes share.
+ProcessFit FitProcess(PointProcess process, const std::vector<PlanePosition>& points, const ObservationWindow& window,
+  const ContrastOptions& options, const IntensityTrend& trend, const ParallelFor& parallel = SerialFor);
 
 /// A Strauss process of a given Distance, of the points that lie farther than the border [m] from the edge; it is not
 /// below the distance.

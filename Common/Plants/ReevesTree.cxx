@@ -387,7 +387,8 @@ ReevesTreeParameters SizedParameters(TreePreset preset, double height, double di
   const double wider = p.TrunkRadius / own.TrunkRadius;
   const double taller = p.Height / own.Height;
   p.CrownRadius = crown > 0.0 ? 0.5 * crown : wider * own.CrownRadius;
-  const double stouter = wider / taller;
+  // A shrub has its crown down to the ground, whatever it grew among.
+  const double stouter = preset == TreePreset::Shrub ? 1.0 : wider / taller;
   p.TrunkReach = 1.0 - (1.0 - own.TrunkReach) * std::min(1.0, stouter);
   const double part = (1.0 - own.CrownBase / own.Height) * std::sqrt(stouter);
   p.CrownBase = std::max(0.0, 1.0 - std::min(part, 1.0)) * p.Height;

@@ -65,8 +65,8 @@ ReevesTreeParameters PresetParameters(TreePreset preset);
 /**
  * A tree of a preset with a height and a diameter at breast height [m]; 0: the preset's own; and with a diameter of its
  * crown [m]; 0: crowns are as wide as stems are thick. A slender tree has grown among others: its crown is the shorter
- * a part of the height, as the root of the stem's stoutness, and its trunk goes on the higher. Leaves are as large as
- * it takes to cover the crown as before.
+ * a part of the height, as the root of the stem's stoutness, and its trunk goes on the higher; that of a shrub reaches
+ * down to the ground always. Leaves are as large as it takes to cover the crown as before.
  */
 ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter, double crown = 0.0);
 

@@ -531,6 +531,7 @@ std::string WhyInvalid(const InventoryOptions& options, const StandSpeciesTable&
   check.Positive("PlaceScale", options.PlaceScale);
   check.NotNegative("MeanDiameter", options.MeanDiameter, "m", ThickestMiddle);
   check.Range("HeightVariation", options.HeightVariation, 0.0, 0.4);
+  check.Count("SizeClasses", options.SizeClasses, 1, MostSizeClasses);
   check.Require(species.Has(options.OtherSpecies),
     "OtherSpecies is '" + options.OtherSpecies + "', which is not in the table of species.");
   return check.Reason();

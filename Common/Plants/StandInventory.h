@@ -40,6 +40,9 @@ struct InventoryColumns
   std::string Plot;
 };
 
+/// Plants for the trees of a kind, at most.
+inline constexpr int MostSizeClasses = 20;
+
 /// How an inventory is read.
 struct InventoryOptions
 {
@@ -54,6 +57,7 @@ struct InventoryOptions
   std::string OtherSpecies = "hardwood";       ///< as which species that are not in the table count
   double MeanDiameter = 0.0;                   ///< quadratic mean of a stand without diameters [m]; 0: by its density
   double HeightVariation = 0.1;                ///< standard deviation of drawn heights, as part of them, 0 to 0.4
+  int SizeClasses = 1;                         ///< plants of a kind, at most, 1 to 20
   int Seed = 1;
 };
 

@@ -48,6 +48,8 @@ INVENTORIES = (
     ("japanesepines", "Japanese black pines", 5.7, 0, (57.0, "Pine", 9.0, 0.2)),
     ("cells", "Cells", 1.0, 0, (24.0, "Shrub", 2.4, 0.1)),
 )
+#: Diameter at breast height [cm] over height [m] of pines that stand alone.
+OPEN_GROWN = 1.5
 
 
 def read(name):
@@ -101,7 +103,9 @@ def trees_on(places, found, kind, seed=3):
     columns = {"x": places[:, 0], "y": places[:, 1]}
     if kind:
         _, preset, height, spread = kind
-        columns |= {"species": [preset.lower()] * count, "height": height * np.exp(spread * draw.standard_normal(count))}
+        heights = height * np.exp(spread * draw.standard_normal(count))
+        columns |= {"species": [preset.lower()] * count, "height": heights}
+        columns |= {"dbh": OPEN_GROWN * heights} if preset == "Pine" else {}
     if "dbh" in found:
         columns |= {"dbh": draw.choice(found["dbh"], count), "species": ["longleaf pine"] * count}
     if "species" in found:

@@ -90,6 +90,23 @@ bool Inventory()
   good &= Check(Of(trees, "Species")->GetTuple1(2) == 0.0 && Of(trees, "Species")->GetTuple1(4) == 1.0, "species");
   auto* unlisted = vtkStringArray::SafeDownCast(trees->GetFieldData()->GetAbstractArray("Unlisted"));
   good &= Check(unlisted && unlisted->GetNumberOfValues() == 1 && unlisted->GetValue(0) == "ZZZ", "unlisted species");
+  // A plant for each of the three oaks and the one of an unknown species that are not about as thick.
+  stand->SetSizeClasses(3);
+  stand->Update();
+  kinds = vtkStringArray::SafeDownCast(trees->GetFieldData()->GetAbstractArray("Kinds"));
+  good &= Check(kinds && kinds->GetNumberOfValues() == 4 && kinds->GetValue(1) == "Oak" && kinds->GetValue(3) == "Oak",
+    "three sizes of oaks");
+  double thickest = 0.0;
+  for (vtkIdType plant = 1; plant < 4; ++plant)
+  {
+    const double thick = trees->GetFieldData()->GetArray("PlantDBH")->GetTuple1(plant);
+    good &= Check(thick > thickest && trees->GetFieldData()->GetArray("PlantHeight")->GetTuple1(plant) > 2.0 &&
+        trees->GetFieldData()->GetArray("PlantCrownDiameter")->GetTuple1(plant) > 0.5,
+      "sizes of plants");
+    thickest = thick;
+  }
+  good &= Check(Of(trees, "Species")->GetTuple1(3) == 1.0, "the thinnest oak");
+  stand->SetSizeClasses(1);
   // Another table of species, and an older one again.
   vtkNew<vtkTable> species;
   AddWords(species, "species", { "ZZZ;Quercus", "pinus" });
@@ -158,6 +175,7 @@ bool BadInventories()
     s->SetInputData(1, empty);
   });
   good &= fails("MeanDiameter", [](Stand* s, vtkTable*) { s->SetMeanDiameter(9.0); });
+  good &= fails("SizeClasses", [](Stand* s, vtkTable*) { s->SetSizeClasses(0); });
   return good;
 }
 

@@ -44,7 +44,9 @@ def forest(view):
     sites = simple.TableToPoints(Input=simple.CSVReader(FileName=["sites.csv"]), XColumn="x", YColumn="y", a2DPoints=1)
     plants = simple.PlantScatter(Sites=sites, Prototypes=trees, ScaleVariation=0)
     simple.Show(plants, view)
-    simple.ResetCamera(view)  # the bounds are those of the trees as seen
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.0, -3.0, 1.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]
+    simple.ResetCamera(view)
+    view.GetActiveCamera().Dolly(1.4)  # the bounds are those of the trees as seen
     x0, x1, y0, y1, z0, _ = plants.GetDataInformation().GetBounds()
     margin = 0.03 * (x1 - x0 + y1 - y0)
     meadow = simple.Plane(Origin=[x0 - margin, y0 - margin, z0], Point1=[x1 + margin, y0 - margin, z0],

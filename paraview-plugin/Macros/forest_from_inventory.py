@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plant a forest inventory: select a Stand Inventory, or the opened CSV file, in the pipeline browser, then run this macro.
 
-Adds a tree for each kind of the stand (Pine, Oak, Birch or Shrub; other kinds are Oaks), and Plant Scatter.
+Adds up to three trees of different size for each kind of the stand (Pine, Oak, Birch or Shrub; other kinds are Oaks), and
+Plant Scatter.
 """
 from paraview import servermanager, simple
 
@@ -16,6 +17,13 @@ def render_view():
     view = active if active in views else views[0] if views else simple.CreateView("RenderView")
     simple.SetActiveView(view)
     return view
+
+
+def look_from_south(view):
+    """The whole scene from the south, from a little above."""
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.0, -3.0, 1.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]
+    simple.ResetCamera(view)
+    view.GetActiveCamera().Dolly(1.4)
 
 
 def ground_under(stand, view):
@@ -33,19 +41,25 @@ def main():
     stand = simple.GetActiveSource()
     if stand is not None and stand.GetDataInformation().GetDataSetTypeAsString() == "vtkTable":
         stand = simple.StandInventory(registrationName="Stand", Inventory=stand)
-    if stand is not None:
+    if stand is not None and stand.GetXMLName() == "StandInventory":
+        stand.SizeClasses = max(3, stand.SizeClasses)
         stand.UpdatePipeline()
-    kinds = servermanager.Fetch(stand).GetFieldData().GetAbstractArray("Kinds") if stand is not None else None
-    if kinds is None:
+    data = servermanager.Fetch(stand).GetFieldData() if stand is not None else None
+    if data is None or not data.HasArray("PlantHeight"):
         print("Select the table of an inventory, or a Stand Inventory, in the pipeline browser first.")
         return
-    names = [kinds.GetValue(k) for k in range(kinds.GetNumberOfValues())]
-    trees = [simple.ReevesTree(registrationName=name, Preset=name if name in PRESETS else "Oak") for name in names]
+    trees = []
+    for k in range(data.GetAbstractArray("Kinds").GetNumberOfValues()):
+        kind = data.GetAbstractArray("Kinds").GetValue(k)
+        height, diameter, crown = (data.GetArray(f"Plant{name}").GetValue(k) for name in ("Height", "DBH", "CrownDiameter"))
+        trees.append(simple.ReevesTree(registrationName=f"{kind} of {height:.0f} m", SpeciesHeight=height,
+                                       Preset=kind if kind in PRESETS else "Oak", SpeciesDiameter=diameter,
+                                       SpeciesCrown=crown))
     forest = simple.PlantScatter(registrationName="Forest", Sites=stand, Prototypes=trees)
     view = render_view()
     simple.Hide(stand, view)
     simple.Show(forest, view)
-    simple.ResetCamera(view)
+    look_from_south(view)
     ground_under(stand, view)
     simple.SetActiveSource(forest)
     simple.Render(view)

@@ -39,6 +39,13 @@ def render_view():
     return view
 
 
+def look_from_south(view):
+    """The whole scene from the south, from a little above."""
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.0, -3.0, 1.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]
+    simple.ResetCamera(view)
+    view.GetActiveCamera().Dolly(1.4)
+
+
 def ground_under(plants, view):
     """A level meadow below the plants, a little wider than they stand."""
     x0, x1, y0, y1, z0, _ = plants.GetDataInformation().GetBounds()
@@ -67,7 +74,7 @@ def main():
     forest = simple.PlantScatter(registrationName="Forest", Sites=sites, Prototypes=trees, ScaleVariation=0)
     view = render_view()
     simple.Show(forest, view)
-    simple.ResetCamera(view)
+    look_from_south(view)
     ground_under(forest, view)
     simple.SetActiveSource(forest)
     simple.Render(view)

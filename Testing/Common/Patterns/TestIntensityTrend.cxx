@@ -5,11 +5,13 @@
 #include "Numerics/Constants.h"
 #include "Patterns/IntensityTrend.h"
 #include "Patterns/PairFunctions.h"
+#include "Patterns/PatternVerdict.h"
 #include "Patterns/ProcessFit.h"
 #include "Patterns/ProcessPattern.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -214,7 +216,36 @@ TEST(IntensityTrend, ClustersAreFoundUnderATrend)
   EXPECT_GT(size[0], 1.0);
 }
 
-// Fewer points than coefficients, and points on a line, have no trend; neither has a process of inhibition.
+// Matern's points that are thinned by a trend have their distance still, and the trend of the points that are left.
+TEST(IntensityTrend, PointsAtADistanceHaveATrend)
+{
+  PointProcessParameters inhibited;
+  inhibited.Process = PointProcess::MaternII;
+  inhibited.Distance = 0.04;
+  const std::vector<PlanePosition> points = Simulate(inhibited, Slope(), Wide(), 4);
+  ContrastOptions options;
+  options.TrendDegree = 1;
+  const ProcessFit fit = FitProcess(PointProcess::MaternII, points, Wide(), options);
+  ASSERT_TRUE(fit.Exists);
+  EXPECT_EQ(fit.Trend.Coefficients, FitTrend(points, Wide(), 1).Coefficients);
+  EXPECT_NEAR(fit.Process.Distance, 0.04, 0.002);
+  // Regrown with it, and judged.
+  VerdictOptions verdict;
+  verdict.Contrast.TrendDegree = 1;
+  const PatternJudgement judgement = JudgePattern(points, Wide(), verdict);
+  const auto row = std::find_if(judgement.Laws.begin(), judgement.Laws.end(),
+    [](const JudgedLaw& law) { return law.IsProcess && law.Process.Process.Process == PointProcess::MaternII; });
+  EXPECT_TRUE(row->Process.Trend.Exists());
+  EXPECT_FALSE(row->Envelope.IsRejected) << row->Envelope.PValue;
+  verdict.Contrast.TrendDegree = 0;
+  for (const JudgedLaw& law : JudgePattern(points, Wide(), verdict).Laws)
+  {
+    EXPECT_FALSE(law.Process.Trend.Exists());
+    EXPECT_TRUE(!law.Exists() || law.Envelope.IsRejected || law.Process.Process.Process != PointProcess::MaternII);
+  }
+}
+
+// Fewer points than coefficients, and points on a line, have no trend; neither have Strauss processes and soft cores.
 TEST(IntensityTrend, WhatHasNoTrend)
 {
   const ObservationWindow window;
@@ -232,7 +263,9 @@ TEST(IntensityTrend, WhatHasNoTrend)
   options.TrendDegree = 2;
   EXPECT_FALSE(FitProcess(PointProcess::Poisson, line, window, options).Exists);
   EXPECT_FALSE(FitProcess(PointProcess::Thomas, line, window, options).Exists);
-  EXPECT_FALSE(FitProcess(PointProcess::MaternII, even, window, options).Trend.Exists());
+  EXPECT_FALSE(FitProcess(PointProcess::MaternII, line, window, options).Exists);
+  EXPECT_FALSE(FitProcess(PointProcess::Strauss, even, window, options).Trend.Exists());
+  EXPECT_FALSE(FitProcess(PointProcess::SoftCore, even, window, options).Trend.Exists());
   const IntensityTrend level = FitTrend(even, window, 2);
   // Of a lattice of 10 x 10 points, u^2 has the mean 0.33 in place of 1/3, hence a coefficient of -0.0033 / (4 / 45).
   EXPECT_NEAR(level.At(window, { 0.5, 0.5 }), 100.0 * (1.0 + 2.0 / 3.0 * 0.0375), 0.1);

@@ -5,7 +5,6 @@
 #include "Numerics/Constants.h"
 #include "Patterns/CurveEnvelope.h"
 #include "Patterns/PairFunctions.h"
-#include "Patterns/PairHistogram.h"
 #include "Patterns/PointCells.h"
 #include "Patterns/WindowSections.h"
 #include "SyntheticPatterns.h"
@@ -45,7 +44,8 @@ struct PairByPair
   {
     const double area = window.GetArea();
     const double pairs = static_cast<double>(from.size()) * (static_cast<double>(to.size()) - (isCross ? 0.0 : 1.0));
-    const double h = 0.15 * std::sqrt(area / static_cast<double>(to.size()));
+    const double h =
+      options.HalfWidth > 0.0 ? options.HalfWidth : 0.15 * std::sqrt(area / static_cast<double>(to.size()));
     for (std::size_t k = 0; k < options.Distances.Count(); ++k)
     {
       const double r = options.Distances[static_cast<int>(k)];
@@ -116,6 +116,26 @@ TEST(PairFunctions, FollowTheirDefinitions)
         }
         EXPECT_TRUE(found.PairCorrelation.empty() || std::isnan(found.PairCorrelation[0]));
       }
+    }
+  }
+}
+
+// Sums of moments give the kernel of each pair, whether it is narrower than a step, as wide as some steps or wider than
+// the range.
+TEST(PairFunctions, KernelsHaveAnyWidth)
+{
+  const SyntheticPattern pattern = SyntheticPatterns().front();
+  const double largest = 0.3 * (pattern.Window.GetHigh()[0] - pattern.Window.GetLow()[0]);
+  PairOptions options = Options(largest, EdgeCorrection::Translation, 30);
+  for (const double steps : { 0.04, 0.5, 0.7, 1.0, 3.0, 4.25, 47.9 })
+  {
+    options.HalfWidth = steps * options.Distances[1];
+    const PairFunctions found = FindPairFunctions(pattern.Points, pattern.Window, options);
+    const PairByPair wanted(pattern.Points, pattern.Points, false, pattern.Window, options);
+    for (std::size_t k = 1; k < found.K.size(); ++k)
+    {
+      EXPECT_NEAR(found.PairCorrelation[k], wanted.G[k], 1e-10 * (1.0 + wanted.G[k])) << steps << " " << k;
+      EXPECT_NEAR(found.K[k], wanted.K[k], 1e-10 * wanted.K[k]) << steps << " " << k;
     }
   }
 }
@@ -400,33 +420,4 @@ TEST(PointCells, FindAllThatAreNear)
   EXPECT_TRUE(std::isinf(PointCells({ { 1.0, 1.0 } }, 1.0).NearestDistance(1.0, 1.0, 0)));
 }
 
-}
-
-// Sums in bins are those pair by pair: K but for rounding, g but for what a distance can be off, a 64th of a step.
-TEST(PairFunctions, BinsGiveTheSame)
-{
-  for (const SyntheticPattern& pattern : SyntheticPatterns())
-  {
-    const double largest = 0.25 * (pattern.Window.GetHigh()[0] - pattern.Window.GetLow()[0]);
-    PairOptions options = Options(largest, EdgeCorrection::Translation, 40);
-    options.HalfWidth = 0.15 / std::sqrt(static_cast<double>(pattern.Points.size()) / pattern.Window.GetArea());
-    // The same table of a polygon, which reaches as far as the histogram's.
-    options.Areas = std::make_shared<const CommonAreaTable>(pattern.Window, largest + options.HalfWidth);
-    const PairFunctions pairs = FindPairFunctions(pattern.Points, pattern.Window, options);
-    const PairHistogram bins(pattern.Window, options.Distances, options.HalfWidth);
-    const std::vector<double> k = bins.RipleyK(pattern.Points);
-    const std::vector<double> g = bins.PairCorrelation(pattern.Points);
-    ASSERT_EQ(k.size(), pairs.K.size());
-    EXPECT_TRUE(std::isnan(g[0]));
-    // The slope of the kernel is 2 / h at most: 1.5 / h g of pairs within h, which are 2 h g.
-    const double off = options.Distances[1] / 64.0 / options.HalfWidth;
-    for (std::size_t n = 1; n < k.size(); ++n)
-    {
-      EXPECT_NEAR(k[n], pairs.K[n], 1e-9 * pairs.K[n]) << pattern.Name << " " << n;
-      EXPECT_NEAR(g[n], pairs.PairCorrelation[n], 2.0 * off * std::max(1.0, pairs.PairCorrelation[n]))
-        << pattern.Name << " " << n;
-    }
-    EXPECT_EQ(bins.RipleyK({ pattern.Points[0] }), std::vector<double>(k.size(), 0.0));
-    EXPECT_EQ(bins.PairCorrelation({}).back(), 0.0);
-  }
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/StandInventory.h"
+#include "Plants/StandPlants.h"
 
 #include <gtest/gtest.h>
 
@@ -169,6 +170,27 @@ TEST(StandAllometry, SpeciesHaveOtherNames)
   }
 }
 
+// Symbols of the PLANTS database, as the variants of the east of the United States have them (PLNJSP of the sources
+// sn/blkdat.f, ne/blkdat.f, cs/blkdat.f and ls/blkdat.f), and without the number that tells species of the same letters
+// apart, unless trees of two rows have these letters.
+TEST(StandAllometry, SymbolsOfPlants)
+{
+  for (const auto& [symbol, name] :
+    { std::pair("PIEC2", "Pinus echinata"), std::pair("piec", "Pinus echinata"), std::pair("PITA", "Pinus taeda"),
+      std::pair("ACSA2", "Acer saccharinum"), std::pair("ACSA3", "Acer saccharum"), std::pair("QUAL", "Quercus alba"),
+      std::pair("QUMA3", "Quercus marilandica"), std::pair("litu", "Liriodendron"), std::pair("2TE", "softwood"),
+      std::pair("FRAXI", "Fraxinus"), std::pair("PIGL", "Picea glauca"), std::pair("PIGL2", "Pinus glabra"),
+      std::pair("CAOV2", "Carya ovata"), std::pair("caco", "Carya cordiformis") })
+  {
+    EXPECT_EQ(Species().RowOf(symbol, ""), Species().RowOf(name, "")) << symbol;
+    EXPECT_GE(Species().RowOf(symbol, ""), 0) << symbol;
+  }
+  for (const char* symbol : { "ACSA", "PIPU", "SAAL", "POGR4", "alsebl" })
+  {
+    EXPECT_FALSE(Species().Has(symbol)) << symbol;
+  }
+}
+
 // Feldpausch et al. (2012), all tropics: 30 cm, 23.1 m.
 TEST(StandAllometry, CurveOfAllTropics)
 {
@@ -227,12 +249,13 @@ TEST(StandInventory, KnownNamesAndUnits)
   EXPECT_EQ(Species().GetSpecies()[plain.Trees[1].Species].Name, "longleaf pine");
   // ForestGEO: millimetres, status, coordinates of the plot.
   const StandInventory geo =
-    Read("treeID,sp,gx,gy,dbh,status\n1,quru,3.5,4.5,250,A\n2,quru,8,9,NA,A\n3,quru,9,9,40,D\n");
+    Read("treeID,sp,gx,gy,dbh,status\n1,alsebl,3.5,4.5,250,A\n2,quru,8,9,NA,A\n3,quru,9,9,40,D\n");
   ASSERT_EQ(geo.Trees.size(), 2u);
   EXPECT_EQ(geo.Dropped, 1);
   EXPECT_DOUBLE_EQ(geo.Trees[0].Diameter, 0.25);
   EXPECT_DOUBLE_EQ(geo.Trees[0].X, 3.5);
-  EXPECT_EQ(geo.Unlisted, std::vector<std::string>{ "quru" });
+  EXPECT_EQ(geo.Unlisted, std::vector<std::string>{ "alsebl" });
+  EXPECT_EQ(Species().GetSpecies()[geo.Trees[1].Species].Name, "northern red oak");
   // Units in names, and told.
   const StandInventory feet = Read("x_ft,y (ft),dbh_in,height [ft]\n10,20,10,50\n40,20,8,NA\n");
   EXPECT_NEAR(feet.Trees[0].X, 3.048, 1e-12);
@@ -418,4 +441,46 @@ TEST(StandSpecies, TablesOfUsers)
   EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,curtis,1,1,1\n"), "c is 1"));
   EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,curtis,x,1,-1\n"), "no number a"));
   EXPECT_TRUE(Says(why("species,kind\nyew,\n"), "needs a species and a kind"));
+}
+
+// Of 30 pines of 10 to 39 cm and 2 oaks: thirds of the pines, and one plant for oaks that are nearly as thick, in the
+// order of the table; each is the middle of its trees.
+TEST(StandPlants, StandForTreesOfAKindThatAreAboutAsThick)
+{
+  std::string text = "x,y,species,dbh,height\n";
+  for (int tree = 0; tree < 30; ++tree)
+  {
+    const int thick = 10 + (7 * tree) % 30;
+    text += std::to_string(3 * tree) + ",1," + "Pinus taeda," + std::to_string(thick) + "," +
+      std::to_string(5 + thick / 2) + "\n";
+  }
+  const StandInventory stand = Read(text + "5,9,oak,30,15\n15,9,Quercus rubra,33,16\n");
+  const StandPlants plants = PlantsOf(Species(), stand, 3);
+  ASSERT_EQ(plants.Plants.size(), 4u);
+  EXPECT_EQ(plants.Plants[3].Kind, "Oak");
+  const double middles[] = { 0.15, 0.25, 0.35 };
+  for (std::size_t tree = 0; tree < 30; ++tree)
+  {
+    const int size = static_cast<int>((stand.Trees[tree].Diameter - 0.0999) / 0.1);
+    EXPECT_EQ(plants.OfTree[tree], size) << stand.Trees[tree].Diameter;
+  }
+  EXPECT_EQ(plants.OfTree[30], 3);
+  EXPECT_EQ(plants.OfTree[31], 3);
+  for (std::size_t size = 0; size < 3; ++size)
+  {
+    EXPECT_EQ(plants.Plants[size].Kind, "Pine");
+    EXPECT_DOUBLE_EQ(plants.Plants[size].Diameter, middles[size]);
+    EXPECT_NEAR(plants.Plants[size].Height, 5.0 + 50.0 * middles[size], 0.5001);
+    const double crown = CrownDiameterOf(plants.Plants[size].Diameter, plants.Plants[size].Height);
+    EXPECT_NEAR(plants.Plants[size].CrownDiameter, crown, 0.05 * crown);
+  }
+  // One class, as many as there are trees, and kinds without a tree.
+  EXPECT_EQ(PlantsOf(Species(), stand, 1).Plants.size(), 2u);
+  EXPECT_EQ(PlantsOf(Species(), stand, 20).Plants.size(), 6u + 1u); // ln(39 / 10) / ln 1.3 is 5.2
+  EXPECT_EQ(PlantsOf(Species(), Read("x,y,species,dbh\n1,2,oak,10\n5,2,oak,90\n"), 20).Plants.size(), 2u);
+  InventoryOptions options;
+  options.SizeClasses = 0;
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "SizeClasses is 0"));
+  options.SizeClasses = 21;
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "SizeClasses is 21"));
 }

@@ -169,14 +169,18 @@ class Floor:
         return polygons(corners.reshape(-1, 3), np.arange(3 * len(x)).reshape(-1, 3), color.reshape(-1, 3))
 
     def woods(self, distance=420.0, height=24.0, color=(0.16, 0.24, 0.13)):
-        """Woods on all sides, as rows of crowns that are paler the farther; height: of their trees [m]."""
+        """Woods on all sides, as rows of crowns that are paler the farther; height: of their trees [m]. An eye above
+        them sees rows up to the end of the ground, none of which shows the ground behind it."""
         points, corners, colors = [], [], []
-        for row in range(4):
-            radius, count = distance * (1.0 + 0.35 * row), 2600
+        radii = [distance * (1.0 + 0.35 * row) for row in range(4)]
+        while self.eye[2] > height and radii[-1] < 3900.0:
+            radii.append(min(3900.0, radii[-1] * min(1.3, self.eye[2] / (self.eye[2] - 0.8 * height))))
+        for row, radius in enumerate(radii):
+            count = 2600
             angle = 2.0 * np.pi * np.arange(count) / count
             rough = self.random.normal(size=count)
             crowns = np.convolve(np.concatenate((rough, rough[:8])), np.hanning(9), "valid") / 2.0
-            tall = height * (1.0 + 0.05 * row + 0.10 * crowns + 0.03 * self.random.normal(size=count))
+            tall = height * (1.0 + 0.05 * min(row, 3) + 0.10 * crowns + 0.03 * self.random.normal(size=count))
             x = self.eye[0] + radius * np.sin(angle)
             y = self.eye[1] + radius * np.cos(angle)
             first = sum(len(p) for p in points)
