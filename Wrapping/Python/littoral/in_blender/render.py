@@ -49,7 +49,8 @@ def build(path):
     for volume in extras.get("volumes", []):
         volumes.add(volume, folder)
     caches = {name: os.path.join(folder, cache) for name, cache in extras.get("caches", {}).items()}
-    Builder(file, Materials(file, None if is_below else air, water if is_below else None), caches).build()
+    materials = Materials(file, None if is_below else air, water if is_below else None, caches)
+    Builder(file, materials, caches).build()
     return file, extras
 
 
