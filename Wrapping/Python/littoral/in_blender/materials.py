@@ -8,7 +8,7 @@ import tempfile
 import bpy
 import numpy as np
 
-from . import cutting, versions
+from . import versions
 from .shading import Shading
 
 #: Shares of light that thin tissue passes, of what it does not mirror.
@@ -18,16 +18,18 @@ GLOSS = {"leaf": (0.05, 0.42), "grass": (0.03, 0.5), "blade": (0.06, 0.35)}
 #: Light that went through a leaf has another color than what it reflects.
 THROUGH = {"leaf": (1.35, 1.45, 0.55), "grass": (1.3, 1.4, 0.6), "blade": (1.25, 1.05, 0.55)}
 
+#: The share of a leaf that its mask may cut away without being a hole.
+HEM = 0.03
+#: Even places in a triangle, by their shares of its corners.
+WITHIN = np.array([(i + 1 / 3, j + 1 / 3, 20 - 2 / 3 - i - j) for i in range(20) for j in range(20 - i)]) / 20.0
+
 
 class Materials:
-    """The materials of a file, made when they are first asked for. air: haze or None. water: its light or None. cached: names
-    of nodes whose vertices have to stay as they are."""
+    """The materials of a file, made when they are first asked for. air: haze or None. water: its light or None."""
 
-    def __init__(self, file, air=None, water=None, cached=()):
+    def __init__(self, file, air=None, water=None):
         self.file, self.air, self.water = file, air, water
-        self.made, self.pictures, self.patterns = {}, {}, {}
-        self.kept = {part.get("material") for node in file.list("nodes") if node.get("name") in cached and "mesh" in node
-                     for part in file.list("meshes")[node["mesh"]]["primitives"]}
+        self.made, self.pictures = {}, {}
 
     def get(self, index):
         if index not in self.made:
@@ -85,38 +87,28 @@ class Materials:
             color = s.multiply(color, s.blend(tinted, (1.0, 1.0, 1.0), tint))
         elif kind == "particle":
             color = s.attribute("tint", "Vector")
-        is_masked = about.get("alphaMode") in ("MASK", "BLEND") and self._patterns_of(index) is None
-        return color, alpha if is_masked else None
+        if about.get("alphaMode") == "MASK" and picture is not None and not self._has_holes(index, self._picture(picture)):
+            alpha = None
+        return color, alpha if about.get("alphaMode") in ("MASK", "BLEND") else None
 
-    def cut(self, index, triangles, attributes):
-        """Triangles of a material and the attributes of their vertices; where it has a mask, cut along that."""
-        patterns = self._patterns_of(index)
-        if not patterns or all(pattern is cutting.WHOLE for pattern in patterns.values()):
-            return triangles, attributes
-        corners, kinds = np.unique(_corners(attributes["TEXCOORD_0"], triangles), axis=0, return_inverse=True)
-        return cutting.cut(triangles, kinds.ravel(), [patterns[tuple(corner)] for corner in corners], attributes)
-
-    def _patterns_of(self, index):
-        """How to cut the triangles of a material along its mask, by their corners in the picture; None where it has no mask,
-        or keeps it."""
-        if index not in self.patterns:
-            self.patterns[index] = self._find_patterns(index)
-        return self.patterns[index]
-
-    def _find_patterns(self, index):
-        about = self.file.list("materials")[index] if index is not None else {}
-        picture = about.get("pbrMetallicRoughness", {}).get("baseColorTexture", {}).get("index")
-        if about.get("alphaMode") != "MASK" or picture is None or index in self.kept:
-            return None
-        image = self._picture(picture)
-        texels = np.empty(image.size[0] * image.size[1] * 4, np.float32)
+    def _has_holes(self, index, image):
+        """Whether a mask cuts away more than a hem of what the meshes of a material have of the picture. Rays end at what
+        has no holes: a kelp is cheap to draw then."""
+        width, height = image.size
+        texels = np.empty(width * height * 4, np.float32)
         image.pixels.foreach_get(texels)
+        alpha = texels.reshape(height, width, 4)[..., 3]
+        if alpha.min() > 0.5:
+            return False
         parts = [part for mesh in self.file.list("meshes") for part in mesh["primitives"] if part.get("material") == index]
-        corners = np.unique(np.concatenate([
-            _corners(self.file.array(part["attributes"]["TEXCOORD_0"]), self.file.array(part["indices"]).reshape(-1, 3))
-            for part in parts]), axis=0)
-        found = cutting.patterns_of(texels.reshape(image.size[1], image.size[0], 4)[..., 3], corners)
-        return found and dict(zip(map(tuple, corners), found))
+        for part in parts:
+            at = self.file.array(part["attributes"]["TEXCOORD_0"])
+            corners = np.unique(np.round(at[self.file.array(part["indices"]).reshape(-1, 3)].reshape(-1, 6), 3), axis=0)
+            u, v = np.einsum("cp,kpi->ick", WITHIN, corners.reshape(-1, 3, 2))
+            column, row = np.int32(np.clip(u, 0.0, 0.999) * width), np.int32(np.clip(1.0 - v, 0.0, 0.999) * height)
+            if (alpha[row, column] > 0.5).mean() < 1.0 - HEM:
+                return True
+        return False
 
     def _picture(self, texture):
         """The picture of a texture, packed into the scene."""
@@ -129,11 +121,6 @@ class Materials:
                 image.pack()
             self.pictures[texture] = image
         return self.pictures[texture]
-
-
-def _corners(places, triangles):
-    """The corners of triangles in a picture, [n, 6], rows from below."""
-    return np.round((places * (1.0, -1.0) + (0.0, 1.0))[triangles].reshape(-1, 6), 3)
 
 
 def thin(s, kind, base, is_seen):

@@ -79,49 +79,42 @@ class Builder:
         return self.meshes[indices]
 
     def _join(self, parts, name):
-        made = [self._cut(part) for part in parts]
-        counts = [len(attributes["POSITION"]) for _, attributes in made]
-        firsts = np.cumsum([0] + counts)
-        triangles = np.concatenate([corners + first for (corners, _), first in zip(made, firsts)]).astype(np.int32)
-
-        def has(attribute):
-            return any(attribute in attributes for _, attributes in made)
-
-        def joined(attribute, absent=None):
-            """An attribute of all vertices."""
-            return np.concatenate([
-                attributes[attribute] if attribute in attributes else np.tile(np.float32(absent), (count, 1))
-                for (_, attributes), count in zip(made, counts)]).astype(np.float32)
-
+        points = [self.file.array(part["attributes"]["POSITION"]) for part in parts]
+        firsts = np.cumsum([0] + [len(p) for p in points])
+        corners = [self.file.array(part["indices"]).reshape(-1, 3).astype(np.int32) + first
+                   for part, first in zip(parts, firsts)]
         mesh = bpy.data.meshes.new(name)
         mesh.vertices.add(firsts[-1])
-        mesh.vertices.foreach_set("co", joined("POSITION").ravel())
+        mesh.vertices.foreach_set("co", np.concatenate(points).astype(np.float32).ravel())
+        triangles = np.concatenate(corners)
         versions.set_triangles(mesh, triangles)
-        used = [part.get("material") for part in parts]
-        slots = {index: slot for slot, index in enumerate(dict.fromkeys(used))}
+        slots = {}
+        for part in parts:
+            slots.setdefault(part.get("material"), len(slots))
         for index in slots:
             mesh.materials.append(self.materials.get(index))
-        sizes = [len(corners) for corners, _ in made]
-        mesh.polygons.foreach_set("material_index", np.repeat(np.int32([slots[index] for index in used]), sizes))
-        is_smooth = [self.file.kind(index) not in ("leaf", "grass") for index in used]
-        mesh.polygons.foreach_set("use_smooth", np.repeat(is_smooth, sizes))
-        colors = np.column_stack((joined("COLOR_0", (1.0, 1.0, 1.0)), np.ones(firsts[-1], np.float32)))
-        mesh.color_attributes.new("Color", "FLOAT_COLOR", "POINT").data.foreach_set("color", colors.ravel())
-        if has("TEXCOORD_0"):
-            at = joined("TEXCOORD_0", (0.0, 0.0)) * np.float32((1, -1)) + np.float32((0, 1))
-            mesh.uv_layers.new(name="UVMap").data.foreach_set("uv", at[triangles.ravel()].ravel())
-        if has("_VELOCITY"):
-            _set_attribute(mesh, "velocity", joined("_VELOCITY", (0.0, 0.0, 0.0)))
+        mesh.polygons.foreach_set("material_index", np.concatenate(
+            [np.full(len(c), slots[part.get("material")], np.int32) for part, c in zip(parts, corners)]))
+        flat = ("leaf", "grass")
+        mesh.polygons.foreach_set("use_smooth", np.concatenate(
+            [np.full(len(c), self.file.kind(part.get("material")) not in flat) for part, c in zip(parts, corners)]))
+        self._set_colors(mesh, parts, points)
+        if any("TEXCOORD_0" in part["attributes"] for part in parts):
+            at = np.concatenate([self._attribute(part, "TEXCOORD_0", p, (0.0, 0.0)) for part, p in zip(parts, points)])
+            layer = mesh.uv_layers.new(name="UVMap")
+            layer.data.foreach_set("uv", (at * np.float32((1, -1)) + np.float32((0, 1)))[triangles.ravel()].ravel())
+        if any("_VELOCITY" in part["attributes"] for part in parts):
+            speeds = [self._attribute(part, "_VELOCITY", p, (0.0, 0.0, 0.0)) for part, p in zip(parts, points)]
+            _set_attribute(mesh, "velocity", np.concatenate(speeds))
         mesh.update()
         return mesh
 
-    def _cut(self, part):
-        """Triangles and attributes of a part, cut along the mask of its material."""
-        attributes = {name: self.file.array(index) for name, index in part["attributes"].items()
-                      if name in ("POSITION", "COLOR_0", "TEXCOORD_0", "_VELOCITY")}
-        if "COLOR_0" in attributes:
-            attributes["COLOR_0"] = attributes["COLOR_0"][:, :3]
-        return self.materials.cut(part.get("material"), self.file.array(part["indices"]).reshape(-1, 3), attributes)
+    def _set_colors(self, mesh, parts, points):
+        """The linear colors of the vertices; white where there are none, as a shader would find black then."""
+        colors = np.ones((len(mesh.vertices), 4), np.float32)
+        found = [self._attribute(part, "COLOR_0", p, (1.0, 1.0, 1.0)) for part, p in zip(parts, points)]
+        colors[:, :3] = np.concatenate([c[:, :3] for c in found])
+        mesh.color_attributes.new("Color", "FLOAT_COLOR", "POINT").data.foreach_set("color", colors.ravel())
 
     def _attribute(self, part, name, points, absent):
         index = part["attributes"].get(name)

@@ -49,8 +49,7 @@ def build(path):
     for volume in extras.get("volumes", []):
         volumes.add(volume, folder)
     caches = {name: os.path.join(folder, cache) for name, cache in extras.get("caches", {}).items()}
-    materials = Materials(file, None if is_below else air, water if is_below else None, caches)
-    Builder(file, materials, caches).build()
+    Builder(file, Materials(file, None if is_below else air, water if is_below else None), caches).build()
     return file, extras
 
 
