@@ -81,7 +81,7 @@ def no_lamp(material):
 
 
 def long_steps(material, rate):
-    """Let Cycles take longer steps through a volume; its way through them has no such steps from 5.0 on."""
+    """Let Cycles take longer steps through a volume, in versions where a material tells them."""
     if hasattr(material.cycles, "volume_step_rate"):
         material.cycles.volume_step_rate = rate
 

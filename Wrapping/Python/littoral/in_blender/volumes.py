@@ -57,7 +57,10 @@ def wind_of(volume, density, speeds):
     name = next((grid.name for grid in volume.grids if grid.channels == 3), "Velocity")
     speed = s.vector("LENGTH", s.attribute(name, "Vector"), output=1)
     share = s.ramp(speed, *speeds)
-    haze = s.node("VolumeScatter", {"Color": s.blend(share, SLOW, FAST), "Density": s.math("MULTIPLY", share, density),
-                                    "Anisotropy": FORWARD})
-    s.end(volume=haze)
+    dense = s.math("MULTIPLY", share, density)
+    of_fast = s.math("MULTIPLY", share, dense)
+    # Two hazes, as Debian's Blender 5.2 crashes where the color of one is not the same everywhere.
+    slow, fast = (s.node("VolumeScatter", {"Color": color, "Density": thick, "Anisotropy": FORWARD}) for color, thick in (
+        (SLOW, s.math("SUBTRACT", dense, of_fast)), (FAST, of_fast)))
+    s.end(volume=s.node("AddShader", {0: slow, 1: fast}))
     return material
