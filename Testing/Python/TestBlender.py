@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes in Blender: counts, places and materials of what VTK has; films that go on after an interruption, full disks, fog,
-motion blur, EEVEE. Skipped without Blender."""
+"""Scenes in Blender: counts, places and materials of what VTK has; films that go on after an interruption, full disks, motion
+blur, EEVEE. Skipped without Blender. Materials and volumes are in TestBlenderLight."""
 
 import json
 import os
@@ -15,7 +15,7 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import littoral
@@ -280,59 +280,6 @@ def check_motion_blur():
     assert abs(int((row > 0.15 * row.max()).sum()) - wide[0.0]) <= 1, wide
 
 
-#: What a saved scene holds of volumes.
-VOLUMES = """
-import bpy, json
-with open("volumes.json", "w") as out:
-    json.dump([(v.name, v.type, v.hide_render, v.data.grids.load() and v.data.grids[0].name)
-               for v in bpy.context.scene.objects if v.type == "VOLUME"], out)
-"""
-
-
-def check_wind(clear):
-    """A volume of wind is in the scene, and not drawn; one that is not there is left out."""
-    volumes = [{"file": "fog.vdb", "kind": "wind"}, {"file": "none.vdb", "kind": "fog"}]
-    write_glb("wind.glb", {"Square": square()}, extras={"volumes": volumes}, **ABOVE)
-    blender.render("wind.glb", "wind.png", "wind.blend", size=[24, 16], samples=32)
-    np.testing.assert_array_equal(pixels("wind.png").mean(axis=2), clear)
-    with open("volumes.py", "w", encoding="utf-8") as script:
-        script.write(VOLUMES)
-    returned, said = blender.run([
-        "blender", "-b", os.path.abspath("wind.blend"), "--python-exit-code", "1", "-P", os.path.abspath("volumes.py")])
-    assert returned == 0, said[-2000:]
-    with open("volumes.json", encoding="utf-8") as text:
-        assert json.load(text) == [["Wind", "VOLUME", True, "density"]]
-
-
-def check_fog():
-    """A volume beside the scene, with its grid named density, veils what is behind it."""
-    if not hasattr(littoral, "vtkVDBVolumeWriter"):
-        return
-    image = vtkImageData()
-    image.SetDimensions(9, 9, 9)
-    image.SetOrigin(-2.0, -2.0, 1.0)
-    image.SetSpacing(0.5, 0.5, 0.25)
-    values = numpy_to_vtk(np.full(729, 0.8, np.float32), deep=True)
-    values.SetName("Fog")
-    image.GetPointData().SetScalars(values)
-    writer = littoral.vtkVDBVolumeWriter()
-    writer.SetInputData(image)
-    writer.SetGridName("density")
-    writer.SetFileName("fog.vdb")
-    assert writer.Write()
-    found = {}
-    for name, extras in (("clear", None), ("fog", {"volumes": [{"file": "fog.vdb", "kind": "fog"}]})):
-        write_glb("fog.glb", {"Square": square()}, extras=extras, **ABOVE)
-        ran = subprocess.run([*command("fog.glb", name)[:-2], "--samples", "32"], capture_output=True, text=True, check=False)
-        assert ran.returncode == 0, ran.stderr
-        found[name] = pixels(f"{name}/fog.png").mean(axis=2)
-    middle, aside = (8, 12), (8, 7)  # the square, and fog before nothing
-    assert found["clear"][aside] < 5 and found["fog"][aside] > 20, (found["clear"][aside], found["fog"][aside])
-    contrast = {name: 1.0 - picture[aside] / picture[middle] for name, picture in found.items()}
-    assert contrast["clear"] > 0.9 and contrast["fog"] < 0.8, contrast
-    check_wind(found["clear"])
-
-
 def check_noise(file):
     """A pixel whose noise is low gets no more samples: the picture is another one than with all of them, by little."""
     found = {}
@@ -389,7 +336,6 @@ if __name__ == "__main__":
         check_orphan("scene.glb")
         check_full_disk("scene.glb")
         check_motion_blur()
-        check_fog()
         check_noise("scene.glb")
         check_eevee()
         check_mistakes()

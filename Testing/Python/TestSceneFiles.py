@@ -314,6 +314,11 @@ class Meshes(Written):
         self.assertAlmostEqual(area, 2.5 * np.sin(0.4 * np.pi), places=5)
         self.assertNotIn("_VELOCITY", self.write({"Far": far}).primitive(0)["attributes"])
 
+    def test_a_list_of_sources(self):
+        g = self.write([sites(), tree()])
+        below = [g.nodes[k]["name"] for k in g.nodes[g.scenes[0]["nodes"][0]]["children"]]
+        self.assertEqual(below, ["Source 0", "Source 1"])
+
     def test_same_bytes(self):
         wood = forest([tree()])
         for _ in range(2):
@@ -333,6 +338,7 @@ class Views(Written):
         extras = {"water": {"level": 0.5, "extinction": [0.4, 0.1, 0.05]}, "volumes": [{"file": "fog.vdb", "kind": "fog"}]}
         g = self.write({"A": sites()}, camera=camera, sun=(140.0, 35.0, 80000.0), extras=extras)
         self.assertEqual(g.scenes[0]["extras"], extras)
+        self.assertNotIn("extras", self.write({"A": sites()}, extras={"volumes": []}).scenes[0])
         node, = g.named("Camera")
         world = g.matrices()[node]
         view = camera.GetViewTransformMatrix()
@@ -404,6 +410,16 @@ class Instances(Written):
                 for part in g.nodes[level]["children"]:
                     index = g.nodes[part]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"]
                     np.testing.assert_array_equal(g.array(index), places(self.points)[species == k])
+
+    def test_grass(self):
+        """A kind that is told is that of all parts of a source's instances."""
+        g = self.write({"Trees": self.forest, "Grass": forest([tree(Preset=4)])}, LevelForm=2, kinds={"Grass": "grass"})
+        found = {}
+        for name in ("Trees", "Grass"):
+            parts = [part for level in g.nodes[g.named(name)[0]]["children"] for part in g.nodes[level]["children"]]
+            found[name] = {g.materials[g.primitive(part)["material"]]["extras"]["kind"] for part in parts}
+            self.assertTrue(all("EXT_mesh_gpu_instancing" in g.nodes[part]["extensions"] for part in parts))
+        self.assertEqual(found, {"Trees": {"bark", "leaf", "blade"}, "Grass": {"grass"}})
 
     def test_nodes(self):
         tints = array(self.points, "Tint") ** 2.2

@@ -18,7 +18,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from in_blender import gltf, light, versions  # noqa: E402
+from in_blender import gltf, light, versions, volumes  # noqa: E402
 from in_blender.materials import Materials  # noqa: E402
 from in_blender.objects import Builder  # noqa: E402
 from in_blender.water import Water  # noqa: E402
@@ -47,7 +47,7 @@ def build(path):
         water.enclose(low, high)
     folder = os.path.dirname(os.path.abspath(path))
     for volume in extras.get("volumes", []):
-        add_volume(os.path.join(folder, volume["file"]), volume.get("kind"))
+        volumes.add(volume, folder)
     caches = {name: os.path.join(folder, cache) for name, cache in extras.get("caches", {}).items()}
     Builder(file, Materials(file, None if is_below else air, water if is_below else None), caches).build()
     return file, extras
@@ -73,33 +73,6 @@ def water_box(file):
             if not file.instances(node):
                 low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
     return surfaces, low, high
-
-
-def add_volume(path, kind):
-    """An OpenVDB volume: fog is drawn; wind is there for the modifiers and simulations of Blender, and not drawn."""
-    if kind not in ("fog", "wind") or not os.path.exists(path):
-        print(f"littoral: the volume {path} of kind {kind} is left out", flush=True)
-        return
-    volume = bpy.data.volumes.new(kind.capitalize())
-    volume.filepath = path
-    thing = bpy.data.objects.new(volume.name, volume)
-    thing.hide_render = kind == "wind"
-    bpy.context.scene.collection.objects.link(thing)
-    if kind == "fog":
-        volume.materials.append(fog_of(volume))
-
-
-def fog_of(volume):
-    """The material of fog, by the first grid of its volume."""
-    material = bpy.data.materials.new("fog")
-    material.use_nodes = True
-    nodes = material.node_tree.nodes
-    nodes.clear()
-    scatter, end = nodes.new("ShaderNodeVolumePrincipled"), nodes.new("ShaderNodeOutputMaterial")
-    volume.grids.load()
-    scatter.inputs["Density Attribute"].default_value = volume.grids[0].name if len(volume.grids) else "density"
-    material.node_tree.links.new(scatter.outputs[0], end.inputs["Volume"])
-    return material
 
 
 def set_quality(job, extras):

@@ -49,8 +49,8 @@ class Water:
         deepest = self.level - lowest
         self.depths = [0.18 * deepest, 0.5 * deepest, 0.93 * deepest]
         pixels = np.ones((CELLS, CELLS, 4), np.float32)
-        for channel, depth in enumerate(self.depths):
-            pixels[..., channel] = light_below(surfaces, self.towards, self.level - depth, self.low, self.side)
+        heights = [self.level - depth for depth in self.depths]
+        pixels[..., :3] = np.moveaxis(light_below(surfaces, self.towards, heights, self.low, self.side), 0, -1)
         image = bpy.data.images.new("Caustics", CELLS, CELLS, alpha=True, float_buffer=True)
         image.colorspace_settings.name = "Non-Color"
         image.pixels.foreach_set(pixels.ravel())
@@ -177,14 +177,16 @@ def refracted(normals, towards):
     return (towards - cosine * normals) / INDEX + inside * normals
 
 
-def light_below(surfaces, flat, height, low, side, splits=2):
-    """Light on a horizontal square at a height, by that under a flat surface: rays through the surface, counted.
+def light_below(surfaces, flat, heights, low, side, splits=2):
+    """Light on horizontal squares at heights, by that under a flat surface: rays through the surface, counted. A picture
+    [row, column] for each height.
 
-    flat: direction to the sun under a flat surface; the mean of the picture where the surface covers it is 1.
+    flat: direction to the sun under a flat surface; the mean of a picture where the surface covers it is 1.
     """
     towards = flat * (1.0, 1.0, 0.0) * INDEX
     towards[2] = np.sqrt(max(0.0, 1.0 - (towards**2).sum()))
-    total = np.zeros((CELLS, CELLS))
+    width, scale = CELLS + 2, CELLS / side  # with a border for the rays that pass by
+    totals = np.zeros((len(heights), width * width))
     shares = [((i + 1 / 3) / splits, (j + 1 / 3) / splits) for i in range(splits) for j in range(splits - i)]
     shares += [((i + 2 / 3) / splits, (j + 2 / 3) / splits) for i in range(splits - 1) for j in range(splits - 1 - i)]
     for points, normals, triangles in surfaces:
@@ -196,14 +198,15 @@ def light_below(surfaces, flat, height, low, side, splits=2):
             normal = m + u * (n - m) + v * (o - m)
             normal /= np.linalg.norm(normal, axis=1, keepdims=True)
             ray = refracted(normal, np.broadcast_to(towards, normal.shape))
-            at = place[:, :2] - ray[:, :2] * ((place[:, 2:] - height) / ray[:, 2:])
-            cell = np.floor((at - low) * (CELLS / side)).astype(int)
-            inside = ((cell >= 0) & (cell < CELLS)).all(axis=1)
-            total += np.bincount(
-                cell[inside, 1] * CELLS + cell[inside, 0], area[inside], CELLS * CELLS).reshape(CELLS, CELLS)
-    light = total * (CELLS / side)**2
-    for axis in (0, 1) * 2:  # the sun is no point
+            x, y = (scale * (place[:, k] - low[k]) + 1.0 for k in (0, 1))
+            along, across = (scale * ray[:, k] / ray[:, 2] for k in (0, 1))
+            for total, height in zip(totals, heights):
+                way = place[:, 2] - height
+                column, row = (np.clip(at, 0.0, width - 0.5).astype(int) for at in (x - along * way, y - across * way))
+                total += np.bincount(row * width + column, area, width * width)
+    light = totals.reshape(-1, width, width)[:, 1:-1, 1:-1] * scale**2
+    for axis in (1, 2) * 2:  # the sun is no point
         light = 0.25 * (np.roll(light, 1, axis) + 2.0 * light + np.roll(light, -1, axis))
-    light[[0, -1]] = 1.0  # beyond the picture
-    light[:, [0, -1]] = 1.0
+    light[:, [0, -1]] = 1.0  # beyond the picture
+    light[..., [0, -1]] = 1.0
     return np.where(light < 0.02, 1.0, np.minimum(light, 8.0))  # where no surface is, it is flat
