@@ -54,12 +54,12 @@ vtkSmartPointer<vtkStringArray> WordsOf(const char* name, const std::vector<std:
 }
 
 /// Adds plants as field data.
-void AddPlants(const std::vector<littoral::StandPlant>& plants, vtkPolyData* sites)
+void AddPlants(const std::vector<littoral::TreeClass>& plants, vtkPolyData* sites)
 {
   std::vector<std::string> kinds;
   vtkNew<vtkDoubleArray> sizes[3];
   const char* const names[] = { "PlantDBH", "PlantHeight", "PlantCrownDiameter" };
-  for (const littoral::StandPlant& plant : plants)
+  for (const littoral::TreeClass& plant : plants)
   {
     kinds.push_back(plant.Kind);
     sizes[0]->InsertNextValue(plant.Diameter);

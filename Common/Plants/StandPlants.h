@@ -11,8 +11,8 @@
 namespace littoral
 {
 
-/// A plant that stands for those trees of a stand that are of one kind and about as thick: of their median sizes.
-struct StandPlant
+/// Trees of a stand that are of one kind and about as thick, by their median sizes: one plant stands for them.
+struct TreeClass
 {
   std::string Kind;
   double Diameter = 0.0;      ///< at breast height [m]
@@ -24,7 +24,7 @@ struct StandPlant
 /// has.
 struct StandPlants
 {
-  std::vector<StandPlant> Plants;
+  std::vector<TreeClass> Plants;
   std::vector<int> OfTree;
 };
 

@@ -77,6 +77,13 @@ case "${1:-}" in
     # Numerics know no VTK, and nothing private of the VTK classes.
     find Common -maxdepth 1 -name '*.[hc]*' | fail_if_found "Files of Common that are in no room:"
     ;;
+  names)
+    # Two types of one name in a namespace break each other's templates, and no compiler need say so.
+    grep -HE '^(struct|class|enum class) ' Common/*/*.h Support/*/*.h | grep -v ';$' |
+      sed -E 's/^([^:]*):(struct|class|enum class) (alignas\([0-9]+\) )?([A-Za-z0-9_:]+).*/\4 \1/' | sort |
+      awk '$1 == last { print place; print $0 } { last = $1; place = $0 }' |
+      fail_if_found "Types of one name in several headers of Common and Support:"
+    ;;
   stray-files)
     git ls-files 2>/dev/null | grep -E '\.(orig|rej|bak|swp|log|tmp|pvsm|vdb)$|~$|(^|/)\.DS_Store$|(^|/)core$' |
       fail_if_found "Files that do not belong into the tree:"
@@ -126,7 +133,7 @@ case "${1:-}" in
       fail_if_found "Inputs that are not fetched by InputOf, PointSetsOf or BlocksOf:"
     ;;
   *)
-    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|stray-files|headers-without-using|text-files|versions|recipes|readers"
+    echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|names|stray-files|headers-without-using|text-files|versions|recipes|readers"
     exit 2
     ;;
 esac
