@@ -229,8 +229,8 @@ bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target", reason);
   auto* statistics = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Statistics", reason);
   check.Require(reason);
-  check.Require(target && statistics ? "Target and Statistics both tell what it shall be like; disconnect one of them."
-                                     : "");
+  check.Require(
+    target && statistics ? "Target and Statistics both tell what it shall be like; disconnect one of them." : "");
   littoral::GridSamples place;
   if (check.IsGood() && target)
   {

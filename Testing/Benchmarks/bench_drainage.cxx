@@ -167,10 +167,5 @@ BENCHMARK(Breach)
   ->ArgNames({ "size", "least cost" })
   ->ArgsProduct({ { 1 << 18, 1 << 20, 1 << 22 }, { 0, 1 } })
   ->Unit(benchmark::kMillisecond);
-BENCHMARK(Route)
-  ->ArgName("size")
-  ->Arg(1 << 18)
-  ->Arg(1 << 20)
-  ->Arg(1 << 22)
-  ->UseRealTime()
-  ->Unit(benchmark::kMillisecond);
+BENCHMARK(Route)->ArgName("size")->Arg(1 << 18)->Arg(1 << 20)->Arg(1 << 22)->UseRealTime()->Unit(
+  benchmark::kMillisecond);

@@ -157,8 +157,10 @@ TEST(SemivarianceBands, AWaveOrAPlaneAloneHasItsOwnSemivariance)
   const GridSamples none = Ground(40, 22, { 2.0, 3.0 }, [](double, double) { return 0.0; });
   GridSamples plane = Ground(40, 22, { 2.0, 3.0 }, [](double x, double y) { return 0.3 * x - 0.1 * y; });
   const double semivariance = SemivarianceAlongAxes(plane, { 5 })[0];
+  const double variance = Moments(plane).Variance;
   const SemivarianceBands bands(none, step, 60, RemovePlane(plane));
   EXPECT_NEAR(bands.PartOf(bands.Count() - 1, 5), semivariance, 1e-12);
+  EXPECT_NEAR(bands.VarianceOf(bands.Count() - 1), variance, 1e-10);
 }
 
 TEST(SemivarianceBands, GainsGiveBackWhatAChangeOfPowerTook)

@@ -220,6 +220,21 @@ TEST(DepressionBreaching, TakesTheCheaperWay)
   EXPECT_LT(least.Volume, 0.1 * along.Volume);
 }
 
+TEST(DepressionBreaching, GoesAroundWhatIsHigh)
+{
+  // A pit five cells from the border, and a trench that is longer, but all the way but little above the pit.
+  GridSamples ground = Ground(30, 11, { 1.0, 1.0 }, [](double, double) { return 10.0; });
+  ground.At(5, 5) = 0.0;
+  for (int i = 6; i < 29; ++i)
+  {
+    ground.At(i, 5) = 1.0 - 0.01 * i;
+  }
+  ground.At(29, 5) = -1.0;
+  BreachDepressions(ground, BorderOutlets(30, 11), BreachPath::LeastCost);
+  EXPECT_EQ(ground.At(3, 5), 10.0);
+  EXPECT_LT(ground.At(10, 5), 0.0);
+}
+
 TEST(DepressionBreaching, LowersAnOutletThatIsNotLower)
 {
   GridSamples ground = Ground(9, 9, { 1.0, 1.0 }, [](double x, double y) { return std::hypot(x - 4.0, y - 4.0); });
