@@ -8,8 +8,8 @@
 #include "Data/Tables.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
+#include "Plants/InventoryPlants.h"
 #include "Plants/StandInventory.h"
-#include "Plants/StandPlants.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -54,12 +54,12 @@ vtkSmartPointer<vtkStringArray> WordsOf(const char* name, const std::vector<std:
 }
 
 /// Adds plants as field data.
-void AddPlants(const std::vector<littoral::TreeClass>& plants, vtkPolyData* sites)
+void AddPlants(const std::vector<littoral::InventoryPlant>& plants, vtkPolyData* sites)
 {
   std::vector<std::string> kinds;
   vtkNew<vtkDoubleArray> sizes[3];
   const char* const names[] = { "PlantDBH", "PlantHeight", "PlantCrownDiameter" };
-  for (const littoral::TreeClass& plant : plants)
+  for (const littoral::InventoryPlant& plant : plants)
   {
     kinds.push_back(plant.Kind);
     sizes[0]->InsertNextValue(plant.Diameter);
@@ -259,7 +259,7 @@ int vtkStandInventoryFilter::RequestData(
   }
   this->UpdateProgress(0.6);
   littoral::CompleteStand(species, options, stand);
-  const littoral::StandPlants plants = littoral::PlantsOf(species, stand, options.SizeClasses);
+  const littoral::InventoryPlants plants = littoral::PlantsOfInventory(species, stand, options.SizeClasses);
   vtkInformation* output = outputVector->GetInformationObject(0);
   vtkPolyData* sites = vtkPolyData::GetData(output);
   Writer writer(

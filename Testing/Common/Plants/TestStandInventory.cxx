@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Plants/InventoryPlants.h"
 #include "Plants/StandInventory.h"
-#include "Plants/StandPlants.h"
 
 #include <gtest/gtest.h>
 
@@ -445,7 +445,7 @@ TEST(StandSpecies, TablesOfUsers)
 
 // Of 30 pines of 10 to 39 cm and 2 oaks: thirds of the pines, and one plant for oaks that are nearly as thick, in the
 // order of the table; each is the middle of its trees.
-TEST(StandPlants, StandForTreesOfAKindThatAreAboutAsThick)
+TEST(InventoryPlants, StandForTreesOfAKindThatAreAboutAsThick)
 {
   std::string text = "x,y,species,dbh,height\n";
   for (int tree = 0; tree < 30; ++tree)
@@ -455,7 +455,7 @@ TEST(StandPlants, StandForTreesOfAKindThatAreAboutAsThick)
       std::to_string(5 + thick / 2) + "\n";
   }
   const StandInventory stand = Read(text + "5,9,oak,30,15\n15,9,Quercus rubra,33,16\n");
-  const StandPlants plants = PlantsOf(Species(), stand, 3);
+  const InventoryPlants plants = PlantsOfInventory(Species(), stand, 3);
   ASSERT_EQ(plants.Plants.size(), 4u);
   EXPECT_EQ(plants.Plants[3].Kind, "Oak");
   const double middles[] = { 0.15, 0.25, 0.35 };
@@ -475,9 +475,9 @@ TEST(StandPlants, StandForTreesOfAKindThatAreAboutAsThick)
     EXPECT_NEAR(plants.Plants[size].CrownDiameter, crown, 0.05 * crown);
   }
   // One class, as many as there are trees, and kinds without a tree.
-  EXPECT_EQ(PlantsOf(Species(), stand, 1).Plants.size(), 2u);
-  EXPECT_EQ(PlantsOf(Species(), stand, 20).Plants.size(), 6u + 1u); // ln(39 / 10) / ln 1.3 is 5.2
-  EXPECT_EQ(PlantsOf(Species(), Read("x,y,species,dbh\n1,2,oak,10\n5,2,oak,90\n"), 20).Plants.size(), 2u);
+  EXPECT_EQ(PlantsOfInventory(Species(), stand, 1).Plants.size(), 2u);
+  EXPECT_EQ(PlantsOfInventory(Species(), stand, 20).Plants.size(), 6u + 1u); // ln(39 / 10) / ln 1.3 is 5.2
+  EXPECT_EQ(PlantsOfInventory(Species(), Read("x,y,species,dbh\n1,2,oak,10\n5,2,oak,90\n"), 20).Plants.size(), 2u);
   InventoryOptions options;
   options.SizeClasses = 0;
   EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "SizeClasses is 0"));

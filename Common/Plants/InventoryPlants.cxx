@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Plants/StandPlants.h"
+#include "Plants/InventoryPlants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +49,9 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> TreesOfKinds(
 
 }
 
-StandPlants PlantsOf(const StandSpeciesTable& species, const StandInventory& stand, int classes)
+InventoryPlants PlantsOfInventory(const StandSpeciesTable& species, const StandInventory& stand, int classes)
 {
-  StandPlants plants;
+  InventoryPlants plants;
   plants.OfTree.resize(stand.Trees.size());
   for (const auto& [kind, trees] : TreesOfKinds(species, stand))
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LittoralStandPlants_h
-#define LittoralStandPlants_h
+#ifndef LittoralInventoryPlants_h
+#define LittoralInventoryPlants_h
 
 #include "Plants/StandInventory.h"
 
@@ -11,8 +11,8 @@
 namespace littoral
 {
 
-/// Trees of a stand that are of one kind and about as thick, by their median sizes: one plant stands for them.
-struct TreeClass
+/// A plant that stands for those trees of a stand that are of one kind and about as thick: of their median sizes.
+struct InventoryPlant
 {
   std::string Kind;
   double Diameter = 0.0;      ///< at breast height [m]
@@ -22,9 +22,9 @@ struct TreeClass
 
 /// The plants of a stand, in the order of the kinds in the table of species, thin ones first, and which one each tree
 /// has.
-struct StandPlants
+struct InventoryPlants
 {
-  std::vector<TreeClass> Plants;
+  std::vector<InventoryPlant> Plants;
   std::vector<int> OfTree;
 };
 
@@ -33,7 +33,7 @@ struct StandPlants
  * many, at most so many classes, and no more than it takes for the thickest tree to be 1.3^classes times as thick as
  * the thinnest.
  */
-StandPlants PlantsOf(const StandSpeciesTable& species, const StandInventory& stand, int classes);
+InventoryPlants PlantsOfInventory(const StandSpeciesTable& species, const StandInventory& stand, int classes);
 
 }
 
