@@ -85,8 +85,12 @@ Value ObjectOf(const std::string& json, std::string& reason)
   const std::string text = R"({"asset":{"version":"2.0"},"extras":)" + json + "}";
   const bool isRead = reader.LoadASCIIFromString(
     &model, &error, &warning, text.c_str(), static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
-  reason =
-    isRead && model.extras.IsObject() ? "" : "Extras must be an object as JSON, such as {\"water\": {\"level\": 0}}.";
+  // The library leaves out what is empty: of {"volumes": []} nothing stays.
+  const std::size_t first = json.find_first_not_of(" \t\r\n");
+  const bool isEmpty = model.extras.Type() == tinygltf::NULL_TYPE && first != std::string::npos && json[first] == '{';
+  reason = isRead && (model.extras.IsObject() || isEmpty)
+    ? ""
+    : "Extras must be an object as JSON, such as {\"water\": {\"level\": 0}}.";
   return model.extras;
 }
 

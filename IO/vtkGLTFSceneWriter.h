@@ -234,7 +234,7 @@ public:
   ///@{
   /**
    * Extras of the scene, an object as JSON: what renderers need to know of water, fog, volumes and sky; default ``,
-   * none.
+   * none. Empty objects and lists in it are left out.
    */
   vtkSetMacro(Extras, std::string);
   vtkGetMacro(Extras, std::string);

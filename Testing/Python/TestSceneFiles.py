@@ -338,6 +338,7 @@ class Views(Written):
         extras = {"water": {"level": 0.5, "extinction": [0.4, 0.1, 0.05]}, "volumes": [{"file": "fog.vdb", "kind": "fog"}]}
         g = self.write({"A": sites()}, camera=camera, sun=(140.0, 35.0, 80000.0), extras=extras)
         self.assertEqual(g.scenes[0]["extras"], extras)
+        self.assertNotIn("extras", self.write({"A": sites()}, extras={"volumes": []}).scenes[0])
         node, = g.named("Camera")
         world = g.matrices()[node]
         view = camera.GetViewTransformMatrix()

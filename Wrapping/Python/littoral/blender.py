@@ -124,7 +124,7 @@ def main(words):
     parser.add_argument("--engine", choices=("cycles", "eevee"), default="cycles")
     parser.add_argument("--samples", type=int, default=48, help="of a pixel at most (default: %(default)s)")
     parser.add_argument("--noise", type=float, default=0.05, metavar="SHARE",
-                        help="with which a pixel is done after a third of its samples, 0: never (default: %(default)s)")
+                        help="with which a pixel is done after more than a third of its samples, 0: never (default: %(default)s)")
     parser.add_argument("--size", type=int, nargs=2, metavar=("W", "H"), default=(960, 540), help="in pixels")
     parser.add_argument("--frames", type=int, nargs=2, metavar=("A", "B"), help="first and last frame of a film")
     parser.add_argument("--blur", type=float, default=0.0, metavar="SHARE",

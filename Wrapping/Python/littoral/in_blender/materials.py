@@ -73,8 +73,6 @@ class Materials:
     def _base(self, s, index, about, kind):
         """The base color (vertices, picture, tint), and the picture's alpha or None."""
         color = s.attribute("Color")
-        # Without an attribute a node gives black, and its alpha is 0: white then.
-        color = s.blend(s.attribute("Color", "Alpha"), (1.0, 1.0, 1.0), color)
         surface = about.get("pbrMetallicRoughness", {})
         if "baseColorFactor" in surface:
             color = s.multiply(color, surface["baseColorFactor"][:3])

@@ -102,7 +102,7 @@ class Builder:
         if any("TEXCOORD_0" in part["attributes"] for part in parts):
             at = np.concatenate([self._attribute(part, "TEXCOORD_0", p, (0.0, 0.0)) for part, p in zip(parts, points)])
             layer = mesh.uv_layers.new(name="UVMap")
-            layer.data.foreach_set("uv", (at * (1, -1) + (0, 1)).astype(np.float32)[triangles.ravel()].ravel())
+            layer.data.foreach_set("uv", (at * np.float32((1, -1)) + np.float32((0, 1)))[triangles.ravel()].ravel())
         if any("_VELOCITY" in part["attributes"] for part in parts):
             speeds = [self._attribute(part, "_VELOCITY", p, (0.0, 0.0, 0.0)) for part, p in zip(parts, points)]
             _set_attribute(mesh, "velocity", np.concatenate(speeds))
@@ -110,12 +110,11 @@ class Builder:
         return mesh
 
     def _set_colors(self, mesh, parts, points):
-        """The linear colors of the vertices, white where there are none."""
-        if any("COLOR_0" in part["attributes"] for part in parts):
-            colors = np.ones((len(mesh.vertices), 4), np.float32)
-            found = [self._attribute(part, "COLOR_0", p, (1.0, 1.0, 1.0)) for part, p in zip(parts, points)]
-            colors[:, :3] = np.concatenate([c[:, :3] for c in found])
-            mesh.color_attributes.new("Color", "FLOAT_COLOR", "POINT").data.foreach_set("color", colors.ravel())
+        """The linear colors of the vertices; white where there are none, as a shader would find black then."""
+        colors = np.ones((len(mesh.vertices), 4), np.float32)
+        found = [self._attribute(part, "COLOR_0", p, (1.0, 1.0, 1.0)) for part, p in zip(parts, points)]
+        colors[:, :3] = np.concatenate([c[:, :3] for c in found])
+        mesh.color_attributes.new("Color", "FLOAT_COLOR", "POINT").data.foreach_set("color", colors.ravel())
 
     def _attribute(self, part, name, points, absent):
         index = part["attributes"].get(name)

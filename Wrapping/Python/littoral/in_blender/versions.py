@@ -80,6 +80,12 @@ def no_lamp(material):
         material.cycles.sample_as_light = False
 
 
+def long_steps(material, rate):
+    """Let Cycles take longer steps through a volume, in versions where a material tells them."""
+    if hasattr(material.cycles, "volume_step_rate"):
+        material.cycles.volume_step_rate = rate
+
+
 def no_hits(lamp):
     """Let light of a lamp be asked for by every surface, and not be found by chance as well: it has no mirror images. The
     property was Cycles' own before 5.0."""

@@ -6,12 +6,15 @@ import os
 
 import bpy
 
+from . import versions
 from .shading import Shading
 
 #: Between which speeds of the wind [m/s] the air goes from clear to as dense as it gets.
 SPEEDS = 5.0, 15.0
 #: Colors of slow and fast wind, and how much of the light goes on ahead.
 SLOW, FAST, FORWARD = (0.20, 0.45, 1.0), (1.0, 0.42, 0.12), 0.3
+#: Steps of Cycles through wind, in sides of its cells: gusts are larger than those.
+STEP = 3.0
 
 
 def add(about, folder):
@@ -50,10 +53,14 @@ def wind_of(volume, density, speeds):
     """The material of wind: a haze that scatters light where the air is fast, from none at the first of two speeds [m/s]
     to a density [1/m] at the second, and whose color follows the speed."""
     material, s = _material("wind")
+    versions.long_steps(material, STEP)
     name = next((grid.name for grid in volume.grids if grid.channels == 3), "Velocity")
     speed = s.vector("LENGTH", s.attribute(name, "Vector"), output=1)
     share = s.ramp(speed, *speeds)
-    haze = s.node("VolumeScatter", {"Color": s.blend(share, SLOW, FAST), "Density": s.math("MULTIPLY", share, density),
-                                    "Anisotropy": FORWARD})
-    s.end(volume=haze)
+    dense = s.math("MULTIPLY", share, density)
+    of_fast = s.math("MULTIPLY", share, dense)
+    # Two hazes, as Debian's Blender 5.2 crashes where the color of one is not the same everywhere.
+    slow, fast = (s.node("VolumeScatter", {"Color": color, "Density": thick, "Anisotropy": FORWARD}) for color, thick in (
+        (SLOW, s.math("SUBTRACT", dense, of_fast)), (FAST, of_fast)))
+    s.end(volume=s.node("AddShader", {0: slow, 1: fast}))
     return material

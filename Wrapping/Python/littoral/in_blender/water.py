@@ -185,7 +185,8 @@ def light_below(surfaces, flat, heights, low, side, splits=2):
     """
     towards = flat * (1.0, 1.0, 0.0) * INDEX
     towards[2] = np.sqrt(max(0.0, 1.0 - (towards**2).sum()))
-    totals = np.zeros((len(heights), CELLS * CELLS))
+    width, scale = CELLS + 2, CELLS / side  # with a border for the rays that pass by
+    totals = np.zeros((len(heights), width * width))
     shares = [((i + 1 / 3) / splits, (j + 1 / 3) / splits) for i in range(splits) for j in range(splits - i)]
     shares += [((i + 2 / 3) / splits, (j + 2 / 3) / splits) for i in range(splits - 1) for j in range(splits - 1 - i)]
     for points, normals, triangles in surfaces:
@@ -197,12 +198,13 @@ def light_below(surfaces, flat, heights, low, side, splits=2):
             normal = m + u * (n - m) + v * (o - m)
             normal /= np.linalg.norm(normal, axis=1, keepdims=True)
             ray = refracted(normal, np.broadcast_to(towards, normal.shape))
-            ray = ray[:, :2] / ray[:, 2:]
+            x, y = (scale * (place[:, k] - low[k]) + 1.0 for k in (0, 1))
+            along, across = (scale * ray[:, k] / ray[:, 2] for k in (0, 1))
             for total, height in zip(totals, heights):
-                cell = np.floor((place[:, :2] - ray * (place[:, 2:] - height) - low) * (CELLS / side)).astype(int)
-                inside = ((cell >= 0) & (cell < CELLS)).all(axis=1)
-                total += np.bincount(cell[inside] @ (1, CELLS), area[inside], CELLS * CELLS)
-    light = totals.reshape(-1, CELLS, CELLS) * (CELLS / side)**2
+                way = place[:, 2] - height
+                column, row = (np.clip(at, 0.0, width - 0.5).astype(int) for at in (x - along * way, y - across * way))
+                total += np.bincount(row * width + column, area, width * width)
+    light = totals.reshape(-1, width, width)[:, 1:-1, 1:-1] * scale**2
     for axis in (1, 2) * 2:  # the sun is no point
         light = 0.25 * (np.roll(light, 1, axis) + 2.0 * light + np.roll(light, -1, axis))
     light[:, [0, -1]] = 1.0  # beyond the picture
