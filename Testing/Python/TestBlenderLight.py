@@ -121,10 +121,10 @@ class Water(unittest.TestCase):
 @unittest.skipUnless(hasattr(littoral, "vtkVDBVolumeWriter"), "built without OpenVDB")
 class Volumes(unittest.TestCase):
     ASIDE = 8, 7  # row and column of a pixel with nothing behind it
-    SMALL = dict(size=(24, 16), samples=32)
 
-    def draw(self, volumes=(), blend=None):
-        return drawn({"Square": square()}, **self.SMALL, blend=blend, extras={"volumes": list(volumes)}, **ABOVE)
+    @staticmethod
+    def draw(volumes=(), blend=None, samples=32):
+        return drawn({"Square": square()}, (24, 16), samples, blend, extras={"volumes": list(volumes)}, **ABOVE)
 
     def test_fog(self):
         """A volume with its grid named density veils what is behind it."""
@@ -143,7 +143,7 @@ class Volumes(unittest.TestCase):
         hidden = self.draw([{"file": "wind.vdb", "kind": "wind"}, {"file": "none.vdb", "kind": "fog"}], "hidden.blend")
         np.testing.assert_array_equal(hidden, clear)
         self.assertEqual(self.volumes_of("hidden.blend"), [["Wind", True, "Velocity"]])
-        seen = self.draw([{"file": "wind.vdb", **GUSTS}], "seen.blend")
+        seen = self.draw([{"file": "wind.vdb", **GUSTS}], "seen.blend", 600)
         self.assertEqual(self.volumes_of("seen.blend"), [["Wind", False, "Velocity"]])
         slow, middle, fast = (seen[1:5, columns].mean(axis=(0, 1)) for columns in (slice(1, 6), slice(11, 13), slice(18, 23)))
         self.assertLess(np.abs(seen[1:5, 1:6] - clear[1:5, 1:6]).max(), 3.0)
