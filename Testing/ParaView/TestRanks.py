@@ -12,6 +12,7 @@ import os
 
 import numpy as np
 import quick
+from mistakes import inventory
 from paraview import servermanager, simple
 from paraview.servermanager import vtkProcessModule
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -95,6 +96,26 @@ sites = vtk_to_numpy(cloud.GetPointData().GetArray("SiteId"))
 xyz = vtk_to_numpy(cloud.GetPoints().GetData())[np.argsort(sites)]
 assert len(sites) == 1200, f"{len(sites)} points on {ranks} ranks"
 result.append(hashlib.sha256(xyz.tobytes()).hexdigest())
+
+# Point processes, their statistics and verdict, and an inventory as a stand.
+for process in ("Thomas", "Matern II", "Log Gaussian Cox", "Strauss"):
+    cloud = simple.PointProcess(Process=process, Size=[40.0, 30.0], Intensity=0.2, ClusterScale=1.5, Range=4.0,
+                                Variance=0.5, Distance=0.8, Activity=0.4)
+    found = servermanager.Fetch(cloud)
+    order = np.argsort(vtk_to_numpy(found.GetPointData().GetArray("SiteId")))
+    assert 100 < len(order) < 500, f"{len(order)} points of {process} on {ranks} ranks"
+    result.append(hashlib.sha256(vtk_to_numpy(found.GetPoints().GetData())[order].tobytes()).hexdigest())
+statistics = simple.PointPatternStatistics(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
+verdict = simple.PatternVerdict(Input=cloud, Size=[40.0, 30.0], NumberOfSimulations=19)
+for table, columns in ((statistics, ("L", "GlobalHigh")), (verdict, ("PValue", "ClusterScale"))):
+    found = servermanager.Fetch(simple.OutputPort(table, 0))
+    result += [vtk_to_numpy(found.GetColumnByName(name)).tobytes().hex() for name in columns]
+stand = servermanager.Fetch(simple.StandInventory(Inventory=inventory()))
+assert stand.GetNumberOfPoints() == 20, f"{stand.GetNumberOfPoints()} trees on {ranks} ranks"
+order = np.argsort(vtk_to_numpy(stand.GetPointData().GetArray("SiteId")))
+for name in ("DBH", "Height", "Species"):
+    result.append(vtk_to_numpy(stand.GetPointData().GetArray(name))[order].tobytes().hex())
+
 orbits = simple.ParticleOrbits(Input=points, SeaState=simple.SeaState(WaterDepth=12.0))
 orbits.UpdatePipeline(7.3)
 moved = servermanager.Fetch(orbits)
