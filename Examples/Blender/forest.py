@@ -5,7 +5,7 @@
     ./littoral render Examples/Blender/forest.py [FOLDER]   the picture
     python3 forest.py FILE.glb [FRAME]                      the scene alone
 
-Place, species and camera are those of Examples/ParaView/forest.py; all trees are in full, as instances.
+The country is that of Examples/ParaView/forest.py, with a walk of its own; all trees are in full, as instances.
 """
 
 import sys
