@@ -37,6 +37,15 @@ bool ShowsEmptyView(vtkCamera* camera, double aspectRatio)
     std::abs(eye[2] * std::sin(halfAngle) - Radius) < 1e-6;
 }
 
+/// Its position and focal point.
+std::array<double, 6> LineOfSight(vtkCamera* camera)
+{
+  std::array<double, 6> line{};
+  camera->GetPosition(line.data());
+  camera->GetFocalPoint(line.data() + 3);
+  return line;
+}
+
 /// Whether a camera looks along x, y or z, as ParaView looks at flat data.
 bool LooksAlongAxis(vtkCamera* camera)
 {
@@ -160,6 +169,7 @@ void FirstCamera::ShowAll(vtkSMRenderViewProxy* view, double closer)
   this->Place = {};
   this->Place.Closer = closer;
   this->View = view;
+  this->Former = LineOfSight(view->GetActiveCamera());
   this->StartObserver = view->AddObserver(vtkCommand::StartEvent, this, &FirstCamera::OnStartWithData, BeforeOthers);
 }
 
@@ -168,8 +178,11 @@ void FirstCamera::OnStartWithData(vtkObject*, unsigned long, void*)
 {
   vtkSMRenderViewProxy* view = this->View;
   this->Stop();
-  view->ResetCamera();
-  view->GetActiveCamera()->Dolly(std::max(0.1, this->Place.Closer));
+  if (LineOfSight(view->GetActiveCamera()) == this->Former)
+  {
+    view->ResetCamera();
+    view->GetActiveCamera()->Dolly(this->Place.Closer);
+  }
 }
 
 //----------------------------------------------------------------------------

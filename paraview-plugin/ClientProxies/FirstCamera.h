@@ -5,6 +5,7 @@
 
 #include "vtkWeakPointer.h" // for what is watched
 
+#include <array>
 #include <functional>
 
 class vtkCamera;
@@ -58,7 +59,11 @@ public:
 
   void WaitFor(vtkSMRenderViewProxy* view, const CameraPlace& place);
 
-  /// Shows all of what is drawn in the next picture, so many times closer than ParaView does, as the camera looks.
+  /// Whether the first reset of a camera is still to come.
+  bool IsWaiting() const { return this->View != nullptr; }
+
+  /// Shows all of what is drawn in the next picture, so many times closer than ParaView does, as the camera looks,
+  /// unless someone moves it before.
   void ShowAll(vtkSMRenderViewProxy* view, double closer);
 
 private:
@@ -76,6 +81,7 @@ private:
   unsigned long StartObserver = 0;
   int PicturesToWait = 0;
   bool WasReset = false;
+  std::array<double, 6> Former{}; ///< where the camera was before the picture that shows all, and looked
 };
 
 }

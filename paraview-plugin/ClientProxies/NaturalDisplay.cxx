@@ -482,7 +482,7 @@ void NaturalDisplay::OnData(vtkObject*, unsigned long, void*)
 void NaturalDisplay::LookAtFirstData(vtkSMProxy* representation)
 {
   auto* view = vtkSMRenderViewProxy::SafeDownCast(vtkSMViewProxy::FindView(representation));
-  if (!view || this->Hint("eye"))
+  if (!view || this->Hint("eye") || this->Camera.IsWaiting())
   {
     return;
   }
