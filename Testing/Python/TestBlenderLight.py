@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What light does in pictures by Blender, by their pixels: on ground, through leaves, under water, in fog and in wind. Skipped
-without Blender."""
+"""What light does in pictures by Blender, by their pixels: on ground, through leaves, in the sky, under water, in fog and
+in wind. Skipped without Blender."""
 
 import json
 import os
@@ -88,6 +88,21 @@ class Materials(unittest.TestCase):
                  for kind in ("leaf", "bark")}
         self.assertGreater(found["leaf"].sum(), 3.0 * found["bark"].sum(), found)
         self.assertGreater(found["leaf"][1], 1.2 * found["leaf"][2], found)
+
+
+class Sky(unittest.TestCase):
+    def test_the_sun_is_where_the_scene_has_it(self):
+        """The sky is blue above, and brightest about the sun, which stands low in the east or in the north."""
+        found = {}
+        for azimuth in (90.0, 0.0):
+            for side, focus in {"east": (10.0, 0.0, 3.0), "north": (0.0, 10.0, 3.0), "above": (0.0, -1.0, 10.0)}.items():
+                picture = drawn({"Square": square()}, (24, 16), 8, sun=(azimuth, 16.0),
+                                camera=((0.0, 0.0, 50.0), tuple(np.add(focus, (0.0, 0.0, 50.0))), (0.0, 0.0, 1.0), 40.0))
+                found[azimuth, side] = picture.mean(axis=(0, 1))
+        self.assertGreater(found[90.0, "east"].sum(), 1.1 * found[90.0, "north"].sum(), found)
+        self.assertGreater(found[0.0, "north"].sum(), 1.1 * found[0.0, "east"].sum(), found)
+        for azimuth in (90.0, 0.0):
+            self.assertGreater(found[azimuth, "above"][2], 1.3 * found[azimuth, "above"][0], found)
 
 
 class Water(unittest.TestCase):
