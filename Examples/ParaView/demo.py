@@ -54,8 +54,8 @@ EXAGGERATION = 3.0
 #: Space on disk that the output takes without films, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
 STILL_BYTES, FRAME_BYTES = 80e6, 1.3e6
 
-#: CPU time of each picture's step [s], measured with software rendering, for the progress.
-STEP_TIMES = 0.1, 2.2, 0.1, 2.2, 0.7, 5.0, 9.0, 5.8, 0.4, 21.0, 27.0
+#: Time of each picture's step [s], measured with software rendering on two cores, for the progress.
+STEP_TIMES = 0.1, 0.5, 0.1, 0.5, 0.7, 2.5, 15.0, 9.0, 0.8, 20.0, 1.0
 #: CPU time of each film before its first frame, where that makes its scene again, and of a frame [s].
 FILM_TIMES = (0.0, 4.7), (21.0, 5.6)
 
