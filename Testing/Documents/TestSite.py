@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: python3
+# run-with: python3 tier=all
 """The web site is built without a warning, and its pages hold what they promise.
 
 Needs Doxygen, Sphinx, MyST, Breathe and Furo.

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """Scenes in Blender: counts, places and materials of what VTK has; films that go on after an interruption, full disks, motion
 blur, EEVEE. Skipped without Blender. Materials and volumes are in TestBlenderLight."""
 

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """What light does in pictures by Blender, by their pixels: on ground, through leaves, in the sky, under water, in fog and
 in wind. Skipped without Blender."""
 

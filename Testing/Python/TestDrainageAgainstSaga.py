@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """Drainage areas against those of SAGA's deterministic 8, on carved and on regular ground: every cell.
 
 Needs `saga_cmd` of Debian's package saga, in PATH or named by SAGA_CMD; skipped without it. GRASS's r.watershed is no

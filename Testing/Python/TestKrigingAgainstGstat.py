@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """Kriging against gstat: simple, ordinary, linear, quadratic and external drift, a spherical model, a nugget, and each
 datum from the others. Skipped where R or gstat is not installed.
 """

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=redwood
+# run-with: python3 tier=all
 """Mapped patterns, fitted and regrown: g of each lies in the global envelope of 99 simulations of the best process, at
 all distances up to a quarter of the side.
 
 Three patterns are in Examples/Data/patterns; longleaf pines and the trees of Lansing Woods are read from the R package
 spatstat.data, where it is installed.
 """
-# run-with: python3
 
 import csv
 import shutil

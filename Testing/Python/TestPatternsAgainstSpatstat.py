@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """Functions of five measured patterns against spatstat, which brings the patterns: within 1 %.
 
 Skipped where R or spatstat is not installed. Where there are hardly any pairs a function is

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """Rasters that Littoral has written, opened in QGIS: where the elevation model lies, there lie its copy and its twin.
 
 Needs Debian's package python3-qgis; skipped without it. QGIS runs in a process of its own, without a window.

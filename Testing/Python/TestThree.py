@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """Scenes of glTF as three.js has them: counts, places, colors, joints and motion are those of VTK; and the page of the
 examples in Chromium, where there is one. Needs node and the package three: `npm install three` somewhere; LITTORAL_THREE
 names its folder, node_modules/three."""

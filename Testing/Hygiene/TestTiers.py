@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=quick
+"""The check of the tiers: a test beyond its budget, without a tier or without a time is named; others are not."""
+
+import os
+import subprocess
+import sys
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TIERS = os.path.join(HERE, "..", "Tiers")
+
+
+def record(*cases):
+    """A record of tests by name, labels, output and status, as ctest writes it."""
+    rows = "".join(
+        f'<testcase name="{name}" status="{status}"><properties><property name="cmake_labels" value="{labels}"/></properties>'
+        f"<system-out>{output}</system-out></testcase>" for name, labels, output, status in cases)
+    return f'<?xml version="1.0" encoding="UTF-8"?><testsuite>{rows}</testsuite>'
+
+
+def check(*cases):
+    """The end and the text of a check."""
+    with open("record.xml", "w", encoding="utf-8") as file:
+        file.write(record(*cases))
+    run = subprocess.run([sys.executable, "-B", os.path.join(TIERS, "check.py"), "record.xml"], capture_output=True, text=True,
+                         check=False)
+    return run.returncode, run.stdout + run.stderr
+
+
+def time(user, system=0.0):
+    return f"words\nCPU time: {user} user, {system} system"
+
+
+class Tiers(unittest.TestCase):
+    """Each rule, with a test that breaks it beside tests that do not."""
+
+    def test_within(self):
+        end, text = check(("a", "common;quick", time(0.6, 0.3), "run"), ("b", "cxx;standard", time(9.9), "run"),
+                          ("c", "soak;all", time(500.0), "run"), ("d", "python;standard", "", "notrun"))
+        self.assertEqual(end, 0, text)
+        self.assertIn("510.8 s", text)
+
+    def test_beyond(self):
+        for labels, user, system in ("common;quick", 0.6, 0.5), ("cxx;standard", 5.5, 5.0):
+            end, text = check(("good", labels, time(0.1), "run"), ("dear", labels, time(user, system), "run"))
+            self.assertEqual(end, 1)
+            self.assertIn("dear takes", text)
+            self.assertNotIn("good takes", text)
+
+    def test_the_last_time_counts(self):
+        self.assertEqual(check(("a", "common;quick", time(7.0) + "\n" + time(0.5), "run"))[0], 0)
+
+    def test_no_tier_no_time(self):
+        end, text = check(("lost", "common", time(0.1), "run"))
+        self.assertEqual(end, 1)
+        self.assertIn("lost has the tiers []", text)
+        end, text = check(("both", "common;quick;all", time(0.1), "run"))
+        self.assertEqual(end, 1)
+        end, text = check(("silent", "common;quick", "words", "run"))
+        self.assertEqual(end, 1)
+        self.assertIn("silent has no processor time", text)
+
+    def test_the_launcher(self):
+        for command, end in (("exit 3", 3), ("kill -9 $$", 137), ("true", 0)):
+            run = subprocess.run([os.path.join(TIERS, "measured"), "bash", "-c", command], capture_output=True, text=True,
+                                 check=False)
+            self.assertEqual(run.returncode, end)
+            self.assertRegex(run.stderr, r"CPU time: \d+\.\d+ user, \d+\.\d+ system\n$")
+        run = subprocess.run([os.path.join(TIERS, "measured"), sys.executable, "-c",
+                              "import time\nwhile time.process_time() < 0.3: pass"], capture_output=True, text=True, check=True)
+        user, system = (float(word) for word in run.stderr.split()[2::2])
+        self.assertGreater(user + system, 0.3)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The processor time of each test against the budget of its tier, by ctest's record of a run.
+
+    check.py RECORD.xml     RECORD.xml: what `ctest --output-junit` wrote, with whole outputs
+
+Prints the time of each label and the dearest tests; ends with 1 if a test has no tier or no time, or is beyond its budget.
+"""
+
+import collections
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from typing import NamedTuple
+
+BUDGETS = {"quick": 1.0, "standard": 10.0, "all": float("inf")}  # of a test [s of processor time]
+TIME = re.compile(r"CPU time: ([\d.]+) user, ([\d.]+) system")
+SHOWN = 10  # of the dearest tests
+
+
+class Cost(NamedTuple):
+    """What a test took."""
+
+    name: str
+    tiers: list
+    field: str
+    seconds: float  # of processor time; None: not in the record
+
+
+def cost_of(case):
+    """The cost of an element testcase."""
+    labels = [label for item in case.iter("property") if item.get("name") == "cmake_labels"
+              for label in item.get("value").split(";")]
+    times = TIME.findall(case.findtext("system-out") or "")
+    seconds = sum(map(float, times[-1])) if times else None
+    field = next((label for label in labels if label not in BUDGETS), "")
+    return Cost(case.get("name"), [label for label in labels if label in BUDGETS], field, seconds)
+
+
+def costs_of(path):
+    """The costs of the tests that ran, the dearest first."""
+    ran = [cost_of(case) for case in ElementTree.parse(path).iter("testcase") if case.get("status") in ("run", "fail")]
+    return sorted(ran, key=lambda cost: -(cost.seconds or 0.0))
+
+
+def faults_of(costs):
+    """A sentence for each test that breaks a rule."""
+    for cost in costs:
+        if len(cost.tiers) != 1:
+            yield f"{cost.name} has the tiers {cost.tiers}; it must have one of {', '.join(BUDGETS)}."
+        elif cost.seconds is None:
+            yield f"{cost.name} has no processor time in the record; its command must begin with Testing/Tiers/measured."
+        elif cost.seconds > BUDGETS[cost.tiers[0]]:
+            yield (f"{cost.name} takes {cost.seconds:.1f} s of processor time; the tier {cost.tiers[0]} allows "
+                   f"{BUDGETS[cost.tiers[0]]:g} s.")
+
+
+def summary(costs):
+    """Lines of the times by label and of the dearest tests."""
+    fields = collections.defaultdict(list)
+    for cost in costs:
+        fields[cost.field].append(cost.seconds or 0.0)
+    for field, seconds in sorted(fields.items(), key=lambda item: -sum(item[1])):
+        yield f"{field:10} {len(seconds):5} tests {sum(seconds):7.1f} s"
+    yield f"{'all':10} {len(costs):5} tests {sum(cost.seconds or 0.0 for cost in costs):7.1f} s"
+    for cost in costs[:SHOWN]:
+        yield f"{cost.seconds or 0.0:6.1f} s {cost.name}"
+
+
+def main(path):
+    costs = costs_of(path)
+    print("Processor time:", *summary(costs), sep="\n  ")
+    faults = list(faults_of(costs))
+    print(*faults, sep="\n", end="\n" if faults else "")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
