@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Random cases for the classes of Littoral.
 
-    fuzz.py N [CLASS] [--seed S]     N cases a class, from number 0 on; prints each kind of fault once, as a short script
+    fuzz.py N [CLASS...] [--seed S]     N cases a class, from number 0 on; prints each kind of fault once, as a short script
 """
 
 import argparse
@@ -76,29 +76,30 @@ def fuzz(name, count, seed, first=0):
     return sum(times for end, times in ends.items() if end not in ("good", "refused", "stopped")) + (ends["good"] < count // 2)
 
 
-def fuzz_all(count, seed):
-    """Plays cases of all classes, each in a process of its own, as many at once as there are cores."""
-    waiting, running, failed = classes.all_classes(), [], 0
-    while waiting or running:
-        while waiting and len(running) < (os.cpu_count() or 1):
-            running.append(subprocess.Popen([sys.executable, __file__, str(count), waiting.pop(0), f"--seed={seed}"]))
-        failed += running.pop(0).wait() != 0
-    return failed
+def shared(names, count, seed):
+    """Plays cases of classes in as many processes as there are cores."""
+    cores = os.cpu_count() or 1
+    running = [subprocess.Popen([sys.executable, __file__, str(count), *names[core::cores], f"--seed={seed}"])
+               for core in range(cores)]
+    return sum(process.wait() != 0 for process in running)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("count", type=int, help="cases a class")
-    parser.add_argument("name", nargs="?", help="of a class; without it, all")
+    parser.add_argument("names", nargs="*", help="of classes; without them, all")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
+    parser.add_argument("--part", default="1/1", help="of the classes, such as 2/3 for the second third")
     given = parser.parse_args()
     vtkOutputWindow.SetInstance(vtkStringOutputWindow())
-    if given.name is None:
-        return fuzz_all(given.count, given.seed)
-    if given.name not in classes.all_classes():
-        parser.error(f"there is no class {given.name}")
-    return fuzz(given.name, given.count, given.seed, given.first)
+    part, parts = map(int, given.part.split("/"))
+    if not given.names:
+        return shared(classes.all_classes()[part - 1::parts], given.count, given.seed)
+    for name in given.names:
+        if name not in classes.all_classes():
+            parser.error(f"there is no class {name}")
+    return sum(fuzz(name, given.count, given.seed, given.first) for name in given.names)
 
 
 if __name__ == "__main__":

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """All classes give the same bytes with SSE2, with AVX2 and with the widest instructions of the processor.
 
-    TestInstructionSets.py FOLDER
+    TestInstructionSets.py FOLDER [CLASS...]
 
-FOLDER: of the libraries of numerics for lower sets (CMakeLists.txt). Compared are the hashes of Testing/Hashes. Each run
+FOLDER: of the libraries of numerics for lower sets (CMakeLists.txt); CLASS: without one, all classes. Compared are the hashes of Testing/Hashes. Each run
 also tells which versions of functions the loader has chosen, as read from where it has written their addresses.
 """
 
@@ -44,19 +44,19 @@ def chosen_versions():
     return collections.Counter(ending[1] if ending else "any" for ending in endings)
 
 
-def run_here():
+def run_here(names):
     """What each of the runs does."""
     sys.path.insert(0, os.path.join(HERE, "..", "Hashes"))
     import hash_outputs
 
     print(*(chosen_versions()[name] for name in (*SETS, "any")))
-    hash_outputs.main(list(hash_outputs.CASES))
+    hash_outputs.main(names or list(hash_outputs.CASES))
 
 
-def start(library):
+def start(library, names):
     """A run with a library of numerics in place of the usual one; none: the usual one."""
     environment = {**os.environ, **({"LD_PRELOAD": library} if library else {})}
-    return subprocess.Popen([sys.executable, __file__], env=environment, stdout=subprocess.PIPE, text=True)
+    return subprocess.Popen([sys.executable, __file__, "--run", *names], env=environment, stdout=subprocess.PIPE, text=True)
 
 
 def end(run):
@@ -67,15 +67,15 @@ def end(run):
     return dict(zip((*SETS, "any"), map(int, versions.split()))), hashes
 
 
-def main(folder):
+def main(folder, *names):
     has = processor_sets()
     libraries = {"sse2": glob.glob(os.path.join(folder, f"{NAME}-sse2.so"))[0]}
     if "avx512f" in has:
         libraries["avx2"] = glob.glob(os.path.join(folder, f"{NAME}-avx2.so"))[0]
-    runs = {name: start(library) for name, library in (("widest", None), *libraries.items())}
+    runs = {name: start(library, names) for name, library in (("widest", None), *libraries.items())}
     results = {name: end(run) for name, run in runs.items()}
     widest, wanted = results["widest"]
-    assert len(wanted) > 1000
+    assert len(wanted) > (50 if names else 1000)
     assert all(widest[name] > 0 for name in has), widest
     for name, (versions, hashes) in results.items():
         print(f"{name}: {versions}, {len(hashes)} arrays")
@@ -85,7 +85,7 @@ def main(folder):
         assert len(hashes) == len(wanted) and not different, (name, different[:5])
 
 
-if len(sys.argv) > 1:
-    main(sys.argv[1])
+if sys.argv[1] == "--run":
+    run_here(sys.argv[2:])
 else:
-    run_here()
+    main(*sys.argv[1:])

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Programs in trouble end with one clear message, and lose nothing: no room, rights, memory, display, network or module,
-and tables that are garbage. TestFiles.py has the files themselves, killed writers and damaged elevation models."""
+"""Programs in trouble end with one clear message, and lose nothing: no room, rights or module, and tables that are
+garbage. TestShortages.py takes memory, display and network away; TestFiles.py has the files themselves, killed writers and
+damaged elevation models."""
 
 import os
 import random
@@ -50,45 +51,6 @@ def write(name):
 """
 KINDS = [".vti", ".csv", ".png", ".ogv"] + ([".vdb"] if HAS_VDB else []) + ([".glb"] if HAS_GLTF else [])
 
-#: Settings that take more memory than the limits below leave, each in less than a second.
-LARGE = {
-    "vtkTurningBandsTerrainSource": "made.SetWholeExtent(0, 3999, 0, 3999, 0, 0); made.SetNumberOfLines(1)",
-    "vtkWindFieldSource": "made.SetDimensions(256, 64, 64)",
-    "vtkSeaweedSource": "made.SetTextureSize(4096, 4096)",
-    "vtkSuspendedParticleSource": "made.SetDensity(100.0)",
-    "vtkQuadratPointSource": "made.SetQuadrats(1000, 1000)",
-    "vtkParticleFogFilter": "source = littoral.vtkSuspendedParticleSource(); made.SetDimensions(200, 200, 200)\n"
-                            "made.SetInputConnection(source.GetOutputPort())",
-}
-
-#: Updates with so many megabytes left, and at last with no limit: prints messages and sizes.
-LIMITED = """
-import resource
-import littoral
-from vtkmodules.vtkCommonCore import vtkLogger
-vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-made = littoral.{name}()
-{settings}
-said = []
-made.AddObserver("ErrorEvent", lambda *_: said.append(1))
-made.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-made.UpdateInformation()
-before = resource.getrlimit(resource.RLIMIT_AS)
-for megabytes in 4, 20, 60, 120, 0:
-    with open("/proc/self/statm", encoding="ascii") as file:
-        used = int(file.read().split()[0]) * resource.getpagesize()
-    limit = used + (megabytes << 20) if megabytes else before[0]
-    resource.setrlimit(resource.RLIMIT_AS, (limit, before[1]))
-    said.clear()
-    made.Modified()
-    made.Update()
-    outputs = [made.GetOutputDataObject(port) for port in range(made.GetNumberOfOutputPorts())]
-    sizes = [data.GetNumberOfElements(kind) for data in outputs for kind in (0, 1)]
-    print(len(said), sum(sizes), flush=True)
-    for data in outputs:
-        data.Initialize()
-"""
-
 
 def run(script, *arguments, **environment):
     """Runs a program beside this file; a variable that is None is taken away."""
@@ -97,7 +59,7 @@ def run(script, *arguments, **environment):
                           env={name: value for name, value in variables.items() if value is not None})
 
 
-class Programs(unittest.TestCase):
+class Program(unittest.TestCase):
     """Small programs, as users write them."""
 
     def setUp(self):
@@ -121,6 +83,8 @@ class Programs(unittest.TestCase):
         self.assertEqual(len(lines), 1, ran.stderr)
         self.assertIn(lines[0], ran.stderr.splitlines()[-1:] if "ERR|" not in lines[0] else lines)
 
+
+class Programs(Program):
     def test_a_full_disk(self):
         pictures = self.pictures()
         for kind in KINDS:
@@ -153,51 +117,12 @@ class Programs(unittest.TestCase):
                 os.unlink(name)
         self.assertEqual(os.listdir(locked), [])
 
-    def test_short_memory(self):
-        for name, settings in LARGE.items():
-            with self.subTest(name):
-                ran = run(LIMITED.format(name=name, settings=settings), VTK_SMP_BACKEND_IN_USE="Sequential")
-                self.assertEqual((ran.returncode, ran.stderr), (0, ""))
-                ends = [tuple(map(int, line.split())) for line in ran.stdout.splitlines()]
-                self.assertEqual(ends[0], (1, 0))  # one message, nothing put out
-                self.assertEqual(ends[-1][0], 0)  # and no trace of it where there is memory
-                self.assertGreater(ends[-1][1], 100000)
-                for end in ends:
-                    self.assertIn(end, (ends[0], ends[-1]))
-
-    def test_no_display(self):
-        name = self.path("picture.png")
-        script = ("import sys; from littoral.elevation import read_elevation; from littoral.picture import save_block\n"
-                  "save_block(sys.argv[1], read_elevation())")
-        absent = next(k for k in range(77, 10000) if not os.path.exists(f"/tmp/.X11-unix/X{k}"))
-        for display in (None, f":{absent}"):
-            with self.subTest(display):
-                with open(name, "w", encoding="utf-8") as file:
-                    file.write("old")
-                self.ends(run(script, name, DISPLAY=display, WAYLAND_DISPLAY=None), "RuntimeError: There is no display to",
-                          display or "DISPLAY is not set")
-                with open(name, encoding="utf-8") as file:
-                    self.assertEqual(file.read(), "old")
-
     def test_no_window_without_a_display(self):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
         ran = subprocess.run([os.path.join(os.environ["LITTORAL_SOURCE_DIR"], "littoral"), "gui"], capture_output=True,
                              text=True, check=False, env=environment, cwd=self.folder)
         self.assertEqual((ran.returncode, ran.stdout), (1, ""))
         self.assertEqual(ran.stderr, "[littoral] gui: ParaView needs a display, and DISPLAY is not set.\n")
-
-    def test_no_network(self):
-        alone = ["unshare", "--net"]
-        if not shutil.which("unshare") or subprocess.run([*alone, "true"], capture_output=True, check=False).returncode:
-            self.skipTest("only root can take the network away")
-        script = ("import sys; import littoral; from littoral.elevation import read_elevation, write_vti\n"
-                  "fit, twin = littoral.vtkCovarianceFitFilter(), littoral.vtkTurningBandsTerrainSource()\n"
-                  "fit.SetInputData(read_elevation()); twin.SetInputConnection(fit.GetOutputPort())\n"
-                  "twin.SetWholeExtent(0, 30, 0, 30, 0, 0); twin.Update(); write_vti(twin.GetOutput(), sys.argv[1])\n")
-        ran = subprocess.run([*alone, sys.executable, "-c", script, self.path("twin.vti")], capture_output=True, text=True,
-                             check=False)
-        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (0, "", ""))
-        self.assertGreater(os.path.getsize(self.path("twin.vti")), 1000)
 
     def test_a_missing_module(self):
         with open(self.path("hills.tif"), "wb") as file:

@@ -1,26 +1,29 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=--every=17
+# run-with: python3 tier=all
 """Bad inputs: each array of each input absent, too short, of other components, of texts, with NaN and with ids of
 nothing; each input and each of its leaves of another type, empty, null and nested. No filter may crash; each refuses
 with one message or works, and afterwards makes of good inputs what a fresh one makes.
 
-Filters and inputs are the small working objects of the fuzzer, one for each class (Testing/Fuzz/recipes.py). Names of classes as
-arguments restrict the test to them, and LITTORAL_TEST_CASES to cases whose names match an expression. To run it under
-valgrind:
+Filters and inputs are the small working objects of the fuzzer, one for each class (Testing/Fuzz/recipes.py). Names of
+classes as arguments restrict the test to them, and LITTORAL_TEST_CASES to cases whose names match an expression;
+--every=N takes each N-th case. To run it under valgrind:
 
-    PYTHONMALLOC=malloc LITTORAL_TEST_UNDER="valgrind -q --error-exitcode=9" LITTORAL_TEST_CASES="short|empty"
+    PYTHONMALLOC=malloc LITTORAL_TEST_CASES="short|empty" valgrind -q --error-exitcode=9 python3 TestInputs.py
 """
-# run-with: python3
 
+import functools
 import json
+import multiprocessing
 import os
 import re
-import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
+import traceback
 from pathlib import Path
 
+os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"  # processes with threads cannot be forked safely
 for folder in "Hashes", "Fuzz":
     sys.path.insert(0, str(Path(__file__).resolve().parents[1] / folder))
 # pylint: disable=wrong-import-position
@@ -372,8 +375,8 @@ def set_inputs(algorithm, inputs):
             algorithm.SetInputDataObject(port, data)
 
 
-def run(name, log, first):
-    """All cases from one on; each is announced in the log before it runs, and its findings after it."""
+def run(name, log, first, every):
+    """The cases from one on; each is announced in the log before it runs, and its findings after it."""
     inputs = good_inputs(name)
     fresh = make(name)
     set_inputs(fresh, inputs)
@@ -388,7 +391,7 @@ def run(name, log, first):
 
         matters = {}  # whether an output depends on an array
         for number, (label, port, (change, *arguments)) in enumerate(cases):
-            if number < first or not re.search(only, label):
+            if number < first or number % every or not re.search(only, label):
                 continue
             carried = change is spoil_array and not matters.get((port, tuple(arguments[:3])), True)
             if carried and arguments[3] not in ("short", "texts", "huge"):
@@ -433,7 +436,22 @@ def entries_of(log):
         return [json.loads(line) for line in file]
 
 
-def test(name):
+def end_of(call, *arguments):
+    """How a child ends that makes a call: 0, 1 after an exception, or less the number of the signal."""
+    sys.stdout.flush()
+    child = os.fork()
+    if child == 0:
+        try:
+            call(*arguments)
+            os._exit(0)
+        except BaseException:  # pylint: disable=broad-except
+            traceback.print_exc()
+        finally:
+            os._exit(1)
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+def test(name, every):
     """Runs a class in children, a new one after each crash. Findings and number of cases."""
     findings = []
     first = 0
@@ -441,19 +459,17 @@ def test(name):
     with tempfile.TemporaryDirectory() as folder:
         log = os.path.join(folder, "log")
         while True:
-            done = subprocess.run(
-                [*os.environ.get("LITTORAL_TEST_UNDER", "").split(), sys.executable, __file__, "--child", name, log,
-                 str(first)], capture_output=True, text=True, check=False)
+            end = end_of(run, name, log, first, every)
             entries = entries_of(log)
             if "done" in entries[-1]:
-                if done.returncode:
-                    findings.append(f"{name}: the child ended with {done.returncode}: {done.stderr[-500:]}")
+                if end:
+                    findings.append(f"{name}: the child ended with {end}")
                 break
             last = entries[-1]
             if "begin" not in last:
-                findings.append(f"{name}: the child ended with {done.returncode}: {done.stderr[-500:]}")
+                findings.append(f"{name}: the child ended with {end}")
                 break
-            findings.append(f"{name}: {last['label']}: crashed with {done.returncode} {done.stderr[-300:]}")
+            findings.append(f"{name}: {last['label']}: crashed with {end}")
             first = last["begin"] + 1
         labels = {entry["begin"]: entry["label"] for entry in entries if "begin" in entry}
         for entry in entries:
@@ -466,12 +482,14 @@ def test(name):
     return name, len(labels), said, findings
 
 
-def main(wanted):
+def main(arguments):
+    every = next((int(one[8:]) for one in arguments if one.startswith("--every=")), 1)
+    wanted = [one for one in arguments if not one.startswith("--")]
     names = wanted or [name for name in recipes.RECIPES if recipes.inputs(name) and hasattr(littoral, name)
                        and getattr(littoral, name)().GetNumberOfOutputPorts()]
     assert wanted or len(names) > 12, names
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = list(pool.map(test, names))
+    with multiprocessing.get_context("fork").Pool(os.cpu_count()) as pool:
+        results = pool.map(functools.partial(test, every=every), names, 1)
     for name, cases, said, findings in results:
         print(f"{name}: {cases} cases, {said} refused, {len(findings)} findings")
     findings = [one for result in results for one in result[3]]
@@ -480,7 +498,4 @@ def main(wanted):
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["--child"]:
-        run(sys.argv[2], sys.argv[3], int(sys.argv[4]))
-    else:
-        sys.exit(main(sys.argv[1:]))
+    sys.exit(main(sys.argv[1:]))

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all
 """The frames of the examples for Blender: a walk at the height of an eye above the ground, and a sea that moves on.
 
 Only what a frame changes is looked at: the trees are left out, and no file is written.
