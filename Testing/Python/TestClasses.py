@@ -9,7 +9,8 @@ import littoral
 
 TOP = Path(__file__).resolve().parents[2]
 # Files, and what stands there for a class.
-PLACES = {"paraview-plugin/*.xml": 'class="{}"', "Testing/Hashes/hash_outputs.py": '"{}"', "README.md": "| `{}` |"}
+PLACES = {"paraview-plugin/*.xml": 'class="{}"', "Testing/Hashes/hash_outputs.py": '"{}"',
+          "Documentation/guide/classes.md": "| `{}` |"}
 
 
 def is_abstract(kind):
