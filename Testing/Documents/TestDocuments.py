@@ -15,7 +15,7 @@ sys.dont_write_bytecode = True
 TOP = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(TOP / "Documentation" / name) for name in ("", "site", "pictures")]
 
-import classes  # noqa: E402
+import make_classes  # noqa: E402
 import make_entries  # noqa: E402
 import make_site  # noqa: E402
 
@@ -111,18 +111,18 @@ class Documents(unittest.TestCase):
 
     def test_page_of_classes(self):
         page = (TOP / "Documentation" / "guide" / "classes.md").read_text(encoding="utf-8")
-        self.assertEqual(classes.page(), page, "call Documentation/classes.py")
-        for name in (row.name for row in classes.rows()):
+        self.assertEqual(make_classes.page(), page, "call Documentation/make_classes.py")
+        for name in (row.name for row in make_classes.rows()):
             header = next(path for folder in ("Sources", "Filters", "IO") for path in (TOP / folder).glob(name + ".h"))
             brief = re.search(r"@brief +(.*)", header.read_text(encoding="utf-8"))[1]
             self.assertIn(f"| {brief} |", page, name)
 
     def test_ports_of_a_comment(self):
-        ports = classes.ports_of([
+        ports = make_classes.ports_of([
             "Input: any vtkPointSet. Optional window (port 1): vtkPolyData with one polygon.",
             "Output 0: a vtkTable with the columns `A`, `B` and `C` [m2], `D` (a number) and `E`[3] [m/s], by `F`. Field "
             "data: `G`.", "Output 1: the same data at the requested time, with `H` [s].", "The numbers are exact."])
-        self.assertEqual([classes.cell(ports, kind) for kind in ("input", "output")], [
+        self.assertEqual([make_classes.cell(ports, kind) for kind in ("input", "output")], [
             "`vtkPointSet`<br>1: optional, `vtkPolyData`",
             "0: `vtkTable`; `A` [m2], `B` [m2], `C` [m2], `D`, `E` [m/s]; field data `G`<br>"
             "1: the same data at the requested time; `H` [s]"])

@@ -3,19 +3,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Make the page of classes, Documentation/guide/classes.md, from the rows of the classes and their headers.
 
-Usage: classes.py [FILE] (default: the page itself). Testing/Documents compares the page with a fresh one.
+Usage: make_classes.py [FILE] (default: the page itself). Testing/Documents compares the page with a fresh one.
 """
 
 import re
 import sys
-import xml.etree.ElementTree as ElementTree
 from collections import namedtuple
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(TOP / "Documentation" / "site"))
+sys.path.insert(0, str(TOP / "Testing"))
 
-import make_site  # noqa: E402
+import classes  # noqa: E402
 
 PAGE = TOP / "Documentation" / "guide" / "classes.md"
 HEAD = """# Classes
@@ -26,7 +25,7 @@ field data; what each means, and each property with its unit, range and default,
 `./littoral docs` makes a web page of. Lengths are in metres, x to the east, y to the north, z up. Angles are in degrees
 in properties and in radians in data.
 
-`Documentation/classes.py` makes this page from the headers: a unit is the one that stands beside the name there.
+`Documentation/make_classes.py` makes this page from the headers: a unit is the one that stands beside the name there.
 """
 Row = namedtuple("Row", "name field entry")
 Port = namedtuple("Port", "kind number optional types names fields")
@@ -36,31 +35,17 @@ TYPES = r"\bvtk(?:ImageData|Table|PolyData|PointSet|MultiBlockDataSet|Partitione
 # --- the rows -------------------------------------------------------------------------------------
 
 
-def entries_of_plugin():
-    """The entries of ParaView by class: labels of menus, and formats of files. Ready scenes are no classes."""
-    entries = {}
-    for path in sorted((TOP / "paraview-plugin").glob("*.xml")):
-        if path.name == "LittoralLandscapes.xml":
-            continue
-        for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
-            proxies = {proxy.get("name"): proxy for proxy in group}
-            for name, proxy in proxies.items():
-                kind, format_of_file = proxy.get("class"), proxy.find(".//WriterFactory")
-                if format_of_file is not None:
-                    kind = f"vtk{name}"
-                    entries[kind] = [f"*File > Save Data*: *{format_of_file.get('file_description')}*"]
-                elif proxy.find(".//ReaderFactory") is not None:
-                    entries[kind] = [f"*File > Open*: *{proxy.get('label')}*"]
-                elif group.get("name") in ("sources", "filters"):
-                    entries.setdefault(kind, []).append(f"*{proxy.get('label')}*")
-    return entries
+def entry_of(row):
+    """Where a class is in ParaView: labels of menus, or a format of files."""
+    menus = {"Open": "*File > Open*: ", "Save": "*File > Save Data*: "}
+    return ", ".join(f"{menus.get(entry.menu, '')}*{entry.label}*" for entry in row.entries)
 
 
 def rows():
-    """The classes: name, field, entry of ParaView."""
-    entries = entries_of_plugin()
-    return [Row(name, field[0], ", ".join(entries.get(name, ["a base class"])))
-            for field in make_site.FIELDS for name in field[3]]
+    """The classes in the order of the fields: name, field, entry."""
+    bases = [Row(name, field, "a base class") for name, field in classes.BASES.items()]
+    made = [Row(row.name, row.field, entry_of(row)) for row in classes.ROWS]
+    return [row for field in classes.FIELDS for row in made + bases if row.field == field]
 
 
 # --- the headers ----------------------------------------------------------------------------------
