@@ -71,7 +71,8 @@ def names_in(text):
         if after.strip() in (",", "and"):
             listed = after.strip() == "and"
             continue
-        found = re.match(r"[^\[]{0,60}(?:\[\d\])?[^\[]{0,9}\[([^\]]*[a-z][^\]]*)\]", re.sub(r"\([^()]*\)", "", after))
+        after = re.sub(r"\([^()]*\)", "", after)
+        found = re.match(r"[^\[]{0,60}(?:\[\d\])?[^\[]{0,9}\[([^\]]*[a-z][^\]]*)\]", after)
         unit = f" [{found[1]}]".replace("^", "") if found else ""
         shares = len(waiting) > 1 and listed and not after.startswith("[")
         for one in waiting:
@@ -82,8 +83,9 @@ def names_in(text):
 
 def port_of(sentence, optional):
     """The port that a sentence begins to describe, or None."""
-    begin = re.match(r"(?:- |The (?=\w+ is a)|Optional )?(inputs?|outputs?|window)\b,?(?: \(?(?:port )?(\d)(?: and (\d))?)?",
-                     sentence, re.I) or re.match(r"(port|- .*\(port) (\d)()", sentence)
+    begin = re.match(
+        r"(?:- |The (?=\w+ is a)|Optional )?(inputs?|outputs?|window)\b,?(?: \(?(?:port )?(\d)(?: and (\d))?)?",
+        sentence, re.I) or re.match(r"(port|- .*\(port) (\d)()", sentence)
     if begin is None:
         return None
     numbers = " and ".join(number for number in begin.groups()[1:] if number)
