@@ -25,11 +25,11 @@ TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
 
 # Pages in the order of the menu, below Documentation.
-GUIDE = ("installing", "first-steps", "scenes", "entries", "terrain", "kriging", "drainage", "patterns", "plants", "forests",
+GUIDE = ("installing", "first-steps", "scenes", "entries", "classes", "terrain", "kriging", "drainage", "patterns", "plants", "forests",
          "stands", "wind", "sway", "sea", "currents", "particles", "seaweed", "underwater", "python", "volumes", "saving",
-         "blender", "speed", "troubleshooting")
+         "blender", "speed", "troubleshooting", "glossary")
 DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", "plants", "wind", "sway", "sea", "currents",
-          "particles", "seaweed", "paraview", "volumes", "scenes")
+          "particles", "seaweed", "paraview", "requests", "volumes", "scenes", "measurements")
 
 # Classes by field: title, page of the guide, page of the design, classes.
 FIELDS = (
@@ -137,10 +137,7 @@ def mend_link(match, origin, page):
         return match[0]
     path, _, anchor = address.partition("#")
     target = Path(os.path.normpath(origin.parent / path))
-    if target.as_posix() == "README.md" and anchor == "classes":
-        place, anchor = "api/index.md", ""
-    else:
-        place = site_path(target)
+    place = site_path(target)
     if place is None:
         return text
     return f"{mark}[{text}]({os.path.relpath(place, Path(page).parent)}{'#' + anchor if anchor else ''})"
@@ -198,7 +195,7 @@ class Site:
             for file in (TOP / "Examples").glob(pattern))
         self.examples = [name for name in EXAMPLES if name in there]
         self.examples += [name for name in there if name not in EXAMPLES]
-        self.briefs, self.ports = {}, {}
+        self.briefs = {}
         self.known = {name: f"api/{name}.md" for name in self.classes}
         self.known.update({name: site_path(Path(name)) for name in self.examples})
         self.known.update({Path(name).name: site_path(Path(name)) for name in self.examples})
@@ -249,7 +246,6 @@ class Site:
         there = {path.stem for folder in ("Sources", "Filters", "IO") for path in (TOP / folder).glob("vtk*.h")}
         if there != set(self.classes):
             sys.exit(f"Classes and the fields of make_site.py differ: {sorted(there ^ set(self.classes))}")
-        self.ports = self.readme_ports()
         self.briefs = {name: words_of(self.class_xml(name).find("briefdescription")) for name in self.classes}
         page = ["# Classes", "", "All classes of the modules Sources, Filters and IO, in C++ and in Python "
                 "(`from littoral import ...`). From VTK 9.4 on a property has its Python name too: "
@@ -263,20 +259,6 @@ class Site:
                 self.plain_class_xml(name)
         entries = (f"{breakable(name)} <{name}>" for name in self.classes)
         self.write("api/index.md", "\n".join(page) + "\n" + contents(*entries))
-
-    def readme_ports(self):
-        """What the README's table of classes says of each: lines of Markdown by class."""
-        ports, name = {}, None
-        for line in self.readme_section("Classes", "api/index.md").split("\n"):
-            cells = [cell.strip() for cell in line.strip("|").split("|")]
-            found = re.match(r"\[`(\w+)`\]", cells[0])
-            if found:
-                name = found[1]
-                ports[name] = [f"- In ParaView: {cells[1]}", f"- Input: {cells[2]}"]
-            if len(cells) == 5 and name and (found or not cells[0]):
-                number = "" if re.match(r"\d", cells[3]) else ": "
-                ports[name].append(f"- Output{number or ' '}{cells[3]}; arrays and columns: {cells[4]}")
-        return ports
 
     def class_xml(self, name):
         return ElementTree.parse(self.xml / f"class{name}.xml").getroot().find("compounddef")
@@ -300,8 +282,6 @@ class Site:
                 f"based on {', '.join(self.link(base) for base in bases)}.", "",
                 re.sub(r"\bDocumentation/([\w/-]+\.md)", r"[`Documentation/\1`](../\1)", link_names(
                     markdown_of(root.find("detaileddescription")), f"api/{name}.md", self.known)), ""]
-        if name in self.ports:
-            text += ["## Ports", "", *self.ports[name], ""]
         if rows:
             text += ["## Properties", "", "| property | type | meaning |", "|---|---|---|", *rows, ""]
         text += ["## Members", "", "```{doxygenclass} " + name, ":members:", ":undoc-members:", "```", ""]

@@ -13,10 +13,9 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 TOP = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(TOP / "Documentation" / "site"))
+sys.path[:0] = [str(TOP / "Documentation" / name) for name in ("", "site", "pictures")]
 
-sys.path.insert(0, str(TOP / "Documentation" / "pictures"))
-
+import make_classes  # noqa: E402
 import make_entries  # noqa: E402
 import make_site  # noqa: E402
 
@@ -109,6 +108,31 @@ class Documents(unittest.TestCase):
                         re.findall(r"\bDocumentation/[\w./-]+\.md", header.read_text(encoding="utf-8"))
                         if not (TOP / name).exists()]
         self.assertEqual(missing, [])
+
+    def test_page_of_classes(self):
+        page = (TOP / "Documentation" / "guide" / "classes.md").read_text(encoding="utf-8")
+        self.assertEqual(make_classes.page(), page, "call Documentation/make_classes.py")
+        for row in make_classes.rows():
+            header = next(path for path in TOP.glob(f"*/{row.name}.h"))
+            brief = re.search(r"@brief +(.*)", header.read_text(encoding="utf-8"))[1]
+            self.assertIn(f"| `{row.name}` | {row.entry} | {brief} |", page)
+            ports = make_classes.ports_of(make_classes.comment_of(row.name)[1:])
+            is_made = row.entry != "a base class"
+            self.assertTrue(make_classes.cell(ports, "output") or row.name.endswith("Writer") or not is_made, row.name)
+            self.assertTrue(make_classes.cell(ports, "input") or not row.name.endswith(("Filter", "Writer")), row.name)
+
+    def test_ports_of_a_comment(self):
+        ports = make_classes.ports_of([
+            "Input: any vtkPointSet. Optional window (port 1): vtkPolyData with one polygon.",
+            "Output 0: a vtkTable with the columns `A`, `B` and `C` [m2], `D` (a number) and `E`[3] [m/s], by `F`. "
+            "Field data: `G`.", "Output 1: the same data at the requested time, with `H` [s].", "The numbers are exact."])
+        self.assertEqual([make_classes.cell(ports, kind) for kind in ("input", "output")], [
+            "`vtkPointSet`<br>1: optional, `vtkPolyData`",
+            "0: `vtkTable`; `A` [m2], `B` [m2], `C` [m2], `D`, `E` [m/s]; field data `G`<br>"
+            "1: the same data at the requested time; `H` [s]"])
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(len((TOP / "README.md").read_text(encoding="utf-8").split()), 700)
 
     def test_architecture_picture(self):
         pictures = TOP / "Documentation" / "pictures"
