@@ -14,6 +14,15 @@ function (littoral_compile_options target)
   endif ()
 endfunction ()
 
+# For code that is not hot, such as tests and generated wrapping: -O1 compiles it in two thirds of the time.
+function (littoral_optimize_little)
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    foreach (target IN LISTS ARGN)
+      target_compile_options("${target}" PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+    endforeach ()
+  endif ()
+endfunction ()
+
 # Headers that most sources of a target include are compiled once for all: half of the time of a class of VTK goes into
 # reading them. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows what a source forgets to include.
 set(LITTORAL_STANDARD_HEADERS <algorithm> <array> <cmath> <functional> <limits> <string> <vector>)

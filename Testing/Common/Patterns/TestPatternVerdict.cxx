@@ -75,7 +75,9 @@ TEST(PatternVerdict, MappedPatternsAreRegrown)
 // distance nor that of Strauss makes, but a soft core does.
 TEST(PatternVerdict, CellsHaveASoftCoreAndNothingElse)
 {
-  const PatternJudgement judgement = JudgePattern(Mapped("cells"), WindowOf("cells"), {});
+  VerdictOptions options;
+  options.Simulations = 39;
+  const PatternJudgement judgement = JudgePattern(Mapped("cells"), WindowOf("cells"), options);
   const JudgedLaw& best = judgement.Laws.front();
   EXPECT_STREQ(best.Name(), "SoftCore");
   EXPECT_EQ(best.Verdict, PatternVerdict::Best);
@@ -98,7 +100,7 @@ TEST(PatternVerdict, WhatNothingMakesIsCalledByNoName)
     points.push_back({ 0.05 + 0.1 * (n % 10), 0.05 + 0.1 * (n / 10) + 1e-3 * (n % 7) });
   }
   VerdictOptions options;
-  options.Simulations = 39;
+  options.Simulations = 19;
   const PatternJudgement judgement = JudgePattern(points, ObservationWindow(), options);
   for (const JudgedLaw& law : judgement.Laws)
   {
@@ -118,7 +120,7 @@ TEST(PatternVerdict, PolygonsHaveProcessesOnly)
     ObservationWindow::Polygon({ { 0.0, 0.0 }, { 1.5, 0.2 }, { 1.4, 1.1 }, { 0.5, 1.3 }, { -0.2, 0.6 } });
   const std::vector<PlanePosition> points = SimulateProcess(process, {}, window).Points;
   VerdictOptions options;
-  options.Simulations = 39;
+  options.Simulations = 19;
   options.Contrast.Correction = EdgeCorrection::Translation;
   options.Function = VerdictFunction::BesagL;
   options.Steps = 16;
