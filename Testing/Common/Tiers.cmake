@@ -1,5 +1,53 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Cases that take more than half a second of processor time, by their programs: what is not named here is in the tier
-# `quick`, where a program may take 1 s. A filter of GoogleTest, * for all cases.
+# Cases with a tier of their own, as filters of GoogleTest by program: all others are in the tier `quick`, where a
+# program may take 1 s of processor time. `standard`: what takes above about 0.4 s, up to 10 s a program.
+set(standard_TestAonoKuniiTree *AreAFunctionOfTheirSeed*)
+set(standard_TestBeamModes BeamModes.ShapesDoNotCancel)
+set(standard_TestCoarseGround CoarseGround.LargeGroundIsCarvedByItTheSameOnAnyThreads)
+set(standard_TestCurveEnvelope CurveEnvelope.RejectsARandomPatternAsOftenAsItsLevel)
+set(standard_TestDetrendedWindow
+  DetrendedWindow.AgreesWithTheMatricesOfAllValues TurningBandsPlane.IsTheOneFittedToTheField)
+set(standard_TestDrainageCarving
+  DrainageCarving.GroundMuchLargerThanItsPlaceDrainsWithThePlacesHeights DrainageCarving.MeetsThePlacesMeasures)
+set(standard_TestFieldAtData FieldAtData.HasTheModelsCovariance)
+set(standard_TestFractalDimension FractalDimension.OfFractalSurfacesIsTheirs)
+set(standard_TestGardnerPlant Kinds/* GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
+set(standard_TestIntensityTrend
+  IntensityTrend.WhatWasSimulatedIsFoundAgain IntensityTrend.PointsAtADistanceHaveATrend
+  IntensityTrend.ClustersAreFoundUnderATrend)
+set(standard_TestLevelLooks *LookTheSameAtAllLevels)
+set(standard_TestPairFunctions PairFunctions.AgreeWithSpatstat PairFunctions.FollowTheirDefinitions)
+set(standard_TestParticleLevels
+  ParticleLevels.NothingVisibleIsLost ParticleLevels.SlavesStayWithinTheirBound
+  TrainSelection.TailSumBoundsTheErrorOnTheScreen)
+set(standard_TestPatternVerdict
+  PatternVerdict.CellsHaveASoftCoreAndNothingElse PatternVerdict.WhatNothingMakesIsCalledByNoName
+  PatternVerdict.PolygonsHaveProcessesOnly PatternVerdict.MappedPatternsAreRegrown)
+set(standard_TestPlantLevels
+  PlantLevels.LowIsFourRectanglesAroundThePlant CylindricalProjection.ATreeIsDenseInItsMiddleAndOpenAtItsRim)
+set(standard_TestPlantMeshes *) # all grow all plants
+set(standard_TestPlantSway PlantSway.AnyTimeWithoutHistoryBitwise PlantSway.InterpolatedIsCloseForATree)
+set(standard_TestPointProcesses
+  *SameBytesOnAnyThreads/* *RasterChangesTheIntensity/* *SimulatedPairsFollowTheClosedForm/*
+  PointProcesses.StraussPointsObeyTheirConditionalIntensity
+  PointProcesses.StraussPointsWhoseBoundsDoNotMeetAreNotCalledExact
+  PointProcesses.StraussPointsWithoutInteractionArePoisson)
+set(standard_TestProcessFits ProcessFits.SimulatedProcessesAreFoundAgain ProcessFits.SameBytesOnAnyThreads)
+set(standard_TestQuadratLaws QuadratLaws/LargeLaws.*)
+set(standard_TestSeaweedDynamics SeaweedDynamics.RodsInSpaceMoveAsLagrangesEquationsSay)
+set(standard_TestSeaweedMotion
+  SeaweedMotion.ChainsOfAnyStiffnessAreStable
+  SeaweedMotion.PlantsOfAnyResolutionAndStiffnessFollowTheWater)
+set(standard_TestSoftCore
+  SoftCore.RandomPointsHaveNone SoftCore.WhatWasSimulatedIsFoundAgain SoftCore.ForcesBalanceAsInEquilibrium)
+# RasterChangesTheIntensity/SoftCore counts points too.
+set(all_TestSoftCore SoftCore.IntensityIsThatAskedFor)
+set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
+set(standard_TestTurningBands
+  *EnsembleCovarianceIsTheModels/* TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
+  TurningBands.MeasuredVarianceIsTheModels)
+set(standard_TestVariogramFit VariogramFit.GrownFieldsGiveBackModelAndParameters)
+set(standard_TestWaterWalls WaterWalls.GatherNoTracers)
+set(standard_TestWaveTrains WaveDirections.HaveTheMomentsOfTheirDistribution)
