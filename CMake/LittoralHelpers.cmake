@@ -23,6 +23,18 @@ function (littoral_optimize_little)
   endif ()
 endfunction ()
 
+# littoral_build_wrapping(<target> <header>...): generated wrapping of classes, several to a piece; their headers are
+# compiled once for all where there is more than one piece.
+function (littoral_build_wrapping target)
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD ON)
+  littoral_optimize_little("${target}")
+  get_target_property(sources "${target}" SOURCES)
+  list(LENGTH sources count)
+  if (count GREATER 8)
+    target_precompile_headers("${target}" PRIVATE ${ARGN})
+  endif ()
+endfunction ()
+
 # Headers that most sources of a target include are compiled once for all: half of the time of a class of VTK goes into
 # reading them. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows what a source forgets to include.
 set(LITTORAL_STANDARD_HEADERS <algorithm> <array> <cmath> <functional> <limits> <string> <vector>)

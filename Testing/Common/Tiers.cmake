@@ -51,3 +51,6 @@ set(standard_TestTurningBands
 set(standard_TestVariogramFit VariogramFit.GrownFieldsGiveBackModelAndParameters)
 set(standard_TestWaterWalls WaterWalls.GatherNoTracers)
 set(standard_TestWaveTrains WaveDirections.HaveTheMomentsOfTheirDistribution)
+set(standard_TestWindField WindField.SpectraOfOneRun WindField.AgreesWithCholesky)
+# Coherence is that of the model in ImpliedCoherenceIsTheModelWithinTheReportedError and AgreesWithCholesky too.
+set(all_TestWindField WindField.CoherenceOfSixRuns)

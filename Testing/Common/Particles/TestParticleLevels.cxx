@@ -192,7 +192,7 @@ TEST(TrainSelection, TailSumBoundsTheErrorOnTheScreen)
         }
       }
     }
-    EXPECT_GT(compared, 100000);
+    EXPECT_GT(compared, 50000);
     EXPECT_LE(largest, 1.0);
     EXPECT_GT(largest, 0.3) << "the bound is of no use";
     const double mean = static_cast<double>(used) / static_cast<double>(compared);
