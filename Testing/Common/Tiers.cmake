@@ -23,8 +23,10 @@ set(standard_TestParticleLevels
   ParticleLevels.NothingVisibleIsLost ParticleLevels.SlavesStayWithinTheirBound
   TrainSelection.TailSumBoundsTheErrorOnTheScreen)
 set(standard_TestPatternVerdict
-  PatternVerdict.CellsHaveASoftCoreAndNothingElse PatternVerdict.WhatNothingMakesIsCalledByNoName
+  PatternVerdict.CellsAreMadeByASoftCoreAndNotByStrauss PatternVerdict.WhatNothingMakesIsCalledByNoName
   PatternVerdict.PolygonsHaveProcessesOnly PatternVerdict.MappedPatternsAreRegrown)
+# CellsAreMadeByASoftCoreAndNotByStrauss too.
+set(all_TestPatternVerdict PatternVerdict.CellsHaveASoftCoreAndNothingElse)
 set(standard_TestPlantLevels
   PlantLevels.LowIsFourRectanglesAroundThePlant CylindricalProjection.ATreeIsDenseInItsMiddleAndOpenAtItsRim)
 set(standard_TestPlantMeshes *) # all grow all plants
