@@ -205,7 +205,6 @@ bool ProcessIsRecognized()
   vtkNew<vtkPatternVerdictFilter> judge;
   judge->SetInputConnection(source->GetOutputPort());
   judge->SetSize(100.0, 100.0);
-  judge->SetNumberOfSimulations(39);
   vtkNew<Filter> filter;
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetSize(100.0, 100.0);
