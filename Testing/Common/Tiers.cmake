@@ -13,10 +13,13 @@ set(standard_TestDrainageCarving
   DrainageCarving.GroundMuchLargerThanItsPlaceDrainsWithThePlacesHeights DrainageCarving.MeetsThePlacesMeasures)
 set(standard_TestFieldAtData FieldAtData.HasTheModelsCovariance)
 set(standard_TestFractalDimension FractalDimension.OfFractalSurfacesIsTheirs)
-set(standard_TestGardnerPlant Kinds/* GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
+set(standard_TestGardnerPlant
+  Kinds/*/Tree Kinds/*/Bush GardnerTexture.ShellsAreAsOpaqueAsTheFunctionIsAboveTheirThreshold)
+set(all_TestGardnerPlant Kinds/*/Cypress Kinds/*/StonePine) # as tree and bush
 set(standard_TestIntensityTrend
-  IntensityTrend.WhatWasSimulatedIsFoundAgain IntensityTrend.PointsAtADistanceHaveATrend
-  IntensityTrend.ClustersAreFoundUnderATrend)
+  IntensityTrend.PointsAtADistanceHaveATrend IntensityTrend.ClustersAreFoundUnderATrend)
+# The fit is right by MeetsTheEquationsOfTheLikelihood too.
+set(all_TestIntensityTrend IntensityTrend.WhatWasSimulatedIsFoundAgain)
 set(standard_TestLevelLooks *LookTheSameAtAllLevels)
 set(standard_TestPairFunctions PairFunctions.AgreeWithSpatstat PairFunctions.FollowTheirDefinitions)
 set(standard_TestParticleLevels
@@ -48,8 +51,10 @@ set(standard_TestSoftCore
 set(all_TestSoftCore SoftCore.IntensityIsThatAskedFor)
 set(standard_TestTerrainLevels *AreWatertightInRandomViews/*)
 set(standard_TestTurningBands
-  *EnsembleCovarianceIsTheModels/* TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
+  */SimpleExponential */Spherical */Bessel1 TurningBands.SpectrumIsAsEvenAsThatOfExactNoise
   TurningBands.MeasuredVarianceIsTheModels)
+# CovarianceOfLinesAndShortWavesIsTheModels for all models too.
+set(all_TestTurningBands */DoubleExponential */Telis */Bessel2)
 set(standard_TestVariogramFit VariogramFit.GrownFieldsGiveBackModelAndParameters)
 set(standard_TestWaterWalls WaterWalls.GatherNoTracers)
 set(standard_TestWaveTrains WaveDirections.HaveTheMomentsOfTheirDistribution)
