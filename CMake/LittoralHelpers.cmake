@@ -14,6 +14,27 @@ function (littoral_compile_options target)
   endif ()
 endfunction ()
 
+# For code that is not hot, such as tests and generated wrapping: -O1 compiles it in two thirds of the time.
+function (littoral_optimize_little)
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    foreach (target IN LISTS ARGN)
+      target_compile_options("${target}" PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+    endforeach ()
+  endif ()
+endfunction ()
+
+# littoral_build_wrapping(<target> <header>...): generated wrapping of classes, several to a piece; their headers are
+# compiled once for all where there is more than one piece.
+function (littoral_build_wrapping target)
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD ON)
+  littoral_optimize_little("${target}")
+  get_target_property(sources "${target}" SOURCES)
+  list(LENGTH sources count)
+  if (count GREATER 8)
+    target_precompile_headers("${target}" PRIVATE ${ARGN})
+  endif ()
+endfunction ()
+
 # Headers that most sources of a target include are compiled once for all: half of the time of a class of VTK goes into
 # reading them. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows what a source forgets to include.
 set(LITTORAL_STANDARD_HEADERS <algorithm> <array> <cmath> <functional> <limits> <string> <vector>)

@@ -55,6 +55,13 @@ struct Forest
     this->Filter->SetFarDistance(50.0);
   }
 
+  /// Takes the trees of another forest, which are grown once.
+  void TakeTrees(const Forest& other)
+  {
+    this->Filter->SetInputConnection(1, other.Pine->GetOutputPort());
+    this->Filter->AddPrototypeConnection(other.Shrub->GetOutputPort());
+  }
+
   /// Hills of 2 m, from -40 to 40 m along x and from -10 to 90 m along y.
   void AddTerrain()
   {

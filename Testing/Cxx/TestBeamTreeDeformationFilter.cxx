@@ -199,6 +199,7 @@ void CheckFrequency(WindSource* wind)
   vtkNew<vtkReevesTreeSource> tree;
   tree->SetPreset(vtkReevesTreeSource::Pine);
   vtkNew<vtkBeamTreeDeformationFilter> sway;
+  sway->SetTextureSize(32, 16);
   sway->SetInputConnection(tree->GetOutputPort());
   sway->SetWindConnection(wind->GetOutputPort());
   const auto frequency = [&] {
@@ -277,6 +278,7 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
     "the middle level repeats");
 
   // The pictures differ from each other and hold leaves.
+  sway->SetTextureSize(256, 128);
   sway->Update(1);
   auto* image = vtkImageData::SafeDownCast(sway->GetOutputDataObject(1));
   auto* texels = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
@@ -293,6 +295,7 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   std::cout << "of a picture, " << 100.0 * opaque / (260 * 128) << " % is leaf; from one to the next "
             << 100.0 * changed / (260 * 128) << " % changes\n";
   Expect(opaque > 260 * 128 / 4 && changed > 260 * 128 / 20, "pictures hold leaves that move");
+  sway->SetTextureSize(32, 16);
 
   // A forest in the middle level: with its prototypes it sways, without them it stands.
   vtkNew<vtkPoints> feet;
@@ -309,6 +312,7 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   wood->Update();
   const std::vector<float> standing = PointsOf(wood->GetOutputDataObject(0), "Medium/Crown");
   vtkNew<vtkBeamTreeDeformationFilter> many;
+  many->SetTextureSize(32, 16);
   many->SetInputConnection(wood->GetOutputPort());
   many->SetWindConnection(wind->GetOutputPort());
   many->UpdateTimeStep(2.0);
@@ -502,6 +506,7 @@ void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
   const auto moved = [&](int threads, int piece, int pieces, bool crowns) {
     vtkSMPTools::Initialize(threads);
     vtkNew<vtkBeamTreeDeformationFilter> sway;
+    sway->SetTextureSize(32, 16);
     sway->SetInputConnection(0, wood->GetOutputPort());
     sway->SetWindConnection(wind->GetOutputPort());
     sway->AddPrototypeConnection(tree->GetOutputPort());
@@ -524,6 +529,7 @@ void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
   for (int piece = 0; piece < 2; ++piece)
   {
     vtkNew<vtkBeamTreeDeformationFilter> sway;
+    sway->SetTextureSize(32, 16);
     sway->SetInputConnection(0, wood->GetOutputPort());
     sway->SetWindConnection(wind->GetOutputPort());
     sway->AddPrototypeConnection(tree->GetOutputPort());
@@ -643,6 +649,7 @@ int TestBeamTreeDeformationFilter(int, char*[])
   vtkDataObject* rest = tree->GetOutputDataObject(0);
   vtkNew<WindSource> wind;
   vtkNew<vtkBeamTreeDeformationFilter> sway;
+  sway->SetTextureSize(32, 16); // small pictures cost less
   sway->SetInputConnection(tree->GetOutputPort());
   sway->SetWindConnection(wind->GetOutputPort());
   const auto at = [&](double time) {
@@ -665,6 +672,7 @@ int TestBeamTreeDeformationFilter(int, char*[])
     Expect(at(1.3) == first, "a time asked again gives the same bytes");
     Expect(Farthest(at(1.3 + Period), first) < 1e-4, "the motion repeats after the period");
     vtkNew<vtkBeamTreeDeformationFilter> other;
+    other->SetTextureSize(32, 16);
     other->SetInputConnection(tree->GetOutputPort());
     other->SetWindConnection(wind->GetOutputPort());
     other->SetResponse(response);

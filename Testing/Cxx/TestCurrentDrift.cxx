@@ -227,7 +227,7 @@ bool CheckTimeOrderAndThreads(bool tide, double interval)
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
   {
     const auto make = [&](Drift* drift) {
-      Connect(drift, 0.0, 0.0, type, 3000);
+      Connect(drift, 0.0, 0.0, type, 500);
       if (tide)
       {
         vtkNew<Tide> current;

@@ -79,7 +79,7 @@ bool PictureFits(Source* source, int port, const char* path)
 bool Levels()
 {
   bool good = true;
-  for (int preset = Source::Tree; preset <= Source::Bush; ++preset)
+  for (const int preset : { Source::Tree, Source::Bush })
   {
     vtkNew<Source> source;
     source->SetPreset(preset);

@@ -316,10 +316,10 @@ double ErrorOnPicture(
   all->SetSeaStateConnection(sea->GetOutputPort());
   vtkMatrix4x4* projection = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   double largest = 0.0;
-  for (int time = 0; time < 8; ++time)
+  for (int time = 0; time < 3; ++time)
   {
-    some->UpdateTimeStep(2.3 * time);
-    all->UpdateTimeStep(2.3 * time);
+    some->UpdateTimeStep(5.3 * time);
+    all->UpdateTimeStep(5.3 * time);
     auto* moved = vtkPolyData::SafeDownCast(all->GetOutputDataObject(0));
     for (int index = 0; index < 2; ++index)
     {
@@ -428,7 +428,7 @@ bool CheckSameBytes()
   bool good = true;
   vtkNew<Levels> travelled;
   make(travelled);
-  for (int frame = 0; frame < 12; ++frame)
+  for (int frame = 0; frame < 4; ++frame)
   {
     travelled->SetViewPoint(0.5 * frame, -0.3 * frame, -4.0);
     travelled->SetViewDirection(std::sin(0.4 * frame), std::cos(0.4 * frame), 0.1);
@@ -560,7 +560,7 @@ bool CheckDriftedGroups()
   make(kept);
   kept->Update();
   bool good = true;
-  for (int frame = 0; frame < 5; ++frame)
+  for (int frame = 0; frame < 2; ++frame)
   {
     vtkPoints* points = particles->GetPoints();
     for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)

@@ -20,9 +20,10 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-bool Fails(const char* word, const std::function<void(Forest&)>& spoil)
+bool Fails(const Forest& trees, const char* word, const std::function<void(Forest&)>& spoil)
 {
   Forest forest;
+  forest.TakeTrees(trees);
   spoil(forest);
   vtkNew<ErrorCounter> errors;
   errors->Watch(forest.Filter);
@@ -64,43 +65,47 @@ void Drop(Forest& forest, const char* name)
 
 bool BadInput()
 {
+  const Forest trees;
+  const auto fails = [&](const char* word, const std::function<void(Forest&)>& spoil) {
+    return Fails(trees, word, spoil);
+  };
   bool good = true;
-  good &= Fails("no prototypes", [](Forest& f) { f.Filter->RemoveAllInputConnections(1); });
-  good &= Fails("Prototype 1 cannot be scattered: its level High", [](Forest& f) { Drop(f, "High"); });
-  good &= Fails("Prototype 1 cannot be scattered: its level Medium", [](Forest& f) { Drop(f, "Medium"); });
-  good &= Fails("Prototype 1 cannot be scattered: its level Low", [](Forest& f) { Drop(f, "Low"); });
-  good &= Fails("site 4 lies at", [](Forest& f) { f.Sites->GetPoints()->SetPoint(4, 0.0, NaN, 0.0); });
-  good &= Fails("Weight 1", [](Forest& f) { f.Filter->SetWeight(1, -1.0); });
-  good &= Fails("Weights", [](Forest& f) {
+  good &= fails("no prototypes", [](Forest& f) { f.Filter->RemoveAllInputConnections(1); });
+  good &= fails("Prototype 1 cannot be scattered: its level High", [](Forest& f) { Drop(f, "High"); });
+  good &= fails("Prototype 1 cannot be scattered: its level Medium", [](Forest& f) { Drop(f, "Medium"); });
+  good &= fails("Prototype 1 cannot be scattered: its level Low", [](Forest& f) { Drop(f, "Low"); });
+  good &= fails("site 4 lies at", [](Forest& f) { f.Sites->GetPoints()->SetPoint(4, 0.0, NaN, 0.0); });
+  good &= fails("Weight 1", [](Forest& f) { f.Filter->SetWeight(1, -1.0); });
+  good &= fails("Weights", [](Forest& f) {
     f.Filter->SetWeight(0, 0.0);
     f.Filter->SetWeight(1, 0.0);
   });
-  good &= Fails("Species of site 7 is 2", [](Forest& f) { SetSiteArray(f, "Species", 2.0); });
-  good &= Fails("Species of site 7 is 0.5", [](Forest& f) { SetSiteArray(f, "Species", 0.5); });
-  good &= Fails("Scale of site 7", [](Forest& f) { SetSiteArray(f, "Scale", 0.0); });
-  good &= Fails("Azimuth of site 7", [](Forest& f) { SetSiteArray(f, "Azimuth", NaN); });
-  good &= Fails("of 60 sites, 2 lie outside", [](Forest& f) {
+  good &= fails("Species of site 7 is 2", [](Forest& f) { SetSiteArray(f, "Species", 2.0); });
+  good &= fails("Species of site 7 is 0.5", [](Forest& f) { SetSiteArray(f, "Species", 0.5); });
+  good &= fails("Scale of site 7", [](Forest& f) { SetSiteArray(f, "Scale", 0.0); });
+  good &= fails("Azimuth of site 7", [](Forest& f) { SetSiteArray(f, "Azimuth", NaN); });
+  good &= fails("of 60 sites, 2 lie outside", [](Forest& f) {
     f.AddTerrain();
     f.Sites->GetPoints()->SetPoint(1, 41.0, 0.0, 0.0);
     f.Sites->GetPoints()->SetPoint(2, 0.0, 91.0, 0.0);
   });
-  good &= Fails("no height", [](Forest& f) {
+  good &= fails("no height", [](Forest& f) {
     f.AddTerrain();
     f.Terrain->GetPointData()->GetScalars()->FillComponent(0, NaN);
   });
-  good &= Fails("Terrain", [](Forest& f) {
+  good &= fails("Terrain", [](Forest& f) {
     f.AddTerrain();
     f.Terrain->GetPointData()->Initialize();
   });
-  good &= Fails("ScaleVariation", [](Forest& f) { f.Filter->SetScaleVariation(0.6); });
-  good &= Fails("TintVariation", [](Forest& f) { f.Filter->SetTintVariation(NaN); });
-  good &= Fails("SlopeLimit", [](Forest& f) { f.Filter->SetSlopeLimit(-1.0); });
-  good &= Fails("HeightRange", [](Forest& f) { f.Filter->SetHeightRange(2.0, 1.0); });
-  good &= Fails("PlantsPerCell", [](Forest& f) { f.Filter->SetPlantsPerCell(0.0); });
-  good &= Fails("VisibleDistance", [](Forest& f) { f.Filter->SetVisibleDistance(-1.0); });
-  good &= Fails("NearDistance", [](Forest& f) { f.Filter->SetNearDistance(300.0); });
-  good &= Fails("ViewAngle", [](Forest& f) { f.Filter->SetViewAngle(0.0); });
-  good &= Fails("ParallelScale", [](Forest& f) {
+  good &= fails("ScaleVariation", [](Forest& f) { f.Filter->SetScaleVariation(0.6); });
+  good &= fails("TintVariation", [](Forest& f) { f.Filter->SetTintVariation(NaN); });
+  good &= fails("SlopeLimit", [](Forest& f) { f.Filter->SetSlopeLimit(-1.0); });
+  good &= fails("HeightRange", [](Forest& f) { f.Filter->SetHeightRange(2.0, 1.0); });
+  good &= fails("PlantsPerCell", [](Forest& f) { f.Filter->SetPlantsPerCell(0.0); });
+  good &= fails("VisibleDistance", [](Forest& f) { f.Filter->SetVisibleDistance(-1.0); });
+  good &= fails("NearDistance", [](Forest& f) { f.Filter->SetNearDistance(300.0); });
+  good &= fails("ViewAngle", [](Forest& f) { f.Filter->SetViewAngle(0.0); });
+  good &= fails("ParallelScale", [](Forest& f) {
     f.Filter->ParallelProjectionOn();
     f.Filter->SetParallelScale(0.0);
   });

@@ -248,7 +248,7 @@ bool CheckVerdict()
   verdict->SetInputConnection(source->GetOutputPort());
   verdict->SetOrigin(source->GetOrigin());
   verdict->SetSize(source->GetSize());
-  verdict->SetNumberOfSimulations(39);
+  verdict->SetNumberOfSimulations(19);
   verdict->Update();
   vtkTable* table = verdict->GetOutput();
   bool good = Check(table->GetNumberOfRows() == 13, "not seven processes and six laws");

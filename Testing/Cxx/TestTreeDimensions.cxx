@@ -35,8 +35,8 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Height and diameter at breast height [m], from saplings to the tallest of their kinds.
-constexpr std::array<std::array<double, 2>, 8> Sizes{ { { 1.6, 0.012 }, { 2.4, 0.03 }, { 6.0, 0.05 }, { 11.0, 0.25 },
-  { 18.1, 0.656 }, { 23.7, 0.336 }, { 35.0, 0.4 }, { 44.0, 2.1 } } };
+constexpr std::array<std::array<double, 2>, 4> Sizes{ { { 1.6, 0.012 }, { 6.0, 0.05 }, { 18.1, 0.656 },
+  { 44.0, 2.1 } } };
 
 //----------------------------------------------------------------------------
 /// Plants of several kinds, which all stands share.
@@ -322,7 +322,7 @@ bool NormalsAndRadii(Kinds& kinds)
   vtkPolyData* bones = stand.Part("High/Skeleton");
   vtkDataArray* plants = bones->GetPointData()->GetArray("PlantId");
   vtkDataArray* radii = bones->GetPointData()->GetArray("Radius");
-  const vtkIdType oak = 12; // 18.1 m, 0.656 m
+  const vtkIdType oak = 6; // 18.1 m, 0.656 m
   double last = 0.0;
   double at = 0.0;
   for (vtkIdType node = 0; node < bones->GetNumberOfPoints() && at == 0.0; ++node)

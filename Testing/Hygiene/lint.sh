@@ -49,10 +49,12 @@ line_filter() {
     }'
 }
 
-# Sources of which a build tree knows how to compile them.
+# Sources that a build tree compiles, alone or together with others; for the latter clang-tidy takes a neighbour's
+# command.
 known_to() { # BUILD, names on standard input
   while read -r name; do
-    grep -qF "\"$PWD/$name\"" "$1/compile_commands.json" && echo "$name"
+    grep -qsF "\"$PWD/$name\"" "$1/compile_commands.json" "$1"/Common/CMakeFiles/LittoralCommon.dir/Unity/*.cxx &&
+      echo "$name"
   done || true
 }
 

@@ -40,9 +40,8 @@ COPY = os.environ.get("LITTORAL_MUTATION", os.path.join(SOURCE, "build", "mutati
 #: Time after which a program counts as failed [s].
 LONGEST = 600
 
-#: Where it is built, and with which options: the rooms alone, or also the classes. Programs are not linked again when a
-#: library changes.
-USUAL = ["-DLITTORAL_BUILD_BENCHMARKS=OFF", "-DLITTORAL_BUILD_HELP=OFF", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON"]
+#: Where it is built, and with which options: the rooms alone, or also the classes.
+USUAL = ["-DLITTORAL_BUILD_BENCHMARKS=OFF", "-DLITTORAL_BUILD_HELP=OFF"]
 ROOMS = ("build-rooms", ["-DLITTORAL_WITH_VTK=OFF", *USUAL])
 ALL = ("build", ["-DLITTORAL_WITH_PYTHON=OFF", *USUAL])
 PLUGIN = ("build-plugin", USUAL)

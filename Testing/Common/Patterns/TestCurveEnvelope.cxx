@@ -109,7 +109,7 @@ TEST(CurveEnvelope, RejectsARandomPatternAsOftenAsItsLevel)
   int outside = 0;
   for (int seed = 1; seed <= 500; ++seed)
   {
-    const std::vector<PlanePosition> points = UniformPattern(ObservationWindow(), 100, seed, 99);
+    const std::vector<PlanePosition> points = UniformPattern(ObservationWindow(), 30, seed, 99);
     const CurveEnvelope envelope = TestRandomness(points, ObservationWindow(), seed);
     rejected += envelope.IsRejected;
     outside += !envelope.Outside.empty();

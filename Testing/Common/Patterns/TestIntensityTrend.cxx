@@ -231,6 +231,7 @@ TEST(IntensityTrend, PointsAtADistanceHaveATrend)
   EXPECT_NEAR(fit.Process.Distance, 0.04, 0.002);
   // Regrown with it, and judged.
   VerdictOptions verdict;
+  verdict.Simulations = 39;
   verdict.Contrast.TrendDegree = 1;
   const PatternJudgement judgement = JudgePattern(points, Wide(), verdict);
   const auto row = std::find_if(judgement.Laws.begin(), judgement.Laws.end(),

@@ -14,7 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 using namespace littoral;
 using namespace littoral::testing;
@@ -140,27 +143,56 @@ TEST(PairFunctions, KernelsHaveAnyWidth)
   }
 }
 
-/// What is measured at a reference's distance.
-double ValueAt(const SyntheticPattern& pattern, const ReferenceValue& reference)
+/// What is measured of a pattern, at 512 distances.
+class Measured
 {
-  const char* names[] = { "none", "border", "isotropic", "translate" };
-  PairOptions options = Options(0.0, EdgeCorrection::None, 512);
-  for (const EdgeCorrection correction : AllCorrections)
+public:
+  explicit Measured(const SyntheticPattern& pattern)
+    : Pattern(pattern)
   {
-    options.Correction = reference.Correction == names[static_cast<int>(correction)] ? correction : options.Correction;
   }
-  options.Distances.Largest = 0.2 *
-    std::min(pattern.Window.GetHigh()[0] - pattern.Window.GetLow()[0],
-      pattern.Window.GetHigh()[1] - pattern.Window.GetLow()[1]);
-  const std::size_t k = static_cast<std::size_t>(std::lround(reference.Distance / options.Distances.Largest * 512.0));
-  const auto half = pattern.Points.begin() + static_cast<std::ptrdiff_t>(pattern.Points.size() / 2);
-  const PairFunctions found = reference.Function.find("cross") == 0
-    ? FindCrossFunctions({ pattern.Points.begin(), half }, { half, pattern.Points.end() }, pattern.Window, options)
-    : FindPairFunctions(pattern.Points, pattern.Marks, pattern.Window, options);
-  return reference.Function == "m"     ? found.MarkCorrelation[k]
-    : reference.Function.back() == 'K' ? found.K[k]
-                                       : found.PairCorrelation[k];
-}
+  double ValueAt(const ReferenceValue& reference)
+  {
+    const bool isCross = reference.Function.find("cross") == 0;
+    const auto [place, isNew] = this->Functions.try_emplace({ isCross, reference.Correction });
+    const PairOptions options = this->OptionsOf(reference);
+    if (isNew)
+    {
+      place->second = this->Find(isCross, options);
+    }
+    const PairFunctions& found = place->second;
+    const auto k = static_cast<std::size_t>(std::lround(reference.Distance / options.Distances.Largest * 512.0));
+    return reference.Function == "m"     ? found.MarkCorrelation[k]
+      : reference.Function.back() == 'K' ? found.K[k]
+                                         : found.PairCorrelation[k];
+  }
+
+private:
+  PairOptions OptionsOf(const ReferenceValue& reference) const
+  {
+    const char* names[] = { "none", "border", "isotropic", "translate" };
+    PairOptions options = Options(0.0, EdgeCorrection::None, 512);
+    for (const EdgeCorrection correction : AllCorrections)
+    {
+      options.Correction =
+        reference.Correction == names[static_cast<int>(correction)] ? correction : options.Correction;
+    }
+    const ObservationWindow& window = this->Pattern.Window;
+    options.Distances.Largest =
+      0.2 * std::min(window.GetHigh()[0] - window.GetLow()[0], window.GetHigh()[1] - window.GetLow()[1]);
+    return options;
+  }
+  PairFunctions Find(bool isCross, const PairOptions& options) const
+  {
+    const std::vector<PlanePosition>& points = this->Pattern.Points;
+    const auto half = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+    return isCross ? FindCrossFunctions({ points.begin(), half }, { half, points.end() }, this->Pattern.Window, options)
+                   : FindPairFunctions(points, this->Pattern.Marks, this->Pattern.Window, options);
+  }
+
+  const SyntheticPattern& Pattern;
+  std::map<std::pair<bool, std::string>, PairFunctions> Functions; // by cross, correction
+};
 
 TEST(PairFunctions, AgreeWithSpatstat)
 {
@@ -168,6 +200,7 @@ TEST(PairFunctions, AgreeWithSpatstat)
   int compared = 0;
   for (const SyntheticPattern& pattern : SyntheticPatterns())
   {
+    Measured measured(pattern);
     for (const ReferenceValue& reference : references)
     {
       if (reference.Pattern != pattern.Name || reference.Function == "G" || reference.Function == "F")
@@ -175,7 +208,7 @@ TEST(PairFunctions, AgreeWithSpatstat)
         continue;
       }
       ++compared;
-      EXPECT_NEAR(ValueAt(pattern, reference), reference.Value, 0.01 * reference.Value)
+      EXPECT_NEAR(measured.ValueAt(reference), reference.Value, 0.01 * reference.Value)
         << pattern.Name << " " << reference.Function << " " << reference.Correction << " at " << reference.Distance;
     }
   }

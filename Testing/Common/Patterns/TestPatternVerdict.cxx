@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../OnThreads.h"
+#include "Patterns/CurveEnvelope.h"
+#include "Patterns/PairFunctions.h"
 #include "Patterns/PatternVerdict.h"
+#include "Patterns/ProcessFit.h"
 #include "Patterns/ProcessPattern.h"
 
 #include <gtest/gtest.h>
@@ -89,6 +92,34 @@ TEST(PatternVerdict, CellsHaveASoftCoreAndNothingElse)
   EXPECT_FALSE(Find(judgement, "Thomas", true).Exists());
 }
 
+// The same of two processes alone, which costs less.
+TEST(PatternVerdict, CellsAreMadeByASoftCoreAndNotByStrauss)
+{
+  const std::vector<PlanePosition> cells = Mapped("cells");
+  const ObservationWindow window = WindowOf("cells");
+  PairOptions pairs;
+  pairs.Distances = DefaultDistances(window, cells.size(), 64);
+  pairs.Correction = EdgeCorrection::Translation;
+  pairs.WantsK = false;
+  pairs.HalfWidth = 0.15 / std::sqrt(static_cast<double>(cells.size()));
+  const CurveOfPattern curve = [&](const std::vector<PlanePosition>& points) {
+    const std::vector<double> g = FindPairFunctions(points, window, pairs).PairCorrelation;
+    return std::vector<double>(g.begin() + 1, g.end());
+  };
+  for (const PointProcess id : { PointProcess::SoftCore, PointProcess::Strauss })
+  {
+    const ProcessFit fit = FitProcess(id, cells, window, {});
+    ASSERT_TRUE(fit.Exists);
+    const PatternOfNumber law = [&](int number) {
+      ProcessOptions options;
+      options.Seed = SeedOfSimulation(1, number);
+      return SimulateProcess(fit.Process, options, window).Points;
+    };
+    const CurveEnvelope envelope = FindCurveEnvelope(curve(cells), SimulateCurves(law, curve, 99), 0.05);
+    EXPECT_EQ(envelope.IsRejected, id == PointProcess::Strauss) << envelope.PValue;
+  }
+}
+
 // Points at the corners of squares keep more order than any process or law has.
 TEST(PatternVerdict, WhatNothingMakesIsCalledByNoName)
 {
@@ -98,7 +129,7 @@ TEST(PatternVerdict, WhatNothingMakesIsCalledByNoName)
     points.push_back({ 0.05 + 0.1 * (n % 10), 0.05 + 0.1 * (n / 10) + 1e-3 * (n % 7) });
   }
   VerdictOptions options;
-  options.Simulations = 39;
+  options.Simulations = 19;
   const PatternJudgement judgement = JudgePattern(points, ObservationWindow(), options);
   for (const JudgedLaw& law : judgement.Laws)
   {
@@ -118,7 +149,7 @@ TEST(PatternVerdict, PolygonsHaveProcessesOnly)
     ObservationWindow::Polygon({ { 0.0, 0.0 }, { 1.5, 0.2 }, { 1.4, 1.1 }, { 0.5, 1.3 }, { -0.2, 0.6 } });
   const std::vector<PlanePosition> points = SimulateProcess(process, {}, window).Points;
   VerdictOptions options;
-  options.Simulations = 39;
+  options.Simulations = 19;
   options.Contrast.Correction = EdgeCorrection::Translation;
   options.Function = VerdictFunction::BesagL;
   options.Steps = 16;

@@ -171,7 +171,7 @@ TEST(SoftCore, WhatWasSimulatedIsFoundAgain)
   double distance = 0.0;
   double softness = 0.0;
   double squares[2] = { 0.0, 0.0 };
-  const int seeds = 12;
+  const int seeds = 6;
   for (int seed = 1; seed <= seeds; ++seed)
   {
     ProcessOptions options;
@@ -194,7 +194,7 @@ TEST(SoftCore, WhatWasSimulatedIsFoundAgain)
 TEST(SoftCore, RandomPointsHaveNone)
 {
   int random = 0;
-  const int seeds = 100;
+  const int seeds = 30;
   for (int seed = 1; seed <= seeds; ++seed)
   {
     ProcessOptions options;

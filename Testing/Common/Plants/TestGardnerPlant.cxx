@@ -40,6 +40,27 @@ bool SameBytes(const PlantMesh& a, const PlantMesh& b)
     a.Corners == b.Corners && a.JointIds == b.JointIds;
 }
 
+/// The preset's plant of seed 1 with a medium crown: grown once for all cases.
+const PlantPrototype& PrototypeOf(GardnerPreset preset, MediumCrown crown = MediumCrown::Leaves)
+{
+  static std::map<std::pair<GardnerPreset, MediumCrown>, PlantPrototype> prototypes;
+  const auto [place, isNew] = prototypes.try_emplace({ preset, crown });
+  if (isNew)
+  {
+    PlantLevelOptions options;
+    options.Crown = crown;
+    place->second = LevelsOf(GrowGardnerPlant(PresetParameters(preset)), options);
+  }
+  return place->second;
+}
+
+/// The leaves alone, which cost less than all levels.
+PlantMesh LeavesOf(const GardnerPlantParameters& parameters)
+{
+  const GardnerPlant plant = GrowGardnerPlant(parameters);
+  return QuadricMesh(plant, GardnerPicture(GardnerTexture(plant.Parameters.Texture), plant.Parameters.Shells));
+}
+
 /// Gardner's profile, 1 less the quadric's equation: 1 at the center, 0 on the surface, negative outside.
 double Profile(const Quadric& quadric, const Vector3& position)
 {
@@ -281,7 +302,7 @@ TEST_P(GardnerPresets, GrowsASoundPlantInItsCrown)
 TEST_P(GardnerPresets, MeshesAreSound)
 {
   const GardnerPlant plant = GrowGardnerPlant(PresetParameters(GetParam()));
-  const PlantPrototype prototype = LevelsOf(plant, {});
+  const PlantPrototype& prototype = PrototypeOf(GetParam());
   const PlantMesh& mesh = prototype.Leaves;
   std::set<int> used;
   for (int polygon = 0; polygon < mesh.NumberOfPolygons(); ++polygon)
@@ -309,9 +330,7 @@ TEST_P(GardnerPresets, MeshesAreSound)
     EXPECT_GT(mesh.Colors[vertex][0] + mesh.Colors[vertex][1] + mesh.Colors[vertex][2], 20) << "a black leaf";
   }
   EXPECT_EQ(prototype.Low.NumberOfPolygons(), 4);
-  PlantLevelOptions enveloped;
-  enveloped.Crown = MediumCrown::Envelope;
-  for (const Vector3& point : LevelsOf(plant, enveloped).Crown.Points)
+  for (const Vector3& point : PrototypeOf(GetParam(), MediumCrown::Envelope).Crown.Points)
   {
     EXPECT_GE(Depth(crown, point), 0.0) << "the medium crown reaches out of the bounding volume";
   }
@@ -323,23 +342,21 @@ TEST_P(GardnerPresets, MeshesAreSound)
 TEST_P(GardnerPresets, IsAFunctionOfItsSeed)
 {
   GardnerPlantParameters parameters = PresetParameters(GetParam());
-  const PlantPrototype one = LevelsOf(GrowGardnerPlant(parameters), {});
+  const PlantPrototype& one = PrototypeOf(GetParam());
   const PlantPrototype same = LevelsOf(GrowGardnerPlant(parameters), {});
   EXPECT_TRUE(SameBytes(one.Leaves, same.Leaves));
   EXPECT_EQ(one.LeafTexture.Texels, same.LeafTexture.Texels);
   EXPECT_EQ(one.CrownTexture.Texels, same.CrownTexture.Texels);
   parameters.Seed = 2;
-  const PlantPrototype other = LevelsOf(GrowGardnerPlant(parameters), {});
-  EXPECT_FALSE(SameBytes(one.Leaves, other.Leaves));
-  EXPECT_NE(one.LeafTexture.Texels, other.LeafTexture.Texels);
+  const GardnerPlant other = GrowGardnerPlant(parameters);
+  const TextureImage picture = GardnerPicture(GardnerTexture(other.Parameters.Texture), other.Parameters.Shells);
+  EXPECT_FALSE(SameBytes(one.Leaves, QuadricMesh(other, picture)));
+  EXPECT_NE(one.LeafTexture.Texels, picture.Texels);
 }
 
 TEST_P(GardnerPresets, ThePictureOfTheCrownIsFullInItsMiddleAndOpenAtItsRim)
 {
-  PlantLevelOptions options;
-  options.Crown = MediumCrown::Envelope;
-  const PlantPrototype plant = LevelsOf(GrowGardnerPlant(PresetParameters(GetParam())), options);
-  const TextureImage& picture = plant.CrownTexture;
+  const TextureImage& picture = PrototypeOf(GetParam(), MediumCrown::Envelope).CrownTexture;
   EXPECT_GT(OpaqueShare(picture, picture.Rows / 3, picture.Rows / 3), 0.85);
   EXPECT_LT(OpaqueShare(picture, 0, picture.Rows), 0.99);
   std::set<int> shades;
@@ -404,11 +421,11 @@ TEST(GardnerPlant, ShellsAreNested)
 TEST(GardnerPlant, TrianglesThatShowNothingAreLeftOut)
 {
   GardnerPlantParameters parameters;
-  const int some = LevelsOf(GrowGardnerPlant(parameters), {}).Leaves.NumberOfPolygons();
+  const int some = LeavesOf(parameters).NumberOfPolygons();
   parameters.Texture.SilhouetteThreshold = parameters.Texture.CenterThreshold;
-  const int full = LevelsOf(GrowGardnerPlant(parameters), {}).Leaves.NumberOfPolygons();
+  const int full = LeavesOf(parameters).NumberOfPolygons();
   parameters.Texture.CenterThreshold = parameters.Texture.SilhouetteThreshold = 1.0;
-  const int none = LevelsOf(GrowGardnerPlant(parameters), {}).Leaves.NumberOfPolygons();
+  const int none = LeavesOf(parameters).NumberOfPolygons();
   EXPECT_LT(some, full);
   EXPECT_EQ(none, 0);
 }

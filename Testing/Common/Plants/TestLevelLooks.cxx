@@ -23,8 +23,8 @@ constexpr int Pixels = 160; // along an edge
 constexpr double Bound = 0.1;
 
 /// Azimuths and elevations [degrees] between those of the pictures, and some of these.
-constexpr double Directions[12][2] = { { 0.0, 0.0 }, { 28.0, 0.0 }, { 91.0, 5.0 }, { 143.0, 11.0 }, { 190.0, 17.0 },
-  { 221.0, 30.0 }, { 250.0, 34.0 }, { 275.0, 45.0 }, { 312.0, 56.0 }, { 350.0, 73.0 }, { 65.0, 83.0 }, { 10.0, 90.0 } };
+constexpr double Directions[6][2] = { { 0.0, 0.0 }, { 28.0, 5.0 }, { 143.0, 17.0 }, { 221.0, 34.0 }, { 312.0, 56.0 },
+  { 65.0, 83.0 } };
 
 struct Seen
 {
@@ -271,7 +271,7 @@ TEST(LevelLooks, AonoKuniiTreesLookTheSameAtAllLevels)
 
 TEST(LevelLooks, GardnerPlantsLookTheSameAtAllLevels)
 {
-  for (int preset = 1; preset < NumberOfGardnerPresets; ++preset)
+  for (int preset = 1; preset < NumberOfGardnerPresets; preset += 3)
   {
     const auto plant = static_cast<GardnerPreset>(preset);
     ExpectSameLooks(LevelsOf(GrowGardnerPlant(PresetParameters(plant)), {}), TraitsOf(plant).Name);

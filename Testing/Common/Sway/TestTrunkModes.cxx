@@ -3,8 +3,8 @@
 #include "Numerics/Constants.h"
 #include "Plants/ReevesTree.h"
 #include "Sway/PlantSway.h"
+#include "SymmetricModes.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,9 +82,10 @@ public:
     }
     const int free = 2 * count;
     const Eigen::MatrixXd k = this->Stiffness - (weighs ? 1.0 : 0.0) * this->Weight;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      k.bottomRightCorner(free, free), this->Mass.bottomRightCorner(free, free));
-    return solver.eigenvalues().cwiseSqrt() / TwoPi;
+    return littoral::testing::GeneralizedValues(
+             k.bottomRightCorner(free, free), this->Mass.bottomRightCorner(free, free))
+             .cwiseSqrt() /
+      TwoPi;
   }
 
 private:

@@ -3,8 +3,8 @@
 #include "Numerics/Constants.h"
 #include "Plants/ReevesTree.h"
 #include "Sway/PlantSway.h"
+#include "SymmetricModes.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Sparse>
 #include <gtest/gtest.h>
 
@@ -96,12 +96,11 @@ public:
         next /= std::sqrt(next.dot(mass.cwiseProduct(next)));
       }
       const Eigen::MatrixXd small = basis.leftCols(count).transpose() * (stiffness * basis.leftCols(count));
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(small);
+      const littoral::testing::SymmetricModes modes = littoral::testing::ModesOf(small);
       for (int i = 0; i < count; ++i)
       {
-        const Eigen::VectorXd mode = basis.leftCols(count) * modes.eigenvectors().col(i);
-        lines.push_back(
-          { std::sqrt(modes.eigenvalues()[i]), mode.dot(pushes[direction]) * mode[tip + direction], direction });
+        const Eigen::VectorXd mode = basis.leftCols(count) * modes.Vectors.col(i);
+        lines.push_back({ std::sqrt(modes.Values[i]), mode.dot(pushes[direction]) * mode[tip + direction], direction });
       }
     }
     double best = 0.0;
@@ -216,12 +215,11 @@ private:
     const Vector3 g = glm::cross(e, f);
     Eigen::Matrix3d rows;
     rows << e.x, e.y, e.z, f.x, f.y, f.z, g.x, g.y, g.z;
-    Eigen::Matrix<double, 12, 12> turn = Eigen::Matrix<double, 12, 12>::Zero();
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 16; ++i)
     {
-      turn.block<3, 3>(3 * i, 3 * i) = rows;
+      auto part = k.block<3, 3>(i / 4 * 3, i % 4 * 3);
+      part = (rows.transpose() * part * rows).eval();
     }
-    k = (turn.transpose() * k * turn).eval();
     const int first[2] = { 6 * (from - 1), 6 * (to - 1) };
     for (int i = 0; i < 144; ++i)
     {

@@ -70,9 +70,16 @@ struct Dense
         functions(a, 2) = this->Places[a][1];
       }
     }
-    const Eigen::MatrixXd orthonormal =
-      functions.householderQr().householderQ() * Eigen::MatrixXd::Identity(count, functions.cols());
-    this->Remove = Eigen::MatrixXd::Identity(count, count) - orthonormal * orthonormal.transpose();
+    for (int column = 0; column < functions.cols(); ++column)
+    {
+      for (int before = 0; before < 2 * column; ++before) // twice, for the rounding of the first time
+      {
+        functions.col(column) -=
+          functions.col(before % column).dot(functions.col(column)) * functions.col(before % column);
+      }
+      functions.col(column).normalize();
+    }
+    this->Remove = Eigen::MatrixXd::Identity(count, count) - functions * functions.transpose();
   }
 
   int Count() const { return static_cast<int>(this->Places.size()); }
