@@ -4,6 +4,7 @@
 """A property is changed while a film plays in the window: the last picture is that of a new pipeline with that value.
 
 ParaView's window handles clicks between two frames; so the change is made there. The session is reset there, too.
+TestEachChangeInFilm has other pipelines.
 """
 
 import sys
@@ -65,6 +66,9 @@ def show(output, place=None):
     return view
 
 
+simple._DisableFirstRenderCameraReset()
+
+
 def film():
     """Frames from 0 to END."""
     player = simple.GetAnimationScene()
@@ -99,7 +103,8 @@ def keep_picture(view, file):
     return file
 
 
-def check(name, build, key, value):
+def check(name):
+    build, key, value = CHANGES[name]
     source, output = build()
     view = show(output)
     before = keep_picture(view, "before.png")
@@ -118,16 +123,15 @@ def check(name, build, key, value):
     simple.ResetSession()
 
 
-def check_reset(name, build):
+def check_reset(name):
     """The film ends with its session, and a new one draws."""
-    show(build()[1])
+    show(CHANGES[name][0]()[1])
     play(simple.ResetSession)
     assert not simple.GetSources(), f"{name}: the session is not empty"
     simple.Render(show(simple.Sphere()))
     simple.ResetSession()
 
 
-for name, (build, key, value) in CHANGES.items():
-    check(name, build, key, value)
-for name in ("Sea", "Orbits"):
-    check_reset(name, CHANGES[name][0])
+if __name__ == "__main__":
+    check("Sea")
+    check_reset("Orbits")

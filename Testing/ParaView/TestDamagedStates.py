@@ -70,7 +70,7 @@ simple.ResetSession()
 assert load(whole) == "" and points() == [441]
 os.remove("damaged.pvsm")
 
-for program in "pvpython", "pvbatch":
+for program in ["pvbatch"]:
     with open("picture.png", "w", encoding="utf-8") as file:
         file.write("old")
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: pvpython tier=all
 """The Forest entry stays below 200 MB wherever the camera is, textures included."""
 
 import math

@@ -4,8 +4,8 @@
 """The representation Full Surface spares work that ParaView does for each frame, and nobody sees it.
 
 Two squares and a line that move: bounds are those of the visible blocks at each time, and the cells that are picked are
-those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips, ghost cells and volumes. Numbers of blocks, which
-ParaView makes anew at each time, are the same arrays at all times, and others when there are more points.
+those of the representation Surface; no numbers of cells and points are made for polygonal data, but for strips, ghost
+cells and volumes. Numbers of blocks, which ParaView makes anew at each time, are the same arrays at all times, and others when there are more points.
 """
 
 import numpy as np
@@ -126,7 +126,7 @@ def picked(source, view, column, row):
 
 
 view = simple.CreateView("RenderView")
-view.ViewSize = [200, 200]
+view.ViewSize = [100, 100]
 blocks = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=BLOCKS,
                                    ScriptRequestInformation=TIMES)
 simple.SetActiveSource(blocks)
@@ -153,7 +153,7 @@ simple.Render(view)
 
 simple.ResetCamera(view)
 simple.Render(view)
-PIXELS = [(x, y) for x in range(5, 200, 19) for y in range(5, 200, 19)]
+PIXELS = [(x, y) for x in range(3, 100, 19) for y in range(3, 100, 19)]
 ours = [picked(blocks, view, *pixel) for pixel in PIXELS]
 shown.SetRepresentationType("Surface")
 simple.Render(view)

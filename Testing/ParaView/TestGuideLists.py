@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Each numbered list of the guide is walked by a test of its own, and no test walks a list that is gone."""
+"""Each numbered list of the guide is walked by a module guide_*.py, which a test plays, and no module walks one that is gone."""
 
 import glob
 import os
@@ -12,14 +12,17 @@ from guide import lists, pages, read
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 walked = set()
-for file in glob.glob(os.path.join(HERE, "TestGuideLists?*.py")):
-    found = re.findall(r'Walk\(__file__, "([^"]+)"(?:, (\d+))?\)', read(file))
-    assert found, f"{file} walks no list"
-    walked |= {(page, int(number or 0)) for page, number in found}
+for file in glob.glob(os.path.join(HERE, "guide_*.py")):
+    page, number = re.search(r'^PAGE(?:, NUMBER)? = "([^"]+)"(?:, (\d+))?$', read(file), re.MULTILINE).groups()
+    walked.add((page, int(number or 0)))
+played = {name for file in glob.glob(os.path.join(HERE, "TestGuideLists?*.py"))
+          for name in re.findall(r"^import (guide_\w+)$", read(file), re.MULTILINE)}
 there = {(page, number) for page in pages() for number in range(len(lists(page)))}
 assert there, "the guide has no numbered lists"
+modules = {os.path.splitext(os.path.basename(file))[0] for file in glob.glob(os.path.join(HERE, "guide_*.py"))}
+assert played == modules, f"no test plays {modules - played}"
 for page, number in sorted(there - walked):
-    raise AssertionError(f"{page}.md: no test walks the list that begins {lists(page)[number][0]!r}")
+    raise AssertionError(f"{page}.md: no module walks the list that begins {lists(page)[number][0]!r}")
 for page, number in sorted(walked - there):
-    raise AssertionError(f"{page}.md has no list {number}, which a test walks")
+    raise AssertionError(f"{page}.md has no list {number}, which a module walks")
 print(f"{len(there)} lists of the guide are walked")

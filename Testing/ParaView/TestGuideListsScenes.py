@@ -1,93 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
-"""The guide's lists of the macros, in the window: a forest of a table, and a twin of a terrain."""
+# run-with: pvpython tier=all
+"""The guide's lists of the macros, in the window."""
 
-import os
-import shutil
+import guide_stands
+import guide_forest_from_table
+import guide_twin_from_raster
+from guide import play
 
-import quick
-from paraview import simple
-
-from guide import TOP, WINDOW, Walk, compare
-
-MACROS = os.path.join(TOP, "paraview-plugin", "Macros")
-SPECIES = ["Pine", "Oak", "Birch"]
-TREES = [(0, 0, "Pine", 10), (20, 0, "Oak", 12), (0, 30, "Birch", 8), (20, 30, "Oak", 6), (40, 10, "Pine", 14)]
-
-
-def write_raster(file):
-    place = simple.TurningBandsTerrain(WholeExtent=[0, 60, 0, 40, 0, 0], Spacing=[10.0, 10.0, 1.0], Seed=3)
-    simple.SaveData(file, proxy=place)
-    simple.ResetSession()
-
-
-def run(walk, name):
-    """Import a macro and choose it in the menu."""
-    walk.say(f"Macros > {name}")
-    walk.event(f"{WINDOW}/menubar/menu_Macros", "activate", "actionMacroCreate")
-    walk.event(f"{WINDOW}/FileOpenDialog", "filesSelected", os.path.join(MACROS, f"{name}.py"))
-    walk.event(f"{WINDOW}/menubar/menu_Macros", "activate", name)
-
-
-def forest(view):
-    """The trees of the table, of the heights of the table, and the meadow below them."""
-    trees = [simple.ReevesTree(Preset=name) for name in SPECIES]
-    for tree in trees:
-        tree.UpdatePipeline()
-    heights = [tree.GetDataInformation().GetBounds()[5] for tree in trees]
-    with open("sites.csv", "w", encoding="utf-8") as sites:
-        sites.write("x,y,Species,Scale,SiteId\n")
-        for number, (x, y, species, height) in enumerate(TREES):
-            kind = SPECIES.index(species)
-            sites.write(f"{x},{y},{kind},{height / heights[kind]!r},{number}\n")
-    sites = simple.TableToPoints(Input=simple.CSVReader(FileName=["sites.csv"]), XColumn="x", YColumn="y", a2DPoints=1)
-    plants = simple.PlantScatter(Sites=sites, Prototypes=trees, ScaleVariation=0)
-    simple.Show(plants, view)
-    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.0, -3.0, 1.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]
-    simple.ResetCamera(view)
-    view.GetActiveCamera().Dolly(1.4)  # the bounds are those of the trees as seen
-    x0, x1, y0, y1, z0, _ = plants.GetDataInformation().GetBounds()
-    margin = 0.03 * (x1 - x0 + y1 - y0)
-    meadow = simple.Plane(Origin=[x0 - margin, y0 - margin, z0], Point1=[x1 + margin, y0 - margin, z0],
-                          Point2=[x0 - margin, y1 + margin, z0])
-    simple.Show(meadow, view).DiffuseColor = [0.42, 0.40, 0.22]
-
-
-def twin(view):
-    fit = simple.CovarianceFit(Input=simple.XMLImageDataReader(FileName=["place.vti"]))
-    place = simple.TurningBandsTerrainFromFits(
-        Input=simple.OutputPort(fit, 0), WholeExtent=[0, 60, 0, 40, 0, 0], Spacing=[10.0, 10.0, 1.0])
-    simple.Show(simple.TerrainLevelOfDetail(Input=place), view)
-
-
-def main():
-    shutil.rmtree("settings", ignore_errors=True)
-    os.environ["XDG_CONFIG_HOME"] = os.path.abspath("settings")  # where ParaView keeps an imported macro
-    with open("trees.csv", "w", encoding="utf-8") as table:
-        table.write("x,y,species,height\n" + "".join(f"{x},{y},{kind.lower()},{h}\n" for x, y, kind, h in TREES))
-    write_raster("place.vti")
-    walk = Walk(__file__, "scenes", 0)
-    walk.next("CSV Reader")
-    for word in ("x", "y", "species", "height"):
-        walk.say(word)
-    walk.open("trees.csv", "GDALVectorReader")
-    walk.apply()
-    walk.next()
-    run(walk, "forest_from_table")
-    walk.look("forest")
-    walk.end()
-    compare("forest", forest, 0.05)
-    walk = Walk(__file__, "scenes", 1)
-    walk.next()
-    walk.open("place.vti")
-    walk.apply()
-    walk.next("Seed", "Twin")
-    run(walk, "twin_from_raster")
-    walk.look("twin")
-    walk.end()
-    compare("twin", twin, 0.2)
-
-
-if __name__ == "__main__":
-    main()
+play(guide_stands, guide_forest_from_table, guide_twin_from_raster)

@@ -2,11 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
 """Colors that are drawn as they are have no legend, in a window with one view and with several, whatever the eyes show.
+What a view shows is exported by the menu.
 """
 
+import os
+
 import quick
-from paraview import simple
-from player import PIPELINE, Session
+from paraview import servermanager, simple
+from player import WINDOW, Session
+from scene_files import below_root, scene_of
 
 
 def legends():
@@ -36,47 +40,37 @@ def first_view():
     simple.SetActiveView(simple.GetRenderViews()[0])
 
 
-def color_by_height():
-    """In the client: colors of a map, whose legend stays."""
-    view = simple.GetActiveView()
-    shown = simple.GetDisplayProperties(simple.OutputPort(simple.FindSource("Drainage1"), 0), view)
-    simple.ColorBy(shown, ("POINTS", "Elevation"))
-    shown.SetScalarBarVisibility(view, True)
-
-
-def check_legend():
-    """In the client: the legend of a color map is there, and nothing else."""
-    simple.RenderAllViews()
-    found = legends()
-    assert len(found) == 1 and found[0].startswith("Elevation"), found
-
-
-class Eyes(Session):
-    """Clicks eyes of the pipeline browser."""
-
-    def eye(self, *rows):
-        index = "".join(f"/{row}:0" for row in (0, *rows[:-1])) + f"/{rows[-1]}:1"
-        self.event(PIPELINE, "mousePress", f"1,1,0,8,8,{index}")
-        self.event(PIPELINE, "mouseRelease", f"1,0,0,8,8,{index}")
+def check_export(scene):
+    """File > Export Scene: what is shown, by the names of the pipeline browser, with camera and sun."""
+    assert below_root(scene) == ["Camera", "Drainage1", "Sun"], below_root(scene)
+    kinds = {material["extras"]["kind"] for material in scene["materials"]}
+    assert kinds == {"ground"}, kinds  # rivers, which are lines, are hidden
 
 
 def main():
-    session = Eyes(__file__)
-    session.source("TwinOfAPlace")
+    session = Session(__file__)
+    session.source("TurningBandsTerrain")
+    for end in 1, 3:
+        session.field("WholeExtent", 40, f"LineEdit{end}")
     session.apply()
-    session.call(check, "a scene")
+    session.filter("Drainage")
+    session.apply()
+    session.call(check, "valleys")
     session.call(other_view)
-    session.call(check, "a second view")
-    for again in "shown", "hidden", "shown again":
-        session.eye(0, 0, 1)  # Rivers of Valleys
-        session.eye(0, 0, 0, 0)  # Ground, of its Terrain
-        session.call(check, f"the second view: {again}")
+    for port in 0, 1:  # Terrain and Rivers
+        session.eye(0, 0, port)
+    session.call(check, "a second view: shown")
     session.call(first_view)
-    for again in "hidden", "shown again":
-        session.eye(0, 0, 1)
-        session.eye(0, 0, 0, 0)
-        session.call(check, f"the first view: {again}")
+    session.eye(0, 0, 1)
+    session.call(check, "the first view: hidden")
+    exports = hasattr(servermanager.writers, "GLTFSceneWriter")
+    if exports:
+        session.menu("menu_File", "actionExport")
+        session.event(f"{WINDOW}/FileExportDialog", "filesSelected", os.path.abspath("window.glb"))
+        session.event(f"{WINDOW}/ProxyWidgetDialog/widget/OKButton")
     session.play()
+    if exports:
+        check_export(scene_of("window.glb"))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
+# run-with: pvpython tier=all
 """Each mistake is one message: with the filter shown, drawn five times from other places, at another time, and clipped.
 
 A missing second input leaves the first one as it is where the filter moves it; else there is no output.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch mpi=1,2,3
+# run-with: pvbatch mpi=1,2
 """The same terrain, fit, twin, valleys, fields through data, points, processes, verdict, stand, sea, wood, drift,
 levels of detail, fog and seaweeds on any number of ranks.
 
@@ -187,7 +187,7 @@ kelp = simple.SeaweedDeformation(Input=meadow, SeaState=simple.SeaState(SeaLevel
                                  ViewPoint=[-2.0, 3.0, 1.0], ViewDirection=[1.0, 0.0, 0.0], ViewAngle=70.0,
                                  NearDistance=3.0, FarDistance=5.0, BlendDistance=1.0)
 counts = set()
-for kelp.Method, kelp.UseLevels in (("Physical", 0), ("Physical", 1), ("Procedural", 0), ("Procedural", 1)):
+for kelp.Method, kelp.UseLevels in (("Physical", 1), ("Procedural", 0)):
     for part, names in (("High/Skeleton", ("Velocity", "Acceleration")), ("High/Leaves", ()), ("High/Skin", ())):
         merged = simple.ExtractSurface(Input=simple.MergeBlocks(
             Input=simple.ExtractBlock(Input=kelp, Selectors=[f"/Root/{part}"]), MergePoints=0))
@@ -199,7 +199,7 @@ for kelp.Method, kelp.UseLevels in (("Physical", 0), ("Physical", 1), ("Procedur
         hashes = [hashlib.sha256(vtk_to_numpy(array)[order].tobytes()).hexdigest() for array in arrays]
         result += hashes
         counts.add((part, hashes[0]))
-assert len(counts) == 12, "methods or levels of detail are of no effect"
+assert len(counts) == 6, "methods or levels of detail are of no effect"
 text = "\n".join(result)
 if ranks == 1:
     with open("result.txt", "w") as file:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: client
+# run-with: client tier=all
 """The session is reset over and over in the window: while filters follow the camera, after a film, after a state file.
 
 What watched the views and sources of a session must be gone with it. LITTORAL_RESETS is how often; default 6.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch mpi=1,2,3
+# run-with: pvbatch mpi=1,2 tier=all
 """Each table has its rows once on any number of ranks, whichever output is asked for first."""
 
 import quick

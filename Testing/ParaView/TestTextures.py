@@ -4,20 +4,17 @@
 """Blocks that carry a texture are drawn with it by the representation Full Surface.
 
 Squares with known texels: the color of a pixel is that of the points times the texel over the mean of the texture, and
-nothing where the texel is transparent; visibility, picking and shaders of blocks as without textures; rendered by the
-client and by a server. A block that moves keeps in the graphics' memory what stays, and is seen and picked where it is.
+nothing where the texel is transparent; visibility, picking and shaders of blocks as without textures. A block that moves
+keeps in the graphics' memory what stays, and is seen where it is. TestServer has the same before a server.
 """
 
 import json
-import shutil
 
 import numpy as np
 import quick
 from paraview import simple
-from server import connected
 from window import colors
 
-PORT = 21533
 SIZE = 200  # of the window [pixels]; 10 units of the scene
 
 #: A square without a texture at the left; one of 2 x 1 texels in the middle, of which the right one is transparent; a
@@ -225,24 +222,22 @@ def check_motion(view, squares, shown):
     near(at(seen, 1.6, 0.4), (200, 100, 50), "the triangle that is left")
     near(at(seen, 0.4, 1.6), (0, 0, 255), "the triangle that is gone")
     squares.Script = SQUARES
-    check_picking(view, squares, shown, "moved back")
+    seen = picture(view)
+    near(at(seen, 1.6, 0.4), (200, 100, 50), "moved back")
     shown.BlockColors = ["/Root/Plain", "0", "1", "0"]
     near(at(picture(view), 1.0), (0, 255, 0), "a color that a user chose for a block")
     shown.BlockColors = []
     near(at(picture(view), 1.0), (200, 100, 50), "the color of the points again")
 
 
-view, squares, shown, light = scene()
-check_colors(view, squares, shown, "alone")
-check_motion(view, squares, shown)
-check_light(view, shown, light, "alone")
-check_picking(view, squares, shown, "alone")
-check_shaders(view, shown)
-for ranks in (1, 2) if shutil.which("mpirun") else (1,):
-    with connected(PORT + ranks, ranks):
-        # One view a server: VTK 9.6 warns of textures when a view of blocks ends before its server, textured or not.
-        view, squares, shown, light = scene()
-        for threshold, where in ((0.0, "rendered by the server"), (1e5, "rendered by the client")):
-            simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = threshold
-            check_colors(view, squares, shown, f"{where}, {ranks} ranks")
-            check_light(view, shown, light, f"{where}, {ranks} ranks")
+def main():
+    view, squares, shown, light = scene()
+    check_colors(view, squares, shown, "alone")
+    check_motion(view, squares, shown)
+    check_light(view, shown, light, "alone")
+    check_picking(view, squares, shown, "alone")
+    check_shaders(view, shown)
+
+
+if __name__ == "__main__":
+    main()

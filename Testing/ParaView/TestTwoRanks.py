@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""A client with a server of two ranks: all outputs in blocks have the same ones on both, empty or not, and are drawn.
+"""A client with a server of two ranks: outputs in blocks have the same ones on both, empty or not, and are drawn; a chart has
+its series, rows and picture once. TestOtherOnTwoRanks has the other pipelines and charts.
 
 ParaView's ranks exchange data block by block, so that a rank with fewer of them never answers. Translucent blocks are
 redistributed before they are drawn. A rank that never answers is ended here, with what was drawn.
@@ -17,6 +18,7 @@ import time as clock
 import numpy as np
 import quick
 from paraview import simple
+from player import difference
 from server import connected
 from window import colors
 
@@ -50,40 +52,11 @@ def tree():
     return simple.ReevesTree(Preset="Shrub")
 
 
-def forest():
-    sites = simple.QuadratPoints(Quadrats=[5, 5], Size=[30.0, 30.0])
-    return simple.PlantScatter(Sites=sites, Prototypes=[tree()], NearDistance=10.0, FarDistance=40.0)
-
-
-def swaying_tree():
-    return simple.BeamTreeDeformation(Input=tree(), Wind=simple.WindField(Dimensions=[100, 16, 8]))
-
-
-def swaying_forest():
-    one = tree()
-    sites = simple.QuadratPoints(Quadrats=[3, 3], Size=[20.0, 20.0])
-    return simple.BeamTreeDeformation(Input=simple.PlantScatter(Sites=sites, Prototypes=[one]), Prototypes=[one],
-                                      Wind=simple.WindField(Dimensions=[100, 16, 8]))
-
-
 def kelp():
     return simple.SeaweedDeformation(Input=simple.Seaweed(), SeaState=simple.SeaState(NumberOfTrains=5, SeaLevel=8.0))
 
 
-def terrain_levels():
-    terrain = simple.TurningBandsTerrain(WholeExtent=[0, 100, 0, 100, 0, 0])
-    return simple.TerrainLevelOfDetail(Input=terrain, UseCulling=0)
-
-
-def particle_levels():
-    sea = simple.SeaState(NumberOfTrains=5)
-    particles = simple.SuspendedParticles(Density=0.05)
-    levels = simple.ParticleLevelOfDetail(Input=particles, SeaState=sea, UseCulling=0, VisibleDistance=0.0)
-    return simple.ParticleOrbits(Input=levels, SeaState=sea)
-
-
-PIPELINES = (simple.Seaweed, tree, forest, swaying_tree, swaying_forest, kelp, terrain_levels, particle_levels)
-TRANSLUCENT = (simple.Seaweed, tree, terrain_levels)
+TRANSLUCENT = [tree]
 
 
 def check_structure(output, name):
@@ -103,7 +76,7 @@ def check_structure(output, name):
 def check_picture(output, name, opacity):
     """It is drawn, at a second time and from another place too."""
     view = simple.CreateView("RenderView")
-    view.ViewSize = [200, 150]
+    view.ViewSize = [100, 80]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.BackgroundColorMode = "Single Color"
@@ -126,19 +99,55 @@ def end(name):
     os._exit(1)
 
 
+def draw_charts(charts, folder):
+    """Draw some charts; the series and the number of rows of each."""
+    found = {}
+    for make in charts:
+        name, (table, port, kind) = make.__name__, make()
+        view = simple.CreateView(kind)
+        view.ViewSize = [300, 200]
+        output = simple.OutputPort(table, port)
+        chart = simple.Show(output, view)
+        simple.Render(view)
+        simple.SaveScreenshot(f"{folder}-{name}.png", view, ImageResolution=[300, 200])
+        found[name] = list(chart.SeriesVisibility), output.GetDataInformation().GetNumberOfRows()
+    return found
+
+
+def sea_chart():
+    return simple.SeaStatistics(Input=simple.SeaState(NumberOfTrains=17)), 0, "XYChartView"
+
+
+def compare_charts(seen, wanted):
+    for name, (series, rows) in wanted.items():
+        assert series and rows, f"{name}: the chart is empty"
+        assert seen[name] == wanted[name], f"{name}: series and rows are {seen[name]}, not {wanted[name]}"
+        part = difference(f"ranks-{name}.png", f"alone-{name}.png")
+        print(f"{name}: {len(series)} series, {rows} rows, {part:.2%} of the picture is another", flush=True)
+        assert part < 0.002, f"{name}: {part:.2%} of the picture is another"
+
+
+def check(pipelines, charts):
+    wanted = draw_charts(charts, "alone")
+    with connected(PORT, 2):
+        simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0.0
+        for make in pipelines:
+            name = make.__name__
+            signal.signal(signal.SIGALRM, lambda *_: end(name))
+            signal.alarm(LIMIT)
+            start = clock.monotonic()
+            output = make()
+            check_structure(output, name)
+            for opacity in (1.0, 0.5) if make in TRANSLUCENT else (1.0,):
+                check_picture(output, name, opacity)
+            signal.alarm(0)
+            print(f"{name}: the same blocks on two ranks, drawn in {clock.monotonic() - start:.1f} s", flush=True)
+            simple.Delete(output)
+        seen = draw_charts(charts, "ranks")
+    compare_charts(seen, wanted)
+
+
 if not shutil.which("mpirun"):
     sys.exit(125)
-with connected(PORT, 2):
-    simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0.0
-    for make in PIPELINES:
-        name = getattr(make, "__name__", str(make))
-        signal.signal(signal.SIGALRM, lambda *_: end(name))
-        signal.alarm(LIMIT)
-        start = clock.monotonic()
-        output = make()
-        check_structure(output, name)
-        for opacity in (1.0, 0.5) if make in TRANSLUCENT else (1.0,):
-            check_picture(output, name, opacity)
-        signal.alarm(0)
-        print(f"{name}: the same blocks on two ranks, drawn in {clock.monotonic() - start:.1f} s", flush=True)
-        simple.Delete(output)
+if __name__ == "__main__":
+    check([tree, kelp], [sea_chart])

@@ -1,31 +1,48 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""Undo and redo in the window: a source, a filter with a second input, a property, a deletion, a scene.
+"""Undo and redo in the window: a filter with a second input; in TestEachUndo a source, a property, a deletion, a scene.
 
-Each undo brings back the pipeline and the picture from before, each redo those from after.
+Each undo brings back the pipeline from before, each redo that from after, and its picture.
 """
 
+import glob
+import os
 import xml.etree.ElementTree as ElementTree
 
 from player import Session, difference, drawn
 
 
-def record(name):
-    """Keep the picture and the pipeline."""
-    session.keep_picture(f"{name}.png")
-    session.save_state(f"{name}.pvsm")
+class Undo(Session):
+    """Edits, each of which is undone and redone."""
 
+    def __init__(self, test):
+        super().__init__(test)
+        self.checks = []
+        for old in glob.glob("*.png"):
+            os.remove(old)
 
-def there_and_back(name, before, edits):
-    """Record what the last edits made, undo them, redo them; the name of the last record."""
-    record(f"{name}-done")
-    for step, action in (("undone", session.undo), ("redone", session.redo)):
-        for _ in range(edits):
-            action()
-        record(f"{name}-{step}")
-    CHECKS.append((name, before))
-    return f"{name}-redone"
+    def record(self, name, with_picture=False):
+        """Keep the pipeline, and the picture, which takes longer."""
+        self.save_state(f"{name}.pvsm")
+        if with_picture:
+            self.keep_picture(f"{name}.png")
+        return name
+
+    def there_and_back(self, name, before, edits, with_picture=False):
+        """Record what the last edits made, undo them, redo them; the name of the last record."""
+        self.record(f"{name}-done", with_picture)
+        for step, action in (("undone", self.undo), ("redone", self.redo)):
+            for _ in range(edits):
+                action()
+            self.record(f"{name}-{step}", with_picture and step == "redone")
+        self.checks.append((name, before))
+        return f"{name}-redone"
+
+    def end(self):
+        self.play()
+        for item in self.checks:
+            check(*item)
 
 
 def pipeline(file):
@@ -38,8 +55,8 @@ def pipeline(file):
             kept = ("Element",) if display else ("Element", "Proxy")
             for item in proxy.findall("Property"):
                 values = [child.get("value") for child in item if child.tag in kept]
-                if item.get("name") == "DetailFactor":
-                    continue  # of the latest picture: coarser while the camera moves
+                if item.get("name") in ("DetailFactor", "ViewAngle"):
+                    continue  # of the latest picture, for filters that follow the camera
                 found[proxy.get("type"), proxy.get("id"), item.get("name")] = values
     return found
 
@@ -48,48 +65,35 @@ def check_equal(seen, wanted):
     one, other = pipeline(f"{wanted}.pvsm"), pipeline(f"{seen}.pvsm")
     for key in sorted(one.keys() | other.keys()):
         assert one.get(key) == other.get(key), f"{seen}: {key} is {other.get(key)}, not {one.get(key)}"
-    if one:
+    if os.path.exists(f"{seen}.png"):
         part = difference(f"{wanted}.png", f"{seen}.png")
         assert part < 0.002, f"{seen}: {part:.1%} of the picture is another"
-    else:
-        assert drawn(f"{seen}.png") == 0.0, f"{seen}: something is drawn without a pipeline"
+        assert drawn(f"{seen}.png") > 0.01, f"{seen}: nothing is drawn"
 
 
 def check(name, before):
     assert pipeline(f"{before}.pvsm") != pipeline(f"{name}-done.pvsm"), f"{name}: nothing was done"
     check_equal(f"{name}-undone", before)
     check_equal(f"{name}-redone", f"{name}-done")
-    print(f"{name}: undone and redone; drawn {drawn(f'{before}.png'):.1%}, {drawn(f'{name}-done.png'):.1%}", flush=True)
+    print(f"{name}: undone and redone", flush=True)
 
 
-CHECKS = []
-session = Session(__file__)
-record("empty")
-session.source("Seaweed")
-session.apply()
-at = there_and_back("source", "empty", 2)
-session.select(0)
-session.choose("Preset", "Eelgrass")
-session.apply()
-there_and_back("property", at, 1)
-session.source("SeaState")
-session.field("WindSpeed", 5)
-session.field("SeaLevel", 8, "DoubleLineEdit0")
-session.apply()
-session.select(0, 0)
-record("sea")
-session.filter("SeaweedDeformation")
-session.connect("SeaState", "SeaState1")
-session.apply()
-at = there_and_back("filter", "sea", 2)
-session.select(0, 0, 0)
-session.delete()
-there_and_back("deletion", at, 1)
-session.source("Forest")
-record("unapplied")
-session.apply()
-there_and_back("parts", "unapplied", 1)
-there_and_back("scene", "deletion-redone", 2)
-session.play()
-for item in CHECKS:
-    check(*item)
+def main():
+    session = Undo(__file__)
+    session.source("Seaweed")
+    session.apply()
+    session.source("SeaState")
+    session.field("SeaLevel", 8, "DoubleLineEdit0")
+    session.apply()
+    session.select(0, 0)
+    at = session.record("sea")
+    session.filter("SeaweedDeformation")
+    session.connect("SeaState", "SeaState1")
+    session.choose("Method", "Procedural")
+    session.apply()
+    session.there_and_back("filter", at, 2, with_picture=True)
+    session.end()
+
+
+if __name__ == "__main__":
+    main()

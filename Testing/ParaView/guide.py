@@ -7,20 +7,17 @@ as told only. Then the picture is compared with one of the same pipeline made by
 """
 
 import glob
-import json
 import os
 import re
+import shutil
 
 import quick
 from paraview import simple
-from player import PANEL, PIPELINE, SHELL, WINDOW, Session, difference, drawn
+from player import PANEL, SIZE, WINDOW, Session, difference, drawn, kept_with
 
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 GUIDE = os.path.join(TOP, "Documentation", "guide")
-SIZE = [300, 300]
 DIALOG = f"{WINDOW}/SelectInputDialog"
-CAMERA = ("InteractionMode", "CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle",
-          "CameraParallelProjection", "CameraParallelScale")
 #: ParaView's own entries, as the guide names them: menu and action.
 ENTRIES = {
     "File > Open": ("menu_File", "actionFileOpen"),
@@ -58,13 +55,20 @@ def pages():
 
 
 class Walk(Session):
-    """A session that walks one numbered list of a page, and must come to its end."""
+    """A session that walks numbered lists of pages one after the other, each to its end and from an empty window."""
 
-    def __init__(self, test, page, number=0):
-        super().__init__(test)
-        self.page, self.number, self.steps, self.left = page, number, lists(page)[number], []
+    def __init__(self):
+        super().__init__(__file__)
         self.panels = "".join(map(read, glob.glob(os.path.join(TOP, "paraview-plugin", "*.xml"))))
-        self.done = 0
+
+    def begin(self, page, number):
+        self.page, self.steps, self.left, self.done = page, lists(page)[number], [], 0
+
+    def empty(self):
+        """Edit > Reset Session, and a view of the same size as before."""
+        self.reset()
+        self.small_view()  # for the old view: off
+        self.small_view()
 
     def next(self, *told):
         """Go on to the next step; some of its marked words tell of something else than what the test does."""
@@ -140,36 +144,39 @@ class Walk(Session):
         self.say(said)
         self.field(self.named(label), value)
 
-    def eye(self, *rows):
-        """Click the eye of an entry of the pipeline browser."""
-        index = "".join(f"/{row}:0" for row in (0, *rows[:-1])) + f"/{rows[-1]}:1"
-        self.event(PIPELINE, "mousePress", f"1,1,0,8,8,{index}")
-        self.event(PIPELINE, "mouseRelease", f"1,0,0,8,8,{index}")
-
-    def look(self, name):
-        """Keep the picture of the scene, its camera and its time."""
-        self.event(SHELL, "executeCommand", f"import player; player.call('guide', 'keep_look', ({name!r},))")
+    def macro(self, name):
+        """Import a macro and choose it in the menu."""
+        self.say(f"Macros > {name}")
+        self.event(f"{WINDOW}/menubar/menu_Macros", "activate", "actionMacroCreate")
+        self.event(f"{WINDOW}/FileOpenDialog", "filesSelected",
+                   os.path.join(TOP, "paraview-plugin", "Macros", f"{name}.py"))
+        self.event(f"{WINDOW}/menubar/menu_Macros", "activate", name)
 
     def end(self):
         self.leave()
         assert self.done == len(self.steps), f"{self.page}: the test does {self.done} of {len(self.steps)} steps"
-        self.play()
 
 
-def keep_look(name):
-    """In the client: the picture of the view in three dimensions, its camera, its time, and the types of all views."""
-    view = simple.GetRenderViews()[0]
-    simple.SaveScreenshot(f"{name}.png", view, ImageResolution=SIZE)
-    kept = {"camera": {key: view.GetPropertyValue(key) for key in CAMERA}, "time": view.ViewTime,
-            "views": sorted(one.GetXMLName() for one in simple.GetViews())}
-    with open(f"{name}.json", "w") as out:
-        json.dump(kept, out, default=list)
+def play(*modules):
+    """Walk the lists of some modules guide_*.py in one window, then check what has come of each."""
+    shutil.rmtree("settings", ignore_errors=True)
+    os.environ["XDG_CONFIG_HOME"] = os.path.abspath("settings")  # where ParaView keeps an imported macro
+    walk = Walk()
+    for module in modules:
+        getattr(module, "prepare", lambda: None)()
+        if module is not modules[0]:
+            walk.empty()
+        walk.begin(module.PAGE, getattr(module, "NUMBER", 0))
+        module.walk(walk)
+        walk.end()
+    walk.play()
+    for module in modules:
+        module.check()
 
 
 def compare(name, make, shown):
     """The picture of a walk is that of make(view) from the same camera at the same time, and not nearly empty."""
-    with open(f"{name}.json") as file:
-        kept = json.load(file)
+    kept = kept_with(name)
     view = simple.CreateView("RenderView")
     view.ViewSize = SIZE
     simple.SetActiveView(view)

@@ -3,11 +3,13 @@
 """Plays what a user does in ParaView's window: clicks by the names of the widgets, with ParaView's own test player.
 
 A test adds steps to a Session and plays them. Checks between the steps are functions of the test's own file, called in
-the client by name. A call clears what can be undone, as all of Python does in ParaView. No step may print a message.
+the client by name. A call clears what can be undone, as all of Python does in ParaView. No step may print a message that
+is not expected.
 """
 
 import html
 import importlib
+import json
 import os
 import signal
 import subprocess
@@ -24,6 +26,9 @@ SHELL = f"{WINDOW}/pythonShellDock/pythonShell/consoleWidget"
 PROPERTIES = f"{WINDOW}/propertiesDock/propertiesPanel"
 PANEL = f"{PROPERTIES}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
 NUMBER = "DoubleRangeWidget/DoubleLineEdit"  # the field of a number with a slider
+CAMERA = ("InteractionMode", "CameraPosition", "CameraFocalPoint", "CameraViewUp", "CameraViewAngle",
+          "CameraParallelProjection", "CameraParallelScale")
+SIZE = [300, 300]  # of a view [pixels]
 PATIENCE = 1500  # with a client that may wait for somebody to close a dialog; CTest waits longer [s]
 MESSAGES = ("ERR|", "WARN|", "ERROR:", "Warning:", "critical:", "fatal:", "Traceback")
 
@@ -41,9 +46,10 @@ class Session:
         self.events.append((widget, command, str(arguments)))
 
     def call(self, function, *arguments):
-        """Call a function of the test in the client."""
+        """Call a function of the test, or of a module beside it, in the client."""
+        module = self.module if function.__module__ == "__main__" else function.__module__
         self.event(SHELL, "executeCommand",
-                   f"import player; player.call({self.module!r}, {function.__name__!r}, {arguments!r})")
+                   f"import player; player.call({module!r}, {function.__name__!r}, {arguments!r})")
 
     def small_view(self):
         """Make the views 300 by 300 pixels, or not again."""
@@ -79,6 +85,12 @@ class Session:
         """Select an entry of the pipeline browser by its row below each other: 0, 1 is the second output of the first."""
         self.event(PIPELINE, "currentChanged", "".join(f"/{row}" for row in (0, *rows)) + "|0")
 
+    def eye(self, *rows):
+        """Click the eye of an entry of the pipeline browser."""
+        index = "".join(f"/{row}:0" for row in (0, *rows[:-1])) + f"/{rows[-1]}:1"
+        self.event(PIPELINE, "mousePress", f"1,1,0,8,8,{index}")
+        self.event(PIPELINE, "mouseRelease", f"1,0,0,8,8,{index}")
+
     def field(self, name, value, widget=NUMBER):
         """Type a value into the row of a property."""
         self.event(f"{PANEL}/{name}/{widget}", "set_string", value)
@@ -97,6 +109,10 @@ class Session:
         self.event(f"{WINDOW}/SaveScreenshotFileDialog", "filesSelected", os.path.abspath(file))
         self.event(f"{WINDOW}/SaveScreenshotDialog/widget/OKButton")
 
+    def look(self, name):
+        """Keep the picture of the scene, its camera and its time, which is quicker than the menu."""
+        self.call(keep_look, name)
+
     def save_state(self, file):
         """File > Save State."""
         self.menu("menu_File", "actionFileSaveServerState")
@@ -107,8 +123,8 @@ class Session:
         self.menu("menu_File", "actionFileLoadServerState")
         self.event(f"{WINDOW}/FileLoadServerStateDialog", "filesSelected", os.path.abspath(file))
 
-    def play(self):
-        """Play all steps in a client of its own."""
+    def play(self, *mistakes):
+        """Play all steps in a client of its own; each mistake is one message with these words."""
         write_events("steps.xml", self.events)
         paths = os.pathsep.join((self.folder, os.environ.get("PYTHONPATH", "")))
         with subprocess.Popen(["paraview", "--dr", "--test-script=steps.xml", "--test-directory=.", "--exit"],
@@ -119,8 +135,13 @@ class Session:
             except subprocess.TimeoutExpired:  # such as a dialog that nobody closes
                 os.killpg(client.pid, signal.SIGKILL)
                 output, _ = client.communicate()
-        print(output, flush=True)
-        messages = [line for line in output.splitlines() if any(word in line for word in MESSAGES)]
+        lines = output.splitlines()
+        print("\n".join(line for line in lines if not any(words in line for words in mistakes)), flush=True)
+        messages = [line for line in lines if any(word in line for word in MESSAGES)]
+        for words in mistakes:
+            about = [line for line in messages if words in line]
+            assert len(about) == 1, f"{len(about)} messages with {words!r}"
+            messages.remove(about[0])
         assert not messages, f"{len(messages)} messages, the first: {messages[0]}"
         assert client.returncode == 0, f"the client ended with {client.returncode}"
 
@@ -133,6 +154,24 @@ def write_events(file, events):
             script.write(f'<pqevent object="{html.escape(widget)}" command="{command}"'
                          f' arguments="{html.escape(arguments)}"/>\n')
         script.write("</pqevents>\n")
+
+
+def keep_look(name):
+    """In the client: the picture of the view in three dimensions, its camera, its time, and the types of all views."""
+    from paraview import simple
+
+    view = simple.GetRenderViews()[0]
+    simple.SaveScreenshot(f"{name}.png", view, ImageResolution=SIZE)
+    kept = {"camera": {key: view.GetPropertyValue(key) for key in CAMERA}, "time": view.ViewTime,
+            "views": sorted(one.GetXMLName() for one in simple.GetViews())}
+    with open(f"{name}.json", "w") as out:
+        json.dump(kept, out, default=list)
+
+
+def kept_with(name):
+    """Camera, time and types of views that were kept with a picture."""
+    with open(f"{name}.json", encoding="utf-8") as file:
+        return json.load(file)
 
 
 def call(module, function, arguments):

@@ -13,13 +13,17 @@ from paraview import simple
 OWN_RANK = ("PMIX_", "OMPI_APP", "OMPI_ARGV", "OMPI_COMMAND", "OMPI_MCA_ess", "OMPI_MCA_orte", "OMPI_MCA_pmix")
 
 
+def without_rank():
+    """The environment for a process that is no rank of this one."""
+    return {name: value for name, value in os.environ.items() if not name.startswith(OWN_RANK)}
+
+
 @contextlib.contextmanager
 def connected(port, ranks=1):
     """Connect to a new server; end with the client alone again."""
     launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
-    environment = {name: value for name, value in os.environ.items() if not name.startswith(OWN_RANK)}
     server = subprocess.Popen([*launcher, "pvserver", f"--server-port={port}"], stdout=subprocess.PIPE,
-                              stdin=subprocess.DEVNULL, env=environment)
+                              stdin=subprocess.DEVNULL, env=without_rank())
     try:
         for line in server.stdout:
             if b"Accepting connection" in line:

@@ -1,21 +1,20 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
 """The guide's list from a raster of heights to a terrain like it, in the window, with a small raster of the test."""
-
-import os
-import runpy
 
 import quick
 from paraview import simple
 
-from guide import TOP, WINDOW, Walk, compare
+from guide import WINDOW, compare
 from player import difference
+
+PAGE = "first-steps"
 
 
 def open_example():
-    """In the client: what `./littoral gui` gives to ParaView."""
-    runpy.run_path(os.path.join(TOP, "Examples", "ParaView", "scene.py"))
+    """In the client: something, as the example of `./littoral gui` is, which has a test of its own."""
+    simple.Show(simple.ReevesTree(NumberOfLeaves=100))
+    simple.Render()
 
 
 def write_raster(file):
@@ -40,15 +39,15 @@ def relief(view):
     simple.GetColorTransferFunction("Elevation").RescaleTransferFunction(*heights)
 
 
-def main():
+def prepare():
     write_raster("place.vti")
-    walk = Walk(__file__, "first-steps")
+
+
+def walk(walk):
     walk.next("./littoral gui")
     walk.call(open_example)
     walk.say("Edit > Reset Session")
-    walk.reset()
-    walk.small_view()  # for the old view: off
-    walk.small_view()
+    walk.empty()
     walk.next("Elevation Raster", "Projection", "Relief")  # TestRasters opens one
     walk.open("place.vti")
     walk.apply()
@@ -72,13 +71,11 @@ def main():
     walk.say("Relief")
     walk.event(f"{WINDOW}/representationToolbar/displayRepresentation/comboBox", "set_string", "Relief")
     walk.look("relief")
-    walk.end()
+
+
+def check():
     kept = compare("twin", twin, 0.2)
     assert {"XYChartView", "SpreadSheetView"} <= set(kept["views"]), f"the views are {kept['views']}"
     compare("relief", relief, 0.2)
     part = difference("relief.png", "twin.png")
     assert part > 0.2, f"the twin is still shown: {part:.1%} of the picture have changed"
-
-
-if __name__ == "__main__":
-    main()

@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
 """The guide's list to moving kelp, in the window: two seconds are played, with the surface shown again."""
 
 import quick
 from paraview import simple
 
-from guide import WINDOW, Walk, compare
+from guide import WINDOW, compare
 from player import difference
+
+PAGE = "seaweed"
 
 FRAMES = 48
 
@@ -34,8 +35,7 @@ def moving_kelp(view):
     simple.Show(simple.SeaweedDeformation(Input=plant, SeaState=sea), view)
 
 
-def main():
-    walk = Walk(__file__, "seaweed")
+def walk(walk):
     walk.next()
     walk.entry("Sources > Littoral > Seaweed")
     walk.apply()
@@ -71,11 +71,9 @@ def main():
     walk.say("Play")
     walk.event(f"{WINDOW}/VCRToolbar/actionVCRPlay")
     walk.look("moving")
-    walk.end()
+
+
+def check():
     kept = compare("moving", moving_kelp, 0.3)
     assert 1.5 < kept["time"] < 2.5, f"the film paused at {kept['time']} s"
     assert difference("still.png", "moving.png") > 0.01, "nothing moves"
-
-
-if __name__ == "__main__":
-    main()

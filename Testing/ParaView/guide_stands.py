@@ -1,17 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
 """The guide's list from the CSV file of an inventory to a wood, in the window."""
-
-import os
-import shutil
 
 import quick
 from paraview import servermanager, simple
 
-from guide import TOP, WINDOW, Walk, compare
+from guide import compare
 
-MACRO = os.path.join(TOP, "paraview-plugin", "Macros", "forest_from_inventory.py")
+PAGE = "stands"
+
 #: Pines of three sizes and an oak: x, y [m], species, diameter at breast height [cm].
 TREES = ((0, 0, "Pinus taeda", 8), (12, 3, "Pinus taeda", 20), (25, 0, "Pinus taeda", 45), (14, 15, "oak", 30))
 
@@ -34,12 +31,12 @@ def wood(view):
     simple.Show(meadow, view).DiffuseColor = [0.42, 0.40, 0.22]
 
 
-def main():
-    shutil.rmtree("settings", ignore_errors=True)
-    os.environ["XDG_CONFIG_HOME"] = os.path.abspath("settings")  # where ParaView keeps an imported macro
+def prepare():
     with open("plot.csv", "w", encoding="utf-8") as table:
         table.write("x,y,species,dbh\n" + "".join(f"{x},{y},{name},{dbh}\n" for x, y, name, dbh in TREES))
-    walk = Walk(__file__, "stands")
+
+
+def walk(walk):
     walk.next("CSV Reader")
     walk.open("plot.csv", "GDALVectorReader")
     walk.apply()
@@ -47,14 +44,9 @@ def main():
     walk.entry("Filters > Littoral > Stand Inventory")
     walk.apply()
     walk.next("Size Classes", "Plant Scatter")
-    walk.say("Macros > forest_from_inventory")
-    walk.event(f"{WINDOW}/menubar/menu_Macros", "activate", "actionMacroCreate")
-    walk.event(f"{WINDOW}/FileOpenDialog", "filesSelected", MACRO)
-    walk.event(f"{WINDOW}/menubar/menu_Macros", "activate", "forest_from_inventory")
+    walk.macro("forest_from_inventory")
     walk.look("wood")
-    walk.end()
+
+
+def check():
     compare("wood", wood, 0.05)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,6 +1,5 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
 """The guide's list from particles to a fog volume in a file, in the window; its steps in Blender are not done here."""
 
 import filecmp
@@ -8,7 +7,9 @@ import filecmp
 import quick
 from paraview import simple
 
-from guide import Walk, compare
+from guide import compare
+
+PAGE = "volumes"
 
 
 def fog(view):
@@ -17,8 +18,7 @@ def fog(view):
     simple.SaveData("script.vdb", proxy=volume)
 
 
-def main():
-    walk = Walk(__file__, "volumes")
+def walk(walk):
     walk.next()
     walk.entry("Sources > Littoral > Suspended Particles")
     walk.apply()
@@ -31,10 +31,8 @@ def main():
     walk.next("Add > Volume > Import OpenVDB")
     walk.next("Material", "Principled Volume", "Volume", "Density Attribute", "Extinction", "Density")
     walk.next("Sun")
-    walk.end()
+
+
+def check():
     compare("fog", fog, 0.5)
     assert filecmp.cmp("fog.vdb", "script.vdb", shallow=False), "the file is another than the script's"
-
-
-if __name__ == "__main__":
-    main()

@@ -6,13 +6,14 @@ import quick
 from paraview import simple
 
 view = simple.CreateView("RenderView")
-view.ViewSize = [400, 300]
+view.ViewSize = [200, 150]
 simple.SetActiveView(view)
 sites = simple.QuadratPoints()
 oak, pine = simple.ReevesTree(Preset="Oak"), simple.ReevesTree(Preset="Pine")
 forest = simple.PlantScatter(Sites=sites, Prototypes=[oak, pine])
 shown = simple.Show(forest, view)
-assert shown.MapScalars == 0, "plants are not in their own colors"
+assert shown.ColorArrayName[1] == "RGB" and shown.MapScalars == 0, "plants are not in their own colors"
+assert "/Root/High/Skin" in shown.BlockSelectors and not any("Skeleton" in block for block in shown.BlockSelectors)
 
 
 def counter(name):

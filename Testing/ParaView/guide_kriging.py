@@ -1,6 +1,5 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvpython
 """The guide's list from a survey to a field through its data, in the window."""
 
 import math
@@ -8,8 +7,10 @@ import math
 import quick
 from paraview import simple
 
-from guide import Walk, compare
+from guide import compare
 from player import difference
+
+PAGE = "kriging"
 
 
 def write_survey(file):
@@ -61,9 +62,11 @@ def check_estimate():
     assert len(errors) == 90 and all(map(math.isfinite, errors))
 
 
-def main():
+def prepare():
     write_survey("survey.csv")
-    walk = Walk(__file__, "kriging")
+
+
+def walk(walk):
     walk.next("X Column", "Y Column", "Z Column")
     walk.open("survey.csv", "GDALVectorReader")
     walk.apply()
@@ -87,12 +90,10 @@ def main():
     walk.apply()
     walk.call(check_estimate)
     walk.look("estimate")
-    walk.end()
+
+
+def check():
     compare("field", through, 0.2)
     compare("estimate", smooth, 0.2)
     part = difference("field.png", "estimate.png")
     assert part > 0.01, f"the estimate looks like the field: {part:.1%} differ"
-
-
-if __name__ == "__main__":
-    main()

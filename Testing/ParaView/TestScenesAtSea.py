@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# run-with: pvpython
+"""TestScenes.py for the scenes of the sea; Underwater fades into its background, the sea has foam."""
+
+import numpy as np
+import quick
+from paraview import simple
+from states import visible
+from TestScenes import check
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from window import apart, picture
+
+EXTINCTION = 0.085  # of Underwater [1/m]
+#: VTK 9.6 hands on no depth to the shaders of points.
+POINTS_FADE = vtkVersion().GetVTKMajorVersion() * 100 + vtkVersion().GetVTKMinorVersion() < 906
+
+
+def depths(view):
+    """The depth of each pixel in the view [m], from the z-buffer."""
+    capture = vtkWindowToImageFilter()
+    capture.SetInput(view.GetRenderWindow())
+    capture.SetInputBufferTypeToZBuffer()
+    capture.ShouldRerenderOff()
+    capture.Update()
+    image = capture.GetOutput()
+    width, height, _ = image.GetDimensions()
+    z = 2.0 * vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width).astype(float) - 1.0
+    near, far = view.GetActiveCamera().GetClippingRange()
+    return 2.0 * near * far / (far + near - z * (far - near))
+
+
+def check_murk(part):
+    """A part of Underwater, the only one that is shown, fades into the background by exp(-k d), d from the z-buffer."""
+    view = simple.GetActiveView()
+    view.ViewSize = [300, 200]
+    for name in visible(view):
+        simple.Hide(simple.FindSource(name), view)
+    display = simple.Show(simple.FindSource(part), view)
+    if part == "Particles":
+        # Few, so that they do not touch, and large enough to be measured.
+        simple.FindSource("Water").Density = 0.1
+        display.GaussianRadius = 20.0 * display.GaussianRadius
+    murky = picture(view)
+    display.UseShaderReplacements = 0
+    display.ShaderPreset = "Sphere"
+    clear = picture(view)
+    depth = depths(view)
+    background = 255.0 * np.array(view.Background)
+    expected = background + (clear - background) * np.exp(-EXTINCTION * depth)[..., None]
+    # Edges are mixtures of what is near and far.
+    steps = np.max([np.abs(depth - np.roll(depth, step, axis)) for step in (-2, -1, 1, 2) for axis in (0, 1)], axis=0)
+    shown = (depth < 0.9 * depth.max()) & (steps < 0.05 * depth)
+    shown &= clear.max(axis=2) < 250.0  # what is brighter than white is cut off in the clear picture alone
+    shown[[0, 1, -2, -1], :] = shown[:, [0, 1, -2, -1]] = False
+    error = np.abs(expected - murky).max(axis=2)[shown]
+    assert shown.mean() > 0.005 and apart(murky, clear) > 0.01, f"Underwater: {part} does not fade"
+    print(f"Underwater: {part} fades with an error of {np.quantile(error, 0.9):.1f} in {shown.mean():.1%}")
+    assert np.quantile(error, 0.9) < 3.0, f"Underwater: {part} fades with an error"
+
+
+def check_foam(_):
+    """There is some foam on the sea, but not much."""
+    view = simple.GetActiveView()
+    view.ViewSize = [300, 200]
+    white = (picture(view)[:100].min(axis=2) > 200.0).mean()  # the lower half
+    assert 0.001 < white < 0.1, f"Sea: foam on {white:.2%}"
+
+
+def check_water(_):
+    check_murk("Bed")
+    if POINTS_FADE:
+        check_murk("Particles")
+
+
+if __name__ == "__main__":
+    check("Sea", then=check_foam)
+    check("Underwater", change=False, then=check_water)
