@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch args=output args=2
+# run-with: pvbatch args=output args=--quick
 """Measured terrain and its synthetic twin, point patterns, a walk through a forest, and an underwater scene.
 
-    pvbatch demo.py [FOLDER [FRAMES]]
+    pvbatch demo.py [FOLDER]
+    pvbatch demo.py FOLDER --films [FRAMES]
+    pvbatch demo.py FOLDER --quick
 
 reads the elevation model of the Jacksboro fault, Tennessee, fits covariance models to it, grows
-a twin from the best one, and writes into FOLDER (default: a new temporary folder) first pictures
-and data, then two films of FRAMES frames each (default: 48; 0 for none):
+a twin from the best one, and writes pictures and data into FOLDER (default: a new temporary folder):
 
     twin-terrain.png   the measured terrain, its Gaussian twin and its twin with valleys, with their statistics
     figure2.png        the measured terrain and a fractal field with the paper's fractal dimension
@@ -19,6 +20,10 @@ and data, then two films of FRAMES frames each (default: 48; 0 for none):
     wind.vdb           the wind there as an OpenVDB volume
     underwater.png     the surface from below, kelp, and particles that fade into fog
     fog.vdb            that fog as an OpenVDB volume
+
+--films writes two films of FRAMES frames each (default: 48) instead, and their first pictures again; --quick, for a test,
+coarse pictures and films of two frames:
+
     underwater.ogv     the sea as a film; its frames are underwater.0000.png ...
     walk.ogv           a walk in the forest in that wind; its frames are walk.0000.png ...
 """
@@ -40,8 +45,9 @@ from littoral import (
     vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
 from littoral.chart import save_variogram_chart, slope_area_chart
 from littoral.elevation import array_from_image, read_elevation, write_vti
-from littoral.picture import save_grounds, save_pair
-from littoral.scene import height_color
+from littoral.gallery import relief
+from littoral.gallery.colors import height_color
+from littoral.gallery.pictures import save_grounds, save_pair
 from littoral.tables import column, model_names, write_csv
 
 #: The examples for point patterns, the forest and the underwater scene.
@@ -49,39 +55,29 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
 FOREST = os.path.join(HERE, "forest.py")
 UNDERWATER = os.path.join(HERE, "underwater.py")
-FILM_SIZE = 768, 432
+FILM_SIZE, QUICK_SIZE = (768, 432), (128, 72)
 EXAGGERATION = 3.0
-#: Space on disk that the output takes without films, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
+#: Space on disk that the pictures and data take, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
 STILL_BYTES, FRAME_BYTES = 80e6, 1.3e6
 
 #: Time of each picture's step [s], measured with software rendering on two cores, for the progress.
 STEP_TIMES = 0.1, 0.5, 0.1, 0.5, 0.7, 2.5, 15.0, 9.0, 0.8, 20.0, 1.0
-#: CPU time of each film before its first frame, where that makes its scene again, and of a frame [s].
-FILM_TIMES = (0.0, 4.7), (21.0, 5.6)
+#: CPU time of each film before its first frame and of a frame [s].
+FILM_TIMES = (20.0, 4.7), (21.0, 5.6)
 
 
 class Progress:
-    """Lines of progress: fraction done, time elapsed, time left, and the next step."""
+    """Lines of progress: fraction done, time elapsed, time left, and the next step. times: of each step [s]."""
 
-    def __init__(self, frames):
+    def __init__(self, times):
         self.start = time.time()
-        self.times = [(step, 0.0) for step in STEP_TIMES] + list(FILM_TIMES if frames else ())
-        self.frames = frames
+        self.times = times
         self.step = -1
 
-    def share(self, frame=0):
-        """Fraction done before a frame of this step."""
-        def time_of(step):
-            return step[0] + self.frames * step[1]
-
-        done = sum(map(time_of, self.times[:self.step]))
-        if frame > 0:
-            done += self.times[self.step][0] + frame * self.times[self.step][1]
-        return done / sum(map(time_of, self.times))
-
-    def line(self, frame=0):
-        """Prefix of each line."""
-        share, gone = self.share(frame), time.time() - self.start
+    def line(self, part=0.0):
+        """Prefix of each line; part: of this step that is done, 0 to 1."""
+        done = sum(self.times[:self.step]) + (part * self.times[self.step] if part else 0.0)
+        share, gone = done / sum(self.times), time.time() - self.start
         left = f", about {gone * (1.0 - share) / share:.0f} s left" if 0.02 < share < 1.0 else ""
         return f"[{100.0 * share:3.0f} %, {gone:.0f} s{left}]"
 
@@ -93,7 +89,8 @@ class Progress:
     def film(self, frame, frames):
         """Report every second frame of the film of this step."""
         if frame % 2 == 0 and frame > 0:
-            print(self.line(frame), f"frame {frame} of {frames}", flush=True)
+            first = FILM_TIMES[self.step][0] / self.times[self.step]
+            print(self.line(first + (1.0 - first) * frame / frames), f"frame {frame} of {frames}", flush=True)
 
 
 def measure(image):
@@ -199,9 +196,9 @@ def clear():
         simple.Delete(source)
 
 
-def begin_forest(folder):
+def begin_forest(folder, size, *options):
     """Draw the forest in a process of its own, on the core that the next steps leave idle."""
-    process = subprocess.Popen(["pvbatch", FOREST, folder, *map(str, FILM_SIZE)],
+    process = subprocess.Popen(["pvbatch", FOREST, folder, *map(str, size), *options],
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     atexit.register(process.kill)  # should the demo end before
     return process
@@ -215,18 +212,18 @@ def end_forest(process):
         sys.exit("The forest was not drawn.")
 
 
-def need_space(folder, frames):
-    """Raises OSError if the disk of the output is too full, before anything is computed."""
-    needed, free = STILL_BYTES + frames * FRAME_BYTES, shutil.disk_usage(folder).free
+def need_space(folder, needed):
+    """Make the folder of the output; raises OSError if its disk is too full, before anything is computed."""
+    os.makedirs(folder, exist_ok=True)
+    free = shutil.disk_usage(folder).free
     if free < needed:
         raise OSError(errno.ENOSPC, f"The output takes {needed / 1e6:.0f} MB, and {free / 1e6:.0f} MB are free", folder)
 
 
-def main(folder, frames=48):
-    """Run all steps; folder: of the output; frames: of each film, or 0. Raises OSError when a file cannot be written."""
-    os.makedirs(folder, exist_ok=True)
-    need_space(folder, frames)
-    progress = Progress(frames)
+def stills(folder, quick=False):
+    """Write pictures and data into a folder. Raises OSError when a file cannot be written."""
+    need_space(folder, STILL_BYTES)
+    progress = Progress(STEP_TIMES)
 
     def file(name):
         return os.path.join(folder, name)
@@ -252,7 +249,7 @@ def main(folder, frames=48):
     progress.begin("drawing variogram.png")
     save_variogram_chart(file("variogram.png"), variogram, models)
 
-    forest_process = begin_forest(folder)
+    forest_process = begin_forest(folder, *((QUICK_SIZE, "2", "--quick") if quick else (FILM_SIZE,)))
     progress.begin("carving valleys into the twin, and drawing forest.png beside it")
     valleys = carve(twin, place)
 
@@ -270,23 +267,42 @@ def main(folder, frames=48):
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
 
-    underwater = runpy.run_path(UNDERWATER, run_name="underwater")
     progress.begin("drawing underwater.png")
-    scene = underwater["main"](folder, FILM_SIZE)
+    runpy.run_path(UNDERWATER, run_name="underwater")["main"](
+        folder, *((QUICK_SIZE, 2, True) if quick else (FILM_SIZE,)))
     progress.begin("waiting for forest.png")
     end_forest(forest_process)
-    if frames:
-        progress.begin("filming underwater.ogv: all pictures are there, the films take longer")
-        underwater["film"](*scene, folder, frames, progress.film)
-        clear()
-        progress.begin("filming walk.ogv")  # one film after the other: each keeps both cores busy
-        runpy.run_path(FOREST, run_name="forest")["main"](folder, FILM_SIZE, frames, progress.film)
     progress.begin(f"all written into {folder}")
 
 
+def films(folder, frames=48):
+    """Write both films of so many frames, one after the other: each keeps both cores busy. Raises OSError as `stills`."""
+    need_space(folder, STILL_BYTES + frames * FRAME_BYTES)
+    progress = Progress([first + frames * each for first, each in FILM_TIMES])
+    for name, script in (("underwater", UNDERWATER), ("walk", FOREST)):
+        progress.begin(f"filming {name}.ogv")
+        run_name = os.path.splitext(os.path.basename(script))[0]
+        runpy.run_path(script, run_name=run_name)["main"](folder, FILM_SIZE, frames, told=progress.film)
+        clear()
+    progress.begin(f"all written into {folder}")
+
+
+def main(folder, *options):
+    """Pictures and data; with the options `--films` and perhaps a number of frames the films; with `--quick` small ones."""
+    if options == ("--quick",):
+        relief.CELLS = 0
+        stills(folder, quick=True)
+    elif options[:1] == ("--films",):
+        films(folder, *map(int, options[1:2]))
+    elif options:
+        sys.exit(f"There is no option {options[0]}.")
+    else:
+        stills(folder)
+
+
 if __name__ == "__main__":
-    arguments = sys.argv[1:]
+    arguments = sys.argv[1:] or [tempfile.mkdtemp(prefix="littoral-")]
     try:
-        main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"), *map(int, arguments[1:2]))
+        main(*arguments)
     except OSError as error:
         sys.exit(f"{error.filename}: {error.strerror}.")

@@ -25,7 +25,8 @@ from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand, vtkPatternVerdictFilter, vtkPointProcessSource
-from littoral.floor import BROADLEAVED, HAZE, SAVANNA, Floor, floor_actor
+from littoral.gallery.floor import BROADLEAVED, HAZE, SAVANNA, Floor
+from littoral.gallery.pictures import lit_actor
 from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight, block, level_actors
 from littoral.tables import column, table_of
@@ -240,7 +241,7 @@ def draw_stand(renderer, trees, side, colors, cover):
     places = vtk_to_numpy(trees.GetPoints().GetData())[:, :2].astype(float)
     floor = Floor(places, heights, stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, colors=colors, cover=cover)
     for part in (floor.ground(900, 1800), floor.woods()):
-        renderer.AddActor(floor_actor(part))
+        renderer.AddActor(lit_actor(part))
     add_daylight(renderer, SUN)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)

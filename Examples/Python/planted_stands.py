@@ -24,7 +24,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand
-from littoral.floor import BROADLEAVED, HAZE, SAVANNA, Floor, floor_actor
+from littoral.gallery.floor import BROADLEAVED, HAZE, SAVANNA, Floor
+from littoral.gallery.pictures import lit_actor
 from littoral.picture import INK, label, write_jpg
 from littoral.plants import add_daylight, level_actors
 
@@ -142,7 +143,7 @@ def draw_wood(trees, eye, heading, ground, grass, window):
     floor = Floor(vtk_to_numpy(trees.GetPoints().GetData()), stand.numbers(trees, "Height"),
                   stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, **ground)
     for part in (floor.ground(), floor.litter(), floor.grass(**grass), floor.woods()):
-        renderer.AddActor(floor_actor(part))
+        renderer.AddActor(lit_actor(part))
     add_daylight(renderer, SUN)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
