@@ -22,7 +22,7 @@ a twin from the best one, and writes pictures and data into FOLDER (default: a n
     fog.vdb            that fog as an OpenVDB volume
 
 --films writes two films of FRAMES frames each (default: 48) instead, and their first pictures again; --quick, for a test,
-coarse pictures and films of two frames:
+writes small and coarse pictures:
 
     underwater.ogv     the sea as a film; its frames are underwater.0000.png ...
     walk.ogv           a walk in the forest in that wind; its frames are walk.0000.png ...
@@ -44,7 +44,7 @@ from paraview import simple
 from littoral import (
     vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
 from littoral.chart import save_variogram_chart, slope_area_chart
-from littoral.elevation import array_from_image, read_elevation, write_vti
+from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
 from littoral.gallery import relief
 from littoral.gallery.colors import height_color
 from littoral.gallery.pictures import save_grounds, save_pair
@@ -55,7 +55,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PATTERNS = os.path.join(HERE, "..", "Python", "regrow_patterns.py")
 FOREST = os.path.join(HERE, "forest.py")
 UNDERWATER = os.path.join(HERE, "underwater.py")
-FILM_SIZE, QUICK_SIZE = (768, 432), (128, 72)
+FILM_SIZE = 768, 432
 EXAGGERATION = 3.0
 #: Space on disk that the pictures and data take, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
 STILL_BYTES, FRAME_BYTES = 80e6, 1.3e6
@@ -145,7 +145,7 @@ def semivariances(image, lags):
     return np.array([0.25 * (np.mean((z[lag:] - z[:-lag]) ** 2) + np.mean((z[:, lag:] - z[:, :-lag]) ** 2)) for lag in lags])
 
 
-def draw_grounds(filename, grounds, size):
+def draw_grounds(filename, grounds, note, size):
     """Place, Gaussian twin and twin with valleys as blocks with lakes and rivers, above their statistics."""
     waters, numbers, profiles = [], [], []
     for ground in grounds:
@@ -170,14 +170,14 @@ def draw_grounds(filename, grounds, size):
     names = "Jacksboro fault, Tennessee", "Gaussian twin", "Twin with valleys"
     save_grounds(
         filename, [water[0] for water in waters], [water[1] for water in waters], names,
-        (f"measured \u00b7 {size}", "of the fitted model: water stands", "carved: water runs"),
+        (f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"),
         (("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
          row("Ground in hollows", "SunkShare", "{:.1f} %", 100.0, 5.0),
          row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
          row("Skew of heights", "HeightSkew", "{:.2f}", 1.0, 0.15),
          row("Concavity of streams", "Concavity", "{:.2f}", 1.0, 0.1),
          row("Skew of curvature", "CurvatureSkew", "{:.2f}", 1.0, 1.0)),
-        slope_area_chart(profiles, names), EXAGGERATION)
+        slope_area_chart(profiles, names), EXAGGERATION, size)
 
 
 def print_fits(fits):
@@ -196,9 +196,9 @@ def clear():
         simple.Delete(source)
 
 
-def begin_forest(folder, size, *options):
+def begin_forest(folder):
     """Draw the forest in a process of its own, on the core that the next steps leave idle."""
-    process = subprocess.Popen(["pvbatch", FOREST, folder, *map(str, size), *options],
+    process = subprocess.Popen(["pvbatch", FOREST, folder, *map(str, FILM_SIZE)],
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     atexit.register(process.kill)  # should the demo end before
     return process
@@ -221,17 +221,23 @@ def need_space(folder, needed):
 
 
 def stills(folder, quick=False):
-    """Write pictures and data into a folder. Raises OSError when a file cannot be written."""
+    """Write pictures and data into a folder; quick: all but the forest, of coarse ground and small, and a film of two
+    frames. Raises OSError when a file cannot be written."""
     need_space(folder, STILL_BYTES)
     progress = Progress(STEP_TIMES)
 
     def file(name):
         return os.path.join(folder, name)
 
+    def sized(*size):
+        return [length // 4 for length in size] if quick else size
+
     progress.begin("reading the elevation model of the Jacksboro fault")
     place = read_elevation()
+    if quick:
+        place = image_from_array(array_from_image(place)[::3, ::3], [3.0 * side for side in place.GetSpacing()])
     bounds = np.array(place.GetBounds()) / 1e3
-    size = f"{bounds[1]:.0f} \u00d7 {bounds[3]:.0f} km, heights \u00d7 {EXAGGERATION:.0f}"
+    note = f"{bounds[1]:.0f} \u00d7 {bounds[3]:.0f} km, heights \u00d7 {EXAGGERATION:.0f}"
 
     progress.begin("measuring its covariance")
     fits, variogram = measure(place)
@@ -247,14 +253,14 @@ def stills(folder, quick=False):
     print_fits(measure(twin)[0])
 
     progress.begin("drawing variogram.png")
-    save_variogram_chart(file("variogram.png"), variogram, models)
+    save_variogram_chart(file("variogram.png"), variogram, models, sized(1200, 750))
 
-    forest_process = begin_forest(folder, *((QUICK_SIZE, "2", "--quick") if quick else (FILM_SIZE,)))
+    forest_process = None if quick else begin_forest(folder)
     progress.begin("carving valleys into the twin, and drawing forest.png beside it")
     valleys = carve(twin, place)
 
     progress.begin("drawing twin-terrain.png")
-    draw_grounds(file("twin-terrain.png"), (place, twin, valleys), size)
+    draw_grounds(file("twin-terrain.png"), (place, twin, valleys), note, sized(1600, 960))
 
     progress.begin("drawing figure2.png")
     dimension = 2.15  # the paper's: this terrain has no single dimension, since its periodogram bends
@@ -262,16 +268,17 @@ def stills(folder, quick=False):
         file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
         ("(a) Real terrain", "(b) Turning bands"),
         ("Jacksboro fault", f"fractal field, D = {dimension:.2f} as in the paper"),
-        EXAGGERATION, height_color)
+        EXAGGERATION, height_color, sized(1600, 760))
 
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
 
     progress.begin("drawing underwater.png")
     runpy.run_path(UNDERWATER, run_name="underwater")["main"](
-        folder, *((QUICK_SIZE, 2, True) if quick else (FILM_SIZE,)))
+        folder, sized(*FILM_SIZE), 2 if quick else 0, quick)
     progress.begin("waiting for forest.png")
-    end_forest(forest_process)
+    if forest_process:
+        end_forest(forest_process)
     progress.begin(f"all written into {folder}")
 
 
@@ -288,7 +295,7 @@ def films(folder, frames=48):
 
 
 def main(folder, *options):
-    """Pictures and data; with the options `--films` and perhaps a number of frames the films; with `--quick` small ones."""
+    """Pictures and data; with the options `--films` and perhaps a number of frames the films; with `--quick` small pictures."""
     if options == ("--quick",):
         relief.CELLS = 0
         stills(folder, quick=True)

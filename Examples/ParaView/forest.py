@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: none
+# run-with: pvbatch args=. args=128 args=72 args=2 args=--quick
 """A walk through a forest in the wind, on measured terrain.
 
     ./littoral gui Examples/ParaView/forest.py      opens it in ParaView
-    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png, the frames of the walk,
+    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES] [--quick]
+                                                    writes forest.png, the frames of the walk,
                                                     the film walk.ogv and the wind as wind.vdb
                                                     into FOLDER
 

@@ -4,7 +4,8 @@
 """Under the waves: the surface from below, kelp on a sandy bed with stones, particles that fade into fog.
 
     ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView
-    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png and the OpenVDB volume
+    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES] [--quick]
+                                                        writes underwater.png and the OpenVDB volume
                                                         fog.vdb into FOLDER; with FRAMES, also
                                                         the frames and the film underwater.ogv
 

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all args=.
 """Two forest inventories, planted: longleaf pines with their diameters, and a wood of oaks, hickories and maples.
 
     python3 planted_stands.py [FOLDER]
