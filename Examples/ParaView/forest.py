@@ -86,7 +86,7 @@ def shadows_near(country, woods):
     return countries.shadows(country, places[near], radius, height)
 
 
-def build(folder, view, quick):
+def build(folder, view, quick=False):
     """Build the pipeline and show it in a view; quick: with coarse ground and few trees. Returns the country."""
     data = os.path.join(folder, "data")
     os.makedirs(data, exist_ok=True)

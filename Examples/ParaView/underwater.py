@@ -58,7 +58,7 @@ def on_waves(name, particles, sea):
     return simple.ExtractBlock(Input=riding, Selectors=SEEN)
 
 
-def build(folder, view, quick):
+def build(folder, view, quick=False):
     """Build the pipeline and show it in a view; returns the representations with water shaders.
 
     quick: with few plants and particles, and little motion.
