@@ -78,10 +78,8 @@ void AddPlants(const std::vector<littoral::InventoryPlant>& plants, vtkPolyData*
 class Writer
 {
 public:
-  Writer(const std::vector<littoral::StandTree>& trees, const std::vector<int>& plants,
-    const littoral::PieceRange& part, vtkPolyData* output)
+  Writer(const std::vector<littoral::StandTree>& trees, const littoral::PieceRange& part, vtkPolyData* output)
     : Trees(trees)
-    , Plants(plants)
     , First(static_cast<std::size_t>(part.Begin))
     , Count(static_cast<std::size_t>(part.End - part.Begin))
     , Output(output)
@@ -103,17 +101,7 @@ public:
     this->Output->SetVerts(vertices);
   }
 
-  void WritePlants()
-  {
-    vtkNew<vtkIntArray> array;
-    array->SetName("Species");
-    for (std::size_t index = 0; index < this->Count; ++index)
-    {
-      array->InsertNextValue(this->Plants[this->First + index]);
-    }
-    this->Output->GetPointData()->AddArray(array);
-  }
-
+  /// An array of the value of each tree, by its number in the stand.
   template <typename Array, typename ValueOf>
   void Write(const char* name, const ValueOf& valueOf)
   {
@@ -121,14 +109,13 @@ public:
     array->SetName(name);
     for (std::size_t index = 0; index < this->Count; ++index)
     {
-      array->InsertNextValue(valueOf(this->Trees[this->First + index]));
+      array->InsertNextValue(valueOf(this->First + index));
     }
     this->Output->GetPointData()->AddArray(array);
   }
 
 private:
   const std::vector<littoral::StandTree>& Trees;
-  const std::vector<int>& Plants;
   std::size_t First;
   std::size_t Count;
   vtkPolyData* Output;
@@ -262,20 +249,19 @@ int vtkStandInventoryFilter::RequestData(
   const littoral::InventoryPlants plants = littoral::PlantsOfInventory(species, stand, options.SizeClasses);
   vtkInformation* output = outputVector->GetInformationObject(0);
   vtkPolyData* sites = vtkPolyData::GetData(output);
-  Writer writer(
-    stand.Trees, plants.OfTree, littoral::RequestedPart(output, static_cast<vtkIdType>(stand.Trees.size())), sites);
-  using Tree = littoral::StandTree;
+  const std::vector<littoral::StandTree>& trees = stand.Trees;
+  Writer writer(trees, littoral::RequestedPart(output, static_cast<vtkIdType>(trees.size())), sites);
   writer.WriteVertices();
-  writer.Write<vtkTypeInt64Array>("SiteId", [](const Tree& tree) { return tree.Row; });
-  writer.WritePlants();
-  writer.Write<vtkDoubleArray>("DBH", [](const Tree& tree) { return tree.Diameter; });
-  writer.Write<vtkDoubleArray>("Height", [](const Tree& tree) { return tree.Height; });
-  writer.Write<vtkDoubleArray>(
-    "CrownDiameter", [](const Tree& tree) { return littoral::CrownDiameterOf(tree.Diameter, tree.Height); });
-  writer.Write<vtkIntArray>("Plot", [](const Tree& tree) { return tree.Plot; });
+  writer.Write<vtkTypeInt64Array>("SiteId", [&](std::size_t tree) { return trees[tree].Row; });
+  writer.Write<vtkIntArray>("Species", [&](std::size_t tree) { return plants.OfTree[tree]; });
+  writer.Write<vtkDoubleArray>("DBH", [&](std::size_t tree) { return trees[tree].Diameter; });
+  writer.Write<vtkDoubleArray>("Height", [&](std::size_t tree) { return trees[tree].Height; });
+  writer.Write<vtkDoubleArray>("CrownDiameter",
+    [&](std::size_t tree) { return littoral::CrownDiameterOf(trees[tree].Diameter, trees[tree].Height); });
+  writer.Write<vtkIntArray>("Plot", [&](std::size_t tree) { return trees[tree].Plot; });
   writer.Write<vtkIntArray>(
-    "Drawn", [](const Tree& tree) { return (tree.DrawnDiameter ? 1 : 0) + (tree.DrawnHeight ? 2 : 0); });
-  writer.Write<vtkStringArray>("SpeciesName", [](const Tree& tree) { return tree.Name; });
+    "Drawn", [&](std::size_t tree) { return (trees[tree].DrawnDiameter ? 1 : 0) + (trees[tree].DrawnHeight ? 2 : 0); });
+  writer.Write<vtkStringArray>("SpeciesName", [&](std::size_t tree) { return trees[tree].Name; });
   AddPlants(plants.Plants, sites);
   sites->GetFieldData()->AddArray(WordsOf("Plots", stand.Plots));
   sites->GetFieldData()->AddArray(WordsOf("Unlisted", stand.Unlisted));

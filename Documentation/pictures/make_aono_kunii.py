@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from littoral import vtkAonoKuniiTreeSource
 from littoral.picture import INK, label, write_jpg
 from littoral.plants import add_daylight, level_actors, plant_actor
-from littoral.scene import BACKGROUND
+from littoral.gallery.relief import BACKGROUND
 
 SIZE = (900, 500)
 TREES = (("MonopodialC", "Monopodial", -12.5), ("SympodialC", "Sympodial", -0.2), ("TernaryB", "Ternary", 12.5))

@@ -17,7 +17,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from littoral import landscape, scene, vtkQuadratPointSource, vtkTurningBandsTerrainSource
+from littoral import vtkQuadratPointSource, vtkTurningBandsTerrainSource
+from littoral.gallery import country as countries
+from littoral.gallery import landscape, views
+from littoral.gallery.meshes import polygons, vertices
+from littoral.gallery.sky import sky_dome, write_sky
+from littoral.glb import direction
 from littoral.elevation import array_from_image, write_vti
 
 SIDE, SPACING = 1200.0, 3.0  # of the terrain [m]
@@ -46,7 +51,7 @@ def smooth_country():
     source.SetSeed(19)
     source.Update()
     z = array_from_image(source.GetOutput()).astype(float)
-    return landscape.Country.from_heights(z, (SPACING, SPACING))
+    return countries.Country.from_heights(z, (SPACING, SPACING))
 
 
 def tree_sites(country):
@@ -79,7 +84,7 @@ def tree_sites(country):
     heights = country.height(*places.T)
     pines = random.random(len(places)) < np.clip((heights - country.z.mean()) / 18.0 + 0.45, 0.1, 0.9)
     species = np.where(pines, 0, 1).astype(np.int32)
-    return landscape.points_with(np.column_stack((places, heights)), Species=species)
+    return vertices(np.column_stack((places, heights)), Species=species)
 
 
 def houses(country):
@@ -90,7 +95,7 @@ def houses(country):
         corners = np.asarray(corners)
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         normal = -normal if normal[2] < 0.0 else normal  # a roof's outside is above
-        shine = max(0.0, float(normal @ scene.direction(*landscape.SUN)) / np.linalg.norm(normal))
+        shine = max(0.0, float(normal @ direction(*countries.SUN)) / np.linalg.norm(normal))
         first = len(points)
         points.extend(corners)
         triangles.extend((first, first + k, first + k + 1) for k in range(1, len(corners) - 1))
@@ -115,7 +120,7 @@ def houses(country):
             face((at(sign * -over, v, low), at(sign * over, v, low), at(sign * over, 0.0, ridge + 0.1),
                   at(sign * -over, 0.0, ridge + 0.1)) if sign < 0 else
                  (at(over, v, low), at(-over, v, low), at(-over, 0.0, ridge + 0.1), at(over, 0.0, ridge + 0.1)), ROOF)
-    return landscape.polygons_with(
+    return polygons(
         np.array(points), np.array(triangles), np.clip(np.array(colors), 0.0, 255.0).astype(np.uint8))
 
 
@@ -140,13 +145,13 @@ def draw(folder):
     eye = np.array((*EYE, country.height(*EYE) + EYE_HEIGHT))
     places = vtk_to_numpy(trees.GetPoints().GetData()).astype(float)
     crowns = CROWNS[vtk_to_numpy(trees.GetPointData().GetArray("Species"))]
-    shades = landscape.shadows(country, places, *crowns.T)
+    shades = countries.shadows(country, places, *crowns.T)
     terrain = reader(simple.XMLImageDataReader, folder, "country.vti", country.image)
     sites, sky, dark, homes = (
         reader(simple.XMLPolyDataReader, folder, name, data)
-        for name, data in (("sites.vtp", trees), ("sky.vtp", landscape.sky_dome(eye)),
+        for name, data in (("sites.vtp", trees), ("sky.vtp", sky_dome(eye)),
                            ("shadows.vtp", shades), ("houses.vtp", houses(country))))
-    landscape.write_sky(os.path.join(folder, "sky.png"))
+    write_sky(os.path.join(folder, "sky.png"))
 
     prototypes = [simple.ReevesTree(Preset="Pine", Seed=3), simple.ReevesTree(Preset="Birch", Seed=2)]
     forest = simple.PlantScatter(
@@ -159,13 +164,13 @@ def draw(folder):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [2 * n for n in SIZE]
     landscape.prepare_view(view)
-    landscape.look(view, eye, (*FOCUS, country.height(*FOCUS) + 2.0), VIEW_ANGLE)
+    views.look(view, eye, (*FOCUS, country.height(*FOCUS) + 2.0), VIEW_ANGLE)
     view.ViewTime = TIME
     landscape.show_sky(sky, view, os.path.join(folder, "sky.png"))
     landscape.show_ground(
         simple.TerrainLevelOfDetail(Input=terrain, NearDistance=3000.0, FarDistance=9000.0), view)
-    landscape.show_on_ground(dark, view)
-    landscape.show_on_ground(homes, view)
+    views.show_baked(dark, view)
+    views.show_baked(homes, view)
     landscape.show_plants(sway, view)
     sway.UpdatePipeline(TIME)
     simple.Render(view)

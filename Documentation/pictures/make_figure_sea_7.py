@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkBillboardTextActor3D, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
 from littoral.picture import INK, write_jpg
-from littoral.scene import BACKGROUND
+from littoral.gallery.relief import BACKGROUND
 
 SIZE = (520, 440)
 THETA, PHI = np.radians(52.0), np.radians(40.0)

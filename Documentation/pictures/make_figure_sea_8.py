@@ -13,8 +13,8 @@ import numpy as np
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from littoral import underwater
-from littoral.landscape import points_with
+from littoral.gallery import bay, underwater
+from littoral.gallery.meshes import vertices
 
 SIZE = (960, 540)
 DEPTH = 6.5  # of the water [m]
@@ -44,7 +44,7 @@ def sites(height, seed=11):
         x, y = patches[len(places) % len(patches)] + random.normal(0.0, 0.9, 2)
         if y > 3.6 and abs(x) > 0.16 * y * (y < 14.0):
             places.append((x, y, float(height(x, y))))
-    return points_with(np.array(places), Species=random.integers(0, 3, PLANTS).astype(np.int32),
+    return vertices(np.array(places), Species=random.integers(0, 3, PLANTS).astype(np.int32),
                        Scale=random.uniform(0.75, 1.25, PLANTS))
 
 
@@ -53,15 +53,15 @@ def build(folder, view):
     sea = simple.SeaState(SeaBy="Height And Period", SignificantWaveHeight=0.4, PeakPeriod=5.5, WaterDepth=DEPTH,
                           MeanDirection=-60.0, NumberOfTrains=60)
     current = simple.FlowPrimitive(Strength=0.05, Axis=[1.0, 0.25, 0.0])
-    surface = simple.ParticleOrbits(Input=reader("Level", underwater.mesh(underwater.fan()), folder), SeaState=sea)
-    sand, height = underwater.bed(DEPTH, EYE)
+    surface = simple.ParticleOrbits(Input=reader("Level", bay.mesh(bay.fan()), folder), SeaState=sea)
+    sand, height = bay.bed(DEPTH, EYE)
     plants = sites(height)
     kelp = simple.PlantScatter(Sites=reader("KelpSites", plants, folder), FollowCamera=0, UseLevels=0, UseCulling=0,
                                Prototypes=[simple.Seaweed(Seed=seed, SegmentsPerBranch=14) for seed in (1, 2, 3)])
     bending = simple.SeaweedDeformation(
         Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0, GenerateMotion=1,
         TimeStep=1.0 / 24.0, StartTime=TIME - LEAD)
-    specks = reader("Specks", underwater.particles(
+    specks = reader("Specks", bay.particles(
         (-12.0, 1.0, -DEPTH + 0.1, 12.0, 30.0, -0.4), 40000, 0.0055, (0.84, 0.93, 0.84), plants=plants, share=0.25),
         folder)
     drift = simple.CurrentDrift(Input=specks, Currents=[current, simple.PlantWake(Input=bending)], WaterDepth=DEPTH,

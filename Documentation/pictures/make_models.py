@@ -19,7 +19,8 @@ from vtkmodules.vtkRenderingCore import (
 from littoral import vtkTurningBandsTerrainSource
 from littoral.elevation import array_from_image
 from littoral.picture import FAINT, INK, label, write_jpg
-from littoral.scene import direction, normals, openness, subdivide, sunlight
+from littoral.gallery.heights import normals, openness, subdivide, sunlight
+from littoral.glb import direction
 
 POINTS, SEED = 256, 4
 SPACING, DEVIATION = 4.0, 40.0  # [m]

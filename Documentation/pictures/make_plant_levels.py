@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from littoral import vtkPlantScatterFilter, vtkReevesTreeSource
 from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight, block, level_actors, plant_actor
-from littoral.scene import BACKGROUND
+from littoral.gallery.relief import BACKGROUND
 
 SIZE = (1100, 990)
 SPECIES = ("Pine", "Oak", "Birch", "Shrub")

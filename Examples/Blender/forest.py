@@ -11,10 +11,15 @@ The country is that of Examples/ParaView/forest.py, with a walk of its own; all 
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from littoral import landscape, scene, vtkPlantScatterFilter, vtkReevesTreeSource
+from littoral import vtkPlantScatterFilter, vtkReevesTreeSource
+from littoral.gallery.colors import natural_color
+from littoral.gallery.country import wood_sites
+from littoral.gallery.meshes import add_array, vertices
+from littoral.gallery.places import WOODS, jacksboro
 from littoral.glb import write_glb
+from littoral.properties import set_properties
 
 #: Start, end and focal point of the walk [m], height of the eye [m] and vertical angle of view [degrees].
 FIRST, LAST, TARGET = (7300.0, 8200.0), (7268.0, 8168.0), (4200.0, 3200.0)
@@ -106,23 +111,21 @@ def in_view(places, reach, half_angle):
 
 def ground(country):
     """The terrain with its reflectance as RGB: the light comes from Blender."""
-    color = scene.natural_color(country.z, country.spacing)
-    array = numpy_to_vtk(np.round(255.0 * np.clip(color, 0, 1) ** (1 / 2.2)).astype(np.uint8).reshape(-1, 3), deep=True)
-    array.SetName("RGB")
-    country.image.GetPointData().AddArray(array)
+    color = natural_color(country.z, country.spacing)
+    add_array(country.image, "RGB", np.round(255.0 * np.clip(color, 0, 1) ** (1 / 2.2)).astype(np.uint8).reshape(-1, 3))
     return country.image
 
 
 def trees(country):
     """Sites of all trees in the view."""
     alone = [np.concatenate(pair) for pair in zip(near_trees(), grove(country))]
-    sites = landscape.wood_sites(country, (2500.0, 2500.0), (5600.0, 6200.0), 16.0)
+    sites = wood_sites(country, *WOODS, 16.0)
     places = vtk_to_numpy(sites.GetPoints().GetData()).astype(float)
     along, _ = ahead()
     seen = in_view(places, REACH, HALF_ANGLE) & ((places[:, :2] - FIRST) @ along > GROVE)
     species = vtk_to_numpy(sites.GetPointData().GetArray("Species"))[seen]
     places = np.concatenate((places[seen], np.column_stack((alone[0], country.height(*alone[0].T)))))
-    return landscape.points_with(places, Species=np.concatenate((species, alone[1])).astype(np.int32))
+    return vertices(places, Species=np.concatenate((species, alone[1])).astype(np.int32))
 
 
 def on_ground(country, count, reach, seed, nearest=3.0, power=1.5):
@@ -143,7 +146,7 @@ def tufts(country):
     beside = off_path(places) - PATH
     stays = random.random(len(places)) < np.minimum(0.25 + 0.75 * patches, 0.06 + beside / 0.5)
     scale = np.clip(0.35 + 0.75 * patches + random.normal(0.0, 0.18, len(places)), 0.25, 1.5)
-    return landscape.points_with(places[stays], Scale=(scale * np.clip(0.4 + beside / 1.5, 0.4, 1.0))[stays])
+    return vertices(places[stays], Scale=(scale * np.clip(0.4 + beside / 1.5, 0.4, 1.0))[stays])
 
 
 def flowers(country):
@@ -153,7 +156,7 @@ def flowers(country):
     drifts = np.sin(x / 3.7 + 1.3 * np.sin(y / 5.3)) * np.sin(y / 4.1 + 0.7)
     stays = (random.random(len(places)) < np.clip(1.4 * drifts - 0.25, 0.0, 0.8)) & (off_path(places) > PATH + 0.2)
     kind = (np.sin(x / 9.0) * np.sin(y / 11.0) + random.normal(0.0, 0.3, len(places)) > 0.25).astype(np.int32)
-    return landscape.points_with(places[stays], Scale=random.uniform(0.6, 1.1, len(places))[stays], Species=kind[stays])
+    return vertices(places[stays], Scale=random.uniform(0.6, 1.1, len(places))[stays], Species=kind[stays])
 
 
 def bushes(country):
@@ -169,7 +172,7 @@ def bushes(country):
     species = random.choice(4, len(places), p=(0.38, 0.22, 0.25, 0.15)).astype(np.int32)
     scale = np.choose(species, (0.3 + 0.8 * random.random(len(places)), 0.2 + 0.45 * random.random(len(places))**2,
                                 0.08 + 0.22 * random.random(len(places))**2, 0.06 + 0.12 * random.random(len(places))))
-    return landscape.points_with(places[stays], Scale=scale[stays], Species=species[stays])
+    return vertices(places[stays], Scale=scale[stays], Species=species[stays])
 
 
 def scattered(sites, prototypes, **settings):
@@ -181,9 +184,7 @@ def scattered(sites, prototypes, **settings):
     plants.SetOutputFormToInstances()
     plants.SetUseLevels(False)
     plants.SetUseCulling(False)
-    for name, value in settings.items():
-        getattr(plants, "Set" + name)(value)
-    return plants
+    return set_properties(plants, settings)
 
 
 def tree(preset, seed):
@@ -197,8 +198,7 @@ def plant(settings, leaf, bark):
     """A plant of a species of our own, with the colors of its leaves and its wood."""
     source = vtkReevesTreeSource()
     source.SetPresetToCustom()
-    for name, value in settings.items():
-        getattr(source, "Set" + name)(value)
+    set_properties(source, settings)
     source.SetLeafFormToBlade()
     source.SetLeafColor(*leaf)
     source.SetBarkColor(*bark)
@@ -207,7 +207,7 @@ def plant(settings, leaf, bark):
 
 def write_scene(filename, frame=0):
     """Write the scene at a frame of the walk."""
-    country = landscape.Country()
+    country = jacksboro()
     share = frame / FRAMES
     place = (1.0 - share) * np.array(FIRST) + share * np.array(LAST)
     eye = (*place, country.height(*place) + EYE_HEIGHT)

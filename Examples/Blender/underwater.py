@@ -15,9 +15,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
 from littoral import (
-    landscape, underwater, vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter, vtkSeaStateSource,
+    vtkFlowPrimitiveSource, vtkParticleOrbitFilter, vtkPlantScatterFilter, vtkSeaStateSource,
     vtkSeaweedDeformationFilter, vtkSeaweedSource)
+from littoral.gallery import bay, water
+from littoral.gallery.meshes import vertices
 from littoral.glb import write_glb
+from littoral.properties import set_properties
 
 DEPTH = 9.5  # water depth [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -7.4), (0.0, 10.0, -4.9), 64.0
@@ -53,7 +56,7 @@ def surface(sea, time):
     out = np.geomspace(0.15, FAR, 70)
     x = np.concatenate((-NEAR[0] - out[::-1], np.arange(-NEAR[0], NEAR[0], SPACING), NEAR[0] + out))
     y = np.concatenate((-10.0 - out[::-1], np.arange(-10.0, NEAR[1], SPACING), NEAR[1] + out))
-    level = underwater.mesh(np.stack((*np.meshgrid(x, y), np.zeros((len(y), len(x)))), axis=-1))
+    level = bay.mesh(np.stack((*np.meshgrid(x, y), np.zeros((len(y), len(x)))), axis=-1))
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputData(0, level)
     orbits.SetSeaStateConnection(sea.GetOutputPort())
@@ -61,7 +64,7 @@ def surface(sea, time):
     moved = orbits.GetOutput()
     places = vtk_to_numpy(moved.GetPoints().GetData()).astype(float)
     beyond = np.maximum(np.abs(places[:, 0]) - NEAR[0], np.abs(places[:, 1] - 10.0) - 20.0)
-    for k_x, k_y, amplitude, phase in underwater.ripples(time):
+    for k_x, k_y, amplitude, phase in water.ripples(time):
         amplitude = amplitude * np.clip(1.0 - beyond * np.hypot(k_x, k_y) / 30.0, 0.0, 1.0)  # cells grow
         places[:, 2] += amplitude * np.cos(k_x * places[:, 0] + k_y * places[:, 1] + phase)
     moved.GetPoints().SetData(numpy_to_vtk(places.astype(np.float32), deep=True))
@@ -74,23 +77,19 @@ def surface(sea, time):
 
 
 def seaweed(preset, settings):
-    source = vtkSeaweedSource()
-    source.SetPreset(preset)
-    for name, value in settings.items():
-        getattr(source, "Set" + name)(value)
-    return source
+    return set_properties(vtkSeaweedSource(), {"Preset": preset, **settings})
 
 
 def kelp_sites(height, seed=9):
     """Sites of sugar kelp on the bed, and of giant kelp up to the surface."""
     random = np.random.default_rng(seed)
-    low = underwater.kelp_sites(height, count=240)
+    low = bay.kelp_sites(height, count=240)
     species = vtk_to_numpy(low.GetPointData().GetArray("Species"))
     scale = vtk_to_numpy(low.GetPointData().GetArray("Scale"))[species == 0]
     places = vtk_to_numpy(low.GetPoints().GetData())[species == 0]
     tall = np.array([(x, y) + random.normal(0.0, 0.55, 2) for x, y, count in TALL for _ in range(count)])
     feet = height(*tall.T)
-    return landscape.points_with(
+    return vertices(
         np.concatenate((places, np.column_stack((tall, feet)))), Species=np.repeat(np.int32((0, 1)), (len(places), len(tall))),
         Scale=np.concatenate((scale, (-0.5 - feet) / 14.6 * random.uniform(0.85, 1.0, len(tall)))))
 
@@ -121,7 +120,7 @@ def kelp(sea, sites, time):
 
 def specks(sea, time, plants):
     """Particles near the camera, moved by the waves."""
-    points = underwater.particles((-9.0, 0.8, -DEPTH + 0.1, 9.0, 14.0, -0.3), 40000, 0.0016, (0.90, 0.95, 0.88),
+    points = bay.particles((-9.0, 0.8, -DEPTH + 0.1, 9.0, 14.0, -0.3), 40000, 0.0016, (0.90, 0.95, 0.88),
                                   clumps=0.3, plants=plants)
     orbits = vtkParticleOrbitFilter()
     orbits.SetInputData(0, points)
@@ -133,14 +132,14 @@ def specks(sea, time, plants):
 def write_scene(filename, frame=0):
     """Write the scene at a frame."""
     time, sea = TIME + frame / FRAMES_A_SECOND, sea_state()
-    sand, height = underwater.bed(DEPTH, EYE)
+    sand, height = bay.bed(DEPTH, EYE)
     plants = kelp_sites(height)
     sources = {"Surface": surface(sea, time), "Bed": sand, "Kelp": kelp(sea, plants, time),
                "Particles": specks(sea, time, plants)}
     write_glb(
         filename, sources, camera=(EYE, FOCUS, (0.0, 0.0, 1.0), VIEW_ANGLE), sun=(*SUN, 100000.0),
         kinds={"Surface": "water", "Bed": "ground", "Particles": "particle"},
-        extras={"water": {"level": 0.0, "extinction": underwater.EXTINCTION, "color": [0.32, 0.74, 1.0]},
+        extras={"water": {"level": 0.0, "extinction": water.EXTINCTION, "color": [0.32, 0.74, 1.0]},
                 "exposure": 1.0}, LevelForm=2)
 
 

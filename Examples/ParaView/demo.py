@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: pvbatch args=output args=2
+# run-with: pvbatch args=output args=--quick
 """Measured terrain and its synthetic twin, point patterns, a walk through a forest, and an underwater scene.
 
-    pvbatch demo.py [FOLDER [FRAMES]]
+    pvbatch demo.py [FOLDER]
+    pvbatch demo.py FOLDER --films [FRAMES]
+    pvbatch demo.py FOLDER --quick
 
 reads the elevation model of the Jacksboro fault, Tennessee, fits covariance models to it, grows
-a twin from the best one, and writes into FOLDER (default: a new temporary folder) first pictures
-and data, then two films of FRAMES frames each (default: 48; 0 for none):
+a twin from the best one, and writes pictures and data into FOLDER (default: a new temporary folder):
 
     twin-terrain.png   the measured terrain, its Gaussian twin and its twin with valleys, with their statistics
     figure2.png        the measured terrain and a fractal field with the paper's fractal dimension
@@ -19,6 +20,10 @@ and data, then two films of FRAMES frames each (default: 48; 0 for none):
     wind.vdb           the wind there as an OpenVDB volume
     underwater.png     the surface from below, kelp, and particles that fade into fog
     fog.vdb            that fog as an OpenVDB volume
+
+--films writes two films of FRAMES frames each (default: 48) instead, and their first pictures again; --quick, for a test,
+writes small and coarse pictures:
+
     underwater.ogv     the sea as a film; its frames are underwater.0000.png ...
     walk.ogv           a walk in the forest in that wind; its frames are walk.0000.png ...
 """
@@ -39,9 +44,10 @@ from paraview import simple
 from littoral import (
     vtkCovarianceFitFilter, vtkDrainageFilter, vtkGroundStatisticsFilter, vtkTurningBandsTerrainSource)
 from littoral.chart import save_variogram_chart, slope_area_chart
-from littoral.elevation import array_from_image, read_elevation, write_vti
-from littoral.picture import save_grounds, save_pair
-from littoral.scene import height_color
+from littoral.elevation import array_from_image, image_from_array, read_elevation, write_vti
+from littoral.gallery import relief
+from littoral.gallery.colors import height_color
+from littoral.gallery.pictures import save_grounds, save_pair
 from littoral.tables import column, model_names, write_csv
 
 #: The examples for point patterns, the forest and the underwater scene.
@@ -51,37 +57,27 @@ FOREST = os.path.join(HERE, "forest.py")
 UNDERWATER = os.path.join(HERE, "underwater.py")
 FILM_SIZE = 768, 432
 EXAGGERATION = 3.0
-#: Space on disk that the output takes without films, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
+#: Space on disk that the pictures and data take, and that a frame of both films takes [bytes]; measured: 72 MB, 1.2 MB.
 STILL_BYTES, FRAME_BYTES = 80e6, 1.3e6
 
 #: Time of each picture's step [s], measured with software rendering on two cores, for the progress.
 STEP_TIMES = 0.1, 0.5, 0.1, 0.5, 0.7, 2.5, 15.0, 9.0, 0.8, 20.0, 1.0
-#: CPU time of each film before its first frame, where that makes its scene again, and of a frame [s].
-FILM_TIMES = (0.0, 4.7), (21.0, 5.6)
+#: CPU time of each film before its first frame and of a frame [s].
+FILM_TIMES = (20.0, 4.7), (21.0, 5.6)
 
 
 class Progress:
-    """Lines of progress: fraction done, time elapsed, time left, and the next step."""
+    """Lines of progress: fraction done, time elapsed, time left, and the next step. times: of each step [s]."""
 
-    def __init__(self, frames):
+    def __init__(self, times):
         self.start = time.time()
-        self.times = [(step, 0.0) for step in STEP_TIMES] + list(FILM_TIMES if frames else ())
-        self.frames = frames
+        self.times = times
         self.step = -1
 
-    def share(self, frame=0):
-        """Fraction done before a frame of this step."""
-        def time_of(step):
-            return step[0] + self.frames * step[1]
-
-        done = sum(map(time_of, self.times[:self.step]))
-        if frame > 0:
-            done += self.times[self.step][0] + frame * self.times[self.step][1]
-        return done / sum(map(time_of, self.times))
-
-    def line(self, frame=0):
-        """Prefix of each line."""
-        share, gone = self.share(frame), time.time() - self.start
+    def line(self, part=0.0):
+        """Prefix of each line; part: of this step that is done, 0 to 1."""
+        done = sum(self.times[:self.step]) + (part * self.times[self.step] if part else 0.0)
+        share, gone = done / sum(self.times), time.time() - self.start
         left = f", about {gone * (1.0 - share) / share:.0f} s left" if 0.02 < share < 1.0 else ""
         return f"[{100.0 * share:3.0f} %, {gone:.0f} s{left}]"
 
@@ -93,7 +89,8 @@ class Progress:
     def film(self, frame, frames):
         """Report every second frame of the film of this step."""
         if frame % 2 == 0 and frame > 0:
-            print(self.line(frame), f"frame {frame} of {frames}", flush=True)
+            first = FILM_TIMES[self.step][0] / self.times[self.step]
+            print(self.line(first + (1.0 - first) * frame / frames), f"frame {frame} of {frames}", flush=True)
 
 
 def measure(image):
@@ -148,7 +145,7 @@ def semivariances(image, lags):
     return np.array([0.25 * (np.mean((z[lag:] - z[:-lag]) ** 2) + np.mean((z[:, lag:] - z[:, :-lag]) ** 2)) for lag in lags])
 
 
-def draw_grounds(filename, grounds, size):
+def draw_grounds(filename, grounds, note, size):
     """Place, Gaussian twin and twin with valleys as blocks with lakes and rivers, above their statistics."""
     waters, numbers, profiles = [], [], []
     for ground in grounds:
@@ -173,14 +170,14 @@ def draw_grounds(filename, grounds, size):
     names = "Jacksboro fault, Tennessee", "Gaussian twin", "Twin with valleys"
     save_grounds(
         filename, [water[0] for water in waters], [water[1] for water in waters], names,
-        (f"measured \u00b7 {size}", "of the fitted model: water stands", "carved: water runs"),
+        (f"measured \u00b7 {note}", "of the fitted model: water stands", "carved: water runs"),
         (("Semivariance over the place's", "1", *(f"{ratio.min():.2f} to {ratio.max():.2f}" for ratio in ratios[1:])),
          row("Ground in hollows", "SunkShare", "{:.1f} %", 100.0, 5.0),
          row("Hypsometric integral", "HypsometricIntegral", "{:.2f}", 1.0, 0.03),
          row("Skew of heights", "HeightSkew", "{:.2f}", 1.0, 0.15),
          row("Concavity of streams", "Concavity", "{:.2f}", 1.0, 0.1),
          row("Skew of curvature", "CurvatureSkew", "{:.2f}", 1.0, 1.0)),
-        slope_area_chart(profiles, names), EXAGGERATION)
+        slope_area_chart(profiles, names), EXAGGERATION, size)
 
 
 def print_fits(fits):
@@ -215,26 +212,32 @@ def end_forest(process):
         sys.exit("The forest was not drawn.")
 
 
-def need_space(folder, frames):
-    """Raises OSError if the disk of the output is too full, before anything is computed."""
-    needed, free = STILL_BYTES + frames * FRAME_BYTES, shutil.disk_usage(folder).free
+def need_space(folder, needed):
+    """Make the folder of the output; raises OSError if its disk is too full, before anything is computed."""
+    os.makedirs(folder, exist_ok=True)
+    free = shutil.disk_usage(folder).free
     if free < needed:
         raise OSError(errno.ENOSPC, f"The output takes {needed / 1e6:.0f} MB, and {free / 1e6:.0f} MB are free", folder)
 
 
-def main(folder, frames=48):
-    """Run all steps; folder: of the output; frames: of each film, or 0. Raises OSError when a file cannot be written."""
-    os.makedirs(folder, exist_ok=True)
-    need_space(folder, frames)
-    progress = Progress(frames)
+def stills(folder, quick=False):
+    """Write pictures and data into a folder; quick: all but the forest, of coarse ground and small, and a film of two
+    frames. Raises OSError when a file cannot be written."""
+    need_space(folder, STILL_BYTES)
+    progress = Progress(STEP_TIMES)
 
     def file(name):
         return os.path.join(folder, name)
 
+    def sized(*size):
+        return [length // 4 for length in size] if quick else size
+
     progress.begin("reading the elevation model of the Jacksboro fault")
     place = read_elevation()
+    if quick:
+        place = image_from_array(array_from_image(place)[::3, ::3], [3.0 * side for side in place.GetSpacing()])
     bounds = np.array(place.GetBounds()) / 1e3
-    size = f"{bounds[1]:.0f} \u00d7 {bounds[3]:.0f} km, heights \u00d7 {EXAGGERATION:.0f}"
+    note = f"{bounds[1]:.0f} \u00d7 {bounds[3]:.0f} km, heights \u00d7 {EXAGGERATION:.0f}"
 
     progress.begin("measuring its covariance")
     fits, variogram = measure(place)
@@ -250,14 +253,14 @@ def main(folder, frames=48):
     print_fits(measure(twin)[0])
 
     progress.begin("drawing variogram.png")
-    save_variogram_chart(file("variogram.png"), variogram, models)
+    save_variogram_chart(file("variogram.png"), variogram, models, sized(1200, 750))
 
-    forest_process = begin_forest(folder)
+    forest_process = None if quick else begin_forest(folder)
     progress.begin("carving valleys into the twin, and drawing forest.png beside it")
     valleys = carve(twin, place)
 
     progress.begin("drawing twin-terrain.png")
-    draw_grounds(file("twin-terrain.png"), (place, twin, valleys), size)
+    draw_grounds(file("twin-terrain.png"), (place, twin, valleys), note, sized(1600, 960))
 
     progress.begin("drawing figure2.png")
     dimension = 2.15  # the paper's: this terrain has no single dimension, since its periodogram bends
@@ -265,28 +268,48 @@ def main(folder, frames=48):
         file("figure2.png"), (place, grow_fractal(place, fits, dimension)),
         ("(a) Real terrain", "(b) Turning bands"),
         ("Jacksboro fault", f"fractal field, D = {dimension:.2f} as in the paper"),
-        EXAGGERATION, height_color)
+        EXAGGERATION, height_color, sized(1600, 760))
 
     progress.begin("drawing patterns.png")
     runpy.run_path(PATTERNS)["main"](folder)
 
-    underwater = runpy.run_path(UNDERWATER, run_name="underwater")
     progress.begin("drawing underwater.png")
-    scene = underwater["main"](folder, FILM_SIZE)
+    runpy.run_path(UNDERWATER, run_name="underwater")["main"](
+        folder, sized(*FILM_SIZE), 2 if quick else 0, quick)
     progress.begin("waiting for forest.png")
-    end_forest(forest_process)
-    if frames:
-        progress.begin("filming underwater.ogv: all pictures are there, the films take longer")
-        underwater["film"](*scene, folder, frames, progress.film)
-        clear()
-        progress.begin("filming walk.ogv")  # one film after the other: each keeps both cores busy
-        runpy.run_path(FOREST, run_name="forest")["main"](folder, FILM_SIZE, frames, progress.film)
+    if forest_process:
+        end_forest(forest_process)
     progress.begin(f"all written into {folder}")
 
 
+def films(folder, frames=48):
+    """Write both films of so many frames, one after the other: each keeps both cores busy. Raises OSError as `stills`."""
+    need_space(folder, STILL_BYTES + frames * FRAME_BYTES)
+    progress = Progress([first + frames * each for first, each in FILM_TIMES])
+    for name, script in (("underwater", UNDERWATER), ("walk", FOREST)):
+        progress.begin(f"filming {name}.ogv")
+        run_name = os.path.splitext(os.path.basename(script))[0]
+        runpy.run_path(script, run_name=run_name)["main"](folder, FILM_SIZE, frames, told=progress.film)
+        clear()
+    progress.begin(f"all written into {folder}")
+
+
+def main(folder, *options):
+    """Pictures and data; with the options `--films` and perhaps a number of frames the films; with `--quick` small pictures."""
+    if options == ("--quick",):
+        relief.CELLS = 0
+        stills(folder, quick=True)
+    elif options[:1] == ("--films",):
+        films(folder, *map(int, options[1:2]))
+    elif options:
+        sys.exit(f"There is no option {options[0]}.")
+    else:
+        stills(folder)
+
+
 if __name__ == "__main__":
-    arguments = sys.argv[1:]
+    arguments = sys.argv[1:] or [tempfile.mkdtemp(prefix="littoral-")]
     try:
-        main(arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-"), *map(int, arguments[1:2]))
+        main(*arguments)
     except OSError as error:
         sys.exit(f"{error.filename}: {error.strerror}.")

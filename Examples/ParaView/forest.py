@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# run-with: none
+# run-with: pvbatch args=. args=128 args=72 args=2 args=--quick
 """A walk through a forest in the wind, on measured terrain.
 
     ./littoral gui Examples/ParaView/forest.py      opens it in ParaView
-    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES]  writes forest.png, the frames of the walk,
+    pvbatch forest.py FOLDER [WIDTH HEIGHT FRAMES] [--quick]
+                                                    writes forest.png, the frames of the walk,
                                                     the film walk.ogv and the wind as wind.vdb
                                                     into FOLDER
 
@@ -22,17 +23,17 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import littoral
-from littoral import files, landscape
-from littoral.elevation import write_vti
-from littoral.film import folder_size_frames, save_film
+from littoral.film import save_film
+from littoral.gallery import country as countries
+from littoral.gallery import landscape, sky, views
+from littoral.gallery.arguments import folder_size_frames
+from littoral.gallery.places import WOODS, jacksboro
 
 #: Start, end and focal point of the walk [m].
 FIRST, LAST, TARGET = (7000.0, 8250.0), (6968.0, 8218.0), (4200.0, 3200.0)
 EYE_HEIGHT, VIEW_ANGLE = 7.0, 30.0
 #: Frames per second, and wind speed [m/s].
 RATE, WIND_SPEED = 12, 16.0
-#: Lower left corner and size of the part with trees [m].
-WOODS = (2500.0, 2500.0), (5600.0, 6200.0)
 SPECIES = (("Pine", 3), ("Oak", 5), ("Birch", 2), ("Shrub", 4))  # and seed of the prototype
 #: Radius of the crown of each species, and height of its center [m].
 CROWNS = np.array(((2.0, 4.5), (4.8, 6.5), (2.2, 7.0), (1.3, 0.9)))
@@ -53,33 +54,18 @@ GRASS = dict(
     BarkColor=[0.55, 0.58, 0.30])
 
 
-def write_polydata(data, filename):
-    """Write polydata as a VTK XML file that every version can read back."""
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-    writer = vtkXMLPolyDataWriter()
-    writer.SetInputData(data)
-    writer.SetDataModeToBinary()
-    files.write(writer, filename)
-
-
-def reader(kind, name, filename):
-    """A reader of a file without times."""
-    return kind(registrationName=name, FileName=[filename], TimeArray="None")
-
-
 def eye_at(country, share):
     """Position of the camera at a fraction of the walk."""
     place = (1.0 - share) * np.array(FIRST) + share * np.array(LAST)
     return np.array((*place, country.height(*place) + EYE_HEIGHT))
 
 
-def near_trees(country):
-    """The trees along the walk, but for those that would stand in a brook: positions and species."""
+def near_trees(country, count=None):
+    """The first so many or all trees along the walk, but for those that would stand in a brook: positions and species."""
     ahead = np.array(TARGET) - FIRST
     ahead /= np.hypot(*ahead)
     right = np.array((ahead[1], -ahead[0]))
-    distance, aside, species = np.array(NEAR_TREES).T
+    distance, aside, species = np.array(NEAR_TREES[:count]).T
     places = FIRST + distance[:, None] * ahead + aside[:, None] * right
     dry = country.water.distance_to(places) > 1.5
     return places[dry], species[dry].astype(int)
@@ -97,29 +83,23 @@ def shadows_near(country, woods):
     species = vtk_to_numpy(woods.GetPointData().GetArray("Species"))
     near = np.hypot(*(places[:, :2] - eye_at(country, 0.5)[:2]).T) < SHADOW_REACH
     radius, height = CROWNS[species[near]].T
-    return landscape.shadows(country, places[near], radius, height)
+    return countries.shadows(country, places[near], radius, height)
 
 
-def build(folder, view):
-    """Build the pipeline and show it in a view; returns the country."""
-    def file(name):
-        return os.path.join(folder, "data", name)
+def build(folder, view, quick=False):
+    """Build the pipeline and show it in a view; quick: with coarse ground and few trees. Returns the country."""
+    data = os.path.join(folder, "data")
+    os.makedirs(data, exist_ok=True)
+    country = jacksboro(1 if quick else 3)
+    woods = countries.wood_sites(country, *WOODS, 80.0 if quick else 13.0, alone=near_trees(country, 4 if quick else None))
+    clouds = os.path.join(data, "sky.png")
+    sky.write_sky(clouds, *((384, 64) if quick else (6144, 1024)))
 
-    os.makedirs(file(""), exist_ok=True)
-    country = landscape.Country()
-    write_vti(country.image, file("country.vti"))
-    woods = landscape.wood_sites(country, *WOODS, alone=near_trees(country))
-    write_polydata(woods, file("sites.vtp"))
-    write_polydata(shadows_near(country, woods), file("shadows.vtp"))
-    write_polydata(landscape.brook_bands(country, eye_at(country, 0.5), BROOK_REACH), file("brooks.vtp"))
-    write_polydata(landscape.sky_dome(eye_at(country, 0.5)), file("sky.vtp"))
-    landscape.write_sky(file("sky.png"))
-
-    terrain = reader(simple.XMLImageDataReader, "Country", file("country.vti"))
-    sites = reader(simple.XMLPolyDataReader, "Sites", file("sites.vtp"))
-    sky = reader(simple.XMLPolyDataReader, "Sky", file("sky.vtp"))
-    shadows = reader(simple.XMLPolyDataReader, "Shadows", file("shadows.vtp"))
-    brooks = reader(simple.XMLPolyDataReader, "Brooks", file("brooks.vtp"))
+    terrain = views.reader("Country", country.image, data)
+    sites = views.reader("Sites", woods, data)
+    dome = views.reader("Sky", sky.sky_dome(eye_at(country, 0.5)), data)
+    shadows = views.reader("Shadows", shadows_near(country, woods), data)
+    brooks = views.reader("Brooks", countries.brook_bands(country, eye_at(country, 0.5), BROOK_REACH), data)
     trees = [simple.ReevesTree(registrationName=name, Preset=name, Seed=seed)
              for name, seed in SPECIES]
     ground = simple.TerrainLevelOfDetail(
@@ -128,7 +108,7 @@ def build(folder, view):
         registrationName="Forest", Sites=sites, Prototypes=trees, Terrain=terrain,
         NearDistance=260.0, FarDistance=700.0, **STEADY)
     wind = simple.WindField(
-        registrationName="Wind", Dimensions=[600, 128, 10], LateralSpacing=12.5,
+        registrationName="Wind", Dimensions=[60 if quick else 600, 128, 10], LateralSpacing=12.5,
         ReferenceSpeed=WIND_SPEED, RoughnessLength=0.1, Center=list(wind_center()))
     sway = simple.BeamTreeDeformation(
         registrationName="Forest in the wind", Input=forest, Wind=wind, Prototypes=trees)
@@ -137,7 +117,7 @@ def build(folder, view):
     tufts = simple.QuadratPoints(
         registrationName="Tufts", Origin=list(np.minimum(FIRST, LAST) - GRASS_REACH),
         Size=list(size), Quadrats=[int(length / 2.0) for length in size], Law="Poisson Poisson",
-        MeanPerQuadrat=5.0, ClusterMean=3.0)
+        MeanPerQuadrat=0.5 if quick else 5.0, ClusterMean=3.0)
     # Of a near tuft only the blades, and of these what is seen: most of its memory is in wood and joints.
     blades = simple.PassArrays(
         registrationName="Blades", PointDataArrays=["Normals", "RGB", "TCoords"],
@@ -152,23 +132,23 @@ def build(folder, view):
 
     landscape.prepare_view(view)
     look(country, view, 0.0)
-    landscape.show_sky(sky, view, file("sky.png"))
+    landscape.show_sky(dome, view, clouds)
     landscape.show_ground(ground, view)
-    landscape.show_on_ground(brooks, view)
-    landscape.show_on_ground(shadows, view)
+    views.show_baked(brooks, view)
+    views.show_baked(shadows, view)
     shown = landscape.show_plants(grass, view, ["/Root/High/Leaves"])
     shown.Ambient, shown.Diffuse = 0.75, 0.45  # translucency
     landscape.show_plants(sway, view, landscape.PLANT_PARTS[:-1])
     landscape.show_plants(forest, view, landscape.PLANT_PARTS[-1:])  # what does not move is not made again for each frame
     if hasattr(littoral, "vtkVDBVolumeWriter"):
-        landscape.save_volume(os.path.join(folder, "wind.vdb"), wind)
+        views.save_volume(os.path.join(folder, "wind.vdb"), wind)
     return country
 
 
 def look(country, view, share):
     """Point the camera at a fraction of the walk."""
     target = np.array((*TARGET, country.height(*TARGET) - 60.0))
-    landscape.look(view, eye_at(country, share), target, VIEW_ANGLE)
+    views.look(view, eye_at(country, share), target, VIEW_ANGLE)
 
 
 def plan_walk(country, view, frames):
@@ -195,22 +175,22 @@ def film_walk(country, view, folder, frames, told):
         look(country, view, frame / max(1, frames - 1))
         view.ViewTime = frame / RATE
         pictures.append(os.path.join(folder, f"walk.{frame:04d}.png"))
-        landscape.save_view(pictures[-1], view)
+        views.save_view(pictures[-1], view)
     save_film(os.path.join(folder, "walk.ogv"), pictures, RATE)
 
 
-def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
-    """Build the scene, write its image and, with frames above 0, the walk."""
+def main(folder, size, frames=0, quick=False, told=lambda frame, frames: None):
+    """Build the scene, write its image and, with frames above 0, the walk; quick: a coarse one, as a test."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
-    country = build(folder, view)
+    country = build(folder, view, quick)
     plan_walk(country, view, frames or 120)
-    landscape.save_view(os.path.join(folder, "forest.png"), view)
+    views.save_view(os.path.join(folder, "forest.png"), view)
     if frames:
         film_walk(country, view, folder, frames, told)
 
 
 if __name__ != "forest":  # another script has run this one for its functions
-    main(*folder_size_frames(sys.argv[1:]))
+    main(**folder_size_frames(sys.argv[1:]))

@@ -16,7 +16,8 @@ import tempfile
 from paraview import servermanager, simple
 
 from littoral.elevation import read_elevation, write_vti
-from littoral.scene import prepare_view, row_centers, show_lit, width_of
+from littoral.gallery.relief import BACKGROUND, row_camera, row_centers, width_of
+from littoral.gallery.views import look, show_baked
 from littoral.tables import model_names
 
 EXAGGERATION = 3.0
@@ -25,14 +26,14 @@ EXAGGERATION = 3.0
 COLOURS = ("0.2 0.2 0.25", "0.8 0.27 0.12", "0.15 0.45 0.7", "0.3 0.6 0.35", "0.75 0.55 0.15")
 
 RELIEF = """
-from littoral.scene import relief_block
+from littoral.gallery.relief import relief_block
 image = self.GetInputDataObject(0, 0)
 block = relief_block(image, exaggeration={exaggeration}, center={center})
 self.GetPolyDataOutput().ShallowCopy(block)
 """
 
 FLOOR = """
-from littoral.scene import floor_shadow
+from littoral.gallery.relief import floor_shadow
 blocks = [self.GetInputDataObject(0, k) for k in range(self.GetNumberOfInputConnections(0))]
 shadow = floor_shadow([block.GetBounds() for block in blocks])
 self.GetPolyDataOutput().ShallowCopy(shadow)
@@ -82,6 +83,17 @@ def show_variogram(fit, view):
     simple.Render(view)
 
 
+def prepare_view(view, width, count):
+    """Set up a view for a row of blocks: camera, pale sky, and no lamps."""
+    look(view, *row_camera(width, count, view.ViewSize[0] / view.ViewSize[1]))
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Gradient"
+    view.Background, view.Background2 = BACKGROUND
+    view.OrientationAxesVisibility = 0
+    view.UseLight = 0
+    view.UseFXAA = 1
+
+
 def build(folder):
     """Build the pipeline and its views; returns the render view."""
     place = read_elevation()
@@ -102,8 +114,8 @@ def build(folder):
         relief("Relief of the place", reader, centers[0]),
         relief("Relief of the twin", twin, centers[1])]
     for block in blocks:
-        show_lit(block, view)
-    show_lit(polydata_filter("Floor", blocks, FLOOR), view)
+        show_baked(block, view)
+    show_baked(polydata_filter("Floor", blocks, FLOOR), view)
 
     chart = simple.CreateView("XYChartView")
     simple.AssignViewToLayout(chart, layout, layout.SplitVertical(0, 0.6))

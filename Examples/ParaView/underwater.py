@@ -4,7 +4,8 @@
 """Under the waves: the surface from below, kelp on a sandy bed with stones, particles that fade into fog.
 
     ./littoral gui Examples/ParaView/underwater.py      opens it in ParaView
-    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES]  writes underwater.png and the OpenVDB volume
+    pvbatch underwater.py FOLDER [WIDTH HEIGHT FRAMES] [--quick]
+                                                        writes underwater.png and the OpenVDB volume
                                                         fog.vdb into FOLDER; with FRAMES, also
                                                         the frames and the film underwater.ogv
 
@@ -15,11 +16,11 @@ import os
 import sys
 
 from paraview import simple
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import littoral
-from littoral import files, landscape, underwater
-from littoral.film import folder_size_frames, save_film
+from littoral.film import save_film
+from littoral.gallery import bay, underwater, views
+from littoral.gallery.arguments import folder_size_frames
 
 DEPTH = 9.5  # water depth [m]
 EYE, FOCUS, VIEW_ANGLE = (0.0, 0.0, -6.3), (0.0, 10.0, -5.2), 66.0
@@ -34,17 +35,6 @@ CURRENT = 0.08  # [m/s]
 LEAD = 20.0  # time of kelp motion before the first frame [s]
 SEEN = ["/Root/Near", "/Root/MasterSlave"]  # levels of particles that are seen individually
 STIR = 25.0  # strength of plant wakes [m2 s], above nature, to be visible
-
-
-def reader(name, data, folder):
-    """Write polydata to a file, and a reader of it."""
-    filename = os.path.join(folder, "data", f"{name}.vtp")
-    os.makedirs(os.path.dirname(filename), exist_ok=True)
-    writer = vtkXMLPolyDataWriter()
-    writer.SetInputData(data)
-    writer.SetDataModeToBinary()
-    files.write(writer, filename)
-    return simple.XMLPolyDataReader(registrationName=name, FileName=[filename], TimeArray="None")
 
 
 def drifting(name, particles, currents):
@@ -68,16 +58,21 @@ def on_waves(name, particles, sea):
     return simple.ExtractBlock(Input=riding, Selectors=SEEN)
 
 
-def build(folder, view):
-    """Build the pipeline and show it in a view; returns the representations with water shaders."""
+def build(folder, view, quick=False):
+    """Build the pipeline and show it in a view; returns the representations with water shaders.
+
+    quick: with few plants and particles, and little motion.
+    """
+    data = os.path.join(folder, "data")
+    os.makedirs(data, exist_ok=True)
     sea = simple.SeaState(registrationName="Sea", SeaBy="Height And Period", SignificantWaveHeight=0.6,
                           PeakPeriod=6.2, WaterDepth=DEPTH, MeanDirection=-70.0, NumberOfTrains=60)
-    level = reader("Level", underwater.mesh(underwater.fan()), folder)
+    level = views.reader("Level", bay.mesh(bay.fan(*((160.0, 0.3, 40, 60) if quick else ()))), data)
     surface = simple.ParticleOrbits(registrationName="Surface", Input=level, SeaState=sea)
-    sand, height = underwater.bed(DEPTH, EYE)
-    floor = reader("Bed", sand, folder)
-    plants = underwater.kelp_sites(height)
-    sites = reader("KelpSites", plants, folder)
+    sand, height = bay.bed(DEPTH, EYE, samples=200 if quick else 900)
+    floor = views.reader("Bed", sand, data)
+    plants = bay.kelp_sites(height, count=8 if quick else 130)
+    sites = views.reader("KelpSites", plants, data)
     kelp = simple.PlantScatter(
         registrationName="Kelp", Sites=sites, FollowCamera=0, UseLevels=0, UseCulling=0, Prototypes=[
             simple.Seaweed(registrationName="SugarKelp"),
@@ -86,25 +81,24 @@ def build(folder, view):
     current = simple.FlowPrimitive(registrationName="Current", Strength=CURRENT, Axis=[1.0, 0.25, 0.0])
     bending = simple.SeaweedDeformation(
         registrationName="Kelp in the swell", Input=kelp, SeaState=sea, Currents=[current], FollowCamera=0,
-        GenerateMotion=1, TimeStep=1.0 / 24.0, StartTime=TIME - LEAD)
+        GenerateMotion=1, TimeStep=1.0 / 24.0, StartTime=TIME - (0.5 if quick else LEAD))
     wake = simple.PlantWake(registrationName="Wake", Input=bending, Strength=STIR)
     # Only particles around the kelp feel its wake; the others drift uniformly, without time steps.
-    about, beyond = underwater.split_about(underwater.particles(
-        (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.9, plants=plants),
+    about, beyond = bay.split_about(bay.particles(
+        (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 10000 if quick else 480000, 0.0042, (0.84, 0.93, 0.84), clumps=0.9, plants=plants),
         plants)
-    stirred = levels("StirredLevels", drifting("Stirred", reader("ParticlesAboutKelp", about, folder),
+    stirred = levels("StirredLevels", drifting("Stirred", views.reader("ParticlesAboutKelp", about, data),
                                                [current, wake]), sea)
     # The current alone moves the others, all by the same step: their levels are chosen before, and again only when the
     # camera moves. In 6 s they drift by 0.5 m, the distance in which levels blend: paraview.TestDriftedLevels.
-    carried = drifting("Drifting", levels("DriftingLevels", reader("OtherParticles", beyond, folder), sea, culling=0),
+    carried = drifting("Drifting", levels("DriftingLevels", views.reader("OtherParticles", beyond, data), sea, culling=0),
                        [current])
     specks = [on_waves("StirredOnWaves", stirred, sea), on_waves("DriftingOnWaves", carried, sea)]
     fog = simple.ParticleFog(registrationName="Fog", Input=carried, GridBy="Spacing",
                              Spacing=0.5, UseBounds=1, Bounds=[-17.0, 17.0, -1.0, 29.0, -DEPTH, 0.0])
 
     underwater.prepare_view(view)
-    view.CameraPosition, view.CameraFocalPoint = list(EYE), list(FOCUS)
-    view.CameraViewUp, view.CameraViewAngle = [0.0, 0.0, 1.0], VIEW_ANGLE
+    views.look(view, EYE, FOCUS, VIEW_ANGLE)
     for animated in (surface, bending, *specks):
         simple.UpdatePipeline(TIME, animated)
     view.ViewTime = TIME
@@ -127,24 +121,23 @@ def film(shaded, view, folder, frames, told):
         for shown in shaded:
             underwater.set_time(shown, view.ViewTime)
         pictures.append(os.path.join(folder, f"underwater.{frame:04d}.png"))
-        landscape.save_view(pictures[-1], view)
+        views.save_view(pictures[-1], view)
     save_film(os.path.join(folder, "underwater.ogv"), pictures, FRAMES_A_SECOND)
 
 
-def main(folder, size=(960, 540), frames=0, told=lambda frame, frames: None):
-    """Build the scene, write its image and fog and, with frames above 0, the film; returns what film() wants first."""
+def main(folder, size, frames=0, quick=False, told=lambda frame, frames: None):
+    """Build the scene, write its image and fog and, with frames above 0, the film; quick: a coarse one, as a test."""
     simple._DisableFirstRenderCameraReset()
     os.makedirs(folder, exist_ok=True)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(size)
-    shaded = build(folder, view)
-    landscape.save_view(os.path.join(folder, "underwater.png"), view)
+    shaded = build(folder, view, quick)
+    views.save_view(os.path.join(folder, "underwater.png"), view)
     if hasattr(littoral, "vtkVDBVolumeWriter"):
-        landscape.save_volume(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
+        views.save_volume(os.path.join(folder, "fog.vdb"), simple.FindSource("Fog"))
     if frames > 0:
         film(shaded, view, folder, frames, told)
-    return shaded, view
 
 
 if __name__ != "underwater":  # another script has run this one for its functions
-    main(*folder_size_frames(sys.argv[1:]))
+    main(**folder_size_frames(sys.argv[1:]))

@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 args=. args=--quick
 """Five public inventories: measured, fitted, regrown and planted.
 
-    python3 five_inventories.py [FOLDER]
+    python3 five_inventories.py [FOLDER] [--quick]
 
 writes five-inventories.jpg into FOLDER, a row for each inventory: the map; the pair correlation of the map with the
 global envelope of 99 patterns of the process that is best by the envelope test; a pattern of that process; and plants on
 it. The inventories are those of Debian's package r-cran-spatstat.data, read by R; without it the example says so and ends.
+--quick, for a test, draws the three that need no R, as files of this project have them, at half the size.
 """
 
 import os
@@ -25,7 +27,8 @@ from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand, vtkPatternVerdictFilter, vtkPointProcessSource
-from littoral.floor import BROADLEAVED, HAZE, SAVANNA, Floor, floor_actor
+from littoral.gallery.floor import BROADLEAVED, HAZE, SAVANNA, Floor
+from littoral.gallery.pictures import lit_actor
 from littoral.picture import FAINT, INK, label, write_jpg
 from littoral.plants import add_daylight, block, level_actors
 from littoral.tables import column, table_of
@@ -48,6 +51,8 @@ INVENTORIES = (
     ("japanesepines", "Japanese black pines", 5.7, 0, (57.0, "Pine", 9.0, 0.2)),
     ("cells", "Cells", 1.0, 0, (24.0, "Shrub", 2.4, 0.1)),
 )
+#: Lower edges of those that files of this project have too, in units of their sides.
+FILES = {"redwood": -1.0, "japanesepines": 0.0, "cells": 0.0}
 #: Diameter at breast height [cm] over height [m] of pines that stand alone.
 OPEN_GROWN = 1.5
 
@@ -67,6 +72,13 @@ write.csv(d[!duplicated(d[, c("x", "y")]), ], row.names=FALSE, quote=FALSE)"""
     rows = [line.split(",") for line in run.stdout.splitlines()]
     return {key: np.array([row[k] for row in rows[1:]], str if key == "species" else float)
             for k, key in enumerate(rows[0])}
+
+
+def read_file(name):
+    """Positions of an inventory in a unit square, from a file of this project."""
+    file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "patterns", f"{name}.csv")
+    x, y = np.loadtxt(file, delimiter=",", skiprows=1).T
+    return {"x": x, "y": y - FILES[name]}
 
 
 def points_of(x, y):
@@ -240,7 +252,7 @@ def draw_stand(renderer, trees, side, colors, cover):
     places = vtk_to_numpy(trees.GetPoints().GetData())[:, :2].astype(float)
     floor = Floor(places, heights, stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, colors=colors, cover=cover)
     for part in (floor.ground(900, 1800), floor.woods()):
-        renderer.AddActor(floor_actor(part))
+        renderer.AddActor(lit_actor(part))
     add_daylight(renderer, SUN)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
@@ -251,12 +263,13 @@ def draw_stand(renderer, trees, side, colors, cover):
     return forest
 
 
-def main(folder):
+def main(folder, quick):
     """All rows as a picture."""
     os.makedirs(folder, exist_ok=True)
     window, kept = vtkRenderWindow(), []
-    for row, (name, title, side, degree, kind) in enumerate(INVENTORIES):
-        found = read(name)
+    inventories = [each for each in INVENTORIES if each[0] in FILES] if quick else INVENTORIES
+    for row, (name, title, side, degree, kind) in enumerate(inventories):
+        found = read_file(name) if quick else read(name)
         if found is None:
             print("There are no inventories: R and its package spatstat.data are not installed.")
             return
@@ -285,8 +298,9 @@ def main(folder):
     for k, text in enumerate(("measured", "fitted: pair correlation g", "regrown", "planted")):
         head.AddActor(label(text, (0.5 * (COLUMNS[k] + COLUMNS[k + 1]), 0.85), 38, INK))
     window.AddRenderer(head)
-    write_jpg(window, os.path.join(folder, "five-inventories.jpg"), PICTURE)
+    write_jpg(window, os.path.join(folder, "five-inventories.jpg"), [length // 2 for length in PICTURE] if quick else PICTURE)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else ".")
+    words = [word for word in sys.argv[1:] if word != "--quick"]
+    main(words[0] if words else ".", "--quick" in sys.argv)

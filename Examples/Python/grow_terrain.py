@@ -11,7 +11,7 @@ import tempfile
 
 from littoral import vtkTurningBandsTerrainSource
 from littoral.elevation import write_vti
-from littoral.picture import save_block
+from littoral.gallery.pictures import save_block
 
 folder = sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="littoral-")
 os.makedirs(folder, exist_ok=True)

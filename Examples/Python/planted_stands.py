@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
+# run-with: python3 tier=all args=.
 """Two forest inventories, planted: longleaf pines with their diameters, and a wood of oaks, hickories and maples.
 
     python3 planted_stands.py [FOLDER]
@@ -24,7 +25,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 from littoral import stand
-from littoral.floor import BROADLEAVED, HAZE, SAVANNA, Floor, floor_actor
+from littoral.gallery.floor import BROADLEAVED, HAZE, SAVANNA, Floor
+from littoral.gallery.pictures import lit_actor
 from littoral.picture import INK, label, write_jpg
 from littoral.plants import add_daylight, level_actors
 
@@ -142,7 +144,7 @@ def draw_wood(trees, eye, heading, ground, grass, window):
     floor = Floor(vtk_to_numpy(trees.GetPoints().GetData()), stand.numbers(trees, "Height"),
                   stand.numbers(trees, "CrownDiameter"), eye, sun=SUN, **ground)
     for part in (floor.ground(), floor.litter(), floor.grass(**grass), floor.woods()):
-        renderer.AddActor(floor_actor(part))
+        renderer.AddActor(lit_actor(part))
     add_daylight(renderer, SUN)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)

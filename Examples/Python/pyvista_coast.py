@@ -21,7 +21,8 @@ from littoral import (
 from littoral.elevation import array_from_image, image_from_array
 from littoral.plants import add_daylight
 from littoral.pyvista import add_plants
-from littoral.scene import blur, direction, normals, openness, sunlight
+from littoral.gallery.heights import blur, normals, openness, sunlight
+from littoral.glb import direction
 
 EYE, FOCUS, VIEW_ANGLE = np.array((-8.0, -98.0, 3.0)), np.array((0.0, 0.0, 10.4)), 32.0
 HORIZON = 0.37  # height in the image, as a fraction

@@ -21,7 +21,8 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from littoral import blender, landscape, vtkPlantScatterFilter, vtkReevesTreeSource, vtkTurningBandsTerrainSource
+from littoral import blender, vtkPlantScatterFilter, vtkReevesTreeSource, vtkTurningBandsTerrainSource
+from littoral.gallery.meshes import vertices
 from littoral.glb import write_glb
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Blender")
@@ -42,7 +43,7 @@ def wood(filename, count, side, above, extras):
     column, row = np.random.default_rng(5).integers(0, 201, (2, count))
     places = np.column_stack((column * side / 200.0, row * side / 200.0, heights[row, column]))
     forest = vtkPlantScatterFilter()
-    forest.SetInputData(0, landscape.points_with(places, Species=np.arange(count, dtype=np.int32) % 4))
+    forest.SetInputData(0, vertices(places, Species=np.arange(count, dtype=np.int32) % 4))
     for preset in (1, 2, 3, 4):
         tree = vtkReevesTreeSource()
         tree.SetPreset(preset)

@@ -23,7 +23,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
 from glb import Glb  # noqa: E402
 from littoral import vtkBeamTreeDeformationFilter, vtkPlantScatterFilter, vtkReevesTreeSource, vtkWindFieldSource  # noqa: E402
-from littoral.scene import write_glb  # noqa: E402
+from littoral.glb import write_glb  # noqa: E402
 
 #: The largest files that are wanted [bytes], times at which skins are compared [s], and trees of a level.
 STANDING, SWAYING, COMPARED, SAMPLE = 50e6, 100e6, (0.5, 2.5, 4.25), 12

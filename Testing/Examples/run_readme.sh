@@ -7,7 +7,7 @@
 # The heavy ones, which are named below, are left to Testing/matrix/run.
 set -euo pipefail
 source_dir=$1 build_dir=$2 work=$3
-heavy='^\./littoral (demo|test)$|apt-get '
+heavy='^\./littoral (demo|test)( |$)|apt-get '
 
 # A tree of links, but for the entry script, which finds its tree by where it is; the build tree is the given one.
 rm -rf "$work"

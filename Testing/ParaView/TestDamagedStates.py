@@ -15,9 +15,9 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutput
 DRAW = """
 import sys
 from paraview import simple
-from littoral import landscape
+from littoral.gallery import views
 view = simple.CreateRenderView(ViewSize=[30, 30])
-landscape.save_view(sys.argv[1], view)
+views.save_view(sys.argv[1], view)
 """
 
 

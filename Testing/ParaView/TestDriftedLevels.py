@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from window import colors
 
-from littoral import underwater
+from littoral.gallery import bay, underwater
 
 DEPTH, EYE, SPEED = 9.5, (0.0, 0.0, -6.3), 0.08
 
@@ -48,7 +48,7 @@ def picture(view, time):
 
 def main(folder):
     simple._DisableFirstRenderCameraReset()
-    points = underwater.particles(
+    points = bay.particles(
         (-17.0, 1.2, -DEPTH + 0.1, 17.0, 29.0, -0.5), 60000, 0.012, (0.84, 0.93, 0.84), clumps=0.9)
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(os.path.join(folder, "points.vtp"))

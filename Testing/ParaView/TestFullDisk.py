@@ -11,7 +11,7 @@ import tempfile
 import quick
 from paraview import simple
 
-from littoral import landscape
+from littoral.gallery import views
 
 SOURCE = os.environ["LITTORAL_SOURCE_DIR"]
 
@@ -30,7 +30,7 @@ with tempfile.TemporaryDirectory() as folder:
         view = simple.CreateRenderView(ViewSize=[300, 300])
         simple.Show(simple.Wavelet(), view).SetRepresentationType("Outline")
         picture = os.path.join(folder, "picture.png")
-        landscape.save_view(picture, view)
+        views.save_view(picture, view)
         with open(picture, "rb") as file:
             before = file.read()
         with open(os.path.join(folder, "rest"), "wb") as file:
@@ -40,7 +40,7 @@ with tempfile.TemporaryDirectory() as folder:
             except OSError:
                 pass
         try:
-            landscape.save_view(picture, view)
+            views.save_view(picture, view)
         except OSError as error:
             assert (error.errno, error.filename) == (errno.ENOSPC, picture), error
         else:

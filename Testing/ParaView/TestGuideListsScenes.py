@@ -4,8 +4,7 @@
 """The guide's lists of the macros, in the window."""
 
 import guide_stands
-import guide_forest_from_table
 import guide_twin_from_raster
 from guide import play
 
-play(guide_stands, guide_forest_from_table, guide_twin_from_raster)
+play(guide_stands, guide_twin_from_raster)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # run-with: pvpython
-"""The ripples of littoral.underwater move without a new shader, as the waves that its ripples() lists, and states
+"""The ripples of littoral.gallery.water move without a new shader, as the waves that its ripples() lists, and states
 keep their time; a turn of the camera runs no filter.
 
 Mesa writes each program that it links into a folder, so their number is known. In the reference the phases of the time
@@ -21,7 +21,7 @@ from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from window import colors
 
-from littoral import underwater
+from littoral.gallery import bay, underwater, water
 
 SIZE, DEPTH, EYE, TIME = 160, 6.0, (0.0, 0.0, -3.0), 7.3
 
@@ -43,11 +43,11 @@ def produced(data, folder):
 def scene(view, folder):
     """A surface, a bed, a kelp and the water behind; returns their representations."""
     sea = simple.SeaState(SeaBy="Height And Period", WaterDepth=DEPTH, NumberOfTrains=4)
-    level = produced(underwater.mesh(underwater.fan(rings=30, spokes=40)), folder)
+    level = produced(bay.mesh(bay.fan(rings=30, spokes=40)), folder)
     surface = simple.ParticleOrbits(Input=level, SeaState=sea)
-    ground, height = underwater.bed(DEPTH, EYE, samples=60)
+    ground, height = bay.bed(DEPTH, EYE, samples=60)
     kelp = simple.PlantScatter(
-        Sites=produced(underwater.kelp_sites(height, count=0), folder), FollowCamera=0, UseLevels=0, UseCulling=0,
+        Sites=produced(bay.kelp_sites(height, count=0), folder), FollowCamera=0, UseLevels=0, UseCulling=0,
         Prototypes=[simple.Seaweed(), simple.Seaweed()])
     underwater.prepare_view(view)
     view.CameraPosition, view.CameraFocalPoint = list(EYE), [0.0, 10.0, -2.4]
@@ -70,7 +70,7 @@ def at(view, shown, time):
 
 def with_constant_phases(view, shown, time):
     """The picture with the ripples of a time written into the shaders."""
-    waves = ", ".join("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in underwater.ripples(time))
+    waves = ", ".join("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})".format(*wave) for wave in water.ripples(time))
     for each in shown:
         text, count = re.subn(r"(vec4 ripples\[\d+\] = vec4\[\d+\])\([^;]*\);", lambda found: f"{found[1]}({waves});",
                               each.ShaderReplacements)
@@ -82,12 +82,12 @@ def with_constant_phases(view, shown, time):
 
 def check_ripples():
     """The shader's phases are those of the waves: rates and phases in its text against ripples()."""
-    text = underwater.water_shader()
+    text = water.water_shader()
     waves = np.array([[float(number) for number in row.split(",")] for row in
                       re.findall(r"vec4\(([-0-9., ]+)\)", text)])
     rates = np.array([float(number) for number in re.search(r"float\[\d+\]\(([^)]*)\)", text)[1].split(",")])
     for time in (0.0, TIME, 100.0):
-        wanted = underwater.ripples(time)
+        wanted = water.ripples(time)
         assert np.abs(waves[:, :3] - wanted[:, :3]).max() < 1e-6
         assert np.abs(waves[:, 3] - rates * time - wanted[:, 3]).max() < 1e-6 * (1.0 + time), f"phases at {time} s"
 

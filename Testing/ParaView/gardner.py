@@ -11,7 +11,8 @@ from paraview import simple
 from paraview.servermanager import Fetch
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from littoral import landscape, plants
+from littoral import plants
+from littoral.gallery import landscape
 
 WIND = """
 import vtk

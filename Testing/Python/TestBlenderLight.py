@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import littoral
 from littoral import blender
-from littoral.underwater import mesh
+from littoral.gallery.bay import mesh
 from TestBlender import ABOVE, pixels, square, write_glb
 
 

@@ -6,8 +6,8 @@ import unittest
 
 import numpy as np
 
-from littoral import brooks
 from littoral.elevation import image_from_array
+from littoral.gallery import brooks
 
 #: Cells [m], columns and rows; the floor of the valley is in the middle column and falls towards y = 0.
 CELL, COLUMNS, ROWS = 10.0, 41, 80

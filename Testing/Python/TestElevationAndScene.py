@@ -11,8 +11,9 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 from littoral.elevation import (
     array_from_image, image_from_array, metres_per_degree, read_elevation, write_vti)
-from littoral.scene import (
-    blur, direction, floor_shadow, normals, openness, relief_block, row_camera, subdivide, sunlight)
+from littoral.gallery.heights import blur, normals, openness, subdivide, sunlight
+from littoral.gallery.relief import floor_shadow, relief_block, row_camera
+from littoral.glb import direction
 from littoral.tables import column, model_names, one_model, table_of
 
 

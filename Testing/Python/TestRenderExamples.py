@@ -12,7 +12,7 @@ import os
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from littoral import landscape
+from littoral.gallery import places
 
 EXAMPLES = os.path.join(os.environ["LITTORAL_SOURCE_DIR"], "Examples", "Blender")
 
@@ -41,7 +41,7 @@ def height_at(image, x, y):
 forest, told = example("forest")
 forest.scattered = lambda *sites, **options: None
 forest.ground = lambda country: None
-image = landscape.Country().image
+image = places.jacksboro().image
 eyes = []
 for frame in (0, 30, 120):
     forest.write_scene("none.glb", frame)

@@ -29,7 +29,7 @@ if not hasattr(littoral, "vtkGLTFSceneWriter"):
     print("built without tinygltf")
     sys.exit(125)
 
-from littoral.scene import write_glb  # noqa: E402
+from littoral.glb import write_glb  # noqa: E402
 
 VALIDATOR = os.environ.get("LITTORAL_GLTF_VALIDATOR", "")
 VALIDATE = """

@@ -65,7 +65,7 @@ class Shortages(Program):
 
     def test_no_display(self):
         name = self.path("picture.png")
-        script = ("import sys; from littoral.elevation import read_elevation; from littoral.picture import save_block\n"
+        script = ("import sys; from littoral.elevation import read_elevation; from littoral.gallery.pictures import save_block\n"
                   "save_block(sys.argv[1], read_elevation())")
         absent = next(k for k in range(77, 10000) if not os.path.exists(f"/tmp/.X11-unix/X{k}"))
         for display in (None, f":{absent}"):

@@ -17,11 +17,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import errors, files
+from .properties import set_properties
 
 #: Jacksboro fault, Tennessee: US Geological Survey, public domain, in Debian's package
 #: python-matplotlib-data.
 JACKSBORO = "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz"
-
 
 
 def metres_per_degree(latitude):
@@ -132,22 +132,13 @@ def read_raster(filename, projection=None, **settings):
     elif projection is not None:
         reader.SetProjectionToGivenSystem()
         reader.SetCoordinateSystem(projection)
-    _set(reader, settings)
+    set_properties(reader, settings)
     messages = errors.kept(reader)
     reader.Update()
     if messages:
         prefix = f"Cannot read {reader.GetFileName()}: "
         raise ValueError(f"{filename}: {messages[0].removeprefix(prefix)}")
     return reader.GetOutput()
-
-
-def _set(made, settings):
-    """Set properties by their names."""
-    for name, value in settings.items():
-        setter = getattr(made, "Set" + name, None)
-        if setter is None:
-            raise ValueError(f"{made.GetClassName()} has no property {name}")
-        setter(value)
 
 
 def twin_of(place, seed=1):

@@ -1,8 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Films from image files, and the command line of scripts that make them."""
-
-import tempfile
+"""Films of image files."""
 
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
@@ -28,10 +26,3 @@ def save_film(filename, pictures, frames_per_second=24):
         writer.End()
         if writer.GetError():
             raise OSError(f"{filename} cannot be written.")
-
-
-def folder_size_frames(arguments, size=(960, 540)):
-    """Read `[FOLDER [WIDTH HEIGHT [FRAMES]]]`; default: a new temporary folder, `size`, no frames."""
-    folder = arguments[0] if arguments else tempfile.mkdtemp(prefix="littoral-")
-    frames = int(arguments[3]) if len(arguments) > 3 else 0
-    return folder, tuple(map(int, arguments[1:3])) or size, frames

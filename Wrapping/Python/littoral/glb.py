@@ -8,6 +8,7 @@ import os
 import numpy as np
 
 from . import errors
+from .properties import set_properties
 
 
 def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None, kinds=None, **settings):
@@ -34,7 +35,7 @@ def write_glb(filename, sources, times=None, camera=None, sun=None, extras=None,
         _set_camera(writer, camera)
     if sun is not None:
         writer.WriteSunOn()
-        writer.SetSunDirection(*_direction(*np.radians(sun[:2])))
+        writer.SetSunDirection(*direction(*sun[:2]))
         if len(sun) > 2:
             writer.SetSunIlluminance(sun[2])
     if extras:
@@ -65,12 +66,7 @@ def _glb_writer(sources, kinds, settings):
         if name not in names:
             raise ValueError(f"kinds names {name!r}, which is no source")
         writer.SetSourceKind(names.index(name), _kind(writer, kind))
-    for name, value in settings.items():
-        setter = getattr(writer, "Set" + name, None)
-        if setter is None:
-            raise ValueError(f"vtkGLTFSceneWriter has no property {name}")
-        setter(value) if np.isscalar(value) else setter(*value)
-    return writer
+    return set_properties(writer, settings)
 
 
 def _kind(writer, kind):
@@ -97,6 +93,7 @@ def motion_of(times):
     return tuple(float(time) for time in times) if len(times) > 2 else (float(times[0]), float(times[1]), 24.0)
 
 
-def _direction(azimuth, elevation):
-    """Unit vector towards an azimuth, from north to the east, and an elevation [rad]."""
-    return np.sin(azimuth) * np.cos(elevation), np.cos(azimuth) * np.cos(elevation), np.sin(elevation)
+def direction(azimuth, elevation):
+    """Unit vector towards an azimuth, from north to the east, and an elevation [degrees]."""
+    a, e = np.radians((azimuth, elevation))
+    return np.array((np.sin(a) * np.cos(e), np.cos(a) * np.cos(e), np.sin(e)))

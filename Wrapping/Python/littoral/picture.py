@@ -1,151 +1,19 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Images of surfaces with baked light, rendered off screen with plain VTK.
+"""Pictures of render windows as files, drawn off screen, and lines of text in them."""
 
-Positions in an image are fractions of its width and height, from the lower left.
-"""
-
-import numpy as np
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401, draws charts
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, draws text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws everything
-from vtkmodules.vtkCommonDataModel import vtkRectf
 from vtkmodules.vtkImagingCore import vtkImageResize
 from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
-    vtkWindowToImageFilter)
-from vtkmodules.vtkRenderingContext2D import vtkContextActor
+from vtkmodules.vtkRenderingCore import vtkTextActor, vtkWindowToImageFilter
 
-from . import display, files, scene
+from . import display, files
 
+#: Colors of text.
 INK = (0.16, 0.18, 0.22)
 FAINT = (0.40, 0.43, 0.48)
-
-
-def save_block(filename, image, exaggeration=1.0, size=(1200, 800)):
-    """Render one terrain as a block on a pale floor."""
-    _save_blocks(filename, [image], exaggeration, scene.natural_color, [], size)
-
-
-def save_pair(filename, images, titles, notes, exaggeration=1.0,
-              coloring=scene.natural_color, size=(1600, 760)):
-    """Render two terrains of the same size as blocks, side by side on a pale floor.
-
-    titles, notes: a large and a small line of text under each.
-    """
-    _save_blocks(filename, images, exaggeration, coloring, list(zip(titles, notes)), size)
-
-
-def save_grounds(filename, grounds, rivers, titles, notes, rows, chart=None, exaggeration=1.0, size=(1600, 960)):
-    """Render terrains of the same size with lakes and rivers as blocks in a row, above a table of numbers and a chart.
-
-    grounds, rivers: outputs 0 and 1 of `vtkDrainageFilter` without carving; rows: of the table, each a name and a text
-    for each terrain, which stands in bold if it begins with `*`; chart: a `vtkChartXY`, or None.
-    """
-    share = 0.42  # of the height, for the table
-    width, count, aspect = scene.width_of(grounds[0]), len(grounds), size[0] / (size[1] * (1.0 - share))
-    eye, focus, angle = scene.row_camera(width, count, aspect)
-    distance = np.linalg.norm(eye - focus)
-    window, above, below = vtkRenderWindow(), _pale_renderer(), vtkRenderer()
-    above.SetViewport(0.0, share, 1.0, 1.0)
-    below.SetViewport(0.0, 0.0, 1.0, share)
-    below.SetBackground(*scene.BACKGROUND[0])
-    blocks = []
-    for ground, lines, center in zip(grounds, rivers, scene.row_centers(width, count)):
-        block = scene.lake_block(ground, exaggeration, center)
-        blocks.append(scene.add_haze(block, eye, distance - 0.5 * width, distance + 0.9 * width))
-        for line, order in scene.river_lines(lines, ground, exaggeration, center):
-            actor = lit_actor(line)
-            actor.GetProperty().SetLineWidth((0.5 + 0.7 * order) * 1.6)
-            above.AddActor(actor)
-    for surface in [*blocks, scene.floor_shadow([block.GetBounds() for block in blocks])]:
-        above.AddActor(lit_actor(surface))
-    _look(above, eye, focus, angle)
-    for k, (title, note) in enumerate(zip(titles, notes)):
-        place = (k + 0.5) / count
-        above.AddActor(label(title, (place, 0.15), 50, INK))
-        above.AddActor(label(note, (place, 0.07), 34, FAINT))
-    _add_table(below, [title.split(",")[0] for title in titles], rows, 0.03, 0.60 if chart else 0.97)
-    window.AddRenderer(above)
-    window.AddRenderer(below)
-    if chart:
-        window.AddRenderer(_chart_renderer(chart, (0.63, 0.01, 0.985, share), size))
-    write_png(window, filename, size)
-
-
-def _add_table(renderer, titles, rows, left, right):
-    """Texts of a table, its names at the left and a column for each title; bold where a text begins with `*`."""
-    first = left + 0.36 * (right - left)
-    columns = [first + (k + 0.5) * (right - first) / len(titles) for k in range(len(titles))]
-    step = 0.86 / (len(rows) + 1)
-    for k, row in enumerate([("", *titles), *rows]):
-        height = 0.93 - step * k
-        for place, text in zip([left, *columns], row):
-            actor = label(text.lstrip("*"), (place, height), 34, FAINT if k == 0 else INK)
-            if place == left:
-                actor.GetTextProperty().SetJustificationToLeft()
-            actor.GetTextProperty().SetBold(text.startswith("*"))
-            renderer.AddActor(actor)
-
-
-def _chart_renderer(chart, viewport, size):
-    """A renderer of a chart in a part of a picture, oversampled by two."""
-    renderer, actor = vtkRenderer(), vtkContextActor()
-    renderer.SetViewport(*viewport)
-    renderer.SetBackground(*scene.BACKGROUND[0])
-    chart.SetAutoSize(False)
-    chart.SetSize(vtkRectf(
-        0.0, 30.0, 2.0 * size[0] * (viewport[2] - viewport[0]), 2.0 * size[1] * (viewport[3] - viewport[1]) - 60.0))
-    actor.GetScene().AddItem(chart)
-    renderer.AddActor(actor)
-    return renderer
-
-
-def _pale_renderer():
-    """A renderer before a pale sky."""
-    renderer = vtkRenderer()
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(*scene.BACKGROUND[0])
-    renderer.SetBackground2(*scene.BACKGROUND[1])
-    renderer.UseFXAAOn()
-    return renderer
-
-
-def _look(renderer, eye, focus, view_angle):
-    """Place the camera of a renderer [m, degrees]."""
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(*eye)
-    camera.SetFocalPoint(*focus)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetViewAngle(view_angle)
-    renderer.ResetCameraClippingRange()
-
-
-def save_picture(filename, surfaces, eye, focus, view_angle, labels=(), size=(1600, 760),
-                 oversampling=2):
-    """Render surfaces before a pale sky.
-
-    eye, focus: camera [m]; view_angle: vertical [degrees]; labels: arguments of `label`.
-    """
-    renderer = _pale_renderer()
-    for surface in surfaces:
-        renderer.AddActor(lit_actor(surface))
-    for text, place, height, color in labels:
-        renderer.AddActor(label(text, place, height * oversampling, color))
-    _look(renderer, eye, focus, view_angle)
-    window = vtkRenderWindow()
-    window.AddRenderer(renderer)
-    write_png(window, filename, size, oversampling)
-
-
-def lit_actor(data):
-    """Actor with the colors of the array `RGB`, without lighting."""
-    mapper, actor = vtkPolyDataMapper(), vtkActor()
-    mapper.SetInputData(data)
-    actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
-    return actor
 
 
 def label(text, place, height, color=INK):
@@ -192,19 +60,3 @@ def _write(writer, window, filename, size, oversampling):
     shrink.SetOutputDimensions(size[0], size[1], 1)
     writer.SetInputConnection(shrink.GetOutputPort())
     files.write(writer, filename)
-
-
-def _save_blocks(filename, images, exaggeration, coloring, texts, size):
-    """Render blocks in a row, in haze, with texts below them."""
-    width = scene.width_of(images[0])
-    eye, focus, angle = scene.row_camera(width, len(images), size[0] / size[1])
-    distance = np.linalg.norm(eye - focus)
-    blocks, labels = [], []
-    for image, center in zip(images, scene.row_centers(width, len(images))):
-        block = scene.relief_block(image, exaggeration, coloring=coloring, center=center)
-        blocks.append(scene.add_haze(block, eye, distance - 0.5 * width, distance + 0.9 * width))
-    floor = scene.floor_shadow([block.GetBounds() for block in blocks])
-    for k, (title, note) in enumerate(texts):
-        place = (k + 0.48) / len(texts)
-        labels += [(title, (place, 0.125), 25, INK), (note, (place, 0.078), 17, FAINT)]
-    save_picture(filename, blocks + [floor], eye, focus, angle, labels, size)

@@ -10,7 +10,7 @@
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
-from . import scene
+from .glb import direction
 from .versions import block_name
 
 
@@ -133,8 +133,8 @@ def add_daylight(renderer, sun=(215.0, 40.0)):
     """Sun, sky and light from the ground. sun: azimuth and elevation [degrees]."""
     renderer.AutomaticLightCreationOff()
     lamps = (
-        (scene.direction(*sun), (1.0, 0.94, 0.82), 1.1), ((0.0, 0.0, 1.0), (0.65, 0.78, 1.0), 0.45),
-        (scene.direction(sun[0] - 120.0, 5.0), (0.85, 0.88, 0.85), 0.35))
+        (direction(*sun), (1.0, 0.94, 0.82), 1.1), ((0.0, 0.0, 1.0), (0.65, 0.78, 1.0), 0.45),
+        (direction(sun[0] - 120.0, 5.0), (0.85, 0.88, 0.85), 0.35))
     for towards, color, intensity in lamps:
         light = vtkLight()
         light.SetPosition(*(1e5 * c for c in towards))

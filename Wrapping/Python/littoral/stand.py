@@ -11,17 +11,17 @@ Lengths are in metres, x is east, y north, z up.
 """
 
 import csv
-import math
 import os
 import re
 
-import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
+from . import errors
 from .LittoralFilters import vtkPlantScatterFilter, vtkStandInventoryFilter
 from .LittoralSources import vtkReevesTreeSource
+from .properties import set_properties
 
 #: Littoral's table of species, to be copied and edited: species, kind, curve, a, b, c.
 SPECIES = os.path.join(os.path.dirname(__file__), "StandSpecies.csv")
@@ -82,27 +82,6 @@ def species_table(species):
     return table_of_words(rows[0], zip(*rows[1:]))
 
 
-def _run(algorithm, what):
-    """Update an algorithm; its errors become a ValueError."""
-    errors = []
-    watch = algorithm.AddObserver("ErrorEvent", _noted(errors))
-    executive = algorithm.GetExecutive()
-    watched = executive.AddObserver("ErrorEvent", lambda *_: None)
-    algorithm.Update()
-    algorithm.RemoveObserver(watch)
-    executive.RemoveObserver(watched)
-    if errors:
-        raise ValueError(f"{what}: {errors[0]}")
-    return algorithm.GetOutput()
-
-
-def _noted(errors):
-    def note(_, __, text=""):
-        errors.append(text.strip().split("): ", 1)[-1].strip())
-    note.CallDataType = "string0"
-    return note
-
-
 def read_inventory(path, species=None, columns=None, units=None, **settings):
     """The trees of a forest inventory as points with the arrays `DBH`, `Height`, `CrownDiameter` [m] and `Species`.
 
@@ -130,12 +109,13 @@ def read_inventory(path, species=None, columns=None, units=None, **settings):
     setters = {"place": stand.SetPlaceUnit, "dbh": stand.SetDiameterUnit, "height": stand.SetHeightUnit}
     for key, unit in (units or {}).items():
         _of(setters, key, "units")(_of(UNITS, unit, "units"))
-    for key, value in settings.items():
-        if not hasattr(stand, "Set" + key):
-            raise ValueError(f"vtkStandInventoryFilter has no property {key}")
-        getattr(stand, "Set" + key)(value)
+    set_properties(stand, settings)
+    messages = errors.kept(stand)
+    stand.Update()
+    if messages:
+        raise ValueError(f"{name}: {messages[0]}")
     trees = vtkPolyData()
-    trees.ShallowCopy(_run(stand, name))
+    trees.ShallowCopy(stand.GetOutput())
     return trees
 
 
@@ -169,34 +149,23 @@ def tree_of(kind, height, diameter, crown):
 def prototypes(trees, classes=3, make=tree_of):
     """Plants for the trees of a stand, and the stand with the index of its plant as the array `Species`.
 
-    Trees of each kind are divided by their diameters into classes of equally many, at least two apart by a factor of
-    1.3; a plant has the middle height, diameter and crown diameter of its class.
+    classes: plants of each kind at most, the SizeClasses of vtkStandInventoryFilter; a plant has the middle height,
+    diameter and crown diameter of its class.
     make: a function of kind, height, diameter and crown diameter [m] that returns a plant source.
     Returns (stand, [plants]).
     """
-    kinds, species = words(trees, "Kinds"), numbers(trees, "Species")
-    sizes = np.column_stack([numbers(trees, name) for name in ("Height", "DBH", "CrownDiameter")])
-    plants, index = [], np.zeros(len(species), np.int32)
-    for number, kind in enumerate(kinds):
-        own = np.flatnonzero(species == number)
-        for group in _classes(own, sizes[:, 1], classes):
-            index[group] = len(plants)
-            plants.append(make(kind, *(float(v) for v in np.median(sizes[group], axis=0))))
+    kinds = words(trees, "Kinds")
+    x, y, _ = vtk_to_numpy(trees.GetPoints().GetData()).T
+    rows = table_of_words(("x", "y", "species", "dbh_m", "height"), (
+        x, y, [kinds[k] for k in numbers(trees, "Species")], numbers(trees, "DBH"), numbers(trees, "Height")))
+    sized = read_inventory(rows, table_of_words(("species", "kind"), 2 * [dict.fromkeys(kinds)]), OtherSpecies=kinds[0],
+                           SizeClasses=classes, AllowCoincident=True)
+    sizes = (vtk_to_numpy(sized.GetFieldData().GetArray("Plant" + name)) for name in ("Height", "DBH", "CrownDiameter"))
+    plants = [make(kind, *map(float, size)) for kind, *size in zip(words(sized, "Kinds"), *sizes)]
     stand = vtkPolyData()
     stand.ShallowCopy(trees)
-    array = numpy_to_vtk(index, deep=True)
-    array.SetName("Species")
-    stand.GetPointData().AddArray(array)
+    stand.GetPointData().AddArray(sized.GetPointData().GetArray("Species"))
     return stand, plants
-
-
-def _classes(own, diameters, classes):
-    """Indices of trees in at most so many classes by their diameters."""
-    if len(own) == 0:
-        return []
-    span = math.log(diameters[own].max() / diameters[own].min())
-    count = max(1, min(classes, 1 + int(span / math.log(1.3)), len(own)))
-    return np.array_split(own[np.argsort(diameters[own], kind="stable")], count)
 
 
 def plant(trees, terrain=None, classes=3, make=tree_of, **settings):
@@ -213,8 +182,4 @@ def plant(trees, terrain=None, classes=3, make=tree_of, **settings):
         forest.AddPrototypeConnection(each.GetOutputPort())
     if terrain is not None:
         forest.SetInputData(2, terrain)
-    for key, value in {"UseLevels": False, "UseCulling": False, **settings}.items():
-        if not hasattr(forest, "Set" + key):
-            raise ValueError(f"vtkPlantScatterFilter has no property {key}")
-        getattr(forest, "Set" + key)(value)
-    return forest
+    return set_properties(forest, {"UseLevels": False, "UseCulling": False, **settings})

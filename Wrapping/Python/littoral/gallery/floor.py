@@ -4,16 +4,13 @@
 
     floor = Floor(places, heights, crowns, eye)
     for data in (floor.ground(), floor.litter(), floor.grass(), floor.woods()):
-        renderer.AddActor(floor_actor(data))
+        renderer.AddActor(lit_actor(data))
 
 All is made about an eye, finer where it is nearer, from a seed. Points carry colors, in which the shade is.
 """
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from .meshes import polygons
 
 #: Colors of a floor: bare litter, other litter, grass, dry grass.
 BROADLEAVED = ((0.31, 0.24, 0.16), (0.44, 0.34, 0.22), (0.28, 0.36, 0.13), (0.46, 0.44, 0.22))
@@ -24,27 +21,9 @@ HAZE_DISTANCE = 1800.0
 SHADE_CELL = 0.4  # m
 
 
-def polygons(points, corners, colors):
-    """Triangles or quads (rows of corners) with colors of the points."""
-    data, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
-    places.SetData(numpy_to_vtk(np.ascontiguousarray(points, np.float32), deep=True))
-    count, size = corners.shape
-    offsets = numpy_to_vtkIdTypeArray(np.arange(0, (count + 1) * size, size, dtype=np.int64), deep=True)
-    cells.SetData(offsets, numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
-    data.SetPoints(places)
-    data.SetPolys(cells)
-    pixels = (255.0 * np.clip(colors, 0.0, 1.0)).astype(np.uint8)
-    data.GetPointData().SetScalars(numpy_to_vtk(pixels, deep=True))
-    return data
-
-
-def floor_actor(data):
-    """Actor of a part of the floor, whose light is in its colors: VTK would turn level normals to the camera."""
-    mapper, actor = vtkPolyDataMapper(), vtkActor()
-    mapper.SetInputData(data)
-    actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
-    return actor
+def shaded(places, corners, colors):
+    """Polygons between positions, with colors of these from 0 to 1."""
+    return polygons(places, corners, (255.0 * np.clip(colors, 0.0, 1.0)).astype(np.uint8))
 
 
 class Floor:
@@ -123,7 +102,7 @@ class Floor:
         n = np.arange((rings - 1) * sectors)
         right = np.where(n % sectors == sectors - 1, n + 1 - sectors, n + 1)
         corners = np.column_stack((n, n + sectors, right + sectors, right))
-        return polygons(np.column_stack((x, y, self.height(x, y))), corners, self.hazy(color, x, y))
+        return shaded(np.column_stack((x, y, self.height(x, y))), corners, self.hazy(color, x, y))
 
     def _about(self, count, reach):
         """Random places about the eye, of a density that falls with the distance."""
@@ -147,7 +126,7 @@ class Floor:
         warm = np.where(self.random.random((count, 1)) < 0.25, (1.25, 1.0, 0.7), (1.0, 1.0, 1.0))
         color = (self.colors[0] + shade * (1.5 * self.colors[1] - 0.6 * self.colors[0]) - 0.35 * self.colors[0]) * warm
         color = color * self.brightness(x, y)[:, None]
-        return polygons(quads.reshape(-1, 3), np.arange(4 * count).reshape(-1, 4), np.repeat(color, 4, axis=0))
+        return shaded(quads.reshape(-1, 3), np.arange(4 * count).reshape(-1, 4), np.repeat(color, 4, axis=0))
 
     def grass(self, count=30000, reach=60.0, height=0.3, blades=6):
         """Tufts of grass where there is grass; height: of the tallest [m]."""
@@ -166,7 +145,7 @@ class Floor:
         dry = self.random.random((len(x), 1))
         top = (self.colors[2] + dry * (self.colors[3] - self.colors[2])) * 1.15 * self.brightness(x, y)[:, None]
         color = np.stack((0.6 * top, 0.6 * top, top), axis=1)
-        return polygons(corners.reshape(-1, 3), np.arange(3 * len(x)).reshape(-1, 3), color.reshape(-1, 3))
+        return shaded(corners.reshape(-1, 3), np.arange(3 * len(x)).reshape(-1, 3), color.reshape(-1, 3))
 
     def woods(self, distance=420.0, height=24.0, color=(0.16, 0.24, 0.13)):
         """Woods on all sides, as rows of crowns that are paler the farther; height: of their trees [m]. An eye above
@@ -190,4 +169,4 @@ class Floor:
             corners.append(first + np.column_stack((n, right, right + count, n + count)))
             own = np.array(color) * (0.9 + 0.2 * self.random.random((count, 1)))
             colors += [self.hazy(0.7 * own, x, y), self.hazy(1.15 * own, x, y)]
-        return polygons(np.concatenate(points), np.concatenate(corners), np.concatenate(colors))
+        return shaded(np.concatenate(points), np.concatenate(corners), np.concatenate(colors))

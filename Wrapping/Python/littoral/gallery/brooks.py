@@ -8,9 +8,9 @@ Lengths are in metres. Grids are [row, column], rows from south to north, from (
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import scene
-from .elevation import array_from_image
-from .LittoralFilters import vtkDrainageFilter
+from ..elevation import array_from_image
+from ..LittoralFilters import vtkDrainageFilter
+from .heights import blur, steepness
 
 #: Drainage area from which there is a brook, and that of a brook one metre wide [m2]; exponent of the width.
 LEAST_AREA, METRE_AREA, WIDTH_EXPONENT = 4e4, 1e5, 0.45
@@ -45,8 +45,8 @@ class Water:
         drainage.Update()
         self.image = drainage.GetOutput()
         area = array_from_image(self.image, "DrainageArea")
-        slope = np.tan(np.radians(scene.steepness(array_from_image(image).astype(float), spacing)))
-        self.wetness = scene.blur(np.log(area / np.sqrt(cell) / np.maximum(slope, LEAST_SLOPE)), 2)
+        slope = np.tan(np.radians(steepness(array_from_image(image).astype(float), spacing)))
+        self.wetness = blur(np.log(area / np.sqrt(cell) / np.maximum(slope, LEAST_SLOPE)), 2)
         is_brook = area >= LEAST_AREA
         self.cover = np.where(is_brook, np.minimum(width_of(area) / np.sqrt(cell), 1.0), 0.0)
         self.courses = [_smooth(*course) for course in _courses(drainage.GetOutputDataObject(1))]

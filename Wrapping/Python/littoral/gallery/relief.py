@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Relief models: a terrain as a block with natural colors, sunlight, cast shadows and haze.
+
+The light is computed here and baked into the point array `RGB` of a `vtkPolyData`, so a picture
+needs no lamp, no texture and no ray tracing, and looks the same in VTK and in ParaView.
+
+Lengths are in metres, angles in degrees. x is east, y north, z up; an azimuth counts from north to the east. Height
+fields and colors are as in `heights` and `colors`.
+"""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from ..elevation import array_from_image, image_from_array
+from ..glb import direction
+from .colors import LAKE, lit, mix, natural_color, section_color, to_bytes
+from .heights import blur, normals, openness, refined, smoothstep, sunlight
+from .meshes import grids
+
+#: Azimuth and elevation of the sun.
+SUN = (248.0, 25.0)
+#: Cells along the longer side of a block, at least.
+CELLS = 600
+#: How far blocks are turned from facing the camera, and how high the camera stands above them.
+TURN, LIFT = 32.0, 39.0
+#: The pale sky behind a relief model, sRGB at the lower and the upper edge of the picture.
+BACKGROUND = (0.96, 0.955, 0.945), (0.74, 0.80, 0.86)
+
+
+def relief_block(image, exaggeration=1.0, sun=SUN, coloring=natural_color, center=(0.0, 0.0)):
+    """The terrain of an image as a block with cut sides that stands on z = 0, lit colors in `RGB`.
+
+    exaggeration: of the heights; sun: azimuth and elevation [degrees]; center: of the block [m].
+    An optional array `Reflectance` controls the colors. Missing heights become the lowest.
+    """
+    ground = array_from_image(image)
+    if ground is None:
+        raise ValueError("the image has no point array Elevation")
+    ground = np.nan_to_num(ground.astype(np.float64), nan=np.nanmin(ground))
+    reflectance = array_from_image(image, "Reflectance")
+    if reflectance is not None:
+        reflectance, _ = refined(reflectance, image.GetSpacing(), CELLS)
+    ground, spacing = refined(ground, image.GetSpacing(), CELLS)
+    rows, columns = ground.shape
+    x = (np.arange(columns) - 0.5 * (columns - 1)) * spacing[0] + center[0]
+    y = (np.arange(rows) - 0.5 * (rows - 1)) * spacing[1] + center[1]
+    thickness = 0.07 * np.ptp(x)
+    z = thickness + (ground - ground.min()) * exaggeration
+    seen = sunlight(z, spacing, *sun), openness(z, spacing)
+    color = coloring(ground, spacing, reflectance)
+    light = lit(color, normals(z, spacing), direction(*sun), *seen)
+    top = np.stack(np.broadcast_arrays(x, y[:, None], z), axis=-1)
+    sides = (
+        (top[0], (0.0, -1.0, 0.0)), (top[:, -1], (1.0, 0.0, 0.0)),
+        (top[-1, ::-1], (0.0, 1.0, 0.0)), (top[::-1, 0], (-1.0, 0.0, 0.0)))
+    walls = [_wall(edge, normal, direction(*sun), thickness) for edge, normal in sides]
+    return grids((top, to_bytes(light)), *walls)
+
+
+def lake_block(ground, exaggeration=1.0, center=(0.0, 0.0)):
+    """The block of a terrain whose depressions are full of water: output of `vtkDrainageFilter`, not carved."""
+    depth = array_from_image(ground, "DepressionDepth")
+    level = image_from_array(array_from_image(ground) + depth, ground.GetSpacing())
+    deep, _ = refined(depth, ground.GetSpacing(), CELLS)
+
+    def coloring(z, spacing, reflectance):
+        water = smoothstep(deep, 0.0, 0.02 * np.std(z))
+        return mix(natural_color(z, spacing, reflectance), LAKE, 0.92 * water)
+
+    return relief_block(level, exaggeration, coloring=coloring, center=center)
+
+
+def river_lines(rivers, ground, exaggeration=1.0, center=(0.0, 0.0)):
+    """Rivers on the block of a terrain: pairs of a `vtkPolyData` with `RGB` and its stream order, low orders first.
+
+    What runs through lakes is left out, but for shallow pools.
+    """
+    bounds, depth = ground.GetBounds(), array_from_image(ground, "DepressionDepth")
+    level = array_from_image(ground) + depth
+    middle = 0.5 * np.array((bounds[0] + bounds[1], bounds[2] + bounds[3]))
+    width = bounds[1] - bounds[0]
+    places = vtk_to_numpy(rivers.GetPoints().GetData()).astype(np.float64)
+    columns = np.round((places[:, 0] - bounds[0]) / ground.GetSpacing()[0]).astype(int)
+    rows = np.round((places[:, 1] - bounds[2]) / ground.GetSpacing()[1]).astype(int)
+    places[:, :2] += np.array(center)[:2] - middle
+    places[:, 2] = 0.07 * width + (level[rows, columns] - level.min()) * exaggeration + 0.0025 * width
+    dry = depth[rows, columns] <= 0.05 * np.std(level)  # shallow pools are part of a river
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    orders = vtk_to_numpy(rivers.GetCellData().GetArray("StreamOrder"))
+    for order in np.unique(orders):
+        lines, cells = vtkPolyData(), vtkCellArray()
+        for cell in np.flatnonzero(orders == order):
+            ids = rivers.GetCell(int(cell)).GetPointIds()
+            path = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+            for upper, lower in zip(path, path[1:]):
+                if dry[upper] or dry[lower]:
+                    cells.InsertNextCell(2, (upper, lower))
+        lines.SetPoints(points)
+        lines.SetLines(cells)
+        lines.GetPointData().SetScalars(rivers.GetPointData().GetArray("RGB"))
+        yield lines, int(order)
+
+
+def floor_shadow(bounds, sun=SUN, cells=400):
+    """Shadows of blocks on a floor at z = 0: translucent, four components in `RGB`.
+
+    bounds: of each block [m]; empty blocks are skipped.
+    """
+    b = np.array([b for b in bounds if b[0] < b[1]])
+    if not len(b):
+        return vtkPolyData()
+    height, margin = 0.8 * b[:, 5].mean(), 4.0 * b[:, 5].max()
+    x = np.linspace(b[:, 0].min() - margin, b[:, 1].max() + margin, cells)
+    y = np.linspace(b[:, 2].min() - margin, b[:, 3].max() + margin, cells)
+    inside = np.zeros((cells, cells), bool)
+    for west, east, south, north in b[:, :4]:
+        inside |= ((x > west) & (x < east)) & ((y > south) & (y < north))[:, None]
+    z, spacing = np.where(inside, height, 0.0), (x[1] - x[0], y[1] - y[0])
+    direct = blur(sunlight(z, spacing, *sun, softness=0.2), 2)
+    sky = openness(z, spacing, farthest=4.0 * height, directions=16)
+    shade = np.where(inside, 0.6, 1.0 - (0.55 + 0.45 * direct) * (0.35 + 0.65 * sky))
+    border = np.minimum(np.arange(cells), np.arange(cells)[::-1]) * spacing[0] / margin
+    shade *= smoothstep(np.minimum(border, border[:, None]), 0.0, 0.5)
+    rgba = np.full(z.shape + (4,), (38, 44, 58, 0), np.uint8)
+    rgba[..., 3] = np.round(255.0 * np.clip(blur(shade, 1), 0.0, 1.0))
+    points = np.stack(np.broadcast_arrays(x, y[:, None], 0.0), axis=-1)
+    return grids((points, rgba))
+
+
+def add_haze(data, eye, near, far, strength=0.3, color=(0.70, 0.78, 0.86)):
+    """Blend `RGB` into haze with the distance [m] from the eye: none at near, `strength` at far."""
+    rgb = vtk_to_numpy(data.GetPointData().GetArray("RGB"))
+    away = np.linalg.norm(vtk_to_numpy(data.GetPoints().GetData()) - eye, axis=1)
+    share = strength * np.clip((away - near) / (far - near), 0.0, 1.0)
+    rgb[:] = np.round(mix(rgb, 255.0 * np.array(color), share))
+    return data
+
+
+def _wall(edge, normal, towards_sun, thickness):
+    """A cut from an edge [n, 3] of the terrain down to z = 0."""
+    points = np.repeat(edge[None], 120, axis=0)
+    points[..., 2] *= np.linspace(1.0, 0.0, 120)[:, None]
+    height = points[..., 2]
+    along = np.hypot(*(points - edge[0])[..., :2].transpose(2, 0, 1))
+    color = section_color(along, height, edge[:, 2] - height, thickness)
+    facing = np.broadcast_to(normal, points.shape)
+    sky = 0.5 + 0.5 * np.minimum(height / thickness, 1.0)
+    return points, to_bytes(lit(color, facing, towards_sun, np.ones_like(sky), sky))
+
+
+# Blocks in a row ----------------------------------------------------------------------------------
+
+
+def width_of(image):
+    """Longer side of an image [m]."""
+    bounds = image.GetBounds()
+    return max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+
+
+def row_centers(width, count):
+    """Centers [m] of `count` blocks of a width [m], side by side in the view of `row_camera`."""
+    places = 1.44 * width * (np.arange(count) - 0.5 * (count - 1))
+    return places[:, None] * direction(90.0 - TURN, 0.0)
+
+
+def row_camera(width, count, aspect):
+    """Camera position [m], focal point [m] and vertical view angle [degrees] for a row of blocks.
+
+    aspect: width over height of the image.
+    """
+    angle, reach = 7.0, (0.25 + 0.65 * count) * width
+    focus = 0.05 * width * direction(90.0 - TURN, 0.0) - (0.0, 0.0, 0.01 * width)
+    distance = reach / min(aspect, 0.2 + 1.2 * count) / np.tan(np.radians(0.5 * angle))
+    return focus + distance * direction(180.0 - TURN, LIFT), focus, angle

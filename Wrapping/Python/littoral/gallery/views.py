@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Littoral contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Views of ParaView: what is shown in them, and pictures and volumes of it."""
+
+import errno
+import json
+import os
+
+from paraview import simple
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from .. import display, files
+from ..elevation import write_vti
+
+
+def save_view(filename, view):
+    """Write the picture of a view as a PNG. Raises OSError, with an old file as it was, or RuntimeError without a display."""
+    display.require(view.GetRenderWindow())
+    writer = vtkPNGWriter()
+    writer.SetInputData(view.SMProxy.CaptureWindow(1))  # which draws it
+    files.write(writer, filename)
+
+
+def save_volume(filename, source):
+    """Write the images of a source as an OpenVDB volume, by a server on this machine.
+
+    Raises OSError, with an old file as it was.
+    """
+    def state():
+        return os.path.exists(filename) and (os.stat(filename).st_ino, os.stat(filename).st_mtime_ns)
+
+    before = state()
+    simple.SaveData(filename, source)
+    if state() == before:
+        raise OSError(errno.EIO, "The volume cannot be written", filename)
+
+
+def look(view, eye, focus, angle):
+    """Point the camera of a view; the angle is vertical [degrees]."""
+    view.CameraPosition = list(eye)
+    view.CameraFocalPoint = list(focus)
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraViewAngle = angle
+
+
+def show_colored(source, view):
+    """Show data with the colors of the array `RGB`."""
+    shown = simple.Show(source, view)
+    shown.ColorArrayName = ["POINTS", "RGB"]
+    shown.MapScalars = 0
+    return shown
+
+
+def bake(shown):
+    """Take the light off a representation, whose colors have theirs."""
+    shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
+
+
+def show_baked(source, view):
+    """Show data with the colors of the array `RGB`, in which the light is."""
+    shown = show_colored(source, view)
+    bake(shown)
+    return shown
+
+
+def shade(shown, changes, fragment):
+    """Replace parts of the shaders of a representation; fragment: what sets the color of one, at the end."""
+    shown.CoordinateShiftScaleMethod = "Disable"  # positions in metres
+    last = {"type": "fragment", "original": "//VTK::TCoord::Impl", "replacement": fragment}
+    shown.UseShaderReplacements = 1
+    shown.ShaderReplacements = json.dumps([*changes, last])
+
+
+def reader(name, data, folder):
+    """A reader of an image or polygons, which are written into a folder as a file that every version can read."""
+    image = data.IsA("vtkImageData")
+    filename = os.path.join(folder, f"{name}.{'vti' if image else 'vtp'}")
+    if image:
+        write_vti(data, filename)
+    else:
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(data)
+        writer.SetDataModeToBinary()
+        files.write(writer, filename)
+    kind = simple.XMLImageDataReader if image else simple.XMLPolyDataReader
+    return kind(registrationName=name, FileName=[filename], TimeArray="None")
