@@ -15,7 +15,7 @@ os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"  # processes with threads ca
 sys.dont_write_bytecode = True
 
 import cases  # noqa: E402
-import classes  # noqa: E402
+import introspection  # noqa: E402
 import minimise  # noqa: E402
 import runner  # noqa: E402
 
@@ -78,7 +78,7 @@ def fuzz(name, count, seed, first=0):
 
 def fuzz_all(count, seed):
     """Plays cases of all classes, each in a process of its own, as many at once as there are cores."""
-    waiting, running, failed = classes.all_classes(), [], 0
+    waiting, running, failed = introspection.all_classes(), [], 0
     while waiting or running:
         while waiting and len(running) < (os.cpu_count() or 1):
             running.append(subprocess.Popen([sys.executable, __file__, str(count), waiting.pop(0), f"--seed={seed}"]))
@@ -96,7 +96,7 @@ def main():
     vtkOutputWindow.SetInstance(vtkStringOutputWindow())
     if given.name is None:
         return fuzz_all(given.count, given.seed)
-    if given.name not in classes.all_classes():
+    if given.name not in introspection.all_classes():
         parser.error(f"there is no class {given.name}")
     return fuzz(given.name, given.count, given.seed, given.first)
 

@@ -467,7 +467,7 @@ def test(name):
 
 
 def main(wanted):
-    names = wanted or [name for name in recipes.RECIPES if recipes.inputs(name) and hasattr(littoral, name)
+    names = wanted or [name for name in recipes.NAMES if recipes.inputs(name) and hasattr(littoral, name)
                        and getattr(littoral, name)().GetNumberOfOutputPorts()]
     assert wanted or len(names) > 12, names
     with ThreadPoolExecutor(os.cpu_count()) as pool:
