@@ -43,7 +43,7 @@ def show(proxy, inputs=()):
 def prepare(name):
     """A filter with its usual inputs, shown after them, in whose place it is; a source is made in the window."""
     simple.SetActiveView(simple.GetActiveViewOrCreate("RenderView"))
-    given = mistakes.shown_inputs(name)
+    given = mistakes.pv.shown_inputs(name)
     if not given:
         say_ready()
         return
