@@ -80,6 +80,8 @@ def main():
     for name in recipes.TESTS:
         test(name)
     python = (BUILD / "bin" / "littoral-env", sys.executable, "-B")
+    for generator in TREE.glob("Documentation/make_classes.py"):
+        run(*python, generator)  # the page of classes
     for script in ("TestProxies", "TestClasses", "TestPropertyDocs"):
         run(*python, TREE / "Testing" / "Python" / (script + ".py"))
     printed = run(*python, TREE / "Testing" / "Hashes" / "hash_outputs.py", *NEW)

@@ -3,6 +3,7 @@
 """The recipes of Documentation/adding-things.md as patches, one a file beside this one, each with the tests that read what
 it adds. They fit the tree together, in any order."""
 
+import functools
 import os
 import shutil
 import subprocess
@@ -36,6 +37,7 @@ def git(*words, folder):
     return done.stdout if done.returncode == 0 else None
 
 
+@functools.lru_cache(maxsize=None)
 def files_of(name):
     """Files that a recipe touches, and the lines that it adds to each."""
     lines = (git("apply", "--numstat", patch_of(name), folder=TOP) or "").splitlines()
