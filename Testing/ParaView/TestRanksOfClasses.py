@@ -44,8 +44,11 @@ def parts_of(proxy, port):
     information = proxy.GetDataInformation(port)
     if information.GetDataClassName() == "vtkImageData":
         yield "", simple.ConvertToPointCloud(Input=output), 0
-    elif not information.IsCompositeDataSet():
+    elif information.GetDataClassName() == "vtkTable":
         yield "", proxy, port
+    elif not information.IsCompositeDataSet():
+        # VTK cannot send field data that are NaN.
+        yield "", simple.PassArrays(Input=output, PointDataArrays=list(output.PointData.keys())), 0
     else:
         blocks = information.GetHierarchy()
         for node in blocks.GetChildNodes(blocks.GetRootNode(), True, 0):
