@@ -20,7 +20,7 @@ import mutate  # noqa: E402
 
 TREE = Path.cwd() / "tree"
 BUILD = TREE / "build"
-PYTHON = ("LittoralSourcesPython", "LittoralFiltersPython", "LittoralIOPython", "littoral_python_files")
+PYTHON = ("LittoralSourcesPython", "LittoralFiltersPython", "littoral_python_files")
 NEW = ("vtkSlopeAspectFilter", "vtkDaVinciTreeSource")
 
 
@@ -49,9 +49,10 @@ def make_tree():
 def options_of_build():
     """Those of the build that this test belongs to, without what is not needed here."""
     cache = (Path(os.environ["LITTORAL_BUILD_DIR"]) / "CMakeCache.txt").read_text(encoding="utf-8", errors="replace")
-    kept = re.findall(r"^((?:LITTORAL_WITH_\w+|CMAKE_BUILD_TYPE|CMAKE_CXX_COMPILER|CMAKE_CXX_FLAGS|CMAKE_PREFIX_PATH"
+    kept = re.findall(r"^((?:LITTORAL_WITH_PARAVIEW|CMAKE_BUILD_TYPE|CMAKE_CXX_COMPILER|CMAKE_CXX_FLAGS|CMAKE_PREFIX_PATH"
                       r"|ParaView_DIR|VTK_DIR|Python3_EXECUTABLE):\w+=.*)$", cache, re.M)
-    return [f"-D{option}" for option in kept] + mutate.USUAL
+    without = [f"LITTORAL_WITH_{name}=OFF" for name in ("GDAL", "OPENVDB", "TINYGLTF")]  # no recipe touches IO
+    return [f"-D{option}" for option in kept + without] + mutate.USUAL
 
 
 def build():
