@@ -70,17 +70,10 @@ public:
     KrigingEstimate = 1,
   };
 
-  /// Those of the base class, and one more.
+  /// One model more than those of the base class.
   enum ModelType
   {
     FittedToData = -1,
-    Fractal = 0,
-    SimpleExponential = 1,
-    DoubleExponential = 2,
-    Bessel1 = 3,
-    Bessel2 = 4,
-    Telis = 5,
-    Spherical = 6,
   };
 
   enum KrigingTypeType

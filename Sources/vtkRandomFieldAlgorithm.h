@@ -20,6 +20,23 @@ namespace littoral
 struct FieldStatistics;
 }
 
+/// The method that sets a property to a value of its enumeration.
+#define LITTORAL_SET_TO(property, value)                                                                               \
+  void Set##property##To##value()                                                                                      \
+  {                                                                                                                    \
+    this->Set##property(value);                                                                                        \
+  }
+
+/// The methods that set a property to each ModelType.
+#define LITTORAL_SET_TO_MODELS(property)                                                                               \
+  LITTORAL_SET_TO(property, Fractal)                                                                                   \
+  LITTORAL_SET_TO(property, SimpleExponential)                                                                         \
+  LITTORAL_SET_TO(property, DoubleExponential)                                                                         \
+  LITTORAL_SET_TO(property, Bessel1)                                                                                   \
+  LITTORAL_SET_TO(property, Bessel2)                                                                                   \
+  LITTORAL_SET_TO(property, Telis)                                                                                     \
+  LITTORAL_SET_TO(property, Spherical)
+
 class LITTORALSOURCES_EXPORT vtkRandomFieldAlgorithm : public vtkImageAlgorithm
 {
 public:
@@ -47,13 +64,7 @@ public:
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
   virtual const char* GetModelAsString() const;
-  void SetModelToFractal() { this->SetModel(Fractal); }
-  void SetModelToSimpleExponential() { this->SetModel(SimpleExponential); }
-  void SetModelToDoubleExponential() { this->SetModel(DoubleExponential); }
-  void SetModelToBessel1() { this->SetModel(Bessel1); }
-  void SetModelToBessel2() { this->SetModel(Bessel2); }
-  void SetModelToTelis() { this->SetModel(Telis); }
-  void SetModelToSpherical() { this->SetModel(Spherical); }
+  LITTORAL_SET_TO_MODELS(Model);
   ///@}
 
   ///@{

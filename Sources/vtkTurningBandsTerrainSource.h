@@ -142,13 +142,7 @@ public:
    */
   vtkSetMacro(ReflectanceModel, int);
   vtkGetMacro(ReflectanceModel, int);
-  void SetReflectanceModelToFractal() { this->SetReflectanceModel(Fractal); }
-  void SetReflectanceModelToSimpleExponential() { this->SetReflectanceModel(SimpleExponential); }
-  void SetReflectanceModelToDoubleExponential() { this->SetReflectanceModel(DoubleExponential); }
-  void SetReflectanceModelToBessel1() { this->SetReflectanceModel(Bessel1); }
-  void SetReflectanceModelToBessel2() { this->SetReflectanceModel(Bessel2); }
-  void SetReflectanceModelToTelis() { this->SetReflectanceModel(Telis); }
-  void SetReflectanceModelToSpherical() { this->SetReflectanceModel(Spherical); }
+  LITTORAL_SET_TO_MODELS(ReflectanceModel);
   ///@}
 
   ///@{

@@ -51,7 +51,7 @@ class Mistake(NamedTuple):
     """A mistake with an entry in ParaView."""
 
     entry: str  # the proxy
-    given: Callable  # (Testing/ParaView/mistakes.py): its inputs and properties
+    given: Callable  # (Examples): its inputs and properties
     words: str  # of the one message
     result: str = EMPTY
 
@@ -62,7 +62,7 @@ class Entry(NamedTuple):
     proxy: str
     label: str
     menu: str  # Sources or Filters; Open or Save for readers and writers
-    ports: dict  # names of the input properties by port
+    ports: dict  # names of the input properties in Python, by port
 
 
 class Row(NamedTuple):
@@ -75,7 +75,7 @@ class Row(NamedTuple):
     inputs: Optional[Callable] = None  # (Testing/Hashes/hash_outputs.py): larger inputs; None: those of a small example
     variants: list = []  # settings that change the output, beside the defaults
     mistakes: list = []  # the typical one of each entry first
-    shown: dict = {}  # by entry, (Testing/ParaView/mistakes.py): inputs of its picture; else those of fed_by by default
+    shown: dict = {}  # by entry, (Examples): the inputs of its picture; else what feeds it, by default
 
     @property
     def entries(self):
@@ -106,8 +106,9 @@ def all_entries():
     proxies = {one.get("name"): one for root in roots for group in root.iter("ProxyGroup") for one in group}
 
     def ports_of(proxy):
-        base = proxies.get(proxy.get("base_proxyname"))
-        own = {int(one.get("port_index", 0)): one.get("name") for one in proxy.iter("InputProperty")}
+        base = proxies.get(proxy.get("base_proxyname", ""))
+        own = {int(one.get("port_index", order)): (one.get("label") or one.get("name")).replace(" ", "")
+               for order, one in enumerate(proxy.iter("InputProperty"))}
         return {**({} if base is None else ports_of(base)), **own}
 
     def entry_of(proxy, menu, label=None):

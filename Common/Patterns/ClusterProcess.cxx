@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/RandomStream.h"
-#include "Patterns/ClusterOffsets.h"
 #include "Patterns/PoissonCount.h"
 #include "Patterns/ProcessDraws.h"
 
@@ -95,9 +94,8 @@ private:
   {
     this->Points.UniformPairs(
       this->Waiting, this->Objects.data(), this->Draws.data(), this->Across.data(), this->Along.data());
-    const bool isNormal = this->Scene.Process.Process == PointProcess::Thomas;
-    (isNormal ? MakeNormalOffsets : MakeDiscOffsets)(
-      this->Scene.Process.ClusterScale, this->Waiting, this->Across.data(), this->Along.data());
+    TraitsOf(this->Scene.Process.Process)
+      .Offsets(this->Scene.Process.ClusterScale, this->Waiting, this->Across.data(), this->Along.data());
     for (std::size_t n = 0; n < this->Waiting; ++n)
     {
       const PlanePosition place = { this->Centers[n][0] + this->Across[n], this->Centers[n][1] + this->Along[n] };
@@ -124,7 +122,7 @@ private:
 
 double ClusterReach(const PointProcessParameters& process)
 {
-  return process.ClusterScale * (process.Process == PointProcess::Thomas ? NormalReach : 1.0);
+  return process.ClusterScale * TraitsOf(process.Process).OffsetReach;
 }
 
 ProcessPattern DrawPoisson(const ProcessScene& scene)

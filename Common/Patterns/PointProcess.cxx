@@ -3,6 +3,7 @@
 #include "Patterns/PointProcess.h"
 
 #include "Numerics/Constants.h"
+#include "Patterns/ClusterOffsets.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -135,8 +136,10 @@ std::string WhyNoSoftCore(const Parameters& process)
 
 const PointProcessTraits Rows[] = {
   { "Poisson", { { &Intensity } }, RandomPairs, RandomRipley },
-  { "Thomas", { { &Intensity, &ClusterSize, &ClusterScale } }, ThomasPairs, ThomasRipley },
-  { "MaternCluster", { { &Intensity, &ClusterSize, &ClusterScale } }, MaternPairs, MaternRipley },
+  { "Thomas", { { &Intensity, &ClusterSize, &ClusterScale } }, ThomasPairs, ThomasRipley, nullptr, MakeNormalOffsets,
+    NormalReach },
+  { "MaternCluster", { { &Intensity, &ClusterSize, &ClusterScale } }, MaternPairs, MaternRipley, nullptr,
+    MakeDiscOffsets },
   { "LogGaussianCox", { { &Intensity, &Variance, &Range } }, CoxPairs },
   { "MaternII", { { &Intensity, &Distance } }, InhibitedPairs, nullptr, WhyNotInhibited },
   { "Strauss", { { &Activity, &Interaction, &Distance } }, nullptr },

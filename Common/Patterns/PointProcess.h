@@ -5,6 +5,7 @@
 
 #include "Numerics/ParameterTraits.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,8 @@ struct PointProcessParameters
   double Softness = 0.4;     ///< 0.05: almost a hard core of Distance, to 0.8: one that is felt far away
 };
 
-/// The row of a process: everything that sets it apart but its simulation, see ProcessPattern, and its fit, see
-/// ProcessFit. A new process is an enumerator and a row.
+/// The row of a process: everything that sets it apart but the simulation, see ProcessPattern, and the fit, see
+/// ProcessFit, of processes without clusters. A new process of clusters is an enumerator and a row.
 struct PointProcessTraits
 {
   using Function = double (*)(const PointProcessParameters&, double r);
@@ -66,6 +67,9 @@ struct PointProcessTraits
   Function Ripley = nullptr;
   /// Why parameters that are allowed one by one make no process together; null where all do.
   std::string (*WhyInvalid)(const PointProcessParameters&) = nullptr;
+  /// Offsets of the points of a cluster from its parent, in place of two uniform numbers each; null: no clusters.
+  void (*Offsets)(double scale, std::size_t count, double* u, double* v) = nullptr;
+  double OffsetReach = 1.0; ///< of all offsets [ClusterScale]
 };
 
 /// The row of a process, which must be one of the enumeration.

@@ -54,16 +54,22 @@ PointProcessParameters Highest(const PointProcessParameters& process, const Proc
   return highest;
 }
 
+bool HasClusters(const PointProcessParameters& process)
+{
+  return TraitsOf(process.Process).Offsets != nullptr;
+}
+
 /// Side of the smallest squares in which anything is drawn.
 double SmallestSide(const PointProcessParameters& process)
 {
+  if (HasClusters(process))
+  {
+    return DrawingSide(ParentIntensity(process));
+  }
   switch (process.Process)
   {
     case PointProcess::LogGaussianCox:
       return FieldSide(process);
-    case PointProcess::Thomas:
-    case PointProcess::MaternCluster:
-      return DrawingSide(ParentIntensity(process));
     case PointProcess::Strauss:
       return DrawingSide(process.Activity);
     default:
@@ -220,11 +226,12 @@ double ExpectedDraws(
 {
   const PointProcessParameters highest = Highest(process, options);
   const PatternArea box = BoxOf(window);
+  if (HasClusters(process))
+  {
+    return box.Grown(ClusterReach(highest)).Measure() * (highest.Intensity + ParentIntensity(highest));
+  }
   switch (process.Process)
   {
-    case PointProcess::Thomas:
-    case PointProcess::MaternCluster:
-      return box.Grown(ClusterReach(highest)).Measure() * (highest.Intensity + ParentIntensity(highest));
     case PointProcess::LogGaussianCox:
       return box.Grown(FieldSide(highest)).Measure() *
         (highest.Intensity + 1.0 / (FieldSide(highest) * FieldSide(highest)));
@@ -264,11 +271,12 @@ ProcessPattern SimulateProcess(const PointProcessParameters& process, const Proc
   const ObservationWindow& window, const Poll& poll, const ParallelFor& parallel)
 {
   using Draw = ProcessPattern (*)(const ProcessScene&);
-  static constexpr Draw Draws[] = { DrawPoisson, DrawClusters, DrawClusters, DrawCox, DrawMaternII, DrawStrauss,
-    DrawSoftCore };
+  // Those without clusters, in the order of the enumeration.
+  static constexpr Draw Draws[] = { DrawPoisson, nullptr, nullptr, DrawCox, DrawMaternII, DrawStrauss, DrawSoftCore };
   const ProcessScene scene{ Highest(process, options), options, FactorOf(options), BoxOf(window), poll, parallel };
-  ProcessPattern pattern = Draws[static_cast<int>(process.Process)](scene);
-  pattern.HasClusters = process.Process == PointProcess::Thomas || process.Process == PointProcess::MaternCluster;
+  const bool isOfClusters = HasClusters(process);
+  ProcessPattern pattern = isOfClusters ? DrawClusters(scene) : Draws[static_cast<int>(process.Process)](scene);
+  pattern.HasClusters = isOfClusters;
   if (!options.SpeciesShares.empty())
   {
     pattern.Species = DrawSpecies(pattern, options);

@@ -73,21 +73,25 @@ public:
     fit.Law.Law = fit.Moments.Law = law;
     fit.Law.Mean = fit.Moments.Mean = this->Moments.Mean; // also the maximum likelihood keeps the mean
     fit.Parameters = TraitsOf(law).Parameters.Size();
-    const auto fitLaw = Fits[static_cast<int>(law)];
-    (this->*fitLaw)(fit);
+    if (const auto fitLaw = Fits[static_cast<int>(law)])
+    {
+      (this->*fitLaw)(fit);
+    }
+    else
+    {
+      fit.MomentsExist = fit.Exists = true;
+    }
     return fit;
   }
 
 private:
-  /// How each law is fitted, in the order of the enumeration.
+  /// How each law is fitted, in the order of the enumeration; null: its mean is all.
   static void (LawFitter::*const Fits[NumberOfQuadratLaws])(QuadratFit&) const;
 
   double Likelihood(const QuadratLawParameters& law) const { return LogLikelihood(law, this->Frequencies); }
   bool IsClustered() const { return this->Moments.Variance > this->Moments.Mean; }
   /// Second factorial cumulant over the mean: what clusters add to the variance of a random pattern.
   double Excess() const { return this->Moments.Variance / this->Moments.Mean - 1.0; }
-
-  void FitPoisson(QuadratFit& fit) const { fit.MomentsExist = fit.Exists = true; }
 
   void FitBinomial(QuadratFit& fit) const
   {
@@ -231,7 +235,7 @@ private:
 };
 
 void (LawFitter::*const LawFitter::Fits[NumberOfQuadratLaws])(QuadratFit&) const = {
-  &LawFitter::FitPoisson,
+  nullptr, // Poisson
   &LawFitter::FitBinomial,
   &LawFitter::FitNegativeBinomial,
   &LawFitter::FitPoissonPoisson,

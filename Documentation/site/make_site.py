@@ -23,6 +23,9 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 TOP = HERE.parents[1]
 DOCUMENTS = TOP / "Documentation"
+sys.path.insert(0, str(TOP / "Testing"))
+
+import classes as rows  # noqa: E402
 
 # Pages in the order of the menu, below Documentation.
 GUIDE = ("installing", "first-steps", "scenes", "entries", "classes", "terrain", "kriging", "drainage", "patterns", "plants", "forests",
@@ -32,32 +35,8 @@ DESIGN = ("numerics", "geometry", "terrain", "kriging", "drainage", "patterns", 
           "particles", "seaweed", "paraview", "requests", "volumes", "scenes", "measurements")
 
 # Classes by field: title, page of the guide, page of the design, classes.
-FIELDS = (
-    ("Terrain", "terrain", "terrain",
-     ("vtkRandomFieldAlgorithm", "vtkTurningBandsTerrainSource", "vtkCovarianceFitFilter",
-      "vtkTerrainLevelOfDetailFilter")),
-    ("Drainage", "drainage", "drainage", ("vtkDrainageFilter", "vtkGroundStatisticsFilter")),
-    ("Fields through data", "kriging", "kriging", ("vtkConditionalTerrainFilter", "vtkNormalScoresFilter")),
-    ("Point patterns", "patterns", "patterns",
-     ("vtkQuadratPointSource", "vtkQuadratAnalysisFilter", "vtkPointPatternStatisticsFilter", "vtkPointProcessSource",
-      "vtkPatternVerdictFilter")),
-    ("Stands", "stands", "plants", ("vtkStandInventoryFilter", "vtkSitePreferenceFilter")),
-    ("Plants", "plants", "plants",
-     ("vtkPlantSource", "vtkLeafyTreeSource", "vtkReevesTreeSource", "vtkAonoKuniiTreeSource", "vtkGardnerPlantSource",
-      "vtkPlantScatterFilter")),
-    ("Wind and sway", "wind", "wind",
-     ("vtkWindFieldSource", "vtkWindStatisticsFilter", "vtkImageSectionFilter", "vtkBeamTreeDeformationFilter")),
-    ("Sea", "sea", "sea",
-     ("vtkSeaStateSource", "vtkSeaStatisticsFilter", "vtkSeaSurfaceFilter", "vtkParticleOrbitFilter")),
-    ("Currents", "currents", "currents", ("vtkFlowPrimitiveSource", "vtkFlowArrowFilter", "vtkCurrentDriftFilter")),
-    ("Particles", "particles", "particles",
-     ("vtkSuspendedParticleSource", "vtkParticleLevelOfDetailFilter", "vtkParticleFogFilter")),
-    ("Seaweeds", "seaweed", "seaweed", ("vtkSeaweedSource", "vtkSeaweedDeformationFilter", "vtkPlantWakeFilter")),
-    ("Views", "terrain", "geometry", ("vtkViewDependentAlgorithm",)),
-    ("Rasters", "terrain", "terrain", ("vtkElevationReader", "vtkElevationWriter")),
-    ("Volumes", "volumes", "volumes", ("vtkVDBVolumeWriter",)),
-    ("Scenes", "saving", "scenes", ("vtkGLTFSceneWriter",)),
-)
+FIELDS = [(title, *pages, [name for name, field in rows.BASES.items() if field == title]
+           + [row.name for row in rows.ROWS if row.field == title]) for title, pages in rows.FIELDS.items()]
 
 # Rooms of Common: page of the design, and what they hold.
 ROOMS = {

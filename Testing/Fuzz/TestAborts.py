@@ -11,7 +11,7 @@ sys.dont_write_bytecode = True
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
 
-import classes  # noqa: E402
+import introspection  # noqa: E402
 import littoral  # noqa: E402
 import oracle  # noqa: E402
 import recipes  # noqa: E402
@@ -71,7 +71,7 @@ class Aborts(unittest.TestCase):
     def test_each(self):
         vtkOutputWindow.SetInstance(vtkStringOutputWindow())
         with_reports = 0
-        for name in classes.all_classes():
+        for name in introspection.all_classes():
             with self.subTest(name):
                 fresh = working(name)
                 count = ask(fresh).number

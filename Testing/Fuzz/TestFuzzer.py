@@ -13,8 +13,8 @@ sys.dont_write_bytecode = True
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
 
 import cases  # noqa: E402
-import classes  # noqa: E402
 import fuzz  # noqa: E402
+import introspection  # noqa: E402
 import littoral  # noqa: E402
 import minimise  # noqa: E402
 import oracle  # noqa: E402
@@ -122,13 +122,13 @@ class Fuzzer(unittest.TestCase):
         self.assertNotEqual(cases.lines_of(NAME, 5, 17), cases.lines_of(NAME, 5, 18))
 
     def test_classes_and_setters(self):
-        names = classes.all_classes()
-        self.assertEqual(sorted(names), sorted(recipes.RECIPES))
+        names = introspection.all_classes()
+        self.assertEqual(sorted(names), sorted(recipes.NAMES))
         self.assertNotIn("vtkPlantSource", names)
-        setters = {setter.name: setter for setter in classes.setters(NAME)}
+        setters = {setter.name: setter for setter in introspection.setters(NAME)}
         self.assertEqual(setters["SetWholeExtent"].types, ("int",) * 6)
         self.assertEqual(setters["SetModel"].choices, 7)
-        self.assertEqual(classes.present(littoral.vtkTurningBandsTerrainSource(), setters["SetSlope"]), (0.0, 0.0))
+        self.assertEqual(introspection.present(littoral.vtkTurningBandsTerrainSource(), setters["SetSlope"]), (0.0, 0.0))
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
 
-import classes  # noqa: E402
+import introspection  # noqa: E402
 import littoral  # noqa: E402
 import oracle  # noqa: E402
 import recipes  # noqa: E402
@@ -68,14 +68,14 @@ class Names(unittest.TestCase):
         self.refused = 0
 
     def test_what_is_refused_is_named(self):
-        for name in classes.all_classes():
+        for name in introspection.all_classes():
             with self.subTest(name):
                 made = working(name)
-                setters = [setter for setter in classes.setters(name) if classes.present(made, setter) is not None]
+                setters = [setter for setter in introspection.setters(name) if introspection.present(made, setter) is not None]
                 self.vary(made, setters, ODD)
                 for setter in setters:
                     if setter.types == ("bool",):
-                        now = classes.present(made, setter)
+                        now = introspection.present(made, setter)
                         give(made, setter, [not now[0]])
                         self.vary(made, setters, FEW)
                         give(made, setter, now)
@@ -83,14 +83,14 @@ class Names(unittest.TestCase):
 
     def vary(self, made, setters, odd):
         """Gives each number odd values, one at a time."""
-        before = {setter.name: classes.present(made, setter) for setter in setters}
+        before = {setter.name: introspection.present(made, setter) for setter in setters}
         for setter in setters:
             now = before[setter.name]
             for index, value in [(i, value) for i, kind in enumerate(setter.types) for value in odd.get(kind, [])]:
                 if give(made, setter, [*now[:index], value, *now[index + 1:]]):
                     # A property may have two names.
                     changed = {other.name[3:] for other in setters
-                               if repr(classes.present(made, other)) != repr(before[other.name])}
+                               if repr(introspection.present(made, other)) != repr(before[other.name])}
                     for said in refusals(made):
                         self.refused += 1
                         self.assertTrue(changed & set(re.findall(r"\w+", said)), f"{setter.name}: {value!r}: {said}")

@@ -5,8 +5,8 @@
 import random
 import re
 
-import classes
 import inputs
+import introspection
 import recipes
 import values
 
@@ -36,9 +36,9 @@ class Writer:
         self.rng = random.Random(f"{seed} {name} {number}")
         self.stops = random.Random(f"{seed} {name} {number} stops")
         self.made = recipes.source(name)
-        self.setters = {setter.name: setter for setter in classes.setters(name) if setter.name not in NOT_ABOUT_DATA}
+        self.setters = {setter.name: setter for setter in introspection.setters(name) if setter.name not in NOT_ABOUT_DATA}
         self.switches = [name for name in self.setters if self.switched(name)]
-        self.types = classes.ports(self.made)
+        self.types = introspection.ports(self.made)
         self.touched = set()  # setters and ports
 
     def lines(self):
@@ -65,7 +65,7 @@ class Writer:
         """A line that calls a setter."""
         rng = self.rng
         setter = self.setters[name]
-        now = classes.present(self.made, setter)
+        now = introspection.present(self.made, setter)
         given = []
         for index, kind in enumerate(setter.types):
             if kind == "vtkAlgorithmOutput":
@@ -97,7 +97,7 @@ class Writer:
 
     def other(self):
         """A class that puts out data."""
-        return self.rng.choice([name for name in recipes.RECIPES if recipes.source(name).GetNumberOfOutputPorts()])
+        return self.rng.choice([name for name in recipes.NAMES if recipes.source(name).GetNumberOfOutputPorts()])
 
     def request(self):
         """A line that asks for the outputs."""
@@ -121,7 +121,7 @@ class Writer:
         lines = [connection(self.name, port) for port in sorted(key for key in self.touched if isinstance(key, int))]
         fresh = recipes.source(self.name)
         for setter in sorted(key for key in self.touched if not isinstance(key, int)):
-            now = classes.present(fresh, setter)
+            now = introspection.present(fresh, setter)
             if now is not None:
                 call = ", ".join(map(repr, now))
                 lines.append(f"made.{setter.name}({f'[{call}]' if setter.packed else call})")

@@ -15,7 +15,7 @@ os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"  # processes with threads ca
 sys.dont_write_bytecode = True
 
 import cases  # noqa: E402
-import classes  # noqa: E402
+import introspection  # noqa: E402
 import minimise  # noqa: E402
 import runner  # noqa: E402
 
@@ -95,9 +95,9 @@ def main():
     vtkOutputWindow.SetInstance(vtkStringOutputWindow())
     part, parts = map(int, given.part.split("/"))
     if not given.names:
-        return shared(classes.all_classes()[part - 1::parts], given.count, given.seed)
+        return shared(introspection.all_classes()[part - 1::parts], given.count, given.seed)
     for name in given.names:
-        if name not in classes.all_classes():
+        if name not in introspection.all_classes():
             parser.error(f"there is no class {name}")
     return sum(fuzz(name, given.count, given.seed, given.first) for name in given.names)
 

@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonCore import vtkDataArray, vtkOutputWindow, vtkStringOut
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
-import classes
+import introspection
 import inputs
 import littoral
 import recipes
@@ -128,7 +128,7 @@ class Player:
 
     def __init__(self, name, rehearsal=False):
         self.rehearsal = rehearsal
-        self.properties = {setter.name[3:].lower() for setter in classes.setters(name)}
+        self.properties = {setter.name[3:].lower() for setter in introspection.setters(name)}
         self.gaps = "NaN" in (getattr(littoral, name).__doc__ or "")
         self.may_be_odd = odd_by_nature(name)
         self.said = []  # since the last change
@@ -280,9 +280,9 @@ def is_as_working(made, name, lines):
     """Whether a case has left an object with the settings and inputs of the working object, as far as can be seen, and
     with its outputs."""
     working = recipes.source(name)
-    for setter in classes.setters(name):
-        now = classes.present(made, setter)
-        if now != classes.present(working, setter) or now is None and any(f"made.{setter.name}(" in line for line in lines):
+    for setter in introspection.setters(name):
+        now = introspection.present(made, setter)
+        if now != introspection.present(working, setter) or now is None and any(f"made.{setter.name}(" in line for line in lines):
             return False
     return (working.GetNumberOfOutputPorts() > 0 and connections(made) == connections(working)
             and bytes_of(made) == working_bytes(name))

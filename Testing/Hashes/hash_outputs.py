@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Littoral contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hashes of what each class puts out, with its defaults and with three other settings.
+"""Hashes of what each class puts out, with its defaults and with the variants of its row in Testing/classes.py.
 
     python3 hash_outputs.py >before      (change what should change no byte)      python3 hash_outputs.py >after
     diff before after
@@ -13,6 +13,7 @@ import hashlib
 import os
 import sys
 import tempfile
+from pathlib import Path
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
@@ -24,6 +25,11 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 
 import littoral
+
+TESTING = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(TESTING), str(TESTING / "Fuzz")]
+import classes  # noqa: E402
+import recipes  # noqa: E402
 
 TIMES = 0.0, 1.5
 
@@ -88,92 +94,14 @@ def current():
     return make("vtkFlowPrimitiveSource")
 
 
-CASES = {
-    # class: (a call that makes its inputs, settings beside the defaults)
-    "vtkTurningBandsTerrainSource": (lambda: (), [
-        {"SetWholeExtent": (0, 60, 0, 60, 0, 0)},
-        {"SetWholeExtent": (0, 60, 0, 60, 0, 0), "SetModel": (1,), "SetSeed": (3,), "SetReflectance": (True,)},
-        {"SetWholeExtent": (5, 60, 0, 40, 0, 0), "SetAnisotropyRatio": (2.0,), "SetAnisotropyAngle": (30.0,)}]),
-    "vtkQuadratPointSource": (lambda: (), [
-        {"SetLaw": (1,), "SetSeed": (4,)}, {"SetLaw": (2,)}, {"SetMode": (1,), "SetMeanPerQuadrat": (3.0,)}]),
-    "vtkPointProcessSource": (lambda: (), [
-        {"SetProcess": (3,)}, {"SetProcess": (4,), "SetSeed": (2,)},
-        {"SetProcess": (5,), "SetSize": (100.0, 80.0), "SetNumberOfSpecies": (2,), "SetMarks": (True,)},
-        {"SetProcess": (6,), "SetSize": (100.0, 80.0), "SetIntensity": (0.03,)}]),
-    "vtkReevesTreeSource": (lambda: (), [
-        {"SetPreset": (1,), "SetSeed": (2,)}, {"SetPreset": (3,)}, {"SetPreset": (0,), "SetOrders": (2,)}]),
-    "vtkAonoKuniiTreeSource": (lambda: (), [
-        {"SetPreset": (1,), "SetSeed": (2,)}, {"SetPreset": (9,)}, {"SetPreset": (0,), "SetIterations": (4,)}]),
-    "vtkGardnerPlantSource": (lambda: (), [
-        {"SetPreset": (2,)}, {"SetSeed": (5,)}, {"SetPreset": (0,), "SetTerms": (6,), "SetShells": (2,)}]),
-    "vtkSeaweedSource": (lambda: (), [
-        {"SetPreset": (3,)}, {"SetPreset": (2,), "SetSeed": (3,)}, {"SetSegmentsPerBranch": (4,)}]),
-    "vtkSeaStateSource": (lambda: (), [
-        {"SetSpectrum": (1,)}, {"SetSeed": (2,), "SetWaterDepth": (5.0,)}, {"SetSeaBy": (1,)}]),
-    "vtkSuspendedParticleSource": (lambda: (), [
-        {"SetPreset": (3,)}, {"SetSeed": (2,), "SetMode": (1,)}, {"SetDensity": (0.5,), "SetSizeSpread": (0.4,)}]),
-    "vtkFlowPrimitiveSource": (lambda: (), [
-        {"SetFlowType": (1,)}, {"SetFlowType": (2,)}, {"SetStrength": (3.0,)}]),
-    "vtkWindFieldSource": (lambda: (), [
-        {"SetDimensions": (32, 4, 4), "SetSpectrum": (1,)}, {"SetDimensions": (32, 4, 4), "SetSeed": (2,)},
-        {"SetDimensions": (32, 4, 4), "SetCoherence": (1,), "SetNormalizeVariance": (True,)}]),
-    "vtkCovarianceFitFilter": (lambda: (terrain(),), [
-        {"SetNumberOfLags": (12,)}, {"SetRemoveTrend": (False,)}, {"SetFitAnisotropy": (False,)}]),
-    "vtkDrainageFilter": (lambda: (terrain(60), terrain(50)), [
-        {"SetMinimumDrainageCells": (8,)}, {"SetCarve": (False,), "SetMinimumDrainageCells": (12,)},
-        {"SetOutlets": (1,), "SetSeaLevel": (180.0,), "SetNumberOfRounds": (2,)}]),
-    "vtkGroundStatisticsFilter": (lambda: (terrain(60),), [
-        {"SetMinimumDrainageCells": (8,)}, {"SetMinimumDrainageCells": (30,)},
-        {"SetUseSeaLevel": (True,), "SetSeaLevel": (180.0,)}]),
-    "vtkConditionalTerrainFilter": (lambda: (survey(),), [
-        {"SetDimensions": (30, 20), "SetKrigingVariance": (True,), "SetCrossValidation": (True,)},
-        {"SetDimensions": (30, 20), "SetModel": (1,), "SetKrigingType": (2,), "SetNumberOfNeighbors": (12,)},
-        {"SetDimensions": (30, 20), "SetModel": (0,), "SetResult": (1,), "SetNormalScores": (True,)}]),
-    "vtkNormalScoresFilter": (lambda: (terrain(), terrain(30)), [
-        {"SetInverse": (True,)}]),
-    "vtkWindStatisticsFilter": (lambda: (wind(),), [
-        {"SetHeight": (3.0,)}, {"SetSeparation": (0.0, 2.0)}, {"SetNumberOfBands": (6,)}]),
-    "vtkSeaStatisticsFilter": (lambda: (sea(),), [
-        {"SetNumberOfSectors": (4,)}, {"SetNumberOfSectors": (36,)}, {"SetNumberOfSectors": (90,)}]),
-    "vtkQuadratAnalysisFilter": (lambda: (make("vtkQuadratPointSource"),), [
-        {"SetQuadrats": (5, 5)}, {"SetQuadrats": (8, 6)}, {"SetOrigin": (-5.0, -5.0), "SetSize": (300.0, 300.0)}]),
-    "vtkPointPatternStatisticsFilter": (lambda: (make("vtkQuadratPointSource"),), [
-        {"SetFunction": (2,), "SetEdgeCorrection": (3,)}, {"SetFunction": (5,), "SetNumberOfSimulations": (19,)},
-        {"SetFunction": (0,), "SetEdgeCorrection": (1,), "SetSeed": (2,)}]),
-    "vtkPatternVerdictFilter": (lambda: (make("vtkPointProcessSource", SetSize=(80.0, 60.0), SetIntensity=(0.02,)),), [
-        {"SetNumberOfSimulations": (19,)}, {"SetNumberOfSimulations": (19,), "SetFunction": (1,)},
-        {"SetNumberOfSimulations": (19,), "SetContrast": (1,), "SetSeed": (2,)}]),
-    "vtkTerrainLevelOfDetailFilter": (lambda: (terrain(128),), [
-        {"SetGroundColors": (False,)}, {"SetUseCulling": (False,)}, {"SetViewPoint": (0.0, 0.0, 90.0)}]),
-    "vtkPlantScatterFilter": (lambda: (make("vtkQuadratPointSource"), tree()), [
-        {"SetSeed": (2,)}, {"SetUseLevels": (False,), "SetUseCulling": (False,)}, {"SetViewPoint": (50.0, 50.0, 9.0)}]),
-    "vtkStandInventoryFilter": (lambda: (inventory(),), [
-        {"SetSeed": (2,)}, {"SetHeightVariation": (0.3,)}, {"SetPlot": ("B",), "SetMeanDiameter": (0.4,)}]),
-    "vtkSitePreferenceFilter": (lambda: (make("vtkQuadratPointSource", SetSize=(40.0, 40.0)), terrain()), [
-        {"SetSeed": (2,)}, {"SetThins": (True,)}, {"SetThins": (True,), "SetSeed": (3,)}]),
-    "vtkBeamTreeDeformationFilter": (lambda: (tree(), wind()), [
-        {"SetResponse": (1,)}, {"SetGravity": (True,)}, {"SetNumberOfModes": (1,), "SetWoodFromPlants": (False,)}]),
-    "vtkParticleOrbitFilter": (lambda: (particles(), sea()), [
-        {"SetStokesDrift": (True,)}, {"SetDopplerShift": (True,), "SetCurrent": (0.5, 0.1)}, {"SetGenerateAcceleration": (True,)}]),
-    "vtkSeaSurfaceFilter": (lambda: (sea(),), [
-        {"SetSpacing": (1.0,), "SetSectors": (90,)}, {"SetCenter": (70.0, -20.0), "SetRadius": (300.0,)},
-        {"SetChoppiness": (0.5,), "SetWaterColors": (False,)}]),
-    "vtkFlowArrowFilter": (lambda: (make("vtkFlowPrimitiveSource", SetFlowType=(3,)),), []),
-    "vtkImageSectionFilter": (lambda: (wind(),), [{"SetCrossSections": (1,)}]),
-    "vtkParticleLevelOfDetailFilter": (lambda: (particles(), sea()), [
-        {"SetViewPoint": (5.0, 5.0, -3.0)},
-        {"SetViewPoint": (5.0, 5.0, -3.0), "SetSlavesPerMaster": (2,)},
-        {"SetViewPoint": (1.0, 1.0, -1.0), "SetUseLevels": (False,)}]),
-    "vtkParticleFogFilter": (lambda: (particles(),), [
-        {"SetGridBy": (0,), "SetDimensions": (8, 9, 10)}, {"SetGridBy": (1,), "SetUseBounds": (True,), "SetSpacing": (0.7,)}, {"SetWaterExtinction": (0.4,)}]),
-    "vtkCurrentDriftFilter": (lambda: (particles(), current()), [
-        {"SetStartTime": (0.5,)}, {"SetStartTime": (-2.0,), "SetTimeStep": (0.25,)}, {"SetGenerateCurrent": (True,)}]),
-    "vtkSeaweedDeformationFilter": (lambda: (seaweed(), sea(4.0)), [
-        {"SetMethod": (0,)}, {"SetIntegrator": (1,), "SetTimeStep": (0.0025,)}, {"SetGenerateMotion": (True,)}]),
-    "vtkPlantWakeFilter": (
-        lambda: (make("vtkSeaweedDeformationFilter", (seaweed(), sea(4.0)), SetGenerateMotion=(True,)),), [
-            {"SetPrimitive": (1,)}, {"SetStrength": (2.0,)}, {"SetMargin": (1.0,)}]),
-}
+CASES = [row for row in classes.ROWS if not row.is_of_files]
+
+
+def inputs_of(row):
+    """What feeds the ports of a class."""
+    if row.inputs:
+        return row.inputs(sys.modules[__name__])
+    return [recipes.source(name) for name in row.fed_by]
 
 
 def digest(array):
@@ -288,13 +216,13 @@ def print_raster():
 
 def main(wanted):
     """All classes, or those that are named."""
-    for name, (inputs, variants) in CASES.items():
-        if wanted and name not in wanted:
+    for row in CASES:
+        if wanted and row.name not in wanted:
             continue
-        default = print_outputs(make(name, inputs()), f"{name} default")
-        for number, settings in enumerate(variants, 1):
-            if print_outputs(make(name, inputs(), **settings), f"{name} {number}") == default:
-                sys.exit(f"{name}: setting {number} changes nothing")
+        default = print_outputs(make(row.name, inputs_of(row)), f"{row.name} default")
+        for number, settings in enumerate(row.variants, 1):
+            if print_outputs(make(row.name, inputs_of(row), **settings), f"{row.name} {number}") == default:
+                sys.exit(f"{row.name}: setting {number} changes nothing")
     if not wanted:
         print_volume()
         print_scene()

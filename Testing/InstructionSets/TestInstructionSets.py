@@ -50,7 +50,7 @@ def run_here(names):
     import hash_outputs
 
     print(*(chosen_versions()[name] for name in (*SETS, "any")))
-    hash_outputs.main(names or list(hash_outputs.CASES))
+    hash_outputs.main(names or [row.name for row in hash_outputs.CASES])
 
 
 def start(library, names):

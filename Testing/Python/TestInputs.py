@@ -485,7 +485,7 @@ def test(name, every):
 def main(arguments):
     every = next((int(one[8:]) for one in arguments if one.startswith("--every=")), 1)
     wanted = [one for one in arguments if not one.startswith("--")]
-    names = wanted or [name for name in recipes.RECIPES if recipes.inputs(name) and hasattr(littoral, name)
+    names = wanted or [name for name in recipes.NAMES if recipes.inputs(name) and hasattr(littoral, name)
                        and getattr(littoral, name)().GetNumberOfOutputPorts()]
     assert wanted or len(names) > 12, names
     with multiprocessing.get_context("fork").Pool(os.cpu_count()) as pool:

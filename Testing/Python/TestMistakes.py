@@ -3,6 +3,8 @@
 """Mistakes in VTK without ParaView: a failed update, and one message until the filter is modified."""
 
 import math
+import sys
+from pathlib import Path
 
 from littoral import vtkBeamTreeDeformationFilter, vtkCurrentDriftFilter, vtkParticleOrbitFilter, vtkPlantScatterFilter
 from littoral import vtkPlantWakeFilter, vtkQuadratPointSource, vtkReevesTreeSource, vtkSeaStateSource
@@ -11,6 +13,11 @@ from littoral import vtkWindFieldSource
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import classes
+from examples import Examples
+from vtk_proxies import VtkProxies
 
 MESSAGES = []
 
@@ -181,3 +188,25 @@ surface.SetInputDataObject(vtkTable())
 for _ in range(2):
     assert messages_of(surface.GetExecutive().Update) == 1 and "has no wave trains" in MESSAGES[0], MESSAGES
     surface.Modified()
+
+# The mistakes of the rows.
+def size_of(data):
+    """Number of points or rows, and bounds."""
+    count = data.GetNumberOfRows() if data.IsA("vtkTable") else data.GetNumberOfPoints()
+    return count, bounds_of(data) if count and not data.IsA("vtkTable") else None
+
+
+pv = Examples(VtkProxies(watched))
+for mistake in (made for row in classes.ROWS for made in row.mistakes):
+    given = mistake.given(pv)
+    made = getattr(pv, mistake.entry)(**given)
+    MESSAGES.clear()
+    made.Update()
+    assert len(MESSAGES) == 1 and mistake.words in MESSAGES[0], (mistake, MESSAGES)
+    wanted = given["Input"].GetOutputDataObject(0) if mistake.result == classes.UNMOVED else None
+    has = size_of(made.GetOutputDataObject(0))
+    assert has == (size_of(wanted) if wanted else (0, None)), (mistake, has)
+    made.Modified()
+    MESSAGES.clear()
+    made.Update()
+    assert len(MESSAGES) <= 1, (mistake, MESSAGES)

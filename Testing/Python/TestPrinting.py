@@ -10,7 +10,7 @@ from pathlib import Path
 import littoral
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Fuzz"))
-from classes import all_classes, own_kinds
+from introspection import all_classes, own_kinds
 
 #: Other names of a property, and what is an object or a row of a list.
 OTHERS = {"MiddleDistance": "NearDistance", "Camera": "Renderer"}

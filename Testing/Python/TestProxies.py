@@ -44,8 +44,12 @@ def expect(good, text):
 def proxies():
     """Proxies of all files by group and name."""
     found = {}
+    models = ElementTree.parse(PLUGIN / "CovarianceModels.xml").getroot()
     for file in sorted(PLUGIN.glob("*.xml")):
-        for group in ElementTree.parse(file).getroot().iter("ProxyGroup"):
+        root = ElementTree.parse(file).getroot()
+        for domain in root.iterfind(".//CovarianceModels/.."):
+            domain.extend(models)
+        for group in root.iter("ProxyGroup"):
             for proxy in group:
                 if proxy.tag.endswith("Proxy") and "class" in proxy.attrib:
                     found[group.get("name"), proxy.get("name")] = proxy

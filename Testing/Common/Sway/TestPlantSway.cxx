@@ -414,10 +414,9 @@ TEST(PlantSway, GravityBendsDownAndUprightBeamsNotAtAll)
 
 TEST(PlantSway, WoodOfSpecies)
 {
-  for (const WoodSpecies species :
-    { WoodSpecies::Custom, WoodSpecies::Pine, WoodSpecies::Oak, WoodSpecies::Birch, WoodSpecies::Shrub })
+  for (int species = 0; species < NumberOfWoodSpecies; ++species)
   {
-    EXPECT_EQ(WhyInvalid(ParametersOf(species)), "");
+    EXPECT_EQ(WhyInvalid(ParametersOf(static_cast<WoodSpecies>(species))), "");
   }
   WoodParameters wood;
   wood.DampingRatio = std::nan("");
