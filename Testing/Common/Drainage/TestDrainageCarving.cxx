@@ -9,6 +9,7 @@
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/Constants.h"
 #include "RandomGround.h"
+#include "RiverGround.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@
 
 using namespace littoral;
 using littoral::testing::Ground;
+using littoral::testing::GrowByStreamPower;
 using littoral::testing::OnThreads;
 using littoral::testing::RandomGround;
 
