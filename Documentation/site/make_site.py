@@ -86,6 +86,7 @@ EXAMPLES = {
     "Examples/ParaView/underwater.py": ("Under the waves", "underwater.jpg"),
     "Examples/Python/grow_terrain.py": ("Terrain", "terrain.jpg"),
     "Examples/Cxx/GrowTerrain.cxx": ("Terrain in C++", "terrain.jpg"),
+    "Examples/Cxx/GrowThroughData.cxx": ("Terrain through data in C++, without VTK", "conditional.jpg"),
     "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
     "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.jpg"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
@@ -407,7 +408,7 @@ def describe(path):
     first, _, rest = words.partition("\n")
     title = first.strip().rstrip(".:")
     usage = [line.strip() for line in re.findall(r"^ {4,}\S.*$", rest, re.M)
-             if re.match(r" +(python3|pvbatch|GrowTerrain|\./)", line)]
+             if re.match(r" +(python3|pvbatch|GrowTerrain|GrowThroughData|\./)", line)]
     prose = "\n".join(line for line in rest.split("\n") if line.strip() not in usage)
     # Lists that are set in columns stay as they are.
     prose = re.sub(r"((?:^ {4,}\S.*\n?)+)",
