@@ -17,17 +17,16 @@ namespace littoral
 namespace
 {
 
-/// As many quadrats as points, nearly square, unless told otherwise.
+/// Quadrats of a window, of each axis as many as are given, or chosen.
 QuadratGrid GridOf(const ObservationWindow& window, std::size_t points, const std::array<int, 2>& quadrats)
 {
   QuadratGrid grid;
   grid.Origin = window.GetLow();
   grid.Size = { window.GetHigh()[0] - window.GetLow()[0], window.GetHigh()[1] - window.GetLow()[1] };
-  const double side = std::sqrt(grid.Size[0] * grid.Size[1] / static_cast<double>(points));
+  ChooseQuadrats(grid, static_cast<double>(points));
   for (int axis = 0; axis < 2; ++axis)
   {
-    const int fitting = std::max(1, static_cast<int>(std::lround(grid.Size[axis] / side)));
-    grid.Count[axis] = quadrats[axis] > 0 ? quadrats[axis] : fitting;
+    grid.Count[axis] = quadrats[axis] > 0 ? quadrats[axis] : grid.Count[axis];
   }
   return grid;
 }
@@ -171,6 +170,14 @@ const char* WordOf(PatternVerdict verdict)
 {
   static constexpr const char* Words[] = { "best", "not distinguishable", "worse", "does not exist" };
   return Words[static_cast<int>(verdict)];
+}
+
+PatternVerdict VerdictOf(const QuadratFit& fit, const QuadratFit& best)
+{
+  return !fit.Exists                          ? PatternVerdict::DoesNotExist
+    : &fit == &best                           ? PatternVerdict::Best
+    : fit.AIC - best.AIC < DistinguishableAIC ? PatternVerdict::NotDistinguishable
+                                              : PatternVerdict::Worse;
 }
 
 const char* JudgedLaw::Name() const

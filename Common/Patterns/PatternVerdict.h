@@ -56,6 +56,9 @@ enum class PatternVerdict
 /// The word of a verdict, as in tables of fits.
 const char* WordOf(PatternVerdict verdict);
 
+/// What is said of a law of counts by its AIC, beside the best of them (DistinguishableAIC).
+PatternVerdict VerdictOf(const QuadratFit& fit, const QuadratFit& best);
+
 /// A process or a law, fitted and judged.
 struct JudgedLaw
 {

@@ -20,18 +20,21 @@
 namespace
 {
 
-/// Speeds and colors of a drawing.
+/// The drawing of a primitive, with its speeds and colors.
 struct Drawing
 {
+  vtkNew<vtkFlowArrowFilter> Filter;
   vtkPolyData* Data;
   vtkDataArray* Speeds;
   vtkDataArray* Colors;
 
-  explicit Drawing(vtkFlowArrowFilter* filter)
-    : Data(filter->GetOutput())
-    , Speeds(Data->GetPointData()->GetArray("Speed"))
-    , Colors(Data->GetPointData()->GetArray("RGB"))
+  explicit Drawing(vtkFlowPrimitiveSource* source)
   {
+    this->Filter->SetInputConnection(source->GetOutputPort());
+    this->Filter->Update();
+    this->Data = this->Filter->GetOutput();
+    this->Speeds = this->Data->GetPointData()->GetArray("Speed");
+    this->Colors = this->Data->GetPointData()->GetArray("RGB");
   }
 
   bool IsThere() const { return Check(this->Speeds && this->Colors, "There is no drawing"); }
@@ -51,10 +54,7 @@ bool UniformFlow()
   source->SetStrength(0.7);
   source->SetCenter(5.0, 6.0, 7.0);
   source->SetAxis(3.0, 0.0, 0.0);
-  vtkNew<vtkFlowArrowFilter> filter;
-  filter->SetInputConnection(source->GetOutputPort());
-  filter->Update();
-  const Drawing drawing(filter);
+  const Drawing drawing(source);
   if (!drawing.IsThere())
   {
     return false;
@@ -82,10 +82,7 @@ bool Vortex()
   source->SetAxis(0.0, 0.0, 1.0);
   source->SetCoreRadius(0.5);
   source->SetInfluenceRadius(4.0);
-  vtkNew<vtkFlowArrowFilter> filter;
-  filter->SetInputConnection(source->GetOutputPort());
-  filter->Update();
-  const Drawing drawing(filter);
+  const Drawing drawing(source);
   if (!drawing.IsThere())
   {
     return false;

@@ -19,10 +19,7 @@
 #include <stdexcept>
 
 using namespace littoral;
-using littoral::testing::Ground;
-using littoral::testing::GrowByStreamPower;
-using littoral::testing::OnThreads;
-using littoral::testing::RandomGround;
+using namespace littoral::testing;
 
 namespace
 {

@@ -15,10 +15,7 @@
 #include <cmath>
 
 using namespace littoral;
-using littoral::testing::Ground;
-using littoral::testing::GrowByStreamPower;
-using littoral::testing::OnThreads;
-using littoral::testing::RandomGround;
+using namespace littoral::testing;
 
 namespace
 {
