@@ -126,12 +126,12 @@ void WriteVerdict(const Comparison& comparison, vtkTable* verdict)
 
 }
 
-/// What is measured, and what with.
+/// A pattern, its input, and the law that it is compared with.
 struct vtkPointPatternStatisticsFilter::Pattern : littoral::MappedPattern
 {
   vtkPointSet* Input = nullptr;
   vtkTable* Fits = nullptr;
-  littoral::PatternLaw Law; ///< of the fits, if there are such
+  littoral::PatternLaw Law; ///< read from the fits, if there are such
 };
 
 //----------------------------------------------------------------------------

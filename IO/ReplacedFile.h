@@ -72,7 +72,7 @@ private:
   std::ostream Output;
 };
 
-/// What became of a file.
+/// The outcome of writing a file.
 struct FileOutcome
 {
   bool Written = false;
@@ -84,7 +84,7 @@ struct WriteStopped : std::exception
 {
 };
 
-/// What becomes of a file that `write` fills and commits, which it tells, whatever it throws.
+/// Writes a file that `write` fills and commits, which it tells; whatever it throws becomes an outcome.
 FileOutcome WriteFile(const std::string& target, const std::function<bool(ReplacedFile&)>& write);
 
 }

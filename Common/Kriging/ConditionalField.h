@@ -18,7 +18,7 @@ namespace littoral
 struct ConditionalOptions
 {
   bool Simulates = true; ///< else it is the kriging estimate
-  int NumberOfLines = 0; ///< of the simulated field; 0: enough (EnoughLines)
+  int NumberOfLines = 0; ///< lines of the simulated field; 0: enough (EnoughLines)
   int Seed = 1;
 };
 

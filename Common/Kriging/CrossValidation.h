@@ -18,8 +18,8 @@ struct CrossValidation
   std::vector<double> Deviations;         ///< kriging standard deviations, of scores where the data are scores
   std::vector<double> StandardizedErrors; ///< datum less estimate, in these deviations
 
-  double MeanError = 0.0; ///< of the values as they came
-  double RootMeanSquareError = 0.0;
+  double MeanError = 0.0;                    ///< mean of value less estimate
+  double RootMeanSquareError = 0.0;          ///< root of the mean of its square
   double MeanSquaredStandardizedError = 0.0; ///< 1 if the model is right
 };
 

@@ -30,7 +30,7 @@ struct KrigingSurvey
 
   KrigingType Type = KrigingType::Ordinary;
   KrigingModel Model;
-  double Mean = 0.0;                  ///< of the field, if it is known
+  double Mean = 0.0;                  ///< mean of the field, if it is known, else 0
   std::optional<NormalScores> Scores; ///< the map from values to scores, if the data are scores
   std::size_t Neighbors = 0;          ///< data that take part in an estimate; 0: all
 

@@ -20,9 +20,9 @@ struct PatternLaw
 {
   bool IsProcess = true;
   PointProcessParameters Process;
-  IntensityRaster Trend;       ///< of the process; without values: none
-  QuadratLawParameters Counts; ///< of the law of counts
-  QuadratGrid Grid;            ///< of its quadrats
+  IntensityRaster Trend;       ///< trend of the process; without values: none
+  QuadratLawParameters Counts; ///< law of counts
+  QuadratGrid Grid;            ///< quadrats of that law
 };
 
 /// Why no pattern of the law can be drawn in the window, in words for a user; empty when one can.

@@ -54,8 +54,8 @@ struct MappedPattern
 {
   std::vector<PlanePosition> Points; ///< in the window
   ObservationWindow Window;
-  std::vector<double> Marks;        ///< of the points, positive; or none
-  std::vector<std::string> Species; ///< of the points; or none
+  std::vector<double> Marks;        ///< one a point, positive; or none
+  std::vector<std::string> Species; ///< one a point; or none
   std::array<std::string, 2> Pair;  ///< species that cross functions go from and to
 
   double GetIntensity() const { return static_cast<double>(this->Points.size()) / this->Window.GetArea(); } ///< [1/m2]
@@ -73,7 +73,7 @@ struct StatisticsOptions
   DistanceCorrection Nearest = DistanceCorrection::KaplanMeier;
   double Largest = 0.0; ///< distance [m]; 0: DefaultDistances, or DefaultNearestDistances
   int Steps = 256;
-  double HalfWidth = 0.0; ///< of the kernel of g [m]; 0: Stoyan's rule
+  double HalfWidth = 0.0; ///< half width of the kernel of g [m]; 0: Stoyan's rule
   int Simulations = 99;   ///< 0: no comparison
   double Level = 0.05;
   int Seed = 1;
@@ -118,7 +118,7 @@ private:
 
   const MappedPattern& Pattern;
   StatisticsOptions Options;
-  PairOptions Pairs; ///< of K
+  PairOptions Pairs; ///< options of K
 };
 
 }

@@ -56,7 +56,7 @@ enum class PatternVerdict
 /// The word of a verdict, as in tables of fits.
 const char* WordOf(PatternVerdict verdict);
 
-/// What is said of a law of counts by its AIC, beside the best of them (DistinguishableAIC).
+/// Verdict on a law of counts by its AIC, beside that of the best one (DistinguishableAIC).
 PatternVerdict VerdictOf(const QuadratFit& fit, const QuadratFit& best);
 
 /// A process or a law, fitted and judged.

@@ -46,7 +46,7 @@ private:
   FieldTrend Trend; ///< less the field's own plane, once tabulated
   PlaneGrid Grid;
   GridWindow Window;
-  std::array<double, 2> Middle; ///< of the whole grid, in columns and rows
+  std::array<double, 2> Middle; ///< middle of the whole grid, in columns and rows
   TurningBandsField Field;
 };
 

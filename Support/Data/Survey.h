@@ -20,7 +20,7 @@ namespace littoral
 /// A survey, and where it comes from.
 struct Survey : KrigingSurvey
 {
-  std::string Name = "Elevation"; ///< of the values
+  std::string Name = "Elevation"; ///< name of the values
   bool IsRaster = false;          ///< the data are points of the grid, which keep their values
   double OriginZ = 0.0;
   double SpacingZ = 1.0;
