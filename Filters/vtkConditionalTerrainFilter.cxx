@@ -3,18 +3,22 @@
 #include "vtkConditionalTerrainFilter.h"
 
 #include "Data/ArrayReader.h"
-#include "Data/ConditionalField.h"
+#include "Data/Arrays.h"
 #include "Data/FieldStatistics.h"
 #include "Data/Georeference.h"
 #include "Data/Inputs.h"
 #include "Data/Survey.h"
+#include "Data/SurveyTable.h"
 #include "Data/Tables.h"
+#include "Kriging/ConditionalField.h"
+#include "Kriging/CrossValidation.h"
 #include "Kriging/FieldAtData.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -270,8 +274,14 @@ bool vtkConditionalTerrainFilter::ReadGrid(vtkInformationVector** inputVector, l
   {
     return false;
   }
-  survey.IsRaster = survey.IsRaster && !grid;
-  grid = survey.IsRaster ? ImageAmongData(inputVector[0]) : grid;
+  if (grid)
+  {
+    survey.Raster.clear();
+  }
+  else if (survey.IsRaster)
+  {
+    grid = ImageAmongData(inputVector[0]);
+  }
   if (grid)
   {
     littoral::TakeGrid(grid, survey);
@@ -343,29 +353,38 @@ bool vtkConditionalTerrainFilter::CheckMemory(const littoral::Survey& survey, co
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::Make(
-  const littoral::Survey& survey, const int extent[6], vtkImageData* output, vtkTable* table)
+void vtkConditionalTerrainFilter::Make(const littoral::Survey& survey, vtkImageData* output, vtkTable* table)
 {
-  littoral::ConditionalWish wish;
-  wish.Simulates = this->Result == ConditionalField;
-  wish.NumberOfLines = this->NumberOfLines;
-  wish.Seed = this->Seed;
-  wish.Variance = this->KrigingVariance;
-  littoral::ConditionalField field(survey, wish, this);
-  if (!field.Solve() || !field.Fill(extent, output))
+  littoral::ConditionalOptions options;
+  options.Simulates = this->Result == ConditionalField;
+  options.NumberOfLines = this->NumberOfLines;
+  options.Seed = this->Seed;
+  littoral::ConditionalField field(survey, options);
+  field.Tabulate(littoral::AbortableFor(this, 0.0, 0.2));
+  const littoral::ParallelFor parallel = littoral::AbortableFor(this);
+  field.Solve(parallel);
+  this->UpdateProgress(0.3);
+  const vtkIdType points = output->GetNumberOfPoints();
+  auto values = littoral::NewArray<vtkDoubleArray>(survey.Name.c_str(), 1, points);
+  auto variances = littoral::NewArray<vtkDoubleArray>("KrigingVariance", 1, this->KrigingVariance ? points : 0);
+  const int* extent = output->GetExtent();
+  field.Fill({ { extent[0], extent[2] }, { extent[1], extent[3] } }, values->GetPointer(0),
+    this->KrigingVariance ? variances->GetPointer(0) : nullptr, littoral::AbortableFor(this, 0.3, 0.95));
+  output->GetPointData()->SetScalars(values);
+  if (this->KrigingVariance)
   {
-    return false;
+    output->GetPointData()->AddArray(variances);
   }
+  littoral::AddField(output, "KrigingNeighbors", { static_cast<double>(survey.Neighbors) });
   if (table)
   {
-    field.AddRows(table);
+    littoral::AddRows(survey, field.AtData(parallel), table);
     littoral::AddModel(survey, table);
   }
   if (table && this->CrossValidation)
   {
-    littoral::AddCrossValidation(survey, this, table);
+    littoral::AddCrossValidation(littoral::CrossValidate(survey, parallel), table);
   }
-  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -406,11 +425,9 @@ int vtkConditionalTerrainFilter::RequestData(
     littoral::PassGeoreference(grid, output);
   }
   this->SetProgressText("Making a field through data");
-  bool done = false;
   try
   {
-    done =
-      this->Make(survey, extent.data(), output, littoral::AsksForLaterPiece(request, outputVector) ? nullptr : table);
+    this->Make(survey, output, littoral::AsksForLaterPiece(request, outputVector) ? nullptr : table);
   }
   catch (const littoral::KrigingFailure& failure)
   {
@@ -419,11 +436,11 @@ int vtkConditionalTerrainFilter::RequestData(
     this->Refuse(failure.what());
     return littoral::FailedRequest(this);
   }
-  if (!done) // aborted
+  catch (const littoral::Aborted&)
   {
     output->Initialize();
     table->Initialize();
-    return 1;
+    throw;
   }
   if (table->GetNumberOfRows() > 0)
   {

@@ -227,8 +227,8 @@ private:
   bool ReadDrift(vtkInformationVector** inputs, littoral::Survey& survey);
   bool FindModel(vtkInformationVector** inputs, littoral::Survey& survey);
   bool CheckMemory(const littoral::Survey& survey, const int extent[6]);
-  /// Runs all that can fail for want of a solution; false when aborted.
-  bool Make(const littoral::Survey& survey, const int extent[6], vtkImageData* output, vtkTable* table);
+  /// Runs all that can fail for want of a solution. Throws KrigingFailure and Aborted.
+  void Make(const littoral::Survey& survey, vtkImageData* output, vtkTable* table);
 };
 
 #endif

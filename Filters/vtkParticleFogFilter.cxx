@@ -87,9 +87,8 @@ std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficien
   std::atomic<vtkIdType> bad(set->GetNumberOfPoints());
   const auto numbers = [](vtkDataArray* array) {
     const auto* single = vtkFloatArray::SafeDownCast(array);
-    return [array, single](vtkIdType n) {
-      return single ? static_cast<double>(single->GetValue(n)) : array->GetComponent(n, 0);
-    };
+    return [array, single](
+             vtkIdType n) { return single ? static_cast<double>(single->GetValue(n)) : array->GetComponent(n, 0); };
   };
   const auto radiusOf = numbers(radii);
   const auto alphaOf = numbers(alphas);
@@ -115,24 +114,6 @@ std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficien
   const vtkIdType n = bad;
   return n < set->GetNumberOfPoints() ? WhyBadPoint(n, radii ? radiusOf(n) : defaultRadius, alphas ? alphaOf(n) : 1.0)
                                       : "";
-}
-
-/// The box of the particles, no thinner than a length [m]; a unit box without any.
-void BoxOf(const std::vector<littoral::FogParticle>& particles, double thickness, double box[6])
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double low = particles.empty() ? 0.0 : std::numeric_limits<double>::infinity();
-    double high = particles.empty() ? 1.0 : -low;
-    for (const littoral::FogParticle& particle : particles)
-    {
-      low = std::min(low, particle.Place[axis]);
-      high = std::max(high, particle.Place[axis]);
-    }
-    const double missing = std::max(0.0, thickness - (high - low));
-    box[2 * axis] = low - 0.5 * missing;
-    box[2 * axis + 1] = high + 0.5 * missing;
-  }
 }
 
 /// The samples of an extent, with the extinction of the water itself.
@@ -335,13 +316,8 @@ int vtkParticleFogFilter::RequestData(
     return littoral::FailedRequest(this);
   }
   this->UpdateProgress(0.3);
-  double box[6];
-  std::copy(this->Bounds, this->Bounds + 6, box);
-  if (!this->UseBounds)
-  {
-    BoxOf(particles, 2.0 * this->ParticleRadius, box);
-  }
-  const littoral::FogGrid grid = this->MakeGrid(box);
+  const std::array<double, 6> bounds = littoral::BoundsOf(particles, 2.0 * this->ParticleRadius);
+  const littoral::FogGrid grid = this->MakeGrid(this->UseBounds ? this->Bounds : bounds.data());
   const littoral::ParticleFog fog(grid, particles, littoral::AbortableFor(this), littoral::PollOf(this));
   this->UpdateProgress(0.8);
 

@@ -32,8 +32,6 @@ namespace
 {
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-/// Fewer points say nothing about a pattern.
-constexpr std::size_t FewestPoints = 5;
 /// Polls of a verdict, for its progress.
 constexpr double MostPolls = littoral::PollsOfLaw * (littoral::NumberOfPointProcesses + littoral::NumberOfQuadratLaws);
 
@@ -194,14 +192,14 @@ int vtkPatternVerdictFilter::RequestData(
   if (check.IsGood())
   {
     points = littoral::PlanePositionsOf(input);
-    if (points.size() < FewestPoints)
+    if (points.size() < littoral::FewestPatternPoints)
     {
-      check.Require(littoral::WhyInvalid(points, window, FewestPoints));
+      check.Require(littoral::WhyInvalid(points, window, littoral::FewestPatternPoints));
     }
     check.Require(
       polygon ? littoral::ReadWindow(polygon, window) : littoral::ReadWindow(input, this->Origin, this->Size, window));
   }
-  check.Require(check.IsGood() ? littoral::WhyInvalid(points, window, FewestPoints) : std::string());
+  check.Require(check.IsGood() ? littoral::WhyInvalid(points, window, littoral::FewestPatternPoints) : std::string());
   if (!check.IsGood())
   {
     littoralErrorMacro("Cannot judge the pattern: " << check.Reason());

@@ -7,13 +7,8 @@
 #include "Data/ProcessTable.h"
 #include "Data/QuadratTable.h"
 #include "Data/Tables.h"
-#include "Numerics/Constants.h"
-#include "Numerics/ParameterCheck.h"
-#include "Patterns/CurveEnvelope.h"
-#include "Patterns/DistanceFunctions.h"
-#include "Patterns/PairFunctions.h"
-#include "Patterns/ProcessPattern.h"
-#include "Patterns/WindowSections.h"
+#include "Patterns/PatternLaw.h"
+#include "Patterns/PatternStatistics.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
@@ -24,14 +19,9 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <limits>
-#include <map>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkPointPatternStatisticsFilter);
@@ -39,129 +29,17 @@ vtkStandardNewMacro(vtkPointPatternStatisticsFilter);
 namespace
 {
 
-using Filter = vtkPointPatternStatisticsFilter;
-using Curve = std::vector<double>;
-
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int PointsPort = 0;
 constexpr int WindowPort = 1;
 constexpr int LawPort = 2;
-/// Fewer points say nothing about a pattern.
-constexpr std::size_t FewestPoints = 5;
-constexpr int NumberOfFunctions = 9;
-const char* const FunctionNames[NumberOfFunctions] = { "K", "L", "PairCorrelation", "NearestNeighbor", "EmptySpace",
-  "J", "MarkCorrelation", "CrossK", "CrossPairCorrelation" };
-
-using Curves = std::array<Curve, NumberOfFunctions>;
-/// In place of the number of a function.
-constexpr int AllFunctions = -1;
-
-/// How functions are found.
-struct Measure
-{
-  littoral::ObservationWindow Window;
-  littoral::PairOptions Pairs; ///< of K
-  littoral::DistanceCorrection Nearest = littoral::DistanceCorrection::KaplanMeier;
-
-  /// Border is for K alone: other functions of pairs take the translation correction then.
-  littoral::PairOptions OtherPairs() const
-  {
-    littoral::PairOptions options = this->Pairs;
-    options.Correction = options.Correction == littoral::EdgeCorrection::Border ? littoral::EdgeCorrection::Translation
-                                                                                : options.Correction;
-    return options;
-  }
-
-  /// One of the functions of points, or all of them, each pair and each nearest point being looked for once. Those of
-  /// marks are empty without marks, and those of species always.
-  Curves Find(int function, const std::vector<littoral::PlanePosition>& points, const Curve& marks,
-    const littoral::ParallelFor& parallel) const
-  {
-    const auto wants = [&](int number) { return function == AllFunctions || function == number; };
-    const littoral::PairFunctions pairs = this->FindPairs(wants(Filter::K) || wants(Filter::L),
-      wants(Filter::PairCorrelation), wants(Filter::MarkCorrelation), [&](const littoral::PairOptions& options) {
-        return littoral::FindPairFunctions(points, marks, this->Window, options, parallel);
-      });
-    Curves found;
-    found[Filter::K] = pairs.K;
-    found[Filter::L] = littoral::BesagL(pairs.K);
-    found[Filter::PairCorrelation] = pairs.PairCorrelation;
-    found[Filter::MarkCorrelation] = pairs.MarkCorrelation;
-    if (wants(Filter::NearestNeighbor) || wants(Filter::EmptySpace) || wants(Filter::J))
-    {
-      const auto nearest =
-        littoral::FindDistanceFunctions(points, this->Window, this->Pairs.Distances, this->Nearest, 128, parallel);
-      found[Filter::NearestNeighbor] = nearest.G;
-      found[Filter::EmptySpace] = nearest.F;
-      found[Filter::J] = nearest.J;
-    }
-    return found;
-  }
-
-  /// One of the functions of two species, or both.
-  Curves FindCross(int function, const std::array<std::vector<littoral::PlanePosition>, 2>& species,
-    const littoral::ParallelFor& parallel) const
-  {
-    const littoral::PairFunctions pairs = this->FindPairs(function != Filter::CrossPairCorrelation,
-      function != Filter::CrossK, false, [&](const littoral::PairOptions& options) {
-        return littoral::FindCrossFunctions(species[0], species[1], this->Window, options, parallel);
-      });
-    Curves found;
-    found[Filter::CrossK] = pairs.K;
-    found[Filter::CrossPairCorrelation] = pairs.PairCorrelation;
-    return found;
-  }
-
-private:
-  /// K and other functions of pairs by `find`, at once where they have the same correction.
-  template <typename FindOfOptions>
-  littoral::PairFunctions FindPairs(bool wantsK, bool wantsG, bool wantsMarks, const FindOfOptions& find) const
-  {
-    littoral::PairOptions others = this->OtherPairs();
-    const bool isOne = others.Correction == this->Pairs.Correction;
-    others.WantsK = wantsK && isOne;
-    others.WantsG = wantsG;
-    const bool wantsOthers = others.WantsK || wantsG || wantsMarks;
-    littoral::PairFunctions pairs = wantsOthers ? find(others) : littoral::PairFunctions();
-    if (wantsK && !isOne)
-    {
-      pairs.K = find(this->Pairs).K;
-    }
-    return pairs;
-  }
-};
-
-/// The value of a function for a random pattern.
-double Theoretical(int function, double r, double intensity)
-{
-  switch (function)
-  {
-    case Filter::K:
-    case Filter::CrossK:
-      return littoral::Pi * r * r;
-    case Filter::L:
-      return r;
-    case Filter::NearestNeighbor:
-    case Filter::EmptySpace:
-      return 1.0 - std::exp(-intensity * littoral::Pi * r * r);
-    default:
-      return 1.0;
-  }
-}
-
-/// What it means that a curve is above that of random patterns.
-const char* WordForSide(int function, bool isAbove)
-{
-  const bool isRegularAbove = function == Filter::EmptySpace || function == Filter::J;
-  return isAbove == isRegularAbove ? "regular" : "clustered";
-}
 
 bool IsNone(const std::string& name)
 {
   return name.empty() || name == "None" || name == "NULL";
 }
 
-void AddCurve(vtkTable* table, const char* name, const Curve& curve)
+void AddCurve(vtkTable* table, const char* name, const std::vector<double>& curve)
 {
   littoral::AddColumn(table, name, curve, [](double value) { return value; });
 }
@@ -180,72 +58,80 @@ bool Replace(std::string& member, const char* name)
   return isNew;
 }
 
+void WriteFunctions(const std::vector<double>& distances, const littoral::FunctionCurves& functions, vtkTable* all)
+{
+  AddCurve(all, "Distance", distances);
+  for (std::size_t function = 0; function < functions.size(); ++function)
+  {
+    if (!functions[function].empty())
+    {
+      AddCurve(all, littoral::NameOf(static_cast<littoral::PatternFunction>(function)), functions[function]);
+    }
+  }
 }
 
-/// What is measured.
-struct vtkPointPatternStatisticsFilter::Pattern
+/// The chosen function of a pattern beside random and simulated ones.
+struct Comparison
+{
+  const littoral::StatisticsOptions& Options;
+  std::vector<double> Distances;
+  const std::vector<double>& Measured;
+  const littoral::CurveEnvelope& Envelope; ///< empty without simulations
+  double Intensity;
+  bool IsRandomTested; ///< the simulations are of random patterns
+
+  bool IsTested() const { return this->Options.Simulations > 0; }
+};
+
+void WriteChart(const Comparison& comparison, vtkTable* chart)
+{
+  const littoral::PatternFunction function = comparison.Options.Function;
+  AddCurve(chart, "Distance", comparison.Distances);
+  AddCurve(chart, littoral::NameOf(function), comparison.Measured);
+  littoral::AddColumn(chart, "Theoretical", comparison.Distances,
+    [&](double distance) { return littoral::RandomValue(function, distance, comparison.Intensity); });
+  if (comparison.IsTested())
+  {
+    const littoral::CurveEnvelope& envelope = comparison.Envelope;
+    AddCurve(chart, "Mean", envelope.Mean);
+    AddCurve(chart, "Low", envelope.Low);
+    AddCurve(chart, "High", envelope.High);
+    AddCurve(chart, "GlobalLow", envelope.GlobalLow);
+    AddCurve(chart, "GlobalHigh", envelope.GlobalHigh);
+  }
+}
+
+void WriteVerdict(const Comparison& comparison, vtkTable* verdict)
+{
+  const littoral::StatisticsOptions& options = comparison.Options;
+  const littoral::CurveEnvelope& envelope = comparison.Envelope;
+  const bool isOut = !envelope.Outside.empty();
+  const std::size_t first = isOut ? envelope.Outside.front() : 0;
+  const std::string kind =
+    isOut ? littoral::KindBeside(options.Function, comparison.Measured[first] > envelope.GlobalHigh[first]) : "random";
+  const std::vector<int> row{ 0 };
+  const auto add = [&](const char* name, const auto& value) {
+    littoral::AddColumn(verdict, name, row, [&](int) { return value; });
+  };
+  const bool isTested = comparison.IsTested();
+  add("Function", std::string(littoral::NameOf(options.Function)));
+  add("Verdict", std::string(!isTested ? "" : envelope.IsRejected ? "differs" : "not distinguishable"));
+  add("Pattern", isTested && comparison.IsRandomTested ? kind : std::string());
+  add("PValue", isTested ? envelope.PValue : NaN);
+  add("Level", options.Level);
+  add("Simulations", static_cast<double>(options.Simulations));
+  add("OutsideFrom", isOut ? comparison.Distances[first] : NaN);
+  add("OutsideTo", isOut ? comparison.Distances[envelope.Outside.back()] : NaN);
+}
+
+}
+
+/// A pattern, its input, and the law that it is compared with.
+struct vtkPointPatternStatisticsFilter::Pattern : littoral::MappedPattern
 {
   vtkPointSet* Input = nullptr;
-  std::vector<littoral::PlanePosition> Points;
-  littoral::ObservationWindow Window;
-  Curve Marks;
-  std::vector<std::string> Species;
-  std::string First;
-  std::string Second;
   vtkTable* Fits = nullptr;
-  bool HasProcess = false; ///< of the fits; else they have a law
-  littoral::PointProcessParameters Process;
-  littoral::IntensityRaster Trend; ///< without values: there is none
-  littoral::QuadratLawParameters QuadratLaw;
-  littoral::QuadratGrid Grid;
-
-  /// How the process is simulated with a seed.
-  littoral::ProcessOptions Simulation(int seed) const
-  {
-    littoral::ProcessOptions options;
-    options.Seed = seed;
-    options.Raster = this->Trend.Values.empty() ? nullptr : &this->Trend;
-    return options;
-  }
-
-  /// The points of the first and the second species when place n has the species of place order[n].
-  std::array<std::vector<littoral::PlanePosition>, 2> Split(const std::vector<std::size_t>& order) const
-  {
-    std::array<std::vector<littoral::PlanePosition>, 2> both;
-    for (std::size_t n = 0; n < this->Points.size(); ++n)
-    {
-      const std::string& species = this->Species[order.empty() ? n : order[n]];
-      if (species == this->First || species == this->Second)
-      {
-        both[species == this->First ? 0 : 1].push_back(this->Points[n]);
-      }
-    }
-    return both;
-  }
-
-  /// A pattern of the law or process of the fits in the window, from its own seed.
-  std::vector<littoral::PlanePosition> Scatter(int seed) const
-  {
-    if (this->HasProcess)
-    {
-      return littoral::SimulateProcess(this->Process, this->Simulation(seed), this->Window).Points;
-    }
-    const auto counts =
-      littoral::QuadratCounts(this->QuadratLaw, this->Grid.NumberOfQuadrats(), littoral::QuadratMode::Sampling, seed);
-    std::vector<littoral::PlanePosition> points;
-    for (std::size_t quadrat = 0; quadrat < counts.size(); ++quadrat)
-    {
-      for (int n = 0; n < counts[quadrat]; ++n)
-      {
-        const auto point = littoral::QuadratPosition(this->Grid, static_cast<long long>(quadrat), n, seed);
-        if (this->Window.Contains(point))
-        {
-          points.push_back(point);
-        }
-      }
-    }
-    return points;
-  }
+  littoral::PatternLaw Law; ///< read from the fits, if there are such
 };
 
 //----------------------------------------------------------------------------
@@ -345,22 +231,19 @@ int vtkPointPatternStatisticsFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-std::string vtkPointPatternStatisticsFilter::WhyInvalid() const
+littoral::StatisticsOptions vtkPointPatternStatisticsFilter::Options() const
 {
-  littoral::ParameterCheck check;
-  check.Choice("Function", this->Function, NumberOfFunctions);
-  check.Choice("EdgeCorrection", this->EdgeCorrection, { "none", "border", "isotropic", "translation" });
-  check.Choice("DistanceCorrection", this->DistanceCorrection, { "uncorrected", "reduced sample", "Kaplan-Meier" });
-  check.NotNegative("LargestDistance", this->LargestDistance, "m");
-  check.Count("NumberOfSteps", this->NumberOfSteps, 8, 10000);
-  check.NotNegative("Bandwidth", this->Bandwidth, "m");
-  check.Count("NumberOfSimulations", this->NumberOfSimulations, 0, 100000);
-  check.Within("Level", this->Level, littoral::ValueInterval::Between(0.0, 1.0));
-  if (this->NumberOfSimulations > 0 && check.IsGood())
-  {
-    check.Require(littoral::WhyNoEnvelope(this->NumberOfSimulations, this->Level));
-  }
-  return check.Reason();
+  littoral::StatisticsOptions options;
+  options.Function = static_cast<littoral::PatternFunction>(this->Function);
+  options.Correction = static_cast<littoral::EdgeCorrection>(this->EdgeCorrection);
+  options.Nearest = static_cast<littoral::DistanceCorrection>(this->DistanceCorrection);
+  options.Largest = this->LargestDistance;
+  options.Steps = this->NumberOfSteps;
+  options.HalfWidth = this->Bandwidth;
+  options.Simulations = this->NumberOfSimulations;
+  options.Level = this->Level;
+  options.Seed = this->Seed;
+  return options;
 }
 
 //----------------------------------------------------------------------------
@@ -370,7 +253,7 @@ std::string vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
   {
     return "the mark correlation needs marks; choose a MarkArray.";
   }
-  if (this->IsCross() && IsNone(this->SpeciesArray))
+  if (littoral::IsCross(this->Options().Function) && IsNone(this->SpeciesArray))
   {
     return "cross functions need species; choose a SpeciesArray.";
   }
@@ -387,54 +270,21 @@ std::string vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
   {
     return reason;
   }
-  std::map<std::string, int> counts;
-  for (const std::string& species : pattern.Species)
-  {
-    ++counts[species];
-  }
-  // The most frequent, of equal ones the first by the alphabet.
-  const auto choose = [&](const std::string& chosen, const std::string& except) {
-    std::string most;
-    for (const auto& [species, count] : counts)
-    {
-      most = species != except && (most.empty() || count > counts[most]) ? species : most;
-    }
-    return chosen.empty() ? most : chosen;
-  };
-  pattern.First = choose(this->FirstSpecies, this->SecondSpecies);
-  pattern.Second = choose(this->SecondSpecies, pattern.First);
-  for (const std::string& species : { pattern.First, pattern.Second })
-  {
-    if (counts.find(species) == counts.end())
-    {
-      return "no point is of the species '" + species + "'.";
-    }
-  }
-  return pattern.First == pattern.Second ? "cross functions need two different species." : "";
+  pattern.Pair = { this->FirstSpecies, this->SecondSpecies };
+  return littoral::ChoosePair(pattern);
 }
 
 //----------------------------------------------------------------------------
 std::string vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
 {
-  pattern.HasProcess = littoral::FirstRowIsProcess(pattern.Fits);
-  std::string reason;
-  double expected = 0.0;
-  if (pattern.HasProcess)
-  {
-    littoral::ObservationWindow ofFit;
-    reason = littoral::ReadProcessFit(pattern.Fits, pattern.Process, ofFit, pattern.Trend);
-    const littoral::ProcessOptions options = pattern.Simulation(1);
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.Process, options, pattern.Window) : reason;
-    expected = reason.empty() ? littoral::ExpectedDraws(pattern.Process, options, pattern.Window) : 0.0;
-  }
-  else
-  {
-    reason = littoral::ReadQuadratFit(pattern.Fits, pattern.QuadratLaw, pattern.Grid);
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.QuadratLaw) : reason;
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.Grid) : reason;
-    expected = static_cast<double>(pattern.Grid.NumberOfQuadrats()) * (1.0 + pattern.QuadratLaw.Mean);
-  }
-  const bool isTooMuch = reason.empty() && 64.0 * expected > littoral::AvailableMemory();
+  littoral::PatternLaw& law = pattern.Law;
+  littoral::ObservationWindow ofFit;
+  law.IsProcess = littoral::FirstRowIsProcess(pattern.Fits);
+  std::string reason = law.IsProcess ? littoral::ReadProcessFit(pattern.Fits, law.Process, ofFit, law.Trend)
+                                     : littoral::ReadQuadratFit(pattern.Fits, law.Counts, law.Grid);
+  reason = reason.empty() ? littoral::WhyInvalid(law, pattern.Window) : reason;
+  const bool isTooMuch =
+    reason.empty() && 64.0 * littoral::ExpectedDraws(law, pattern.Window) > littoral::AvailableMemory();
   return isTooMuch ? "the law of the table makes more points than this machine has memory for." : reason;
 }
 
@@ -445,21 +295,21 @@ std::string vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** 
   pattern.Input = littoral::InputOf<vtkPointSet>(inputs[PointsPort], "Input", reason);
   auto* window = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window", reason);
   pattern.Fits = littoral::OptionalInputOf<vtkTable>(inputs[LawPort], "Law", reason);
-  reason = reason.empty() ? this->WhyInvalid() : reason;
+  reason = reason.empty() ? littoral::WhyInvalid(this->Options()) : reason;
   if (!reason.empty())
   {
     return reason;
   }
-  if (pattern.Input->GetNumberOfPoints() < static_cast<vtkIdType>(FewestPoints))
+  if (pattern.Input->GetNumberOfPoints() < static_cast<vtkIdType>(littoral::FewestPatternPoints))
   {
     return "the input has " + std::to_string(pattern.Input->GetNumberOfPoints()) + " points; it must have at least " +
-      std::to_string(FewestPoints) + ".";
+      std::to_string(littoral::FewestPatternPoints) + ".";
   }
   pattern.Points = littoral::PlanePositionsOf(pattern.Input);
   reason = window ? littoral::ReadWindow(window, pattern.Window)
                   : littoral::ReadWindow(pattern.Input, this->Origin, this->Size, pattern.Window);
   reason = reason.empty()
-    ? littoral::WhyInvalid(pattern.Points, pattern.Window, FewestPoints, this->AllowCoincidentPoints)
+    ? littoral::WhyInvalid(pattern.Points, pattern.Window, littoral::FewestPatternPoints, this->AllowCoincidentPoints)
     : reason;
   reason = reason.empty() ? this->ReadKinds(pattern) : reason;
   return reason.empty() && pattern.Fits ? ReadLaw(pattern) : reason;
@@ -480,124 +330,33 @@ int vtkPointPatternStatisticsFilter::RequestData(
     littoralErrorMacro("Cannot measure the pattern: " << reason);
     return littoral::FailedRequest(this);
   }
-  const std::size_t points = pattern.Points.size();
-  Measure measure;
-  measure.Window = pattern.Window;
-  measure.Nearest = static_cast<littoral::DistanceCorrection>(this->DistanceCorrection);
-  measure.Pairs.Correction = static_cast<littoral::EdgeCorrection>(this->EdgeCorrection);
-  measure.Pairs.HalfWidth = this->Bandwidth;
-  measure.Pairs.Distances = this->IsOfPairs()
-    ? littoral::DefaultDistances(pattern.Window, points, this->NumberOfSteps)
-    : littoral::DefaultNearestDistances(pattern.Window, points, this->NumberOfSteps);
-  const littoral::DistanceRange& distances = measure.Pairs.Distances;
-  if (this->LargestDistance > 0.0)
-  {
-    measure.Pairs.Distances.Largest = this->LargestDistance;
-  }
-
-  // All functions of the pattern.
+  const littoral::StatisticsOptions options = this->Options();
   this->SetProgressText("Measuring the pattern");
-  const auto parallel = littoral::AbortableFor(this);
-  if (measure.OtherPairs().Correction == littoral::EdgeCorrection::Translation)
-  {
-    const double h = 0.15 * std::sqrt(pattern.Window.GetArea() / static_cast<double>(points));
-    const double reach = distances.Largest + 4.0 * std::max(h, this->Bandwidth);
-    measure.Pairs.Areas = std::make_shared<const littoral::CommonAreaTable>(pattern.Window, reach, parallel);
-  }
-  Curve r(distances.Count());
-  for (std::size_t k = 0; k < r.size(); ++k)
-  {
-    r[k] = distances[static_cast<int>(k)];
-  }
-  vtkTable* all = vtkTable::GetData(outputVector, 2);
-  AddCurve(all, "Distance", r);
-  Curves functions = measure.Find(AllFunctions, pattern.Points, pattern.Marks, parallel);
-  this->UpdateProgress(0.15);
-  if (!pattern.Species.empty())
-  {
-    const Curves crossed = measure.FindCross(AllFunctions, pattern.Split({}), parallel);
-    std::copy(crossed.begin() + CrossK, crossed.end(), functions.begin() + CrossK);
-  }
+  const littoral::PatternStatistics statistics(pattern, options, littoral::AbortableFor(this));
+  const littoral::FunctionCurves functions = statistics.Measure(littoral::AbortableFor(this));
   this->UpdateProgress(0.2);
-  for (int function = 0; function < NumberOfFunctions; ++function)
-  {
-    if (!functions[function].empty())
-    {
-      AddCurve(all, FunctionNames[function], functions[function]);
-    }
-  }
-  const Curve& measured = functions[this->Function];
-
-  // The chosen one of simulated patterns.
-  const double intensity = static_cast<double>(points) / pattern.Window.GetArea();
+  const std::vector<double>& measured = functions[this->Function];
   littoral::CurveEnvelope envelope;
   if (this->NumberOfSimulations > 0)
   {
     this->SetProgressText("Simulating patterns");
-    const littoral::CurveOfNumber simulate = [&](int number) {
-      if (this->IsCross())
-      {
-        const auto order = littoral::RandomOrder(points, this->Seed, number);
-        return measure.FindCross(this->Function, pattern.Split(order), littoral::SerialFor)[this->Function];
-      }
-      if (this->Function == MarkCorrelation)
-      {
-        Curve marks;
-        for (const std::size_t n : littoral::RandomOrder(points, this->Seed, number))
-        {
-          marks.push_back(pattern.Marks[n]);
-        }
-        return measure.Find(this->Function, pattern.Points, marks, littoral::SerialFor)[this->Function];
-      }
-      const auto simulated = pattern.Fits ? pattern.Scatter(littoral::SeedOfSimulation(this->Seed, number))
-                                          : littoral::UniformPattern(pattern.Window, points, this->Seed, number);
-      return simulated.size() < 2 ? Curve(r.size(), NaN)
-                                  : measure.Find(this->Function, simulated, {}, littoral::SerialFor)[this->Function];
-    };
-    const auto curves =
-      littoral::SimulateCurves(simulate, this->NumberOfSimulations, littoral::AbortableFor(this, 0.2, 1.0));
-    envelope = littoral::FindCurveEnvelope(measured, curves, this->Level);
+    envelope =
+      statistics.Compare(measured, pattern.Fits ? &pattern.Law : nullptr, littoral::AbortableFor(this, 0.2, 1.0));
   }
-
+  const bool isRandomTested =
+    !pattern.Fits && !littoral::IsCross(options.Function) && this->Function != MarkCorrelation;
+  const Comparison comparison{ options, statistics.GetDistances(), measured, envelope, pattern.GetIntensity(),
+    isRandomTested };
   vtkTable* chart = vtkTable::GetData(outputVector, 0);
-  AddCurve(chart, "Distance", r);
-  AddCurve(chart, FunctionNames[this->Function], measured);
-  littoral::AddColumn(
-    chart, "Theoretical", r, [&](double distance) { return Theoretical(this->Function, distance, intensity); });
-  if (this->NumberOfSimulations > 0)
-  {
-    AddCurve(chart, "Mean", envelope.Mean);
-    AddCurve(chart, "Low", envelope.Low);
-    AddCurve(chart, "High", envelope.High);
-    AddCurve(chart, "GlobalLow", envelope.GlobalLow);
-    AddCurve(chart, "GlobalHigh", envelope.GlobalHigh);
-  }
-
   vtkTable* verdict = vtkTable::GetData(outputVector, 1);
-  const std::vector<int> row{ 0 };
-  const bool isTested = this->NumberOfSimulations > 0;
-  const bool isRandomTested = isTested && !pattern.Fits && !this->IsCross() && this->Function != MarkCorrelation;
-  const bool isOut = !envelope.Outside.empty();
-  const std::size_t out = isOut ? envelope.Outside.front() : 0;
-  const std::string side = isOut ? WordForSide(this->Function, measured[out] > envelope.GlobalHigh[out]) : "random";
-  const auto addText = [&](const char* name, const std::string& text) {
-    littoral::AddColumn(verdict, name, row, [&](int) { return text; });
-  };
-  const auto addNumber = [&](const char* name, double number) {
-    littoral::AddColumn(verdict, name, row, [&](int) { return number; });
-  };
-  addText("Function", FunctionNames[this->Function]);
-  addText("Verdict", !isTested ? "" : envelope.IsRejected ? "differs" : "not distinguishable");
-  addText("Pattern", isRandomTested ? side : "");
-  addNumber("PValue", isTested ? envelope.PValue : NaN);
-  addNumber("Level", this->Level);
-  addNumber("Simulations", this->NumberOfSimulations);
-  addNumber("OutsideFrom", isOut ? r[envelope.Outside.front()] : NaN);
-  addNumber("OutsideTo", isOut ? r[envelope.Outside.back()] : NaN);
+  vtkTable* all = vtkTable::GetData(outputVector, 2);
+  WriteChart(comparison, chart);
+  WriteVerdict(comparison, verdict);
+  WriteFunctions(comparison.Distances, functions, all);
   for (vtkTable* table : { chart, verdict, all })
   {
-    littoral::AddField(table, "Points", { static_cast<double>(points) });
-    littoral::AddField(table, "Intensity", { intensity });
+    littoral::AddField(table, "Points", { static_cast<double>(pattern.Points.size()) });
+    littoral::AddField(table, "Intensity", { comparison.Intensity });
     littoral::AddField(table, "WindowArea", { pattern.Window.GetArea() });
   }
   this->UpdateProgress(1.0);

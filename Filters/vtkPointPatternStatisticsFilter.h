@@ -46,6 +46,11 @@
 
 class vtkAlgorithmOutput;
 
+namespace littoral
+{
+struct StatisticsOptions;
+}
+
 class LITTORALFILTERS_EXPORT vtkPointPatternStatisticsFilter : public vtkTableAlgorithm
 {
 public:
@@ -279,12 +284,10 @@ private:
 
   struct Pattern;
 
-  std::string WhyInvalid() const;
+  littoral::StatisticsOptions Options() const;
   std::string ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const;
   std::string ReadKinds(Pattern& pattern) const;
   static std::string ReadLaw(Pattern& pattern);
-  bool IsCross() const { return this->Function == CrossK || this->Function == CrossPairCorrelation; }
-  bool IsOfPairs() const { return this->Function <= PairCorrelation || this->Function >= MarkCorrelation; }
 };
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
+#include "Patterns/PatternVerdict.h"
 #include "Patterns/QuadratFit.h"
 #include "Patterns/QuadratPattern.h"
 #include "Pipeline/Mistakes.h"
@@ -17,8 +18,6 @@
 #include "vtkPointSet.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -44,19 +43,6 @@ double ValueIn(
   return littoral::TraitsOf(law.Law).Parameters.Has(parameter.Name) ? parameter.Get(law) : NaN;
 }
 
-std::string Verdict(const Fit& fit, const Fit& best)
-{
-  if (!fit.Exists)
-  {
-    return "does not exist";
-  }
-  if (&fit == &best)
-  {
-    return "best";
-  }
-  return fit.AIC - best.AIC < littoral::DistinguishableAIC ? "not distinguishable" : "worse";
-}
-
 void WriteFits(const std::vector<Fit>& fits, vtkTable* table)
 {
   using namespace littoral;
@@ -80,7 +66,7 @@ void WriteFits(const std::vector<Fit>& fits, vtkTable* table)
   column("ChiSquare", [](const Fit& fit) { return fit.ChiSquare; });
   column("DegreesOfFreedom", [](const Fit& fit) { return static_cast<double>(fit.DegreesOfFreedom); });
   column("PValue", [](const Fit& fit) { return fit.PValue; });
-  column("Verdict", [&](const Fit& fit) { return Verdict(fit, fits.front()); });
+  column("Verdict", [&](const Fit& fit) { return std::string(WordOf(VerdictOf(fit, fits.front()))); });
 }
 
 void WriteFrequencies(
@@ -111,16 +97,6 @@ void AddPattern(const littoral::QuadratMoments& moments, const littoral::Quadrat
   littoral::AddField(table, "Origin", { grid.Origin[0], grid.Origin[1] });
   littoral::AddField(table, "Size", { grid.Size[0], grid.Size[1] });
   littoral::AddField(table, "Quadrats", { static_cast<double>(grid.Count[0]), static_cast<double>(grid.Count[1]) });
-}
-
-/// As many quadrats as points, nearly square.
-void ChooseQuadrats(littoral::QuadratGrid& grid, double points)
-{
-  const double side = std::sqrt(grid.Size[0] * grid.Size[1] / points);
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    grid.Count[axis] = std::max(1, static_cast<int>(std::lround(grid.Size[axis] / side)));
-  }
 }
 
 }
@@ -172,7 +148,7 @@ bool vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input, littoral::QuadratGri
   std::string reason = littoral::WhyInvalid(grid);
   if (reason.empty() && this->Quadrats[0] == 0 && this->Quadrats[1] == 0)
   {
-    ChooseQuadrats(grid, static_cast<double>(input->GetNumberOfPoints()));
+    littoral::ChooseQuadrats(grid, static_cast<double>(input->GetNumberOfPoints()));
   }
   else if (reason.empty())
   {

@@ -7,6 +7,7 @@
 #include "Data/Inputs.h"
 #include "Data/TableTexts.h"
 #include "Data/TerrainGrid.h"
+#include "Drainage/GroundWetness.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"

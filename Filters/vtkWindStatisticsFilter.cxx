@@ -28,20 +28,6 @@ namespace
 
 constexpr const char* Components[littoral::WindComponents] = { "Along", "Across", "Up" };
 
-/// The point of the grid nearest to a length [m] from the first one, of so many.
-int NearestIndex(double length, double spacing, int count)
-{
-  return static_cast<int>(std::clamp(std::round(length / spacing), 0.0, count - 1.0));
-}
-
-/// Layers and columns of the grid that stand for the heights and separations asked for.
-struct Places
-{
-  int Layer;
-  int Columns;
-  int Layers; ///< to the other layer of the coherence, downwards where there is none above
-};
-
 void WriteBands(const std::vector<littoral::WindBand>& bands, vtkTable* table)
 {
   using littoral::WindBand;
@@ -72,24 +58,6 @@ void WriteProfile(const std::vector<littoral::WindLayer>& layers, vtkTable* tabl
     column(name, [=](const WindLayer& layer) { return layer.Deviation[k]; });
     column(name + "Model", [=](const WindLayer& layer) { return layer.ModelDeviation[k]; });
   }
-}
-
-/// Which points of the grid are taken. Why there are none, in words for a user; empty when there are.
-std::string FindPlaces(const littoral::WindGrid& grid, double height, const double separation[2], Places& places)
-{
-  places.Layer = NearestIndex(height - grid.BottomHeight, grid.VerticalSpacing, grid.Count[2]);
-  const double columns = std::round(separation[0] / grid.LateralSpacing);
-  const double layers = std::round(separation[1] / grid.VerticalSpacing);
-  const bool isAbove = places.Layer + layers < grid.Count[2];
-  if ((columns == 0.0 && layers == 0.0) || columns >= grid.Count[1] || !(isAbove || layers <= places.Layer))
-  {
-    return "Separation is " + littoral::TextOf(separation[0]) + ", " + littoral::TextOf(separation[1]) +
-      " m; it must be at least half a spacing of the grid, " + littoral::TextOf(grid.LateralSpacing) + ", " +
-      littoral::TextOf(grid.VerticalSpacing) + " m, and lie within the wind.";
-  }
-  places.Columns = static_cast<int>(columns);
-  places.Layers = static_cast<int>(isAbove ? layers : -layers);
-  return {};
 }
 
 }
@@ -136,7 +104,7 @@ int vtkWindStatisticsFilter::RequestData(
   check.NotNegative("Separation[1]", this->Separation[1], "m");
   check.Count("NumberOfBands", this->NumberOfBands, 2, 10000);
   littoral::ModelledWind wind;
-  Places places{};
+  littoral::WindPlaces places;
   if (check.IsGood())
   {
     std::string reason;
@@ -146,7 +114,7 @@ int vtkWindStatisticsFilter::RequestData(
   const littoral::WindGrid& grid = wind.Grid;
   if (check.IsGood())
   {
-    check.Require(FindPlaces(grid, this->Height, this->Separation, places));
+    check.Require(littoral::FindPlaces(grid, this->Height, { this->Separation[0], this->Separation[1] }, places));
   }
   if (!check.IsGood())
   {

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <system_error>
 
 #include <fcntl.h>
@@ -229,6 +230,34 @@ bool ReplacedFile::Commit()
     ::close(folder);
   }
   return true;
+}
+
+//----------------------------------------------------------------------------
+FileOutcome WriteFile(const std::string& target, const std::function<bool(ReplacedFile&)>& write)
+{
+  ReplacedFile file(target);
+  if (!file.WhyFailed().empty())
+  {
+    return { false, file.WhyFailed() };
+  }
+  try
+  {
+    return write(file) ? FileOutcome{ true, {} } : FileOutcome{ false, file.WhyFailed() };
+  }
+  catch (const WriteStopped&)
+  {
+    return { false, {} };
+  }
+  catch (const std::bad_alloc&)
+  {
+    return { false, "there is not enough memory" };
+  }
+  catch (const std::exception& problem)
+  {
+    // What the system said of the file is clearer than what the stream made of it.
+    file.Close();
+    return { false, file.WhyFailed().empty() ? problem.what() : file.WhyFailed() };
+  }
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef LittoralReplacedFile_h
 #define LittoralReplacedFile_h
 
+#include <exception>
 #include <fstream>
 #include <functional>
 #include <ostream>
@@ -70,6 +71,21 @@ private:
   NotingBuffer Buffer;
   std::ostream Output;
 };
+
+/// The outcome of writing a file.
+struct FileOutcome
+{
+  bool Written = false;
+  std::string Reason; ///< why it was not, in words for a user; empty where the user wanted it so
+};
+
+/// Thrown through a writer when the user asks to stop.
+struct WriteStopped : std::exception
+{
+};
+
+/// Writes a file that `write` fills and commits, which it tells; whatever it throws becomes an outcome.
+FileOutcome WriteFile(const std::string& target, const std::function<bool(ReplacedFile&)>& write);
 
 }
 

@@ -12,9 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <map>
-#include <new>
 #include <sstream>
 
 namespace littoral
@@ -28,11 +26,6 @@ using tinygltf::Value;
 constexpr const char* Instancing = "EXT_mesh_gpu_instancing";
 constexpr const char* LevelsOfDetail = "MSFT_lod";
 constexpr const char* Lights = "KHR_lights_punctual";
-
-/// Thrown through the writer when the user asks to stop.
-struct Stopped : std::exception
-{
-};
 
 Value NumbersOf(const std::vector<int>& numbers)
 {
@@ -472,45 +465,25 @@ std::string WhyNoExtras(const std::string& json)
 }
 
 //----------------------------------------------------------------------------
-SceneOutcome WriteScene(const std::string& path, const Scene& scene, const SceneProgress& progress)
+FileOutcome WriteScene(const std::string& path, const Scene& scene, const SceneProgress& progress)
 {
-  ReplacedFile file(path);
-  if (!file.WhyFailed().empty())
-  {
-    return { false, file.WhyFailed() };
-  }
-  try
-  {
+  return WriteFile(path, [&](ReplacedFile& file) {
     ModelMaker maker(scene);
     const tinygltf::Model& model = maker.Make();
     const double bytes = model.buffers.empty() ? 1.0 : static_cast<double>(model.buffers[0].data.size());
     file.OnWrite([&](std::size_t written) {
       if (!progress(std::min(1.0, static_cast<double>(written) / bytes)))
       {
-        throw Stopped();
+        throw WriteStopped();
       }
     });
     if (!progress(0.0))
     {
-      throw Stopped();
+      throw WriteStopped();
     }
     tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, file.Stream(), false, true);
-    return file.Close() && file.Commit() ? SceneOutcome{ true, {} } : SceneOutcome{ false, file.WhyFailed() };
-  }
-  catch (const Stopped&)
-  {
-    return { false, {} };
-  }
-  catch (const std::bad_alloc&)
-  {
-    return { false, "there is not enough memory" };
-  }
-  catch (const std::exception& problem)
-  {
-    // What the system said of the file is clearer than what the stream made of it.
-    file.Close();
-    return { false, file.WhyFailed().empty() ? problem.what() : file.WhyFailed() };
-  }
+    return file.Close() && file.Commit();
+  });
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef LittoralSceneFile_h
 #define LittoralSceneFile_h
 
+#include "ReplacedFile.h"
 #include "Scene.h"
 
 #include <functional>
@@ -17,13 +18,6 @@ inline constexpr double LargestSceneFile = 4294967295.0;
 /// Told the share that is done, 0 to 1; says whether to go on.
 using SceneProgress = std::function<bool(double)>;
 
-/// What became of a file.
-struct SceneOutcome
-{
-  bool Written = false;
-  std::string Reason; ///< why it was not, in words for a user; empty where the user wanted it so
-};
-
 /// Why a text is no object of JSON; empty if it is one.
 std::string WhyNoExtras(const std::string& json);
 
@@ -31,7 +25,7 @@ std::string WhyNoExtras(const std::string& json);
  * Writes a scene as glTF 2.0 binary. A file that is there already stays as it is unless the new one is whole. The bytes
  * depend on the scene alone.
  */
-SceneOutcome WriteScene(const std::string& path, const Scene& scene, const SceneProgress& progress);
+FileOutcome WriteScene(const std::string& path, const Scene& scene, const SceneProgress& progress);
 
 }
 

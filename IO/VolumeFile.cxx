@@ -30,11 +30,6 @@ using openvdb::Coord;
 /// The largest number that does not become infinite in half precision, as it is rounded.
 constexpr float HalfEnd = 65520.0f;
 
-/// Thrown through OpenVDB's writer when the user asks to stop.
-struct Stopped : std::exception
-{
-};
-
 /// Bits of |value|. They sort as the values do, and those of what is not finite sort behind.
 std::uint32_t MagnitudeBits(float value)
 {
@@ -488,7 +483,7 @@ openvdb::GridCPtrVec MakeGrids(const std::vector<Volume>& volumes, const VolumeF
   {
     if (!progress(MakingShare * static_cast<double>(grids.size()) / static_cast<double>(volumes.size())))
     {
-      throw Stopped();
+      throw WriteStopped();
     }
     grids.push_back(GridOf(volume, options, parallelFor));
   }
@@ -512,7 +507,7 @@ std::function<void(std::size_t)> WriteWatch(
       next = share + 0.05;
       if (!progress(MakingShare + (1.0 - MakingShare) * share))
       {
-        throw Stopped();
+        throw WriteStopped();
       }
     }
   };
@@ -520,46 +515,23 @@ std::function<void(std::size_t)> WriteWatch(
 
 }
 
-VolumeOutcome WriteVolumes(const std::string& path, const std::vector<Volume>& volumes, const VolumeRemarks& remarks,
+FileOutcome WriteVolumes(const std::string& path, const std::vector<Volume>& volumes, const VolumeRemarks& remarks,
   const VolumeFileOptions& options, const ParallelFor& parallelFor, const VolumeProgress& progress)
 {
   openvdb::initialize();
-  ReplacedFile file(path);
-  if (!file.WhyFailed().empty())
-  {
-    return { false, file.WhyFailed() };
-  }
-  try
-  {
+  return WriteFile(path, [&](ReplacedFile& file) {
     const openvdb::GridCPtrVec grids = MakeGrids(volumes, options, parallelFor, progress);
     openvdb::MetaMap fileRemarks;
     AddRemarks(remarks, fileRemarks);
     file.OnWrite(WriteWatch(grids, options, progress));
     VolumeArchive(options.Compression).WriteTo(file.Stream(), grids, fileRemarks);
-    if (file.Close())
+    if (!file.Close())
     {
-      GiveIdentifier(file.Path());
-      if (file.Commit())
-      {
-        return { true, {} };
-      }
+      return false;
     }
-    return { false, file.WhyFailed() };
-  }
-  catch (const Stopped&)
-  {
-    return { false, {} };
-  }
-  catch (const std::bad_alloc&)
-  {
-    return { false, "there is not enough memory" };
-  }
-  catch (const std::exception& problem)
-  {
-    // What the system said of the file is clearer than what the stream made of it.
-    file.Close();
-    return { false, file.WhyFailed().empty() ? problem.what() : file.WhyFailed() };
-  }
+    GiveIdentifier(file.Path());
+    return file.Commit();
+  });
 }
 
 }

@@ -4,6 +4,7 @@
 #define LittoralVolumeFile_h
 
 #include "Numerics/Parallel.h"
+#include "ReplacedFile.h"
 #include "Volume.h"
 
 #include <functional>
@@ -30,18 +31,11 @@ struct VolumeFileOptions
 /// Told the share that is done, 0 to 1; says whether to go on.
 using VolumeProgress = std::function<bool(double)>;
 
-/// What became of a file.
-struct VolumeOutcome
-{
-  bool Written = false;
-  std::string Reason; ///< why it was not, in words for a user; empty where the user wanted it so
-};
-
 /**
  * Writes volumes as grids of an OpenVDB file. Names must differ. A file that is there already stays as it is unless the
  * new one is whole. The bytes depend on the arguments alone.
  */
-VolumeOutcome WriteVolumes(const std::string& path, const std::vector<Volume>& volumes, const VolumeRemarks& remarks,
+FileOutcome WriteVolumes(const std::string& path, const std::vector<Volume>& volumes, const VolumeRemarks& remarks,
   const VolumeFileOptions& options, const ParallelFor& parallelFor, const VolumeProgress& progress);
 
 }

@@ -332,7 +332,7 @@ std::string vtkGLTFSceneWriter::WriteScene()
     return tooLarge;
   }
   this->SetProgressText("Writing a scene");
-  const littoral::SceneOutcome outcome =
+  const littoral::FileOutcome outcome =
     littoral::WriteScene(this->FileName, this->Internals->Scene, [this, first](double share) {
       this->UpdateProgress(first + (1.0 - first) * share);
       return !littoral::IsAborted(this);

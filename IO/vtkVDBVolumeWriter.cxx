@@ -242,7 +242,7 @@ void vtkVDBVolumeWriter::WriteData()
     littoral::ReadVolumes(data, this->PointDataArraySelection, this->CellDataArraySelection);
   littoral::GatherVolumes(this->Controller, input);
 
-  littoral::VolumeOutcome outcome;
+  littoral::FileOutcome outcome;
   if (littoral::IsFirstRank(this->Controller))
   {
     outcome.Reason = WhyUnfit(input);

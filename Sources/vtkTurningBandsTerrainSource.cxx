@@ -10,7 +10,7 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
-#include "Terrain/TurningBands.h"
+#include "Terrain/FieldWithTrend.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -37,11 +37,18 @@ vtkStandardNewMacro(vtkTurningBandsTerrainSource);
 
 namespace
 {
-/// Rows that one thread fills at a time: enough for long runs along the lines that are closer to y.
-constexpr int RowsAtOnce = 128;
-
 /// Standard deviations whose squares are sensible, besides 0.
 constexpr littoral::ValueInterval Deviations = littoral::ValueInterval::From(1e-15, 3e7);
+
+littoral::PlaneGrid PlaneOf(const double origin[3], const double spacing[3])
+{
+  return { { origin[0], origin[1] }, { spacing[0], spacing[1] } };
+}
+
+littoral::GridWindow WindowOf(const int extent[6])
+{
+  return { { extent[0], extent[2] }, { extent[1], extent[3] } };
+}
 }
 
 /// One field in full: the numerics' parameters, and what is added to them.
@@ -49,9 +56,7 @@ class vtkTurningBandsTerrainSource::Recipe
 {
 public:
   littoral::TurningBandsParameters Bands;
-  double Mean = 0.0;
-  std::array<double, 2> Slope{ 0.0, 0.0 };
-  std::array<double, 2> TrendSides{ 0.0, 0.0 }; ///< [m], over which mean and slope are all the trend there is
+  littoral::FieldTrend Trend;
   const char* Name = "";
   std::string Prefix;              ///< of the properties that each field has for itself
   const char* Unit = "";           ///< of its values
@@ -62,9 +67,7 @@ public:
     this->Bands.Field = statistics.Field;
     this->Bands.AnisotropyRatio = statistics.AnisotropyRatio;
     this->Bands.AnisotropyAngle = statistics.AnisotropyAngle;
-    this->Mean = statistics.Mean;
-    this->Slope = statistics.Slope;
-    this->TrendSides = statistics.TrendSides;
+    this->Trend = { statistics.Mean, statistics.Slope, statistics.TrendSides };
   }
 };
 
@@ -213,8 +216,8 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ReflectanceRe
   recipe.Prefix = recipe.Name;
   recipe.Unit = "";
   recipe.Deviation = this->ReflectanceStandardDeviation;
-  recipe.Mean = this->ReflectanceMean;
-  recipe.Slope[0] = recipe.Slope[1] = 0.0;
+  recipe.Trend.Mean = this->ReflectanceMean;
+  recipe.Trend.Slope = { 0.0, 0.0 };
   littoral::TurningBandsParameters& bands = recipe.Bands;
   bands.Field.Model = static_cast<littoral::CovarianceModel>(this->ReflectanceModel);
   bands.Field.Variance = this->ReflectanceStandardDeviation * this->ReflectanceStandardDeviation;
@@ -244,8 +247,7 @@ bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
 //----------------------------------------------------------------------------
 bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 {
-  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] },
-    { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
+  const littoral::PlaneGrid grid = PlaneOf(this->Grid.Origin, this->Grid.Spacing);
   littoral::TurningBandsParameters& bands = recipe.Bands;
   const bool automatic = bands.NumberOfLines == 0;
   bands.NumberOfLines = automatic ? 1 : bands.NumberOfLines; // until the rest is known to be good
@@ -255,11 +257,11 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
     recipe.Unit, "0, or " + Deviations.Words(recipe.Unit));
   check.Require(bands.NumberOfLines > 0, "NumberOfLines", bands.NumberOfLines, "", "positive, or 0 for enough");
   check.Require(littoral::WhyInvalid(bands, grid));
-  check.Finite("Mean", recipe.Mean);
-  check.Finite("Slope[0]", recipe.Slope[0]);
-  check.Finite("Slope[1]", recipe.Slope[1]);
-  check.NotNegative("TrendWidth", recipe.TrendSides[0]);
-  check.NotNegative("TrendHeight", recipe.TrendSides[1]);
+  check.Finite("Mean", recipe.Trend.Mean);
+  check.Finite("Slope[0]", recipe.Trend.Slope[0]);
+  check.Finite("Slope[1]", recipe.Trend.Slope[1]);
+  check.NotNegative("TrendWidth", recipe.Trend.Sides[0]);
+  check.NotNegative("TrendHeight", recipe.Trend.Sides[1]);
   if (!check.IsGood())
   {
     const auto begins = [&](const char* word) { return check.Reason().rfind(word, 0) == 0; };
@@ -270,75 +272,20 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   if (automatic)
   {
     // By the whole grid, not by the part that is asked for, so that all parts belong to one terrain.
-    const int* whole = this->Grid.WholeExtent;
-    bands.NumberOfLines = littoral::EnoughLines(bands, grid, { { whole[0], whole[2] }, { whole[1], whole[3] } });
+    bands.NumberOfLines = littoral::EnoughLines(bands, grid, WindowOf(this->Grid.WholeExtent));
   }
   return true;
 }
 
 //----------------------------------------------------------------------------
-bool vtkTurningBandsTerrainSource::Grow(
+void vtkTurningBandsTerrainSource::Grow(
   const Recipe& recipe, const int extent[6], double first, double last, float* values)
 {
-  const littoral::PlaneGrid grid{ { this->Grid.Origin[0], this->Grid.Origin[1] },
-    { this->Grid.Spacing[0], this->Grid.Spacing[1] } };
-  const littoral::GridWindow window{ { extent[0], extent[2] }, { extent[1], extent[3] } };
-  littoral::TurningBandsField field(recipe.Bands, grid, window);
-  const double centerX = 0.5 * (this->Grid.WholeExtent[0] + static_cast<double>(this->Grid.WholeExtent[1]));
-  const double centerY = 0.5 * (this->Grid.WholeExtent[2] + static_cast<double>(this->Grid.WholeExtent[3]));
-  const std::array<double, 2> center{ grid.Origin[0] + centerX * grid.Spacing[0],
-    grid.Origin[1] + centerY * grid.Spacing[1] };
-  std::array<double, 2> sides{ 0.0, 0.0 };
-  const bool levelled = recipe.TrendSides[0] > 0.0 && recipe.TrendSides[1] > 0.0;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double points =
-      this->Grid.WholeExtent[2 * axis + 1] - static_cast<double>(this->Grid.WholeExtent[2 * axis]) + 1.0;
-    sides[axis] = std::max(recipe.TrendSides[axis], points * grid.Spacing[axis]);
-  }
-
-  std::vector<littoral::PlaneTrend> planes(levelled ? field.GetNumberOfLines() : 0);
+  littoral::FieldWithTrend field(recipe.Bands, recipe.Trend, PlaneOf(this->Grid.Origin, this->Grid.Spacing),
+    WindowOf(this->Grid.WholeExtent), WindowOf(extent));
   const double middle = 0.5 * (first + last);
-  const bool tabulated =
-    littoral::RunWithProgress(this, field.GetNumberOfLines(), first, middle, [&](std::size_t line) {
-      field.TabulateLine(line);
-      if (levelled)
-      {
-        planes[line] = field.PlaneOfLine(line, center, sides);
-      }
-    });
-  if (!tabulated)
-  {
-    return false;
-  }
-  // The field's own plane makes room for the measured one.
-  double mean = recipe.Mean;
-  double slope[2] = { recipe.Slope[0], recipe.Slope[1] };
-  for (const littoral::PlaneTrend& plane : planes)
-  {
-    mean -= plane.Mean;
-    slope[0] -= plane.Slope[0];
-    slope[1] -= plane.Slope[1];
-  }
-
-  const std::size_t width = static_cast<std::size_t>(extent[1]) - extent[0] + 1;
-  const std::size_t height = static_cast<std::size_t>(extent[3]) - extent[2] + 1;
-  const bool tilted = slope[0] != 0.0 || slope[1] != 0.0;
-  return littoral::RunWithProgress(this, (height + RowsAtOnce - 1) / RowsAtOnce, middle, last, [&](std::size_t piece) {
-    const std::size_t begin = piece * RowsAtOnce;
-    const std::size_t end = std::min<std::size_t>(begin + RowsAtOnce, height);
-    field.FillRows(
-      extent[2] + static_cast<int>(begin), extent[2] + static_cast<int>(end) - 1, 1.0, mean, values + begin * width);
-    for (std::size_t j = begin; tilted && j < end; ++j)
-    {
-      const double rise = slope[1] * this->Grid.Spacing[1] * (extent[2] + static_cast<double>(j) - centerY);
-      for (std::size_t i = 0; i < width; ++i)
-      {
-        const double x = this->Grid.Spacing[0] * (extent[0] + static_cast<double>(i) - centerX);
-        values[j * width + i] += static_cast<float>(slope[0] * x + rise);
-      }
-    }
-  });
+  field.Tabulate(littoral::AbortableFor(this, first, middle));
+  field.Fill(values, littoral::AbortableFor(this, middle, last));
 }
 
 //----------------------------------------------------------------------------
@@ -359,7 +306,7 @@ bool vtkTurningBandsTerrainSource::CheckMemory(const int extent[6])
 }
 
 //----------------------------------------------------------------------------
-bool vtkTurningBandsTerrainSource::GrowAll(
+void vtkTurningBandsTerrainSource::GrowAll(
   const Recipe& elevation, const Recipe& reflectance, const int extent[6], vtkImageData* output)
 {
   const vtkIdType count = output->GetNumberOfPoints();
@@ -372,20 +319,19 @@ bool vtkTurningBandsTerrainSource::GrowAll(
     lines->SetName((std::string(recipe.Name) + "Lines").c_str());
     lines->InsertNextValue(recipe.Bands.NumberOfLines);
     output->GetFieldData()->AddArray(lines);
-    return this->Grow(recipe, extent, first, last, values->GetPointer(0)) ? values.Get() : nullptr;
+    this->Grow(recipe, extent, first, last, values->GetPointer(0));
+    return values.Get();
   };
   const double half = this->Reflectance ? 0.5 : 1.0;
-  bool done = grow(elevation, 0.0, half) != nullptr;
-  if (done && this->Reflectance)
+  grow(elevation, 0.0, half);
+  if (this->Reflectance)
   {
     vtkFloatArray* values = grow(reflectance, half, 1.0);
-    done = values != nullptr;
-    for (vtkIdType i = 0; done && i < count; ++i)
+    for (vtkIdType i = 0; i < count; ++i)
     {
       values->SetValue(i, vtkMath::ClampValue(values->GetValue(i), 0.0f, 1.0f));
     }
   }
-  return done;
 }
 
 //----------------------------------------------------------------------------
@@ -433,10 +379,14 @@ int vtkTurningBandsTerrainSource::RequestData(
     return 1; // a rank with nothing to do
   }
   this->SetProgressText("Growing terrain");
-  if (!this->GrowAll(elevation, reflectance, extent.data(), output)) // aborted
+  try
+  {
+    this->GrowAll(elevation, reflectance, extent.data(), output);
+  }
+  catch (const littoral::Aborted&)
   {
     output->Initialize();
-    return 1;
+    throw;
   }
   output->GetPointData()->SetActiveScalars(elevation.Name);
   this->UpdateProgress(1.0);

@@ -213,9 +213,9 @@ private:
   bool TakeFit(vtkTable* fits, Recipe& recipe);
   bool CheckRecipe(Recipe& recipe);
   bool CheckMemory(const int extent[6]);
-  /// Arrays of the elevation and, where it is asked for, of the reflectance; false when aborted.
-  bool GrowAll(const Recipe& elevation, const Recipe& reflectance, const int extent[6], vtkImageData* output);
-  bool Grow(const Recipe& recipe, const int extent[6], double first, double last, float* values);
+  /// Adds arrays of the elevation and, where it is asked for, of the reflectance. Throws Aborted.
+  void GrowAll(const Recipe& elevation, const Recipe& reflectance, const int extent[6], vtkImageData* output);
+  void Grow(const Recipe& recipe, const int extent[6], double first, double last, float* values);
 };
 
 #endif

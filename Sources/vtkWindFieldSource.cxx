@@ -7,8 +7,8 @@
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
+#include "Wind/CarriedWind.h"
 #include "Wind/WindField.h"
-#include "Wind/WindLines.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -34,31 +34,12 @@ vtkStandardNewMacro(vtkWindFieldSource);
 
 namespace
 {
-/// Parts of a time step that times are rounded to.
-constexpr double PartsOfStep = 1024.0;
-
 void AddNumber(vtkFieldData* fields, const char* name, double number)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->InsertNextValue(number);
   fields->AddArray(array);
-}
-
-/// How far a periodic field has gone: whole samples, and the part of a sample beyond them.
-struct Shift
-{
-  int Samples;
-  double Part;
-};
-
-Shift ShiftAt(double time, const littoral::WindGrid& grid)
-{
-  const double parts = PartsOfStep * grid.Count[0];
-  double gone = std::fmod(std::round(PartsOfStep * (time / grid.TimeStep)), parts);
-  gone = gone < 0.0 ? gone + parts : gone;
-  const double samples = std::floor(gone / PartsOfStep);
-  return { static_cast<int>(samples), gone / PartsOfStep - samples };
 }
 
 /// How many points an extent has.
@@ -70,22 +51,6 @@ double NumberOfPoints(const int extent[6])
     points *= std::max(0.0, extent[2 * axis + 1] - static_cast<double>(extent[2 * axis]) + 1.0);
   }
   return points;
-}
-
-/// Copies samples first ... last of a line that has been carried along by whole samples, turned into world axes by an
-/// angle of which the cosine and sine are given.
-void CopyLine(
-  const float* line, int length, int first, int last, int shift, const std::array<double, 2>& turn, float* to)
-{
-  const float cosine = static_cast<float>(turn[0]);
-  const float sine = static_cast<float>(turn[1]);
-  for (int i = first; i <= last; ++i, to += 3)
-  {
-    const float* velocity = line + 3 * static_cast<std::size_t>((i - shift + length) % length);
-    to[0] = cosine * velocity[0] - sine * velocity[1];
-    to[1] = sine * velocity[0] + cosine * velocity[1];
-    to[2] = velocity[2];
-  }
 }
 }
 
@@ -245,35 +210,9 @@ void vtkWindFieldSource::CopyVelocities(
   const auto velocity =
     littoral::NewArray<vtkFloatArray>("Velocity", littoral::WindComponents, output->GetNumberOfPoints());
   velocity->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
-  const Shift shift = ShiftAt(std::isfinite(time) ? time : 0.0, grid);
-  const std::size_t across = static_cast<std::size_t>(extent[3]) - extent[2] + 1;
-  const std::size_t up = static_cast<std::size_t>(extent[5]) - extent[4] + 1;
-  const std::size_t values = 3 * (static_cast<std::size_t>(extent[1]) - extent[0] + 1);
-  const std::size_t whole = 3 * static_cast<std::size_t>(grid.Count[0]);
-  const littoral::WindCarrier carrier(grid.Count[0]);
-  // Lines side by side in the wind are so in the output; a pack ends with the layer.
-  const std::size_t packs = (across + littoral::FourierLanes - 1) / littoral::FourierLanes;
-  littoral::SmpFor(packs * up, [&](std::size_t begin, std::size_t end) {
-    littoral::WindCarrier::Room room(shift.Part > 0.0 ? grid.Count[0] : 0);
-    for (std::size_t pack = begin; pack < end; ++pack)
-    {
-      const std::size_t line = pack % packs * littoral::FourierLanes;
-      const int lanes = static_cast<int>(std::min<std::size_t>(littoral::FourierLanes, across - line));
-      const std::size_t layer = pack / packs;
-      const float* from =
-        this->Internals->Velocities.data() + whole * ((extent[4] + layer) * grid.Count[1] + extent[2] + line);
-      if (shift.Part > 0.0)
-      {
-        carrier.Carry(from, lanes, shift.Part, room);
-        from = room.Velocities.data();
-      }
-      for (int lane = 0; lane < lanes; ++lane)
-      {
-        CopyLine(from + lane * whole, grid.Count[0], extent[0], extent[1], shift.Samples, turn,
-          velocity->GetPointer(0) + (layer * across + line + lane) * values);
-      }
-    }
-  });
+  littoral::CarryWind(grid, this->Internals->Velocities.data(), std::isfinite(time) ? time : 0.0, turn,
+    { { extent[0], extent[2], extent[4] }, { extent[1], extent[3], extent[5] } }, velocity->GetPointer(0),
+    littoral::SmpFor);
   output->GetPointData()->SetVectors(velocity);
 }
 

@@ -51,13 +51,6 @@ public:
   /// What leads to the neighbour's index.
   CellIndex Offset(int direction) const { return this->Offsets[direction]; }
 
-  bool IsBorder(CellIndex cell) const
-  {
-    const int i = cell % this->Width;
-    const int j = cell / this->Width;
-    return i == 0 || j == 0 || i == this->Width - 1 || j == this->Height - 1;
-  }
-
   /// Calls visit(neighbour, direction) for the neighbours within the grid, by direction.
   template <typename Visit>
   void ForEachNeighbour(CellIndex cell, const Visit& visit) const

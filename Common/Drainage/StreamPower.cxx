@@ -61,11 +61,6 @@ std::string WhyInvalid(const StreamPowerLaw& law)
   return check.Reason();
 }
 
-double SteadySlope(const StreamPowerLaw& law, double area)
-{
-  return std::pow(law.Uplift / (law.Erodibility * std::pow(area, law.AreaExponent)), 1.0 / law.SlopeExponent);
-}
-
 void StepStreamPower(GridSamples& heights, const FlowRouting& routing, const std::vector<double>& area,
   const StreamPowerLaw& law, double time)
 {
@@ -87,18 +82,6 @@ void StepStreamPower(GridSamples& heights, const FlowRouting& routing, const std
       const double bed = heights.Values[receiver];
       height = bed + HeightAfter(height - bed, factor, law.SlopeExponent);
     }
-  }
-}
-
-void GrowByStreamPower(GridSamples& heights, const OutletMask& outlets, const StreamPowerLaw& law, double time,
-  int steps, const ParallelFor& parallel, const Poll& poll)
-{
-  const CellLattice lattice(heights);
-  for (int step = 0; step < steps; ++step)
-  {
-    poll();
-    const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
-    StepStreamPower(heights, routing, DrainageArea(routing, lattice), law, time / steps);
   }
 }
 

@@ -4,7 +4,6 @@
 #define LittoralStreamPower_h
 
 #include "Drainage/FlowRouting.h"
-#include "Numerics/Parallel.h"
 #include "Terrain/GridSamples.h"
 
 #include <string>
@@ -26,19 +25,12 @@ struct StreamPowerLaw
 /// Why no river can follow the law; empty when one can.
 std::string WhyInvalid(const StreamPowerLaw& law);
 
-/// The slope at which rivers cut as fast as the ground rises, K A^m S^n = U.
-double SteadySlope(const StreamPowerLaw& law, double area);
-
 /**
  * A step of time [a] of dh/dt = U - K A^m S^n, implicit, from the outlets upstream along given receivers: no step is
  * too long (Braun & Willett 2013, O(n)). For n = 1 in closed form, else by Newton's method.
  */
 void StepStreamPower(GridSamples& heights, const FlowRouting& routing, const std::vector<double>& area,
   const StreamPowerLaw& law, double time);
-
-/// Steps with routing between them: ground that rises from these heights.
-void GrowByStreamPower(GridSamples& heights, const OutletMask& outlets, const StreamPowerLaw& law, double time,
-  int steps, const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 }
 

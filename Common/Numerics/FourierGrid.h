@@ -31,8 +31,6 @@ public:
   {
     return this->Values[static_cast<std::size_t>(j) * this->Width + i];
   }
-  /// Index of the opposite wave number, where the transform of real data is the conjugate.
-  static int Opposite(int index, int length) { return index == 0 ? 0 : length - index; }
 
   void Forward(const ParallelFor& parallel = SerialFor) { this->Transform(false, parallel); }
   void Backward(const ParallelFor& parallel = SerialFor) { this->Transform(true, parallel); }

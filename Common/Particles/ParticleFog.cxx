@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace littoral
 {
@@ -74,8 +75,7 @@ struct Run
 };
 
 /// The particles in runs, one after the other.
-std::vector<Run> RunsOf(
-  const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
+std::vector<Run> RunsOf(const FogGrid& grid, const std::vector<FogParticle>& particles, const ParallelFor& parallelFor)
 {
   std::vector<Run> runs((particles.size() + ParticlesAtOnce - 1) / ParticlesAtOnce);
   parallelFor(runs.size(), [&](std::size_t first, std::size_t last) {
@@ -120,6 +120,25 @@ void AddLayer(const FogGrid& grid, const std::vector<Located>& particles, int si
   }
 }
 
+}
+
+std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double thickness)
+{
+  std::array<double, 6> bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double low = particles.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    double high = particles.empty() ? 1.0 : -low;
+    for (const FogParticle& particle : particles)
+    {
+      low = std::min(low, particle.Place[axis]);
+      high = std::max(high, particle.Place[axis]);
+    }
+    const double missing = std::max(0.0, thickness - (high - low));
+    bounds[2 * axis] = low - 0.5 * missing;
+    bounds[2 * axis + 1] = high + 0.5 * missing;
+  }
+  return bounds;
 }
 
 ParticleFog::ParticleFog(

@@ -33,6 +33,9 @@ struct FogParticle
   double CrossSection; ///< [m2]
 };
 
+/// Smallest and largest x, y, z of the particles, no nearer to each other than a thickness [m]; 0 and 1 without any.
+std::array<double, 6> BoundsOf(const std::vector<FogParticle>& particles, double thickness);
+
 /**
  * The extinction [1/m] of particles that cannot be told apart: cross sections by volume (Coulais et al., 3.3.3 draw a
  * texture instead). Each particle is shared out among the eight samples about it, by distance along each axis, so that

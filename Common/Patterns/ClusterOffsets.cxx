@@ -71,6 +71,16 @@ LITTORAL_INLINE void Turn(double v, double& cosine, double& sine)
   sine = quarter == 2.0 || quarter == 3.0 ? -other : other;
 }
 
+/// An offset of a length in the direction of a number from 0 to 1, in place of that number and another.
+LITTORAL_INLINE void PlaceOffset(double length, double& u, double& v)
+{
+  double cosine = 0.0;
+  double sine = 0.0;
+  Turn(v, cosine, sine);
+  u = length * cosine;
+  v = length * sine;
+}
+
 }
 
 LITTORAL_SIMD_CLONES
@@ -82,11 +92,7 @@ void MakeNormalOffsets(double deviation, std::size_t count, double* u, double* v
   for (std::size_t n = 0; n < count; ++n)
   {
     const double r = deviation * std::sqrt(-2.0 * LogarithmOf(Least + (1.0 - Least) * u[n]));
-    double cosine = 0.0;
-    double sine = 0.0;
-    Turn(v[n], cosine, sine);
-    u[n] = r * cosine;
-    v[n] = r * sine;
+    PlaceOffset(r, u[n], v[n]);
   }
 }
 
@@ -97,11 +103,7 @@ void MakeDiscOffsets(double radius, std::size_t count, double* u, double* v)
   for (std::size_t n = 0; n < count; ++n)
   {
     const double r = radius * std::sqrt(u[n]);
-    double cosine = 0.0;
-    double sine = 0.0;
-    Turn(v[n], cosine, sine);
-    u[n] = r * cosine;
-    v[n] = r * sine;
+    PlaceOffset(r, u[n], v[n]);
   }
 }
 

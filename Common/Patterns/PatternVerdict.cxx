@@ -3,14 +3,13 @@
 #include "Patterns/PatternVerdict.h"
 
 #include "Numerics/ParameterCheck.h"
-#include "Patterns/ProcessPattern.h"
+#include "Patterns/PatternLaw.h"
 #include "Patterns/WindowSections.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
-#include <numeric>
+#include <utility>
 
 namespace littoral
 {
@@ -18,20 +17,16 @@ namespace littoral
 namespace
 {
 
-/// A pattern of a fitted law from a seed.
-using PatternOfSeed = std::function<std::vector<PlanePosition>(int seed)>;
-
-/// As many quadrats as points, nearly square, unless told otherwise.
+/// Quadrats of a window, of each axis as many as are given, or chosen.
 QuadratGrid GridOf(const ObservationWindow& window, std::size_t points, const std::array<int, 2>& quadrats)
 {
   QuadratGrid grid;
   grid.Origin = window.GetLow();
   grid.Size = { window.GetHigh()[0] - window.GetLow()[0], window.GetHigh()[1] - window.GetLow()[1] };
-  const double side = std::sqrt(grid.Size[0] * grid.Size[1] / static_cast<double>(points));
+  ChooseQuadrats(grid, static_cast<double>(points));
   for (int axis = 0; axis < 2; ++axis)
   {
-    const int fitting = std::max(1, static_cast<int>(std::lround(grid.Size[axis] / side)));
-    grid.Count[axis] = quadrats[axis] > 0 ? quadrats[axis] : fitting;
+    grid.Count[axis] = quadrats[axis] > 0 ? quadrats[axis] : grid.Count[axis];
   }
   return grid;
 }
@@ -48,22 +43,6 @@ std::vector<long long> FrequenciesIn(const QuadratGrid& grid, const std::vector<
     }
   }
   return CountFrequencies(counts);
-}
-
-/// Points by a law of counts, each count drawn.
-std::vector<PlanePosition> DrawLaw(const QuadratLawParameters& law, const QuadratGrid& grid, int seed)
-{
-  const std::vector<int> counts = QuadratCounts(law, grid.NumberOfQuadrats(), QuadratMode::Sampling, seed);
-  const auto total = static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), 0ll));
-  std::vector<double> positions(3 * total);
-  std::vector<int> quadrats(total);
-  PlaceQuadratPoints(grid, seed, counts, 0, counts.size(), positions.data(), quadrats.data());
-  std::vector<PlanePosition> points(total);
-  for (std::size_t n = 0; n < total; ++n)
-  {
-    points[n] = { positions[3 * n], positions[3 * n + 1] };
-  }
-  return points;
 }
 
 /// Judges laws one by one.
@@ -92,14 +71,16 @@ public:
     return distances;
   }
 
-  CurveEnvelope Test(const PatternOfSeed& law, const Poll& poll, const ParallelFor& parallel) const
+  CurveEnvelope Test(const PatternLaw& law, const Poll& poll, const ParallelFor& parallel) const
   {
     std::vector<std::vector<double>> curves;
     for (int part = 0; part < PollsOfLaw; ++part)
     {
       const int first = this->Options.Simulations * part / PollsOfLaw;
       const int end = this->Options.Simulations * (part + 1) / PollsOfLaw;
-      const auto pattern = [&](int number) { return law(SeedOfSimulation(this->Options.Seed, first + number)); };
+      const auto pattern = [&](int number) {
+        return DrawPattern(law, this->Window, SeedOfSimulation(this->Options.Seed, first + number));
+      };
       const auto curve = [&](const std::vector<PlanePosition>& points) { return this->CurveOf(points); };
       for (std::vector<double>& each : SimulateCurves(pattern, curve, end - first, parallel))
       {
@@ -191,6 +172,14 @@ const char* WordOf(PatternVerdict verdict)
   return Words[static_cast<int>(verdict)];
 }
 
+PatternVerdict VerdictOf(const QuadratFit& fit, const QuadratFit& best)
+{
+  return !fit.Exists                          ? PatternVerdict::DoesNotExist
+    : &fit == &best                           ? PatternVerdict::Best
+    : fit.AIC - best.AIC < DistinguishableAIC ? PatternVerdict::NotDistinguishable
+                                              : PatternVerdict::Worse;
+}
+
 const char* JudgedLaw::Name() const
 {
   return this->IsProcess ? PointProcessName(this->Process.Process.Process) : QuadratLawName(this->Law.Law.Law);
@@ -210,18 +199,13 @@ PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const Ob
   {
     JudgedLaw law;
     law.Process = FitProcess(static_cast<PointProcess>(id), points, window, options.Contrast, trend, parallel);
-    const PointProcessParameters& process = law.Process.Process;
-    ProcessOptions simulation;
-    simulation.Raster = law.Process.Trend.Exists() ? &raster : nullptr;
-    law.Process.Exists = law.Process.Exists && WhyInvalid(process, simulation, window).empty();
+    PatternLaw drawn;
+    drawn.Process = law.Process.Process;
+    drawn.Trend = law.Process.Trend.Exists() ? raster : IntensityRaster();
+    law.Process.Exists = law.Process.Exists && WhyInvalid(drawn, window).empty();
     if (law.Process.Exists)
     {
-      const auto draw = [&](int seed) {
-        ProcessOptions seeded = simulation;
-        seeded.Seed = seed;
-        return SimulateProcess(process, seeded, window).Points;
-      };
-      law.Envelope = judge.Test(draw, poll, parallel);
+      law.Envelope = judge.Test(drawn, poll, parallel);
     }
     judgement.Laws.push_back(law);
   }
@@ -234,7 +218,11 @@ PatternJudgement JudgePattern(const std::vector<PlanePosition>& points, const Ob
       law.Law = fit;
       if (fit.Exists)
       {
-        law.Envelope = judge.Test([&](int seed) { return DrawLaw(fit.Law, judgement.Grid, seed); }, poll, parallel);
+        PatternLaw drawn;
+        drawn.IsProcess = false;
+        drawn.Counts = fit.Law;
+        drawn.Grid = judgement.Grid;
+        law.Envelope = judge.Test(drawn, poll, parallel);
       }
       judgement.Laws.push_back(law);
     }

@@ -56,6 +56,9 @@ enum class PatternVerdict
 /// The word of a verdict, as in tables of fits.
 const char* WordOf(PatternVerdict verdict);
 
+/// Verdict on a law of counts by its AIC, beside that of the best one (DistinguishableAIC).
+PatternVerdict VerdictOf(const QuadratFit& fit, const QuadratFit& best);
+
 /// A process or a law, fitted and judged.
 struct JudgedLaw
 {

@@ -4,6 +4,7 @@
 
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
+#include "Numerics/ResidualForm.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>
@@ -35,19 +36,9 @@ constexpr int DistancesTried = 64;
 constexpr double BorderOfSoftCore = 0.85;
 
 /// The differences of a measured function and that of a process, both to the power q, at all distances.
-class Contrast
+class Contrast : public ResidualForm
 {
 public:
-  using Scalar = double; // the names that Eigen asks for
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum
-  {
-    InputsAtCompileTime = Eigen::Dynamic,
-    ValuesAtCompileTime = Eigen::Dynamic
-  };
-
   Contrast(PointProcess process, double intensity, const std::vector<double>& distances, std::vector<double> powers,
     const ContrastOptions& options)
     : Distances(distances)

@@ -260,6 +260,15 @@ std::string WhyInvalid(const QuadratGrid& grid)
   return check.Reason();
 }
 
+void ChooseQuadrats(QuadratGrid& grid, double points)
+{
+  const double side = std::sqrt(grid.Size[0] * grid.Size[1] / points);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    grid.Count[axis] = std::max(1, static_cast<int>(std::lround(grid.Size[axis] / side)));
+  }
+}
+
 std::vector<long long> QuotaFrequencies(const QuadratLawParameters& law, long long quadrats)
 {
   std::vector<double> share = MassFunction(law);

@@ -27,6 +27,9 @@ struct QuadratGrid
 /// Why this is no grid, in words for a user; empty when it is one.
 std::string WhyInvalid(const QuadratGrid& grid);
 
+/// Takes as many quadrats as points, nearly square.
+void ChooseQuadrats(QuadratGrid& grid, double points);
+
 /// How counts are given to quadrats.
 enum class QuadratMode
 {

@@ -18,7 +18,6 @@ namespace
 {
 
 constexpr double Degrees = 180.0 / Pi;
-constexpr double LeastSlope = 1e-3;   // tangent
 constexpr double SlopeOfAspect = 5.0; // from which on aspect counts in full [degrees]
 constexpr const char* FactorNames[] = { "elevation", "relative_elevation", "slope", "aspect", "wetness" };
 static_assert(std::size(FactorNames) == NumberOfGroundFactors, "a name a factor");
@@ -61,11 +60,6 @@ SpeciesPreference Usual(const char* name, double abundance, const FactorResponse
   return species;
 }
 
-}
-
-double WetnessOf(double drainageArea, double cellWidth, double slope)
-{
-  return std::log(drainageArea / (cellWidth * std::max(LeastSlope, std::tan(slope))));
 }
 
 double AspectOf(const GroundPoint& ground)

@@ -29,12 +29,6 @@ inline constexpr int NumberOfGroundFactors = 5;
 /// The ground at a site, by factors; NaN where a factor is not known.
 using GroundFactors = std::array<double, NumberOfGroundFactors>;
 
-/**
- * The topographic wetness index of Beven and Kirkby (1979): ln(a / tan b), where the drainage area [m2] over the width
- * of a cell [m] is a, and b the slope [radians], at least 0.001 in its tangent.
- */
-double WetnessOf(double drainageArea, double cellWidth, double slope);
-
 /// The direction that a slope faces, clockwise from north [degrees], 0 to 360; 0 where it is level.
 double AspectOf(const GroundPoint& ground);
 

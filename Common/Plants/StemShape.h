@@ -40,7 +40,6 @@ public:
   StemShape(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, double top);
 
   bool IsThere() const { return !this->Triangles.empty(); }
-  double GetTop() const { return this->Top; }
 
   /// Girth over pi at a height [m]; 0 above and below the stem.
   double DiameterAt(double height) const;

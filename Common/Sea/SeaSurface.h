@@ -39,7 +39,6 @@ public:
   std::size_t GetNumberOfPoints() const { return 1 + this->Radii.size() * this->Sectors; }
   /// Radii of the rings [m], increasing.
   const std::vector<double>& GetRadii() const { return this->Radii; }
-  int GetNumberOfSectors() const { return this->Sectors; }
 
   /// Largest distance between a point and its neighbors [m].
   double SpacingAt(std::size_t point) const;

@@ -69,7 +69,6 @@ public:
   /// UngradedCauchyNumber.
   double GetUngradedCauchyNumber() const { return this->UngradedCauchy; }
 
-  bool IsPhysical() const { return this->Physical; }
   const TimeGrid& GetGrid() const { return this->Marching.GetGrid(); }
   const StepGoal& GetGoal() const { return this->Marching.GetGoal(); }
   long long GetStep() const { return this->Physical ? this->Marching.GetStep() : this->GetGoal().Step; }

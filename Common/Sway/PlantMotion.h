@@ -32,7 +32,6 @@ public:
   /// as many, and all others in those of the uniform cantilever.
   PlantMotion(const Skeleton& rest, int numberOfModes, const std::vector<TrunkMode>& trunk = {});
 
-  int GetNumberOfModes() const { return this->Modes; }
   std::size_t GetNumberOfJoints() const { return this->Joints; }
   std::size_t GetNumberOfBranches() const { return this->Branches.size(); }
 

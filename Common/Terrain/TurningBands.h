@@ -142,8 +142,6 @@ public:
   Harmonics GetHarmonics(std::size_t line) const;
   /// Unit vector of the line in the space where the field is isotropic.
   std::array<double, 2> GetDirection(std::size_t line) const;
-  /// Covariance of the short waves at points i columns and j rows apart.
-  double GetShortCovariance(int i, int j) const { return this->Short ? this->Short->Covariance(i, j) : 0.0; }
 
 private:
   struct Line

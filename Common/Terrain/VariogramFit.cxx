@@ -3,6 +3,7 @@
 #include "Terrain/VariogramFit.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/ResidualForm.h"
 #include "Terrain/DetrendedWindow.h"
 #include "Terrain/ExpectedVariogram.h"
 #include "Terrain/ReducedDistance.h"
@@ -244,20 +245,10 @@ private:
 /// The smallest semivariance of a model that has a logarithm.
 constexpr double SmallestSemivariance = 1e-300;
 
-/// Residuals sqrt(weight) ln(measured / model), in the form that Eigen's least squares wants.
-class Residuals
+/// Residuals sqrt(weight) ln(measured / model).
+class Residuals : public ResidualForm
 {
 public:
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum
-  {
-    InputsAtCompileTime = Eigen::Dynamic,
-    ValuesAtCompileTime = Eigen::Dynamic
-  };
-
   Residuals(const Unknowns& map, const ExpectedVariogram& expected, const std::vector<LagBin>& bins,
     const std::vector<double>& rootWeights, const VariogramFitOptions& options)
     : Map(map)

@@ -7,6 +7,7 @@
 #include "Wind/WindField.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace littoral
@@ -32,6 +33,19 @@ struct WindLayer
   WindTriple Deviation;      ///< standard deviations about the means of lines [m/s]
   WindTriple ModelDeviation; ///< square root of the sum of the spectrum over the frequencies of the field [m/s]
 };
+
+/// Layers and columns of a grid that stand for a height, and for the separation of a coherence.
+struct WindPlaces
+{
+  int Layer = 0;
+  int Columns = 0;
+  int Layers = 0; ///< to the other layer of the coherence, downwards where there is none above
+};
+
+/// Finds the places nearest to a height and to a separation across and up [m]. Why there are none, in words for a user;
+/// empty when there are.
+std::string FindPlaces(
+  const WindGrid& grid, double height, const std::array<double, 2>& separation, WindPlaces& places);
 
 /**
  * Statistics of a periodic wind field, compared with those of its model: spectra, coherence and profile.

@@ -44,7 +44,7 @@ ROOMS = {
     "Geometry": ("geometry", "Views, cells of boxes, height grids, pictures and atlases of pictures."),
     "Terrain": ("terrain", "Covariance models, turning bands, variograms and their fits, levels of terrain."),
     "Drainage": ("drainage", "Flow over terrain, rivers that cut into it, ground that drains and keeps its statistics."),
-    "Kriging": ("kriging", "Kriging with all data and in neighbourhoods, the field at data, normal scores."),
+    "Kriging": ("kriging", "Kriging with all data and in neighbourhoods, fields through data, cross-validation, normal scores."),
     "Patterns": ("patterns", "Laws of counts in quadrats, point processes, patterns by them, fits; windows, functions of "
                  "distance, envelopes, verdicts."),
     "Plants": ("plants", "Skeletons, skins, leaves, kinds of trees, scattered plants."),
@@ -65,6 +65,7 @@ EXAMPLES = {
     "Examples/ParaView/underwater.py": ("Under the waves", "underwater.jpg"),
     "Examples/Python/grow_terrain.py": ("Terrain", "terrain.jpg"),
     "Examples/Cxx/GrowTerrain.cxx": ("Terrain in C++", "terrain.jpg"),
+    "Examples/Cxx/GrowThroughData.cxx": ("Terrain through data in C++, without VTK", "conditional.jpg"),
     "Examples/Python/fit_and_grow.py": ("Measured terrain", "variogram.png"),
     "Examples/Python/conditional_terrain.py": ("Terrain through data", "conditional.jpg"),
     "Examples/Python/regrow_patterns.py": ("Point patterns", "patterns.png"),
@@ -366,7 +367,7 @@ def describe(path):
     first, _, rest = words.partition("\n")
     title = first.strip().rstrip(".:")
     usage = [line.strip() for line in re.findall(r"^ {4,}\S.*$", rest, re.M)
-             if re.match(r" +(python3|pvbatch|GrowTerrain|\./)", line)]
+             if re.match(r" +(python3|pvbatch|GrowTerrain|GrowThroughData|\./)", line)]
     prose = "\n".join(line for line in rest.split("\n") if line.strip() not in usage)
     # Lists that are set in columns stay as they are.
     prose = re.sub(r"((?:^ {4,}\S.*\n?)+)",

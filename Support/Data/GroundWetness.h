@@ -3,7 +3,7 @@
 #ifndef LittoralSupportGroundWetness_h
 #define LittoralSupportGroundWetness_h
 
-// How wet the ground of a raster is. Private: never installed, never wrapped.
+// Wetness of the ground of a raster. Private: never installed, never wrapped.
 
 #include "Numerics/Parallel.h"
 
@@ -16,13 +16,12 @@ class vtkImageData;
 namespace littoral
 {
 
-/// Why the arrays Reflectance and DrainageArea of a raster cannot color its ground; empty if they can, or are not there.
+/// Why the arrays Reflectance and DrainageArea of a raster cannot color its ground; empty if they can, or are not
+/// there.
 std::string WhyUncolorable(vtkImageData* image, const std::string& owner);
 
-/**
- * Topographic wetness index (WetnessOf) at each point of a raster of one layer with the array DrainageArea [m2],
- * averaged by a Gauss function of two cells: ground beside a stream is wet too. Empty without that array.
- */
+/// The wetness index of a raster of one layer with the array DrainageArea [m2] (Drainage/GroundWetness.h); empty
+/// without that array.
 std::vector<double> SpreadWetness(vtkImageData* image, vtkDataArray* heights, const ParallelFor& parallel = SerialFor);
 
 }

@@ -6,6 +6,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkNew.h"
 
 #include <iostream>
 #include <string>
@@ -65,5 +66,13 @@ public:
 private:
   vtkAlgorithm* Algorithm = nullptr;
 };
+
+/// Whether an update of an algorithm fails with exactly one message, which names the given word.
+inline bool FailsNaming(const std::string& word, vtkAlgorithm* algorithm)
+{
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(algorithm);
+  return errors->ExpectOneNaming(word);
+}
 
 #endif

@@ -10,13 +10,17 @@
 #include "ErrorCounter.h"
 #include "PlantScene.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolygon.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -94,6 +98,21 @@ inline bool Sound(vtkAlgorithm* source, const char* path)
   return true;
 }
 
+/// A picture has its whole extent and is the field data of its block.
+inline bool PictureFits(vtkAlgorithm* source, int port, const char* path)
+{
+  auto* picture = vtkImageData::SafeDownCast(source->GetOutputDataObject(port));
+  vtkFieldData* fields = PartOf(source, path)->GetFieldData();
+  vtkDataArray* size = fields->GetArray("TextureSize");
+  vtkDataArray* texels = fields->GetArray("Texture");
+  int announced[6];
+  source->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), announced);
+  const int* extent = picture->GetExtent();
+  return std::equal(extent, extent + 6, announced) && size && texels &&
+    size->GetTuple1(0) == picture->GetDimensions()[0] && size->GetTuple1(1) == picture->GetDimensions()[1] &&
+    texels->GetNumberOfComponents() == 4 && texels->GetNumberOfTuples() == picture->GetNumberOfPoints();
+}
+
 /// All levels with their arrays, sound polygons, and four polygons as the lowest.
 inline bool HasLevels(vtkAlgorithm* source)
 {
@@ -123,6 +142,14 @@ inline bool CarriesTexture(vtkAlgorithm* source, const char* path, bool hasNorma
       texels->GetNumberOfTuples() == static_cast<vtkIdType>(size->GetTuple1(0) * size->GetTuple1(1)) &&
       (normals != nullptr) == hasNormals && (!normals || normals->GetNumberOfTuples() == texels->GetNumberOfTuples()),
     path);
+}
+
+/// A tree that any source of trees makes: its levels, its textures, and the arrays of its branches.
+inline bool IsTree(vtkAlgorithm* source)
+{
+  vtkCellData* branches = PartOf(source, "High/Skeleton")->GetCellData();
+  return HasLevels(source) && CarriesTexture(source, "Medium/Crown", false) && CarriesTexture(source, "Low", true) &&
+    Check(branches->GetArray("BranchId") && branches->GetArray("Order"), "branches without arrays");
 }
 
 inline bool SameBytes(vtkDataArray* a, vtkDataArray* b)

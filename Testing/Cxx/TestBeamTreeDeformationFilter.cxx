@@ -234,6 +234,26 @@ void CheckFrequency(WindSource* wind)
   Expect(errors->ExpectOneNaming("SpeciesHeight"), "SpeciesHeight is refused");
 }
 
+/// The point of a skeleton at the tip of the trunk, which is its first line.
+vtkIdType TipOf(vtkDataObject* plants)
+{
+  vtkNew<vtkIdList> trunk;
+  vtkPolyData::SafeDownCast(BlockAt(plants, "High/Skeleton"))->GetCellPoints(0, trunk);
+  return trunk->GetId(trunk->GetNumberOfIds() - 1);
+}
+
+/// A tree on each of some places, in full view.
+vtkNew<vtkPlantScatterFilter> WoodOf(vtkPoints* feet, vtkAlgorithm* tree)
+{
+  vtkNew<vtkPolyData> sites;
+  sites->SetPoints(feet);
+  vtkNew<vtkPlantScatterFilter> wood;
+  wood->SetInputData(sites);
+  wood->AddPrototypeConnection(tree->GetOutputPort());
+  wood->UseCullingOff();
+  return wood;
+}
+
 /// The middle level sways as the trunk in full does, and shows one picture after the other.
 void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, WindSource* wind)
 {
@@ -249,11 +269,8 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
     sway->UpdateTimeStep(time);
     vtkDataObject* now = sway->GetOutputDataObject(0);
     pictures.insert(TCoordsOf(now)[1]);
-    // The tip of the trunk, which is the first line of the skeleton, and the vertices of the crown at its height.
-    auto* bones = vtkPolyData::SafeDownCast(BlockAt(rest, "High/Skeleton"));
-    vtkNew<vtkIdList> trunk;
-    bones->GetCellPoints(0, trunk);
-    const vtkIdType tip = trunk->GetId(trunk->GetNumberOfIds() - 1);
+    // The tip of the trunk, and the vertices of the crown at its height.
+    const vtkIdType tip = TipOf(rest);
     const std::vector<float> a = PointsOf(rest, "High/Skeleton");
     const std::vector<float> b = PointsOf(now, "High/Skeleton");
     double mean[3];
@@ -301,12 +318,7 @@ void CheckMedium(vtkBeamTreeDeformationFilter* sway, vtkReevesTreeSource* tree, 
   vtkNew<vtkPoints> feet;
   feet->InsertNextPoint(3.0, 4.0, 50.0);
   feet->InsertNextPoint(23.0, -5.0, 60.0);
-  vtkNew<vtkPolyData> sites;
-  sites->SetPoints(feet);
-  vtkNew<vtkPlantScatterFilter> wood;
-  wood->SetInputData(sites);
-  wood->AddPrototypeConnection(tree->GetOutputPort());
-  wood->UseCullingOff();
+  const auto wood = WoodOf(feet, tree);
   wood->SetNearDistance(1.0);
   wood->SetFarDistance(1e4);
   wood->Update();
@@ -375,10 +387,7 @@ void CheckCards(WindSource* wind)
   sway->UpdateTimeStep(2.0);
   vtkDataObject* rest = tree->GetOutputDataObject(0);
   vtkDataObject* now = sway->GetOutputDataObject(0);
-  auto* bones = vtkPolyData::SafeDownCast(BlockAt(rest, "High/Skeleton"));
-  vtkNew<vtkIdList> trunk;
-  bones->GetCellPoints(0, trunk);
-  const vtkIdType tip = trunk->GetId(trunk->GetNumberOfIds() - 1);
+  const vtkIdType tip = TipOf(rest);
   const std::vector<float> a = PointsOf(rest, "High/Skeleton");
   const std::vector<float> b = PointsOf(now, "High/Skeleton");
   double mean[3];
@@ -428,12 +437,7 @@ void CheckArrival(vtkReevesTreeSource* tree)
   feet->InsertNextPoint(0.0, 0.0, 0.0);
   feet->InsertNextPoint(0.0, 12.0, 0.0);
   feet->InsertNextPoint(9.0, 0.0, 0.0);
-  vtkNew<vtkPolyData> sites;
-  sites->SetPoints(feet);
-  vtkNew<vtkPlantScatterFilter> wood;
-  wood->SetInputData(sites);
-  wood->AddPrototypeConnection(tree->GetOutputPort());
-  wood->UseCullingOff();
+  const auto wood = WoodOf(feet, tree);
   wood->SetNearDistance(1.0);
   wood->SetFarDistance(1e4);
   vtkNew<vtkBeamTreeDeformationFilter> sway;
@@ -494,12 +498,7 @@ void CheckThreadsAndPieces(vtkReevesTreeSource* tree, WindSource* wind)
   {
     feet->InsertNextPoint(7.0 * (i % 6), 7.0 * (i / 6) - 14.0, 10.0);
   }
-  vtkNew<vtkPolyData> sites;
-  sites->SetPoints(feet);
-  vtkNew<vtkPlantScatterFilter> wood;
-  wood->SetInputData(sites);
-  wood->AddPrototypeConnection(tree->GetOutputPort());
-  wood->UseCullingOff();
+  const auto wood = WoodOf(feet, tree);
   wood->SetViewPoint(0.0, -15.0, 12.0);
   wood->SetNearDistance(16.0);
   wood->SetFarDistance(500.0);

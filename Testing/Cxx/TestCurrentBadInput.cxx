@@ -20,9 +20,7 @@ bool FlowFails(const char* word, const std::function<void(Flow*)>& spoil)
 {
   vtkNew<Flow> flow = Primitive(Flow::Vortex, 1.0, 0.0, 0.0, 0.0);
   spoil(flow);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(flow);
-  return errors->ExpectOneNaming(word) && Check(flow->GetOutput()->GetNumberOfPoints() == 0, "output not empty");
+  return FailsNaming(word, flow) && Check(flow->GetOutput()->GetNumberOfPoints() == 0, "output not empty");
 }
 
 bool DriftFails(const char* word, const std::function<void(Drift*, vtkPolyData*, vtkPolyData*)>& spoil)
@@ -36,9 +34,7 @@ bool DriftFails(const char* word, const std::function<void(Drift*, vtkPolyData*,
   drift->SetInputData(0, particles);
   drift->SetInputData(1, primitives);
   spoil(drift, particles, primitives);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(drift);
-  return errors->ExpectOneNaming(word) && Check(OutputOf(drift)->GetNumberOfPoints() == 0, "output not empty");
+  return FailsNaming(word, drift) && Check(OutputOf(drift)->GetNumberOfPoints() == 0, "output not empty");
 }
 
 bool GridFails(const char* word, const std::function<void(Drift*, vtkImageData*)>& spoil)

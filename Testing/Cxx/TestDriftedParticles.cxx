@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Particles in a uniform flow, a vortex, a source and a sink, early and late, colored by their box: a picture against
 // its baseline.
+#include "BaselinePicture.h"
 #include "vtkCurrentDriftFilter.h"
 #include "vtkFlowPrimitiveSource.h"
 #include "vtkSuspendedParticleSource.h"
@@ -11,9 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 namespace
@@ -74,13 +73,5 @@ int TestDriftedParticles(int argc, char* argv[])
     renderer->ResetCameraClippingRange();
     window->AddRenderer(renderer);
   }
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(window);
-  window->Render();
-  const int result = vtkRegressionTestImage(window.Get());
-  if (result == vtkRegressionTester::DO_INTERACTOR)
-  {
-    interactor->Start();
-  }
-  return result == vtkRegressionTester::FAILED ? EXIT_FAILURE : EXIT_SUCCESS;
+  return IsAsBaseline(window, argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -61,21 +61,6 @@ bool CrownIsInside(Source* source)
   return Check(about, "the medium crown is not where the leaves are");
 }
 
-/// A picture has its whole extent and is the field data of its block.
-bool PictureFits(Source* source, int port, const char* path)
-{
-  auto* picture = vtkImageData::SafeDownCast(source->GetOutputDataObject(port));
-  vtkFieldData* fields = PartOf(source, path)->GetFieldData();
-  vtkDataArray* size = fields->GetArray("TextureSize");
-  vtkDataArray* texels = fields->GetArray("Texture");
-  int announced[6];
-  source->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), announced);
-  const int* extent = picture->GetExtent();
-  return std::equal(extent, extent + 6, announced) && size && texels &&
-    size->GetTuple1(0) == picture->GetDimensions()[0] && size->GetTuple1(1) == picture->GetDimensions()[1] &&
-    texels->GetNumberOfComponents() == 4 && texels->GetNumberOfTuples() == picture->GetNumberOfPoints();
-}
-
 bool Levels()
 {
   bool good = true;

@@ -60,9 +60,7 @@ bool Fails(const char* word, vtkImageData* image, const std::function<void(vtkGr
   {
     spoil(statistics);
   }
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(statistics);
-  bool good = errors->ExpectOneNaming(word);
+  bool good = FailsNaming(word, statistics);
   for (int port = 0; port < 4; ++port)
   {
     good &= Check(Output(statistics, port)->GetNumberOfColumns() == 0, "a refused input leaves a table");

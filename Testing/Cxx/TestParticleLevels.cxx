@@ -4,6 +4,7 @@
 // any history of the camera, every bad input, and a picture of the levels and the fog.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "FilledArray.h"
 #include "vtkParticleFogFilter.h"
 #include "vtkParticleLevelOfDetailFilter.h"
 #include "vtkParticleOrbitFilter.h"
@@ -411,23 +412,26 @@ bool CheckPixelPromise()
   return good & Check(worst[Levels::PerTrain] > 2.0, "the paper's rule keeps the promise, too");
 }
 
+/// Levels of particles in a sea, along y.
+void LookThrough(Sea* sea, vtkPolyData* particles, Levels* levels)
+{
+  levels->SetInputData(0, particles);
+  levels->SetSeaStateConnection(sea->GetOutputPort());
+  LookAlongY(levels);
+}
+
 /// Threads, pieces, and other views before this one.
 bool CheckSameBytes()
 {
   vtkNew<Sea> sea;
   vtkNew<vtkPolyData> particles = Particles(9001, VTK_FLOAT);
-  const auto make = [&](Levels* levels) {
-    levels->SetInputData(0, particles);
-    levels->SetSeaStateConnection(sea->GetOutputPort());
-    LookAlongY(levels);
-  };
   vtkNew<Levels> direct;
-  make(direct);
+  LookThrough(sea, particles, direct);
   direct->Update();
   const std::vector<char> wanted = BytesOf(direct);
   bool good = true;
   vtkNew<Levels> travelled;
-  make(travelled);
+  LookThrough(sea, particles, travelled);
   for (int frame = 0; frame < 4; ++frame)
   {
     travelled->SetViewPoint(0.5 * frame, -0.3 * frame, -4.0);
@@ -442,7 +446,7 @@ bool CheckSameBytes()
   {
     vtkSMPTools::Initialize(threads);
     vtkNew<Levels> again;
-    make(again);
+    LookThrough(sea, particles, again);
     again->Update();
     good &= Check(BytesOf(again) == wanted, "other bytes on other threads");
   }
@@ -469,7 +473,7 @@ bool CheckSameBytes()
     for (int piece = 0; piece < pieces; ++piece)
     {
       vtkNew<Levels> levels;
-      make(levels);
+      LookThrough(sea, particles, levels);
       vtkNew<Orbits> orbits;
       orbits->SetInputConnection(0, levels->GetOutputPort());
       orbits->SetSeaStateConnection(sea->GetOutputPort());
@@ -551,13 +555,8 @@ bool CheckDriftedGroups()
 {
   vtkNew<Sea> sea;
   vtkNew<vtkPolyData> particles = Particles(9001, VTK_FLOAT);
-  const auto make = [&](Levels* levels) {
-    levels->SetInputData(0, particles);
-    levels->SetSeaStateConnection(sea->GetOutputPort());
-    LookAlongY(levels);
-  };
   vtkNew<Levels> kept;
-  make(kept);
+  LookThrough(sea, particles, kept);
   kept->Update();
   bool good = true;
   for (int frame = 0; frame < 2; ++frame)
@@ -572,7 +571,7 @@ bool CheckDriftedGroups()
     points->Modified();
     particles->Modified();
     vtkNew<Levels> fresh;
-    make(fresh);
+    LookThrough(sea, particles, fresh);
     kept->Update();
     fresh->Update();
     good &= Check(BytesOf(kept) == BytesOf(fresh), "former places have an effect");
@@ -705,19 +704,7 @@ bool FogFails(const char* word, const std::function<void(Fog*, vtkPolyData*)>& s
   vtkNew<Fog> fog;
   fog->SetInputData(particles);
   spoil(fog, particles);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(fog);
-  return errors->ExpectOneNaming(word) &&
-    Check(fog->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, "not empty");
-}
-
-void AddFloats(vtkPolyData* particles, const char* name, float value)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(particles->GetNumberOfPoints());
-  array->FillValue(value);
-  particles->GetPointData()->AddArray(array);
+  return FailsNaming(word, fog) && Check(fog->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, "not empty");
 }
 
 bool CheckBadInput()
@@ -770,8 +757,8 @@ bool CheckBadInput()
   good &= FogFails("ExtinctionEfficiency", [](Fog* f, vtkPolyData*) { f->SetExtinctionEfficiency(-1.0); });
   good &= FogFails("WaterExtinction", [=](Fog* f, vtkPolyData*) { f->SetWaterExtinction(nan); });
   good &= FogFails("not finite at 3", [=](Fog*, vtkPolyData* p) { p->GetPoints()->SetPoint(3, nan, 0.0, 0.0); });
-  good &= FogFails("Alpha", [](Fog*, vtkPolyData* p) { AddFloats(p, "Alpha", 1.5f); });
-  good &= FogFails("Radius", [](Fog*, vtkPolyData* p) { AddFloats(p, "Radius", -1.0f); });
+  good &= FogFails("Alpha", [](Fog*, vtkPolyData* p) { AddFilled<vtkFloatArray>(p, "Alpha", 1.5f); });
+  good &= FogFails("Radius", [](Fog*, vtkPolyData* p) { AddFilled<vtkFloatArray>(p, "Radius", -1.0f); });
 
   // Orders that belong to another sea.
   vtkNew<Sea> sea;

@@ -3,6 +3,7 @@
 // Sea states and orbits through the pipeline: time in any order, threads, blocks, slaves, and every bad input.
 #include "Check.h"
 #include "ErrorCounter.h"
+#include "FilledArray.h"
 #include "vtkParticleOrbitFilter.h"
 #include "vtkSeaStateSource.h"
 
@@ -203,9 +204,7 @@ bool SeaFails(const char* word, const std::function<void(Sea*)>& spoil)
 {
   vtkNew<Sea> sea;
   spoil(sea);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(sea);
-  return errors->ExpectOneNaming(word) && Check(sea->GetOutput()->GetNumberOfColumns() == 0, "output not empty");
+  return FailsNaming(word, sea) && Check(sea->GetOutput()->GetNumberOfColumns() == 0, "output not empty");
 }
 
 vtkNew<vtkTable> Spectrum(const std::vector<double>& hertz, const std::vector<double>& densities)
@@ -245,19 +244,8 @@ bool OrbitsFail(const char* word, const std::function<void(Orbits*, vtkPolyData*
   orbits->SetInputData(0, particles);
   orbits->SetInputData(1, trains);
   spoil(orbits, particles, trains);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(orbits);
-  return errors->ExpectOneNaming(word) &&
+  return FailsNaming(word, orbits) &&
     Check(vtkPolyData::SafeDownCast(orbits->GetOutputDataObject(0))->GetNumberOfPoints() == 0, "output not empty");
-}
-
-void AddInts(vtkPolyData* particles, const char* name, int value)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(particles->GetNumberOfPoints());
-  array->FillValue(value);
-  particles->GetPointData()->AddArray(array);
 }
 
 bool CheckBadInput()
@@ -312,10 +300,11 @@ bool CheckBadInput()
     o->DopplerShiftOn();
     o->SetCurrent(nan, 0.0);
   });
-  good &= OrbitsFail("TrainCount", [](Orbits*, vtkPolyData* p, vtkTable*) { AddInts(p, "TrainCount", -1); });
-  good &= OrbitsFail("Offset", [](Orbits*, vtkPolyData* p, vtkTable*) { AddInts(p, "MasterId", -1); });
+  good &=
+    OrbitsFail("TrainCount", [](Orbits*, vtkPolyData* p, vtkTable*) { AddFilled<vtkIntArray>(p, "TrainCount", -1); });
+  good &= OrbitsFail("Offset", [](Orbits*, vtkPolyData* p, vtkTable*) { AddFilled<vtkIntArray>(p, "MasterId", -1); });
   good &= OrbitsFail("MasterId", [](Orbits*, vtkPolyData* p, vtkTable*) {
-    AddInts(p, "MasterId", 10);
+    AddFilled<vtkIntArray>(p, "MasterId", 10);
     vtkNew<vtkDoubleArray> offset;
     offset->SetName("Offset");
     offset->SetNumberOfComponents(3);

@@ -68,9 +68,7 @@ bool SourceFails(const char* word, const std::function<void(Source*)>& spoil)
 {
   vtkNew<Source> source;
   spoil(source);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(source);
-  return errors->ExpectOneNaming(word) && Check(source->GetOutput()->GetNumberOfPoints() == 0, "output not empty");
+  return FailsNaming(word, source) && Check(source->GetOutput()->GetNumberOfPoints() == 0, "output not empty");
 }
 
 bool VerdictFails(const char* word, vtkPolyData* points, const std::function<void(Verdict*)>& spoil = {})
@@ -81,9 +79,7 @@ bool VerdictFails(const char* word, vtkPolyData* points, const std::function<voi
   {
     spoil(verdict);
   }
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(verdict);
-  return errors->ExpectOneNaming(word) && Check(verdict->GetOutput()->GetNumberOfColumns() == 0, "output not empty");
+  return FailsNaming(word, verdict) && Check(verdict->GetOutput()->GetNumberOfColumns() == 0, "output not empty");
 }
 
 bool CheckBadSources()

@@ -31,9 +31,7 @@ bool SourceFails(const char* word, const std::function<void(Source*)>& spoil)
 {
   vtkNew<Source> source;
   spoil(source);
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(source);
-  return errors->ExpectOneNaming(word) && Check(source->GetOutput()->GetNumberOfPoints() == 0, "output not empty");
+  return FailsNaming(word, source) && Check(source->GetOutput()->GetNumberOfPoints() == 0, "output not empty");
 }
 
 vtkNew<vtkPolyData> Points(const std::vector<std::array<double, 2>>& positions)
@@ -56,9 +54,7 @@ bool AnalysisFails(const char* word, vtkPolyData* points, const std::function<vo
   {
     spoil(analysis);
   }
-  vtkNew<ErrorCounter> errors;
-  errors->Watch(analysis);
-  return errors->ExpectOneNaming(word) && Check(analysis->GetOutput()->GetNumberOfColumns() == 0, "output not empty");
+  return FailsNaming(word, analysis) && Check(analysis->GetOutput()->GetNumberOfColumns() == 0, "output not empty");
 }
 
 bool CheckBadInput()

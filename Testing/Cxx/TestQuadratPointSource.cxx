@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Points by three laws, regular, random and clustered, side by side: a picture against its baseline.
+#include "BaselinePicture.h"
 #include "vtkQuadratPointSource.h"
 
 #include "vtkActor.h"
@@ -8,9 +9,7 @@
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 int TestQuadratPointSource(int argc, char* argv[])
@@ -40,19 +39,11 @@ int TestQuadratPointSource(int argc, char* argv[])
   window->SetMultiSamples(0);
   window->SetSize(360, 130);
   window->AddRenderer(renderer);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(window);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetParallelScale(590.0);
   camera->SetPosition(1600.0, 500.0, 1000.0);
   camera->SetFocalPoint(1600.0, 500.0, 0.0);
   renderer->ResetCameraClippingRange();
-  window->Render();
-  const int result = vtkRegressionTestImage(window.Get());
-  if (result == vtkRegressionTester::DO_INTERACTOR)
-  {
-    interactor->Start();
-  }
-  return result == vtkRegressionTester::FAILED ? EXIT_FAILURE : EXIT_SUCCESS;
+  return IsAsBaseline(window, argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -22,9 +22,7 @@ bool Levels()
     vtkNew<Source> source;
     source->SetPreset(preset);
     source->Update();
-    good &= HasLevels(source) && CarriesTexture(source, "Medium/Crown", false) && CarriesTexture(source, "Low", true);
-    vtkCellData* branches = PartOf(source, "High/Skeleton")->GetCellData();
-    good &= Check(branches->GetArray("BranchId") && branches->GetArray("Order"), "branches without arrays");
+    good &= IsTree(source);
   }
   return good;
 }

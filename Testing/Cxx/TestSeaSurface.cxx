@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // A piece of a windy sea in low light: a picture against its baseline.
+#include "BaselinePicture.h"
 #include "vtkParticleOrbitFilter.h"
 #include "vtkSeaStateSource.h"
 
@@ -11,9 +12,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 int TestSeaSurface(int argc, char* argv[])
@@ -53,18 +52,10 @@ int TestSeaSurface(int argc, char* argv[])
   window->SetMultiSamples(0);
   window->SetSize(300, 200);
   window->AddRenderer(renderer);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(window);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(60.0, -45.0, 28.0);
   camera->SetFocalPoint(60.0, 55.0, -6.0);
   camera->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange();
-  window->Render();
-  const int result = vtkRegressionTestImage(window.Get());
-  if (result == vtkRegressionTester::DO_INTERACTOR)
-  {
-    interactor->Start();
-  }
-  return result == vtkRegressionTester::FAILED ? EXIT_FAILURE : EXIT_SUCCESS;
+  return IsAsBaseline(window, argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -31,20 +31,6 @@ using Source = vtkSeaweedSource;
 const char* const Segments[] = { "ParentId", "Radius", "Width", "Thickness", "Length", "YoungModulus", "DampingRatio",
   "Density", "Across", "Tissue", "Attachment", "RestTheta", "RestPhi" };
 
-bool PictureFits(Source* source, int port, const char* path)
-{
-  auto* picture = vtkImageData::SafeDownCast(source->GetOutputDataObject(port));
-  vtkFieldData* fields = PartOf(source, path)->GetFieldData();
-  vtkDataArray* size = fields->GetArray("TextureSize");
-  vtkDataArray* texels = fields->GetArray("Texture");
-  int announced[6];
-  source->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), announced);
-  const int* extent = picture->GetExtent();
-  return std::equal(extent, extent + 6, announced) && size && texels &&
-    size->GetTuple1(0) == picture->GetDimensions()[0] && size->GetTuple1(1) == picture->GetDimensions()[1] &&
-    texels->GetNumberOfComponents() == 4 && texels->GetNumberOfTuples() == picture->GetNumberOfPoints();
-}
-
 /// Segments are read back as they were written.
 bool ReadsBack(Source* source)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Suspended particles: boxes, presets, pieces, squares, every bad input; and a picture of squares with their pictures.
+#include "BaselinePicture.h"
 #include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkSuspendedParticleSource.h"
@@ -16,9 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -272,18 +271,10 @@ int TestSuspendedParticles(int argc, char* argv[])
   window->SetAlphaBitPlanes(1);
   window->SetSize(300, 200);
   window->AddRenderer(renderer);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(window);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(0.0, -18.0, 0.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange();
-  window->Render();
-  const int result = vtkRegressionTestImage(window.Get());
-  if (result == vtkRegressionTester::DO_INTERACTOR)
-  {
-    interactor->Start();
-  }
-  return result == vtkRegressionTester::FAILED ? EXIT_FAILURE : EXIT_SUCCESS;
+  return IsAsBaseline(window, argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The default terrain with reflectance, lit from the side: a picture against its baseline.
+#include "BaselinePicture.h"
 #include "vtkTurningBandsTerrainSource.h"
 
 #include "vtkActor.h"
@@ -14,9 +15,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkWarpScalar.h"
 
@@ -65,19 +64,10 @@ int TestTurningBandsTerrainSource(int argc, char* argv[])
   window->SetMultiSamples(0);
   window->SetSize(300, 240);
   window->AddRenderer(renderer);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(window);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(500.0, -900.0, 1000.0);
   camera->SetFocalPoint(500.0, 430.0, 170.0);
   camera->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange();
-  window->Render();
-
-  int result = vtkRegressionTestImage(window);
-  if (result == vtkRegressionTester::DO_INTERACTOR)
-  {
-    interactor->Start();
-  }
-  return !result;
+  return IsAsBaseline(window, argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The wind through the pipeline: period, pieces, threads, direction, field data, bad input, a slice as a picture.
+#include "BaselinePicture.h"
 #include "Check.h"
 #include "ErrorCounter.h"
 #include "vtkWindFieldSource.h"
@@ -19,9 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -337,8 +336,6 @@ int TestWindFieldSource(int argc, char* argv[])
   window->SetMultiSamples(0);
   window->SetSize(300, 240);
   window->AddRenderer(renderer);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(window);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(0.0, 0.0, 500.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
@@ -346,11 +343,5 @@ int TestWindFieldSource(int argc, char* argv[])
   camera->ParallelProjectionOn();
   camera->SetParallelScale(140.0);
   renderer->ResetCameraClippingRange();
-  window->Render();
-  int result = vtkRegressionTestImage(window);
-  if (result == vtkRegressionTester::DO_INTERACTOR)
-  {
-    interactor->Start();
-  }
-  return good && result ? EXIT_SUCCESS : EXIT_FAILURE;
+  return good && IsAsBaseline(window, argc, argv) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Installs the build into a fresh prefix, moves the prefix, and configures, builds and runs the
-# C++ example against it. Moving shows that nothing in the prefix names its first place.
+# C++ examples against it. Moving shows that nothing in the prefix names its first place.
 
 function (run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
@@ -23,8 +23,11 @@ run("${CMAKE_COMMAND}"
   -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 run("${WORK_DIR}/build/GrowTerrain" "${WORK_DIR}/terrain.vti" 129 7)
+run("${WORK_DIR}/build/GrowThroughData" "${SOURCE_DIR}/../Data/survey.csv" "${WORK_DIR}/field.asc" 7)
 
-file(SIZE "${WORK_DIR}/terrain.vti" size)
-if (size LESS 10000)
-  message(FATAL_ERROR "terrain.vti has only ${size} bytes")
-endif ()
+foreach (name IN ITEMS terrain.vti field.asc)
+  file(SIZE "${WORK_DIR}/${name}" size)
+  if (size LESS 10000)
+    message(FATAL_ERROR "${name} has only ${size} bytes")
+  endif ()
+endforeach ()

@@ -2,29 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Beam Tree Deformation from ParaView: its inputs, properties and times."""
 import quick
+from gusts import INFORMATION, WIND
 from paraview import simple
 from paraview.servermanager import Fetch
-
-WIND = """
-import vtk
-output.SetDimensions(200, 3, 3)
-output.SetSpacing(0.5, 40.0, 10.0)
-output.SetOrigin(0.0, -40.0, 2.0)
-velocity = vtk.vtkFloatArray()
-velocity.SetName("Velocity")
-velocity.SetNumberOfComponents(3)
-for i in range(1800):
-    velocity.InsertNextTuple3(6.0 + 4.0 * ((i % 200) < 100), 0.0, 0.0)
-output.GetPointData().AddArray(velocity)
-speed = vtk.vtkDoubleArray()
-speed.SetName("ConvectionSpeed")
-speed.InsertNextValue(10.0)
-output.GetFieldData().AddArray(speed)
-"""
-INFORMATION = """
-from paraview import util
-util.SetOutputWholeExtent(self, [0, 199, 0, 2, 0, 2])
-"""
 
 
 def skeleton(plant):

@@ -9,13 +9,12 @@ import random
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy as np
 
 import littoral
-from TestFiles import full_disk, picture, save_png
+from TestFiles import InFolder, full_disk, picture, save_png
 from littoral.tables import table_of, write_csv
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -59,16 +58,8 @@ def run(script, *arguments, **environment):
                           env={name: value for name, value in variables.items() if value is not None})
 
 
-class Program(unittest.TestCase):
+class Program(InFolder):
     """Small programs, as users write them."""
-
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = temporary.name
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
     def pictures(self):
         """A folder with pictures for a film."""

@@ -105,8 +105,8 @@ if hasattr(littoral, "vtkGLTFSceneWriter"):
     KILLED[".glb"] = write_scene
 
 
-class Replaced(unittest.TestCase):
-    """Each file that Littoral's Python package writes."""
+class InFolder(unittest.TestCase):
+    """A test with a folder of its own."""
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -115,6 +115,10 @@ class Replaced(unittest.TestCase):
 
     def path(self, name):
         return os.path.join(self.folder, name)
+
+
+class Replaced(InFolder):
+    """Each file that Littoral's Python package writes."""
 
     def writers(self):
         """Extension, and how to write a file of more than 100 kB."""
@@ -247,13 +251,8 @@ class Replaced(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder), [])
 
 
-class Damaged(unittest.TestCase):
+class Damaged(InFolder):
     """Readers of elevation models: a file cut at any place, and noise."""
-
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = temporary.name
 
     def models(self):
         """Whole files of each kind."""

@@ -6,7 +6,6 @@ import hashlib
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy as np
@@ -17,7 +16,7 @@ from littoral import errors
 from littoral.elevation import (
     array_from_image, image_from_array, metres_per_degree, read_elevation, twin_of, write_tif, write_vti)
 from littoral.tables import model_names, one_model, table_of
-from TestFiles import full_disk
+from TestFiles import InFolder, full_disk
 
 gdal.UseExceptions()
 RANDOM = np.random.default_rng(19)
@@ -70,16 +69,8 @@ def text(image, name):
     return field(image, name)[0].ToString()
 
 
-class Rasters(unittest.TestCase):
-    """A folder for files."""
-
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = temporary.name
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
+class Rasters(InFolder):
+    """Rasters in files."""
 
     def refuses(self, pattern, name, **settings):
         """One error, which names the file and then says why; the next good file is read as by a fresh object."""

@@ -9,6 +9,7 @@
 #include "Drainage/ValleySpreading.h"
 #include "Numerics/Constants.h"
 #include "RandomGround.h"
+#include "RiverGround.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,7 @@
 #include <stdexcept>
 
 using namespace littoral;
-using littoral::testing::Ground;
-using littoral::testing::OnThreads;
-using littoral::testing::RandomGround;
+using namespace littoral::testing;
 
 namespace
 {

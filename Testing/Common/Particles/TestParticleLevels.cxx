@@ -710,6 +710,14 @@ TEST(ParticleLevels, BadOptions)
   EXPECT_EQ(WhyInvalid(ParticleLevelOptions{}), "");
 }
 
+TEST(ParticleFog, BoundsAreThatThick)
+{
+  using Bounds = std::array<double, 6>;
+  EXPECT_EQ(BoundsOf({}, 0.5), (Bounds{ 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 }));
+  const std::vector<FogParticle> particles{ { { 1.0, 5.0, -2.0 }, 1.0 }, { { 4.0, 5.0, -1.75 }, 1.0 } };
+  EXPECT_EQ(BoundsOf(particles, 0.5), (Bounds{ 1.0, 4.0, 4.75, 5.25, -2.125, -1.625 }));
+}
+
 TEST(ParticleFog, KeepsTheSumOfCrossSections)
 {
   const FogGrid grid{ { -1.0, 2.0, -3.0 }, { 0.5, 0.25, 1.0 }, { 7, 9, 4 } };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../OnThreads.h"
+#include "MappedPatterns.h"
 #include "Patterns/CurveEnvelope.h"
 #include "Patterns/PairFunctions.h"
 #include "Patterns/PatternVerdict.h"
@@ -11,28 +12,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
 using namespace littoral;
+using littoral::testing::Mapped;
 
 namespace
 {
-
-/// The points of a mapped pattern of Examples/Data/patterns.
-std::vector<PlanePosition> Mapped(const std::string& name)
-{
-  std::ifstream file(std::string(LITTORAL_TEST_DATA) + "/../../Examples/Data/patterns/" + name + ".csv");
-  std::string line;
-  std::getline(file, line);
-  std::vector<PlanePosition> points;
-  while (std::getline(file, line))
-  {
-    points.push_back({ std::stod(line), std::stod(line.substr(line.find(',') + 1)) });
-  }
-  return points;
-}
 
 ObservationWindow WindowOf(const std::string& name)
 {
@@ -184,4 +171,21 @@ TEST(PatternVerdict, OptionsThatCannotBeAreNamed)
   options = {};
   options.Steps = 2;
   EXPECT_TRUE(names(options, "Steps"));
+}
+
+// AICs that are nearer to the best than DistinguishableAIC are not told apart.
+TEST(PatternVerdict, VerdictsByAIC)
+{
+  std::vector<QuadratFit> fits(4);
+  const double above[] = { 0.0, 1.9, 2.0, 0.0 };
+  for (std::size_t n = 0; n < 4; ++n)
+  {
+    fits[n].Exists = n < 3;
+    fits[n].AIC = 100.0 + above[n];
+  }
+  const char* const words[] = { "best", "not distinguishable", "worse", "does not exist" };
+  for (std::size_t n = 0; n < 4; ++n)
+  {
+    EXPECT_STREQ(WordOf(VerdictOf(fits[n], fits[0])), words[n]);
+  }
 }

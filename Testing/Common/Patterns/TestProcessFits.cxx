@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../OnThreads.h"
+#include "MappedPatterns.h"
 #include "Numerics/Constants.h"
 #include "Patterns/ProcessFit.h"
 #include "Patterns/ProcessPattern.h"
@@ -8,30 +9,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
 
 using namespace littoral;
+using littoral::testing::Mapped;
 
 namespace
 {
-
-/// The points of a mapped pattern of Examples/Data/patterns.
-std::vector<PlanePosition> Mapped(const std::string& name)
-{
-  std::ifstream file(std::string(LITTORAL_TEST_DATA) + "/../../Examples/Data/patterns/" + name + ".csv");
-  std::string line;
-  std::getline(file, line);
-  std::vector<PlanePosition> points;
-  while (std::getline(file, line))
-  {
-    const std::size_t comma = line.find(',');
-    points.push_back({ std::stod(line), std::stod(line.substr(comma + 1)) });
-  }
-  return points;
-}
 
 ObservationWindow RedwoodWindow()
 {

@@ -692,3 +692,16 @@ TEST(QuadratFit, CumulantsOfALawGiveItsParameters)
     EXPECT_NEAR(fit.Moments.ClusterMean, law.ClusterMean, 1e-4);
   }
 }
+
+TEST(QuadratPattern, ChoosesAsManyQuadratsAsPoints)
+{
+  QuadratGrid grid;
+  grid.Size = { 40.0, 10.0 };
+  ChooseQuadrats(grid, 100.0);
+  EXPECT_EQ(grid.Count[0], 20);
+  EXPECT_EQ(grid.Count[1], 5);
+  grid.Size = { 1000.0, 1.0 };
+  ChooseQuadrats(grid, 10.0);
+  EXPECT_EQ(grid.Count[0], 100);
+  EXPECT_EQ(grid.Count[1], 1);
+}

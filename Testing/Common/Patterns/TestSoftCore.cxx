@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MappedPatterns.h"
 #include "Patterns/ProcessFit.h"
 #include "Patterns/ProcessPattern.h"
 #include "Patterns/SoftCoreChain.h"
@@ -7,12 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace littoral;
+using littoral::testing::Mapped;
 
 namespace
 {
@@ -25,19 +26,6 @@ PointProcessParameters SoftCore(double intensity, double distance, double softne
   process.Distance = distance;
   process.Softness = softness;
   return process;
-}
-
-std::vector<PlanePosition> Cells()
-{
-  std::ifstream file(std::string(LITTORAL_TEST_DATA) + "/../../Examples/Data/patterns/cells.csv");
-  std::string line;
-  std::getline(file, line);
-  std::vector<PlanePosition> points;
-  while (std::getline(file, line))
-  {
-    points.push_back({ std::stod(line), std::stod(line.substr(line.find(',') + 1)) });
-  }
-  return points;
 }
 
 /// Square of the gradient, and Laplacian, of the potential of a point: of (D / r)^m they are m (D / r)^m / r along the
@@ -158,7 +146,7 @@ TEST(SoftCore, PotentialsAreTabulated)
 // grows with their number: 0.117, 0.123, 0.129 with nd = 64, 128, 256.
 TEST(SoftCore, CellsAreThoseOfSpatstat)
 {
-  const ProcessFit fit = FitSoftCore(Cells(), ObservationWindow(), 0.13);
+  const ProcessFit fit = FitSoftCore(Mapped("cells"), ObservationWindow(), 0.13);
   ASSERT_TRUE(fit.Exists);
   EXPECT_NEAR(fit.Process.Softness, 0.45, 1e-9);
   EXPECT_NEAR(fit.Process.Distance, 0.12603, 1e-3 * 0.12603);

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace littoral;
@@ -160,5 +162,26 @@ TEST(WindStatistics, SynthesizedWindFollowsItsModel)
     {
       EXPECT_NEAR(layer.Deviation[component] / layer.ModelDeviation[component], 1.0, 0.15);
     }
+  }
+}
+
+// Layers 1, 3, 5 ... 15 m high and 2 m apart, columns 4 m apart: the nearest ones, downwards where there is none above.
+TEST(WindStatistics, PlacesNearestToWhatIsAskedFor)
+{
+  WindGrid grid;
+  grid.Count = { 60, 6, 8 };
+  WindPlaces places;
+  EXPECT_EQ(FindPlaces(grid, 6.1, { 7.9, 4.2 }, places), "");
+  EXPECT_EQ(places.Layer, 3); // 7 m
+  EXPECT_EQ(places.Columns, 2);
+  EXPECT_EQ(places.Layers, 2);
+  EXPECT_EQ(FindPlaces(grid, 100.0, { 0.0, 4.0 }, places), "");
+  EXPECT_EQ(places.Layer, 7);
+  EXPECT_EQ(places.Layers, -2);
+  EXPECT_EQ(FindPlaces(grid, -5.0, { 4.0, 0.0 }, places), "");
+  EXPECT_EQ(places.Layer, 0);
+  for (const auto& [across, up] : { std::pair(1.9, 0.9), std::pair(24.0, 0.0), std::pair(0.0, 16.0) })
+  {
+    EXPECT_NE(FindPlaces(grid, 6.0, { across, up }, places).find("Separation is"), std::string::npos) << across << up;
   }
 }
