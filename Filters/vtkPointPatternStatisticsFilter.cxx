@@ -14,7 +14,6 @@
 #include "Patterns/PairFunctions.h"
 #include "Patterns/ProcessPattern.h"
 #include "Patterns/WindowSections.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
@@ -364,28 +363,18 @@ std::string vtkPointPatternStatisticsFilter::WhyInvalid() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
+void vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
 {
-  if (this->Function == MarkCorrelation && IsNone(this->MarkArray))
+  const bool hasMarks = !IsNone(this->MarkArray);
+  const bool hasSpecies = !IsNone(this->SpeciesArray);
+  littoral::Require(
+    this->Function == MarkCorrelation && !hasMarks ? "the mark correlation needs marks; choose a MarkArray." : "");
+  littoral::Require(this->IsCross() && !hasSpecies ? "cross functions need species; choose a SpeciesArray." : "");
+  pattern.Marks = hasMarks ? littoral::ReadMarks(pattern.Input, this->MarkArray) : pattern.Marks;
+  pattern.Species = hasSpecies ? littoral::ReadSpecies(pattern.Input, this->SpeciesArray) : pattern.Species;
+  if (pattern.Species.empty())
   {
-    return "the mark correlation needs marks; choose a MarkArray.";
-  }
-  if (this->IsCross() && IsNone(this->SpeciesArray))
-  {
-    return "cross functions need species; choose a SpeciesArray.";
-  }
-  std::string reason;
-  if (!IsNone(this->MarkArray))
-  {
-    reason = littoral::ReadMarks(pattern.Input, this->MarkArray, pattern.Marks);
-  }
-  if (reason.empty() && !IsNone(this->SpeciesArray))
-  {
-    reason = littoral::ReadSpecies(pattern.Input, this->SpeciesArray, pattern.Species);
-  }
-  if (!reason.empty() || pattern.Species.empty())
-  {
-    return reason;
+    return;
   }
   std::map<std::string, int> counts;
   for (const std::string& species : pattern.Species)
@@ -407,62 +396,57 @@ std::string vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
   {
     if (counts.find(species) == counts.end())
     {
-      return "no point is of the species '" + species + "'.";
+      littoral::Refuse("no point is of the species '", species, "'.");
     }
   }
-  return pattern.First == pattern.Second ? "cross functions need two different species." : "";
+  littoral::Require(pattern.First == pattern.Second ? "cross functions need two different species." : "");
 }
 
 //----------------------------------------------------------------------------
-std::string vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
+void vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
 {
   pattern.HasProcess = littoral::FirstRowIsProcess(pattern.Fits);
-  std::string reason;
   double expected = 0.0;
   if (pattern.HasProcess)
   {
     littoral::ObservationWindow ofFit;
-    reason = littoral::ReadProcessFit(pattern.Fits, pattern.Process, ofFit, pattern.Trend);
+    littoral::ReadProcessFit(pattern.Fits, pattern.Process, ofFit, pattern.Trend);
     const littoral::ProcessOptions options = pattern.Simulation(1);
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.Process, options, pattern.Window) : reason;
-    expected = reason.empty() ? littoral::ExpectedDraws(pattern.Process, options, pattern.Window) : 0.0;
+    littoral::Require(littoral::WhyInvalid(pattern.Process, options, pattern.Window));
+    expected = littoral::ExpectedDraws(pattern.Process, options, pattern.Window);
   }
   else
   {
-    reason = littoral::ReadQuadratFit(pattern.Fits, pattern.QuadratLaw, pattern.Grid);
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.QuadratLaw) : reason;
-    reason = reason.empty() ? littoral::WhyInvalid(pattern.Grid) : reason;
+    littoral::ReadQuadratFit(pattern.Fits, pattern.QuadratLaw, pattern.Grid);
+    littoral::Require(littoral::WhyInvalid(pattern.QuadratLaw));
+    littoral::Require(littoral::WhyInvalid(pattern.Grid));
     expected = static_cast<double>(pattern.Grid.NumberOfQuadrats()) * (1.0 + pattern.QuadratLaw.Mean);
   }
-  const bool isTooMuch = reason.empty() && 64.0 * expected > littoral::AvailableMemory();
-  return isTooMuch ? "the law of the table makes more points than this machine has memory for." : reason;
+  const bool isTooMuch = 64.0 * expected > littoral::AvailableMemory();
+  littoral::Require(isTooMuch ? "the law of the table makes more points than this machine has memory for." : "");
 }
 
 //----------------------------------------------------------------------------
-std::string vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const
+void vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const
 {
-  std::string reason;
-  pattern.Input = littoral::InputOf<vtkPointSet>(inputs[PointsPort], "Input", reason);
-  auto* window = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window", reason);
-  pattern.Fits = littoral::OptionalInputOf<vtkTable>(inputs[LawPort], "Law", reason);
-  reason = reason.empty() ? this->WhyInvalid() : reason;
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  pattern.Input = littoral::InputOf<vtkPointSet>(inputs[PointsPort], "Input");
+  auto* window = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window");
+  pattern.Fits = littoral::OptionalInputOf<vtkTable>(inputs[LawPort], "Law");
+  littoral::Require(this->WhyInvalid());
   if (pattern.Input->GetNumberOfPoints() < static_cast<vtkIdType>(FewestPoints))
   {
-    return "the input has " + std::to_string(pattern.Input->GetNumberOfPoints()) + " points; it must have at least " +
-      std::to_string(FewestPoints) + ".";
+    littoral::Refuse(
+      "the input has ", pattern.Input->GetNumberOfPoints(), " points; it must have at least ", FewestPoints, ".");
   }
   pattern.Points = littoral::PlanePositionsOf(pattern.Input);
-  reason = window ? littoral::ReadWindow(window, pattern.Window)
-                  : littoral::ReadWindow(pattern.Input, this->Origin, this->Size, pattern.Window);
-  reason = reason.empty()
-    ? littoral::WhyInvalid(pattern.Points, pattern.Window, FewestPoints, this->AllowCoincidentPoints)
-    : reason;
-  reason = reason.empty() ? this->ReadKinds(pattern) : reason;
-  return reason.empty() && pattern.Fits ? ReadLaw(pattern) : reason;
+  pattern.Window =
+    window ? littoral::ReadWindow(window) : littoral::ReadWindow(pattern.Input, this->Origin, this->Size);
+  littoral::Require(littoral::WhyInvalid(pattern.Points, pattern.Window, FewestPoints, this->AllowCoincidentPoints));
+  this->ReadKinds(pattern);
+  if (pattern.Fits)
+  {
+    ReadLaw(pattern);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -474,12 +458,7 @@ int vtkPointPatternStatisticsFilter::RequestData(
     return 1;
   }
   Pattern pattern;
-  const std::string reason = this->ReadPattern(inputVector, pattern);
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot measure the pattern: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  this->ReadPattern(inputVector, pattern);
   const std::size_t points = pattern.Points.size();
   Measure measure;
   measure.Window = pattern.Window;
@@ -608,8 +587,8 @@ int vtkPointPatternStatisticsFilter::RequestData(
 int vtkPointPatternStatisticsFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot measure the pattern: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

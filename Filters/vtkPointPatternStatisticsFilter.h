@@ -280,9 +280,9 @@ private:
   struct Pattern;
 
   std::string WhyInvalid() const;
-  std::string ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const;
-  std::string ReadKinds(Pattern& pattern) const;
-  static std::string ReadLaw(Pattern& pattern);
+  void ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const;
+  void ReadKinds(Pattern& pattern) const;
+  static void ReadLaw(Pattern& pattern);
   bool IsCross() const { return this->Function == CrossK || this->Function == CrossPairCorrelation; }
   bool IsOfPairs() const { return this->Function <= PairCorrelation || this->Function >= MarkCorrelation; }
 };

@@ -24,8 +24,8 @@ struct SceneOutcome
   std::string Reason; ///< why it was not, in words for a user; empty where the user wanted it so
 };
 
-/// Why a text is no object of JSON; empty if it is one.
-std::string WhyNoExtras(const std::string& json);
+/// Throws InvalidInput if a text is no object of JSON.
+void RequireExtras(const std::string& json);
 
 /**
  * Writes a scene as glTF 2.0 binary. A file that is there already stays as it is unless the new one is whole. The bytes

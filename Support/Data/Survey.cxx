@@ -31,8 +31,8 @@ constexpr std::size_t PlacesTried = 500;
 constexpr double Margin = 0.05;
 
 /// The value of a raster between its points, x fastest, bilinear; NaN outside and beside NaN.
-double BetweenPoints(const std::vector<double>& values, const PlaneGrid& grid,
-  const GridWindow& window, const KrigingPlace& place)
+double BetweenPoints(
+  const std::vector<double>& values, const PlaneGrid& grid, const GridWindow& window, const KrigingPlace& place)
 {
   const std::array<double, 2> at{ (place.X - grid.Origin[0]) / grid.Spacing[0] - window.First[0],
     (place.Y - grid.Origin[1]) / grid.Spacing[1] - window.First[1] };
@@ -166,8 +166,9 @@ std::string TakeModel(const FieldStatistics& statistics, Survey& survey)
   survey.Model.AnisotropyRatio = statistics.AnisotropyRatio;
   survey.Model.AnisotropyAngle = statistics.AnisotropyAngle;
   survey.Mean = statistics.Mean;
-  const std::string reason = WhyInvalid(survey.Model);
-  return reason.empty() ? WhyInvalid(survey.Data, survey.Model) : reason;
+  ParameterCheck check;
+  check.Require(WhyInvalid(survey.Model));
+  return check.IsGood() ? WhyInvalid(survey.Data, survey.Model) : check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -196,13 +197,13 @@ void TakeNeighbors(int number, Survey& survey)
 //----------------------------------------------------------------------------
 std::string FitModel(Survey& survey, const ParallelFor& parallel)
 {
-  std::string reason;
+  std::string why;
   KrigingOptions options;
   options.Type = survey.Type;
   options.Neighbors = survey.Neighbors;
   options.Low = options.High = survey.Data.Places[0];
   const std::size_t step = (survey.Data.Places.size() + PlacesTried - 1) / PlacesTried;
-  for (const KrigingModel& model : FitToData(survey.Data, options.Type, reason, parallel))
+  for (const KrigingModel& model : FitToData(survey.Data, options.Type, parallel))
   {
     survey.Model = model;
     try
@@ -218,10 +219,10 @@ std::string FitModel(Survey& survey, const ParallelFor& parallel)
     }
     catch (const KrigingFailure& failure)
     {
-      reason = reason.empty() ? failure.what() : reason;
+      why = why.empty() ? failure.what() : why;
     }
   }
-  return reason;
+  return why;
 }
 
 }
