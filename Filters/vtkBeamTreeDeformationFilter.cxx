@@ -128,7 +128,7 @@ int vtkBeamTreeDeformationFilter::RequestInformation(
   {
     double range[2] = { 0.0, 600.0 };
     vtkDataObject* image = wind ? vtkDataObject::GetData(wind) : nullptr;
-    vtkDataArray* period = image ? littoral::ArrayReader::OfFields(image, "the wind", 1).Find("Period", 1) : nullptr;
+    vtkDataArray* period = image ? littoral::ArrayReader::OfFields(image, "the wind", 1).Seek("Period", 1) : nullptr;
     if (period && period->GetComponent(0, 0) > 0.0 && std::isfinite(period->GetComponent(0, 0)))
     {
       range[1] = period->GetComponent(0, 0);
@@ -200,43 +200,34 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
 }
 
 //----------------------------------------------------------------------------
-/// Reads the inputs, unless they are those of the last time. The reason why they are bad, or nothing.
-std::string vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
+/// Reads the inputs, unless they are those of the last time.
+void vtkBeamTreeDeformationFilter::Remember(vtkInformationVector** inputVector, vtkMultiBlockDataSet* plants)
 {
   auto internals = std::make_unique<vtkInternals>();
   internals->Properties = this->GetMTime();
-  std::string reason;
-  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   for (int port : { PlantsPort, WindPort, PrototypesPort })
   {
     for (int index = 0; index < inputVector[port]->GetNumberOfInformationObjects(); ++index)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputVector[port], index);
       internals->Inputs.emplace_back(data, littoral::LastChange(data));
-      if (port == PrototypesPort)
-      {
-        prototypes.push_back(littoral::BlocksOf(data, "Prototypes", reason));
-      }
     }
   }
   if (this->Internals && this->Internals->Plants.IsWhole() && this->Internals->Inputs == internals->Inputs &&
     this->Internals->Properties == internals->Properties)
   {
-    return {};
+    return;
   }
-  if (!reason.empty())
+  this->Internals.reset();
+  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
+  for (int index = 0; index < inputVector[PrototypesPort]->GetNumberOfInformationObjects(); ++index)
   {
-    return reason;
+    prototypes.push_back(littoral::BlocksOf(vtkDataObject::GetData(inputVector[PrototypesPort], index), "Prototypes"));
   }
-  auto* wind = littoral::InputOf<vtkImageData>(inputVector[WindPort], "Wind", reason);
-  if (!wind)
-  {
-    return reason;
-  }
-  this->Internals = std::move(internals);
+  auto* wind = littoral::InputOf<vtkImageData>(inputVector[WindPort], "Wind");
   this->SetProgressText("Reading plants");
-  return this->Internals->Plants.Read(
-    plants, { prototypes.begin(), prototypes.end() }, wind, this->MakeSettings(), this);
+  internals->Plants.Read(plants, { prototypes.begin(), prototypes.end() }, wind, this->MakeSettings(), this);
+  this->Internals = std::move(internals);
 }
 
 //----------------------------------------------------------------------------
@@ -244,21 +235,14 @@ int vtkBeamTreeDeformationFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  std::string reason = this->WhyInvalid(time);
-  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), "Input", reason);
-  if (reason.empty() && inputVector[WindPort]->GetNumberOfInformationObjects() == 0)
+  littoral::Require(this->WhyInvalid(time));
+  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), "Input");
+  if (inputVector[WindPort]->GetNumberOfInformationObjects() == 0)
   {
-    littoralErrorMacro("There is no wind: connect a wind field to Wind. The plants stay as they are.");
     vtkMultiBlockDataSet::GetData(outputVector, 0)->ShallowCopy(plants);
-    return littoral::FailedRequest(this);
+    return littoral::FailedBy(this, "There is no wind: connect a wind field to Wind. The plants stay as they are.");
   }
-  reason = reason.empty() ? this->Remember(inputVector, plants) : reason;
-  if (!reason.empty())
-  {
-    this->Internals.reset();
-    littoralErrorMacro(<< reason);
-    return littoral::FailedRequest(this);
-  }
+  this->Remember(inputVector, plants);
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   output->ShallowCopy(plants);
   if (this->Internals->Plants.IsWhole())
@@ -281,7 +265,7 @@ int vtkBeamTreeDeformationFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

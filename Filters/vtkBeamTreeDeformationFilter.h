@@ -42,7 +42,7 @@
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
 #include <memory> // for what is kept between frames
-#include <string> // for reasons
+#include <string> // for checks
 
 namespace littoral
 {
@@ -259,7 +259,7 @@ private:
 
   std::string WhyInvalid(double time) const;
   littoral::SwaySettings MakeSettings() const;
-  std::string Remember(vtkInformationVector** inputs, vtkMultiBlockDataSet* plants);
+  void Remember(vtkInformationVector** inputs, vtkMultiBlockDataSet* plants);
 };
 
 #endif

@@ -132,16 +132,6 @@ int vtkConditionalTerrainFilter::FillOutputPortInformation(int port, vtkInformat
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::Refuse(const std::string& reason)
-{
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-  }
-  return reason.empty();
-}
-
-//----------------------------------------------------------------------------
 int vtkConditionalTerrainFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -154,10 +144,7 @@ int vtkConditionalTerrainFilter::RequestInformation(
     littoral::ParameterCheck check;
     check.Count("Dimensions[0]", this->Dimensions[0], 2, 1000000);
     check.Count("Dimensions[1]", this->Dimensions[1], 2, 1000000);
-    if (!this->Refuse(check.Reason()))
-    {
-      return littoral::FailedInformation(this, outputVector);
-    }
+    littoral::Require(check.Reason());
   }
   int whole[6] = { 0, this->Dimensions[0] - 1, 0, this->Dimensions[1] - 1, 0, 0 };
   double origin[3] = { 0.0, 0.0, 0.0 };
@@ -170,8 +157,7 @@ int vtkConditionalTerrainFilter::RequestInformation(
   }
   if (whole[1] < whole[0] || whole[3] < whole[2] || whole[5] < whole[4])
   {
-    this->Refuse("The grid has no points.");
-    return littoral::FailedInformation(this, outputVector);
+    littoral::Refuse("The grid has no points.");
   }
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
   output->Set(vtkDataObject::ORIGIN(), origin, 3);
@@ -194,7 +180,7 @@ int vtkConditionalTerrainFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::CheckProperties()
+void vtkConditionalTerrainFilter::CheckProperties()
 {
   littoral::ParameterCheck check;
   check.Choice("Result", this->Result, { "conditional field", "kriging estimate" });
@@ -205,12 +191,11 @@ bool vtkConditionalTerrainFilter::CheckProperties()
   check.Finite("Mean", this->Mean);
   check.Count("NumberOfNeighbors", this->NumberOfNeighbors, 0, std::numeric_limits<int>::max());
   check.Count("NumberOfLines", this->NumberOfLines, 0, 100000);
-  return this->Refuse(check.Reason());
+  littoral::Require(check.Reason());
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* vtkConditionalTerrainFilter::ValueArray(
-  vtkInformationVector** inputVector, vtkDataSet* data, std::string& reason)
+vtkDataArray* vtkConditionalTerrainFilter::ValueArray(vtkInformationVector** inputVector, vtkDataSet* data)
 {
   vtkInformation* choice = this->GetInputArrayInformation(0);
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
@@ -221,58 +206,44 @@ vtkDataArray* vtkConditionalTerrainFilter::ValueArray(
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   if (!array && name && !littoral::NamesNoArray(choice) && !littoral::NamesDefaultElevation(choice))
   {
-    reason = std::string("Data have no array '") + name + "'.";
+    littoral::Refuse("Data have no array '", name, "'.");
   }
-  littoral::ArrayReader reader = littoral::ArrayReader::OfPoints(data, "Data");
-  array = array ? reader.Fit(array, 1) : nullptr;
-  reason = reason.empty() ? reader.Reason() : reason;
-  return array;
+  return littoral::ArrayReader::OfPoints(data, "Data").Fit(array, 1);
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::ReadData(vtkInformationVector** inputVector, littoral::Survey& survey)
+void vtkConditionalTerrainFilter::ReadData(vtkInformationVector** inputVector, littoral::Survey& survey)
 {
-  std::string reason;
   vtkDataSet* data = nullptr;
   survey.IsRaster = ImageAmongData(inputVector[0]) != nullptr;
   if (survey.IsRaster)
   {
-    auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Data", reason);
-    reason = image ? littoral::WhyNoRaster(image, 1) : reason;
+    auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Data");
+    littoral::RequireRaster(image, 1);
     data = image;
   }
   else
   {
-    data = littoral::InputOf<vtkPointSet>(inputVector[0], "Data", reason);
+    data = littoral::InputOf<vtkPointSet>(inputVector[0], "Data");
   }
-  vtkDataArray* values = data && reason.empty() ? this->ValueArray(inputVector, data, reason) : nullptr;
-  vtkDataArray* errors = nullptr;
-  if (data && reason.empty() && !this->ErrorArray.empty() && this->ErrorArray != "None")
-  {
-    littoral::ArrayReader reader = littoral::ArrayReader::OfPoints(data, "Data");
-    errors = reader.Need(this->ErrorArray.c_str(), 1);
-    reason = reader.Reason();
-  }
-  if (survey.IsRaster && !values && reason.empty())
-  {
-    reason = "Data is an image without a point array of values.";
-  }
-  if (errors && this->NormalScores && reason.empty())
-  {
-    reason = "Measurement errors have no meaning for normal scores; set ErrorArray to None, or turn NormalScores off.";
-  }
-  return this->Refuse(reason) && this->Refuse(littoral::TakeData(data, values, errors, survey));
+  vtkDataArray* values = this->ValueArray(inputVector, data);
+  const bool hasErrors = !this->ErrorArray.empty() && this->ErrorArray != "None";
+  vtkDataArray* errors =
+    hasErrors ? littoral::ArrayReader::OfPoints(data, "Data").Need(this->ErrorArray.c_str(), 1) : nullptr;
+  littoral::Require(survey.IsRaster && !values ? "Data is an image without a point array of values." : "");
+  littoral::Require(errors && this->NormalScores
+      ? "Measurement errors have no meaning for normal scores; set ErrorArray to None, or turn NormalScores off."
+      : "");
+  littoral::Require(littoral::TakeData(data, values, errors, survey));
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::ReadGrid(vtkInformationVector** inputVector, littoral::Survey& survey)
+void vtkConditionalTerrainFilter::ReadGrid(vtkInformationVector** inputVector, littoral::Survey& survey)
 {
-  std::string reason;
-  auto* grid = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Grid", reason);
-  reason = grid ? littoral::WhyNoRaster(grid, 1) : reason;
-  if (!this->Refuse(reason))
+  auto* grid = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Grid");
+  if (grid)
   {
-    return false;
+    littoral::RequireRaster(grid, 1);
   }
   if (grid)
   {
@@ -285,71 +256,69 @@ bool vtkConditionalTerrainFilter::ReadGrid(vtkInformationVector** inputVector, l
   if (grid)
   {
     littoral::TakeGrid(grid, survey);
-    return true;
+    return;
   }
   // Around one place alone: as far as the field is correlated.
-  return this->Refuse(littoral::SpanGrid({ this->Dimensions[0], this->Dimensions[1] }, this->Range, survey));
+  littoral::Require(littoral::SpanGrid({ this->Dimensions[0], this->Dimensions[1] }, this->Range, survey));
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::ReadDrift(vtkInformationVector** inputVector, littoral::Survey& survey)
+void vtkConditionalTerrainFilter::ReadDrift(vtkInformationVector** inputVector, littoral::Survey& survey)
 {
   littoral::SnapToGrid(survey.Grid, survey.Data.Places);
   if (this->KrigingType != ExternalDrift)
   {
-    return true;
+    return;
   }
-  std::string reason;
-  auto* grid = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Grid", reason);
+  auto* grid = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Grid");
   vtkDataArray* drift = nullptr;
   if (grid)
   {
-    littoral::ArrayReader reader = littoral::ArrayReader::OfPoints(grid, "The Grid");
+    const littoral::ArrayReader reader = littoral::ArrayReader::OfPoints(grid, "The Grid");
     vtkDataArray* scalars = grid->GetPointData()->GetScalars();
     const bool isNamed = !this->DriftArray.empty();
     drift = isNamed ? reader.Need(this->DriftArray.c_str(), 1) : scalars ? reader.Fit(scalars, 1) : nullptr;
-    reason = reason.empty() ? reader.Reason() : reason;
   }
-  reason = reason.empty() && !drift
-    ? "An external drift is a point array of the Grid, but there is none; connect an image that has one as Grid."
-    : reason;
-  return this->Refuse(reason) && this->Refuse(littoral::TakeDrift(drift, survey));
+  littoral::Require(drift
+      ? ""
+      : "An external drift is a point array of the Grid, but there is none; connect an image that has one as Grid.");
+  littoral::Require(littoral::TakeDrift(drift, survey));
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, littoral::Survey& survey)
+void vtkConditionalTerrainFilter::FindModel(vtkInformationVector** inputVector, littoral::Survey& survey)
 {
   littoral::FieldStatistics statistics = this->OwnStatistics();
   statistics.Field.Model = static_cast<littoral::CovarianceModel>(std::max(0, this->Model));
   statistics.Field.Variance = this->NormalScores ? 1.0 : statistics.Field.Variance;
   statistics.Nugget = this->Nugget;
-  std::string reason;
-  auto* fits = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Fits", reason);
-  reason = fits && reason.empty() ? littoral::TakeFit(fits, statistics) : reason;
-  reason = reason.empty() ? littoral::TakeModel(statistics, survey) : reason;
-  reason = reason.empty() && this->NormalScores ? littoral::TakeScores(survey) : reason;
-  if (!this->Refuse(reason))
+  auto* fits = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Fits");
+  if (fits)
   {
-    return false;
+    littoral::TakeFit(fits, statistics);
   }
+  littoral::Require(littoral::TakeModel(statistics, survey));
+  littoral::Require(this->NormalScores ? littoral::TakeScores(survey) : "");
   survey.Mean = this->KrigingType != Simple || survey.Scores ? 0.0 : survey.Mean;
   littoral::TakeNeighbors(this->NumberOfNeighbors, survey);
-  return fits || this->Model != FittedToData || this->Refuse(littoral::FitModel(survey, littoral::AbortableFor(this)));
+  if (!fits && this->Model == FittedToData)
+  {
+    littoral::Require(littoral::FitModel(survey, littoral::AbortableFor(this)));
+  }
 }
 
 //----------------------------------------------------------------------------
-bool vtkConditionalTerrainFilter::CheckMemory(const littoral::Survey& survey, const int extent[6])
+void vtkConditionalTerrainFilter::CheckMemory(const littoral::Survey& survey, const int extent[6])
 {
   const double width = std::max(0.0, extent[1] - static_cast<double>(extent[0]) + 1.0);
   const double height = std::max(0.0, extent[3] - static_cast<double>(extent[2]) + 1.0);
   const double bytes = littoral::MemoryOf(survey, width * height, this->KrigingVariance);
-  if (bytes <= littoral::AvailableMemory())
+  if (bytes > littoral::AvailableMemory())
   {
-    return true;
+    littoral::Refuse("A field of ", littoral::TextOf(width), " x ", littoral::TextOf(height), " points from ",
+      survey.Data.Places.size(), " data needs ", littoral::TextOf(bytes / 0x1p30),
+      " GiB, more than this machine has free. Take fewer points, or a NumberOfNeighbors.");
   }
-  return this->Refuse("A field of " + littoral::TextOf(width) + " x " + littoral::TextOf(height) + " points from " +
-    std::to_string(survey.Data.Places.size()) + " data needs " + littoral::TextOf(bytes / 0x1p30) +
-    " GiB, more than this machine has free. Take fewer points, or a NumberOfNeighbors.");
 }
 
 //----------------------------------------------------------------------------
@@ -405,16 +374,13 @@ int vtkConditionalTerrainFilter::RequestData(
   }
   littoral::Survey survey;
   survey.Type = static_cast<littoral::KrigingType>(this->KrigingType);
-  if (!this->CheckProperties() || !this->ReadData(inputVector, survey) || !this->ReadGrid(inputVector, survey) ||
-    !this->ReadDrift(inputVector, survey) || !this->FindModel(inputVector, survey))
-  {
-    return littoral::FailedRequest(this);
-  }
+  this->CheckProperties();
+  this->ReadData(inputVector, survey);
+  this->ReadGrid(inputVector, survey);
+  this->ReadDrift(inputVector, survey);
+  this->FindModel(inputVector, survey);
   std::array<int, 6> extent = littoral::RequestedExtent(info);
-  if (!this->CheckMemory(survey, extent.data()))
-  {
-    return littoral::FailedRequest(this);
-  }
+  this->CheckMemory(survey, extent.data());
   output->SetExtent(extent.data());
   output->SetOrigin(survey.Grid.Origin[0], survey.Grid.Origin[1], survey.OriginZ);
   output->SetSpacing(survey.Grid.Spacing[0], survey.Grid.Spacing[1], survey.SpacingZ);
@@ -428,13 +394,6 @@ int vtkConditionalTerrainFilter::RequestData(
   try
   {
     this->Make(survey, output, littoral::AsksForLaterPiece(request, outputVector) ? nullptr : table);
-  }
-  catch (const littoral::KrigingFailure& failure)
-  {
-    output->Initialize();
-    table->Initialize();
-    this->Refuse(failure.what());
-    return littoral::FailedRequest(this);
   }
   catch (const littoral::Aborted&)
   {

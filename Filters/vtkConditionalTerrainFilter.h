@@ -46,7 +46,7 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkRandomFieldAlgorithm.h"
 
-#include <string> // for names and reasons
+#include <string> // for names
 
 class vtkDataArray;
 class vtkDataSet;
@@ -218,15 +218,14 @@ private:
   vtkConditionalTerrainFilter(const vtkConditionalTerrainFilter&) = delete;
   void operator=(const vtkConditionalTerrainFilter&) = delete;
 
-  bool Refuse(const std::string& reason);
   void SetName(std::string& own, const std::string& name);
-  vtkDataArray* ValueArray(vtkInformationVector** inputs, vtkDataSet* data, std::string& reason);
-  bool CheckProperties();
-  bool ReadData(vtkInformationVector** inputs, littoral::Survey& survey);
-  bool ReadGrid(vtkInformationVector** inputs, littoral::Survey& survey);
-  bool ReadDrift(vtkInformationVector** inputs, littoral::Survey& survey);
-  bool FindModel(vtkInformationVector** inputs, littoral::Survey& survey);
-  bool CheckMemory(const littoral::Survey& survey, const int extent[6]);
+  vtkDataArray* ValueArray(vtkInformationVector** inputs, vtkDataSet* data);
+  void CheckProperties();
+  void ReadData(vtkInformationVector** inputs, littoral::Survey& survey);
+  void ReadGrid(vtkInformationVector** inputs, littoral::Survey& survey);
+  void ReadDrift(vtkInformationVector** inputs, littoral::Survey& survey);
+  void FindModel(vtkInformationVector** inputs, littoral::Survey& survey);
+  void CheckMemory(const littoral::Survey& survey, const int extent[6]);
   /// Runs all that can fail for want of a solution. Throws KrigingFailure and Aborted.
   void Make(const littoral::Survey& survey, vtkImageData* output, vtkTable* table);
 };

@@ -6,7 +6,6 @@
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Terrain/DetrendedWindow.h"
 #include "Terrain/FractalDimension.h"
@@ -234,7 +233,7 @@ int vtkCovarianceFitFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-bool vtkCovarianceFitFilter::CheckProperties()
+void vtkCovarianceFitFilter::CheckProperties()
 {
   littoral::ParameterCheck check;
   check.NotNegative("MaximumLag", this->MaximumLag, "m");
@@ -242,22 +241,13 @@ bool vtkCovarianceFitFilter::CheckProperties()
   check.NotNegative("FractalWavelength", this->FractalWavelength, "m");
   check.Count("NumberOfLags", this->NumberOfLags, 6, 10000);
   check.Count("NumberOfDirections", this->NumberOfDirections, 4, 90);
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-  }
-  return check.IsGood();
+  littoral::Require(check.Reason());
 }
 
 //----------------------------------------------------------------------------
 vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformationVector** inputVector)
 {
-  const std::string reason = littoral::WhyNoRaster(image, SmallestSide);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return nullptr;
-  }
+  littoral::RequireRaster(image, SmallestSide);
   vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
   vtkInformation* choice = this->GetInputArrayInformation(0);
   if (!array && littoral::NamesDefaultElevation(choice))
@@ -267,22 +257,18 @@ vtkDataArray* vtkCovarianceFitFilter::FindArray(vtkImageData* image, vtkInformat
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   if (!array && name && !littoral::NamesNoArray(choice))
   {
-    littoralErrorMacro("The image has no array '" << name << "' to fit.");
-    return nullptr;
+    littoral::Refuse("The image has no array '", name, "' to fit.");
   }
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() || array->GetNumberOfComponents() != 1)
   {
-    littoralErrorMacro(
-      "The image has no scalar point array to fit" << (array ? ": the chosen one is a vector or lies on "
-                                                               "cells."
-                                                             : "."));
-    return nullptr;
+    littoral::Refuse(
+      "The image has no scalar point array to fit", array ? ": the chosen one is a vector or lies on cells." : ".");
   }
   return array;
 }
 
 //----------------------------------------------------------------------------
-bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, Detrended& field)
+void vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, Detrended& field)
 {
   littoral::GridSamples& samples = field.Samples;
   samples = ReadSamples(image, array, this->UseNoDataValue, this->NoDataValue);
@@ -290,10 +276,8 @@ bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, D
   const littoral::SampleMoments& moments = field.Moments;
   if (moments.Count < FewestSamples)
   {
-    littoralErrorMacro("The image has only " << moments.Count << " of " << samples.Values.size()
-                                             << " values, the others are NaN or no-data; a fit needs at least "
-                                             << FewestSamples << ".");
-    return false;
+    littoral::Refuse("The image has only ", moments.Count, " of ", samples.Values.size(),
+      " values, the others are NaN or no-data; a fit needs at least ", FewestSamples, ".");
   }
   if (this->RemoveTrend)
   {
@@ -307,11 +291,9 @@ bool vtkCovarianceFitFilter::Detrend(vtkImageData* image, vtkDataArray* array, D
   field.Variance = littoral::Moments(samples).Variance;
   if (field.Variance <= 1e-20 * (moments.Variance + moments.Mean * moments.Mean))
   {
-    littoralErrorMacro(
-      "The image is " << (moments.Variance > 0.0 ? "a plane" : "constant") << ": there is no variation to fit.");
-    return false;
+    littoral::Refuse(
+      "The image is ", moments.Variance > 0.0 ? "a plane" : "constant", ": there is no variation to fit.");
   }
-  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -338,24 +320,13 @@ int vtkCovarianceFitFilter::RequestData(
   {
     return 1;
   }
-  std::string reason;
-  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
-  if (!image)
-  {
-    littoralErrorMacro("Cannot fit: " << reason);
-    return littoral::FailedRequest(this);
-  }
-  vtkDataArray* array = this->CheckProperties() ? this->FindArray(image, inputVector) : nullptr;
-  if (!array)
-  {
-    return littoral::FailedRequest(this);
-  }
+  auto* image =
+    littoral::InContext("Cannot fit: ", [&] { return littoral::InputOf<vtkImageData>(inputVector[0], "Input"); });
+  this->CheckProperties();
+  vtkDataArray* array = this->FindArray(image, inputVector);
   this->SetProgressText("Fitting covariance models");
   Detrended field;
-  if (!this->Detrend(image, array, field))
-  {
-    return littoral::FailedRequest(this);
-  }
+  this->Detrend(image, array, field);
   const double maximumLag = this->MaximumLag > 0.0 ? this->MaximumLag : 0.5 * std::min(field.Side(0), field.Side(1));
   const littoral::VariogramMap map =
     littoral::ComputeVariogramMap(field.Samples, maximumLag, littoral::AbortableFor(this));
@@ -372,9 +343,8 @@ int vtkCovarianceFitFilter::RequestData(
     variogram.GetBins(), this->MakeOptions(field, window, maximumLag), littoral::AbortableFor(this, 0.3, 0.9));
   if (!std::isfinite(fits.front().AICc))
   {
-    littoralErrorMacro("No model could be fitted: only " << variogram.Rings.size() << " lags up to " << maximumLag
-                                                         << " have pairs. Take a longer MaximumLag.");
-    return littoral::FailedRequest(this);
+    littoral::Refuse("No model could be fitted: only ", variogram.Rings.size(), " lags up to ", maximumLag,
+      " have pairs. Take a longer MaximumLag.");
   }
   vtkTable* table = vtkTable::GetData(outputVector, 0);
   WriteFits(fits, field.Trend, window, table);
@@ -393,7 +363,7 @@ int vtkCovarianceFitFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -171,9 +171,9 @@ private:
 
   struct Detrended;
 
-  bool CheckProperties();
+  void CheckProperties();
   vtkDataArray* FindArray(vtkImageData* image, vtkInformationVector** inputVector);
-  bool Detrend(vtkImageData* image, vtkDataArray* array, Detrended& field);
+  void Detrend(vtkImageData* image, vtkDataArray* array, Detrended& field);
   littoral::VariogramFitOptions MakeOptions(
     const Detrended& field, const littoral::DetrendedWindow& window, double maximumLag);
 };

@@ -10,7 +10,6 @@
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/MarchingRequests.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 
@@ -48,29 +47,23 @@ using littoral::Vector3;
 /// Points that one thread carries at a time.
 constexpr std::size_t PointsAtOnce = 1 << 10;
 
-/// Adds the points of a leaf where they start. Why there are no such points, in words for a user; empty if there are.
-std::string AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::Drifters& points)
+/// Adds the points of a leaf where they start.
+void AddPoints(vtkPointSet* leaf, const littoral::WaterLayer& layer, littoral::Drifters& points)
 {
-  littoral::Slaves slaves;
-  const std::string reason = littoral::ReadSlaves(leaf, slaves);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  const littoral::Slaves slaves = littoral::ReadSlaves(leaf);
   for (vtkIdType id = 0; id < leaf->GetNumberOfPoints(); ++id)
   {
     Vector3 position;
     leaf->GetPoint(id, &position[0]);
     if (!littoral::IsFinite(position))
     {
-      return "point " + std::to_string(id) + " is not finite.";
+      littoral::Refuse("point ", id, " is not finite.");
     }
     const bool isSlave = !slaves.Master.empty() && slaves.Master[id] >= 0;
     const bool isCarried = !isSlave && layer.Holds(position.z);
     points.Positions.push_back(position);
     points.Fates.push_back(isCarried ? littoral::DriftFate::Free : littoral::DriftFate::Still);
   }
-  return "";
 }
 
 /// Runs a task on all points, PointsAtOnce at a time, with progress from first to last. False when aborted.
@@ -202,25 +195,25 @@ littoral::WaterLayer vtkCurrentDriftFilter::GetWaterLayer() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector)
+void vtkCurrentDriftFilter::TakeInputs(vtkInformationVector** inputVector, double time)
 {
+  littoral::Require(this->WhyInvalid(time));
   littoral::DriftHistory& history = this->Internals->Scene;
-  const std::string reason = littoral::TakeSnapshots(history.Currents, history.GetGrid(), history.NextMoments(),
-    inputVector[1], this->VelocityArray, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation));
-  return reason.empty() && !history.IsBegun() ? this->TakePoints(vtkDataObject::GetData(inputVector[0])) : reason;
+  littoral::TakeSnapshots(history.Currents, history.GetGrid(), history.NextMoments(), inputVector[1],
+    this->VelocityArray, static_cast<littoral::VelocityInterpolation>(this->VelocityInterpolation));
+  if (!history.IsBegun())
+  {
+    this->TakePoints(vtkDataObject::GetData(inputVector[0]));
+  }
+  littoral::Require(history.IsClosed() ? "" : littoral::WhyTooFar(history.GetGrid(), time));
 }
 
 //----------------------------------------------------------------------------
-std::string vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
+void vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
 {
-  std::string reason;
-  std::vector<vtkPointSet*> leaves = littoral::PointSetsOf(input, "Input", reason);
+  std::vector<vtkPointSet*> leaves = littoral::PointSetsOf(input, "Input");
   const auto isEmpty = [](vtkPointSet* leaf) { return !leaf->GetPoints() || leaf->GetNumberOfPoints() == 0; };
   leaves.erase(std::remove_if(leaves.begin(), leaves.end(), isEmpty), leaves.end());
-  if (!reason.empty())
-  {
-    return reason;
-  }
   double count = 0.0;
   for (vtkPointSet* leaf : leaves)
   {
@@ -229,19 +222,14 @@ std::string vtkCurrentDriftFilter::TakePoints(vtkDataObject* input)
   const double bytesOfPoint = (littoral::DriftHistory::MaximumCheckpoints + 4.0) * (sizeof(Vector3) + 1.0);
   if (count * bytesOfPoint > littoral::AvailableMemory())
   {
-    return std::to_string(static_cast<long long>(count)) + " points are more than this machine has memory for.";
+    littoral::Refuse(static_cast<long long>(count), " points are more than this machine has memory for.");
   }
   littoral::Drifters start;
   for (vtkPointSet* leaf : leaves)
   {
-    reason = AddPoints(leaf, this->Internals->Scene.Currents.Layer, start);
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    AddPoints(leaf, this->Internals->Scene.Currents.Layer, start);
   }
   this->Internals->Scene.Begin(std::move(start));
-  return "";
 }
 
 //----------------------------------------------------------------------------
@@ -269,24 +257,20 @@ int vtkCurrentDriftFilter::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  std::string reason = this->WhyInvalid(time);
-  if (reason.empty() && inputVector[1]->GetNumberOfInformationObjects() == 0)
+  if (inputVector[1]->GetNumberOfInformationObjects() == 0 && this->WhyInvalid(time).empty())
   {
     output->ShallowCopy(input);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
     return this->Internals->Succeed(request);
   }
-  reason = reason.empty() ? this->TakeInputs(inputVector) : reason;
-  const littoral::DriftHistory& history = this->Internals->Scene;
-  if (reason.empty() && !history.IsClosed())
+  try
   {
-    reason = littoral::WhyTooFar(history.GetGrid(), time);
+    this->TakeInputs(inputVector, time);
   }
-  if (!reason.empty())
+  catch (const littoral::InvalidInput&)
   {
-    littoralErrorMacro("Cannot carry points: " << reason);
     this->Internals->Fail(request, output);
-    return littoral::FailedRequest(this);
+    throw;
   }
   this->SetProgressText("Drifting");
   const bool isDone = this->Advance();
@@ -355,8 +339,7 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
   const auto places = littoral::NewArray<Array>("Points", 3, count);
   const auto captured = littoral::NewArray<vtkUnsignedCharArray>(littoral::sea::Captured, 1, count);
   const auto flow = littoral::NewArray<vtkFloatArray>(littoral::sea::Current, 3, this->GenerateCurrent ? count : 0);
-  littoral::Slaves slaves;
-  littoral::ReadSlaves(input, slaves);
+  const littoral::Slaves slaves = littoral::ReadSlaves(input);
   const littoral::StepCurrents currents = history.NextCurrents();
   const auto write = [&](vtkIdType id) {
     const vtkIdType master = slaves.Master.empty() ? -1 : slaves.Master[id];
@@ -404,8 +387,8 @@ bool vtkCurrentDriftFilter::WriteLeafAs(vtkPointSet* input, vtkPointSet* output,
 int vtkCurrentDriftFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot carry points: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

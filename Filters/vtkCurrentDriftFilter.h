@@ -180,8 +180,8 @@ private:
   class vtkInternals;
   std::string WhyInvalid(double time) const;
   littoral::WaterLayer GetWaterLayer() const;
-  std::string TakeInputs(vtkInformationVector** inputVector);
-  std::string TakePoints(vtkDataObject* input);
+  void TakeInputs(vtkInformationVector** inputVector, double time);
+  void TakePoints(vtkDataObject* input);
   bool Advance();
   bool WriteLeaf(vtkPointSet* input, vtkPointSet* output, std::size_t first);
   template <typename Array>

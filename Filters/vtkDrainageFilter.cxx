@@ -14,7 +14,6 @@
 #include "Drainage/GroundMeasures.h"
 #include "Drainage/StreamNetwork.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -55,14 +54,13 @@ littoral::CellMemory MemoryOf(vtkImageData* image, bool carves)
 }
 
 /// Cells at which the array Outlets is not 0.
-littoral::OutletMask ChosenOutlets(vtkImageData* image, std::string& reason)
+littoral::OutletMask ChosenOutlets(vtkImageData* image)
 {
-  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "Terrain");
+  const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "Terrain");
   vtkDataArray* chosen = points.Need("Outlets", 1);
   points.NeedFinite(chosen);
-  reason = reason.empty() ? points.Reason() : reason;
   littoral::OutletMask outlets;
-  for (vtkIdType cell = 0; points.IsGood() && cell < image->GetNumberOfPoints(); ++cell)
+  for (vtkIdType cell = 0; cell < image->GetNumberOfPoints(); ++cell)
   {
     outlets.push_back(chosen->GetComponent(cell, 0) != 0.0);
   }
@@ -85,9 +83,9 @@ void AddReport(const littoral::CarvingReport& report, vtkDataObject* data)
 }
 
 /// Takes what the first row of a table of statistics tells of heights and channels.
-std::string TakeStatistics(vtkTable* table, littoral::CarvingNumbers& numbers)
+void TakeStatistics(vtkTable* table, littoral::CarvingNumbers& numbers)
 {
-  littoral::ArrayReader rows = littoral::ArrayReader::OfRows(table, "Statistics");
+  const littoral::ArrayReader rows = littoral::ArrayReader::OfRows(table, "Statistics");
   bool hasNumbers = false;
   const auto take = [&](const char* column, double& value) {
     vtkDataArray* array = table->GetNumberOfRows() > 0 ? rows.Find(column, 1) : nullptr;
@@ -101,10 +99,9 @@ std::string TakeStatistics(vtkTable* table, littoral::CarvingNumbers& numbers)
   take("HeightSkew", numbers.HeightSkew);
   take("Concavity", numbers.Concavity);
   numbers.OwnHeights = false;
-  return !rows.IsGood() ? rows.Reason()
-    : hasNumbers        ? ""
-                 : "Statistics have no number HypsometricIntegral, HeightSkew or Concavity; connect the first output "
-                   "of Ground Statistics.";
+  littoral::Require(hasNumbers ? ""
+                               : "Statistics have no number HypsometricIntegral, HeightSkew or Concavity; connect the "
+                                 "first output of Ground Statistics.");
 }
 
 }
@@ -170,7 +167,7 @@ int vtkDrainageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector
 }
 
 //----------------------------------------------------------------------------
-bool vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& ground)
+void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& ground)
 {
   littoral::ParameterCheck check;
   check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen" });
@@ -182,35 +179,19 @@ bool vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   check.Count("NumberOfRounds", this->NumberOfRounds, 1, 100);
   check.Range("ChannelCells", this->ChannelCells, 1.0, MostChannelCells);
   check.Range("ValleyWidth", this->ValleyWidth, 0.5, 50.0, "cells");
-  std::string reason;
-  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain", reason);
-  if (image && check.IsGood())
-  {
-    littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0),
-      "Terrain", MemoryOf(image, this->Carve), ground.Heights, reason);
-  }
-  check.Require(reason);
-  if (check.IsGood())
-  {
-    ground.Outlets.Choice = static_cast<littoral::OutletChoice>(this->Outlets);
-    ground.Outlets.SeaLevel = this->SeaLevel;
-    ground.Outlets.Cells = this->Outlets == Chosen ? ChosenOutlets(image, reason) : littoral::OutletMask();
-    check.Require(reason);
-  }
-  if (check.IsGood())
-  {
-    check.Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
-    check.Require(littoral::WhyConstant(ground.Heights, "Terrain"));
-  }
-  if (!check.IsGood())
-  {
-    littoralErrorMacro("Cannot drain a terrain: " << check.Reason());
-  }
-  return check.IsGood();
+  littoral::Require(check.Reason());
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
+  ground.Heights = littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector),
+    this->GetInputArrayInformation(0), "Terrain", MemoryOf(image, this->Carve));
+  ground.Outlets.Choice = static_cast<littoral::OutletChoice>(this->Outlets);
+  ground.Outlets.SeaLevel = this->SeaLevel;
+  ground.Outlets.Cells = this->Outlets == Chosen ? ChosenOutlets(image) : littoral::OutletMask();
+  littoral::Require(littoral::WhyUndrainable(ground.Heights, ground.Outlets.Of(ground.Heights)));
+  littoral::RequireRelief(ground.Heights, "Terrain");
 }
 
 //----------------------------------------------------------------------------
-bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& ground)
+void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& ground)
 {
   littoral::CarvingNumbers numbers;
   numbers.OwnHeights = this->KeepHeights;
@@ -223,34 +204,27 @@ bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
   parameters.ChannelCells = this->ChannelCells;
   parameters.ValleyWidth = this->ValleyWidth;
   parameters.Seed = this->Seed;
-  littoral::ParameterCheck check;
-  check.Require(littoral::WhyInvalid(ground.Heights, parameters));
-  std::string reason;
-  auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target", reason);
-  auto* statistics = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Statistics", reason);
-  check.Require(reason);
-  check.Require(
+  littoral::Require(littoral::WhyInvalid(ground.Heights, parameters));
+  auto* target = littoral::OptionalInputOf<vtkImageData>(inputVector[1], "Target");
+  auto* statistics = littoral::OptionalInputOf<vtkTable>(inputVector[2], "Statistics");
+  littoral::Require(
     target && statistics ? "Target and Statistics both tell what it shall be like; disconnect one of them." : "");
   littoral::GridSamples place;
-  if (check.IsGood() && target)
+  if (target)
   {
     const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-    vtkDataArray* heights = name ? littoral::ArrayReader::OfPoints(target, "Target").Find(name, 1) : nullptr;
-    littoral::ReadHeights(target, heights ? heights : target->GetPointData()->GetScalars(),
-      this->GetInputArrayInformation(0), "Target", MemoryOf(target, true), place, reason);
-    check.Require(reason);
-    reason = check.IsGood() ? littoral::WhyNoTarget(place) : "";
-    check.Require(reason.empty() ? reason : "The target is of no use. " + reason);
+    vtkDataArray* heights = name ? littoral::ArrayReader::OfPoints(target, "Target").Seek(name, 1) : nullptr;
+    place = littoral::ReadHeights(target, heights ? heights : target->GetPointData()->GetScalars(),
+      this->GetInputArrayInformation(0), "Target", MemoryOf(target, true));
+    littoral::InContext("The target is of no use. ", [&] { littoral::Require(littoral::WhyNoTarget(place)); });
   }
-  else if (check.IsGood())
+  else
   {
-    check.Require(statistics ? TakeStatistics(statistics, numbers) : "");
-    check.Require(littoral::WhyInvalid(numbers));
-  }
-  if (!check.IsGood())
-  {
-    littoralErrorMacro("Cannot carve a terrain: " << check.Reason());
-    return false;
+    if (statistics)
+    {
+      TakeStatistics(statistics, numbers);
+    }
+    littoral::Require(littoral::WhyInvalid(numbers));
   }
   const littoral::ParallelFor parallel = littoral::AbortableFor(this);
   const littoral::CarvingTarget goal = target ? littoral::TargetOf(place, {}, parallel)
@@ -260,7 +234,6 @@ bool vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& 
     this->UpdateProgress(0.1 + 0.8 * part);
     poll();
   });
-  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -303,12 +276,12 @@ int vtkDrainageFilter::RequestData(
   rivers->Initialize();
   Ground ground;
   this->SetProgressText("Draining the terrain");
-  if (!this->ReadGround(inputVector, ground) || (this->Carve && !this->CarveGround(inputVector, ground)))
+  littoral::InContext("Cannot drain a terrain: ", [&] { this->ReadGround(inputVector, ground); });
+  if (this->Carve)
   {
-    return littoral::FailedRequest(this);
+    littoral::InContext("Cannot carve a terrain: ", [&] { this->CarveGround(inputVector, ground); });
   }
-  std::string none;
-  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain", none);
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
   const littoral::Poll poll = littoral::PollOf(this);
   const littoral::OutletMask outlets = ground.Outlets.Of(ground.Heights);
   if (!this->Carve)
@@ -343,7 +316,7 @@ int vtkDrainageFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -209,8 +209,8 @@ private:
 
   struct Ground;
 
-  bool ReadGround(vtkInformationVector** inputVector, Ground& ground);
-  bool CarveGround(vtkInformationVector** inputVector, Ground& ground);
+  void ReadGround(vtkInformationVector** inputVector, Ground& ground);
+  void CarveGround(vtkInformationVector** inputVector, Ground& ground);
   void WriteGround(vtkImageData* image, const Ground& ground, vtkImageData* output);
 };
 

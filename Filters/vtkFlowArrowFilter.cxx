@@ -10,7 +10,6 @@
 #include "Geometry/TextureImage.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkAppendPolyData.h"
@@ -56,7 +55,7 @@ littoral::Color ArrowColor(double share)
 /// The array RGB of a drawing: by speed, and one color for rings.
 void Paint(vtkPolyData* drawn)
 {
-  vtkDataArray* speeds = littoral::ArrayReader::OfPoints(drawn, "the drawing").Find("Speed", 1);
+  vtkDataArray* speeds = littoral::ArrayReader::OfPoints(drawn, "the drawing").Seek("Speed", 1);
   if (!speeds)
   {
     return; // nothing is drawn
@@ -108,7 +107,7 @@ vtkSmartPointer<vtkPolyData> DrawArrows(const std::vector<littoral::FlowArrow>& 
   vtkNew<vtkPolyData> drawn;
   drawn->CopyStructure(solid);
   drawn->GetPointData()->SetNormals(solid->GetPointData()->GetNormals());
-  if (vtkDataArray* colors = littoral::ArrayReader::OfPoints(solid, "the arrows").Find("Speed", 1))
+  if (vtkDataArray* colors = littoral::ArrayReader::OfPoints(solid, "the arrows").Seek("Speed", 1))
   {
     drawn->GetPointData()->SetScalars(colors);
   }
@@ -167,26 +166,23 @@ int vtkFlowArrowFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVecto
 int vtkFlowArrowFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::string reason;
-  auto* input = littoral::InputOf<vtkPolyData>(inputVector[0], "Input", reason);
+  auto* input = littoral::InputOf<vtkPolyData>(inputVector[0], "Input");
   std::vector<littoral::FlowPrimitive> primitives;
-  if (input && input->GetNumberOfPoints() > 0)
+  if (input->GetNumberOfPoints() > 0)
   {
-    reason = littoral::HoldsFlowPrimitives(input)
-      ? littoral::ReadFlowPrimitives(input, primitives)
-      : "the input holds no flow primitives; it needs the point array FlowType.";
+    littoral::Require(littoral::HoldsFlowPrimitives(input)
+        ? ""
+        : "the input holds no flow primitives; it needs the point array FlowType.");
+    littoral::ReadFlowPrimitives(input, primitives);
   }
   for (const littoral::FlowPrimitive& primitive : primitives)
   {
     const double size = littoral::DrawingRadius(primitive);
-    reason = reason.empty() && size > LargestDrawing ? "the influence of a flow primitive reaches " +
-        littoral::TextOf(size) + " m; arrows reach at most " + littoral::TextOf(LargestDrawing) + " m."
-                                                     : reason;
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot draw arrows: " << reason);
-    return littoral::FailedRequest(this);
+    if (size > LargestDrawing)
+    {
+      littoral::Refuse("the influence of a flow primitive reaches ", littoral::TextOf(size),
+        " m; arrows reach at most ", littoral::TextOf(LargestDrawing), " m.");
+    }
   }
   if (primitives.empty() ||
     outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
@@ -216,8 +212,8 @@ int vtkFlowArrowFilter::RequestData(
 int vtkFlowArrowFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot draw arrows: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

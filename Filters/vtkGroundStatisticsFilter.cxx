@@ -7,7 +7,6 @@
 #include "Data/TerrainHeights.h"
 #include "Drainage/GroundStatistics.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -136,28 +135,14 @@ int vtkGroundStatisticsFilter::RequestData(
   littoral::ParameterCheck check;
   check.Count("MinimumDrainageCells", this->MinimumDrainageCells, 2, MostDrainageCells);
   check.Finite("SeaLevel", this->SeaLevel, "m");
-  std::string reason;
-  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
-  littoral::GridSamples heights;
-  if (image && check.IsGood())
-  {
-    littoral::ReadHeights(image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0),
-      "Input", Memory, heights, reason);
-  }
-  check.Require(reason);
-  littoral::OutletMask outlets;
-  if (check.IsGood())
-  {
-    outlets = this->UseSeaLevel ? littoral::SeaOutlets(heights, this->SeaLevel)
-                                : littoral::BorderOutlets(heights.Width, heights.Height);
-    check.Require(littoral::WhyUndrainable(heights, outlets));
-    check.Require(littoral::WhyConstant(heights, "Input"));
-  }
-  if (!check.IsGood())
-  {
-    littoralErrorMacro("Cannot measure ground: " << check.Reason());
-    return littoral::FailedRequest(this);
-  }
+  littoral::Require(check.Reason());
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
+  const littoral::GridSamples heights = littoral::ReadHeights(
+    image, this->GetInputArrayToProcess(0, inputVector), this->GetInputArrayInformation(0), "Input", Memory);
+  const littoral::OutletMask outlets = this->UseSeaLevel ? littoral::SeaOutlets(heights, this->SeaLevel)
+                                                         : littoral::BorderOutlets(heights.Width, heights.Height);
+  littoral::Require(littoral::WhyUndrainable(heights, outlets));
+  littoral::RequireRelief(heights, "Input");
   this->SetProgressText("Measuring ground");
   const littoral::GroundStatistics ground = littoral::DescribeGround(
     heights, outlets, this->MinimumDrainageCells, littoral::AbortableFor(this), littoral::PollOf(this));
@@ -174,8 +159,8 @@ int vtkGroundStatisticsFilter::RequestData(
 int vtkGroundStatisticsFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot measure ground: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

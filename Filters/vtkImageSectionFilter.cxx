@@ -5,7 +5,6 @@
 #include "Data/Inputs.h"
 #include "Data/PickedTuples.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
@@ -120,16 +119,10 @@ int vtkImageSectionFilter::RequestUpdateExtent(
 int vtkImageSectionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::string reason;
-  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
   littoral::ParameterCheck check;
   check.Count("CrossSections", this->CrossSections, 0, 100);
-  check.Require(reason);
-  if (!check.IsGood())
-  {
-    littoralErrorMacro("Cannot cut sections: " << check.Reason());
-    return littoral::FailedRequest(this);
-  }
+  littoral::Require(check.Reason());
+  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
   if (image->GetNumberOfPoints() == 0 ||
     outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -165,8 +158,8 @@ int vtkImageSectionFilter::RequestData(
 int vtkImageSectionFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot cut sections: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

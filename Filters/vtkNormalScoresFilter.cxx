@@ -7,7 +7,6 @@
 #include "Data/Inputs.h"
 #include "Data/Tables.h"
 #include "Kriging/NormalScores.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataSet.h"
@@ -66,21 +65,16 @@ int vtkNormalScoresFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* vtkNormalScoresFilter::Values(
-  int port, vtkInformationVector** inputVector, vtkDataSet*& data, std::string& reason)
+vtkDataArray* vtkNormalScoresFilter::Values(int port, vtkInformationVector** inputVector, vtkDataSet*& data)
 {
   const char* owner = port == 0 ? "Input" : "Reference";
   if (vtkImageData::SafeDownCast(vtkDataObject::GetData(inputVector[port])))
   {
-    data = littoral::InputOf<vtkImageData>(inputVector[port], owner, reason);
+    data = littoral::InputOf<vtkImageData>(inputVector[port], owner);
   }
   else
   {
-    data = littoral::InputOf<vtkPointSet>(inputVector[port], owner, reason);
-  }
-  if (!data)
-  {
-    return nullptr;
+    data = littoral::InputOf<vtkPointSet>(inputVector[port], owner);
   }
   vtkInformation* choice = this->GetInputArrayInformation(port);
   vtkDataArray* array = this->GetInputArrayToProcess(port, inputVector);
@@ -89,16 +83,12 @@ vtkDataArray* vtkNormalScoresFilter::Values(
     array = data->GetPointData()->GetScalars();
   }
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  if (!array && reason.empty())
+  if (!array)
   {
-    reason = std::string(owner) +
-      (name && !littoral::NamesNoArray(choice) ? " has no array '" + std::string(name) + "'."
-                                               : " has no scalar point array.");
+    const bool isNamed = name && !littoral::NamesNoArray(choice);
+    littoral::Refuse(owner, isNamed ? " has no array '" + std::string(name) + "'." : " has no scalar point array.");
   }
-  littoral::ArrayReader reader = littoral::ArrayReader::OfPoints(data, owner);
-  array = array ? reader.Fit(array, 1) : nullptr;
-  reason = reason.empty() ? reader.Reason() : reason;
-  return array;
+  return littoral::ArrayReader::OfPoints(data, owner).Fit(array, 1);
 }
 
 //----------------------------------------------------------------------------
@@ -108,18 +98,16 @@ int vtkNormalScoresFilter::RequestData(
   vtkInformation* info = outputVector->GetInformationObject(0);
   littoral::ForgetExtent(info);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  std::string reason;
   vtkDataSet* input = nullptr;
   vtkDataSet* reference = nullptr;
-  vtkDataArray* values = this->Values(0, inputVector, input, reason);
+  vtkDataArray* values = this->Values(0, inputVector, input);
   const bool hasReference = inputVector[1]->GetNumberOfInformationObjects() > 0;
-  vtkDataArray* known = hasReference && reason.empty() ? this->Values(1, inputVector, reference, reason) : values;
-  if (reason.empty() && this->Inverse && !hasReference)
-  {
-    reason = "The way back from scores to values needs a Reference whose distribution they take.";
-  }
+  vtkDataArray* known = hasReference ? this->Values(1, inputVector, reference) : values;
+  littoral::Require(this->Inverse && !hasReference
+      ? "The way back from scores to values needs a Reference whose distribution they take."
+      : "");
   std::vector<double> distribution;
-  for (vtkIdType n = 0; reason.empty() && n < known->GetNumberOfTuples(); ++n)
+  for (vtkIdType n = 0; n < known->GetNumberOfTuples(); ++n)
   {
     const double value = known->GetComponent(n, 0);
     if (std::isfinite(value))
@@ -128,23 +116,16 @@ int vtkNormalScoresFilter::RequestData(
     }
   }
   const littoral::NormalScores scores(std::move(distribution));
-  if (reason.empty() && scores.IsEmpty())
+  if (scores.IsEmpty())
   {
-    reason =
-      std::string(hasReference ? "Reference" : "Input") + " has no two different values, and so no distribution.";
+    littoral::Refuse(hasReference ? "Reference" : "Input", " has no two different values, and so no distribution.");
   }
-  for (vtkIdType n = 0; reason.empty() && n < values->GetNumberOfTuples(); ++n)
+  for (vtkIdType n = 0; n < values->GetNumberOfTuples(); ++n)
   {
     if (std::isnan(values->GetComponent(n, 0)))
     {
-      reason = "Value " + std::to_string(n) + " of the input is NaN, which has no score; fill holes first.";
+      littoral::Refuse("Value ", n, " of the input is NaN, which has no score; fill holes first.");
     }
-  }
-  if (!reason.empty())
-  {
-    output->Initialize();
-    littoralErrorMacro("Cannot make normal scores: " << reason);
-    return littoral::FailedRequest(this);
   }
   output->ShallowCopy(input);
   const char* name = known->GetName() && *known->GetName() ? known->GetName() : "Elevation";
@@ -175,8 +156,8 @@ int vtkNormalScoresFilter::RequestData(
 int vtkNormalScoresFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot make normal scores: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

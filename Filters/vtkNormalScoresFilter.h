@@ -29,8 +29,6 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkPassInputTypeAlgorithm.h"
 
-#include <string> // for reasons
-
 class vtkDataArray;
 class vtkDataSet;
 
@@ -67,7 +65,7 @@ private:
   vtkNormalScoresFilter(const vtkNormalScoresFilter&) = delete;
   void operator=(const vtkNormalScoresFilter&) = delete;
 
-  vtkDataArray* Values(int port, vtkInformationVector** inputs, vtkDataSet*& data, std::string& reason);
+  vtkDataArray* Values(int port, vtkInformationVector** inputs, vtkDataSet*& data);
 };
 
 #endif

@@ -47,41 +47,37 @@ constexpr double BytesASample = 24.0;
 constexpr double MostSamplesAlong = 1e6;
 
 /// The point sets that become fog: those of the block Far if there is one, else all.
-std::vector<vtkPointSet*> FogOf(vtkDataObject* input, std::string& reason)
+std::vector<vtkPointSet*> FogOf(vtkDataObject* input)
 {
   vtkDataObject* far = littoral::FindBlock(vtkMultiBlockDataSet::SafeDownCast(input), littoral::sea::Far);
   if (!far)
   {
     far = littoral::FindDataSet(vtkPartitionedDataSetCollection::SafeDownCast(input), littoral::sea::Far);
   }
-  std::vector<vtkPointSet*> sets = littoral::PointSetsOf(far ? far : input, "Input", reason);
+  std::vector<vtkPointSet*> sets = littoral::PointSetsOf(far ? far : input, "Input");
   const auto isEmpty = [](vtkPointSet* set) { return !set->GetPoints() || set->GetNumberOfPoints() == 0; };
   sets.erase(std::remove_if(sets.begin(), sets.end(), isEmpty), sets.end());
   return sets;
 }
 
-/// Why a point is no particle, in words for a user.
-std::string WhyBadPoint(vtkIdType n, double radius, double alpha)
+/// Refuses a point that is no particle.
+void RequirePoint(vtkIdType n, double radius, double alpha)
 {
   const std::string ofPoint = " of point " + std::to_string(n);
   littoral::ParameterCheck check;
   check.NotNegative("Radius" + ofPoint, radius, "m");
   check.Range("Alpha" + ofPoint, alpha, 0.0, 1.0);
-  return check.Reason();
+  littoral::Require(check.Reason());
 }
 
-/// Adds the particles of a point set. Why it cannot be done, in words for a user; empty when it was.
-std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficiency,
+/// Adds the particles of a point set.
+void AddParticles(vtkPointSet* set, double defaultRadius, double efficiency,
   std::vector<littoral::FogParticle>& particles, const littoral::ParallelFor& parallelFor)
 {
-  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
+  const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(set, "a set of particles");
   vtkDataArray* radii = points.Find(littoral::sea::Radius, 1);
   vtkDataArray* alphas = points.Find(littoral::sea::Alpha, 1);
   points.NeedFinite(set->GetPoints()->GetData());
-  if (!points.IsGood())
-  {
-    return points.Reason();
-  }
   const std::size_t first = particles.size();
   particles.resize(first + static_cast<std::size_t>(set->GetNumberOfPoints()));
   std::atomic<vtkIdType> bad(set->GetNumberOfPoints());
@@ -112,8 +108,10 @@ std::string AddParticles(vtkPointSet* set, double defaultRadius, double efficien
     }
   });
   const vtkIdType n = bad;
-  return n < set->GetNumberOfPoints() ? WhyBadPoint(n, radii ? radiusOf(n) : defaultRadius, alphas ? alphaOf(n) : 1.0)
-                                      : "";
+  if (n < set->GetNumberOfPoints())
+  {
+    RequirePoint(n, radii ? radiusOf(n) : defaultRadius, alphas ? alphaOf(n) : 1.0);
+  }
 }
 
 /// The samples of an extent, with the extinction of the water itself.
@@ -175,7 +173,7 @@ int vtkParticleFogFilter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
-std::string vtkParticleFogFilter::WhyBadProperties() const
+void vtkParticleFogFilter::CheckProperties() const
 {
   const bool bySpacing = this->GridBy == BySpacing;
   littoral::ParameterCheck check;
@@ -192,32 +190,27 @@ std::string vtkParticleFogFilter::WhyBadProperties() const
   check.Positive("ParticleRadius", this->ParticleRadius, "m");
   check.NotNegative("ExtinctionEfficiency", this->ExtinctionEfficiency);
   check.NotNegative("WaterExtinction", this->WaterExtinction, "1/m");
-  std::ostringstream reason;
-  reason << check.Reason();
-  for (int axis = 0; axis < 3 && this->UseBounds && reason.str().empty(); ++axis)
+  littoral::Require(check.Reason());
+  for (int axis = 0; axis < 3 && this->UseBounds; ++axis)
   {
     const double low = this->Bounds[2 * axis];
     const double high = this->Bounds[2 * axis + 1];
     if (!(littoral::IsSensible(low) && littoral::IsSensible(high) && low < high))
     {
-      reason << "Bounds along "
-             << "xyz"[axis] << " are " << low << " to " << high << " m; they must be finite and increasing.";
+      littoral::Refuse(
+        "Bounds along ", "xyz"[axis], " are ", low, " to ", high, " m; they must be finite and increasing.");
     }
-    else if (bySpacing && (high - low) / this->Spacing > MostSamplesAlong)
+    if (bySpacing && (high - low) / this->Spacing > MostSamplesAlong)
     {
-      reason << "Spacing is " << this->Spacing << " m, too little for Bounds that are " << high - low << " m apart.";
+      littoral::Refuse("Spacing is ", this->Spacing, " m, too little for Bounds that are ", high - low, " m apart.");
     }
   }
-  if (reason.str().empty())
+  const double samples = static_cast<double>(this->MakeGrid(this->Bounds).NumberOfSamples());
+  if (BytesASample * samples > littoral::AvailableMemory())
   {
-    const double samples = static_cast<double>(this->MakeGrid(this->Bounds).NumberOfSamples());
-    if (BytesASample * samples > littoral::AvailableMemory())
-    {
-      reason << "the image of " << samples << " samples needs more memory than there is: take fewer Dimensions or more "
-             << "Spacing.";
-    }
+    littoral::Refuse(
+      "the image of ", samples, " samples needs more memory than there is: take fewer Dimensions or more Spacing.");
   }
-  return reason.str();
 }
 
 //----------------------------------------------------------------------------
@@ -247,12 +240,7 @@ littoral::FogGrid vtkParticleFogFilter::MakeGrid(const double box[6]) const
 int vtkParticleFogFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const std::string reason = this->WhyBadProperties();
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make fog: " << reason);
-    return littoral::FailedInformation(this, outputVector);
-  }
+  this->CheckProperties();
   const littoral::FogGrid grid = this->MakeGrid(this->Bounds);
   const int whole[6] = { 0, grid.Count[0] - 1, 0, grid.Count[1] - 1, 0, grid.Count[2] - 1 };
   vtkInformation* info = outputVector->GetInformationObject(0);
@@ -291,29 +279,19 @@ int vtkParticleFogFilter::RequestData(
   {
     return littoral::FailedRequest(this);
   }
-  std::string reason;
-  const std::vector<vtkPointSet*> sets = FogOf(vtkDataObject::GetData(inputVector[0]), reason);
+  const std::vector<vtkPointSet*> sets = FogOf(vtkDataObject::GetData(inputVector[0]));
   double count = 0.0;
   for (vtkPointSet* set : sets)
   {
     count += static_cast<double>(set->GetNumberOfPoints());
   }
-  if (BytesAParticle * count > littoral::AvailableMemory())
-  {
-    reason = "the particles need more memory than there is.";
-  }
+  littoral::Require(
+    BytesAParticle * count > littoral::AvailableMemory() ? "the particles need more memory than there is." : "");
   this->SetProgressText("Making fog");
   std::vector<littoral::FogParticle> particles;
   for (vtkPointSet* set : sets)
   {
-    reason = reason.empty()
-      ? AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles, littoral::AbortableFor(this))
-      : reason;
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make fog: " << reason);
-    return littoral::FailedRequest(this);
+    AddParticles(set, this->ParticleRadius, this->ExtinctionEfficiency, particles, littoral::AbortableFor(this));
   }
   this->UpdateProgress(0.3);
   const std::array<double, 6> bounds = littoral::BoundsOf(particles, 2.0 * this->ParticleRadius);
@@ -336,8 +314,8 @@ int vtkParticleFogFilter::RequestData(
 int vtkParticleFogFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot make fog: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -26,8 +26,6 @@
 #include "LittoralFiltersModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
-#include <string> // for reasons
-
 namespace littoral
 {
 struct FogGrid;
@@ -142,7 +140,7 @@ private:
   vtkParticleFogFilter(const vtkParticleFogFilter&) = delete;
   void operator=(const vtkParticleFogFilter&) = delete;
 
-  std::string WhyBadProperties() const;
+  void CheckProperties() const;
   littoral::FogGrid MakeGrid(const double box[6]) const;
 };
 

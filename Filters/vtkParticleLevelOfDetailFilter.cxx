@@ -13,7 +13,6 @@
 #include "Numerics/ParameterCheck.h"
 #include "Particles/ParticleGroups.h"
 #include "Particles/ParticleLevels.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Sea/TrainSelection.h"
@@ -83,12 +82,13 @@ template <typename Function>
 void ForEach(vtkIdType count, const Function& function)
 {
   constexpr std::size_t atOnce = 1 << 14;
-  littoral::ForRanges(littoral::SmpFor, static_cast<std::size_t>(count), atOnce, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-    {
-      function(static_cast<vtkIdType>(n));
-    }
-  });
+  littoral::ForRanges(
+    littoral::SmpFor, static_cast<std::size_t>(count), atOnce, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        function(static_cast<vtkIdType>(n));
+      }
+    });
 }
 
 /// One vertex for each point.
@@ -316,14 +316,11 @@ std::string vtkParticleLevelOfDetailFilter::WhyBadProperties() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
+void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
 {
   vtkInternals& internals = *this->Internals;
   const vtkIdType count = particles->GetPoints() ? particles->GetNumberOfPoints() : 0;
-  if (count == 0)
-  {
-    return "there are no particles in the input.";
-  }
+  littoral::Require(count == 0 ? "there are no particles in the input." : "");
   vtkDataArray* points = particles->GetPoints()->GetData();
   const std::vector<double> numbers{ static_cast<double>(this->SlavesPerMaster), this->OffsetRange[0],
     this->OffsetRange[1], static_cast<double>(this->SlavePlacement), static_cast<double>(this->Seed),
@@ -331,7 +328,7 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
   const vtkMTimeType time = std::max(points->GetMTime(), particles->GetPoints()->GetMTime());
   if (internals.Groups && internals.Points == points && internals.PointsTime == time && internals.Numbers == numbers)
   {
-    return "";
+    return;
   }
   // Particles that drift keep most of their order, and the groups are found faster from it.
   std::vector<int> former = internals.Groups ? internals.Groups->GetOrder() : std::vector<int>();
@@ -342,16 +339,11 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
   options.LargestOffset = this->OffsetRange[1];
   options.Scatter = this->SlavePlacement == Scattered;
   options.Seed = this->Seed;
-  std::string reason = littoral::WhyInvalid(options);
-  if (reason.empty() &&
-    (count > std::numeric_limits<int>::max() ||
-      BytesAParticle * static_cast<double>(count) > littoral::AvailableMemory()))
+  littoral::Require(littoral::WhyInvalid(options));
+  if (count > std::numeric_limits<int>::max() ||
+    BytesAParticle * static_cast<double>(count) > littoral::AvailableMemory())
   {
-    reason = std::to_string(count) + " particles are more than this machine has memory for.";
-  }
-  if (!reason.empty())
-  {
-    return reason;
+    littoral::Refuse(count, " particles are more than this machine has memory for.");
   }
   std::vector<littoral::Vector3> places(static_cast<std::size_t>(count));
   const littoral::Poll poll = littoral::PollOf(this);
@@ -366,7 +358,7 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
     steps.Step();
     if (!littoral::IsFinite(places[n]))
     {
-      return "point " + std::to_string(n) + " has a coordinate that is no finite number.";
+      littoral::Refuse("point ", n, " has a coordinate that is no finite number.");
     }
     internals.MeanHeight += places[n].z / static_cast<double>(count);
   }
@@ -384,7 +376,6 @@ std::string vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particle
   internals.Points = points;
   internals.PointsTime = time;
   internals.Numbers = numbers;
-  return "";
 }
 
 //----------------------------------------------------------------------------
@@ -403,32 +394,27 @@ littoral::ParticleLevelOptions vtkParticleLevelOfDetailFilter::MakeOptions() con
 }
 
 //----------------------------------------------------------------------------
+littoral::SeaState vtkParticleLevelOfDetailFilter::ReadInputs(vtkInformationVector** inputVector)
+{
+  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input");
+  littoral::Require(littoral::WhyInvalid(this->MakeOptions()));
+  littoral::Require(this->WhyBadProperties());
+  const bool hasSea = inputVector[1]->GetNumberOfInformationObjects() > 0;
+  littoral::Require(hasSea ? "" : "there is no sea state; connect one to Sea State.");
+  littoral::SeaState state = littoral::ReadSeaState(littoral::InputOf<vtkTable>(inputVector[1], "Sea State"));
+  this->RememberGroups(input);
+  return state;
+}
+
+//----------------------------------------------------------------------------
 int vtkParticleLevelOfDetailFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::string reason;
-  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input", reason);
+  const littoral::SeaState state =
+    littoral::InContext("Cannot choose levels of detail: ", [&] { return this->ReadInputs(inputVector); });
+  const littoral::View view = this->GetView();
+  vtkPointSet* input = littoral::PointsIn(vtkDataObject::GetData(inputVector[0]));
   const littoral::ParticleLevelOptions options = this->MakeOptions();
-  littoral::SeaState state;
-  reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
-  reason = reason.empty() ? this->WhyBadProperties() : reason;
-  if (reason.empty() && inputVector[1]->GetNumberOfInformationObjects() == 0)
-  {
-    reason = "there is no sea state; connect one to Sea State.";
-  }
-  auto* sea = reason.empty() ? littoral::InputOf<vtkTable>(inputVector[1], "Sea State", reason) : nullptr;
-  reason = sea ? littoral::ReadSeaState(sea, state) : reason;
-  reason = reason.empty() ? this->RememberGroups(input) : reason;
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot choose levels of detail: " << reason);
-    return littoral::FailedRequest(this);
-  }
-  littoral::View view;
-  if (!this->GetView(view))
-  {
-    return littoral::FailedRequest(this);
-  }
   this->SetProgressText("Choosing levels of detail");
   const vtkInternals& internals = *this->Internals;
   const std::vector<int> order = littoral::OrderAt(state, internals.MeanHeight);

@@ -44,6 +44,7 @@ class vtkPointSet;
 namespace littoral
 {
 struct ParticleLevelOptions;
+struct SeaState;
 }
 
 class LITTORALFILTERS_EXPORT vtkParticleLevelOfDetailFilter : public vtkViewDependentAlgorithm
@@ -228,7 +229,8 @@ private:
 
   class vtkInternals;
   std::string WhyBadProperties() const;
-  std::string RememberGroups(vtkPointSet* particles);
+  void RememberGroups(vtkPointSet* particles);
+  littoral::SeaState ReadInputs(vtkInformationVector** inputVector);
   littoral::ParticleLevelOptions MakeOptions() const;
 
   std::unique_ptr<vtkInternals> Internals;

@@ -58,57 +58,47 @@ bool IsAtSeaLevel(vtkPoints* points, double level)
     std::abs(bounds[5] - level) <= SurfaceTolerance + single;
 }
 
-std::string ReadTrainCounts(vtkPointSet* input, std::vector<int>& counts)
+std::vector<int> ReadTrainCounts(vtkPointSet* input)
 {
-  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(input, "a set of particles");
-  vtkDataArray* array = points.Find(littoral::sea::TrainCount, 1);
-  if (!array)
-  {
-    return points.Reason();
-  }
-  counts.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  vtkDataArray* array = littoral::ArrayReader::OfPoints(input, "a set of particles").Find(littoral::sea::TrainCount, 1);
+  std::vector<int> counts(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
   for (std::size_t id = 0; id < counts.size(); ++id)
   {
     const double count = array->GetComponent(static_cast<vtkIdType>(id), 0);
     if (!(count >= 0.0))
     {
-      return "the point array TrainCount is negative at point " + std::to_string(id) + ".";
+      littoral::Refuse("the point array TrainCount is negative at point ", id, ".");
     }
     counts[id] = static_cast<int>(std::min(count, 1e9));
   }
-  return "";
+  return counts;
 }
 
 /// The order in which trains are taken; empty where they come as they are.
-std::string ReadTrainOrder(vtkPointSet* input, std::size_t trains, std::vector<int>& order)
+std::vector<int> ReadTrainOrder(vtkPointSet* input, std::size_t trains)
 {
-  littoral::ArrayReader fields = littoral::ArrayReader::OfFields(input, "a set of particles");
-  vtkDataArray* array = fields.Find(littoral::sea::TrainOrder, 1);
-  std::string reason = fields.Reason();
+  std::vector<int> order;
+  vtkDataArray* array = littoral::ArrayReader::OfFields(input, "a set of particles").Find(littoral::sea::TrainOrder, 1);
   for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
   {
-    littoral::ReadWhole("TrainOrder", array->GetComponent(n, 0), 0, VTK_INT_MAX, order.emplace_back(), reason);
-  }
-  if (!reason.empty())
-  {
-    return reason;
+    littoral::ReadWhole("TrainOrder", array->GetComponent(n, 0), 0, VTK_INT_MAX, order.emplace_back());
   }
   if (!order.empty() && (order.size() != trains || !littoral::IsPermutation(order)))
   {
-    return "the field array TrainOrder is no order of the " + std::to_string(trains) +
-      " trains of the sea state; it belongs to another one.";
+    littoral::Refuse(
+      "the field array TrainOrder is no order of the ", trains, " trains of the sea state; it belongs to another one.");
   }
-  return "";
+  return order;
 }
 
 /// Which points move with another one, and how many trains the others take.
-std::string ReadFollowers(vtkPointSet* input, std::vector<int>& trainCounts, littoral::Slaves& slaves)
+void ReadFollowers(vtkPointSet* input, std::vector<int>& trainCounts, littoral::Slaves& slaves)
 {
-  std::string reason = ReadTrainCounts(input, trainCounts);
-  reason = reason.empty() ? littoral::ReadSlaves(input, slaves) : reason;
-  if (!reason.empty() || slaves.Master.empty())
+  trainCounts = ReadTrainCounts(input);
+  slaves = littoral::ReadSlaves(input);
+  if (slaves.Master.empty())
   {
-    return reason;
+    return;
   }
   // A slave needs no orbit. With masters first, whole blocks of slaves are passed over.
   trainCounts.resize(slaves.Master.size(), std::numeric_limits<int>::max());
@@ -116,7 +106,6 @@ std::string ReadFollowers(vtkPointSet* input, std::vector<int>& trainCounts, lit
   {
     trainCounts[id] = slaves.Master[id] >= 0 ? 0 : trainCounts[id];
   }
-  return "";
 }
 
 /// The points at rest, in the type of the moved ones.
@@ -339,22 +328,13 @@ int vtkParticleOrbitFilter::RequestData(
 {
   if (inputVector[1]->GetNumberOfInformationObjects() == 0)
   {
-    littoralErrorMacro("There is no sea state: connect one to Sea State. The points stay where they are.");
     vtkDataObject::GetData(outputVector)->ShallowCopy(vtkDataObject::GetData(inputVector[0]));
-    return littoral::FailedRequest(this);
+    return littoral::FailedBy(this, "There is no sea state: connect one to Sea State. The points stay where they are.");
   }
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
-  littoral::SeaState state;
-  std::string reason;
-  auto* sea = littoral::InputOf<vtkTable>(inputVector[1], "Sea State", reason);
-  reason = reason.empty() ? littoral::ReadSeaState(sea, state) : reason;
-  littoral::PointSetsOf(vtkDataObject::GetData(inputVector[0]), "Input", reason);
-  reason = reason.empty() ? this->WhyBadProperties(time) : reason;
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot move points: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  const littoral::SeaState state = littoral::ReadSeaState(littoral::InputOf<vtkTable>(inputVector[1], "Sea State"));
+  littoral::PointSetsOf(vtkDataObject::GetData(inputVector[0]), "Input");
+  littoral::Require(this->WhyBadProperties(time));
   littoral::WaveOrbitOptions options;
   options.StokesDrift = this->StokesDrift;
   options.DopplerShift = this->DopplerShift;
@@ -363,11 +343,7 @@ int vtkParticleOrbitFilter::RequestData(
 
   this->SetProgressText("Moving points");
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  if (!this->MoveAll(Sea(state, options, time), vtkDataObject::GetData(inputVector[0]), output))
-  {
-    output->Initialize();
-    return littoral::FailedRequest(this);
-  }
+  this->MoveAll(Sea(state, options, time), vtkDataObject::GetData(inputVector[0]), output);
   AddRegimes(state, output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   littoral::KeepRanges(output, littoral::PollOf(this));
@@ -376,67 +352,52 @@ int vtkParticleOrbitFilter::RequestData(
 }
 
 //----------------------------------------------------------------------------
-bool vtkParticleOrbitFilter::MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output)
+void vtkParticleOrbitFilter::MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output)
 {
   auto* blocks = vtkDataObjectTree::SafeDownCast(input);
   if (!blocks)
   {
     output->ShallowCopy(input);
-    return this->Move(sea, littoral::PointsIn(input), littoral::PointsIn(output));
+    this->Move(sea, littoral::PointsIn(input), littoral::PointsIn(output));
+    return;
   }
   auto* moved = vtkDataObjectTree::SafeDownCast(output);
   moved->CopyStructure(blocks);
-  bool good = true;
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-  for (iterator->InitTraversal(); good && !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     vtkDataObject* leaf = iterator->GetCurrentDataObject();
     auto copy = vtkSmartPointer<vtkDataObject>::Take(leaf->NewInstance());
     copy->ShallowCopy(leaf);
-    good = this->Move(sea, littoral::PointsIn(leaf), littoral::PointsIn(copy));
+    this->Move(sea, littoral::PointsIn(leaf), littoral::PointsIn(copy));
     moved->SetDataSet(iterator, copy);
   }
-  return good;
 }
 
 //----------------------------------------------------------------------------
-bool vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
+void vtkParticleOrbitFilter::Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
 {
   if (!input->GetPoints() || input->GetNumberOfPoints() == 0)
   {
-    return true;
+    return;
   }
-  std::vector<int> order;
-  littoral::ArrayReader points = littoral::ArrayReader::OfPoints(input, "a set of particles");
-  points.NeedFinite(input->GetPoints()->GetData());
-  const std::string reason = points.IsGood() ? ReadTrainOrder(input, sea.State.Trains.size(), order) : points.Reason();
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot move points: " << reason);
-    return false;
-  }
-  const Sea ordered = sea.InOrder(order);
-  return input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(ordered, input, output)
-                                                         : this->MoveAs<vtkFloatArray>(ordered, input, output);
+  littoral::ArrayReader::OfPoints(input, "a set of particles").NeedFinite(input->GetPoints()->GetData());
+  const Sea ordered = sea.InOrder(ReadTrainOrder(input, sea.State.Trains.size()));
+  input->GetPoints()->GetDataType() == VTK_DOUBLE ? this->MoveAs<vtkDoubleArray>(ordered, input, output)
+                                                  : this->MoveAs<vtkFloatArray>(ordered, input, output);
 }
 
 //----------------------------------------------------------------------------
 template <typename Array>
-bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
+void vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output)
 {
   const vtkIdType count = input->GetNumberOfPoints();
   std::vector<int> trainCounts;
   littoral::Slaves slaves;
-  std::string reason = ReadFollowers(input, trainCounts, slaves);
-  if (reason.empty() &&
-    17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count) > littoral::AvailableMemory())
+  ReadFollowers(input, trainCounts, slaves);
+  if (17.0 * sizeof(typename Array::ValueType) * static_cast<double>(count) > littoral::AvailableMemory())
   {
-    reason = std::to_string(count) + " points are more than this machine has memory for.";
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot move points: " << reason);
-    return false;
+    littoral::Refuse(count, " points are more than this machine has memory for.");
   }
   const bool surface = this->GenerateSurface && IsAtSeaLevel(input->GetPoints(), sea.State.SeaLevel);
   MovedArrays<Array> moved(input, this->GenerateVelocity, this->GenerateAcceleration, surface, output->GetPointData());
@@ -460,7 +421,7 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   if (!done) // aborted
   {
     output->Initialize();
-    return true;
+    return;
   }
   vtkNew<vtkPoints> points;
   points->SetData(moved.Positions);
@@ -470,15 +431,14 @@ bool vtkParticleOrbitFilter::MoveAs(const Sea& sea, vtkPointSet* input, vtkPoint
   {
     littoralWarningMacro("The surface folds over itself (smallest Jacobian " << folded << "): take less Choppiness.");
   }
-  return true;
 }
 
 //----------------------------------------------------------------------------
 int vtkParticleOrbitFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot move points: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -148,10 +148,10 @@ private:
 
   class Sea;
   std::string WhyBadProperties(double time) const;
-  bool MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output);
-  bool Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
+  void MoveAll(const Sea& sea, vtkDataObject* input, vtkDataObject* output);
+  void Move(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
   template <typename Array>
-  bool MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
+  void MoveAs(const Sea& sea, vtkPointSet* input, vtkPointSet* output);
 };
 
 #endif

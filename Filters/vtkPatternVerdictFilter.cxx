@@ -7,7 +7,6 @@
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/PatternVerdict.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDoubleArray.h"
@@ -181,30 +180,17 @@ int vtkPatternVerdictFilter::RequestData(
   options.Level = this->Level;
   options.Seed = this->Seed;
   options.Quadrats = { this->Quadrats[0], this->Quadrats[1] };
-  std::string reason;
-  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input", reason);
-  auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputVector[1], "Window", reason);
-  littoral::ObservationWindow window;
-  std::vector<littoral::PlanePosition> points;
-  littoral::ParameterCheck check;
-  check.Require(reason);
-  check.Require(WhyInvalid(options));
-  if (check.IsGood())
+  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input");
+  auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputVector[1], "Window");
+  littoral::Require(WhyInvalid(options));
+  const std::vector<littoral::PlanePosition> points = littoral::PlanePositionsOf(input);
+  if (points.size() < littoral::FewestPatternPoints)
   {
-    points = littoral::PlanePositionsOf(input);
-    if (points.size() < littoral::FewestPatternPoints)
-    {
-      check.Require(littoral::WhyInvalid(points, window, littoral::FewestPatternPoints));
-    }
-    check.Require(
-      polygon ? littoral::ReadWindow(polygon, window) : littoral::ReadWindow(input, this->Origin, this->Size, window));
+    littoral::Require(littoral::WhyInvalid(points, {}, littoral::FewestPatternPoints));
   }
-  check.Require(check.IsGood() ? littoral::WhyInvalid(points, window, littoral::FewestPatternPoints) : std::string());
-  if (!check.IsGood())
-  {
-    littoralErrorMacro("Cannot judge the pattern: " << check.Reason());
-    return littoral::FailedRequest(this);
-  }
+  const littoral::ObservationWindow window =
+    polygon ? littoral::ReadWindow(polygon) : littoral::ReadWindow(input, this->Origin, this->Size);
+  littoral::Require(littoral::WhyInvalid(points, window, littoral::FewestPatternPoints));
   this->SetProgressText("Simulating patterns");
   const littoral::Poll heard = littoral::PollOf(this);
   int polls = 0;
@@ -227,8 +213,8 @@ int vtkPatternVerdictFilter::RequestData(
 int vtkPatternVerdictFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot judge the pattern: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -16,7 +16,6 @@
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/LastChange.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/PlantScatter.h"
@@ -56,6 +55,7 @@ constexpr const char* SitesInput = "Sites";
 constexpr const char* PrototypesInput = "Prototypes";
 constexpr const char* TerrainInput = "Terrain";
 constexpr const char* InstancesBlock = "Instances";
+constexpr const char* CannotScatter = "Cannot scatter plants: ";
 constexpr double Degree = littoral::Pi / 180.0;
 constexpr double Gigabyte = 1e9;
 /// More prototypes than this have no weight of their own.
@@ -77,11 +77,11 @@ PrototypeTextures ExpectedTextures(vtkInformation* input, vtkMTimeType lastUpstr
   if (announced && !(data && data->GetUpdateTime() > lastUpstreamChange))
   {
     littoral::ArrayReader sizes = littoral::ArrayReader::OfFields(announced, "the plant", 1);
-    return { littoral::ReadTextureSize(sizes.Find(littoral::plant::Crown, 2)),
-      littoral::ReadTextureSize(sizes.Find(littoral::plant::Leaves, 2)) };
+    return { littoral::ReadTextureSize(sizes.Seek(littoral::plant::Crown, 2)),
+      littoral::ReadTextureSize(sizes.Seek(littoral::plant::Leaves, 2)) };
   }
-  std::string reason; // said when data are asked for
-  const auto prototype = littoral::BlocksOf(data, PrototypesInput, reason);
+  vtkSmartPointer<vtkMultiBlockDataSet> prototype;
+  littoral::WhyRefused([&] { prototype = littoral::BlocksOf(data, PrototypesInput); }); // said when data are asked for
   return { littoral::ReadTextureSize(littoral::PartOf(prototype, littoral::PartKinds[littoral::CrownPart])),
     littoral::ReadTextureSize(littoral::PartOf(prototype, littoral::PartKinds[littoral::LeavesPart])) };
 }
@@ -283,7 +283,7 @@ int vtkPlantScatterFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVe
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantScatterFilter::CheckProperties()
+void vtkPlantScatterFilter::CheckProperties()
 {
   littoral::ParameterCheck check;
   check.Range("SlopeLimit", this->SlopeLimit, 0.0, 90.0, "degrees");
@@ -293,63 +293,42 @@ bool vtkPlantScatterFilter::CheckProperties()
   check.Positive("PlantsPerCell", this->PlantsPerCell);
   check.Choice("OutputForm", this->OutputForm, { "merged", "instances" });
   check.Require(this->VisibleDistance >= 0.0, "VisibleDistance", this->VisibleDistance, "m", "0 or more");
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-  }
-  return check.IsGood();
+  littoral::Require(check.Reason());
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantScatterFilter::CheckSites(vtkInformationVector* inputs)
+void vtkPlantScatterFilter::CheckSites(vtkInformationVector* inputs)
 {
-  if (vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(inputs)))
-  {
-    littoralErrorMacro("The sites are blocks, such as a plant; connect points to Sites and plants to Prototypes.");
-    return false;
-  }
-  std::string reason;
-  if (!littoral::InputOf<vtkPointSet>(inputs, SitesInput, reason))
-  {
-    littoralErrorMacro("Cannot scatter plants: " << reason);
-  }
-  return reason.empty();
+  littoral::Require(vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(inputs))
+      ? "The sites are blocks, such as a plant; connect points to Sites and plants to Prototypes."
+      : "");
+  littoral::InContext(CannotScatter, [inputs] { littoral::InputOf<vtkPointSet>(inputs, SitesInput); });
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
+void vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
 {
   std::vector<littoral::DataStamp> stamps;
-  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
-  std::vector<std::string> reasons;
   for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
-    vtkDataObject* input = vtkDataObject::GetData(inputs, index);
-    stamps.push_back(littoral::StampOf(input));
-    reasons.emplace_back();
-    prototypes.push_back(littoral::BlocksOf(input, PrototypesInput, reasons.back()));
+    stamps.push_back(littoral::StampOf(vtkDataObject::GetData(inputs, index)));
   }
   if (!stamps.empty() && stamps == this->Internals->Species.Stamps)
   {
-    return true;
+    return;
   }
   *this->Internals = vtkInternals();
-  if (prototypes.empty())
-  {
-    littoralErrorMacro("There are no prototypes: connect a plant or more to Prototypes.");
-    return false;
-  }
+  littoral::Require(stamps.empty() ? "There are no prototypes: connect a plant or more to Prototypes." : "");
+  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> prototypes;
   std::vector<littoral::PrototypeBlocks> blocks;
-  for (std::size_t index = 0; index < prototypes.size(); ++index)
+  for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
-    std::string reason = reasons[index].empty() ? littoral::WhyNoPlants(prototypes[index]) : reasons[index];
-    blocks.push_back(littoral::PartsOf(prototypes[index]));
-    reason = reason.empty() ? littoral::WhyNoPrototype(blocks.back()) : reason;
-    if (!reason.empty())
-    {
-      littoralErrorMacro("Prototype " << index << " cannot be scattered: " << reason);
-      return false;
-    }
+    littoral::InContext("Prototype " + std::to_string(index) + " cannot be scattered: ", [&] {
+      prototypes.push_back(littoral::BlocksOf(vtkDataObject::GetData(inputs, index), PrototypesInput));
+      littoral::RequirePlants(prototypes.back());
+      blocks.push_back(littoral::PartsOf(prototypes.back()));
+      littoral::RequirePrototype(blocks.back());
+    });
   }
   littoral::TakeParts(blocks, this->Internals->Species);
   vtkNew<vtkPolyData> instances;
@@ -359,15 +338,13 @@ bool vtkPlantScatterFilter::RememberPrototypes(vtkInformationVector* inputs)
     littoral::AddLevels(parts, this->Internals->Species.Levels);
   }
   this->Internals->Species.Stamps = stamps;
-  return true;
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
+void vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
 {
-  std::string reason;
-  auto* sites = littoral::InputOf<vtkPointSet>(inputs[SitesPort], SitesInput, reason);
-  auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputs[TerrainPort], TerrainInput, reason);
+  auto* sites = littoral::InputOf<vtkPointSet>(inputs[SitesPort], SitesInput);
+  auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputs[TerrainPort], TerrainInput);
   const std::vector<littoral::PlantExtent>& extents = this->Internals->Species.Extents;
   Plants& scene = this->Internals->Scene;
   littoral::ScatterOptions options;
@@ -389,22 +366,15 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
     this->SlopeLimit, this->HeightRange[0], this->HeightRange[1], this->PlantsPerCell };
   numbers.insert(numbers.end(), options.Weights.begin(), options.Weights.end());
   const std::vector<std::string> names{ dimensions.Height, dimensions.Diameter };
-  if (reason.empty() && stamps == scene.Stamps && numbers == scene.Numbers && names == scene.Names)
+  if (stamps == scene.Stamps && numbers == scene.Numbers && names == scene.Names)
   {
-    return true;
+    return;
   }
   scene = Plants();
   this->SetProgressText("Placing plants");
   const littoral::GroundLimits limits{ this->SlopeLimit * Degree, this->HeightRange[0], this->HeightRange[1] };
-  reason = reason.empty() ? littoral::WhyInvalid(options) : reason;
-  reason = reason.empty()
-    ? littoral::PlacePlants(sites, terrain, options, limits, scene.Places, dimensions, this->Internals->Species.Stems)
-    : reason;
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot scatter plants: " << reason);
-    return false;
-  }
+  littoral::Require(littoral::WhyInvalid(options));
+  scene.Places = littoral::PlacePlants(sites, terrain, options, limits, dimensions, this->Internals->Species.Stems);
   scene.MediumPlaces = littoral::PlacesInLevel(sites, dimensions, this->Internals->Species.MediumStems, scene.Places);
   std::vector<littoral::Vector3> feet;
   std::vector<littoral::Box> boxes;
@@ -423,18 +393,16 @@ bool vtkPlantScatterFilter::RememberPlaces(vtkInformationVector** inputs)
   scene.Stamps = stamps;
   scene.Numbers = numbers;
   scene.Names = names;
-  return true;
 }
 
 //----------------------------------------------------------------------------
 int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  littoral::View view;
-  if (!this->GetView(view) || !this->CheckProperties() || !this->CheckSites(inputs[SitesPort]) ||
-    !this->RememberPrototypes(inputs[PrototypesPort]) || !this->RememberPlaces(inputs))
-  {
-    return littoral::FailedRequest(this);
-  }
+  const littoral::View view = this->GetView();
+  this->CheckProperties();
+  this->CheckSites(inputs[SitesPort]);
+  this->RememberPrototypes(inputs[PrototypesPort]);
+  littoral::InContext(CannotScatter, [&] { this->RememberPlaces(inputs); });
   const Plants& scene = this->Internals->Scene;
   littoral::PlantViewOptions options;
   options.UseLevels = this->UseLevels;
@@ -461,10 +429,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
     }
   }
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs, 0);
-  if (!(this->OutputForm == Instances ? this->AddInstances(request, output) : this->Merge(request, output)))
-  {
-    return littoral::FailedRequest(this);
-  }
+  this->OutputForm == Instances ? this->AddInstances(request, output) : this->Merge(request, output);
   WriteTexture(this->Internals->Species.CrownAtlas, outputs->GetInformationObject(1));
   WriteTexture(this->Internals->Species.LeafAtlas, outputs->GetInformationObject(2));
   this->UpdateProgress(1.0);
@@ -472,7 +437,7 @@ int vtkPlantScatterFilter::RequestData(vtkInformation*, vtkInformationVector** i
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
+void vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* output)
 {
   const std::vector<littoral::PlantPlace>& places =
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
@@ -481,27 +446,24 @@ bool vtkPlantScatterFilter::Merge(const Request& request, vtkMultiBlockDataSet* 
   const double available = littoral::AvailableMemory();
   if (merge.GetBytes() > available || merge.HasTooManyNodes())
   {
-    littoralErrorMacro(<< request.Shown.size() << " plants, " << merge.GetNumberOfPlants(littoral::PlantLevel::High)
-                       << " of them in full, need " << merge.GetBytes() / Gigabyte << " GB, and "
-                       << available /
-        Gigabyte << " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
-    return false;
+    littoral::Refuse(request.Shown.size(), " plants, ", merge.GetNumberOfPlants(littoral::PlantLevel::High),
+      " of them in full, need ", merge.GetBytes() / Gigabyte, " GB, and ", available / Gigabyte,
+      " GB are free. Switch on UseLevels and UseCulling, lower NearDistance, or set VisibleDistance.");
   }
   this->SetProgressText("Scattering plants");
   const std::size_t jobs = merge.Begin();
   if (!littoral::RunWithProgress(this, jobs, 0.1, 0.9, [&](std::size_t job) { merge.Do(job); }))
   {
-    return true; // aborted
+    return; // aborted
   }
   merge.AddTo(output);
   littoral::WriteTable(places, request.Shown, output->GetFieldData());
   this->WriteCounters(request, merge.GetNumberOfPolygons(), merge.GetBytes(), output->GetFieldData());
   littoral::KeepRanges(output, littoral::PollOf(this));
-  return true;
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDataSet* output)
+void vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDataSet* output)
 {
   const std::vector<littoral::PlantPlace>& places =
     request.Places.empty() ? this->Internals->Scene.Places : request.Places;
@@ -509,16 +471,14 @@ bool vtkPlantScatterFilter::AddInstances(const Request& request, vtkMultiBlockDa
   const double available = littoral::AvailableMemory();
   if (bytes > available)
   {
-    littoralErrorMacro(<< request.Shown.size() << " instances of plants need " << bytes / Gigabyte << " GB, and "
-                       << available / Gigabyte << " GB are free. Switch on UseCulling, or set VisibleDistance.");
-    return false;
+    littoral::Refuse(request.Shown.size(), " instances of plants need ", bytes / Gigabyte, " GB, and ",
+      available / Gigabyte, " GB are free. Switch on UseCulling, or set VisibleDistance.");
   }
   output->ShallowCopy(this->Internals->Species.Levels);
   littoral::ReplaceBlock(output, InstancesBlock, littoral::InstancesOf(places, request.Shown));
   const double polygons = littoral::PolygonsOf(this->Internals->Species.Levels, places, request.Shown);
   this->WriteCounters(request, polygons, bytes, output->GetFieldData());
   littoral::KeepRanges(output, littoral::PollOf(this));
-  return true;
 }
 
 //----------------------------------------------------------------------------

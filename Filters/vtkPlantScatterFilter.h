@@ -263,12 +263,12 @@ private:
   class vtkInternals; // what is kept between executions
   struct Request;
 
-  bool CheckProperties();
-  bool CheckSites(vtkInformationVector* inputs);
-  bool RememberPrototypes(vtkInformationVector* prototypes);
-  bool RememberPlaces(vtkInformationVector** inputs);
-  bool Merge(const Request& request, vtkMultiBlockDataSet* output);
-  bool AddInstances(const Request& request, vtkMultiBlockDataSet* output);
+  void CheckProperties();
+  void CheckSites(vtkInformationVector* inputs);
+  void RememberPrototypes(vtkInformationVector* prototypes);
+  void RememberPlaces(vtkInformationVector** inputs);
+  void Merge(const Request& request, vtkMultiBlockDataSet* output);
+  void AddInstances(const Request& request, vtkMultiBlockDataSet* output);
   void WriteCounters(const Request& request, double polygons, double bytes, vtkFieldData* fields) const;
 
   std::vector<double> Weights;

@@ -10,7 +10,6 @@
 #include "Data/SeaweedBlocks.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Seaweed/PlantWake.h"
 
@@ -29,14 +28,14 @@ namespace
 using littoral::ArrayReader;
 using littoral::MovingPoint;
 
-/// The nodes of a skeleton by plant, plants in the order in which they come. The reason why there are none, or nothing.
-std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>& plants, std::vector<int>& plantIds)
+/// The nodes of a skeleton by plant, plants in the order in which they come.
+void ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>& plants, std::vector<int>& plantIds)
 {
-  ArrayReader points = ArrayReader::OfPoints(bones, "High/Skeleton of the plants");
+  const ArrayReader points = ArrayReader::OfPoints(bones, "High/Skeleton of the plants");
   if (!points.Has("Velocity") || !points.Has("Acceleration"))
   {
-    return "High/Skeleton has no point arrays Velocity[3] and Acceleration[3]; switch on GenerateMotion of the "
-           "deformation filter.";
+    littoral::Refuse("High/Skeleton has no point arrays Velocity[3] and Acceleration[3]; switch on GenerateMotion of "
+                     "the deformation filter.");
   }
   vtkDataArray* velocity = points.Need("Velocity", 3);
   vtkDataArray* acceleration = points.Need("Acceleration", 3);
@@ -48,13 +47,12 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
   {
     points.NeedFinite(numbers);
   }
-  std::string reason = points.Reason();
-  for (vtkIdType node = 0; reason.empty() && node < bones->GetNumberOfPoints(); ++node)
+  for (vtkIdType node = 0; node < bones->GetNumberOfPoints(); ++node)
   {
     int id = 0;
-    if (ids && !littoral::ReadWhole("PlantId", ids->GetComponent(node, 0), VTK_INT_MIN, VTK_INT_MAX, id, reason))
+    if (ids)
     {
-      return reason;
+      littoral::ReadWhole("PlantId", ids->GetComponent(node, 0), VTK_INT_MIN, VTK_INT_MAX, id);
     }
     if (plants.empty() || plantIds.back() != id)
     {
@@ -71,11 +69,10 @@ std::string ReadPlants(vtkPolyData* bones, std::vector<std::vector<MovingPoint>>
     if (!littoral::IsFinite(point.Place) || !littoral::IsFinite(point.Velocity) ||
       !littoral::IsFinite(point.Acceleration) || !(point.Weight >= 0.0))
     {
-      return "node " + std::to_string(node) + " of High/Skeleton has numbers that are not finite, or no mass.";
+      littoral::Refuse("node ", node, " of High/Skeleton has numbers that are not finite, or no mass.");
     }
     plants.back().push_back(point);
   }
-  return reason;
 }
 
 }
@@ -119,24 +116,16 @@ int vtkPlantWakeFilter::RequestData(
   littoral::ParameterCheck check;
   check.Choice("Primitive", this->Primitive, { "source", "doublet" });
   check.Require(littoral::WhyInvalid(options));
-  std::string reason = check.Reason();
-  const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), "Input", reason);
-  reason = reason.empty() ? littoral::WhyNoSkeleton(blocks) : reason;
+  littoral::Require(check.Reason());
+  const auto blocks = littoral::BlocksOf(vtkDataObject::GetData(inputVector[0]), "Input");
+  littoral::RequireSkeleton(blocks);
   vtkPolyData* bones = littoral::PlantPartOf(blocks, littoral::plant::High, littoral::plant::Skeleton);
   std::vector<std::vector<MovingPoint>> plants;
   std::vector<int> plantIds;
-  if (!bones)
+  littoral::Require(bones ? "" : "the plants have no block High/Skeleton.");
+  if (bones->GetNumberOfPoints() > 0)
   {
-    reason = reason.empty() ? "the plants have no block High/Skeleton." : reason;
-  }
-  else if (reason.empty() && bones->GetNumberOfPoints() > 0)
-  {
-    reason = ReadPlants(bones, plants, plantIds);
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make a wake: " << reason);
-    return littoral::FailedRequest(this);
+    ReadPlants(bones, plants, plantIds);
   }
   std::vector<littoral::FlowPrimitive> primitives;
   vtkNew<vtkIntArray> ids;
@@ -164,8 +153,8 @@ int vtkPlantWakeFilter::RequestData(
 int vtkPlantWakeFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot make a wake: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

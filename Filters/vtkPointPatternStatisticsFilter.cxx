@@ -9,7 +9,6 @@
 #include "Data/Tables.h"
 #include "Patterns/PatternLaw.h"
 #include "Patterns/PatternStatistics.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
@@ -247,72 +246,64 @@ littoral::StatisticsOptions vtkPointPatternStatisticsFilter::Options() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
+void vtkPointPatternStatisticsFilter::ReadKinds(Pattern& pattern) const
 {
-  if (this->Function == MarkCorrelation && IsNone(this->MarkArray))
+  const bool hasMarks = !IsNone(this->MarkArray);
+  const bool hasSpecies = !IsNone(this->SpeciesArray);
+  littoral::Require(
+    this->Function == MarkCorrelation && !hasMarks ? "the mark correlation needs marks; choose a MarkArray." : "");
+  littoral::Require(littoral::IsCross(this->Options().Function) && !hasSpecies ? "cross functions need species; choose a SpeciesArray." : "");
+  pattern.Marks = hasMarks ? littoral::ReadMarks(pattern.Input, this->MarkArray) : pattern.Marks;
+  pattern.Species = hasSpecies ? littoral::ReadSpecies(pattern.Input, this->SpeciesArray) : pattern.Species;
+  if (pattern.Species.empty())
   {
-    return "the mark correlation needs marks; choose a MarkArray.";
-  }
-  if (littoral::IsCross(this->Options().Function) && IsNone(this->SpeciesArray))
-  {
-    return "cross functions need species; choose a SpeciesArray.";
-  }
-  std::string reason;
-  if (!IsNone(this->MarkArray))
-  {
-    reason = littoral::ReadMarks(pattern.Input, this->MarkArray, pattern.Marks);
-  }
-  if (reason.empty() && !IsNone(this->SpeciesArray))
-  {
-    reason = littoral::ReadSpecies(pattern.Input, this->SpeciesArray, pattern.Species);
-  }
-  if (!reason.empty() || pattern.Species.empty())
-  {
-    return reason;
+    return;
   }
   pattern.Pair = { this->FirstSpecies, this->SecondSpecies };
-  return littoral::ChoosePair(pattern);
+  littoral::Require(littoral::ChoosePair(pattern));
 }
 
 //----------------------------------------------------------------------------
-std::string vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
+void vtkPointPatternStatisticsFilter::ReadLaw(Pattern& pattern)
 {
   littoral::PatternLaw& law = pattern.Law;
   littoral::ObservationWindow ofFit;
   law.IsProcess = littoral::FirstRowIsProcess(pattern.Fits);
-  std::string reason = law.IsProcess ? littoral::ReadProcessFit(pattern.Fits, law.Process, ofFit, law.Trend)
-                                     : littoral::ReadQuadratFit(pattern.Fits, law.Counts, law.Grid);
-  reason = reason.empty() ? littoral::WhyInvalid(law, pattern.Window) : reason;
-  const bool isTooMuch =
-    reason.empty() && 64.0 * littoral::ExpectedDraws(law, pattern.Window) > littoral::AvailableMemory();
-  return isTooMuch ? "the law of the table makes more points than this machine has memory for." : reason;
+  if (law.IsProcess)
+  {
+    littoral::ReadProcessFit(pattern.Fits, law.Process, ofFit, law.Trend);
+  }
+  else
+  {
+    littoral::ReadQuadratFit(pattern.Fits, law.Counts, law.Grid);
+  }
+  littoral::Require(littoral::WhyInvalid(law, pattern.Window));
+  const bool isTooMuch = 64.0 * littoral::ExpectedDraws(law, pattern.Window) > littoral::AvailableMemory();
+  littoral::Require(isTooMuch ? "the law of the table makes more points than this machine has memory for." : "");
 }
 
 //----------------------------------------------------------------------------
-std::string vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const
+void vtkPointPatternStatisticsFilter::ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const
 {
-  std::string reason;
-  pattern.Input = littoral::InputOf<vtkPointSet>(inputs[PointsPort], "Input", reason);
-  auto* window = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window", reason);
-  pattern.Fits = littoral::OptionalInputOf<vtkTable>(inputs[LawPort], "Law", reason);
-  reason = reason.empty() ? littoral::WhyInvalid(this->Options()) : reason;
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  pattern.Input = littoral::InputOf<vtkPointSet>(inputs[PointsPort], "Input");
+  auto* window = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window");
+  pattern.Fits = littoral::OptionalInputOf<vtkTable>(inputs[LawPort], "Law");
+  littoral::Require(littoral::WhyInvalid(this->Options()));
   if (pattern.Input->GetNumberOfPoints() < static_cast<vtkIdType>(littoral::FewestPatternPoints))
   {
-    return "the input has " + std::to_string(pattern.Input->GetNumberOfPoints()) + " points; it must have at least " +
-      std::to_string(littoral::FewestPatternPoints) + ".";
+    littoral::Refuse("the input has ", pattern.Input->GetNumberOfPoints(), " points; it must have at least ",
+      littoral::FewestPatternPoints, ".");
   }
   pattern.Points = littoral::PlanePositionsOf(pattern.Input);
-  reason = window ? littoral::ReadWindow(window, pattern.Window)
-                  : littoral::ReadWindow(pattern.Input, this->Origin, this->Size, pattern.Window);
-  reason = reason.empty()
-    ? littoral::WhyInvalid(pattern.Points, pattern.Window, littoral::FewestPatternPoints, this->AllowCoincidentPoints)
-    : reason;
-  reason = reason.empty() ? this->ReadKinds(pattern) : reason;
-  return reason.empty() && pattern.Fits ? ReadLaw(pattern) : reason;
+  pattern.Window =
+    window ? littoral::ReadWindow(window) : littoral::ReadWindow(pattern.Input, this->Origin, this->Size);
+  littoral::Require(
+    littoral::WhyInvalid(pattern.Points, pattern.Window, littoral::FewestPatternPoints, this->AllowCoincidentPoints));
+  this->ReadKinds(pattern);
+  if (pattern.Fits)
+  {
+    ReadLaw(pattern);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -324,12 +315,7 @@ int vtkPointPatternStatisticsFilter::RequestData(
     return 1;
   }
   Pattern pattern;
-  const std::string reason = this->ReadPattern(inputVector, pattern);
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot measure the pattern: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  this->ReadPattern(inputVector, pattern);
   const littoral::StatisticsOptions options = this->Options();
   this->SetProgressText("Measuring the pattern");
   const littoral::PatternStatistics statistics(pattern, options, littoral::AbortableFor(this));
@@ -367,8 +353,8 @@ int vtkPointPatternStatisticsFilter::RequestData(
 int vtkPointPatternStatisticsFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot measure the pattern: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -285,9 +285,9 @@ private:
   struct Pattern;
 
   littoral::StatisticsOptions Options() const;
-  std::string ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const;
-  std::string ReadKinds(Pattern& pattern) const;
-  static std::string ReadLaw(Pattern& pattern);
+  void ReadPattern(vtkInformationVector** inputs, Pattern& pattern) const;
+  void ReadKinds(Pattern& pattern) const;
+  static void ReadLaw(Pattern& pattern);
 };
 
 #endif

@@ -7,7 +7,6 @@
 #include "Patterns/PatternVerdict.h"
 #include "Patterns/QuadratFit.h"
 #include "Patterns/QuadratPattern.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
@@ -33,6 +32,7 @@ constexpr long long FewestPoints = 5;
 /// Laws of clusters cost the square of the largest count.
 constexpr std::size_t LargestCount = 20000;
 constexpr double SignificanceLevel = 0.05;
+constexpr const char* CannotAnalyse = "Cannot analyse: ";
 
 using Fit = littoral::QuadratFit;
 
@@ -130,8 +130,9 @@ int vtkQuadratAnalysisFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-bool vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input, littoral::QuadratGrid& grid)
+littoral::QuadratGrid vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input)
 {
+  littoral::QuadratGrid grid;
   const bool boxed = this->Size[0] == 0.0 && this->Size[1] == 0.0;
   double bounds[6];
   input->GetBounds(bounds);
@@ -142,35 +143,30 @@ bool vtkQuadratAnalysisFilter::MakeGrid(vtkPointSet* input, littoral::QuadratGri
   }
   if (boxed && !(grid.Size[0] > 0.0 && grid.Size[1] > 0.0))
   {
-    littoralErrorMacro("The points cover no area: their box is " << grid.Size[0] << " x " << grid.Size[1] << " m.");
-    return false;
+    littoral::Refuse("The points cover no area: their box is ", grid.Size[0], " x ", grid.Size[1], " m.");
   }
-  std::string reason = littoral::WhyInvalid(grid);
-  if (reason.empty() && this->Quadrats[0] == 0 && this->Quadrats[1] == 0)
-  {
-    littoral::ChooseQuadrats(grid, static_cast<double>(input->GetNumberOfPoints()));
-  }
-  else if (reason.empty())
-  {
-    grid.Count = { this->Quadrats[0], this->Quadrats[1] };
-    reason = littoral::WhyInvalid(grid);
-  }
-  const double quadrats = static_cast<double>(grid.NumberOfQuadrats());
-  if (reason.empty() && (quadrats < 2.0 || 4.0 * quadrats > littoral::AvailableMemory()))
-  {
-    reason = std::to_string(grid.NumberOfQuadrats()) + " quadrats cannot be analysed; take another number.";
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot analyse: " << reason);
-    return false;
-  }
-  return true;
+  littoral::InContext(CannotAnalyse, [&] {
+    littoral::Require(littoral::WhyInvalid(grid));
+    if (this->Quadrats[0] == 0 && this->Quadrats[1] == 0)
+    {
+      littoral::ChooseQuadrats(grid, static_cast<double>(input->GetNumberOfPoints()));
+    }
+    else
+    {
+      grid.Count = { this->Quadrats[0], this->Quadrats[1] };
+      littoral::Require(littoral::WhyInvalid(grid));
+    }
+    const double quadrats = static_cast<double>(grid.NumberOfQuadrats());
+    if (quadrats < 2.0 || 4.0 * quadrats > littoral::AvailableMemory())
+    {
+      littoral::Refuse(grid.NumberOfQuadrats(), " quadrats cannot be analysed; take another number.");
+    }
+  });
+  return grid;
 }
 
 //----------------------------------------------------------------------------
-bool vtkQuadratAnalysisFilter::CountPoints(
-  vtkPointSet* input, const littoral::QuadratGrid& grid, std::vector<long long>& frequencies)
+std::vector<long long> vtkQuadratAnalysisFilter::CountPoints(vtkPointSet* input, const littoral::QuadratGrid& grid)
 {
   std::vector<int> counts(static_cast<std::size_t>(grid.NumberOfQuadrats()), 0);
   const vtkIdType points = input->GetNumberOfPoints();
@@ -188,18 +184,15 @@ bool vtkQuadratAnalysisFilter::CountPoints(
   }
   if (inside < FewestPoints)
   {
-    littoralErrorMacro("Only " << inside << " of " << points << " points lie in the study area.");
-    return false;
+    littoral::Refuse("Only ", inside, " of ", points, " points lie in the study area.");
   }
-  frequencies = littoral::CountFrequencies(counts);
+  std::vector<long long> frequencies = littoral::CountFrequencies(counts);
   if (frequencies.size() > LargestCount)
   {
-    littoralErrorMacro("A quadrat holds " << frequencies.size() - 1
-                                          << " points; take more Quadrats, so that none holds more "
-                                          << "than " << LargestCount << ".");
-    return false;
+    littoral::Refuse("A quadrat holds ", frequencies.size() - 1,
+      " points; take more Quadrats, so that none holds more than ", LargestCount, ".");
   }
-  return true;
+  return frequencies;
 }
 
 //----------------------------------------------------------------------------
@@ -210,30 +203,16 @@ int vtkQuadratAnalysisFilter::RequestData(
   {
     return 1;
   }
-  std::string reason;
-  auto* input = littoral::InputOf<vtkPointSet>(inputVector[0], "Input", reason);
-  if (!input)
-  {
-    littoralErrorMacro("Cannot analyse: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  auto* input =
+    littoral::InContext(CannotAnalyse, [&] { return littoral::InputOf<vtkPointSet>(inputVector[0], "Input"); });
   const vtkIdType points = input->GetNumberOfPoints();
   if (points < FewestPoints)
   {
-    littoralErrorMacro("The input has " << points << " points; an analysis needs at least " << FewestPoints << ".");
-    return littoral::FailedRequest(this);
+    littoral::Refuse("The input has ", points, " points; an analysis needs at least ", FewestPoints, ".");
   }
-  littoral::QuadratGrid grid;
-  if (!this->MakeGrid(input, grid))
-  {
-    return littoral::FailedRequest(this);
-  }
+  const littoral::QuadratGrid grid = this->MakeGrid(input);
   this->SetProgressText("Counting points");
-  std::vector<long long> frequencies;
-  if (!this->CountPoints(input, grid, frequencies))
-  {
-    return littoral::FailedRequest(this);
-  }
+  const std::vector<long long> frequencies = this->CountPoints(input, grid);
   this->UpdateProgress(0.2);
   vtkTable* table = vtkTable::GetData(outputVector, 0);
   const std::vector<Fit> fits = littoral::FitAllQuadratLaws(frequencies);
@@ -249,7 +228,7 @@ int vtkQuadratAnalysisFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -89,8 +89,8 @@ private:
   vtkQuadratAnalysisFilter(const vtkQuadratAnalysisFilter&) = delete;
   void operator=(const vtkQuadratAnalysisFilter&) = delete;
 
-  bool MakeGrid(vtkPointSet* input, littoral::QuadratGrid& grid);
-  bool CountPoints(vtkPointSet* input, const littoral::QuadratGrid& grid, std::vector<long long>& frequencies);
+  littoral::QuadratGrid MakeGrid(vtkPointSet* input);
+  std::vector<long long> CountPoints(vtkPointSet* input, const littoral::QuadratGrid& grid);
 };
 
 #endif

@@ -7,7 +7,6 @@
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Sea/SeaStatistics.h"
 
@@ -76,19 +75,12 @@ int vtkSeaStatisticsFilter::RequestData(
   {
     return 1;
   }
-  std::string reason;
-  auto* input = littoral::InputOf<vtkTable>(inputVector[0], "Input", reason);
-  littoral::SeaState sea;
-  littoral::SampledSpectrum spectrum;
   littoral::ParameterCheck check;
   check.Count("NumberOfSectors", this->NumberOfSectors, 4, 3600);
-  check.Require(input ? littoral::ReadSeaState(input, sea) : reason);
-  check.Require(input ? littoral::ReadSpectrum(input, spectrum) : reason);
-  if (!check.IsGood())
-  {
-    littoralErrorMacro("Cannot analyze: " << check.Reason());
-    return littoral::FailedRequest(this);
-  }
+  littoral::Require(check.Reason());
+  auto* input = littoral::InputOf<vtkTable>(inputVector[0], "Input");
+  const littoral::SeaState sea = littoral::ReadSeaState(input);
+  const littoral::SampledSpectrum spectrum = littoral::ReadSpectrum(input);
   WriteSpectrumCurve(
     littoral::SpectrumOfTrains(sea.Trains, spectrum.Edges, spectrum.Densities), vtkTable::GetData(outputVector, 0));
   WriteDirections(littoral::SpreadingOfTrains(sea.Trains, this->NumberOfSectors), vtkTable::GetData(outputVector, 1));
@@ -108,8 +100,8 @@ int vtkSeaStatisticsFilter::RequestData(
 int vtkSeaStatisticsFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot analyze: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

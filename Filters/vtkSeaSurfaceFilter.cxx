@@ -6,7 +6,6 @@
 #include "Data/Inputs.h"
 #include "Data/SeaStateTable.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Sea/SeaColor.h"
@@ -178,16 +177,8 @@ int vtkSeaSurfaceFilter::RequestData(
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
   const double time = littoral::RequestedTime(information);
-  littoral::SeaState sea;
-  std::string reason;
-  auto* table = littoral::InputOf<vtkTable>(inputVector[0], "Input", reason);
-  reason = table ? littoral::ReadSeaState(table, sea) : reason;
-  reason = reason.empty() ? this->WhyBadProperties(time) : reason;
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make a surface: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  const littoral::SeaState sea = littoral::ReadSeaState(littoral::InputOf<vtkTable>(inputVector[0], "Input"));
+  littoral::Require(this->WhyBadProperties(time));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
   {
@@ -232,8 +223,8 @@ void vtkSeaSurfaceFilter::MakeSurface(const littoral::SeaState& sea, double time
 int vtkSeaSurfaceFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot make a surface: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -220,48 +220,38 @@ littoral::SeaweedOptions vtkSeaweedDeformationFilter::MakeOptions() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector, vtkMultiBlockDataSet* blocks)
+void vtkSeaweedDeformationFilter::TakeInputs(vtkInformationVector** inputVector, vtkMultiBlockDataSet* blocks)
 {
   littoral::SeaweedScene& scene = this->Internals->Scene;
-  const std::string reason = littoral::TakeSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(),
-    inputVector[CurrentsPort], this->VelocityArray, littoral::VelocityInterpolation::Linear);
+  littoral::TakeSnapshots(scene.Currents, scene.GetGrid(), scene.NextMoments(), inputVector[CurrentsPort],
+    this->VelocityArray, littoral::VelocityInterpolation::Linear);
   vtkDataObject* plants = vtkDataObject::GetData(inputVector[PlantsPort]);
   const vtkMTimeType plantsTime = std::max(plants->GetMTime(), plants->GetUpdateTime());
   const bool areRead =
     scene.HasPlants() && this->Internals->Plants == plants && this->Internals->PlantsTime == plantsTime;
-  if (!reason.empty() || areRead)
+  if (areRead)
   {
-    return reason;
+    return;
   }
   this->Internals->Plants = plants;
   this->Internals->PlantsTime = plantsTime;
-  return this->TakePlants(inputVector[SeaPort], blocks);
+  this->TakePlants(inputVector[SeaPort], blocks);
 }
 
 //----------------------------------------------------------------------------
-std::string vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks)
+void vtkSeaweedDeformationFilter::TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks)
 {
   littoral::SeaweedScene& scene = this->Internals->Scene;
   this->SetProgressText("Reading plants");
   littoral::SeaState sea;
-  std::string reason;
   if (seas->GetNumberOfInformationObjects() > 0)
   {
-    auto* table = littoral::InputOf<vtkTable>(seas, "Sea State", reason);
-    reason = table ? littoral::ReadSeaState(table, sea) : reason;
-  }
-  if (!reason.empty())
-  {
-    return reason;
+    sea = littoral::ReadSeaState(littoral::InputOf<vtkTable>(seas, "Sea State"));
   }
   littoral::SeaweedOptions options = this->MakeOptions();
   options.SeaLevel = sea.SeaLevel;
-  reason = littoral::ReadSeaweeds(blocks, options, sea, scene, this->Internals->Skins);
-  if (reason.empty())
-  {
-    this->WarnOfLimits();
-  }
-  return reason;
+  littoral::ReadSeaweeds(blocks, options, sea, scene, this->Internals->Skins);
+  this->WarnOfLimits();
 }
 
 //----------------------------------------------------------------------------
@@ -289,44 +279,51 @@ void vtkSeaweedDeformationFilter::WarnOfLimits()
 }
 
 //----------------------------------------------------------------------------
-bool vtkSeaweedDeformationFilter::FindLevels(littoral::SeaweedLevels& levels)
+littoral::SeaweedLevels vtkSeaweedDeformationFilter::FindLevels()
 {
+  littoral::SeaweedLevels levels;
   levels.UseLevels = this->UseLevels;
   levels.NearDistance = this->NearDistance;
   levels.FarDistance = this->FarDistance;
   levels.BlendDistance = this->BlendDistance + this->ViewSpeed * this->BlendTime;
   levels.PixelError = this->PixelError / this->DetailFactor;
-  return !this->UseLevels || this->GetView(levels.Seen);
+  levels.Seen = this->UseLevels ? this->GetView() : levels.Seen;
+  return levels;
 }
 
 //----------------------------------------------------------------------------
 int vtkSeaweedDeformationFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::string reason;
-  const auto plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), "Input", reason);
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   const double time = littoral::RequestedTime(outputVector->GetInformationObject(0));
+  const bool isInWater = inputVector[SeaPort]->GetNumberOfInformationObjects() > 0 ||
+    inputVector[CurrentsPort]->GetNumberOfInformationObjects() > 0;
   littoral::SeaweedLevels levels;
-  if (!this->FindLevels(levels))
+  vtkSmartPointer<vtkMultiBlockDataSet> plants;
+  try
   {
-    return this->Fail(request, output);
+    levels = this->FindLevels();
+    littoral::InContext("Cannot move seaweeds: ", [&] {
+      plants = littoral::BlocksOf(vtkDataObject::GetData(inputVector[PlantsPort]), "Input");
+      littoral::Require(this->WhyInvalid(time));
+      if (isInWater)
+      {
+        this->TakeInputs(inputVector, plants);
+      }
+    });
   }
-  reason = reason.empty() ? this->WhyInvalid(time) : reason;
-  if (reason.empty() && inputVector[SeaPort]->GetNumberOfInformationObjects() == 0 &&
-    inputVector[CurrentsPort]->GetNumberOfInformationObjects() == 0)
+  catch (const littoral::InvalidInput&)
   {
-    littoralErrorMacro("There is no sea state and no current: connect one to Sea State or Currents. The seaweeds stay "
-                       "as they are.");
+    this->Fail(request, output);
+    throw;
+  }
+  if (!isInWater)
+  {
     this->Fail(request, output);
     output->ShallowCopy(plants);
-    return littoral::FailedRequest(this);
-  }
-  reason = reason.empty() ? this->TakeInputs(inputVector, plants) : reason;
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot move seaweeds: " << reason);
-    return this->Fail(request, output);
+    return littoral::FailedBy(this,
+      "There is no sea state and no current: connect one to Sea State or Currents. The seaweeds stay as they are.");
   }
   output->ShallowCopy(plants);
   littoral::SeaweedScene& scene = this->Internals->Scene;
@@ -380,12 +377,11 @@ void vtkSeaweedDeformationFilter::Write(
 }
 
 //----------------------------------------------------------------------------
-int vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* output)
+void vtkSeaweedDeformationFilter::Fail(vtkInformation* request, vtkDataObject* output)
 {
   this->Internals->Plants = nullptr;
   this->Internals->Skins.clear();
   this->Internals->MarchingRequests::Fail(request, output);
-  return littoral::FailedRequest(this);
 }
 
 //----------------------------------------------------------------------------

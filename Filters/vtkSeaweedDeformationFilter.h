@@ -44,7 +44,7 @@
 #include "vtkViewDependentAlgorithm.h"
 
 #include <memory> // for what is kept between frames
-#include <string> // for reasons
+#include <string> // for checks
 #include <vector> // for what a state depends on
 
 namespace littoral
@@ -354,12 +354,12 @@ private:
   std::string WhyInvalid(double time) const;
   littoral::SeaweedOptions MakeOptions() const;
   std::vector<double> StateKey(vtkInformationVector** inputs, vtkInformation* output);
-  std::string TakeInputs(vtkInformationVector** inputs, vtkMultiBlockDataSet* blocks);
-  std::string TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks);
+  void TakeInputs(vtkInformationVector** inputs, vtkMultiBlockDataSet* blocks);
+  void TakePlants(vtkInformationVector* seas, vtkMultiBlockDataSet* blocks);
   void WarnOfLimits();
-  bool FindLevels(littoral::SeaweedLevels& levels);
+  littoral::SeaweedLevels FindLevels();
   void Write(const littoral::SeaweedLevels& levels, vtkMultiBlockDataSet* plants, vtkMultiBlockDataSet* output);
-  int Fail(vtkInformation* request, vtkDataObject* output);
+  void Fail(vtkInformation* request, vtkDataObject* output);
 
   std::unique_ptr<vtkInternals> Internals;
 };

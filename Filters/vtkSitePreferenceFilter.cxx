@@ -10,7 +10,6 @@
 #include "Drainage/GroundWetness.h"
 #include "Numerics/Constants.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Plants/SitePreference.h"
 
@@ -56,20 +55,13 @@ using Species = std::vector<littoral::SpeciesPreference>;
 class Ground
 {
 public:
-  /// A reason, unless there is one, if it is no terrain, or lacks what species answer to.
-  Ground(vtkImageData* terrain, const Species& species, std::string& reason)
+  Ground(vtkImageData* terrain, const Species& species)
+    : Grid(littoral::MakeGrid(terrain))
+    , Drainage(littoral::ArrayReader::OfPoints(terrain, "the Terrain").Find("DrainageArea", 1))
   {
-    if (!reason.empty() || !littoral::MakeGrid(terrain, this->Grid, reason))
-    {
-      return;
-    }
-    littoral::ArrayReader points = littoral::ArrayReader::OfPoints(terrain, "the Terrain");
-    this->Drainage = points.Find("DrainageArea", 1);
-    reason = points.Reason();
-    if (reason.empty() && !this->Drainage && littoral::AnyAnswers(species, Factor::Wetness))
-    {
-      reason = "a species has a wetness, and the Terrain has no point array DrainageArea.";
-    }
+    littoral::Require(!this->Drainage && littoral::AnyAnswers(species, Factor::Wetness)
+        ? "a species has a wetness, and the Terrain has no point array DrainageArea."
+        : "");
     const long long count = static_cast<long long>(this->Grid.Count[0]) * this->Grid.Count[1];
     for (long long point = 0; point < count; ++point)
     {
@@ -104,7 +96,7 @@ public:
 
 private:
   littoral::HeightGrid Grid;
-  vtkDataArray* Drainage = nullptr;
+  vtkDataArray* Drainage;
   double Low = 1e300;
   double High = -1e300;
 };
@@ -123,21 +115,17 @@ struct KeptSite
 class Sites
 {
 public:
-  Sites(vtkPointSet* sites, std::string& reason)
+  explicit Sites(vtkPointSet* sites)
     : Points(sites)
   {
-    if (reason.empty())
-    {
-      littoral::ArrayReader points = littoral::ArrayReader::OfPoints(sites, "a set of sites");
-      this->Identities = points.Find("SiteId", 1);
-      this->Kinds = points.Find("Species", 1);
-      reason = points.Reason();
-    }
+    const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(sites, "a set of sites");
+    this->Identities = points.Find("SiteId", 1);
+    this->Kinds = points.Find("Species", 1);
   }
 
-  /// Whether a site is kept, with what becomes of it. A reason if it cannot be told.
+  /// Whether a site is kept, with what becomes of it.
   bool Keeps(vtkIdType site, const Species& species, const Ground& ground, const littoral::PreferenceOptions& options,
-    KeptSite& kept, std::string& reason) const
+    KeptSite& kept) const
   {
     double place[3];
     this->Points->GetPoint(site, place);
@@ -148,11 +136,7 @@ public:
     check.Require(ground.At(place[0], place[1], kept.Ground),
       "site " + std::to_string(site) + " at (" + littoral::TextOf(place[0]) + ", " + littoral::TextOf(place[1]) +
         ") lies outside of the Terrain, or where it has no height or no drainage area.");
-    reason = check.Reason();
-    if (!reason.empty())
-    {
-      return false;
-    }
+    littoral::Require(check.Reason());
     kept.Site = site;
     kept.Identity = static_cast<long long>(identity);
     std::copy_n(place, 2, kept.Place);
@@ -162,8 +146,8 @@ public:
       return kept.Species >= 0;
     }
     const auto last = static_cast<long long>(species.size()) - 1;
-    return littoral::ReadWhole("Species" + ofSite, this->Kinds->GetComponent(site, 0), 0, last, kept.Species, reason) &&
-      littoral::StaysAt(species[kept.Species], kept.Ground, options, kept.Identity);
+    littoral::ReadWhole("Species" + ofSite, this->Kinds->GetComponent(site, 0), 0, last, kept.Species);
+    return littoral::StaysAt(species[kept.Species], kept.Ground, options, kept.Identity);
   }
 
 private:
@@ -283,38 +267,25 @@ int vtkSitePreferenceFilter::RequestUpdateExtent(
 int vtkSitePreferenceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::string reason;
-  auto* sites = littoral::InputOf<vtkPointSet>(inputVector[SitesPort], "Sites", reason);
-  auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputVector[TerrainPort], "Terrain", reason);
-  reason = reason.empty() && !terrain ? "there is no terrain; connect one to Terrain." : reason;
-  auto* table = littoral::OptionalInputOf<vtkTable>(inputVector[PreferencesPort], "Preferences", reason);
-  const bool knowsDrainage = terrain && terrain->GetPointData()->HasArray("DrainageArea");
-  Species species = littoral::UsualPreferences(knowsDrainage);
-  if (reason.empty() && table)
-  {
-    const littoral::TextTable texts = littoral::TextsOf(table, reason);
-    species = reason.empty() ? littoral::ReadPreferences(texts, reason) : species;
-  }
-  const Ground ground(terrain, species, reason);
-  const Sites arrays(sites, reason);
+  auto* sites = littoral::InputOf<vtkPointSet>(inputVector[SitesPort], "Sites");
+  auto* terrain = littoral::OptionalInputOf<vtkImageData>(inputVector[TerrainPort], "Terrain");
+  littoral::Require(terrain ? "" : "there is no terrain; connect one to Terrain.");
+  auto* table = littoral::OptionalInputOf<vtkTable>(inputVector[PreferencesPort], "Preferences");
+  const bool knowsDrainage = terrain->GetPointData()->HasArray("DrainageArea");
+  const Species species =
+    table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::UsualPreferences(knowsDrainage);
+  const Ground ground(terrain, species);
+  const Sites arrays(sites);
   std::vector<KeptSite> kept;
   vtkInformation* output = outputVector->GetInformationObject(0);
-  if (reason.empty())
+  const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());
+  for (long long site = part.Begin; site < part.End; ++site)
   {
-    const littoral::PieceRange part = littoral::RequestedPart(output, sites->GetNumberOfPoints());
-    for (long long site = part.Begin; site < part.End && reason.empty(); ++site)
+    KeptSite own{};
+    if (arrays.Keeps(site, species, ground, { this->Thins, this->Seed }, own))
     {
-      KeptSite own{};
-      if (arrays.Keeps(site, species, ground, { this->Thins, this->Seed }, own, reason))
-      {
-        kept.push_back(own);
-      }
+      kept.push_back(own);
     }
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot let the terrain decide: " << reason);
-    return littoral::FailedRequest(this);
   }
   vtkPolyData* result = vtkPolyData::GetData(output);
   Write(kept, sites, ground.HasDrainage(), result);
@@ -333,8 +304,8 @@ int vtkSitePreferenceFilter::RequestData(
 int vtkSitePreferenceFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot let the terrain decide: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 #include "Data/Inputs.h"
 #include "Data/TableTexts.h"
 #include "Data/Tables.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Plants/InventoryPlants.h"
 #include "Plants/StandInventory.h"
@@ -219,31 +218,15 @@ littoral::InventoryOptions vtkStandInventoryFilter::Options() const
 int vtkStandInventoryFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::string reason;
-  auto* inventory = littoral::InputOf<vtkTable>(inputVector[InventoryPort], "Inventory", reason);
-  auto* rows = littoral::OptionalInputOf<vtkTable>(inputVector[SpeciesPort], "Species", reason);
-  littoral::StandSpeciesTable species;
-  if (reason.empty() && rows)
-  {
-    const littoral::TextTable texts = littoral::TextsOf(rows, reason);
-    std::string why;
-    species = littoral::StandSpeciesTable(texts, why);
-    reason = reason.empty() ? why : reason;
-  }
+  auto* inventory = littoral::InputOf<vtkTable>(inputVector[InventoryPort], "Inventory");
+  auto* rows = littoral::OptionalInputOf<vtkTable>(inputVector[SpeciesPort], "Species");
+  const littoral::StandSpeciesTable species =
+    rows ? littoral::StandSpeciesTable(littoral::TextsOf(rows)) : littoral::StandSpeciesTable();
   const littoral::InventoryOptions options = this->Options();
-  littoral::StandInventory stand;
-  if (reason.empty())
-  {
-    this->SetProgressText("Reading trees");
-    const littoral::TextTable texts = littoral::TextsOf(inventory, reason);
-    this->UpdateProgress(0.3);
-    reason = reason.empty() ? littoral::ReadInventory(texts, species, options, stand) : reason;
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot read the inventory: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  this->SetProgressText("Reading trees");
+  const littoral::TextTable texts = littoral::TextsOf(inventory);
+  this->UpdateProgress(0.3);
+  littoral::StandInventory stand = littoral::ReadInventory(texts, species, options);
   this->UpdateProgress(0.6);
   littoral::CompleteStand(species, options, stand);
   const littoral::InventoryPlants plants = littoral::PlantsOfInventory(species, stand, options.SizeClasses);
@@ -275,8 +258,8 @@ int vtkStandInventoryFilter::RequestData(
 int vtkStandInventoryFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot read the inventory: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

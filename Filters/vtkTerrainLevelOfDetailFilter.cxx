@@ -10,7 +10,6 @@
 #include "Data/Tables.h"
 #include "Geometry/ViewFrustum.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Terrain/GroundColor.h"
@@ -128,7 +127,7 @@ public:
     const littoral::TerrainPyramid& pyramid, const std::vector<double>& wetness, vtkImageData* image, bool paints)
     : Pyramid(pyramid)
     , Wetness(wetness)
-    , Reflectance(littoral::ArrayReader::OfPoints(image, "The image").Find("Reflectance", 1))
+    , Reflectance(littoral::ArrayReader::OfPoints(image, "The image").Seek("Reflectance", 1))
     , Paints(paints && !image->GetPointData()->HasArray("RGB"))
   {
     float lowest = std::numeric_limits<float>::infinity();
@@ -390,7 +389,7 @@ int vtkTerrainLevelOfDetailFilter::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-bool vtkTerrainLevelOfDetailFilter::CheckProperties()
+void vtkTerrainLevelOfDetailFilter::CheckProperties()
 {
   const bool isPowerOfTwo = (this->TileSize & (this->TileSize - 1)) == 0;
   littoral::ParameterCheck check;
@@ -399,22 +398,13 @@ bool vtkTerrainLevelOfDetailFilter::CheckProperties()
   check.Count("NumberOfLevels", this->NumberOfLevels, 1, littoral::MostTerrainLevels);
   check.Require(this->TileSize >= 1 && this->TileSize <= 4096 && isPowerOfTwo, "TileSize", this->TileSize, "cells",
     "a power of two from 1 to 4096");
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-  }
-  return check.IsGood();
+  littoral::Require(check.Reason());
 }
 
 //----------------------------------------------------------------------------
 vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vtkInformationVector** inputVector)
 {
-  const std::string reason = littoral::WhyNoRaster(image, 2);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return nullptr;
-  }
+  littoral::RequireRaster(image, 2);
   vtkInformation* choice = this->GetInputArrayInformation(0);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   const bool isNamed = name && !littoral::NamesNoArray(choice);
@@ -427,62 +417,50 @@ vtkDataArray* vtkTerrainLevelOfDetailFilter::FindHeights(vtkImageData* image, vt
   }
   if (!heights)
   {
-    littoralErrorMacro("The image has no " << (isNamed ? "array '" + std::string(name) + "'" : "point scalars")
-                                           << " to take as elevation.");
-    return nullptr;
+    littoral::Refuse(
+      "The image has no ", isNamed ? "array '" + std::string(name) + "'" : "point scalars", " to take as elevation.");
   }
   if (heights->GetNumberOfTuples() != image->GetNumberOfPoints() || heights->GetNumberOfComponents() != 1)
   {
-    littoralErrorMacro("The array '" << (heights->GetName() ? heights->GetName() : "")
-                                     << "' is no elevation: it is a vector or lies on cells.");
-    return nullptr;
+    littoral::Refuse("The array '", heights->GetName() ? heights->GetName() : "",
+      "' is no elevation: it is a vector or lies on cells.");
   }
   return heights;
 }
 
 //----------------------------------------------------------------------------
-bool vtkTerrainLevelOfDetailFilter::CheckHeights(vtkDataArray* heights)
+void vtkTerrainLevelOfDetailFilter::CheckHeights(vtkDataArray* heights)
 {
+  const std::string array = std::string("array '") + (heights->GetName() ? heights->GetName() : "") + "'.";
   bool isAnyThere = false;
   for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
   {
     const float height = static_cast<float>(heights->GetComponent(i, 0));
     if (std::isinf(height))
     {
-      littoralErrorMacro("The elevation is infinite at point "
-        << i << " of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
-      return false;
+      littoral::Refuse("The elevation is infinite at point ", i, " of the ", array);
     }
     isAnyThere = isAnyThere || !std::isnan(height);
   }
-  if (!isAnyThere)
-  {
-    littoralErrorMacro(
-      "The elevation is NaN at all points of the array '" << (heights->GetName() ? heights->GetName() : "") << "'.");
-  }
-  return isAnyThere;
+  littoral::Require(isAnyThere ? "" : "The elevation is NaN at all points of the " + array);
 }
 
 //----------------------------------------------------------------------------
-bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
+void vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataArray* heights)
 {
   vtkInternals& internals = *this->Internals;
   if (internals.Pyramid && internals.ImageTime == image->GetMTime() && internals.HeightsTime == heights->GetMTime() &&
     internals.TileSize == this->TileSize && internals.Levels == this->NumberOfLevels)
   {
-    return true;
+    return;
   }
   internals.Pyramid.reset();
   const double bytes = BytesASample(image) * static_cast<double>(image->GetNumberOfPoints());
   if (bytes > littoral::AvailableMemory())
   {
-    littoralErrorMacro("The terrain in levels may take " << bytes / 1e9 << " GB, more than the free memory.");
-    return false;
+    littoral::Refuse("The terrain in levels may take ", bytes / 1e9, " GB, more than the free memory.");
   }
-  if (!this->CheckHeights(heights))
-  {
-    return false;
-  }
+  this->CheckHeights(heights);
   littoral::HeightSamples samples;
   int dimensions[3];
   image->GetDimensions(dimensions);
@@ -506,7 +484,6 @@ bool vtkTerrainLevelOfDetailFilter::UpdatePyramid(vtkImageData* image, vtkDataAr
   internals.HeightsTime = heights->GetMTime();
   internals.TileSize = this->TileSize;
   internals.Levels = this->NumberOfLevels;
-  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -525,31 +502,25 @@ littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
 int vtkTerrainLevelOfDetailFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::string reason;
-  auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
-  reason = image && this->GroundColors ? littoral::WhyUncolorable(image, "the image") : reason;
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make levels: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  vtkImageData* image = nullptr;
+  littoral::InContext("Cannot make levels: ", [&] {
+    image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
+    if (this->GroundColors)
+    {
+      littoral::RequireColorable(image, "the image");
+    }
+  });
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
-  littoral::View seen;
-  if (!this->CheckProperties() || !this->GetView(seen))
-  {
-    return littoral::FailedRequest(this);
-  }
+  this->CheckProperties();
+  const littoral::View seen = this->GetView();
   vtkDataArray* heights = this->FindHeights(image, inputVector);
-  const bool isLater = littoral::AsksForLaterPiece(request, outputVector);
-  if (!heights || !(isLater ? this->CheckHeights(heights) : this->UpdatePyramid(image, heights)))
+  if (littoral::AsksForLaterPiece(request, outputVector))
   {
-    return littoral::FailedRequest(this);
-  }
-  if (isLater)
-  {
+    this->CheckHeights(heights);
     AddEmptyBlocks(output, littoral::LevelsOfTiles(this->TileSize, this->NumberOfLevels));
     return 1;
   }
+  this->UpdatePyramid(image, heights);
   const littoral::TerrainPyramid& pyramid = *this->Internals->Pyramid;
   const littoral::ViewFrustum view(seen);
   const std::vector<int> levels = littoral::SelectLevels(pyramid, view, this->MakeRule());

@@ -128,10 +128,10 @@ private:
   vtkTerrainLevelOfDetailFilter(const vtkTerrainLevelOfDetailFilter&) = delete;
   void operator=(const vtkTerrainLevelOfDetailFilter&) = delete;
 
-  bool CheckProperties();
+  void CheckProperties();
   vtkDataArray* FindHeights(vtkImageData* image, vtkInformationVector** inputVector);
-  bool CheckHeights(vtkDataArray* heights);
-  bool UpdatePyramid(vtkImageData* image, vtkDataArray* heights);
+  void CheckHeights(vtkDataArray* heights);
+  void UpdatePyramid(vtkImageData* image, vtkDataArray* heights);
 
   class vtkInternals;
   littoral::TerrainRule MakeRule() const;

@@ -88,7 +88,7 @@ littoral::View vtkViewDependentAlgorithm::RoundedView() const
 }
 
 //----------------------------------------------------------------------------
-bool vtkViewDependentAlgorithm::GetView(littoral::View& view)
+littoral::View vtkViewDependentAlgorithm::GetView()
 {
   littoral::ParameterCheck check;
   check.Require(littoral::WhyInvalid(this->UnroundedView()));
@@ -97,13 +97,8 @@ bool vtkViewDependentAlgorithm::GetView(littoral::View& view)
   check.Require(this->NearDistance >= 0.0 && this->FarDistance >= this->NearDistance,
     "NearDistance is " + littoral::TextOf(this->NearDistance) + " m and FarDistance " +
       littoral::TextOf(this->FarDistance) + " m; they must not be negative, and far must not be nearer than near.");
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-    return false;
-  }
-  view = this->RoundedView();
-  return true;
+  littoral::Require(check.Reason());
+  return this->RoundedView();
 }
 
 //----------------------------------------------------------------------------
@@ -224,7 +219,7 @@ int vtkViewDependentAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

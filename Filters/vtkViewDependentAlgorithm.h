@@ -162,8 +162,8 @@ protected:
   vtkViewDependentAlgorithm();
   ~vtkViewDependentAlgorithm() override;
 
-  /// View of the request, rounded by the tolerances. False, with an error message, if a property of it is out of range.
-  bool GetView(littoral::View& view);
+  /// View of the request, rounded by the tolerances. Throws InvalidInput if a property of it is out of range.
+  littoral::View GetView();
 
   double ViewPoint[3];
   double ViewDirection[3];

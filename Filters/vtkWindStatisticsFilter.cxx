@@ -6,7 +6,6 @@
 #include "Data/Tables.h"
 #include "Data/WindImage.h"
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Wind/WindStatistics.h"
 
@@ -103,24 +102,12 @@ int vtkWindStatisticsFilter::RequestData(
   check.NotNegative("Separation[0]", this->Separation[0], "m");
   check.NotNegative("Separation[1]", this->Separation[1], "m");
   check.Count("NumberOfBands", this->NumberOfBands, 2, 10000);
-  littoral::ModelledWind wind;
-  littoral::WindPlaces places;
-  if (check.IsGood())
-  {
-    std::string reason;
-    auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input", reason);
-    check.Require(image ? littoral::ReadModelledWind(image, wind) : reason);
-  }
+  littoral::Require(check.Reason());
+  const littoral::ModelledWind wind =
+    littoral::ReadModelledWind(littoral::InputOf<vtkImageData>(inputVector[0], "Input"));
   const littoral::WindGrid& grid = wind.Grid;
-  if (check.IsGood())
-  {
-    check.Require(littoral::FindPlaces(grid, this->Height, { this->Separation[0], this->Separation[1] }, places));
-  }
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-    return littoral::FailedRequest(this);
-  }
+  littoral::WindPlaces places;
+  littoral::Require(littoral::FindPlaces(grid, this->Height, { this->Separation[0], this->Separation[1] }, places));
   this->SetProgressText("Measuring wind");
   const littoral::WindStatistics statistics(wind.Velocities.data(), grid, wind.Model, littoral::PollOf(this));
   WriteBands(statistics.Spectra(places.Layer, this->NumberOfBands), vtkTable::GetData(outputVector, 0));
@@ -145,7 +132,7 @@ int vtkWindStatisticsFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -5,20 +5,21 @@
 
 // Rasters of heights in files that GDAL knows, in metres.
 
+#include "Numerics/InvalidInput.h"
+
 #include <array>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace littoral
 {
 
 /// Why a raster cannot be read, in words that follow "Cannot read FILE: ".
-class RasterError : public std::runtime_error
+class RasterError : public InvalidInput
 {
 public:
-  using std::runtime_error::runtime_error;
+  using InvalidInput::InvalidInput;
 };
 
 /// The coordinate system in which a raster is read.

@@ -28,12 +28,12 @@ constexpr const char* Prototype = "Prototype";
 /// A field number of a block; `otherwise` where it has none.
 int NumberOf(vtkPolyData* block, const char* name, int otherwise)
 {
-  vtkDataArray* numbers = block ? ArrayReader::OfFields(block, "", 1).Find(name, 1) : nullptr;
+  vtkDataArray* numbers = block ? ArrayReader::OfFields(block, "", 1).Seek(name, 1) : nullptr;
   return numbers ? static_cast<int>(numbers->GetComponent(0, 0)) : otherwise;
 }
 
-/// The scales of plants, one each or one for each axis; null, with a reason, if there are none.
-vtkDataArray* ScalesOf(ArrayReader& arrays)
+/// The scales of plants, one each or one for each axis.
+vtkDataArray* ScalesOf(const ArrayReader& arrays)
 {
   vtkDataArray* any = arrays.Any("Scale");
   return arrays.Need("Scale", any && any->GetNumberOfComponents() == 3 ? 3 : 1);
@@ -97,7 +97,7 @@ SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bo
     const bool isWood = name == plant::Skin || name == plant::Trunk;
     return isOfSeaweed ? SceneKind::Blade : isWood ? SceneKind::Bark : SceneKind::Leaf;
   }
-  ArrayReader points = ArrayReader::OfPoints(block, "");
+  const ArrayReader points = ArrayReader::OfPoints(block, "");
   return points.Has("Jacobian") ? SceneKind::Water
     : points.Has("ParticleId")  ? SceneKind::Particle
     : points.Has("Elevation")   ? SceneKind::Ground
@@ -105,51 +105,49 @@ SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bo
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoJoints(vtkPolyData* joints, const std::string& owner)
+void RequireJoints(vtkPolyData* joints, const std::string& owner)
 {
-  ArrayReader arrays = ArrayReader::OfPoints(joints, "the joints of " + owner);
+  const ArrayReader arrays = ArrayReader::OfPoints(joints, "the joints of " + owner);
   vtkDataArray* points = joints->GetPoints() ? joints->GetPoints()->GetData() : nullptr;
   arrays.NeedFinite(arrays.Fit<vtkFloatArray>(points, 3));
   arrays.NeedFinite(arrays.Need<vtkFloatArray>(joint::RestPosition, 3));
   arrays.NeedFinite(arrays.Need<vtkFloatArray>(joint::Rotation, 4));
   auto* parents = arrays.Need<vtkIntArray>(joint::ParentId, 1);
-  for (vtkIdType joint = 0; parents && joint < parents->GetNumberOfValues() && arrays.IsGood(); ++joint)
+  for (vtkIdType joint = 0; joint < parents->GetNumberOfValues(); ++joint)
   {
     if (parents->GetValue(joint) < -1 || parents->GetValue(joint) >= joint)
     {
-      return "joint " + std::to_string(joint) + " of " + owner + " comes before its parent.";
+      Refuse("joint ", joint, " of ", owner, " comes before its parent.");
     }
   }
-  return arrays.Reason();
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNotMoving(vtkMultiBlockDataSet* plants, const std::string& owner)
+void RequireMotion(vtkMultiBlockDataSet* plants, const std::string& owner)
 {
-  auto* joints = vtkPolyData::SafeDownCast(FindBlock(plants, joint::Joints));
-  if (!joints)
+  vtkDataObject* block = FindBlock(plants, joint::Joints);
+  if (!block)
   {
-    return FindBlock(plants, joint::Joints) ? "the block Joints of " + owner + " is not polygonal data." : "";
+    return;
   }
-  PlantTable table;
-  std::string reason = WhyNoJoints(joints, owner);
-  reason = reason.empty() ? ReadTable(plants, table) : reason;
+  auto* joints = vtkPolyData::SafeDownCast(block);
+  Require(joints ? "" : "the block Joints of " + owner + " is not polygonal data.");
+  RequireJoints(joints, owner);
+  ReadTable(plants);
   for (const char* level : { plant::High, plant::Medium })
   {
     for (const char* name : { plant::Skin, plant::Leaves, plant::Trunk, plant::Crown })
     {
       vtkPolyData* part = PlantPartOf(plants, level, name);
-      if (part && part->GetNumberOfPoints() > 0 && reason.empty())
+      if (part && part->GetNumberOfPoints() > 0)
       {
-        ArrayReader points = ArrayReader::OfPoints(part, owner + "/" + level + "/" + name);
+        const ArrayReader points = ArrayReader::OfPoints(part, owner + "/" + level + "/" + name);
         points.NeedIds(points.Find<vtkIntArray>(plant::JointIds, 4), joints->GetNumberOfPoints(), "joint");
         points.NeedFinite(points.Find<vtkFloatArray>(plant::JointWeights, 4));
         points.Find<vtkIntArray>(plant::PlantId, 1);
-        reason = points.Reason();
       }
     }
   }
-  return reason;
 }
 
 //----------------------------------------------------------------------------
@@ -158,7 +156,7 @@ vtkPolyData* InstancesOf(vtkMultiBlockDataSet* blocks)
   for (unsigned int index = 0; index < blocks->GetNumberOfBlocks(); ++index)
   {
     auto* block = vtkPolyData::SafeDownCast(blocks->GetBlock(index));
-    if (block && ArrayReader::OfPoints(block, "").Find(Prototype, 1) && PrototypeOf(block) < 0)
+    if (block && ArrayReader::OfPoints(block, "").Seek(Prototype, 1) && PrototypeOf(block) < 0)
     {
       return block;
     }
@@ -185,21 +183,20 @@ bool IsOfSeaweed(vtkPolyData* part)
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoInstances(vtkPolyData* points, const std::string& owner)
+void RequireInstances(vtkPolyData* points, const std::string& owner)
 {
-  ArrayReader arrays = ArrayReader::OfPoints(points, owner);
+  const ArrayReader arrays = ArrayReader::OfPoints(points, owner);
   arrays.NeedFinite(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
   arrays.NeedFinite(arrays.Need(Prototype, 1));
   arrays.NeedFinite(arrays.Need("Rotation", 4));
   arrays.NeedFinite(ScalesOf(arrays));
   arrays.NeedFinite(arrays.Need("Tint", 3));
-  return arrays.Reason();
 }
 
 //----------------------------------------------------------------------------
 SceneInstances PlacesOf(vtkPolyData* points, const std::function<bool(int prototype)>& isChosen)
 {
-  ArrayReader arrays = ArrayReader::OfPoints(points, "");
+  const ArrayReader arrays = ArrayReader::OfPoints(points, "");
   vtkDataArray* prototypes = arrays.Find(Prototype, 1);
   vtkDataArray* rotations = arrays.Find("Rotation", 4);
   vtkDataArray* scales = ScalesOf(arrays);

@@ -48,11 +48,11 @@ bool AreSeaweeds(vtkMultiBlockDataSet* plants);
 /// What a block is made of, as its arrays tell; a block of plants by its name.
 SceneKind KindOf(vtkPolyData* block, const std::string& name, bool isOfPlant, bool isOfSeaweed);
 
-/// Why points are no joints of moving plants, in words for a user; empty if they are.
-std::string WhyNoJoints(vtkPolyData* joints, const std::string& owner);
+/// Throws InvalidInput if points are no joints of moving plants.
+void RequireJoints(vtkPolyData* joints, const std::string& owner);
 
-/// Why the blocks of moving plants do not follow their joints, in words for a user; empty if they do.
-std::string WhyNotMoving(vtkMultiBlockDataSet* plants, const std::string& owner);
+/// Throws InvalidInput if the blocks of moving plants do not follow their joints.
+void RequireMotion(vtkMultiBlockDataSet* plants, const std::string& owner);
 
 /// The block of points that places prototypes, see vtkPlantScatterFilter; null if there is none.
 vtkPolyData* InstancesOf(vtkMultiBlockDataSet* blocks);
@@ -66,8 +66,8 @@ bool IsTinted(vtkPolyData* part);
 /// Whether a part of a prototype is one of a seaweed.
 bool IsOfSeaweed(vtkPolyData* part);
 
-/// Why points do not place prototypes, in words for a user; empty if they do.
-std::string WhyNoInstances(vtkPolyData* points, const std::string& owner);
+/// Throws InvalidInput if points do not place prototypes.
+void RequireInstances(vtkPolyData* points, const std::string& owner);
 
 /// The places of the instances that are chosen by their prototypes.
 SceneInstances PlacesOf(vtkPolyData* points, const std::function<bool(int prototype)>& isChosen);

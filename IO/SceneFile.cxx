@@ -3,6 +3,7 @@
 #include "SceneFile.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/InvalidInput.h"
 #include "Plants/SampledCurve.h"
 #include "ReplacedFile.h"
 #include "SceneBuffer.h"
@@ -69,7 +70,7 @@ void SetLevels(Node& node, const std::vector<int>& levels, Before...)
 }
 
 /// The object that a text in JSON says, by the reader of the library.
-Value ObjectOf(const std::string& json, std::string& reason)
+Value ObjectOf(const std::string& json)
 {
   tinygltf::TinyGLTF reader;
   tinygltf::Model model;
@@ -81,9 +82,8 @@ Value ObjectOf(const std::string& json, std::string& reason)
   // The library leaves out what is empty: of {"volumes": []} nothing stays.
   const std::size_t first = json.find_first_not_of(" \t\r\n");
   const bool isEmpty = model.extras.Type() == tinygltf::NULL_TYPE && first != std::string::npos && json[first] == '{';
-  reason = isRead && (model.extras.IsObject() || isEmpty)
-    ? ""
-    : "Extras must be an object as JSON, such as {\"water\": {\"level\": 0}}.";
+  const bool isObject = isRead && (model.extras.IsObject() || isEmpty);
+  Require(isObject ? "" : "Extras must be an object as JSON, such as {\"water\": {\"level\": 0}}.");
   return model.extras;
 }
 
@@ -442,8 +442,7 @@ const tinygltf::Model& ModelMaker::Make()
   this->AddAnimation();
   if (!this->From.Extras.empty())
   {
-    std::string reason;
-    scene.extras = ObjectOf(this->From.Extras, reason);
+    scene.extras = ObjectOf(this->From.Extras);
   }
   this->Model.scenes.push_back(scene);
   this->Model.defaultScene = 0;
@@ -457,11 +456,9 @@ const tinygltf::Model& ModelMaker::Make()
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoExtras(const std::string& json)
+void RequireExtras(const std::string& json)
 {
-  std::string reason;
-  ObjectOf(json, reason);
-  return reason;
+  ObjectOf(json);
 }
 
 //----------------------------------------------------------------------------

@@ -18,8 +18,8 @@ inline constexpr double LargestSceneFile = 4294967295.0;
 /// Told the share that is done, 0 to 1; says whether to go on.
 using SceneProgress = std::function<bool(double)>;
 
-/// Why a text is no object of JSON; empty if it is one.
-std::string WhyNoExtras(const std::string& json);
+/// Throws InvalidInput if a text is no object of JSON.
+void RequireExtras(const std::string& json);
 
 /**
  * Writes a scene as glTF 2.0 binary. A file that is there already stays as it is unless the new one is whole. The bytes

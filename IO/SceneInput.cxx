@@ -84,65 +84,48 @@ public:
   {
   }
 
-  std::string Check(const SceneSource& source)
+  void Check(const SceneSource& source)
   {
     this->Points = 0;
     this->CheckName(source.Name);
     this->CheckData(source.Data, source.Name);
-    this->Require(this->Points > 0, source.Name + " has no points.");
-    return this->Reason;
+    Require(this->Points > 0 ? "" : source.Name + " has no points.");
   }
 
   void CheckName(const std::string& name)
   {
-    this->Require(IsUtf8(name), "the name '" + Readable(name) + "' is not in UTF-8.");
+    Require(IsUtf8(name) ? "" : "the name '" + Readable(name) + "' is not in UTF-8.");
   }
 
   double GetBytes() const { return this->Bytes; }
 
 private:
   const SceneOptions& Options;
-  std::string Reason;
   double Bytes = 0.0;
   vtkIdType Points = 0;
-
-  void Require(bool isGood, const std::string& otherwise)
-  {
-    this->Reason = this->Reason.empty() && !isGood ? otherwise : this->Reason;
-  }
-
-  void Require(const std::string& reason) { this->Require(reason.empty(), reason); }
 
   void CheckData(vtkDataObject* data, const std::string& owner)
   {
     if (IsComposite(data))
     {
-      std::string reason;
-      const auto blocks = BlocksOf(data, owner.c_str(), reason);
-      this->Require(reason);
-      if (blocks)
-      {
-        this->CheckBlocks(blocks, owner);
-      }
+      this->CheckBlocks(BlocksOf(data, owner.c_str()), owner);
       return;
     }
     auto* image = vtkImageData::SafeDownCast(data);
     vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
     if (image)
     {
-      this->Require(WhyNoTerrain(image, owner));
+      RequireTerrain(image, owner);
       this->Points += image->GetNumberOfPoints();
       this->Bytes += TerrainBytes(image);
       return;
     }
-    this->Require(surface,
-      WhyOtherType(data, owner.c_str(), "polygonal data (vtkPolyData), a terrain (vtkImageData) or blocks of them"));
-    if (surface && this->Reason.empty())
-    {
-      this->Require(WhyNoSurface(surface, owner));
-      this->Points += surface->GetNumberOfPoints();
-      this->Bytes += this->Reason.empty() ? MeshBytes(surface, this->Options.HasVelocity) : 0.0;
-    }
+    Require(surface ? ""
+                    : WhyOtherType(data, owner.c_str(),
+                        "polygonal data (vtkPolyData), a terrain (vtkImageData) or blocks of them"));
+    RequireSurface(surface, owner);
+    this->Points += surface->GetNumberOfPoints();
+    this->Bytes += MeshBytes(surface, this->Options.HasVelocity);
   }
 
   void CheckBlocks(vtkMultiBlockDataSet* blocks, const std::string& owner)
@@ -151,11 +134,14 @@ private:
     if (points)
     {
       constexpr double bytesEach = (3 + 4 + 3 + 3) * sizeof(float);
-      this->Require(WhyNoInstances(points, owner));
+      RequireInstances(points, owner);
       const bool areNodes = this->Options.Instances == SceneInstanceForm::Nodes;
       this->Bytes += (areNodes ? 3.0 * NodeBytes : bytesEach) * static_cast<double>(points->GetNumberOfPoints());
     }
-    this->Require(ArePlants(blocks) && this->Options.HasMotion ? WhyNotMoving(blocks, owner) : "");
+    if (ArePlants(blocks) && this->Options.HasMotion)
+    {
+      RequireMotion(blocks, owner);
+    }
     for (const NamedBlock& block : NamedBlocks(blocks))
     {
       this->CheckName(block.Name);
@@ -170,19 +156,15 @@ private:
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoScene(const Scene& scene, const std::vector<SceneSource>& sources, const SceneOptions& options)
+void RequireScene(const Scene& scene, const std::vector<SceneSource>& sources, const SceneOptions& options)
 {
   SceneCheck check(options);
   check.CheckName(scene.Name);
   for (const SceneSource& source : sources)
   {
-    const std::string reason = check.Check(source);
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    check.Check(source);
   }
-  return WhyTooManyBytes(check.GetBytes());
+  Require(WhyTooManyBytes(check.GetBytes()));
 }
 
 //----------------------------------------------------------------------------

@@ -47,8 +47,8 @@ struct SceneOptions
   double JointTolerance = 0.0; ///< [m]
 };
 
-/// Why a scene with a name and sources cannot be written, in words for a user; empty if it can. Nothing is copied yet.
-std::string WhyNoScene(const Scene& scene, const std::vector<SceneSource>& sources, const SceneOptions& options);
+/// Throws InvalidInput if a scene with a name and sources cannot be written. Nothing is copied yet.
+void RequireScene(const Scene& scene, const std::vector<SceneSource>& sources, const SceneOptions& options);
 
 /// Why a scene that was read is too large for a file, or for the memory; empty if it is not.
 std::string WhyTooLarge(const Scene& scene);

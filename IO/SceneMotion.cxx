@@ -23,7 +23,6 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <stdexcept>
 #include <tuple>
 
 namespace littoral
@@ -38,8 +37,7 @@ vtkSmartPointer<vtkDataObject> DataAt(const std::vector<SceneSource>& sources, c
   vtkSmartPointer<vtkDataObject> data = sources[address.Source].Data;
   for (const unsigned int index : address.Blocks)
   {
-    std::string reason;
-    const auto blocks = IsComposite(data) ? BlocksOf(data, "", reason) : nullptr;
+    const auto blocks = IsComposite(data) ? BlocksOf(data, "") : nullptr;
     data = blocks && index < blocks->GetNumberOfBlocks() ? blocks->GetBlock(index) : nullptr;
   }
   return data;
@@ -131,8 +129,8 @@ SceneMesh Subset(const SceneMesh& mesh, const std::vector<std::uint32_t>& vertic
 struct Holds
 {
   explicit Holds(vtkPolyData* data)
-    : Joints(ArrayReader::OfPoints(data, "").Find<vtkIntArray>(plant::JointIds, 4))
-    , Weights(ArrayReader::OfPoints(data, "").Find<vtkFloatArray>(plant::JointWeights, 4))
+    : Joints(ArrayReader::OfPoints(data, "").Seek<vtkIntArray>(plant::JointIds, 4))
+    , Weights(ArrayReader::OfPoints(data, "").Seek<vtkFloatArray>(plant::JointWeights, 4))
   {
   }
 
@@ -199,31 +197,26 @@ std::array<double, 3> SumOfColors(const SceneMesh& mesh, const std::vector<std::
 }
 
 //----------------------------------------------------------------------------
-std::string MovingSurface::Follow(const std::vector<SceneSource>& sources, double time)
+void MovingSurface::Follow(const std::vector<SceneSource>& sources, double time)
 {
   const auto data = DataAt(sources, this->Address);
   auto* surface = vtkPolyData::SafeDownCast(data);
   if (!surface)
   {
-    return {}; // terrains of images stand still
+    return; // terrains of images stand still
   }
   const std::string owner = sources[this->Address.Source].Name + "/" + this->Name;
-  const std::string reason = WhyNoSurface(surface, owner);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  RequireSurface(surface, owner);
   SceneMesh::Target frame = PlacesAt(surface, this->Place);
   const std::size_t first = this->Frames.empty() ? frame.Positions.size() : this->Frames[0].Positions.size();
   if (frame.Positions.size() != first)
   {
-    return owner + " has " + std::to_string(frame.Positions.size() / 3) + " points at " + TextOf(time) +
-      " s after the start, and " + std::to_string(first / 3) + " there; only data that keep their points can move.";
+    Refuse(owner, " has ", frame.Positions.size() / 3, " points at ", TextOf(time), " s after the start, and ",
+      first / 3, " there; only data that keep their points can move.");
   }
   // What stands still costs no memory.
   const bool isSame = !this->Frames.empty() && frame.Positions == this->Frames[0].Positions;
   this->Frames.push_back(isSame ? SceneMesh::Target() : std::move(frame));
-  return {};
 }
 
 //----------------------------------------------------------------------------
@@ -267,9 +260,9 @@ MovingPlants::MovingPlants(SceneAddress address, std::string name, int node, vtk
   , Name(std::move(name))
   , Node(node)
 {
-  ReadTable(plants, this->Table);
+  this->Table = ReadTable(plants);
   auto* joints = vtkPolyData::SafeDownCast(FindBlock(plants, joint::Joints));
-  ArrayReader arrays = ArrayReader::OfPoints(joints, "");
+  const ArrayReader arrays = ArrayReader::OfPoints(joints, "");
   vtkIntArray* parents = arrays.Find<vtkIntArray>(joint::ParentId, 1);
   vtkFloatArray* rests = arrays.Find<vtkFloatArray>(joint::RestPosition, 3);
   this->Parents.assign(parents->GetPointer(0), parents->GetPointer(0) + parents->GetNumberOfValues());
@@ -285,21 +278,17 @@ void MovingPlants::AddPart(const std::string& level, vtkPolyData* data, SceneMes
 }
 
 //----------------------------------------------------------------------------
-std::string MovingPlants::Follow(const std::vector<SceneSource>& sources, double time)
+void MovingPlants::Follow(const std::vector<SceneSource>& sources, double time)
 {
-  std::string reason;
   const auto data = DataAt(sources, this->Address);
-  const auto plants = IsComposite(data) ? BlocksOf(data, this->Name.c_str(), reason) : nullptr;
+  const auto plants = IsComposite(data) ? BlocksOf(data, this->Name.c_str()) : nullptr;
   auto* joints = plants ? vtkPolyData::SafeDownCast(FindBlock(plants, joint::Joints)) : nullptr;
-  reason = reason.empty() && joints ? WhyNoJoints(joints, this->Name) : reason;
-  if (!joints || !reason.empty())
-  {
-    return joints ? reason : this->Name + " has no block Joints at " + TextOf(time) + " s after the start.";
-  }
+  Require(joints ? "" : this->Name + " has no block Joints at " + TextOf(time) + " s after the start.");
+  RequireJoints(joints, this->Name);
   if (joints->GetNumberOfPoints() != static_cast<vtkIdType>(this->Parents.size()))
   {
-    return this->Name + " has other joints at " + TextOf(time) +
-      " s after the start than there; levels of detail must not change during a motion.";
+    Refuse(this->Name, " has other joints at ", TextOf(time),
+      " s after the start than there; levels of detail must not change during a motion.");
   }
   auto* rotations = ArrayReader::OfPoints(joints, "").Find<vtkFloatArray>(joint::Rotation, 4);
   auto* positions = vtkFloatArray::SafeDownCast(joints->GetPoints()->GetData());
@@ -307,7 +296,6 @@ std::string MovingPlants::Follow(const std::vector<SceneSource>& sources, double
   frame.Rotations.assign(rotations->GetPointer(0), rotations->GetPointer(0) + rotations->GetNumberOfValues());
   frame.Positions.assign(positions->GetPointer(0), positions->GetPointer(0) + positions->GetNumberOfValues());
   this->Frames.push_back(std::move(frame));
-  return {};
 }
 
 //----------------------------------------------------------------------------
@@ -330,9 +318,9 @@ std::vector<MovingPlants::Plant> MovingPlants::FindPlants() const
   for (std::size_t index = 0; index < this->Parts.size(); ++index)
   {
     const Part& part = this->Parts[index];
-    ArrayReader arrays = ArrayReader::OfPoints(part.Data, "");
-    auto* joints = arrays.Find<vtkIntArray>(plant::JointIds, 4);
-    auto* ids = arrays.Find<vtkIntArray>(plant::PlantId, 1);
+    const ArrayReader arrays = ArrayReader::OfPoints(part.Data, "");
+    auto* joints = arrays.Seek<vtkIntArray>(plant::JointIds, 4);
+    auto* ids = arrays.Seek<vtkIntArray>(plant::PlantId, 1);
     for (vtkIdType vertex = 0; joints && vertex < joints->GetNumberOfTuples(); ++vertex)
     {
       Plant& plant = plants[plantOf[joints->GetTypedComponent(vertex, 0)]];
@@ -537,7 +525,7 @@ void MovingPlants::AddGroup(const std::vector<const Plant*>& group, double toler
   const ReducedJoints reduced = ReduceJoints(tree, motions, RateOf(scene.Times), SmpFor);
   if (reduced.Kept.size() > mostJoints)
   {
-    throw std::length_error(this->Name + " has a plant of more than 65536 joints; take a larger JointTolerance.");
+    Refuse(this->Name, " has a plant of more than 65536 joints; take a larger JointTolerance.");
   }
   SceneBinding binding;
   for (const int joint : reduced.Kept)

@@ -44,7 +44,7 @@ public:
   }
 
   /// Notes the points at a time [s]. Why that failed, in words for a user.
-  std::string Follow(const std::vector<SceneSource>& sources, double time);
+  void Follow(const std::vector<SceneSource>& sources, double time);
 
   /// Gives the mesh its targets and the node its weights, if anything has moved.
   void Finish(Scene& scene);
@@ -69,7 +69,7 @@ public:
   void AddPart(const std::string& level, vtkPolyData* data, SceneMesh mesh);
 
   /// Notes the joints at a time [s]. Why that failed, in words for a user.
-  std::string Follow(const std::vector<SceneSource>& sources, double time);
+  void Follow(const std::vector<SceneSource>& sources, double time);
 
   /// Adds skins and tracks with as few joints as the tolerance [m] allows.
   void Finish(double tolerance, Scene& scene);

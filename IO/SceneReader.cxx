@@ -64,19 +64,17 @@ void SceneReader::Add(const std::vector<SceneSource>& sources)
 }
 
 //----------------------------------------------------------------------------
-std::string SceneReader::Follow(const std::vector<SceneSource>& sources, double time)
+void SceneReader::Follow(const std::vector<SceneSource>& sources, double time)
 {
   this->To.Times.push_back(static_cast<float>(time));
-  std::string reason;
   const auto follow = [&](auto& things) {
     for (auto& thing : things)
     {
-      reason = reason.empty() ? thing.Follow(sources, time) : reason;
+      thing.Follow(sources, time);
     }
   };
   follow(this->Surfaces);
   follow(this->Plants);
-  return reason;
 }
 
 //----------------------------------------------------------------------------
@@ -146,10 +144,9 @@ int SceneReader::AddMovingPlants(vtkMultiBlockDataSet* plants, const std::string
 //----------------------------------------------------------------------------
 int SceneReader::AddData(vtkDataObject* data, const std::string& name, const Surroundings& around)
 {
-  std::string reason;
   if (IsComposite(data))
   {
-    return this->AddBlocks(BlocksOf(data, name.c_str(), reason), name, around);
+    return this->AddBlocks(BlocksOf(data, name.c_str()), name, around);
   }
   auto* image = vtkImageData::SafeDownCast(data);
   const vtkSmartPointer<vtkPolyData> terrain = image ? TerrainOf(image) : nullptr;

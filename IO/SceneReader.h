@@ -35,7 +35,7 @@ public:
   void Add(const std::vector<SceneSource>& sources);
 
   /// Notes where things are at a time [s] since the first one. Why that failed, in words for a user.
-  std::string Follow(const std::vector<SceneSource>& sources, double time);
+  void Follow(const std::vector<SceneSource>& sources, double time);
 
   /// Ends the motion that was followed.
   void Finish();

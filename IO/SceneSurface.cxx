@@ -29,18 +29,18 @@ constexpr const char* Velocity = "Velocity";
 vtkDataArray* NormalsOf(vtkPolyData* data)
 {
   vtkDataArray* active = data->GetPointData()->GetNormals();
-  return active ? active : ArrayReader::OfPoints(data, "").Find("Normals", 3);
+  return active ? active : ArrayReader::OfPoints(data, "").Seek("Normals", 3);
 }
 
 vtkDataArray* VelocityOf(vtkPolyData* data, bool isWanted)
 {
-  return isWanted ? ArrayReader::OfPoints(data, "").Find(Velocity, 3) : nullptr;
+  return isWanted ? ArrayReader::OfPoints(data, "").Seek(Velocity, 3) : nullptr;
 }
 
 /// Radii of particles, which have no other size.
 vtkDataArray* RadiiOf(vtkPolyData* data)
 {
-  return data->GetPolys()->GetNumberOfCells() == 0 ? ArrayReader::OfPoints(data, "").Find(plant::Radius, 1) : nullptr;
+  return data->GetPolys()->GetNumberOfCells() == 0 ? ArrayReader::OfPoints(data, "").Seek(plant::Radius, 1) : nullptr;
 }
 
 /// The first components of all tuples in single precision.
@@ -228,17 +228,15 @@ std::vector<float> PositionsOf(vtkPoints* points, const std::array<double, 3>& p
   return positions;
 }
 
-/// Why the picture of a block has no place on it.
-std::string WhyNoPicture(vtkPolyData* data, const std::string& owner)
+/// The picture of a block, if there is one, must have a place on it.
+void RequirePicture(vtkPolyData* data, const std::string& owner)
 {
-  const std::string reason = WhyBadTexture(data, owner);
+  RequireTexture(data, owner);
   const ArrayReader fields = ArrayReader::OfFields(data, owner);
-  if (!reason.empty() || !fields.Has(plant::Texture))
-  {
-    return reason.empty() && fields.Has(plant::TextureSize) ? owner + " has a TextureSize and no Texture." : reason;
-  }
+  const bool hasPicture = fields.Has(plant::Texture);
+  Require(!hasPicture && fields.Has(plant::TextureSize) ? owner + " has a TextureSize and no Texture." : "");
   const bool hasPlace = data->GetNumberOfPoints() == 0 || TextureCoordinatesOf(data);
-  return hasPlace ? "" : owner + " has a Texture and no texture coordinates.";
+  Require(hasPicture && !hasPlace ? owner + " has a Texture and no texture coordinates." : "");
 }
 
 }
@@ -265,18 +263,14 @@ vtkDataArray* TextureCoordinatesOf(vtkPolyData* data)
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoSurface(vtkPolyData* data, const std::string& owner)
+void RequireSurface(vtkPolyData* data, const std::string& owner)
 {
-  if (data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() > 0)
-  {
-    return owner + " has cells and no points.";
-  }
-  std::string reason = WhyBadDrawing(data, owner);
-  ArrayReader points = ArrayReader::OfPoints(data, owner);
+  Require(data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() > 0 ? owner + " has cells and no points." : "");
+  RequireDrawing(data, owner);
+  const ArrayReader points = ArrayReader::OfPoints(data, owner);
   points.NeedFinite(points.Find(Velocity, 3));
   points.NeedFinite(RadiiOf(data));
-  reason = reason.empty() ? points.Reason() : reason;
-  return reason.empty() ? WhyNoPicture(data, owner) : reason;
+  RequirePicture(data, owner);
 }
 
 //----------------------------------------------------------------------------

@@ -20,11 +20,11 @@ class vtkUnsignedCharArray;
 namespace littoral
 {
 
-/// Why polygonal data cannot be drawn, in words for a user; empty if they can.
-std::string WhyNoSurface(vtkPolyData* data, const std::string& owner);
+/// Throws InvalidInput if polygonal data cannot be drawn.
+void RequireSurface(vtkPolyData* data, const std::string& owner);
 
-/// Why an image is no terrain, one layer of elevations, in words for a user; empty if it is one.
-std::string WhyNoTerrain(vtkImageData* image, const std::string& owner);
+/// Throws InvalidInput if an image is no terrain, one layer of elevations.
+void RequireTerrain(vtkImageData* image, const std::string& owner);
 
 /// A good terrain as polygonal data: a point for each sample, with normals and, where the image has none, colors of the
 /// ground.

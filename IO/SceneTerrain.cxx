@@ -30,8 +30,8 @@ namespace
 
 constexpr const char* Elevation = "Elevation";
 
-/// The elevations of an image, or else its active scalars; null with the reason where they are none.
-vtkDataArray* ElevationsOf(vtkImageData* image, ArrayReader& arrays)
+/// The elevations of an image, or else its active scalars.
+vtkDataArray* ElevationsOf(vtkImageData* image, const ArrayReader& arrays)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   return arrays.Has(Elevation) || !scalars ? arrays.Need(Elevation, 1) : arrays.Fit(scalars, 1);
@@ -104,14 +104,13 @@ vtkSmartPointer<vtkUnsignedCharArray> GroundColors(
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoTerrain(vtkImageData* image, const std::string& owner)
+void RequireTerrain(vtkImageData* image, const std::string& owner)
 {
-  std::string reason = WhyUnfit(image, owner.c_str());
-  reason = reason.empty() ? WhyNoRaster(image, 2) : reason;
-  ArrayReader arrays = ArrayReader::OfPoints(image, owner);
+  RequireFit(image, owner.c_str());
+  RequireRaster(image, 2);
+  const ArrayReader arrays = ArrayReader::OfPoints(image, owner);
   arrays.NeedFinite(ElevationsOf(image, arrays));
-  reason = reason.empty() ? arrays.Reason() : reason;
-  return reason.empty() ? WhyUncolorable(image, owner) : reason;
+  RequireColorable(image, owner);
 }
 
 //----------------------------------------------------------------------------
@@ -124,7 +123,7 @@ double TerrainBytes(vtkImageData* image)
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
 {
-  ArrayReader arrays = ArrayReader::OfPoints(image, "");
+  const ArrayReader arrays = ArrayReader::OfPoints(image, "");
   const int* dimensions = image->GetDimensions();
   const double* spacing = image->GetSpacing();
   const Samples samples = { ElevationsOf(image, arrays), dimensions[0], dimensions[1], { spacing[0], spacing[1] } };
@@ -154,8 +153,7 @@ vtkSmartPointer<vtkPolyData> TerrainOf(vtkImageData* image)
   }
   if (!ColorsOf(terrain))
   {
-    own->AddArray(GroundColors(
-      samples, normals, arrays.Find("Reflectance", 1), SpreadWetness(image, samples.Heights)));
+    own->AddArray(GroundColors(samples, normals, arrays.Find("Reflectance", 1), SpreadWetness(image, samples.Heights)));
   }
   // Tells what it is, whatever the name of the scalars.
   vtkNew<vtkFloatArray> heights;

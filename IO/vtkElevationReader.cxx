@@ -105,7 +105,7 @@ int vtkElevationReader::CanReadFile(const char* name)
 void vtkElevationReader::Refuse(const std::string& reason)
 {
   const std::string file = this->FileName && *this->FileName ? this->FileName : "a raster";
-  littoralErrorMacro("Cannot read " << file << ": " << reason << (reason.back() == '.' ? "" : "."));
+  littoral::FailedBy(this, "Cannot read " + file + ": " + reason + (reason.back() == '.' ? "" : "."));
 }
 
 //----------------------------------------------------------------------------
@@ -145,13 +145,10 @@ littoral::RasterOptions vtkElevationReader::Options() const
 //----------------------------------------------------------------------------
 int vtkElevationReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->WhyUnread = this->WhyInvalid();
+  this->WhyUnread.clear();
   try
   {
-    if (!this->WhyUnread.empty())
-    {
-      throw littoral::RasterError(this->WhyUnread);
-    }
+    littoral::Require(this->WhyInvalid());
     const littoral::Raster raster(this->Options());
     const littoral::RasterGrid& grid = raster.Grid();
     const std::array<int, 6> extent{ 0, grid.Points[0] - 1, 0, grid.Points[1] - 1, 0, 0 };
@@ -165,9 +162,9 @@ int vtkElevationReader::RequestInformation(vtkInformation*, vtkInformationVector
     vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
     return 1;
   }
-  catch (const littoral::RasterError& error)
+  catch (const littoral::InvalidInput& refusal)
   {
-    this->WhyUnread = error.what();
+    this->WhyUnread = refusal.what();
     const int result = littoral::FailedInformation(this, outputVector);
     if (result == 0)
     {
@@ -233,10 +230,10 @@ int vtkElevationReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
     this->UpdateProgress(1.0);
     return 1;
   }
-  catch (const littoral::RasterError& error)
+  catch (const littoral::InvalidInput& refusal)
   {
     output->Initialize();
-    this->Refuse(error.what());
+    this->Refuse(refusal.what());
     return littoral::FailedRequest(this);
   }
 }
@@ -246,7 +243,7 @@ int vtkElevationReader::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

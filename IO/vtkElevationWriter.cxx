@@ -77,7 +77,7 @@ vtkTypeBool vtkElevationWriter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
+    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
 }
 
 //----------------------------------------------------------------------------
@@ -129,7 +129,7 @@ std::string vtkElevationWriter::WhyInvalid() const
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* vtkElevationWriter::FindHeights(vtkImageData* image, std::string& reason)
+vtkDataArray* vtkElevationWriter::FindHeights(vtkImageData* image)
 {
   vtkInformation* choice = this->GetInputArrayInformation(0);
   vtkDataArray* heights = this->GetInputArrayToProcess(0, image);
@@ -140,27 +140,20 @@ vtkDataArray* vtkElevationWriter::FindHeights(vtkImageData* image, std::string& 
   if (!heights || heights->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-    reason = "the image has no point array '" + std::string(name ? name : "Elevation") + "'.";
-    return nullptr;
+    littoral::Refuse("the image has no point array '", name ? name : "Elevation", "'.");
   }
   if (heights->GetNumberOfComponents() != 1)
   {
-    reason = "the array '" + std::string(heights->GetName() ? heights->GetName() : "") + "' has " +
-      std::to_string(heights->GetNumberOfComponents()) + " components; heights have one.";
-    return nullptr;
+    littoral::Refuse("the array '", heights->GetName() ? heights->GetName() : "", "' has ",
+      heights->GetNumberOfComponents(), " components; heights have one.");
   }
   return heights;
 }
 
 //----------------------------------------------------------------------------
-std::string vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const
+void vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const
 {
-  std::string reason;
-  littoral::Georeference place = littoral::ReadGeoreference(image, reason);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  littoral::Georeference place = littoral::ReadGeoreference(image);
   if (!this->CoordinateSystem.empty())
   {
     place.System = this->CoordinateSystem;
@@ -169,7 +162,7 @@ std::string vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffC
   const double* turn = image->GetDirectionMatrix()->GetData(); // columns are the axes
   if (turn[2] != 0.0 || turn[5] != 0.0 || turn[6] != 0.0 || turn[7] != 0.0)
   {
-    return "the image is tilted: its rows and columns must lie in the plane of x and y.";
+    littoral::Refuse("the image is tilted: its rows and columns must lie in the plane of x and y.");
   }
   int extent[6];
   image->GetExtent(extent);
@@ -184,25 +177,16 @@ std::string vtkElevationWriter::SetPlace(vtkImageData* image, littoral::GeoTiffC
     content.Across[axis] = -turn[3 * axis + 1] * spacing[1] / place.MetresPerUnit;
   }
   content.System = place.System;
-  return {};
 }
 
 //----------------------------------------------------------------------------
-std::string vtkElevationWriter::WriteImage(vtkImageData* image)
+void vtkElevationWriter::WriteImage(vtkImageData* image)
 {
-  std::string reason = this->WhyInvalid();
-  reason = reason.empty() ? littoral::WhyNoRaster(image, 1) : reason;
-  vtkDataArray* heights = reason.empty() ? this->FindHeights(image, reason) : nullptr;
-  if (!heights)
-  {
-    return reason;
-  }
+  littoral::Require(this->WhyInvalid());
+  littoral::RequireRaster(image, 1);
+  vtkDataArray* heights = this->FindHeights(image);
   littoral::GeoTiffContent content;
-  reason = this->SetPlace(image, content);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  this->SetPlace(image, content);
   int dimensions[3];
   image->GetDimensions(dimensions);
   content.Points = { dimensions[0], dimensions[1] };
@@ -212,7 +196,7 @@ std::string vtkElevationWriter::WriteImage(vtkImageData* image)
   const double bytes = (content.IsWide ? 8.8 : 4.4) * static_cast<double>(image->GetNumberOfPoints());
   if (bytes > littoral::AvailableMemory())
   {
-    return "it needs " + littoral::TextOf(bytes / 0x1p30) + " GiB of memory, more than this machine has free.";
+    littoral::Refuse("it needs ", littoral::TextOf(bytes / 0x1p30), " GiB of memory, more than this machine has free.");
   }
   vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
   content.FillRow = [&](int row, double* values) {
@@ -237,25 +221,21 @@ std::string vtkElevationWriter::WriteImage(vtkImageData* image)
         : outcome.IsOfDisk       ? vtkErrorCode::CannotOpenFileError
                                  : vtkErrorCode::UnknownError);
   }
-  return outcome.Reason;
+  littoral::Require(outcome.Reason);
 }
 
 //----------------------------------------------------------------------------
 void vtkElevationWriter::WriteData()
 {
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
-  std::string reason = "there is no input.";
   try
   {
-    reason = image ? this->WriteImage(image) : reason;
+    littoral::Require(image ? "" : "there is no input.");
+    this->WriteImage(image);
   }
-  catch (const littoral::RasterError& error)
+  catch (const littoral::InvalidInput& refusal)
   {
-    reason = error.what();
-  }
-  if (!reason.empty())
-  {
-    this->Refuse(reason);
+    this->Refuse(refusal.what());
     if (this->GetErrorCode() == vtkErrorCode::NoError)
     {
       this->SetErrorCode(vtkErrorCode::UnknownError);

@@ -96,12 +96,12 @@ private:
   void operator=(const vtkElevationWriter&) = delete;
 
   std::string WhyInvalid() const;
-  /// Heights to write; null with the reason for none.
-  vtkDataArray* FindHeights(vtkImageData* image, std::string& reason);
-  /// Where the points are, in units of the coordinate system; empty if that can be written, else the reason.
-  std::string SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const;
-  /// The reason why the file could not be written, or nothing.
-  std::string WriteImage(vtkImageData* image);
+  // These throw littoral::InvalidInput.
+  /// Heights to write.
+  vtkDataArray* FindHeights(vtkImageData* image);
+  /// Where the points are, in units of the coordinate system.
+  void SetPlace(vtkImageData* image, littoral::GeoTiffContent& content) const;
+  void WriteImage(vtkImageData* image);
   /// One message that names the file.
   void Refuse(const std::string& reason);
 

@@ -138,7 +138,7 @@ vtkTypeBool vtkGLTFSceneWriter::ProcessRequest(
     }
   }
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
+    this, request, outputVector, [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
 }
 
 //----------------------------------------------------------------------------
@@ -222,7 +222,7 @@ std::string vtkGLTFSceneWriter::WhyInvalid() const
   }
   if (check.IsGood() && !this->Extras.empty())
   {
-    check.Require(littoral::WhyNoExtras(this->Extras));
+    check.Require(littoral::WhyRefused([this] { littoral::RequireExtras(this->Extras); }));
   }
   return check.Reason();
 }
@@ -268,14 +268,10 @@ int vtkGLTFSceneWriter::GetNumberOfFrames() const
 }
 
 //----------------------------------------------------------------------------
-/// Reads the sources as they are at the first time. The reason why they are bad, or nothing.
-std::string vtkGLTFSceneWriter::Begin(const std::vector<littoral::SceneSource>& sources)
+/// Reads the sources as they are at the first time.
+void vtkGLTFSceneWriter::Begin(const std::vector<littoral::SceneSource>& sources)
 {
-  std::string reason = this->WhyInvalid();
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  littoral::Require(this->WhyInvalid());
   this->Internals = std::make_unique<vtkInternals>(this->GetOptions());
   littoral::Scene& scene = this->Internals->Scene;
   scene.Name = this->SceneName;
@@ -289,48 +285,32 @@ std::string vtkGLTFSceneWriter::Begin(const std::vector<littoral::SceneSource>& 
   {
     scene.Sun = littoral::SceneSun{ TripleOf(this->SunDirection), TripleOf(this->SunColor), this->SunIlluminance };
   }
-  reason = littoral::WhyNoScene(scene, sources, this->GetOptions());
-  if (reason.empty())
-  {
-    this->Internals->Reader.Add(sources);
-  }
-  return reason;
+  littoral::RequireScene(scene, sources, this->GetOptions());
+  this->Internals->Reader.Add(sources);
 }
 
 //----------------------------------------------------------------------------
-/// Notes where things are. The reason why that failed, or nothing.
-std::string vtkGLTFSceneWriter::Follow(const std::vector<littoral::SceneSource>& sources)
+/// Notes where things are.
+void vtkGLTFSceneWriter::Follow(const std::vector<littoral::SceneSource>& sources)
 {
   for (const littoral::SceneSource& source : sources)
   {
     if (!source.Data)
     {
-      return source.Name + " has no data at frame " + std::to_string(this->Frame) + ".";
+      littoral::Refuse(source.Name, " has no data at frame ", this->Frame, ".");
     }
   }
   this->SetProgressText("Reading a motion");
   this->UpdateProgress(0.5 * this->Frame / this->GetNumberOfFrames());
-  return this->Internals->Reader.Follow(sources, this->Frame / this->FramesPerSecond);
+  this->Internals->Reader.Follow(sources, this->Frame / this->FramesPerSecond);
 }
 
 //----------------------------------------------------------------------------
-/// The reason why the scene could not be written, or nothing.
-std::string vtkGLTFSceneWriter::WriteScene()
+void vtkGLTFSceneWriter::WriteScene()
 {
   const double first = this->WriteMotion ? 0.5 : 0.0;
-  try
-  {
-    this->Internals->Reader.Finish();
-  }
-  catch (const std::length_error& problem)
-  {
-    return problem.what();
-  }
-  const std::string tooLarge = littoral::WhyTooLarge(this->Internals->Scene);
-  if (!tooLarge.empty())
-  {
-    return tooLarge;
-  }
+  this->Internals->Reader.Finish();
+  littoral::Require(littoral::WhyTooLarge(this->Internals->Scene));
   this->SetProgressText("Writing a scene");
   const littoral::FileOutcome outcome =
     littoral::WriteScene(this->FileName, this->Internals->Scene, [this, first](double share) {
@@ -342,40 +322,57 @@ std::string vtkGLTFSceneWriter::WriteScene()
   {
     this->SetErrorCode(vtkErrorCode::UserError);
   }
-  return outcome.Reason;
+  littoral::Require(outcome.Reason);
 }
 
 //----------------------------------------------------------------------------
-void vtkGLTFSceneWriter::End(const std::string& reason)
+void vtkGLTFSceneWriter::End()
 {
-  if (!reason.empty())
-  {
-    this->Refuse(reason);
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-  }
   this->Internals.reset();
   this->Frame = 0;
 }
 
 //----------------------------------------------------------------------------
-/// A frame of the motion, and the file after the last one.
 void vtkGLTFSceneWriter::WriteData()
 {
+  try
+  {
+    this->WriteFrame();
+  }
+  catch (const littoral::InvalidInput& refusal)
+  {
+    this->Refuse(refusal.what());
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    this->End();
+  }
+}
+
+//----------------------------------------------------------------------------
+/// A frame of the motion, and the file after the last one.
+void vtkGLTFSceneWriter::WriteFrame()
+{
   const std::vector<littoral::SceneSource> sources = this->GetSources();
-  std::string reason = this->Frame == 0 ? this->Begin(sources) : "";
-  if (reason.empty() && littoral::IsAborted(this))
+  if (this->Frame == 0)
+  {
+    this->Begin(sources);
+  }
+  if (littoral::IsAborted(this))
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    this->End("");
+    this->End();
     return;
   }
-  reason = reason.empty() && this->WriteMotion ? this->Follow(sources) : reason;
-  if (reason.empty() && this->Frame + 1 < this->GetNumberOfFrames())
+  if (this->WriteMotion)
+  {
+    this->Follow(sources);
+  }
+  if (this->Frame + 1 < this->GetNumberOfFrames())
   {
     ++this->Frame;
     return;
   }
-  this->End(reason.empty() ? this->WriteScene() : reason);
+  this->WriteScene();
+  this->End();
 }
 
 //----------------------------------------------------------------------------

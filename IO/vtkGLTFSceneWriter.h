@@ -310,10 +310,11 @@ private:
   littoral::SceneOptions GetOptions() const;
   std::vector<littoral::SceneSource> GetSources();
   int GetNumberOfFrames() const;
-  std::string Begin(const std::vector<littoral::SceneSource>& sources);
-  std::string Follow(const std::vector<littoral::SceneSource>& sources);
-  std::string WriteScene();
-  void End(const std::string& reason);
+  void Begin(const std::vector<littoral::SceneSource>& sources);
+  void Follow(const std::vector<littoral::SceneSource>& sources);
+  void WriteScene();
+  void WriteFrame();
+  void End();
   /// One message naming the file.
   void Refuse(const std::string& reason);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAonoKuniiTreeSource.h"
 
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterTraits.h"
-#include "Pipeline/Mistakes.h"
 #include "Plants/AonoKuniiTree.h"
 #include "Plants/PlantLevels.h"
 
@@ -37,13 +37,9 @@ vtkAonoKuniiTreeSource::vtkAonoKuniiTreeSource()
 vtkAonoKuniiTreeSource::~vtkAonoKuniiTreeSource() = default;
 
 //----------------------------------------------------------------------------
-bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+littoral::PlantPrototype vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options)
 {
-  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfForkPresets); !none.empty())
-  {
-    littoralErrorMacro(<< none);
-    return false;
-  }
+  littoral::Require(littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfForkPresets));
   littoral::AonoKuniiParameters p = littoral::PresetParameters(static_cast<littoral::ForkPreset>(this->Preset));
   if (this->Preset == Custom)
   {
@@ -65,21 +61,12 @@ bool vtkAonoKuniiTreeSource::Grow(const littoral::PlantLevelOptions& options, li
     p.LeafSize = this->LeafSize;
     p.LeafWidth = this->LeafWidth;
     p.Outline = static_cast<littoral::LeafForm>(this->LeafForm);
-    if (!this->TakeColors(p.Leaf, p.Bark))
-    {
-      return false;
-    }
+    this->TakeColors(p.Leaf, p.Bark);
   }
   p.Variation = this->Variation;
   p.Seed = this->Seed;
-  const std::string reason = littoral::WhyInvalid(p);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return false;
-  }
-  prototype = littoral::LevelsOf(littoral::GrowAonoKuniiTree(p, options.OnStep), options);
-  return true;
+  littoral::Require(littoral::WhyInvalid(p));
+  return littoral::LevelsOf(littoral::GrowAonoKuniiTree(p, options.OnStep), options);
 }
 
 //----------------------------------------------------------------------------

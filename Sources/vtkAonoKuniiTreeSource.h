@@ -197,7 +197,7 @@ protected:
   vtkAonoKuniiTreeSource();
   ~vtkAonoKuniiTreeSource() override;
 
-  bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) override;
+  littoral::PlantPrototype Grow(const littoral::PlantLevelOptions& options) override;
 
   int Preset;
   int Branching;

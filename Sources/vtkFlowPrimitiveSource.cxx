@@ -4,7 +4,6 @@
 
 #include "Data/FlowPrimitiveData.h"
 #include "Numerics/ParameterTraits.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkInformation.h"
@@ -50,12 +49,7 @@ int vtkFlowPrimitiveSource::RequestData(vtkInformation*, vtkInformationVector**,
   primitive.Axis = { this->Axis[0], this->Axis[1], this->Axis[2] };
   primitive.CoreRadius = this->CoreRadius;
   primitive.InfluenceRadius = this->InfluenceRadius;
-  const std::string reason = littoral::WhyInvalid(primitive);
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make a flow: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  littoral::Require(littoral::WhyInvalid(primitive));
   // The first piece holds the primitive; else each rank would add its own.
   vtkInformation* info = outputVector->GetInformationObject(0);
   if (info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0)
@@ -75,8 +69,8 @@ const char* vtkFlowPrimitiveSource::GetFlowTypeAsString() const
 int vtkFlowPrimitiveSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot make a flow: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

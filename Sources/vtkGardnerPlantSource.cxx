@@ -3,8 +3,8 @@
 #include "vtkGardnerPlantSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterTraits.h"
-#include "Pipeline/Mistakes.h"
 #include "Plants/GardnerPlant.h"
 
 #include "vtkObjectFactory.h"
@@ -43,14 +43,9 @@ std::array<int, 2> vtkGardnerPlantSource::LeafTextureSize() const
 }
 
 //----------------------------------------------------------------------------
-bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+littoral::PlantPrototype vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options)
 {
-  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfGardnerPresets);
-      !none.empty())
-  {
-    littoralErrorMacro(<< none);
-    return false;
-  }
+  littoral::Require(littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfGardnerPresets));
   littoral::GardnerPlantParameters p = littoral::PresetParameters(static_cast<littoral::GardnerPreset>(this->Preset));
   if (this->Preset == Custom)
   {
@@ -69,23 +64,13 @@ bool vtkGardnerPlantSource::Grow(const littoral::PlantLevelOptions& options, lit
     littoral::ParameterCheck colors;
     colors.Color("LeafColor", this->LeafColor);
     colors.Color("BarkColor", this->BarkColor);
-    if (!colors.IsGood())
-    {
-      littoralErrorMacro(<< colors.Reason());
-      return false;
-    }
+    littoral::Require(colors.Reason());
     p.Leaf = littoral::ColorOf(this->LeafColor);
     p.Bark = littoral::ColorOf(this->BarkColor);
   }
   p.Seed = this->Seed;
-  const std::string reason = littoral::WhyInvalid(p);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return false;
-  }
-  prototype = littoral::LevelsOf(littoral::GrowGardnerPlant(p), options);
-  return true;
+  littoral::Require(littoral::WhyInvalid(p));
+  return littoral::LevelsOf(littoral::GrowGardnerPlant(p), options);
 }
 
 //----------------------------------------------------------------------------

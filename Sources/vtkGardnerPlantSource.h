@@ -170,7 +170,7 @@ protected:
   vtkGardnerPlantSource();
   ~vtkGardnerPlantSource() override;
 
-  bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) override;
+  littoral::PlantPrototype Grow(const littoral::PlantLevelOptions& options) override;
   std::array<int, 2> LeafTextureSize() const override;
 
   int Preset;

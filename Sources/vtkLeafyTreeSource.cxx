@@ -3,9 +3,9 @@
 #include "vtkLeafyTreeSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Numerics/InvalidInput.h"
 
 #include "Numerics/ParameterCheck.h"
-#include "Pipeline/Mistakes.h"
 
 //----------------------------------------------------------------------------
 vtkLeafyTreeSource::vtkLeafyTreeSource(
@@ -25,19 +25,14 @@ vtkLeafyTreeSource::vtkLeafyTreeSource(
 vtkLeafyTreeSource::~vtkLeafyTreeSource() = default;
 
 //----------------------------------------------------------------------------
-bool vtkLeafyTreeSource::TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark)
+void vtkLeafyTreeSource::TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark)
 {
   littoral::ParameterCheck check;
   check.Color("LeafColor", this->LeafColor);
   check.Color("BarkColor", this->BarkColor);
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-    return false;
-  }
+  littoral::Require(check.Reason());
   leaf = littoral::ColorOf(this->LeafColor);
   bark = littoral::ColorOf(this->BarkColor);
-  return true;
 }
 
 //----------------------------------------------------------------------------

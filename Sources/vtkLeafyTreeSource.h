@@ -100,8 +100,8 @@ protected:
   vtkLeafyTreeSource(double variation, double trunkRadius, int leaves, double leafSize, double leafWidth);
   ~vtkLeafyTreeSource() override;
 
-  /// Converts LeafColor and BarkColor to bytes. False, with an error message, if a component is out of range.
-  bool TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark);
+  /// Converts LeafColor and BarkColor to bytes. Throws littoral::InvalidInput if a component is out of range.
+  void TakeColors(std::array<unsigned char, 3>& leaf, std::array<unsigned char, 3>& bark);
 
   double Variation;
   double TrunkRadius;

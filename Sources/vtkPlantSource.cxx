@@ -3,7 +3,6 @@
 #include "vtkPlantSource.h"
 
 #include "Data/PlantBlocks.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 #include "Pipeline/Ranges.h"
 #include "Plants/LeafCards.h"
@@ -83,8 +82,9 @@ std::array<int, 2> vtkPlantSource::LeafTextureSize() const
 }
 
 //----------------------------------------------------------------------------
-bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
+littoral::PlantLevelOptions vtkPlantSource::MakeOptions()
 {
+  littoral::PlantLevelOptions options;
   options.Seed = this->Seed;
   options.Crown = static_cast<littoral::MediumCrown>(this->MediumCrown);
   options.TextureColumns = this->TextureSize[0];
@@ -92,24 +92,14 @@ bool vtkPlantSource::MakeOptions(littoral::PlantLevelOptions& options)
   options.CrownJitter = this->CrownJitter;
   options.Parallel = littoral::AbortableFor(this);
   options.OnStep = littoral::PollOf(this);
-  const std::string reason = littoral::WhyInvalid(options);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return false;
-  }
-  return true;
+  littoral::Require(littoral::WhyInvalid(options));
+  return options;
 }
 
 //----------------------------------------------------------------------------
 int vtkPlantSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  littoral::PlantLevelOptions options;
-  littoral::PlantPrototype prototype;
-  if (!this->MakeOptions(options) || !this->Grow(options, prototype))
-  {
-    return littoral::FailedRequest(this);
-  }
+  const littoral::PlantPrototype prototype = this->Grow(this->MakeOptions());
   auto* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   littoral::CopyToBlocks(prototype, output);
   if (outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
@@ -127,7 +117,7 @@ int vtkPlantSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

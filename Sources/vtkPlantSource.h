@@ -117,8 +117,8 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Generates the plant at all levels of detail. False, with an error message, if a parameter is out of range.
-  virtual bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) = 0;
+  /// Generates the plant at all levels of detail. Throws littoral::InvalidInput if a parameter is out of range.
+  virtual littoral::PlantPrototype Grow(const littoral::PlantLevelOptions& options) = 0;
 
   /// Columns and rows of the leaf texture [texels].
   virtual std::array<int, 2> LeafTextureSize() const;
@@ -132,7 +132,7 @@ private:
   vtkPlantSource(const vtkPlantSource&) = delete;
   void operator=(const vtkPlantSource&) = delete;
 
-  bool MakeOptions(littoral::PlantLevelOptions& options);
+  littoral::PlantLevelOptions MakeOptions();
 };
 
 #endif

@@ -10,7 +10,6 @@
 #include "Data/Tables.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/ProcessPattern.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
@@ -190,8 +189,8 @@ int vtkPointProcessSource::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-/// Takes properties, and what inputs have in their place. The reason why that cannot be, or nothing.
-std::string vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Recipe& recipe)
+/// Takes properties, and what inputs have in their place.
+void vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Recipe& recipe)
 {
   littoral::PointProcessParameters& process = recipe.Process;
   process.Process = static_cast<littoral::PointProcess>(this->Process);
@@ -217,20 +216,18 @@ std::string vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Rec
   }
   check.Count("NumberOfSpecies", this->NumberOfSpecies, 1, MostSpecies);
   check.Choice("IntensityScale", this->IntensityScale, { "relative", "absolute" });
-  if (!check.IsGood())
-  {
-    return check.Reason();
-  }
+  littoral::Require(check.Reason());
   recipe.Window = littoral::ObservationWindow::Rectangle(
     { this->Origin[0], this->Origin[1] }, { this->Origin[0] + this->Size[0], this->Origin[1] + this->Size[1] });
   recipe.Options.SpeciesShares.assign(static_cast<std::size_t>(this->NumberOfSpecies), 1.0);
-  std::string reason;
-  auto* table = littoral::OptionalInputOf<vtkTable>(inputs[FitPort], "Input", reason);
-  auto* image = littoral::OptionalInputOf<vtkImageData>(inputs[IntensityPort], "IntensityImage", reason);
-  auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window", reason);
-  check.Require(reason);
-  check.Require(table ? littoral::ReadProcessFit(table, process, recipe.Window, recipe.Raster) : std::string());
-  check.Require(polygon ? littoral::ReadWindow(polygon, recipe.Window) : std::string());
+  auto* table = littoral::OptionalInputOf<vtkTable>(inputs[FitPort], "Input");
+  auto* image = littoral::OptionalInputOf<vtkImageData>(inputs[IntensityPort], "IntensityImage");
+  auto* polygon = littoral::OptionalInputOf<vtkPolyData>(inputs[WindowPort], "Window");
+  if (table)
+  {
+    littoral::ReadProcessFit(table, process, recipe.Window, recipe.Raster);
+  }
+  recipe.Window = polygon ? littoral::ReadWindow(polygon) : recipe.Window;
   if (image || !recipe.Raster.Values.empty())
   {
     recipe.Options.Raster = &recipe.Raster;
@@ -239,13 +236,11 @@ std::string vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Rec
   {
     recipe.Raster.Scale = static_cast<littoral::IntensityScale>(this->IntensityScale);
     const bool isActive = this->IntensityArray.empty() || this->IntensityArray == "None";
-    littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "the intensity image");
+    const littoral::ArrayReader points = littoral::ArrayReader::OfPoints(image, "the intensity image");
     vtkDataArray* values =
       isActive ? points.Fit(image->GetPointData()->GetScalars(), 1) : points.Need(this->IntensityArray.c_str(), 1);
-    check.Require(points.Reason());
-    check.Require(littoral::ReadIntensity(image, values, recipe.Raster));
+    littoral::ReadIntensity(image, values, recipe.Raster);
   }
-  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -268,13 +263,8 @@ int vtkPointProcessSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Recipe recipe;
-  std::string reason = this->MakeRecipe(inputVector, recipe);
-  reason = reason.empty() ? this->WhyInvalid(recipe) : reason;
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot scatter points: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  this->MakeRecipe(inputVector, recipe);
+  littoral::Require(this->WhyInvalid(recipe));
   this->SetProgressText("Scattering points");
   const ProcessPattern pattern = littoral::SimulateProcess(
     recipe.Process, recipe.Options, recipe.Window, littoral::PollOf(this), littoral::AbortableFor(this, 0.0, 0.8));
@@ -309,8 +299,8 @@ const char* vtkPointProcessSource::GetProcessAsString() const
 int vtkPointProcessSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot scatter points: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

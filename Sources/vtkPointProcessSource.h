@@ -323,7 +323,7 @@ private:
   void operator=(const vtkPointProcessSource&) = delete;
 
   class Recipe;
-  std::string MakeRecipe(vtkInformationVector** inputs, Recipe& recipe);
+  void MakeRecipe(vtkInformationVector** inputs, Recipe& recipe);
   std::string WhyInvalid(const Recipe& recipe) const;
 };
 

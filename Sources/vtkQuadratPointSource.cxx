@@ -7,7 +7,6 @@
 #include "Data/QuadratTable.h"
 #include "Numerics/ParameterCheck.h"
 #include "Patterns/QuadratPattern.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
@@ -166,7 +165,7 @@ int vtkQuadratPointSource::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recipe)
+void vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recipe)
 {
   littoral::QuadratLawParameters& law = recipe.Law;
   law.Law = static_cast<littoral::QuadratLaw>(this->Law);
@@ -177,14 +176,10 @@ bool vtkQuadratPointSource::MakeRecipe(vtkInformationVector* fits, Recipe& recip
   law.ClusterSuccess = this->ClusterSuccess;
   recipe.Grid = { { this->Origin[0], this->Origin[1] }, { this->Size[0], this->Size[1] },
     { this->Quadrats[0], this->Quadrats[1] } };
-  std::string reason;
-  auto* table = littoral::OptionalInputOf<vtkTable>(fits, "Input", reason);
-  reason = table ? littoral::ReadQuadratFit(table, recipe.Law, recipe.Grid) : reason;
-  if (!reason.empty())
+  if (auto* table = littoral::OptionalInputOf<vtkTable>(fits, "Input"))
   {
-    littoralErrorMacro("Cannot scatter points: " << reason);
+    littoral::ReadQuadratFit(table, recipe.Law, recipe.Grid);
   }
-  return reason.empty();
 }
 
 //----------------------------------------------------------------------------
@@ -194,16 +189,13 @@ std::string vtkQuadratPointSource::WhyInvalid(const Recipe& recipe) const
   check.Require(littoral::WhyInvalid(recipe.Grid));
   check.Require(littoral::WhyInvalid(recipe.Law));
   check.Choice("Mode", this->Mode, { "quota", "sampling" });
-  std::string reason = check.Reason();
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
   const double points = static_cast<double>(quadrats) * recipe.Law.Mean;
-  if (reason.empty() &&
-    (quadrats > MostQuadrats || 48.0 * points + 8.0 * static_cast<double>(quadrats) > littoral::AvailableMemory()))
-  {
-    reason = "Quadrats (" + std::to_string(quadrats) + ") of MeanPerQuadrat (" + littoral::TextOf(recipe.Law.Mean) +
-      ") points are more than this machine has memory for.";
-  }
-  return reason;
+  check.Require(
+    quadrats <= MostQuadrats && 48.0 * points + 8.0 * static_cast<double>(quadrats) <= littoral::AvailableMemory(),
+    "Quadrats (" + std::to_string(quadrats) + ") of MeanPerQuadrat (" + littoral::TextOf(recipe.Law.Mean) +
+      ") points are more than this machine has memory for.");
+  return check.Reason();
 }
 
 //----------------------------------------------------------------------------
@@ -211,16 +203,8 @@ int vtkQuadratPointSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Recipe recipe;
-  if (!this->MakeRecipe(inputVector[0], recipe))
-  {
-    return littoral::FailedRequest(this);
-  }
-  const std::string reason = this->WhyInvalid(recipe);
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot scatter points: " << reason);
-    return littoral::FailedRequest(this);
-  }
+  this->MakeRecipe(inputVector[0], recipe);
+  littoral::Require(this->WhyInvalid(recipe));
   this->SetProgressText("Scattering points");
   const long long quadrats = recipe.Grid.NumberOfQuadrats();
   const auto mode = static_cast<littoral::QuadratMode>(this->Mode);
@@ -247,8 +231,8 @@ const char* vtkQuadratPointSource::GetLawAsString() const
 int vtkQuadratPointSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot scatter points: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -183,7 +183,7 @@ private:
   void operator=(const vtkQuadratPointSource&) = delete;
 
   class Recipe;
-  bool MakeRecipe(vtkInformationVector* fits, Recipe& recipe);
+  void MakeRecipe(vtkInformationVector* fits, Recipe& recipe);
   std::string WhyInvalid(const Recipe& recipe) const;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReevesTreeSource.h"
 
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterTraits.h"
-#include "Pipeline/Mistakes.h"
 #include "Plants/PlantLevels.h"
 #include "Plants/ReevesTree.h"
 
@@ -37,7 +37,7 @@ vtkReevesTreeSource::vtkReevesTreeSource()
 vtkReevesTreeSource::~vtkReevesTreeSource() = default;
 
 //----------------------------------------------------------------------------
-bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+littoral::PlantPrototype vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options)
 {
   const auto isZeroOr = [](double value, double low, double high) {
     return value == 0.0 || littoral::ValueInterval::From(low, high).Contains(value);
@@ -50,11 +50,7 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     "from 0.002 to 20 m, or 0");
   check.Require(
     isZeroOr(this->SpeciesCrown, 0.02, 200.0), "SpeciesCrown", this->SpeciesCrown, "m", "from 0.02 to 200 m, or 0");
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-    return false;
-  }
+  littoral::Require(check.Reason());
   littoral::ReevesTreeParameters p = littoral::SizedParameters(
     static_cast<littoral::TreePreset>(this->Preset), this->SpeciesHeight, this->SpeciesDiameter, this->SpeciesCrown);
   if (this->Preset == Custom)
@@ -75,21 +71,13 @@ bool vtkReevesTreeSource::Grow(const littoral::PlantLevelOptions& options, litto
     p.NumberOfLeaves = this->NumberOfLeaves;
     p.LeafSize = this->LeafSize;
     p.LeafWidth = this->LeafWidth;
-    if (!this->TakeColors(p.Leaf, p.Bark))
-    {
-      return false;
-    }
+    this->TakeColors(p.Leaf, p.Bark);
   }
   p.Seed = this->Seed;
-  const std::string reason = littoral::WhyInvalid(p);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return false;
-  }
-  prototype = littoral::LevelsOf(littoral::GrowReevesTree(p, options.OnStep), options);
+  littoral::Require(littoral::WhyInvalid(p));
+  littoral::PlantPrototype prototype = littoral::LevelsOf(littoral::GrowReevesTree(p, options.OnStep), options);
   prototype.Timber = littoral::ParametersOf(littoral::TraitsOf(static_cast<littoral::TreePreset>(this->Preset)).Wood);
-  return true;
+  return prototype;
 }
 
 //----------------------------------------------------------------------------

@@ -173,7 +173,7 @@ protected:
   vtkReevesTreeSource();
   ~vtkReevesTreeSource() override;
 
-  bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) override;
+  littoral::PlantPrototype Grow(const littoral::PlantLevelOptions& options) override;
 
   int Preset;
   double SpeciesHeight;

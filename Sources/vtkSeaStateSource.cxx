@@ -35,7 +35,7 @@ constexpr double EnergyLeftOutInSilence = 0.02;
 std::vector<double> ColumnOf(vtkTable* table, const char* name)
 {
   std::vector<double> values;
-  vtkDataArray* array = littoral::ArrayReader::OfRows(table, "the table of the spectrum").Find(name, 1);
+  vtkDataArray* array = littoral::ArrayReader::OfRows(table, "the table of the spectrum").Seek(name, 1);
   for (vtkIdType row = 0; array && row < array->GetNumberOfTuples(); ++row)
   {
     values.push_back(array->GetComponent(row, 0));
@@ -125,40 +125,25 @@ int vtkSeaStateSource::RequestData(
   {
     return 1;
   }
-  std::string reason;
-  const SpectrumParameters spectrum = this->MakeSpectrum(OptionalInputOf<vtkTable>(inputVector[0], "Input", reason));
+  const SpectrumParameters spectrum = this->MakeSpectrum(OptionalInputOf<vtkTable>(inputVector[0], "Input"));
   const TrainParameters cut = this->MakeTrainParameters();
   ParameterCheck check;
-  check.Require(reason);
   check.Require(WhyInvalid(spectrum));
   check.Choice("SeaBy", this->SeaBy, 2);
   check.Finite("SeaLevel", this->SeaLevel, "m");
   check.Require(WhyInvalid(cut));
-  reason = check.Reason();
-  SeaState state;
-  double peakPeriod = 0.0;
-  double energy = 0.0;
-  double leftOut = 0.0;
+  Require(check.Reason());
+  const SeaSpectrum density(spectrum);
+  const SeaState state{ TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel,
+    PeriodOf(density, cut) };
+  Require(state.Trains.empty() ? "FrequencyRange holds no energy of the spectrum." : WhyInvalid(state));
+  const double energy = EnergyOf(state.Trains);
+  const double leftOut = std::max(0.0, 1.0 - energy / density.TotalEnergy());
   vtkTable* output = vtkTable::GetData(outputVector);
-  if (reason.empty())
-  {
-    const SeaSpectrum density(spectrum);
-    WriteSpectrum(density, cut, output);
-    state = { TrainsOf(density, spectrum.Depth, cut), spectrum.Depth, this->SeaLevel, PeriodOf(density, cut) };
-    peakPeriod = TwoPi / density.PeakFrequency();
-    energy = EnergyOf(state.Trains);
-    leftOut = std::max(0.0, 1.0 - energy / density.TotalEnergy());
-    reason = state.Trains.empty() ? "FrequencyRange holds no energy of the spectrum." : WhyInvalid(state);
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make a sea: " << reason);
-    output->Initialize();
-    return littoral::FailedRequest(this);
-  }
+  WriteSpectrum(density, cut, output);
   WriteSeaState(state, output);
   AddField(output, sea::SignificantWaveHeight, { 4.0 * std::sqrt(energy) });
-  AddField(output, sea::PeakPeriod, { peakPeriod });
+  AddField(output, sea::PeakPeriod, { TwoPi / density.PeakFrequency() });
   AddField(output, sea::EnergyLeftOut, { leftOut });
   if (leftOut > EnergyLeftOutInSilence)
   {
@@ -171,8 +156,8 @@ int vtkSeaStateSource::RequestData(
 int vtkSeaStateSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot make a sea: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

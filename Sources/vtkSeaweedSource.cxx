@@ -3,8 +3,8 @@
 #include "vtkSeaweedSource.h"
 
 #include "Data/PlantBlocks.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterTraits.h"
-#include "Pipeline/Mistakes.h"
 #include "Seaweed/SeaweedMesh.h"
 
 #include "vtkObjectFactory.h"
@@ -45,14 +45,9 @@ vtkSeaweedSource::vtkSeaweedSource()
 vtkSeaweedSource::~vtkSeaweedSource() = default;
 
 //----------------------------------------------------------------------------
-bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype)
+littoral::PlantPrototype vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options)
 {
-  if (const std::string none = littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfSeaweedPresets);
-      !none.empty())
-  {
-    littoralErrorMacro(<< none);
-    return false;
-  }
+  littoral::Require(littoral::WhyNoRow("Preset", this->Preset, littoral::NumberOfSeaweedPresets));
   littoral::SeaweedParameters p = littoral::PresetParameters(static_cast<littoral::SeaweedPreset>(this->Preset));
   if (this->Preset == Custom)
   {
@@ -78,24 +73,14 @@ bool vtkSeaweedSource::Grow(const littoral::PlantLevelOptions& options, littoral
     littoral::ParameterCheck colors;
     colors.Color("BladeColor", this->BladeColor);
     colors.Color("StipeColor", this->StipeColor);
-    if (!colors.IsGood())
-    {
-      littoralErrorMacro(<< colors.Reason());
-      return false;
-    }
+    littoral::Require(colors.Reason());
     p.Blade = littoral::ColorOf(this->BladeColor);
     p.Stipe = littoral::ColorOf(this->StipeColor);
   }
   p.SegmentsPerBranch = this->SegmentsPerBranch;
   p.Seed = this->Seed;
-  const std::string reason = littoral::WhyInvalid(p);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return false;
-  }
-  prototype = littoral::LevelsOf(littoral::GrowSeaweed(p), options);
-  return true;
+  littoral::Require(littoral::WhyInvalid(p));
+  return littoral::LevelsOf(littoral::GrowSeaweed(p), options);
 }
 
 //----------------------------------------------------------------------------

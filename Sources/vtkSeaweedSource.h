@@ -249,7 +249,7 @@ protected:
   vtkSeaweedSource();
   ~vtkSeaweedSource() override;
 
-  bool Grow(const littoral::PlantLevelOptions& options, littoral::PlantPrototype& prototype) override;
+  littoral::PlantPrototype Grow(const littoral::PlantLevelOptions& options) override;
 
   int Preset;
   int SegmentsPerBranch;

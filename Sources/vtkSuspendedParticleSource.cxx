@@ -8,7 +8,6 @@
 #include "Geometry/TextureAtlas.h"
 #include "Numerics/ParameterTraits.h"
 #include "Particles/SuspendedParticles.h"
-#include "Pipeline/Mistakes.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkCellArray.h"
@@ -322,20 +321,14 @@ std::string vtkSuspendedParticleSource::WhyBadProperties() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
+vtkSuspendedParticleSource::Recipe vtkSuspendedParticleSource::MakeRecipe() const
 {
-  std::string reason = this->WhyBadProperties();
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  littoral::Require(this->WhyBadProperties());
+  Recipe recipe;
   if (this->Preset == Custom)
   {
     recipe.Boxes = this->Internals->Boxes;
-    if (recipe.Boxes.empty())
-    {
-      return "there are no boxes; add one, or take another Preset.";
-    }
+    littoral::Require(recipe.Boxes.empty() ? "there are no boxes; add one, or take another Preset." : "");
   }
   else
   {
@@ -343,7 +336,7 @@ std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
     if (!(b[0] < b[1] && b[2] < b[3] && b[4] < b[5]) ||
       !std::all_of(b, b + 6, [](double x) { return littoral::IsSensible(x); }))
     {
-      return "Bounds must be finite and increasing along each axis.";
+      littoral::Refuse("Bounds must be finite and increasing along each axis.");
     }
     recipe.Boxes =
       littoral::BoxesOf(static_cast<littoral::ParticleScene>(this->Preset), { b[0], b[2], b[4] }, { b[1], b[3], b[5] });
@@ -351,20 +344,16 @@ std::string vtkSuspendedParticleSource::MakeRecipe(Recipe& recipe) const
   for (littoral::ParticleBox& box : recipe.Boxes)
   {
     const int index = static_cast<int>(recipe.First.size()) - 1;
-    reason = littoral::WhyInvalid(box, index);
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    littoral::Require(littoral::WhyInvalid(box, index));
     box.Amount *= this->Density;
     const double count = littoral::NumberIn(box, this->Preset == Custom && this->AmountIs == Count);
     if (!(count < MostParticles))
     {
-      return "box " + std::to_string(index) + " would hold more than 1e11 particles.";
+      littoral::Refuse("box ", index, " would hold more than 1e11 particles.");
     }
     recipe.First.push_back(recipe.First.back() + static_cast<long long>(count));
   }
-  return "";
+  return recipe;
 }
 
 //----------------------------------------------------------------------------
@@ -396,18 +385,12 @@ void vtkSuspendedParticleSource::NameBoxes(const Recipe& recipe, vtkPolyData* ou
 int vtkSuspendedParticleSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  Recipe recipe;
-  std::string reason = this->MakeRecipe(recipe);
+  const Recipe recipe = this->MakeRecipe();
   const auto [first, last] = littoral::RequestedPart(outputVector->GetInformationObject(0), recipe.First.back());
   const double bytes = this->Mode == Quads ? 5.0 * 88.0 + 40.0 : 64.0;
-  if (reason.empty() && bytes * static_cast<double>(last - first) > littoral::AvailableMemory())
+  if (bytes * static_cast<double>(last - first) > littoral::AvailableMemory())
   {
-    reason = std::to_string(last - first) + " particles are more than this machine has memory for.";
-  }
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot make particles: " << reason);
-    return littoral::FailedRequest(this);
+    littoral::Refuse(last - first, " particles are more than this machine has memory for.");
   }
   this->SetProgressText("Placing particles");
   this->NameBoxes(recipe, output);
@@ -467,8 +450,8 @@ const char* vtkSuspendedParticleSource::GetPresetAsString() const
 int vtkSuspendedParticleSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return littoral::WithoutExceptions(this, request, outputs,
+    "Cannot make particles: ", [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -185,7 +185,7 @@ private:
   class Recipe;
   class vtkInternals;
   std::string WhyBadProperties() const;
-  std::string MakeRecipe(Recipe& recipe) const;
+  Recipe MakeRecipe() const;
   void NameBoxes(const Recipe& recipe, vtkPolyData* output) const;
   template <typename Array>
   bool Scatter(const Recipe& recipe, long long first, long long last, vtkPolyData* output);

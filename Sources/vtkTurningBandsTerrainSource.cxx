@@ -125,7 +125,7 @@ std::string vtkTurningBandsTerrainSource::TakeGrid(vtkInformationVector* fits)
   vtkDataObject* table = info->Get(vtkDataObject::DATA_OBJECT());
   const auto take = [table](const char* name, int count, auto* numbers) {
     vtkDataArray* array =
-      table ? littoral::ArrayReader::OfFields(table, "The table of fits", 1).Find(name, count) : nullptr;
+      table ? littoral::ArrayReader::OfFields(table, "The table of fits", 1).Seek(name, count) : nullptr;
     for (int i = 0; array && i < count; ++i)
     {
       numbers[i] = static_cast<std::decay_t<decltype(*numbers)>>(array->GetComponent(0, i));
@@ -141,35 +141,24 @@ std::string vtkTurningBandsTerrainSource::TakeGrid(vtkInformationVector* fits)
 int vtkTurningBandsTerrainSource::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const std::string reason = this->TakeGrid(inputVector[0]);
-  if (!reason.empty())
-  {
-    littoralErrorMacro(<< reason);
-    return littoral::FailedInformation(this, outputVector);
-  }
+  littoral::Require(this->TakeGrid(inputVector[0]));
   const int* extent = this->Grid.WholeExtent;
   if (extent[1] < extent[0] || extent[3] < extent[2])
   {
-    littoralErrorMacro("WholeExtent " << extent[0] << " " << extent[1] << " " << extent[2] << " " << extent[3]
-                                      << " is empty: the last index of an axis must not be below the first.");
-    return littoral::FailedInformation(this, outputVector);
+    littoral::Refuse("WholeExtent ", extent[0], " ", extent[1], " ", extent[2], " ", extent[3],
+      " is empty: the last index of an axis must not be below the first.");
   }
   if (extent[5] != extent[4])
   {
-    littoralErrorMacro("WholeExtent has " << extent[5] - static_cast<long long>(extent[4]) + 1
-                                          << " layers in z: a terrain has exactly one.");
-    return littoral::FailedInformation(this, outputVector);
+    littoral::Refuse("WholeExtent has ", extent[5] - static_cast<long long>(extent[4]) + 1,
+      " layers in z: a terrain has exactly one.");
   }
   littoral::ParameterCheck check;
   check.Positive("Spacing[0]", this->Grid.Spacing[0]);
   check.Positive("Spacing[1]", this->Grid.Spacing[1]);
   check.Finite("Spacing[2]", this->Grid.Spacing[2]);
   check.Finite("Origin[2]", this->Grid.Origin[2]);
-  if (!check.IsGood())
-  {
-    littoralErrorMacro(<< check.Reason());
-    return littoral::FailedInformation(this, outputVector);
-  }
+  littoral::Require(check.Reason());
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->Grid.WholeExtent, 6);
   info->Set(vtkDataObject::ORIGIN(), this->Grid.Origin, 3);
@@ -229,23 +218,17 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ReflectanceRe
 }
 
 //----------------------------------------------------------------------------
-bool vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
+void vtkTurningBandsTerrainSource::TakeFit(vtkTable* fits, Recipe& recipe)
 {
   littoral::FieldStatistics statistics = this->OwnStatistics();
   statistics.Slope = { this->Slope[0], this->Slope[1] };
-  const std::string reason = littoral::TakeFit(fits, statistics);
-  if (!reason.empty())
-  {
-    littoralErrorMacro("Cannot grow " << recipe.Name << ": " << reason);
-    return false;
-  }
+  littoral::TakeFit(fits, statistics);
   recipe.Take(statistics);
   recipe.Deviation = statistics.HasFittedVariance ? std::nullopt : recipe.Deviation;
-  return true;
 }
 
 //----------------------------------------------------------------------------
-bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
+void vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
 {
   const littoral::PlaneGrid grid = PlaneOf(this->Grid.Origin, this->Grid.Spacing);
   littoral::TurningBandsParameters& bands = recipe.Bands;
@@ -256,25 +239,18 @@ bool vtkTurningBandsTerrainSource::CheckRecipe(Recipe& recipe)
   check.Require(deviation == 0.0 || Deviations.Contains(deviation), recipe.Prefix + "StandardDeviation", deviation,
     recipe.Unit, "0, or " + Deviations.Words(recipe.Unit));
   check.Require(bands.NumberOfLines > 0, "NumberOfLines", bands.NumberOfLines, "", "positive, or 0 for enough");
-  check.Require(littoral::WhyInvalid(bands, grid));
-  check.Finite("Mean", recipe.Trend.Mean);
+  check.Require(littoral::WhyInvalid(bands, grid, recipe.Prefix));
+  check.Finite(recipe.Prefix + "Mean", recipe.Trend.Mean);
   check.Finite("Slope[0]", recipe.Trend.Slope[0]);
   check.Finite("Slope[1]", recipe.Trend.Slope[1]);
   check.NotNegative("TrendWidth", recipe.Trend.Sides[0]);
   check.NotNegative("TrendHeight", recipe.Trend.Sides[1]);
-  if (!check.IsGood())
-  {
-    const auto begins = [&](const char* word) { return check.Reason().rfind(word, 0) == 0; };
-    const bool isOwn = begins("Model ") || begins("Range ") || begins("Mean ");
-    littoralErrorMacro("Cannot grow " << recipe.Name << ": " << (isOwn ? recipe.Prefix : "") << check.Reason());
-    return false;
-  }
+  littoral::Require(check.Reason());
   if (automatic)
   {
     // By the whole grid, not by the part that is asked for, so that all parts belong to one terrain.
     bands.NumberOfLines = littoral::EnoughLines(bands, grid, WindowOf(this->Grid.WholeExtent));
   }
-  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -289,20 +265,16 @@ void vtkTurningBandsTerrainSource::Grow(
 }
 
 //----------------------------------------------------------------------------
-bool vtkTurningBandsTerrainSource::CheckMemory(const int extent[6])
+void vtkTurningBandsTerrainSource::CheckMemory(const int extent[6])
 {
   const double width = extent[1] - static_cast<double>(extent[0]) + 1.0;
   const double height = extent[3] - static_cast<double>(extent[2]) + 1.0;
   const double bytes = width * height * sizeof(float) * (this->Reflectance ? 2 : 1);
   if (bytes > littoral::AvailableMemory())
   {
-    littoralErrorMacro(
-      "A terrain of " << width << " x " << height << " points needs " << bytes / 0x1p30
-                      << " GiB, more than this machine has free. Take a smaller WholeExtent, or ask for a "
-                         "part of it.");
-    return false;
+    littoral::Refuse("A terrain of ", width, " x ", height, " points needs ", bytes / 0x1p30,
+      " GiB, more than this machine has free. Take a smaller WholeExtent, or ask for a part of it.");
   }
-  return true;
 }
 
 //----------------------------------------------------------------------------
@@ -349,24 +321,22 @@ int vtkTurningBandsTerrainSource::RequestData(
 
   Recipe elevation = this->ElevationRecipe();
   Recipe reflectance = this->ReflectanceRecipe();
-  std::string reason;
-  auto* fits = littoral::OptionalInputOf<vtkTable>(inputVector[0], "Input", reason);
-  if (!reason.empty())
+  vtkTable* fits = nullptr;
+  littoral::InContext(std::string("Cannot grow ") + elevation.Name + ": ", [&] {
+    fits = littoral::OptionalInputOf<vtkTable>(inputVector[0], "Input");
+    if (fits)
+    {
+      this->TakeFit(fits, elevation);
+    }
+    this->CheckRecipe(elevation);
+  });
+  if (this->Reflectance)
   {
-    littoralErrorMacro("Cannot grow " << elevation.Name << ": " << reason);
-    return littoral::FailedRequest(this);
-  }
-  if ((fits && !this->TakeFit(fits, elevation)) || !this->CheckRecipe(elevation) ||
-    (this->Reflectance && !this->CheckRecipe(reflectance)))
-  {
-    return littoral::FailedRequest(this);
+    littoral::InContext(std::string("Cannot grow ") + reflectance.Name + ": ", [&] { this->CheckRecipe(reflectance); });
   }
 
   std::array<int, 6> extent = littoral::RequestedExtent(info);
-  if (!this->CheckMemory(extent.data()))
-  {
-    return littoral::FailedRequest(this);
-  }
+  this->CheckMemory(extent.data());
   output->SetExtent(extent.data());
   output->SetOrigin(this->Grid.Origin);
   output->SetSpacing(this->Grid.Spacing);

@@ -210,9 +210,9 @@ private:
   std::string TakeGrid(vtkInformationVector* fits);
   Recipe ElevationRecipe() const;
   Recipe ReflectanceRecipe() const;
-  bool TakeFit(vtkTable* fits, Recipe& recipe);
-  bool CheckRecipe(Recipe& recipe);
-  bool CheckMemory(const int extent[6]);
+  void TakeFit(vtkTable* fits, Recipe& recipe);
+  void CheckRecipe(Recipe& recipe);
+  void CheckMemory(const int extent[6]);
   /// Adds arrays of the elevation and, where it is asked for, of the reflectance. Throws Aborted.
   void GrowAll(const Recipe& elevation, const Recipe& reflectance, const int extent[6], vtkImageData* output);
   void Grow(const Recipe& recipe, const int extent[6], double first, double last, float* values);

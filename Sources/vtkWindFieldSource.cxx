@@ -136,9 +136,8 @@ int vtkWindFieldSource::RequestInformation(vtkInformation*, vtkInformationVector
   check.Finite("Center[1]", this->Center[1], "m");
   if (!check.IsGood())
   {
-    littoralErrorMacro("Cannot make a wind: " << check.Reason());
     vtkImageData::GetData(outputVector)->Initialize();
-    return littoral::FailedInformation(this, outputVector);
+    littoral::Refuse("Cannot make a wind: ", check.Reason());
   }
 
   const int extent[6] = { 0, grid.Count[0] - 1, 0, grid.Count[1] - 1, 0, grid.Count[2] - 1 };
@@ -236,10 +235,8 @@ int vtkWindFieldSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
     points * sizeof(float) * littoral::WindComponents + (fresh ? 0.0 : littoral::WindFieldBytes(grid));
   if (bytes > littoral::AvailableMemory())
   {
-    littoralErrorMacro("A wind with Dimensions " << grid.Count[0] << " x " << grid.Count[1] << " x " << grid.Count[2]
-                                                 << " needs " << bytes / 0x1p30
-                                                 << " GiB of memory, more than this machine has free.");
-    return littoral::FailedRequest(this);
+    littoral::Refuse("A wind with Dimensions ", grid.Count[0], " x ", grid.Count[1], " x ", grid.Count[2], " needs ",
+      bytes / 0x1p30, " GiB of memory, more than this machine has free.");
   }
   if (!fresh && points > 0.0 && !this->Freeze(recipe))
   {
@@ -287,7 +284,7 @@ int vtkWindFieldSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return littoral::WithoutExceptions(
-    this, request, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    this, request, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 //----------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "Kriging/DataVariogram.h"
 
 #include "Kriging/DriftFunctions.h"
+#include "Numerics/InvalidInput.h"
 #include "Terrain/VariogramFit.h"
 
 #include <Eigen/QR>
@@ -110,26 +111,19 @@ std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, con
   return bins;
 }
 
-std::vector<KrigingModel> FitToData(
-  const KrigingData& data, KrigingType type, std::string& reason, const ParallelFor& parallel)
+std::vector<KrigingModel> FitToData(const KrigingData& data, KrigingType type, const ParallelFor& parallel)
 {
-  if (data.Places.size() < FewestForVariogram)
+  const std::size_t count = data.Places.size();
+  if (count < FewestForVariogram)
   {
-    reason = "There " + std::string(data.Places.size() == 1 ? "is only 1 datum" : "are only ") +
-      (data.Places.size() == 1 ? "" : std::to_string(data.Places.size()) + " data") +
-      ", and a model is fitted to at least " + std::to_string(FewestForVariogram) +
-      "; choose a Model or connect a table of fits.";
-    return {};
+    Refuse("There ", count == 1 ? "is" : "are", " only ", count, count == 1 ? " datum" : " data",
+      ", and a model is fitted to at least ", FewestForVariogram, "; choose a Model or connect a table of fits.");
   }
   const std::vector<LagBin> bins = DataVariogram(data, type, parallel);
   const bool varies = std::any_of(bins.begin(), bins.end(), [](const LagBin& bin) { return bin.Semivariance > 0.0; });
-  if (!varies)
-  {
-    reason =
-      "The data do not vary about their drift, so that no model can be fitted to them; choose a Model or connect "
-      "a table of fits.";
-    return {};
-  }
+  Require(varies ? ""
+                 : "The data do not vary about their drift, so that no model can be fitted to them; choose a Model or "
+                   "connect a table of fits.");
   VariogramFitOptions options;
   options.Nugget = true;
   options.MaximumRange = bins.back().Lag;
@@ -142,10 +136,9 @@ std::vector<KrigingModel> FitToData(
       models.push_back({ fit.Field, fit.Nugget, 1.0, 0.0 });
     }
   }
-  if (models.empty())
-  {
-    reason = "No model could be fitted to the variogram of the data; choose a Model or connect a table of fits.";
-  }
+  Require(models.empty()
+      ? "No model could be fitted to the variogram of the data; choose a Model or connect a table of fits."
+      : "");
   return models;
 }
 

@@ -24,9 +24,8 @@ inline constexpr std::size_t FewestForVariogram = 20;
 std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, const ParallelFor& parallel = SerialFor);
 
 /// The isotropic models of the seven, the one that fits the variogram of the data best first, with a nugget where the
-/// fit calls for one. None with a reason in words for a user, if there are too few data, or all are equal.
-std::vector<KrigingModel> FitToData(
-  const KrigingData& data, KrigingType type, std::string& reason, const ParallelFor& parallel = SerialFor);
+/// fit calls for one. Throws InvalidInput if there are too few data, or all are equal.
+std::vector<KrigingModel> FitToData(const KrigingData& data, KrigingType type, const ParallelFor& parallel = SerialFor);
 
 }
 

@@ -4,11 +4,11 @@
 #define LittoralKriging_h
 
 #include "Kriging/KrigingModel.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/Parallel.h"
 
 #include <cstddef>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,9 +35,9 @@ struct LeftOut
 };
 
 /// Why an estimate is impossible, in words for a user.
-class KrigingFailure : public std::runtime_error
+class KrigingFailure : public InvalidInput
 {
-  using std::runtime_error::runtime_error;
+  using InvalidInput::InvalidInput;
 };
 
 /**

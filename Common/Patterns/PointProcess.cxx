@@ -201,17 +201,15 @@ const char* PointProcessName(PointProcess process)
 
 std::string WhyInvalid(const PointProcessParameters& process)
 {
-  if (std::string reason = WhyNoRow("Process", static_cast<int>(process.Process), NumberOfPointProcesses);
-      !reason.empty())
+  ParameterCheck check;
+  check.Choice("Process", static_cast<int>(process.Process), NumberOfPointProcesses);
+  if (check.IsGood())
   {
-    return reason;
+    const PointProcessTraits& row = TraitsOf(process.Process);
+    check.Require(row.Parameters.WhyInvalid(process));
+    check.Require(check.IsGood() && row.WhyInvalid ? row.WhyInvalid(process) : std::string());
   }
-  const PointProcessTraits& row = TraitsOf(process.Process);
-  if (std::string reason = row.Parameters.WhyInvalid(process); !reason.empty())
-  {
-    return reason;
-  }
-  return row.WhyInvalid ? row.WhyInvalid(process) : std::string();
+  return check.Reason();
 }
 
 double ParentIntensity(const PointProcessParameters& process)

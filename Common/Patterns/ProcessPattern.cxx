@@ -261,8 +261,8 @@ std::string WhyInvalid(
   const PointProcessParameters highest = Highest(process, options);
   if (options.Raster)
   {
-    std::string reason = WhyInvalid(highest);
-    check.Require(reason.empty(), "Where the image of the intensity is highest: " + reason);
+    const std::string why = WhyInvalid(highest);
+    check.Require(why.empty(), "Where the image of the intensity is highest: " + why);
   }
   return check.IsGood() ? WhyTooMuch(process, options, window) : check.Reason();
 }

@@ -313,18 +313,16 @@ const char* QuadratLawName(QuadratLaw law)
 
 std::string WhyInvalid(const QuadratLawParameters& law)
 {
-  std::string reason = WhyNoRow("Law", static_cast<int>(law.Law), NumberOfQuadratLaws);
-  if (!reason.empty())
+  ParameterCheck check;
+  check.Choice("Law", static_cast<int>(law.Law), NumberOfQuadratLaws);
+  if (check.IsGood())
   {
-    return reason;
+    const QuadratLawTraits& traits = TraitsOf(law.Law);
+    check.Require(traits.Parameters.WhyInvalid(law));
+    check.Require(check.IsGood() && traits.WhyInvalid ? traits.WhyInvalid(law) : std::string());
+    check.Require(check.IsGood() ? WhyTooLong(law) : std::string());
   }
-  const QuadratLawTraits& traits = TraitsOf(law.Law);
-  reason = traits.Parameters.WhyInvalid(law);
-  if (reason.empty() && traits.WhyInvalid)
-  {
-    reason = traits.WhyInvalid(law);
-  }
-  return reason.empty() ? WhyTooLong(law) : reason;
+  return check.Reason();
 }
 
 double CountVariance(const QuadratLawParameters& law)

@@ -3,6 +3,7 @@
 #include "Plants/SitePreference.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 #include "Numerics/RandomStream.h"
 
@@ -33,7 +34,7 @@ double Uniform(const PreferenceOptions& options, long long site)
 }
 
 /// A cell of a table as a number; `otherwise` where there is none.
-double NumberIn(const TextTable& table, const std::string& name, std::size_t row, double otherwise, std::string& reason)
+double NumberIn(const TextTable& table, const std::string& name, std::size_t row, double otherwise)
 {
   const int column = table.ColumnOf(name);
   if (column < 0)
@@ -42,9 +43,9 @@ double NumberIn(const TextTable& table, const std::string& name, std::size_t row
   }
   double number = otherwise;
   const std::string& word = table.Columns[column][row];
-  if (!ReadNumber(word, number) && reason.empty())
+  if (!ReadNumber(word, number))
   {
-    reason = name + " of row " + std::to_string(row + 1) + " is '" + word + "', which is no number.";
+    Refuse(name, " of row ", row + 1, " is '", word, "', which is no number.");
   }
   return number == number ? number : otherwise;
 }
@@ -90,38 +91,37 @@ double PreferenceFor(const SpeciesPreference& species, const GroundFactors& grou
   return preference;
 }
 
-std::vector<SpeciesPreference> ReadPreferences(const TextTable& table, std::string& reason)
+std::vector<SpeciesPreference> ReadPreferences(const TextTable& table)
 {
   std::vector<SpeciesPreference> all;
   const int names = table.ColumnOf("species");
   if (names < 0 || table.NumberOfRows() == 0)
   {
-    reason = "the table of preferences needs the column species, and a row.";
-    return all;
+    Refuse("the table of preferences needs the column species, and a row.");
   }
-  for (std::size_t row = 0; row < table.NumberOfRows() && reason.empty(); ++row)
+  for (std::size_t row = 0; row < table.NumberOfRows(); ++row)
   {
     SpeciesPreference species;
     species.Name = table.Columns[names][row];
-    species.Abundance = NumberIn(table, "abundance", row, 1.0, reason);
+    species.Abundance = NumberIn(table, "abundance", row, 1.0);
     ParameterCheck check;
     check.NotNegative("abundance of " + species.Name, species.Abundance);
     for (int factor = 0; factor < NumberOfGroundFactors; ++factor)
     {
       const std::string name = FactorNames[factor];
       FactorResponse& response = species.Responses[factor];
-      response.Optimum = NumberIn(table, name, row, response.Optimum, reason);
-      response.Tolerance = NumberIn(table, name + "_tolerance", row, std::numeric_limits<double>::quiet_NaN(), reason);
+      response.Optimum = NumberIn(table, name, row, response.Optimum);
+      response.Tolerance = NumberIn(table, name + "_tolerance", row, std::numeric_limits<double>::quiet_NaN());
       if (response.Counts())
       {
         check.Positive(name + "_tolerance of " + species.Name, response.Tolerance);
       }
     }
-    reason = reason.empty() ? check.Reason() : reason;
+    Require(check.Reason());
     all.push_back(species);
   }
   const bool isAny = std::any_of(all.begin(), all.end(), [](const auto& species) { return species.Abundance > 0.0; });
-  reason = reason.empty() && !isAny ? "the abundance of all species is 0; at least one must be positive." : reason;
+  Require(isAny ? "" : "the abundance of all species is 0; at least one must be positive.");
   return all;
 }
 

@@ -54,8 +54,8 @@ double PreferenceFor(const SpeciesPreference& species, const GroundFactors& grou
 
 /// Species of a table: columns `species`, `abundance` (default 1), and for each factor its optimum and its tolerance,
 /// as `elevation` and `elevation_tolerance`, `relative_elevation`, `slope`, `aspect`, `wetness`; an empty optimum: the
-/// species does not mind. A reason, in words for a user, if the table is none of these.
-std::vector<SpeciesPreference> ReadPreferences(const TextTable& table, std::string& reason);
+/// species does not mind. Throws InvalidInput if the table is none of these.
+std::vector<SpeciesPreference> ReadPreferences(const TextTable& table);
 
 /// Preferences of pine, oak, birch and shrub on any terrain: pines high, oaks low, birches between on level
 /// ground, shrubs on slopes.

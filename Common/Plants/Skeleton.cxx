@@ -31,6 +31,10 @@ std::string WhyNodeInvalid(const Skeleton& skeleton, int index)
   {
     return name + " does not come after its parent, as in a cycle.";
   }
+  if (node.Branch < 0 || node.Branch >= static_cast<int>(skeleton.Branches.size()))
+  {
+    return name + " has a branch that does not exist.";
+  }
   return {};
 }
 
@@ -111,24 +115,17 @@ std::string WhyInvalid(const Skeleton& skeleton)
   }
   for (int node = 0; node < static_cast<int>(skeleton.Nodes.size()); ++node)
   {
-    const int branch = skeleton.Nodes[node].Branch;
-    std::string reason = WhyNodeInvalid(skeleton, node);
-    if (reason.empty() && (branch < 0 || branch >= static_cast<int>(skeleton.Branches.size())))
+    if (std::string why = WhyNodeInvalid(skeleton, node); !why.empty())
     {
-      reason = "node " + std::to_string(node) + " has a branch that does not exist.";
-    }
-    if (!reason.empty())
-    {
-      return reason;
+      return why;
     }
   }
   int first = 0;
   for (int branch = 0; branch < static_cast<int>(skeleton.Branches.size()); ++branch)
   {
-    const std::string reason = WhyBranchInvalid(skeleton, branch, first);
-    if (!reason.empty())
+    if (std::string why = WhyBranchInvalid(skeleton, branch, first); !why.empty())
     {
-      return reason;
+      return why;
     }
     first += skeleton.Branches[branch].Count;
   }

@@ -3,6 +3,7 @@
 #include "Plants/StandInventory.h"
 
 #include "Numerics/Constants.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 
 #include <algorithm>
@@ -87,9 +88,8 @@ std::string NamesOf(const TextTable& table)
 class ColumnFinder
 {
 public:
-  ColumnFinder(const TextTable& table, std::string& reason)
+  explicit ColumnFinder(const TextTable& table)
     : Table(table)
-    , Reason(reason)
   {
   }
 
@@ -104,9 +104,7 @@ public:
     }
     if (!asked.empty())
     {
-      const std::string why = "there is no column '" + asked + "'; the table has " + NamesOf(this->Table) + ".";
-      this->Reason = this->Reason.empty() ? why : this->Reason;
-      return {};
+      Refuse("there is no column '", asked, "'; the table has ", NamesOf(this->Table), ".");
     }
     for (const char* name : known)
     {
@@ -124,7 +122,6 @@ public:
 
 private:
   const TextTable& Table;
-  std::string& Reason;
 };
 
 /// The columns of an inventory, and the units of its numbers.
@@ -142,9 +139,9 @@ struct Layout
   bool IsForestGeo = false;
   double OfDiameter = 1.0; ///< diameter over what the column of diameters has: 1 / pi of a girth
 
-  Layout(const TextTable& table, const InventoryColumns& columns, std::string& reason)
+  Layout(const TextTable& table, const InventoryColumns& columns)
   {
-    ColumnFinder finder(table, reason);
+    ColumnFinder finder(table);
     this->X = finder.Find(columns.X, { "x", "gx", "px", "easting", "xcoord", "xcoordinate", "xutm", "utmx" });
     this->Y = finder.Find(columns.Y, { "y", "gy", "py", "northing", "ycoord", "ycoordinate", "yutm", "utmy" });
     this->Species = finder.Find(
@@ -162,16 +159,16 @@ struct Layout
     this->Tree = finder.Find("", { "treeid", "tag", "treetag" });
     this->IsForestGeo = (table.ColumnOf("gx") >= 0 && table.ColumnOf("gy") >= 0) ||
       (table.ColumnOf("px") >= 0 && table.ColumnOf("py") >= 0);
-    if (reason.empty() && (this->X.Index < 0 || this->Y.Index < 0))
+    if (this->X.Index < 0 || this->Y.Index < 0)
     {
-      reason = "there are no columns x and y, or gx and gy; the table has " + NamesOf(table) +
-        ". Name the columns of the places.";
+      Refuse("there are no columns x and y, or gx and gy; the table has ", NamesOf(table),
+        ". Name the columns of the places.");
     }
     const std::string strange = this->HasTrees() ? std::string() : this->StrangeNames(table);
-    if (reason.empty() && !strange.empty())
+    if (!strange.empty())
     {
-      reason = "none of " + strange +
-        " is known as a species, a diameter or a height. Name the columns that are, or leave all of them out.";
+      Refuse("none of ", strange,
+        " is known as a species, a diameter or a height. Name the columns that are, or leave all of them out.");
     }
   }
 
@@ -222,26 +219,25 @@ const std::string& CellOf(const TextTable& table, const FoundColumn& column, std
   return column.Index < 0 ? none : table.Columns[column.Index][row];
 }
 
-/// A length of a cell [m], NaN where there is none. A reason if it holds another word.
-double LengthIn(const TextTable& table, const FoundColumn& column, std::size_t row, double metres, std::string& reason)
+/// A length of a cell [m], NaN where there is none.
+double LengthIn(const TextTable& table, const FoundColumn& column, std::size_t row, double metres)
 {
   double number = std::numeric_limits<double>::quiet_NaN();
   const std::string& word = CellOf(table, column, row);
-  if (column.Index >= 0 && !ReadNumber(word, number) && reason.empty())
+  if (column.Index >= 0 && !ReadNumber(word, number))
   {
-    reason = "row " + std::to_string(row + 1) + " has '" + word + "' for " + table.Names[column.Index] +
-      ", which is no number" + (word.find(',') == std::string::npos ? "." : "; a decimal comma must be a point.");
+    Refuse("row ", row + 1, " has '", word, "' for ", table.Names[column.Index], ", which is no number",
+      word.find(',') == std::string::npos ? "." : "; a decimal comma must be a point.");
   }
   return metres * number;
 }
 
 /// A measure that is 0 was not taken; below 0 it is wrong.
-double Measure(double length, const char* name, std::size_t row, std::string& reason)
+double Measure(double length, const char* name, std::size_t row)
 {
-  if (length < 0.0 && reason.empty())
+  if (length < 0.0)
   {
-    reason =
-      std::string(name) + " of row " + std::to_string(row + 1) + " is " + TextOf(length) + " m; it must be positive.";
+    Refuse(name, " of row ", row + 1, " is ", TextOf(length), " m; it must be positive.");
   }
   return length > 0.0 ? length : std::numeric_limits<double>::quiet_NaN();
 }
@@ -269,19 +265,19 @@ std::vector<double> Known(const std::vector<StandTree>& trees, const ValueOf& va
   return known;
 }
 
-/// Why lengths are in another unit than told; empty if they may be in it.
-std::string WhyImplausible(const char* name, const char* property, LengthUnit unit, const std::vector<double>& known,
+/// Refuses lengths that must be in another unit than told.
+void RequirePlausible(const char* name, const char* property, LengthUnit unit, const std::vector<double>& known,
   double lowest, double highest, double largest)
 {
   if (known.empty())
   {
-    return {};
+    return;
   }
   const double middle = Median(known);
   const double most = *std::max_element(known.begin(), known.end());
   if (middle >= lowest && middle <= highest && most <= largest)
   {
-    return {};
+    return;
   }
   const int told = static_cast<int>(unit);
   std::string others;
@@ -291,34 +287,26 @@ std::string WhyImplausible(const char* name, const char* property, LengthUnit un
     const bool fits = factor * middle >= lowest && factor * middle <= highest && factor * most <= largest;
     others += fits ? (others.empty() ? " " : " or ") + std::string(UnitNames[other]) : "";
   }
-  return std::string(name) + " in " + UnitNames[told] + " would have a median of " + TextOf(middle) +
-    " m and a maximum of " + TextOf(most) + " m, which is no stand of trees; set " + property +
-    (others.empty() ? "." : ", to" + others + ".");
+  Refuse(name, " in ", UnitNames[told], " would have a median of ", TextOf(middle), " m and a maximum of ",
+    TextOf(most), " m, which is no stand of trees; set ", property, others.empty() ? "." : ", to" + others + ".");
 }
 
-std::string WhyImplausible(const StandInventory& stand, LengthUnit diameters, LengthUnit heights)
+void RequirePlausible(const StandInventory& stand, LengthUnit diameters, LengthUnit heights)
 {
-  std::string reason = WhyImplausible("DBH", "DiameterUnit", diameters,
+  RequirePlausible("DBH", "DiameterUnit", diameters,
     Known(stand.Trees, [](const StandTree& tree) { return tree.Diameter; }), ThinnestMiddle, ThickestMiddle,
     LargestDiameter);
-  reason = !reason.empty() ? reason
-                           : WhyImplausible("height", "HeightUnit", heights,
-                               Known(stand.Trees, [](const StandTree& tree) { return tree.Height; }), LowestMiddle,
-                               TallestMiddle, LargestHeight);
+  RequirePlausible("height", "HeightUnit", heights,
+    Known(stand.Trees, [](const StandTree& tree) { return tree.Height; }), LowestMiddle, TallestMiddle, LargestHeight);
   const std::vector<double> slenderness =
     Known(stand.Trees, [](const StandTree& tree) { return tree.Height / tree.Diameter; });
-  if (reason.empty() && !slenderness.empty())
+  const double middle = slenderness.empty() ? LeastSlender : Median(slenderness);
+  if (middle < LeastSlender || middle > MostSlender)
   {
-    const double middle = Median(slenderness);
-    if (middle < LeastSlender || middle > MostSlender)
-    {
-      reason = "half of the trees are " + std::string(middle < LeastSlender ? "less" : "more") + " than " +
-        TextOf(std::floor(middle)) + " times as high as thick; the units of DBH (" +
-        UnitNames[static_cast<int>(diameters)] + ") and height (" + UnitNames[static_cast<int>(heights)] +
-        ") do not fit each other: set DiameterUnit or HeightUnit.";
-    }
+    Refuse("half of the trees are ", middle < LeastSlender ? "less" : "more", " than ", TextOf(std::floor(middle)),
+      " times as high as thick; the units of DBH (", UnitNames[static_cast<int>(diameters)], ") and height (",
+      UnitNames[static_cast<int>(heights)], ") do not fit each other: set DiameterUnit or HeightUnit.");
   }
-  return reason;
 }
 
 /// The rectangle around some trees.
@@ -384,8 +372,8 @@ void SetApart(StandInventory& stand)
   }
 }
 
-/// Keeps the thickest of the stems of one tree. Why other trees stand at one place; empty if none do.
-std::string JoinStems(const std::vector<std::string>& identities, bool allowed, StandInventory& stand)
+/// Keeps the thickest of the stems of one tree. Other trees must not stand at one place unless that is allowed.
+void JoinStems(const std::vector<std::string>& identities, bool allowed, StandInventory& stand)
 {
   std::map<std::tuple<double, double, int>, std::size_t> first;
   std::vector<StandTree> kept;
@@ -411,40 +399,36 @@ std::string JoinStems(const std::vector<std::string>& identities, bool allowed, 
     }
     else
     {
-      return "rows " + std::to_string(other.Row + 1) + " and " + std::to_string(tree.Row + 1) +
-        " stand at the same place (" + TextOf(tree.X) + ", " + TextOf(tree.Y) +
-        ") m; remove one, give stems of one tree the same treeID, or set AllowCoincident.";
+      Refuse("rows ", other.Row + 1, " and ", tree.Row + 1, " stand at the same place (", TextOf(tree.X), ", ",
+        TextOf(tree.Y), ") m; remove one, give stems of one tree the same treeID, or set AllowCoincident.");
     }
   }
   stand.Trees = std::move(kept);
-  return {};
 }
 
-std::string WhyTooDense(const StandInventory& stand)
+void RequireRoom(const StandInventory& stand)
 {
   const double area = AreaOf(stand);
   const double density = static_cast<double>(stand.Trees.size()) / area;
-  if (stand.Trees.size() < FewestForDensity || density <= DensestStand)
+  if (stand.Trees.size() >= FewestForDensity && density > DensestStand)
   {
-    return {};
+    Refuse(stand.Trees.size(), " trees on ", TextOf(area),
+      " m2 are no stand; set PlaceScale or PlaceUnit, as of a plot on a unit square. Degrees must be projected to "
+      "metres.");
   }
-  return std::to_string(stand.Trees.size()) + " trees on " + TextOf(area) +
-    " m2 are no stand; set PlaceScale or PlaceUnit, as of a plot on a unit square. Degrees must be projected to "
-    "metres.";
 }
 
 /// Reads the rows, one by one.
 class RowReader
 {
 public:
-  RowReader(const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options,
-    StandInventory& stand, std::string& reason)
+  RowReader(
+    const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand)
     : Table(table)
     , Species(species)
     , Options(options)
     , Stand(stand)
-    , Reason(reason)
-    , Columns(table, options.Columns, reason)
+    , Columns(table, options.Columns)
     , Diameters(UnitOf(options.DiameterUnit, this->Columns.Diameter,
         this->Columns.IsForestGeo ? LengthUnit::Millimetre : LengthUnit::Centimetre))
     , Heights(UnitOf(options.HeightUnit, this->Columns.Height, LengthUnit::Metre))
@@ -469,10 +453,8 @@ public:
     tree.X = this->PlaceIn(this->Columns.X, row);
     tree.Y = this->PlaceIn(this->Columns.Y, row);
     const double unit = this->Columns.OfDiameter * MetresOf(this->Diameters);
-    tree.Diameter =
-      Measure(LengthIn(this->Table, this->Columns.Diameter, row, unit, this->Reason), "DBH", row, this->Reason);
-    tree.Height = Measure(LengthIn(this->Table, this->Columns.Height, row, MetresOf(this->Heights), this->Reason),
-      "Height", row, this->Reason);
+    tree.Diameter = Measure(LengthIn(this->Table, this->Columns.Diameter, row, unit), "DBH", row);
+    tree.Height = Measure(LengthIn(this->Table, this->Columns.Height, row, MetresOf(this->Heights)), "Height", row);
     tree.Name = this->NameIn(row);
     tree.Species = this->Species.RowOf(tree.Name, this->Options.OtherSpecies);
     if (!tree.Name.empty() && !this->Species.Has(tree.Name) && this->Met.insert(tree.Name).second)
@@ -493,7 +475,6 @@ private:
   const StandSpeciesTable& Species;
   const InventoryOptions& Options;
   StandInventory& Stand;
-  std::string& Reason;
   Layout Columns;
   LengthUnit Diameters;
   LengthUnit Heights;
@@ -508,14 +489,14 @@ private:
     return genus.empty() || species.empty() ? genus + species : genus + " " + species;
   }
 
-  double PlaceIn(const FoundColumn& column, std::size_t row)
+  double PlaceIn(const FoundColumn& column, std::size_t row) const
   {
     const double metres = MetresOf(UnitOf(this->Options.PlaceUnit, column, LengthUnit::Metre));
-    const double place = LengthIn(this->Table, column, row, this->Options.PlaceScale * metres, this->Reason);
-    if (!(std::abs(place) <= FarthestPlace) && this->Reason.empty())
+    const double place = LengthIn(this->Table, column, row, this->Options.PlaceScale * metres);
+    if (!(std::abs(place) <= FarthestPlace))
     {
-      this->Reason = "row " + std::to_string(row + 1) + " has no place: its " + this->Table.Names[column.Index] +
-        " is '" + CellOf(this->Table, column, row) + "'.";
+      Refuse("row ", row + 1, " has no place: its ", this->Table.Names[column.Index], " is '",
+        CellOf(this->Table, column, row), "'.");
     }
     return place;
   }
@@ -567,34 +548,27 @@ double AreaOf(const StandInventory& stand)
   return area;
 }
 
-std::string ReadInventory(
-  const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand)
+StandInventory ReadInventory(const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options)
 {
-  stand = StandInventory();
-  std::string reason = WhyInvalid(options, species);
-  RowReader rows(table, species, options, stand, reason);
-  for (std::size_t row = 0; row < table.NumberOfRows() && reason.empty(); ++row)
+  StandInventory stand;
+  Require(WhyInvalid(options, species));
+  RowReader rows(table, species, options, stand);
+  for (std::size_t row = 0; row < table.NumberOfRows(); ++row)
   {
     rows.Read(row);
   }
-  if (reason.empty() && stand.Trees.empty())
+  Require(table.NumberOfRows() == 0 ? "the table has no rows." : "");
+  if (stand.Trees.empty())
   {
-    reason = table.NumberOfRows() == 0 ? "the table has no rows."
-                                       : "none of the " + std::to_string(table.NumberOfRows()) +
-        " rows is a living tree" + (options.Plot.empty() ? std::string(".") : " of the plot '" + options.Plot + "'.");
+    Refuse("none of the ", table.NumberOfRows(), " rows is a living tree",
+      options.Plot.empty() ? "." : " of the plot '" + options.Plot + "'.");
   }
-  if (reason.empty())
-  {
-    const int tree = rows.GetColumns().Tree.Index;
-    reason = JoinStems(tree < 0 ? std::vector<std::string>() : table.Columns[tree], options.AllowCoincident, stand);
-  }
-  reason = reason.empty() ? WhyImplausible(stand, rows.GetDiameterUnit(), rows.GetHeightUnit()) : reason;
-  reason = reason.empty() ? WhyTooDense(stand) : reason;
-  if (reason.empty())
-  {
-    SetApart(stand);
-  }
-  return reason;
+  const int tree = rows.GetColumns().Tree.Index;
+  JoinStems(tree < 0 ? std::vector<std::string>() : table.Columns[tree], options.AllowCoincident, stand);
+  RequirePlausible(stand, rows.GetDiameterUnit(), rows.GetHeightUnit());
+  RequireRoom(stand);
+  SetApart(stand);
+  return stand;
 }
 
 }

@@ -90,10 +90,9 @@ struct StandInventory
  * mnemonic, latin, and genus before it; dbh, diameter, d130, or of girths gbh, cbh, girth, circumference; height, ht;
  * plot; status, dfstatus; treeid, tag. A unit may follow in the name: dbh_mm, height (ft). Trees of several plots whose
  * rectangles overlap are set in a row of plots along x, 20 m apart. Of stems of one tree at one place the thickest
- * counts. Why it cannot be read, in words for a user; empty if it was.
+ * counts. Throws InvalidInput if it cannot be read.
  */
-std::string ReadInventory(
-  const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options, StandInventory& stand);
+StandInventory ReadInventory(const TextTable& table, const StandSpeciesTable& species, const InventoryOptions& options);
 
 /**
  * Draws the diameters and heights that are not known, each by the seed and the row of its tree. A diameter is that of

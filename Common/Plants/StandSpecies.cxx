@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plants/StandSpecies.h"
 
+#include "Numerics/InvalidInput.h"
 #include "Plants/StandSpeciesText.h" // from StandSpecies.csv
 
 #include <array>
@@ -64,21 +65,22 @@ struct SpeciesColumns
   std::array<int, 3> Numbers;
 };
 
-/// The curve of a row; a reason if there is none.
-std::string ReadCurve(const TextTable& table, const SpeciesColumns& columns, std::size_t row, HeightCurve& curve)
+/// The curve of a row.
+HeightCurve ReadCurve(const TextTable& table, const SpeciesColumns& columns, std::size_t row)
 {
+  HeightCurve curve;
   if (columns.Curve < 0)
   {
-    return {};
+    return curve;
   }
   const std::string form = PlainWord(table.Columns[columns.Curve][row]);
   if (form.empty())
   {
-    return {};
+    return curve;
   }
   if (form != "curtis" && form != "weibull")
   {
-    return "curve is '" + form + "'; it must be Curtis or Weibull.";
+    Refuse("curve is '", form, "'; it must be Curtis or Weibull.");
   }
   curve.Form = form == "curtis" ? HeightCurveForm::Curtis : HeightCurveForm::Weibull;
   double* const numbers[] = { &curve.A, &curve.B, &curve.C };
@@ -88,10 +90,11 @@ std::string ReadCurve(const TextTable& table, const SpeciesColumns& columns, std
     *numbers[index] = std::numeric_limits<double>::quiet_NaN();
     if (column < 0 || !ReadNumber(table.Columns[column][row], *numbers[index]))
     {
-      return std::string("there is no number ") + "abc"[index] + " of its curve.";
+      Refuse("there is no number ", "abc"[index], " of its curve.");
     }
   }
-  return WhyInvalid(curve);
+  Require(WhyInvalid(curve));
+  return curve;
 }
 
 }
@@ -165,22 +168,17 @@ bool ReadNumber(const std::string& word, double& number)
 }
 
 StandSpeciesTable::StandSpeciesTable()
+  : StandSpeciesTable(ReadLines(StandSpeciesText))
 {
-  this->Read(ReadLines(StandSpeciesText));
 }
 
-StandSpeciesTable::StandSpeciesTable(const TextTable& table, std::string& reason)
-{
-  reason = this->Read(table);
-}
-
-std::string StandSpeciesTable::Read(const TextTable& table)
+StandSpeciesTable::StandSpeciesTable(const TextTable& table)
 {
   const SpeciesColumns columns{ table.ColumnOf("species"), table.ColumnOf("kind"), table.ColumnOf("curve"),
     { table.ColumnOf("a"), table.ColumnOf("b"), table.ColumnOf("c") } };
   if (columns.Species < 0 || columns.Kind < 0 || table.NumberOfRows() == 0)
   {
-    return "the table of species needs the columns species and kind, and a row.";
+    Refuse("the table of species needs the columns species and kind, and a row.");
   }
   for (std::size_t row = 0; row < table.NumberOfRows(); ++row)
   {
@@ -188,20 +186,16 @@ std::string StandSpeciesTable::Read(const TextTable& table)
     const std::vector<std::string> names = Split(table.Columns[columns.Species][row], ';');
     species.Kind = Trimmed(table.Columns[columns.Kind][row]);
     species.Name = names.empty() ? "" : names.front();
-    std::string reason =
-      species.Name.empty() || species.Kind.empty() ? "it needs a species and a kind." : std::string();
-    reason = reason.empty() ? ReadCurve(table, columns, row, species.Curve) : reason;
-    if (!reason.empty())
-    {
-      return "row " + std::to_string(row + 1) + " of the table of species (" + species.Name + "): " + reason;
-    }
+    InContext("row " + std::to_string(row + 1) + " of the table of species (" + species.Name + "): ", [&] {
+      Require(species.Name.empty() || species.Kind.empty() ? "it needs a species and a kind." : "");
+      species.Curve = ReadCurve(table, columns, row);
+    });
     for (const std::string& name : names)
     {
       this->Rows.emplace(PlainWord(name), static_cast<int>(row));
     }
     this->Species.push_back(species);
   }
-  return {};
 }
 
 int StandSpeciesTable::RowOf(const std::string& name, const std::string& otherwise) const

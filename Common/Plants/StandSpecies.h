@@ -54,8 +54,8 @@ public:
   /// The table that is part of Littoral.
   StandSpeciesTable();
 
-  /// Another table; a reason, in words for a user, if it is none.
-  StandSpeciesTable(const TextTable& table, std::string& reason);
+  /// Another table. Throws InvalidInput if it is none.
+  explicit StandSpeciesTable(const TextTable& table);
 
   /// The row of a name: of the whole name, else of its first word, the genus; else of the other name. -1 if none is.
   int RowOf(const std::string& name, const std::string& otherwise) const;
@@ -66,8 +66,6 @@ public:
 private:
   std::vector<StandSpecies> Species;
   std::map<std::string, int> Rows; ///< by plain names
-
-  std::string Read(const TextTable& table);
 };
 
 }

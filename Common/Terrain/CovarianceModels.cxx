@@ -602,10 +602,19 @@ double LowestWaveNumber(const CovarianceParameters& field)
   return traits.LowestWaveNumber ? traits.LowestWaveNumber(field) : 0.0;
 }
 
-std::string WhyInvalid(const CovarianceParameters& field)
+std::string WhyInvalid(const CovarianceParameters& field, const std::string& prefix)
 {
-  const std::string reason = WhyNoRow("Model", static_cast<int>(field.Model), NumberOfCovarianceModels);
-  return reason.empty() ? TraitsOf(field.Model).Parameters.WhyInvalid(field) : reason;
+  ParameterCheck check;
+  check.Choice(prefix + "Model", static_cast<int>(field.Model), NumberOfCovarianceModels);
+  if (check.IsGood())
+  {
+    for (const ParameterTraits<CovarianceParameters>* parameter : TraitsOf(field.Model).Parameters)
+    {
+      const std::string name = parameter->Name;
+      check.Within((name == "Range" ? prefix : "") + name, parameter->Get(field), parameter->Allowed, parameter->Unit);
+    }
+  }
+  return check.Reason();
 }
 
 CorrelationTable TabulateCorrelation(const CovarianceParameters& field, const std::vector<double>& distances)

@@ -89,8 +89,9 @@ const char* CovarianceModelName(CovarianceModel model);
 /// Wave number below which there is no power [rad/m].
 double LowestWaveNumber(const CovarianceParameters& field);
 
-/// Why these parameters describe no field, in words for a user; empty when they do.
-std::string WhyInvalid(const CovarianceParameters& field);
+/// Why these parameters describe no field, in words for a user; empty when they do. A second field beside the first has
+/// a Model and a Range of its own, whose names begin with the prefix.
+std::string WhyInvalid(const CovarianceParameters& field, const std::string& prefix = "");
 
 /// Covariance at distance r >= 0 [m].
 double Covariance(const CovarianceParameters& field, double r);

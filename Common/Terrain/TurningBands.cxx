@@ -422,12 +422,11 @@ int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid,
   return static_cast<int>(std::clamp<double>(lines, FewestLines, MostLines));
 }
 
-std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid)
+std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid, const std::string& prefix)
 {
-  const std::string reason = WhyInvalid(parameters.Field);
-  if (!reason.empty())
+  if (std::string why = WhyInvalid(parameters.Field, prefix); !why.empty())
   {
-    return reason;
+    return why;
   }
   const bool hasLargestWave = LowestWaveNumber(parameters.Field) > 0.0;
   ParameterCheck check;
@@ -437,7 +436,7 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
   check.Finite("AnisotropyAngle", parameters.AnisotropyAngle);
   check.NotNegative("ShortestWavelength", parameters.ShortestWavelength);
   check.Require(!hasLargestWave || parameters.Field.Range > parameters.ShortestWavelength,
-    "Range is " + TextOf(parameters.Field.Range) +
+    prefix + "Range is " + TextOf(parameters.Field.Range) +
       "; the largest wavelength of a fractal field must exceed its shortest, " + TextOf(parameters.ShortestWavelength) +
       ".");
   check.Positive("Spacing[0]", grid.Spacing[0]);

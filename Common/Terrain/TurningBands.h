@@ -62,8 +62,9 @@ struct GridWindow
  */
 int EnoughLines(const TurningBandsParameters& parameters, const PlaneGrid& grid, const GridWindow& whole);
 
-/// Why no field can be grown with these parameters on this grid; empty when it can.
-std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid);
+/// Why no field can be grown with these parameters on this grid; empty when it can. The prefix is that of its own Model
+/// and Range.
+std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid& grid, const std::string& prefix = "");
 
 /// What a line carries, bin by bin of its wave numbers.
 struct LineSpectrum

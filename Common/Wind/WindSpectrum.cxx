@@ -115,12 +115,6 @@ constexpr WindCoherenceTraits Coherences[] = {
 };
 static_assert(std::size(Coherences) == NumberOfWindCoherences, "a row a coherence");
 
-/// Why the choice of a spectrum or of a coherence is bad.
-std::string WhyNoFamily(const WindModel& model)
-{
-  const std::string reason = WhyNoRow("Spectrum", static_cast<int>(model.Spectrum), NumberOfWindSpectra);
-  return reason.empty() ? WhyNoRow("Coherence", static_cast<int>(model.Coherence), NumberOfWindCoherences) : reason;
-}
 }
 
 const WindSpectrumTraits& TraitsOf(WindSpectrumModel spectrum)
@@ -143,7 +137,8 @@ std::string WhyInvalid(const WindModel& model)
     "finite and above the RoughnessLength of " + TextOf(model.RoughnessLength) + " m");
   check.Within("RoughnessLength", model.RoughnessLength, ValueInterval::Between(0.0, CoherenceHeight), "m");
   check.Finite("TurbulenceIntensity", model.TurbulenceIntensity); // also where it does not count: it is written
-  check.Require(WhyNoFamily(model));
+  check.Choice("Spectrum", static_cast<int>(model.Spectrum), NumberOfWindSpectra);
+  check.Choice("Coherence", static_cast<int>(model.Coherence), NumberOfWindCoherences);
   if (!check.IsGood())
   {
     return check.Reason();

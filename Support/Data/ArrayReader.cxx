@@ -3,6 +3,7 @@
 #include "Data/ArrayReader.h"
 
 #include "Data/ArraySearch.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 
 #include "vtkCellData.h"
@@ -61,19 +62,12 @@ ArrayReader ArrayReader::OfFields(vtkDataObject* data, const std::string& owner,
   return { data->GetFieldData(), tuples, "field array", tuples == 1 ? "number" : "numbers", owner };
 }
 
-void ArrayReader::Complain(const std::string& predicate)
-{
-  this->First = this->First.empty() ? this->Owner + " has " + predicate + "." : this->First;
-}
-
 std::vector<vtkDataArray*> ArrayReader::All(int components) const
 {
   std::vector<vtkDataArray*> all;
   for (int index = 0; index < this->Arrays->GetNumberOfArrays(); ++index)
   {
-    ArrayReader reader = *this;
-    vtkAbstractArray* array = this->Arrays->GetAbstractArray(index);
-    if (vtkDataArray* numbers = reader.Check(array, array->GetName(), components, VTK_VOID))
+    if (vtkDataArray* numbers = this->IfFits(this->Arrays->GetAbstractArray(index), components, VTK_VOID))
     {
       all.push_back(numbers);
     }
@@ -83,73 +77,80 @@ std::vector<vtkDataArray*> ArrayReader::All(int components) const
 
 vtkDataArray* ArrayReader::Any(const char* name) const
 {
-  vtkAbstractArray* array = this->Arrays->GetAbstractArray(name);
-  ArrayReader reader = *this;
-  return array ? reader.Check(array, name, array->GetNumberOfComponents(), VTK_VOID) : nullptr;
+  vtkAbstractArray* array = this->Named(name);
+  return array ? this->IfFits(array, array->GetNumberOfComponents(), VTK_VOID) : nullptr;
 }
 
-vtkStringArray* ArrayReader::FindTexts(const char* name)
+vtkStringArray* ArrayReader::FindTexts(const char* name) const
 {
-  auto* texts = this->Arrays ? vtkStringArray::SafeDownCast(this->Arrays->GetAbstractArray(name)) : nullptr;
+  auto* texts = vtkStringArray::SafeDownCast(this->Named(name));
   if (texts && (texts->GetNumberOfComponents() != 1 || texts->GetNumberOfTuples() != this->Tuples))
   {
-    this->Complain(
-      std::string("a ") + this->Kind + " " + name + " that has not one text for each of its " + this->Elements);
-    return nullptr;
+    Refuse(
+      this->Owner, " has a ", this->Kind, " ", name, " that has not one text for each of its ", this->Elements, ".");
   }
   return texts;
 }
 
 bool ArrayReader::Has(const char* name) const
 {
-  return this->Arrays && this->Arrays->GetAbstractArray(name);
+  return this->Named(name);
 }
 
-vtkDataArray* ArrayReader::Take(const char* name, int components, int type, bool isNeeded)
+vtkAbstractArray* ArrayReader::Named(const char* name) const
 {
-  vtkAbstractArray* array = this->Arrays ? this->Arrays->GetAbstractArray(name) : nullptr;
+  return this->Arrays ? this->Arrays->GetAbstractArray(name) : nullptr;
+}
+
+vtkDataArray* ArrayReader::Take(const char* name, int components, int type, bool isNeeded) const
+{
+  vtkAbstractArray* array = this->Named(name);
   if (!array && isNeeded)
   {
-    this->Complain(std::string("no ") + this->Kind + " " + name + " of " + Components(components));
+    Refuse(this->Owner, " has no ", this->Kind, " ", name, " of ", Components(components), ".");
   }
   return this->Check(array, name, components, type);
 }
 
-vtkDataArray* ArrayReader::Check(vtkAbstractArray* array, const char* name, int components, int type)
+vtkDataArray* ArrayReader::Check(vtkAbstractArray* array, const char* name, int components, int type) const
 {
-  if (!array)
+  const std::string why = array ? this->WhyOther(array, components, type) : "";
+  if (!why.empty())
   {
-    return nullptr;
+    Refuse(this->Owner, " has a ", this->Kind, " ", name ? name : "without a name", why, ".");
   }
-  const std::string own = std::string("a ") + this->Kind + " " + (name ? name : "without a name");
-  auto* numbers = vtkDataArray::SafeDownCast(array);
-  if (!numbers)
-  {
-    this->Complain(own + " that holds no numbers");
-  }
-  else if (array->GetNumberOfComponents() != components)
-  {
-    this->Complain(
-      own + " of " + Components(array->GetNumberOfComponents()) + "; it must have " + std::to_string(components));
-  }
-  else if (this->Tuples >= 0 && array->GetNumberOfTuples() != this->Tuples)
-  {
-    this->Complain(own + " of " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-      std::to_string(this->Tuples) + " " + this->Elements);
-  }
-  else if (type != VTK_VOID && (array->GetDataType() != type || !array->HasStandardMemoryLayout()))
-  {
-    this->Complain(
-      own + " of " + array->GetDataTypeAsString() + "; it must be of " + vtkImageScalarTypeNameMacro(type));
-  }
-  else
-  {
-    return numbers;
-  }
-  return nullptr;
+  return vtkDataArray::SafeDownCast(array);
 }
 
-void ArrayReader::NeedFinite(vtkDataArray* array)
+vtkDataArray* ArrayReader::IfFits(vtkAbstractArray* array, int components, int type) const
+{
+  return array && this->WhyOther(array, components, type).empty() ? vtkDataArray::SafeDownCast(array) : nullptr;
+}
+
+/// What an array has of another form, after "has a point array Velocity"; empty if it has the form.
+std::string ArrayReader::WhyOther(vtkAbstractArray* array, int components, int type) const
+{
+  if (!vtkDataArray::SafeDownCast(array))
+  {
+    return " that holds no numbers";
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    return " of " + Components(array->GetNumberOfComponents()) + "; it must have " + std::to_string(components);
+  }
+  if (this->Tuples >= 0 && array->GetNumberOfTuples() != this->Tuples)
+  {
+    return " of " + std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(this->Tuples) + " " +
+      this->Elements;
+  }
+  if (type != VTK_VOID && (array->GetDataType() != type || !array->HasStandardMemoryLayout()))
+  {
+    return std::string(" of ") + array->GetDataTypeAsString() + "; it must be of " + vtkImageScalarTypeNameMacro(type);
+  }
+  return {};
+}
+
+void ArrayReader::NeedFinite(vtkDataArray* array) const
 {
   const auto isSmall = [](auto value) { return std::abs(static_cast<double>(value)) <= LargestMagnitude; };
   const vtkIdType bad = FirstOutside(array, isSmall);
@@ -158,38 +159,37 @@ void ArrayReader::NeedFinite(vtkDataArray* array)
     const vtkIdType tuple = bad / array->GetNumberOfComponents();
     const int component = static_cast<int>(bad % array->GetNumberOfComponents());
     const bool isFinite = std::isfinite(array->GetComponent(tuple, component));
-    this->Complain(std::string("a ") + this->Kind + " " + (array->GetName() ? array->GetName() : "without a name") +
-      " that is " + (isFinite ? "beyond " + TextOf(LargestMagnitude) : "not finite") + " at " + std::to_string(tuple));
+    Refuse(this->Owner, " has a ", this->Kind, " ", array->GetName() ? array->GetName() : "without a name", " that is ",
+      isFinite ? "beyond " + TextOf(LargestMagnitude) : "not finite", " at ", tuple, ".");
   }
 }
 
-void ArrayReader::NeedIds(vtkDataArray* array, vtkIdType count, const char* of, vtkIdType lowest)
+void ArrayReader::NeedIds(vtkDataArray* array, vtkIdType count, const char* of, vtkIdType lowest) const
 {
   const vtkIdType bad = FirstOutside(array, IsWithin{ static_cast<double>(lowest), static_cast<double>(count) });
   if (bad >= 0)
   {
     const int components = array->GetNumberOfComponents();
     const double id = array->GetComponent(bad / components, static_cast<int>(bad % components));
-    this->First = this->First.empty()
-      ? array->GetName() + (" of " + this->Owner) + " names " + of + " " + TextOf(id) + ", which does not exist."
-      : this->First;
+    Refuse(array->GetName(), " of ", this->Owner, " names ", of, " ", TextOf(id), ", which does not exist.");
   }
 }
 
-bool ReadWhole(
-  const std::string& name, double number, long long low, long long high, long long& whole, std::string& reason)
+bool IsWhole(double number, long long low, long long high)
 {
-  const bool isGood = number >= static_cast<double>(low) && number <= static_cast<double>(high) &&
-    number == std::floor(number) && std::abs(number) < 9e18;
-  if (isGood)
+  return number >= static_cast<double>(low) && number <= static_cast<double>(high) && number == std::floor(number) &&
+    std::abs(number) < 9e18;
+}
+
+void RequireWhole(const std::string& name, double number, long long low, long long high)
+{
+  if (!IsWhole(number, low, high))
   {
-    whole = static_cast<long long>(number);
-    return true;
+    ParameterCheck check;
+    check.Require(
+      false, name, number, "", "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    Require(check.Reason());
   }
-  ParameterCheck check;
-  check.Require(false, name, number, "", "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-  reason = reason.empty() ? check.Reason() : reason;
-  return false;
 }
 
 }

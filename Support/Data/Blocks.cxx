@@ -28,30 +28,28 @@ std::string DataSetName(vtkPartitionedDataSetCollection* collection, unsigned in
   return name ? name : "";
 }
 
-/// The only partition of a data set that there is; null if there is none. Says why where there are several.
-vtkDataObject* OnlyPartition(vtkPartitionedDataSet* parts, const std::string& name, std::string& reason)
+/// The only partition of a data set that there is; null if there is none.
+vtkDataObject* OnlyPartition(vtkPartitionedDataSet* parts, const std::string& name)
 {
   vtkDataObject* only = nullptr;
   for (unsigned int part = 0; parts && part < parts->GetNumberOfPartitions(); ++part)
   {
     vtkDataObject* one = parts->GetPartitionAsDataObject(part);
-    if (only && one)
-    {
-      reason = "the data set '" + name + "' of the collection is in several partitions; it must be in one.";
-    }
+    Require(
+      only && one ? "the data set '" + name + "' of the collection is in several partitions; it must be in one." : "");
     only = only ? only : one;
   }
   return only;
 }
 
 /// Appends what an assembly has in a node: data sets by their names, and nodes below it as blocks.
-void AddNode(vtkPartitionedDataSetCollection* collection, int node, vtkMultiBlockDataSet* blocks, std::string& reason)
+void AddNode(vtkPartitionedDataSetCollection* collection, int node, vtkMultiBlockDataSet* blocks)
 {
   vtkDataAssembly* assembly = collection->GetDataAssembly();
   for (unsigned int index : assembly->GetDataSetIndices(node, false))
   {
     const std::string name = DataSetName(collection, index);
-    AddBlock(blocks, name.c_str(), OnlyPartition(collection->GetPartitionedDataSet(index), name, reason));
+    AddBlock(blocks, name.c_str(), OnlyPartition(collection->GetPartitionedDataSet(index), name));
   }
   for (int child : assembly->GetChildNodes(node, false))
   {
@@ -60,11 +58,11 @@ void AddNode(vtkPartitionedDataSetCollection* collection, int node, vtkMultiBloc
     // VTK gives each leaf of a multiblock a node of its own, which has its name.
     if (own.size() == 1 && assembly->GetNumberOfChildren(child) == 0 && DataSetName(collection, own[0]) == name)
     {
-      AddBlock(blocks, name.c_str(), OnlyPartition(collection->GetPartitionedDataSet(own[0]), name, reason));
+      AddBlock(blocks, name.c_str(), OnlyPartition(collection->GetPartitionedDataSet(own[0]), name));
       continue;
     }
     vtkNew<vtkMultiBlockDataSet> below;
-    AddNode(collection, child, below, reason);
+    AddNode(collection, child, below);
     AddBlock(blocks, name.c_str(), below);
   }
 }
@@ -132,14 +130,11 @@ vtkPartitionedDataSet* FindDataSet(vtkPartitionedDataSetCollection* collection, 
   return nullptr;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, const char* input, std::string& reason)
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, const char* input)
 {
   auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data);
   auto* multiblock = vtkMultiBlockDataSet::SafeDownCast(data);
-  if (!collection && !multiblock && reason.empty())
-  {
-    reason = WhyOtherType(data, input, "blocks (vtkMultiBlockDataSet)");
-  }
+  Require(collection || multiblock ? "" : WhyOtherType(data, input, "blocks (vtkMultiBlockDataSet)"));
   if (!collection)
   {
     return multiblock;
@@ -148,13 +143,13 @@ vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, const char* 
   blocks->GetFieldData()->ShallowCopy(collection->GetFieldData());
   if (collection->GetDataAssembly())
   {
-    AddNode(collection, vtkDataAssembly::GetRootNode(), blocks, reason);
+    AddNode(collection, vtkDataAssembly::GetRootNode(), blocks);
     return blocks;
   }
   for (unsigned int index = 0; index < collection->GetNumberOfPartitionedDataSets(); ++index)
   {
     const std::string name = DataSetName(collection, index);
-    AddBlock(blocks, name.c_str(), OnlyPartition(collection->GetPartitionedDataSet(index), name, reason));
+    AddBlock(blocks, name.c_str(), OnlyPartition(collection->GetPartitionedDataSet(index), name));
   }
   return blocks;
 }

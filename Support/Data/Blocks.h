@@ -31,12 +31,9 @@ void EmptyBlocks(vtkMultiBlockDataSet* blocks);
 /// The partitions of a name in a collection; null where there are none.
 vtkPartitionedDataSet* FindDataSet(vtkPartitionedDataSetCollection* collection, const char* name);
 
-/**
- * Input in blocks: a multiblock as it is, a collection as its assembly orders it, or in a row if it has none. Null of
- * anything else, with the reason, which names the input as in the panel. The reason also says which data set is in
- * several partitions.
- */
-vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, const char* input, std::string& reason);
+/// Input in blocks: a multiblock as it is, a collection as its assembly orders it, or in a row if it has none. Throws
+/// InvalidInput, which names the input as in the panel, of anything else and of a data set in several partitions.
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkDataObject* data, const char* input);
 
 }
 

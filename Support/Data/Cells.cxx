@@ -3,6 +3,7 @@
 #include "Data/Cells.h"
 
 #include "Data/ArraySearch.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -15,32 +16,27 @@ namespace littoral
 namespace
 {
 
-std::string WhyBadCells(vtkCellArray* cells, vtkIdType points, const std::string& owner)
+void RequireCells(vtkCellArray* cells, vtkIdType points, const std::string& owner)
 {
   if (!cells || cells->GetNumberOfCells() == 0)
   {
-    return {};
+    return;
   }
-  if (!cells->IsValid())
-  {
-    return owner + " has cells whose offsets are not increasing.";
-  }
+  Require(cells->IsValid() ? "" : owner + " has cells whose offsets are not increasing.");
   vtkDataArray* ids = cells->GetConnectivityArray();
   const vtkIdType corner = FirstOutside(ids, IsWithin{ 0.0, static_cast<double>(points) });
-  return corner < 0 ? std::string()
-                    : owner + " has a cell with point " +
-      std::to_string(static_cast<vtkIdType>(ids->GetComponent(corner, 0))) + ", but " + std::to_string(points) +
-      " points.";
+  if (corner >= 0)
+  {
+    Refuse(owner, " has a cell with point ", static_cast<vtkIdType>(ids->GetComponent(corner, 0)), ", but ", points,
+      " points.");
+  }
 }
 
 }
 
-std::string WhyBadCells(vtkDataSet* data, const std::string& owner)
+void RequireCells(vtkDataSet* data, const std::string& owner)
 {
-  std::string reason;
-  const auto look = [&](vtkCellArray* cells) {
-    reason = reason.empty() ? WhyBadCells(cells, data->GetNumberOfPoints(), owner) : reason;
-  };
+  const auto look = [&](vtkCellArray* cells) { RequireCells(cells, data->GetNumberOfPoints(), owner); };
   if (auto* polygons = vtkPolyData::SafeDownCast(data))
   {
     look(polygons->GetVerts());
@@ -52,7 +48,6 @@ std::string WhyBadCells(vtkDataSet* data, const std::string& owner)
   {
     look(grid->GetCells());
   }
-  return reason;
 }
 
 }

@@ -12,9 +12,9 @@ class vtkDataSet;
 namespace littoral
 {
 
-/// Why cells of polygonal data or of an unstructured grid cannot be read: one names a point that there is not. Empty if
-/// they can; cells of other data have no ids.
-std::string WhyBadCells(vtkDataSet* data, const std::string& owner);
+/// Throws InvalidInput if cells of polygonal data or of an unstructured grid cannot be read: one names a point that
+/// there is not. Cells of other data have no ids.
+void RequireCells(vtkDataSet* data, const std::string& owner);
 
 }
 

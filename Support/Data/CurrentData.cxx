@@ -404,36 +404,28 @@ bool HasCells(vtkDataSet* data)
   return false;
 }
 
-/// The array of velocities; null with a reason if there is none.
-vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name, std::string& reason)
+/// The array of velocities.
+vtkDataArray* FindVelocities(vtkDataSet* data, const std::string& name)
 {
-  ArrayReader points = ArrayReader::OfPoints(data, "a current (VelocityArray)");
+  const ArrayReader points = ArrayReader::OfPoints(data, "a current (VelocityArray)");
   vtkDataArray* found = points.Find(name.empty() ? "Velocity" : name.c_str(), 3);
-  if (!found && name.empty() && points.IsGood())
+  if (!found && name.empty())
   {
     const std::vector<vtkDataArray*> all = points.All(3);
-    const std::size_t vectors = all.size();
     found = all.empty() ? nullptr : all.back();
-    if (vectors > 1)
-    {
-      reason = "a current has more than one point array of three components; name one in VelocityArray.";
-      return nullptr;
-    }
+    Require(
+      all.size() > 1 ? "a current has more than one point array of three components; name one in VelocityArray." : "");
   }
-  if (!found && !(name.empty() ? points.Has("Velocity") : points.Has(name.c_str())))
+  if (!found)
   {
     const bool onCells = !name.empty() && ArrayReader::OfCells(data, "").Has(name.c_str());
-    reason = "a current has no point array " + (name.empty() ? "of velocities" : "'" + name + "'") +
-      (onCells ? "; it is on cells: bring it to the points first." : " (VelocityArray), and is no flow primitive.");
-  }
-  else if (!found)
-  {
-    reason = points.Reason();
+    Refuse("a current has no point array ", name.empty() ? "of velocities" : "'" + name + "'",
+      onCells ? "; it is on cells: bring it to the points first." : " (VelocityArray), and is no flow primitive.");
   }
   return found;
 }
 
-std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolation interpolation,
+void TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInterpolation interpolation,
   std::vector<FlowPrimitive>& primitives, std::vector<std::shared_ptr<const VelocityGrid>>& grids)
 {
   const auto add = [&](const std::shared_ptr<const SampledVelocity>& samples) {
@@ -443,19 +435,15 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInter
   };
   if (data->GetNumberOfPoints() == 0)
   {
-    return "";
+    return;
   }
   if (HoldsFlowPrimitives(data))
   {
-    return ReadFlowPrimitives(data, primitives);
+    ReadFlowPrimitives(data, primitives);
+    return;
   }
-  std::string reason;
-  vtkDataArray* velocities = FindVelocities(data, name, reason);
-  reason = reason.empty() ? WhyBadCells(data, "a current") : reason;
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  vtkDataArray* velocities = FindVelocities(data, name);
+  RequireCells(data, "a current");
   if (auto* image = vtkImageData::SafeDownCast(data))
   {
     add(std::make_shared<ImageVelocity>(image, velocities));
@@ -470,29 +458,25 @@ std::string TakeDataSet(vtkDataSet* data, const std::string& name, VelocityInter
   }
   else
   {
-    return "a current with velocities has no cells between whose points they could be interpolated.";
+    Refuse("a current with velocities has no cells between whose points they could be interpolated.");
   }
-  return "";
 }
 
 }
 
-std::string ReadCurrent(vtkDataObject* data, const std::string& array, const WaterLayer& layer,
-  VelocityInterpolation interpolation, CurrentSnapshot& current)
+CurrentSnapshot ReadCurrent(
+  vtkDataObject* data, const std::string& array, const WaterLayer& layer, VelocityInterpolation interpolation)
 {
   std::vector<FlowPrimitive> primitives;
   std::vector<std::shared_ptr<const VelocityGrid>> grids;
-  std::string reason;
   for (vtkDataObject* leaf : LeavesOf(data))
   {
     auto* leafData = vtkDataSet::SafeDownCast(leaf);
-    reason = !reason.empty() ? reason
-      : leafData             ? WhyUnfit(leaf, "Currents")
-                             : WhyOtherType(leaf, "Currents", "points or a grid (vtkDataSet)");
-    reason = reason.empty() ? TakeDataSet(leafData, array, interpolation, primitives, grids) : reason;
+    Require(leafData ? "" : WhyOtherType(leaf, "Currents", "points or a grid (vtkDataSet)"));
+    RequireFit(leaf, "Currents");
+    TakeDataSet(leafData, array, interpolation, primitives, grids);
   }
-  current = CurrentSnapshot(std::move(primitives), std::move(grids), layer);
-  return reason;
+  return CurrentSnapshot(std::move(primitives), std::move(grids), layer);
 }
 
 }

@@ -25,11 +25,10 @@ enum class VelocityInterpolation
  * Reads all that flows in a data object, or in the leaves of a composite one: flow primitives, and data sets with a
  * point array of velocities, with the name `array`; empty: `Velocity`, or the only array of three components. Where
  * values are no numbers, as ocean models have on land, the water is at rest. Arrays are shared with the data set;
- * splines have coefficients of their own, three a sample. Why it cannot be read, in words for a user; empty when it
- * was.
+ * splines have coefficients of their own, three a sample. Throws InvalidInput.
  */
-std::string ReadCurrent(vtkDataObject* data, const std::string& array, const WaterLayer& layer,
-  VelocityInterpolation interpolation, CurrentSnapshot& current);
+CurrentSnapshot ReadCurrent(
+  vtkDataObject* data, const std::string& array, const WaterLayer& layer, VelocityInterpolation interpolation);
 
 }
 

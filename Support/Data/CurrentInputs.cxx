@@ -64,7 +64,7 @@ void AskForSnapshots(
 }
 
 //----------------------------------------------------------------------------
-std::string TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std::vector<StepMoment>& moments,
+void TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std::vector<StepMoment>& moments,
   vtkInformationVector* inputs, const char* velocityArray, VelocityInterpolation interpolation)
 {
   for (std::size_t connection = 0; connection < currents.Series.size(); ++connection)
@@ -74,16 +74,10 @@ std::string TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std:
     {
       continue;
     }
-    auto snapshot = std::make_shared<CurrentSnapshot>();
-    const std::string reason = ReadCurrent(vtkDataObject::GetData(inputs, static_cast<int>(connection)),
-      velocityArray ? velocityArray : "", currents.Layer, interpolation, *snapshot);
-    if (!reason.empty())
-    {
-      return reason;
-    }
-    current.Keep(current.Asked, snapshot);
+    current.Keep(current.Asked,
+      std::make_shared<CurrentSnapshot>(ReadCurrent(vtkDataObject::GetData(inputs, static_cast<int>(connection)),
+        velocityArray ? velocityArray : "", currents.Layer, interpolation)));
   }
-  return {};
 }
 
 }

@@ -27,8 +27,8 @@ void AddTimes(const std::vector<CurrentSeries>& currents, std::vector<double>& k
 void AskForSnapshots(
   CurrentSet& currents, const TimeGrid& grid, const std::vector<StepMoment>& moments, vtkInformationVector* inputs);
 
-/// Keeps the snapshots that were requested. Why one cannot be read, in words for a user; empty when all were.
-std::string TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std::vector<StepMoment>& moments,
+/// Keeps the snapshots that were requested. Throws InvalidInput if one cannot be read.
+void TakeSnapshots(CurrentSet& currents, const TimeGrid& grid, const std::vector<StepMoment>& moments,
   vtkInformationVector* inputs, const char* velocityArray, VelocityInterpolation interpolation);
 
 }

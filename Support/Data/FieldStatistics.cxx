@@ -3,6 +3,7 @@
 #include "Data/FieldStatistics.h"
 
 #include "Data/ArrayReader.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkTable.h"
@@ -11,25 +12,24 @@ namespace littoral
 {
 
 //----------------------------------------------------------------------------
-std::string TakeFit(vtkTable* fits, FieldStatistics& statistics)
+void TakeFit(vtkTable* fits, FieldStatistics& statistics)
 {
   if (fits->GetNumberOfRows() == 0)
   {
-    return "The table of fits is empty; connect the first output of a covariance fit.";
+    Refuse("The table of fits is empty; connect the first output of a covariance fit.");
   }
-  ArrayReader rows = ArrayReader::OfRows(fits, "The table of fits");
+  const ArrayReader rows = ArrayReader::OfRows(fits, "The table of fits");
   const auto take = [&rows](const char* column, double& value) {
     vtkDataArray* array = rows.Find(column, 1);
     value = array ? array->GetComponent(0, 0) : value;
   };
   double model = -1.0;
   take("ModelId", model);
-  if (!(model >= 0.0) && rows.IsGood())
+  if (!(model >= 0.0))
   {
-    return "The table of fits has no column ModelId with a model; connect the first output of a covariance fit.";
+    Refuse("The table of fits has no column ModelId with a model; connect the first output of a covariance fit.");
   }
-  std::string reason = rows.Reason();
-  ReadWhole("ModelId", model, 0, NumberOfCovarianceModels - 1, statistics.Field.Model, reason);
+  ReadWhole("ModelId", model, 0, NumberOfCovarianceModels - 1, statistics.Field.Model);
   take("Variance", statistics.Field.Variance);
   statistics.HasFittedVariance = rows.Has("Variance");
   take("Range", statistics.Field.Range);
@@ -43,7 +43,6 @@ std::string TakeFit(vtkTable* fits, FieldStatistics& statistics)
   take("SlopeY", statistics.Slope[1]);
   take("TrendWidth", statistics.TrendSides[0]);
   take("TrendHeight", statistics.TrendSides[1]);
-  return reason.empty() ? rows.Reason() : reason;
 }
 
 }

@@ -28,8 +28,8 @@ struct FieldStatistics
   bool HasFittedVariance = false;               ///< from a table
 };
 
-/// Takes the first row of a table of fits, each statistic where it has its column. Returns why that cannot be.
-std::string TakeFit(vtkTable* fits, FieldStatistics& statistics);
+/// Takes the first row of a table of fits, each statistic where it has its column. Throws InvalidInput.
+void TakeFit(vtkTable* fits, FieldStatistics& statistics);
 
 }
 

@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/SeaStateTable.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -68,9 +69,9 @@ bool HoldsFlowPrimitives(vtkDataSet* data)
   return vtkPointSet::SafeDownCast(data) && ArrayReader::OfPoints(data, "").Has(sea::FlowType);
 }
 
-std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& primitives)
+void ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& primitives)
 {
-  ArrayReader points = ArrayReader::OfPoints(data, "a set of flow primitives");
+  const ArrayReader points = ArrayReader::OfPoints(data, "a set of flow primitives");
   const bool hasBoxes = points.Has(sea::InfluenceBox) || points.Has(sea::InfluenceMargin);
   vtkDataArray* types = points.Need(sea::FlowType, 1);
   vtkDataArray* strengths = points.Need(sea::Strength, 1);
@@ -79,12 +80,11 @@ std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& pri
   vtkDataArray* radii = points.Need(sea::InfluenceRadius, 1);
   vtkDataArray* boxes = hasBoxes ? points.Need(sea::InfluenceBox, 6) : nullptr;
   vtkDataArray* margins = hasBoxes ? points.Need(sea::InfluenceMargin, 1) : nullptr;
-  std::string reason = points.Reason();
-  for (vtkIdType id = 0; id < data->GetNumberOfPoints() && reason.empty(); ++id)
+  for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
   {
     FlowPrimitive primitive;
     const std::string name = "flow primitive " + std::to_string(id) + ": ";
-    ReadWhole(name + sea::FlowType, types->GetComponent(id, 0), 0, NumberOfFlowTypes - 1, primitive.Type, reason);
+    ReadWhole(name + sea::FlowType, types->GetComponent(id, 0), 0, NumberOfFlowTypes - 1, primitive.Type);
     primitive.Strength = strengths->GetComponent(id, 0);
     data->GetPoint(id, &primitive.Center[0]);
     axes->GetTuple(id, &primitive.Axis[0]);
@@ -96,14 +96,9 @@ std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& pri
       (side % 2 ? box.High : box.Low)[side / 2] = boxes->GetComponent(id, side);
     }
     primitive.InfluenceMargin = hasBoxes ? margins->GetComponent(id, 0) : 0.0;
-    const std::string why = reason.empty() ? WhyInvalid(primitive) : "";
-    if (!why.empty())
-    {
-      reason = name + why;
-    }
+    InContext(name, [&] { Require(WhyInvalid(primitive)); });
     primitives.push_back(primitive);
   }
-  return reason;
 }
 
 }

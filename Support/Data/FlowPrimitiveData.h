@@ -22,9 +22,8 @@ void WriteFlowPrimitives(const std::vector<FlowPrimitive>& primitives, vtkPolyDa
 /// Whether a data set holds flow primitives, and no field of velocities.
 bool HoldsFlowPrimitives(vtkDataSet* data);
 
-/// Adds the primitives of a data set. Why they cannot be read, in words for a user; empty when they were. The arrays of
-/// the influence box may both be missing.
-std::string ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& primitives);
+/// Adds the primitives of a data set. The arrays of the influence box may both be missing. Throws InvalidInput.
+void ReadFlowPrimitives(vtkDataSet* data, std::vector<FlowPrimitive>& primitives);
 
 }
 

@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/SeaStateTable.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointSet.h"
@@ -11,15 +12,16 @@
 namespace littoral
 {
 
-std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
+Slaves ReadSlaves(vtkPointSet* input)
 {
-  ArrayReader arrays = ArrayReader::OfPoints(input, "a set of particles");
+  Slaves slaves;
+  const ArrayReader arrays = ArrayReader::OfPoints(input, "a set of particles");
   vtkDataArray* master = arrays.Find(sea::MasterId, 1);
   slaves.Offset = master ? arrays.Need(sea::Offset, 3) : nullptr;
   arrays.NeedFinite(slaves.Offset);
-  if (!master || !arrays.IsGood())
+  if (!master)
   {
-    return arrays.Reason();
+    return slaves;
   }
   const vtkIdType points = input->GetNumberOfPoints();
   slaves.Master.resize(static_cast<std::size_t>(points));
@@ -28,7 +30,7 @@ std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
     const double value = master->GetComponent(id, 0);
     if (!(value < static_cast<double>(points)))
     {
-      return "MasterId of point " + std::to_string(id) + " is no point of its data set.";
+      Refuse("MasterId of point ", id, " is no point of its data set.");
     }
     slaves.Master[id] = value < 0.0 || static_cast<vtkIdType>(value) == id ? -1 : static_cast<vtkIdType>(value);
   }
@@ -37,10 +39,10 @@ std::string ReadSlaves(vtkPointSet* input, Slaves& slaves)
     const vtkIdType its = slaves.Master[id];
     if (its >= 0 && slaves.Master[its] >= 0)
     {
-      return "MasterId of point " + std::to_string(id) + " is a slave itself.";
+      Refuse("MasterId of point ", id, " is a slave itself.");
     }
   }
-  return "";
+  return slaves;
 }
 
 }

@@ -7,7 +7,6 @@
 
 #include "vtkType.h"
 
-#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -23,9 +22,8 @@ struct Slaves
   vtkDataArray* Offset = nullptr;
 };
 
-/// Reads the point arrays MasterId and Offset. Why they cannot be read, in words for a user; empty when they were, or
-/// when there are none.
-std::string ReadSlaves(vtkPointSet* input, Slaves& slaves);
+/// Reads the point arrays MasterId and Offset; there may be none. Throws InvalidInput.
+Slaves ReadSlaves(vtkPointSet* input);
 
 }
 

@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Tables.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -50,7 +51,7 @@ void AddGeoreference(vtkDataObject* data, const Georeference& place)
   }
 }
 
-Georeference ReadGeoreference(vtkDataObject* data, std::string& reason)
+Georeference ReadGeoreference(vtkDataObject* data)
 {
   Georeference place;
   const int index = IndexOf(data, SystemName);
@@ -59,7 +60,7 @@ Georeference ReadGeoreference(vtkDataObject* data, std::string& reason)
   {
     place.System = system->GetValue(0);
   }
-  ArrayReader fields = ArrayReader::OfFields(data, "The image", 1);
+  const ArrayReader fields = ArrayReader::OfFields(data, "The image", 1);
   vtkDataArray* unit = fields.Find(UnitName, 1);
   vtkDataArray* offset = fields.Find(OffsetName, 2);
   fields.NeedFinite(unit);
@@ -72,11 +73,7 @@ Georeference ReadGeoreference(vtkDataObject* data, std::string& reason)
   {
     place.Offset = { offset->GetComponent(0, 0), offset->GetComponent(0, 1) };
   }
-  reason = reason.empty() ? fields.Reason() : reason;
-  if (reason.empty() && !(place.MetresPerUnit > 0.0))
-  {
-    reason = "The field array CoordinateUnit must be above 0.";
-  }
+  Require(place.MetresPerUnit > 0.0 ? "" : "The field array CoordinateUnit must be above 0.");
   return place;
 }
 

@@ -25,8 +25,8 @@ struct Georeference
 /// Adds the arrays to the field data; of an empty system only the offset, and that only where it is not 0.
 void AddGeoreference(vtkDataObject* data, const Georeference& place);
 
-/// The place of data, with the reason why its arrays cannot be used.
-Georeference ReadGeoreference(vtkDataObject* data, std::string& reason);
+/// The place of data. Throws InvalidInput if its arrays cannot be used.
+Georeference ReadGeoreference(vtkDataObject* data);
 
 /// Copies the arrays, if there are some.
 void PassGeoreference(vtkDataObject* from, vtkDataObject* to);

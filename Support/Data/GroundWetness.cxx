@@ -19,25 +19,24 @@ constexpr const char* Area = "DrainageArea";
 }
 
 //----------------------------------------------------------------------------
-std::string WhyUncolorable(vtkImageData* image, const std::string& owner)
+void RequireColorable(vtkImageData* image, const std::string& owner)
 {
-  ArrayReader points = ArrayReader::OfPoints(image, owner);
+  const ArrayReader points = ArrayReader::OfPoints(image, owner);
   points.NeedFinite(points.Find("Reflectance", 1));
   vtkDataArray* area = points.Find(Area, 1);
   points.NeedFinite(area);
   double range[2] = { 1.0, 1.0 };
-  if (area && points.IsGood() && area->GetNumberOfTuples() > 0)
+  if (area && area->GetNumberOfTuples() > 0)
   {
     area->GetRange(range);
   }
-  return points.IsGood() && !(range[0] > 0.0) ? "DrainageArea of " + owner + " must be positive everywhere."
-                                              : points.Reason();
+  Require(range[0] > 0.0 ? "" : "DrainageArea of " + owner + " must be positive everywhere.");
 }
 
 //----------------------------------------------------------------------------
 std::vector<double> SpreadWetness(vtkImageData* image, vtkDataArray* heights, const ParallelFor& parallel)
 {
-  vtkDataArray* area = ArrayReader::OfPoints(image, "The image").Find(Area, 1);
+  vtkDataArray* area = ArrayReader::OfPoints(image, "The image").Seek(Area, 1);
   if (!area)
   {
     return {};

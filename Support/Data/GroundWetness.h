@@ -16,9 +16,9 @@ class vtkImageData;
 namespace littoral
 {
 
-/// Why the arrays Reflectance and DrainageArea of a raster cannot color its ground; empty if they can, or are not
-/// there.
-std::string WhyUncolorable(vtkImageData* image, const std::string& owner);
+/// Throws InvalidInput if the arrays Reflectance and DrainageArea of a raster, which may be absent, cannot color its
+/// ground.
+void RequireColorable(vtkImageData* image, const std::string& owner);
 
 /// The wetness index of a raster of one layer with the array DrainageArea [m2] (Drainage/GroundWetness.h); empty
 /// without that array.

@@ -14,31 +14,28 @@
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 
-#include <sstream>
-
 namespace littoral
 {
 
 namespace
 {
 
-/// Why arrays have not a tuple for each of some elements.
-std::string WhyUnfit(vtkFieldData* arrays, vtkIdType tuples, const char* elements, const std::string& owner)
+/// Arrays must have a tuple for each of some elements.
+void RequireTuples(vtkFieldData* arrays, vtkIdType tuples, const char* elements, const std::string& owner)
 {
   for (int index = 0; index < arrays->GetNumberOfArrays(); ++index)
   {
     vtkAbstractArray* array = arrays->GetAbstractArray(index);
     if (array->GetNumberOfTuples() != tuples)
     {
-      return owner + " has an array " + (array->GetName() ? array->GetName() : "without a name") + " of " +
-        std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(tuples) + " " + elements + ".";
+      Refuse(owner, " has an array ", array->GetName() ? array->GetName() : "without a name", " of ",
+        array->GetNumberOfTuples(), " values for ", tuples, " ", elements, ".");
     }
   }
-  return {};
 }
 
-/// Why an image is nowhere: a number of its frame that is not sensible.
-std::string WhyUnfitFrame(vtkImageData* image, const std::string& owner)
+/// The numbers of an image's frame must be sensible.
+void RequireFrame(vtkImageData* image, const std::string& owner)
 {
   ParameterCheck check;
   for (int axis = 0; axis < 3; ++axis)
@@ -47,11 +44,11 @@ std::string WhyUnfitFrame(vtkImageData* image, const std::string& owner)
     check.Finite("Origin" + part, image->GetOrigin()[axis]);
     check.Finite("Spacing" + part, image->GetSpacing()[axis]);
   }
-  return check.Reason();
+  Require(check.Reason());
 }
 
-/// Why the points of a grid are not as many as its dimensions tell.
-std::string WhyUnfitGrid(vtkDataSet* data, const std::string& owner)
+/// The points of a grid must be as many as its dimensions tell.
+void RequireGrid(vtkDataSet* data, const std::string& owner)
 {
   int dimensions[3] = { 0, 0, 0 };
   bool fits = true;
@@ -70,24 +67,22 @@ std::string WhyUnfitGrid(vtkDataSet* data, const std::string& owner)
         axes[axis]->GetNumberOfTuples() == dimensions[axis];
     }
   }
-  return fits ? "" : owner + " has not as many coordinates as its dimensions tell.";
+  Require(fits ? "" : owner + " has not as many coordinates as its dimensions tell.");
 }
 
-std::string WhyUnfitLeaf(vtkDataObject* leaf, const std::string& owner)
+void RequireFitLeaf(vtkDataObject* leaf, const std::string& owner)
 {
   if (auto* table = vtkTable::SafeDownCast(leaf))
   {
-    return WhyUnfit(table->GetRowData(), table->GetNumberOfRows(), "rows", owner);
+    RequireTuples(table->GetRowData(), table->GetNumberOfRows(), "rows", owner);
   }
-  auto* data = vtkDataSet::SafeDownCast(leaf);
-  if (!data)
+  if (auto* data = vtkDataSet::SafeDownCast(leaf))
   {
-    return {};
+    auto* image = vtkImageData::SafeDownCast(data);
+    image ? RequireFrame(image, owner) : RequireGrid(data, owner);
+    RequireTuples(data->GetPointData(), data->GetNumberOfPoints(), "points", owner);
+    RequireTuples(data->GetCellData(), data->GetNumberOfCells(), "cells", owner);
   }
-  auto* image = vtkImageData::SafeDownCast(data);
-  std::string reason = image ? WhyUnfitFrame(image, owner) : WhyUnfitGrid(data, owner);
-  reason = reason.empty() ? WhyUnfit(data->GetPointData(), data->GetNumberOfPoints(), "points", owner) : reason;
-  return reason.empty() ? WhyUnfit(data->GetCellData(), data->GetNumberOfCells(), "cells", owner) : reason;
 }
 
 }
@@ -114,52 +109,40 @@ std::string WhyOtherType(vtkDataObject* data, const char* input, const char* wor
     words + ".";
 }
 
-std::string WhyUnfit(vtkDataObject* data, const char* input)
+void RequireFit(vtkDataObject* data, const char* input)
 {
   for (vtkDataObject* leaf : LeavesOf(data))
   {
-    std::string reason = WhyUnfitLeaf(leaf, input);
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    RequireFitLeaf(leaf, input);
   }
-  return {};
 }
 
-std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* data, const char* input, std::string& reason)
+std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* data, const char* input)
 {
   std::vector<vtkPointSet*> sets;
   for (vtkDataObject* leaf : LeavesOf(data))
   {
     auto* points = vtkPointSet::SafeDownCast(leaf);
-    const std::string own =
-      points ? WhyUnfitLeaf(points, input) : WhyOtherType(leaf, input, WordsForType<vtkPointSet>());
-    if (!own.empty())
-    {
-      reason = reason.empty() ? own : reason;
-      return {};
-    }
+    Require(points ? "" : WhyOtherType(leaf, input, WordsForType<vtkPointSet>()));
+    RequireFitLeaf(points, input);
     sets.push_back(points);
   }
   return sets;
 }
 
-std::string WhyNoRaster(vtkImageData* image, int least)
+void RequireRaster(vtkImageData* image, int least)
 {
   int dimensions[3];
   image->GetDimensions(dimensions);
   if (dimensions[2] != 1 || dimensions[0] < least || dimensions[1] < least)
   {
-    std::ostringstream text;
-    text << "The image has " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-         << " points; it must be one layer in z of at least " << least << " x " << least << ".";
-    return text.str();
+    Refuse("The image has ", dimensions[0], " x ", dimensions[1], " x ", dimensions[2],
+      " points; it must be one layer in z of at least ", least, " x ", least, ".");
   }
   ParameterCheck check;
   check.Positive("Spacing[0] of the image", image->GetSpacing()[0]);
   check.Positive("Spacing[1] of the image", image->GetSpacing()[1]);
-  return check.Reason();
+  Require(check.Reason());
 }
 
 }

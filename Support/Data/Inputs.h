@@ -7,6 +7,8 @@
 // to a filter one by one; nor does it check that arrays have a tuple for each point. Private: never installed, never
 // wrapped.
 
+#include "Numerics/InvalidInput.h"
+
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformationVector.h"
@@ -47,41 +49,39 @@ constexpr const char* WordsForType()
 /// Why an input is not of a type, in words for a user: "Terrain is a vtkTable; it must be an image (vtkImageData)."
 std::string WhyOtherType(vtkDataObject* data, const char* input, const char* words);
 
-/// Why parts of a data set, or of the leaves of a composite, do not fit each other: an array that has not a tuple for
-/// each point or cell, points that are fewer than the grid has, an image at no place. Empty if they do.
-std::string WhyUnfit(vtkDataObject* data, const char* input);
+/// Throws InvalidInput if parts of a data set, or of the leaves of a composite, do not fit each other: an array that
+/// has not a tuple for each point or cell, points that are fewer than the grid has, an image at no place.
+void RequireFit(vtkDataObject* data, const char* input);
 
-/**
- * The input of a port, named as in the panel. Null with the reason, unless there is one already, if it is of another
- * type, if there is none, or if its parts do not fit each other.
- */
+/// The input of a port, named as in the panel. Throws InvalidInput if it is of another type, if there is none, or if
+/// its parts do not fit each other.
 template <typename Type>
-Type* InputOf(vtkInformationVector* inputs, const char* input, std::string& reason)
+Type* InputOf(vtkInformationVector* inputs, const char* input)
 {
   vtkDataObject* data = vtkDataObject::GetData(inputs);
   auto* typed = Type::SafeDownCast(data);
-  const std::string own = typed ? WhyUnfit(typed, input) : WhyOtherType(data, input, WordsForType<Type>());
-  reason = reason.empty() ? own : reason;
-  return own.empty() ? typed : nullptr;
+  Require(typed ? "" : WhyOtherType(data, input, WordsForType<Type>()));
+  RequireFit(typed, input);
+  return typed;
 }
 
-/// The same of a port to which nothing needs to be connected: null without a reason if nothing is.
+/// The same of a port to which nothing needs to be connected: null if nothing is.
 template <typename Type>
-Type* OptionalInputOf(vtkInformationVector* inputs, const char* input, std::string& reason)
+Type* OptionalInputOf(vtkInformationVector* inputs, const char* input)
 {
-  return inputs->GetNumberOfInformationObjects() > 0 ? InputOf<Type>(inputs, input, reason) : nullptr;
+  return inputs->GetNumberOfInformationObjects() > 0 ? InputOf<Type>(inputs, input) : nullptr;
 }
 
-/// Why an image is no raster: one layer in z of at least `least` points along x and y, with spacings above 0. Empty if
-/// it is one.
-std::string WhyNoRaster(vtkImageData* image, int least);
+/// Throws InvalidInput unless an image is a raster: one layer in z of at least `least` points along x and y, with
+/// spacings above 0.
+void RequireRaster(vtkImageData* image, int least);
 
 /// All leaves of a composite that have data; else the data themselves.
 std::vector<vtkDataObject*> LeavesOf(vtkDataObject* data);
 
-/// The leaves of an input that is a composite, else the input itself; leaves without data are left out. None, with the
-/// reason, if one has another type, or parts that do not fit each other.
-std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* data, const char* input, std::string& reason);
+/// The leaves of an input that is a composite, else the input itself; leaves without data are left out. Throws
+/// InvalidInput if one has another type, or parts that do not fit each other.
+std::vector<vtkPointSet*> PointSetsOf(vtkDataObject* data, const char* input);
 
 /// Data that PointSetsOf() has let pass, or a copy of them.
 inline vtkPointSet* PointsIn(vtkDataObject* data)

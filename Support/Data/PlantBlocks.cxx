@@ -215,15 +215,12 @@ vtkFloatArray* FloatPointsOf(vtkPolyData* block)
   return block && block->GetPoints() ? vtkFloatArray::SafeDownCast(block->GetPoints()->GetData()) : nullptr;
 }
 
-std::string ReadSkeleton(vtkPolyData* block, Skeleton& skeleton)
+Skeleton ReadSkeleton(vtkPolyData* block)
 {
-  ArrayReader points = ArrayReader::OfPoints(block, "High/Skeleton of the plants");
+  const ArrayReader points = ArrayReader::OfPoints(block, "High/Skeleton of the plants");
   auto* parents = points.Need<vtkIntArray>(plant::ParentId, 1);
   auto* radii = points.Need<vtkFloatArray>(plant::Radius, 1);
-  if (!points.IsGood())
-  {
-    return points.Reason();
-  }
+  Skeleton skeleton;
   const vtkIdType nodes = block->GetNumberOfPoints();
   skeleton.Nodes.resize(static_cast<std::size_t>(nodes));
   for (vtkIdType node = 0; node < nodes; ++node)
@@ -240,27 +237,27 @@ std::string ReadSkeleton(vtkPolyData* block, Skeleton& skeleton)
     block->GetLines()->GetCellAtId(cell, line);
     AddBranch(line, skeleton);
   }
-  const std::string reason = WhyInvalid(skeleton);
-  return reason.empty() ? reason : "High/Skeleton of the plants is none: " + reason;
+  InContext("High/Skeleton of the plants is none: ", [&] { Require(WhyInvalid(skeleton)); });
+  return skeleton;
 }
 
-std::string WhyBadSkin(vtkPolyData* block, const char* name, std::size_t joints)
+void RequireSkin(vtkPolyData* block, const char* name, std::size_t joints)
 {
   if (block->GetNumberOfPoints() == 0)
   {
-    return {};
+    return;
   }
   const std::string owner = std::string("High/") + name + " of the plants";
-  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  const ArrayReader points = ArrayReader::OfPoints(block, owner);
   points.NeedIds(points.Need<vtkIntArray>(plant::JointIds, 4), static_cast<vtkIdType>(joints), "node");
   points.Need<vtkFloatArray>(plant::JointWeights, 4);
   const bool isSingle = FloatPointsOf(block) && FindNormals(block);
-  return points.IsGood() && !isSingle ? owner + " has no points and normals of float." : points.Reason();
+  Require(isSingle ? "" : owner + " has no points and normals of float.");
 }
 
 vtkFloatArray* FindNormals(vtkPolyData* block)
 {
-  return ArrayReader::OfPoints(block, "a skin").Fit<vtkFloatArray>(block->GetPointData()->GetNormals(), 3);
+  return ArrayReader::OfPoints(block, "a skin").Seek<vtkFloatArray>(block->GetPointData()->GetNormals(), 3);
 }
 
 RestSkin ReadSkin(vtkPolyData* block)
@@ -281,12 +278,9 @@ SkinBinding ReadBinding(vtkPolyData* block)
   return { ReadJointIds(block), weights, static_cast<std::size_t>(block->GetNumberOfPoints()) };
 }
 
-vtkIntArray* FindPlantIds(vtkPolyData* block, std::string& reason)
+vtkIntArray* FindPlantIds(vtkPolyData* block)
 {
-  ArrayReader points = ArrayReader::OfPoints(block, "a block of the plants");
-  auto* ids = points.Find<vtkIntArray>(plant::PlantId, 1);
-  reason = reason.empty() ? points.Reason() : reason;
-  return ids;
+  return ArrayReader::OfPoints(block, "a block of the plants").Find<vtkIntArray>(plant::PlantId, 1);
 }
 
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
@@ -321,7 +315,7 @@ std::vector<LeafCorners> ReadLeaves(vtkPolyData* block)
 
 bool ReadWood(vtkDataObject* plant, WoodParameters& wood)
 {
-  vtkDataArray* numbers = ArrayReader::OfFields(plant, "a plant", 1).Find(plant::Wood, 3);
+  vtkDataArray* numbers = ArrayReader::OfFields(plant, "a plant", 1).Seek(plant::Wood, 3);
   if (numbers)
   {
     wood = { numbers->GetComponent(0, 0), numbers->GetComponent(0, 1), numbers->GetComponent(0, 2) };
@@ -332,14 +326,13 @@ bool ReadWood(vtkDataObject* plant, WoodParameters& wood)
 std::array<int, 2> ReadTextureSize(vtkDataArray* size)
 {
   std::array<int, 2> sides{ 0, 0 };
-  std::string reason;
   const int components = size ? size->GetNumberOfComponents() : 1;
   for (int side = 0; size && size->GetNumberOfValues() == 2 && side < 2; ++side)
   {
     const double number = size->GetComponent(side / components, side % components);
-    ReadWhole(plant::TextureSize, number, 1, VTK_INT_MAX, sides[side], reason);
+    sides[side] = IsWhole(number, 1, VTK_INT_MAX) ? static_cast<int>(number) : 0;
   }
-  const bool fits = reason.empty() && static_cast<long long>(sides[0]) * sides[1] <= VTK_INT_MAX;
+  const bool fits = sides[0] > 0 && sides[1] > 0 && static_cast<long long>(sides[0]) * sides[1] <= VTK_INT_MAX;
   return fits ? sides : std::array<int, 2>{ 0, 0 };
 }
 
@@ -349,9 +342,9 @@ std::array<int, 2> ReadTextureSize(vtkPolyData* block)
   {
     return { 0, 0 };
   }
-  auto* texels = ArrayReader::OfFields(block, "a block").Find<vtkUnsignedCharArray>(plant::Texture, 4);
+  auto* texels = ArrayReader::OfFields(block, "a block").Seek<vtkUnsignedCharArray>(plant::Texture, 4);
   const std::array<int, 2> size =
-    ReadTextureSize(ArrayReader::OfFields(block, "a block", 2).Find(plant::TextureSize, 1));
+    ReadTextureSize(ArrayReader::OfFields(block, "a block", 2).Seek(plant::TextureSize, 1));
   const bool fits = texels && static_cast<vtkIdType>(size[0]) * size[1] == texels->GetNumberOfTuples();
   return fits ? size : std::array<int, 2>{ 0, 0 };
 }
@@ -372,7 +365,7 @@ TextureImage ReadTexture(vtkPolyData* block)
 ColorSum ReadTextureMean(vtkPolyData* block)
 {
   ColorSum mean{ 1.0f, 1.0f, 1.0f };
-  vtkDataArray* numbers = block ? ArrayReader::OfFields(block, "a block", 1).Find(plant::TextureMean, 3) : nullptr;
+  vtkDataArray* numbers = block ? ArrayReader::OfFields(block, "a block", 1).Seek(plant::TextureMean, 3) : nullptr;
   for (int channel = 0; numbers && channel < 3; ++channel)
   {
     const double number = numbers->GetComponent(0, channel);
@@ -383,7 +376,7 @@ ColorSum ReadTextureMean(vtkPolyData* block)
 
 bool IsEnvelope(vtkPolyData* crown)
 {
-  return crown && ArrayReader::OfFields(crown, "a crown", 1).Find(plant::Envelope, 1);
+  return crown && ArrayReader::OfFields(crown, "a crown", 1).Seek(plant::Envelope, 1);
 }
 
 PlantImpostor ReadImpostor(vtkPolyData* low)
@@ -395,9 +388,9 @@ PlantImpostor ReadImpostor(vtkPolyData* low)
     return impostor;
   }
   const std::string owner = "a card";
-  vtkDataArray* extent = ArrayReader::OfFields(low, owner, 1).Find(plant::ImpostorExtent, 3);
-  vtkDataArray* areas = ArrayReader::OfFields(low, owner, ImpostorViews).Find(plant::ImpostorAreas, 1);
-  auto* normals = ArrayReader::OfFields(low, owner, side * side).Find<vtkUnsignedCharArray>(plant::NormalTexture, 3);
+  vtkDataArray* extent = ArrayReader::OfFields(low, owner, 1).Seek(plant::ImpostorExtent, 3);
+  vtkDataArray* areas = ArrayReader::OfFields(low, owner, ImpostorViews).Seek(plant::ImpostorAreas, 1);
+  auto* normals = ArrayReader::OfFields(low, owner, side * side).Seek<vtkUnsignedCharArray>(plant::NormalTexture, 3);
   TextureImage pictures = extent && areas && normals ? ReadTexture(low) : TextureImage();
   if (pictures.Columns != side || pictures.Rows != side)
   {
@@ -412,7 +405,7 @@ PlantImpostor ReadImpostor(vtkPolyData* low)
   {
     impostor.Shape.Areas[view] = areas->GetComponent(view, 0);
   }
-  auto* colors = ArrayReader::OfPoints(low, owner).Find<vtkUnsignedCharArray>(plant::RGB, 3);
+  auto* colors = ArrayReader::OfPoints(low, owner).Seek<vtkUnsignedCharArray>(plant::RGB, 3);
   for (int channel = 0; colors && colors->GetNumberOfTuples() > 0 && channel < 3; ++channel)
   {
     impostor.Mean[channel] = colors->GetTypedComponent(0, channel);
@@ -423,7 +416,7 @@ PlantImpostor ReadImpostor(vtkPolyData* low)
 PlantMesh ReadMesh(vtkPolyData* block)
 {
   PlantMesh mesh;
-  auto* colors = ArrayReader::OfPoints(block, "leaves").Find<vtkUnsignedCharArray>(plant::RGB, 3);
+  auto* colors = ArrayReader::OfPoints(block, "leaves").Seek<vtkUnsignedCharArray>(plant::RGB, 3);
   vtkDataArray* places = block->GetPointData()->GetTCoords();
   for (vtkIdType point = 0; point < block->GetNumberOfPoints(); ++point)
   {

@@ -92,11 +92,11 @@ vtkPolyData* PlantPartOf(vtkMultiBlockDataSet* plants, const char* level, const 
 /// The points of a block in single precision; null where it has others or none.
 vtkFloatArray* FloatPointsOf(vtkPolyData* block);
 
-/// The skeleton of a block, all plants in one. The reason why there is none, or nothing.
-std::string ReadSkeleton(vtkPolyData* block, Skeleton& skeleton);
+/// The skeleton of a block, all plants in one. Throws InvalidInput if there is none.
+Skeleton ReadSkeleton(vtkPolyData* block);
 
-/// Why the joints of a skin or of leaves are bad; empty when they are not.
-std::string WhyBadSkin(vtkPolyData* block, const char* name, std::size_t joints);
+/// Throws InvalidInput if the joints of a skin or of leaves are bad.
+void RequireSkin(vtkPolyData* block, const char* name, std::size_t joints);
 
 /// The normals of a block in single precision; null where it has others or none.
 vtkFloatArray* FindNormals(vtkPolyData* block);
@@ -110,8 +110,8 @@ SkinBinding ReadBinding(vtkPolyData* block);
 /// The four joints of each of its vertices.
 const int* ReadJointIds(vtkPolyData* block);
 
-/// The plants of points; null if they do not tell, and the reason if they do so in another form.
-vtkIntArray* FindPlantIds(vtkPolyData* block, std::string& reason);
+/// The plants of points; null if they do not tell. Throws InvalidInput if they do so in another form.
+vtkIntArray* FindPlantIds(vtkPolyData* block);
 
 /// The leaves of a block, whose skin is good.
 std::vector<LeafCorners> ReadLeaves(vtkPolyData* block);

@@ -25,30 +25,27 @@ constexpr BlockName BlockNames[] = { { plant::High, plant::Skeleton }, { plant::
   { plant::High, plant::Leaves }, { plant::Medium, plant::Trunk }, { plant::Medium, plant::Crown },
   { plant::Low, nullptr } };
 
-/// Finds a block; null if there is none, with the reason if there are other data.
-vtkPolyData* FindPart(vtkMultiBlockDataSet* plants, const BlockName& name, std::string& reason)
+/// Finds a block; null if there is none. Other data are refused.
+vtkPolyData* FindPart(vtkMultiBlockDataSet* plants, const BlockName& name)
 {
   vtkDataObject* data = FindBlock(plants, name.Level);
   std::string path = name.Level;
   if (data && name.Part)
   {
     auto* level = vtkMultiBlockDataSet::SafeDownCast(data);
-    reason = level ? "" : WhyOtherType(data, ("Block " + path).c_str(), "blocks (vtkMultiBlockDataSet)");
+    Require(level ? "" : WhyOtherType(data, ("Block " + path).c_str(), "blocks (vtkMultiBlockDataSet)"));
     data = FindBlock(level, name.Part);
     path += std::string("/") + name.Part;
   }
   auto* part = vtkPolyData::SafeDownCast(data);
-  if (data && !part)
-  {
-    reason = WhyOtherType(data, ("Block " + path).c_str(), WordsForType<vtkPolyData>());
-  }
+  Require(data && !part ? WhyOtherType(data, ("Block " + path).c_str(), WordsForType<vtkPolyData>()) : "");
   return part;
 }
 
-/// Why arrays that tell how a block is drawn are bad.
-std::string WhyBadLook(vtkPolyData* block, const std::string& owner)
+/// Checks arrays that tell how a block is drawn.
+void RequireLook(vtkPolyData* block, const std::string& owner)
 {
-  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  const ArrayReader points = ArrayReader::OfPoints(block, owner);
   points.NeedFinite(block->GetPoints() ? block->GetPoints()->GetData() : nullptr);
   points.NeedFinite(points.Fit(block->GetPointData()->GetNormals(), 3));
   points.NeedFinite(points.Find("Normals", 3));
@@ -56,22 +53,20 @@ std::string WhyBadLook(vtkPolyData* block, const std::string& owner)
   const int axes = places && places->GetNumberOfComponents() == 3 ? 3 : 2;
   points.NeedFinite(points.Fit(places, axes));
   points.NeedFinite(points.Find("TCoords", axes));
-  return points.Reason();
 }
 
-/// Why arrays that all plants have are bad.
-std::string WhyBadColors(vtkPolyData* block, const std::string& owner)
+/// Checks arrays that all plants have.
+void RequireColors(vtkPolyData* block, const std::string& owner)
 {
-  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  const ArrayReader points = ArrayReader::OfPoints(block, owner);
   points.Find(plant::RGB, 3);
   points.Find(plant::PlantId, 1);
-  return points.Reason();
 }
 
-/// Why arrays that tell how a block moves are bad.
-std::string WhyBadMotion(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
+/// Checks arrays that tell how a block moves.
+void RequireMotion(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
 {
-  ArrayReader points = ArrayReader::OfPoints(block, owner);
+  const ArrayReader points = ArrayReader::OfPoints(block, owner);
   points.NeedIds(points.Find<vtkIntArray>(plant::JointIds, 4), nodes, "node");
   points.NeedFinite(points.Find<vtkFloatArray>(plant::JointWeights, 4));
   points.NeedIds(points.Find<vtkIntArray>(plant::ParentId, 1), nodes, "node", -1);
@@ -82,89 +77,77 @@ std::string WhyBadMotion(vtkPolyData* block, vtkIdType nodes, const std::string&
   {
     points.NeedFinite(points.Find(name, 1));
   }
-  return points.Reason();
 }
 
-std::string WhyBadBlock(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
+void RequireBlock(vtkPolyData* block, vtkIdType nodes, const std::string& owner)
 {
-  std::string reason = WhyBadDrawing(block, owner);
-  reason = reason.empty() ? WhyBadColors(block, owner) : reason;
-  reason = reason.empty() ? WhyBadMotion(block, nodes, owner) : reason;
-  return reason.empty() ? WhyBadTexture(block, owner) : reason;
+  RequireDrawing(block, owner);
+  RequireColors(block, owner);
+  RequireMotion(block, nodes, owner);
+  RequireTexture(block, owner);
 }
 
 }
 
 //----------------------------------------------------------------------------
-std::string WhyBadTexture(vtkPolyData* block, const std::string& owner)
+void RequireTexture(vtkPolyData* block, const std::string& owner)
 {
-  ArrayReader fields = ArrayReader::OfFields(block, owner);
-  ArrayReader single = ArrayReader::OfFields(block, owner, 1);
+  const ArrayReader fields = ArrayReader::OfFields(block, owner);
+  const ArrayReader single = ArrayReader::OfFields(block, owner, 1);
   auto* texels = fields.Find<vtkUnsignedCharArray>(plant::Texture, 4);
-  ArrayReader normals = ArrayReader::OfFields(block, owner, texels ? texels->GetNumberOfTuples() : -1);
+  const ArrayReader normals = ArrayReader::OfFields(block, owner, texels ? texels->GetNumberOfTuples() : -1);
   normals.Find<vtkUnsignedCharArray>(plant::NormalTexture, 3);
-  ArrayReader views = ArrayReader::OfFields(block, owner, ImpostorViews);
+  const ArrayReader views = ArrayReader::OfFields(block, owner, ImpostorViews);
   views.NeedFinite(views.Find(plant::ImpostorAreas, 1));
   single.NeedFinite(single.Find(plant::TextureMean, 3));
   single.NeedFinite(single.Find(plant::ImpostorExtent, 3));
   single.Find(plant::Envelope, 1);
-  ArrayReader pair = ArrayReader::OfFields(block, owner, 2);
+  const ArrayReader pair = ArrayReader::OfFields(block, owner, 2);
   vtkDataArray* size = texels ? pair.Need(plant::TextureSize, 1) : pair.Find(plant::TextureSize, 1);
-  for (const ArrayReader* reader : { &fields, &normals, &views, &single, &pair })
-  {
-    if (!reader->IsGood())
-    {
-      return reader->Reason();
-    }
-  }
   if (!texels)
   {
-    return {};
+    return;
   }
-  std::string reason;
   int sides[2] = { 0, 0 };
   for (int side = 0; side < 2; ++side)
   {
-    ReadWhole("TextureSize of " + owner, size->GetComponent(side, 0), 1, VTK_INT_MAX, sides[side], reason);
+    ReadWhole("TextureSize of " + owner, size->GetComponent(side, 0), 1, VTK_INT_MAX, sides[side]);
   }
   const bool fits = static_cast<vtkIdType>(sides[0]) * sides[1] == texels->GetNumberOfTuples();
-  return reason.empty() && !fits ? "Texture of " + owner + " has not as many texels as TextureSize tells." : reason;
+  Require(fits ? "" : "Texture of " + owner + " has not as many texels as TextureSize tells.");
 }
 
 //----------------------------------------------------------------------------
-std::string WhyBadDrawing(vtkPolyData* block, const std::string& owner)
+void RequireDrawing(vtkPolyData* block, const std::string& owner)
 {
-  std::string reason = WhyUnfit(block, owner.c_str());
-  reason = reason.empty() ? WhyBadCells(block, owner) : reason;
-  return reason.empty() ? WhyBadLook(block, owner) : reason;
+  RequireFit(block, owner.c_str());
+  RequireCells(block, owner);
+  RequireLook(block, owner);
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoSkeleton(vtkMultiBlockDataSet* plants)
+void RequireSkeleton(vtkMultiBlockDataSet* plants)
 {
-  std::string reason;
-  vtkPolyData* bones = FindPart(plants, BlockNames[0], reason);
-  return bones ? WhyBadBlock(bones, bones->GetNumberOfPoints(), "High/Skeleton of the plants") : WhyNoPlants(plants);
+  vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
+  bones ? RequireBlock(bones, bones->GetNumberOfPoints(), "High/Skeleton of the plants") : RequirePlants(plants);
 }
 
 //----------------------------------------------------------------------------
-std::string WhyNoPlants(vtkMultiBlockDataSet* plants)
+void RequirePlants(vtkMultiBlockDataSet* plants)
 {
-  ArrayReader fields = ArrayReader::OfFields(plants, "The plants", 1);
+  const ArrayReader fields = ArrayReader::OfFields(plants, "The plants", 1);
   fields.NeedFinite(fields.Find(plant::Wood, 3));
-  std::string reason = fields.Reason();
   vtkIdType nodes = 0;
   for (const BlockName& name : BlockNames)
   {
-    vtkPolyData* block = reason.empty() ? FindPart(plants, name, reason) : nullptr;
+    vtkPolyData* block = FindPart(plants, name);
     nodes = &name == BlockNames && block ? block->GetNumberOfPoints() : nodes;
     if (block)
     {
       const std::string path = name.Part ? std::string(name.Level) + "/" + name.Part : name.Level;
-      reason = WhyBadBlock(block, nodes, path + " of the plants");
+      RequireBlock(block, nodes, path + " of the plants");
     }
   }
-  return reason;
 }
 
 }

@@ -14,21 +14,23 @@ class vtkPolyData;
 namespace littoral
 {
 
+// Each of these throws InvalidInput where something is bad.
+
 /**
- * Why blocks have not the form of plants, in words for a user; empty if they have. Blocks and arrays may be absent;
- * those that are there have the types, components and tuples that plants have, finite positions, cells of points that
- * there are, and ids of nodes that there are. To be called before anything is read.
+ * Checks that blocks have the form of plants. Blocks and arrays may be absent; those that are there have the types,
+ * components and tuples that plants have, finite positions, cells of points that there are, and ids of nodes that there
+ * are. To be called before anything is read.
  */
-std::string WhyNoPlants(vtkMultiBlockDataSet* plants);
+void RequirePlants(vtkMultiBlockDataSet* plants);
 
 /// The same for those that read the block High/Skeleton alone, if there is one.
-std::string WhyNoSkeleton(vtkMultiBlockDataSet* plants);
+void RequireSkeleton(vtkMultiBlockDataSet* plants);
 
-/// Why polygonal data cannot be drawn: cells, positions, normals or texture coordinates are bad. Empty if they can.
-std::string WhyBadDrawing(vtkPolyData* block, const std::string& owner);
+/// Checks that polygonal data can be drawn: cells, positions, normals and texture coordinates.
+void RequireDrawing(vtkPolyData* block, const std::string& owner);
 
-/// Why the texture that a block carries is bad; empty if it has a good one or none.
-std::string WhyBadTexture(vtkPolyData* block, const std::string& owner);
+/// Checks the texture that a block carries; it may have none.
+void RequireTexture(vtkPolyData* block, const std::string& owner);
 
 }
 

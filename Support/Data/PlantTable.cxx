@@ -16,18 +16,18 @@ int PlantTable::RowOf(int plant) const
   return found != this->Rows.end() && found->first == plant ? found->second : -1;
 }
 
-std::string ReadTable(vtkDataObject* forest, PlantTable& table)
+PlantTable ReadTable(vtkDataObject* forest)
 {
+  PlantTable table;
   const std::string owner = "the forest";
-  ArrayReader first = ArrayReader::OfFields(forest, owner);
-  vtkDataArray* plants = first.Find(plant::PlantId, 1);
+  vtkDataArray* plants = ArrayReader::OfFields(forest, owner).Find(plant::PlantId, 1);
   if (!plants)
   {
-    return first.Reason();
+    return table;
   }
   table.IsThere = true;
   const vtkIdType count = plants->GetNumberOfTuples();
-  ArrayReader columns = ArrayReader::OfFields(forest, owner, count);
+  const ArrayReader columns = ArrayReader::OfFields(forest, owner, count);
   vtkDataArray* species = columns.Need("Species", 1);
   vtkDataArray* scales = columns.Need("Scale", 1);
   vtkDataArray* girths = columns.Find("Girth", 1);
@@ -38,15 +38,14 @@ std::string ReadTable(vtkDataObject* forest, PlantTable& table)
   {
     columns.NeedFinite(column);
   }
-  std::string reason = columns.Reason();
-  for (vtkIdType row = 0; row < count && reason.empty(); ++row)
+  for (vtkIdType row = 0; row < count; ++row)
   {
     const std::string ofPlant = " of plant " + std::to_string(row);
     PlantPlace place;
     PlantLevel level = PlantLevel::Low;
-    ReadWhole(plant::PlantId + ofPlant, plants->GetComponent(row, 0), 0, VTK_INT_MAX, place.Site, reason);
-    ReadWhole("Species" + ofPlant, species->GetComponent(row, 0), VTK_INT_MIN, VTK_INT_MAX, place.Species, reason);
-    ReadWhole("Level" + ofPlant, levels->GetComponent(row, 0), 0, 2, level, reason);
+    ReadWhole(plant::PlantId + ofPlant, plants->GetComponent(row, 0), 0, VTK_INT_MAX, place.Site);
+    ReadWhole("Species" + ofPlant, species->GetComponent(row, 0), VTK_INT_MIN, VTK_INT_MAX, place.Species);
+    ReadWhole("Level" + ofPlant, levels->GetComponent(row, 0), 0, 2, level);
     place.Scale = scales->GetComponent(row, 0);
     place.Girth = girths ? girths->GetComponent(row, 0) : 1.0;
     place.Azimuth = azimuths->GetComponent(row, 0);
@@ -56,7 +55,7 @@ std::string ReadTable(vtkDataObject* forest, PlantTable& table)
     table.Levels.push_back(level);
   }
   std::sort(table.Rows.begin(), table.Rows.end());
-  return reason;
+  return table;
 }
 
 }

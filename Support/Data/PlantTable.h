@@ -27,12 +27,12 @@ struct PlantTable
   int RowOf(int plant) const;
 
 private:
-  friend std::string ReadTable(vtkDataObject* forest, PlantTable& table);
+  friend PlantTable ReadTable(vtkDataObject* forest);
   std::vector<std::pair<int, int>> Rows; // by PlantId
 };
 
-/// Reads the table. Why it cannot be read, in words for a user; empty when it was, or where plants are not scattered.
-std::string ReadTable(vtkDataObject* forest, PlantTable& table);
+/// Reads the table, an empty one where plants are not scattered. Throws InvalidInput.
+PlantTable ReadTable(vtkDataObject* forest);
 
 }
 

@@ -3,6 +3,7 @@
 #include "Data/PointPattern.h"
 
 #include "Data/ArrayReader.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 
 #include "vtkCellArray.h"
@@ -30,18 +31,18 @@ std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points)
   return positions;
 }
 
-std::string ReadWindow(vtkPointSet* points, const double origin[2], const double size[2], ObservationWindow& window)
+ObservationWindow ReadWindow(vtkPointSet* points, const double origin[2], const double size[2])
 {
+  ObservationWindow window;
   if (size[0] == 0.0 && size[1] == 0.0)
   {
     double bounds[6];
     points->GetBounds(bounds);
-    if (!(bounds[1] > bounds[0] && bounds[3] > bounds[2]))
-    {
-      return "The points cover no area; set the Size of the window.";
-    }
+    const bool hasArea = bounds[1] > bounds[0] && bounds[3] > bounds[2];
+    Require(hasArea ? "" : "The points cover no area; set the Size of the window.");
     window = ObservationWindow::Rectangle({ bounds[0], bounds[2] }, { bounds[1], bounds[3] });
-    return window.WhyInvalid();
+    Require(window.WhyInvalid());
+    return window;
   }
   ParameterCheck check;
   for (int axis = 0; axis < 2; ++axis)
@@ -50,20 +51,18 @@ std::string ReadWindow(vtkPointSet* points, const double origin[2], const double
     check.Finite("Origin" + component, origin[axis], "m");
     check.Positive("Size" + component, size[axis], "m");
   }
-  if (check.IsGood())
-  {
-    window = ObservationWindow::Rectangle({ origin[0], origin[1] }, { origin[0] + size[0], origin[1] + size[1] });
-    check.Require(window.WhyInvalid());
-  }
-  return check.Reason();
+  Require(check.Reason());
+  window = ObservationWindow::Rectangle({ origin[0], origin[1] }, { origin[0] + size[0], origin[1] + size[1] });
+  Require(window.WhyInvalid());
+  return window;
 }
 
-std::string ReadWindow(vtkPolyData* polygon, ObservationWindow& window)
+ObservationWindow ReadWindow(vtkPolyData* polygon)
 {
   const vtkIdType cells = polygon->GetNumberOfPolys() + polygon->GetNumberOfLines();
   if (cells > 1)
   {
-    return "The window has " + std::to_string(cells) + " polygons or lines; it must have one.";
+    Refuse("The window has ", cells, " polygons or lines; it must have one.");
   }
   vtkNew<vtkIdList> ids;
   if (cells == 1)
@@ -75,51 +74,51 @@ std::string ReadWindow(vtkPolyData* polygon, ObservationWindow& window)
   for (vtkIdType n = 0; n < count; ++n)
   {
     const vtkIdType id = cells == 1 ? ids->GetId(n) : n;
-    if (id < 0 || id >= polygon->GetNumberOfPoints())
-    {
-      return "The window's polygon names a point that it does not have.";
-    }
+    const bool isThere = id >= 0 && id < polygon->GetNumberOfPoints();
+    Require(isThere ? "" : "The window's polygon names a point that it does not have.");
     double position[3];
     polygon->GetPoint(id, position);
     corners.push_back({ position[0], position[1] });
   }
-  window = ObservationWindow::Polygon(std::move(corners));
-  return window.WhyInvalid();
+  ObservationWindow window = ObservationWindow::Polygon(std::move(corners));
+  Require(window.WhyInvalid());
+  return window;
 }
 
-std::string ReadMarks(vtkPointSet* points, const std::string& name, std::vector<double>& marks)
+std::vector<double> ReadMarks(vtkPointSet* points, const std::string& name)
 {
-  ArrayReader reader = ArrayReader::OfPoints(points, "The input");
-  vtkDataArray* array = reader.Need(name.c_str(), 1);
-  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+  std::vector<double> marks;
+  vtkDataArray* array = ArrayReader::OfPoints(points, "The input").Need(name.c_str(), 1);
+  for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
   {
     const double mark = array->GetComponent(n, 0);
     if (!IsSensible(mark) || mark <= 0.0)
     {
-      return "The mark " + name + " of point " + std::to_string(n) + " is missing or not positive.";
+      Refuse("The mark ", name, " of point ", n, " is missing or not positive.");
     }
     marks.push_back(mark);
   }
-  return reader.Reason();
+  return marks;
 }
 
-std::string ReadSpecies(vtkPointSet* points, const std::string& name, std::vector<std::string>& species)
+std::vector<std::string> ReadSpecies(vtkPointSet* points, const std::string& name)
 {
-  ArrayReader reader = ArrayReader::OfPoints(points, "The input");
+  std::vector<std::string> species;
+  const ArrayReader reader = ArrayReader::OfPoints(points, "The input");
   if (vtkStringArray* texts = reader.FindTexts(name.c_str()))
   {
     for (vtkIdType n = 0; n < texts->GetNumberOfValues(); ++n)
     {
       species.push_back(texts->GetValue(n));
     }
-    return reader.Reason();
+    return species;
   }
   vtkDataArray* array = reader.Need(name.c_str(), 1);
-  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+  for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
   {
     species.push_back(TextOf(array->GetComponent(n, 0)));
   }
-  return reader.Reason();
+  return species;
 }
 
 }

@@ -19,18 +19,19 @@ namespace littoral
 /// x and y of all points.
 std::vector<PlanePosition> PlanePositionsOf(vtkPointSet* points);
 
+// Each of these throws InvalidInput.
+
 /// A rectangle by its lower left corner and its size [m]; 0 0 is the bounding box of the points.
-std::string ReadWindow(vtkPointSet* points, const double origin[2], const double size[2], ObservationWindow& window);
+ObservationWindow ReadWindow(vtkPointSet* points, const double origin[2], const double size[2]);
 
-/// The one polygon or closed line of polygonal data, or its points in their order if it has no cell. The reason why it
-/// is no window, or nothing.
-std::string ReadWindow(vtkPolyData* polygon, ObservationWindow& window);
+/// The one polygon or closed line of polygonal data, or its points in their order if it has no cell.
+ObservationWindow ReadWindow(vtkPolyData* polygon);
 
-/// Numbers of a point array, each above 0. The reason why there are none, or nothing.
-std::string ReadMarks(vtkPointSet* points, const std::string& name, std::vector<double>& marks);
+/// Numbers of a point array, each above 0.
+std::vector<double> ReadMarks(vtkPointSet* points, const std::string& name);
 
-/// Values of a point array of texts or numbers, as texts. The reason why there are none, or nothing.
-std::string ReadSpecies(vtkPointSet* points, const std::string& name, std::vector<std::string>& species);
+/// Values of a point array of texts or numbers, as texts.
+std::vector<std::string> ReadSpecies(vtkPointSet* points, const std::string& name);
 
 }
 

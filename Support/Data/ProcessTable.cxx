@@ -34,14 +34,14 @@ vtkIdType FirstProcess(vtkDataArray* ids)
 }
 
 /// The corners of the window that the field data name.
-std::string ReadCorners(vtkTable* table, ObservationWindow& window)
+void ReadCorners(vtkTable* table, ObservationWindow& window)
 {
-  ArrayReader fields = ArrayReader::OfFields(table, "the table of fits");
+  const ArrayReader fields = ArrayReader::OfFields(table, "the table of fits");
   vtkDataArray* corners = fields.Find("Window", 2);
   fields.NeedFinite(corners);
-  if (!fields.IsGood() || !corners)
+  if (!corners)
   {
-    return fields.Reason();
+    return;
   }
   std::vector<PlanePosition> polygon;
   for (vtkIdType n = 0; n < corners->GetNumberOfTuples(); ++n)
@@ -49,76 +49,58 @@ std::string ReadCorners(vtkTable* table, ObservationWindow& window)
     polygon.push_back({ corners->GetComponent(n, 0), corners->GetComponent(n, 1) });
   }
   window = ObservationWindow::Polygon(polygon);
-  return window.WhyInvalid();
+  Require(window.WhyInvalid());
 }
 
 /// The trend of a row: its degree in the column, its coefficients in the field data.
-std::string ReadTrend(vtkTable* table, vtkIdType row, const ObservationWindow& window, IntensityRaster& raster)
+void ReadTrend(vtkTable* table, vtkIdType row, const ObservationWindow& window, IntensityRaster& raster)
 {
-  ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
-  vtkDataArray* degrees = rows.Find("TrendDegree", 1);
+  vtkDataArray* degrees = ArrayReader::OfRows(table, "the table of fits").Find("TrendDegree", 1);
   IntensityTrend trend;
-  std::string reason = rows.Reason();
-  if (degrees && reason.empty())
+  if (degrees)
   {
-    ReadWhole("TrendDegree", degrees->GetComponent(row, 0), 0, MostTrendDegree, trend.Degree, reason);
+    ReadWhole("TrendDegree", degrees->GetComponent(row, 0), 0, MostTrendDegree, trend.Degree);
   }
-  if (!reason.empty() || trend.Degree == 0)
+  if (trend.Degree == 0)
   {
-    return reason;
+    return;
   }
-  ArrayReader fields = ArrayReader::OfFields(table, "the table of fits");
+  const ArrayReader fields = ArrayReader::OfFields(table, "the table of fits");
   vtkDataArray* coefficients = fields.Need("Trend", 1);
   fields.NeedFinite(coefficients);
-  if (!fields.IsGood())
-  {
-    return fields.Reason();
-  }
   if (coefficients->GetNumberOfTuples() != TermsOfTrend(trend.Degree))
   {
-    return "the array Trend of the table of fits has " + std::to_string(coefficients->GetNumberOfTuples()) +
-      " numbers; a trend of the degree " + std::to_string(trend.Degree) + " has " +
-      std::to_string(TermsOfTrend(trend.Degree)) + ".";
+    Refuse("the array Trend of the table of fits has ", coefficients->GetNumberOfTuples(),
+      " numbers; a trend of the degree ", trend.Degree, " has ", TermsOfTrend(trend.Degree), ".");
   }
   for (vtkIdType n = 0; n < coefficients->GetNumberOfTuples(); ++n)
   {
     trend.Coefficients.push_back(coefficients->GetComponent(n, 0));
   }
   raster = RasterOf(trend, window);
-  return WhyInvalid(raster);
+  Require(WhyInvalid(raster));
 }
 
 }
 
 bool FirstRowIsProcess(vtkTable* table)
 {
-  ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
-  vtkDataArray* ids = rows.Find("ProcessId", 1);
+  vtkDataArray* ids = ArrayReader::OfRows(table, "the table of fits").Seek("ProcessId", 1);
   return ids && table->GetNumberOfRows() > 0 && FirstProcess(ids) == 0;
 }
 
-std::string ReadProcessFit(
-  vtkTable* table, PointProcessParameters& process, ObservationWindow& window, IntensityRaster& trend)
+void ReadProcessFit(vtkTable* table, PointProcessParameters& process, ObservationWindow& window, IntensityRaster& trend)
 {
-  ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
+  const ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
   if (table->GetNumberOfRows() == 0 || !rows.Has("ProcessId"))
   {
-    return "the table of fits has no row with a ProcessId; connect the first output of a pattern verdict.";
+    Refuse("the table of fits has no row with a ProcessId; connect the first output of a pattern verdict.");
   }
   vtkDataArray* ids = rows.Need("ProcessId", 1);
-  if (!ids)
-  {
-    return rows.Reason();
-  }
   const vtkIdType row = FirstProcess(ids);
-  if (row < 0)
-  {
-    return "no row of the table of fits is a process; all are laws of quadrats.";
-  }
-  std::string reason;
-  ReadWhole("ProcessId", ids->GetComponent(row, 0), 0, NumberOfPointProcesses - 1, process.Process, reason);
+  Require(row < 0 ? "no row of the table of fits is a process; all are laws of quadrats." : "");
+  ReadWhole("ProcessId", ids->GetComponent(row, 0), 0, NumberOfPointProcesses - 1, process.Process);
   ParameterCheck check;
-  check.Require(reason);
   for (const auto* parameter : AllPointProcessParameters())
   {
     vtkDataArray* column = rows.Find(parameter->Name, 1);
@@ -129,21 +111,15 @@ std::string ReadProcessFit(
       parameter->Set(process, number);
     }
   }
-  check.Require(rows.Reason());
-  check.Require(ReadCorners(table, window));
-  return check.IsGood() ? ReadTrend(table, row, window, trend) : check.Reason();
+  Require(check.Reason());
+  ReadCorners(table, window);
+  ReadTrend(table, row, window, trend);
 }
 
-std::string ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster)
+void ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster)
 {
-  if (std::string reason = WhyNoRaster(image, 1); !reason.empty())
-  {
-    return "the intensity: " + reason;
-  }
-  if (!values)
-  {
-    return "the intensity image has no point array of one component to take the intensity from.";
-  }
+  InContext("the intensity: ", [image] { RequireRaster(image, 1); });
+  Require(values ? "" : "the intensity image has no point array of one component to take the intensity from.");
   int extent[6];
   image->GetExtent(extent);
   for (int axis = 0; axis < 2; ++axis)
@@ -157,7 +133,7 @@ std::string ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRa
   {
     raster.Values[n] = values->GetComponent(static_cast<vtkIdType>(n), 0);
   }
-  return WhyInvalid(raster);
+  Require(WhyInvalid(raster));
 }
 
 }

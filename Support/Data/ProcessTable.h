@@ -22,12 +22,12 @@ namespace littoral
 bool FirstRowIsProcess(vtkTable* table);
 
 /// The process of the first row of a table of fits that has one, the window of its pattern, and its trend, without
-/// values if it has none; what the table does not have stays as it is. The reason why it cannot be, or nothing.
-std::string ReadProcessFit(
+/// values if it has none; what the table does not have stays as it is. Throws InvalidInput.
+void ReadProcessFit(
   vtkTable* table, PointProcessParameters& process, ObservationWindow& window, IntensityRaster& trend);
 
-/// An array of an image as an intensity. The reason why it is none, or nothing.
-std::string ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster);
+/// An array of an image as an intensity. Throws InvalidInput.
+void ReadIntensity(vtkImageData* image, vtkDataArray* values, IntensityRaster& raster);
 
 }
 

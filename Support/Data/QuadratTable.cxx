@@ -13,19 +13,15 @@
 namespace littoral
 {
 
-std::string ReadQuadratFit(vtkTable* table, QuadratLawParameters& law, QuadratGrid& grid)
+void ReadQuadratFit(vtkTable* table, QuadratLawParameters& law, QuadratGrid& grid)
 {
-  ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
+  const ArrayReader rows = ArrayReader::OfRows(table, "the table of fits");
   if (table->GetNumberOfRows() == 0 || !rows.Has("LawId"))
   {
-    return "the table of fits has no row with a LawId; connect the first output of a quadrat analysis.";
+    Refuse("the table of fits has no row with a LawId; connect the first output of a quadrat analysis.");
   }
   vtkDataArray* ids = rows.Need("LawId", 1);
-  std::string reason = rows.Reason();
-  if (ids)
-  {
-    ReadWhole("LawId", ids->GetComponent(0, 0), 0, NumberOfQuadratLaws - 1, law.Law, reason);
-  }
+  ReadWhole("LawId", ids->GetComponent(0, 0), 0, NumberOfQuadratLaws - 1, law.Law);
   ParameterCheck check;
   for (const auto* parameter : AllQuadratLawParameters())
   {
@@ -41,23 +37,20 @@ std::string ReadQuadratFit(vtkTable* table, QuadratLawParameters& law, QuadratGr
       parameter->Set(law, number);
     }
   }
-  ArrayReader fields = ArrayReader::OfFields(table, "the table of fits", 1);
+  Require(check.Reason());
+  const ArrayReader fields = ArrayReader::OfFields(table, "the table of fits", 1);
   vtkDataArray* origin = fields.Find("Origin", 2);
   vtkDataArray* size = fields.Find("Size", 2);
   vtkDataArray* quadrats = fields.Find("Quadrats", 2);
-  check.Require(rows.Reason());
-  check.Require(fields.Reason());
-  reason = reason.empty() ? check.Reason() : reason;
   for (int axis = 0; axis < 2; ++axis)
   {
     grid.Origin[axis] = origin ? origin->GetComponent(0, axis) : grid.Origin[axis];
     grid.Size[axis] = size ? size->GetComponent(0, axis) : grid.Size[axis];
     if (quadrats)
     {
-      ReadWhole("Quadrats", quadrats->GetComponent(0, axis), 1, VTK_INT_MAX, grid.Count[axis], reason);
+      ReadWhole("Quadrats", quadrats->GetComponent(0, axis), 1, VTK_INT_MAX, grid.Count[axis]);
     }
   }
-  return reason;
 }
 
 }

@@ -16,8 +16,8 @@ namespace littoral
 {
 
 /// The law of the first row of a table of fits, and the grid of its analysis; what the table does not have stays as it
-/// is. The reason why it cannot be, or nothing.
-std::string ReadQuadratFit(vtkTable* table, QuadratLawParameters& law, QuadratGrid& grid);
+/// is. Throws InvalidInput.
+void ReadQuadratFit(vtkTable* table, QuadratLawParameters& law, QuadratGrid& grid);
 
 }
 

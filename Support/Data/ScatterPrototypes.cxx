@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Blocks.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -18,13 +19,14 @@ namespace littoral
 namespace
 {
 
-/// What is wrong with the cells of a block; empty if nothing is.
-std::string WhyBadCells(vtkPolyData* block, const PartKind& kind)
+void RequireCells(vtkPolyData* block, const PartKind& kind)
 {
   const vtkIdType cells = kind.HasLines ? block->GetNumberOfLines() : block->GetNumberOfPolys();
-  return cells == block->GetNumberOfCells() ? std::string()
-                                            : std::string("its ") + (kind.Name ? kind.Name : kind.Level) +
-      " has cells that are not " + (kind.HasLines ? "lines." : "polygons.");
+  if (cells != block->GetNumberOfCells())
+  {
+    Refuse(
+      "its ", kind.Name ? kind.Name : kind.Level, " has cells that are not ", kind.HasLines ? "lines." : "polygons.");
+  }
 }
 
 /// The cylinder that holds all levels of a prototype. Cards have transparent corners beyond it.
@@ -181,34 +183,29 @@ PrototypeBlocks PartsOf(vtkMultiBlockDataSet* prototype)
   return blocks;
 }
 
-/// What a prototype lacks; empty if nothing. A level needs a polygon, though not in each of its blocks: a bare tree has
-/// no leaves.
-std::string WhyNoPrototype(const PrototypeBlocks& blocks)
+void RequirePrototype(const PrototypeBlocks& blocks)
 {
   std::array<vtkIdType, 3> polygons{ 0, 0, 0 };
-  std::string reason;
-  for (int part = 0; part < NumberOfParts && reason.empty(); ++part)
+  for (int part = 0; part < NumberOfParts; ++part)
   {
     if (blocks[part])
     {
-      reason = WhyBadCells(blocks[part], PartKinds[part]);
+      RequireCells(blocks[part], PartKinds[part]);
       polygons[static_cast<int>(LevelOfPart[part])] += blocks[part]->GetNumberOfPolys();
     }
   }
   for (int part : { SkeletonPart, TrunkPart, LowPart })
   {
-    if (reason.empty() && polygons[static_cast<int>(LevelOfPart[part])] == 0)
+    if (polygons[static_cast<int>(LevelOfPart[part])] == 0)
     {
-      reason = std::string("its level ") + PartKinds[part].Level + " is missing or empty.";
+      Refuse("its level ", PartKinds[part].Level, " is missing or empty.");
     }
   }
-  if (reason.empty() && blocks[SkeletonPart])
+  if (blocks[SkeletonPart])
   {
-    ArrayReader points = ArrayReader::OfPoints(blocks[SkeletonPart], "its Skeleton");
+    const ArrayReader points = ArrayReader::OfPoints(blocks[SkeletonPart], "its Skeleton");
     points.NeedFinite(points.Find(plant::Radius, 1));
-    reason = points.Reason();
   }
-  return reason;
 }
 
 void TakeParts(const std::vector<PrototypeBlocks>& blocks, ScatterPrototypes& prototypes)

@@ -54,8 +54,9 @@ vtkPolyData* PartOf(vtkMultiBlockDataSet* prototype, const PartKind& kind);
 /// All blocks of a prototype.
 PrototypeBlocks PartsOf(vtkMultiBlockDataSet* prototype);
 
-/// Why a prototype cannot be scattered, in words for a user; empty if it can. It has the form that PlantForm.h checks.
-std::string WhyNoPrototype(const PrototypeBlocks& blocks);
+/// Throws InvalidInput if a prototype, of the form that PlantForm.h checks, cannot be scattered. A level needs a
+/// polygon, though not in each of its blocks: a bare tree has no leaves.
+void RequirePrototype(const PrototypeBlocks& blocks);
 
 /// The prototypes of all species, ready to be merged.
 struct ScatterPrototypes

@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/TerrainGrid.h"
+#include "Numerics/InvalidInput.h"
 #include "Numerics/ParameterCheck.h"
 #include "Pipeline/Pipeline.h"
 
@@ -13,7 +14,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace littoral
 {
@@ -33,16 +33,15 @@ struct SiteArrays
   vtkDataArray* Height = nullptr;
   vtkDataArray* Diameter = nullptr;
 
-  SiteArrays(vtkPointSet* sites, const DimensionArrays& dimensions, std::string& reason)
+  SiteArrays(vtkPointSet* sites, const DimensionArrays& dimensions)
   {
-    ArrayReader points = ArrayReader::OfPoints(sites, "a set of sites");
+    const ArrayReader points = ArrayReader::OfPoints(sites, "a set of sites");
     this->SiteId = points.Find("SiteId", 1);
     this->Species = points.Find("Species", 1);
     this->Scale = points.Find("Scale", 1);
     this->Azimuth = points.Find("Azimuth", 1);
     this->Height = dimensions.Height.empty() ? nullptr : points.Find(dimensions.Height.c_str(), 1);
     this->Diameter = dimensions.Diameter.empty() ? nullptr : points.Find(dimensions.Diameter.c_str(), 1);
-    reason = points.Reason();
   }
 
   bool HasDimensions() const { return this->Height || this->Diameter; }
@@ -54,30 +53,28 @@ bool IsIdentity(double siteId)
   return std::abs(siteId) <= LargestIdentity;
 }
 
-/// Why a site holds no plant, in words for a user.
-std::string WhyBadSite(const PlantPlace& place, double siteId, double kind, int species)
+/// Says why a site holds no plant.
+[[noreturn]] void RefuseSite(const PlantPlace& place, double siteId, double kind, int species)
 {
   const std::string ofSite = " of site " + std::to_string(place.Site);
   ParameterCheck check;
   if (!IsFinite(place.Foot))
   {
-    std::ostringstream text;
-    text << "site " << place.Site << " lies at (" << place.Foot.x << ", " << place.Foot.y << ", " << place.Foot.z
-         << "); positions must be finite.";
-    check.Require(text.str());
+    Refuse("site ", place.Site, " lies at (", place.Foot.x, ", ", place.Foot.y, ", ", place.Foot.z,
+      "); positions must be finite.");
   }
   check.Range("SiteId" + ofSite, siteId, -LargestIdentity, LargestIdentity);
   check.Require(kind >= 0.0 && kind < species && kind == std::floor(kind), "Species" + ofSite, kind, "",
     "a whole number from 0 to " + std::to_string(species - 1));
   check.Positive("Scale" + ofSite, place.Scale);
   check.Finite("Azimuth" + ofSite, place.Azimuth);
-  return check.Reason();
+  throw InvalidInput(check.Reason());
 }
 
-/// The plant at a site, on no terrain yet. False, with the reason, if a number is bad.
-bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDraws& draws, int species, vtkIdType site,
-  PlantPlace& place, std::string& reason)
+/// The plant at a site, on no terrain yet.
+PlantPlace MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDraws& draws, int species, vtkIdType site)
 {
+  PlantPlace place;
   double position[3];
   sites->GetPoint(site, position);
   place.Foot = { position[0], position[1], position[2] };
@@ -91,77 +88,72 @@ bool MakePlace(vtkPointSet* sites, const SiteArrays& arrays, const PlantDraws& d
   if (!IsFinite(place.Foot) || !IsIdentity(drawnBy) || !isSpecies || !ValueInterval::Positive().Contains(place.Scale) ||
     !std::isfinite(place.Azimuth))
   {
-    reason = WhyBadSite(place, drawnBy, kind, species);
-    return false;
+    RefuseSite(place, drawnBy, kind, species);
   }
   place.Species = static_cast<int>(kind);
   place.Tint = draws.Tint(place.SiteId);
-  return true;
+  return place;
 }
 
-/// Gives the plant at a site the dimensions that it has there. False, with the reason, if it cannot have them.
-bool FitPlace(const SiteArrays& arrays, const std::vector<StemShape>& stems, PlantPlace& place, std::string& reason)
+/// Gives the plant at a site the dimensions that it has there.
+void FitPlace(const SiteArrays& arrays, const std::vector<StemShape>& stems, PlantPlace& place)
 {
   const std::string ofSite = " of site " + std::to_string(place.Site);
   TreeDimensions tree{ 1.0, 1.0 }; // what is not given is good
   tree.Height = arrays.Height ? arrays.Height->GetComponent(place.Site, 0) : tree.Height;
   tree.Diameter = arrays.Diameter ? arrays.Diameter->GetComponent(place.Site, 0) : tree.Diameter;
-  reason = WhyInvalid(tree, ofSite);
-  if (reason.empty())
-  {
-    const std::string why =
-      stems[place.Species].Fit({ arrays.Height ? tree.Height : 0.0, arrays.Diameter ? tree.Diameter : 0.0 }, place);
-    reason = why.empty() ? why : "the plant" + ofSite + " cannot have a DBH: " + why;
-  }
-  return reason.empty();
+  Require(WhyInvalid(tree, ofSite));
+  InContext("the plant" + ofSite + " cannot have a DBH: ", [&] {
+    Require(
+      stems[place.Species].Fit({ arrays.Height ? tree.Height : 0.0, arrays.Diameter ? tree.Diameter : 0.0 }, place));
+  });
 }
 
 }
 
-std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
-  const GroundLimits& limits, std::vector<PlantPlace>& places, const DimensionArrays& dimensions,
-  const std::vector<StemShape>& stems)
+std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
+  const GroundLimits& limits, const DimensionArrays& dimensions, const std::vector<StemShape>& stems)
 {
   const vtkIdType count = sites->GetNumberOfPoints();
   const double bytes = sizeof(PlantPlace) + 2.0 * sizeof(Box);
   if (count > std::numeric_limits<int>::max() || static_cast<double>(count) * bytes > AvailableMemory())
   {
-    return std::to_string(count) + " sites are more than this machine has memory for.";
+    Refuse(count, " sites are more than this machine has memory for.");
   }
-  places.resize(static_cast<std::size_t>(count));
-  std::string reason;
-  const SiteArrays arrays(sites, dimensions, reason);
+  std::vector<PlantPlace> places;
+  places.reserve(static_cast<std::size_t>(count));
+  const SiteArrays arrays(sites, dimensions);
   const PlantDraws draws(options);
   const int species = static_cast<int>(options.Weights.size());
-  for (vtkIdType site = 0; site < count && reason.empty(); ++site)
+  for (vtkIdType site = 0; site < count; ++site)
   {
-    if (MakePlace(sites, arrays, draws, species, site, places[site], reason) && arrays.HasDimensions())
+    places.push_back(MakePlace(sites, arrays, draws, species, site));
+    if (arrays.HasDimensions())
     {
-      FitPlace(arrays, stems, places[site], reason);
+      FitPlace(arrays, stems, places.back());
     }
   }
-  HeightGrid grid;
-  if (reason.empty() && terrain && MakeGrid(terrain, grid, reason))
+  if (terrain)
   {
-    reason = PutOnGround(grid, limits, places);
+    Require(PutOnGround(MakeGrid(terrain), limits, places));
   }
-  else if (reason.empty())
+  else
   {
     DropOutside(limits, places);
   }
-  return reason;
+  return places;
 }
 
 std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,
   const std::vector<StemShape>& stems, const std::vector<PlantPlace>& places)
 {
-  std::string reason; // none: the arrays have been read
-  const SiteArrays arrays(sites, dimensions, reason);
+  const SiteArrays arrays(sites, dimensions);
   std::vector<PlantPlace> level;
   for (const PlantPlace& place : arrays.HasDimensions() ? places : std::vector<PlantPlace>())
   {
     PlantPlace own = place;
-    level.push_back(FitPlace(arrays, stems, own, reason) ? own : place);
+    const bool fits = WhyRefused([&] { FitPlace(arrays, stems, own); }).empty();
+    level.push_back(fits ? own : place);
   }
   return level;
 }

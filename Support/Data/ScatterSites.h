@@ -24,11 +24,10 @@ struct DimensionArrays
   std::string Diameter;
 };
 
-/// The plants at all sites, on the ground if there is a terrain; `stems` are those of the prototypes. Why they cannot
-/// stand there, or nothing.
-std::string PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
-  const GroundLimits& limits, std::vector<PlantPlace>& places, const DimensionArrays& dimensions = {},
-  const std::vector<StemShape>& stems = {});
+/// The plants at all sites, on the ground if there is a terrain; `stems` are those of the prototypes. Throws
+/// InvalidInput if they cannot stand there.
+std::vector<PlantPlace> PlacePlants(vtkPointSet* sites, vtkImageData* terrain, const ScatterOptions& options,
+  const GroundLimits& limits, const DimensionArrays& dimensions = {}, const std::vector<StemShape>& stems = {});
 
 /// The same plants in a level of detail with other stems, where sites have dimensions; none where they have not.
 std::vector<PlantPlace> PlacesInLevel(vtkPointSet* sites, const DimensionArrays& dimensions,

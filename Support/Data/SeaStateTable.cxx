@@ -5,6 +5,7 @@
 #include "Data/ArrayReader.h"
 #include "Data/Tables.h"
 #include "Numerics/Constants.h"
+#include "Numerics/InvalidInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -70,9 +71,10 @@ void WriteSpectrum(const SeaSpectrum& spectrum, const TrainParameters& parameter
   densities->InsertNextValue(densityAt(edges.back()));
 }
 
-std::string ReadSpectrum(vtkTable* table, SampledSpectrum& spectrum)
+SampledSpectrum ReadSpectrum(vtkTable* table)
 {
-  ArrayReader fields = ArrayReader::OfFields(table, "the sea state");
+  SampledSpectrum spectrum;
+  const ArrayReader fields = ArrayReader::OfFields(table, "the sea state");
   const auto read = [&fields](const char* name, std::vector<double>& values) {
     auto* array = fields.Find<vtkDoubleArray>(name, 1);
     fields.NeedFinite(array);
@@ -83,28 +85,21 @@ std::string ReadSpectrum(vtkTable* table, SampledSpectrum& spectrum)
   };
   read(sea::BinEdges, spectrum.Edges);
   read(sea::SpectralDensity, spectrum.Densities);
-  if (!fields.IsGood())
-  {
-    return fields.Reason();
-  }
   const std::size_t edges = spectrum.Edges.size();
   const std::size_t densities = spectrum.Densities.size();
   if (edges < 2 || densities < edges || (densities - 1) % (edges - 1) != 0 ||
     std::adjacent_find(spectrum.Edges.begin(), spectrum.Edges.end(), std::greater_equal<>()) != spectrum.Edges.end())
   {
-    return "the sea state has no field data BinEdges and SpectralDensity; it must be that of a Sea State with a "
-           "spectrum, "
-           "not of a Regular wave.";
+    Refuse("the sea state has no field data BinEdges and SpectralDensity; it must be that of a Sea State with a "
+           "spectrum, not of a Regular wave.");
   }
-  return {};
+  return spectrum;
 }
 
-std::string ReadSeaState(vtkTable* table, SeaState& state)
+SeaState ReadSeaState(vtkTable* table)
 {
-  if (!table || table->GetNumberOfRows() == 0)
-  {
-    return "the sea state has no wave trains.";
-  }
+  Require(table->GetNumberOfRows() == 0 ? "the sea state has no wave trains." : "");
+  SeaState state;
   state.Trains.assign(static_cast<std::size_t>(table->GetNumberOfRows()), WaveTrain{});
   const struct
   {
@@ -113,16 +108,16 @@ std::string ReadSeaState(vtkTable* table, SeaState& state)
   } columns[] = { { sea::Amplitude, &WaveTrain::Amplitude }, { sea::AngularFrequency, &WaveTrain::AngularFrequency },
     { sea::WaveNumber, &WaveTrain::WaveNumber }, { sea::Direction, &WaveTrain::Direction },
     { sea::Phase, &WaveTrain::Phase } };
-  ArrayReader rows = ArrayReader::OfRows(table, "the sea state");
+  const ArrayReader rows = ArrayReader::OfRows(table, "the sea state");
   for (const auto& column : columns)
   {
     vtkDataArray* array = rows.Need(column.Name, 1);
-    for (std::size_t row = 0; array && row < state.Trains.size(); ++row)
+    for (std::size_t row = 0; row < state.Trains.size(); ++row)
     {
       state.Trains[row].*column.Member = array->GetComponent(static_cast<vtkIdType>(row), 0);
     }
   }
-  ArrayReader fields = ArrayReader::OfFields(table, "the sea state", 1);
+  const ArrayReader fields = ArrayReader::OfFields(table, "the sea state", 1);
   const auto field = [&fields](const char* name, double& value) {
     vtkDataArray* array = fields.Find(name, 1);
     value = array ? array->GetComponent(0, 0) : value;
@@ -130,8 +125,8 @@ std::string ReadSeaState(vtkTable* table, SeaState& state)
   field(sea::WaterDepth, state.Depth);
   field(sea::SeaLevel, state.SeaLevel);
   field(sea::Period, state.Period);
-  const std::string reason = rows.IsGood() ? fields.Reason() : rows.Reason();
-  return reason.empty() ? WhyInvalid(state) : reason;
+  Require(WhyInvalid(state));
+  return state;
 }
 
 }

@@ -80,11 +80,11 @@ struct SampledSpectrum
   std::vector<double> Densities; ///< [m2/Hz]
 };
 
-/// Reads what WriteSpectrum wrote. Why it cannot be read, in words for a user; empty when it was.
-std::string ReadSpectrum(vtkTable* table, SampledSpectrum& spectrum);
+/// Reads what WriteSpectrum wrote. Throws InvalidInput.
+SampledSpectrum ReadSpectrum(vtkTable* table);
 
-/// Reads what WriteSeaState wrote. Why it cannot be read, in words for a user; empty when it was.
-std::string ReadSeaState(vtkTable* table, SeaState& state);
+/// Reads what WriteSeaState wrote. Throws InvalidInput.
+SeaState ReadSeaState(vtkTable* table);
 
 }
 

@@ -56,11 +56,11 @@ void AddSegments(const Skeleton& skeleton, const std::vector<SeaweedSegment>& se
   block->GetPointData()->AddArray(tissue);
 }
 
-std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segments)
+std::vector<SeaweedSegment> ReadSegments(vtkPolyData* block)
 {
   const vtkIdType nodes = block->GetNumberOfPoints();
-  segments.assign(static_cast<std::size_t>(nodes), SeaweedSegment{});
-  ArrayReader points = ArrayReader::OfPoints(block, "High/Skeleton");
+  std::vector<SeaweedSegment> segments(static_cast<std::size_t>(nodes));
+  const ArrayReader points = ArrayReader::OfPoints(block, "High/Skeleton");
   const struct
   {
     const char* Name;
@@ -71,27 +71,22 @@ std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segmen
   for (const auto& number : numbers)
   {
     vtkDataArray* array = points.Need(number.Name, 1);
-    for (vtkIdType node = 0; array && node < nodes; ++node)
+    for (vtkIdType node = 0; node < nodes; ++node)
     {
       segments[static_cast<std::size_t>(node)].*number.Member = array->GetComponent(node, 0);
     }
   }
   vtkDataArray* across = points.Need(seaweed::Across, 3);
   vtkDataArray* tissue = points.Need(seaweed::Tissue, 1);
-  std::string reason = points.Reason();
-  for (vtkIdType node = 0; node < nodes && reason.empty(); ++node)
+  for (vtkIdType node = 0; node < nodes; ++node)
   {
     SeaweedSegment& segment = segments[static_cast<std::size_t>(node)];
     const std::string ofNode = "node " + std::to_string(node) + " of High/Skeleton: ";
     across->GetTuple(node, &segment.Across.x);
-    ReadWhole(ofNode + seaweed::Tissue, tissue->GetComponent(node, 0), 0, 3, segment.Tissue, reason);
-    const std::string why = reason.empty() ? WhyInvalid(segment) : "";
-    if (!why.empty())
-    {
-      reason = ofNode + why;
-    }
+    ReadWhole(ofNode + seaweed::Tissue, tissue->GetComponent(node, 0), 0, 3, segment.Tissue);
+    InContext(ofNode, [&] { Require(WhyInvalid(segment)); });
   }
-  return reason;
+  return segments;
 }
 
 }

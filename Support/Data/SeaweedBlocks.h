@@ -37,9 +37,8 @@ constexpr const char* RestPhi = "RestPhi";           ///< of the paper [rad]
 /// Adds the arrays to the skeleton as a block.
 void AddSegments(const Skeleton& skeleton, const std::vector<SeaweedSegment>& segments, vtkPolyData* block);
 
-/// Reads what AddSegments wrote, but for what follows from the skeleton. Why it cannot be read, in words for a user;
-/// empty when it was.
-std::string ReadSegments(vtkPolyData* block, std::vector<SeaweedSegment>& segments);
+/// Reads what AddSegments wrote, but for what follows from the skeleton. Throws InvalidInput.
+std::vector<SeaweedSegment> ReadSegments(vtkPolyData* block);
 
 }
 

@@ -123,8 +123,9 @@ void WriteSkeleton(const SeaweedScene& scene, vtkPolyData* bones, vtkMultiBlockD
   ReplaceBlock(blocks, plant::Skeleton, bent);
 }
 
-std::string ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedStand& stand, std::vector<SeaweedSkinBlock>& skins)
+std::vector<SeaweedSkinBlock> ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedStand& stand)
 {
+  std::vector<SeaweedSkinBlock> skins;
   for (const char* name : { plant::Skin, plant::Leaves })
   {
     vtkPolyData* block = PlantPartOf(plants, plant::High, name);
@@ -132,61 +133,44 @@ std::string ReadSkins(vtkMultiBlockDataSet* plants, const SeaweedStand& stand, s
     {
       continue;
     }
-    const std::string reason = WhyBadSkin(block, name, stand.GetSkeleton().Nodes.size());
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    RequireSkin(block, name, stand.GetSkeleton().Nodes.size());
     const auto vertices = static_cast<std::size_t>(block->GetNumberOfPoints());
     skins.push_back({ name, block, SeaweedSkin(ReadJointIds(block), vertices, stand), ReadBinding(block) });
   }
-  return {};
+  return skins;
 }
 
 /// Reads the skeleton and its segments into a scene. Plants of a scattered forest have their PlantId.
-std::string ReadBones(vtkPolyData* bones, const SeaweedOptions& options, const SeaState& sea, SeaweedScene& scene)
+void ReadBones(vtkPolyData* bones, const SeaweedOptions& options, const SeaState& sea, SeaweedScene& scene)
 {
-  Skeleton rest;
-  std::vector<SeaweedSegment> segments;
-  std::string reason = ReadSkeleton(bones, rest);
-  reason = reason.empty() ? ReadSegments(bones, segments) : reason;
-  if (!reason.empty())
-  {
-    return reason;
-  }
-  vtkIntArray* ids = FindPlantIds(bones, reason);
-  return reason.empty() ? scene.SetPlants(std::move(rest), segments, ids ? ids->GetPointer(0) : nullptr, options, sea)
-                        : reason;
+  Skeleton rest = ReadSkeleton(bones);
+  const std::vector<SeaweedSegment> segments = ReadSegments(bones);
+  vtkIntArray* ids = FindPlantIds(bones);
+  Require(scene.SetPlants(std::move(rest), segments, ids ? ids->GetPointer(0) : nullptr, options, sea));
 }
 
 }
 
 //----------------------------------------------------------------------------
-std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea,
-  SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins)
+void ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea, SeaweedScene& scene,
+  std::vector<SeaweedSkinBlock>& skins)
 {
   skins.clear();
-  std::string reason = WhyNoPlants(plants);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  RequirePlants(plants);
   vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
-  if (!bones)
-  {
-    return "the plants have no block High/Skeleton.";
-  }
+  Require(bones ? "" : "the plants have no block High/Skeleton.");
   if (bones->GetNumberOfPoints() == 0)
   {
-    return scene.SetPlants({}, {}, nullptr, options, sea);
+    Require(scene.SetPlants({}, {}, nullptr, options, sea));
+    return;
   }
   const double bytes = 2000.0 * static_cast<double>(bones->GetNumberOfPoints());
   if (bytes > AvailableMemory())
   {
-    return "the plants need " + std::to_string(static_cast<long long>(bytes / 1e6)) + " MB to move; take fewer.";
+    Refuse("the plants need ", static_cast<long long>(bytes / 1e6), " MB to move; take fewer.");
   }
-  reason = ReadBones(bones, options, sea, scene);
-  return reason.empty() ? ReadSkins(plants, scene.GetStand(), skins) : reason;
+  ReadBones(bones, options, sea, scene);
+  skins = ReadSkins(plants, scene.GetStand());
 }
 
 //----------------------------------------------------------------------------

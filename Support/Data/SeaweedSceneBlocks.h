@@ -28,9 +28,9 @@ struct SeaweedSkinBlock
   SkinBinding Binding;
 };
 
-/// Reads plants into a scene, and their skins. Why they cannot be read, in words for a user; empty when they were.
-std::string ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea,
-  SeaweedScene& scene, std::vector<SeaweedSkinBlock>& skins);
+/// Reads plants into a scene, and their skins. Throws InvalidInput.
+void ReadSeaweeds(vtkMultiBlockDataSet* plants, const SeaweedOptions& options, const SeaState& sea, SeaweedScene& scene,
+  std::vector<SeaweedSkinBlock>& skins);
 
 /// Writes the plants of a scene as shown, a frame of `arrays`; `output` is a shallow copy of `plants`.
 void WriteSeaweeds(const SeaweedScene& scene, const std::vector<SeaweedSkinBlock>& skins, FrameArrays& arrays,

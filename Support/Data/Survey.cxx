@@ -87,8 +87,9 @@ std::string TakeModel(const FieldStatistics& statistics, Survey& survey)
   survey.Model.AnisotropyRatio = statistics.AnisotropyRatio;
   survey.Model.AnisotropyAngle = statistics.AnisotropyAngle;
   survey.Mean = statistics.Mean;
-  const std::string reason = WhyInvalid(survey.Model);
-  return reason.empty() ? WhyInvalid(survey.Data, survey.Model) : reason;
+  ParameterCheck check;
+  check.Require(WhyInvalid(survey.Model));
+  return check.IsGood() ? WhyInvalid(survey.Data, survey.Model) : check.Reason();
 }
 
 }

@@ -25,14 +25,35 @@ constexpr std::size_t VertexGrain = 4096; // vertices a task
 constexpr double BytesOfTrunk = 4000.0;   // of a trunk's skeleton, about
 constexpr double MegaByte = 1e6;
 
-std::string WhyTooLarge(double bytes)
+void RequireMemory(double bytes)
 {
-  if (bytes <= AvailableMemory())
+  if (bytes > AvailableMemory())
   {
-    return {};
+    Refuse("The plants need ", static_cast<long long>(bytes / MegaByte),
+      " MB to sway; take fewer plants in full, fewer modes, Response Interpolated, or fewer and smaller pictures.");
   }
-  return "The plants need " + std::to_string(static_cast<long long>(bytes / MegaByte)) +
-    " MB to sway; take fewer plants in full, fewer modes, Response Interpolated, or fewer and smaller pictures.";
+}
+
+/// Reads the prototypes of a scattered forest, or a plant that is its own.
+std::vector<SwayPrototype> ReadPrototypes(
+  const std::vector<vtkMultiBlockDataSet*>& plants, const SwaySettings& settings, bool areScattered)
+{
+  std::vector<SwayPrototype> read(plants.size());
+  const auto readAll = [&] {
+    for (std::size_t index = 0; index < read.size(); ++index)
+    {
+      if (areScattered)
+      {
+        RequirePlants(plants[index]);
+      }
+      read[index].Read(plants[index], settings);
+      Require(areScattered && read[index].Species.Rest.Nodes.empty()
+          ? "there is no block High/Skeleton, as plants have."
+          : "");
+    }
+  };
+  InContext(areScattered ? "Of Prototypes: " : "", readAll);
+  return read;
 }
 
 /// Pictures of all species; still ones, of the announced size, where there is no species.
@@ -63,15 +84,14 @@ std::vector<TextureImage> PicturesOf(
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+void SwayBlocks::Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
   vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress)
 {
-  std::string reason = WhyNoPlants(plants);
-  reason = reason.empty() ? this->MakeScene(plants, prototypes, wind, settings, progress) : reason;
-  reason = reason.empty() ? this->ReadHigh(plants, progress) : reason;
-  reason = reason.empty() ? this->ReadMedium(plants) : reason;
-  this->Whole = reason.empty() && !IsAborted(progress);
-  return reason;
+  RequirePlants(plants);
+  this->MakeScene(plants, prototypes, wind, settings, progress);
+  this->ReadHigh(plants, progress);
+  this->ReadMedium(plants);
+  this->Whole = !IsAborted(progress);
 }
 
 //----------------------------------------------------------------------------
@@ -82,50 +102,28 @@ int SwayBlocks::RowAt(vtkIntArray* plantIds, vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
+void SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
   vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress)
 {
-  std::shared_ptr<const FrozenWind> frozen;
-  std::string reason = ReadWind(wind, frozen);
-  if (!reason.empty())
-  {
-    return reason;
-  }
-  reason = ReadTable(plants, this->Table);
+  const std::shared_ptr<const FrozenWind> frozen = ReadWind(wind);
+  this->Table = ReadTable(plants);
   this->Scattered = this->Table.IsThere;
-  if (!reason.empty())
-  {
-    return reason;
-  }
   if (!this->Scattered)
   {
     this->Table.Places.assign(1, PlantPlace());
     this->Table.Levels.assign(1, PlantLevel::Medium);
   }
-  std::vector<SwayPrototype> read(this->Scattered ? prototypes.size() : 1);
+  const std::vector<SwayPrototype> read =
+    ReadPrototypes(this->Scattered ? prototypes : std::vector{ plants }, settings, this->Scattered);
   std::vector<SwaySpecies> species;
-  for (std::size_t index = 0; index < read.size(); ++index)
+  for (const SwayPrototype& prototype : read)
   {
-    reason = this->Scattered ? WhyNoPlants(prototypes[index]) : "";
-    reason = !reason.empty() ? reason : read[index].Read(this->Scattered ? prototypes[index] : plants, settings);
-    if (reason.empty() && this->Scattered && read[index].Species.Rest.Nodes.empty())
-    {
-      reason = "there is no block High/Skeleton, as plants have.";
-    }
-    if (!reason.empty())
-    {
-      return this->Scattered ? "Of Prototypes: " + reason : reason;
-    }
-    species.push_back(read[index].Species);
+    species.push_back(prototype.Species);
   }
-  reason = this->WhySpeciesUnknown(read.size());
+  this->RequireKnownSpecies(read.size());
   const double texels =
     static_cast<double>(read.size()) * settings.Pictures * settings.TextureSize[0] * settings.TextureSize[1];
-  reason = reason.empty() ? WhyTooLarge(2.0 * sizeof(Texel) * texels) : reason;
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  RequireMemory(2.0 * sizeof(Texel) * texels);
   this->Scene = std::make_unique<SwayScene>(settings, frozen, this->Table.Places, std::move(species));
   std::vector<TextureImage> pictures = PicturesOf(*this->Scene, read, wind, progress);
   std::vector<ColorSum> means(pictures.size(), ColorSum{ 1.0f, 1.0f, 1.0f });
@@ -141,61 +139,47 @@ std::string SwayBlocks::MakeScene(vtkMultiBlockDataSet* plants, const std::vecto
   this->PictureFields = vtkSmartPointer<vtkPolyData>::New();
   AttachTexture(this->PictureFields, atlas.Image);
   AttachTextureMean(this->PictureFields, mean);
-  return {};
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::WhySpeciesUnknown(std::size_t prototypes) const
+void SwayBlocks::RequireKnownSpecies(std::size_t prototypes) const
 {
   const int count = static_cast<int>(prototypes);
   for (const PlantPlace& place : this->Table.Places)
   {
     if (count > 0 && (place.Species < 0 || place.Species >= count))
     {
-      return "Species of a plant is " + std::to_string(place.Species) + ", but there are " + std::to_string(count) +
-        " Prototypes; connect those that the plants were made from.";
+      Refuse("Species of a plant is ", place.Species, ", but there are ", count,
+        " Prototypes; connect those that the plants were made from.");
     }
   }
-  return {};
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress)
+void SwayBlocks::ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress)
 {
   vtkPolyData* bones = PlantPartOf(plants, plant::High, plant::Skeleton);
-  if (!bones)
-  {
-    return "The plants have no block High/Skeleton.";
-  }
+  Require(bones ? "" : "The plants have no block High/Skeleton.");
   if (bones->GetNumberOfPoints() == 0)
   {
-    return {};
+    return;
   }
-  Skeleton all;
-  std::string reason = ReadSkeleton(bones, all);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  const Skeleton all = ReadSkeleton(bones);
   const std::vector<Skeleton> skeletons = PlantsOf(all);
-  if (skeletons.empty())
-  {
-    return "High/Skeleton of the plants has branches that do not follow their own trunk.";
-  }
+  Require(skeletons.empty() ? "High/Skeleton of the plants has branches that do not follow their own trunk." : "");
   std::vector<double> leafAreas(all.Nodes.size(), 0.0);
-  reason = this->ReadHighSkins(plants, skeletons, leafAreas);
+  this->ReadHighSkins(plants, skeletons, leafAreas);
   double bytes = SwayScene::BytesOf(all.Nodes.size(), this->Scene->GetNumberOfLeaves());
   for (const Skeleton& one : skeletons)
   {
     bytes += PlantSway::BytesOf(one.Branches.size(), this->Scene->GetSettings().Options);
   }
-  reason = reason.empty() ? WhyTooLarge(bytes) : reason;
-  vtkIntArray* plantIds = FindPlantIds(bones, reason);
-  return reason.empty() ? this->AddPlants(skeletons, plantIds, leafAreas, progress) : reason;
+  RequireMemory(bytes);
+  this->AddPlants(skeletons, FindPlantIds(bones), leafAreas, progress);
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::ReadHighSkins(
+void SwayBlocks::ReadHighSkins(
   vtkMultiBlockDataSet* plants, const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas)
 {
   for (const char* name : { plant::Skin, plant::Leaves })
@@ -205,11 +189,7 @@ std::string SwayBlocks::ReadHighSkins(
     {
       continue;
     }
-    const std::string reason = WhyBadSkin(block, name, leafAreas.size());
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    RequireSkin(block, name, leafAreas.size());
     this->Skins.push_back({ plant::High, name, block, ReadBinding(block) });
   }
   std::vector<int> plantOf;
@@ -218,8 +198,7 @@ std::string SwayBlocks::ReadHighSkins(
     plantOf.insert(plantOf.end(), skeletons[index].Nodes.size(), static_cast<int>(index));
   }
   vtkPolyData* leaves = PlantPartOf(plants, plant::High, plant::Leaves);
-  std::string reason;
-  vtkIntArray* plantIds = leaves ? FindPlantIds(leaves, reason) : nullptr;
+  vtkIntArray* plantIds = leaves ? FindPlantIds(leaves) : nullptr;
   for (const LeafCorners& leaf : ReadLeaves(leaves))
   {
     leafAreas[leaf.Node] += leaf.Area;
@@ -228,11 +207,10 @@ std::string SwayBlocks::ReadHighSkins(
     const auto identity = static_cast<std::uint64_t>(plantIds ? plantIds->GetValue(leaf.Corners[0]) : own);
     this->Scene->AddLeaf(leaf.Corners, own, identity);
   }
-  return reason;
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds,
+void SwayBlocks::AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds,
   const std::vector<double>& leafAreas, vtkAlgorithm* progress)
 {
   std::vector<std::ptrdiff_t> firsts(1, 0);
@@ -247,44 +225,40 @@ std::string SwayBlocks::AddPlants(const std::vector<Skeleton>& skeletons, vtkInt
     const std::vector<double> own(leafAreas.begin() + firsts[index], leafAreas.begin() + firsts[index + 1]);
     beams[index] = this->Scene->BeamsOf(rows[index], skeletons[index], own);
   });
-  std::string reason;
-  for (std::size_t index = 0; index < skeletons.size() && reason.empty() && !IsAborted(progress); ++index)
+  for (std::size_t index = 0; index < skeletons.size() && !IsAborted(progress); ++index)
   {
-    reason = this->Scene->AddPlant(rows[index], skeletons[index], beams[index]);
+    Require(this->Scene->AddPlant(rows[index], skeletons[index], beams[index]));
   }
-  return reason;
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::ReadMedium(vtkMultiBlockDataSet* plants)
+void SwayBlocks::ReadMedium(vtkMultiBlockDataSet* plants)
 {
   if (this->Scene->GetSpecies().empty())
   {
-    return {}; // a forest whose prototypes are not known
+    return; // a forest whose prototypes are not known
   }
   const double trunks =
     static_cast<double>(std::count(this->Table.Levels.begin(), this->Table.Levels.end(), PlantLevel::Medium));
-  std::string reason = WhyTooLarge(trunks * (PlantSway::BytesOf(1, this->Scene->GetSettings().Options) + BytesOfTrunk));
+  RequireMemory(trunks * (PlantSway::BytesOf(1, this->Scene->GetSettings().Options) + BytesOfTrunk));
   for (const char* name : { plant::Trunk, plant::Crown })
   {
     vtkPolyData* block = PlantPartOf(plants, plant::Medium, name);
-    if (reason.empty() && block && block->GetNumberOfPoints() > 0)
+    if (block && block->GetNumberOfPoints() > 0)
     {
-      reason = this->ReadMediumSkin(block, name);
+      this->ReadMediumSkin(block, name);
     }
   }
-  return reason;
 }
 
 //----------------------------------------------------------------------------
-std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
+void SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
 {
-  std::string reason;
-  vtkIntArray* plantIds = FindPlantIds(block, reason);
+  vtkIntArray* plantIds = FindPlantIds(block);
   vtkFloatArray* points = FloatPointsOf(block);
   if (!points || (this->Scattered && !plantIds))
   {
-    return std::string("Medium/") + name + " of the plants has no points of float or no PlantId of int.";
+    Refuse("Medium/", name, " of the plants has no points of float or no PlantId of int.");
   }
   const bool isCrown = std::strcmp(name, plant::Crown) == 0;
   const vtkIdType count = block->GetNumberOfPoints();
@@ -295,18 +269,14 @@ std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
     const int row = this->RowAt(plantIds, begin);
     if (row < 0)
     {
-      return std::string("PlantId of Medium/") + name + " points to no plant of the field data.";
+      Refuse("PlantId of Medium/", name, " points to no plant of the field data.");
     }
     while (end < count && this->RowAt(plantIds, end) == row)
     {
       ++end;
     }
     int plant = -1;
-    reason = this->Scene->FindTrunk(row, plant);
-    if (!reason.empty())
-    {
-      return reason;
-    }
+    Require(this->Scene->FindTrunk(row, plant));
     if (isCrown)
     {
       this->Scene->AddCrown(row, static_cast<std::size_t>(begin));
@@ -319,7 +289,6 @@ std::string SwayBlocks::ReadMediumSkin(vtkPolyData* block, const char* name)
   }
   this->Skins.push_back(
     { plant::Medium, name, block, { joints.data(), weights.data(), static_cast<std::size_t>(count) } });
-  return {};
 }
 
 //----------------------------------------------------------------------------

@@ -13,7 +13,6 @@
 #include "vtkImageData.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -25,10 +24,10 @@ namespace littoral
 class SwayBlocks
 {
 public:
-  /// Why plants cannot be read, in words for a user; empty when they were. `prototypes` are those of a scattered
-  /// forest, or none. After an abort it is not whole.
-  std::string Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
-    vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress);
+  /// Reads plants. `prototypes` are those of a scattered forest, or none. After an abort it is not whole. Throws
+  /// InvalidInput.
+  void Read(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes, vtkImageData* wind,
+    const SwaySettings& settings, vtkAlgorithm* progress);
 
   /// False where an abort came before all was read.
   bool IsWhole() const { return this->Whole; }
@@ -65,16 +64,16 @@ private:
   vtkSmartPointer<vtkPolyData> PictureFields; // the same as field data
 
   int RowAt(vtkIntArray* plantIds, vtkIdType point) const;
-  std::string MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes,
-    vtkImageData* wind, const SwaySettings& settings, vtkAlgorithm* progress);
-  std::string WhySpeciesUnknown(std::size_t prototypes) const;
-  std::string ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress);
-  std::string ReadHighSkins(
+  void MakeScene(vtkMultiBlockDataSet* plants, const std::vector<vtkMultiBlockDataSet*>& prototypes, vtkImageData* wind,
+    const SwaySettings& settings, vtkAlgorithm* progress);
+  void RequireKnownSpecies(std::size_t prototypes) const;
+  void ReadHigh(vtkMultiBlockDataSet* plants, vtkAlgorithm* progress);
+  void ReadHighSkins(
     vtkMultiBlockDataSet* plants, const std::vector<Skeleton>& skeletons, std::vector<double>& leafAreas);
-  std::string AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds,
-    const std::vector<double>& leafAreas, vtkAlgorithm* progress);
-  std::string ReadMedium(vtkMultiBlockDataSet* plants);
-  std::string ReadMediumSkin(vtkPolyData* block, const char* name);
+  void AddPlants(const std::vector<Skeleton>& skeletons, vtkIntArray* plantIds, const std::vector<double>& leafAreas,
+    vtkAlgorithm* progress);
+  void ReadMedium(vtkMultiBlockDataSet* plants);
+  void ReadMediumSkin(vtkPolyData* block, const char* name);
   vtkSmartPointer<vtkMultiBlockDataSet> MovedLevel(
     const char* level, vtkMultiBlockDataSet* rest, const std::vector<vtkSmartPointer<vtkPolyData>>& moved);
   vtkSmartPointer<vtkPolyData> MovedBones(vtkPolyData* bones);

@@ -3,42 +3,36 @@
 #include "Data/SwayPrototype.h"
 
 #include "Data/PlantBlocks.h"
+#include "Numerics/InvalidInput.h"
 
 #include <algorithm>
 
 namespace littoral
 {
 
-std::string SwayPrototype::Read(vtkMultiBlockDataSet* plant, const SwaySettings& settings)
+void SwayPrototype::Read(vtkMultiBlockDataSet* plant, const SwaySettings& settings)
 {
   vtkPolyData* bones = PlantPartOf(plant, plant::High, plant::Skeleton);
   WoodParameters wood = settings.Options.Wood;
   this->Species.Wood = wood;
   if (bones && bones->GetNumberOfPoints() > 0)
   {
-    Skeleton rest;
-    std::string reason = ReadSkeleton(bones, rest);
+    const Skeleton rest = ReadSkeleton(bones);
     this->Leaves = PlantPartOf(plant, plant::High, plant::Leaves);
-    if (reason.empty() && this->Leaves)
+    if (this->Leaves)
     {
-      reason = WhyBadSkin(this->Leaves, plant::Leaves, rest.Nodes.size());
+      RequireSkin(this->Leaves, plant::Leaves, rest.Nodes.size());
     }
-    if (reason.empty() && settings.WoodFromPlants && ReadWood(plant, wood))
+    if (settings.WoodFromPlants && ReadWood(plant, wood))
     {
-      reason = WhyInvalid(wood);
-    }
-    if (!reason.empty())
-    {
-      return reason;
+      Require(WhyInvalid(wood));
     }
     this->Species = MakeSpecies(rest, wood, ReadLeaves(this->Leaves), settings);
-    if (!HasModes(this->Species, settings))
-    {
-      return "High/Skeleton of the plants has a trunk whose values of Radius are too unlike for a beam.";
-    }
+    Require(HasModes(this->Species, settings)
+        ? ""
+        : "High/Skeleton of the plants has a trunk whose values of Radius are too unlike for a beam.");
   }
   this->ReadCrown(PlantPartOf(plant, plant::Medium, plant::Crown));
-  return {};
 }
 
 void SwayPrototype::ReadCrown(vtkPolyData* crown)

@@ -12,7 +12,6 @@
 #include "vtkSmartPointer.h"
 
 #include <optional>
-#include <string>
 
 class vtkMultiBlockDataSet;
 
@@ -27,8 +26,8 @@ struct SwayPrototype
   vtkSmartPointer<vtkPolyData> Crown; ///< of the level Medium; null where there is none
   std::optional<CrownVolume> Volume;  ///< of the crown, if it is an envelope
 
-  /// Why it cannot be read, in words for a user; empty when it was.
-  std::string Read(vtkMultiBlockDataSet* plant, const SwaySettings& settings);
+  /// Throws InvalidInput.
+  void Read(vtkMultiBlockDataSet* plant, const SwaySettings& settings);
 
   /// The crown for its pictures; valid as long as this.
   CrownModel MakeCrown() const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/TableTexts.h"
 
+#include "Numerics/InvalidInput.h"
+
 #include "vtkDataArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -44,7 +46,7 @@ std::string TextAt(vtkAbstractArray* column, vtkIdType row)
 
 }
 
-TextTable TextsOf(vtkTable* table, std::string& reason)
+TextTable TextsOf(vtkTable* table)
 {
   TextTable texts;
   const vtkIdType rows = table->GetNumberOfRows();
@@ -57,10 +59,7 @@ TextTable TextsOf(vtkTable* table, std::string& reason)
     }
     if (column->GetNumberOfTuples() != rows)
     {
-      const std::string why = std::string("its column ") + column->GetName() + " has " +
-        std::to_string(column->GetNumberOfTuples()) + " values for " + std::to_string(rows) + " rows.";
-      reason = reason.empty() ? why : reason;
-      continue;
+      Refuse("its column ", column->GetName(), " has ", column->GetNumberOfTuples(), " values for ", rows, " rows.");
     }
     texts.Names.emplace_back(column->GetName());
     std::vector<std::string>& words = texts.Columns.emplace_back();

@@ -7,15 +7,14 @@
 
 #include "Plants/StandSpecies.h"
 
-#include <string>
-
 class vtkTable;
 
 namespace littoral
 {
 
-/// All columns with a value a row as words; NaN is an empty word. A reason if a column has another number of rows.
-TextTable TextsOf(vtkTable* table, std::string& reason);
+/// All columns with a value a row as words; NaN is an empty word. Throws InvalidInput if a column has another number of
+/// rows.
+TextTable TextsOf(vtkTable* table);
 
 }
 

@@ -7,16 +7,14 @@
 
 #include "Geometry/HeightGrid.h"
 
-#include <string>
-
 class vtkImageData;
 
 namespace littoral
 {
 
-/// The heights of an image: point array Elevation or the active scalars [m]. The grid refers to the image. False, with
-/// the reason, if it is no terrain.
-bool MakeGrid(vtkImageData* terrain, HeightGrid& grid, std::string& reason);
+/// The heights of an image: point array Elevation or the active scalars [m]. The grid refers to the image. Throws
+/// InvalidInput if it is no terrain.
+HeightGrid MakeGrid(vtkImageData* terrain);
 
 }
 

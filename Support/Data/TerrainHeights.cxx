@@ -24,9 +24,8 @@ namespace
 /// Water needs an inner cell.
 constexpr int SmallestSide = 3;
 
-/// The chosen array, or the active scalars for an absent Elevation; null with the reason if it holds no heights.
-vtkDataArray* HeightArray(
-  vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, std::string& reason)
+/// The chosen array, or the active scalars for an absent Elevation.
+vtkDataArray* HeightArray(vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input)
 {
   const std::string owner = std::string(input) + " has no ";
   if (!array && NamesDefaultElevation(choice))
@@ -36,45 +35,37 @@ vtkDataArray* HeightArray(
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   if (!array && name && !NamesNoArray(choice))
   {
-    reason = owner + "array '" + name + "' of heights.";
-    return nullptr;
+    Refuse(owner, "array '", name, "' of heights.");
   }
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() || array->GetNumberOfComponents() != 1)
   {
-    reason = owner + "scalar point array of heights" + (array ? ": the chosen one is a vector or lies on cells." : ".");
-    return nullptr;
+    Refuse(owner, "scalar point array of heights", array ? ": the chosen one is a vector or lies on cells." : ".");
   }
   return array;
 }
 
-}
-
-std::string WhyTooLarge(vtkImageData* image, const CellMemory& memory)
+void RequireMemory(vtkImageData* image, const CellMemory& memory)
 {
   const int* size = image->GetDimensions();
   const double bytes = memory.Bytes * size[0] * size[1];
-  if (bytes <= AvailableMemory())
+  if (bytes > AvailableMemory())
   {
-    return {};
+    Refuse("Terrain of ", size[0], " x ", size[1], " points: ", memory.Task, " needs all of it at once and ",
+      TextOf(bytes / 0x1p30), " GiB, more than this machine has free. Take a part of it or a coarser one.");
   }
-  return "Terrain of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " points: " + memory.Task +
-    " needs all of it at once and " + TextOf(bytes / 0x1p30) +
-    " GiB, more than this machine has free. Take a part of it or a coarser one.";
 }
 
-bool ReadHeights(vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input,
-  const CellMemory& memory, GridSamples& heights, std::string& reason)
+}
+
+GridSamples ReadHeights(
+  vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, const CellMemory& memory)
 {
-  std::string own = WhyNoRaster(image, SmallestSide);
-  vtkDataArray* values = own.empty() ? HeightArray(image, array, choice, input, own) : nullptr;
-  own = own.empty() ? WhyTooLarge(image, memory) : own;
-  if (!own.empty())
-  {
-    reason = reason.empty() ? own : reason;
-    return false;
-  }
+  RequireRaster(image, SmallestSide);
+  vtkDataArray* values = HeightArray(image, array, choice, input);
+  RequireMemory(image, memory);
   int size[3];
   image->GetDimensions(size);
+  GridSamples heights;
   heights.Width = size[0];
   heights.Height = size[1];
   heights.Spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
@@ -83,13 +74,16 @@ bool ReadHeights(vtkImageData* image, vtkDataArray* array, vtkInformation* choic
   {
     heights.Values[cell] = values->GetComponent(static_cast<vtkIdType>(cell), 0);
   }
-  return true;
+  return heights;
 }
 
-std::string WhyConstant(const GridSamples& heights, const char* input)
+void RequireRelief(const GridSamples& heights, const char* input)
 {
   const auto [least, most] = std::minmax_element(heights.Values.begin(), heights.Values.end());
-  return *least < *most ? "" : std::string(input) + " is constant: water has no way to run, and nothing is to measure.";
+  if (!(*least < *most))
+  {
+    Refuse(input, " is constant: water has no way to run, and nothing is to measure.");
+  }
 }
 
 }

@@ -8,8 +8,6 @@
 #include "Drainage/DrainageOutlets.h"
 #include "Terrain/GridSamples.h"
 
-#include <string>
-
 class vtkDataArray;
 class vtkImageData;
 class vtkInformation;
@@ -24,19 +22,16 @@ struct CellMemory
   const char* Task;
 };
 
-/// Why a raster is too large for the memory that is free: cells, GiB, and what to do. Empty if it is not.
-std::string WhyTooLarge(vtkImageData* image, const CellMemory& memory);
-
 /**
- * The heights [m] of an array of an image of one layer, as double numbers. Else false with the reason, unless there is
- * one already: no raster, no scalar point array, too little memory. `array` is what the filter's choice found, null if
- * nothing; `choice` tells its name; `input` is the name of the port in the panel.
+ * The heights [m] of an array of an image of one layer, as double numbers. Throws InvalidInput: no raster, no scalar
+ * point array, too little memory. `array` is what the filter's choice found, null if nothing; `choice` tells its name;
+ * `input` is the name of the port in the panel.
  */
-bool ReadHeights(vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input,
-  const CellMemory& memory, GridSamples& heights, std::string& reason);
+GridSamples ReadHeights(
+  vtkImageData* image, vtkDataArray* array, vtkInformation* choice, const char* input, const CellMemory& memory);
 
-/// Why heights that are not all the same are needed: "The terrain is constant." Empty if they differ.
-std::string WhyConstant(const GridSamples& heights, const char* input);
+/// Throws InvalidInput if heights are all the same: "The terrain is constant."
+void RequireRelief(const GridSamples& heights, const char* input);
 
 }
 

@@ -4,6 +4,7 @@
 
 #include "Data/ArrayReader.h"
 #include "Data/Tables.h"
+#include "Numerics/InvalidInput.h"
 #include "Pipeline/Pipeline.h"
 
 #include "vtkDataArray.h"
@@ -53,17 +54,25 @@ void ForEachParameter(Model& model, const Visit& visit)
 /// Sets parameters of a model from field data.
 struct ParameterReader
 {
-  ArrayReader& Fields;
+  ArrayReader Fields;
 
   void operator()(const char* name, double& value) const
   {
-    vtkDataArray* found = this->Fields.Need(name, 1);
-    value = found ? found->GetComponent(0, 0) : value;
+    value = this->Take(name, "1 component", 1)->GetComponent(0, 0);
   }
   void operator()(const char* name, WindDecay& decay) const
   {
-    vtkDataArray* found = this->Fields.Need(name, 2);
-    decay = found ? WindDecay{ found->GetComponent(0, 0), found->GetComponent(0, 1) } : decay;
+    vtkDataArray* found = this->Take(name, "2 components", 2);
+    decay = { found->GetComponent(0, 0), found->GetComponent(0, 1) };
+  }
+
+  vtkDataArray* Take(const char* name, const char* form, int components) const
+  {
+    if (!this->Fields.Has(name))
+    {
+      Refuse("The wind has no field array ", name, " of ", form, "; it must be the output of Wind Field.");
+    }
+    return this->Fields.Need(name, components);
   }
 };
 
@@ -79,63 +88,51 @@ struct ParameterWriter
 };
 
 /// Reads the field data of WriteWindModel.
-std::string ReadModel(vtkImageData* image, WindModel& model)
+WindModel ReadModel(vtkImageData* image)
 {
-  ArrayReader fields = ArrayReader::OfFields(image, "The wind", 1);
-  const ParameterReader reader{ fields };
+  WindModel model;
+  const ParameterReader reader{ ArrayReader::OfFields(image, "The wind", 1) };
   ForEachParameter(model, reader);
   double families[2] = { 0.0, 0.0 };
   reader("Spectrum", families[0]);
   reader("Coherence", families[1]);
-  std::string reason = fields.Reason();
-  if (reason.find(" no ") != std::string::npos)
-  {
-    reason.back() = ';';
-    return reason + " it must be the output of Wind Field.";
-  }
-  ReadWhole("Spectrum of the wind", families[0], 0, NumberOfWindSpectra - 1, model.Spectrum, reason);
-  ReadWhole("Coherence of the wind", families[1], 0, NumberOfWindCoherences - 1, model.Coherence, reason);
-  return reason;
+  ReadWhole("Spectrum of the wind", families[0], 0, NumberOfWindSpectra - 1, model.Spectrum);
+  ReadWhole("Coherence of the wind", families[1], 0, NumberOfWindCoherences - 1, model.Coherence);
+  return model;
 }
 
-std::string ReadTimes(vtkImageData* image, WindTimes& times)
+WindTimes ReadTimes(vtkImageData* image)
 {
-  ArrayReader fields = ArrayReader::OfFields(image, "The wind", 1);
+  const ArrayReader fields = ArrayReader::OfFields(image, "The wind", 1);
   vtkDataArray* speed = fields.Need("ConvectionSpeed", 1);
   vtkDataArray* told = fields.Find("Period", 1);
-  if (!fields.IsGood())
-  {
-    return fields.Reason();
-  }
   const double convection = speed->GetComponent(0, 0);
   if (!(convection > 0.0) || !std::isfinite(convection))
   {
-    return "The wind has no field data ConvectionSpeed that is positive.";
+    Refuse("The wind has no field data ConvectionSpeed that is positive.");
   }
   const int samples = image->GetDimensions()[0];
+  WindTimes times;
   times.Step = image->GetSpacing()[0] / convection;
   if (samples < 4 || !(times.Step > 0.0))
   {
-    return "The wind has no duration: it needs at least four samples along x, and a positive Spacing.";
+    Refuse("The wind has no duration: it needs at least four samples along x, and a positive Spacing.");
   }
   times.Samples = static_cast<std::size_t>(samples);
   const double period = told ? told->GetComponent(0, 0) : 0.0;
   if (told && !(std::abs(period - times.Period()) < 1e-3 * times.Period()))
   {
-    return "Period of the wind is not the length of its image over ConvectionSpeed.";
+    Refuse("Period of the wind is not the length of its image over ConvectionSpeed.");
   }
-  return {};
+  return times;
 }
 
-/// The velocities of a wind; null with a reason if there are none, or some that are not finite.
-vtkSmartPointer<vtkFloatArray> ReadVelocity(vtkImageData* image, std::string& reason)
+vtkSmartPointer<vtkFloatArray> ReadVelocity(vtkImageData* image)
 {
-  ArrayReader points = ArrayReader::OfPoints(image, "The wind");
-  vtkDataArray* velocity = points.Need("Velocity", WindComponents);
-  const vtkSmartPointer<vtkFloatArray> floats = velocity ? FloatsOf(velocity) : nullptr;
+  const ArrayReader points = ArrayReader::OfPoints(image, "The wind");
+  vtkSmartPointer<vtkFloatArray> floats = FloatsOf(points.Need("Velocity", WindComponents));
   points.NeedFinite(floats);
-  reason = points.Reason();
-  return reason.empty() ? floats : nullptr;
+  return floats;
 }
 
 FrozenWindGrid GridOf(vtkImageData* image)
@@ -158,29 +155,17 @@ FrozenWindGrid GridOf(vtkImageData* image)
 
 }
 
-std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& wind)
+std::shared_ptr<const FrozenWind> ReadWind(vtkImageData* image)
 {
-  std::string reason;
-  const vtkSmartPointer<vtkFloatArray> velocity = ReadVelocity(image, reason);
-  if (!velocity)
-  {
-    return reason;
-  }
-  WindTimes times;
-  reason = ReadTimes(image, times);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  const vtkSmartPointer<vtkFloatArray> velocity = ReadVelocity(image);
+  const WindTimes times = ReadTimes(image);
   const FrozenWindGrid grid = GridOf(image);
   const double bytes = WindLines::BytesOf(grid.Size);
   if (bytes > AvailableMemory())
   {
-    return "The waves of the wind need " + std::to_string(static_cast<long long>(bytes / 1e6)) +
-      " MB, more than this machine has free.";
+    Refuse("The waves of the wind need ", static_cast<long long>(bytes / 1e6), " MB, more than this machine has free.");
   }
-  wind = std::make_shared<const FrozenWind>(grid, times, velocity->GetPointer(0), SmpFor);
-  return {};
+  return std::make_shared<const FrozenWind>(grid, times, velocity->GetPointer(0), SmpFor);
 }
 
 void WriteWindModel(const WindModel& model, vtkDataObject* data)
@@ -190,27 +175,18 @@ void WriteWindModel(const WindModel& model, vtkDataObject* data)
   AddField(data, "Coherence", { static_cast<double>(model.Coherence) });
 }
 
-std::string ReadModelledWind(vtkImageData* image, ModelledWind& wind)
+ModelledWind ReadModelledWind(vtkImageData* image)
 {
-  std::string reason;
-  const vtkSmartPointer<vtkFloatArray> floats = ReadVelocity(image, reason);
-  reason = reason.empty() ? ReadModel(image, wind.Model) : reason;
-  WindTimes times;
-  reason = reason.empty() ? ReadTimes(image, times) : reason;
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  const vtkSmartPointer<vtkFloatArray> floats = ReadVelocity(image);
+  ModelledWind wind;
+  wind.Model = ReadModel(image);
+  const WindTimes times = ReadTimes(image);
   std::copy_n(image->GetDimensions(), 3, wind.Grid.Count.begin());
   wind.Grid.TimeStep = times.Step;
   wind.Grid.LateralSpacing = image->GetSpacing()[1];
   wind.Grid.VerticalSpacing = image->GetSpacing()[2];
   wind.Grid.BottomHeight = image->GetOrigin()[2] + image->GetExtent()[4] * image->GetSpacing()[2];
-  reason = WhyInvalid(wind.Model, wind.Grid);
-  if (!reason.empty())
-  {
-    return reason;
-  }
+  Require(WhyInvalid(wind.Model, wind.Grid));
   // Velocities in world axes are turned back into those of the wind.
   const vtkMatrix3x3* axes = image->GetDirectionMatrix();
   const double cosine = axes->GetElement(0, 0);
@@ -224,7 +200,7 @@ std::string ReadModelledWind(vtkImageData* image, ModelledWind& wind)
     v[0] = static_cast<float>(cosine * x + sine * v[1]);
     v[1] = static_cast<float>(cosine * v[1] - sine * x);
   }
-  return {};
+  return wind;
 }
 
 Vector3 MiddleOfWind(vtkImageData* image, double height)

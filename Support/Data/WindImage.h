@@ -9,7 +9,6 @@
 #include "Wind/WindField.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -18,9 +17,9 @@ class vtkImageData;
 namespace littoral
 {
 
-/// Reads a frozen wind: point array Velocity, field data ConvectionSpeed and, if there is one, Period. Why it cannot be
-/// read, in words for a user; empty when it was.
-std::string ReadWind(vtkImageData* image, std::shared_ptr<const FrozenWind>& wind);
+/// Reads a frozen wind: point array Velocity, field data ConvectionSpeed and, if there is one, Period. Throws
+/// InvalidInput.
+std::shared_ptr<const FrozenWind> ReadWind(vtkImageData* image);
 
 /// Writes the model of a wind as field data: each parameter as an array of its name.
 void WriteWindModel(const WindModel& model, vtkDataObject* data);
@@ -33,9 +32,8 @@ struct ModelledWind
   std::vector<float> Velocities; ///< in the axes of the wind, as WindField::Make gives them
 };
 
-/// Reads a wind field with the field data of WriteWindModel. Why it cannot be read, in words for a user; empty when it
-/// was.
-std::string ReadModelledWind(vtkImageData* image, ModelledWind& wind);
+/// Reads a wind field with the field data of WriteWindModel. Throws InvalidInput.
+ModelledWind ReadModelledWind(vtkImageData* image);
 
 /// A place at a height [m], halfway between the sides of a wind field.
 Vector3 MiddleOfWind(vtkImageData* image, double height);

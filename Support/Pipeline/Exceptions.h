@@ -5,6 +5,7 @@
 
 // No exception leaves a request, or a thread of one: it would end the program. Private: never installed, never wrapped.
 
+#include "Numerics/InvalidInput.h"
 #include "Pipeline/Mistakes.h"
 
 #include <exception>
@@ -51,31 +52,44 @@ private:
   std::exception_ptr First;
 };
 
-/// Reports an exception as a mistake of the algorithm, and returns FailedRequest().
-int FailedBy(vtkAlgorithm* algorithm, const std::string& reason);
-
-/// What the answer to a request returns; FailedBy() if it ends by an exception, 1 if by an abort.
+/**
+ * What the answer to a request returns; 1 if it ends by an abort. Any other exception is reported as a mistake of the
+ * algorithm, of InvalidInput its sentence after these words, and leaves its outputs empty.
+ */
 template <typename Answer>
-int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, const Answer& answer)
+int WithoutExceptions(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputs,
+  const std::string& words, const Answer& answer)
 {
-  const AnsweredRequest answered(algorithm, request);
+  const AnsweredRequest answered(algorithm, request, outputs);
   try
   {
     const int result = answer();
-    return result != 0 ? result : answered.Failed();
+    return result != 0 ? result : answered.WithoutInput();
   }
   catch (const Aborted&)
   {
     return 1;
   }
+  catch (const InvalidInput& refusal)
+  {
+    return answered.FailedBy(words + refusal.what());
+  }
   catch (const std::bad_alloc&)
   {
-    return FailedBy(algorithm, "There is not enough memory for the output.");
+    return answered.FailedBy("There is not enough memory for the output.");
   }
   catch (const std::exception& error)
   {
-    return FailedBy(algorithm, "The input or a property leads to an error (" + std::string(error.what()) + ").");
+    return answered.FailedBy("The input or a property leads to an error (" + std::string(error.what()) + ").");
   }
+}
+
+/// The same for an algorithm whose sentences stand alone.
+template <typename Answer>
+int WithoutExceptions(
+  vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputs, const Answer& answer)
+{
+  return WithoutExceptions(algorithm, request, outputs, "", answer);
 }
 
 }

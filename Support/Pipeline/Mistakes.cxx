@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/Mistakes.h"
 
-#include "Pipeline/Exceptions.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
@@ -130,9 +128,10 @@ bool IsDueToUpstream(vtkAlgorithm* algorithm)
 
 }
 
-AnsweredRequest::AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request)
+AnsweredRequest::AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputs)
   : Algorithm(algorithm)
   , Request(request)
+  , Outputs(outputs)
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
@@ -141,14 +140,31 @@ AnsweredRequest::AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* reques
   algorithm->GetInformation()->Set(CurrentRequest(), request);
 }
 
-int AnsweredRequest::Failed() const
+int AnsweredRequest::WithoutInput() const
 {
   if (this->Request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) &&
     this->Algorithm->GetNumberOfInputConnections(0) == 0)
   {
-    FailedBy(this->Algorithm, "There is no input.");
+    littoral::FailedBy(this->Algorithm, "There is no input.");
   }
   return 0;
+}
+
+int AnsweredRequest::FailedBy(const std::string& message) const
+{
+  if (this->Request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    FailedInformation(this->Algorithm, this->Outputs);
+  }
+  const bool isOfData = this->Request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
+  for (int port = 0; isOfData && port < this->Outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* data = vtkDataObject::GetData(this->Outputs, port))
+    {
+      data->Initialize();
+    }
+  }
+  return littoral::FailedBy(this->Algorithm, message);
 }
 
 AnsweredRequest::~AnsweredRequest()
@@ -190,11 +206,11 @@ int FailedRequest(vtkAlgorithm* algorithm)
   return algorithm->GetExecutive()->IsA("vtkPVCompositeDataPipeline") ? 1 : 0;
 }
 
-int FailedBy(vtkAlgorithm* algorithm, const std::string& reason)
+int FailedBy(vtkAlgorithm* algorithm, const std::string& message)
 {
-  if (IsNewMistake(algorithm, reason))
+  if (IsNewMistake(algorithm, message))
   {
-    vtkErrorWithObjectMacro(algorithm, << reason);
+    vtkErrorWithObjectMacro(algorithm, << message);
   }
   return FailedRequest(algorithm);
 }

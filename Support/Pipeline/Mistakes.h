@@ -6,7 +6,7 @@
 // How a filter reports an input or a property that it cannot work with: one message, not one for each execution.
 // Private: never installed, never wrapped.
 
-#include "vtkSetGet.h" // for vtkErrorMacro
+#include "vtkSetGet.h" // for vtkWarningMacro
 #include "vtkType.h"
 
 #include <sstream>
@@ -30,11 +30,14 @@ bool IsNewMistake(vtkAlgorithm* algorithm, const std::string& message, bool isEr
 class AnsweredRequest
 {
 public:
-  AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request);
+  AnsweredRequest(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputs);
   ~AnsweredRequest();
 
   /// 0, after a message if there is no input that the type of the output could follow from. VTK has none for that.
-  int Failed() const;
+  int WithoutInput() const;
+
+  /// Reports a mistake, empties the outputs or announces them as empty, and returns FailedRequest().
+  int FailedBy(const std::string& message) const;
 
   AnsweredRequest(const AnsweredRequest&) = delete;
   AnsweredRequest& operator=(const AnsweredRequest&) = delete;
@@ -42,7 +45,11 @@ public:
 private:
   vtkAlgorithm* Algorithm;
   vtkInformation* Request;
+  vtkInformationVector* Outputs;
 };
+
+/// Reports a mistake of an algorithm, which may have an output, by one vtkErrorMacro, and returns FailedRequest().
+int FailedBy(vtkAlgorithm* algorithm, const std::string& message);
 
 /// Carries the printed messages over a modification since the time `before` that mends nothing, such as another view.
 void KeepMistakes(vtkAlgorithm* algorithm, vtkMTimeType before);
@@ -60,19 +67,6 @@ int FailedInformation(vtkAlgorithm* algorithm, vtkInformationVector* outputs);
 bool IsAnnouncedEmpty(vtkInformation* output);
 
 }
-
-/// vtkErrorMacro(), but once for each mistake.
-#define littoralErrorMacro(x)                                                                                          \
-  do                                                                                                                   \
-  {                                                                                                                    \
-    std::ostringstream littoralMessage;                                                                                \
-    littoralMessage << "" x;                                                                                           \
-    if (littoral::IsNewMistake(this, littoralMessage.str()))                                                           \
-    {                                                                                                                  \
-      vtkErrorMacro(<< littoralMessage.str());                                                                         \
-    }                                                                                                                  \
-  }                                                                                                                    \
-  while (false)
 
 /// vtkWarningMacro(), but once for each mistake.
 #define littoralWarningMacro(x)                                                                                        \

@@ -498,8 +498,8 @@ bool WindOfAPartIsThatOfItsHeights()
   speed->InsertNextValue(8.0);
   image->GetFieldData()->AddArray(speed);
   std::shared_ptr<const littoral::FrozenWind> wind;
-  const std::string reason = littoral::ReadWind(image, wind);
-  if (!Check(reason.empty(), reason))
+  const std::string why = littoral::WhyRefused([&] { wind = littoral::ReadWind(image); });
+  if (!Check(why.empty(), why))
   {
     return false;
   }
@@ -521,8 +521,9 @@ bool PlantsStandOnAPartOfATerrain()
   littoral::ScatterOptions options;
   options.Weights = { 1.0 };
   std::vector<littoral::PlantPlace> places;
-  const std::string reason = littoral::PlacePlants(sites, terrain, options, littoral::GroundLimits(), places);
-  bool good = Check(reason.empty() && places.size() == 3, "plants are not placed: " + reason);
+  const std::string why =
+    littoral::WhyRefused([&] { places = littoral::PlacePlants(sites, terrain, options, littoral::GroundLimits()); });
+  bool good = Check(why.empty() && places.size() == 3, "plants are not placed: " + why);
   for (std::size_t site = 0; good && site < 3; ++site)
   {
     const double* p = sites->GetPoint(static_cast<vtkIdType>(site));

@@ -382,6 +382,37 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override { throw std::bad_alloc(); }
 };
 
+/// Refuses its input in a thread, with an output that is made halfway.
+class RefusingOrbits : public vtkParticleOrbitFilter
+{
+public:
+  static RefusingOrbits* New() { VTK_STANDARD_NEW_BODY(RefusingOrbits); }
+  vtkTypeMacro(RefusingOrbits, vtkParticleOrbitFilter);
+
+protected:
+  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    vtkDataObject::GetData(outputs)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
+    littoral::SmpFor(1000, [](std::size_t, std::size_t) { littoral::Refuse("a point is none."); });
+    return 1;
+  }
+};
+
+bool TestRefusal()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkPolyData> particles;
+  particles->SetPoints(points);
+  vtkNew<RefusingOrbits> orbits;
+  vtkNew<ErrorCounter> errors;
+  errors->Watch(orbits);
+  orbits->SetInputData(particles);
+  return errors->ExpectOneNaming("Cannot move points: a point is none.") &&
+    Check(orbits->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT) == 0,
+      "a refused request leaves an output");
+}
+
 bool TestExceptionOfFilter()
 {
   vtkNew<ThrowingOrbits> orbits;
@@ -425,6 +456,7 @@ int TestRequestLimits(int argc, char* argv[])
   good &= TestBlocks();
   good &= TestExceptions();
   good &= TestExceptionOfFilter();
+  good &= TestRefusal();
   good &= TestRecovery();
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

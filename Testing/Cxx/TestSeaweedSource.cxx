@@ -36,8 +36,8 @@ bool ReadsBack(Source* source)
 {
   vtkPolyData* skeleton = PartOf(source, "High/Skeleton");
   std::vector<littoral::SeaweedSegment> segments;
-  const std::string reason = littoral::ReadSegments(skeleton, segments);
-  bool good = Check(reason.empty(), reason.c_str()) &&
+  const std::string why = littoral::WhyRefused([&] { segments = littoral::ReadSegments(skeleton); });
+  bool good = Check(why.empty(), why.c_str()) &&
     Check(segments.size() == static_cast<std::size_t>(skeleton->GetNumberOfPoints()), "segments are missing");
   vtkDataArray* radius = skeleton->GetPointData()->GetArray("Radius");
   for (vtkIdType node = 0; good && node < skeleton->GetNumberOfPoints(); ++node)

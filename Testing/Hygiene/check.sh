@@ -131,6 +131,10 @@ case "${1:-}" in
       fail_if_found "Arrays that come not from an ArrayReader:"
     grep -rnE 'vtk(ImageData|PointSet|PolyData|Table|MultiBlockDataSet)::GetData\(inputs?(Vector)?\b' Filters Sources |
       fail_if_found "Inputs that are not fetched by InputOf, PointSetsOf or BlocksOf:"
+    # What fails throws InvalidInput; no reason is handed on.
+    grep -rnE 'reason\.empty\(\) +\?|(^|[(,]) *std::string& (reason|why)\b' \
+      --include='*.cxx' --include='*.h' Common Support Filters Sources IO |
+      fail_if_found "Reasons that are handed on in place of InvalidInput:"
     ;;
   *)
     echo "usage: check.sh common-without-vtk|common-headers-only-std|common-headers-complete|rooms|names|stray-files|headers-without-using|text-files|versions|recipes|readers"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Numerics/Constants.h"
+#include "Numerics/InvalidInput.h"
 #include "Plants/SitePreference.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -21,17 +22,12 @@ constexpr int Classes = 10;
 
 std::vector<SpeciesPreference> Read(const char* text)
 {
-  std::string reason;
-  std::vector<SpeciesPreference> species = ReadPreferences(ReadLines(text), reason);
-  EXPECT_EQ(reason, "");
-  return species;
+  return ReadPreferences(ReadLines(text));
 }
 
 std::string WhyNot(const char* text)
 {
-  std::string reason;
-  ReadPreferences(ReadLines(text), reason);
-  return reason;
+  return WhyRefused([&] { Read(text); });
 }
 
 /// The value of a factor in the middle of a class.

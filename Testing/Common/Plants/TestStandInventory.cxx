@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Littoral contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Numerics/InvalidInput.h"
 #include "Plants/InventoryPlants.h"
 #include "Plants/StandInventory.h"
 
@@ -23,31 +24,16 @@ const StandSpeciesTable& Species()
   return table;
 }
 
-/// A stand of a text; empty with the reason if it cannot be read.
-StandInventory Read(const std::string& text, std::string& reason, const InventoryOptions& options = {})
-{
-  StandInventory stand;
-  reason = ReadInventory(ReadLines(text), Species(), options, stand);
-  if (reason.empty())
-  {
-    CompleteStand(Species(), options, stand);
-  }
-  return stand;
-}
-
 StandInventory Read(const std::string& text, const InventoryOptions& options = {})
 {
-  std::string reason;
-  StandInventory stand = Read(text, reason, options);
-  EXPECT_EQ(reason, "");
+  StandInventory stand = ReadInventory(ReadLines(text), Species(), options);
+  CompleteStand(Species(), options, stand);
   return stand;
 }
 
 std::string WhyNot(const std::string& text, const InventoryOptions& options = {})
 {
-  std::string reason;
-  Read(text, reason, options);
-  return reason;
+  return WhyRefused([&] { Read(text, options); });
 }
 
 bool Says(const std::string& reason, const char* words)
@@ -388,8 +374,8 @@ TEST(StandInventory, OneMessageEach)
   TextTable commas;
   commas.Names = { "x", "y" };
   commas.Columns = { { "3,5" }, { "4" } };
-  StandInventory none;
-  EXPECT_TRUE(Says(ReadInventory(commas, Species(), {}, none), "row 1 has '3,5' for x, which is no number; a decimal"));
+  EXPECT_TRUE(Says(
+    WhyRefused([&] { ReadInventory(commas, Species(), {}); }), "row 1 has '3,5' for x, which is no number; a decimal"));
   EXPECT_TRUE(Says(WhyNot("x,y,dbh\n1,2,-3\n"), "DBH of row 1 is -0.03 m"));
   EXPECT_TRUE(Says(WhyNot("x,y\n1,NA\n"), "row 1 has no place: its y is 'NA'"));
   // Millimetres said to be centimetres, and feet said to be metres.
@@ -422,20 +408,13 @@ TEST(StandInventory, OneMessageEach)
 
 TEST(StandSpecies, TablesOfUsers)
 {
-  std::string reason;
   const StandSpeciesTable own(ReadLines("species,kind,curve,a,b,c\nGINKGO;Ginkgo biloba,Birch,weibull,30,0.03,0.9\n"
-                                        "Metasequoia,Pine,,,,\n"),
-    reason);
-  EXPECT_EQ(reason, "");
+                                        "Metasequoia,Pine,,,,\n"));
   EXPECT_EQ(own.RowOf("ginkgo", ""), 0);
   EXPECT_EQ(own.RowOf("Metasequoia glyptostroboides", ""), 1);
   EXPECT_EQ(own.RowOf("oak", "Ginkgo biloba"), 0);
   EXPECT_EQ(own.RowOf("oak", ""), -1);
-  const auto why = [](const char* text) {
-    std::string bad;
-    const StandSpeciesTable table(ReadLines(text), bad);
-    return bad;
-  };
+  const auto why = [](const char* text) { return WhyRefused([&] { StandSpeciesTable{ ReadLines(text) }; }); };
   EXPECT_TRUE(Says(why("name,kind\na,b\n"), "needs the columns species and kind"));
   EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,spline,1,1,1\n"), "row 1 of the table of species (yew)"));
   EXPECT_TRUE(Says(why("species,kind,curve,a,b,c\nyew,Pine,curtis,1,1,1\n"), "c is 1"));

@@ -3,6 +3,8 @@
 #ifndef LittoralFuzzExpect_h
 #define LittoralFuzzExpect_h
 
+#include "Numerics/InvalidInput.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -17,10 +19,13 @@ inline void Expect(bool isGood, const std::string& otherwise)
   }
 }
 
-/// A reason why data cannot be read is empty or one sentence.
-inline void ExpectSentence(const std::string& reason)
+/// Whether a reader reads; else it must refuse by one sentence.
+template <typename Reader>
+bool ReadsOrRefuses(const Reader& reader)
 {
-  Expect(reason.empty() || reason.back() == '.', "Not a sentence: " + reason);
+  const std::string why = littoral::WhyRefused(reader);
+  Expect(why.empty() || why.back() == '.', "Not a sentence: " + why);
+  return why.empty();
 }
 
 #endif

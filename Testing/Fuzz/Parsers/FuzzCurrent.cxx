@@ -68,10 +68,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string name = data.ConsumeBool() ? "" : "Velocity";
   const WaterLayer layer = data.ConsumeBool() ? WaterLayer{} : WaterLayer{ -10.0, 0.0 };
   CurrentSnapshot current;
-  std::string reason = WhyUnfit(blocks, "Currents");
-  reason = reason.empty() ? ReadCurrent(blocks, name, layer, interpolation, current) : reason;
-  ExpectSentence(reason);
-  if (reason.empty())
+  const auto read = [&] {
+    RequireFit(blocks, "Currents");
+    current = ReadCurrent(blocks, name, layer, interpolation);
+  };
+  if (ReadsOrRefuses(read))
   {
     for (const Vector3& place : { Vector3(0.0), Vector3(1.0, -2.0, -3.0), Vector3(1e6, 0.0, -5.0) })
     {

@@ -15,9 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   data.Fill(forest->GetFieldData(), { "PlantId", "Species", "Scale", "Azimuth", "Position", "Level" },
     { 1, 1, 1, 1, 3, 1 }, data.Count());
   littoral::PlantTable table;
-  const std::string reason = littoral::ReadTable(forest, table);
-  ExpectSentence(reason);
-  for (std::size_t row = 0; row < table.Places.size() && reason.empty(); ++row)
+  ReadsOrRefuses([&] { table = littoral::ReadTable(forest); });
+  for (std::size_t row = 0; row < table.Places.size(); ++row)
   {
     const int found = table.RowOf(table.Places[row].Site);
     Expect(found >= 0 && table.Places[found].Site == table.Places[row].Site, "A plant is not in the table.");
