@@ -164,7 +164,7 @@ int vtkBeamTreeDeformationFilter::RequestUpdateExtent(
 std::string vtkBeamTreeDeformationFilter::WhyInvalid(double time) const
 {
   littoral::ParameterCheck check;
-  check.Count("NumberOfModes", this->NumberOfModes, 1, littoral::MostModes);
+  check.Count("NumberOfModes", this->NumberOfModes, 1, littoral::MaximumModes);
   check.Choice("Response", this->Response, { "interpolated", "direct" });
   check.Range("DragCoefficient", this->DragCoefficient, 0.0, 10.0);
   check.Range("LiftCoefficient", this->LiftCoefficient, -10.0, 10.0);
@@ -191,7 +191,7 @@ littoral::SwaySettings vtkBeamTreeDeformationFilter::MakeSettings() const
   settings.Options.Gravity = this->Gravity;
   settings.Options.Wood = { this->YoungModulus, this->WoodDensity, this->DampingRatio };
   settings.WoodFromPlants = this->WoodFromPlants;
-  settings.Leaves.LargestAlignment = std::min(1.0, settings.Leaves.LargestAlignment * this->LeafFlutter);
+  settings.Leaves.MaximumAlignment = std::min(1.0, settings.Leaves.MaximumAlignment * this->LeafFlutter);
   settings.Leaves.FlutterAngle *= this->LeafFlutter;
   settings.Leaves.Seed = this->Seed;
   settings.Pictures = this->NumberOfTextures;

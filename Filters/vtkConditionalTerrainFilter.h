@@ -23,7 +23,7 @@
  * array `KrigingVariance` [unit of the values squared]. Field data: `KrigingNeighbors`.
  *
  * Output 1: a vtkTable with a row per datum: `X`, `Y` [m], `Value`, `Field` (the output's field at the datum, also off
- * the points of the grid); with CrossValidation `LeftOutEstimate`, `LeftOutDeviation` (estimate from the other data and
+ * the points of the grid); with CrossValidation `LeaveOneOutEstimate`, `LeaveOneOutStandardDeviation` (estimate from the other data and
  * its standard deviation, NaN where the others are too few) and `StandardizedError`. Field data: `Model` (name),
  * `ModelId`, `Variance`, `Range`, `SecondRange`, `FractalDimension`, `Nugget`; with CrossValidation `MeanError`,
  * `RootMeanSquareError` and `MeanSquaredStandardizedError`, which is near 1 for a model that knows how far it errs.
@@ -76,7 +76,7 @@ public:
     FittedToData = -1,
   };
 
-  enum KrigingTypeType
+  enum KrigingKind
   {
     Simple = 0,
     Ordinary = 1,
@@ -117,7 +117,7 @@ public:
 
   ///@{
   /**
-   * Knowledge of the mean, a KrigingTypeType; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
+   * Knowledge of the mean, a KrigingKind; default Ordinary. Simple: it is Mean. Ordinary: an unknown constant.
    * LinearDrift, QuadraticDrift: an unknown polynomial of degree 1 or 2 (universal kriging). ExternalDrift: an unknown
    * constant and an unknown multiple of DriftArray.
    */

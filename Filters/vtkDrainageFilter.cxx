@@ -42,8 +42,8 @@ namespace
 
 /// Heights, their flood, ways, areas, streams and the arrays of the output; what carving takes comes to it.
 constexpr double BytesACell = 100.0;
-constexpr long long MostDrainageCells = 1000000000;
-constexpr double MostChannelCells = 1e6;
+constexpr long long MaximumStreamThreshold = 1000000000;
+constexpr double MaximumChannelThreshold = 1e6;
 
 /// Memory of a cell of a grid [bytes].
 littoral::CellMemory MemoryOf(vtkImageData* image, bool carves)
@@ -72,18 +72,18 @@ void AddReport(const littoral::CarvingReport& report, vtkDataObject* data)
 {
   const littoral::GroundMeasures& before = report.Before;
   const littoral::GroundMeasures& after = report.After;
-  littoral::AddField(data, "SunkShare", { before.SunkShare, after.SunkShare });
+  littoral::AddField(data, "DepressionFraction", { before.DepressionFraction, after.DepressionFraction });
   littoral::AddField(data, "HypsometricIntegral", { before.HypsometricIntegral, after.HypsometricIntegral });
-  littoral::AddField(data, "HeightSkew", { before.HeightSkew, after.HeightSkew });
+  littoral::AddField(data, "ElevationSkewness", { before.ElevationSkewness, after.ElevationSkewness });
   littoral::AddField(data, "Concavity", { before.Concavity, after.Concavity });
-  littoral::AddField(data, "CurvatureSkew", { before.CurvatureSkew, after.CurvatureSkew });
-  littoral::AddField(data, "Rounds", { static_cast<double>(report.Rounds) });
-  littoral::AddField(data, "ReachedTarget", { report.HasReachedTarget ? 1.0 : 0.0 });
-  littoral::AddText(data, "Missed", report.Missed);
+  littoral::AddField(data, "CurvatureSkewness", { before.CurvatureSkewness, after.CurvatureSkewness });
+  littoral::AddField(data, "Iterations", { static_cast<double>(report.Iterations) });
+  littoral::AddField(data, "Converged", { report.HasConverged ? 1.0 : 0.0 });
+  littoral::AddText(data, "UnmetTargets", report.UnmetTargets);
 }
 
 /// Takes what the first row of a table of statistics tells of heights and channels.
-void TakeStatistics(vtkTable* table, littoral::CarvingNumbers& numbers)
+void TakeStatistics(vtkTable* table, littoral::TargetStatistics& numbers)
 {
   const littoral::ArrayReader rows = littoral::ArrayReader::OfRows(table, "Statistics");
   bool hasNumbers = false;
@@ -96,11 +96,11 @@ void TakeStatistics(vtkTable* table, littoral::CarvingNumbers& numbers)
     }
   };
   take("HypsometricIntegral", numbers.HypsometricIntegral);
-  take("HeightSkew", numbers.HeightSkew);
+  take("ElevationSkewness", numbers.ElevationSkewness);
   take("Concavity", numbers.Concavity);
-  numbers.OwnHeights = false;
+  numbers.KeepsHypsometry = false;
   littoral::Require(hasNumbers ? ""
-                               : "Statistics have no number HypsometricIntegral, HeightSkew or Concavity; connect the "
+                               : "Statistics have no number HypsometricIntegral, ElevationSkewness or Concavity; connect the "
                                  "first output of Ground Statistics.");
 }
 
@@ -122,14 +122,14 @@ struct vtkDrainageFilter::Ground
 vtkDrainageFilter::vtkDrainageFilter()
   : Outlets(Border)
   , SeaLevel(0.0)
-  , MinimumDrainageCells(100)
+  , StreamThreshold(100)
   , Carve(true)
-  , KeepHeights(false)
+  , KeepHypsometry(false)
   , HypsometricIntegral(0.4)
-  , HeightSkew(0.4)
+  , ElevationSkewness(0.4)
   , Concavity(0.45)
-  , NumberOfRounds(40)
-  , ChannelCells(50.0)
+  , MaximumNumberOfIterations(40)
+  , ChannelThreshold(50.0)
   , ValleyWidth(3.0)
   , Seed(1)
 {
@@ -172,12 +172,12 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
   littoral::ParameterCheck check;
   check.Choice("Outlets", this->Outlets, { "border", "sea", "chosen" });
   check.Finite("SeaLevel", this->SeaLevel, "m");
-  check.Count("MinimumDrainageCells", this->MinimumDrainageCells, 2, MostDrainageCells);
+  check.Count("StreamThreshold", this->StreamThreshold, 2, MaximumStreamThreshold);
   check.Range("HypsometricIntegral", this->HypsometricIntegral, 0.0, 1.0);
-  check.Range("HeightSkew", this->HeightSkew, -2.0, 2.0);
+  check.Range("ElevationSkewness", this->ElevationSkewness, -2.0, 2.0);
   check.Range("Concavity", this->Concavity, 0.0, 1.0);
-  check.Count("NumberOfRounds", this->NumberOfRounds, 1, 100);
-  check.Range("ChannelCells", this->ChannelCells, 1.0, MostChannelCells);
+  check.Count("MaximumNumberOfIterations", this->MaximumNumberOfIterations, 1, 100);
+  check.Range("ChannelThreshold", this->ChannelThreshold, 1.0, MaximumChannelThreshold);
   check.Range("ValleyWidth", this->ValleyWidth, 0.5, 50.0, "cells");
   littoral::Require(check.Reason());
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Terrain");
@@ -193,15 +193,15 @@ void vtkDrainageFilter::ReadGround(vtkInformationVector** inputVector, Ground& g
 //----------------------------------------------------------------------------
 void vtkDrainageFilter::CarveGround(vtkInformationVector** inputVector, Ground& ground)
 {
-  littoral::CarvingNumbers numbers;
-  numbers.OwnHeights = this->KeepHeights;
+  littoral::TargetStatistics numbers;
+  numbers.KeepsHypsometry = this->KeepHypsometry;
   numbers.HypsometricIntegral = this->HypsometricIntegral;
-  numbers.HeightSkew = this->HeightSkew;
+  numbers.ElevationSkewness = this->ElevationSkewness;
   numbers.Concavity = this->Concavity;
   littoral::CarvingParameters parameters;
   parameters.Outlets = ground.Outlets;
-  parameters.MostRounds = this->NumberOfRounds;
-  parameters.ChannelCells = this->ChannelCells;
+  parameters.MaximumIterations = this->MaximumNumberOfIterations;
+  parameters.ChannelThreshold = this->ChannelThreshold;
   parameters.ValleyWidth = this->ValleyWidth;
   parameters.Seed = this->Seed;
   littoral::Require(littoral::WhyInvalid(ground.Heights, parameters));
@@ -291,10 +291,10 @@ int vtkDrainageFilter::RequestData(
   }
   this->UpdateProgress(0.9);
   ground.Routing = littoral::RouteFlow(ground.Heights, outlets, littoral::AbortableFor(this), poll);
-  ground.Cells = littoral::DrainageCells(ground.Routing);
-  ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->MinimumDrainageCells);
+  ground.Cells = littoral::FlowAccumulation(ground.Routing);
+  ground.Streams = littoral::FindStreams(ground.Heights, ground.Routing, ground.Cells, this->StreamThreshold);
   ground.Levels =
-    ground.Routing.Sunk == 0 ? ground.Heights.Values : littoral::FloodDepressions(ground.Heights, outlets, poll).Level;
+    ground.Routing.DepressionCells == 0 ? ground.Heights.Values : littoral::FloodDepressions(ground.Heights, outlets, poll).SpillElevation;
   this->UpdateProgress(0.95);
   this->WriteGround(image, ground, output);
   if (!littoral::AsksForLaterPiece(request, outputVector))
@@ -325,14 +325,14 @@ void vtkDrainageFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Outlets: " << this->Outlets << "\n";
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
-  os << indent << "MinimumDrainageCells: " << this->MinimumDrainageCells << "\n";
+  os << indent << "StreamThreshold: " << this->StreamThreshold << "\n";
   os << indent << "Carve: " << (this->Carve ? "on" : "off") << "\n";
-  os << indent << "KeepHeights: " << (this->KeepHeights ? "on" : "off") << "\n";
+  os << indent << "KeepHypsometry: " << (this->KeepHypsometry ? "on" : "off") << "\n";
   os << indent << "HypsometricIntegral: " << this->HypsometricIntegral << "\n";
-  os << indent << "HeightSkew: " << this->HeightSkew << "\n";
+  os << indent << "ElevationSkewness: " << this->ElevationSkewness << "\n";
   os << indent << "Concavity: " << this->Concavity << "\n";
-  os << indent << "NumberOfRounds: " << this->NumberOfRounds << "\n";
-  os << indent << "ChannelCells: " << this->ChannelCells << "\n";
+  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "ChannelThreshold: " << this->ChannelThreshold << "\n";
   os << indent << "ValleyWidth: " << this->ValleyWidth << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -9,26 +9,26 @@
  * values and not constant. Each value is the height of a cell. Input 1, optional: a vtkImageData of another terrain,
  * the target, with the same array or its active scalars; its size and spacing may differ. Input 2, optional and without
  * a target alone: a vtkTable as output 0 of vtkGroundStatisticsFilter, whose first row replaces HypsometricIntegral,
- * HeightSkew and Concavity, each where the table has its column and a number there; KeepHeights does not count then.
+ * ElevationSkewness and Concavity, each where the table has its column and a number there; KeepHypsometry does not count then.
  *
  * With Carve the terrain is graded in rounds until every cell has a way downhill and the slopes of channels fall with
  * their drainage area, S ~ A^-Concavity, while its statistics stay those of the target: the radial spectrum (and with
  * it the variogram), the distribution of heights, and the plane. Without a target these are the terrain's own, but for
- * what KeepHeights, HypsometricIntegral, HeightSkew and Concavity tell. After NumberOfRounds the round nearest to the
+ * what KeepHypsometry, HypsometricIntegral, ElevationSkewness and Concavity tell. After MaximumNumberOfIterations the round nearest to the
  * target is taken, and what it misses is in the field data.
  *
  * Output 0: the vtkImageData with the point arrays of the input and `Elevation` double [m], `DrainageArea` double [m^2]
  * (of all cells that drain through a cell, itself included), `FlowDirection` signed char (the neighbour that takes the
  * water, 0 to 7 counter-clockwise in steps of 45 degrees, 0 along x; -1 at outlets), `StreamOrder` unsigned char
- * (Strahler's; 0 where fewer than MinimumDrainageCells cells drain), `DepressionDepth` double [m] (below the level at
+ * (Strahler's; 0 where fewer than StreamThreshold cells drain), `DepressionDepth` double [m] (below the level at
  * which water leaves; 0 where it runs). Drainage areas at the outlets sum to the area of the grid.
  *
  * Output 1: a vtkPolyData of the rivers, a polyline each from its head to the stream of higher order that takes it in,
  * or to an outlet. Cell arrays: `StreamOrder` int, `DrainageArea` double [m^2] at its lower end, `Length` double [m],
  * `Slope` double [m/m] from head to end. Point arrays: `DrainageArea` double [m^2], `RGB` (blue, the darker the higher
- * the order). Field data of both outputs, of two components, before and after: `SunkShare` (of cells in depressions),
- * `HypsometricIntegral`, `HeightSkew`, `Concavity`, `CurvatureSkew`; and `Rounds`, `ReachedTarget` (1 or 0) and
- * `Missed` (text: the measures that are not met).
+ * the order). Field data of both outputs, of two components, before and after: `DepressionFraction` (of cells in depressions),
+ * `HypsometricIntegral`, `ElevationSkewness`, `Concavity`, `CurvatureSkewness`; and `Iterations`, `Converged` (1 or 0) and
+ * `UnmetTargets` (text: the measures that are not met).
  *
  * Sources: Barnes et al. 2014 (priority-flood), Lindsay 2016 (breaching), Braun & Willett 2013 (stream power in O(n)).
  *
@@ -85,8 +85,8 @@ public:
   /**
    * Number of cells that drain where streams begin, 2 to 10^9; default 100.
    */
-  vtkSetMacro(MinimumDrainageCells, int);
-  vtkGetMacro(MinimumDrainageCells, int);
+  vtkSetMacro(StreamThreshold, int);
+  vtkGetMacro(StreamThreshold, int);
   ///@}
 
   ///@{
@@ -102,17 +102,17 @@ public:
   ///@{
   /**
    * Distribution of heights kept as the terrain has it; default off: a lognormal distribution of HypsometricIntegral
-   * and HeightSkew. Used only without a target image and a table of statistics.
+   * and ElevationSkewness. Used only without a target image and a table of statistics.
    */
-  vtkSetMacro(KeepHeights, bool);
-  vtkGetMacro(KeepHeights, bool);
-  vtkBooleanMacro(KeepHeights, bool);
+  vtkSetMacro(KeepHypsometry, bool);
+  vtkGetMacro(KeepHypsometry, bool);
+  vtkBooleanMacro(KeepHypsometry, bool);
   ///@}
 
   ///@{
   /**
    * Hypsometric integral of the carved terrain, (mean - lowest)/(highest - lowest), 0 to 1; default 0.4. It must fit
-   * HeightSkew: low for a positive one. Used only without a target image and with KeepHeights off.
+   * ElevationSkewness: low for a positive one. Used only without a target image and with KeepHypsometry off.
    */
   vtkSetMacro(HypsometricIntegral, double);
   vtkGetMacro(HypsometricIntegral, double);
@@ -121,10 +121,10 @@ public:
   ///@{
   /**
    * Skew of the heights of the carved terrain, -2 to 2; default 0.4. Used only without a target image and with
-   * KeepHeights off.
+   * KeepHypsometry off.
    */
-  vtkSetMacro(HeightSkew, double);
-  vtkGetMacro(HeightSkew, double);
+  vtkSetMacro(ElevationSkewness, double);
+  vtkGetMacro(ElevationSkewness, double);
   ///@}
 
   ///@{
@@ -139,8 +139,8 @@ public:
   /**
    * Maximum number of rounds of carving, 1 to 100; default 40. Carving ends before, when the target is met.
    */
-  vtkSetMacro(NumberOfRounds, int);
-  vtkGetMacro(NumberOfRounds, int);
+  vtkSetMacro(MaximumNumberOfIterations, int);
+  vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}
 
   ///@{
@@ -148,8 +148,8 @@ public:
    * Number of cells that drain from which a channel rules the slope, 1 to 10^6; default 50. Below it the ground is
    * hillslope.
    */
-  vtkSetMacro(ChannelCells, double);
-  vtkGetMacro(ChannelCells, double);
+  vtkSetMacro(ChannelThreshold, double);
+  vtkGetMacro(ChannelThreshold, double);
   ///@}
 
   ///@{
@@ -192,14 +192,14 @@ protected:
 
   int Outlets;
   double SeaLevel;
-  int MinimumDrainageCells;
+  int StreamThreshold;
   bool Carve;
-  bool KeepHeights;
+  bool KeepHypsometry;
   double HypsometricIntegral;
-  double HeightSkew;
+  double ElevationSkewness;
   double Concavity;
-  int NumberOfRounds;
-  double ChannelCells;
+  int MaximumNumberOfIterations;
+  double ChannelThreshold;
   double ValleyWidth;
   int Seed;
 

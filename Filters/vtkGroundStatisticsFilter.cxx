@@ -31,22 +31,22 @@ constexpr littoral::CellMemory Memory{ 100.0, "measuring" };
 /// Quantiles of the distributions: a row a percent.
 constexpr int NumberOfQuantiles = 101;
 /// A slope-area relation of more cells than grids have.
-constexpr long long MostDrainageCells = 1000000000;
+constexpr long long MaximumStreamThreshold = 1000000000;
 
 void WriteNumbers(const littoral::GroundStatistics& ground, vtkTable* table)
 {
   using Ground = littoral::GroundStatistics;
   const std::vector<Ground> row{ ground };
   const auto column = [&](const char* name, auto valueOf) { littoral::AddColumn(table, name, row, valueOf); };
-  column("SunkShare", [](const Ground& of) { return of.Measures.SunkShare; });
-  column("FillRatio", [](const Ground& of) { return of.Measures.FillOverDeviation; });
+  column("DepressionFraction", [](const Ground& of) { return of.Measures.DepressionFraction; });
+  column("RelativeFillDepth", [](const Ground& of) { return of.Measures.RelativeFillDepth; });
   column("HypsometricIntegral", [](const Ground& of) { return of.Measures.HypsometricIntegral; });
-  column("HeightSkew", [](const Ground& of) { return of.Measures.HeightSkew; });
-  column("HeightDeviation", [](const Ground& of) { return of.Measures.Deviation; });
+  column("ElevationSkewness", [](const Ground& of) { return of.Measures.ElevationSkewness; });
+  column("ElevationStandardDeviation", [](const Ground& of) { return of.Measures.StandardDeviation; });
   column("MeanSlope", [](const Ground& of) { return of.Slopes.Mean; });
-  column("SlopeSkew", [](const Ground& of) { return of.Slopes.Skew; });
-  column("CurvatureDeviation", [](const Ground& of) { return of.Curvature.StandardDeviation; });
-  column("CurvatureSkew", [](const Ground& of) { return of.Curvature.Skew; });
+  column("SlopeSkewness", [](const Ground& of) { return of.Slopes.Skew; });
+  column("CurvatureStandardDeviation", [](const Ground& of) { return of.Curvature.StandardDeviation; });
+  column("CurvatureSkewness", [](const Ground& of) { return of.Curvature.Skew; });
   column("Concavity", [](const Ground& of) { return of.Measures.Concavity; });
   column("Steepness", [](const Ground& of) { return of.Steepness; });
   column("HackExponent", [](const Ground& of) { return of.Hack; });
@@ -97,7 +97,7 @@ void WriteStreams(const std::vector<littoral::StreamOrderClass>& streams, vtkTab
 
 //----------------------------------------------------------------------------
 vtkGroundStatisticsFilter::vtkGroundStatisticsFilter()
-  : MinimumDrainageCells(100)
+  : StreamThreshold(100)
   , UseSeaLevel(false)
   , SeaLevel(0.0)
 {
@@ -133,7 +133,7 @@ int vtkGroundStatisticsFilter::RequestData(
     return 1;
   }
   littoral::ParameterCheck check;
-  check.Count("MinimumDrainageCells", this->MinimumDrainageCells, 2, MostDrainageCells);
+  check.Count("StreamThreshold", this->StreamThreshold, 2, MaximumStreamThreshold);
   check.Finite("SeaLevel", this->SeaLevel, "m");
   littoral::Require(check.Reason());
   auto* image = littoral::InputOf<vtkImageData>(inputVector[0], "Input");
@@ -145,7 +145,7 @@ int vtkGroundStatisticsFilter::RequestData(
   littoral::RequireRelief(heights, "Input");
   this->SetProgressText("Measuring ground");
   const littoral::GroundStatistics ground = littoral::DescribeGround(
-    heights, outlets, this->MinimumDrainageCells, littoral::AbortableFor(this), littoral::PollOf(this));
+    heights, outlets, this->StreamThreshold, littoral::AbortableFor(this), littoral::PollOf(this));
   this->UpdateProgress(0.8);
   WriteNumbers(ground, vtkTable::GetData(outputVector, 0));
   WriteProfile(ground, heights.Spacing[0] * heights.Spacing[1], vtkTable::GetData(outputVector, 1));
@@ -167,7 +167,7 @@ int vtkGroundStatisticsFilter::ProcessRequest(
 void vtkGroundStatisticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MinimumDrainageCells: " << this->MinimumDrainageCells << "\n";
+  os << indent << "StreamThreshold: " << this->StreamThreshold << "\n";
   os << indent << "UseSeaLevel: " << (this->UseSeaLevel ? "on" : "off") << "\n";
   os << indent << "SeaLevel: " << this->SeaLevel << "\n";
 }

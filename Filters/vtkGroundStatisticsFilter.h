@@ -9,10 +9,10 @@
  * values and not constant. Each value is the height of a cell; water runs to the neighbour of steepest descent of eight
  * and leaves at the border, or at sea level with UseSeaLevel.
  *
- * Output 0: a vtkTable of one row: `SunkShare` (of cells in depressions: those that an exact priority-flood raises),
- * `FillRatio` (mean depth of that flood over the standard deviation of the heights), `HypsometricIntegral` ((mean -
- * minimum)/(maximum - minimum)), `HeightSkew`, `HeightDeviation` [m], `MeanSlope` [m/m] and `SlopeSkew` (size of the
- * gradient by central differences), `CurvatureDeviation` [1/m] and `CurvatureSkew` (five-point Laplacian of inner
+ * Output 0: a vtkTable of one row: `DepressionFraction` (of cells in depressions: those that an exact priority-flood raises),
+ * `RelativeFillDepth` (mean depth of that flood over the standard deviation of the heights), `HypsometricIntegral` ((mean -
+ * minimum)/(maximum - minimum)), `ElevationSkewness`, `ElevationStandardDeviation` [m], `MeanSlope` [m/m] and `SlopeSkewness` (size of the
+ * gradient by central differences), `CurvatureStandardDeviation` [1/m] and `CurvatureSkewness` (five-point Laplacian of inner
  * cells, above 0 in valleys), `Concavity` and `Steepness` (S = Steepness A^-Concavity, S the slope to the receiver, A
  * [m^2]; see output 1), `HackExponent` (longest flow length over A), `BifurcationRatio`, `LengthRatio` and `AreaRatio`
  * (Horton's R_B, R_L, R_A; see output 3). NaN where the grid is too small for a number. Hack's exponent and Horton's
@@ -22,7 +22,7 @@
  * `DrainageArea` [m^2], `Slope` [m/m] (mean; 0 on flats and in depressions), `PowerLaw` [m/m], `Cells`. Output 2: a
  * vtkTable of the distributions with 101 rows: `Fraction` of the cells below, `Elevation` [m], `Slope` [m/m],
  * `Curvature` [1/m]. Output 3: a vtkTable with a row per Strahler order: `Order`, `Streams`, `MeanLength` [m],
- * `MeanArea` [m^2]; streams begin where MinimumDrainageCells cells drain.
+ * `MeanArea` [m^2]; streams begin where StreamThreshold cells drain.
  *
  * All of the image is asked for, and some 100 bytes of memory for each of its points. Piece 0 holds the whole tables,
  * other pieces are empty. A bad input or property is reported as one error.
@@ -50,8 +50,8 @@ public:
    * Number of cells that drain where streams begin, 2 to 10^9; default 100. Also the smallest drainage area of Hack's
    * law.
    */
-  vtkSetMacro(MinimumDrainageCells, int);
-  vtkGetMacro(MinimumDrainageCells, int);
+  vtkSetMacro(StreamThreshold, int);
+  vtkGetMacro(StreamThreshold, int);
   ///@}
 
   ///@{
@@ -79,7 +79,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int MinimumDrainageCells;
+  int StreamThreshold;
   bool UseSeaLevel;
   double SeaLevel;
 

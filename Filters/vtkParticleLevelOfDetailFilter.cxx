@@ -230,7 +230,7 @@ void AddCounters(
   add("Orbits", static_cast<double>(selection.Orbits));
   add("TrainSums", static_cast<double>(selection.TrainSum));
   add("TrainSumsInAll", particles * static_cast<double>(trains));
-  add("LargestSlaveError", selection.LargestSlave);
+  add("MaximumSlaveError", selection.MaximumSlaveError);
 }
 
 /// Particles in some of the cells.
@@ -336,7 +336,7 @@ void vtkParticleLevelOfDetailFilter::RememberGroups(vtkPointSet* particles)
   littoral::GroupOptions options;
   options.Slaves = this->SlavesPerMaster;
   options.NearestOffset = this->OffsetRange[0];
-  options.LargestOffset = this->OffsetRange[1];
+  options.MaximumOffset = this->OffsetRange[1];
   options.Scatter = this->SlavePlacement == Scattered;
   options.Seed = this->Seed;
   littoral::Require(littoral::WhyInvalid(options));

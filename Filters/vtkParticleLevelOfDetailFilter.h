@@ -20,7 +20,7 @@
  *
  * Field data: `ParticlesInAll`, `ParticlesShown` (individually), `ParticlesFar`, `Masters`, `Slaves`, `CellsInAll`,
  * `CellsShown`, `Orbits` to be computed, `TrainSums`, the number of trains of all orbits, `TrainSumsInAll`, the same
- * for all particles with all trains, and `LargestSlaveError` [m].
+ * for all particles with all trains, and `MaximumSlaveError` [m].
  *
  * The view determines what is shown, never the position of a particle: centers, groups and orders are functions of the
  * input and are kept until it changes. Each piece holds its share of the groups of the whole input. Defaults of

@@ -129,7 +129,7 @@ vtkPatternVerdictFilter::vtkPatternVerdictFilter()
   , Function(PairCorrelation)
   , Contrast(FitRipley)
   , TrendDegree(0)
-  , LargestDistance(0.0)
+  , MaximumDistance(0.0)
   , NumberOfSimulations(99)
   , Level(0.05)
   , Quadrats{ 0, 0 }
@@ -174,7 +174,7 @@ int vtkPatternVerdictFilter::RequestData(
   littoral::VerdictOptions options;
   options.Contrast.Function = static_cast<littoral::ContrastFunction>(this->Contrast);
   options.Contrast.TrendDegree = this->TrendDegree;
-  options.Contrast.Largest = this->LargestDistance;
+  options.Contrast.MaximumDistance = this->MaximumDistance;
   options.Function = static_cast<littoral::VerdictFunction>(this->Function);
   options.Simulations = this->NumberOfSimulations;
   options.Level = this->Level;
@@ -226,7 +226,7 @@ void vtkPatternVerdictFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Function: " << this->Function << "\n";
   os << indent << "Contrast: " << this->Contrast << "\n";
   os << indent << "TrendDegree: " << this->TrendDegree << "\n";
-  os << indent << "LargestDistance: " << this->LargestDistance << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "Quadrats: " << this->Quadrats[0] << " " << this->Quadrats[1] << "\n";

@@ -114,8 +114,8 @@ public:
    * Largest distance that is compared [m], not negative; default 0, a quarter of the shorter side, at most that within
    * which a thousand points are expected.
    */
-  vtkSetMacro(LargestDistance, double);
-  vtkGetMacro(LargestDistance, double);
+  vtkSetMacro(MaximumDistance, double);
+  vtkGetMacro(MaximumDistance, double);
   ///@}
 
   ///@{
@@ -164,7 +164,7 @@ protected:
   int Function;
   int Contrast;
   int TrendDegree;
-  double LargestDistance;
+  double MaximumDistance;
   int NumberOfSimulations;
   double Level;
   int Quadrats[2];

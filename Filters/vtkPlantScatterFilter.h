@@ -20,7 +20,7 @@
  * `JointIds` and `ParentId` refer to the nodes of the merged Skeleton. Each plant is in exactly one level.
  *
  * Field data of output 0: arrays with a value per shown plant: `PlantId`, `SiteId`, `Species`, `Scale`, `Azimuth`
- * [rad], `Position` [m] and `Level` (0 High, 1 Medium, 2 Low), and `Girth` (factor of the width beside Scale) if a site
+ * [rad], `Position` [m] and `Level` (0 High, 1 Medium, 2 Low), and `WidthScale` (factor of the width beside Scale) if a site
  * has DBH and Height; and the counters `PlantsInAll`, `PlantsShown`,
  * `PlantsHigh`, `PlantsMedium`, `PlantsLow`, `CellsInAll`, `CellsShown` (cells that hold a plant), `PolygonsShown`,
  * `PolygonsInAll` (of all plants in full) and `OutputBytes` (without textures).

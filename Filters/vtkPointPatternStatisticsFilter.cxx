@@ -140,7 +140,7 @@ vtkPointPatternStatisticsFilter::vtkPointPatternStatisticsFilter()
   , Size{ 0.0, 0.0 }
   , EdgeCorrection(Isotropic)
   , DistanceCorrection(KaplanMeier)
-  , LargestDistance(0.0)
+  , MaximumDistance(0.0)
   , NumberOfSteps(256)
   , Bandwidth(0.0)
   , AllowCoincidentPoints(false)
@@ -236,7 +236,7 @@ littoral::StatisticsOptions vtkPointPatternStatisticsFilter::Options() const
   options.Function = static_cast<littoral::PatternFunction>(this->Function);
   options.Correction = static_cast<littoral::EdgeCorrection>(this->EdgeCorrection);
   options.Nearest = static_cast<littoral::DistanceCorrection>(this->DistanceCorrection);
-  options.Largest = this->LargestDistance;
+  options.Largest = this->MaximumDistance;
   options.Steps = this->NumberOfSteps;
   options.HalfWidth = this->Bandwidth;
   options.Simulations = this->NumberOfSimulations;
@@ -366,7 +366,7 @@ void vtkPointPatternStatisticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
   os << indent << "DistanceCorrection: " << this->DistanceCorrection << "\n";
-  os << indent << "LargestDistance: " << this->LargestDistance << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "Bandwidth: " << this->Bandwidth << "\n";
   os << indent << "AllowCoincidentPoints: " << this->AllowCoincidentPoints << "\n";

@@ -156,8 +156,8 @@ public:
    * at most the distance within which 1000 points are expected; for the others half the diagonal, at most the distance
    * at which a random pattern has F = 1 - 1e-5.
    */
-  vtkSetMacro(LargestDistance, double);
-  vtkGetMacro(LargestDistance, double);
+  vtkSetMacro(MaximumDistance, double);
+  vtkGetMacro(MaximumDistance, double);
   ///@}
 
   ///@{
@@ -266,7 +266,7 @@ protected:
   double Size[2];
   int EdgeCorrection;
   int DistanceCorrection;
-  double LargestDistance;
+  double MaximumDistance;
   int NumberOfSteps;
   double Bandwidth;
   bool AllowCoincidentPoints;

@@ -220,7 +220,7 @@ void Write(const std::vector<KeptSite>& kept, vtkPointSet* sites, bool hasDraina
 
 //----------------------------------------------------------------------------
 vtkSitePreferenceFilter::vtkSitePreferenceFilter()
-  : Thins(false)
+  : Thinning(false)
   , Seed(1)
 {
   this->SetNumberOfInputPorts(3);
@@ -273,7 +273,7 @@ int vtkSitePreferenceFilter::RequestData(
   auto* table = littoral::OptionalInputOf<vtkTable>(inputVector[PreferencesPort], "Preferences");
   const bool knowsDrainage = terrain->GetPointData()->HasArray("DrainageArea");
   const Species species =
-    table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::UsualPreferences(knowsDrainage);
+    table ? littoral::ReadPreferences(littoral::TextsOf(table)) : littoral::DefaultPreferences(knowsDrainage);
   const Ground ground(terrain, species);
   const Sites arrays(sites);
   std::vector<KeptSite> kept;
@@ -282,7 +282,7 @@ int vtkSitePreferenceFilter::RequestData(
   for (long long site = part.Begin; site < part.End; ++site)
   {
     KeptSite own{};
-    if (arrays.Keeps(site, species, ground, { this->Thins, this->Seed }, own))
+    if (arrays.Keeps(site, species, ground, { this->Thinning, this->Seed }, own))
     {
       kept.push_back(own);
     }
@@ -312,6 +312,6 @@ int vtkSitePreferenceFilter::ProcessRequest(
 void vtkSitePreferenceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Thins: " << this->Thins << "\n";
+  os << indent << "Thinning: " << this->Thinning << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

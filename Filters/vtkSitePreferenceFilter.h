@@ -18,8 +18,8 @@
  * ground, Birch level ground between, or moist ground where the terrain has a DrainageArea, and Shrub slopes.
  *
  * A site gets species s with probability a(s) p(s) / sum of a p, where a is the abundance and p the preference. With
- * Thins it gets s with probability a(s) p(s) / sum of a, or none and is left out. A site with the point array `Species`
- * (index of a row) keeps its species; with Thins it is kept itself with the probability of its preference.
+ * Thinning it gets s with probability a(s) p(s) / sum of a, or none and is left out. A site with the point array `Species`
+ * (index of a row) keeps its species; with Thinning it is kept itself with the probability of its preference.
  *
  * Output: vtkPolyData, a vertex for each site that is kept, at the height of the terrain, with the point arrays of the
  * sites and `Species`, `SiteId` (index of the site, unless the sites have one), `Elevation` [m], `Slope` and `Aspect`
@@ -52,9 +52,9 @@ public:
    * Sites with few species that like them stay bare; default off: all sites are kept, and those without a species get s
    * with probability a(s) p(s) / sum of a p; only where all preferences are 0 a site is left out.
    */
-  vtkSetMacro(Thins, bool);
-  vtkGetMacro(Thins, bool);
-  vtkBooleanMacro(Thins, bool);
+  vtkSetMacro(Thinning, bool);
+  vtkGetMacro(Thinning, bool);
+  vtkBooleanMacro(Thinning, bool);
   ///@}
 
   ///@{
@@ -83,7 +83,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  bool Thins;
+  bool Thinning;
   int Seed;
 
 private:

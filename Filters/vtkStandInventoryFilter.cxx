@@ -124,10 +124,10 @@ private:
 
 //----------------------------------------------------------------------------
 vtkStandInventoryFilter::vtkStandInventoryFilter()
-  : PlaceUnit(Named)
+  : CoordinateUnit(Named)
   , DiameterUnit(Named)
   , HeightUnit(Named)
-  , PlaceScale(1.0)
+  , CoordinateScale(1.0)
   , XColumn(nullptr)
   , YColumn(nullptr)
   , SpeciesColumn(nullptr)
@@ -135,15 +135,15 @@ vtkStandInventoryFilter::vtkStandInventoryFilter()
   , HeightColumn(nullptr)
   , PlotColumn(nullptr)
   , Plot(nullptr)
-  , OtherSpecies(nullptr)
+  , DefaultSpecies(nullptr)
   , KeepDead(false)
   , AllowCoincident(false)
-  , MeanDiameter(0.0)
+  , QuadraticMeanDiameter(0.0)
   , HeightVariation(0.1)
-  , SizeClasses(1)
+  , DiameterClasses(1)
   , Seed(1)
 {
-  this->SetOtherSpecies("hardwood");
+  this->SetDefaultSpecies("hardwood");
   this->SetNumberOfInputPorts(2);
 }
 
@@ -157,7 +157,7 @@ vtkStandInventoryFilter::~vtkStandInventoryFilter()
   this->SetHeightColumn(nullptr);
   this->SetPlotColumn(nullptr);
   this->SetPlot(nullptr);
-  this->SetOtherSpecies(nullptr);
+  this->SetDefaultSpecies(nullptr);
 }
 
 //----------------------------------------------------------------------------
@@ -199,18 +199,18 @@ littoral::InventoryOptions vtkStandInventoryFilter::Options() const
   littoral::InventoryOptions options;
   options.Columns = { Word(this->XColumn), Word(this->YColumn), Word(this->SpeciesColumn), Word(this->DiameterColumn),
     Word(this->HeightColumn), Word(this->PlotColumn) };
-  options.PlaceUnit = static_cast<littoral::LengthUnit>(this->PlaceUnit);
+  options.CoordinateUnit = static_cast<littoral::LengthUnit>(this->CoordinateUnit);
   options.DiameterUnit = static_cast<littoral::LengthUnit>(this->DiameterUnit);
   options.HeightUnit = static_cast<littoral::LengthUnit>(this->HeightUnit);
-  options.PlaceScale = this->PlaceScale;
+  options.CoordinateScale = this->CoordinateScale;
   options.Plot = Word(this->Plot);
-  options.OtherSpecies = Word(this->OtherSpecies);
+  options.DefaultSpecies = Word(this->DefaultSpecies);
   options.KeepDead = this->KeepDead;
   options.AllowCoincident = this->AllowCoincident;
-  options.MeanDiameter = this->MeanDiameter;
+  options.QuadraticMeanDiameter = this->QuadraticMeanDiameter;
   options.HeightVariation = this->HeightVariation;
   options.Seed = this->Seed;
-  options.SizeClasses = this->SizeClasses;
+  options.DiameterClasses = this->DiameterClasses;
   return options;
 }
 
@@ -229,7 +229,7 @@ int vtkStandInventoryFilter::RequestData(
   littoral::StandInventory stand = littoral::ReadInventory(texts, species, options);
   this->UpdateProgress(0.6);
   littoral::CompleteStand(species, options, stand);
-  const littoral::InventoryPlants plants = littoral::PlantsOfInventory(species, stand, options.SizeClasses);
+  const littoral::InventoryPlants plants = littoral::PlantsOfInventory(species, stand, options.DiameterClasses);
   vtkInformation* output = outputVector->GetInformationObject(0);
   vtkPolyData* sites = vtkPolyData::GetData(output);
   const std::vector<littoral::StandTree>& trees = stand.Trees;
@@ -243,7 +243,7 @@ int vtkStandInventoryFilter::RequestData(
     [&](std::size_t tree) { return littoral::CrownDiameterOf(trees[tree].Diameter, trees[tree].Height); });
   writer.Write<vtkIntArray>("Plot", [&](std::size_t tree) { return trees[tree].Plot; });
   writer.Write<vtkIntArray>(
-    "Drawn", [&](std::size_t tree) { return (trees[tree].DrawnDiameter ? 1 : 0) + (trees[tree].DrawnHeight ? 2 : 0); });
+    "Imputed", [&](std::size_t tree) { return (trees[tree].ImputedDiameter ? 1 : 0) + (trees[tree].ImputedHeight ? 2 : 0); });
   writer.Write<vtkStringArray>("SpeciesName", [&](std::size_t tree) { return trees[tree].Name; });
   AddPlants(plants.Plants, sites);
   sites->GetFieldData()->AddArray(WordsOf("Plots", stand.Plots));
@@ -266,10 +266,10 @@ int vtkStandInventoryFilter::ProcessRequest(
 void vtkStandInventoryFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PlaceUnit: " << this->PlaceUnit << "\n";
+  os << indent << "CoordinateUnit: " << this->CoordinateUnit << "\n";
   os << indent << "DiameterUnit: " << this->DiameterUnit << "\n";
   os << indent << "HeightUnit: " << this->HeightUnit << "\n";
-  os << indent << "PlaceScale: " << this->PlaceScale << "\n";
+  os << indent << "CoordinateScale: " << this->CoordinateScale << "\n";
   os << indent << "XColumn: " << Word(this->XColumn) << "\n";
   os << indent << "YColumn: " << Word(this->YColumn) << "\n";
   os << indent << "SpeciesColumn: " << Word(this->SpeciesColumn) << "\n";
@@ -277,11 +277,11 @@ void vtkStandInventoryFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeightColumn: " << Word(this->HeightColumn) << "\n";
   os << indent << "PlotColumn: " << Word(this->PlotColumn) << "\n";
   os << indent << "Plot: " << Word(this->Plot) << "\n";
-  os << indent << "OtherSpecies: " << Word(this->OtherSpecies) << "\n";
+  os << indent << "DefaultSpecies: " << Word(this->DefaultSpecies) << "\n";
   os << indent << "KeepDead: " << this->KeepDead << "\n";
   os << indent << "AllowCoincident: " << this->AllowCoincident << "\n";
-  os << indent << "MeanDiameter: " << this->MeanDiameter << "\n";
+  os << indent << "QuadraticMeanDiameter: " << this->QuadraticMeanDiameter << "\n";
   os << indent << "HeightVariation: " << this->HeightVariation << "\n";
-  os << indent << "SizeClasses: " << this->SizeClasses << "\n";
+  os << indent << "DiameterClasses: " << this->DiameterClasses << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -16,11 +16,11 @@
  * `c`: height H [m] over diameter D [cm], H = 1.37 + a exp(-b D^c) or H = a (1 - exp(-b D^c)). Without it, the table of
  * Littoral: curves of 50 species and groups of the southern United States (Forest Vegetation Simulator, Keyser 2008)
  * and of all tropics (Feldpausch et al. 2012). A species is looked up by its whole name, then by its genus, else it
- * counts as OtherSpecies.
+ * counts as DefaultSpecies.
  *
  * Output: vtkPolyData, a vertex a tree, in double precision. Point arrays: `SiteId` (row of the table, from 0),
  * `Species` (index of the plant, which is that of the prototype in vtkPlantScatterFilter), `DBH` and `Height` [m],
- * `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Drawn` (0 measured, 1 DBH
+ * `CrownDiameter` [m] (by Jucker et al. 2017, from DBH and height), `Plot` (index in Plots), `Imputed` (0 measured, 1 DBH
  * drawn, 2 height drawn, 3 both) and `SpeciesName`. Field data: `Kinds`, the kinds of the plants, in the order of the
  * table of species, and `PlantDBH`, `PlantHeight` and `PlantCrownDiameter` [m], the medians of the trees that each
  * plant stands for; `Plots`; `Unlisted`, species that are not in the table of species; `RowsDropped`; `Area` [m2],
@@ -30,7 +30,7 @@
  * by trees with both measures where there are at least 5, with HeightVariation. A missing diameter is that of the curve
  * at the height, else one of those that were measured in the species or the stand where there are at least 10,
  * interpolated, else one of a Weibull law whose mean follows from the density of the stand (Reineke 1933), see
- * MeanDiameter.
+ * QuadraticMeanDiameter.
  *
  * Plots whose rectangles overlap are set in a row along x, 20 m apart. Of the stems of a tree, by treeid, the thickest
  * is taken. Rows of dead trees are left out.
@@ -79,14 +79,14 @@ public:
   /**
    * Unit of x and y, a UnitType; default Named, which is metres unless the column says another.
    */
-  vtkSetMacro(PlaceUnit, int);
-  vtkGetMacro(PlaceUnit, int);
-  void SetPlaceUnitToNamed() { this->SetPlaceUnit(Named); }
-  void SetPlaceUnitToMetre() { this->SetPlaceUnit(Metre); }
-  void SetPlaceUnitToCentimetre() { this->SetPlaceUnit(Centimetre); }
-  void SetPlaceUnitToMillimetre() { this->SetPlaceUnit(Millimetre); }
-  void SetPlaceUnitToFoot() { this->SetPlaceUnit(Foot); }
-  void SetPlaceUnitToInch() { this->SetPlaceUnit(Inch); }
+  vtkSetMacro(CoordinateUnit, int);
+  vtkGetMacro(CoordinateUnit, int);
+  void SetCoordinateUnitToNamed() { this->SetCoordinateUnit(Named); }
+  void SetCoordinateUnitToMetre() { this->SetCoordinateUnit(Metre); }
+  void SetCoordinateUnitToCentimetre() { this->SetCoordinateUnit(Centimetre); }
+  void SetCoordinateUnitToMillimetre() { this->SetCoordinateUnit(Millimetre); }
+  void SetCoordinateUnitToFoot() { this->SetCoordinateUnit(Foot); }
+  void SetCoordinateUnitToInch() { this->SetCoordinateUnit(Inch); }
   ///@}
 
   ///@{
@@ -122,8 +122,8 @@ public:
   /**
    * Factor of x and y besides their unit, positive; default 1. For plots that were scaled, as to a unit square.
    */
-  vtkSetMacro(PlaceScale, double);
-  vtkGetMacro(PlaceScale, double);
+  vtkSetMacro(CoordinateScale, double);
+  vtkGetMacro(CoordinateScale, double);
   ///@}
 
   ///@{
@@ -186,8 +186,8 @@ public:
   /**
    * As which species of the table those count that are not in it; default `hardwood`.
    */
-  vtkSetStringMacro(OtherSpecies);
-  vtkGetStringMacro(OtherSpecies);
+  vtkSetStringMacro(DefaultSpecies);
+  vtkGetStringMacro(DefaultSpecies);
   ///@}
 
   ///@{
@@ -213,8 +213,8 @@ public:
    * Quadratic mean diameter of a stand without diameters and heights [m], 0 to 2.5; default 0: by the density of the
    * stand, as if it was half as dense as upland oaks can be (284 trees of 25.4 cm a hectare), 0.05 to 0.6 m.
    */
-  vtkSetMacro(MeanDiameter, double);
-  vtkGetMacro(MeanDiameter, double);
+  vtkSetMacro(QuadraticMeanDiameter, double);
+  vtkGetMacro(QuadraticMeanDiameter, double);
   ///@}
 
   ///@{
@@ -231,8 +231,8 @@ public:
    * Plants for the trees of a kind, at most, 1 to 20; default 1. With more than one, trees are divided by their
    * diameters into classes of equally many, each with a plant of its own.
    */
-  vtkSetMacro(SizeClasses, int);
-  vtkGetMacro(SizeClasses, int);
+  vtkSetMacro(DiameterClasses, int);
+  vtkGetMacro(DiameterClasses, int);
   ///@}
 
   ///@{
@@ -258,10 +258,10 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int PlaceUnit;
+  int CoordinateUnit;
   int DiameterUnit;
   int HeightUnit;
-  double PlaceScale;
+  double CoordinateScale;
   char* XColumn;
   char* YColumn;
   char* SpeciesColumn;
@@ -269,12 +269,12 @@ protected:
   char* HeightColumn;
   char* PlotColumn;
   char* Plot;
-  char* OtherSpecies;
+  char* DefaultSpecies;
   bool KeepDead;
   bool AllowCoincident;
-  double MeanDiameter;
+  double QuadraticMeanDiameter;
   double HeightVariation;
-  int SizeClasses;
+  int DiameterClasses;
   int Seed;
 
 private:

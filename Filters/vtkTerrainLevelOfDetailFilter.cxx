@@ -395,7 +395,7 @@ void vtkTerrainLevelOfDetailFilter::CheckProperties()
   littoral::ParameterCheck check;
   check.Choice("Selection", this->Selection, { "distance", "pixel error" });
   check.Positive("PixelError", this->PixelError, "pixels");
-  check.Count("NumberOfLevels", this->NumberOfLevels, 1, littoral::MostTerrainLevels);
+  check.Count("NumberOfLevels", this->NumberOfLevels, 1, littoral::MaximumTerrainLevels);
   check.Require(this->TileSize >= 1 && this->TileSize <= 4096 && isPowerOfTwo, "TileSize", this->TileSize, "cells",
     "a power of two from 1 to 4096");
   littoral::Require(check.Reason());
@@ -493,7 +493,7 @@ littoral::TerrainRule vtkTerrainLevelOfDetailFilter::MakeRule() const
   rule.ByPixelError = this->Selection == PixelErrorRule;
   rule.NearDistance = this->NearDistance;
   rule.FarDistance = this->FarDistance;
-  rule.LargestPixels = this->PixelError / this->DetailFactor;
+  rule.MaximumPixels = this->PixelError / this->DetailFactor;
   rule.UseCulling = this->UseCulling;
   return rule;
 }
@@ -556,7 +556,7 @@ int vtkTerrainLevelOfDetailFilter::RequestData(
   AddCount(output, "TilesInAll", static_cast<double>(levels.size()));
   AddCount(output, "PolygonsShown", polygons);
   AddCount(output, "PolygonsAtFullDetail", 2.0 * (samples.Width - 1) * (samples.Height - 1));
-  AddCount(output, "LargestScreenError", shown.LargestError);
+  AddCount(output, "MaximumScreenError", shown.LargestError);
   littoral::KeepRanges(output, littoral::PollOf(this));
   return 1;
 }

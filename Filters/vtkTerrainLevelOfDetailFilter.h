@@ -13,7 +13,7 @@
  * 4.1.1. Point arrays: `Elevation` (float) [m], `Normals` (of the full resolution, at any level), `TCoords` (0 to 1
  * over the terrain), `RGB` (see GroundColors), and the other numeric point arrays of the input. Cell array: `Level`,
  * for a seam that of the coarser side. Field data: `TilesShown`, `TilesInAll`, `PolygonsShown`, `PolygonsAtFullDetail`,
- * `LargestScreenError` [pixels] (an upper bound of the distance on the screen between the surface shown and the
+ * `MaximumScreenError` [pixels] (an upper bound of the distance on the screen between the surface shown and the
  * samples; infinite where a coarse tile reaches the camera).
  *
  * What does not depend on the view is kept until the input changes. Piece 0 holds the whole output, other pieces are

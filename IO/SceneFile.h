@@ -13,7 +13,7 @@ namespace littoral
 {
 
 /// A GLB file tells its length in 32 bits [bytes].
-inline constexpr double LargestSceneFile = 4294967295.0;
+inline constexpr double MaximumSceneFile = 4294967295.0;
 
 /// Told the share that is done, 0 to 1; says whether to go on.
 using SceneProgress = std::function<bool(double)>;

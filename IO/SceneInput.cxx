@@ -44,7 +44,7 @@ std::string Readable(std::string text)
 std::string WhyTooManyBytes(double bytes)
 {
   const auto gigabytes = [](double number) { return TextOf(std::round(number / 1e7) / 100.0) + " GB"; };
-  if (bytes > LargestSceneFile)
+  if (bytes > MaximumSceneFile)
   {
     return "the scene needs " + gigabytes(bytes) + "; a GLB file holds at most 4.29 GB.";
   }

@@ -358,7 +358,7 @@ void MovingPlants::Finish(double tolerance, Scene& scene)
     const int alone = plant.Species < 0 ? static_cast<int>(index) : -1;
     if (!plant.Level.empty())
     {
-      groups[Key(plant.Species, alone, plant.Place.Girth, plant.Level, plant.Joints.size(), vertices)].push_back(
+      groups[Key(plant.Species, alone, plant.Place.WidthScale, plant.Level, plant.Joints.size(), vertices)].push_back(
         &plant);
     }
   }

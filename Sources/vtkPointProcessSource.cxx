@@ -140,7 +140,7 @@ vtkPointProcessSource::vtkPointProcessSource()
   , Marks(false)
   , MarkMean(1.0)
   , MarkVariation(0.3)
-  , MarkSharing(0.0)
+  , MarkClusterCorrelation(0.0)
   , Seed(1)
 {
   this->SetNumberOfInputPorts(3);
@@ -206,7 +206,7 @@ void vtkPointProcessSource::MakeRecipe(vtkInformationVector** inputs, Recipe& re
   recipe.Options.Seed = this->Seed;
   recipe.Options.Grouping = static_cast<littoral::SpeciesGrouping>(this->SpeciesGrouping);
   recipe.Options.CrossInteraction = this->CrossInteraction;
-  recipe.Marks = { this->Seed, this->MarkMean, this->MarkVariation, this->MarkSharing };
+  recipe.Marks = { this->Seed, this->MarkMean, this->MarkVariation, this->MarkClusterCorrelation };
   littoral::ParameterCheck check;
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -327,6 +327,6 @@ void vtkPointProcessSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Marks: " << this->Marks << "\n";
   os << indent << "MarkMean: " << this->MarkMean << "\n";
   os << indent << "MarkVariation: " << this->MarkVariation << "\n";
-  os << indent << "MarkSharing: " << this->MarkSharing << "\n";
+  os << indent << "MarkClusterCorrelation: " << this->MarkClusterCorrelation << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

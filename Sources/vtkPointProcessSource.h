@@ -274,8 +274,8 @@ public:
   /**
    * Part of the variance of the logarithm of the marks that the points of a cluster share, 0 to 1; default 0.
    */
-  vtkSetMacro(MarkSharing, double);
-  vtkGetMacro(MarkSharing, double);
+  vtkSetMacro(MarkClusterCorrelation, double);
+  vtkGetMacro(MarkClusterCorrelation, double);
   ///@}
 
   ///@{
@@ -315,7 +315,7 @@ protected:
   bool Marks;
   double MarkMean;
   double MarkVariation;
-  double MarkSharing;
+  double MarkClusterCorrelation;
   int Seed;
 
 private:

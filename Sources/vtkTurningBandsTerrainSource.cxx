@@ -80,7 +80,7 @@ vtkTurningBandsTerrainSource::vtkTurningBandsTerrainSource()
   , Slope{ 0.0, 0.0 }
   , NumberOfHarmonics(300)
   , HarmonicSpacing(Adaptive)
-  , ShortestWavelength(0.0)
+  , MinimumWavelength(0.0)
   , Reflectance(false)
   , ReflectanceModel(SimpleExponential)
   , ReflectanceRange(100.0)
@@ -191,7 +191,7 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ElevationReci
   bands.NumberOfLines = this->NumberOfLines;
   bands.NumberOfHarmonics = this->NumberOfHarmonics;
   bands.Bins = this->HarmonicSpacing == Uniform ? littoral::HarmonicBins::Uniform : littoral::HarmonicBins::Adaptive;
-  bands.ShortestWavelength = this->ShortestWavelength;
+  bands.MinimumWavelength = this->MinimumWavelength;
   bands.Seed = this->Seed;
   bands.Purpose = littoral::RandomPurpose::ElevationLines;
   return recipe;
@@ -211,7 +211,7 @@ vtkTurningBandsTerrainSource::Recipe vtkTurningBandsTerrainSource::ReflectanceRe
   bands.Field.Model = static_cast<littoral::CovarianceModel>(this->ReflectanceModel);
   bands.Field.Variance = this->ReflectanceStandardDeviation * this->ReflectanceStandardDeviation;
   bands.Field.Range = this->ReflectanceRange;
-  bands.Field.SecondRange = std::max(0.1 * this->ReflectanceRange, littoral::SmallestMagnitude);
+  bands.Field.SecondRange = std::max(0.1 * this->ReflectanceRange, littoral::MinimumMagnitude);
   bands.AnisotropyRatio = 1.0;
   bands.Purpose = littoral::RandomPurpose::ReflectanceLines;
   return recipe;
@@ -376,7 +376,7 @@ void vtkTurningBandsTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Slope: " << this->Slope[0] << " " << this->Slope[1] << "\n";
   os << indent << "NumberOfHarmonics: " << this->NumberOfHarmonics << "\n";
   os << indent << "HarmonicSpacing: " << this->HarmonicSpacing << "\n";
-  os << indent << "ShortestWavelength: " << this->ShortestWavelength << "\n";
+  os << indent << "MinimumWavelength: " << this->MinimumWavelength << "\n";
   os << indent << "Reflectance: " << (this->Reflectance ? "on" : "off") << "\n";
   os << indent << "ReflectanceModel: " << this->ReflectanceModel << "\n";
   os << indent << "ReflectanceRange: " << this->ReflectanceRange << "\n";

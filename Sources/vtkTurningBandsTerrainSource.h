@@ -10,7 +10,7 @@
  * Documentation/design/terrain.md), with optional geometric anisotropy, added to a mean and a linear trend.
  *
  * The field is a function of the position on the grid: any subextent and any number of threads or ranks give the same
- * bytes. With a ShortestWavelength above 0, grids of 2, 4, 8 ... times the spacing hold every 2nd, 4th, 8th ... value
+ * bytes. With a MinimumWavelength above 0, grids of 2, 4, 8 ... times the spacing hold every 2nd, 4th, 8th ... value
  * of the finer grid, so that a coarse preview is exact: to the byte if that wavelength is below eight of the finer
  * spacings, else within 0.006 standard deviations.
  *
@@ -122,8 +122,8 @@ public:
    * sample a surface with detail at all scales, and waves shorter than about six spacings are simulated as a moving
    * average of noise at the points instead of lines.
    */
-  vtkSetMacro(ShortestWavelength, double);
-  vtkGetMacro(ShortestWavelength, double);
+  vtkSetMacro(MinimumWavelength, double);
+  vtkGetMacro(MinimumWavelength, double);
   ///@}
 
   ///@{
@@ -186,7 +186,7 @@ protected:
   double Slope[2];
   int NumberOfHarmonics;
   int HarmonicSpacing;
-  double ShortestWavelength;
+  double MinimumWavelength;
   bool Reflectance;
   int ReflectanceModel;
   double ReflectanceRange;

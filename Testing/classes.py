@@ -168,10 +168,10 @@ ROWS = [
     # Drainage --------------------------------------------------------------------------------------------------------
     Row("vtkDrainageFilter", "Drainage",
         fed_by=[TERRAIN],
-        small={"SetMinimumDrainageCells": (4,), "SetNumberOfRounds": (2,)},
+        small={"SetStreamThreshold": (4,), "SetMaximumNumberOfIterations": (2,)},
         inputs=lambda h: [h.terrain(60), h.terrain(50)],
-        variants=[{"SetMinimumDrainageCells": (8,)}, {"SetCarve": (False,), "SetMinimumDrainageCells": (12,)},
-                  {"SetOutlets": (1,), "SetSeaLevel": (180.0,), "SetNumberOfRounds": (2,)}],
+        variants=[{"SetStreamThreshold": (8,)}, {"SetCarve": (False,), "SetStreamThreshold": (12,)},
+                  {"SetOutlets": (1,), "SetSeaLevel": (180.0,), "SetMaximumNumberOfIterations": (2,)}],
         mistakes=[
             Mistake("Drainage", lambda pv: dict(Input=pv.image()), "one layer"),
             Mistake("Drainage",
@@ -179,9 +179,9 @@ ROWS = [
                     "Concavity")]),
     Row("vtkGroundStatisticsFilter", "Drainage",
         fed_by=[TERRAIN],
-        small={"SetMinimumDrainageCells": (6,)},
+        small={"SetStreamThreshold": (6,)},
         inputs=lambda h: [h.terrain(60)],
-        variants=[{"SetMinimumDrainageCells": (8,)}, {"SetMinimumDrainageCells": (30,)},
+        variants=[{"SetStreamThreshold": (8,)}, {"SetStreamThreshold": (30,)},
                   {"SetUseSeaLevel": (True,), "SetSeaLevel": (180.0,)}],
         mistakes=[Mistake("GroundStatistics", lambda pv: dict(Input=pv.image()), "one layer")]),
     # Fields through data ---------------------------------------------------------------------------------------------
@@ -253,7 +253,7 @@ ROWS = [
         fed_by=[SEA],
         small={"SetXColumn": ("Direction",), "SetYColumn": ("Phase",), "SetHeightColumn": ("Phase",)},
         inputs=lambda h: [h.inventory()],
-        variants=[{"SetSeed": (2,)}, {"SetHeightVariation": (0.3,)}, {"SetPlot": ("B",), "SetMeanDiameter": (0.4,)}],
+        variants=[{"SetSeed": (2,)}, {"SetHeightVariation": (0.3,)}, {"SetPlot": ("B",), "SetQuadraticMeanDiameter": (0.4,)}],
         mistakes=[
             Mistake("StandInventory", lambda pv: dict(Inventory=pv.inventory("east,north,species,dbh")),
                     "no columns x and y"),
@@ -263,7 +263,7 @@ ROWS = [
     Row("vtkSitePreferenceFilter", "Stands",
         fed_by=[SITES, TERRAIN],
         inputs=lambda h: [h.make("vtkQuadratPointSource", SetSize=(40.0, 40.0)), h.terrain()],
-        variants=[{"SetSeed": (2,)}, {"SetThins": (True,)}, {"SetThins": (True,), "SetSeed": (3,)}],
+        variants=[{"SetSeed": (2,)}, {"SetThinning": (True,)}, {"SetThinning": (True,), "SetSeed": (3,)}],
         mistakes=[Mistake("SitePreference", lambda pv: dict(Sites=pv.sites()), "there is no terrain"),
                   Mistake("SitePreference", lambda pv: dict(Sites=pv.sites(), Terrain=pv.image()), "one layer")]),
     # Plants ----------------------------------------------------------------------------------------------------------

@@ -157,7 +157,7 @@ void FlowField::MirrorVortex(Local& image, const Reflection& reflection)
 
 /// The reflections that the walls make of what is in the water, the water itself first; between two walls as many on
 /// each side.
-std::vector<FlowField::Reflection> FlowField::ReflectionsOf(const WaterLayer& layer, int mostImages)
+std::vector<FlowField::Reflection> FlowField::ReflectionsOf(const WaterLayer& layer, int maximumImages)
 {
   std::vector<Reflection> reflections{ { 1.0, 0.0 } };
   if (!layer.HasWalls())
@@ -169,7 +169,7 @@ std::vector<FlowField::Reflection> FlowField::ReflectionsOf(const WaterLayer& la
     reflections.push_back({ -1.0, 2.0 * (layer.HasBed() ? layer.Bed : layer.Surface) });
     return reflections;
   }
-  for (int n = 1; n <= mostImages; ++n)
+  for (int n = 1; n <= maximumImages; ++n)
   {
     // The layer that is n depths away, below and above.
     for (const int away : { -n, n })

@@ -151,7 +151,7 @@ private:
   struct Row;
   static const Row Rows[NumberOfFlowTypes];
   friend const FlowTraits& TraitsOf(FlowType type);
-  static std::vector<Reflection> ReflectionsOf(const WaterLayer& layer, int mostImages);
+  static std::vector<Reflection> ReflectionsOf(const WaterLayer& layer, int maximumImages);
   static Local Reflected(const Local& local, const Reflection& reflection);
 
   static bool IsLevelUniform(const Local& local);

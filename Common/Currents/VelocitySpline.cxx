@@ -29,7 +29,7 @@ bool SplineAxis::IsMonotone(const std::vector<double>& nodes)
 SplineAxis::SplineAxis(const std::vector<double>& nodes)
   : Sign(nodes.front() > nodes.back() ? -1.0 : 1.0)
   , Count(static_cast<int>(nodes.size()))
-  , Degree(std::min(MostWeights - 1, this->Count - 1))
+  , Degree(std::min(MaximumWeights - 1, this->Count - 1))
 {
   for (const double node : nodes)
   {
@@ -185,7 +185,7 @@ void SumRows(
 template <typename Real>
 Vector3 Sum(const Real* coefficients, const std::array<SplineAxis, 3>& axes, const SplineAxis::Weights weights[3])
 {
-  double row[3 * SplineAxis::MostWeights] = {};
+  double row[3 * SplineAxis::MaximumWeights] = {};
   switch (axes[0].NumberOfWeights())
   {
     case 1:

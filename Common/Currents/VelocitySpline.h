@@ -19,13 +19,13 @@ namespace littoral
 class SplineAxis
 {
 public:
-  static constexpr int MostWeights = 4;
+  static constexpr int MaximumWeights = 4;
 
   /// Which coefficients make up a value, from First on, and by how much.
   struct Weights
   {
     int First = 0;
-    std::array<double, MostWeights> Values{ { 1.0, 0.0, 0.0, 0.0 } };
+    std::array<double, MaximumWeights> Values{ { 1.0, 0.0, 0.0, 0.0 } };
   };
 
   SplineAxis() = default;

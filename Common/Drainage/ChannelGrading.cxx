@@ -10,14 +10,14 @@ namespace littoral
 
 double ChannelLaw::SlopeAt(double cells) const
 {
-  const double area = std::max(cells, this->ChannelCells);
+  const double area = std::max(cells, this->ChannelThreshold);
   const double slope = this->Steepness * std::pow(area / this->ReferenceCells, -this->Concavity);
-  const double known = slope * std::min(1.0, this->MostCells / area);
-  return cells < this->ChannelCells ? this->HillslopePart * known : known;
+  const double known = slope * std::min(1.0, this->MaximumCells / area);
+  return cells < this->ChannelThreshold ? this->HillslopeFraction * known : known;
 }
 
 std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& drainageCells, const ChannelLaw& law, double cut, const ParallelFor& parallel)
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut, const ParallelFor& parallel)
 {
   const CellLattice lattice(heights);
   std::vector<double> falls(heights.Values.size());
@@ -27,8 +27,8 @@ std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& ro
     {
       const auto cell = static_cast<CellIndex>(n);
       const int direction = lattice.DirectionTo(cell, routing.Receiver[cell]);
-      const double cells = drainageCells[cell];
-      const double slope = cells < law.ChannelCells ? onHillslopes : law.SlopeAt(cells);
+      const double cells = accumulation[cell];
+      const double slope = cells < law.ChannelThreshold ? onHillslopes : law.SlopeAt(cells);
       falls[n] = direction < 0 ? 0.0 : slope * lattice.Distance(direction);
     }
   });

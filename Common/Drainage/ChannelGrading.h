@@ -14,15 +14,15 @@ namespace littoral
 {
 
 /// The least slope along the ways of water, the steady state of stream power: S = k_s (A / ReferenceCells)^-Concavity,
-/// and that times MostCells / A above MostCells.
+/// and that times MaximumCells / A above MaximumCells.
 struct ChannelLaw
 {
   double Steepness = 0.01;                                    ///< k_s, the slope at the reference area [m/m]
   double ReferenceCells = 100.0;                              ///< drainage area [cells]
   double Concavity = 0.45;                                    ///< m/n
-  double ChannelCells = 50.0;                                 ///< drainage area of the smallest channel [cells]
-  double MostCells = std::numeric_limits<double>::infinity(); ///< drainage area up to which the law is known [cells]
-  double HillslopePart = 0.1; ///< part of the law's slope at ChannelCells that holds on hillslopes
+  double ChannelThreshold = 50.0;                                 ///< drainage area of the smallest channel [cells]
+  double MaximumCells = std::numeric_limits<double>::infinity(); ///< drainage area up to which the law is known [cells]
+  double HillslopeFraction = 0.1; ///< part of the law's slope at ChannelThreshold that holds on hillslopes
 
   double SlopeAt(double cells) const;
 };
@@ -34,7 +34,7 @@ struct ChannelLaw
  * ways.
  */
 std::vector<double> GradeAlong(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& drainageCells, const ChannelLaw& law, double cut,
+  const std::vector<CellIndex>& accumulation, const ChannelLaw& law, double cut,
   const ParallelFor& parallel = SerialFor);
 
 }

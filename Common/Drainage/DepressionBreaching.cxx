@@ -18,7 +18,7 @@ namespace
 {
 
 /// Fall of a channel that ends at an outlet which is not lower: part of the relief for each of its cells.
-constexpr double LeastFall = 1e-7;
+constexpr double MinimumFall = 1e-7;
 
 /// Cuts channels into the ground.
 class Breacher
@@ -31,7 +31,7 @@ public:
     , Steps(poll, 1 << 16)
   {
     const auto [low, high] = std::minmax_element(this->Heights.begin(), this->Heights.end());
-    this->Fall = LeastFall * (*high - *low);
+    this->Fall = MinimumFall * (*high - *low);
   }
 
   /// The flood in the order of heights: each cell's way out, pits in the order in which they are reached.
@@ -59,12 +59,12 @@ public:
     for (const CellIndex pit : this->Pits)
     {
       this->Steps.Step();
-      this->CutAlong(this->Toward, pit);
+      this->CutAlong(this->Backlink, pit);
     }
   }
 
   /// Lowest pits first, so that higher ones find their channels.
-  void CutAtLeastCost(std::size_t most)
+  void CutAtLeastCost(std::size_t maximumVisits)
   {
     const std::vector<double> uncut = this->Heights;
     if (!this->FindClearPits())
@@ -78,11 +78,11 @@ public:
     const std::vector<CellIndex> pits = this->Pits;
     for (const CellIndex pit : pits)
     {
-      const CellIndex end = this->CheapestEnd(pit, most);
+      const CellIndex end = this->CheapestEnd(pit, maximumVisits);
       if (end < 0)
       {
         this->FloodUntil(pit, uncut);
-        this->CutAlong(this->Toward, pit);
+        this->CutAlong(this->Backlink, pit);
         continue;
       }
       this->Way.clear();
@@ -142,7 +142,7 @@ private:
   {
     const CellIndex count = this->Lattice.Count();
     this->FloodedHeights = heights.data();
-    this->Toward.assign(count, -1);
+    this->Backlink.assign(count, -1);
     this->IsFlooded.assign(count, 0);
     const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
     this->Rim = FloodQueue(*lowest, *highest, heights.size());
@@ -150,7 +150,7 @@ private:
     {
       if (this->Outlets[cell])
       {
-        this->Toward[cell] = cell;
+        this->Backlink[cell] = cell;
         this->Rim.Push(cell, heights[cell]);
       }
     }
@@ -165,9 +165,9 @@ private:
     this->IsFlooded[cell] = 1;
     this->Lattice.ForEachNeighbour(cell, [&](CellIndex neighbour, int) {
       visit(cell, neighbour);
-      if (this->Toward[neighbour] < 0)
+      if (this->Backlink[neighbour] < 0)
       {
-        this->Toward[neighbour] = cell;
+        this->Backlink[neighbour] = cell;
         this->Rim.Push(neighbour, this->FloodedHeights[neighbour]);
       }
     });
@@ -177,11 +177,11 @@ private:
   /// Floods no more than it takes to know the way out of a pit.
   void FloodUntil(CellIndex pit, const std::vector<double>& heights)
   {
-    if (this->Toward.empty())
+    if (this->Backlink.empty())
     {
       this->BeginFlood(heights);
     }
-    while (this->Toward[pit] < 0)
+    while (this->Backlink[pit] < 0)
     {
       this->FloodNext([](CellIndex, CellIndex) {});
     }
@@ -237,7 +237,7 @@ private:
 
   /// The end of the way from a pit whose depths of cut, times the distances, sum to the least (Dijkstra 1959); -1 if
   /// it is not among the first cells.
-  CellIndex CheapestEnd(CellIndex pit, std::size_t most)
+  CellIndex CheapestEnd(CellIndex pit, std::size_t maximumVisits)
   {
     const double bottom = this->Heights[pit];
     FloodQueue& front = this->Front;
@@ -245,7 +245,7 @@ private:
     this->Seen[pit] = pit;
     this->Cost[pit] = 0.0;
     front.Push(pit, 0.0);
-    for (std::size_t visited = 0; !front.IsEmpty() && visited < most; ++visited)
+    for (std::size_t visited = 0; !front.IsEmpty() && visited < maximumVisits; ++visited)
     {
       this->Steps.Step();
       const double reached = front.LowestHeight();
@@ -281,7 +281,7 @@ private:
   double Fall;
   const double* FloodedHeights = nullptr;
   FloodQueue Rim;                      ///< of the flood
-  std::vector<CellIndex> Toward;       ///< the flood's way out of each cell that it has reached; -1
+  std::vector<CellIndex> Backlink;       ///< the flood's way out of each cell that it has reached; -1
   std::vector<std::uint8_t> IsFlooded; ///< by the flood
   std::vector<CellIndex> Pits;
   std::vector<CellIndex> Way;  ///< from the cell after the pit to the end
@@ -295,12 +295,12 @@ private:
 }
 
 BreachCount BreachDepressions(
-  GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll, std::size_t most)
+  GridSamples& heights, const OutletMask& outlets, BreachPath path, const Poll& poll, std::size_t maximumVisits)
 {
   Breacher breacher(heights, outlets, poll);
   if (path == BreachPath::LeastCost)
   {
-    breacher.CutAtLeastCost(most);
+    breacher.CutAtLeastCost(maximumVisits);
   }
   else
   {

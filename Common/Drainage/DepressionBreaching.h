@@ -34,7 +34,7 @@ struct BreachCount
  * LeastCost visits at most `most` cells for a pit, and then takes the way of FloodOrder.
  */
 BreachCount BreachDepressions(GridSamples& heights, const OutletMask& outlets, BreachPath path,
-  const Poll& poll = NoPoll, std::size_t most = 131072);
+  const Poll& poll = NoPoll, std::size_t maximumVisits = 131072);
 
 }
 

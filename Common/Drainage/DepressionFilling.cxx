@@ -14,15 +14,15 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   const CellLattice lattice(heights);
   const CellIndex count = lattice.Count();
   DepressionFlood flood;
-  flood.Level = heights.Values;
-  flood.Toward.assign(count, -1);
+  flood.SpillElevation = heights.Values;
+  flood.Backlink.assign(count, -1);
   const auto [lowest, highest] = std::minmax_element(heights.Values.begin(), heights.Values.end());
   FloodQueue rim(*lowest, *highest, heights.Values.size());
   for (CellIndex cell = 0; cell < count; ++cell)
   {
     if (outlets[cell])
     {
-      flood.Toward[cell] = cell;
+      flood.Backlink[cell] = cell;
       rim.Push(cell, heights.Values[cell]);
     }
   }
@@ -32,16 +32,16 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
   while (!rim.IsEmpty())
   {
     lake.assign(1, rim.Pop());
-    const double level = flood.Level[lake.front()];
+    const double level = flood.SpillElevation[lake.front()];
     for (std::size_t n = 0; n < lake.size(); ++n)
     {
       steps.Step();
       lattice.ForEachNeighbour(lake[n], [&](CellIndex neighbour, int) {
-        if (flood.Toward[neighbour] >= 0)
+        if (flood.Backlink[neighbour] >= 0)
         {
           return;
         }
-        flood.Toward[neighbour] = lake[n];
+        flood.Backlink[neighbour] = lake[n];
         const double ground = heights.Values[neighbour];
         if (ground > level)
         {
@@ -49,8 +49,8 @@ DepressionFlood FloodDepressions(const GridSamples& heights, const OutletMask& o
           return;
         }
         // w = max(z, level of the cell before): priority-flood
-        flood.Level[neighbour] = level;
-        flood.Sunk += ground < level;
+        flood.SpillElevation[neighbour] = level;
+        flood.DepressionCells += ground < level;
         flood.Volume += (level - ground) * lattice.CellArea();
         lake.push_back(neighbour);
       });

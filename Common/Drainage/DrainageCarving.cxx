@@ -25,18 +25,18 @@ namespace
 {
 
 /// Part of the target's slope in small channels that is the least slope of the channel law.
-constexpr double LeastSlopePart = 0.2;
-constexpr double MostSlopePart = 0.5;
+constexpr double MinimumSlopeFraction = 0.2;
+constexpr double MaximumSlopeFraction = 0.5;
 
 /// Part of cutting in grading; the rest is filling.
-constexpr double CutPart = 0.3;
-constexpr double MostCutPart = 0.6;
+constexpr double CutFraction = 0.3;
+constexpr double MaximumCutFraction = 0.6;
 
 /// Standard deviation of what grading may change, part of that of the heights; the law's slopes are made so much
 /// flatter where it is more, some times.
-constexpr double MostChange = 0.4;
-constexpr double FlatterPart = 0.7;
-constexpr int MostFlatter = 8;
+constexpr double MaximumChange = 0.4;
+constexpr double FlatteningFactor = 0.7;
+constexpr int MaximumFlattenings = 8;
 
 /// Drainage area to which Incision belongs [cells], and m of the stream power that erodes.
 constexpr double IncisionCells = 100.0;
@@ -46,28 +46,28 @@ constexpr double ErosionExponent = 0.3;
 constexpr double ErosionPart = 0.4;
 
 /// Part of the target's power that a ring has at least, or else more waves are added.
-constexpr double LeastPowerPart = 0.1;
+constexpr double MinimumPowerFraction = 0.1;
 
 /// Gains of rings in one round.
-constexpr double LeastGain = 0.3;
-constexpr double MostGain = 3.0;
+constexpr double MinimumGain = 0.3;
+constexpr double MaximumGain = 3.0;
 
 /// Slope of the plane against the target's.
-constexpr double LeastPlane = 0.8;
-constexpr double MostPlane = 1.25;
+constexpr double MinimumPlaneGain = 0.8;
+constexpr double MaximumPlaneGain = 1.25;
 
 /// Ground of more cells is carved on half as many along each side before; then fewer steps of erosion and rounds are
 /// left to do.
-constexpr std::size_t MostCellsAtOnce = std::size_t{ 1 } << 18;
+constexpr std::size_t MaximumCellsAtOnce = std::size_t{ 1 } << 18;
 constexpr int FineErosionSteps = 3;
 constexpr double CoarsePart = 0.2; ///< of the work
 
 /// Rounds of coarse ground: its cells are no place's, so to meet the target there would bend the law.
-constexpr int CoarseRounds = 1;
+constexpr int CoarseIterations = 1;
 
 /// Rounds without a better one after which no better one is waited for; fewer where coarse ground has told the law.
-constexpr int MostVainRounds = 12;
-constexpr int MostVainFineRounds = 3;
+constexpr int MaximumStalledIterations = 12;
+constexpr int MaximumStalledFineIterations = 3;
 
 /// A measure against what it shall be: 1 at its tolerance.
 struct Deviation
@@ -96,13 +96,13 @@ std::vector<Deviation> DeviationsOf(
   const GroundMeasures& measures, const GroundMeasures& target, const CarvingTolerances& tolerances)
 {
   return {
-    { "share of sunk cells", measures.SunkShare / tolerances.SunkShare },
+    { "share of sunk cells", measures.DepressionFraction / tolerances.DepressionFraction },
     { "hypsometric integral",
       Relative(measures.HypsometricIntegral - target.HypsometricIntegral, tolerances.HypsometricIntegral) },
-    { "skew of heights", Relative(measures.HeightSkew - target.HeightSkew, tolerances.HeightSkew) },
+    { "skew of heights", Relative(measures.ElevationSkewness - target.ElevationSkewness, tolerances.ElevationSkewness) },
     { "semivariance", SemivarianceMisfit(measures, target) / tolerances.Semivariance },
     { "concavity", Relative(measures.Concavity - target.Concavity, tolerances.Concavity) },
-    { "skew of curvature", Relative(measures.CurvatureSkew, tolerances.CurvatureSkew) },
+    { "skew of curvature", Relative(measures.CurvatureSkewness, tolerances.CurvatureSkewness) },
   };
 }
 
@@ -121,7 +121,7 @@ public:
     this->Law.Concavity = target.Measures.Concavity;
     if (std::isnan(this->Law.Concavity))
     {
-      this->Law.Concavity = CarvingNumbers().Concavity;
+      this->Law.Concavity = TargetStatistics().Concavity;
     }
     this->Law.Concavity = std::clamp(this->Law.Concavity, 0.0, 1.0);
     this->Steepness = (target.Measures.ChannelSlope > 0.0 ? target.Measures.ChannelSlope : this->MeanSlope());
@@ -131,10 +131,10 @@ public:
   {
     CarvingReport report;
     report.Before = this->Measure(this->Terrain);
-    if (report.Before.SunkShare > CarvingTolerances().SunkShare)
+    if (report.Before.DepressionFraction > CarvingTolerances().DepressionFraction)
     {
       this->AddMissingWaves();
-      const bool isBegun = this->Terrain.Values.size() > MostCellsAtOnce;
+      const bool isBegun = this->Terrain.Values.size() > MaximumCellsAtOnce;
       if (isBegun)
       {
         this->CarveCoarse();
@@ -144,9 +144,9 @@ public:
     std::vector<double> best;
     double least = std::numeric_limits<double>::infinity();
     int vain = 0;
-    const int rounds = this->Parameters.MostRounds;
-    const int mostVain = this->Begun > 0.0 ? MostVainFineRounds : MostVainRounds;
-    for (int round = 0; round < rounds && vain < mostVain && !report.HasReachedTarget; ++round)
+    const int rounds = this->Parameters.MaximumIterations;
+    const int mostVain = this->Begun > 0.0 ? MaximumStalledFineIterations : MaximumStalledIterations;
+    for (int round = 0; round < rounds && vain < mostVain && !report.HasConverged; ++round)
     {
       this->AdvanceRound(round);
       this->RestoreStatistics();
@@ -155,7 +155,7 @@ public:
       this->AdvanceRound(round + 0.6);
       GridSamples graded = this->Terrain;
       graded.Values = this->Grade().Heights;
-      MapRanks(graded.Values, this->Target.Heights, this->Parallel);
+      MapQuantiles(graded.Values, this->Target.Heights, this->Parallel);
       this->AdvanceRound(round + 0.9);
       const GroundMeasures measures = this->Measure(graded);
       const double misfit = Misfit(measures, this->Target);
@@ -167,12 +167,12 @@ public:
         best = std::move(graded.Values);
         report.After = measures;
       }
-      report.Rounds = round + 1;
-      report.HasReachedTarget = misfit <= 1.0;
+      report.Iterations = round + 1;
+      report.HasConverged = misfit <= 1.0;
       this->Correct(measures, 1.0);
     }
     this->Terrain.Values = std::move(best);
-    report.Missed = MissedOf(report.After, this->Target.Measures);
+    report.UnmetTargets = UnmetTargetsOf(report.After, this->Target.Measures);
     this->Done = 1.0;
     this->Progress(1.0);
     return report;
@@ -183,17 +183,17 @@ private:
   struct GradingLaw
   {
     double Concavity = 0.0;
-    double SlopePart = LeastSlopePart;
-    double Cut = CutPart;
+    double SlopeFraction = MinimumSlopeFraction;
+    double Cut = CutFraction;
   };
 
   struct GradedGround
   {
     std::vector<double> Heights;
-    std::vector<CellIndex> DrainageCells;
+    std::vector<CellIndex> Accumulation;
   };
 
-  static std::string MissedOf(const GroundMeasures& measures, const GroundMeasures& target)
+  static std::string UnmetTargetsOf(const GroundMeasures& measures, const GroundMeasures& target)
   {
     std::string missed;
     for (const Deviation& deviation : DeviationsOf(measures, target, {}))
@@ -211,7 +211,7 @@ private:
     this->Done = from + (to - from) * step / steps;
     this->Poll();
   }
-  void AdvanceRound(double step) { this->Advance(ErosionPart, 1.0, step, this->Parameters.MostRounds); }
+  void AdvanceRound(double step) { this->Advance(ErosionPart, 1.0, step, this->Parameters.MaximumIterations); }
 
   /// Adds waves of random size and phase to rings that have too little power.
   void AddMissingWaves()
@@ -227,8 +227,8 @@ private:
     {
       const double wanted = this->Target.Spectrum.At(static_cast<double>(ring) * spectrum.Step);
       const double power = spectrum.Power[ring];
-      isMissing = isMissing || power < LeastPowerPart * wanted;
-      sizes[ring] = power < LeastPowerPart * wanted ? std::sqrt((wanted - power) / this->CellArea()) : 0.0;
+      isMissing = isMissing || power < MinimumPowerFraction * wanted;
+      sizes[ring] = power < MinimumPowerFraction * wanted ? std::sqrt((wanted - power) / this->CellArea()) : 0.0;
     }
     if (!isMissing)
     {
@@ -257,7 +257,7 @@ private:
     GridSamples coarse = CoarseGround(this->Terrain, this->Parallel);
     CarvingParameters parameters = this->Parameters;
     parameters.Outlets = CoarseOutlets(this->Parameters.Outlets, this->Terrain);
-    parameters.MostRounds = CoarseRounds;
+    parameters.MaximumIterations = CoarseIterations;
     const CarvingProgress progress = [this](double part) {
       this->Done = CoarsePart * part;
       this->Poll();
@@ -319,14 +319,14 @@ private:
   void RestoreStatistics()
   {
     this->RestoreSpectrum();
-    MapRanks(this->Terrain.Values, this->Target.Heights, this->Parallel);
+    MapQuantiles(this->Terrain.Values, this->Target.Heights, this->Parallel);
   }
 
   GroundMeasures Measure(const GridSamples& ground) const
   {
     const littoral::Poll poll = [this] { this->Poll(); };
     return MeasureGround(
-      ground, this->Parameters.Outlets.Of(ground), this->Parallel, poll, this->Target.Measures.LargestArea);
+      ground, this->Parameters.Outlets.Of(ground), this->Parallel, poll, this->Target.Measures.MaximumArea);
   }
 
   /// Of neighbours along x and y.
@@ -349,7 +349,7 @@ private:
     {
       const double wanted = this->Target.Spectrum.At(static_cast<double>(ring) * spectrum.Step);
       const double ratio = spectrum.Power[ring] > 0.0 ? std::sqrt(wanted / spectrum.Power[ring]) : 1.0;
-      gains[ring] = this->Gains.Rings[ring] * std::clamp(ratio, LeastGain, MostGain);
+      gains[ring] = this->Gains.Rings[ring] * std::clamp(ratio, MinimumGain, MaximumGain);
     }
     gains[0] = gains.size() > 1 ? gains[1] : 1.0;
     MultiplyRings(field, spectrum.Step, gains, this->Parallel);
@@ -378,29 +378,29 @@ private:
     BreachDepressions(breached, outlets, this->Parameters.Path, poll);
     const FlowRouting routing = RouteFlow(breached, outlets, this->Parallel, poll);
     GradedGround graded;
-    graded.DrainageCells = DrainageCells(routing);
-    for (int flatter = 0; flatter <= MostFlatter; ++flatter)
+    graded.Accumulation = FlowAccumulation(routing);
+    for (int flatter = 0; flatter <= MaximumFlattenings; ++flatter)
     {
       ChannelLaw law;
-      law.Steepness = this->Law.SlopePart * this->Steepness;
+      law.Steepness = this->Law.SlopeFraction * this->Steepness;
       law.Concavity = this->Law.Concavity;
       law.ReferenceCells *= this->Target.CellArea / this->CellArea();
-      law.MostCells = this->MostCellsOfLaw();
-      law.ChannelCells = this->Parameters.ChannelCells;
-      graded.Heights = GradeAlong(this->Terrain, routing, graded.DrainageCells, law, this->Law.Cut, this->Parallel);
-      if (this->ChangeOf(graded.Heights) <= MostChange * this->Target.Measures.Deviation)
+      law.MaximumCells = this->MaximumCellsOfLaw();
+      law.ChannelThreshold = this->Parameters.ChannelThreshold;
+      graded.Heights = GradeAlong(this->Terrain, routing, graded.Accumulation, law, this->Law.Cut, this->Parallel);
+      if (this->ChangeOf(graded.Heights) <= MaximumChange * this->Target.Measures.StandardDeviation)
       {
         break;
       }
-      this->Law.SlopePart *= FlatterPart;
+      this->Law.SlopeFraction *= FlatteningFactor;
     }
     return graded;
   }
 
   /// Drainage area up to which the target tells of slopes, where the terrain has much larger ones.
-  double MostCellsOfLaw() const
+  double MaximumCellsOfLaw() const
   {
-    const double known = this->Target.Measures.LargestArea / this->CellArea();
+    const double known = this->Target.Measures.MaximumArea / this->CellArea();
     const double tenth = 0.1 * static_cast<double>(this->Terrain.Values.size());
     return known * (1.0 + 1e-9) < tenth ? known : std::numeric_limits<double>::infinity();
   }
@@ -426,12 +426,12 @@ private:
     GradedGround graded = this->Grade();
     std::vector<double>& changes = graded.Heights;
     std::vector<double> weights(changes.size());
-    const double least = 1e-9 * this->Target.Measures.Deviation;
+    const double least = 1e-9 * this->Target.Measures.StandardDeviation;
     this->Parallel(changes.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n)
       {
         changes[n] -= this->Terrain.Values[n];
-        const bool isChannel = graded.DrainageCells[n] >= this->Parameters.ChannelCells;
+        const bool isChannel = graded.Accumulation[n] >= this->Parameters.ChannelThreshold;
         weights[n] = isChannel || std::abs(changes[n]) > least ? 1.0 : 0.0;
       }
     });
@@ -454,11 +454,11 @@ private:
     {
       this->Law.Concavity = std::clamp(this->Law.Concavity + rate * std::clamp(0.7 * missing, -0.15, 0.15), -0.3, 1.2);
       const double steeper = std::exp(-2.0 * rate * std::clamp(missing, -0.15, 0.15));
-      this->Law.SlopePart = std::clamp(this->Law.SlopePart * steeper, 0.5 * LeastSlopePart, MostSlopePart);
+      this->Law.SlopeFraction = std::clamp(this->Law.SlopeFraction * steeper, 0.5 * MinimumSlopeFraction, MaximumSlopeFraction);
     }
     // Cuts bend the ground up, fills bend it down.
     this->Law.Cut =
-      std::clamp(this->Law.Cut - 0.1 * rate * std::clamp(measures.CurvatureSkew, -1.0, 1.0), 0.0, MostCutPart);
+      std::clamp(this->Law.Cut - 0.1 * rate * std::clamp(measures.CurvatureSkewness, -1.0, 1.0), 0.0, MaximumCutFraction);
     const std::vector<int> lags = SemivarianceLags(this->Terrain.Width, this->Terrain.Height);
     std::vector<double> wanted;
     for (std::size_t n = 0; n < lags.size(); ++n)
@@ -466,16 +466,16 @@ private:
       wanted.push_back(this->Target.Measures.SemivarianceAt(measures.Lags[n]) / measures.Semivariance[n]);
     }
     const BandGains gains = this->Bands->GainsFor(lags, wanted);
-    this->Gains.Plane = std::clamp(this->Gains.Plane * std::pow(gains.Plane, rate), LeastPlane, MostPlane);
+    this->Gains.Plane = std::clamp(this->Gains.Plane * std::pow(gains.Plane, rate), MinimumPlaneGain, MaximumPlaneGain);
     for (std::size_t wave = 0; wave < 9; ++wave)
     {
       this->Gains.LongWaves[wave] =
-        std::clamp(this->Gains.LongWaves[wave] * std::pow(gains.LongWaves[wave], rate), LeastGain, MostGain);
+        std::clamp(this->Gains.LongWaves[wave] * std::pow(gains.LongWaves[wave], rate), MinimumGain, MaximumGain);
     }
     for (std::size_t ring = 1; ring < this->Gains.Rings.size(); ++ring)
     {
       double& correction = this->Gains.Rings[ring];
-      correction = std::clamp(correction * std::pow(gains.Rings[ring], rate), LeastGain, MostGain);
+      correction = std::clamp(correction * std::pow(gains.Rings[ring], rate), MinimumGain, MaximumGain);
     }
   }
 
@@ -521,22 +521,22 @@ std::string WhyNoTarget(const GridSamples& place)
   return check.Reason();
 }
 
-std::string WhyInvalid(const CarvingNumbers& numbers)
+std::string WhyInvalid(const TargetStatistics& numbers)
 {
   ParameterCheck check;
   check.Range("Concavity", numbers.Concavity, 0.0, 1.0);
-  if (!numbers.OwnHeights)
+  if (!numbers.KeepsHypsometry)
   {
-    check.Range("HeightSkew", numbers.HeightSkew, -2.0, 2.0);
+    check.Range("ElevationSkewness", numbers.ElevationSkewness, -2.0, 2.0);
     check.Range("HypsometricIntegral", numbers.HypsometricIntegral, 0.0, 1.0);
     if (check.IsGood())
     {
-      const std::array<double, 2> integrals = IntegralsOfSkew(numbers.HeightSkew);
+      const std::array<double, 2> integrals = HypsometricIntegralRange(numbers.ElevationSkewness);
       const auto rounded = [](double value) { return TextOf(std::round(1000.0 * value) / 1000.0); };
       check.Require(numbers.HypsometricIntegral >= integrals[0] && numbers.HypsometricIntegral <= integrals[1],
         "HypsometricIntegral", numbers.HypsometricIntegral, "",
-        "from " + rounded(integrals[0]) + " to " + rounded(integrals[1]) + " with a HeightSkew of " +
-          TextOf(numbers.HeightSkew));
+        "from " + rounded(integrals[0]) + " to " + rounded(integrals[1]) + " with an ElevationSkewness of " +
+          TextOf(numbers.ElevationSkewness));
     }
   }
   return check.Reason();
@@ -547,8 +547,8 @@ std::string WhyInvalid(const GridSamples& terrain, const CarvingParameters& para
   ParameterCheck check;
   check.Count("ErosionSteps", parameters.ErosionSteps, 0, 100);
   check.Positive("Incision", parameters.Incision, "", 100.0);
-  check.Count("MostRounds", parameters.MostRounds, 1, 100);
-  check.Range("ChannelCells", parameters.ChannelCells, 1.0, 1e6);
+  check.Count("MaximumIterations", parameters.MaximumIterations, 1, 100);
+  check.Range("ChannelThreshold", parameters.ChannelThreshold, 1.0, 1e6);
   check.Range("ValleyWidth", parameters.ValleyWidth, 0.5, 50.0);
   check.Choice("Path", static_cast<int>(parameters.Path), 2);
   check.Choice("Outlets", static_cast<int>(parameters.Outlets.Choice), 3);
@@ -587,18 +587,18 @@ CarvingTarget TargetOf(const GridSamples& place, const DrainageOutlets& outlets,
   return target;
 }
 
-CarvingTarget TargetOf(const GridSamples& terrain, const CarvingNumbers& numbers, const DrainageOutlets& outlets,
+CarvingTarget TargetOf(const GridSamples& terrain, const TargetStatistics& numbers, const DrainageOutlets& outlets,
   const ParallelFor& parallel)
 {
   CarvingTarget target = TargetOf(terrain, outlets, parallel);
   target.Measures.Concavity = numbers.Concavity;
-  if (!numbers.OwnHeights)
+  if (!numbers.KeepsHypsometry)
   {
     const GroundMeasures& own = target.Measures;
     const double mean = own.Lowest + own.HypsometricIntegral * (own.Highest - own.Lowest);
-    target.Heights = LognormalQuantiles(mean, own.Deviation, numbers.HypsometricIntegral, numbers.HeightSkew);
+    target.Heights = LognormalQuantiles(mean, own.StandardDeviation, numbers.HypsometricIntegral, numbers.ElevationSkewness);
     target.Measures.HypsometricIntegral = numbers.HypsometricIntegral;
-    target.Measures.HeightSkew = numbers.HeightSkew;
+    target.Measures.ElevationSkewness = numbers.ElevationSkewness;
   }
   return target;
 }

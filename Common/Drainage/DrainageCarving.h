@@ -30,11 +30,11 @@ struct CarvingTarget
 };
 
 /// A target in numbers. Spectrum, plane, mean and standard deviation stay the terrain's own.
-struct CarvingNumbers
+struct TargetStatistics
 {
-  bool OwnHeights = true; ///< the distribution of heights stays the terrain's own too; else that of the two that follow
-  double HypsometricIntegral = 0.4; ///< (mean - lowest) / (highest - lowest), within IntegralsOfSkew()
-  double HeightSkew = 0.4;          ///< from -2 to 2
+  bool KeepsHypsometry = true; ///< the distribution of heights stays the terrain's own too; else that of the two that follow
+  double HypsometricIntegral = 0.4; ///< (mean - lowest) / (highest - lowest), within HypsometricIntegralRange()
+  double ElevationSkewness = 0.4;          ///< from -2 to 2
   double Concavity = 0.45;          ///< from 0 to 1
 };
 
@@ -44,8 +44,8 @@ struct CarvingParameters
   DrainageOutlets Outlets;
   int ErosionSteps = 10;      ///< steps of stream power before the rounds, 0 to 100
   double Incision = 2.0;      ///< K A^m dt / d of a step at a drainage area of 100 cells, above 0, at most 100
-  int MostRounds = 40;        ///< 1 to 100
-  double ChannelCells = 50.0; ///< drainage area from which the channel law rules, hillslopes below [cells], 1 to 1e6
+  int MaximumIterations = 40;        ///< 1 to 100
+  double ChannelThreshold = 50.0; ///< drainage area from which the channel law rules, hillslopes below [cells], 1 to 1e6
   double ValleyWidth = 3.0;   ///< standard deviation of the width over which a cut is spread [cells], 0.5 to 50
   BreachPath Path = BreachPath::LeastCost;
   int Seed = 1; ///< of the waves that a terrain lacks
@@ -54,12 +54,12 @@ struct CarvingParameters
 /// What is still allowed between carved ground and its target.
 struct CarvingTolerances
 {
-  double SunkShare = 0.05;
+  double DepressionFraction = 0.05;
   double HypsometricIntegral = 0.03;
-  double HeightSkew = 0.15;
+  double ElevationSkewness = 0.15;
   double Semivariance = 0.1; ///< part of the target's, at each lag
   double Concavity = 0.1;
-  double CurvatureSkew = 1.0; ///< in size, whatever the target's
+  double CurvatureSkewness = 1.0; ///< in size, whatever the target's
 };
 
 /// What came of it.
@@ -67,9 +67,9 @@ struct CarvingReport
 {
   GroundMeasures Before;
   GroundMeasures After;
-  int Rounds = 0;                ///< that were needed, or made in vain
-  bool HasReachedTarget = false; ///< all tolerances are met
-  std::string Missed;            ///< else the measures that are not, in words
+  int Iterations = 0;                ///< that were needed, or made in vain
+  bool HasConverged = false; ///< all tolerances are met
+  std::string UnmetTargets;            ///< else the measures that are not, in words
 };
 
 /// Part that is done, 0 to 1. It may end the work by an exception.
@@ -85,11 +85,11 @@ CarvingTarget TargetOf(
   const GridSamples& place, const DrainageOutlets& outlets = {}, const ParallelFor& parallel = SerialFor);
 
 /// The target that numbers set for a terrain.
-CarvingTarget TargetOf(const GridSamples& terrain, const CarvingNumbers& numbers, const DrainageOutlets& outlets = {},
+CarvingTarget TargetOf(const GridSamples& terrain, const TargetStatistics& numbers, const DrainageOutlets& outlets = {},
   const ParallelFor& parallel = SerialFor);
 
 /// Why numbers contradict each other, or are out of range; empty when they are good.
-std::string WhyInvalid(const CarvingNumbers& numbers);
+std::string WhyInvalid(const TargetStatistics& numbers);
 
 /// Why a terrain cannot be carved so; empty when it can.
 std::string WhyInvalid(const GridSamples& terrain, const CarvingParameters& parameters);

@@ -60,14 +60,14 @@ FlowRouting RouteFlow(
   if (!FindReceivers(heights.Values, outlets, lattice, parallel, routing.Receiver))
   {
     const DepressionFlood flood = FloodDepressions(heights, outlets, poll);
-    routing.Sunk = flood.Sunk;
+    routing.DepressionCells = flood.DepressionCells;
     routing.Volume = flood.Volume;
-    FindReceivers(flood.Level, outlets, lattice, parallel, routing.Receiver);
+    FindReceivers(flood.SpillElevation, outlets, lattice, parallel, routing.Receiver);
     for (CellIndex cell = 0; cell < lattice.Count(); ++cell)
     {
       if (routing.Receiver[cell] < 0)
       {
-        routing.Receiver[cell] = flood.Toward[cell];
+        routing.Receiver[cell] = flood.Backlink[cell];
       }
     }
   }
@@ -126,7 +126,7 @@ std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers)
   return order;
 }
 
-std::vector<CellIndex> DrainageCells(const FlowRouting& routing)
+std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing)
 {
   std::vector<CellIndex> cells(routing.Receiver.size(), 1);
   for (std::size_t n = routing.Order.size(); n-- > 0;)
@@ -143,7 +143,7 @@ std::vector<CellIndex> DrainageCells(const FlowRouting& routing)
 
 std::vector<double> DrainageArea(const FlowRouting& routing, const CellLattice& lattice)
 {
-  const std::vector<CellIndex> cells = DrainageCells(routing);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
   std::vector<double> area(cells.size());
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {

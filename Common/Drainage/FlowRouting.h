@@ -19,7 +19,7 @@ struct FlowRouting
 {
   std::vector<CellIndex> Receiver; ///< the neighbour to which a cell's water goes; outlets: themselves
   std::vector<CellIndex> Order;    ///< all cells, each after its receiver, catchment by catchment
-  std::size_t Sunk = 0;            ///< cells in depressions
+  std::size_t DepressionCells = 0;            ///< cells in depressions
   double Volume = 0.0;             ///< [m^3] of the depressions
 };
 
@@ -35,9 +35,9 @@ FlowRouting RouteFlow(const GridSamples& heights, const OutletMask& outlets, con
 std::vector<CellIndex> StackOrder(const std::vector<CellIndex>& receivers);
 
 /// Number of cells that drain through each cell, itself included.
-std::vector<CellIndex> DrainageCells(const FlowRouting& routing);
+std::vector<CellIndex> FlowAccumulation(const FlowRouting& routing);
 
-/// Drainage area of each cell [m^2], itself included: DrainageCells() times the area of a cell.
+/// Drainage area of each cell [m^2], itself included: FlowAccumulation() times the area of a cell.
 std::vector<double> DrainageArea(const FlowRouting& routing, const CellLattice& lattice);
 
 /// Slope from each cell to its receiver [m/m]; 0 at outlets, negative out of depressions.

@@ -16,18 +16,18 @@ namespace
 {
 
 constexpr int SlopeAreaBins = 20;
-constexpr double LeastCells = 100.0;
+constexpr double MinimumCells = 100.0;
 
 /// Drainage area at which the concavity ends [cells]: a tenth of the grid, or less where that is asked for; 0 where it
 /// is less than a decade.
-double MostCellsOf(double count, double most)
+double MaximumCellsOf(double count, double most)
 {
   const double tenth = 0.1 * count;
   if (most * (1.0 + 1e-9) >= tenth) // that of a grid of the same area
   {
     return tenth;
   }
-  return most < 10.0 * LeastCells ? 0.0 : most;
+  return most < 10.0 * MinimumCells ? 0.0 : most;
 }
 
 /// Count and central moments of a set of values.
@@ -79,15 +79,15 @@ std::vector<double> Laplacians(const GridSamples& heights, const ParallelFor& pa
 
 /// Up to a drainage area of so many cells.
 void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<double>& slopes, const OutletMask& outlets,
-  double mostCells, GroundMeasures& measures)
+  double maximumCells, GroundMeasures& measures)
 {
-  const double first = std::log(LeastCells);
-  const double last = std::log(mostCells);
+  const double first = std::log(MinimumCells);
+  const double last = std::log(maximumCells);
   std::vector<SlopeAreaBin> bins(SlopeAreaBins);
   SlopeAreaBin reference;
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
-    if (outlets[n] || cells[n] < LeastCells)
+    if (outlets[n] || cells[n] < MinimumCells)
     {
       continue;
     }
@@ -101,7 +101,7 @@ void MeasureSlopeArea(const std::vector<CellIndex>& cells, const std::vector<dou
     {
       add(bins[static_cast<std::size_t>(position)]);
     }
-    if (cells[n] <= 2.0 * LeastCells && slopes[n] > 0.0)
+    if (cells[n] <= 2.0 * MinimumCells && slopes[n] > 0.0)
     {
       add(reference);
     }
@@ -210,7 +210,7 @@ std::vector<double> SemivarianceAlongAxes(
 }
 
 GroundMeasures MeasureGround(
-  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll, double mostArea)
+  const GridSamples& heights, const OutletMask& outlets, const ParallelFor& parallel, const Poll& poll, double maximumArea)
 {
   GroundMeasures measures;
   const auto count = static_cast<double>(heights.Values.size());
@@ -218,10 +218,10 @@ GroundMeasures MeasureGround(
   const auto [low, high] = std::minmax_element(heights.Values.begin(), heights.Values.end());
   measures.Lowest = *low;
   measures.Highest = *high;
-  measures.Deviation = std::sqrt(moments.Variance);
+  measures.StandardDeviation = std::sqrt(moments.Variance);
   measures.HypsometricIntegral = *high > *low ? (moments.Mean - *low) / (*high - *low) : 0.0;
-  measures.HeightSkew = moments.Skew;
-  measures.CurvatureSkew = CentralMoments(Laplacians(heights, parallel)).Skew;
+  measures.ElevationSkewness = moments.Skew;
+  measures.CurvatureSkewness = CentralMoments(Laplacians(heights, parallel)).Skew;
   const std::vector<int> lags = SemivarianceLags(heights.Width, heights.Height);
   measures.Semivariance = SemivarianceAlongAxes(heights, lags, parallel);
   for (const int lag : lags)
@@ -231,11 +231,11 @@ GroundMeasures MeasureGround(
 
   const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
   const double area = heights.Spacing[0] * heights.Spacing[1];
-  measures.SunkShare = static_cast<double>(routing.Sunk) / count;
-  measures.FillOverDeviation = measures.Deviation > 0.0 ? routing.Volume / (area * count) / measures.Deviation : 0.0;
-  const double mostCells = MostCellsOf(count, mostArea / area);
-  measures.LargestArea = mostCells * area;
-  MeasureSlopeArea(DrainageCells(routing), SlopesToReceivers(heights, routing, parallel), outlets, mostCells, measures);
+  measures.DepressionFraction = static_cast<double>(routing.DepressionCells) / count;
+  measures.RelativeFillDepth = measures.StandardDeviation > 0.0 ? routing.Volume / (area * count) / measures.StandardDeviation : 0.0;
+  const double maximumCells = MaximumCellsOf(count, maximumArea / area);
+  measures.MaximumArea = maximumCells * area;
+  MeasureSlopeArea(FlowAccumulation(routing), SlopesToReceivers(heights, routing, parallel), outlets, maximumCells, measures);
   return measures;
 }
 

@@ -24,16 +24,16 @@ struct SlopeAreaBin
 /// What tells ground that water has shaped from a random surface.
 struct GroundMeasures
 {
-  double SunkShare = 0.0;           ///< of the cells: those that a flood from the outlets covers
-  double FillOverDeviation = 0.0;   ///< mean depth of the flood over the standard deviation of heights
+  double DepressionFraction = 0.0;           ///< of the cells: those that a flood from the outlets covers
+  double RelativeFillDepth = 0.0;   ///< mean depth of the flood over the standard deviation of heights
   double Lowest = 0.0;              ///< [m]
   double Highest = 0.0;             ///< [m]
-  double Deviation = 0.0;           ///< standard deviation of heights [m]
+  double StandardDeviation = 0.0;           ///< standard deviation of heights [m]
   double HypsometricIntegral = 0.0; ///< (mean - lowest) / (highest - lowest)
-  double HeightSkew = 0.0;
+  double ElevationSkewness = 0.0;
   double Concavity = 0.0;     ///< minus the slope of log slope over log area; NaN where fewer than 3 bins have cells
-  double LargestArea = 0.0;   ///< upper end of the drainage areas of the concavity [m^2]
-  double CurvatureSkew = 0.0; ///< of the five-point Laplacian of inner cells
+  double MaximumArea = 0.0;   ///< upper end of the drainage areas of the concavity [m^2]
+  double CurvatureSkewness = 0.0; ///< of the five-point Laplacian of inner cells
   double ChannelSlope = 0.0;  ///< mean slope above 0 at drainage areas of 100 to 200 cells [m/m]
   std::vector<SlopeAreaBin> SlopeArea;
   std::vector<double> Lags;         ///< those of SemivarianceLags(), times the mean spacing [m]
@@ -50,7 +50,7 @@ struct GroundMeasures
  */
 GroundMeasures MeasureGround(const GridSamples& heights, const OutletMask& outlets,
   const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll,
-  double mostArea = std::numeric_limits<double>::infinity());
+  double maximumArea = std::numeric_limits<double>::infinity());
 
 /// The lags of the semivariances [cells]: 1 to 100, or to half the shorter side, in steps that grow.
 std::vector<int> SemivarianceLags(int width, int height);

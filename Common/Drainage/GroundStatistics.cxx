@@ -123,22 +123,22 @@ std::vector<double> EvenQuantiles(std::vector<double> values, int count)
 }
 
 double HackExponent(
-  const std::vector<double>& lengths, const std::vector<CellIndex>& drainageCells, CellIndex leastCells)
+  const std::vector<double>& lengths, const std::vector<CellIndex>& accumulation, CellIndex threshold)
 {
   std::vector<double> logAreas;
   std::vector<double> logLengths;
   for (std::size_t cell = 0; cell < lengths.size(); ++cell)
   {
-    if (drainageCells[cell] >= leastCells && lengths[cell] > 0.0)
+    if (accumulation[cell] >= threshold && lengths[cell] > 0.0)
     {
-      logAreas.push_back(std::log(drainageCells[cell]));
+      logAreas.push_back(std::log(accumulation[cell]));
       logLengths.push_back(std::log(lengths[cell]));
     }
   }
   return LineThrough(logAreas, logLengths).Slope;
 }
 
-GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells,
+GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex threshold,
   const ParallelFor& parallel, const Poll& poll)
 {
   const CellLattice lattice(heights);
@@ -149,10 +149,10 @@ GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& ou
   ground.Curvature = ShapeOf(LaplaciansOf(heights));
   poll();
   const FlowRouting routing = RouteFlow(heights, outlets, parallel, poll);
-  const std::vector<CellIndex> cells = DrainageCells(routing);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
   poll();
-  ground.Hack = HackExponent(LongestFlowLengths(routing, lattice), cells, leastCells);
-  ground.Streams = ClassesByOrder(FindStreams(heights, routing, cells, leastCells).Rivers);
+  ground.Hack = HackExponent(LongestFlowLengths(routing, lattice), cells, threshold);
+  ground.Streams = ClassesByOrder(FindStreams(heights, routing, cells, threshold).Rivers);
   ground.Horton = RatiosOf(ground.Streams);
   return ground;
 }

@@ -36,9 +36,9 @@ std::vector<double> LaplaciansOf(const GridSamples& heights);
 std::vector<double> EvenQuantiles(std::vector<double> values, int count);
 
 /// Hack's exponent h (1957), longest flow length L ~ A^h, by least squares of logarithms over the cells that drain
-/// `leastCells` cells or more; NaN where there are none.
+/// `threshold` cells or more; NaN where there are none.
 double HackExponent(
-  const std::vector<double>& lengths, const std::vector<CellIndex>& drainageCells, CellIndex leastCells = 100);
+  const std::vector<double>& lengths, const std::vector<CellIndex>& accumulation, CellIndex threshold = 100);
 
 /// What tells a landscape from a random surface.
 struct GroundStatistics
@@ -54,9 +54,9 @@ struct GroundStatistics
 
 /**
  * Statistics of a grid without missing values that is not constant, of three rows and columns or more. Streams, and the
- * cells of Hack's law, begin where `leastCells` cells drain. The order of sums does not depend on the threads.
+ * cells of Hack's law, begin where `threshold` cells drain. The order of sums does not depend on the threads.
  */
-GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex leastCells = 100,
+GroundStatistics DescribeGround(const GridSamples& heights, const OutletMask& outlets, CellIndex threshold = 100,
   const ParallelFor& parallel = SerialFor, const Poll& poll = NoPoll);
 
 }

@@ -103,11 +103,11 @@ std::vector<RankedHeight> SortedHeights(const std::vector<double>& heights, cons
 }
 
 /// The lognormal distribution (e^(s z) - 1) / s of a Gaussian z, without its ends beyond one and the same probability.
-struct CutLognormal
+struct TruncatedLognormal
 {
   static constexpr int Points = 400;
 
-  CutLognormal(double shape, const std::vector<double>& gaussians)
+  TruncatedLognormal(double shape, const std::vector<double>& gaussians)
   {
     for (int point = 0; point <= Points; ++point)
     {
@@ -146,26 +146,26 @@ struct CutLognormal
   double Integral;
 };
 
-constexpr double LeastShape = 1e-4;
-constexpr double MostShape = 4.0;
-constexpr double LeastCut = 1e-8;
-constexpr double MostCut = 0.1;
+constexpr double MinimumShape = 1e-4;
+constexpr double MaximumShape = 4.0;
+constexpr double MinimumCut = 1e-8;
+constexpr double MaximumCut = 0.1;
 
 /// Whose skew without its ends is the given one, not negative.
-CutLognormal WithSkew(double skew, double cut)
+TruncatedLognormal WithSkew(double skew, double cut)
 {
   const boost::math::normal_distribution<double> normal;
   std::vector<double> gaussians;
-  for (int point = 0; point <= CutLognormal::Points; ++point)
+  for (int point = 0; point <= TruncatedLognormal::Points; ++point)
   {
-    gaussians.push_back(boost::math::quantile(normal, cut + (1.0 - 2.0 * cut) * CutLognormal::Position(point)));
+    gaussians.push_back(boost::math::quantile(normal, cut + (1.0 - 2.0 * cut) * TruncatedLognormal::Position(point)));
   }
-  double low = LeastShape;
-  double high = MostShape;
+  double low = MinimumShape;
+  double high = MaximumShape;
   for (int step = 0; step < 50; ++step)
   {
     const double middle = std::sqrt(low * high);
-    (CutLognormal(middle, gaussians).Skew < skew ? low : high) = middle;
+    (TruncatedLognormal(middle, gaussians).Skew < skew ? low : high) = middle;
   }
   return { std::sqrt(low * high), gaussians };
 }
@@ -216,12 +216,12 @@ HeightQuantiles QuantilesOf(const std::vector<double>& heights)
   return quantiles;
 }
 
-std::array<double, 2> IntegralsOfSkew(double skew)
+std::array<double, 2> HypsometricIntegralRange(double skew)
 {
   // The integral grows with what is cut off as long as the longer tail is above.
   const double size = std::abs(skew);
-  const double least = WithSkew(size, LeastCut).Integral;
-  const double most = WithSkew(size, MostCut).Integral;
+  const double least = WithSkew(size, MinimumCut).Integral;
+  const double most = WithSkew(size, MaximumCut).Integral;
   return skew < 0.0 ? std::array<double, 2>{ 1.0 - most, 1.0 - least } : std::array<double, 2>{ least, most };
 }
 
@@ -231,19 +231,19 @@ HeightQuantiles LognormalQuantiles(double mean, double deviation, double integra
   const double sign = skew < 0.0 ? -1.0 : 1.0;
   const double size = std::abs(skew);
   const double wanted = skew < 0.0 ? 1.0 - integral : integral;
-  double low = LeastCut;
-  double high = MostCut;
+  double low = MinimumCut;
+  double high = MaximumCut;
   for (int step = 0; step < 40; ++step)
   {
     const double middle = std::sqrt(low * high);
     (WithSkew(size, middle).Integral < wanted ? low : high) = middle;
   }
-  const CutLognormal cut = WithSkew(size, std::sqrt(low * high));
+  const TruncatedLognormal cut = WithSkew(size, std::sqrt(low * high));
   HeightQuantiles quantiles;
-  for (int n = 0; n <= CutLognormal::Points; ++n)
+  for (int n = 0; n <= TruncatedLognormal::Points; ++n)
   {
-    const int point = sign > 0.0 ? n : CutLognormal::Points - n;
-    const double p = CutLognormal::Position(point);
+    const int point = sign > 0.0 ? n : TruncatedLognormal::Points - n;
+    const double p = TruncatedLognormal::Position(point);
     const double height = mean + sign * deviation * (cut.Values[point] - cut.Mean) / cut.Deviation;
     if (quantiles.Heights.empty() || height > quantiles.Heights.back())
     {
@@ -254,7 +254,7 @@ HeightQuantiles LognormalQuantiles(double mean, double deviation, double integra
   return quantiles;
 }
 
-void MapRanks(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel)
+void MapQuantiles(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel)
 {
   const std::vector<RankedHeight> ranked = SortedHeights(heights, parallel);
   const auto count = static_cast<double>(heights.size());

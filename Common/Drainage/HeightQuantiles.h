@@ -31,15 +31,15 @@ HeightQuantiles QuantilesOf(const std::vector<double>& heights);
 /**
  * A distribution of a mean and a standard deviation [m], a skew, and a hypsometric integral (mean - lowest) / (highest
  * - lowest): lognormal (Gauss's for skew 0, mirrored below), without its ends beyond one and the same probability. The
- * integral must be within IntegralsOfSkew().
+ * integral must be within HypsometricIntegralRange().
  */
 HeightQuantiles LognormalQuantiles(double mean, double deviation, double integral, double skew);
 
 /// The least and the greatest hypsometric integral of such distributions of a skew, which is at most 2 in size.
-std::array<double, 2> IntegralsOfSkew(double skew);
+std::array<double, 2> HypsometricIntegralRange(double skew);
 
 /// Replaces each height by the distribution's at the same rank; equal heights by their index. No two become equal.
-void MapRanks(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel = SerialFor);
+void MapQuantiles(std::vector<double>& heights, const HeightQuantiles& quantiles, const ParallelFor& parallel = SerialFor);
 
 }
 

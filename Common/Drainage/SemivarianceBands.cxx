@@ -21,8 +21,8 @@ namespace
 constexpr double ChangeWeight = 0.02;
 
 /// Changes of a band's power in one go.
-constexpr double LeastChange = -0.6;
-constexpr double MostChange = 1.5;
+constexpr double MinimumChange = -0.6;
+constexpr double MaximumChange = 1.5;
 
 /// Rows of a block of sums.
 constexpr std::size_t RowsAtOnce = 64;
@@ -176,7 +176,7 @@ BandGains SemivarianceBands::GainsFor(const std::vector<int>& lags, const std::v
   const Eigen::MatrixXd normal = parts.transpose() * parts + ChangeWeight * Eigen::MatrixXd::Identity(bands, bands);
   const Eigen::VectorXd changes = normal.ldlt().solve(parts.transpose() * missing);
   const auto gainOf = [&](std::size_t band) {
-    return std::sqrt(1.0 + std::clamp(changes(static_cast<Eigen::Index>(band)), LeastChange, MostChange));
+    return std::sqrt(1.0 + std::clamp(changes(static_cast<Eigen::Index>(band)), MinimumChange, MaximumChange));
   };
   BandGains gains;
   gains.Rings.assign(this->Rings, 1.0);

@@ -47,7 +47,7 @@ std::vector<bool> HeadsOf(const FlowRouting& routing, const std::vector<int>& or
 }
 
 std::vector<int> StrahlerOrders(
-  const FlowRouting& routing, const std::vector<CellIndex>& drainageCells, CellIndex leastCells)
+  const FlowRouting& routing, const std::vector<CellIndex>& accumulation, CellIndex threshold)
 {
   // The highest order that comes into a cell, and how many streams of it do; upstream cells are last in the order.
   std::vector<int> highest(routing.Receiver.size(), 0);
@@ -56,7 +56,7 @@ std::vector<int> StrahlerOrders(
   for (auto next = routing.Order.rbegin(); next != routing.Order.rend(); ++next)
   {
     const CellIndex cell = *next;
-    if (drainageCells[cell] < leastCells)
+    if (accumulation[cell] < threshold)
     {
       continue;
     }
@@ -80,11 +80,11 @@ std::vector<int> StrahlerOrders(
 }
 
 StreamNetwork FindStreams(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& drainageCells, CellIndex leastCells)
+  const std::vector<CellIndex>& accumulation, CellIndex threshold)
 {
   const CellLattice lattice(heights);
   StreamNetwork network;
-  network.Orders = StrahlerOrders(routing, drainageCells, leastCells);
+  network.Orders = StrahlerOrders(routing, accumulation, threshold);
   const std::vector<bool> isHead = HeadsOf(routing, network.Orders);
   for (CellIndex head = 0; head < lattice.Count(); ++head)
   {
@@ -109,7 +109,7 @@ StreamNetwork FindStreams(const GridSamples& heights, const FlowRouting& routing
       }
       river.Length += StepLength(routing, lattice, cell);
     }
-    river.Area = drainageCells[own] * lattice.CellArea();
+    river.Area = accumulation[own] * lattice.CellArea();
     river.Slope = (heights.Values[head] - heights.Values[river.Cells.back()]) / river.Length;
     network.Rivers.push_back(std::move(river));
   }

@@ -30,15 +30,15 @@ struct StreamNetwork
 };
 
 /**
- * Strahler's orders (1957) of the cells that drain at least `leastCells` cells, themselves included: 1 at heads; where
+ * Strahler's orders (1957) of the cells that drain at least `threshold` cells, themselves included: 1 at heads; where
  * streams of one order meet, one more; else the highest order that comes in. The number of cells must grow downstream.
  */
 std::vector<int> StrahlerOrders(
-  const FlowRouting& routing, const std::vector<CellIndex>& drainageCells, CellIndex leastCells);
+  const FlowRouting& routing, const std::vector<CellIndex>& accumulation, CellIndex threshold);
 
 /// Orders and streams. Streams of a single cell, as outlets where two meet, are left out of Rivers.
 StreamNetwork FindStreams(const GridSamples& heights, const FlowRouting& routing,
-  const std::vector<CellIndex>& drainageCells, CellIndex leastCells);
+  const std::vector<CellIndex>& accumulation, CellIndex threshold);
 
 /// Length of the longest way of water to each cell from above [m]; 0 where none comes in.
 std::vector<double> LongestFlowLengths(const FlowRouting& routing, const CellLattice& lattice);

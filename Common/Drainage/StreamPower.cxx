@@ -57,7 +57,7 @@ std::string WhyInvalid(const StreamPowerLaw& law)
   check.Range("AreaExponent", law.AreaExponent, 0.0, 2.0);
   check.Range("SlopeExponent", law.SlopeExponent, 0.2, 5.0);
   check.NotNegative("Uplift", law.Uplift, "m/a");
-  check.NotNegative("LeastArea", law.LeastArea, "m^2");
+  check.NotNegative("MinimumArea", law.MinimumArea, "m^2");
   return check.Reason();
 }
 
@@ -74,7 +74,7 @@ void StepStreamPower(GridSamples& heights, const FlowRouting& routing, const std
     }
     double& height = heights.Values[cell];
     height += law.Uplift * time;
-    if (area[cell] >= law.LeastArea)
+    if (area[cell] >= law.MinimumArea)
     {
       const double distance = lattice.Distance(lattice.DirectionTo(cell, receiver));
       const double factor =

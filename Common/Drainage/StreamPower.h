@@ -19,7 +19,7 @@ struct StreamPowerLaw
   double AreaExponent = 0.45; ///< m, 0 to 2
   double SlopeExponent = 1.0; ///< n, 0.2 to 5
   double Uplift = 1e-3;       ///< U [m/a], not negative; outlets stay
-  double LeastArea = 0.0;     ///< [m^2]; cells that drain less are hillslopes, and are lifted alone
+  double MinimumArea = 0.0;     ///< [m^2]; cells that drain less are hillslopes, and are lifted alone
 };
 
 /// Why no river can follow the law; empty when one can.

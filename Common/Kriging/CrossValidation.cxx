@@ -15,7 +15,7 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<LeftOut> LeaveOneOut(const KrigingSurvey& survey, const ParallelFor& parallel)
+std::vector<LeaveOneOutEstimate> LeaveOneOut(const KrigingSurvey& survey, const ParallelFor& parallel)
 {
   KrigingData data = survey.Data;
   for (double& value : data.Values)
@@ -36,7 +36,7 @@ CrossValidation CrossValidate(const KrigingSurvey& survey, const ParallelFor& pa
   double standardized = 0.0;
   double known = 0.0;
   std::size_t n = 0;
-  for (const LeftOut& left : LeaveOneOut(survey, parallel))
+  for (const LeaveOneOutEstimate& left : LeaveOneOut(survey, parallel))
   {
     const double estimate = left.Estimate + survey.Mean;
     const double value = std::isnan(estimate) ? NaN : survey.BackTransformed(estimate);

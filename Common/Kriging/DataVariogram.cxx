@@ -18,7 +18,7 @@ namespace littoral
 namespace
 {
 
-constexpr std::size_t MostForVariogram = 4000;
+constexpr std::size_t MaximumDataForVariogram = 4000;
 constexpr int Classes = 15;
 
 /// Distances, half squared differences and numbers of the pairs of each class.
@@ -54,7 +54,7 @@ std::vector<double> Residuals(const KrigingData& data, KrigingType type)
 std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, const ParallelFor& parallel)
 {
   const std::vector<double> values = Residuals(data, type);
-  const std::size_t stride = (values.size() + MostForVariogram - 1) / MostForVariogram;
+  const std::size_t stride = (values.size() + MaximumDataForVariogram - 1) / MaximumDataForVariogram;
   const std::size_t count = (values.size() + stride - 1) / stride;
   KrigingPlace low = data.Places[0];
   KrigingPlace high = low;
@@ -114,10 +114,10 @@ std::vector<LagBin> DataVariogram(const KrigingData& data, KrigingType type, con
 std::vector<KrigingModel> FitToData(const KrigingData& data, KrigingType type, const ParallelFor& parallel)
 {
   const std::size_t count = data.Places.size();
-  if (count < FewestForVariogram)
+  if (count < MinimumDataForVariogram)
   {
     Refuse("There ", count == 1 ? "is" : "are", " only ", count, count == 1 ? " datum" : " data",
-      ", and a model is fitted to at least ", FewestForVariogram, "; choose a Model or connect a table of fits.");
+      ", and a model is fitted to at least ", MinimumDataForVariogram, "; choose a Model or connect a table of fits.");
   }
   const std::vector<LagBin> bins = DataVariogram(data, type, parallel);
   const bool varies = std::any_of(bins.begin(), bins.end(), [](const LagBin& bin) { return bin.Semivariance > 0.0; });

@@ -14,7 +14,7 @@ namespace littoral
 {
 
 /// The fewest data from whose pairs a model is fitted.
-inline constexpr std::size_t FewestForVariogram = 20;
+inline constexpr std::size_t MinimumDataForVariogram = 20;
 
 /**
  * The variogram of scattered data: pairs up to half the diagonal of their rectangle, in 15 classes of equal width

@@ -16,8 +16,8 @@ namespace littoral
 class DriftFunctions
 {
 public:
-  static constexpr std::size_t Most = 6;
-  using Values = std::array<double, Most>;
+  static constexpr std::size_t MaximumCount = 6;
+  using Values = std::array<double, MaximumCount>;
 
   /// Scaled to places that are given by `count` indices, which may be null: all of them.
   DriftFunctions(

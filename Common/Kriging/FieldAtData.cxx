@@ -26,7 +26,7 @@ constexpr double FarthestIndex = 1e9;
 /// Mean spacings within which points and data tell of the short waves at a datum.
 constexpr double DrawRadius = 3.0;
 /// Data before in the list that do, at most, and data that are looked at to find them.
-constexpr std::size_t MostDataBefore = 16;
+constexpr std::size_t MaximumDataBefore = 16;
 constexpr std::size_t DataLookedAt = 33;
 /// Part of the variance that keeps a system solvable where data are at one place.
 constexpr double Jitter = 1e-9;
@@ -88,8 +88,8 @@ public:
     const double area = std::abs(lattice.StepX[0] * lattice.StepY[1] - lattice.StepX[1] * lattice.StepY[0]);
     this->Radius = DrawRadius * std::sqrt(area);
     // The box of a circle in the grid's indices, as that of the moving average
-    this->Reach = { std::min(MostReach, this->Radius * std::hypot(lattice.StepY[0], lattice.StepY[1]) / area),
-      std::min(MostReach, this->Radius * std::hypot(lattice.StepX[0], lattice.StepX[1]) / area) };
+    this->Reach = { std::min(MaximumReach, this->Radius * std::hypot(lattice.StepY[0], lattice.StepY[1]) / area),
+      std::min(MaximumReach, this->Radius * std::hypot(lattice.StepX[0], lattice.StepX[1]) / area) };
   }
 
   ShortDraw Prepare(std::size_t datum) const
@@ -102,7 +102,7 @@ public:
     this->Tree.Nearest(this->Reduced[datum], std::min(DataLookedAt, this->Reduced.size()), near);
     for (const std::size_t other : near)
     {
-      const bool tells = other < datum && this->IsOff[other] && draw.Data.size() < MostDataBefore &&
+      const bool tells = other < datum && this->IsOff[other] && draw.Data.size() < MaximumDataBefore &&
         Distance(this->Reduced[datum], this->Reduced[other]) <= this->Radius;
       if (tells)
       {
@@ -140,7 +140,7 @@ public:
 
 private:
   /// Columns and rows on either side, at most: on a grid of very unequal spacings.
-  static constexpr double MostReach = 30.0;
+  static constexpr double MaximumReach = 30.0;
 
   static std::vector<ReducedPlace> ReduceAll(const PlaneLattice& lattice, const std::vector<GridPosition>& positions)
   {

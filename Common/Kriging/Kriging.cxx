@@ -29,7 +29,7 @@ constexpr std::size_t StepsForAll = 4096;
 constexpr std::size_t StepsForNeighbors = 65536;
 
 /// Largest miss of an exact datum, in the larger of the field's standard deviation and the largest value.
-constexpr double LargestMiss = 1e-10;
+constexpr double MaximumResidual = 1e-10;
 
 /// Places whose variances are computed together: as many in each call, so that no sum depends on how many are wanted.
 constexpr std::size_t PlacesAtOnce = 64;
@@ -114,7 +114,7 @@ public:
 
   virtual void Solve() = 0;
   virtual void Estimate(const KrigingPlace* places, std::size_t count, double* estimates, double* variances) const = 0;
-  virtual std::vector<LeftOut> LeaveOneOut(const ParallelFor& parallel) const = 0;
+  virtual std::vector<LeaveOneOutEstimate> LeaveOneOut(const ParallelFor& parallel) const = 0;
   virtual std::size_t GetNeighbors() const { return this->Data.Places.size(); }
 
   double Noise(std::size_t datum) const { return this->Nugget + this->Data.ErrorVariance(datum); }
@@ -171,12 +171,12 @@ public:
     // What the sums at the data lack, once more through the factor.
     Vector b;
     Vector c;
-    this->Solver.Dual(this->Misses(values), this->DriftMatrix, b, c);
+    this->Solver.Dual(this->Residuals(values), this->DriftMatrix, b, c);
     this->Weights += b;
     this->Factors += c;
     const double scale = std::max(std::sqrt(this->Table.GetVariance()), values.lpNorm<Eigen::Infinity>());
-    const double worst = this->Misses(values).lpNorm<Eigen::Infinity>();
-    if (!(worst <= LargestMiss * scale))
+    const double worst = this->Residuals(values).lpNorm<Eigen::Infinity>();
+    if (!(worst <= MaximumResidual * scale))
     {
       throw KrigingFailure(
         "The kriging system is singular to working precision: its solution misses the data by up to " +
@@ -204,7 +204,7 @@ public:
     }
   }
 
-  std::vector<LeftOut> LeaveOneOut(const ParallelFor& parallel) const override
+  std::vector<LeaveOneOutEstimate> LeaveOneOut(const ParallelFor& parallel) const override
   {
     // P = K^-1 - K^-1 F G^-1 F' K^-1; a datum less its estimate from the others is (P z)_i / P_ii, of variance 1 / P_ii
     const Eigen::Index count = this->DriftMatrix.rows();
@@ -231,13 +231,13 @@ public:
         }
       }
     });
-    std::vector<LeftOut> left(count);
+    std::vector<LeaveOneOutEstimate> left(count);
     for (Eigen::Index n = 0; n < count; ++n)
     {
       // Nothing is left to say of a datum without which the drift has no answer.
       const bool has = diagonal(n) * (this->Table.GetVariance() + this->Noise(n)) > 1e-9;
       const double value = this->Data.Values[n];
-      left[n] = has ? LeftOut{ value - this->Weights(n) / diagonal(n), 1.0 / diagonal(n) } : LeftOut{ NaN, NaN };
+      left[n] = has ? LeaveOneOutEstimate{ value - this->Weights(n) / diagonal(n), 1.0 / diagonal(n) } : LeaveOneOutEstimate{ NaN, NaN };
     }
     return left;
   }
@@ -317,14 +317,14 @@ private:
   }
 
   /// Values less the sums at the data, noise included.
-  Vector Misses(const Vector& values) const
+  Vector Residuals(const Vector& values) const
   {
-    Vector misses = values;
-    for (Eigen::Index n = 0; n < misses.size(); ++n)
+    Vector residuals = values;
+    for (Eigen::Index n = 0; n < residuals.size(); ++n)
     {
-      misses(n) -= this->EstimateAt(this->Data.Places[n]) + this->Noise(n) * this->Weights(n);
+      residuals(n) -= this->EstimateAt(this->Data.Places[n]) + this->Noise(n) * this->Weights(n);
     }
-    return misses;
+    return residuals;
   }
 
   DriftFunctions Functions;
@@ -360,7 +360,7 @@ public:
     for (std::size_t n = 0; n < count; ++n)
     {
       this->Tree.Nearest(this->Reduce(places[n].X, places[n].Y), this->Options.Neighbors, local.Neighbors);
-      const LeftOut found = this->EstimateFrom(places[n], local);
+      const LeaveOneOutEstimate found = this->EstimateFrom(places[n], local);
       estimates[n] = found.Estimate;
       if (variances)
       {
@@ -369,9 +369,9 @@ public:
     }
   }
 
-  std::vector<LeftOut> LeaveOneOut(const ParallelFor& parallel) const override
+  std::vector<LeaveOneOutEstimate> LeaveOneOut(const ParallelFor& parallel) const override
   {
-    std::vector<LeftOut> left(this->Data.Places.size());
+    std::vector<LeaveOneOutEstimate> left(this->Data.Places.size());
     parallel(left.size(), [&](std::size_t begin, std::size_t end) {
       Local local;
       for (std::size_t n = begin; n < end; ++n)
@@ -400,7 +400,7 @@ private:
     KrigingSolver Solver;
   };
 
-  LeftOut EstimateFrom(const KrigingPlace& place, Local& local) const
+  LeaveOneOutEstimate EstimateFrom(const KrigingPlace& place, Local& local) const
   {
     const ReducedPlace here = this->Reduce(place.X, place.Y);
     const auto count = static_cast<Eigen::Index>(local.Neighbors.size());
@@ -433,7 +433,7 @@ private:
     }
     const Vector t = local.Solver.Lower(local.Right);
     const Vector u = local.Solver.Lower(local.Values);
-    LeftOut found{ t.dot(u), this->Table.GetVariance() - t.squaredNorm() };
+    LeaveOneOutEstimate found{ t.dot(u), this->Table.GetVariance() - t.squaredNorm() };
     if (drifts > 0)
     {
       const DriftFunctions::Values at = functions.At(place);
@@ -488,7 +488,7 @@ void Kriging::Estimate(const KrigingPlace* places, std::size_t count, double* es
   this->Self->Estimate(places, count, estimates, variances);
 }
 
-std::vector<LeftOut> Kriging::LeaveOneOut(const ParallelFor& parallel) const
+std::vector<LeaveOneOutEstimate> Kriging::LeaveOneOut(const ParallelFor& parallel) const
 {
   return this->Self->LeaveOneOut(parallel);
 }

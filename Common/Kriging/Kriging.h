@@ -28,7 +28,7 @@ struct KrigingOptions
 };
 
 /// What the other data say of a datum.
-struct LeftOut
+struct LeaveOneOutEstimate
 {
   double Estimate; ///< NaN where the others are too few
   double Variance; ///< of the datum less the estimate, with the noise of the datum
@@ -75,7 +75,7 @@ public:
    * Each datum estimated from the others: with all data from the diagonal of the inverse (Dubrule 1983), with
    * neighbours by leaving it out.
    */
-  std::vector<LeftOut> LeaveOneOut(const ParallelFor& parallel = SerialFor) const;
+  std::vector<LeaveOneOutEstimate> LeaveOneOut(const ParallelFor& parallel = SerialFor) const;
 
   /// Number of data that take part in an estimate.
   std::size_t GetNeighbors() const;

@@ -29,9 +29,9 @@ public:
   using Vector = Eigen::VectorXd;
 
   /// Part of the variance of a datum that has to be its own: below, the data before it tell all about it.
-  static constexpr double LeastOwnPart = 1e-13;
+  static constexpr double MinimumPivot = 1e-13;
   /// The same of a drift function over the data.
-  static constexpr double LeastOwnDrift = 1e-10;
+  static constexpr double MinimumDriftPivot = 1e-10;
 
   /// Factors K, of which the lower half is given and changed, and F; false with a reason in words if one is singular.
   bool Factor(Eigen::Ref<Matrix> covariances, const Matrix& drifts)
@@ -57,7 +57,7 @@ public:
     bool isRegular = count <= drifts.rows();
     for (Eigen::Index n = 0; isRegular && n < count; ++n)
     {
-      isRegular = std::abs(qr.matrixQR()(n, n)) > LeastOwnDrift * this->Drifts.col(n).norm();
+      isRegular = std::abs(qr.matrixQR()(n, n)) > MinimumDriftPivot * this->Drifts.col(n).norm();
     }
     if (!isRegular)
     {
@@ -112,7 +112,7 @@ private:
     {
       // The square of L's diagonal is the variance of a datum that those before it leave open.
       const double own = this->Cholesky.matrixLLT()(n, n);
-      if (!(own * own > LeastOwnPart * diagonal(n)))
+      if (!(own * own > MinimumPivot * diagonal(n)))
       {
         return false;
       }

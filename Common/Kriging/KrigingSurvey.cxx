@@ -18,7 +18,7 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Data of which all take part in each estimate, at most, and neighbours where there are more.
-constexpr std::size_t MostForAll = 2000;
+constexpr std::size_t MaximumGlobalData = 2000;
 constexpr std::size_t UsualNeighbors = 50;
 /// Data at which neighbourhoods are tried with a fitted model, at most.
 constexpr std::size_t PlacesTried = 500;
@@ -160,7 +160,7 @@ void TakeNeighbors(int number, KrigingSurvey& survey)
 {
   const std::size_t count = survey.Data.Places.size();
   const auto asked = static_cast<std::size_t>(number);
-  survey.Neighbors = asked > 0 ? std::min(asked, count) : count <= MostForAll ? count : UsualNeighbors;
+  survey.Neighbors = asked > 0 ? std::min(asked, count) : count <= MaximumGlobalData ? count : UsualNeighbors;
 }
 
 }

@@ -43,7 +43,7 @@ std::string TextOf(double value)
 bool IsSensible(double value)
 {
   const double magnitude = std::abs(value);
-  return value == 0.0 || (magnitude >= SmallestMagnitude && magnitude <= LargestMagnitude);
+  return value == 0.0 || (magnitude >= MinimumMagnitude && magnitude <= MaximumMagnitude);
 }
 
 bool ValueInterval::Contains(double value) const
@@ -101,7 +101,7 @@ void ParameterCheck::Within(std::string_view name, double value, const ValueInte
     this->Require(false, Sentence(name, TextOf(value), unit, allowed.Words(unit)));
   }
   this->Require(IsSensible(value), name, value, unit,
-    "of a magnitude from " + TextOf(SmallestMagnitude) + " to " + WithUnit(LargestMagnitude, unit));
+    "of a magnitude from " + TextOf(MinimumMagnitude) + " to " + WithUnit(MaximumMagnitude, unit));
 }
 
 void ParameterCheck::Range(std::string_view name, double value, double low, double high, const char* unit)

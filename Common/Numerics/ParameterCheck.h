@@ -13,8 +13,8 @@ namespace littoral
 
 /// Magnitudes that a parameter in any unit can sensibly have, besides 0. Beyond them products of a few parameters
 /// overflow, or vanish where they divide.
-constexpr double SmallestMagnitude = 1e-30;
-constexpr double LargestMagnitude = 1e15;
+constexpr double MinimumMagnitude = 1e-30;
+constexpr double MaximumMagnitude = 1e15;
 
 /// Whether a number is 0 or of a sensible magnitude; NaN and infinity are not.
 bool IsSensible(double value);

@@ -45,8 +45,8 @@ constexpr ParameterTraits<Parameters> MakeParameter(const char* name, const char
 template <typename Parameters>
 struct ParameterList
 {
-  static constexpr int Most = 8;
-  const ParameterTraits<Parameters>* Items[Most + 1] = {}; ///< the rest is null
+  static constexpr int MaximumCount = 8;
+  const ParameterTraits<Parameters>* Items[MaximumCount + 1] = {}; ///< the rest is null
 
   const ParameterTraits<Parameters>* const* begin() const { return this->Items; }
   const ParameterTraits<Parameters>* const* end() const { return this->Items + this->Size(); }

@@ -35,8 +35,8 @@ void AddOne(const float* vector, int components, VectorRange& range, double& che
     range.High[axis] = std::max(range.High[axis], vector[axis]);
     square += static_cast<double>(vector[axis]) * vector[axis];
   }
-  range.LeastSquare = std::min(range.LeastSquare, square);
-  range.MostSquare = std::max(range.MostSquare, square);
+  range.MinimumSquare = std::min(range.MinimumSquare, square);
+  range.MaximumSquare = std::max(range.MaximumSquare, square);
   check += square - square;
 }
 
@@ -59,8 +59,8 @@ struct SquareRange
   {
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      range.LeastSquare = std::min(range.LeastSquare, this->Least.Values[lane]);
-      range.MostSquare = std::max(range.MostSquare, this->Most.Values[lane]);
+      range.MinimumSquare = std::min(range.MinimumSquare, this->Least.Values[lane]);
+      range.MaximumSquare = std::max(range.MaximumSquare, this->Most.Values[lane]);
       check += this->Checks.Values[lane];
     }
   }
@@ -71,7 +71,7 @@ struct SquareRange
 LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count)
 {
   VectorRange range;
-  constexpr float largest = VectorRange::Largest;
+  constexpr float largest = VectorRange::Infinity;
   const SimdFloat4 most{ largest, largest, largest, largest };
   SimdFloat4 low[3] = { most, most, most };
   SimdFloat4 high[3] = { -most, -most, -most };
@@ -112,7 +112,7 @@ LITTORAL_SIMD_CLONES VectorRange RangeOf(const float* vectors, std::size_t count
 LITTORAL_SIMD_CLONES VectorRange RangeOfPairs(const float* pairs, std::size_t count)
 {
   VectorRange range;
-  constexpr float largest = VectorRange::Largest;
+  constexpr float largest = VectorRange::Infinity;
   const SimdFloat4 most{ largest, largest, largest, largest };
   SimdFloat4 low = most;
   SimdFloat4 high = -most;

@@ -13,11 +13,11 @@ namespace littoral
 /// Between what the components of vectors lie, and the squares of their lengths.
 struct VectorRange
 {
-  static constexpr float Largest = std::numeric_limits<float>::infinity();
-  std::array<float, 3> Low{ Largest, Largest, Largest };
-  std::array<float, 3> High{ -Largest, -Largest, -Largest };
-  double LeastSquare = std::numeric_limits<double>::infinity();
-  double MostSquare = -std::numeric_limits<double>::infinity();
+  static constexpr float Infinity = std::numeric_limits<float>::infinity();
+  std::array<float, 3> Low{ Infinity, Infinity, Infinity };
+  std::array<float, 3> High{ -Infinity, -Infinity, -Infinity };
+  double MinimumSquare = std::numeric_limits<double>::infinity();
+  double MaximumSquare = -std::numeric_limits<double>::infinity();
   bool IsFinite = true; ///< else the others mean nothing
 };
 

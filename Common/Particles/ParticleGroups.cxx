@@ -53,9 +53,9 @@ std::string WhyInvalid(const GroupOptions& options)
 {
   ParameterCheck check;
   check.Count("SlavesPerMaster", options.Slaves, 0, MostSlaves);
-  check.Require(options.NearestOffset >= 0.0 && options.LargestOffset >= options.NearestOffset &&
-      std::isfinite(options.LargestOffset),
-    "OffsetRange is " + TextOf(options.NearestOffset) + " to " + TextOf(options.LargestOffset) +
+  check.Require(options.NearestOffset >= 0.0 && options.MaximumOffset >= options.NearestOffset &&
+      std::isfinite(options.MaximumOffset),
+    "OffsetRange is " + TextOf(options.NearestOffset) + " to " + TextOf(options.MaximumOffset) +
       " m; it must be finite, not negative, and its first not above its second.");
   return check.Reason();
 }
@@ -107,7 +107,7 @@ ParticleGroups::ParticleGroups(const std::vector<Vector3>& places, const GroupOp
         {
           this->Arrange(items, options, one.Begin, one.End);
         }
-        const double scatter = options.Scatter && options.Slaves > 0 ? options.LargestOffset : 0.0;
+        const double scatter = options.Scatter && options.Slaves > 0 ? options.MaximumOffset : 0.0;
         each.Bounds.Low -= scatter;
         each.Bounds.High += scatter;
       }
@@ -187,11 +187,11 @@ void ParticleGroups::Arrange(std::vector<Item>& items, const GroupOptions& optio
     Vector3 offset = item->Place - master.Place;
     if (options.Scatter)
     {
-      offset = PlaceInShell(random, item->Particle, options.NearestOffset, options.LargestOffset);
+      offset = PlaceInShell(random, item->Particle, options.NearestOffset, options.MaximumOffset);
     }
     const double length = glm::length(offset);
     const bool follows =
-      item != first && (options.Scatter || (length >= options.NearestOffset && length <= options.LargestOffset));
+      item != first && (options.Scatter || (length >= options.NearestOffset && length <= options.MaximumOffset));
     this->Order[begin + static_cast<std::size_t>(item - first)] = item->Particle;
     this->Masters[item->Particle] = follows ? master.Particle : item->Particle;
     this->Offsets[item->Particle] = follows ? offset : Vector3(0.0);

@@ -19,7 +19,7 @@ struct GroupOptions
 {
   int Slaves = 3;             ///< a master, 0 to 1000
   double NearestOffset = 0.0; ///< of a slave from its master [m], not negative
-  double LargestOffset = 0.5; ///< [m], not below NearestOffset
+  double MaximumOffset = 0.5; ///< [m], not below NearestOffset
   bool Scatter = false;       ///< slaves leave their places for random ones around their master
   int Seed = 1;               ///< of these places
 };

@@ -202,7 +202,7 @@ void Count(const std::vector<ShownParticle>& level, ParticleSelection& selection
     selection.Shown += particle.Weight > 0.0f;
     if (particle.Master >= 0)
     {
-      selection.LargestSlave = std::max(selection.LargestSlave, static_cast<double>(particle.Error));
+      selection.MaximumSlaveError = std::max(selection.MaximumSlaveError, static_cast<double>(particle.Error));
     }
   }
 }

@@ -64,7 +64,7 @@ struct ParticleSelection
   long long Orbits = 0;      ///< that are to be computed
   long long TrainSum = 0;    ///< of trains over orbits: the work
   long long Shown = 0;       ///< particles with a weight in Near or Middle
-  double LargestSlave = 0.0; ///< error of a slave [m]
+  double MaximumSlaveError = 0.0; ///< error of a slave [m]
 };
 
 /**

@@ -55,7 +55,7 @@ std::vector<double> BorderCorrected(const std::vector<NearestDistance>& places, 
   // A place counts up to its distance to the edge, and as a near one from its distance to the point on.
   std::vector<double> near(distances.Count() + 1, 0.0);
   std::vector<double> all(distances.Count() + 1, 0.0);
-  const double step = distances.Largest / distances.Steps;
+  const double step = distances.Maximum / distances.Steps;
   for (const NearestDistance& place : places)
   {
     const double slack = RangeTolerance * distances.Steps;
@@ -86,7 +86,7 @@ std::vector<double> BorderCorrected(const std::vector<NearestDistance>& places, 
 std::vector<double> KaplanMeier(const std::vector<NearestDistance>& places, const DistanceRange& distances)
 {
   // Distances that differ by rounding are the same: coordinates of maps have few digits.
-  const double unit = SameDistance * distances.Largest;
+  const double unit = SameDistance * distances.Maximum;
   struct Event
   {
     double Distance;

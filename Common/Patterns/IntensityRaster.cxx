@@ -51,7 +51,7 @@ std::string WhyInvalid(const IntensityRaster& raster)
 
 IntensityFactor::IntensityFactor(const IntensityRaster& raster)
   : Raster(&raster)
-  , Most(raster.Highest() / raster.Mean())
+  , Maximum(raster.Highest() / raster.Mean())
   , OverHighest(1.0 / raster.Highest())
 {
 }

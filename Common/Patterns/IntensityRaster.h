@@ -49,7 +49,7 @@ public:
 
   bool IsOne() const { return !this->Raster; }
 
-  double Highest() const { return this->Most; }
+  double Highest() const { return this->Maximum; }
 
   /// The share of the points of the highest intensity that stay at a place.
   double ShareAt(double x, double y) const
@@ -64,7 +64,7 @@ public:
 
 private:
   const IntensityRaster* Raster = nullptr;
-  double Most = 1.0;
+  double Maximum = 1.0;
   double OverHighest = 1.0;
 };
 

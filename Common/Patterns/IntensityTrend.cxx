@@ -16,11 +16,11 @@ namespace
 /// Cells along each side of the bounding box.
 constexpr int CellsOfSide = 128;
 /// Newton's steps, of which most fits need six.
-constexpr int MostSteps = 50;
+constexpr int MaximumIterations = 50;
 /// Where the logarithms of the intensity no longer change.
 constexpr double StepTolerance = 1e-10;
 /// A trend that spans more than this factor within the window is that of points on a part of it.
-constexpr double MostLogSpan = 40.0;
+constexpr double MaximumLogSpan = 40.0;
 
 /// The terms of the polynomial at a place.
 Eigen::VectorXd TermsAt(const ObservationWindow& window, const PlanePosition& place, int degree)
@@ -116,11 +116,11 @@ bool Climb(const TrendLikelihood& likelihood, Eigen::VectorXd& b)
   Eigen::VectorXd gradient;
   Eigen::MatrixXd curvature;
   double value = likelihood(b, gradient, curvature);
-  for (int steps = 0; steps < MostSteps; ++steps)
+  for (int steps = 0; steps < MaximumIterations; ++steps)
   {
     const Eigen::LDLT<Eigen::MatrixXd> system(curvature);
     Eigen::VectorXd step = system.solve(gradient);
-    if (system.info() != Eigen::Success || !step.allFinite() || likelihood.SpanOf(b) > MostLogSpan)
+    if (system.info() != Eigen::Success || !step.allFinite() || likelihood.SpanOf(b) > MaximumLogSpan)
     {
       return false;
     }

@@ -12,7 +12,7 @@ namespace littoral
 {
 
 /// Highest degree of a trend.
-inline constexpr int MostTrendDegree = 3;
+inline constexpr int MaximumTrendDegree = 3;
 
 /// An intensity whose logarithm is a polynomial of the place: sum of Coefficients u^i v^j, i + j <= Degree, in the
 /// order 1, u, v, u^2, u v, v^2, u^3 ..., where u and v go from -1 to 1 over the bounding box of a window. Without

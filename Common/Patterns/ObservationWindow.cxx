@@ -19,7 +19,7 @@ namespace
 /// What counts as on the edge, as a part of the size of the window: coordinates are rounded to single precision.
 constexpr double EdgeTolerance = 1e-6;
 /// What counts as no area, as a part of the bounding box.
-constexpr double LeastArea = 1e-9;
+constexpr double MinimumArea = 1e-9;
 
 /// Twice the area of a triangle, above 0 if it turns counterclockwise.
 double Turn(const PlanePosition& a, const PlanePosition& b, const PlanePosition& c)
@@ -164,7 +164,7 @@ std::string ObservationWindow::WhyInvalid() const
   }
   const double width = this->High[0] - this->Low[0];
   const double height = this->High[1] - this->Low[1];
-  if (!(width > 0.0 && height > 0.0 && this->Area > LeastArea * width * height))
+  if (!(width > 0.0 && height > 0.0 && this->Area > MinimumArea * width * height))
   {
     return "The window has no area.";
   }

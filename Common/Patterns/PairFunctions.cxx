@@ -22,12 +22,12 @@ namespace
 {
 
 /// Weights against the loss at the edge end here.
-constexpr double LargestWeight = 100.0;
+constexpr double MaximumWeight = 100.0;
 /// Points whose pairs are summed one after the other, at least, and so many sums at most, whatever the threads.
 constexpr std::size_t PointsOfBlock = 256;
-constexpr std::size_t MostBlocks = 256;
+constexpr std::size_t MaximumBlocks = 256;
 /// Parts of bins of all sums, at most.
-constexpr std::size_t MostParts = 1u << 22u;
+constexpr std::size_t MaximumParts = 1u << 22u;
 /// Pairs that are looked at together.
 constexpr std::size_t PairsAtOnce = 256;
 /// Parts of a step of the range, between which no kernel of g begins or ends.
@@ -99,7 +99,7 @@ void MoveRectangle(double a, double b, double times, PairBatch& batch)
   for (std::size_t n = 0; n < batch.Size; ++n)
   {
     const double common = (a - std::abs(batch.X[n])) * (b - std::abs(batch.Y[n]));
-    batch.Weight[n] = times * area / std::max(area / LargestWeight, common);
+    batch.Weight[n] = times * area / std::max(area / MaximumWeight, common);
   }
 }
 
@@ -122,7 +122,7 @@ void FindParts(double stepsOfMetre, double most, double firstCut, double secondC
 std::shared_ptr<const CommonAreaTable> AreasOf(
   const ObservationWindow& window, const PairOptions& options, double reach, const ParallelFor& parallel)
 {
-  if (options.Correction != EdgeCorrection::Translation || (options.Areas && options.Areas->GetLargest() >= reach))
+  if (options.Correction != EdgeCorrection::Translation || (options.Areas && options.Areas->GetMaximumDistance() >= reach))
   {
     return options.Areas;
   }
@@ -139,13 +139,13 @@ public:
     : Window(window)
     , Options(options)
     , IsCross(isCross)
-    , Step(options.Distances.Largest / options.Distances.Steps)
+    , Step(options.Distances.Maximum / options.Distances.Steps)
     , HalfWidth(options.HalfWidth > 0.0 ? options.HalfWidth
                                         : 0.15 / std::sqrt(static_cast<double>(to.size()) / window.GetArea()))
     , WantsG(options.WantsG && options.Correction != EdgeCorrection::Border)
     , WantsMarks(!marks.empty() && options.Correction != EdgeCorrection::Border)
     , Cuts(WantsG ? CutsOf(HalfWidth / Step) : std::array<double, PartsOfStep + 1>{ 0.0, 1.0, 1.0, 1.0 })
-    , Reach(options.Distances.Largest + (WantsG ? HalfWidth : 0.0))
+    , Reach(options.Distances.Maximum + (WantsG ? HalfWidth : 0.0))
     , Bins(static_cast<std::size_t>(Reach / Step) + 3)
     , To(to, Reach / 4.0)
     , OwnFrom(isCross ? PointCells(from, Reach / 4.0) : PointCells({}, 1.0))
@@ -170,7 +170,7 @@ public:
   PairSums Sum(const ParallelFor& parallel) const
   {
     const std::size_t points = this->From.Size();
-    const std::size_t most = std::clamp<std::size_t>(MostParts / (PartsOfStep * this->Bins), 1, MostBlocks);
+    const std::size_t most = std::clamp<std::size_t>(MaximumParts / (PartsOfStep * this->Bins), 1, MaximumBlocks);
     const std::size_t length = std::max(PointsOfBlock, points / most + 1);
     std::vector<PairSums> blocks((points + length - 1) / length);
     const auto sum = [&](std::size_t begin, std::size_t end) {
@@ -293,7 +293,7 @@ private:
     {
       return 1.0;
     }
-    return std::min(LargestWeight, 1.0 / this->Window.CircleInside(this->FromAt(n), distance));
+    return std::min(MaximumWeight, 1.0 / this->Window.CircleInside(this->FromAt(n), distance));
   }
 
   /// The weights of both pairs of point i and each point from `first` on, or of one to each point of another pattern.
@@ -334,7 +334,7 @@ private:
     for (std::size_t n = 0; n < batch.Size; ++n)
     {
       const double common = batch.Distance[n] <= this->Reach ? (*this->Areas)(batch.X[n], batch.Y[n]) : area;
-      batch.Weight[n] = both * std::min(LargestWeight, area / common);
+      batch.Weight[n] = both * std::min(MaximumWeight, area / common);
     }
   }
 
@@ -405,7 +405,7 @@ private:
     }
     for (std::size_t n = 0; this->WantsMarks && n < batch.Size; ++n)
     {
-      if (batch.Distance[n] <= this->Options.Distances.Largest)
+      if (batch.Distance[n] <= this->Options.Distances.Maximum)
       {
         this->AddMarks(i, first + n, batch.Distance[n], batch.Weight[n], sums);
       }
@@ -530,7 +530,7 @@ double SilvermanWidth(const std::vector<double>& counts, double binWidth)
 std::vector<double> MarkCorrelationOf(const PairSums& sums, const PairOptions& options, double meanMark)
 {
   std::vector<double> correlation(options.Distances.Count(), std::numeric_limits<double>::quiet_NaN());
-  const double binWidth = options.Distances.Largest / options.Distances.Steps / BinsOfStep;
+  const double binWidth = options.Distances.Maximum / options.Distances.Steps / BinsOfStep;
   const double width = options.MarkWidth > 0.0 ? options.MarkWidth : SilvermanWidth(sums.Counts, binWidth);
   if (!(width > 0.0))
   {
@@ -613,7 +613,7 @@ DistanceRange DefaultDistances(const ObservationWindow& window, std::size_t poin
 std::string WhyInvalid(const PairOptions& options)
 {
   ParameterCheck check;
-  check.Positive("The largest distance", options.Distances.Largest, "m");
+  check.Positive("The largest distance", options.Distances.Maximum, "m");
   check.Count("The number of steps", options.Distances.Steps, 1, 100000);
   check.NotNegative("The half width of the kernel", options.HalfWidth, "m");
   check.NotNegative("The width of the marks' kernel", options.MarkWidth, "m");

@@ -35,13 +35,13 @@ enum class EdgeCorrection
   Translation = 3,
 };
 
-/// Equidistant distances r(k) = k * Largest / Steps [m], k = 0 ... Steps.
+/// Equidistant distances r(k) = k * Maximum / Steps [m], k = 0 ... Steps.
 struct DistanceRange
 {
-  double Largest = 0.0;
+  double Maximum = 0.0;
   int Steps = 512;
 
-  double operator[](int k) const { return this->Largest * k / this->Steps; }
+  double operator[](int k) const { return this->Maximum * k / this->Steps; }
   std::size_t Count() const { return static_cast<std::size_t>(this->Steps) + 1; }
 };
 

@@ -103,7 +103,7 @@ std::string WhyInvalid(const StatisticsOptions& options)
     "EdgeCorrection", static_cast<int>(options.Correction), { "none", "border", "isotropic", "translation" });
   check.Choice(
     "DistanceCorrection", static_cast<int>(options.Nearest), { "uncorrected", "reduced sample", "Kaplan-Meier" });
-  check.NotNegative("LargestDistance", options.Largest, "m");
+  check.NotNegative("MaximumDistance", options.Largest, "m");
   check.Count("NumberOfSteps", options.Steps, 8, 10000);
   check.NotNegative("Bandwidth", options.HalfWidth, "m");
   check.Count("NumberOfSimulations", options.Simulations, 0, 100000);
@@ -124,13 +124,13 @@ PatternStatistics::PatternStatistics(
   DistanceRange& distances = this->Pairs.Distances;
   distances = IsOfPairs(options.Function) ? DefaultDistances(pattern.Window, points, options.Steps)
                                           : DefaultNearestDistances(pattern.Window, points, options.Steps);
-  distances.Largest = options.Largest > 0.0 ? options.Largest : distances.Largest;
+  distances.Maximum = options.Largest > 0.0 ? options.Largest : distances.Maximum;
   this->Pairs.Correction = options.Correction;
   this->Pairs.HalfWidth = options.HalfWidth;
   if (this->OtherPairs().Correction == EdgeCorrection::Translation)
   {
     const double h = 0.15 * std::sqrt(pattern.Window.GetArea() / static_cast<double>(points));
-    const double reach = distances.Largest + 4.0 * std::max(h, options.HalfWidth);
+    const double reach = distances.Maximum + 4.0 * std::max(h, options.HalfWidth);
     this->Pairs.Areas = std::make_shared<const CommonAreaTable>(pattern.Window, reach, parallel);
   }
 }

@@ -97,12 +97,12 @@ private:
   {
     PairOptions pairs;
     pairs.Distances = DefaultDistances(window, points.size(), options.Steps);
-    pairs.Distances.Largest = options.Contrast.Largest > 0.0 ? options.Contrast.Largest : pairs.Distances.Largest;
+    pairs.Distances.Maximum = options.Contrast.MaximumDistance > 0.0 ? options.Contrast.MaximumDistance : pairs.Distances.Maximum;
     pairs.Correction = EdgeCorrection::Translation;
     pairs.WantsG = options.Function == VerdictFunction::PairCorrelation;
     pairs.WantsK = !pairs.WantsG;
     pairs.HalfWidth = 0.15 / std::sqrt(static_cast<double>(points.size()) / window.GetArea());
-    pairs.Areas = std::make_shared<const CommonAreaTable>(window, pairs.Distances.Largest + pairs.HalfWidth, parallel);
+    pairs.Areas = std::make_shared<const CommonAreaTable>(window, pairs.Distances.Maximum + pairs.HalfWidth, parallel);
     return pairs;
   }
 

@@ -41,7 +41,7 @@ constexpr ParameterList<Parameters> All = { { &Intensity, &ClusterSize, &Cluster
   &Activity, &Interaction, &Softness } };
 
 /// Points of a soft-core process on the square of Distance, at most.
-constexpr double MostSoftCores = 2.0;
+constexpr double MaximumSoftCores = 2.0;
 
 double RandomPairs(const Parameters&, double)
 {
@@ -127,10 +127,10 @@ std::string WhyNotInhibited(const Parameters& process)
 
 std::string WhyNoSoftCore(const Parameters& process)
 {
-  const double most = MostSoftCores / (process.Distance * process.Distance);
+  const double most = MaximumSoftCores / (process.Distance * process.Distance);
   ParameterCheck check;
   check.Require(process.Intensity <= most, "Intensity", process.Intensity, "1/m2",
-    "at most " + TextOf(most) + " 1/m2, " + TextOf(MostSoftCores) + " / Distance^2: denser points freeze");
+    "at most " + TextOf(most) + " 1/m2, " + TextOf(MaximumSoftCores) + " / Distance^2: denser points freeze");
   return check.Reason();
 }
 

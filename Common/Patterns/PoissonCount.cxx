@@ -16,7 +16,7 @@ namespace
 {
 
 /// A mean whose first probability is a number of many digits, and whose search is short.
-constexpr double LongestMean = 16.0;
+constexpr double MaximumMean = 16.0;
 
 /// The smallest n with P(0) + ... + P(n) > u, P(n + 1) = P(n) mean / (n + 1).
 int ShortCount(double mean, double u)
@@ -60,7 +60,7 @@ PoissonTable::PoissonTable(double mean)
 
 long long PoissonCount(double mean, const RandomStream& random, std::uint64_t object, std::uint64_t draw)
 {
-  const double parts = std::max(1.0, std::ceil(mean / LongestMean));
+  const double parts = std::max(1.0, std::ceil(mean / MaximumMean));
   long long count = 0;
   for (std::uint64_t part = 0; part < static_cast<std::uint64_t>(parts); ++part)
   {

@@ -28,7 +28,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Places along each side of the bounding box at which a pseudo-likelihood is summed.
 constexpr int PlacesOfSide = 256;
 /// Activities above so many intensities are those of packed points, between which next to no birth finds a place.
-constexpr double MostActivity = 100.0;
+constexpr double MaximumActivity = 100.0;
 /// Distances that are tried for a Strauss process.
 constexpr int DistancesTried = 64;
 
@@ -111,7 +111,7 @@ void Measure(const std::vector<PlanePosition>& points, const ObservationWindow& 
 {
   PairOptions pairs;
   pairs.Distances = DefaultDistances(window, points.size());
-  pairs.Distances.Largest = options.Largest > 0.0 ? options.Largest : pairs.Distances.Largest;
+  pairs.Distances.Maximum = options.MaximumDistance > 0.0 ? options.MaximumDistance : pairs.Distances.Maximum;
   pairs.Correction = options.Correction;
   pairs.WantsK = options.Function == ContrastFunction::Ripley;
   pairs.WantsG = !pairs.WantsK;
@@ -286,9 +286,9 @@ std::string WhyInvalid(const ContrastOptions& options)
   check.Choice("Correction", static_cast<int>(options.Correction), { "none", "border", "isotropic", "translation" });
   check.Require(options.Function == ContrastFunction::Ripley || options.Correction != EdgeCorrection::Border,
     "There is no g with the border correction; choose the isotropic or the translation correction.");
-  check.NotNegative("LargestDistance", options.Largest, "m");
+  check.NotNegative("MaximumDistance", options.MaximumDistance, "m");
   check.Within("Power", options.Power, ValueInterval::Above(0.0, 1.0));
-  check.Count("TrendDegree", options.TrendDegree, 0, MostTrendDegree);
+  check.Count("TrendDegree", options.TrendDegree, 0, MaximumTrendDegree);
   check.Require(options.TrendDegree == 0 || options.Correction != EdgeCorrection::Border,
     "There is no trend with the border correction; choose the isotropic or the translation correction.");
   return check.Reason();
@@ -316,7 +316,7 @@ ProcessFit FitStrauss(
   LogPseudoLikelihood(counts, fit.Process.Interaction, activity);
   fit.Process.Activity = activity;
   const double intensity = static_cast<double>(points.size()) / window.GetArea();
-  fit.Exists = fit.Process.Interaction < 0.999 && activity > 0.0 && activity < MostActivity * intensity;
+  fit.Exists = fit.Process.Interaction < 0.999 && activity > 0.0 && activity < MaximumActivity * intensity;
   return fit;
 }
 

@@ -27,9 +27,9 @@ struct ContrastOptions
 {
   ContrastFunction Function = ContrastFunction::Ripley;
   EdgeCorrection Correction = EdgeCorrection::Isotropic;
-  double Largest = 0.0; ///< [m], distance up to which functions are compared; 0: that of DefaultDistances()
+  double MaximumDistance = 0.0; ///< [m], distance up to which functions are compared; 0: that of DefaultDistances()
   double Power = 0.25;  ///< q
-  int TrendDegree = 0;  ///< of the logarithm of the intensity over the window, 0 (none) to MostTrendDegree
+  int TrendDegree = 0;  ///< of the logarithm of the intensity over the window, 0 (none) to MaximumTrendDegree
 };
 
 /// Why a contrast cannot be, in words for a user; empty when it can.
@@ -50,7 +50,7 @@ struct ProcessFit
  *
  * - Poisson: n / |W|.
  * - Thomas, Matern cluster, log-Gaussian Cox: the minimum over the parameters of the integral of
- *   |K_measured^q - K^q|^2 (or g) from 0 to Largest; the intensity is n / |W|.
+ *   |K_measured^q - K^q|^2 (or g) from 0 to MaximumDistance; the intensity is n / |W|.
  * - These and Poisson with a trend: FitTrend first, and then the same with the K or g of points that are weighted by
  *   1 / intensity (Waagepetersen and Guan 2009). Intensity and ClusterSize are those of places of the mean intensity.
  * - Matern II: Distance is the shortest distance times n / (n + 1) (Ripley and Silverman 1978), intensity n / |W|, and

@@ -78,7 +78,7 @@ public:
   }
 
   /// Squares beyond this index have no object of their own.
-  static constexpr double MostIndex = 2e9;
+  static constexpr double MaximumIndex = 2e9;
 
 private:
   double Side;

@@ -19,9 +19,9 @@ namespace
 {
 
 /// More points, parents or cells of a field than this are hardly meant.
-constexpr double MostDraws = 1e9;
+constexpr double MaximumDraws = 1e9;
 /// More births at one time, or points that are moved again and again, than this take minutes.
-constexpr double MostAlive = 5e5;
+constexpr double MaximumAlive = 5e5;
 /// In the lower half of the draw, names the cluster in place of one of its points: none has so many.
 constexpr std::uint64_t WholeCluster = 0xffffffff;
 /// Points drawn at a time, more or less.
@@ -134,7 +134,7 @@ std::string WhyTooMuch(
 {
   const double draws = ExpectedDraws(process, options, window);
   const bool isAlive = process.Process == PointProcess::Strauss || process.Process == PointProcess::SoftCore;
-  const double most = isAlive ? MostAlive : MostDraws;
+  const double most = isAlive ? MaximumAlive : MaximumDraws;
   const double side = SmallestSide(Highest(process, options));
   double farthest = 0.0;
   for (int axis = 0; axis < 2; ++axis)
@@ -145,7 +145,7 @@ std::string WhyTooMuch(
   check.Require(draws <= most,
     "The process takes " + TextOf(draws) + " draws in this window, and at most " + TextOf(most) +
       " are made; take a smaller window or other parameters.");
-  check.Require(farthest < 0.5 * ProcessLattice::MostIndex * side,
+  check.Require(farthest < 0.5 * ProcessLattice::MaximumIndex * side,
     "The window lies too far from the origin for so many points; move it nearer.");
   return check.Reason();
 }
@@ -293,7 +293,7 @@ std::string WhyInvalid(const MarkOptions& options)
   ParameterCheck check;
   check.Positive("MarkMean", options.Mean);
   check.Range("MarkVariation", options.Variation, 0.0, 3.0);
-  check.Range("MarkSharing", options.Sharing, 0.0, 1.0);
+  check.Range("MarkClusterCorrelation", options.ClusterCorrelation, 0.0, 1.0);
   return check.Reason();
 }
 
@@ -302,7 +302,7 @@ std::vector<double> DrawMarks(const ProcessPattern& pattern, const MarkOptions& 
   const RandomStream random(options.Seed, RandomPurpose::ProcessMarks);
   // ln m = ln mean - s2 / 2 + s (share^(1/2) z of the cluster + (1 - share)^(1/2) z of the point), s2 = ln(1 + c^2)
   const double s2 = std::log1p(options.Variation * options.Variation);
-  const double sharing = pattern.HasClusters ? options.Sharing : 0.0;
+  const double sharing = pattern.HasClusters ? options.ClusterCorrelation : 0.0;
   const double common = std::sqrt(s2 * sharing);
   const double own = std::sqrt(s2 * (1.0 - sharing));
   std::vector<double> marks;

@@ -49,13 +49,13 @@ struct ProcessPattern
   std::vector<PointIdentity> Identities; ///< of the points
   std::vector<int> Species;              ///< of the points, 0 to number of shares - 1; empty with one species
   bool HasClusters = false;
-  bool IsExact = true; ///< false where the birth-death process of a Strauss process was only followed for InexactRun
+  bool IsExact = true; ///< false where the birth-death process of a Strauss process was only followed for BurnIn
 };
 
 /// Lifetimes before the bounds of the exact simulation of a Strauss process are no longer waited for, and those after
 /// which a pattern is taken that is not exact.
-inline constexpr int LongestRun = 128;
-inline constexpr int InexactRun = 32;
+inline constexpr int MaximumCouplingTime = 128;
+inline constexpr int BurnIn = 32;
 
 /// Why there is no pattern of the process in the window, or one that takes too long, in words for a user; empty when
 /// there is one.
@@ -76,9 +76,9 @@ double ExpectedDraws(
  * - Log-Gaussian Cox: the Gaussian field by turning bands of 128 lines, constant on squares of Range / 16.
  * - Strauss: dominated coupling from the past (Kendall and Moller 2000). The random births and deaths of an infinite
  *   time are bounded from above and below; once the bounds have met in the window, what they have met in is a draw from
- *   the process, free of any error. Where they have not met after LongestRun lifetimes, or cannot be hoped
+ *   the process, free of any error. Where they have not met after MaximumCouplingTime lifetimes, or cannot be hoped
  *   to since Activity (1 - Interaction) pi Distance^2 is 4 or more, the pattern is that of one birth-death process
- * after InexactRun lifetimes from an empty window, and IsExact is false.
+ * after BurnIn lifetimes from an empty window, and IsExact is false.
  *
  * - Soft core: the points of a torus, the bounding box of the window and twice Distance on each side, of which each is
  *   moved 20 to 200 times, the more crowded the more, by the rule of Metropolis from random places; IsExact is false.
@@ -95,7 +95,7 @@ struct MarkOptions
   int Seed = 1;
   double Mean = 1.0;      ///< positive
   double Variation = 0.3; ///< standard deviation over mean, 0 to 3
-  double Sharing = 0.0; ///< part of the variance of the logarithm that the points of a cluster share, 0 to 1; 0 without
+  double ClusterCorrelation = 0.0; ///< part of the variance of the logarithm that the points of a cluster share, 0 to 1; 0 without
 };
 
 /// Why marks cannot be drawn so; empty when they can.

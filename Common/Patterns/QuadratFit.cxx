@@ -19,11 +19,11 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Trials that are looked at, for each point of the largest count seen. Beyond, the law is Poisson's for any data.
-constexpr int MostTrialsAPoint = 1000;
+constexpr int MaximumTrialsAPoint = 1000;
 /// Binomial clusters that are looked at one by one, and, where clusters have to be larger, up to how many times the
 /// least and in what steps.
-constexpr int LargestSmallCluster = 12;
-constexpr double LargestCluster = 20.0;
+constexpr int MaximumSmallCluster = 12;
+constexpr double MaximumCluster = 20.0;
 constexpr double ClusterStep = 1.1;
 
 double LogLikelihood(const QuadratLawParameters& law, const std::vector<long long>& frequencies)
@@ -96,7 +96,7 @@ private:
   void FitBinomial(QuadratFit& fit) const
   {
     const int largest = std::max(1, static_cast<int>(this->Frequencies.size()) - 1);
-    const int most = (largest + 1) * MostTrialsAPoint;
+    const int most = (largest + 1) * MaximumTrialsAPoint;
     if (this->Excess() < 0.0)
     {
       fit.MomentsExist = true;
@@ -175,11 +175,11 @@ private:
     fit.Moments.Trials = fit.MomentsExist ? least : fit.Moments.Trials;
     fit.Moments.ClusterSuccess = fit.MomentsExist ? this->Excess() / (least - 1) : fit.Moments.ClusterSuccess;
     std::vector<int> sizes;
-    for (int trials = 2; trials <= LargestSmallCluster; ++trials)
+    for (int trials = 2; trials <= MaximumSmallCluster; ++trials)
     {
       sizes.push_back(trials);
     }
-    for (double trials = least; trials > LargestSmallCluster && trials < LargestCluster * least; trials *= ClusterStep)
+    for (double trials = least; trials > MaximumSmallCluster && trials < MaximumCluster * least; trials *= ClusterStep)
     {
       sizes.push_back(static_cast<int>(trials));
     }

@@ -14,13 +14,13 @@ namespace
 {
 
 /// Beyond this mean a law is refused.
-constexpr double LargestMean = 1e5;
+constexpr double MaximumMean = 1e5;
 /// More counts than these are refused.
-constexpr double MostCounts = 2e6;
+constexpr double MaximumCounts = 2e6;
 /// More products than these are refused: a law of clusters takes the number of counts times that of sizes.
-constexpr double MostProducts = 2e9;
+constexpr double MaximumProducts = 2e9;
 /// Clusters that hold less than this of all points are left out.
-constexpr double SmallestShare = 1e-18;
+constexpr double MinimumProbability = 1e-18;
 
 /**
  * Builds P(0), P(1)... from ln P(0) and a recurrence, which is given all earlier values. They are kept within the range
@@ -88,7 +88,7 @@ std::vector<double> Compound(const ClusterSizes& sizes, std::size_t count)
     weight[j] = sizes.ClustersPerQuadrat * static_cast<double>(j) * sizes.Mass[j];
     whole += weight[j];
   }
-  for (double left = weight.back(); weight.size() > 2 && left < SmallestShare * whole; left += weight.back())
+  for (double left = weight.back(); weight.size() > 2 && left < MinimumProbability * whole; left += weight.back())
   {
     weight.pop_back();
   }
@@ -254,7 +254,7 @@ QuadratLawLengths PoissonNegativeBinomialLengths(const Law& law)
 // -------------------------------------------------------------------------------------------------------------------
 // Rows.
 
-constexpr auto Mean = MakeParameter<Law, &Law::Mean>("MeanPerQuadrat", "", ValueInterval::Above(0.0, LargestMean));
+constexpr auto Mean = MakeParameter<Law, &Law::Mean>("MeanPerQuadrat", "", ValueInterval::Above(0.0, MaximumMean));
 constexpr auto Trials = MakeParameter<Law, &Law::Trials>("Trials", "", ValueInterval::AtLeast(1.0));
 constexpr auto Shape = MakeParameter<Law, &Law::ClusterShape>("ClusterShape", "", ValueInterval::Positive());
 constexpr auto ClusterMean = MakeParameter<Law, &Law::ClusterMean>("ClusterMean", "", ValueInterval::Positive());
@@ -280,7 +280,7 @@ static_assert(std::size(Rows) == NumberOfQuadratLaws, "a row a law");
 std::string WhyTooLong(const Law& law)
 {
   const QuadratLawLengths lengths = TraitsOf(law.Law).Lengths(law);
-  if (lengths.Counts <= MostCounts && lengths.Counts * std::min(lengths.Counts, lengths.Sizes) <= MostProducts)
+  if (lengths.Counts <= MaximumCounts && lengths.Counts * std::min(lengths.Counts, lengths.Sizes) <= MaximumProducts)
   {
     return {};
   }

@@ -15,7 +15,7 @@ namespace
 /// One move of a point in four takes it to any place of the torus.
 constexpr int SweepsOfLeap = 4;
 /// A step along each axis, in mean distances of points, at most.
-constexpr double LongestStep = 0.35;
+constexpr double MaximumStep = 0.35;
 /// Potentials above this are not tabulated: chance overcomes them once in 5e21 moves.
 constexpr double HighestPotential = 50.0;
 /// Nodes of the table of potentials.
@@ -25,7 +25,7 @@ constexpr std::size_t Nodes = 8192;
 
 double SoftCoreReach(const PointProcessParameters& process)
 {
-  return process.Distance * std::pow(LeastPotential, -0.5 * process.Softness);
+  return process.Distance * std::pow(MinimumPotential, -0.5 * process.Softness);
 }
 
 SoftCorePotential::SoftCorePotential(const PointProcessParameters& process)
@@ -53,7 +53,7 @@ SoftCoreChain::SoftCoreChain(const PointProcessParameters& process, const Patter
 
 void SoftCoreChain::SetProcess(const PointProcessParameters& process)
 {
-  this->Step = LongestStep / std::sqrt(process.Intensity);
+  this->Step = MaximumStep / std::sqrt(process.Intensity);
   this->Potential = SoftCorePotential(process);
   for (int axis = 0; axis < 2; ++axis)
   {

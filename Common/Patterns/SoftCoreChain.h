@@ -18,7 +18,7 @@ namespace littoral
 {
 
 /// Potentials of two points that are below this are left out.
-inline constexpr double LeastPotential = 0.005;
+inline constexpr double MinimumPotential = 0.005;
 
 /// Distance up to which points of a soft-core process feel each other [m].
 double SoftCoreReach(const PointProcessParameters& process);

@@ -27,10 +27,10 @@ constexpr double Reach = 3.0;
 /// Softnesses that are tried: from 0.05 on in steps of as much.
 constexpr int SoftnessesTried = 15;
 /// Distances in mean distances of points: shorter ones are no interaction, longer ones that of frozen points.
-constexpr double ShortestCore = 0.02;
-constexpr double LongestCore = 1.4;
+constexpr double MinimumCore = 0.02;
+constexpr double MaximumCore = 1.4;
 /// By so much the logarithm of the pseudo-likelihood must exceed that of random points, of which chance makes 2 often.
-constexpr double LeastGain = 5.0;
+constexpr double MinimumGain = 5.0;
 
 using Powers = std::array<double, SoftnessesTried>;
 
@@ -185,7 +185,7 @@ ProcessFit FitSoftCore(
     for (std::size_t k = begin; k < end; ++k)
     {
       const auto negative = [&](double x) { return -LogPseudoLikelihood(sums, k, x); };
-      found[k] = boost::math::tools::brent_find_minima(negative, std::log(ShortestCore), std::log(LongestCore), 30);
+      found[k] = boost::math::tools::brent_find_minima(negative, std::log(MinimumCore), std::log(MaximumCore), 30);
     }
   });
   for (std::size_t k = 0; k < found.size(); ++k)
@@ -199,7 +199,7 @@ ProcessFit FitSoftCore(
   }
   const auto n = static_cast<double>(sums.OfPoints.size());
   const double ofRandom = n * std::log(n / sums.Area()) - n;
-  best.Exists = best.LogPseudoLikelihood > ofRandom + LeastGain && WhyInvalid(best.Process).empty();
+  best.Exists = best.LogPseudoLikelihood > ofRandom + MinimumGain && WhyInvalid(best.Process).empty();
   return best;
 }
 

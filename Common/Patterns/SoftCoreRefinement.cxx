@@ -25,13 +25,13 @@ constexpr int FreeRounds = 8;
 /// Sweeps of a round; every second one is measured.
 constexpr int SweepsOfRound = 40;
 /// Steps of ln Distance and of Softness, at most.
-constexpr std::array<double, 2> LongestSteps = { 0.15, 0.1 };
+constexpr std::array<double, 2> MaximumSteps = { 0.15, 0.1 };
 /// Softnesses.
 constexpr double Hardest = 0.05;
 constexpr double Softest = 0.8;
 /// Distances in mean distances of points.
-constexpr double ShortestCore = 0.02;
-constexpr double LongestCore = 1.4;
+constexpr double MinimumCore = 0.02;
+constexpr double MaximumCore = 1.4;
 /// Seed of the simulations, which are those of no user's seed that is likely.
 constexpr int SeedOfFit = 1984110513;
 
@@ -153,7 +153,7 @@ Slopes StepOf(const Slopes& d, const std::array<double, 3>& c, double softness)
 {
   const double determinant = c[0] * c[2] - c[1] * c[1];
   const auto shortened = [](double step, int which) {
-    return std::isfinite(step) ? std::clamp(step, -LongestSteps[which], LongestSteps[which]) : 0.0;
+    return std::isfinite(step) ? std::clamp(step, -MaximumSteps[which], MaximumSteps[which]) : 0.0;
   };
   const double own = shortened((c[0] * d[1] - c[1] * d[0]) / determinant, 1);
   // Where the softness ends, the distance goes on alone.
@@ -213,8 +213,8 @@ ProcessFit RefineSoftCore(const ProcessFit& start, const std::vector<PlanePositi
     const Slopes step = StepOf(differences, derivatives, process.Softness);
     // Robbins and Monro: later steps are shorter, so that their mean is what remains.
     const double gain = 1.0 / std::max(1, round - FreeRounds + 2);
-    const double longest = LongestCore * unit;
-    process.Distance = std::clamp(process.Distance * std::exp(gain * step[0]), ShortestCore * unit, longest);
+    const double longest = MaximumCore * unit;
+    process.Distance = std::clamp(process.Distance * std::exp(gain * step[0]), MinimumCore * unit, longest);
     process.Softness += gain * step[1];
   }
   return fit;

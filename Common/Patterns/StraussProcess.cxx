@@ -26,7 +26,7 @@ namespace
 constexpr int FirstRun = 8;
 /// Mean number of points within the distance that an interaction would remove from a random pattern, beyond which the
 /// bounds do not meet in any window that is not small.
-constexpr double MostRemoved = 4.0;
+constexpr double MaximumRemoved = 4.0;
 /// Events between polls.
 constexpr std::size_t EventsAtOnce = 4096;
 
@@ -293,7 +293,7 @@ ProcessPattern DrawStrauss(const ProcessScene& scene)
   const FreeProcess free(scene);
   const PointProcessParameters& process = scene.Process;
   const double removed = process.Activity * (1.0 - process.Interaction) * Pi * process.Distance * process.Distance;
-  for (int lifetimes = FirstRun; removed < MostRemoved && lifetimes <= LongestRun; lifetimes *= 2)
+  for (int lifetimes = FirstRun; removed < MaximumRemoved && lifetimes <= MaximumCouplingTime; lifetimes *= 2)
   {
     const std::vector<Birth> births = free.Since(lifetimes);
     BoundingProcesses processes(scene, free.GetDomain(), births);
@@ -303,9 +303,9 @@ ProcessPattern DrawStrauss(const ProcessScene& scene)
       return processes.Pattern();
     }
   }
-  const std::vector<Birth> births = free.Since(InexactRun);
+  const std::vector<Birth> births = free.Since(BurnIn);
   BoundingProcesses processes(scene, free.GetDomain(), births);
-  processes.Run(-InexactRun, false);
+  processes.Run(-BurnIn, false);
   ProcessPattern pattern = processes.Pattern();
   pattern.IsExact = false;
   return pattern;

@@ -13,7 +13,7 @@ namespace
 
 /// Sections over the height of a window.
 constexpr int SectionRows = 1024;
-/// Spacings of a table's nodes from 0 to its largest distance.
+/// Spacings of a table's nodes from 0 to its maximumDistance distance.
 constexpr int TableSteps = 128;
 
 /// Length [m] that a section and another one, moved by dx [m], have in common.
@@ -62,9 +62,9 @@ double CommonAreaOfRows(const ObservationWindow& window, double dx, double dy)
   return area;
 }
 
-CommonAreaTable::CommonAreaTable(const ObservationWindow& window, double largest, const ParallelFor& parallel)
+CommonAreaTable::CommonAreaTable(const ObservationWindow& window, double maximumDistance, const ParallelFor& parallel)
   : Window(window)
-  , Largest(largest)
+  , MaximumDistance(maximumDistance)
 {
   if (window.IsRectangle())
   {
@@ -77,11 +77,11 @@ CommonAreaTable::CommonAreaTable(const ObservationWindow& window, double largest
     sections[static_cast<std::size_t>(row)] = SectionAt(window, window.GetLow()[1] + (row + 0.5) * step);
   }
   // Nodes along y are whole rows apart.
-  const std::size_t stride = static_cast<std::size_t>(std::max(1.0, std::ceil(largest / TableSteps / step)));
+  const std::size_t stride = static_cast<std::size_t>(std::max(1.0, std::ceil(maximumDistance / TableSteps / step)));
   this->Along = static_cast<double>(stride) * step;
-  this->Across = largest / TableSteps;
+  this->Across = maximumDistance / TableSteps;
   this->Columns = 2 * TableSteps + 2;
-  const std::size_t rows = static_cast<std::size_t>(std::ceil(largest / this->Along)) + 2;
+  const std::size_t rows = static_cast<std::size_t>(std::ceil(maximumDistance / this->Along)) + 2;
   this->Areas.assign(rows * this->Columns, 0.0);
   parallel(this->Areas.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)

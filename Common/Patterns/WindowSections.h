@@ -25,16 +25,16 @@ double CommonAreaOfRows(const ObservationWindow& window, double dx, double dy);
 class CommonAreaTable
 {
 public:
-  CommonAreaTable(const ObservationWindow& window, double largest, const ParallelFor& parallel = SerialFor);
+  CommonAreaTable(const ObservationWindow& window, double maximumDistance, const ParallelFor& parallel = SerialFor);
 
   double operator()(double dx, double dy) const;
 
-  double GetLargest() const { return this->Largest; } ///< distance [m]
+  double GetMaximumDistance() const { return this->MaximumDistance; } ///< distance [m]
 
 private:
   ObservationWindow Window;
-  double Largest = 0.0;
-  std::size_t Columns = 0; ///< nodes along x, from -largest
+  double MaximumDistance = 0.0;
+  std::size_t Columns = 0; ///< nodes along x, from -MaximumDistance
   double Across = 0.0;     ///< spacing of the nodes along x [m]
   double Along = 0.0;      ///< spacing along y, from 0 [m]
   std::vector<double> Areas;

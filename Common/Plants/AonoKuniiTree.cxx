@@ -438,7 +438,7 @@ AonoKuniiParameters PresetParameters(ForkPreset preset)
   return p;
 }
 
-int MostIterations(Branching form)
+int MaximumIterations(Branching form)
 {
   return form == Branching::Ternary ? 10 : 15;
 }
@@ -448,7 +448,7 @@ std::string WhyInvalid(const AonoKuniiParameters& p)
   ParameterCheck check;
   check.Require(IsFinite(p.Tropism), "Tropism must be finite.");
   check.Choice("Branching", static_cast<int>(p.Form), 3);
-  check.Count("Iterations", p.Iterations, 1, MostIterations(p.Form));
+  check.Count("Iterations", p.Iterations, 1, MaximumIterations(p.Form));
   check.Range("LengthRatio1", p.LengthRatio1, 0.3, 1.2);
   check.Range("LengthRatio2", p.LengthRatio2, 0.3, 1.2);
   check.Range("Angle1", p.Angle1, -90.0, 90.0, "degrees");

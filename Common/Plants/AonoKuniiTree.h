@@ -67,7 +67,7 @@ const char* ForkPresetName(ForkPreset preset);
 AonoKuniiParameters PresetParameters(ForkPreset preset);
 
 /// The most iterations of a form that are allowed; a step doubles or triples the tree.
-int MostIterations(Branching form);
+int MaximumIterations(Branching form);
 
 /// Why there is no such tree, with the name of the parameter; empty when there is.
 std::string WhyInvalid(const AonoKuniiParameters& parameters);

@@ -127,10 +127,10 @@ void SkinBranch(
 
 }
 
-int NumberOfSides(double radius, double thickest, int mostSides)
+int NumberOfSides(double radius, double thickest, int maximumSides)
 {
   const double part = thickest > 0.0 ? std::sqrt(std::clamp(radius / thickest, 0.0, 1.0)) : 1.0;
-  return std::max(3, static_cast<int>(std::lround(mostSides * part)));
+  return std::max(3, static_cast<int>(std::lround(maximumSides * part)));
 }
 
 PlantMesh SkinOf(const Skeleton& skeleton, const BranchSkinOptions& options)
@@ -143,7 +143,7 @@ PlantMesh SkinOf(const Skeleton& skeleton, const BranchSkinOptions& options)
   PlantMesh mesh;
   for (const SkeletonBranch& branch : skeleton.Branches)
   {
-    const int sides = NumberOfSides(skeleton.Nodes[branch.First].Radius, thickest, options.MostSides);
+    const int sides = NumberOfSides(skeleton.Nodes[branch.First].Radius, thickest, options.MaximumSides);
     SkinBranch(mesh, skeleton, branch, sides, options);
   }
   TurnNormalsToFronts(mesh); // where a thick branch bends sharply

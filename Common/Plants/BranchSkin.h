@@ -12,13 +12,13 @@ namespace littoral
 /// How finely branches are skinned.
 struct BranchSkinOptions
 {
-  int MostSides = 12;        ///< of the thickest branch; thinner ones get fewer, at least 3
+  int MaximumSides = 12;        ///< of the thickest branch; thinner ones get fewer, at least 3
   double BarkLength = 1.0;   ///< [m] of branch for one repeat of the bark texture
   Color Bark{ 110, 90, 70 }; ///< color of the trunk; twigs are darker
 };
 
 /// Sides of a branch of a radius [m], when the thickest has another.
-int NumberOfSides(double radius, double thickest, int mostSides);
+int NumberOfSides(double radius, double thickest, int maximumSides);
 
 /**
  * Generalised cylinders: a ring of vertices at each node, at right angles to the branch, carried along without twist, a

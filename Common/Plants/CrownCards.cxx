@@ -141,7 +141,7 @@ PlantMesh MeshOf(const std::vector<CrownCard>& cards, double scale)
 std::vector<CrownCard> TuftCards(const PlantMesh& leaves, int seed)
 {
   const int all = leaves.NumberOfPolygons();
-  const int count = std::min(all, MostCards);
+  const int count = std::min(all, MaximumCards);
   const RandomStream random(seed, RandomPurpose::CrownCards);
   double area = 0.0;
   for (int leaf = 0; leaf < all; ++leaf)
@@ -223,7 +223,7 @@ PlantMesh MainLimbs(const Skeleton& wood, const Color& bark)
     const int segments = std::min(branch.Count - 1, most);
     const int sides = NumberOfSides(radius(order[index]), radius(order[0]), SidesOfTrunk);
     polygons += sides * (2 * segments + 1) + 1;
-    if (segments < 1 || (index > 0 && polygons > MostWoodPolygons))
+    if (segments < 1 || (index > 0 && polygons > MaximumWoodPolygons))
     {
       break;
     }
@@ -238,7 +238,7 @@ PlantMesh MainLimbs(const Skeleton& wood, const Color& bark)
     }
   }
   BranchSkinOptions options;
-  options.MostSides = SidesOfTrunk;
+  options.MaximumSides = SidesOfTrunk;
   options.Bark = bark;
   PlantMesh skin = SkinOf(main, options);
   skin.TCoords.clear();

@@ -13,8 +13,8 @@ namespace littoral
 {
 
 /// Polygons of a crown of cards, at most, and of its wood, about.
-inline constexpr int MostCards = 400;
-inline constexpr int MostWoodPolygons = 160;
+inline constexpr int MaximumCards = 400;
+inline constexpr int MaximumWoodPolygons = 160;
 
 /// A parallelogram that stands for many leaves.
 struct CrownCard

@@ -228,7 +228,7 @@ public:
   std::vector<CrownCard> Cards() const
   {
     const int quadrics = static_cast<int>(this->Plant.Quadrics.size());
-    const int sections = std::clamp(MostCards / std::max(1, quadrics), 1, NumberOfSections);
+    const int sections = std::clamp(MaximumCards / std::max(1, quadrics), 1, NumberOfSections);
     std::vector<CrownCard> cards;
     for (const Quadric& quadric : this->Plant.Quadrics)
     {

@@ -18,9 +18,9 @@ namespace
 {
 
 /// Normal deviates are cut here, so that no plant is a dwarf or a giant.
-constexpr double LargestDeviate = 2.0;
+constexpr double MaximumDeviate = 2.0;
 /// Keeps the smallest plant above a tenth of its prototype.
-constexpr double LargestVariation = 0.45;
+constexpr double MaximumVariation = 0.45;
 /// The shift of a color from blue to red, as part of that of its brightness.
 constexpr double WarmthPart = 0.6;
 
@@ -29,7 +29,7 @@ std::array<double, 2> CutNormalPair(int seed, RandomPurpose purpose, long long s
   std::array<double, 2> pair = RandomStream(seed, purpose).NormalPair(static_cast<std::uint64_t>(site), 0);
   for (double& deviate : pair)
   {
-    deviate = std::clamp(deviate, -LargestDeviate, LargestDeviate);
+    deviate = std::clamp(deviate, -MaximumDeviate, MaximumDeviate);
   }
   return pair;
 }
@@ -77,8 +77,8 @@ std::string WhyInvalid(const ScatterOptions& options)
   }
   check.Require(std::accumulate(options.Weights.begin(), options.Weights.end(), 0.0) > 0.0,
     "The Weights of all prototypes are 0; at least one must be positive.");
-  check.Range("ScaleVariation", options.ScaleVariation, 0.0, LargestVariation);
-  check.Range("TintVariation", options.TintVariation, 0.0, LargestVariation);
+  check.Range("ScaleVariation", options.ScaleVariation, 0.0, MaximumVariation);
+  check.Range("TintVariation", options.TintVariation, 0.0, MaximumVariation);
   return check.Reason();
 }
 
@@ -168,7 +168,7 @@ void DropOutside(const GroundLimits& limits, std::vector<PlantPlace>& places)
 
 Box BoxOf(const PlantPlace& place, const PlantExtent& extent)
 {
-  const double radius = place.Scale * place.Girth * extent.Radius;
+  const double radius = place.Scale * place.WidthScale * extent.Radius;
   return { place.Foot + Vector3(-radius, -radius, place.Scale * extent.Low),
     place.Foot + Vector3(radius, radius, place.Scale * extent.High) };
 }
@@ -181,7 +181,7 @@ ImpostorCard FacingCard(const ImpostorShape& shape, const PlantPlace& place, con
   const Vector3 towards =
     view.IsParallel ? -Normalised(view.Direction) : Normalised(view.Point - place.Foot - place.Scale * middle);
   const auto turned = [&](const Vector3& v) { return Vector3(c * v.x - s * v.y, s * v.x + c * v.y, v.z); };
-  const double girth = place.Girth;
+  const double girth = place.WidthScale;
   const Vector3 own(c * towards.x + s * towards.y, c * towards.y - s * towards.x, girth * towards.z);
   ImpostorCard card = CardTowards(shape, girth == 1.0 ? own : Normalised(own));
   for (int corner = 0; corner < 4; ++corner)
@@ -219,9 +219,9 @@ Skeleton Placed(const Skeleton& prototype, const PlantPlace& place)
   Skeleton placed = prototype;
   for (SkeletonNode& node : placed.Nodes)
   {
-    const Vector3 p = Wide(node.Position, place.Girth);
+    const Vector3 p = Wide(node.Position, place.WidthScale);
     node.Position = place.Foot + place.Scale * Vector3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
-    node.Radius *= place.Scale * place.Girth;
+    node.Radius *= place.Scale * place.WidthScale;
   }
   return placed;
 }
@@ -235,8 +235,8 @@ PlantPlacement::PlantPlacement(const PlantPlace& place)
 
 void PlantPlacement::Points(const float* from, std::size_t count, float* to) const
 {
-  const double c = this->Place.Scale * this->Place.Girth * this->Cosine;
-  const double s = this->Place.Scale * this->Place.Girth * this->Sine;
+  const double c = this->Place.Scale * this->Place.WidthScale * this->Cosine;
+  const double s = this->Place.Scale * this->Place.WidthScale * this->Sine;
   for (std::size_t i = 0; i < 3 * count; i += 3)
   {
     to[i] = static_cast<float>(this->Place.Foot.x + c * from[i] - s * from[i + 1]);
@@ -256,9 +256,9 @@ void PlantPlacement::Directions(const float* from, std::size_t count, float* to)
     to[i] = c * x - s * y;
     to[i + 1] = s * x + c * y;
     to[i + 2] = from[i + 2];
-    if (this->Place.Girth != 1.0)
+    if (this->Place.WidthScale != 1.0)
     {
-      const Vector3 normal = WideNormal({ to[i], to[i + 1], to[i + 2] }, this->Place.Girth);
+      const Vector3 normal = WideNormal({ to[i], to[i + 1], to[i + 2] }, this->Place.WidthScale);
       to[i] = static_cast<float>(normal.x);
       to[i + 1] = static_cast<float>(normal.y);
       to[i + 2] = static_cast<float>(normal.z);
@@ -268,7 +268,7 @@ void PlantPlacement::Directions(const float* from, std::size_t count, float* to)
 
 void PlantPlacement::Lengths(const float* from, std::size_t count, float* to) const
 {
-  const double scale = this->Place.Scale * this->Place.Girth;
+  const double scale = this->Place.Scale * this->Place.WidthScale;
   std::transform(from, from + count, to, [scale](float length) { return static_cast<float>(scale * length); });
 }
 

@@ -54,7 +54,7 @@ struct PlantPlace
   long long SiteId = 0; ///< the site's identity
   int Species = 0;
   double Scale = 1.0;            ///< of heights
-  double Girth = 1.0;            ///< of what is level, beside Scale: a plant is Scale Girth times as thick and wide
+  double WidthScale = 1.0;            ///< of what is level, beside Scale: a plant is Scale WidthScale times as thick and wide
   double Azimuth = 0.0;          ///< turn about the vertical [radians]
   Vector3 Foot{ 0.0, 0.0, 0.0 }; ///< [m]
   std::array<float, 3> Tint{ 1.0f, 1.0f, 1.0f };

@@ -221,7 +221,7 @@ private:
     {
       nodes[node].Radius *= this->StemBelowCrown(nodes[node].Position.z);
     }
-    const double scale = this->P.TrunkRadius / this->TrunkRadiusAt(BreastHeight(this->P.Height));
+    const double scale = this->P.TrunkRadius / this->TrunkRadiusAt(TrunkReferenceHeight(this->P.Height));
     std::for_each(nodes.begin(), nodes.end(), [=](SkeletonNode& node) { node.Radius *= scale; });
   }
 
@@ -398,7 +398,7 @@ ReevesTreeParameters SizedParameters(TreePreset preset, double height, double di
   return p;
 }
 
-double BreastHeight(double height)
+double TrunkReferenceHeight(double height)
 {
   return std::min(1.3, 0.1 * height);
 }

@@ -71,7 +71,7 @@ ReevesTreeParameters PresetParameters(TreePreset preset);
 ReevesTreeParameters SizedParameters(TreePreset preset, double height, double diameter, double crown = 0.0);
 
 /// Where a trunk is measured, for a tree of a height [m]: at 1.3 m, and below where the tree is lower than 13 m.
-double BreastHeight(double height);
+double TrunkReferenceHeight(double height);
 
 /// Why there is no such tree, with the name of the parameter; empty when there is.
 std::string WhyInvalid(const ReevesTreeParameters& parameters);

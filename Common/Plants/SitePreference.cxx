@@ -125,7 +125,7 @@ std::vector<SpeciesPreference> ReadPreferences(const TextTable& table)
   return all;
 }
 
-std::vector<SpeciesPreference> UsualPreferences(bool knowsDrainage)
+std::vector<SpeciesPreference> DefaultPreferences(bool knowsDrainage)
 {
   std::vector<SpeciesPreference> species = { Usual("Pine", 1.0, { 0.85, 0.25 }, { 15.0, 15.0 }),
     Usual("Oak", 1.0, { 0.2, 0.25 }, { 0.0, 15.0 }), Usual("Birch", 0.6, { 0.45, 0.3 }, { 0.0, 10.0 }),
@@ -157,7 +157,7 @@ int SpeciesAt(const std::vector<SpeciesPreference>& species, const GroundFactors
     all += each.Abundance;
     sums.push_back(sum);
   }
-  const double drawn = Uniform(options, site) * (options.Thins ? all : sum);
+  const double drawn = Uniform(options, site) * (options.Thinning ? all : sum);
   const auto found = std::upper_bound(sums.begin(), sums.end(), drawn);
   return found == sums.end() ? -1 : static_cast<int>(found - sums.begin());
 }
@@ -165,7 +165,7 @@ int SpeciesAt(const std::vector<SpeciesPreference>& species, const GroundFactors
 bool StaysAt(
   const SpeciesPreference& species, const GroundFactors& ground, const PreferenceOptions& options, long long site)
 {
-  return !options.Thins || Uniform(options, site) < PreferenceFor(species, ground);
+  return !options.Thinning || Uniform(options, site) < PreferenceFor(species, ground);
 }
 
 }

@@ -59,7 +59,7 @@ std::vector<SpeciesPreference> ReadPreferences(const TextTable& table);
 
 /// Preferences of pine, oak, birch and shrub on any terrain: pines high, oaks low, birches between on level
 /// ground, shrubs on slopes.
-std::vector<SpeciesPreference> UsualPreferences(bool knowsDrainage = false);
+std::vector<SpeciesPreference> DefaultPreferences(bool knowsDrainage = false);
 
 /// Whether one of the species answers to a factor.
 bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor factor);
@@ -67,7 +67,7 @@ bool AnyAnswers(const std::vector<SpeciesPreference>& species, GroundFactor fact
 /// How sites get species.
 struct PreferenceOptions
 {
-  bool Thins = true; ///< else each site without a species gets one, unless all its preferences are 0
+  bool Thinning = true; ///< else each site without a species gets one, unless all its preferences are 0
   int Seed = 1;
 };
 

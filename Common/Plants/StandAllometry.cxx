@@ -15,7 +15,7 @@ namespace
 constexpr double BreastHeightOfCurves = 1.3716; // 4.5 feet [m]
 constexpr double Centimetres = 100.0;
 constexpr double ThinnestMeasured = 7.62; // 3 inches [cm]
-constexpr double LargestDiameter = 3.0;   // [m]
+constexpr double MaximumDiameter = 3.0;   // [m]
 constexpr double WeibullShape = 2.5;
 
 /// The form itself, without the line of thin trees.
@@ -52,7 +52,7 @@ double HeightOf(const HeightCurve& curve, double diameter)
 double DiameterOf(const HeightCurve& curve, double height)
 {
   double low = 0.0;
-  double high = LargestDiameter;
+  double high = MaximumDiameter;
   for (int step = 0; step < 60; ++step)
   {
     const double middle = 0.5 * (low + high);

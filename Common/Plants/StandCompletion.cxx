@@ -15,13 +15,13 @@ namespace littoral
 namespace
 {
 
-constexpr std::size_t FewestDiameters = 10; // measured, before others are drawn from them
-constexpr std::size_t FewestHeights = 5;    // measured, before the curve is scaled by them
-constexpr double MostDeviation = 2.0;       // standard deviations
+constexpr std::size_t MinimumMeasuredDiameters = 10; // measured, before others are drawn from them
+constexpr std::size_t MinimumMeasuredHeights = 5;    // measured, before the curve is scaled by them
+constexpr double MaximumDeviation = 2.0;       // standard deviations
 constexpr double LowestTree = 1.3716;       // of curves, at a diameter of 0 [m]
-constexpr double SmallestDiameter = 0.001;  // [m]
-constexpr double LargestMean = 0.6;         // of stands by their density [m]
-constexpr double SmallestMean = 0.05;       // [m]
+constexpr double MinimumDiameter = 0.001;  // [m]
+constexpr double MaximumMean = 0.6;         // of stands by their density [m]
+constexpr double MinimumMean = 0.05;       // [m]
 constexpr double SquareMetres = 1e4;        // of a hectare
 
 /// Numbers of each species, and of all, in order.
@@ -97,21 +97,21 @@ public:
     this->Thick.Sort();
     this->Tall.Sort();
     const double density = static_cast<double>(stand.Trees.size()) / AreaOf(stand) * SquareMetres;
-    this->Mean = options.MeanDiameter > 0.0 ? options.MeanDiameter
-                                            : std::clamp(DiameterOfDensity(density), SmallestMean, LargestMean);
+    this->Mean = options.QuadraticMeanDiameter > 0.0 ? options.QuadraticMeanDiameter
+                                            : std::clamp(DiameterOfDensity(density), MinimumMean, MaximumMean);
   }
 
   void Complete(StandTree& tree) const
   {
-    tree.DrawnDiameter = !std::isfinite(tree.Diameter);
-    tree.DrawnHeight = !std::isfinite(tree.Height);
-    if (tree.DrawnDiameter)
+    tree.ImputedDiameter = !std::isfinite(tree.Diameter);
+    tree.ImputedHeight = !std::isfinite(tree.Height);
+    if (tree.ImputedDiameter)
     {
-      tree.Diameter = std::max(SmallestDiameter,
-        tree.DrawnHeight ? this->DiameterFor(tree)
+      tree.Diameter = std::max(MinimumDiameter,
+        tree.ImputedHeight ? this->DiameterFor(tree)
                          : DiameterOf(this->CurveOf(tree), tree.Height / this->FactorOf(tree)));
     }
-    if (tree.DrawnHeight)
+    if (tree.ImputedHeight)
     {
       // H = 1.37 m + (f(D) r - 1.37 m) (1 + s z)
       const double middle = std::max(LowestTree, HeightOf(this->CurveOf(tree), tree.Diameter) * this->RatioOf(tree));
@@ -124,8 +124,8 @@ private:
   const InventoryOptions& Options;
   RandomStream Diameters;
   RandomStream Heights;
-  Measured Thick{ FewestDiameters };
-  Measured Tall{ FewestHeights };
+  Measured Thick{ MinimumMeasuredDiameters };
+  Measured Tall{ MinimumMeasuredHeights };
   double Mean = 0.0;
 
   const HeightCurve& CurveOf(const StandTree& tree) const { return this->Species[tree.Species].Curve; }
@@ -147,7 +147,7 @@ private:
   double VariationOf(const StandTree& tree) const
   {
     const double deviate = this->Heights.NormalPair(static_cast<std::uint64_t>(tree.Row), 0)[0];
-    return 1.0 + this->Options.HeightVariation * std::clamp(deviate, -MostDeviation, MostDeviation);
+    return 1.0 + this->Options.HeightVariation * std::clamp(deviate, -MaximumDeviation, MaximumDeviation);
   }
 
   /// How much higher than the curve this tree is, where its diameter is not known.

@@ -23,16 +23,16 @@ namespace
 
 constexpr double PlotGap = 20.0; // between plots that are set in a row [m]
 // What no stand of trees has.
-constexpr double LargestDiameter = 12.0; // of the thickest tree on record, 11.6 m [m]
-constexpr double LargestHeight = 130.0;  // the tallest on record has 116 m [m]
+constexpr double MaximumDiameter = 12.0; // of the thickest tree on record, 11.6 m [m]
+constexpr double MaximumHeight = 130.0;  // the tallest on record has 116 m [m]
 constexpr double ThickestMiddle = 2.5;   // median diameter [m]
 constexpr double ThinnestMiddle = 0.002; // [m]
 constexpr double TallestMiddle = 90.0;   // median height [m]
 constexpr double LowestMiddle = 0.3;     // [m]
-constexpr double MostSlender = 400.0;    // median of height over diameter
-constexpr double LeastSlender = 8.0;
+constexpr double MaximumSlenderness = 400.0;    // median of height over diameter
+constexpr double MinimumSlenderness = 8.0;
 constexpr double DensestStand = 20.0; // trees a square metre
-constexpr std::size_t FewestForDensity = 20;
+constexpr std::size_t MinimumTreesForDensity = 20;
 constexpr double FarthestPlace = 1e8; // [m]
 
 struct UnitWord
@@ -295,15 +295,15 @@ void RequirePlausible(const StandInventory& stand, LengthUnit diameters, LengthU
 {
   RequirePlausible("DBH", "DiameterUnit", diameters,
     Known(stand.Trees, [](const StandTree& tree) { return tree.Diameter; }), ThinnestMiddle, ThickestMiddle,
-    LargestDiameter);
+    MaximumDiameter);
   RequirePlausible("height", "HeightUnit", heights,
-    Known(stand.Trees, [](const StandTree& tree) { return tree.Height; }), LowestMiddle, TallestMiddle, LargestHeight);
+    Known(stand.Trees, [](const StandTree& tree) { return tree.Height; }), LowestMiddle, TallestMiddle, MaximumHeight);
   const std::vector<double> slenderness =
     Known(stand.Trees, [](const StandTree& tree) { return tree.Height / tree.Diameter; });
-  const double middle = slenderness.empty() ? LeastSlender : Median(slenderness);
-  if (middle < LeastSlender || middle > MostSlender)
+  const double middle = slenderness.empty() ? MinimumSlenderness : Median(slenderness);
+  if (middle < MinimumSlenderness || middle > MaximumSlenderness)
   {
-    Refuse("half of the trees are ", middle < LeastSlender ? "less" : "more", " than ", TextOf(std::floor(middle)),
+    Refuse("half of the trees are ", middle < MinimumSlenderness ? "less" : "more", " than ", TextOf(std::floor(middle)),
       " times as high as thick; the units of DBH (", UnitNames[static_cast<int>(diameters)], ") and height (",
       UnitNames[static_cast<int>(heights)], ") do not fit each other: set DiameterUnit or HeightUnit.");
   }
@@ -410,10 +410,10 @@ void RequireRoom(const StandInventory& stand)
 {
   const double area = AreaOf(stand);
   const double density = static_cast<double>(stand.Trees.size()) / area;
-  if (stand.Trees.size() >= FewestForDensity && density > DensestStand)
+  if (stand.Trees.size() >= MinimumTreesForDensity && density > DensestStand)
   {
     Refuse(stand.Trees.size(), " trees on ", TextOf(area),
-      " m2 are no stand; set PlaceScale or PlaceUnit, as of a plot on a unit square. Degrees must be projected to "
+      " m2 are no stand; set CoordinateScale or CoordinateUnit, as of a plot on a unit square. Degrees must be projected to "
       "metres.");
   }
 }
@@ -456,7 +456,7 @@ public:
     tree.Diameter = Measure(LengthIn(this->Table, this->Columns.Diameter, row, unit), "DBH", row);
     tree.Height = Measure(LengthIn(this->Table, this->Columns.Height, row, MetresOf(this->Heights)), "Height", row);
     tree.Name = this->NameIn(row);
-    tree.Species = this->Species.RowOf(tree.Name, this->Options.OtherSpecies);
+    tree.Species = this->Species.RowOf(tree.Name, this->Options.DefaultSpecies);
     if (!tree.Name.empty() && !this->Species.Has(tree.Name) && this->Met.insert(tree.Name).second)
     {
       this->Stand.Unlisted.push_back(tree.Name);
@@ -491,8 +491,8 @@ private:
 
   double PlaceIn(const FoundColumn& column, std::size_t row) const
   {
-    const double metres = MetresOf(UnitOf(this->Options.PlaceUnit, column, LengthUnit::Metre));
-    const double place = LengthIn(this->Table, column, row, this->Options.PlaceScale * metres);
+    const double metres = MetresOf(UnitOf(this->Options.CoordinateUnit, column, LengthUnit::Metre));
+    const double place = LengthIn(this->Table, column, row, this->Options.CoordinateScale * metres);
     if (!(std::abs(place) <= FarthestPlace))
     {
       Refuse("row ", row + 1, " has no place: its ", this->Table.Names[column.Index], " is '",
@@ -506,15 +506,15 @@ private:
 std::string WhyInvalid(const InventoryOptions& options, const StandSpeciesTable& species)
 {
   ParameterCheck check;
-  check.Choice("PlaceUnit", static_cast<int>(options.PlaceUnit), NumberOfLengthUnits);
+  check.Choice("CoordinateUnit", static_cast<int>(options.CoordinateUnit), NumberOfLengthUnits);
   check.Choice("DiameterUnit", static_cast<int>(options.DiameterUnit), NumberOfLengthUnits);
   check.Choice("HeightUnit", static_cast<int>(options.HeightUnit), NumberOfLengthUnits);
-  check.Positive("PlaceScale", options.PlaceScale);
-  check.NotNegative("MeanDiameter", options.MeanDiameter, "m", ThickestMiddle);
+  check.Positive("CoordinateScale", options.CoordinateScale);
+  check.NotNegative("QuadraticMeanDiameter", options.QuadraticMeanDiameter, "m", ThickestMiddle);
   check.Range("HeightVariation", options.HeightVariation, 0.0, 0.4);
-  check.Count("SizeClasses", options.SizeClasses, 1, MostSizeClasses);
-  check.Require(species.Has(options.OtherSpecies),
-    "OtherSpecies is '" + options.OtherSpecies + "', which is not in the table of species.");
+  check.Count("DiameterClasses", options.DiameterClasses, 1, MaximumDiameterClasses);
+  check.Require(species.Has(options.DefaultSpecies),
+    "DefaultSpecies is '" + options.DefaultSpecies + "', which is not in the table of species.");
   return check.Reason();
 }
 

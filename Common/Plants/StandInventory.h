@@ -41,23 +41,23 @@ struct InventoryColumns
 };
 
 /// Plants for the trees of a kind, at most.
-inline constexpr int MostSizeClasses = 20;
+inline constexpr int MaximumDiameterClasses = 20;
 
 /// How an inventory is read.
 struct InventoryOptions
 {
   InventoryColumns Columns;
-  LengthUnit PlaceUnit = LengthUnit::Named;    ///< usually metres
+  LengthUnit CoordinateUnit = LengthUnit::Named;    ///< usually metres
   LengthUnit DiameterUnit = LengthUnit::Named; ///< usually centimetres; millimetres in a table of ForestGEO
   LengthUnit HeightUnit = LengthUnit::Named;   ///< usually metres
-  double PlaceScale = 1.0;                     ///< factor of x and y, for plots on a unit square
+  double CoordinateScale = 1.0;                     ///< factor of x and y, for plots on a unit square
   std::string Plot;                            ///< the only plot that is read; empty: all
   bool KeepDead = false;                       ///< keeps trees whose status is not alive
   bool AllowCoincident = false;                ///< allows trees at the same place
-  std::string OtherSpecies = "hardwood";       ///< as which species that are not in the table count
-  double MeanDiameter = 0.0;                   ///< quadratic mean of a stand without diameters [m]; 0: by its density
+  std::string DefaultSpecies = "hardwood";       ///< as which species that are not in the table count
+  double QuadraticMeanDiameter = 0.0;                   ///< quadratic mean of a stand without diameters [m]; 0: by its density
   double HeightVariation = 0.1;                ///< standard deviation of drawn heights, as part of them, 0 to 0.4
-  int SizeClasses = 1;                         ///< plants of a kind, at most, 1 to 20
+  int DiameterClasses = 1;                         ///< plants of a kind, at most, 1 to 20
   int Seed = 1;
 };
 
@@ -72,8 +72,8 @@ struct StandTree
   std::string Name;
   double Diameter = std::numeric_limits<double>::quiet_NaN(); ///< [m]
   double Height = std::numeric_limits<double>::quiet_NaN();   ///< [m]
-  bool DrawnDiameter = false;
-  bool DrawnHeight = false;
+  bool ImputedDiameter = false;
+  bool ImputedHeight = false;
 };
 
 /// A stand as an inventory tells it.

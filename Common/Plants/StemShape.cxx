@@ -79,7 +79,7 @@ double CutAt(const std::array<Vector3, 3>& triangle, double height)
 
 }
 
-double MeasuringHeight(double height)
+double BreastHeight(double height)
 {
   return std::min(BreastHeightOfTrees, PartOfLowTrees * height);
 }
@@ -128,7 +128,7 @@ double StemShape::DiameterAt(double height) const
 
 double StemShape::MeasuredDiameter(double scale) const
 {
-  return this->DiameterAt(std::min(MeasuringHeight(scale * this->Top) / scale, StemPart * this->StemTop));
+  return this->DiameterAt(std::min(BreastHeight(scale * this->Top) / scale, StemPart * this->StemTop));
 }
 
 double StemShape::ScaleOfDiameter(double diameter) const
@@ -146,7 +146,7 @@ double StemShape::ScaleOfDiameter(double diameter) const
 
 std::string StemShape::Fit(const TreeDimensions& tree, PlantPlace& place) const
 {
-  place.Girth = 1.0;
+  place.WidthScale = 1.0;
   if (tree.Diameter > 0.0 && !(this->IsThere() && this->MeasuredDiameter(1.0) > 0.0))
   {
     return "its prototype has no stem at breast height.";
@@ -155,7 +155,7 @@ std::string StemShape::Fit(const TreeDimensions& tree, PlantPlace& place) const
   if (tree.Height > 0.0 && tree.Diameter > 0.0)
   {
     // D = s g d(h / s)
-    place.Girth = tree.Diameter / (place.Scale * this->MeasuredDiameter(place.Scale));
+    place.WidthScale = tree.Diameter / (place.Scale * this->MeasuredDiameter(place.Scale));
   }
   return {};
 }

@@ -21,7 +21,7 @@ struct TreeDimensions
 };
 
 /// Where foresters measure a stem above the ground: at 1.3 m; at half the height of a tree lower than 2.6 m [m].
-double MeasuringHeight(double height);
+double BreastHeight(double height);
 
 /// Why no tree has such dimensions, in words for a user that name a site; empty if one may.
 std::string WhyInvalid(const TreeDimensions& tree, const std::string& site);
@@ -44,7 +44,7 @@ public:
   /// Girth over pi at a height [m]; 0 above and below the stem.
   double DiameterAt(double height) const;
 
-  /// Gives a plant the dimensions by its Scale and Girth. One of them alone keeps the proportions. Why it cannot have
+  /// Gives a plant the dimensions by its Scale and WidthScale. One of them alone keeps the proportions. Why it cannot have
   /// them, in words for a user; empty if it has.
   std::string Fit(const TreeDimensions& tree, PlantPlace& place) const;
 

@@ -73,10 +73,10 @@ WaveTrain RegularWave(const SeaSpectrum& spectrum, double depth, double directio
 /// Amplitudes may be as small as they come: they are sums, and divide nothing.
 bool IsGood(const WaveTrain& train)
 {
-  return train.Amplitude >= 0.0 && train.Amplitude <= LargestMagnitude &&
+  return train.Amplitude >= 0.0 && train.Amplitude <= MaximumMagnitude &&
     ValueInterval::Positive().Contains(train.AngularFrequency) &&
-    ValueInterval::Positive().Contains(train.WaveNumber) && std::abs(train.Direction) <= LargestMagnitude &&
-    std::abs(train.Phase) <= LargestMagnitude;
+    ValueInterval::Positive().Contains(train.WaveNumber) && std::abs(train.Direction) <= MaximumMagnitude &&
+    std::abs(train.Phase) <= MaximumMagnitude;
 }
 
 /// Whether frequency and wave number obey w^2 = g k tanh kh.

@@ -187,7 +187,7 @@ private:
     {
       count = std::max(count, std::ceil(RowsOfWave * blade.Length / (WaveOfWidth(form) * blade.Width)));
     }
-    count = std::min<double>(count, this->Options.MostRows);
+    count = std::min<double>(count, this->Options.MaximumRows);
     std::vector<double> rows;
     for (int row = 0; row <= static_cast<int>(count); ++row)
     {
@@ -298,7 +298,7 @@ PlantMesh RoundSkin(const Seaweed& seaweed, int step, int sides)
 {
   const RoundParts parts = RoundPartsOf(seaweed, step);
   BranchSkinOptions options;
-  options.MostSides = sides;
+  options.MaximumSides = sides;
   options.BarkLength = 0.2;
   options.Bark = seaweed.Parameters.Stipe;
   PlantMesh mesh = SkinOf(parts.Wood, options);
@@ -365,7 +365,7 @@ PlantMesh HapteraOf(const Seaweed& seaweed)
     }
   }
   BranchSkinOptions options;
-  options.MostSides = 6;
+  options.MaximumSides = 6;
   options.BarkLength = 0.2;
   options.Bark = Scaled(p.Stipe, 0.85);
   PlantMesh mesh = SkinOf(fingers, options);

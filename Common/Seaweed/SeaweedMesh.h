@@ -12,7 +12,7 @@ namespace littoral
 /// How finely a blade is meshed.
 struct RibbonOptions
 {
-  int MostRows = 200;       ///< of polygons along a blade
+  int MaximumRows = 200;       ///< of polygons along a blade
   bool HasRuffles = true;   ///< waves of the edges, and the columns that they need
   bool HasJoints = true;    ///< whether vertices say which segments they follow
   double RowsOfSegment = 2; ///< along a segment where there are no waves

@@ -41,9 +41,9 @@ Mode MakeMode(int mode)
 
 const Mode& ModeOf(int mode)
 {
-  static const std::array<Mode, MostModes> Modes = [] {
-    std::array<Mode, MostModes> modes{};
-    for (int n = 1; n <= MostModes; ++n)
+  static const std::array<Mode, MaximumModes> Modes = [] {
+    std::array<Mode, MaximumModes> modes{};
+    for (int n = 1; n <= MaximumModes; ++n)
     {
       modes[n - 1] = MakeMode(n);
     }
@@ -55,7 +55,7 @@ const Mode& ModeOf(int mode)
 ShapeMixture AllModes(double (*value)(int mode, double part), double part)
 {
   ShapeMixture values;
-  for (int mode = 1; mode <= MostModes; ++mode)
+  for (int mode = 1; mode <= MaximumModes; ++mode)
   {
     values[mode - 1] = value(mode, part);
   }

@@ -9,7 +9,7 @@ namespace littoral
 {
 
 /// The highest mode of vibration that is kept.
-inline constexpr int MostModes = 10;
+inline constexpr int MaximumModes = 10;
 
 /// A uniform round cantilever.
 struct RoundBeam
@@ -23,7 +23,7 @@ struct RoundBeam
 /// The second moment of area of a round section, pi R^4 / 4 [m^4].
 double SecondMoment(double radius);
 
-/// The n-th positive root of cos(a) cosh(a) = -1, for n from 1 to MostModes: wave number times length.
+/// The n-th positive root of cos(a) cosh(a) = -1, for n from 1 to MaximumModes: wave number times length.
 double CantileverRoot(int mode);
 
 /// A mode's shape at a part of the length from 0, the clamped end, to 1; the mean of its square is 1 and its value at
@@ -36,8 +36,8 @@ double ModeSlope(int mode, double part);
 /// The second derivative of the shape by the part of the length.
 double ModeCurvature(int mode, double part);
 
-/// Amounts of the shapes 1 to MostModes of a uniform cantilever, or their values.
-using ShapeMixture = std::array<double, MostModes>;
+/// Amounts of the shapes 1 to MaximumModes of a uniform cantilever, or their values.
+using ShapeMixture = std::array<double, MaximumModes>;
 
 /// All shapes at a part of the length, their derivatives by it, and their second derivatives.
 ShapeMixture ShapesAt(double part);

@@ -233,7 +233,7 @@ std::array<double, 2> LeafFlutter::At(std::uint64_t leaf, double time) const
 LeafWind LeafWindOf(const Vector3& wind, const LeafMotionOptions& options)
 {
   const double speed = glm::length(wind);
-  return { Normalised(wind), options.LargestAlignment * RiseBetween(speed, options.AligningSpeeds),
+  return { Normalised(wind), options.MaximumAlignment * RiseBetween(speed, options.AligningSpeeds),
     options.FlutterAngle * RiseBetween(speed, options.FlutteringSpeeds) };
 }
 

@@ -18,7 +18,7 @@ namespace littoral
 struct LeafMotionOptions
 {
   std::array<double, 2> AligningSpeeds{ 2.0, 14.0 };  ///< where k1 begins and ends to rise [m/s]
-  double LargestAlignment = 0.6;                      ///< of k1, 0 to 1
+  double MaximumAlignment = 0.6;                      ///< of k1, 0 to 1
   std::array<double, 2> FlutteringSpeeds{ 0.3, 6.0 }; ///< where k2 begins and ends to rise [m/s]
   double FlutterAngle = 0.7;                          ///< the range of angles at k2 = 1 [rad]
   double FlutterRate = 4.0;                           ///< new random angles a second [Hz]

@@ -18,7 +18,7 @@ inline constexpr double TwistPart = 0.16;
 /// Deflections in which a limb gives way: one for each order of its branches, the last for all higher ones too.
 inline constexpr int LimbShapes = 4;
 
-/// Inertia of what a limb bears of one stuff.
+/// Inertia of what a limb bears of one material.
 struct LimbBurden
 {
   std::array<double, LimbShapes * LimbShapes> Mass{}; ///< products of the deflections over the mass

@@ -26,7 +26,7 @@ enum class SwayResponse
 /// How a plant answers to the wind.
 struct SwayOptions
 {
-  int NumberOfModes = 1; ///< 1 to MostModes
+  int NumberOfModes = 1; ///< 1 to MaximumModes
   SwayResponse Response = SwayResponse::Interpolated;
   WindLoadParameters Load; ///< eq. 25 goes with the law Projection, whatever is said here
   WoodParameters Wood;

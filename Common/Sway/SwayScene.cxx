@@ -126,9 +126,9 @@ std::string SwayScene::FindTrunk(int row, int& plant)
   }
   const PlantPlace& place = this->Places[row];
   const Skeleton trunk = Placed(species->TrunkRest, place);
-  BranchBeam beam = place.Girth == 1.0
+  BranchBeam beam = place.WidthScale == 1.0
     ? TrunkBeam(species->Trunk, place.Scale, place.Azimuth, this->OptionsOf(row))
-    : TrunkBeam(WideTrunk(*species, place.Girth, this->Settings), place.Scale, place.Azimuth, this->OptionsOf(row));
+    : TrunkBeam(WideTrunk(*species, place.WidthScale, this->Settings), place.Scale, place.Azimuth, this->OptionsOf(row));
   int node = 0;
   beam.Middle = trunk.Along(0, 0.5, node);
   plant = this->TrunkOfRow[row] = static_cast<int>(this->Plants.size());

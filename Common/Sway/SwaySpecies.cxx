@@ -40,7 +40,7 @@ SwaySpecies MakeSpecies(const Skeleton& rest, const WoodParameters& wood, const 
 TrunkMeasures WideTrunk(const SwaySpecies& species, double girth, const SwaySettings& settings)
 {
   PlantPlace wide;
-  wide.Girth = girth;
+  wide.WidthScale = girth;
   std::vector<double> areas = species.LeafAreas;
   std::for_each(areas.begin(), areas.end(), [girth](double& area) { area *= girth; });
   const Skeleton rest = Placed(species.Rest, wide);

@@ -29,18 +29,18 @@ constexpr std::array<double, 4> GaussWeights{ 0.1739274225687269, 0.326072577431
 
 void AddProducts(double amount, const ShapeMixture& a, const ShapeMixture& b, ShapeProducts& products)
 {
-  for (int i = 0; i < MostModes; ++i)
+  for (int i = 0; i < MaximumModes; ++i)
   {
-    for (int j = 0; j < MostModes; ++j)
+    for (int j = 0; j < MaximumModes; ++j)
     {
-      products[i * MostModes + j] += amount * a[i] * b[j];
+      products[i * MaximumModes + j] += amount * a[i] * b[j];
     }
   }
 }
 
 void AddShapes(double amount, const ShapeMixture& shapes, ShapeMixture& sum)
 {
-  for (int i = 0; i < MostModes; ++i)
+  for (int i = 0; i < MaximumModes; ++i)
   {
     sum[i] += amount * shapes[i];
   }
@@ -54,7 +54,7 @@ struct Station
   double Radius; // [m]
 };
 
-/// All that grows from one place of a trunk, of one stuff: amounts and areas, and their moments about the place.
+/// All that grows from one place of a trunk, of one material: amounts and areas, and their moments about the place.
 struct Load
 {
   double Amount = 0.0;
@@ -259,8 +259,8 @@ private:
   }
 };
 
-using Matrix = Eigen::Matrix<double, MostModes, MostModes>;
-using Vector = Eigen::Matrix<double, MostModes, 1>;
+using Matrix = Eigen::Matrix<double, MaximumModes, MaximumModes>;
+using Vector = Eigen::Matrix<double, MaximumModes, 1>;
 
 Matrix MatrixOf(const ShapeProducts& products)
 {
@@ -312,14 +312,14 @@ TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& 
   return Measurer(skeleton, leafAreas, carries).Run();
 }
 
-std::array<TrunkMode, MostModes> ModesOf(const TrunkMeasures& trunk, double scale, const TrunkStuff& stuff)
+std::array<TrunkMode, MaximumModes> ModesOf(const TrunkMeasures& trunk, double scale, const TrunkMaterial& material)
 {
   // Wood grows as the cube of the scale, leaves as its square.
-  const double wood = stuff.Density * scale * scale * scale;
-  const double leaves = stuff.LeafMass * scale * scale;
+  const double wood = material.Density * scale * scale * scale;
+  const double leaves = material.LeafMass * scale * scale;
   const Matrix mass = wood * MatrixOf(trunk.Wood.Mass) + leaves * MatrixOf(trunk.Leaves.Mass);
-  Matrix stiffness = stuff.YoungModulus * scale * MatrixOf(trunk.Stiffness);
-  if (stuff.Weighs)
+  Matrix stiffness = material.YoungModulus * scale * MatrixOf(trunk.Stiffness);
+  if (material.Weighs)
   {
     const double gravity = std::max(0.0, -WeightPerLength(1.0).z * trunk.Axis.z);
     const Matrix weight =
@@ -331,10 +331,10 @@ std::array<TrunkMode, MostModes> ModesOf(const TrunkMeasures& trunk, double scal
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(stiffness, mass);
   const Vector load = wood * VectorOf(trunk.Wood.Load) + leaves * VectorOf(trunk.Leaves.Load);
-  const Vector drag = VectorOf(trunk.Wood.Drag) + stuff.LeafDrag * VectorOf(trunk.Leaves.Drag);
-  const double diameter = (trunk.Wood.Area + stuff.LeafDrag * trunk.Leaves.Area) / trunk.Length;
-  std::array<TrunkMode, MostModes> modes;
-  for (int mode = 0; mode < MostModes; ++mode)
+  const Vector drag = VectorOf(trunk.Wood.Drag) + material.LeafDrag * VectorOf(trunk.Leaves.Drag);
+  const double diameter = (trunk.Wood.Area + material.LeafDrag * trunk.Leaves.Area) / trunk.Length;
+  std::array<TrunkMode, MaximumModes> modes;
+  for (int mode = 0; mode < MaximumModes; ++mode)
   {
     Vector mixture = solver.eigenvectors().col(mode).normalized();
     mixture *= mixture[mode] < 0.0 ? -1.0 : 1.0;
@@ -346,7 +346,7 @@ std::array<TrunkMode, MostModes> ModesOf(const TrunkMeasures& trunk, double scal
       // Limbs give way. At rest all is as before, so that mass seems more.
       const RigidTreeMode rigid{ modes[0].Mixture, trunk.Length, std::sqrt(squared), modalMass, mixture.dot(load) };
       const double whole =
-        WholeTreeFrequency(rigid, trunk.Limbs, { wood, leaves, BranchModulus * stuff.YoungModulus * scale });
+        WholeTreeFrequency(rigid, trunk.Limbs, { wood, leaves, BranchModulus * material.YoungModulus * scale });
       modalMass *= squared / (whole * whole);
       squared = whole * whole;
     }

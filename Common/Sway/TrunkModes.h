@@ -20,9 +20,9 @@ inline constexpr double CrownShelter = 1.0 / 3.0;
 double ShapeOf(const ShapeMixture& mixture, double part);
 
 /// Products of these shapes over a trunk, by rows.
-using ShapeProducts = std::array<double, MostModes * MostModes>;
+using ShapeProducts = std::array<double, MaximumModes * MaximumModes>;
 
-/// Mass and drag of what is made of one stuff: of wood by its volume [m3] and its breadth, of leaves by their area.
+/// Mass and drag of what is made of one material: of wood by its volume [m3] and its breadth, of leaves by their area.
 struct TrunkBurden
 {
   ShapeProducts Mass{};   ///< mean products of the shapes over the mass, with its turning [m3 or m2]
@@ -59,8 +59,8 @@ std::vector<double> FedLeafAreas(const Skeleton& skeleton, const std::vector<dou
  */
 TrunkMeasures MeasureTrunk(const Skeleton& skeleton, const std::vector<double>& leafAreas, bool carries = true);
 
-/// Stuff of a trunk.
-struct TrunkStuff
+/// Material of a trunk.
+struct TrunkMaterial
 {
   double YoungModulus = 9e9; ///< [Pa]
   double Density = 900.0;    ///< of wood [kg/m3]
@@ -85,7 +85,7 @@ struct TrunkMode
  * stands. The first mode is that of the whole tree, whose limbs give way (WholeTreeFrequency); in others they are
  * rigid.
  */
-std::array<TrunkMode, MostModes> ModesOf(const TrunkMeasures& trunk, double scale, const TrunkStuff& stuff);
+std::array<TrunkMode, MaximumModes> ModesOf(const TrunkMeasures& trunk, double scale, const TrunkMaterial& material);
 
 }
 

@@ -71,16 +71,16 @@ LimbMatrix MatrixOf(const std::array<double, LimbShapes * LimbShapes>& values)
 }
 
 /// The oscillators of a limb: b'' m + b k = -(c . b) for the acceleration 1 of the trunk's mode.
-void AddRiders(const LimbMeasures& limb, const RigidTreeMode& rigid, const LimbStuff& stuff, Riders& riders)
+void AddRiders(const LimbMeasures& limb, const RigidTreeMode& rigid, const LimbMaterial& material, Riders& riders)
 {
   const ShapeMixture shapes = ShapesAt(limb.Part);
   const ShapeMixture slopes = SlopesAt(limb.Part);
   const auto mixed = [&](const ShapeMixture& values) {
     return std::inner_product(values.begin(), values.end(), rigid.Mixture.begin(), 0.0);
   };
-  const LimbMatrix mass = stuff.Wood * MatrixOf(limb.Wood.Mass) + stuff.Leaves * MatrixOf(limb.Leaves.Mass);
-  const LimbVector push = stuff.Wood * VectorOf(limb.Wood.Shift) + stuff.Leaves * VectorOf(limb.Leaves.Shift);
-  const LimbVector turn = stuff.Wood * VectorOf(limb.Wood.Turn) + stuff.Leaves * VectorOf(limb.Leaves.Turn);
+  const LimbMatrix mass = material.Wood * MatrixOf(limb.Wood.Mass) + material.Leaves * MatrixOf(limb.Leaves.Mass);
+  const LimbVector push = material.Wood * VectorOf(limb.Wood.Shift) + material.Leaves * VectorOf(limb.Leaves.Shift);
+  const LimbVector turn = material.Wood * VectorOf(limb.Wood.Turn) + material.Leaves * VectorOf(limb.Leaves.Turn);
   const LimbVector coupling = mixed(shapes) * push + mixed(slopes) / rigid.Length * turn;
   const Eigen::SelfAdjointEigenSolver<LimbMatrix> solver(mass);
   for (int i = 0; i < LimbShapes; ++i)
@@ -90,9 +90,9 @@ void AddRiders(const LimbMeasures& limb, const RigidTreeMode& rigid, const LimbS
     {
       const LimbVector mode = solver.eigenvectors().col(i);
       const double carried = mode.dot(coupling);
-      const double frequency = std::sqrt(stuff.Stiffness / own);
+      const double frequency = std::sqrt(material.Stiffness / own);
       riders.Add(
-        { stuff.Stiffness / own, 2.0 * Damping * frequency, carried * carried / own, carried * mode.dot(push) / own },
+        { material.Stiffness / own, 2.0 * Damping * frequency, carried * carried / own, carried * mode.dot(push) / own },
         FastRatio * FastRatio * rigid.Frequency * rigid.Frequency);
     }
   }
@@ -125,7 +125,7 @@ double Answer(const RigidTreeMode& rigid, const Riders& riders, double frequency
 
 }
 
-double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbStuff& stuff)
+double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbMaterial& material)
 {
   if (limbs.empty())
   {
@@ -134,7 +134,7 @@ double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeas
   Riders riders;
   for (const LimbMeasures& limb : limbs)
   {
-    AddRiders(limb, rigid, stuff, riders);
+    AddRiders(limb, rigid, material, riders);
   }
   const double ratio = std::pow(LeastPart, -1.0 / Trials);
   const auto answer = [&](double trial) {

@@ -22,7 +22,7 @@ struct RigidTreeMode
 };
 
 /// What limbs are made of, in the units of their measures.
-struct LimbStuff
+struct LimbMaterial
 {
   double Wood = 900.0;    ///< [kg/m3]
   double Leaves = 0.2;    ///< [kg/m2]
@@ -36,7 +36,7 @@ struct LimbStuff
  * trunk this is the first mode of the tree. A stout tree has many that are as slow as it is or slower, and no single
  * mode; then it is the middle of those in which the trunk goes along.
  */
-double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbStuff& stuff);
+double WholeTreeFrequency(const RigidTreeMode& rigid, const std::vector<LimbMeasures>& limbs, const LimbMaterial& material);
 
 }
 

@@ -9,7 +9,7 @@ namespace littoral
 /// Lines whose tables are added to a row of points in one pass.
 constexpr int LinesAtOnce = 4;
 /// Points of a row in one pass, at most.
-constexpr int MostPointsAtOnce = 256;
+constexpr int MaximumPointsAtOnce = 256;
 
 /// Weights of the four taps of each line.
 using TapWeights = float[4][LinesAtOnce];

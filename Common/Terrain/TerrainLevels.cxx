@@ -456,7 +456,7 @@ std::vector<int> SelectLevels(const TerrainPyramid& pyramid, const ViewFrustum& 
     {
       level = rule.ByPixelError ? pyramid.GetLevels() - 1
                                 : LevelAtDistance(DistanceTo(tile, view), rule, pyramid.GetLevels());
-      while (rule.ByPixelError && level > 0 && ScreenErrorOf(tile, level, view) > rule.LargestPixels)
+      while (rule.ByPixelError && level > 0 && ScreenErrorOf(tile, level, view) > rule.MaximumPixels)
       {
         --level;
       }

@@ -28,7 +28,7 @@ struct HeightSamples
   Vector3 Position(std::size_t index) const;
 };
 
-constexpr int MostTerrainLevels = 8;
+constexpr int MaximumTerrainLevels = 8;
 
 /// A square of the grid that is shown at one level: samples First to Last of x and y, both included.
 struct TerrainTile
@@ -38,7 +38,7 @@ struct TerrainTile
   Box Bounds;                                    ///< of the heights that are there
   bool HasHoles = false;                         ///< some heights are missing: shown at level 0 alone
   bool IsEmpty = false;                          ///< all are
-  std::array<float, MostTerrainLevels> Errors{}; ///< largest difference of a level from the samples [m]
+  std::array<float, MaximumTerrainLevels> Errors{}; ///< largest difference of a level from the samples [m]
 };
 
 /// The number of levels that tiles have, of those that are wanted: no level has cells larger than a tile.
@@ -52,7 +52,7 @@ int LevelsOfTiles(int tileSize, int levels);
 class TerrainPyramid
 {
 public:
-  /// tileSize: cells, a power of two; levels: 1 to MostTerrainLevels, cut to what a tile has.
+  /// tileSize: cells, a power of two; levels: 1 to MaximumTerrainLevels, cut to what a tile has.
   TerrainPyramid(HeightSamples samples, int tileSize, int levels, const ParallelFor& parallelFor = SerialFor);
 
   const HeightSamples& GetSamples() const { return this->Samples; }
@@ -78,7 +78,7 @@ struct TerrainRule
   bool ByPixelError = false;
   double NearDistance = 250.0; ///< level 0 to this level distance [m]
   double FarDistance = 4000.0; ///< the coarsest from here on [m]
-  double LargestPixels = 1.0;  ///< the error on the screen that is allowed [pixels]
+  double MaximumPixels = 1.0;  ///< the error on the screen that is allowed [pixels]
   bool UseCulling = true;      ///< leave out what the view cannot show
 };
 

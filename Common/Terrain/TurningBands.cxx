@@ -214,7 +214,7 @@ long long Floor(double position)
 
 /// Columns and rows of the tiles in which the points are worked on: long runs for the shifted sums, short enough for
 /// the cache. Rows lie a little farther apart, so that the values of a column share no set of the cache.
-constexpr int TileSize = MostPointsAtOnce;
+constexpr int TileSize = MaximumPointsAtOnce;
 constexpr int TilePitch = TileSize + 16;
 
 /// Weights B_0(t) ... B_3(t) of the uniform cubic B-spline at the fractions of several lines, 0 <= t < 1.
@@ -301,13 +301,13 @@ PlaneLattice StretchedLattice(const TurningBandsParameters& parameters, const Pl
 /// Whether the field has detail of every size at the grid's points; equal widths have no harmonics to spare for it.
 bool IsOpen(const TurningBandsParameters& parameters)
 {
-  return parameters.ShortestWavelength == 0.0 && parameters.Bins == HarmonicBins::Adaptive;
+  return parameters.MinimumWavelength == 0.0 && parameters.Bins == HarmonicBins::Adaptive;
 }
 
 /// The highest wave number of a field whose end is not open [rad/m].
 double CutWaveNumber(const TurningBandsParameters& parameters, const PlaneGrid& grid)
 {
-  const double wavelength = parameters.ShortestWavelength > 0.0 ? parameters.ShortestWavelength
+  const double wavelength = parameters.MinimumWavelength > 0.0 ? parameters.MinimumWavelength
                                                                 : 2.0 * std::max(grid.Spacing[0], grid.Spacing[1]);
   return TwoPi / wavelength;
 }
@@ -434,10 +434,10 @@ std::string WhyInvalid(const TurningBandsParameters& parameters, const PlaneGrid
   check.Count("NumberOfHarmonics", parameters.NumberOfHarmonics, 1, MostHarmonics);
   check.Within("AnisotropyRatio", parameters.AnisotropyRatio, ValueInterval::AtLeast(1.0));
   check.Finite("AnisotropyAngle", parameters.AnisotropyAngle);
-  check.NotNegative("ShortestWavelength", parameters.ShortestWavelength);
-  check.Require(!hasLargestWave || parameters.Field.Range > parameters.ShortestWavelength,
+  check.NotNegative("MinimumWavelength", parameters.MinimumWavelength);
+  check.Require(!hasLargestWave || parameters.Field.Range > parameters.MinimumWavelength,
     prefix + "Range is " + TextOf(parameters.Field.Range) +
-      "; the largest wavelength of a fractal field must exceed its shortest, " + TextOf(parameters.ShortestWavelength) +
+      "; the largest wavelength of a fractal field must exceed its shortest, " + TextOf(parameters.MinimumWavelength) +
       ".");
   check.Positive("Spacing[0]", grid.Spacing[0]);
   check.Positive("Spacing[1]", grid.Spacing[1]);

@@ -34,7 +34,7 @@ struct TurningBandsParameters
   double AnisotropyRatio = 1.0; ///< longest over shortest range; Field.Range is the longest
   double AnisotropyAngle = 0.0; ///< [rad], direction of the longest range, counter-clockwise from x
   /// [m], finer detail is left out, which makes a band-limited field; 0: detail of every size, sampled at the points
-  double ShortestWavelength = 0.0;
+  double MinimumWavelength = 0.0;
   int Seed = 1;
   RandomPurpose Purpose = RandomPurpose::ElevationLines;
 };
@@ -80,7 +80,7 @@ struct LineSpectrum
  *
  * The field is a function of position alone. A window of the grid holds the same bytes whether it is computed by
  * itself or as part of a larger one, and a grid of 2, 4, 8... times the spacing holds every 2nd, 4th, 8th... value,
- * provided that ShortestWavelength is the same, and below eight of the finest spacings.
+ * provided that MinimumWavelength is the same, and below eight of the finest spacings.
  *
  * Lines carry the long waves. Where the spectrum is left open at its end, short waves, of less than some four to eight
  * spacings, are a moving average of noise at the points (see ShortWaves). So variance and covariance at the points are
@@ -110,7 +110,7 @@ public:
   void FillRows(int firstRow, int lastRow, double scale, double offset, float* values) const;
 
   /// The long waves at any position [m], summed harmonic by harmonic: slow, free of tables, needs no TabulateLine. The
-  /// whole field if ShortestWavelength is given.
+  /// whole field if MinimumWavelength is given.
   double ValueAt(double x, double y) const;
 
   /// The value that FillRows() has at a point of the window, with the same bytes.

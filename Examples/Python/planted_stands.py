@@ -45,7 +45,7 @@ STANDS = (
     ("longleaf", LONGLEAF, {}, "Longleaf pines, 4 ha in Georgia", (88.0, -14.0, 3.2), (3.0, 6.0),
      {"colors": SAVANNA, "cover": 0.92}, {"count": 160000, "reach": 90.0, "height": 0.65, "blades": 8}),
     # 924 feet scaled to 1; two trees have the same place.
-    ("lansing", LANSING, {"PlaceScale": 924.0, "units": {"place": "ft"}, "AllowCoincident": True},
+    ("lansing", LANSING, {"CoordinateScale": 924.0, "units": {"place": "ft"}, "AllowCoincident": True},
      "Lansing Woods, 7.9 ha in Michigan", (140.0, -3.0, 1.9), (0.0, 6.0),
      {"colors": BROADLEAVED, "cover": 0.30}, {"count": 60000, "reach": 60.0, "height": 0.35}),
 )
@@ -159,7 +159,7 @@ def draw_wood(trees, eye, heading, ground, grass, window):
 def report(name, trees):
     """A line of numbers of a stand."""
     diameters, heights = stand.numbers(trees, "DBH"), stand.numbers(trees, "Height")
-    drawn = stand.numbers(trees, "Drawn")
+    drawn = stand.numbers(trees, "Imputed")
     hectares = trees.GetFieldData().GetArray("Area").GetValue(0) / 1e4
     print(f"{name}: {len(diameters)} trees on {hectares:.1f} ha, basal area "
           f"{0.25 * np.pi * (diameters ** 2).sum() / hectares:.1f} m2/ha, DBH {100.0 * diameters.min():.1f} to "

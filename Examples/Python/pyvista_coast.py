@@ -36,7 +36,7 @@ def make_island(cells=480):
     """Random relief on a hill that descends to the sea bed: an image with the array Elevation."""
     step = SIZE / cells
     relief = vtkTurningBandsTerrainSource(
-        whole_extent=(0, cells, 0, cells, 0, 0), spacing=(step, step, 1.0), range=80.0, shortest_wavelength=3.0,
+        whole_extent=(0, cells, 0, cells, 0, 0), spacing=(step, step, 1.0), range=80.0, minimum_wavelength=3.0,
         mean=0.0, standard_deviation=1.5, seed=11)()
     z = array_from_image(relief).astype(float)
     y, x = np.mgrid[-0.5:0.5:z.shape[0] * 1j, -0.5:0.5:z.shape[1] * 1j]

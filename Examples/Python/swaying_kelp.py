@@ -46,7 +46,7 @@ def make_bed():
     sand.SetOrigin(-20.0, -6.0, 0.0)
     sand.SetSpacing(0.2, 0.2, 1.0)
     sand.SetRange(12.0)
-    sand.SetShortestWavelength(1.5)
+    sand.SetMinimumWavelength(1.5)
     sand.SetMean(0.0)
     sand.SetStandardDeviation(0.12)
     return sand

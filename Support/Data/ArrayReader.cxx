@@ -152,7 +152,7 @@ std::string ArrayReader::WhyOther(vtkAbstractArray* array, int components, int t
 
 void ArrayReader::NeedFinite(vtkDataArray* array) const
 {
-  const auto isSmall = [](auto value) { return std::abs(static_cast<double>(value)) <= LargestMagnitude; };
+  const auto isSmall = [](auto value) { return std::abs(static_cast<double>(value)) <= MaximumMagnitude; };
   const vtkIdType bad = FirstOutside(array, isSmall);
   if (bad >= 0)
   {
@@ -160,7 +160,7 @@ void ArrayReader::NeedFinite(vtkDataArray* array) const
     const int component = static_cast<int>(bad % array->GetNumberOfComponents());
     const bool isFinite = std::isfinite(array->GetComponent(tuple, component));
     Refuse(this->Owner, " has a ", this->Kind, " ", array->GetName() ? array->GetName() : "without a name", " that is ",
-      isFinite ? "beyond " + TextOf(LargestMagnitude) : "not finite", " at ", tuple, ".");
+      isFinite ? "beyond " + TextOf(MaximumMagnitude) : "not finite", " at ", tuple, ".");
   }
 }
 

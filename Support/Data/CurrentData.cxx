@@ -67,7 +67,7 @@ public:
       ? Vector3(this->Single[3 * id], this->Single[3 * id + 1], this->Single[3 * id + 2])
       : Vector3(this->Double[3 * id], this->Double[3 * id + 1], this->Double[3 * id + 2]);
     const double largest = std::max({ std::abs(value.x), std::abs(value.y), std::abs(value.z) });
-    return IsFinite(value) && largest <= LargestMagnitude ? value : Vector3(0.0);
+    return IsFinite(value) && largest <= MaximumMagnitude ? value : Vector3(0.0);
   }
 
 private:

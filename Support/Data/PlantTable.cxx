@@ -30,7 +30,7 @@ PlantTable ReadTable(vtkDataObject* forest)
   const ArrayReader columns = ArrayReader::OfFields(forest, owner, count);
   vtkDataArray* species = columns.Need("Species", 1);
   vtkDataArray* scales = columns.Need("Scale", 1);
-  vtkDataArray* girths = columns.Find("Girth", 1);
+  vtkDataArray* girths = columns.Find("WidthScale", 1);
   vtkDataArray* azimuths = columns.Need("Azimuth", 1);
   vtkDataArray* positions = columns.Need("Position", 3);
   vtkDataArray* levels = columns.Need("Level", 1);
@@ -47,7 +47,7 @@ PlantTable ReadTable(vtkDataObject* forest)
     ReadWhole("Species" + ofPlant, species->GetComponent(row, 0), VTK_INT_MIN, VTK_INT_MAX, place.Species);
     ReadWhole("Level" + ofPlant, levels->GetComponent(row, 0), 0, 2, level);
     place.Scale = scales->GetComponent(row, 0);
-    place.Girth = girths ? girths->GetComponent(row, 0) : 1.0;
+    place.WidthScale = girths ? girths->GetComponent(row, 0) : 1.0;
     place.Azimuth = azimuths->GetComponent(row, 0);
     positions->GetTuple(row, &place.Foot.x);
     table.Rows.emplace_back(place.Site, static_cast<int>(row));

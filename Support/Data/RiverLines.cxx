@@ -39,7 +39,7 @@ void AddColor(vtkUnsignedCharArray* colors, int order, int highest)
 
 }
 
-void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vector<CellIndex>& drainageCells,
+void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vector<CellIndex>& accumulation,
   const std::vector<River>& rivers, vtkPolyData* output)
 {
   vtkIdType count = 0;
@@ -81,7 +81,7 @@ void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vec
       double at[3];
       place->GetPoint(cell, at);
       points->SetPoint(next, at[0], at[1], heights.Values[cell]);
-      areas->SetValue(next, drainageCells[cell] * cellArea);
+      areas->SetValue(next, accumulation[cell] * cellArea);
       AddColor(colors, river.Order, highest);
       lines->InsertCellPoint(next++);
     }

@@ -20,7 +20,7 @@ namespace littoral
  * Polylines at the heights of the ground. Cell arrays: StreamOrder, DrainageArea [m^2] at the lower end, Length [m],
  * Slope [m/m]. Point arrays: DrainageArea [m^2], RGB. Rivers of low order come first, so that others are drawn on them.
  */
-void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vector<CellIndex>& drainageCells,
+void WriteRivers(vtkImageData* place, const GridSamples& heights, const std::vector<CellIndex>& accumulation,
   const std::vector<River>& rivers, vtkPolyData* output);
 
 }

@@ -104,8 +104,8 @@ vtkSmartPointer<vtkPolyData> InstancesOf(const std::vector<PlantPlace>& places, 
     rotations.Add(std::sin(0.5 * place.Azimuth));
     if (hasGirths)
     {
-      scales.Add(place.Scale * place.Girth);
-      scales.Add(place.Scale * place.Girth);
+      scales.Add(place.Scale * place.WidthScale);
+      scales.Add(place.Scale * place.WidthScale);
     }
     scales.Add(place.Scale);
     for (const float factor : place.Tint)

@@ -38,7 +38,7 @@ void AddPlantColumn(vtkFieldData* fields, const char* name, int components, std:
 
 bool HasGirths(const std::vector<PlantPlace>& places)
 {
-  return std::any_of(places.begin(), places.end(), [](const PlantPlace& place) { return place.Girth != 1.0; });
+  return std::any_of(places.begin(), places.end(), [](const PlantPlace& place) { return place.WidthScale != 1.0; });
 }
 
 void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPlant>& shown, vtkFieldData* fields)
@@ -51,7 +51,7 @@ void WriteTable(const std::vector<PlantPlace>& places, const std::vector<ShownPl
   AddPlantColumn<vtkDoubleArray>(fields, "Scale", 1, count, [&](auto i, int) { return of(i).Scale; });
   if (HasGirths(places))
   {
-    AddPlantColumn<vtkDoubleArray>(fields, "Girth", 1, count, [&](auto i, int) { return of(i).Girth; });
+    AddPlantColumn<vtkDoubleArray>(fields, "WidthScale", 1, count, [&](auto i, int) { return of(i).WidthScale; });
   }
   AddPlantColumn<vtkDoubleArray>(fields, "Azimuth", 1, count, [&](auto i, int) { return of(i).Azimuth; });
   AddPlantColumn<vtkDoubleArray>(fields, "Position", 3, count, [&](auto i, int axis) { return of(i).Foot[axis]; });

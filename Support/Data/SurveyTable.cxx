@@ -56,8 +56,8 @@ void AddModel(const KrigingSurvey& survey, vtkTable* table)
 //----------------------------------------------------------------------------
 void AddCrossValidation(const CrossValidation& validation, vtkTable* table)
 {
-  AddNumbers(table, "LeftOutEstimate", validation.Estimates);
-  AddNumbers(table, "LeftOutDeviation", validation.Deviations);
+  AddNumbers(table, "LeaveOneOutEstimate", validation.Estimates);
+  AddNumbers(table, "LeaveOneOutStandardDeviation", validation.Deviations);
   AddNumbers(table, "StandardizedError", validation.StandardizedErrors);
   AddField(table, "MeanError", { validation.MeanError });
   AddField(table, "RootMeanSquareError", { validation.RootMeanSquareError });

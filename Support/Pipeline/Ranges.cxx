@@ -87,8 +87,8 @@ void TupleRanges::Add(const VectorRange& vectors, int components)
     this->Components[c].Add(vectors.Low[c]);
     this->Components[c].Add(vectors.High[c]);
   }
-  this->SquaredLength.Add(vectors.LeastSquare);
-  this->SquaredLength.Add(vectors.MostSquare);
+  this->SquaredLength.Add(vectors.MinimumSquare);
+  this->SquaredLength.Add(vectors.MaximumSquare);
   this->AreFinite = this->AreFinite && vectors.IsFinite;
 }
 
@@ -105,7 +105,7 @@ void TupleRanges::AddTuples(const float* tuple, const float* end, int components
 
 void TupleRanges::Add(const TupleRanges& other)
 {
-  for (int c = 0; c < Most; ++c)
+  for (int c = 0; c < MaximumComponents; ++c)
   {
     this->Components[c].Add(other.Components[c]);
   }
@@ -149,7 +149,7 @@ void KeepRanges(vtkDataArray* array)
   const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
   const bool isKnown =
     array && array->HasInformation() && array->GetInformation()->Has(vtkDataArray::PER_FINITE_COMPONENT());
-  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::Most || !array->HasStandardMemoryLayout())
+  if (isKnown || tuples == 0 || components < 1 || components > TupleRanges::MaximumComponents || !array->HasStandardMemoryLayout())
   {
     return;
   }

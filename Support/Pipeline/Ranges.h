@@ -46,8 +46,8 @@ struct ValueRange
 /// Ranges of the components of an array, and of the squared length of its tuples.
 struct TupleRanges
 {
-  static constexpr int Most = 9; ///< components
-  std::array<ValueRange, Most> Components;
+  static constexpr int MaximumComponents = 9; ///< components
+  std::array<ValueRange, MaximumComponents> Components;
   ValueRange SquaredLength;
   bool AreFinite = true;
 

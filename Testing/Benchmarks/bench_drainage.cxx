@@ -97,16 +97,16 @@ void Carve(benchmark::State& state, const GridSamples& hills, const CarvingTarge
     report = CarveDrainage(ground, target, {}, OnTwoThreads);
     state.counters["bytes_a_cell"] = (MostMemory() - before) / static_cast<double>(state.range(0));
   }
-  state.counters["rounds"] = report.Rounds;
-  state.SetLabel(report.Missed);
-  state.counters["reached"] = report.HasReachedTarget ? 1.0 : 0.0;
+  state.counters["rounds"] = report.Iterations;
+  state.SetLabel(report.UnmetTargets);
+  state.counters["reached"] = report.HasConverged ? 1.0 : 0.0;
 }
 
 /// With the statistics of a place: those of other hills, of a quarter million cells, into which valleys were carved.
 void CarveLikePlace(benchmark::State& state)
 {
   GridSamples place = Hills(512, 7);
-  CarvingNumbers numbers;
+  TargetStatistics numbers;
   numbers.Concavity = 0.35;
   CarveDrainage(place, TargetOf(place, numbers, {}, OnTwoThreads), {}, OnTwoThreads);
   Carve(state, Hills(WidthOf(state), 1), TargetOf(place, {}, OnTwoThreads));
@@ -116,7 +116,7 @@ void CarveLikePlace(benchmark::State& state)
 void CarveAlone(benchmark::State& state)
 {
   const GridSamples hills = Hills(WidthOf(state), 1);
-  Carve(state, hills, TargetOf(hills, CarvingNumbers(), {}, OnTwoThreads));
+  Carve(state, hills, TargetOf(hills, TargetStatistics(), {}, OnTwoThreads));
 }
 
 void Flood(benchmark::State& state)
@@ -125,7 +125,7 @@ void Flood(benchmark::State& state)
   const OutletMask outlets = BorderOutlets(hills.Width, hills.Height);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(FloodDepressions(hills, outlets).Sunk);
+    benchmark::DoNotOptimize(FloodDepressions(hills, outlets).DepressionCells);
   }
 }
 
@@ -147,7 +147,7 @@ void Route(benchmark::State& state)
   const OutletMask outlets = BorderOutlets(hills.Width, hills.Height);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(DrainageCells(RouteFlow(hills, outlets, OnTwoThreads)).data());
+    benchmark::DoNotOptimize(FlowAccumulation(RouteFlow(hills, outlets, OnTwoThreads)).data());
   }
 }
 

@@ -208,14 +208,14 @@ bool CarvedGroundDrains()
   terrain->ReflectanceOn();
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputConnection(terrain->GetOutputPort());
-  drainage->SetMinimumDrainageCells(40);
-  drainage->KeepHeightsOn();
+  drainage->SetStreamThreshold(40);
+  drainage->KeepHypsometryOn();
   drainage->Update();
   vtkImageData* ground = drainage->GetOutput();
   bool good = Drains(ground) && RiversFall(drainage, 40) && RiversAreBlue(Rivers(drainage));
   good &= Check(ground->GetPointData()->GetArray("Reflectance") != nullptr, "an array of the input is lost");
-  good &= Check(FieldOf(ground, "SunkShare", 0) > 0.1 && FieldOf(ground, "SunkShare", 1) == 0.0, "sunk cells");
-  good &= Check(FieldOf(Rivers(drainage), "Rounds", 0) >= 1.0, "no rounds");
+  good &= Check(FieldOf(ground, "DepressionFraction", 0) > 0.1 && FieldOf(ground, "DepressionFraction", 1) == 0.0, "sunk cells");
+  good &= Check(FieldOf(Rivers(drainage), "Iterations", 0) >= 1.0, "no rounds");
   std::vector<double> before;
   std::vector<double> after;
   for (vtkIdType cell = 0; cell < ground->GetNumberOfPoints(); ++cell)
@@ -242,17 +242,17 @@ bool TargetIsTaken()
     vtkNew<vtkDrainageFilter> carved;
     const auto other = Terrain(90, 7);
     carved->SetInputConnection(other->GetOutputPort());
-    carved->KeepHeightsOff();
+    carved->KeepHypsometryOff();
     carved->SetHypsometricIntegral(0.3);
-    carved->SetHeightSkew(0.8);
-    carved->SetNumberOfRounds(3);
+    carved->SetElevationSkewness(0.8);
+    carved->SetMaximumNumberOfIterations(3);
     carved->Update();
     place->ShallowCopy(carved->GetOutput());
   }
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputConnection(terrain->GetOutputPort());
   drainage->SetInputData(1, place);
-  drainage->SetNumberOfRounds(3);
+  drainage->SetMaximumNumberOfIterations(3);
   drainage->Update();
   vtkNew<vtkGroundStatisticsFilter> statistics;
   double integral[2];
@@ -264,7 +264,7 @@ bool TargetIsTaken()
     statistics->Update();
     auto* table = vtkTable::SafeDownCast(statistics->GetOutputDataObject(0));
     integral[k] = table->GetValueByName(0, "HypsometricIntegral").ToDouble();
-    skew[k++] = table->GetValueByName(0, "HeightSkew").ToDouble();
+    skew[k++] = table->GetValueByName(0, "ElevationSkewness").ToDouble();
   }
   bool good = Check(std::abs(integral[0] - 0.3) < 0.03 && std::abs(skew[0] - 0.8) < 0.15, "numbers are no target");
   good &= Check(std::abs(integral[1] - integral[0]) < 0.03 && std::abs(skew[1] - skew[0]) < 0.15, "another hypsometry");
@@ -277,7 +277,7 @@ bool TargetIsTaken()
   }
   good &= Check(good, "ground that is not carved has changed");
   return good &&
-    Check(FieldOf(drainage->GetOutput(), "SunkShare", 0) == FieldOf(drainage->GetOutput(), "SunkShare", 1),
+    Check(FieldOf(drainage->GetOutput(), "DepressionFraction", 0) == FieldOf(drainage->GetOutput(), "DepressionFraction", 1),
       "measures of ground that has not changed");
 }
 
@@ -287,7 +287,7 @@ bool StatisticsAreTaken()
   const auto terrain = Terrain(80, 3);
   vtkNew<vtkTable> table;
   for (const auto& [name, value] :
-    { std::pair{ "HypsometricIntegral", 0.33 }, { "HeightSkew", 0.7 }, { "Concavity", 0.3 }, { "SunkShare", 0.05 } })
+    { std::pair{ "HypsometricIntegral", 0.33 }, { "ElevationSkewness", 0.7 }, { "Concavity", 0.3 }, { "DepressionFraction", 0.05 } })
   {
     vtkNew<vtkDoubleArray> column;
     column->SetName(name);
@@ -297,14 +297,14 @@ bool StatisticsAreTaken()
   vtkNew<vtkDrainageFilter> told;
   vtkNew<vtkDrainageFilter> set;
   told->SetInputData(2, table);
-  told->KeepHeightsOn();
+  told->KeepHypsometryOn();
   set->SetHypsometricIntegral(0.33);
-  set->SetHeightSkew(0.7);
+  set->SetElevationSkewness(0.7);
   set->SetConcavity(0.3);
   for (vtkDrainageFilter* drainage : { told.Get(), set.Get() })
   {
     drainage->SetInputConnection(terrain->GetOutputPort());
-    drainage->SetNumberOfRounds(3);
+    drainage->SetMaximumNumberOfIterations(3);
     drainage->Update();
   }
   bool good = Check(FieldOf(told->GetOutput(), "HypsometricIntegral", 1) < 0.36, "another hypsometric integral");
@@ -328,7 +328,7 @@ bool OutletsAreChosen()
   vtkNew<vtkDrainageFilter> drainage;
   drainage->SetInputData(image);
   drainage->SetOutletsToChosen();
-  drainage->SetNumberOfRounds(2);
+  drainage->SetMaximumNumberOfIterations(2);
   drainage->Update();
   vtkImageData* ground = drainage->GetOutput();
   bool good = Check(Value(ground, "DrainageArea", 15 * 40 + 20) == 1200 * 200.0, "water leaves elsewhere");
@@ -358,11 +358,11 @@ bool PartsAreOfOneWhole()
   const auto terrain = Terrain(70);
   vtkNew<vtkDrainageFilter> whole;
   whole->SetInputConnection(terrain->GetOutputPort());
-  whole->SetNumberOfRounds(2);
+  whole->SetMaximumNumberOfIterations(2);
   whole->Update();
   vtkNew<vtkDrainageFilter> part;
   part->SetInputConnection(terrain->GetOutputPort());
-  part->SetNumberOfRounds(2);
+  part->SetMaximumNumberOfIterations(2);
   int extent[6] = { 20, 50, 11, 30, 0, 0 };
   part->UpdateExtent(extent);
   int got[6];
@@ -420,18 +420,18 @@ bool BadInput()
   good &= Fails("Outlets is 3", fine, [](Filter* filter) { filter->SetOutlets(3); });
   good &= Fails("Outlets", fine, [](Filter* filter) { filter->SetOutletsToChosen(); });
   good &= Fails("SeaLevel", fine, [](Filter* filter) { filter->SetSeaLevel(NaN); });
-  good &= Fails("MinimumDrainageCells", fine, [](Filter* filter) { filter->SetMinimumDrainageCells(0); });
+  good &= Fails("StreamThreshold", fine, [](Filter* filter) { filter->SetStreamThreshold(0); });
   good &= Fails("Concavity", fine, [](Filter* filter) { filter->SetConcavity(1.5); });
   good &= Fails("HypsometricIntegral", fine, [](Filter* filter) { filter->SetHypsometricIntegral(1.5); });
-  good &= Fails("HeightSkew", fine, [](Filter* filter) { filter->SetHeightSkew(NaN); });
-  good &= Fails("NumberOfRounds", fine, [](Filter* filter) { filter->SetNumberOfRounds(0); });
-  good &= Fails("ChannelCells", fine, [](Filter* filter) { filter->SetChannelCells(0.0); });
+  good &= Fails("ElevationSkewness", fine, [](Filter* filter) { filter->SetElevationSkewness(NaN); });
+  good &= Fails("MaximumNumberOfIterations", fine, [](Filter* filter) { filter->SetMaximumNumberOfIterations(0); });
+  good &= Fails("ChannelThreshold", fine, [](Filter* filter) { filter->SetChannelThreshold(0.0); });
   good &= Fails("ValleyWidth", fine, [](Filter* filter) { filter->SetValleyWidth(-1.0); });
   // targets that contradict each other: most of the ground low, and a long tail downwards
-  good &= Fails("HeightSkew", fine, [](Filter* filter) {
-    filter->KeepHeightsOff();
+  good &= Fails("ElevationSkewness", fine, [](Filter* filter) {
+    filter->KeepHypsometryOff();
     filter->SetHypsometricIntegral(0.2);
-    filter->SetHeightSkew(-1.0);
+    filter->SetElevationSkewness(-1.0);
   });
   const auto target = [](const vtkNew<vtkImageData>& image) {
     return [&image](Filter* filter) { filter->SetInputData(1, image); };

@@ -80,14 +80,14 @@ bool NumbersAreKnown()
     Image(40, 30, 1, [](int i, int j) { return i >= 10 && i < 12 && j >= 10 && j < 13 ? -500.0 : Ramp(i, j); });
   vtkNew<vtkGroundStatisticsFilter> statistics;
   statistics->SetInputData(image);
-  statistics->SetMinimumDrainageCells(5);
+  statistics->SetStreamThreshold(5);
   statistics->Update();
   vtkTable* numbers = Output(statistics, 0);
   bool good = Check(numbers->GetNumberOfRows() == 1 && numbers->GetNumberOfColumns() == 15, "not a row of 15");
-  good &= Check(std::abs(Value(numbers, "SunkShare") - 6.0 / 1200.0) < 1e-15, "another share of sunk cells");
+  good &= Check(std::abs(Value(numbers, "DepressionFraction") - 6.0 / 1200.0) < 1e-15, "another share of sunk cells");
   statistics->SetInputData(Image(40, 30, 1, Ramp));
   statistics->Update();
-  good &= Check(std::abs(Value(numbers, "SunkShare")) < 1e-15, "a ramp has sunk cells");
+  good &= Check(std::abs(Value(numbers, "DepressionFraction")) < 1e-15, "a ramp has sunk cells");
   good &= Check(std::abs(Value(numbers, "MeanSlope") - std::hypot(0.3, 0.025)) < 1e-12, "another slope");
   good &= Check(std::abs(Value(numbers, "HypsometricIntegral") - 0.5) < 1e-12, "another integral");
   vtkTable* distribution = Output(statistics, 2);
@@ -107,10 +107,10 @@ bool SeaDrainsABowl()
   vtkNew<vtkGroundStatisticsFilter> statistics;
   statistics->SetInputData(Image(21, 21, 1, [](int i, int j) { return std::hypot(i - 10.0, j - 10.0) - 3.0; }));
   statistics->Update();
-  bool good = Check(Value(Output(statistics, 0), "SunkShare") > 0.5, "a bowl is not sunk");
+  bool good = Check(Value(Output(statistics, 0), "DepressionFraction") > 0.5, "a bowl is not sunk");
   statistics->UseSeaLevelOn();
   statistics->Update();
-  good &= Check(Value(Output(statistics, 0), "SunkShare") == 0.0, "ground above the sea is sunk");
+  good &= Check(Value(Output(statistics, 0), "DepressionFraction") == 0.0, "ground above the sea is sunk");
   return good;
 }
 
@@ -135,7 +135,7 @@ bool ProfileIsFitted()
     rest += std::log(Value(profile, "Slope", row) / law);
   }
   good &= Check(std::abs(rest) < 1e-9, "the law is not that of least squares");
-  for (const char* name : { "HackExponent", "BifurcationRatio", "LengthRatio", "AreaRatio", "CurvatureSkew" })
+  for (const char* name : { "HackExponent", "BifurcationRatio", "LengthRatio", "AreaRatio", "CurvatureSkewness" })
   {
     good &= Check(std::isfinite(Value(Output(statistics, 0), name)), name);
   }
@@ -185,7 +185,7 @@ bool BadInput()
   passed &= Fails("scalar point array", bare);
   passed &= Fails("'Depth'", good,
     [](Filter* filter) { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth"); });
-  passed &= Fails("MinimumDrainageCells", good, [](Filter* filter) { filter->SetMinimumDrainageCells(1); });
+  passed &= Fails("StreamThreshold", good, [](Filter* filter) { filter->SetStreamThreshold(1); });
   passed &= Fails("SeaLevel", good, [](Filter* filter) { filter->SetSeaLevel(NaN); });
   return passed;
 }

@@ -175,7 +175,7 @@ bool CheckArrays()
       "alphas do not sum to 1");
     good &= Check(Counter(levels, "ParticlesInAll") == 8000.0 && Counter(levels, "TrainSumsInAll") == 8000.0 * 30.0 &&
         Counter(levels, "TrainSums") < 0.5 * 8000.0 * 30.0 && Counter(levels, "Slaves") > 1000.0 &&
-        Counter(levels, "LargestSlaveError") > 0.0 && Counter(levels, "CellsShown") == Counter(levels, "CellsInAll"),
+        Counter(levels, "MaximumSlaveError") > 0.0 && Counter(levels, "CellsShown") == Counter(levels, "CellsInAll"),
       "a counter is wrong");
     levels->UseCullingOn();
     levels->Update();

@@ -126,7 +126,7 @@ bool LatticeIsRegular()
   // K(r) of 4 next neighbors from 1 m, corrected by the border: 4 places of 1 m2.
   filter->SetFunction(Filter::K);
   filter->SetEdgeCorrection(Filter::Border);
-  filter->SetLargestDistance(1.3);
+  filter->SetMaximumDistance(1.3);
   filter->SetNumberOfSteps(13);
   filter->SetNumberOfSimulations(0);
   filter->Update();
@@ -336,7 +336,7 @@ bool BadInputIsRefused()
   good &= Fails("Function", points, [](Filter* f) { f->SetFunction(9); });
   good &= Fails("EdgeCorrection", points, [](Filter* f) { f->SetEdgeCorrection(4); });
   good &= Fails("DistanceCorrection", points, [](Filter* f) { f->SetDistanceCorrection(-1); });
-  good &= Fails("LargestDistance", points, [](Filter* f) { f->SetLargestDistance(-1.0); });
+  good &= Fails("MaximumDistance", points, [](Filter* f) { f->SetMaximumDistance(-1.0); });
   good &= Fails("NumberOfSteps", points, [](Filter* f) { f->SetNumberOfSteps(7); });
   good &= Fails("Bandwidth", points, [](Filter* f) { f->SetBandwidth(NaN); });
   good &= Fails("NumberOfSimulations", points, [](Filter* f) { f->SetNumberOfSimulations(-1); });

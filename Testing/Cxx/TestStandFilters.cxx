@@ -76,8 +76,8 @@ bool Inventory()
   vtkPolyData* trees = stand->GetOutput();
   bool good = Check(trees->GetNumberOfPoints() == 5 && trees->GetNumberOfVerts() == 5, "five trees");
   good &= Check(std::abs(Of(trees, "DBH")->GetTuple1(2) - 0.3125) < 1e-15, "millimetres of ForestGEO");
-  good &= Check(Of(trees, "Drawn")->GetTuple1(0) == 2.0 && Of(trees, "Drawn")->GetTuple1(1) == 3.0, "what is drawn");
-  for (const char* name : { "SiteId", "Species", "DBH", "Height", "CrownDiameter", "Plot", "Drawn" })
+  good &= Check(Of(trees, "Imputed")->GetTuple1(0) == 2.0 && Of(trees, "Imputed")->GetTuple1(1) == 3.0, "what is drawn");
+  for (const char* name : { "SiteId", "Species", "DBH", "Height", "CrownDiameter", "Plot", "Imputed" })
   {
     for (vtkIdType tree = 0; tree < 5; ++tree)
     {
@@ -91,7 +91,7 @@ bool Inventory()
   auto* unlisted = vtkStringArray::SafeDownCast(trees->GetFieldData()->GetAbstractArray("Unlisted"));
   good &= Check(unlisted && unlisted->GetNumberOfValues() == 1 && unlisted->GetValue(0) == "ZZZ", "unlisted species");
   // A plant for each of the three oaks and the one of an unknown species that are not about as thick.
-  stand->SetSizeClasses(3);
+  stand->SetDiameterClasses(3);
   stand->Update();
   kinds = vtkStringArray::SafeDownCast(trees->GetFieldData()->GetAbstractArray("Kinds"));
   good &= Check(kinds && kinds->GetNumberOfValues() == 4 && kinds->GetValue(1) == "Oak" && kinds->GetValue(3) == "Oak",
@@ -106,13 +106,13 @@ bool Inventory()
     thickest = thick;
   }
   good &= Check(Of(trees, "Species")->GetTuple1(3) == 1.0, "the thinnest oak");
-  stand->SetSizeClasses(1);
+  stand->SetDiameterClasses(1);
   // Another table of species, and an older one again.
   vtkNew<vtkTable> species;
   AddWords(species, "species", { "ZZZ;Quercus", "pinus" });
   AddWords(species, "kind", { "Birch", "Fern" });
   stand->SetInputData(1, species);
-  stand->SetOtherSpecies("pinus");
+  stand->SetDefaultSpecies("pinus");
   stand->Update();
   kinds = vtkStringArray::SafeDownCast(stand->GetOutput()->GetFieldData()->GetAbstractArray("Kinds"));
   good &= Check(kinds && kinds->GetValue(0) == "Birch" && kinds->GetValue(1) == "Fern", "kinds of another table");
@@ -169,13 +169,13 @@ bool BadInventories()
   });
   good &= fails("is a living tree of the plot 'C'", [](Stand* s, vtkTable*) { s->SetPlot("C"); });
   good &= fails("HeightVariation", [](Stand* s, vtkTable*) { s->SetHeightVariation(NaN); });
-  good &= fails("OtherSpecies", [](Stand* s, vtkTable*) { s->SetOtherSpecies(nullptr); });
+  good &= fails("DefaultSpecies", [](Stand* s, vtkTable*) { s->SetDefaultSpecies(nullptr); });
   good &= fails("needs the columns species and kind", [](Stand* s, vtkTable*) {
     vtkNew<vtkTable> empty;
     s->SetInputData(1, empty);
   });
-  good &= fails("MeanDiameter", [](Stand* s, vtkTable*) { s->SetMeanDiameter(9.0); });
-  good &= fails("SizeClasses", [](Stand* s, vtkTable*) { s->SetSizeClasses(0); });
+  good &= fails("QuadraticMeanDiameter", [](Stand* s, vtkTable*) { s->SetQuadraticMeanDiameter(9.0); });
+  good &= fails("DiameterClasses", [](Stand* s, vtkTable*) { s->SetDiameterClasses(0); });
   return good;
 }
 
@@ -232,7 +232,7 @@ bool Preferences()
   slope.AddDrainage(300.0);
   slope.Filter->Update();
   bool good = Check(slope.Filter->GetOutput()->GetNumberOfPoints() == 10000, "all sites stay by default");
-  slope.Filter->ThinsOn();
+  slope.Filter->ThinningOn();
   slope.Filter->Update();
   vtkPolyData* kept = slope.Filter->GetOutput();
   const vtkIdType count = kept->GetNumberOfPoints();
@@ -275,7 +275,7 @@ bool Preferences()
   double range[2];
   Of(slope.Filter->GetOutput(), "Species")->GetRange(range);
   good &= Check(range[0] == 1.0 && slope.Filter->GetOutput()->GetNumberOfPoints() > 1000, "a species of its own");
-  slope.Filter->ThinsOff();
+  slope.Filter->ThinningOff();
   slope.Filter->Update();
   good &= Check(slope.Filter->GetOutput()->GetNumberOfPoints() == 10000, "all sites");
   // Without a table there are four species.

@@ -125,7 +125,7 @@ int TestTerrainBadInput(int, char*[])
   good &= Fails("AnisotropyRatio", [](Source* s) { s->SetAnisotropyRatio(0.5); });
   good &= Fails("AnisotropyRatio", [=](Source* s) { s->SetAnisotropyRatio(nan); });
   good &= Fails("AnisotropyAngle", [=](Source* s) { s->SetAnisotropyAngle(nan); });
-  good &= Fails("ShortestWavelength", [](Source* s) { s->SetShortestWavelength(-1.0); });
+  good &= Fails("MinimumWavelength", [](Source* s) { s->SetMinimumWavelength(-1.0); });
   good &= Fails("empty", [](Source* s) { s->SetWholeExtent(0, -1, 0, 5, 0, 0); });
   good &= Fails("layers", [](Source* s) { s->SetWholeExtent(0, 5, 0, 5, 0, 3); });
   // 40 TiB, beyond any machine of today: refused before memory is asked for.

@@ -138,13 +138,13 @@ bool Data()
   good &= Check(CountOf(filter, "PolygonsAtFullDetail") == 2.0 * (Width - 1) * (Height - 1), "PolygonsAtFullDetail");
   good &= Check(CountOf(filter, "TilesInAll") == 7 * 5, "TilesInAll");
   good &= Check(CountOf(filter, "TilesShown") > 5 && CountOf(filter, "TilesShown") < 35, "TilesShown");
-  good &= Check(CountOf(filter, "LargestScreenError") > 0.0, "LargestScreenError");
+  good &= Check(CountOf(filter, "MaximumScreenError") > 0.0, "MaximumScreenError");
 
   filter->SetSelection(Filter::PixelErrorRule);
   filter->SetPixelError(20.0);
   filter->Update();
   const double coarse = CountOf(filter, "PolygonsShown");
-  good &= Check(CountOf(filter, "LargestScreenError") <= 20.0, "the error on the screen is above PixelError");
+  good &= Check(CountOf(filter, "MaximumScreenError") <= 20.0, "the error on the screen is above PixelError");
   filter->SetPixelError(1e-6);
   filter->Update();
   good &= Check(CountOf(filter, "PolygonsShown") > coarse, "a smaller error takes no more polygons");
@@ -204,7 +204,7 @@ bool DetailFactor()
   factored->Update();
   other->Update();
   bool good = Check(SamePolygons(factored, other), "a detail factor is not that of the viewport");
-  good &= Check(CountOf(factored, "LargestScreenError") == CountOf(other, "LargestScreenError"), "LargestScreenError");
+  good &= Check(CountOf(factored, "MaximumScreenError") == CountOf(other, "MaximumScreenError"), "MaximumScreenError");
   for (Filter* filter : { factored.Get(), other.Get() })
   {
     filter->SetSelectionToDistance();

@@ -248,7 +248,7 @@ bool OneOfThem(Kinds& kinds)
   tall.Add(tall.Heights);
   tall.Filter->Update();
   const std::vector<double> tops = tall.Tops();
-  good &= Check(!tall.Filter->GetOutputDataObject(0)->GetFieldData()->HasArray("Girth"), "a Girth of nobody");
+  good &= Check(!tall.Filter->GetOutputDataObject(0)->GetFieldData()->HasArray("WidthScale"), "a WidthScale of nobody");
   Stand thick(kinds);
   thick.Add(thick.Diameters);
   thick.Filter->SetDiameterArray("Dicke");

@@ -167,7 +167,7 @@ bool Write(Writer* writer, vtkDataObject* data, const std::string& name)
 }
 
 /// The largest distance of a voxel's place from the sample's, in metres.
-double LargestOffset(vtkImageData* image, const openvdb::GridBase& grid, bool cells)
+double MaximumOffset(vtkImageData* image, const openvdb::GridBase& grid, bool cells)
 {
   const int* extent = image->GetExtent();
   double largest = 0.0;
@@ -246,7 +246,7 @@ bool CheckValuesAndPlaces()
       vtkDataArray* array = cells ? image->GetCellData()->GetArray(name) : points->GetArray(name);
       good &= Check(LargestDifference(image, *grid, array, cells) == 0.0, std::string("Values differ: ") + name);
       // A metre at 1000 km is known to 1e-10 m in double precision.
-      const double offset = LargestOffset(image, *grid, cells);
+      const double offset = MaximumOffset(image, *grid, cells);
       good &= Check(offset < 1e-9, "A sample is " + std::to_string(offset) + " m away");
       good &= Check(grid->getGridClass() == openvdb::GRID_FOG_VOLUME, "No fog volume");
       good &=
@@ -510,7 +510,7 @@ bool CheckSeries()
     wind->UpdateTimeStep(step * wind->GetTimeStep());
     vtkImageData* image = wind->GetOutput();
     good &= Check(LargestDifference(image, *grid, image->GetPointData()->GetArray("Velocity"), false) == 0.0, "A step");
-    good &= Check(LargestOffset(image, *grid, false) < 1e-10, "The place of a step");
+    good &= Check(MaximumOffset(image, *grid, false) < 1e-10, "The place of a step");
   }
   vtkNew<ErrorCounter> errors;
   errors->Watch(writer);

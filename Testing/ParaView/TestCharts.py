@@ -105,7 +105,7 @@ chart, view = show(ground, 2)
 assert chart.XArrayName == "Fraction" and set(chart.SeriesVisibility) == {"Elevation"}
 assert view.BottomAxisLogScale == 0 and view.LeftAxisTitle == "Elevation [m]"
 _, sheet = show(ground, 0, "SpreadSheetView")
-shown = {"SunkShare", "HypsometricIntegral", "HeightSkew", "Concavity", "CurvatureSkew"}
+shown = {"DepressionFraction", "HypsometricIntegral", "ElevationSkewness", "Concavity", "CurvatureSkewness"}
 assert not shown & set(sheet.HiddenColumnLabels) and "HackExponent" in sheet.HiddenColumnLabels
 
 analysis = simple.QuadratAnalysis(

@@ -59,7 +59,7 @@ result = [hashlib.sha256(whole_image(proxy).tobytes()).hexdigest() for proxy in 
 for name in ("ModelId", "Variance", "Range", "AICc"):
     result.append(vtk_to_numpy(fits.GetColumnByName(name)).tobytes().hex())
 # Valleys and rivers, statistics of ground, normal scores, and a field through points that lie on different ranks.
-valleys = simple.Drainage(Input=twin, Target=terrain, NumberOfRounds=2)
+valleys = simple.Drainage(Input=twin, Target=terrain, MaximumNumberOfIterations=2)
 numbers = simple.GroundStatistics(Input=valleys)
 scores = simple.NormalScores(Input=terrain)
 survey = simple.Calculator(Input=simple.QuadratPoints(Quadrats=[8, 5], Size=[120.0, 90.0], MeanPerQuadrat=1.5),

@@ -15,7 +15,7 @@ TREES = ((0, 0, "Pinus taeda", 8), (12, 3, "Pinus taeda", 20), (25, 0, "Pinus ta
 
 def wood(view):
     """The plants that the inventory asks for, on its trees."""
-    stand = simple.StandInventory(Inventory=simple.CSVReader(FileName=["plot.csv"]), SizeClasses=3)
+    stand = simple.StandInventory(Inventory=simple.CSVReader(FileName=["plot.csv"]), DiameterClasses=3)
     sizes = servermanager.Fetch(stand).GetFieldData()
     trees = []
     for k, kind in enumerate(("Pine", "Pine", "Pine", "Oak")):
@@ -43,7 +43,7 @@ def walk(walk):
     walk.next()
     walk.entry("Filters > Littoral > Stand Inventory")
     walk.apply()
-    walk.next("Size Classes", "Plant Scatter")
+    walk.next("Diameter Classes", "Plant Scatter")
     walk.macro("forest_from_inventory")
     walk.look("wood")
 

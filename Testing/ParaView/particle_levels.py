@@ -57,4 +57,4 @@ assert levels.TrainSelection == "Tail Sum"
 levels.UseLevels, levels.UseCulling, levels.TrainSelection, levels.VisibleDistance = 0, 0, "All Trains", 0.0
 simple.UpdatePipeline(proxy=levels)
 assert counter("TrainSums") == counter("TrainSumsInAll") == 6000.0 * 30.0
-assert np.isfinite(counter("LargestSlaveError"))
+assert np.isfinite(counter("MaximumSlaveError"))

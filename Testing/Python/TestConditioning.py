@@ -213,7 +213,7 @@ assert abs(filled[9, 11] - place.ravel()[others].mean()) < 2.0 * DEVIATION
 # Cross-validation: leave one out, indeed ----------------------------------------------------------
 checked = conditional(survey, grid_of(5), CrossValidation=True)
 checked.Update()
-left = column(table_of(checked), "LeftOutEstimate")
+left = column(table_of(checked), "LeaveOneOutEstimate")
 rest = np.arange(count) != 9
 alone = conditional(points_of(xy[rest], heights[rest]), grid_of(), Result=1)
 assert abs(values_of(alone)[inside[2]] - left[9]) < 1e-6
@@ -401,7 +401,7 @@ checked.Update()
 dots = checked.GetOutputDataObject(2)
 assert (vtk_to_numpy(dots.GetPoints().GetData()) == np.column_stack([xy, heights])).all()
 assert dots.GetNumberOfVerts() == count
-assert (vtk_to_numpy(dots.GetPointData().GetArray("LeftOutEstimate")) == left).all()
+assert (vtk_to_numpy(dots.GetPointData().GetArray("LeaveOneOutEstimate")) == left).all()
 
 # One datum and constant data are fields like others.
 one = conditional(points_of([[20.0, 20.0]], [7.0]), grid_of())

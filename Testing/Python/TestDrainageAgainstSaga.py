@@ -68,7 +68,7 @@ def carved(seed, spacing):
     source.SetSpacing(spacing, spacing, 1.0)
     source.SetSeed(seed)
     drainage.SetInputConnection(source.GetOutputPort())
-    drainage.SetNumberOfRounds(3)
+    drainage.SetMaximumNumberOfIterations(3)
     drainage.Update()
     return array_from_image(drainage.GetOutput()).copy()
 

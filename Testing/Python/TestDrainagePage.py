@@ -60,7 +60,7 @@ with tempfile.TemporaryDirectory() as folder:
     again.SetInputData(read_elevation("valleys.tif"))
     again.CarveOff()
     again.Update()
-    sunk = again.GetOutput().GetFieldData().GetArray("SunkShare").GetComponent(0, 0)
+    sunk = again.GetOutput().GetFieldData().GetArray("DepressionFraction").GetComponent(0, 0)
     print(f"{sunk:.4%} of the cells of the file are sunk")
     assert sunk < 1e-3
     found = None

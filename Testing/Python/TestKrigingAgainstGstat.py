@@ -97,7 +97,7 @@ for name, (kind, formula, model, settings) in CASES.items():
     # gstat's cross-validation gives the variance of the field, and so does each of ours but for the noise.
     noise = settings.get("Nugget", 0.0)
     ours = (vtk_to_numpy(values.GetArray("Elevation")), vtk_to_numpy(values.GetArray("KrigingVariance")),
-            column(table, "LeftOutEstimate"), column(table, "LeftOutDeviation")**2 - noise)
+            column(table, "LeaveOneOutEstimate"), column(table, "LeaveOneOutStandardDeviation")**2 - noise)
     theirs = (peer[:SIZE * SIZE, 0], peer[:SIZE * SIZE, 1], peer[SIZE * SIZE:, 0], peer[SIZE * SIZE:, 1])
     worst = [abs(a - b).max() for a, b in zip(ours, theirs)]
     print(f"{name}: estimate {worst[0]:.1e}, variance {worst[1]:.1e}; "

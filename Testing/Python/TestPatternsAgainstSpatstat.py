@@ -67,7 +67,7 @@ def make(table, box, largest):
     statistics.SetSize(box[1] - box[0], box[3] - box[2])
     statistics.SetNumberOfSimulations(0)
     statistics.SetNumberOfSteps(512)
-    statistics.SetLargestDistance(largest)
+    statistics.SetMaximumDistance(largest)
     if "DBH" in table:
         statistics.SetMarkArray("DBH")
     if "Species" in table:

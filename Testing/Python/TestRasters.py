@@ -548,7 +548,7 @@ class Written(Rasters):
         back.InverseOn()
         drainage.SetInputConnection(back.GetOutputPort())
         drainage.SetInputData(1, place)
-        drainage.SetNumberOfRounds(2)
+        drainage.SetMaximumNumberOfIterations(2)
         drainage.Update()
         for number, image in enumerate((place, back.GetOutput(), drainage.GetOutput())):
             with self.subTest(number=number):

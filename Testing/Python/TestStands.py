@@ -104,7 +104,7 @@ def check_planted(trees, name):
 # Files -----------------------------------------------------------------------------------------------------------------
 trees = stand.read_inventory(written("\ufeffx;y;species;dbh_mm\n1;2;oak;300\n5;7;Pinus palustris;\n"))
 assert np.allclose(stand.numbers(trees, "DBH")[0], 0.3) and stand.words(trees, "Kinds") == ["Pine", "Oak"]
-assert list(stand.numbers(trees, "Drawn")) == [2, 3]
+assert list(stand.numbers(trees, "Imputed")) == [2, 3]
 trees = stand.read_inventory(written("X;Y;Species;DBH\n3,5;4,25;Fagus sylvatica;25,4\n8;14,2;Quercus robur;35\n"))
 assert trees.GetPoint(0)[:2] == (3.5, 4.25) and np.allclose(stand.numbers(trees, "DBH"), (0.254, 0.35))
 trees = stand.read_inventory(written('"x","y","marks"\n"1","2","12"\n"4","2","8"\n'), columns={"dbh": "marks"},

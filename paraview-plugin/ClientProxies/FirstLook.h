@@ -29,7 +29,7 @@ void ColorByArray(vtkSMProxy* representation, const char* array, const char* pre
 void ShowDarkLegend(vtkSMProxy* representation, vtkSMProxy* view, const char* title);
 
 /// Radius of the largest particle in a view of all of the data, at least [diagonals].
-constexpr double SmallestSprite = 0.006;
+constexpr double MinimumSprite = 0.006;
 
 /// Particles, points with the arrays ParticleId and Radius, as lit spheres. Radii are enlarged where the largest would
 /// be below `smallest` [diagonals of the data].

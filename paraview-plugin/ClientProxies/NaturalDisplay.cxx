@@ -401,7 +401,7 @@ void NaturalDisplay::TakeColors(vtkSMProxy* representation, vtkPVDataInformation
   if (AreParticles(data))
   {
     const char* smallest = this->Hint("sprite", port);
-    ShowAsSprites(representation, data, smallest ? std::strtod(smallest, nullptr) : SmallestSprite);
+    ShowAsSprites(representation, data, smallest ? std::strtod(smallest, nullptr) : MinimumSprite);
   }
   if (const char* size = this->Hint("dots", port))
   {

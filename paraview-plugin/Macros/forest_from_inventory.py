@@ -42,7 +42,7 @@ def main():
     if stand is not None and stand.GetDataInformation().GetDataSetTypeAsString() == "vtkTable":
         stand = simple.StandInventory(registrationName="Stand", Inventory=stand)
     if stand is not None and stand.GetXMLName() == "StandInventory":
-        stand.SizeClasses = max(3, stand.SizeClasses)
+        stand.DiameterClasses = max(3, stand.DiameterClasses)
         stand.UpdatePipeline()
     data = servermanager.Fetch(stand).GetFieldData() if stand is not None else None
     if data is None or not data.HasArray("PlantHeight"):

@@ -105,13 +105,13 @@ TEST(CoarseGround, LargeGroundIsCarvedByItTheSameOnAnyThreads)
   };
   const GridSamples hills = Ground(520, 510, { 10.0, 10.0 }, hill);
   CarvingParameters parameters;
-  parameters.MostRounds = 2;
-  const CarvingTarget target = TargetOf(hills, CarvingNumbers());
+  parameters.MaximumIterations = 2;
+  const CarvingTarget target = TargetOf(hills, TargetStatistics());
   GridSamples one = hills;
   GridSamples other = hills;
   const CarvingReport report = CarveDrainage(one, target, parameters);
   CarveDrainage(other, target, parameters, OnThreads(3));
   EXPECT_EQ(one.Values, other.Values);
-  EXPECT_EQ(report.After.SunkShare, 0.0);
-  EXPECT_NEAR(report.After.Deviation, target.Measures.Deviation, 0.02 * target.Measures.Deviation);
+  EXPECT_EQ(report.After.DepressionFraction, 0.0);
+  EXPECT_NEAR(report.After.StandardDeviation, target.Measures.StandardDeviation, 0.02 * target.Measures.StandardDeviation);
 }

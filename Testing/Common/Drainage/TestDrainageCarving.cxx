@@ -200,7 +200,7 @@ TEST(HeightQuantiles, RanksTakeTheTargetsHeights)
   const GridSamples place = RandomGround(20, 15, { 1.0, 1.0 }, 2);
   GridSamples ground = NormalNoise(20, 15, { 1.0, 1.0 }, 9);
   const std::vector<double> before = ground.Values;
-  MapRanks(ground.Values, QuantilesOf(place.Values));
+  MapQuantiles(ground.Values, QuantilesOf(place.Values));
   std::vector<double> sorted = place.Values;
   std::vector<double> mapped = ground.Values;
   std::sort(sorted.begin(), sorted.end());
@@ -225,7 +225,7 @@ TEST(HeightQuantiles, WholeMetresMakeNoSteps)
   }
   const HeightQuantiles quantiles = QuantilesOf(heights);
   std::vector<double> mapped(heights.size(), 5.0); // all equal: by their index
-  MapRanks(mapped, quantiles, OnThreads(2));
+  MapQuantiles(mapped, quantiles, OnThreads(2));
   for (std::size_t n = 1; n < mapped.size(); ++n)
   {
     EXPECT_GT(mapped[n], mapped[n - 1]);
@@ -308,9 +308,9 @@ TEST(GroundMeasures, OfAPlane)
 {
   const GridSamples plane = Ground(41, 31, { 2.0, 2.0 }, [](double x, double) { return 0.3 * x; });
   const GroundMeasures measures = MeasureGround(plane, BorderOutlets(41, 31));
-  EXPECT_EQ(measures.SunkShare, 0.0);
+  EXPECT_EQ(measures.DepressionFraction, 0.0);
   EXPECT_NEAR(measures.HypsometricIntegral, 0.5, 1e-12);
-  EXPECT_NEAR(measures.HeightSkew, 0.0, 1e-9);
+  EXPECT_NEAR(measures.ElevationSkewness, 0.0, 1e-9);
   EXPECT_NEAR(measures.Highest - measures.Lowest, 24.0, 1e-12);
   // half the square of 0.6 k for the pairs along x, 0 for those along y
   ASSERT_EQ(measures.Lags[4], 10.0);
@@ -335,14 +335,14 @@ TEST(GroundMeasures, TheConcavityEndsAtAnAreaThatIsAskedFor)
   const OutletMask outlets = BorderOutlets(160, 140);
   const double cell = 50.0 * 50.0;
   const GroundMeasures whole = MeasureGround(ground, outlets);
-  EXPECT_DOUBLE_EQ(whole.LargestArea, 2240.0 * cell);
+  EXPECT_DOUBLE_EQ(whole.MaximumArea, 2240.0 * cell);
   const GroundMeasures part = MeasureGround(ground, outlets, SerialFor, NoPoll, 1500.0 * cell);
-  EXPECT_DOUBLE_EQ(part.LargestArea, 1500.0 * cell);
+  EXPECT_DOUBLE_EQ(part.MaximumArea, 1500.0 * cell);
   ASSERT_FALSE(part.SlopeArea.empty());
   EXPECT_LT(part.SlopeArea.back().Cells, 1500.0);
   EXPECT_GT(whole.SlopeArea.back().Cells, 1500.0);
   EXPECT_NEAR(part.Concavity, 0.4, 0.05);
-  const GroundMeasures same = MeasureGround(ground, outlets, SerialFor, NoPoll, whole.LargestArea);
+  const GroundMeasures same = MeasureGround(ground, outlets, SerialFor, NoPoll, whole.MaximumArea);
   EXPECT_EQ(same.Concavity, whole.Concavity);
   const GroundMeasures none = MeasureGround(ground, outlets, SerialFor, NoPoll, 900.0 * cell); // less than a decade
   EXPECT_TRUE(std::isnan(none.Concavity) && none.SlopeArea.empty());
@@ -355,8 +355,8 @@ TEST(ChannelLaw, FallsFasterBeyondTheAreasThatAreKnown)
   law.Concavity = 0.5;
   EXPECT_DOUBLE_EQ(law.SlopeAt(100.0), 0.02);
   EXPECT_DOUBLE_EQ(law.SlopeAt(1e4), 0.002);
-  EXPECT_DOUBLE_EQ(law.SlopeAt(10.0), law.HillslopePart * law.SlopeAt(50.0));
-  law.MostCells = 2500.0;
+  EXPECT_DOUBLE_EQ(law.SlopeAt(10.0), law.HillslopeFraction * law.SlopeAt(50.0));
+  law.MaximumCells = 2500.0;
   EXPECT_DOUBLE_EQ(law.SlopeAt(2500.0), 0.004);
   EXPECT_DOUBLE_EQ(law.SlopeAt(1e4), 0.0005); // and a fourth of it
 }
@@ -367,8 +367,8 @@ TEST(GroundMeasures, CountsWhatIsSunk)
   ground.At(4, 4) = 1.0;
   ground.At(5, 4) = 2.0;
   const GroundMeasures measures = MeasureGround(ground, BorderOutlets(12, 10));
-  EXPECT_DOUBLE_EQ(measures.SunkShare, 2.0 / 120.0);
-  EXPECT_NEAR(measures.FillOverDeviation, 7.0 / 120.0 / measures.Deviation, 1e-12);
+  EXPECT_DOUBLE_EQ(measures.DepressionFraction, 2.0 / 120.0);
+  EXPECT_NEAR(measures.RelativeFillDepth, 7.0 / 120.0 / measures.StandardDeviation, 1e-12);
 }
 
 TEST(DrainageCarving, MeetsThePlacesMeasures)
@@ -379,15 +379,15 @@ TEST(DrainageCarving, MeetsThePlacesMeasures)
   {
     GridSamples twin = TwinOf(place, target, seed);
     const CarvingReport report = CarveDrainage(twin, target, {});
-    EXPECT_GT(report.Before.SunkShare, 0.05) << seed;
-    EXPECT_TRUE(report.HasReachedTarget) << seed << ": " << report.Missed;
+    EXPECT_GT(report.Before.DepressionFraction, 0.05) << seed;
+    EXPECT_TRUE(report.HasConverged) << seed << ": " << report.UnmetTargets;
     // The report is of the ground that is given back.
     const GroundMeasures measures = MeasureGround(twin, BorderOutlets(128, 112));
-    EXPECT_EQ(measures.SunkShare, 0.0);
+    EXPECT_EQ(measures.DepressionFraction, 0.0);
     EXPECT_NEAR(measures.HypsometricIntegral, target.Measures.HypsometricIntegral, 0.03);
-    EXPECT_NEAR(measures.HeightSkew, target.Measures.HeightSkew, 0.15);
+    EXPECT_NEAR(measures.ElevationSkewness, target.Measures.ElevationSkewness, 0.15);
     EXPECT_NEAR(measures.Concavity, target.Measures.Concavity, 0.1);
-    EXPECT_LT(std::abs(measures.CurvatureSkew), 1.0);
+    EXPECT_LT(std::abs(measures.CurvatureSkewness), 1.0);
     for (std::size_t n = 0; n < measures.Lags.size(); ++n)
     {
       EXPECT_NEAR(measures.Semivariance[n] / target.Measures.Semivariance[n], 1.0, 0.1) << seed << " " << n;
@@ -411,32 +411,32 @@ TEST(DrainageCarving, GroundMuchLargerThanItsPlaceDrainsWithThePlacesHeights)
   MultiplyRings(wide, step, sizes);
   InverseCosineTransform(wide);
   CarvingParameters parameters;
-  parameters.MostRounds = 2;
+  parameters.MaximumIterations = 2;
   const CarvingReport report = CarveDrainage(wide, target, parameters, OnThreads(2));
-  EXPECT_GT(report.Before.SunkShare, 0.05);
-  EXPECT_EQ(report.After.SunkShare, 0.0);
+  EXPECT_GT(report.Before.DepressionFraction, 0.05);
+  EXPECT_EQ(report.After.DepressionFraction, 0.0);
   EXPECT_NEAR(report.After.HypsometricIntegral, target.Measures.HypsometricIntegral, 0.03);
-  EXPECT_NEAR(report.After.HeightSkew, target.Measures.HeightSkew, 0.15);
-  EXPECT_LT(std::abs(report.After.CurvatureSkew), 1.0);
-  EXPECT_DOUBLE_EQ(report.After.LargestArea, target.Measures.LargestArea); // the concavity of the place's own areas
+  EXPECT_NEAR(report.After.ElevationSkewness, target.Measures.ElevationSkewness, 0.15);
+  EXPECT_LT(std::abs(report.After.CurvatureSkewness), 1.0);
+  EXPECT_DOUBLE_EQ(report.After.MaximumArea, target.Measures.MaximumArea); // the concavity of the place's own areas
 }
 
 TEST(DrainageCarving, TargetsInNumbers)
 {
   GridSamples place = RiverGround(96, 80, 0.4, 3);
   GridSamples terrain = TwinOf(place, TargetOf(place), 2);
-  CarvingNumbers numbers;
-  numbers.OwnHeights = false;
+  TargetStatistics numbers;
+  numbers.KeepsHypsometry = false;
   numbers.HypsometricIntegral = 0.38;
-  numbers.HeightSkew = 0.5;
+  numbers.ElevationSkewness = 0.5;
   const CarvingTarget target = TargetOf(terrain, numbers);
   CarvingParameters parameters;
-  parameters.MostRounds = 2;
+  parameters.MaximumIterations = 2;
   CarveDrainage(terrain, target, parameters);
   const GroundMeasures measures = MeasureGround(terrain, BorderOutlets(96, 80));
-  EXPECT_EQ(measures.SunkShare, 0.0);
+  EXPECT_EQ(measures.DepressionFraction, 0.0);
   EXPECT_NEAR(measures.HypsometricIntegral, 0.38, 0.01);
-  EXPECT_NEAR(measures.HeightSkew, 0.5, 0.05);
+  EXPECT_NEAR(measures.ElevationSkewness, 0.5, 0.05);
 }
 
 TEST(DrainageCarving, OutletsAtTheSeaAndChosenOnes)
@@ -445,7 +445,7 @@ TEST(DrainageCarving, OutletsAtTheSeaAndChosenOnes)
   for (const OutletChoice choice : { OutletChoice::SeaLevel, OutletChoice::Chosen })
   {
     CarvingParameters parameters;
-    parameters.MostRounds = 2;
+    parameters.MaximumIterations = 2;
     parameters.Outlets.Choice = choice;
     const GroundMeasures own = MeasureGround(place, BorderOutlets(64, 56));
     parameters.Outlets.SeaLevel = own.Lowest + 0.2 * (own.Highest - own.Lowest);
@@ -455,7 +455,7 @@ TEST(DrainageCarving, OutletsAtTheSeaAndChosenOnes)
     GridSamples twin = TwinOf(place, target, 4);
     EXPECT_EQ(WhyInvalid(twin, parameters), "");
     CarveDrainage(twin, target, parameters);
-    EXPECT_EQ(FloodDepressions(twin, parameters.Outlets.Of(twin)).Sunk, 0u);
+    EXPECT_EQ(FloodDepressions(twin, parameters.Outlets.Of(twin)).DepressionCells, 0u);
   }
 }
 
@@ -466,7 +466,7 @@ TEST(DrainageCarving, SameForAnyThreads)
   GridSamples one = TwinOf(place, target, 6);
   GridSamples three = one;
   CarvingParameters parameters;
-  parameters.MostRounds = 2;
+  parameters.MaximumIterations = 2;
   CarveDrainage(one, target, parameters);
   CarveDrainage(three, TargetOf(place, {}, OnThreads(3)), parameters, OnThreads(3));
   EXPECT_EQ(one.Values, three.Values);
@@ -500,10 +500,10 @@ TEST(DrainageCarving, AnotherGridMaySetTheTarget)
   const CarvingTarget target = TargetOf(place);
   GridSamples terrain = RandomGround(70, 130, { 40.0, 60.0 }, 2);
   CarvingParameters parameters;
-  parameters.MostRounds = 2;
+  parameters.MaximumIterations = 2;
   CarveDrainage(terrain, target, parameters);
   const GroundMeasures measures = MeasureGround(terrain, BorderOutlets(70, 130));
-  EXPECT_EQ(measures.SunkShare, 0.0);
+  EXPECT_EQ(measures.DepressionFraction, 0.0);
   EXPECT_NEAR(measures.HypsometricIntegral, target.Measures.HypsometricIntegral, 0.03);
 }
 
@@ -513,8 +513,8 @@ TEST(DrainageCarving, RefusesBadInput)
   CarvingParameters parameters;
   EXPECT_EQ(WhyInvalid(ground, parameters), "");
   EXPECT_EQ(WhyNoTarget(ground), "");
-  parameters.MostRounds = 0;
-  EXPECT_EQ(WhyInvalid(ground, parameters), "MostRounds is 0; it must be from 1 to 100.");
+  parameters.MaximumIterations = 0;
+  EXPECT_EQ(WhyInvalid(ground, parameters), "MaximumIterations is 0; it must be from 1 to 100.");
   parameters = {};
   parameters.ValleyWidth = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(WhyInvalid(ground, parameters), "ValleyWidth is nan; it must be from 0.5 to 50.");
@@ -532,15 +532,15 @@ TEST(DrainageCarving, RefusesBadInput)
 
 TEST(DrainageCarving, RefusesNumbersThatContradictEachOther)
 {
-  CarvingNumbers numbers;
+  TargetStatistics numbers;
   EXPECT_EQ(WhyInvalid(numbers), "");
-  numbers.OwnHeights = false;
+  numbers.KeepsHypsometry = false;
   EXPECT_EQ(WhyInvalid(numbers), "");
   numbers.HypsometricIntegral = 0.6; // with a skew above 0 most of the ground is low
-  numbers.HeightSkew = 0.8;
+  numbers.ElevationSkewness = 0.8;
   const std::string reason = WhyInvalid(numbers);
   EXPECT_EQ(reason.find("HypsometricIntegral is 0.6; it must be from 0."), 0u) << reason;
-  EXPECT_NE(reason.find("with a HeightSkew of 0.8."), std::string::npos) << reason;
+  EXPECT_NE(reason.find("with an ElevationSkewness of 0.8."), std::string::npos) << reason;
   numbers.Concavity = 1.5;
   EXPECT_EQ(WhyInvalid(numbers), "Concavity is 1.5; it must be from 0 to 1.");
 }

@@ -127,7 +127,7 @@ void ExpectSound(const FlowRouting& routing, const CellLattice& lattice, const O
 
 std::int64_t CellsAtOutlets(const FlowRouting& routing, const OutletMask& outlets)
 {
-  const std::vector<CellIndex> cells = DrainageCells(routing);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
   std::int64_t sum = 0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
@@ -155,11 +155,11 @@ TEST(DepressionFilling, AgreesWithRelaxation)
     double volume = 0.0;
     for (std::size_t cell = 0; cell < levels.size(); ++cell)
     {
-      EXPECT_EQ(flood.Level[cell], levels[cell]);
+      EXPECT_EQ(flood.SpillElevation[cell], levels[cell]);
       sunk += levels[cell] > ground.Values[cell];
       volume += 6.0 * (levels[cell] - ground.Values[cell]);
     }
-    EXPECT_EQ(flood.Sunk, sunk);
+    EXPECT_EQ(flood.DepressionCells, sunk);
     EXPECT_NEAR(flood.Volume, volume, 1e-9 * volume);
     EXPECT_GT(sunk, 20u);
   }
@@ -171,9 +171,9 @@ TEST(DepressionFilling, APitIsFilledToItsSill)
   ground.At(4, 4) = 2.0;
   ground.At(4, 0) = 6.0;
   const DepressionFlood flood = FloodDepressions(ground, BorderOutlets(9, 9));
-  EXPECT_EQ(flood.Sunk, 1u);
+  EXPECT_EQ(flood.DepressionCells, 1u);
   EXPECT_DOUBLE_EQ(flood.Volume, 5.0 * 25.0);
-  EXPECT_EQ(flood.Level[4 * 9 + 4], 7.0);
+  EXPECT_EQ(flood.SpillElevation[4 * 9 + 4], 7.0);
 }
 
 TEST(DepressionBreaching, LeavesNoSunkCellAndRaisesNone)
@@ -240,7 +240,7 @@ TEST(DepressionBreaching, LowersAnOutletThatIsNotLower)
   GridSamples ground = Ground(9, 9, { 1.0, 1.0 }, [](double x, double y) { return std::hypot(x - 4.0, y - 4.0); });
   const OutletMask outlets = BorderOutlets(9, 9);
   EXPECT_GT(BreachDepressions(ground, outlets, BreachPath::LeastCost).Lowered, 2u);
-  EXPECT_EQ(FloodDepressions(ground, outlets).Sunk, 0u);
+  EXPECT_EQ(FloodDepressions(ground, outlets).DepressionCells, 0u);
   EXPECT_EQ(ground.At(4, 4), 0.0);
 }
 
@@ -253,7 +253,7 @@ TEST(FlowRouting, AgreesWithFollowingEachCell)
     BreachDepressions(ground, outlets, BreachPath::LeastCost);
     const FlowRouting routing = RouteFlow(ground, outlets);
     ExpectSound(routing, CellLattice(ground), outlets);
-    EXPECT_EQ(DrainageCells(routing), CountedCells(ground, outlets));
+    EXPECT_EQ(FlowAccumulation(routing), CountedCells(ground, outlets));
   }
 }
 
@@ -289,7 +289,7 @@ TEST(FlowRouting, OfACone)
   const GridSamples ground =
     Ground(41, 41, { 1.0, 1.0 }, [](double x, double y) { return 100.0 - std::hypot(x - 20.0, y - 20.0); });
   const FlowRouting routing = RouteFlow(ground, BorderOutlets(41, 41));
-  const std::vector<CellIndex> cells = DrainageCells(routing);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
   EXPECT_EQ(cells[20 * 41 + 20], 1);
   for (int k = 1; k < 20; ++k)
   {

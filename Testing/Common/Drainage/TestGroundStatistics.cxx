@@ -147,8 +147,8 @@ TEST(GroundStatistics, SunkBlock)
     16, 10, 3.0, 7.0, [](double x, double y) { return x >= 15.0 && x < 27.0 && y >= 28.0 && y < 49.0 ? 8.0 : 10.0; });
   const GroundStatistics ground = Measure(plain);
   const double share = 12.0 / 160.0;
-  EXPECT_DOUBLE_EQ(ground.Measures.SunkShare, share);
-  EXPECT_NEAR(ground.Measures.FillOverDeviation, 2.0 * share / (2.0 * std::sqrt(share * (1.0 - share))), 1e-12);
+  EXPECT_DOUBLE_EQ(ground.Measures.DepressionFraction, share);
+  EXPECT_NEAR(ground.Measures.RelativeFillDepth, 2.0 * share / (2.0 * std::sqrt(share * (1.0 - share))), 1e-12);
   EXPECT_NEAR(ground.Measures.HypsometricIntegral, 1.0 - share, 1e-12);
 }
 
@@ -157,10 +157,10 @@ TEST(GroundStatistics, Hypsometry)
 {
   const GridSamples ramp = Surface(2001, 5, 1.0, 1.0, [](double x, double) { return 300.0 + x; });
   EXPECT_NEAR(Measure(ramp).Measures.HypsometricIntegral, 0.5, 1e-12);
-  EXPECT_NEAR(Measure(ramp).Measures.HeightSkew, 0.0, 1e-9);
+  EXPECT_NEAR(Measure(ramp).Measures.ElevationSkewness, 0.0, 1e-9);
   const GridSamples square = Surface(2001, 5, 1.0, 1.0, [](double x, double) { return x * x; });
   EXPECT_NEAR(Measure(square).Measures.HypsometricIntegral, 1.0 / 3.0, 5e-4);
-  EXPECT_NEAR(Measure(square).Measures.HeightSkew, 2.0 * std::sqrt(5.0) / 7.0, 2e-3);
+  EXPECT_NEAR(Measure(square).Measures.ElevationSkewness, 2.0 * std::sqrt(5.0) / 7.0, 2e-3);
 }
 
 /// A valley whose floor falls as a stream of a given concavity does, with straight slopes to it: S = k A^-theta.
@@ -209,6 +209,6 @@ TEST(GroundStatistics, AnyThreads)
   EXPECT_EQ(one.Measures.Concavity, other.Measures.Concavity);
   EXPECT_EQ(one.Hack, other.Hack);
   EXPECT_EQ(one.Horton.Length, other.Horton.Length);
-  EXPECT_EQ(one.Measures.FillOverDeviation, other.Measures.FillOverDeviation);
-  EXPECT_GT(one.Measures.SunkShare, 0.1);
+  EXPECT_EQ(one.Measures.RelativeFillDepth, other.Measures.RelativeFillDepth);
+  EXPECT_GT(one.Measures.DepressionFraction, 0.1);
 }

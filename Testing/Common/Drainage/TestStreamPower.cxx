@@ -80,7 +80,7 @@ TEST(StreamPower, StepsAreImplicit)
 TEST(StreamPower, HillslopesAreLiftedAlone)
 {
   StreamPowerLaw law;
-  law.LeastArea = 1000.0;
+  law.MinimumArea = 1000.0;
   GridSamples ramp = Ground(5, 30, { 10.0, 10.0 }, [](double, double y) { return 0.1 * y; });
   OutletMask outlets(ramp.Values.size(), 0);
   std::fill(outlets.begin(), outlets.begin() + 5, 1);
@@ -114,7 +114,7 @@ TEST(StreamPower, GrowsTheSameOnAnyThreads)
   GrowByStreamPower(one, outlets, law, 1e6, 10);
   GrowByStreamPower(two, outlets, law, 1e6, 10, OnThreads(3));
   EXPECT_EQ(one.Values, two.Values);
-  EXPECT_EQ(FloodDepressions(one, outlets).Sunk, 0u);
+  EXPECT_EQ(FloodDepressions(one, outlets).DepressionCells, 0u);
 }
 
 TEST(StreamPower, RefusesWhatNoRiverFollows)
@@ -135,9 +135,9 @@ TEST(ChannelGrading, NoSlopeIsBelowTheLaw)
   GridSamples breached = ground;
   BreachDepressions(breached, outlets, BreachPath::LeastCost);
   const FlowRouting routing = RouteFlow(breached, outlets);
-  const std::vector<CellIndex> cells = DrainageCells(routing);
+  const std::vector<CellIndex> cells = FlowAccumulation(routing);
   ChannelLaw law;
-  law.ChannelCells = 20.0;
+  law.ChannelThreshold = 20.0;
   for (const double cut : { 0.0, 0.3, 1.0 })
   {
     GridSamples graded = ground;
@@ -154,7 +154,7 @@ TEST(ChannelGrading, NoSlopeIsBelowTheLaw)
       EXPECT_TRUE(cut > 0.0 || graded.Values[cell] >= ground.Values[cell]);
       EXPECT_TRUE(cut < 1.0 || graded.Values[cell] <= ground.Values[cell] + 1e-12);
     }
-    EXPECT_EQ(FloodDepressions(graded, outlets).Sunk, 0u);
+    EXPECT_EQ(FloodDepressions(graded, outlets).DepressionCells, 0u);
   }
 }
 
@@ -162,5 +162,5 @@ TEST(ChannelGrading, LeavesSteepGroundAlone)
 {
   const GridSamples ramp = Ground(9, 30, { 10.0, 10.0 }, [](double, double y) { return 0.5 * y; });
   const FlowRouting routing = RouteFlow(ramp, BorderOutlets(9, 30));
-  EXPECT_EQ(GradeAlong(ramp, routing, DrainageCells(routing), {}, 0.5), ramp.Values);
+  EXPECT_EQ(GradeAlong(ramp, routing, FlowAccumulation(routing), {}, 0.5), ramp.Values);
 }

@@ -26,7 +26,7 @@ TurningBandsParameters Parameters(CovarianceModel model, int seed, double shorte
   parameters.Field.FractalDimension = 2.5;
   parameters.AnisotropyRatio = 1.6;
   parameters.AnisotropyAngle = 0.5;
-  parameters.ShortestWavelength = shortest;
+  parameters.MinimumWavelength = shortest;
   parameters.NumberOfHarmonics = 60;
   parameters.Seed = seed;
   return parameters;

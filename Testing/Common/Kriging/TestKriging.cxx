@@ -88,7 +88,7 @@ Eigen::VectorXd Functions(KrigingType type, const KrigingPlace& p)
 }
 
 /// The kriging system with Lagrange factors, written down from the models' own covariances and solved as a whole.
-LeftOut Dense(const KrigingModel& model, const KrigingData& data, KrigingType type, const KrigingPlace& target,
+LeaveOneOutEstimate Dense(const KrigingModel& model, const KrigingData& data, KrigingType type, const KrigingPlace& target,
   long long without = -1)
 {
   std::vector<std::size_t> used;
@@ -123,7 +123,7 @@ LeftOut Dense(const KrigingModel& model, const KrigingData& data, KrigingType ty
   }
   right.tail(f.size()) = f;
   const Eigen::VectorXd weights = system.fullPivLu().solve(right);
-  LeftOut found{ 0.0, model.Field.Variance - weights.dot(right) };
+  LeaveOneOutEstimate found{ 0.0, model.Field.Variance - weights.dot(right) };
   for (Eigen::Index i = 0; i < count; ++i)
   {
     found.Estimate += weights(i) * data.Values[used[i]];
@@ -166,7 +166,7 @@ TEST(Kriging, SolvesTheSystemOfEveryModel)
       kriging.Estimate(Targets.data(), Targets.size(), estimates.data(), variances.data());
       for (std::size_t n = 0; n < Targets.size(); ++n)
       {
-        const LeftOut truth = Dense(model, data, kriged, Targets[n]);
+        const LeaveOneOutEstimate truth = Dense(model, data, kriged, Targets[n]);
         EXPECT_NEAR(estimates[n], truth.Estimate, 3e-6) << kind << " " << type << " " << n;
         EXPECT_NEAR(variances[n], truth.Variance, 3e-6 * std::max(1.0, truth.Variance)) << kind << " " << type;
       }
@@ -223,11 +223,11 @@ TEST(Kriging, LeavesOneOut)
     const auto kriged = static_cast<KrigingType>(type);
     const KrigingModel model = ModelOf(CovarianceModel::Bessel1, 0.1, 2.0);
     const KrigingData data = SomeData(70, true);
-    const std::vector<LeftOut> closed =
+    const std::vector<LeaveOneOutEstimate> closed =
       Kriging(model, data, OptionsOf(kriged)).LeaveOneOut(littoral::testing::OnThreads(3));
     for (std::size_t n = 0; n < data.Places.size(); ++n)
     {
-      const LeftOut truth = Dense(model, data, kriged, data.Places[n], static_cast<long long>(n));
+      const LeaveOneOutEstimate truth = Dense(model, data, kriged, data.Places[n], static_cast<long long>(n));
       EXPECT_NEAR(closed[n].Estimate, truth.Estimate, 1e-6) << type;
       EXPECT_NEAR(closed[n].Variance, truth.Variance + 0.1 + data.ErrorVariances[n], 1e-6) << type;
     }
@@ -239,8 +239,8 @@ TEST(Kriging, LeavesOneOutOfNeighborhoods)
   // With all but one as neighbours, each datum has all the others.
   const KrigingModel model = ModelOf(CovarianceModel::Spherical, 0.0, 2.0);
   const KrigingData data = SomeData(30, true);
-  const std::vector<LeftOut> all = Kriging(model, data, OptionsOf(KrigingType::LinearDrift)).LeaveOneOut();
-  const std::vector<LeftOut> near = Kriging(model, data, OptionsOf(KrigingType::LinearDrift, 29)).LeaveOneOut();
+  const std::vector<LeaveOneOutEstimate> all = Kriging(model, data, OptionsOf(KrigingType::LinearDrift)).LeaveOneOut();
+  const std::vector<LeaveOneOutEstimate> near = Kriging(model, data, OptionsOf(KrigingType::LinearDrift, 29)).LeaveOneOut();
   for (std::size_t n = 0; n < data.Places.size(); ++n)
   {
     EXPECT_NEAR(near[n].Estimate, all[n].Estimate, 1e-6);
@@ -270,7 +270,7 @@ TEST(Kriging, NeighborhoodsAreTheNearestData)
       near.Values.push_back(data.Values[order[n].second]);
       near.ErrorVariances.push_back(data.ErrorVariances[order[n].second]);
     }
-    const LeftOut truth = Dense(model, near, KrigingType::QuadraticDrift, target);
+    const LeaveOneOutEstimate truth = Dense(model, near, KrigingType::QuadraticDrift, target);
     double estimate;
     double variance;
     kriging.Estimate(&target, 1, &estimate, &variance);

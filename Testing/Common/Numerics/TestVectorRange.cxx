@@ -29,16 +29,16 @@ TEST(VectorRange, FindsExtremesWhereverTheyAre)
       EXPECT_TRUE(low.IsFinite);
       EXPECT_EQ(low.Low, (std::array<float, 3>{ -4.0f, 0.0f, 2.0f }));
       EXPECT_EQ(low.High, (std::array<float, 3>{ 1.0f, 2.0f, 3.0f }));
-      EXPECT_EQ(low.LeastSquare, 9.0);
-      EXPECT_EQ(low.MostSquare, 25.0);
+      EXPECT_EQ(low.MinimumSquare, 9.0);
+      EXPECT_EQ(low.MaximumSquare, 25.0);
       vectors[3 * odd] = 4.0f;
       vectors[3 * odd + 1] = 7.0f;
       vectors[3 * odd + 2] = 4.0f;
       const VectorRange high = RangeOf(vectors.data(), count);
       EXPECT_EQ(high.Low, (std::array<float, 3>{ 1.0f, 2.0f, 2.0f }));
       EXPECT_EQ(high.High, (std::array<float, 3>{ 4.0f, 7.0f, 4.0f }));
-      EXPECT_EQ(high.LeastSquare, 9.0);
-      EXPECT_EQ(high.MostSquare, 81.0);
+      EXPECT_EQ(high.MinimumSquare, 9.0);
+      EXPECT_EQ(high.MaximumSquare, 81.0);
     }
   }
 }
@@ -63,7 +63,7 @@ TEST(VectorRange, LengthsBeyondSinglePrecisionAreFinite)
   const std::vector<float> vectors(15, 3e38f); // the square is no float
   const VectorRange range = RangeOf(vectors.data(), 5);
   EXPECT_TRUE(range.IsFinite);
-  EXPECT_NEAR(range.MostSquare / (3.0 * 9e76), 1.0, 1e-6);
+  EXPECT_NEAR(range.MaximumSquare / (3.0 * 9e76), 1.0, 1e-6);
 }
 
 TEST(VectorRange, NoVectorsHaveNone)
@@ -71,7 +71,7 @@ TEST(VectorRange, NoVectorsHaveNone)
   const VectorRange range = RangeOf(nullptr, 0);
   EXPECT_TRUE(range.IsFinite);
   EXPECT_GT(range.Low[0], range.High[0]);
-  EXPECT_GT(range.LeastSquare, range.MostSquare);
+  EXPECT_GT(range.MinimumSquare, range.MaximumSquare);
 }
 
 TEST(VectorRange, FindsExtremesOfPairsWhereverTheyAre)
@@ -92,15 +92,15 @@ TEST(VectorRange, FindsExtremesOfPairsWhereverTheyAre)
       EXPECT_TRUE(low.IsFinite);
       EXPECT_EQ((std::array<float, 2>{ low.Low[0], low.Low[1] }), (std::array<float, 2>{ -1.0f, 0.0f }));
       EXPECT_EQ((std::array<float, 2>{ low.High[0], low.High[1] }), (std::array<float, 2>{ 3.0f, 4.0f }));
-      EXPECT_EQ(low.LeastSquare, 1.0);
-      EXPECT_EQ(low.MostSquare, 25.0);
+      EXPECT_EQ(low.MinimumSquare, 1.0);
+      EXPECT_EQ(low.MaximumSquare, 25.0);
       pairs[2 * odd] = 8.0f;
       pairs[2 * odd + 1] = 15.0f;
       const VectorRange high = RangeOfPairs(pairs.data(), count);
       EXPECT_EQ((std::array<float, 2>{ high.Low[0], high.Low[1] }), (std::array<float, 2>{ 3.0f, 4.0f }));
       EXPECT_EQ((std::array<float, 2>{ high.High[0], high.High[1] }), (std::array<float, 2>{ 8.0f, 15.0f }));
-      EXPECT_EQ(high.LeastSquare, 25.0);
-      EXPECT_EQ(high.MostSquare, 289.0);
+      EXPECT_EQ(high.MinimumSquare, 25.0);
+      EXPECT_EQ(high.MaximumSquare, 289.0);
       for (std::size_t part = 0; part < 2; ++part)
       {
         pairs[2 * odd + part] = std::numeric_limits<float>::quiet_NaN();

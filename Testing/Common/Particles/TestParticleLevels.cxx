@@ -297,7 +297,7 @@ TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
   const std::vector<Vector3> places = Places(4001, { { 0.0, 0.0, -8.5 }, { 10.0, 10.0, -7.5 } });
   GroupOptions options;
   options.NearestOffset = 0.05;
-  options.LargestOffset = 0.4;
+  options.MaximumOffset = 0.4;
   for (const bool scatter : { false, true })
   {
     options.Scatter = scatter;
@@ -327,7 +327,7 @@ TEST(ParticleGroups, GroupsAreCompleteAndOffsetsInRange)
           ++slaves;
           const double length = glm::length(groups.OffsetOf(particle));
           EXPECT_GE(length, options.NearestOffset - 1e-12);
-          EXPECT_LE(length, options.LargestOffset + 1e-12);
+          EXPECT_LE(length, options.MaximumOffset + 1e-12);
           EXPECT_TRUE(scatter || glm::distance(kept, places[particle]) < 1e-12) << "a slave leaves its place";
         }
       }
@@ -397,7 +397,7 @@ TEST(ParticleGroups, AreThoseOfASort)
 TEST(ParticleGroups, AreTheSameWhateverWasBefore)
 {
   GroupOptions options;
-  options.LargestOffset = 0.6;
+  options.MaximumOffset = 0.6;
   std::vector<Vector3> places = Places(5000, { { -9.0, 0.0, -9.0 }, { 9.0, 14.0, 0.0 } });
   std::vector<int> former(places.size());
   std::iota(former.rbegin(), former.rend(), 0); // from last to first
@@ -462,7 +462,7 @@ TEST(ParticleLevels, SlavesStayWithinTheirBound)
     for (const bool scatter : { false, true })
     {
       GroupOptions grouping;
-      grouping.LargestOffset = 1.5;
+      grouping.MaximumOffset = 1.5;
       grouping.Scatter = scatter;
       const ParticleGroups groups(places, grouping, 64);
       const View view = Look({ 0.0, -2.0, -4.0 }, { 0.0, 1.0, 0.0 }, 70.0);
@@ -506,7 +506,7 @@ TEST(ParticleLevels, SlavesStayWithinTheirBound)
       EXPECT_GT(slaves, 500);
       EXPECT_GT(closest, 0.2) << "the bound is of no use";
       std::printf("depth %g m: %d slaves, errors up to %.2f of their bounds, largest bound %.3f m\n", depth, slaves,
-        closest, selection.LargestSlave);
+        closest, selection.MaximumSlaveError);
     }
   }
 }
@@ -518,7 +518,7 @@ TEST(ParticleLevels, ASlaveAboveItsMasterMovesMoreThanIt)
   const std::vector<Vector3> places{ { 0.0, 6.0, -2.0 }, { 0.1, 6.0, -1.0 }, { -0.1, 6.0, -3.0 } };
   GroupOptions grouping;
   grouping.Slaves = 2;
-  grouping.LargestOffset = 1.5;
+  grouping.MaximumOffset = 1.5;
   const ParticleGroups groups(places, grouping, 3);
   ASSERT_EQ(groups.MasterOf(1), 0);
   const View view = Look({ 0.0, 0.0, -2.0 }, { 0.0, 1.0, 0.0 }, 70.0);

@@ -42,7 +42,7 @@ TEST(DistanceFunctions, AgreeWithSpatstat)
           continue;
         }
         ++compared;
-        const std::size_t k = static_cast<std::size_t>(std::lround(reference.Distance / range.Largest * 512.0));
+        const std::size_t k = static_cast<std::size_t>(std::lround(reference.Distance / range.Maximum * 512.0));
         EXPECT_NEAR((isG ? found.G : found.F)[k], reference.Value, (isG ? 1e-3 : 0.01) * reference.Value)
           << pattern.Name << " " << reference.Function << " " << reference.Correction << " at " << reference.Distance;
         EXPECT_NEAR(found.J[k] * (1.0 - found.F[k]), 1.0 - found.G[k], 1e-12);
@@ -126,8 +126,8 @@ TEST(DistanceFunctions, HaveTheSameBytesOnAnyThreads)
 TEST(DistanceFunctions, ChooseDistancesUpToWhichTheyRise)
 {
   const ObservationWindow window = ObservationWindow::Rectangle({ 0.0, 0.0 }, { 30.0, 40.0 });
-  EXPECT_DOUBLE_EQ(DefaultNearestDistances(window, 1).Largest, 25.0);
-  EXPECT_DOUBLE_EQ(DefaultNearestDistances(window, 1200).Largest, std::sqrt(std::log(1e5) / Pi));
+  EXPECT_DOUBLE_EQ(DefaultNearestDistances(window, 1).Maximum, 25.0);
+  EXPECT_DOUBLE_EQ(DefaultNearestDistances(window, 1200).Maximum, std::sqrt(std::log(1e5) / Pi));
 }
 
 }

@@ -161,7 +161,7 @@ public:
       place->second = this->Find(isCross, options);
     }
     const PairFunctions& found = place->second;
-    const auto k = static_cast<std::size_t>(std::lround(reference.Distance / options.Distances.Largest * 512.0));
+    const auto k = static_cast<std::size_t>(std::lround(reference.Distance / options.Distances.Maximum * 512.0));
     return reference.Function == "m"     ? found.MarkCorrelation[k]
       : reference.Function.back() == 'K' ? found.K[k]
                                          : found.PairCorrelation[k];
@@ -178,7 +178,7 @@ private:
         reference.Correction == names[static_cast<int>(correction)] ? correction : options.Correction;
     }
     const ObservationWindow& window = this->Pattern.Window;
-    options.Distances.Largest =
+    options.Distances.Maximum =
       0.2 * std::min(window.GetHigh()[0] - window.GetLow()[0], window.GetHigh()[1] - window.GetLow()[1]);
     return options;
   }
@@ -394,8 +394,8 @@ TEST(PairFunctions, HaveTheSameBytesOnAnyThreads)
 TEST(PairFunctions, ChooseDistancesThatCanBeTrusted)
 {
   const ObservationWindow window = ObservationWindow::Rectangle({ 0.0, 0.0 }, { 200.0, 100.0 });
-  EXPECT_DOUBLE_EQ(DefaultDistances(window, 100).Largest, 25.0);
-  EXPECT_DOUBLE_EQ(DefaultDistances(window, 200000).Largest, std::sqrt(100.0 / Pi)); // 10 points a square metre
+  EXPECT_DOUBLE_EQ(DefaultDistances(window, 100).Maximum, 25.0);
+  EXPECT_DOUBLE_EQ(DefaultDistances(window, 200000).Maximum, std::sqrt(100.0 / Pi)); // 10 points a square metre
   EXPECT_EQ(DefaultDistances(window, 100).Steps, 512);
 }
 

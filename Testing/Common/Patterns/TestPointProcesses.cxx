@@ -478,7 +478,7 @@ TEST(PointProcesses, MarksHaveTheirMomentsAndAreSharedInClusters)
   options.Variation = 0.4;
   for (const double sharing : { 0.0, 1.0 })
   {
-    options.Sharing = sharing;
+    options.ClusterCorrelation = sharing;
     const std::vector<double> marks = DrawMarks(pattern, options);
     Sample sample;
     int same = 0;
@@ -623,8 +623,8 @@ TEST(PointProcesses, WhatCannotBeIsNamed)
   const ObservationWindow far = Box(1e12, 0.0, 1e12 + 1.0, 1.0);
   EXPECT_TRUE(names(WhyInvalid(Process(0), {}, far), "origin"));
   MarkOptions marks;
-  marks.Sharing = 2.0;
-  EXPECT_TRUE(names(WhyInvalid(marks), "MarkSharing"));
+  marks.ClusterCorrelation = 2.0;
+  EXPECT_TRUE(names(WhyInvalid(marks), "MarkClusterCorrelation"));
 }
 
 INSTANTIATE_TEST_SUITE_P(PointProcesses, AllProcesses, ::testing::Range(0, NumberOfPointProcesses),

@@ -163,8 +163,8 @@ TEST(ProcessFits, OptionsThatCannotBeAreNamed)
   options.Power = 0.0;
   EXPECT_NE(WhyInvalid(options).find("Power"), std::string::npos);
   options = {};
-  options.Largest = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(WhyInvalid(options).find("LargestDistance"), std::string::npos);
+  options.MaximumDistance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(WhyInvalid(options).find("MaximumDistance"), std::string::npos);
   options = {};
   options.Function = ContrastFunction::PairCorrelation;
   options.Correction = EdgeCorrection::Border;

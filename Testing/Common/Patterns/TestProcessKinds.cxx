@@ -117,7 +117,7 @@ TEST(ProcessKinds, MarksCorrelateAsTheClosedFormSays)
   marking.Variation = 0.8;
   for (const double sharing : { 0.0, 0.6 })
   {
-    marking.Sharing = sharing;
+    marking.ClusterCorrelation = sharing;
     std::vector<Sample> products(radii.size());
     for (int seed = 1; seed <= Seeds; ++seed)
     {

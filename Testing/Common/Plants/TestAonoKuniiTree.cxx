@@ -405,7 +405,7 @@ TEST(AonoKuniiTree, TheLongestTreesAreSoundAndLongerOnesRefused)
     AonoKuniiParameters p = Exact(preset);
     p.LengthRatio1 = p.LengthRatio2 = 0.3;
     p.Elongation = 3.0;
-    p.Iterations = MostIterations(p.Form);
+    p.Iterations = MaximumIterations(p.Form);
     ASSERT_EQ(WhyInvalid(p), "");
     EXPECT_EQ(WhyInvalid(GrowAonoKuniiTree(p).Wood), "");
     ++p.Iterations;

@@ -219,7 +219,7 @@ double VolumeOfCones(const Skeleton& skeleton)
   double volume = 0.0;
   for (const SkeletonBranch& branch : skeleton.Branches)
   {
-    const int sides = NumberOfSides(skeleton.Nodes[branch.First].Radius, thickest, BranchSkinOptions().MostSides);
+    const int sides = NumberOfSides(skeleton.Nodes[branch.First].Radius, thickest, BranchSkinOptions().MaximumSides);
     volume += VolumeOfCones(skeleton, branch, sides);
   }
   return volume;

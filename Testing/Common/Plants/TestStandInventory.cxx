@@ -230,8 +230,8 @@ TEST(StandInventory, KnownNamesAndUnits)
   ASSERT_EQ(plain.Trees.size(), 2u);
   EXPECT_DOUBLE_EQ(plain.Trees[0].Diameter, 0.3);
   EXPECT_DOUBLE_EQ(plain.Trees[0].Height, 20.0);
-  EXPECT_FALSE(plain.Trees[0].DrawnDiameter || plain.Trees[0].DrawnHeight);
-  EXPECT_TRUE(plain.Trees[1].DrawnHeight);
+  EXPECT_FALSE(plain.Trees[0].ImputedDiameter || plain.Trees[0].ImputedHeight);
+  EXPECT_TRUE(plain.Trees[1].ImputedHeight);
   EXPECT_EQ(Species().GetSpecies()[plain.Trees[1].Species].Name, "longleaf pine");
   // ForestGEO: millimetres, status, coordinates of the plot.
   const StandInventory geo =
@@ -249,7 +249,7 @@ TEST(StandInventory, KnownNamesAndUnits)
   EXPECT_NEAR(feet.Trees[0].Height, 15.24, 1e-12);
   InventoryOptions options;
   options.DiameterUnit = LengthUnit::Millimetre;
-  options.PlaceUnit = LengthUnit::Foot;
+  options.CoordinateUnit = LengthUnit::Foot;
   const StandInventory told = Read("x,y,dbh\n10,20,150\n", options);
   EXPECT_DOUBLE_EQ(told.Trees[0].Diameter, 0.15);
   EXPECT_NEAR(told.Trees[0].Y, 6.096, 1e-12);
@@ -345,7 +345,7 @@ TEST(StandInventory, DrawsFromWhatWasMeasured)
   const StandInventory stand = Read(text, options);
   for (std::size_t tree = 0; tree < stand.Trees.size(); tree += 3)
   {
-    EXPECT_FALSE(stand.Trees[tree].DrawnDiameter);
+    EXPECT_FALSE(stand.Trees[tree].ImputedDiameter);
     const StandTree& drawn = stand.Trees[tree + 1];
     EXPECT_GE(drawn.Diameter, 0.2 - 1e-9);
     EXPECT_LE(drawn.Diameter, 0.4);
@@ -392,15 +392,15 @@ TEST(StandInventory, OneMessageEach)
   {
     unit += std::to_string(0.1 * (tree % 10)) + "," + std::to_string(0.1 * static_cast<double>(tree / 10)) + "\n";
   }
-  EXPECT_TRUE(Says(WhyNot(unit), "set PlaceScale"));
+  EXPECT_TRUE(Says(WhyNot(unit), "set CoordinateScale"));
   EXPECT_TRUE(Says(WhyNot(unit), "Degrees must be projected"));
   options = {};
-  options.PlaceScale = 924.0;
-  options.PlaceUnit = LengthUnit::Foot;
+  options.CoordinateScale = 924.0;
+  options.CoordinateUnit = LengthUnit::Foot;
   EXPECT_EQ(WhyNot(unit, options), "");
   options = {};
-  options.OtherSpecies = "moss";
-  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "OtherSpecies is 'moss'"));
+  options.DefaultSpecies = "moss";
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "DefaultSpecies is 'moss'"));
   options = {};
   options.HeightVariation = 0.5;
   EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "HeightVariation"));
@@ -458,8 +458,8 @@ TEST(InventoryPlants, StandForTreesOfAKindThatAreAboutAsThick)
   EXPECT_EQ(PlantsOfInventory(Species(), stand, 20).Plants.size(), 6u + 1u); // ln(39 / 10) / ln 1.3 is 5.2
   EXPECT_EQ(PlantsOfInventory(Species(), Read("x,y,species,dbh\n1,2,oak,10\n5,2,oak,90\n"), 20).Plants.size(), 2u);
   InventoryOptions options;
-  options.SizeClasses = 0;
-  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "SizeClasses is 0"));
-  options.SizeClasses = 21;
-  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "SizeClasses is 21"));
+  options.DiameterClasses = 0;
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "DiameterClasses is 0"));
+  options.DiameterClasses = 21;
+  EXPECT_TRUE(Says(WhyNot("x,y\n1,2\n", options), "DiameterClasses is 21"));
 }

@@ -69,7 +69,7 @@ TEST(StemShape, FitsHeightAndDiameter)
     EXPECT_NEAR(place.Scale * 25.0, height, 1e-12);
     // The diameter of the scaled cone where it is measured: D = s g 0.8 (1 - h / (20 s)).
     const double at = height < 2.6 ? 0.5 * height : 1.3;
-    const double own = place.Scale * place.Girth * 0.8 * (1.0 - at / (20.0 * place.Scale));
+    const double own = place.Scale * place.WidthScale * 0.8 * (1.0 - at / (20.0 * place.Scale));
     EXPECT_NEAR(own / diameter, 1.0, 2e-5) << height;
   }
 }
@@ -80,9 +80,9 @@ TEST(StemShape, OneMeasureKeepsProportions)
   PlantPlace place;
   EXPECT_EQ(stem.Fit({ 12.5, 0.0 }, place), "");
   EXPECT_DOUBLE_EQ(place.Scale, 0.5);
-  EXPECT_EQ(place.Girth, 1.0);
+  EXPECT_EQ(place.WidthScale, 1.0);
   EXPECT_EQ(stem.Fit({ 0.0, 0.3 }, place), "");
-  EXPECT_EQ(place.Girth, 1.0);
+  EXPECT_EQ(place.WidthScale, 1.0);
   // s 0.8 (1 - 1.3 / (20 s)) = 0.3
   EXPECT_NEAR(place.Scale, (0.3 + 0.8 * 1.3 / 20.0) / 0.8, 2e-5);
 }
@@ -101,7 +101,7 @@ TEST(StemShape, NormalsOfAnEllipsoid)
 {
   // A sphere that is wider by g is an ellipsoid, x^2 / g^2 + y^2 / g^2 + z^2 = 1, with normals along (x/g^2, y/g^2, z).
   PlantPlace place;
-  place.Girth = 2.5;
+  place.WidthScale = 2.5;
   place.Scale = 0.4;
   place.Azimuth = 0.9;
   const PlantPlacement placement(place);

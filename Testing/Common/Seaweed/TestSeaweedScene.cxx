@@ -144,7 +144,7 @@ std::vector<Vector3> NodesAtRest(const Bed& bed)
   return nodes;
 }
 
-double LargestDistance(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+double MaximumDistance(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
 {
   double most = 0.0;
   for (std::size_t n = 0; n < a.size(); ++n)
@@ -181,7 +181,7 @@ TEST(SeaweedScene, IsTheSameToTheBitInAnyOrderOfTimes)
       ASSERT_EQ(nodes, NodesAt(fresh, time)) << time;
       if (time > 0.0)
       {
-        EXPECT_GT(LargestDistance(nodes, NodesAtRest(bed)), 1e-3) << time;
+        EXPECT_GT(MaximumDistance(nodes, NodesAtRest(bed)), 1e-3) << time;
       }
     }
   }
@@ -223,8 +223,8 @@ TEST(SeaweedScene, PlantsAreAtRestBeforeTheStart)
   const Bed bed = TwoPlants();
   SeaweedScene scene = SceneOf(bed);
   NodesAt(scene, 1.0);
-  EXPECT_LT(LargestDistance(NodesAt(scene, -1.0), NodesAtRest(bed)), 1e-12);
-  EXPECT_LT(LargestDistance(NodesAt(scene, -50.0), NodesAtRest(bed)), 1e-12);
+  EXPECT_LT(MaximumDistance(NodesAt(scene, -1.0), NodesAtRest(bed)), 1e-12);
+  EXPECT_LT(MaximumDistance(NodesAt(scene, -50.0), NodesAtRest(bed)), 1e-12);
   EXPECT_EQ(scene.GetStep(), 0);
 }
 
@@ -243,7 +243,7 @@ TEST(SeaweedScene, LevelsDoNotTouchTheState)
   levels.Seen = ViewFrom({ 0.0, -50.0, -5.7 });
   levels.Seen.Direction = Vector3(0.0, -1.0, 0.0); // away from all
   const SeaweedCounters none = scene.Show(levels);
-  EXPECT_LT(LargestDistance(scene.NodePositions(), NodesAtRest(bed)), 1e-12);
+  EXPECT_LT(MaximumDistance(scene.NodePositions(), NodesAtRest(bed)), 1e-12);
   SeaweedScene fresh = SceneOf(bed);
   EXPECT_EQ(NodesAt(scene, 2.0), NodesAt(fresh, 2.0));
   const SeaweedCounters all = scene.Show({});

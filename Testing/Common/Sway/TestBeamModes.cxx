@@ -76,11 +76,11 @@ double StaticTipShare(int lastMode)
 TEST(BeamModes, RootsAreExact)
 {
   double worst = 0.0;
-  for (int mode = 1; mode <= MostModes; ++mode)
+  for (int mode = 1; mode <= MaximumModes; ++mode)
   {
     worst = std::max(worst, std::abs(CantileverRoot(mode) - static_cast<double>(ExactRoot(mode))));
   }
-  std::printf("largest error of the roots 1 to %d: %.3g\n", MostModes, worst);
+  std::printf("largest error of the roots 1 to %d: %.3g\n", MaximumModes, worst);
   EXPECT_LT(worst, 1e-10);
   EXPECT_NEAR(CantileverRoot(1), 1.8751040687, 5e-11);
   EXPECT_NEAR(CantileverRoot(5), 14.1371683910, 5e-11);
@@ -89,7 +89,7 @@ TEST(BeamModes, RootsAreExact)
 TEST(BeamModes, ShapesDoNotCancel)
 {
   double worst = 0.0;
-  for (int mode = 1; mode <= MostModes; ++mode)
+  for (int mode = 1; mode <= MaximumModes; ++mode)
   {
     for (int i = 0; i <= 100; ++i)
     {
@@ -107,7 +107,7 @@ TEST(BeamModes, ShapesDoNotCancel)
 
 TEST(BeamModes, SlopesAreDerivatives)
 {
-  for (int mode = 1; mode <= MostModes; ++mode)
+  for (int mode = 1; mode <= MaximumModes; ++mode)
   {
     const double rise = Integral([=](double s) { return ModeSlope(mode, s); });
     EXPECT_NEAR(rise, ModeShape(mode, 1.0), 1e-9);
@@ -117,7 +117,7 @@ TEST(BeamModes, SlopesAreDerivatives)
 TEST(BeamModes, AreOrthogonal)
 {
   double worst = 0.0;
-  for (int m = 1; m <= MostModes; ++m)
+  for (int m = 1; m <= MaximumModes; ++m)
   {
     for (int n = 1; n <= m; ++n)
     {
@@ -126,7 +126,7 @@ TEST(BeamModes, AreOrthogonal)
     }
     EXPECT_NEAR(Integral([=](double s) { return ModeShape(m, s); }), MeanShape(m), 1e-9);
   }
-  std::printf("largest error of the mean products of modes up to %d: %.3g\n", MostModes, worst);
+  std::printf("largest error of the mean products of modes up to %d: %.3g\n", MaximumModes, worst);
   EXPECT_LT(worst, 1e-9);
 }
 
@@ -147,7 +147,7 @@ TEST(BeamModes, FrequenciesOfARoundBeam)
 TEST(BeamModes, ModalMassIsThatOfTheBeam)
 {
   const RoundBeam beam{ 3.0, 0.05, 1e10, 5.5 };
-  for (int mode = 1; mode <= MostModes; ++mode)
+  for (int mode = 1; mode <= MaximumModes; ++mode)
   {
     EXPECT_NEAR(ModalMass(beam, mode) / (beam.MassPerLength * beam.Length), 1.0, 1e-9);
   }

@@ -127,7 +127,7 @@ TEST(CrownPictures, GoAlongWithTheTrunk)
     tree.JointIds[i] = 1;
   }
   tree.Crown.LeafBinding = { tree.JointIds.data(), tree.JointWeights.data(), tree.Crown.Leaves.Points.size() };
-  tree.Settings.Leaves.LargestAlignment = 0.0;
+  tree.Settings.Leaves.MaximumAlignment = 0.0;
   tree.Settings.Leaves.FlutterAngle = 0.0;
   const TextureImage rest = CylindricalProjection({ tree.Crown.Leaves, nullptr }, *tree.Crown.Volume, 48, 32);
   for (const TextureImage& picture : tree.PicturesIn(WindAlong()))

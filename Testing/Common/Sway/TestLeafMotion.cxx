@@ -39,7 +39,7 @@ TEST(LeafMotion, NoWindNoMotion)
 TEST(LeafMotion, TurnsTowardsTheWind)
 {
   LeafMotionOptions options;
-  options.LargestAlignment = 1.0;
+  options.MaximumAlignment = 1.0;
   for (const Vector3& wind : { Vector3(20.0, 0.0, 0.0), Vector3(-9.0, 12.0, 16.0), Vector3(0.0, 0.0, -20.0) })
   {
     const glm::dquat rotation = LeafRotation(Upright, LeafWindOf(wind, options), { 0.0, 0.0 });

@@ -167,7 +167,7 @@ TEST(PlantMotion, FollowsTheModeShapes)
 {
   const double length = 3.0;
   const Skeleton mast = Mast(200, length);
-  for (int mode = 1; mode <= MostModes; ++mode)
+  for (int mode = 1; mode <= MaximumModes; ++mode)
   {
     const PlantMotion motion(mast, mode);
     std::vector<Vector3> amplitudes(mode, Vector3(0.0));

@@ -97,9 +97,9 @@ private:
   std::vector<double> Lumps;  // on nodes
 };
 
-double First(const TrunkMeasures& trunk, const TrunkStuff& stuff)
+double First(const TrunkMeasures& trunk, const TrunkMaterial& material)
 {
-  return ModesOf(trunk, 1.0, stuff)[0].Frequency / TwoPi;
+  return ModesOf(trunk, 1.0, material)[0].Frequency / TwoPi;
 }
 
 /// A mast whose radius goes from R to r R.
@@ -139,7 +139,7 @@ double Median(std::vector<double> values)
 
 TEST(TrunkModes, TaperedMastsAgainstElementsAndBooks)
 {
-  const TrunkStuff light{ 9e9, 900.0, 0.2, 0.05, false };
+  const TrunkMaterial light{ 9e9, 900.0, 0.2, 0.05, false };
   for (const double ratio : { 1.0, 0.5, 0.2, 0.05 })
   {
     const double radius = 0.1;
@@ -170,12 +170,12 @@ TEST(TrunkModes, CarriedMassAndWeightAgainstElements)
   areas[9] = 300.0;
   areas[11] = 100.0;
   areas[13] = 150.0;
-  TrunkStuff stuff{ 9e9, 900.0, 0.2, 0.05, false };
+  TrunkMaterial material{ 9e9, 900.0, 0.2, 0.05, false };
   TrunkMeasures trunk = MeasureTrunk(mast, areas);
   trunk.Limbs.clear(); // a rigid branch
   for (const bool weighs : { false, true })
   {
-    stuff.Weighs = weighs;
+    material.Weighs = weighs;
     Elements elements(12.0, 120, 9e9, 900.0, [=](double part) { return radius * (1.0 + (ratio - 1.0) * part); });
     for (const Lump& lump : { Lump{ 40.0, 4.0, 0.0 }, { 60.0, 9.0, 0.0 }, { 20.0, 11.0, 0.0 }, { 30.0, 6.0, 1.0 } })
     {
@@ -183,21 +183,21 @@ TEST(TrunkModes, CarriedMassAndWeightAgainstElements)
     }
     const double exact = elements.Frequencies(weighs)[0];
     std::printf("mast with a crown, %s: %.5f Hz, %.5f of 120 elements'\n", weighs ? "that weighs" : "without weight",
-      First(trunk, stuff), First(trunk, stuff) / exact);
-    EXPECT_NEAR(First(trunk, stuff) / exact, 1.0, 0.001);
+      First(trunk, material), First(trunk, material) / exact);
+    EXPECT_NEAR(First(trunk, material) / exact, 1.0, 0.001);
   }
   // What would buckle stands, and swings half as fast as without its weight.
-  stuff.YoungModulus = 1e8;
-  const double buckled = First(trunk, stuff);
-  stuff.Weighs = false;
-  EXPECT_GT(buckled, 0.4 * First(trunk, stuff));
+  material.YoungModulus = 1e8;
+  const double buckled = First(trunk, material);
+  material.Weighs = false;
+  EXPECT_GT(buckled, 0.4 * First(trunk, material));
 }
 
 TEST(TrunkModes, LimbsGiveWay)
 {
   // A mast whose upper part is a branch, as stiff as below, is still the mast, whose first frequency a book has. Its
   // own part being so large, it is found by Ritz's shape of that part alone and not exactly.
-  const TrunkStuff light{ 9e9, 900.0, 0.2, 0.05, false };
+  const TrunkMaterial light{ 9e9, 900.0, 0.2, 0.05, false };
   const double whole = 3.5160 * 0.5 * 0.05 * std::sqrt(1e7) / 16.0 / TwoPi;
   const double thicker = std::pow(BranchModulus, -0.25);
   for (const double cut : { 0.7, 1.2, 2.0 })

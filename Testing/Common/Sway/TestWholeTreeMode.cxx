@@ -23,9 +23,9 @@ namespace
 class Frame
 {
 public:
-  Frame(const Skeleton& skeleton, const std::vector<double>& leaves, const TrunkStuff& stuff)
+  Frame(const Skeleton& skeleton, const std::vector<double>& leaves, const TrunkMaterial& material)
     : Plant(skeleton)
-    , Stuff(stuff)
+    , Material(material)
   {
     std::map<int, std::vector<std::pair<double, int>>> feet; // along the segment above a node
     for (std::size_t branch = 1; branch < skeleton.Branches.size(); ++branch)
@@ -126,7 +126,7 @@ public:
 
 private:
   const Skeleton& Plant;
-  TrunkStuff Stuff;
+  TrunkMaterial Material;
   std::vector<int> JointOf; // by node
   std::vector<Vector3> Joints;
   std::vector<double> Masses; // [kg]
@@ -170,12 +170,12 @@ private:
       }
       else if (a.Branch > 0)
       {
-        this->Masses[below] += this->Stuff.LeafMass * leaves;
+        this->Masses[below] += this->Material.LeafMass * leaves;
       }
     }
     if (a.Branch == 0)
     {
-      this->Masses[this->JointOf[node]] += this->Stuff.LeafMass * leaves;
+      this->Masses[this->JointOf[node]] += this->Material.LeafMass * leaves;
     }
   }
 
@@ -183,11 +183,11 @@ private:
   {
     const Vector3 run = this->Joints[to] - this->Joints[from];
     const double h = glm::length(run);
-    const double wood = this->Stuff.Density * Pi / 3.0 * (low * low + low * high + high * high) * h;
+    const double wood = this->Material.Density * Pi / 3.0 * (low * low + low * high + high * high) * h;
     this->Masses[from] += 0.5 * wood;
     this->Masses[to] += 0.5 * wood;
     const double radius = std::pow(3.0 * std::pow(low * high, 3) / (low * low + low * high + high * high), 0.25);
-    const double modulus = (isTrunk ? 1.0 : 0.5) * this->Stuff.YoungModulus;
+    const double modulus = (isTrunk ? 1.0 : 0.5) * this->Material.YoungModulus;
     const double ei = modulus * 0.25 * Pi * std::pow(radius, 4);
     Eigen::Matrix<double, 12, 12> k = Eigen::Matrix<double, 12, 12>::Zero();
     const auto spring = [&](int i, double value) {
@@ -233,7 +233,7 @@ private:
   }
 };
 
-const TrunkStuff Light{ 5e9, 950.0, 0.35, 0.05, false };
+const TrunkMaterial Light{ 5e9, 950.0, 0.35, 0.05, false };
 
 double Ours(const Skeleton& skeleton, const std::vector<double>& leaves, bool gives = true)
 {

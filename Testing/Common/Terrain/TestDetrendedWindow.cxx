@@ -226,7 +226,7 @@ TEST(TurningBandsPlane, IsTheOneFittedToTheField)
     parameters.NumberOfHarmonics = 60;
     parameters.AnisotropyRatio = ratio;
     parameters.AnisotropyAngle = 0.4;
-    parameters.ShortestWavelength = 20.0;
+    parameters.MinimumWavelength = 20.0;
     const PlaneGrid grid{ { 5.0, -7.0 }, { 10.0, 5.0 } };
     const TurningBandsField field(parameters, grid, GridWindow{});
 

@@ -23,7 +23,7 @@ TurningBandsParameters Parameters()
   parameters.Field.Model = CovarianceModel::SimpleExponential;
   parameters.Field.Range = 60.0;
   parameters.Field.Variance = 25.0;
-  parameters.ShortestWavelength = 20.0;
+  parameters.MinimumWavelength = 20.0;
   parameters.NumberOfLines = 64;
   return parameters;
 }

@@ -51,7 +51,7 @@ protected:
   const int Count = GetParam();
   std::vector<std::vector<float>> Tables;
   Taps Lines;
-  std::vector<float> Sums = std::vector<float>(MostPointsAtOnce + 32);
+  std::vector<float> Sums = std::vector<float>(MaximumPointsAtOnce + 32);
 
   /// Lines whose taps are so far apart, each from a place of its own.
   void MakeLines(int apart)

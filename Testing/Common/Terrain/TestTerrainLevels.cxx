@@ -206,7 +206,7 @@ TEST_P(Grounds, AreWatertightInRandomViews)
     rule.ByPixelError = round % 2 == 1;
     rule.NearDistance = 100.0 * share();
     rule.FarDistance = rule.NearDistance + 200.0 * share();
-    rule.LargestPixels = 1.0 + 400.0 * share();
+    rule.MaximumPixels = 1.0 + 400.0 * share();
     rule.UseCulling = round % 4 < 2;
     const std::vector<int> levels = SelectLevels(pyramid, ViewFrustum(view), rule);
     std::set<int> different(levels.begin(), levels.end());
@@ -416,13 +416,13 @@ TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
     const PictureOf picture(view);
     TerrainRule rule;
     rule.ByPixelError = true;
-    rule.LargestPixels = 1.0 + n % 12;
+    rule.MaximumPixels = 1.0 + n % 12;
     std::vector<int> levels = SelectLevels(pyramid, frustum, rule);
     for (std::size_t tile = 0; tile < levels.size(); ++tile)
     {
       int own = 0;
       const double error = levels[tile] == Culled ? 0.0 : MeasuredError(pyramid, levels, tile, picture, own);
-      ASSERT_LE(error, rule.LargestPixels) << n << (view.IsParallel ? " parallel" : " perspective");
+      ASSERT_LE(error, rule.MaximumPixels) << n << (view.IsParallel ? " parallel" : " perspective");
       if (levels[tile] != Culled)
       {
         ASSERT_LE(error, ScreenErrorOf(pyramid.GetTiles()[tile], levels[tile], frustum) * (1.0 + 1e-9));
@@ -432,7 +432,7 @@ TEST(TerrainLevels, ScreenErrorIsKeptAllOverThePicture)
       if (!rounds && own > 9 * 9 && levels[tile] + 1 < pyramid.GetLevels())
       {
         ++levels[tile];
-        tooFine += MeasuredError(pyramid, levels, tile, picture, own) <= rule.LargestPixels;
+        tooFine += MeasuredError(pyramid, levels, tile, picture, own) <= rule.MaximumPixels;
         ++kept;
         --levels[tile];
       }

@@ -255,7 +255,7 @@ TEST(TurningBands, NoiseIsNormal)
 TEST(TurningBands, TablesKeepThePowerOfTheShortestWaves)
 {
   TurningBandsParameters parameters = Parameters(CovarianceModel::SimpleExponential, 0.5);
-  parameters.ShortestWavelength = 2.0;
+  parameters.MinimumWavelength = 2.0;
   parameters.NumberOfLines = 24;
   parameters.NumberOfHarmonics = 40;
   const int size = 64;
@@ -394,7 +394,7 @@ TEST(TurningBands, LinesAreCountedByGridAndSpectrum)
   EXPECT_NEAR(lines(smooth, 1.0, 2000), 0.25 * 2000.0 * 0.436, 5.0);
   // Nothing short is nothing to count.
   TurningBandsParameters cut = rough;
-  cut.ShortestWavelength = 20.0;
+  cut.MinimumWavelength = 20.0;
   EXPECT_LT(lines(cut, 1.0, 1000), 0.3 * once);
 }
 
@@ -428,7 +428,7 @@ TEST(TurningBands, TablesAgreeWithTheSumOfHarmonics)
   for (double ratio : { 1.0, 3.0 })
   {
     TurningBandsParameters parameters = Parameters(CovarianceModel::SimpleExponential, 20.0);
-    parameters.ShortestWavelength = 4.0;
+    parameters.MinimumWavelength = 4.0;
     parameters.AnisotropyRatio = ratio;
     parameters.AnisotropyAngle = 0.4;
     PlaneGrid grid;
@@ -540,7 +540,7 @@ TEST(TurningBands, AWindowOfAStretchedGridHoldsTheBytesOfTheWhole)
 TEST(TurningBands, ACoarseGridHoldsEveryFourthValue)
 {
   TurningBandsParameters parameters = Parameters(CovarianceModel::Bessel1, 30.0);
-  parameters.ShortestWavelength = 6.0;
+  parameters.MinimumWavelength = 6.0;
   PlaneGrid fine;
   fine.Spacing = { 3.0, 3.0 };
   fine.Origin = { 17.0, -4.0 };
@@ -584,7 +584,7 @@ TEST(TurningBands, BadParametersAreNamed)
     expectNamed("NumberOfLines", [&](auto& p, auto&) { p.NumberOfLines = bad; });
     expectNamed("NumberOfHarmonics", [&](auto& p, auto&) { p.NumberOfHarmonics = bad; });
   }
-  expectNamed("ShortestWavelength", [&](auto& p, auto&) { p.ShortestWavelength = nan; });
+  expectNamed("MinimumWavelength", [&](auto& p, auto&) { p.MinimumWavelength = nan; });
   expectNamed("AnisotropyAngle", [&](auto& p, auto&) { p.AnisotropyAngle = nan; });
   expectNamed("Origin", [&](auto&, auto& g) { g.Origin[0] = nan; });
 }

@@ -93,7 +93,7 @@ def read_inventory(path, species=None, columns=None, units=None, **settings):
     columns: names of columns by what they hold, as {"dbh": "marks"}; keys x, y, species, dbh, height, plot.
     units: units of numbers, as {"dbh": "in", "place": "ft"}; keys place, dbh, height, values m, cm, mm, ft, in. By
     default as the name of the column says (`dbh_mm`), else metres, and centimetres for dbh.
-    settings: properties of vtkStandInventoryFilter, as Seed=2, Plot="A", KeepDead=True, PlaceScale=924.
+    settings: properties of vtkStandInventoryFilter, as Seed=2, Plot="A", KeepDead=True, CoordinateScale=924.
 
     Raises OSError, and ValueError with one sentence for what cannot be read.
     """
@@ -106,7 +106,7 @@ def read_inventory(path, species=None, columns=None, units=None, **settings):
                "dbh": stand.SetDiameterColumn, "height": stand.SetHeightColumn, "plot": stand.SetPlotColumn}
     for key, column in (columns or {}).items():
         _of(setters, key, "columns")(column)
-    setters = {"place": stand.SetPlaceUnit, "dbh": stand.SetDiameterUnit, "height": stand.SetHeightUnit}
+    setters = {"place": stand.SetCoordinateUnit, "dbh": stand.SetDiameterUnit, "height": stand.SetHeightUnit}
     for key, unit in (units or {}).items():
         _of(setters, key, "units")(_of(UNITS, unit, "units"))
     set_properties(stand, settings)
@@ -149,7 +149,7 @@ def tree_of(kind, height, diameter, crown):
 def prototypes(trees, classes=3, make=tree_of):
     """Plants for the trees of a stand, and the stand with the index of its plant as the array `Species`.
 
-    classes: plants of each kind at most, the SizeClasses of vtkStandInventoryFilter; a plant has the middle height,
+    classes: plants of each kind at most, the DiameterClasses of vtkStandInventoryFilter; a plant has the middle height,
     diameter and crown diameter of its class.
     make: a function of kind, height, diameter and crown diameter [m] that returns a plant source.
     Returns (stand, [plants]).
@@ -158,8 +158,8 @@ def prototypes(trees, classes=3, make=tree_of):
     x, y, _ = vtk_to_numpy(trees.GetPoints().GetData()).T
     rows = table_of_words(("x", "y", "species", "dbh_m", "height"), (
         x, y, [kinds[k] for k in numbers(trees, "Species")], numbers(trees, "DBH"), numbers(trees, "Height")))
-    sized = read_inventory(rows, table_of_words(("species", "kind"), 2 * [dict.fromkeys(kinds)]), OtherSpecies=kinds[0],
-                           SizeClasses=classes, AllowCoincident=True)
+    sized = read_inventory(rows, table_of_words(("species", "kind"), 2 * [dict.fromkeys(kinds)]), DefaultSpecies=kinds[0],
+                           DiameterClasses=classes, AllowCoincident=True)
     sizes = (vtk_to_numpy(sized.GetFieldData().GetArray("Plant" + name)) for name in ("Height", "DBH", "CrownDiameter"))
     plants = [make(kind, *map(float, size)) for kind, *size in zip(words(sized, "Kinds"), *sizes)]
     stand = vtkPolyData()

@@ -41,7 +41,7 @@ class Water:
         drainage.CarveOff()
         spacing = image.GetSpacing()[:2]
         cell = spacing[0] * spacing[1]
-        drainage.SetMinimumDrainageCells(max(2, round(LEAST_AREA / cell)))
+        drainage.SetStreamThreshold(max(2, round(LEAST_AREA / cell)))
         drainage.Update()
         self.image = drainage.GetOutput()
         area = array_from_image(self.image, "DrainageArea")
